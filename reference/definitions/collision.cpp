@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/definitions/collision.hpp"
+
+#include <algorithm>
+
+namespace oplus {
+
+namespace {
+
+/// Whether a piece of an edge of a, between two contacts with b's boundary, shows common interior:
+/// the piece is inside b, or it runs along an edge of b in the same direction, so that both
+/// interiors are to its left.
+bool shows_common_interior(const Segment& piece, const Region& b,
+                           const std::vector<Segment>& edges_of_b) {
+  const Point middle = midpoint(piece.source, piece.target);
+  switch (locate(middle, b)) {
+    case Location::outside:
+      return false;
+    case Location::inside:
+      return true;
+    case Location::boundary:
+      return std::any_of(edges_of_b.begin(), edges_of_b.end(), [&](const Segment& e) {
+        return lies_on(middle, e) && sign(dot(direction_of(e), direction_of(piece))) > 0;
+      });
+  }
+  return false;
+}
+
+/// Whether a piece of a's boundary shows common interior. Where no piece of either boundary does,
+/// each component of one interior is outside the other region.
+bool boundary_enters(const std::vector<Segment>& edges_of_a, const Region& b,
+                     const std::vector<Segment>& edges_of_b) {
+  for (const Segment& edge : edges_of_a) {
+    std::vector<Point> contacts;
+    for (const Segment& e : edges_of_b) {
+      for (const Point& contact : intersection(edge, e)) contacts.push_back(contact);
+    }
+    for (const Segment& piece : cut(edge, contacts)) {
+      if (shows_common_interior(piece, b, edges_of_b)) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+bool interiors_meet(const Region& a, const Region& b) {
+  const std::vector<Segment> edges_of_a = edges(a);
+  const std::vector<Segment> edges_of_b = edges(b);
+  for (const Segment& s : edges_of_a) {
+    for (const Segment& t : edges_of_b) {
+      if (cross_properly(s, t)) return true;
+    }
+  }
+  return boundary_enters(edges_of_a, b, edges_of_b) || boundary_enters(edges_of_b, a, edges_of_a);
+}
+
+}  // namespace oplus

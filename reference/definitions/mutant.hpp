@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// OPLUS_MUTANT("name") is true where the fault of that name is switched on. Only the preset
+/// `check` contains mutants; elsewhere the macro is the constant false and the name is not compiled.
+#ifdef OPLUS_MUTANTS
+#include <string>
+#include <string_view>
+
+namespace oplus {
+
+/// The one mutant that is switched on, or empty. Set before a run, by `oplus-check mutants` only.
+inline std::string active_mutant;
+
+}  // namespace oplus
+
+#define OPLUS_MUTANT(name) (::oplus::active_mutant == std::string_view(name))
+#else
+#define OPLUS_MUTANT(name) false
+#endif

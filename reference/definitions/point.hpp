@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <compare>
+
+#include "reference/definitions/rational.hpp"
+
+namespace oplus {
+
+/// A point of the plane and, equally, its radius vector: Minkowski sums add points.
+struct Point {
+  Rational x;
+  Rational y;
+
+  friend bool operator==(const Point& a, const Point& b) { return a.x == b.x && a.y == b.y; }
+
+  /// Lexicographic: by x, then by y.
+  friend std::strong_ordering operator<=>(const Point& a, const Point& b) {
+    const int by_x = cmp(a.x, b.x);
+    return (by_x != 0 ? by_x : cmp(a.y, b.y)) <=> 0;
+  }
+};
+
+using Vector = Point;
+
+inline Point operator+(const Point& a, const Point& b) { return {a.x + b.x, a.y + b.y}; }
+inline Point operator-(const Point& a, const Point& b) { return {a.x - b.x, a.y - b.y}; }
+inline Point operator-(const Point& a) { return {-a.x, -a.y}; }
+inline Point operator*(const Rational& factor, const Point& a) {
+  return {factor * a.x, factor * a.y};
+}
+
+inline Point midpoint(const Point& a, const Point& b) {
+  return {(a.x + b.x) / 2, (a.y + b.y) / 2};
+}
+
+/// The skew product [u, v] (thesis, Definition 2.1.9).
+inline Rational cross(const Vector& u, const Vector& v) { return u.x * v.y - u.y * v.x; }
+inline Rational dot(const Vector& u, const Vector& v) { return u.x * v.x + u.y * v.y; }
+
+/// Returns 1 if a, b, c turn left, -1 if they turn right, 0 if they are collinear.
+inline int orientation(const Point& a, const Point& b, const Point& c) {
+  return cmp(Rational((b.x - a.x) * (c.y - a.y)), Rational((b.y - a.y) * (c.x - a.x)));
+}
+
+}  // namespace oplus

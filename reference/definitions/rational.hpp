@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <gmpxx.h>
+
+namespace oplus {
+
+/// Every coordinate and every number derived from one: an exact rational in lowest terms.
+using Rational = mpq_class;
+
+/// Returns -1, 0 or 1.
+inline int sign(const Rational& value) { return sgn(value); }
+
+}  // namespace oplus

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/definitions/region.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "reference/definitions/winding_number.hpp"
+
+namespace oplus {
+
+std::vector<Chain> chains(const Region& region) {
+  std::vector<Chain> result;
+  for (const Component& component : region.components) {
+    result.push_back(component.outer);
+    result.insert(result.end(), component.holes.begin(), component.holes.end());
+  }
+  return result;
+}
+
+std::vector<Segment> edges(const Chain& chain) {
+  std::vector<Segment> result;
+  result.reserve(chain.size());
+  for (std::size_t i = 0; i < chain.size(); ++i)
+    result.push_back({chain[i], chain[next(i, chain.size())]});
+  return result;
+}
+
+std::vector<Segment> edges(const Region& region) {
+  std::vector<Segment> result;
+  for (const Chain& chain : chains(region)) {
+    const std::vector<Segment> of_chain = edges(chain);
+    result.insert(result.end(), of_chain.begin(), of_chain.end());
+  }
+  return result;
+}
+
+std::size_t vertex_count(const Region& region) {
+  std::size_t count = 0;
+  for (const Component& component : region.components) {
+    count += component.outer.size();
+    for (const Chain& hole : component.holes) count += hole.size();
+  }
+  return count;
+}
+
+Rational twice_area(const Chain& chain) {
+  Rational sum = 0;
+  for (const Segment& e : edges(chain)) sum += cross(e.source, e.target);
+  return sum;
+}
+
+Rational area(const Region& region) {
+  Rational twice = 0;
+  for (const Chain& chain : chains(region)) twice += twice_area(chain);
+  return twice / 2;
+}
+
+Chain translated(Chain chain, const Vector& by) {
+  for (Point& p : chain) p = p + by;
+  return chain;
+}
+
+namespace {
+
+template <typename Map>
+Region mapped(Region region, Map map) {
+  for (Component& component : region.components) {
+    for (Point& p : component.outer) p = map(p);
+    for (Chain& hole : component.holes)
+      for (Point& p : hole) p = map(p);
+  }
+  return region;
+}
+
+}  // namespace
+
+Region translated(Region region, const Vector& by) {
+  return mapped(std::move(region), [&](const Point& p) { return p + by; });
+}
+
+Region reflected(Region region) {
+  return mapped(std::move(region), [](const Point& p) { return -p; });
+}
+
+Region polygon(Chain outer) { return {{{std::move(outer), {}}}}; }
+
+Location locate(const Point& p, const Region& region) {
+  const std::vector<Segment> boundary = edges(region);
+  const bool on_boundary = std::any_of(boundary.begin(), boundary.end(),
+                                       [&](const Segment& e) { return lies_on(p, e); });
+  if (on_boundary) return Location::boundary;
+  return winding_number(p, boundary) > 0 ? Location::inside : Location::outside;
+}
+
+}  // namespace oplus

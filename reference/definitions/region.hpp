@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <vector>
+
+#include "reference/definitions/point.hpp"
+#include "reference/definitions/segment.hpp"
+
+namespace oplus {
+
+/// A closed polygonal chain (thesis, Definition 2.1.3), the last vertex joined to the first.
+using Chain = std::vector<Point>;
+
+/// An outer chain, counterclockwise, with holes, clockwise: the interior is to the left of each edge.
+struct Component {
+  Chain outer;
+  std::vector<Chain> holes;
+
+  friend bool operator==(const Component&, const Component&) = default;
+};
+
+/// A general polygonal set (thesis, Definition 2.1.17). What a valid one is: validity.hpp.
+/// No component at all is the empty set.
+struct Region {
+  std::vector<Component> components;
+
+  friend bool operator==(const Region&, const Region&) = default;
+};
+
+/// A vertex of a region, and the edge that leaves it: vertex `vertex` of chain `chain`, both from
+/// zero, chains in the order of `chains(region)`.
+struct VertexIndex {
+  std::size_t chain = 0;
+  std::size_t vertex = 0;
+
+  friend auto operator<=>(const VertexIndex&, const VertexIndex&) = default;
+};
+
+/// Returns all chains of a region: of each component the outer one, then its holes.
+std::vector<Chain> chains(const Region& region);
+
+/// Returns the edges of a chain, edge i leaving vertex i.
+std::vector<Segment> edges(const Chain& chain);
+
+/// Returns the edges of all chains of a region, in the order of `chains`.
+std::vector<Segment> edges(const Region& region);
+
+std::size_t vertex_count(const Region& region);
+
+/// The index before or after i in a closed chain of the given length.
+inline std::size_t previous(std::size_t i, std::size_t length) {
+  return (i == 0 ? length : i) - 1;
+}
+inline std::size_t next(std::size_t i, std::size_t length) { return i + 1 == length ? 0 : i + 1; }
+
+/// Twice the signed area a chain encloses: positive if counterclockwise.
+Rational twice_area(const Chain& chain);
+
+/// The area of a region, holes not counted.
+Rational area(const Region& region);
+
+Chain translated(Chain chain, const Vector& by);
+Region translated(Region region, const Vector& by);
+
+/// Returns -R: each point p becomes -p. Turns by π, so orientations stay.
+Region reflected(Region region);
+
+/// A region of one component without holes.
+Region polygon(Chain outer);
+
+/// Where a point lies with respect to a region.
+enum class Location { outside, boundary, inside };
+Location locate(const Point& p, const Region& region);
+
+}  // namespace oplus

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/definitions/segment.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "reference/definitions/contract.hpp"
+
+namespace oplus {
+
+namespace {
+
+bool apart(const Rational& a1, const Rational& a2, const Rational& b1, const Rational& b2) {
+  return (a1 < b1 && a1 < b2 && a2 < b1 && a2 < b2) || (a1 > b1 && a1 > b2 && a2 > b1 && a2 > b2);
+}
+
+bool boxes_apart(const Segment& a, const Segment& b) {
+  return apart(a.source.x, a.target.x, b.source.x, b.target.x) ||
+         apart(a.source.y, a.target.y, b.source.y, b.target.y);
+}
+
+bool between(const Rational& low_or_high, const Rational& value, const Rational& high_or_low) {
+  return (low_or_high <= value && value <= high_or_low) ||
+         (high_or_low <= value && value <= low_or_high);
+}
+
+}  // namespace
+
+bool lies_on(const Point& p, const Segment& s) {
+  return between(s.source.x, p.x, s.target.x) && between(s.source.y, p.y, s.target.y) &&
+         orientation(s.source, s.target, p) == 0;
+}
+
+bool cross_properly(const Segment& a, const Segment& b) {
+  if (boxes_apart(a, b)) return false;
+  return orientation(a.source, a.target, b.source) * orientation(a.source, a.target, b.target) <
+             0 &&
+         orientation(b.source, b.target, a.source) * orientation(b.source, b.target, a.target) < 0;
+}
+
+bool overlap(const Segment& a, const Segment& b) { return intersection(a, b).size() == 2; }
+
+std::vector<Point> intersection(const Segment& a, const Segment& b) {
+  if (boxes_apart(a, b)) return {};
+  std::vector<Point> common;
+  for (const Point* end : {&a.source, &a.target})
+    if (lies_on(*end, b)) common.push_back(*end);
+  for (const Point* end : {&b.source, &b.target})
+    if (lies_on(*end, a)) common.push_back(*end);
+  std::sort(common.begin(), common.end());
+  common.erase(std::unique(common.begin(), common.end()), common.end());
+  if (common.empty() && cross_properly(a, b)) {
+    const Vector u = direction_of(a);
+    const Vector v = direction_of(b);
+    const Rational t = cross(b.source - a.source, v) / cross(u, v);
+    common.push_back(a.source + t * u);
+  }
+  OPLUS_ENSURES(common.size() <= 2, "two segments meet in a point or a segment");
+  return common;
+}
+
+std::vector<Segment> cut(const Segment& s, std::vector<Point> points) {
+  std::erase_if(points, [&](const Point& p) {
+    return p == s.source || p == s.target || !lies_on(p, s);
+  });
+  points.push_back(s.source);
+  points.push_back(s.target);
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (s.target < s.source) std::reverse(points.begin(), points.end());
+  std::vector<Segment> pieces;
+  for (std::size_t i = 1; i < points.size(); ++i) pieces.push_back({points[i - 1], points[i]});
+  return pieces;
+}
+
+std::vector<Segment> maximal_segments(std::vector<Segment> segments) {
+  for (Segment& s : segments)
+    if (s.target < s.source) std::swap(s.source, s.target);
+  std::sort(segments.begin(), segments.end());
+  std::vector<Segment> maximal;
+  for (const Segment& s : segments) {
+    // A segment seen later starts no further left, so it can only extend one to the right.
+    const auto extended = std::find_if(maximal.begin(), maximal.end(), [&](const Segment& m) {
+      return s.source <= m.target && orientation(m.source, m.target, s.source) == 0 &&
+             orientation(m.source, m.target, s.target) == 0;
+    });
+    if (extended == maximal.end())
+      maximal.push_back(s);
+    else if (extended->target < s.target)
+      extended->target = s.target;
+  }
+  std::sort(maximal.begin(), maximal.end());
+  return maximal;
+}
+
+}  // namespace oplus

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <compare>
+#include <vector>
+
+#include "reference/definitions/point.hpp"
+
+namespace oplus {
+
+/// A directed segment (thesis, Definition 2.1.7).
+struct Segment {
+  Point source;
+  Point target;
+
+  friend bool operator==(const Segment&, const Segment&) = default;
+  friend std::strong_ordering operator<=>(const Segment&, const Segment&) = default;
+};
+
+inline Vector direction_of(const Segment& s) { return s.target - s.source; }
+inline Segment reversed(const Segment& s) { return {s.target, s.source}; }
+
+/// Whether p lies on the closed segment s.
+bool lies_on(const Point& p, const Segment& s);
+
+/// Whether the interiors of a and b meet in one point and neither contains an end of the other.
+bool cross_properly(const Segment& a, const Segment& b);
+
+/// Whether a and b share more than one point.
+bool overlap(const Segment& a, const Segment& b);
+
+/// Returns the intersection of two closed segments: no point, one point, or the two ends of the
+/// common part in lexicographic order.
+std::vector<Point> intersection(const Segment& a, const Segment& b);
+
+/// Returns s cut at those of the points that lie in its interior, in the order of its direction.
+std::vector<Segment> cut(const Segment& s, std::vector<Point> points);
+
+/// Returns the maximal segments whose union is that of the given ones: collinear segments that
+/// share a point become one. Each is directed from its lexicographically smaller end; sorted.
+std::vector<Segment> maximal_segments(std::vector<Segment> segments);
+
+}  // namespace oplus

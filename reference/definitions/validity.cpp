@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/definitions/validity.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace oplus {
+
+namespace {
+
+struct NamedEdge {
+  Segment segment;
+  VertexIndex index;
+  std::size_t chain_length;
+  Rational min_x, max_x;
+};
+
+bool adjacent(const NamedEdge& a, const NamedEdge& b) {
+  return a.index.chain == b.index.chain &&
+         (next(a.index.vertex, a.chain_length) == b.index.vertex ||
+          next(b.index.vertex, b.chain_length) == a.index.vertex);
+}
+
+std::optional<Defect> defect_of_chain(const Chain& chain, std::size_t index) {
+  if (chain.size() < 3)
+    return Defect{DefectKind::too_few_vertices, {index, 0}, {index, 0}, chain.empty() ? Point{} : chain[0]};
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const std::size_t j = next(i, chain.size());
+    if (chain[i] == chain[j])
+      return Defect{DefectKind::zero_length_edge, {index, i}, {index, j}, chain[i]};
+  }
+  std::map<Point, std::size_t> seen;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const auto [first, is_new] = seen.emplace(chain[i], i);
+    if (!is_new)
+      return Defect{DefectKind::repeated_vertex, {index, first->second}, {index, i}, chain[i]};
+  }
+  return std::nullopt;
+}
+
+/// A defect of two edges, or none. Touching points of different chains go into `touching`.
+std::optional<Defect> defect_of_pair(const NamedEdge& a, const NamedEdge& b,
+                                     std::map<VertexIndex, std::vector<Point>>& touching) {
+  const std::vector<Point> common = intersection(a.segment, b.segment);
+  if (common.empty()) return std::nullopt;
+  const bool same_chain = a.index.chain == b.index.chain;
+  const auto defect = [&](DefectKind kind) {
+    return Defect{kind, std::min(a.index, b.index), std::max(a.index, b.index), common.front()};
+  };
+  if (common.size() == 2)
+    return defect(same_chain ? DefectKind::self_overlap : DefectKind::chains_overlap);
+  if (cross_properly(a.segment, b.segment))
+    return defect(same_chain ? DefectKind::self_crossing : DefectKind::chains_cross);
+  if (same_chain) {
+    if (!adjacent(a, b)) return defect(DefectKind::self_touching);
+    return std::nullopt;
+  }
+  touching[a.index].push_back(common.front());
+  touching[b.index].push_back(common.front());
+  return std::nullopt;
+}
+
+/// Compares all pairs of edges whose boxes meet, by a sweep over x.
+std::optional<Defect> defect_of_edges(const std::vector<Chain>& all,
+                                      std::map<VertexIndex, std::vector<Point>>& touching) {
+  std::vector<NamedEdge> named;
+  for (std::size_t c = 0; c < all.size(); ++c) {
+    const std::vector<Segment> of_chain = edges(all[c]);
+    for (std::size_t i = 0; i < of_chain.size(); ++i) {
+      const auto [min_x, max_x] = std::minmax(of_chain[i].source.x, of_chain[i].target.x);
+      named.push_back({of_chain[i], {c, i}, of_chain.size(), min_x, max_x});
+    }
+  }
+  std::sort(named.begin(), named.end(),
+            [](const NamedEdge& a, const NamedEdge& b) { return a.min_x < b.min_x; });
+  for (std::size_t i = 0; i < named.size(); ++i) {
+    for (std::size_t j = i + 1; j < named.size() && named[j].min_x <= named[i].max_x; ++j) {
+      if (const auto defect = defect_of_pair(named[i], named[j], touching)) return defect;
+    }
+  }
+  return std::nullopt;
+}
+
+struct Side {
+  bool inside = false, outside = false;
+  VertexIndex edge;
+  Point where;
+};
+
+/// On which sides of the polygon `around` the chain runs, as far as it does not touch it.
+Side side_of(const Chain& chain, std::size_t index, const Chain& around,
+             const std::map<VertexIndex, std::vector<Point>>& touching) {
+  Region inner = polygon(around);
+  if (sign(twice_area(around)) < 0)
+    std::reverse(inner.components[0].outer.begin(), inner.components[0].outer.end());
+  Side side;
+  const std::vector<Segment> of_chain = edges(chain);
+  for (std::size_t i = 0; i < of_chain.size(); ++i) {
+    const auto touched = touching.find({index, i});
+    const bool representative = i == 0 || touched != touching.end();
+    if (!representative) continue;
+    for (const Segment& piece :
+         cut(of_chain[i], touched == touching.end() ? std::vector<Point>{} : touched->second)) {
+      const bool is_inside = locate(midpoint(piece.source, piece.target), inner) == Location::inside;
+      if ((is_inside ? side.outside : side.inside)) {
+        side.edge = {index, i};
+        side.where = piece.source;
+      }
+      (is_inside ? side.inside : side.outside) = true;
+    }
+  }
+  return side;
+}
+
+}  // namespace
+
+std::string describe(DefectKind kind) {
+  switch (kind) {
+    case DefectKind::too_few_vertices:
+      return "a chain has fewer than three vertices";
+    case DefectKind::zero_length_edge:
+      return "an edge has zero length";
+    case DefectKind::repeated_vertex:
+      return "a vertex is repeated";
+    case DefectKind::self_crossing:
+      return "two edges of a chain cross";
+    case DefectKind::self_overlap:
+      return "two edges of a chain overlap";
+    case DefectKind::self_touching:
+      return "a chain touches itself";
+    case DefectKind::chains_cross:
+      return "two chains cross";
+    case DefectKind::chains_overlap:
+      return "edges of two chains overlap";
+    case DefectKind::hole_outside:
+      return "a hole is outside its outer chain";
+    case DefectKind::holes_nested:
+      return "a hole is inside another hole";
+    case DefectKind::components_overlap:
+      return "two components overlap";
+  }
+  return {};
+}
+
+std::optional<Defect> find_defect(const Region& region) {
+  const std::vector<Chain> all = chains(region);
+  for (std::size_t c = 0; c < all.size(); ++c) {
+    if (const auto defect = defect_of_chain(all[c], c)) return defect;
+  }
+  std::map<VertexIndex, std::vector<Point>> touching;
+  if (const auto defect = defect_of_edges(all, touching)) return defect;
+
+  std::vector<std::size_t> outer_of;
+  for (const Component& component : region.components)
+    outer_of.insert(outer_of.end(), 1 + component.holes.size(), outer_of.size());
+  std::vector<std::vector<bool>> is_inside(all.size(), std::vector<bool>(all.size(), false));
+  for (std::size_t a = 0; a < all.size(); ++a) {
+    for (std::size_t b = 0; b < all.size(); ++b) {
+      if (a == b) continue;
+      const Side side = side_of(all[a], a, all[b], touching);
+      if (side.inside && side.outside)
+        return Defect{DefectKind::chains_cross, side.edge, {b, 0}, side.where};
+      is_inside[a][b] = side.inside;
+    }
+  }
+  const auto defect = [&](DefectKind kind, std::size_t a, std::size_t b) {
+    return Defect{kind, {a, 0}, {b, 0}, all[a][0]};
+  };
+  const auto is_outer = [&](std::size_t c) { return outer_of[c] == c; };
+  for (std::size_t a = 0; a < all.size(); ++a) {
+    if (!is_outer(a) && !is_inside[a][outer_of[a]])
+      return defect(DefectKind::hole_outside, a, outer_of[a]);
+    for (std::size_t b = 0; b < all.size(); ++b) {
+      if (a == b || !is_inside[a][b]) continue;
+      if (!is_outer(a) && !is_outer(b) && outer_of[a] == outer_of[b])
+        return defect(DefectKind::holes_nested, a, b);
+      if (!is_outer(a) || !is_outer(b)) continue;
+      bool in_a_hole = false;
+      for (std::size_t h = 0; h < all.size(); ++h)
+        in_a_hole = in_a_hole || (outer_of[h] == b && h != b && is_inside[a][h]);
+      if (!in_a_hole) return defect(DefectKind::components_overlap, a, b);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace oplus
