@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <istream>
+#include <string>
+#include <vector>
+
+#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/region.hpp"
+#include "reference/io/invalid_input.hpp"
+
+namespace oplus {
+
+/// A valid region, and a line for each thing that reading repaired: orientation, nothing else.
+struct ReadRegion {
+  Region region;
+  std::vector<std::string> notes;
+};
+
+struct ReadSum {
+  MinkowskiSum sum;
+  std::vector<std::string> notes;
+};
+
+/// Reads a region in .dat, WKT (POLYGON, MULTIPOLYGON, EMPTY) or GeoJSON (Polygon, MultiPolygon),
+/// told apart by the first character: a letter starts WKT, a brace GeoJSON, anything else .dat.
+/// Coordinates are exact: integers, decimals (also 1.5e-3) and fractions p/q.
+/// `name` is what messages call the input.
+/// Throws InvalidInput.
+ReadRegion read_region(std::istream& in, const std::string& name);
+
+/// Reads a sum: a region as above, or a collection (WKT GEOMETRYCOLLECTION, GeoJSON
+/// GeometryCollection) of at most one region, of line strings, the dangling edges, and of points, the
+/// isolated vertices. Result in canonical form. Throws InvalidInput.
+ReadSum read_sum(std::istream& in, const std::string& name);
+
+/// The same from a file; "-" is standard input. Throws InvalidInput also where it can't be opened.
+ReadRegion read_region_file(const std::string& path);
+ReadSum read_sum_file(const std::string& path);
+
+}  // namespace oplus

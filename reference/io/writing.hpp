@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <ostream>
+#include <string>
+
+#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/region.hpp"
+
+namespace oplus {
+
+enum class Format { dat, wkt, geojson };
+
+/// By the ending: .dat, .wkt, .json and .geojson; none for any other.
+std::optional<Format> format_of(const std::string& path);
+
+/// Returns the exact decimal where it ends, else p/q. With `digits`: rounded to that many decimals,
+/// half away from zero.
+std::string to_string(const Rational& value, std::optional<int> digits = std::nullopt);
+
+/// Returns "(x, y)", exactly.
+std::string to_string(const Point& p);
+
+/// Whether a format can hold the sum: .dat has no form for dangling edges and isolated vertices.
+bool can_hold(Format format, const MinkowskiSum& sum);
+
+/// Writes exactly; with `digits`, rounded, which WKT and GeoJSON readers may find invalid. In
+/// GeoJSON a number that is no finite decimal is a string "p/q".
+/// Requires: can_hold(format, sum).
+void write(std::ostream& out, const Region& region, Format format,
+           std::optional<int> digits = std::nullopt);
+void write(std::ostream& out, const MinkowskiSum& sum, Format format,
+           std::optional<int> digits = std::nullopt);
+
+/// Writes a file as a whole or not at all: to a temporary one beside it, then renamed. "-" is
+/// standard output. Throws std::system_error.
+void write_file(const std::string& path, const std::string& content);
+
+}  // namespace oplus
