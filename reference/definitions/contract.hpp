@@ -17,11 +17,12 @@ class ContractViolation : public std::logic_error {
 /// OPLUS_REQUIRES(condition, statement) and OPLUS_ENSURES(condition, statement): contracts named
 /// after the statement of the thesis they express. Checked in the presets `debug` and `check`.
 #ifdef OPLUS_CONTRACTS
-#define OPLUS_CONTRACT(kind, condition, statement)                                            \
-  do {                                                                                        \
-    if (!(condition))                                                                         \
-      throw ::oplus::ContractViolation(std::string(kind " (" statement ") broken: ") +        \
-                                       #condition + " at " __FILE__ ":" + std::to_string(__LINE__)); \
+#define OPLUS_CONTRACT(kind, condition, statement)                                     \
+  do {                                                                                 \
+    if (!(condition))                                                                  \
+      throw ::oplus::ContractViolation(std::string(kind " (" statement ") broken: ") + \
+                                       #condition + " at " __FILE__ ":" +              \
+                                       std::to_string(__LINE__));                      \
   } while (false)
 #else
 #define OPLUS_CONTRACT(kind, condition, statement) static_cast<void>(0)

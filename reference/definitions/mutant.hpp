@@ -2,7 +2,8 @@
 #pragma once
 
 /// OPLUS_MUTANT("name") is true where the fault of that name is switched on. Only the preset
-/// `check` contains mutants; elsewhere the macro is the constant false and the name is not compiled.
+/// `check` contains mutants; elsewhere the macro is the constant false and the name is not
+/// compiled.
 #ifdef OPLUS_MUTANTS
 #include <string>
 #include <string_view>

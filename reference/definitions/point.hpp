@@ -30,9 +30,7 @@ inline Point operator*(const Rational& factor, const Point& a) {
   return {factor * a.x, factor * a.y};
 }
 
-inline Point midpoint(const Point& a, const Point& b) {
-  return {(a.x + b.x) / 2, (a.y + b.y) / 2};
-}
+inline Point midpoint(const Point& a, const Point& b) { return {(a.x + b.x) / 2, (a.y + b.y) / 2}; }
 
 /// The skew product [u, v] (thesis, Definition 2.1.9).
 inline Rational cross(const Vector& u, const Vector& v) { return u.x * v.y - u.y * v.x; }

@@ -13,7 +13,8 @@ namespace oplus {
 /// A closed polygonal chain (thesis, Definition 2.1.3), the last vertex joined to the first.
 using Chain = std::vector<Point>;
 
-/// An outer chain, counterclockwise, with holes, clockwise: the interior is to the left of each edge.
+/// An outer chain, counterclockwise, with holes, clockwise: the interior is to the left of each
+/// edge.
 struct Component {
   Chain outer;
   std::vector<Chain> holes;
@@ -50,9 +51,7 @@ std::vector<Segment> edges(const Region& region);
 std::size_t vertex_count(const Region& region);
 
 /// The index before or after i in a closed chain of the given length.
-inline std::size_t previous(std::size_t i, std::size_t length) {
-  return (i == 0 ? length : i) - 1;
-}
+inline std::size_t previous(std::size_t i, std::size_t length) { return (i == 0 ? length : i) - 1; }
 inline std::size_t next(std::size_t i, std::size_t length) { return i + 1 == length ? 0 : i + 1; }
 
 /// Twice the signed area a chain encloses: positive if counterclockwise.

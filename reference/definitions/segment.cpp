@@ -60,9 +60,8 @@ std::vector<Point> intersection(const Segment& a, const Segment& b) {
 }
 
 std::vector<Segment> cut(const Segment& s, std::vector<Point> points) {
-  std::erase_if(points, [&](const Point& p) {
-    return p == s.source || p == s.target || !lies_on(p, s);
-  });
+  std::erase_if(points,
+                [&](const Point& p) { return p == s.source || p == s.target || !lies_on(p, s); });
   points.push_back(s.source);
   points.push_back(s.target);
   std::sort(points.begin(), points.end());

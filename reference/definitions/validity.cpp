@@ -24,7 +24,8 @@ bool adjacent(const NamedEdge& a, const NamedEdge& b) {
 
 std::optional<Defect> defect_of_chain(const Chain& chain, std::size_t index) {
   if (chain.size() < 3)
-    return Defect{DefectKind::too_few_vertices, {index, 0}, {index, 0}, chain.empty() ? Point{} : chain[0]};
+    return Defect{
+        DefectKind::too_few_vertices, {index, 0}, {index, 0}, chain.empty() ? Point{} : chain[0]};
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const std::size_t j = next(i, chain.size());
     if (chain[i] == chain[j])
@@ -102,7 +103,8 @@ Side side_of(const Chain& chain, std::size_t index, const Chain& around,
     if (!representative) continue;
     for (const Segment& piece :
          cut(of_chain[i], touched == touching.end() ? std::vector<Point>{} : touched->second)) {
-      const bool is_inside = locate(midpoint(piece.source, piece.target), inner) == Location::inside;
+      const bool is_inside =
+          locate(midpoint(piece.source, piece.target), inner) == Location::inside;
       if ((is_inside ? side.outside : side.inside)) {
         side.edge = {index, i};
         side.where = piece.source;

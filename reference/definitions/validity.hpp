@@ -11,17 +11,17 @@ namespace oplus {
 /// What can be wrong with a region. A valid one (thesis, Definition 2.1.17) has simple chains
 /// (Definition 2.1.4) that may touch each other in points, but neither cross nor overlap.
 enum class DefectKind {
-  too_few_vertices,     ///< a chain of fewer than three vertices
-  zero_length_edge,     ///< two consecutive vertices are equal
-  repeated_vertex,      ///< two other vertices of a chain are equal
-  self_crossing,        ///< two edges of a chain cross
-  self_overlap,         ///< two edges of a chain share a segment
-  self_touching,        ///< a vertex lies inside an edge of its own chain
-  chains_cross,         ///< the edges of two chains cross, or one passes through a vertex
-  chains_overlap,       ///< the edges of two chains share a segment
-  hole_outside,         ///< a hole is not inside its outer chain
-  holes_nested,         ///< a hole is inside another hole of its component
-  components_overlap,   ///< a component lies in the interior of another
+  too_few_vertices,    ///< a chain of fewer than three vertices
+  zero_length_edge,    ///< two consecutive vertices are equal
+  repeated_vertex,     ///< two other vertices of a chain are equal
+  self_crossing,       ///< two edges of a chain cross
+  self_overlap,        ///< two edges of a chain share a segment
+  self_touching,       ///< a vertex lies inside an edge of its own chain
+  chains_cross,        ///< the edges of two chains cross, or one passes through a vertex
+  chains_overlap,      ///< the edges of two chains share a segment
+  hole_outside,        ///< a hole is not inside its outer chain
+  holes_nested,        ///< a hole is inside another hole of its component
+  components_overlap,  ///< a component lies in the interior of another
 };
 
 struct Defect {

@@ -8,7 +8,8 @@ namespace oplus {
 int winding_number(const Point& p, const std::vector<Segment>& segments) {
   int crossings = 0;
   for (const Segment& s : segments) {
-    const bool source_below = OPLUS_MUTANT("ray-counts-both-ends") ? s.source.y < p.y : s.source.y <= p.y;
+    const bool source_below =
+        OPLUS_MUTANT("ray-counts-both-ends") ? s.source.y < p.y : s.source.y <= p.y;
     const bool target_below = s.target.y <= p.y;
     if (source_below == target_below) continue;
     const int side = orientation(s.source, s.target, p);

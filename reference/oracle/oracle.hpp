@@ -29,11 +29,11 @@ struct OracleSums {
   CellCount cells;
 };
 
-/// Computes P ⊕ Q by the definitions, O(n²m²) and more: the arrangement of the convolution 𝒞; a face
-/// is in the sum iff its winding number is positive (thesis, Theorem 4.2.1) and, independently, iff
-/// the interiors of P and -Q+x meet for a point x in it. The second verdict alone decides edges and
-/// vertices, that is, dangling edges and isolated vertices.
-/// Requires: p and q are valid (validity.hpp). Throws VerdictsDiffer.
+/// Computes P ⊕ Q by the definitions, O(n²m²) and more: the arrangement of the convolution 𝒞; a
+/// face is in the sum iff its winding number is positive (thesis, Theorem 4.2.1) and,
+/// independently, iff the interiors of P and -Q+x meet for a point x in it. The second verdict
+/// alone decides edges and vertices, that is, dangling edges and isolated vertices. Requires: p and
+/// q are valid (validity.hpp). Throws VerdictsDiffer.
 OracleSums oracle_sums(const Region& p, const Region& q);
 
 /// One of the two.
