@@ -10,7 +10,7 @@
 namespace oplus {
 
 /// A drawing in panels side by side, each with a title, layers and its own scale, and a legend that
-/// names every layer drawn. Coordinates are rounded for the eye only.
+/// names every layer drawn. Coordinates are rounded to doubles, for the eye only.
 struct Layer {
   enum class Kind {
     summand_p,
@@ -18,26 +18,32 @@ struct Layer {
     convolution,
     reduced_convolution,
     sum,
-    holes,            ///< faces of the complement inside the sum, filled
+    holes,  ///< faces of the complement inside the sum, filled
     dangling_edges,
     isolated_vertices,
-    difference,       ///< a point to look at
+    difference,  ///< a point to look at
   };
   Kind kind;
-  Region region;                  ///< filled, boundary drawn
-  std::vector<Segment> segments;  ///< drawn with arrow heads where the kind is directed
-  std::vector<Point> points;      ///< drawn as dots
+  Region region = {};                  ///< filled, boundary drawn (not that of holes)
+  std::vector<Segment> segments = {};  ///< drawn with arrow heads where the kind is directed
+  std::vector<Point> points = {};      ///< drawn as dots with a halo
 };
+
+/// Returns what the legend calls a layer.
+std::string label(Layer::Kind kind);
 
 struct Panel {
   std::string title;
-  std::vector<Layer> layers;
+  std::vector<Layer> layers;  ///< the first lowest; empty ones are neither drawn nor in the legend
 };
 
-/// The layers of a sum: its region, its holes, its low-dimensional features; empty ones left out.
+/// Panels for P, Q, their convolution and their reduced convolution, titled with their sizes.
+std::vector<Panel> panels_of(const Region& p, const Region& q);
+
+/// The layers of a sum: its holes, its region, its low-dimensional features; empty ones left out.
 std::vector<Layer> layers_of(const MinkowskiSum& sum);
 
-/// Returns an SVG document. Same panels, same bytes.
+/// Returns an SVG document, y axis up. Same panels, same bytes.
 std::string svg(const std::vector<Panel>& panels);
 
 }  // namespace oplus
