@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Sourced by tests/run and properties/run: what they need of Debian 12, and how they get it.
+
+packages=(g++ cmake ninja-build ccache git python3 clang-format
+          libcgal-dev libgmp-dev libmpfr-dev libboost-dev libcli11-dev nlohmann-json3-dev
+          librapidcheck-dev libgtest-dev libbenchmark-dev)
+
+# Installs what is missing. Asks nothing; says what it installs.
+install_missing_packages() {
+  if ! command -v dpkg-query >/dev/null; then
+    echo "not a Debian system, so nothing is installed; needed: ${packages[*]}" >&2
+    return 0
+  fi
+  local package missing=()
+  for package in "${packages[@]}"; do
+    [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" = installed ] ||
+      missing+=("$package")
+  done
+  [ ${#missing[@]} -gt 0 ] || return 0
+
+  local as_root=(env)
+  if [ "$(id -u)" -ne 0 ]; then
+    if ! command -v sudo >/dev/null || ! sudo -n true 2>/dev/null; then
+      echo "missing, and neither root nor sudo without a password: ${missing[*]}" >&2
+      echo "as root: apt-get install --no-install-recommends ${missing[*]}" >&2
+      return 1
+    fi
+    as_root=(sudo -n env)
+  fi
+  echo "installing ${missing[*]}"
+  as_root+=(DEBIAN_FRONTEND=noninteractive apt-get -qq -o Dpkg::Use-Pty=0)
+  "${as_root[@]}" update &&
+    "${as_root[@]}" install --yes --no-install-recommends "${missing[@]}" </dev/null >/dev/null
+}
+
+# Clones at different places share what ccache keeps; where it can't keep anything it stays out.
+set_up_ccache() {
+  command -v ccache >/dev/null || return 0
+  export CCACHE_BASEDIR=$1 CCACHE_NOHASHDIR=1
+  local cache
+  cache=$(ccache --get-config cache_dir 2>/dev/null) && mkdir -p "$cache" 2>/dev/null &&
+    [ -w "$cache" ] || export CCACHE_DISABLE=1
+}

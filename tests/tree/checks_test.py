@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+import shutil
+
+import compiled
+import formatted
+import licence_lines
+import mutant_names
+import public_headers
+from fixture import TreeTest
+from sources import ROOT, report
+
+SPDX = licence_lines.LINE
+
+
+class LicenceLines(TreeTest):
+    def test_where_the_line_must_be(self):
+        self.write("reference/io/right.cpp", "// " + SPDX)
+        self.write("tests/run", "#!/bin/sh", "# " + SPDX)
+        self.write("tests/CMakeLists.txt", "# " + SPDX)
+        self.write("tests/corpus/some.dat", "data")
+        self.write("reference/io/late.cpp", "", "// " + SPDX)
+        self.write("reference/io/empty.hpp")
+        self.write("properties/run", "#!/bin/sh", "echo", "# " + SPDX)
+        self.write("CMakeLists.txt", "project(oplus)")
+        found = licence_lines.violations(self.root, licence_lines.sources(self.root))
+        self.assertEqual([line.split(":")[0] for line in found],
+                         ["CMakeLists.txt", "properties/run", "reference/io/empty.hpp",
+                          "reference/io/late.cpp"])
+
+
+class Format(TreeTest):
+    def test_a_line_out_of_style(self):
+        shutil.copy(ROOT / ".clang-format", self.root)
+        paths = [self.write("reference/io/right.cpp", "int* right = nullptr;"),
+                 self.write("reference/io/wrong.cpp", "int *wrong=nullptr ;")]
+        self.assertEqual(formatted.violations(self.root, paths),
+                         ["reference/io/wrong.cpp: clang-format would change it"])
+
+
+class PublicHeaders(TreeTest):
+    def test_cgal_in_a_header(self):
+        for name in ["reference/oracle/a.hpp", "checked/rca/a.hpp", "checked/rca/a.cpp",
+                     "checked/cli/a.hpp", "tests/a.hpp"]:
+            self.write(name, "#include <vector>", "#include <CGAL/Arrangement_2.h>")
+        self.assertEqual(public_headers.violations(self.root),
+                         ["checked/rca/a.hpp: includes CGAL", "reference/oracle/a.hpp: includes CGAL"])
+
+
+class Compiled(TreeTest):
+    def test_a_source_that_no_target_has(self):
+        self.write("reference/io/in.cpp")
+        self.write("reference/io/relative.cpp")
+        self.write("properties/chapter9/out.cpp")
+        self.write("tests/consumer/own.cpp")
+        commands = [{"directory": "/", "file": str(self.root / "reference/io/in.cpp")},
+                    {"directory": str(self.root / "build"), "file": "../reference/io/relative.cpp"}]
+        self.assertEqual(compiled.violations(self.root, commands),
+                         ["properties/chapter9/out.cpp: no target compiles it"])
+
+
+class MutantNames(TreeTest):
+    def setUp(self):
+        super().setUp()
+        self.write("checked/rca/a.cpp", 'if (OPLUS_MUTANT("one") || OPLUS_MUTANT("two")) return;')
+        self.write("reference/definitions/mutant.hpp", '/// OPLUS_MUTANT("name") is true where')
+        self.with_one = str(self.write("with", "\0one\0"))
+        self.without = str(self.write("without", "\0"))
+
+    def violations(self, expected, *binaries):
+        return mutant_names.violations(expected, mutant_names.names(self.root), list(binaries))
+
+    def test_names_come_from_code_not_from_comments(self):
+        self.assertEqual(mutant_names.names(self.root), ["one", "two"])
+
+    def test_absent(self):
+        self.assertEqual(self.violations("absent", self.without), [])
+        self.assertEqual(self.violations("absent", self.without, self.with_one),
+                         [f"{self.with_one} contains the mutant one"])
+
+    def test_present(self):
+        self.assertEqual(self.violations("present", self.without, self.with_one),
+                         ["no binary contains the mutant two"])
+
+
+class Report(TreeTest):
+    def test_exit_code(self):
+        for checked, violations, code in [(3, [], 0), (3, ["one"], 1), (0, [], 1)]:
+            with self.subTest(checked=checked, violations=violations):
+                with self.assertRaises(SystemExit) as exit:
+                    report("what", checked, violations)
+                self.assertEqual(exit.exception.code, code)

@@ -1,0 +1,17 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fails on a source that `clang-format -i` would change."""
+
+import subprocess
+
+from sources import ROOT, cpp, report
+
+
+def violations(root, paths):
+    """Style is that of the .clang-format above each file."""
+    return [f"{path.relative_to(root)}: clang-format would change it" for path in paths
+            if subprocess.run(["clang-format", "--dry-run", "-Werror", path]).returncode != 0]
+
+
+if __name__ == "__main__":
+    report("format", len(cpp(ROOT)), violations(ROOT, cpp(ROOT)))
