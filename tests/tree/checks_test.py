@@ -38,12 +38,24 @@ class Format(TreeTest):
 
 
 class PublicHeaders(TreeTest):
-    def test_cgal_in_a_header(self):
-        for name in ["reference/oracle/a.hpp", "checked/rca/a.hpp", "checked/rca/a.cpp",
-                     "checked/cli/a.hpp", "tests/a.hpp"]:
-            self.write(name, "#include <vector>", "#include <CGAL/Arrangement_2.h>")
-        self.assertEqual(public_headers.violations(self.root),
-                         ["checked/rca/a.hpp: includes CGAL", "reference/oracle/a.hpp: includes CGAL"])
+    def setUp(self):
+        super().setUp()
+        self.write("checked/rca/traits.hpp", "#include <vector>", "#include <CGAL/Arrangement_2.h>")
+        self.write("checked/rca/faces.hpp", '#include "checked/rca/traits.hpp"')
+        self.write("checked/rca/rca.hpp", "#include <vector>")
+
+    def test_inside_its_folder(self):
+        self.write("checked/rca/rca.cpp", '#include "checked/rca/faces.hpp"', "#include <CGAL/a.h>")
+        self.write("checked/cli/sum.cpp", '#include "checked/rca/rca.hpp"')
+        self.write("tests/checked/rca/faces_test.cpp", '#include "checked/rca/faces.hpp"')
+        self.assertEqual(public_headers.violations(self.root), [])
+
+    def test_out_of_its_folder(self):
+        for included in ["checked/rca/traits.hpp", "checked/rca/faces.hpp"]:
+            with self.subTest(included=included):
+                self.write("checked/cli/sum.cpp", f'#include "{included}"')
+                self.assertEqual(public_headers.violations(self.root),
+                                 [f"checked/cli/sum.cpp:1: {included} brings CGAL out of its folder"])
 
 
 class Compiled(TreeTest):

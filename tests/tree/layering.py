@@ -2,9 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fails on an include that the layout does not allow, and on folders that include each other."""
 
-import posixpath
-import re
-
+from includes import includes
 from sources import ROOT, cpp, report
 
 # Who may include what of ours: the table of the design. The longest folder that holds a file decides.
@@ -25,8 +23,6 @@ MAY_INCLUDE = {
     "tests": PROPERTIES | {"tests"},
 }
 OURS = ("reference", "checked", "properties", "tests", "docs", "oplus")
-INCLUDE = re.compile(r"^[ \t]*#[ \t]*include\b[ \t]*(.*?)[ \t]*$", re.MULTILINE)
-NAMED = re.compile(r'^(?:"([^"]+)"|<([^>]+)>)')
 
 
 def holds(folder, path):
@@ -78,16 +74,13 @@ def violations(root):
         if including is None:
             found.append(f"{name}: no rule says what this folder may include")
             continue
-        text = path.read_text(encoding="utf-8")
-        for match in INCLUDE.finditer(text):
-            where = f"{name}:{text.count(chr(10), 0, match.start()) + 1}"
-            named = NAMED.match(match.group(1))
-            if named is None:
+        for include in includes(path):
+            where, included = f"{name}:{include.line}", include.path
+            if included is None:
                 found.append(f"{where}: an include that is computed can't be checked")
                 continue
-            included = posixpath.normpath(named.group(1) or named.group(2))
             if included.split("/")[0] not in OURS:
-                if named.group(1):
+                if include.quoted:
                     found.append(f"{where}: {included} is not named from the repository root")
                 continue
             if layer(included) not in MAY_INCLUDE[including]:

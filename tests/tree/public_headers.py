@@ -1,25 +1,39 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fails on a public header that includes CGAL: users would need it and wait a minute a file."""
+"""Fails where CGAL shows through a header to whoever uses the folder: users would need CGAL, and wait a
+minute a file. A header that needs CGAL, itself or through another, is for its own folder only."""
 
-import re
-
+from includes import includes
 from sources import ROOT, cpp, report
 
-CGAL = re.compile(r'^[ \t]*#[ \t]*include[ \t]*[<"]CGAL/', re.MULTILINE)
+LIBRARIES = ("reference", "checked")
 
 
-def public_headers(root):
-    """What is installed: see CMakeLists.txt."""
-    return [path for path in cpp(root) if path.suffix == ".hpp"
-            and path.relative_to(root).parts[0] in ("reference", "checked")
-            and path.relative_to(root).parts[:2] != ("checked", "cli")]
+def headers_over_cgal(root):
+    """Names of the libraries' headers that include CGAL, or one of these."""
+    included = {path.relative_to(root).as_posix(): {one.path for one in includes(path)}
+                for path in cpp(root) if path.suffix == ".hpp"
+                and path.relative_to(root).parts[0] in LIBRARIES}
+    over = {name for name in included
+            if any((path or "").startswith("CGAL/") for path in included[name])}
+    while True:
+        more = {name for name in included if name not in over and included[name] & over}
+        if not more:
+            return over
+        over |= more
 
 
 def violations(root):
-    return [f"{path.relative_to(root)}: includes CGAL" for path in public_headers(root)
-            if CGAL.search(path.read_text(encoding="utf-8"))]
+    over, found = headers_over_cgal(root), []
+    for path in cpp(root):
+        name = path.relative_to(root).as_posix()
+        if name.startswith("tests/"):  # a test of a private header includes it
+            continue
+        for include in includes(path):
+            if include.path in over and include.path.rpartition("/")[0] != name.rpartition("/")[0]:
+                found.append(f"{name}:{include.line}: {include.path} brings CGAL out of its folder")
+    return found
 
 
 if __name__ == "__main__":
-    report("public headers", len(public_headers(ROOT)), violations(ROOT))
+    report("headers", sum(path.suffix == ".hpp" for path in cpp(ROOT)), violations(ROOT))
