@@ -24,14 +24,16 @@ struct ReadSum {
 
 /// Reads a region in .dat, WKT (POLYGON, MULTIPOLYGON, EMPTY) or GeoJSON (Polygon, MultiPolygon),
 /// told apart by the first character: a letter starts WKT, a brace GeoJSON, anything else .dat.
-/// Coordinates are exact: integers, decimals (also 1.5e-3) and fractions p/q.
-/// `name` is what messages call the input.
-/// Throws InvalidInput.
+/// Coordinates are exact: integers, decimals (also 1.5e-3) and fractions p/q, in GeoJSON strings.
+/// In .dat each component is its outer chain, the number of its holes, and the holes; a chain is
+/// the number of its vertices, then x and y of each. A component that is all of the input may leave
+/// out the number of holes. The number 0 alone is the empty region. `name` is what messages call
+/// the input. Throws InvalidInput.
 ReadRegion read_region(std::istream& in, const std::string& name);
 
 /// Reads a sum: a region as above, or a collection (WKT GEOMETRYCOLLECTION, GeoJSON
-/// GeometryCollection) of at most one region, of line strings, the dangling edges, and of points, the
-/// isolated vertices. Result in canonical form. Throws InvalidInput.
+/// GeometryCollection) of at most one region, of line strings, the dangling edges, and of points,
+/// the isolated vertices. Result in canonical form. Throws InvalidInput.
 ReadSum read_sum(std::istream& in, const std::string& name);
 
 /// The same from a file; "-" is standard input. Throws InvalidInput also where it can't be opened.

@@ -15,8 +15,12 @@ enum class Format { dat, wkt, geojson };
 /// By the ending: .dat, .wkt, .json and .geojson; none for any other.
 std::optional<Format> format_of(const std::string& path);
 
+/// More decimals are not written: they would fill the memory with zeros.
+inline constexpr int most_digits = 4096;
+
 /// Returns the exact decimal where it ends, else p/q. With `digits`: rounded to that many decimals,
-/// half away from zero.
+/// half away from zero, without zeros at the end.
+/// Requires: 0 <= digits <= most_digits.
 std::string to_string(const Rational& value, std::optional<int> digits = std::nullopt);
 
 /// Returns "(x, y)", exactly.
@@ -26,7 +30,9 @@ std::string to_string(const Point& p);
 bool can_hold(Format format, const MinkowskiSum& sum);
 
 /// Writes exactly; with `digits`, rounded, which WKT and GeoJSON readers may find invalid. In
-/// GeoJSON a number that is no finite decimal is a string "p/q".
+/// GeoJSON a number that is no finite decimal, or has thousands of digits, is a string.
+/// A sum is written as region_of(sum), so that each ring is simple, its dangling edges as line
+/// strings and its isolated vertices as points.
 /// Requires: can_hold(format, sum).
 void write(std::ostream& out, const Region& region, Format format,
            std::optional<int> digits = std::nullopt);
@@ -34,7 +40,8 @@ void write(std::ostream& out, const MinkowskiSum& sum, Format format,
            std::optional<int> digits = std::nullopt);
 
 /// Writes a file as a whole or not at all: to a temporary one beside it, then renamed. "-" is
-/// standard output. Throws std::system_error.
+/// standard output. What exists and is no file, such as a device, is written to and not replaced.
+/// Throws std::system_error.
 void write_file(const std::string& path, const std::string& content);
 
 }  // namespace oplus

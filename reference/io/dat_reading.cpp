@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <string>
+
+#include "reference/io/placed_geometry.hpp"
+#include "reference/io/quoting.hpp"
+
+namespace oplus {
+
+namespace {
+
+bool is_count(std::string_view text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+/// The value of a count, or the largest one: as much input cannot follow.
+std::size_t count_value(std::string_view digits) {
+  constexpr std::size_t largest = std::numeric_limits<std::size_t>::max();
+  std::size_t value = 0;
+  for (const char c : digits) {
+    const auto digit = static_cast<std::size_t>(c - '0');
+    if (value > (largest - digit) / 10) return largest;
+    value = 10 * value + digit;
+  }
+  return value;
+}
+
+class DatReader {
+ public:
+  explicit DatReader(const InputText& input) : input_(input), tokens_(input, "") {}
+
+  PlacedGeometry read() {
+    PlacedGeometry geometry;
+    if (is_count(tokens_.peek().text) && count_value(tokens_.peek().text) == 0) {
+      const Token zero = tokens_.take();
+      if (!tokens_.peek().is_end())
+        input_.refuse(
+            tokens_.peek().at,
+            describe(tokens_.peek()) + " after " + quote(zero.text) + ", the empty region",
+            "the end of the input");
+      return geometry;
+    }
+    do {
+      geometry.components.push_back(component(geometry.components.size() + 1));
+    } while (!tokens_.peek().is_end());
+    return geometry;
+  }
+
+ private:
+  PlacedComponent component(std::size_t number) {
+    PlacedComponent result;
+    result.outer = chain({number, 0});
+    const bool is_whole_input = number == 1 && tokens_.peek().is_end();
+    if (is_whole_input) return result;
+    const std::string holes = "the number of holes of component " + std::to_string(number);
+    const Token token = tokens_.peek();
+    const std::size_t count = take_count(holes, number == 1 ? " or the end of the input" : "");
+    for (std::size_t hole = 1; hole <= count; ++hole) {
+      if (tokens_.peek().is_end())
+        input_.refuse(tokens_.peek().at,
+                      "the end of the input after " + std::to_string(hole - 1) + " of " +
+                          quote(token.text) + " holes of component " + std::to_string(number),
+                      "the number of vertices of " + describe(ChainName{number, hole}));
+      result.holes.push_back(chain({number, hole}));
+    }
+    return result;
+  }
+
+  PlacedChain chain(const ChainName& name) {
+    PlacedChain result;
+    const Token token = tokens_.peek();
+    result.start = token.at;
+    const std::size_t count = take_count("the number of vertices of " + describe(name), "");
+    if (count < 3) refuse_too_few_vertices(input_, token.at, name, count);
+    // Nothing is reserved: the count may be a lie.
+    while (result.vertices.size() < count) {
+      const Position place = tokens_.peek().at;
+      const Rational x = take_coordinate('x', result, token, name);
+      const Rational y = take_coordinate('y', result, token, name);
+      result.vertices.push_back({x, y});
+      result.places.push_back(place);
+    }
+    return result;
+  }
+
+  std::size_t take_count(const std::string& of_what, const std::string& or_else) {
+    const Token token = tokens_.take();
+    if (!is_count(token.text))
+      input_.refuse(token.at, describe(token) + " where " + of_what + " should be",
+                    "an integer without a sign" + or_else);
+    return count_value(token.text);
+  }
+
+  Rational take_coordinate(char axis, const PlacedChain& so_far, const Token& count,
+                           const ChainName& name) {
+    const Token token = tokens_.take();
+    const auto coordinate_called = [&] {
+      return coordinate_name(axis, so_far.vertices.size() + 1, describe(name));
+    };
+    if (token.is_end())
+      input_.refuse(token.at,
+                    "the end of the input after " + std::to_string(so_far.vertices.size()) +
+                        " of " + quote(count.text) + " vertices of " + describe(name),
+                    coordinate_called());
+    return coordinate(input_, token.text, token.at, coordinate_called);
+  }
+
+  const InputText& input_;
+  Tokenizer tokens_;
+};
+
+}  // namespace
+
+PlacedGeometry parse_dat(const InputText& input) { return DatReader(input).read(); }
+
+}  // namespace oplus

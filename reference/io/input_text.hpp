@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "reference/io/invalid_input.hpp"
+
+namespace oplus {
+
+/// A place in a text, both from one; columns count bytes.
+struct Position {
+  std::size_t line = 1;
+  std::size_t column = 1;
+
+  /// Moves past a character.
+  void pass(char c) {
+    if (c == '\n')
+      *this = {line + 1, 1};
+    else
+      ++column;
+  }
+
+  friend auto operator<=>(const Position&, const Position&) = default;
+};
+
+/// A whole input and what messages call it.
+struct InputText {
+  std::string name;
+  std::string text;
+
+  /// Throws InvalidInput.
+  [[noreturn]] void refuse(const Position& at, const std::string& wrong,
+                           const std::string& expected) const {
+    throw InvalidInput({name, at.line, at.column}, wrong, expected);
+  }
+};
+
+inline bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\v' || c == '\f';
+}
+
+struct Token {
+  std::string_view text;  ///< empty at the end of the input
+  Position at;            ///< of its first character; the end is just after the last token
+
+  bool is_end() const { return text.empty(); }
+};
+
+/// Returns the token for a message: quoted, or "the end of the input".
+std::string describe(const Token& token);
+
+/// Words between blanks, and the characters of `punctuation`, each a token of its own.
+/// The input must outlive it.
+class Tokenizer {
+ public:
+  Tokenizer(const InputText& input, std::string_view punctuation);
+
+  const Token& peek() const { return current_; }
+  Token take();
+
+ private:
+  void advance();
+
+  std::string_view rest_;
+  std::string_view punctuation_;
+  Position position_;
+  Token current_;
+};
+
+}  // namespace oplus

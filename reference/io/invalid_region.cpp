@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/io/invalid_region.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+struct NamedChain {
+  ChainName name;
+  const PlacedChain* chain;
+};
+
+/// In the order of chains(region), which a defect counts in.
+std::vector<NamedChain> named_chains(const PlacedGeometry& geometry) {
+  std::vector<NamedChain> named;
+  for (std::size_t c = 0; c < geometry.components.size(); ++c) {
+    const PlacedComponent& component = geometry.components[c];
+    named.push_back({{c + 1, 0}, &component.outer});
+    for (std::size_t h = 0; h < component.holes.size(); ++h)
+      named.push_back({{c + 1, h + 1}, &component.holes[h]});
+  }
+  return named;
+}
+
+/// The number of a vertex in the input.
+std::size_t number_of(const PlacedChain& chain, std::size_t vertex) {
+  return 1 + (chain.is_turned && vertex != 0 ? chain.vertices.size() - vertex : vertex);
+}
+
+/// "edge 2 from (1, 0) to (1, 1)", numbered and directed as in the input.
+std::string edge_name(const PlacedChain& chain, std::size_t edge) {
+  std::size_t from = edge;
+  std::size_t to = next(edge, chain.vertices.size());
+  if (chain.is_turned) std::swap(from, to);
+  return "edge " + std::to_string(number_of(chain, from)) + " from " +
+         to_string(chain.vertices[from]) + " to " + to_string(chain.vertices[to]);
+}
+
+/// The edge of a chain on which the point lies: the one a defect names, else any.
+std::optional<std::size_t> edge_at(const PlacedChain& chain, std::size_t named, const Point& p) {
+  const std::vector<Segment> all = edges(chain.vertices);
+  if (lies_on(p, all[named])) return named;
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Segment& e) { return lies_on(p, e); });
+  if (found == all.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - all.begin());
+}
+
+class DefectMessage {
+ public:
+  DefectMessage(const InputText& input, const PlacedGeometry& geometry, const Defect& defect)
+      : input_(input),
+        defect_(defect),
+        chains_(named_chains(geometry)),
+        first_(chains_[defect.first.chain]),
+        second_(chains_[defect.second.chain]) {}
+
+  [[noreturn]] void refuse() const {
+    const std::string first = describe(first_.name);
+    const std::string second = describe(second_.name);
+    const std::string at = " at " + to_string(defect_.where);
+    switch (defect_.kind) {
+      case DefectKind::too_few_vertices:
+        refuse_too_few_vertices(input_, first_.chain->start, first_.name,
+                                first_.chain->vertices.size());
+      case DefectKind::zero_length_edge:
+        refuse_with(first + " has an edge of zero length: " + two_vertices(),
+                    "consecutive vertices to differ");
+      case DefectKind::repeated_vertex:
+        refuse_with("a vertex of " + first + " is repeated: " + two_vertices(),
+                    "each vertex of a chain once");
+      case DefectKind::self_crossing:
+        refuse_with("two edges of " + first + " cross" + at + ": " + two_edges(), "a simple chain");
+      case DefectKind::self_overlap:
+        refuse_with("two edges of " + first + " overlap" + at + ": " + two_edges(),
+                    "a simple chain");
+      case DefectKind::self_touching:
+        refuse_with(first + " touches itself" + at + ": " + two_edges(), "a simple chain");
+      case DefectKind::chains_cross:
+        refuse_with(first + " and " + second + " cross" + at + edges_of_two_chains(),
+                    "chains that at most touch");
+      case DefectKind::chains_overlap:
+        refuse_with(first + " and " + second + " overlap" + at + edges_of_two_chains(),
+                    "chains that at most touch in points");
+      case DefectKind::hole_outside:
+        refuse_with(first + at + " is not inside " + second, "each hole inside its outer chain");
+      case DefectKind::holes_nested:
+        refuse_with(first + at + " is inside " + second, "holes beside each other");
+      case DefectKind::components_overlap:
+        refuse_with(first + at + " is inside " + second + " and in none of its holes",
+                    "components that at most touch");
+    }
+    refuse_with(describe(defect_.kind), "a valid region");
+  }
+
+ private:
+  [[noreturn]] void refuse_with(const std::string& wrong, const std::string& expected) const {
+    const Position& a = first_.chain->places[defect_.first.vertex];
+    const Position& b = second_.chain->places[defect_.second.vertex];
+    input_.refuse(std::max(a, b), wrong, expected);
+  }
+
+  /// "vertices 1 and 3 are both (2, 3)"
+  std::string two_vertices() const {
+    const auto [low, high] = std::minmax({number_of(*first_.chain, defect_.first.vertex),
+                                          number_of(*second_.chain, defect_.second.vertex)});
+    return "vertices " + std::to_string(low) + " and " + std::to_string(high) + " are both " +
+           to_string(defect_.where);
+  }
+
+  std::string two_edges() const {
+    return edge_name(*first_.chain, defect_.first.vertex) + " and " +
+           edge_name(*second_.chain, defect_.second.vertex);
+  }
+
+  std::string edges_of_two_chains() const {
+    const auto a = edge_at(*first_.chain, defect_.first.vertex, defect_.where);
+    const auto b = edge_at(*second_.chain, defect_.second.vertex, defect_.where);
+    if (!a || !b) return {};
+    return ": " + edge_name(*first_.chain, *a) + " and " + edge_name(*second_.chain, *b);
+  }
+
+  const InputText& input_;
+  const Defect& defect_;
+  std::vector<NamedChain> chains_;
+  NamedChain first_;
+  NamedChain second_;
+};
+
+}  // namespace
+
+void refuse_defect(const InputText& input, const PlacedGeometry& geometry, const Defect& defect) {
+  DefectMessage(input, geometry, defect).refuse();
+}
+
+}  // namespace oplus

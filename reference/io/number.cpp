@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/io/number.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include "reference/io/quoting.hpp"
+
+namespace oplus {
+
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Takes the digits at the front of a text.
+std::string_view take_digits(std::string_view& text) {
+  const auto end = std::find_if_not(text.begin(), text.end(), is_digit);
+  const std::string_view digits = text.substr(0, static_cast<std::size_t>(end - text.begin()));
+  text.remove_prefix(digits.size());
+  return digits;
+}
+
+/// Takes a sign, if there is one; returns whether it is a minus.
+bool take_sign(std::string_view& text) {
+  const bool has_sign = !text.empty() && (text[0] == '-' || text[0] == '+');
+  const bool is_minus = has_sign && text[0] == '-';
+  if (has_sign) text.remove_prefix(1);
+  return is_minus;
+}
+
+bool take_letter(std::string_view& text, std::string_view letters) {
+  const bool found = !text.empty() && letters.find(text[0]) != std::string_view::npos;
+  if (found) text.remove_prefix(1);
+  return found;
+}
+
+mpz_class integer(std::string_view digits) { return mpz_class(std::string(digits), 10); }
+
+mpz_class power_of_ten(unsigned long exponent) {
+  mpz_class power;
+  mpz_ui_pow_ui(power.get_mpz_t(), 10, exponent);
+  return power;
+}
+
+/// The value of an exponent's digits, or none if it is beyond the largest.
+std::optional<int> exponent_value(std::string_view digits) {
+  digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size()));
+  int value = 0;
+  for (const char c : digits) {
+    value = 10 * value + (c - '0');
+    if (value > largest_exponent) return std::nullopt;
+  }
+  return value;
+}
+
+bool is_name_of_no_finite_number(std::string_view unsigned_text) {
+  std::string lower(unsigned_text);
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lower == "nan" || lower == "inf" || lower == "infinity";
+}
+
+}  // namespace
+
+std::optional<Rational> parse_number(std::string_view text, NumberFault& fault) {
+  const auto refused = [&](const std::string& wrong, const std::string& expected) {
+    fault = {quote(text) + ' ' + wrong, expected};
+    return std::nullopt;
+  };
+  const auto not_a_number = [&] {
+    return refused("is not a number", "an integer, a decimal or a fraction p/q");
+  };
+  std::string_view rest = text;
+  const bool is_negative = take_sign(rest);
+  if (is_name_of_no_finite_number(rest)) return refused("is not finite", "a finite number");
+
+  const std::string_view whole = take_digits(rest);
+  if (take_letter(rest, "/")) {
+    const std::string_view denominator = take_digits(rest);
+    if (whole.empty() || denominator.empty() || !rest.empty()) return not_a_number();
+    Rational value(integer(whole), integer(denominator));
+    if (value.get_den() == 0) return refused("has the denominator 0", "a fraction p/q with q > 0");
+    value.canonicalize();
+    return is_negative ? Rational(-value) : value;
+  }
+
+  const std::string_view decimals = take_letter(rest, ".") ? take_digits(rest) : "";
+  if (whole.empty() && decimals.empty()) return not_a_number();
+  int exponent = 0;
+  if (take_letter(rest, "eE")) {
+    const bool is_negative_exponent = take_sign(rest);
+    const std::string_view digits = take_digits(rest);
+    if (digits.empty() || !rest.empty()) return not_a_number();
+    const std::optional<int> value = exponent_value(digits);
+    if (!value) {
+      const std::string limit = std::to_string(largest_exponent);
+      return refused("has too large an exponent", "an exponent from -" + limit + " to " + limit);
+    }
+    exponent = is_negative_exponent ? -*value : *value;
+  }
+  if (!rest.empty()) return not_a_number();
+
+  std::string digits(whole);
+  digits += decimals;
+  Rational value(integer(digits), power_of_ten(decimals.size()));
+  value.canonicalize();
+  const Rational scale(power_of_ten(static_cast<unsigned long>(std::abs(exponent))));
+  if (exponent < 0)
+    value /= scale;
+  else
+    value *= scale;
+  return is_negative ? Rational(-value) : value;
+}
+
+}  // namespace oplus

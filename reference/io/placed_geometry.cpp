@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/io/placed_geometry.hpp"
+
+namespace oplus {
+
+std::string describe(const ChainName& name) {
+  const std::string chain = name.hole == 0 ? "outer chain" : "hole " + std::to_string(name.hole);
+  return chain + " of component " + std::to_string(name.component);
+}
+
+std::string coordinate_name(char axis, std::size_t vertex, const std::string& chain) {
+  return std::string(1, axis) + " of vertex " + std::to_string(vertex) + " of " + chain;
+}
+
+std::string vertices(std::size_t count) {
+  return std::to_string(count) + (count == 1 ? " vertex" : " vertices");
+}
+
+void refuse_too_few_vertices(const InputText& input, const Position& at, const ChainName& name,
+                             std::size_t count) {
+  input.refuse(at, describe(name) + " has " + vertices(count), "at least 3");
+}
+
+}  // namespace oplus

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reference/definitions/region.hpp"
+#include "reference/io/input_text.hpp"
+#include "reference/io/number.hpp"
+
+namespace oplus {
+
+/// Vertices and where the input has them, so that what is wrong with a chain is reported there.
+struct PlacedChain {
+  Chain vertices;
+  std::vector<Position> places;  ///< of each vertex
+  Position start;
+  bool is_turned =
+      false;  ///< whether the order is the reverse of the input's, the first kept first
+};
+
+struct PlacedComponent {
+  PlacedChain outer;
+  std::vector<PlacedChain> holes;
+};
+
+/// What an input says, in its own order, nothing checked but syntax. Rings are without the closing
+/// vertex.
+struct PlacedGeometry {
+  std::vector<PlacedComponent> components;
+  std::vector<PlacedChain> line_strings;
+  PlacedChain points;
+};
+
+/// What the reader wants: line strings and points are for sums only.
+enum class Wanted { region, sum };
+
+/// How messages name a chain; both from one, hole 0 being the outer chain.
+struct ChainName {
+  std::size_t component = 1;
+  std::size_t hole = 0;
+};
+
+/// Returns "outer chain of component 1" or "hole 2 of component 1".
+std::string describe(const ChainName& name);
+
+/// Returns "x of vertex 3 of hole 2 of component 1".
+std::string coordinate_name(char axis, std::size_t vertex, const std::string& chain);
+
+/// Returns "3 vertices", "1 vertex".
+std::string vertices(std::size_t count);
+
+/// Returns the coordinate that the text at a place denotes. `name()` is what messages call it.
+/// Throws InvalidInput.
+template <typename Name>
+Rational coordinate(const InputText& input, std::string_view text, const Position& at, Name name) {
+  NumberFault fault;
+  const std::optional<Rational> value = parse_number(text, fault);
+  if (!value) input.refuse(at, name() + ": " + fault.wrong, fault.expected);
+  return *value;
+}
+
+/// Throws InvalidInput: a chain of so many vertices is none.
+[[noreturn]] void refuse_too_few_vertices(const InputText& input, const Position& at,
+                                          const ChainName& name, std::size_t count);
+
+/// The formats. Each throws InvalidInput where the syntax is wrong.
+PlacedGeometry parse_dat(const InputText& input);
+PlacedGeometry parse_wkt(const InputText& input, Wanted wanted);
+PlacedGeometry parse_geojson(const InputText& input, Wanted wanted);
+
+}  // namespace oplus
