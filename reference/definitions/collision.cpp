@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "reference/definitions/mutant.hpp"
+
 namespace oplus {
 
 namespace {
@@ -19,6 +21,7 @@ bool shows_common_interior(const Segment& piece, const Region& b,
     case Location::inside:
       return true;
     case Location::boundary:
+      if (OPLUS_MUTANT("parallel-edges-do-not-collide")) return false;
       return std::any_of(edges_of_b.begin(), edges_of_b.end(), [&](const Segment& e) {
         return lies_on(middle, e) && sign(dot(direction_of(e), direction_of(piece))) > 0;
       });

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/chapter2/boundary_coverage.hpp"
+#include "properties/runner/registry.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+Outcome check(const Summands& summands) {
+  OpenSum open_sum(summands);
+  const Coverage c = coverage(summands, convolution(summands.p, summands.q), open_sum);
+  Outcome outcome;
+  outcome.counts = {{"pieces of the vertex-edge sum", c.pieces},
+                    {"pieces off the convolution", c.pieces_left_out},
+                    {"points off the convolution", c.points_left_out}};
+  if (c.bare_boundary) {
+    outcome.kind = Outcome::Kind::fails;
+    outcome.why = "the boundary point " + to_string(*c.bare_boundary) +
+                  " is on no equally directed segment of the convolution";
+  }
+  return outcome;
+}
+
+const Registered registered({
+    .id = "theorem-2.2.10",
+    .kind = "theorem",
+    .title = "The convolution contains the boundary of the sum",
+    .statement =
+        "Every point on the boundary of the sum of the open regions, dangling edges and isolated "
+        "vertices included (and so the boundary of the closed sum), is on a segment of the "
+        "convolution. Where the point is inside a segment of the vertex-edge sum, a segment of the "
+        "convolution of the same direction covers it.",
+    .why =
+        "A segment of the vertex-edge sum is an edge e carried to a vertex v. If e is not in v's "
+        "tangent set, an edge at v points to the right of e; sliding e along it sweeps over the "
+        "segment, whose inside is then in the open sum. Where an edge at v is parallel to e, the "
+        "sum of the two collinear runs is covered by the segments that the tie rule keeps. Tested "
+        "in contrapositive, by collision tests alone: what the convolution leaves out of the "
+        "vertex-edge sum is in the open sum.",
+    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
+    .rests_on = {"theorem-2.2.6", "lemma-2.2.9"},
+    .sources = {{"grid", 8, 5}},
+    .promises = {{"reflex_vertices", 20}, {"parallel_edges", 20}, {"overlapping_segments", 10}},
+    .kills = {"tangent-set-without-ties"},
+    .cases = 150,
+    .file = __FILE__,
+    .check = check,
+});
+
+}  // namespace
+
+}  // namespace oplus

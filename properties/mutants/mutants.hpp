@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace oplus {
+
+/// A fault that can be switched on in the preset `check` (reference/definitions/mutant.hpp).
+struct Mutant {
+  std::string name;
+  std::string what;  ///< what goes wrong, a line
+  std::string file;  ///< from the root
+};
+
+const std::vector<Mutant>& mutants();
+
+}  // namespace oplus

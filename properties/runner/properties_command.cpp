@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/runner/properties_command.hpp"
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+#include "properties/runner/finding.hpp"
+#include "properties/runner/registry.hpp"
+#include "reference/io/reading.hpp"
+
+namespace oplus {
+
+namespace {
+
+struct Settings {
+  std::vector<std::string> ids;
+  std::optional<std::size_t> cases;
+  std::uint64_t seed = 1;
+  std::vector<std::string> pair;
+  std::string findings = "oplus-findings";
+};
+
+std::vector<Statement> chosen(const std::vector<std::string>& ids) {
+  std::vector<Statement> result = statements();
+  std::erase_if(result, [&](const Statement& s) {
+    return !ids.empty() && std::find(ids.begin(), ids.end(), s.id) == ids.end();
+  });
+  return result;
+}
+
+std::vector<std::string> ids_of(const std::vector<Statement>& all) {
+  std::vector<std::string> ids;
+  for (const Statement& s : all) ids.push_back(s.id);
+  return ids;
+}
+
+Summands read_pair(const std::vector<std::string>& files) {
+  Region regions[2];
+  for (std::size_t i = 0; i < 2; ++i) {
+    ReadRegion read = read_region_file(files.at(i));
+    for (const std::string& note : read.notes) std::cerr << note << '\n';
+    regions[i] = std::move(read.region);
+  }
+  return {std::move(regions[0]), std::move(regions[1])};
+}
+
+void print_tally(std::ostream& out, const std::string& label,
+                 const std::map<std::string, std::size_t>& tally) {
+  if (tally.empty()) return;
+  out << "  " << label << ':';
+  const char* separator = " ";
+  for (const auto& [name, count] : tally) {
+    out << separator << name << ' ' << count;
+    separator = ", ";
+  }
+  out << '\n';
+}
+
+void print_run(std::ostream& out, const Statement& statement, const PropertyRun& run) {
+  out << statement.id << ": " << statement.title << '\n'
+      << "  " << run.run << " cases run, " << run.discarded << " discarded\n";
+  print_tally(out, "families", run.families);
+  print_tally(out, "cases with", run.classes);
+  print_tally(out, "looked at", run.counts);
+  if (!run.shares_judged && !statement.promises.empty() && !run.counterexample)
+    out << "  fewer than " << cases_to_judge_shares << " cases: promised shares not judged\n";
+}
+
+void print_last_line(std::ostream& out, std::size_t passed, std::size_t failed) {
+  out << passed << " passed, " << failed << " failed\n";
+}
+
+}  // namespace
+
+bool run_statements(const std::vector<Statement>& statements, std::optional<std::size_t> cases,
+                    std::uint64_t seed, const std::filesystem::path& findings, std::ostream& out) {
+  std::size_t passed = 0;
+  for (const Statement& statement : statements) {
+    RunOptions options;
+    options.cases = cases.value_or(statement.cases);
+    options.seed = seed;
+    const PropertyRun run = run_property(statement, options);
+    print_run(out, statement, run);
+    for (const std::string& complaint : run.complaints) out << "  FAILED: " << complaint << '\n';
+    if (run.counterexample) {
+      out << "  shrunk in " << run.counterexample->shrinks << " steps; replay with\n    "
+          << replay_line(statement.id,
+                         write_finding(findings, statement.id, run.counterexample->summands))
+          << '\n';
+    }
+    if (run.passed()) ++passed;
+    out << std::flush;
+  }
+  print_last_line(out, passed, statements.size() - passed);
+  return !statements.empty() && passed == statements.size();
+}
+
+bool replay_statements(const std::vector<Statement>& statements, const Summands& summands,
+                       std::ostream& out) {
+  std::size_t passed = 0;
+  for (const Statement& statement : statements) {
+    const Outcome outcome = evaluate(statement, summands);
+    out << statement.id << ": ";
+    switch (outcome.kind) {
+      case Outcome::Kind::holds:
+        out << "holds\n";
+        ++passed;
+        break;
+      case Outcome::Kind::fails:
+        out << "FAILED: " << outcome.why << '\n';
+        break;
+      case Outcome::Kind::discarded:
+        out << "does not apply: " << outcome.why << '\n';
+        break;
+    }
+    print_tally(out, "looked at", outcome.counts);
+  }
+  print_last_line(out, passed, statements.size() - passed);
+  return !statements.empty() && passed == statements.size();
+}
+
+void add_properties_command(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("properties", "Try statements on generated pairs");
+  const auto settings = std::make_shared<Settings>();
+  command->add_option("--theorem", settings->ids, "Only this statement; may be repeated")
+      ->type_name("ID")
+      ->check(CLI::IsMember(ids_of(statements())));
+  CLI::Option* cases =
+      command->add_option("--cases", settings->cases, "Cases a statement; default: its own number")
+          ->check(CLI::Range(std::size_t{1}, std::size_t{1000000000}));
+  CLI::Option* seed =
+      command->add_option("--seed", settings->seed, "Same seed, same pairs")->capture_default_str();
+  command->add_option("--pair", settings->pair, "Try this pair instead of generated ones")
+      ->type_name("P Q")
+      ->expected(2)
+      ->excludes(cases)
+      ->excludes(seed);
+  command->add_option("--out", settings->findings, "Folder for shrunk counterexamples")
+      ->type_name("DIR")
+      ->capture_default_str();
+  command->footer(
+      "Example: oplus-check properties --theorem lemma-4.1.4 --cases 5000 --seed 7\n"
+      "Exit code: 0 all passed, 1 a statement failed, 2 the request made no sense.");
+  command->callback([settings, &exit_code] {
+    const std::vector<Statement> to_run = chosen(settings->ids);
+    const bool passed =
+        settings->pair.empty()
+            ? run_statements(to_run, settings->cases, settings->seed, settings->findings, std::cout)
+            : replay_statements(to_run, read_pair(settings->pair), std::cout);
+    exit_code = passed ? 0 : 1;
+  });
+}
+
+}  // namespace oplus

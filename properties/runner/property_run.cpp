@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The only file that includes RapidCheck, and the only way to it: rc::check returns a bool that is
+// easily ignored, passes with no case run, and lets the environment skip all of them.
+#include "properties/runner/property_run.hpp"
+
+#include <rapidcheck.h>
+
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "properties/generators/classification.hpp"
+#include "properties/generators/shrinking.hpp"
+#include "reference/definitions/mutant.hpp"
+
+namespace oplus {
+
+namespace {
+
+/// What RapidCheck generates and shrinks.
+struct Case {
+  Summands summands;
+  std::string family;
+};
+
+void showValue(const Case& c, std::ostream& out) { out << "a pair of family " << c.family; }
+
+/// Switches a mutant on for as long as it lives.
+class SwitchedOn {
+ public:
+#ifdef OPLUS_MUTANTS
+  explicit SwitchedOn(const std::string& mutant) { active_mutant = mutant; }
+  ~SwitchedOn() { active_mutant.clear(); }
+#else
+  explicit SwitchedOn(const std::string&) {}
+  ~SwitchedOn() = default;
+#endif
+  SwitchedOn(const SwitchedOn&) = delete;
+  SwitchedOn& operator=(const SwitchedOn&) = delete;
+};
+
+const Source& draw_source(const Statement& statement, Random& random) {
+  const int total =
+      std::accumulate(statement.sources.begin(), statement.sources.end(), 0,
+                      [](int sum, const Source& source) { return sum + source.weight; });
+  int ticket = uniform(random, 0, total - 1);
+  for (const Source& source : statement.sources) {
+    if (ticket < source.weight) return source;
+    ticket -= source.weight;
+  }
+  throw std::logic_error("weights do not add up");
+}
+
+/// size: from 0 to rc::kNominalSize, the latter for the largest pairs.
+Case draw_case(const Statement& statement, std::uint64_t bits, int size) {
+  Random random(bits);
+  const Source& source = draw_source(statement, random);
+  const Family* family = find_family(source.family);
+  if (family == nullptr) throw std::logic_error("no family " + source.family);
+  const std::size_t range = source.largest - family->smallest;
+  const std::size_t n =
+      family->smallest + range * static_cast<std::size_t>(size) / rc::kNominalSize;
+  return {generate(*family, n, random()), source.family};
+}
+
+/// Uses nothing but the raw bits of RapidCheck's generator.
+rc::Gen<Case> cases_of(const Statement& statement) {
+  return [&statement](const rc::Random& random, int size) {
+    Case drawn = draw_case(statement, rc::Random(random).next(), size);
+    return rc::shrinkable::shrinkRecur(std::move(drawn), [](const Case& c) {
+      std::vector<Case> shrinks;
+      for (Summands& s : smaller(c.summands)) shrinks.push_back({std::move(s), c.family});
+      return rc::seq::fromContainer(std::move(shrinks));
+    });
+  };
+}
+
+/// Checks cases and, told by RapidCheck which of them were no shrinks, counts these.
+class Recorder : public rc::detail::TestListener {
+ public:
+  Recorder(const Statement& statement, const RunOptions& options, PropertyRun& run)
+      : statement_(statement), options_(options), run_(run) {}
+
+  rc::detail::CaseResult check(const Case& c) {
+    using Type = rc::detail::CaseResult::Type;
+    last_ = c;
+    {
+      const SwitchedOn fault(options_.mutant);
+      outcome_ = evaluate(statement_, c.summands);
+    }
+    switch (outcome_.kind) {
+      case Outcome::Kind::holds:
+        return {Type::Success};
+      case Outcome::Kind::discarded:
+        return {Type::Discard, outcome_.why};
+      case Outcome::Kind::fails:
+        failing_ = Counterexample{c.summands, outcome_.why, shrinks_};
+        return {Type::Failure, outcome_.why};
+    }
+    throw std::logic_error("an outcome without a kind");
+  }
+
+  void onTestCaseFinished(const rc::detail::CaseDescription&) override {
+    if (!last_) return;
+    const Case finished = std::move(*last_);
+    last_.reset();
+    if (outcome_.kind == Outcome::Kind::discarded) {
+      ++run_.discarded;
+      return;
+    }
+    ++run_.run;
+    ++run_.families[finished.family];
+    for (const auto& [name, is_so] : named(classify(finished.summands)))
+      if (is_so) ++run_.classes[name];
+    for (const auto& [name, count] : outcome_.counts) run_.counts[name] += count;
+  }
+
+  void onShrinkTried(const rc::detail::CaseDescription&, bool accepted) override {
+    if (!accepted) return;
+    ++shrinks_;
+    if (failing_) failing_->shrinks = shrinks_;
+  }
+
+  void onTestFinished(const rc::detail::TestMetadata&, const rc::detail::TestResult&) override {}
+
+  /// The last pair that failed: RapidCheck goes on from the first shrink that fails.
+  const std::optional<Counterexample>& failing() const { return failing_; }
+
+ private:
+  const Statement& statement_;
+  const RunOptions& options_;
+  PropertyRun& run_;
+  std::optional<Case> last_;
+  Outcome outcome_;
+  std::optional<Counterexample> failing_;
+  std::size_t shrinks_ = 0;
+};
+
+void judge_result(const rc::detail::TestResult& result, PropertyRun& run) {
+  if (result.is<rc::detail::FailureResult>()) {
+    run.complaints.push_back(run.counterexample
+                                 ? run.counterexample->why
+                                 : result.get<rc::detail::FailureResult>().description);
+  } else if (result.is<rc::detail::GaveUpResult>()) {
+    run.complaints.push_back("gave up: " + std::to_string(run.discarded) + " cases were discarded");
+  } else if (result.is<rc::detail::Error>()) {
+    run.complaints.push_back("RapidCheck: " + result.get<rc::detail::Error>().description);
+  }
+}
+
+void judge_number(const RunOptions& options, PropertyRun& run) {
+  if (run.run == 0) {
+    run.complaints.push_back("no case was run");
+  } else if (!run.counterexample && run.run < options.cases) {
+    run.complaints.push_back("only " + std::to_string(run.run) + " cases of " +
+                             std::to_string(options.cases) + " were run");
+  }
+}
+
+void judge_shares(const Statement& statement, PropertyRun& run) {
+  run.shares_judged = run.run >= cases_to_judge_shares && !run.counterexample;
+  if (!run.shares_judged) return;
+  for (const Promise& promise : statement.promises) {
+    const std::size_t seen = run.classes[promise.classification];
+    if (100 * seen < static_cast<std::size_t>(promise.percent) * run.run)
+      run.complaints.push_back("promised that " + std::to_string(promise.percent) +
+                               " % of the cases have " + promise.classification + ", saw " +
+                               std::to_string(seen) + " of " + std::to_string(run.run));
+  }
+}
+
+}  // namespace
+
+std::uint64_t seed_of(const std::string& id, std::uint64_t seed) {
+  // FNV-1a, spelled out because std::hash differs between compilers.
+  std::uint64_t hash = 14695981039346656037U;
+  const auto mix = [&](std::uint64_t byte) { hash = (hash ^ byte) * 1099511628211U; };
+  for (const char c : id) mix(static_cast<unsigned char>(c));
+  for (int shift = 0; shift < 64; shift += 8) mix((seed >> shift) & 0xff);
+  return hash;
+}
+
+PropertyRun run_property(const Statement& statement, const RunOptions& options) {
+  if (options.cases > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+    throw std::invalid_argument("more cases than RapidCheck can count");
+#ifndef OPLUS_MUTANTS
+  if (!options.mutant.empty()) throw std::invalid_argument("a build without mutants");
+#endif
+  PropertyRun run;
+  Recorder recorder(statement, options, run);
+  const rc::Gen<Case> cases = cases_of(statement);
+  const auto property = rc::detail::toProperty([&] { return recorder.check(*cases); });
+  rc::detail::TestParams params;
+  params.seed = seed_of(statement.id, options.seed);
+  params.maxSuccess = static_cast<int>(options.cases);
+  params.maxSize = rc::kNominalSize;
+  params.disableShrinking = !options.shrink;
+  // An empty map of failures to reproduce: a stale one would replace the run.
+  const auto result =
+      rc::detail::checkProperty(property, {statement.id, statement.title}, params, recorder, {});
+  run.counterexample = recorder.failing();
+  judge_result(result, run);
+  judge_number(options, run);
+  judge_shares(statement, run);
+  return run;
+}
+
+}  // namespace oplus

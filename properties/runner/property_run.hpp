@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "properties/runner/statement.hpp"
+
+namespace oplus {
+
+struct RunOptions {
+  std::size_t cases = 100;  ///< that must hold, discarded ones not counted
+  std::uint64_t seed = 1;
+  bool shrink = true;
+  std::string mutant;  ///< switched on while a pair is checked, never while one is made; or empty
+};
+
+struct Counterexample {
+  Summands summands;  ///< no smaller pair (see `smaller`) fails
+  std::string why;
+  std::size_t shrinks;  ///< how many steps it took
+};
+
+/// What a run did. It has passed only if `complaints` is empty.
+struct PropertyRun {
+  std::size_t run = 0;  ///< cases that held or failed
+  std::size_t discarded = 0;
+  std::map<std::string, std::size_t> classes;   ///< how many of `run`, by class; absent: none
+  std::map<std::string, std::size_t> families;  ///< the same by family
+  std::map<std::string, std::size_t> counts;    ///< as the statement counts
+  std::vector<std::string> complaints;
+  std::optional<Counterexample> counterexample;
+  bool shares_judged = false;  ///< whether there were enough cases for that
+
+  bool passed() const { return complaints.empty(); }
+};
+
+/// Below this number of cases a missed share says nothing, so shares are reported, not judged.
+constexpr std::size_t cases_to_judge_shares = 50;
+
+/// Seed of a statement's run, so that no two statements receive the same pairs.
+std::uint64_t seed_of(const std::string& id, std::uint64_t seed);
+
+/// Tries the statement on pairs from its sources, with RapidCheck. Everything that is not "as many
+/// cases as asked, all hold, every promised share kept" is a complaint: a failure, zero cases,
+/// fewer cases than asked, too many discarded, a generator that throws. Same options, same run, on
+/// every compiler; nothing in the environment changes it.
+PropertyRun run_property(const Statement& statement, const RunOptions& options);
+
+}  // namespace oplus

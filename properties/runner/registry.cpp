@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/runner/registry.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include "properties/generators/classification.hpp"
+
+namespace oplus {
+
+namespace {
+
+std::vector<Statement>& registered_statements() {
+  static std::vector<Statement> all;
+  return all;
+}
+
+/// The numbers of an id: {4, 1, 4} of "lemma-4.1.4"; none for a fact.
+std::vector<int> numbers_of(const std::string& id) {
+  static const std::regex number("[0-9]+");
+  std::vector<int> numbers;
+  for (std::sregex_iterator it(id.begin(), id.end(), number); it != std::sregex_iterator(); ++it)
+    numbers.push_back(std::stoi(it->str()));
+  return numbers;
+}
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::set<std::string> class_names() {
+  std::set<std::string> names;
+  for (const auto& [name, value] : named(Classification{})) names.insert(name);
+  return names;
+}
+
+const std::set<std::string>& kinds() {
+  static const std::set<std::string> all = {"lemma", "theorem", "corollary", "observation", "fact"};
+  return all;
+}
+
+std::set<std::string> names_of(const std::vector<Mutant>& mutants) {
+  std::set<std::string> names;
+  for (const Mutant& m : mutants) names.insert(m.name);
+  return names;
+}
+
+void add_defects_of_entry(const Statement& s, const std::set<std::string>& mutants,
+                          std::vector<std::string>& defects) {
+  const auto defect = [&](const std::string& what) { defects.push_back(s.id + ": " + what); };
+  if (!kinds().count(s.kind) || s.id.rfind(s.kind + "-", 0) != 0)
+    defect("the id does not start with a kind, here " + s.kind);
+  if (s.title.empty() || s.statement.empty() || s.why.empty() || !s.check)
+    defect("title, statement, why or check is missing");
+  if (s.cases == 0) defect("a run has no case");
+  if (s.sources.empty()) defect("it names no family");
+  for (const Source& source : s.sources) {
+    const Family* family = find_family(source.family);
+    if (family == nullptr)
+      defect("there is no family " + source.family);
+    else if (source.largest < family->smallest || source.weight <= 0)
+      defect("size or weight of family " + source.family + " leaves no pair");
+  }
+  for (const Promise& promise : s.promises) {
+    if (!class_names().count(promise.classification))
+      defect("there is no class " + promise.classification);
+    if (promise.percent < 1 || promise.percent > 100)
+      defect("the promised share of " + promise.classification + " is no percentage");
+  }
+  if (s.kills.empty()) defect("it names no mutant that it kills");
+  for (const std::string& name : s.kills)
+    if (!mutants.count(name)) defect("there is no mutant " + name);
+}
+
+void add_defects_of_fault_sites(const std::set<std::string>& mutants,
+                                const std::filesystem::path& root,
+                                std::vector<std::string>& defects) {
+  static const std::regex site("OPLUS_MUTANT\\(\"([^\"]*)\"\\)");
+  for (const char* folder : {"reference", "checked"}) {
+    if (!std::filesystem::is_directory(root / folder)) continue;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder)) {
+      if (entry.path().extension() != ".cpp") continue;
+      const std::string text = text_of(entry.path());
+      for (std::sregex_iterator it(text.begin(), text.end(), site); it != std::sregex_iterator();
+           ++it)
+        if (!mutants.count((*it)[1]))
+          defects.push_back(entry.path().lexically_relative(root).string() + ": the fault " +
+                            (*it)[1].str() + " is not in the list of mutants");
+    }
+  }
+}
+
+void add_defects_of_unregistered_files(const std::vector<Statement>& all,
+                                       const std::filesystem::path& root,
+                                       std::vector<std::string>& defects) {
+  std::set<std::string> files;
+  for (const Statement& s : all) files.insert(relative_file(s));
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(root / "properties")) {
+    const std::string file = entry.path().lexically_relative(root).string();
+    const std::string name = entry.path().filename().string();
+    const std::string kind = name.substr(0, name.find('_'));
+    if (file.rfind("properties/chapter", 0) == 0 && entry.path().extension() == ".cpp" &&
+        kinds().count(kind) && !files.count(file))
+      defects.push_back(file + ": no statement is registered from it");
+  }
+}
+
+}  // namespace
+
+std::vector<Statement> statements() {
+  std::vector<Statement> all = registered_statements();
+  std::sort(all.begin(), all.end(), [](const Statement& a, const Statement& b) {
+    const std::vector<int> of_a = numbers_of(a.id), of_b = numbers_of(b.id);
+    return std::tuple(of_a.empty(), of_a, a.id) < std::tuple(of_b.empty(), of_b, b.id);
+  });
+  return all;
+}
+
+Registered::Registered(Statement statement) {
+  registered_statements().push_back(std::move(statement));
+}
+
+std::filesystem::path source_root() {
+  return std::filesystem::path(__FILE__).parent_path().parent_path().parent_path();
+}
+
+std::string relative_file(const Statement& statement) {
+  return std::filesystem::path(statement.file).lexically_relative(source_root()).string();
+}
+
+std::vector<std::string> defects_of_entries(const std::vector<Statement>& statements,
+                                            const std::vector<Mutant>& mutants) {
+  std::vector<std::string> defects;
+  std::set<std::string> ids, mutant_names, killed;
+  for (const Mutant& m : mutants)
+    if (!mutant_names.insert(m.name).second)
+      defects.push_back(m.name + ": two mutants of this name");
+  for (const Statement& s : statements) {
+    if (!ids.insert(s.id).second) defects.push_back(s.id + ": two statements of this id");
+    killed.insert(s.kills.begin(), s.kills.end());
+    add_defects_of_entry(s, mutant_names, defects);
+  }
+  for (const Mutant& m : mutants)
+    if (!killed.count(m.name)) defects.push_back(m.name + ": no statement names this mutant");
+  return defects;
+}
+
+std::vector<std::string> defects_of_files(const std::vector<Statement>& statements,
+                                          const std::vector<Mutant>& mutants,
+                                          const std::filesystem::path& root) {
+  if (!std::filesystem::is_directory(root / "properties"))
+    return {root.string() + ": the source tree is not there"};
+  std::vector<std::string> defects;
+  for (const Statement& s : statements)
+    if (!std::filesystem::is_regular_file(s.file))
+      defects.push_back(s.id + ": there is no file " + s.file);
+  for (const Mutant& m : mutants) {
+    if (!std::filesystem::is_regular_file(root / m.file))
+      defects.push_back(m.name + ": there is no file " + m.file);
+    else if (text_of(root / m.file).find("OPLUS_MUTANT(\"" + m.name + "\")") == std::string::npos)
+      defects.push_back(m.name + ": " + m.file + " does not contain it");
+  }
+  add_defects_of_fault_sites(names_of(mutants), root, defects);
+  add_defects_of_unregistered_files(statements, root, defects);
+  return defects;
+}
+
+}  // namespace oplus

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "properties/mutants/mutants.hpp"
+#include "properties/runner/statement.hpp"
+
+namespace oplus {
+
+/// All statements, in the order of their numbers, facts last.
+std::vector<Statement> statements();
+
+/// Registers a statement before main, from the file that holds it.
+struct Registered {
+  explicit Registered(Statement statement);
+};
+
+/// The root of the source tree this was built from.
+std::filesystem::path source_root();
+
+/// The file of a statement, relative to the root.
+std::string relative_file(const Statement& statement);
+
+/// What is wrong with the entries themselves, a line each; none where:
+///  1. ids are unique and start with their kind;
+///  2. each statement has words, sources that are families, classes that exist, and a number of
+///  cases;
+///  3. each statement names at least one mutant, and each mutant exists;
+///  4. mutants have unique names, and each is named by a statement.
+std::vector<std::string> defects_of_entries(const std::vector<Statement>& statements,
+                                            const std::vector<Mutant>& mutants);
+
+/// What is wrong between entries and source files, a line each; none where:
+///  1. the file of each statement and of each mutant exists, and a mutant's contains its fault;
+///  2. each fault in reference/ and checked/ is a mutant of the list;
+///  3. each file properties/chapter*/KIND_*.cpp is the file of a statement.
+std::vector<std::string> defects_of_files(const std::vector<Statement>& statements,
+                                          const std::vector<Mutant>& mutants,
+                                          const std::filesystem::path& root);
+
+}  // namespace oplus

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "properties/generators/family.hpp"
+
+namespace oplus {
+
+/// What a statement says about one pair.
+struct Outcome {
+  enum class Kind { holds, fails, discarded };
+  Kind kind = Kind::holds;
+  std::string why;                            ///< what was seen, where it fails
+  std::map<std::string, std::size_t> counts;  ///< how much was looked at, summed over a run
+};
+
+/// A family whose pairs the statement is tried on.
+struct Source {
+  std::string family;
+  std::size_t largest;  ///< the n that a run ends with; it starts with the smallest
+  int weight;           ///< pairs are drawn from the sources in proportion
+};
+
+/// A class of pairs (see `named(Classification)`) and the least share of the cases that are in it.
+struct Promise {
+  std::string classification;
+  int percent;
+};
+
+/// A statement of the thesis or a fact of our own, as something that can be found false.
+struct Statement {
+  std::string id;         ///< kind and number: "lemma-4.1.4"
+  std::string kind;       ///< lemma, theorem, corollary, observation or fact
+  std::string title;      ///< a line
+  std::string statement;  ///< in our own words
+  std::string why;        ///< why it holds, in a few lines
+  std::vector<std::string> hypotheses;
+  std::vector<std::string> rests_on;  ///< ids of statements, registered or not yet
+  std::vector<Source> sources;
+  std::vector<Promise> promises;
+  std::vector<std::string> kills;  ///< mutants that the statement must find
+  std::size_t cases;               ///< how many a run tries unless told otherwise
+  std::string file;                ///< where it stands, __FILE__
+  std::function<Outcome(const Summands&)> check;
+};
+
+/// What the statement says of a pair; an exception is a failure too.
+Outcome evaluate(const Statement& statement, const Summands& summands);
+
+}  // namespace oplus

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/runner/theorems_command.hpp"
+
+#include <algorithm>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+
+#include "properties/runner/registry.hpp"
+
+namespace oplus {
+
+namespace {
+
+struct Settings {
+  std::string id;
+  bool check = false;
+};
+
+std::string joined(const std::vector<std::string>& words, const std::string& separator = ", ") {
+  std::string line;
+  for (const std::string& word : words) line += (line.empty() ? "" : separator) + word;
+  return line.empty() ? "none" : line;
+}
+
+/// Ids and files are ASCII, so widths count characters; the title comes last but one for that.
+void print_table(const std::vector<Statement>& all) {
+  std::size_t id_width = 0, title_width = 0;
+  for (const Statement& s : all) {
+    id_width = std::max(id_width, s.id.size());
+    title_width = std::max(title_width, s.title.size());
+  }
+  for (const Statement& s : all) {
+    std::cout << std::left << std::setw(static_cast<int>(id_width) + 2) << s.id
+              << std::setw(static_cast<int>(title_width) + 2) << s.title << relative_file(s) << '\n'
+              << std::string(id_width + 2, ' ') << "kills " << joined(s.kills) << '\n';
+  }
+  std::cout << all.size() << " statements, " << mutants().size() << " mutants\n";
+}
+
+void print_entry(const Statement& s) {
+  std::cout << s.id << ": " << s.title << "\n\nStatement. " << s.statement << "\n\nWhy. " << s.why
+            << "\n\nHypotheses: " << joined(s.hypotheses, "; ")
+            << "\nRests on: " << joined(s.rests_on) << "\nKills: " << joined(s.kills)
+            << "\nCases: " << s.cases << ", from";
+  for (const Source& source : s.sources)
+    std::cout << ' ' << source.family << " (n to " << source.largest << ", weight " << source.weight
+              << ')';
+  std::cout << "\nPromises:";
+  for (const Promise& promise : s.promises)
+    std::cout << ' ' << promise.classification << " in " << promise.percent << " %,";
+  std::cout << " every case valid\nFile: " << relative_file(s) << '\n';
+}
+
+bool check(const std::vector<Statement>& all) {
+  std::vector<std::string> defects = defects_of_entries(all, mutants());
+  for (std::string& d : defects_of_files(all, mutants(), source_root()))
+    defects.push_back(std::move(d));
+  for (const std::string& d : defects) std::cout << d << '\n';
+  std::cout << all.size() << " statements, " << mutants().size() << " mutants, " << defects.size()
+            << " defects\n";
+  return defects.empty();
+}
+
+}  // namespace
+
+void add_theorems_command(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("theorems", "List the statements and what kills what");
+  const auto settings = std::make_shared<Settings>();
+  std::vector<std::string> ids;
+  for (const Statement& s : statements()) ids.push_back(s.id);
+  CLI::Option* id = command->add_option("id", settings->id, "Show all that is known of this one")
+                        ->check(CLI::IsMember(ids));
+  command->add_flag("--check", settings->check, "Fail where the list does not fit the sources")
+      ->excludes(id);
+  command->footer("Example: oplus-check theorems theorem-4.2.1");
+  command->callback([settings, &exit_code] {
+    const std::vector<Statement> all = statements();
+    if (settings->check) {
+      exit_code = check(all) ? 0 : 1;
+    } else if (settings->id.empty()) {
+      print_table(all);
+    } else {
+      print_entry(*std::find_if(all.begin(), all.end(),
+                                [&](const Statement& s) { return s.id == settings->id; }));
+    }
+  });
+}
+
+}  // namespace oplus
