@@ -34,7 +34,8 @@ const std::vector<Family>& families();
 /// Returns nullptr for an unknown name.
 const Family* find_family(const std::string& name);
 
-/// Same family, n and seed: same pair, on every compiler. Requires: n >= family.smallest.
+/// Same family, n and seed: same pair, on every compiler.
+/// Throws std::invalid_argument, its message fit for a user, where n < family.smallest.
 Summands generate(const Family& family, std::size_t n, std::uint64_t seed);
 
 }  // namespace oplus

@@ -8,8 +8,8 @@
 
 namespace oplus {
 
-/// Returns valid pairs that are each a step smaller (see `size_of`), most promising first: components, holes and
-/// vertices left out, coordinates moved to integers, towards zero, halved.
+/// Returns valid pairs that are each a step smaller (see `size_of`), most promising first:
+/// components, holes and vertices left out, coordinates moved to integers, towards zero, halved.
 std::vector<Summands> smaller(const Summands& summands);
 
 /// What shrinking makes less of, compared in this order; strictly less after each step, so that
