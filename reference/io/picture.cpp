@@ -188,10 +188,10 @@ std::string path(const std::string& data, const std::string& more) {
 double distance(const Pixel& a, const Pixel& b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
 /// A small triangle in the middle of a segment, none where it would hide the segment.
-std::string arrow_head(const Pixel& source, const Pixel& target) {
+std::string arrow_head(const Pixel& source, const Pixel& target, double largest) {
   const double length = distance(source, target);
   if (length < 5) return "";
-  const double size = std::min(4.5, 0.3 * length);
+  const double size = std::min(largest, 0.3 * length);
   const Pixel along{(target.x - source.x) / length * size, (target.y - source.y) / length * size};
   const Pixel middle{(source.x + target.x) / 2, (source.y + target.y) / 2};
   const Pixel tip{middle.x + along.x, middle.y + along.y};
@@ -241,13 +241,14 @@ std::string drawn_region(const std::vector<std::vector<Pixel>>& outlines, const 
 }
 
 std::string drawn_segments(const std::vector<std::array<Pixel, 2>>& segments, const Style& s) {
+  const bool dense = segments.size() > 300;
   std::string lines;
   std::string heads;
   for (const auto& [source, target] : segments) {
     lines += step('M', source) + step('L', target);
-    if (s.directed) heads += arrow_head(source, target);
+    if (s.directed) heads += arrow_head(source, target, dense ? 2.6 : 4.5);
   }
-  std::string result = path(lines, line_attributes(s, s.width, "none"));
+  std::string result = path(lines, line_attributes(s, dense ? s.width / 1.5 : s.width, "none"));
   if (!heads.empty()) result += path(heads, attributes({{"fill", std::string(s.line)}}));
   return result;
 }

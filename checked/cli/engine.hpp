@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "checked/cli/statistics.hpp"
+#include "reference/definitions/minkowski_sum.hpp"
+
+namespace oplus {
+
+struct Computed {
+  MinkowskiSum sum;
+  Origins origins;  ///< empty unless asked for
+  Statistics statistics;
+};
+
+/// A way to compute a sum that the program offers.
+struct Engine {
+  std::string name;
+  std::string what;  ///< a line for the help
+  Computed (*compute)(const Region& p, const Region& q, Boundary boundary, bool with_origins);
+};
+
+/// All engines, the default first.
+const std::vector<Engine>& engines();
+
+/// Returns nullptr for an unknown name.
+const Engine* find_engine(const std::string& name);
+
+}  // namespace oplus

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cstdint>
+#include <memory>
+#include <sstream>
+
+#include "checked/cli/format_option.hpp"
+#include "checked/cli/output.hpp"
+#include "checked/cli/subcommands.hpp"
+#include "checked/cli/usage_error.hpp"
+#include "properties/generators/family.hpp"
+
+namespace oplus {
+
+namespace {
+
+struct GenOptions {
+  std::optional<std::string> family;
+  std::optional<std::string> n;
+  std::string seed = "1";
+  std::string summand = "P";
+  std::string output = "-";
+  std::optional<Format> format;
+  bool list = false;
+};
+
+/// Larger polygons are of no use here, and every family stays far from overflow.
+constexpr std::uint64_t largest_n = 10000;
+
+/// CLI11 would read -1 as a huge number.
+std::uint64_t whole_number(const std::string& option, const std::string& digits,
+                           std::uint64_t largest) {
+  std::uint64_t value = 0;
+  const auto [end, failed] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (failed != std::errc() || end != digits.data() + digits.size() || value > largest)
+    throw UsageError(option + " is a whole number from 0 to " + std::to_string(largest) +
+                     ", not '" + digits + "'");
+  return value;
+}
+
+ExitCode list() {
+  std::size_t longest = 0;
+  for (const Family& family : families()) longest = std::max(longest, family.name.size());
+  std::string lines;
+  for (const Family& family : families())
+    lines += family.name + std::string(longest + 2 - family.name.size(), ' ') + family.what + "\n";
+  write_output("-", lines);
+  return ExitCode::done;
+}
+
+ExitCode gen(const GenOptions& options) {
+  if (options.list) return list();
+  if (!options.family) throw UsageError("gen needs a FAMILY; 'oplus gen --list' lists them");
+  const Family* family = find_family(*options.family);
+  if (family == nullptr)
+    throw UsageError("there is no family '" + *options.family + "'; 'oplus gen --list' lists them");
+  const std::uint64_t n = options.n ? whole_number("--n", *options.n, largest_n) : family->typical;
+  const std::uint64_t seed = whole_number("--seed", options.seed, UINT64_MAX);
+  if (n < family->smallest)
+    throw UsageError("the family " + family->name + " takes --n of " +
+                     std::to_string(family->smallest) + " or more");
+  require_writable({options.output});
+  const Format format = output_format(options.format, options.output);
+  const Summands pair = generate(*family, n, seed);
+  std::ostringstream content;
+  write(content, options.summand == "P" ? pair.p : pair.q, format);
+  write_output(options.output, content.str());
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_gen(CLI::App& program, Action& chosen) {
+  const auto options = std::make_shared<GenOptions>();
+  CLI::App& command = *program.add_subcommand("gen", "Write a region of a family of test pairs");
+  command.add_option("FAMILY", options->family, "which family")->type_name("NAME");
+  command.add_flag("--list", options->list, "list the families, and what n is in each");
+  command.add_option("--n", options->n, "the size, as the family understands it")->type_name("N");
+  command.add_option("--seed", options->seed, "same seed, same pair, everywhere; 1 without it")
+      ->type_name("S");
+  command.add_option("--summand", options->summand, "which of the pair, P without it")
+      ->check(CLI::IsMember({"P", "Q"}))
+      ->type_name("P|Q");
+  command.add_option("-o,--output", options->output, "write there, not to standard output")
+      ->type_name("FILE");
+  add_format_option(command, options->format);
+  command.footer(
+      "Example:\n"
+      "  oplus gen --list\n"
+      "  oplus gen star --n 20 --seed 7 -o p.wkt\n"
+      "  oplus gen star --n 20 --seed 7 --summand Q -o q.wkt");
+  command.callback([options, &chosen] { chosen = [options] { return gen(*options); }; });
+}
+
+}  // namespace oplus

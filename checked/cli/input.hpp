@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/region.hpp"
+
+namespace oplus {
+
+/// Read a file ("-" is standard input); say on standard error what reading repaired. Throw
+/// InvalidInput.
+Region read_summand(const std::string& path);
+MinkowskiSum read_given_sum(const std::string& path);
+
+/// Throws UsageError where standard input is named more than once.
+void require_one_standard_input(const std::vector<std::string>& paths);
+
+}  // namespace oplus

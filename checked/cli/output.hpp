@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+/// The format to write in: the one asked for, else by the ending of the path; WKT on standard
+/// output. Throws UsageError for an ending that names no format.
+Format output_format(const std::optional<Format>& asked_for, const std::string& path);
+
+/// Throws UsageError where an output could not be written or two would be written to one place, so
+/// that it is known before anything is computed or written. "-" is standard output.
+void require_writable(const std::vector<std::string>& paths);
+
+/// Writes all of the content or nothing. Throws UsageError.
+void write_output(const std::string& path, const std::string& content);
+
+}  // namespace oplus

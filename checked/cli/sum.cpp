@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <chrono>
+#include <iostream>
+#include <memory>
+#include <sstream>
+
+#include "checked/cli/engine.hpp"
+#include "checked/cli/format_option.hpp"
+#include "checked/cli/input.hpp"
+#include "checked/cli/message.hpp"
+#include "checked/cli/origins_json.hpp"
+#include "checked/cli/output.hpp"
+#include "checked/cli/statistics.hpp"
+#include "checked/cli/subcommands.hpp"
+#include "checked/cli/usage_error.hpp"
+#include "reference/io/picture.hpp"
+
+namespace oplus {
+
+namespace {
+
+struct SumOptions {
+  std::string p;
+  std::string q;
+  std::string output = "-";
+  std::optional<Format> format;
+  bool open = false;
+  std::string engine = engines().front().name;
+  std::optional<int> digits;
+  std::optional<std::string> svg;
+  std::optional<std::string> origins;
+  bool stats = false;
+};
+
+std::vector<std::string> outputs(const SumOptions& options) {
+  std::vector<std::string> paths = {options.output};
+  if (options.svg) paths.push_back(*options.svg);
+  if (options.origins) paths.push_back(*options.origins);
+  return paths;
+}
+
+std::string seconds_since(std::chrono::steady_clock::time_point start) {
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  return std::to_string(taken.count());
+}
+
+std::string picture(const Region& p, const Region& q, const MinkowskiSum& sum) {
+  std::vector<Panel> panels = panels_of(p, q);
+  panels.push_back({"P \u2295 Q", layers_of(sum)});
+  return svg(panels);
+}
+
+void print(const Statistics& statistics) {
+  for (const auto& [name, value] : statistics) std::cerr << name + ": " + value + "\n";
+}
+
+ExitCode sum(const SumOptions& options) {
+  require_one_standard_input({options.p, options.q});
+  require_writable(outputs(options));
+  const Format format = output_format(options.format, options.output);
+  const Region p = read_summand(options.p);
+  const Region q = read_summand(options.q);
+
+  const auto start = std::chrono::steady_clock::now();
+  const Computed computed = find_engine(options.engine)
+                                ->compute(p, q, options.open ? Boundary::open : Boundary::closed,
+                                          options.origins.has_value());
+  const std::string seconds = seconds_since(start);
+
+  if (!can_hold(format, computed.sum))
+    throw UsageError(
+        ".dat cannot hold the dangling edges and isolated vertices of this sum; write .wkt or "
+        ".geojson");
+  std::ostringstream content;
+  write(content, computed.sum, format, options.digits);
+  if (options.svg) write_output(*options.svg, picture(p, q, computed.sum));
+  if (options.origins)
+    write_output(*options.origins, origins_json(computed.sum, computed.origins, p, q));
+  write_output(options.output, content.str());
+
+  if (options.digits)
+    say("the output is rounded to " + std::to_string(*options.digits) +
+        " decimals; without --digits it is exact");
+  if (options.stats) {
+    print({{"vertices of P", std::to_string(vertex_count(p))},
+           {"vertices of Q", std::to_string(vertex_count(q))},
+           {"segments of the convolution", std::to_string(convolution(p, q).size())},
+           {"segments of the reduced convolution",
+            std::to_string(reduced_convolution(p, q).size())}});
+    print(computed.statistics);
+    print(statistics_of(computed.sum));
+    print({{"seconds", seconds}});
+  }
+  return ExitCode::done;
+}
+
+std::string engine_help() {
+  std::string help = "how to compute:";
+  for (const Engine& engine : engines())
+    help += (&engine == &engines().front() ? " " : "; ") + engine.name + ", " + engine.what;
+  return help;
+}
+
+std::vector<std::string> engine_names() {
+  std::vector<std::string> names;
+  for (const Engine& engine : engines()) names.push_back(engine.name);
+  return names;
+}
+
+}  // namespace
+
+void add_sum(CLI::App& program, Action& chosen) {
+  const auto options = std::make_shared<SumOptions>();
+  CLI::App& command = *program.add_subcommand("sum", "Compute the Minkowski sum of two regions");
+  command.add_option("P", options->p, "a region: .dat, WKT or GeoJSON; - is standard input")
+      ->required()
+      ->type_name("FILE");
+  command.add_option("Q", options->q, "the other region")->required()->type_name("FILE");
+  command.add_option("-o,--output", options->output, "write the sum there, not to standard output")
+      ->type_name("FILE");
+  add_format_option(command, options->format);
+  command.add_flag("--open", options->open,
+                   "sum the regions' interiors: keeps dangling edges and isolated vertices");
+  command.add_option("--engine", options->engine, engine_help())
+      ->check(CLI::IsMember(engine_names()))
+      ->type_name("ENGINE");
+  command
+      .add_option("--digits", options->digits, "round to N decimals; output is exact without it")
+      ->check(CLI::Range(0, 10000))
+      ->type_name("N");
+  command.add_option("--svg", options->svg, "draw summands, convolutions and sum there")
+      ->type_name("FILE");
+  command
+      .add_option("--origins", options->origins,
+                  "write there, as JSON, which vertex and edge each edge of the sum came from")
+      ->type_name("FILE");
+  command.add_flag("--stats", options->stats, "print sizes and times to standard error");
+  command.footer(
+      "Example:\n"
+      "  oplus gen comb --n 5 --summand P -o p.wkt\n"
+      "  oplus gen comb --n 5 --summand Q -o q.wkt\n"
+      "  oplus sum p.wkt q.wkt -o sum.wkt --svg sum.svg --stats");
+  command.callback([options, &chosen] { chosen = [options] { return sum(*options); }; });
+}
+
+}  // namespace oplus
