@@ -9,12 +9,12 @@ namespace oplus {
 
 /// What a run of RCA did.
 struct RcaStatistics {
-  std::size_t segments = 0;             ///< of the reduced convolution
+  std::size_t segments = 0;  ///< of the reduced convolution
   std::size_t arrangement_vertices = 0;
-  std::size_t arrangement_edges = 0;    ///< A_RC (thesis, Table 6.1)
+  std::size_t arrangement_edges = 0;  ///< A_RC (thesis, Table 6.1)
   std::size_t arrangement_faces = 0;
-  std::size_t candidate_faces = 0;      ///< left by the filter for orientable boundaries
-  std::size_t hole_tests = 0;           ///< collision tests, of faces, edges and vertices
+  std::size_t candidate_faces = 0;  ///< left by the filter for orientable boundaries
+  std::size_t hole_tests = 0;       ///< collision tests, of faces, edges and vertices
 };
 
 struct RcaResult {

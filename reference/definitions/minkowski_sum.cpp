@@ -96,6 +96,9 @@ MinkowskiSum canonical_sum(const BoundaryFeatures& features) {
   sum.dangling_edges = maximal_segments(features.dangling_edges);
   sum.isolated_vertices = features.isolated_vertices;
   std::sort(sum.isolated_vertices.begin(), sum.isolated_vertices.end());
+  sum.isolated_vertices.erase(
+      std::unique(sum.isolated_vertices.begin(), sum.isolated_vertices.end()),
+      sum.isolated_vertices.end());
   return sum;
 }
 

@@ -2,6 +2,7 @@
 #include "reference/definitions/region.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "reference/definitions/winding_number.hpp"
@@ -80,6 +81,24 @@ Region translated(Region region, const Vector& by) {
 
 Region reflected(Region region) {
   return mapped(std::move(region), [](const Point& p) { return -p; });
+}
+
+std::vector<Point> touching_points(const Region& region) {
+  const std::vector<Chain> all = chains(region);
+  std::vector<Point> touching;
+  for (std::size_t a = 0; a < all.size(); ++a) {
+    for (std::size_t b = 0; b < all.size(); ++b) {
+      if (a == b) continue;
+      const std::vector<Segment> edges_of_b = edges(all[b]);
+      std::copy_if(all[a].begin(), all[a].end(), std::back_inserter(touching), [&](const Point& v) {
+        return std::any_of(edges_of_b.begin(), edges_of_b.end(),
+                           [&](const Segment& e) { return lies_on(v, e); });
+      });
+    }
+  }
+  std::sort(touching.begin(), touching.end());
+  touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
+  return touching;
 }
 
 Region polygon(Chain outer) { return {{{std::move(outer), {}}}}; }

@@ -66,6 +66,9 @@ Region translated(Region region, const Vector& by);
 /// Returns -R: each point p becomes -p. Turns by π, so orientations stay.
 Region reflected(Region region);
 
+/// Returns the points in which different chains of a valid region touch, sorted.
+std::vector<Point> touching_points(const Region& region);
+
 /// A region of one component without holes.
 Region polygon(Chain outer);
 

@@ -7,6 +7,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/mpq_class.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -102,11 +103,11 @@ class Verdicts {
     for (auto v : arrangement.vertex_handles()) v->set_data(interiors_meet_at(point(v->point())));
   }
 
- private:
   bool interiors_meet_at(const Point& x) const {
     return interiors_meet(p_, translated(minus_q_, x));
   }
 
+ private:
   static void require(bool agree, const Point& x) {
     if (!agree)
       throw VerdictsDiffer("the oracle's two verdicts differ at (" + x.x.get_str() + ", " +
@@ -128,12 +129,27 @@ bool surrounded(Arrangement::Vertex_handle v) {
   return true;
 }
 
+/// The same for a point that need not be a vertex of the arrangement.
+bool surrounded(const Point& x, const MinkowskiSum& closed, const std::vector<Segment>& dangling) {
+  return locate(x, region_of(closed)) == Location::inside &&
+         std::none_of(dangling.begin(), dangling.end(),
+                      [&](const Segment& e) { return lies_on(x, e); });
+}
+
+std::vector<Point> vertex_sums(const Region& p, const Region& q) {
+  std::vector<Point> sums;
+  for (const Segment& e : edges(p))
+    for (const Segment& f : edges(q)) sums.push_back(e.source + f.source);
+  return sums;
+}
+
 }  // namespace
 
 OracleSums oracle_sums(const Region& p, const Region& q) {
   const std::vector<Segment> convolution_segments = segments(convolution(p, q));
   Arrangement arrangement = arrangement_of(convolution_segments);
-  Verdicts(p, q, convolution_segments).decide(arrangement);
+  const Verdicts verdicts(p, q, convolution_segments);
+  verdicts.decide(arrangement);
 
   BoundaryFeatures closed;
   BoundaryFeatures low_dimensional;
@@ -147,7 +163,14 @@ OracleSums oracle_sums(const Region& p, const Region& q) {
     if (!v->data() && surrounded(v)) low_dimensional.isolated_vertices.push_back(point(v->point()));
   }
   low_dimensional.edges = closed.edges;
-  return {canonical_sum(closed),
+  const MinkowskiSum closed_sum = canonical_sum(closed);
+  // Where chains touch, a sum of two vertices may be isolated though no segment of 𝒞 passes through
+  // it, so that it is no vertex of the arrangement (docs/findings.md).
+  for (const Point& x : vertex_sums(p, q)) {
+    if (!verdicts.interiors_meet_at(x) && surrounded(x, closed_sum, low_dimensional.dangling_edges))
+      low_dimensional.isolated_vertices.push_back(x);
+  }
+  return {closed_sum,
           canonical_sum(low_dimensional),
           {arrangement.number_of_faces(), arrangement.number_of_edges(),
            arrangement.number_of_vertices()}};

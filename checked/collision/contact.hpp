@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "reference/definitions/direction.hpp"
+#include "reference/definitions/segment.hpp"
+
+namespace oplus {
+
+/// A ray from a contact point along an edge of one summand.
+struct BoundaryRay {
+  Direction direction;
+  bool interior_is_counterclockwise;  ///< which of its two sides is inside its summand
+};
+
+/// Appends the rays along an edge that passes through `at` or has an end there.
+void add_rays(const Segment& edge, Summand of, const Point& at, std::vector<BoundaryRay>& rays);
+
+/// Whether the interiors of the two summands meet in every neighbourhood of a contact point, given
+/// all rays of both boundaries there: whether one of the sectors between neighbouring rays is
+/// inside both. Decides weak intersections and overlaps (thesis, Section 5.1.1), and points at
+/// which several chains of a summand touch.
+bool interiors_meet_around(std::vector<BoundaryRay> rays);
+
+}  // namespace oplus

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/collision/hierarchy_collision.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "checked/collision/bounding_volume_hierarchy.hpp"
+#include "checked/collision/contact.hpp"
+#include "reference/definitions/mutant.hpp"
+
+namespace oplus {
+
+namespace {
+
+Segment translated(const Segment& s, const Vector& by) { return {s.source + by, s.target + by}; }
+
+/// A region's edges, its chains' first edges, and the hierarchy over all edges.
+struct Summary {
+  explicit Summary(Region of)
+      : region(std::move(of)), edges(oplus::edges(region)), hierarchy(edges) {
+    for (const Segment& e : edges) ends.emplace_back(interval(e.source), interval(e.target));
+    for (const Chain& chain : chains(region)) {
+      chain_of.insert(chain_of.end(), chain.size(), chain_starts.size());
+      chain_starts.push_back(chain_of.size() - chain.size());
+    }
+  }
+
+  Region region;
+  std::vector<Segment> edges;
+  std::vector<std::pair<IntervalPoint, IntervalPoint>> ends;
+  std::vector<std::size_t> chain_of;      ///< of each edge
+  std::vector<std::size_t> chain_starts;  ///< the first edge of each chain
+  BoundingVolumeHierarchy hierarchy;
+};
+
+enum class Meeting { none, crossing, contact };
+
+class HierarchyCollision : public CollisionTest {
+ public:
+  HierarchyCollision(const Region& p, const Region& q) : p_(p), minus_q_(reflected(q)) {}
+
+  bool interiors_meet_at(const Point& x) override {
+    const CGAL::Protect_FPU_rounding<true> rounding;
+    contacts_.clear();
+    const IntervalPoint by = interval(x);
+    const bool crossing =
+        p_.hierarchy.visit_meeting(minus_q_.hierarchy, by, [&](std::size_t i, std::size_t j) {
+          const Meeting meeting = meeting_of(i, j, x, by);
+          if (meeting == Meeting::contact) contacts_.emplace_back(i, j);
+          return meeting == Meeting::crossing;
+        });
+    return crossing || meet_at_contacts(x) || one_contains_chain_of_other(x);
+  }
+
+ private:
+  Meeting meeting_of(std::size_t i, std::size_t j, const Point& x, const IntervalPoint& by) const {
+    const auto& [a, b] = p_.ends[i];
+    const IntervalPoint c = minus_q_.ends[j].first + by;
+    const IntervalPoint d = minus_q_.ends[j].second + by;
+    const auto ab_c = orientation(a, b, c);
+    const auto ab_d = orientation(a, b, d);
+    if (CGAL::is_certain(ab_c) && CGAL::is_certain(ab_d)) {
+      if (ab_c.inf() == ab_d.inf() && ab_c.inf() != CGAL::ZERO) return Meeting::none;
+      const auto cd_a = orientation(c, d, a);
+      const auto cd_b = orientation(c, d, b);
+      if (CGAL::is_certain(cd_a) && CGAL::is_certain(cd_b)) {
+        if (cd_a.inf() == cd_b.inf() && cd_a.inf() != CGAL::ZERO) return Meeting::none;
+        if (ab_c.inf() * ab_d.inf() < 0 && cd_a.inf() * cd_b.inf() < 0) return Meeting::crossing;
+      }
+    }
+    const Segment& s = p_.edges[i];
+    const Segment t = translated(minus_q_.edges[j], x);
+    if (cross_properly(s, t)) return Meeting::crossing;
+    return intersection(s, t).empty() ? Meeting::none : Meeting::contact;
+  }
+
+  bool meet_at_contacts(const Point& x) const {
+    struct EdgesAt {
+      std::vector<std::size_t> of_p, of_q;
+    };
+    std::map<Point, EdgesAt> edges_at;
+    const auto add = [](std::vector<std::size_t>& edges, std::size_t edge) {
+      if (std::find(edges.begin(), edges.end(), edge) == edges.end()) edges.push_back(edge);
+    };
+    for (const auto& [i, j] : contacts_) {
+      for (const Point& at : intersection(p_.edges[i], translated(minus_q_.edges[j], x))) {
+        add(edges_at[at].of_p, i);
+        add(edges_at[at].of_q, j);
+      }
+    }
+    for (const auto& [at, edges] : edges_at) {
+      std::vector<BoundaryRay> rays;
+      for (const std::size_t i : edges.of_p) add_rays(p_.edges[i], Summand::P, at, rays);
+      for (const std::size_t j : edges.of_q)
+        add_rays(translated(minus_q_.edges[j], x), Summand::Q, at, rays);
+      if (!OPLUS_MUTANT("weak-intersections-never-meet") && interiors_meet_around(rays))
+        return true;
+    }
+    return false;
+  }
+
+  /// Without a crossing, and where contacts show no common interior, a chain that has a contact
+  /// runs outside the other region's interior; one without is inside or outside as a whole.
+  bool one_contains_chain_of_other(const Point& x) const {
+    std::vector<bool> p_touched(p_.chain_starts.size(), false);
+    std::vector<bool> q_touched(minus_q_.chain_starts.size(), false);
+    for (const auto& [i, j] : contacts_) {
+      p_touched[p_.chain_of[i]] = true;
+      q_touched[minus_q_.chain_of[j]] = true;
+    }
+    for (std::size_t c = 0; c < p_touched.size(); ++c) {
+      const Point& vertex = p_.edges[p_.chain_starts[c]].source;
+      if (!p_touched[c] && locate(vertex - x, minus_q_.region) == Location::inside) return true;
+    }
+    for (std::size_t c = 0; c < q_touched.size(); ++c) {
+      const Point& vertex = minus_q_.edges[minus_q_.chain_starts[c]].source;
+      if (!q_touched[c] && locate(vertex + x, p_.region) == Location::inside) return true;
+    }
+    return false;
+  }
+
+  Summary p_;
+  Summary minus_q_;
+  std::vector<std::pair<std::size_t, std::size_t>> contacts_;
+};
+
+}  // namespace
+
+std::unique_ptr<CollisionTest> hierarchy_collision(const Region& p, const Region& q) {
+  return std::make_unique<HierarchyCollision>(p, q);
+}
+
+}  // namespace oplus

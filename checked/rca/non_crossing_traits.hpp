@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CGAL/Arr_segment_traits_2.h>
+
+#include <boost/variant.hpp>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace oplus {
+
+/// Says which translated chain a curve is a part of. Parts of one translated chain never cross: the
+/// chain is simple.
+using TranslatedChain = std::uint32_t;
+inline constexpr TranslatedChain no_chain = 0;
+
+/// Segment traits that never test two parts of one translated chain for an intersection (thesis,
+/// Section 7.2.1): they can only meet in a common end, which the sweep sees without a test.
+template <typename Kernel>
+class NonCrossingTraits : public CGAL::Arr_segment_traits_2<Kernel> {
+  using Base = CGAL::Arr_segment_traits_2<Kernel>;
+  using BaseCurve = typename Base::X_monotone_curve_2;
+
+ public:
+  using typename Base::Multiplicity;
+  using typename Base::Point_2;
+  using Has_merge_category = CGAL::Tag_false;
+
+  /// A segment, or a part of one, that knows its chain and which convolution segment it is from.
+  class X_monotone_curve_2 : public BaseCurve {
+   public:
+    X_monotone_curve_2() = default;
+    explicit X_monotone_curve_2(const BaseCurve& curve, TranslatedChain chain = no_chain,
+                                std::uint32_t segment = 0)
+        : BaseCurve(curve), chain_(chain), segment_(segment) {}
+
+    TranslatedChain chain() const { return chain_; }
+    std::uint32_t segment() const { return segment_; }
+
+   private:
+    TranslatedChain chain_ = no_chain;
+    std::uint32_t segment_ = 0;
+  };
+  using Curve_2 = X_monotone_curve_2;
+
+  class Make_x_monotone_2 {
+   public:
+    template <typename OutputIterator>
+    OutputIterator operator()(const Curve_2& curve, OutputIterator out) const {
+      *out++ = boost::variant<Point_2, X_monotone_curve_2>(curve);
+      return out;
+    }
+  };
+  Make_x_monotone_2 make_x_monotone_2_object() const { return {}; }
+
+  class Split_2 {
+   public:
+    explicit Split_2(const Base& base) : base_(base) {}
+    void operator()(const X_monotone_curve_2& curve, const Point_2& at, X_monotone_curve_2& left,
+                    X_monotone_curve_2& right) const {
+      left = right = curve;  // keeps chain and segment
+      base_.split_2_object()(curve, at, left, right);
+    }
+
+   private:
+    const Base& base_;
+  };
+  Split_2 split_2_object() const { return Split_2(*this); }
+
+  class Intersect_2 {
+   public:
+    explicit Intersect_2(const Base& base) : base_(base) {}
+
+    template <typename OutputIterator>
+    OutputIterator operator()(const X_monotone_curve_2& a, const X_monotone_curve_2& b,
+                              OutputIterator out) const {
+      using MeetingPoint = std::pair<Point_2, Multiplicity>;
+      if (a.chain() != no_chain && a.chain() == b.chain()) return out;
+      std::vector<boost::variant<MeetingPoint, BaseCurve>> meetings;
+      base_.intersect_2_object()(a, b, std::back_inserter(meetings));
+      for (const auto& meeting : meetings) {
+        if (const auto* at = boost::get<MeetingPoint>(&meeting))
+          *out++ = boost::variant<MeetingPoint, X_monotone_curve_2>(*at);
+        else  // an overlap belongs to two chains, so to none
+          *out++ = boost::variant<MeetingPoint, X_monotone_curve_2>(
+              X_monotone_curve_2(boost::get<BaseCurve>(meeting)));
+      }
+      return out;
+    }
+
+   private:
+    const Base& base_;
+  };
+  Intersect_2 intersect_2_object() const { return Intersect_2(*this); }
+};
+
+}  // namespace oplus
