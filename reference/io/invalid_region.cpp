@@ -35,11 +35,15 @@ std::size_t number_of(const PlacedChain& chain, std::size_t vertex) {
   return 1 + (chain.is_turned && vertex != 0 ? chain.vertices.size() - vertex : vertex);
 }
 
+/// The vertex that an edge leaves in the input.
+std::size_t source_of(const PlacedChain& chain, std::size_t edge) {
+  return chain.is_turned ? next(edge, chain.vertices.size()) : edge;
+}
+
 /// "edge 2 from (1, 0) to (1, 1)", numbered and directed as in the input.
 std::string edge_name(const PlacedChain& chain, std::size_t edge) {
-  std::size_t from = edge;
-  std::size_t to = next(edge, chain.vertices.size());
-  if (chain.is_turned) std::swap(from, to);
+  const std::size_t from = source_of(chain, edge);
+  const std::size_t to = chain.is_turned ? edge : next(edge, chain.vertices.size());
   return "edge " + std::to_string(number_of(chain, from)) + " from " +
          to_string(chain.vertices[from]) + " to " + to_string(chain.vertices[to]);
 }
@@ -66,46 +70,45 @@ class DefectMessage {
   [[noreturn]] void refuse() const {
     const std::string first = describe(first_.name);
     const std::string second = describe(second_.name);
-    const std::string at = " at " + to_string(defect_.where);
     switch (defect_.kind) {
       case DefectKind::too_few_vertices:
         refuse_too_few_vertices(input_, first_.chain->start, first_.name,
                                 first_.chain->vertices.size());
       case DefectKind::zero_length_edge:
-        refuse_with(first + " has an edge of zero length: " + two_vertices(),
-                    "consecutive vertices to differ");
+        refuse_vertices(first + " has an edge of zero length: " + two_vertices(),
+                        "consecutive vertices to differ");
       case DefectKind::repeated_vertex:
-        refuse_with("a vertex of " + first + " is repeated: " + two_vertices(),
-                    "each vertex of a chain once");
+        refuse_vertices("a vertex of " + first + " is repeated: " + two_vertices(),
+                        "each vertex of a chain once");
       case DefectKind::self_crossing:
-        refuse_with("two edges of " + first + " cross" + at + ": " + two_edges(), "a simple chain");
+        refuse_edges("two edges of " + first + " cross", "a simple chain");
       case DefectKind::self_overlap:
-        refuse_with("two edges of " + first + " overlap" + at + ": " + two_edges(),
-                    "a simple chain");
+        refuse_edges("two edges of " + first + " overlap", "a simple chain");
       case DefectKind::self_touching:
-        refuse_with(first + " touches itself" + at + ": " + two_edges(), "a simple chain");
+        refuse_edges(first + " touches itself", "a simple chain");
       case DefectKind::chains_cross:
-        refuse_with(first + " and " + second + " cross" + at + edges_of_two_chains(),
-                    "chains that at most touch");
+        refuse_edges(first + " and " + second + " cross", "chains that at most touch");
       case DefectKind::chains_overlap:
-        refuse_with(first + " and " + second + " overlap" + at + edges_of_two_chains(),
-                    "chains that at most touch in points");
+        refuse_edges(first + " and " + second + " overlap", "chains that at most touch in points");
       case DefectKind::hole_outside:
-        refuse_with(first + at + " is not inside " + second, "each hole inside its outer chain");
+        refuse_vertices(first + at() + " is not inside " + second,
+                        "each hole inside its outer chain");
       case DefectKind::holes_nested:
-        refuse_with(first + at + " is inside " + second, "holes beside each other");
+        refuse_vertices(first + at() + " is inside " + second, "holes beside each other");
       case DefectKind::components_overlap:
-        refuse_with(first + at + " is inside " + second + " and in none of its holes",
-                    "components that at most touch");
+        refuse_vertices(first + at() + " is inside " + second + " and in none of its holes",
+                        "components that at most touch");
     }
-    refuse_with(describe(defect_.kind), "a valid region");
+    refuse_vertices(describe(defect_.kind), "a valid region");
   }
 
  private:
-  [[noreturn]] void refuse_with(const std::string& wrong, const std::string& expected) const {
-    const Position& a = first_.chain->places[defect_.first.vertex];
-    const Position& b = second_.chain->places[defect_.second.vertex];
-    input_.refuse(std::max(a, b), wrong, expected);
+  std::string at() const { return " at " + to_string(defect_.where); }
+
+  [[noreturn]] void refuse_vertices(const std::string& wrong, const std::string& expected) const {
+    input_.refuse(std::max(first_.chain->places[defect_.first.vertex],
+                           second_.chain->places[defect_.second.vertex]),
+                  wrong, expected);
   }
 
   /// "vertices 1 and 3 are both (2, 3)"
@@ -116,16 +119,21 @@ class DefectMessage {
            to_string(defect_.where);
   }
 
-  std::string two_edges() const {
-    return edge_name(*first_.chain, defect_.first.vertex) + " and " +
-           edge_name(*second_.chain, defect_.second.vertex);
-  }
-
-  std::string edges_of_two_chains() const {
+  [[noreturn]] void refuse_edges(const std::string& wrong, const std::string& expected) const {
+    struct Named {
+      Position place;
+      std::string name;
+    };
+    const auto named = [](const PlacedChain& chain, std::size_t edge) {
+      return Named{chain.places[source_of(chain, edge)], edge_name(chain, edge)};
+    };
     const auto a = edge_at(*first_.chain, defect_.first.vertex, defect_.where);
     const auto b = edge_at(*second_.chain, defect_.second.vertex, defect_.where);
-    if (!a || !b) return {};
-    return ": " + edge_name(*first_.chain, *a) + " and " + edge_name(*second_.chain, *b);
+    if (!a || !b) refuse_vertices(wrong, expected);
+    Named earlier = named(*first_.chain, *a);
+    Named later = named(*second_.chain, *b);
+    if (later.place < earlier.place) std::swap(earlier, later);
+    input_.refuse(later.place, wrong + at() + ": " + earlier.name + " and " + later.name, expected);
   }
 
   const InputText& input_;

@@ -147,7 +147,8 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
       wrong.erase(at);
     }
     if (const auto at = wrong.find("; last read: "); at != std::string::npos) wrong.erase(at);
-    const bool at_end = last.empty() || wrong.find("end of input") != std::string::npos;
+    const bool at_end =
+        last.empty() || wrong.ends_with("end of input") || wrong.ends_with("missing closing quote");
     Position at = at_end ? places_.next() : places_.last();
     if (wrong.ends_with("string literal")) at = places_.string();
     if (wrong.ends_with("number literal") || wrong.ends_with("true literal") ||

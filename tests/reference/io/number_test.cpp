@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/io/number.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace oplus {
+namespace {
+
+TEST(Number, is_read_exactly) {
+  const std::vector<std::pair<std::string, Rational>> cases{
+      {"0", 0},
+      {"-0", 0},
+      {"+7", 7},
+      {"007", 7},
+      {"-12", -12},
+      {"0.1", Rational(1, 10)},
+      {"-.5", Rational(-1, 2)},
+      {"5.", 5},
+      {"1.50", Rational(3, 2)},
+      {"1.5e-3", Rational(3, 2000)},
+      {"1.5E+3", 1500},
+      {"-2e0002", -200},
+      {"0e4096", 0},
+      {"6/4", Rational(3, 2)},
+      {"-1/3", Rational(-1, 3)},
+      {"0/5", 0},
+      {"90000000000000000000000000000001/3", Rational("90000000000000000000000000000001/3")},
+  };
+  for (const auto& [text, value] : cases) {
+    NumberFault fault;
+    const std::optional<Rational> read = parse_number(text, fault);
+    ASSERT_TRUE(read) << text << ": " << fault.wrong;
+    EXPECT_EQ(*read, value) << text;
+  }
+}
+
+TEST(Number, is_in_lowest_terms) {
+  NumberFault fault;
+  EXPECT_EQ(parse_number("0.50", fault)->get_den(), 2);
+  EXPECT_EQ(parse_number("25e-2", fault)->get_den(), 4);
+  EXPECT_EQ(parse_number("10/5", fault)->get_den(), 1);
+}
+
+TEST(Number, of_the_largest_exponents_is_exact) {
+  NumberFault fault;
+  const std::optional<Rational> large = parse_number("1e4096", fault);
+  const std::optional<Rational> small = parse_number("1e-4096", fault);
+  ASSERT_TRUE(large && small);
+  EXPECT_EQ(large->get_str(), "1" + std::string(4096, '0'));
+  EXPECT_EQ(*large * *small, 1);
+}
+
+TEST(Number, that_is_none_says_why) {
+  const std::string shape = "an integer, a decimal or a fraction p/q";
+  for (const std::string text :
+       {"",      "-",     "+",     ".",   "e5", "1e",  "1e+",  "1.5.2", "1e5e5",
+        "1,5",   "0x10",  "1_000", "--1", "1/", "/2",  "1/-2", "1/2/3", "1.5/2",
+        "1/2.5", "1e1/2", "1 2",   " 1",  "1 ", "abc", "nano"}) {
+    NumberFault fault;
+    EXPECT_FALSE(parse_number(text, fault)) << text;
+    EXPECT_EQ(fault.wrong, "'" + text + "' is not a number");
+    EXPECT_EQ(fault.expected, shape);
+  }
+}
+
+TEST(Number, that_is_not_finite_says_so) {
+  for (const std::string text : {"nan", "-NaN", "inf", "+inf", "-Infinity"}) {
+    NumberFault fault;
+    EXPECT_FALSE(parse_number(text, fault)) << text;
+    EXPECT_EQ(fault.wrong, "'" + text + "' is not finite");
+    EXPECT_EQ(fault.expected, "a finite number");
+  }
+}
+
+TEST(Number, with_denominator_zero_says_so) {
+  for (const std::string text : {"1/0", "0/0", "-7/000"}) {
+    NumberFault fault;
+    EXPECT_FALSE(parse_number(text, fault)) << text;
+    EXPECT_EQ(fault.wrong, "'" + text + "' has the denominator 0");
+    EXPECT_EQ(fault.expected, "a fraction p/q with q > 0");
+  }
+}
+
+TEST(Number, with_a_huge_exponent_says_so) {
+  for (const std::string text : {"1e4097", "1e-4097", "0e99999999999999999999"}) {
+    NumberFault fault;
+    EXPECT_FALSE(parse_number(text, fault)) << text;
+    EXPECT_EQ(fault.wrong, "'" + text + "' has too large an exponent");
+    EXPECT_EQ(fault.expected, "an exponent from -4096 to 4096");
+  }
+}
+
+}  // namespace
+}  // namespace oplus

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/io/writing.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "tests/reference/io/from_text.hpp"
+
+namespace oplus {
+namespace {
+
+template <typename Value>
+std::string written(const Value& value, Format format, std::optional<int> digits = std::nullopt) {
+  std::ostringstream out;
+  write(out, value, format, digits);
+  return out.str();
+}
+
+const Region with_hole{{{rectangle(0, 0, 3, 3), {{{1, 1}, {1, 2}, {2, 1}}}}}};
+const Region of_two{{{rectangle(0, 0, 1, 1), {}}, {rectangle(2, 0, 3, 1), {}}}};
+
+MinkowskiSum with_features(MinkowskiSum sum) {
+  sum.dangling_edges = {{{1, 1}, {2, Rational(1, 3)}}, {{2, 2}, {3, 2}}};
+  sum.isolated_vertices = {{1, 2}, {Rational(1, 2), 2}};
+  return sum;
+}
+
+TEST(Number, that_ends_is_written_as_a_decimal) {
+  EXPECT_EQ(to_string(Rational(0)), "0");
+  EXPECT_EQ(to_string(Rational(-7)), "-7");
+  EXPECT_EQ(to_string(Rational(1200)), "1200");
+  EXPECT_EQ(to_string(Rational(1, 2)), "0.5");
+  EXPECT_EQ(to_string(Rational(-1, 400)), "-0.0025");
+  EXPECT_EQ(to_string(Rational(12345, 1000)), to_string(Rational(2469, 200)));
+  EXPECT_EQ(to_string(Rational(2469, 200)), "12.345");
+  EXPECT_EQ(to_string(Rational(1, 1024)), "0.0009765625");
+  EXPECT_EQ(to_string(Rational(1, 125)), "0.008");
+}
+
+TEST(Number, that_does_not_end_is_written_as_a_fraction) {
+  EXPECT_EQ(to_string(Rational(1, 3)), "1/3");
+  EXPECT_EQ(to_string(Rational(-22, 7)), "-22/7");
+  EXPECT_EQ(to_string(Rational(1, 30)), "1/30");
+}
+
+TEST(Number, is_rounded_half_away_from_zero) {
+  EXPECT_EQ(to_string(Rational(1, 2), 0), "1");
+  EXPECT_EQ(to_string(Rational(-1, 2), 0), "-1");
+  EXPECT_EQ(to_string(Rational(3, 2), 0), "2");
+  EXPECT_EQ(to_string(Rational(5, 2), 0), "3");
+  EXPECT_EQ(to_string(Rational(49, 100), 0), "0");
+  EXPECT_EQ(to_string(Rational(-49, 100), 0), "0");
+  EXPECT_EQ(to_string(Rational(1, 3), 3), "0.333");
+  EXPECT_EQ(to_string(Rational(2, 3), 3), "0.667");
+  EXPECT_EQ(to_string(Rational(-2, 3), 1), "-0.7");
+  EXPECT_EQ(to_string(Rational(245, 100), 1), "2.5");
+  EXPECT_EQ(to_string(Rational(999, 1000), 2), "1");
+  EXPECT_EQ(to_string(Rational(7), 4), "7");
+  EXPECT_EQ(to_string(Rational(1, 4), most_digits), "0.25");
+}
+
+TEST(Number, of_a_point_is_exact) {
+  EXPECT_EQ(to_string(Point{Rational(1, 3), Rational(-1, 2)}), "(1/3, -0.5)");
+}
+
+TEST(FormatOf, is_by_the_ending) {
+  EXPECT_EQ(format_of("a/b.dat"), Format::dat);
+  EXPECT_EQ(format_of("b.wkt"), Format::wkt);
+  EXPECT_EQ(format_of("b.json"), Format::geojson);
+  EXPECT_EQ(format_of("b.geojson"), Format::geojson);
+  EXPECT_EQ(format_of("-"), std::nullopt);
+  EXPECT_EQ(format_of("dat"), std::nullopt);
+  EXPECT_EQ(format_of("b.dat.gz"), std::nullopt);
+}
+
+TEST(Dat, of_one_component_without_holes_has_no_hole_count) {
+  EXPECT_EQ(written(polygon({{0, 0}, {Rational(1, 2), 0}, {0, Rational(1, 3)}}), Format::dat),
+            "3\n0 0\n0.5 0\n0 1/3\n");
+}
+
+TEST(Dat, has_hole_counts_otherwise) {
+  EXPECT_EQ(written(with_hole, Format::dat), "4\n0 0\n3 0\n3 3\n0 3\n1\n3\n1 1\n1 2\n2 1\n");
+  EXPECT_EQ(written(of_two, Format::dat), "4\n0 0\n1 0\n1 1\n0 1\n0\n4\n2 0\n3 0\n3 1\n2 1\n0\n");
+  EXPECT_EQ(written(Region{}, Format::dat), "0\n");
+}
+
+TEST(Dat, can_hold_a_sum_without_features_only) {
+  const MinkowskiSum sum = canonical_sum(of_two);
+  EXPECT_TRUE(can_hold(Format::dat, sum));
+  EXPECT_FALSE(can_hold(Format::dat, MinkowskiSum{{}, {}, {{{0, 0}, {1, 0}}}, {}}));
+  EXPECT_FALSE(can_hold(Format::dat, MinkowskiSum{{}, {}, {}, {{0, 0}}}));
+  EXPECT_TRUE(can_hold(Format::wkt, with_features(sum)));
+  EXPECT_TRUE(can_hold(Format::geojson, with_features(sum)));
+  EXPECT_EQ(written(sum, Format::dat), written(of_two, Format::dat));
+}
+
+TEST(Wkt, is_the_simplest_geometry) {
+  EXPECT_EQ(written(with_hole, Format::wkt),
+            "POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0), (1 1, 1 2, 2 1, 1 1))\n");
+  EXPECT_EQ(written(of_two, Format::wkt),
+            "MULTIPOLYGON (((0 0, 1 0, 1 1, 0 1, 0 0)), ((2 0, 3 0, 3 1, 2 1, 2 0)))\n");
+  EXPECT_EQ(written(Region{}, Format::wkt), "POLYGON EMPTY\n");
+  EXPECT_EQ(written(MinkowskiSum{}, Format::wkt), "POLYGON EMPTY\n");
+  EXPECT_EQ(written(canonical_sum(with_hole), Format::wkt), written(with_hole, Format::wkt));
+}
+
+TEST(Wkt, of_a_sum_with_features_is_a_collection) {
+  EXPECT_EQ(written(with_features(canonical_sum(polygon(rectangle(0, 0, 3, 3)))), Format::wkt),
+            "GEOMETRYCOLLECTION (POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0)), LINESTRING (1 1, 2 1/3), "
+            "LINESTRING (2 2, 3 2), POINT (1 2), POINT (0.5 2))\n");
+  EXPECT_EQ(written(MinkowskiSum{{}, {}, {}, {{1, 2}}}, Format::wkt),
+            "GEOMETRYCOLLECTION (POINT (1 2))\n");
+}
+
+TEST(GeoJson, is_the_simplest_geometry) {
+  EXPECT_EQ(written(with_hole, Format::geojson),
+            "{\"type\": \"Polygon\", \"coordinates\": [[[0, 0], [3, 0], [3, 3], [0, 3], [0, 0]], "
+            "[[1, 1], [1, 2], [2, 1], [1, 1]]]}\n");
+  EXPECT_EQ(written(of_two, Format::geojson),
+            "{\"type\": \"MultiPolygon\", \"coordinates\": [[[[0, 0], [1, 0], [1, 1], [0, 1], [0, "
+            "0]]], [[[2, 0], [3, 0], [3, 1], [2, 1], [2, 0]]]]}\n");
+  EXPECT_EQ(written(Region{}, Format::geojson),
+            "{\"type\": \"MultiPolygon\", \"coordinates\": []}\n");
+}
+
+TEST(GeoJson, number_that_does_not_end_is_a_string) {
+  EXPECT_EQ(
+      written(polygon({{0, 0}, {Rational(1, 2), 0}, {0, Rational(1, 3)}}), Format::geojson),
+      "{\"type\": \"Polygon\", \"coordinates\": [[[0, 0], [0.5, 0], [0, \"1/3\"], [0, 0]]]}\n");
+}
+
+TEST(GeoJson, of_a_sum_with_features_is_a_collection) {
+  MinkowskiSum sum;
+  sum.dangling_edges = {{{0, 0}, {1, 1}}};
+  EXPECT_EQ(written(sum, Format::geojson),
+            "{\"type\": \"GeometryCollection\", \"geometries\": [{\"type\": \"LineString\", "
+            "\"coordinates\": [[0, 0], [1, 1]]}]}\n");
+  sum = canonical_sum(polygon(rectangle(0, 0, 3, 3)));
+  sum.isolated_vertices = {{1, 2}};
+  EXPECT_EQ(written(sum, Format::geojson),
+            "{\"type\": \"GeometryCollection\", \"geometries\": [{\"type\": \"Polygon\", "
+            "\"coordinates\": [[[0, 0], [3, 0], [3, 3], [0, 3], [0, 0]]]}, {\"type\": \"Point\", "
+            "\"coordinates\": [1, 2]}]}\n");
+}
+
+TEST(Digits, round_every_coordinate) {
+  const Region thirds = polygon({{0, 0}, {Rational(4, 3), 0}, {0, Rational(5, 3)}});
+  EXPECT_EQ(written(thirds, Format::dat, 2), "3\n0 0\n1.33 0\n0 1.67\n");
+  EXPECT_EQ(written(thirds, Format::wkt, 0), "POLYGON ((0 0, 1 0, 0 2, 0 0))\n");
+  EXPECT_EQ(written(thirds, Format::geojson, 1),
+            "{\"type\": \"Polygon\", \"coordinates\": [[[0, 0], [1.3, 0], [0, 1.7], [0, 0]]]}\n");
+  EXPECT_EQ(written(MinkowskiSum{{}, {}, {}, {{Rational(2, 3), 0}}}, Format::wkt, 1),
+            "GEOMETRYCOLLECTION (POINT (0.7 0))\n");
+}
+
+}  // namespace
+}  // namespace oplus
