@@ -19,6 +19,9 @@ const std::vector<Mutant>& mutants() {
       {"tie-rule-depends-on-who-asks",
        "whichever summand has the edge, its direction comes before an equal one of the vertex",
        "reference/definitions/convolution.cpp"},
+      {"weak-intersections-never-meet",
+       "boundaries that meet without a proper crossing are taken to touch only",
+       "checked/collision/hierarchy_collision.cpp"},
   };
   return all;
 }

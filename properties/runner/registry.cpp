@@ -42,7 +42,8 @@ std::set<std::string> class_names() {
 }
 
 const std::set<std::string>& kinds() {
-  static const std::set<std::string> all = {"lemma", "theorem", "corollary", "observation", "fact"};
+  static const std::set<std::string> all = {"lemma",       "theorem", "corollary",
+                                            "observation", "section", "fact"};
   return all;
 }
 
@@ -128,7 +129,8 @@ Registered::Registered(Statement statement) {
 }
 
 std::filesystem::path source_root() {
-  return std::filesystem::path(__FILE__).parent_path().parent_path().parent_path();
+  const auto root = std::filesystem::path(__FILE__).parent_path().parent_path().parent_path();
+  return root.empty() ? "." : root;  // compiled from the root itself
 }
 
 std::string relative_file(const Statement& statement) {

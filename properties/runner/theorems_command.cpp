@@ -23,7 +23,7 @@ std::string joined(const std::vector<std::string>& words, const std::string& sep
   return line.empty() ? "none" : line;
 }
 
-/// Ids and files are ASCII, so widths count characters; the title comes last but one for that.
+/// Ids and titles are ASCII, so that widths count characters.
 void print_table(const std::vector<Statement>& all) {
   std::size_t id_width = 0, title_width = 0;
   for (const Statement& s : all) {
@@ -46,10 +46,10 @@ void print_entry(const Statement& s) {
   for (const Source& source : s.sources)
     std::cout << ' ' << source.family << " (n to " << source.largest << ", weight " << source.weight
               << ')';
-  std::cout << "\nPromises:";
+  std::vector<std::string> promises;
   for (const Promise& promise : s.promises)
-    std::cout << ' ' << promise.classification << " in " << promise.percent << " %,";
-  std::cout << " every case valid\nFile: " << relative_file(s) << '\n';
+    promises.push_back(promise.classification + " in " + std::to_string(promise.percent) + " %");
+  std::cout << "\nPromises: " << joined(promises) << "\nFile: " << relative_file(s) << '\n';
 }
 
 bool check(const std::vector<Statement>& all) {
