@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/definitions/minkowski_sum.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "reference/definitions/validity.hpp"
+#include "tests/reference/definitions/print.hpp"
+#include "tests/reference/definitions/shapes.hpp"
+
+namespace oplus {
+namespace {
+
+using Chains = std::vector<Chain>;
+using Segments = std::vector<Segment>;
+
+const Chain square = box(0, 0, 4, 4);
+
+TEST(MinkowskiSum, chain_starts_at_its_smallest_vertex) {
+  for (std::size_t start = 0; start < square.size(); ++start) {
+    Chain turned = square;
+    std::rotate(turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(start), turned.end());
+    EXPECT_EQ(canonical_sum(polygon(turned)).outer, Chains{square});
+  }
+}
+
+TEST(MinkowskiSum, has_no_vertex_inside_a_straight_line) {
+  const Chain with_collinear{{0, 0}, {1, 0}, {3, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 2}};
+  EXPECT_EQ(canonical_sum(polygon(with_collinear)).outer, Chains{square});
+  // Even where the chain starts.
+  EXPECT_EQ(canonical_sum(polygon({{2, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}})).outer, Chains{square});
+}
+
+TEST(MinkowskiSum, holes_are_clockwise_and_chains_are_sorted) {
+  const Chain first = backwards(box(1, 1, 2, 2));
+  const Chain second = backwards(box(1, 3, 2, 4));
+  const Region region{{{box(6, 0, 7, 1), {}}, {box(0, 0, 5, 5), {second, first}}}};
+  const MinkowskiSum sum = canonical_sum(region);
+  EXPECT_EQ(sum.outer, (Chains{box(0, 0, 5, 5), box(6, 0, 7, 1)}));
+  EXPECT_EQ(sum.holes,
+            (Chains{{{1, 1}, {1, 2}, {2, 2}, {2, 1}}, {{1, 3}, {1, 4}, {2, 4}, {2, 3}}}));
+  EXPECT_TRUE(sum.dangling_edges.empty());
+  EXPECT_TRUE(sum.isolated_vertices.empty());
+}
+
+TEST(MinkowskiSum, two_squares_touching_in_a_corner_are_one_outer_chain) {
+  const Region region{{{box(0, 0, 1, 1), {}}, {box(1, 1, 2, 2), {}}}};
+  // Both bound the same face of the complement: clockwise most, so from one into the other.
+  EXPECT_EQ(canonical_sum(region).outer,
+            (Chains{{{0, 0}, {1, 0}, {1, 1}, {2, 1}, {2, 2}, {1, 2}, {1, 1}, {0, 1}}}));
+}
+
+TEST(MinkowskiSum, chain_that_starts_where_it_touches_itself_is_the_smaller_rotation) {
+  const Region region{{{{{0, 0}, {2, 0}, {2, 1}}, {}}, {{{0, 0}, {1, 2}, {0, 2}}, {}}}};
+  EXPECT_EQ(canonical_sum(region).outer,
+            (Chains{{{0, 0}, {1, 2}, {0, 2}, {0, 0}, {2, 0}, {2, 1}}}));
+}
+
+TEST(MinkowskiSum, hole_touching_the_outer_chain_stays_a_chain_of_its_own) {
+  const Chain hole{{2, 0}, {1, 1}, {2, 2}, {3, 1}};
+  const MinkowskiSum sum = canonical_sum(Region{{{square, {hole}}}});
+  EXPECT_EQ(sum.outer, Chains{square});
+  EXPECT_EQ(sum.holes, (Chains{{{1, 1}, {2, 2}, {3, 1}, {2, 0}}}));
+}
+
+TEST(MinkowskiSum, two_holes_touching_in_a_corner_are_two_chains) {
+  const Region region{
+      {{box(0, 0, 5, 5), {backwards(box(1, 1, 2, 2)), backwards(box(2, 2, 3, 3))}}}};
+  EXPECT_EQ(canonical_sum(region).holes.size(), 2u);
+}
+
+TEST(MinkowskiSum, island_touching_its_hole_is_traced_with_it) {
+  const Region region{
+      {{box(0, 0, 4, 4), {backwards(box(1, 1, 3, 3))}}, {{{1, 1}, {2, 1}, {2, 2}}, {}}}};
+  // The island's lower edge would overlap; one vertex in the hole's corner does not.
+  const Region touching{
+      {{box(0, 0, 5, 5), {backwards(box(1, 1, 4, 4))}}, {{{1, 1}, {3, 2}, {2, 3}}, {}}}};
+  EXPECT_TRUE(find_defect(region));
+  EXPECT_FALSE(find_defect(touching));
+  EXPECT_EQ(canonical_sum(touching).holes,
+            (Chains{{{1, 1}, {1, 4}, {4, 4}, {4, 1}, {1, 1}, {3, 2}, {2, 3}}}));
+  EXPECT_EQ(canonical_sum(touching).outer, Chains{box(0, 0, 5, 5)});
+}
+
+TEST(MinkowskiSum, does_not_depend_on_the_order_of_the_edges) {
+  const Region region{{{box(0, 0, 1, 1), {}}, {{{1, 1}, {2, 1}, {1, 2}}, {}}}};
+  const MinkowskiSum expected = canonical_sum(region);
+  Segments boundary = edges(region);
+  std::sort(boundary.begin(), boundary.end());
+  do {
+    ASSERT_EQ(canonical_sum(BoundaryFeatures{boundary, {}, {}}), expected);
+  } while (std::next_permutation(boundary.begin(), boundary.end()));
+}
+
+TEST(MinkowskiSum, dangling_edges_are_maximal_directed_and_sorted) {
+  const MinkowskiSum sum = canonical_sum(
+      BoundaryFeatures{edges(square), {{{3, 1}, {2, 1}}, {{1, 1}, {2, 1}}, {{1, 3}, {1, 2}}}, {}});
+  EXPECT_EQ(sum.dangling_edges, (Segments{{{1, 1}, {3, 1}}, {{1, 2}, {1, 3}}}));
+}
+
+TEST(MinkowskiSum, isolated_vertices_are_sorted_and_distinct) {
+  const MinkowskiSum sum =
+      canonical_sum(BoundaryFeatures{edges(square), {}, {{2, 1}, {1, 3}, {2, 1}}});
+  EXPECT_EQ(sum.isolated_vertices, (std::vector<Point>{{1, 3}, {2, 1}}));
+}
+
+TEST(MinkowskiSum, nothing_at_all_is_the_empty_sum) {
+  EXPECT_EQ(canonical_sum(BoundaryFeatures{}), MinkowskiSum{});
+  EXPECT_EQ(canonical_sum(Region{}), MinkowskiSum{});
+  EXPECT_EQ(region_of(MinkowskiSum{}), Region{});
+  EXPECT_EQ(area(MinkowskiSum{}), 0);
+}
+
+/// Closed sums in which chains touch in every way: each other, themselves, at vertices and inside
+/// edges.
+std::vector<Shape> touching_shapes() {
+  std::vector<Shape> all = shapes();
+  const std::vector<Shape> more{
+      {"two holes touching in a corner",
+       {{{box(0, 0, 5, 5), {backwards(box(1, 1, 2, 2)), backwards(box(2, 2, 3, 3))}}}}},
+      {"island touching its hole in a corner",
+       {{{box(0, 0, 5, 5), {backwards(box(1, 1, 4, 4))}}, {{{1, 1}, {3, 2}, {2, 3}}, {}}}}},
+      {"frame in a frame",
+       {{{box(0, 0, 9, 9), {backwards(box(1, 1, 8, 8))}},
+         {box(2, 2, 7, 7), {backwards(box(3, 3, 6, 6))}}}}},
+      {"three triangles in a ring",
+       {{{{{0, 0}, {2, 0}, {1, 2}}, {}},
+         {{{2, 0}, {4, 0}, {3, 2}}, {}},
+         {{{1, 2}, {3, 2}, {2, 4}}, {}}}}},
+      {"two triangles on a line touching in a vertex of both",
+       {{{{{0, 0}, {2, 0}, {0, 2}}, {}}, {{{2, 0}, {4, 0}, {4, 2}}, {}}}}},
+      {"two holes on a line touching in a vertex of both",
+       {{{box(-1, -1, 5, 5),
+          {backwards({{0, 0}, {2, 0}, {0, 2}}), backwards({{2, 0}, {4, 0}, {4, 2}})}}}}},
+      {"island with its tip inside an edge of its hole",
+       {{{box(0, 0, 5, 5), {backwards(box(1, 1, 4, 4))}}, {{{2, 1}, {3, 2}, {2, 3}}, {}}}}},
+      {"hole whose edges' middles touch the outer chain",
+       {{{{{-2, -2}, {4, 0}, {10, -2}, {6, 4}, {4, 12}, {2, 4}}, {{{0, 0}, {4, 8}, {8, 0}}}}}}},
+  };
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+TEST(MinkowskiSum, as_a_region_is_the_same_sum) {
+  for (const Shape& shape : touching_shapes()) {
+    const MinkowskiSum sum = canonical_sum(shape.region);
+    EXPECT_EQ(canonical_sum(region_of(sum)), sum) << shape.name;
+    EXPECT_EQ(area(region_of(sum)), area(shape.region)) << shape.name;
+    EXPECT_EQ(area(sum), area(shape.region)) << shape.name;
+  }
+}
+
+TEST(MinkowskiSum, as_a_region_is_valid) {
+  for (const Shape& shape : touching_shapes()) {
+    ASSERT_FALSE(find_defect(shape.region)) << shape.name;
+    const auto defect = find_defect(region_of(canonical_sum(shape.region)));
+    EXPECT_FALSE(defect) << shape.name << ": " << describe(defect->kind) << " at "
+                         << testing::PrintToString(defect->where);
+  }
+}
+
+TEST(MinkowskiSum, edges_are_of_the_outer_chains_the_holes_and_the_dangling_ones) {
+  const Chain hole{{1, 1}, {1, 2}, {2, 1}};
+  const MinkowskiSum sum{{square}, {hole}, {{{3, 1}, {3, 2}}}, {{2, 3}}};
+  Segments expected = edges(square);
+  for (const Segment& e : edges(hole)) expected.push_back(e);
+  expected.push_back({{3, 1}, {3, 2}});
+  EXPECT_EQ(edges(sum), expected);
+  EXPECT_EQ(area(sum), Rational(31, 2));
+}
+
+/// The named reduced convolution segments, their corners left out: origins do not look at them.
+ConvolutionSegment named(const Segment& segment, std::size_t name) {
+  return {segment, {Summand::P, {0, name}, {0, 0}}, {}};
+}
+
+std::vector<std::vector<std::size_t>> names(const Origins& origins) {
+  std::vector<std::vector<std::size_t>> result;
+  for (const auto& of_edge : origins) {
+    result.emplace_back();
+    for (const Origin& origin : of_edge) result.back().push_back(origin.edge.vertex);
+  }
+  return result;
+}
+
+TEST(MinkowskiSum, origins_run_along_an_edge_in_its_direction) {
+  const MinkowskiSum sum{{box(0, 0, 4, 4)}, {}, {}, {}};
+  const std::vector<ConvolutionSegment> reduced{
+      named({{2, 0}, {4, 0}}, 5),   // a part
+      named({{-1, 0}, {2, 0}}, 3),  // another, longer than the edge
+      named({{4, 0}, {0, 0}}, 1),   // against it
+      named({{4, 0}, {6, 0}}, 2),   // only an end in common
+      named({{0, 1}, {4, 1}}, 4),   // beside it
+      named({{1, 0}, {1, 3}}, 6),   // across
+      named({{4, 0}, {4, 4}}, 7),   // the next edge
+  };
+  EXPECT_EQ(names(origins(sum, reduced)),
+            (std::vector<std::vector<std::size_t>>{{3, 5}, {7}, {}, {}}));
+}
+
+TEST(MinkowskiSum, origins_of_a_dangling_edge_run_either_way) {
+  const MinkowskiSum sum{{}, {}, {{{0, 0}, {4, 0}}}, {}};
+  EXPECT_EQ(names(origins(sum, {named({{4, 0}, {1, 0}}, 2), named({{0, 0}, {2, 0}}, 1),
+                                named({{0, 0}, {0, 1}}, 3)})),
+            (std::vector<std::vector<std::size_t>>{{1, 2}}));
+}
+
+TEST(MinkowskiSum, origins_of_two_squares_are_both_edges_in_a_line) {
+  const Region unit = polygon(box(0, 0, 1, 1));
+  const MinkowskiSum sum = canonical_sum(polygon(box(0, 0, 2, 2)));
+  const Origins both = origins(sum, reduced_convolution(unit, unit));
+  ASSERT_EQ(both.size(), 4u);
+  // The lower edge: P's along the corner (0,0), then Q's along the corner (1,0).
+  EXPECT_EQ(both[0],
+            (std::vector<Origin>{{Summand::P, {0, 0}, {0, 0}}, {Summand::Q, {0, 0}, {0, 1}}}));
+  for (const auto& of_edge : both) EXPECT_EQ(of_edge.size(), 2u);
+}
+
+}  // namespace
+}  // namespace oplus
