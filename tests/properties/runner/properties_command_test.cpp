@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/runner/properties_command.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "properties/runner/finding.hpp"
+#include "properties/runner/registry.hpp"
+#include "reference/io/reading.hpp"
+
+namespace oplus {
+namespace {
+
+/// Fails where P has a vertex more than a triangle.
+Statement triangles_only() {
+  Statement s;
+  s.id = "fact-triangles-only";
+  s.kind = "fact";
+  s.title = "P is a triangle";
+  s.sources = {{"grid", 6, 1}};
+  s.cases = 40;
+  s.check = [](const Summands& summands) {
+    return vertex_count(summands.p) == 3 ? Outcome{}
+                                         : Outcome{Outcome::Kind::fails, "P is no triangle", {}};
+  };
+  return s;
+}
+
+class PropertiesCommand : public testing::Test {
+ protected:
+  PropertiesCommand()
+      : folder_(std::filesystem::path(testing::TempDir()) /
+                (std::string("oplus-") +
+                 testing::UnitTest::GetInstance()->current_test_info()->name())) {
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+  ~PropertiesCommand() override { std::filesystem::remove_all(folder_); }
+
+  /// Runs the program; returns its exit code and what it wrote to both streams.
+  std::pair<int, std::string> oplus_check(const std::string& arguments) const {
+    const std::filesystem::path log = folder_ / "log";
+    const std::string command =
+        std::string(OPLUS_CHECK_PROGRAM) + " " + arguments + " >" + log.string() + " 2>&1";
+    const int status = std::system(command.c_str());
+    std::ifstream in(log);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text.str()};
+  }
+
+  std::filesystem::path folder_;
+};
+
+bool ends_with(const std::string& text, const std::string& ending) {
+  return text.size() >= ending.size() &&
+         text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+TEST_F(PropertiesCommand, WritesTheShrunkPairAndALineThatReplaysIt) {
+  const Statement s = triangles_only();
+  std::ostringstream out;
+  EXPECT_FALSE(run_statements({s}, std::nullopt, 1, folder_ / "new" / "folder", out));
+  const std::string text = out.str();
+  EXPECT_NE(text.find("FAILED: P is no triangle"), std::string::npos) << text;
+  EXPECT_TRUE(ends_with(text, "0 passed, 1 failed\n")) << text;
+
+  const std::string start = "oplus-check properties --theorem fact-triangles-only --pair ";
+  const std::size_t line = text.find(start);
+  ASSERT_NE(line, std::string::npos) << text;
+  std::istringstream files(text.substr(line + start.size()));
+  std::string p, q;
+  files >> p >> q;
+  const Summands replayed{read_region_file(p).region, read_region_file(q).region};
+  EXPECT_EQ(vertex_count(replayed.p), 4U);
+  EXPECT_EQ(vertex_count(replayed.q), 3U);
+
+  std::ostringstream again;
+  EXPECT_FALSE(replay_statements({s}, replayed, again));
+  EXPECT_NE(again.str().find("FAILED: P is no triangle"), std::string::npos) << again.str();
+  EXPECT_TRUE(ends_with(again.str(), "0 passed, 1 failed\n")) << again.str();
+}
+
+TEST_F(PropertiesCommand, FindingsComeBackAsTheyWere) {
+  const Family* components = find_family("components");
+  ASSERT_NE(components, nullptr);
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const Summands pair = generate(*components, 5, seed);
+    const Finding finding = write_finding(folder_, "fact-of-a-test", pair);
+    const Summands read{read_region_file(finding.p.string()).region,
+                        read_region_file(finding.q.string()).region};
+    EXPECT_EQ(read, pair) << finding.p;
+  }
+}
+
+TEST_F(PropertiesCommand, FindingsOfDifferentPairsHaveDifferentNames) {
+  const Family* grid = find_family("grid");
+  ASSERT_NE(grid, nullptr);
+  const Finding a = write_finding(folder_, "fact-of-a-test", generate(*grid, 5, 1));
+  const Finding b = write_finding(folder_, "fact-of-a-test", generate(*grid, 5, 2));
+  EXPECT_NE(a.p, b.p);
+}
+
+TEST_F(PropertiesCommand, ReplayLineIsQuotedForAShell) {
+  EXPECT_EQ(replay_line("lemma-4.1.4", {"a/b-p.dat", "it's here/q.dat"}),
+            "oplus-check properties --theorem lemma-4.1.4 --pair a/b-p.dat 'it'\\''s here/q.dat'");
+}
+
+TEST_F(PropertiesCommand, PassedAndFailedAreCountedInTheLastLine) {
+  Statement holds = triangles_only();
+  holds.check = [](const Summands&) { return Outcome{}; };
+  std::ostringstream out;
+  EXPECT_FALSE(run_statements({holds, triangles_only(), holds}, 20, 1, folder_, out));
+  EXPECT_TRUE(ends_with(out.str(), "2 passed, 1 failed\n")) << out.str();
+  std::ostringstream only_holds;
+  EXPECT_TRUE(run_statements({holds}, 20, 1, folder_, only_holds));
+  EXPECT_TRUE(ends_with(only_holds.str(), "1 passed, 0 failed\n")) << only_holds.str();
+}
+
+TEST_F(PropertiesCommand, APairToWhichNothingAppliesIsNoSuccess) {
+  Statement s = triangles_only();
+  s.check = [](const Summands&) { return Outcome{Outcome::Kind::discarded, "not a pair", {}}; };
+  std::ostringstream out;
+  EXPECT_FALSE(replay_statements({s}, {}, out));
+  EXPECT_NE(out.str().find("does not apply: not a pair"), std::string::npos);
+}
+
+TEST_F(PropertiesCommand, ProgramRunsAStatement) {
+  const auto [code, text] = oplus_check("properties --theorem lemma-4.1.4 --cases 60 --seed 3");
+  EXPECT_EQ(code, 0);
+  EXPECT_NE(text.find("60 cases run, 0 discarded"), std::string::npos) << text;
+  EXPECT_TRUE(ends_with(text, "1 passed, 0 failed\n")) << text;
+}
+
+TEST_F(PropertiesCommand, ProgramTriesAPairFromFiles) {
+  const Finding finding =
+      write_finding(folder_, "pair", generate(*find_family("components"), 4, 5));
+  const std::string pair = " --pair " + finding.p.string() + " " + finding.q.string();
+  const auto [code, text] = oplus_check("properties" + pair);
+  EXPECT_EQ(code, 0) << text;
+  EXPECT_TRUE(ends_with(text, std::to_string(statements().size()) + " passed, 0 failed\n")) << text;
+  EXPECT_EQ(oplus_check("properties --cases 5" + pair).first, 2);
+}
+
+TEST_F(PropertiesCommand, ProgramListsTheIdsWhereOneIsUnknown) {
+  const auto [code, text] = oplus_check("properties --theorem lemma-0.0.0");
+  EXPECT_EQ(code, 2);
+  for (const Statement& s : statements())
+    EXPECT_NE(text.find(s.id), std::string::npos) << s.id << " is not in: " << text;
+}
+
+TEST_F(PropertiesCommand, ProgramRefusesRequestsThatMakeNoSense) {
+  EXPECT_EQ(oplus_check("").first, 2);
+  EXPECT_EQ(oplus_check("properties --cases 0").first, 2);
+  EXPECT_EQ(oplus_check("properties --cases many").first, 2);
+  EXPECT_EQ(oplus_check("properties --pair only_one.dat").first, 2);
+  const auto [code, text] = oplus_check("properties --pair no_such_p.dat no_such_q.dat");
+  EXPECT_EQ(code, 2);
+  EXPECT_NE(text.find("no_such_p.dat"), std::string::npos) << text;
+}
+
+/// The environment variable with which RapidCheck lets a run be skipped or cut short.
+TEST_F(PropertiesCommand, ProgramRunsNoFewerCasesForTheEnvironment) {
+  ASSERT_EQ(setenv("RC_PARAMS", "max_success=0", 1), 0);
+  const auto [code, text] = oplus_check("properties --theorem fact-convolution-size --cases 60");
+  unsetenv("RC_PARAMS");
+  EXPECT_EQ(code, 0);
+  EXPECT_NE(text.find("60 cases run"), std::string::npos) << text;
+}
+
+TEST_F(PropertiesCommand, ProgramListsStatements) {
+  const auto [code, text] = oplus_check("theorems");
+  EXPECT_EQ(code, 0);
+  for (const Statement& s : statements()) {
+    EXPECT_NE(text.find(s.id), std::string::npos) << text;
+    EXPECT_NE(text.find(relative_file(s)), std::string::npos) << text;
+  }
+  const auto [check_code, checked] = oplus_check("theorems --check");
+  EXPECT_EQ(check_code, 0) << checked;
+  const auto [entry_code, entry] = oplus_check("theorems theorem-2.3.2");
+  EXPECT_EQ(entry_code, 0);
+  EXPECT_NE(entry.find("reflex"), std::string::npos) << entry;
+}
+
+#ifndef OPLUS_MUTANTS
+TEST_F(PropertiesCommand, ProgramSaysWhichBuildHasMutants) {
+  const auto [code, text] = oplus_check("mutants");
+  EXPECT_EQ(code, 2);
+  EXPECT_NE(text.find("preset `check`"), std::string::npos) << text;
+}
+#endif
+
+}  // namespace
+}  // namespace oplus
