@@ -2,6 +2,7 @@
 #include "properties/generators/lattice_polygon.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <numeric>
 #include <utility>
 
@@ -116,10 +117,13 @@ Polygon some_of(Random& random, Polygon points, std::size_t count) {
   return points;
 }
 
-/// 3 to `most`, but no more than a third of the points beyond 8, so that polygons are found soon.
+/// 3 to `most`, larger numbers favoured, since most degeneracies need reflex vertices; but of more
+/// than 24 points no more than a third, so that polygons are found soon.
 std::size_t vertex_count_up_to(Random& random, std::size_t most, std::size_t points) {
   const std::size_t bound = std::min({most, points, std::max<std::size_t>(8, points / 3)});
-  return 3 + uniform_index(random, bound - 2);
+  const std::size_t first = uniform_index(random, bound - 2);
+  const std::size_t second = uniform_index(random, bound - 2);
+  return 3 + std::max(first, second);
 }
 
 }  // namespace
@@ -158,6 +162,15 @@ std::optional<Chain> lattice_polygon_within(Random& random, const Chain& around,
       inside.push_back(
           {static_cast<int>(x.get_num().get_si()), static_cast<int>(y.get_num().get_si())});
     }
+  }
+  // Points all over leave no room for a second one; half of the polygons are small instead.
+  if (one_in(random, 2)) {
+    const LatticePoint near = inside[uniform_index(random, inside.size())];
+    const int distance = uniform(random, 1, 2);
+    std::erase_if(inside, [&](const LatticePoint& p) {
+      return std::abs(p.x - near.x) > distance || std::abs(p.y - near.y) > distance;
+    });
+    if (inside.size() < 3) return std::nullopt;
   }
   const std::size_t count = vertex_count_up_to(random, most, inside.size());
   return polygon_through(random, some_of(random, std::move(inside), count));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -8,8 +9,10 @@
 
 namespace oplus {
 
-/// Returns valid pairs that are each a step smaller (see `size_of`), most promising first:
-/// components, holes and vertices left out, coordinates moved to integers, towards zero, halved.
+/// Returns the valid pairs that are a step smaller (see `size_of`), most promising first:
+/// components, holes and runs of vertices left out, holes made dents, then coordinates scaled to
+/// integers, translated, rounded, halved, moved towards zero. A summand that has a component keeps
+/// one. Requires: both summands are valid.
 std::vector<Summands> smaller(const Summands& summands);
 
 /// What shrinking makes less of, compared in this order; strictly less after each step, so that
@@ -24,8 +27,8 @@ struct Size {
 };
 Size size_of(const Summands& summands);
 
-/// Returns a pair that still fails and of which no smaller one does.
-/// Requires: fails(summands).
+/// Returns a pair that still fails and of which none of `smaller` does.
+/// Requires: both summands are valid. Throws ContractViolation where not fails(summands).
 Summands shrink(Summands summands, const std::function<bool(const Summands&)>& fails);
 
 }  // namespace oplus
