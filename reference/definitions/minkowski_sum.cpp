@@ -67,20 +67,41 @@ Chain smallest_rotation(const Chain& chain) {
   return best;
 }
 
-/// Takes a chain that meets itself at vertices apart into chains that do not.
+/// The edges of a chain, cut at the vertices of another, or of its own, that lie inside them.
+std::vector<Segment> cut_edges(const Chain& chain, const Chain& at) {
+  std::vector<Segment> pieces;
+  for (const Segment& edge : edges(chain)) {
+    const std::vector<Segment> of_edge = cut(edge, at);
+    pieces.insert(pieces.end(), of_edge.begin(), of_edge.end());
+  }
+  return pieces;
+}
+
+/// Takes a chain that touches itself apart into chains that do not.
 std::vector<Chain> simple_chains(const Chain& chain) {
   std::vector<Chain> simple;
   Chain open;
-  for (const Point& vertex : chain) {
-    const auto met = std::find(open.begin(), open.end(), vertex);
+  // A chain may pass straight through a point that it touches elsewhere.
+  for (const Segment& piece : cut_edges(chain, chain)) {
+    const auto met = std::find(open.begin(), open.end(), piece.source);
     if (met != open.end()) {
-      simple.emplace_back(met, open.end());
+      simple.push_back(without_collinear_vertices({met, open.end()}));
       open.erase(met, open.end());
     }
-    open.push_back(vertex);
+    open.push_back(piece.source);
   }
-  simple.push_back(std::move(open));
+  simple.push_back(without_collinear_vertices(open));
   return simple;
+}
+
+/// Whether a hole is inside an outer chain. They may touch in points, so that one of the hole's
+/// pieces between the outer chain's vertices decides.
+bool is_inside(const Chain& hole, const Chain& outer) {
+  for (const Segment& piece : cut_edges(hole, outer)) {
+    const Location where = locate(midpoint(piece.source, piece.target), polygon(outer));
+    if (where != Location::boundary) return where == Location::inside;
+  }
+  return false;
 }
 
 }  // namespace
@@ -130,18 +151,10 @@ Region region_of(const MinkowskiSum& sum) {
     }
   }
   for (Chain& hole : holes) {
-    // A point just inside the hole's edge may lie on an outer chain's edge, the middle of the edge
-    // never does: chains touch in points only. Of the outer chains around it, the smallest.
+    // Of the outer chains around it, the smallest.
     Component* around = nullptr;
     for (Component& component : region.components) {
-      const bool contains = [&] {
-        for (const Segment& e : edges(hole)) {
-          const Location where = locate(midpoint(e.source, e.target), polygon(component.outer));
-          if (where != Location::boundary) return where == Location::inside;
-        }
-        return false;
-      }();
-      if (contains &&
+      if (is_inside(hole, component.outer) &&
           (around == nullptr || twice_area(component.outer) < twice_area(around->outer)))
         around = &component;
     }

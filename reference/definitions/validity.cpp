@@ -105,7 +105,9 @@ Side side_of(const Chain& chain, std::size_t index, const Chain& around,
          cut(of_chain[i], touched == touching.end() ? std::vector<Point>{} : touched->second)) {
       const bool is_inside =
           locate(midpoint(piece.source, piece.target), inner) == Location::inside;
-      if ((is_inside ? side.outside : side.inside)) {
+      const bool changes_side =
+          is_inside ? side.outside && !side.inside : side.inside && !side.outside;
+      if (changes_side) {
         side.edge = {index, i};
         side.where = piece.source;
       }

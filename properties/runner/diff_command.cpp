@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/runner/diff_command.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "properties/runner/differential_cases.hpp"
+#include "properties/runner/differential_report.hpp"
+#include "properties/runner/progress.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+struct Settings {
+  std::vector<std::string> engines;
+  std::vector<std::vector<std::string>> pairs;
+  std::vector<std::string> folders;
+  std::vector<std::string> families;
+  std::optional<std::size_t> cases;
+  std::optional<std::size_t> n;
+  std::uint64_t seed = 1;
+  std::size_t largest = 1300;
+  unsigned threads = std::max(std::thread::hardware_concurrency(), 1U);
+  std::size_t most_shrunk = 3;
+  std::string out = "oplus-findings";
+  std::string report;
+};
+
+template <typename Named>
+std::vector<std::string> names_of(const std::vector<Named>& table) {
+  std::vector<std::string> names;
+  for (const Named& entry : table) names.push_back(entry.name);
+  return names;
+}
+
+std::vector<Implementation> chosen_implementations(const std::vector<std::string>& names) {
+  if (names.empty() || std::find(names.begin(), names.end(), "all") != names.end())
+    return implementations();
+  std::vector<Implementation> chosen = implementations();
+  std::erase_if(chosen, [&](const Implementation& implementation) {
+    return std::find(names.begin(), names.end(), implementation.name) == names.end();
+  });
+  return chosen;
+}
+
+/// The cases that were asked for; where none was, those of the main job: the published pairs, where
+/// they are present, and all families.
+std::vector<DifferentialCase> chosen_cases(const Settings& settings) {
+  std::vector<DifferentialCase> cases;
+  const auto append = [&](std::vector<DifferentialCase> more) {
+    std::move(more.begin(), more.end(), std::back_inserter(cases));
+  };
+  for (const auto& pair : settings.pairs) cases.push_back(case_of_files(pair.at(0), pair.at(1)));
+  for (const std::string& folder : settings.folders) append(cases_of_folder(folder));
+  std::vector<std::string> names = settings.families;
+  if (names.empty() && cases.empty() && settings.pairs.empty() && settings.folders.empty()) {
+    if (std::filesystem::is_directory(OPLUS_DATA_DIR))
+      append(cases_of_folder(OPLUS_DATA_DIR));
+    else
+      std::cout << "the published pairs are left out: there is no folder " << OPLUS_DATA_DIR
+                << '\n';
+    names = names_of(families());
+  }
+  for (const std::string& name : names)
+    append(cases_of_family(*find_family(name), settings.cases.value_or(main_job_cases(name)),
+                           settings.seed, settings.n));
+  return cases;
+}
+
+/// Runs all cases; shrinks, writes and explains the first few disagreements.
+DifferentialReport run(const Settings& settings, const std::vector<DifferentialCase>& cases) {
+  const std::vector<Implementation> checked = chosen_implementations(settings.engines);
+  DifferentialReport report;
+  report.seed = settings.seed;
+  report.implementations = names_of(checked);
+  std::vector<DifferentialResult> results(cases.size());
+  Progress progress("diff", cases.size());
+  run_differential(cases, checked, settings.largest, settings.threads,
+                   [&](std::size_t index, const DifferentialResult& result) {
+                     results[index] = result;
+                     progress.advance();
+                   });
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const DifferentialResult& result = results[i];
+    report.all.add(result);
+    report.groups[cases[i].group].add(result);
+    if (result.kind == DifferentialResult::Kind::skipped)
+      report.skipped.emplace_back(cases[i].name, result.why);
+    if (result.kind != DifferentialResult::Kind::disagreed) continue;
+    if (report.disagreements.size() == settings.most_shrunk) continue;
+    std::cout << "shrinking a disagreement found in " << cases[i].name << std::endl;
+    report.disagreements.push_back(write_disagreement(
+        settings.out, cases[i].name, shrink(cases[i].make(), *result.disagreement, checked)));
+    std::cout << explanation(report.disagreements.back()) << std::flush;
+  }
+  return report;
+}
+
+int diff(const Settings& settings) {
+  const std::vector<DifferentialCase> cases = chosen_cases(settings);
+  if (cases.empty()) {
+    std::cerr << "oplus-check: diff found no pair to compare\n";
+    return 2;
+  }
+  const DifferentialReport report = run(settings, cases);
+  const std::string file = settings.report.empty()
+                               ? (std::filesystem::path(settings.out) / "diff.json").string()
+                               : settings.report;
+  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+  if (!folder.empty()) std::filesystem::create_directories(folder);
+  write_file(file, to_json(report).dump(2) + "\n");
+  std::cout << summary(report) << "report: " << file << '\n';
+  return report.all.disagreed == 0 ? 0 : 1;
+}
+
+}  // namespace
+
+void add_diff_command(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand(
+      "diff", "Compare engines with the oracle; without pairs or families: the main job");
+  const auto settings = std::make_shared<Settings>();
+  std::vector<std::string> engine_names = names_of(implementations());
+  engine_names.emplace_back("all");
+  command
+      ->add_option("--engine", settings->engines,
+                   "The engine to check; may be repeated; default: all")
+      ->type_name("NAME")
+      ->check(CLI::IsMember(engine_names));
+  command->add_option("--pair", settings->pairs, "A pair of files; may be repeated")
+      ->type_name("P Q")
+      ->type_size(2);
+  command
+      ->add_option("--folder", settings->folders,
+                   "NAME_part1 with NAME_part2, all other files with each other")
+      ->type_name("DIR")
+      ->check(CLI::ExistingDirectory);
+  command->add_option("--family", settings->families, "A generated family; may be repeated")
+      ->type_name("NAME")
+      ->check(CLI::IsMember(names_of(families())));
+  command->add_option("--cases", settings->cases, "Cases a family")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1000000000}));
+  command->add_option("--n", settings->n, "The largest size, as the family understands it");
+  command->add_option("--seed", settings->seed, "Same seed, same pairs")->capture_default_str();
+  command
+      ->add_option("--largest", settings->largest,
+                   "Skip, and count, pairs whose convolution has more segments")
+      ->capture_default_str();
+  command->add_option("--threads", settings->threads, "Cases at a time")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command->add_option("--shrink", settings->most_shrunk, "Shrink at most so many disagreements")
+      ->capture_default_str();
+  command->add_option("--out", settings->out, "Folder for disagreements and the report")
+      ->type_name("DIR")
+      ->capture_default_str();
+  command->add_option("--report", settings->report, "The report; default: diff.json in --out")
+      ->type_name("FILE");
+  command->footer(
+      "Example: oplus-check diff --family grid --cases 500 --seed 7\n"
+      "Exit code: 0 all agree, 1 a disagreement, 2 bad input or a request that makes no sense.");
+  command->callback([settings, &exit_code] { exit_code = diff(*settings); });
+}
+
+}  // namespace oplus

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/runner/differential.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+#include "properties/generators/classification.hpp"
+#include "properties/generators/shrinking.hpp"
+#include "reference/definitions/convolution.hpp"
+#include "reference/oracle/oracle.hpp"
+
+namespace oplus {
+
+namespace {
+
+std::optional<Disagreement> disagreement(const Summands& summands,
+                                         const Implementation& implementation, Boundary boundary,
+                                         const MinkowskiSum& expected) {
+  try {
+    MinkowskiSum sum = implementation.sum(summands.p, summands.q, boundary);
+    const std::optional<Difference> found = difference(expected, sum);
+    if (!found) return std::nullopt;
+    return Disagreement{implementation.name, boundary,    expected,
+                        std::move(sum),      found->what, found->witness};
+  } catch (const std::exception& e) {
+    return Disagreement{
+        implementation.name, boundary, expected, std::nullopt, std::string("it threw: ") + e.what(),
+        std::nullopt};
+  }
+}
+
+}  // namespace
+
+DifferentialResult differential(const Summands& summands,
+                                const std::vector<Implementation>& implementations,
+                                std::size_t largest) {
+  DifferentialResult result;
+  const std::size_t size = convolution(summands.p, summands.q).size();
+  if (size > largest) {
+    result.kind = DifferentialResult::Kind::skipped;
+    result.why = "its convolution has " + std::to_string(size) +
+                 " segments, the oracle takes at most " + std::to_string(largest);
+    return result;
+  }
+  const Classification classes = classify(summands);
+  result.holes_in_summand = classes.holes;
+  result.overlapping_segments = classes.overlapping_segments;
+  result.several_components = classes.several_components;
+  OracleSums sums;
+  try {
+    sums = oracle_sums(summands.p, summands.q);
+  } catch (const std::exception& e) {
+    result.kind = DifferentialResult::Kind::disagreed;
+    result.disagreement = Disagreement{"oracle",
+                                       Boundary::closed,
+                                       {},
+                                       std::nullopt,
+                                       std::string("the oracle threw: ") + e.what(),
+                                       std::nullopt};
+    return result;
+  }
+  result.holes_in_sum = !sums.closed.holes.empty();
+  result.low_dimensional_features =
+      !sums.open.dangling_edges.empty() || !sums.open.isolated_vertices.empty();
+  for (const Implementation& implementation : implementations) {
+    for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
+      const MinkowskiSum& expected = boundary == Boundary::closed ? sums.closed : sums.open;
+      result.disagreement = disagreement(summands, implementation, boundary, expected);
+      if (!result.disagreement) continue;
+      result.kind = DifferentialResult::Kind::disagreed;
+      return result;
+    }
+  }
+  return result;
+}
+
+ShrunkDisagreement shrink(const Summands& summands, const Disagreement& found,
+                          const std::vector<Implementation>& implementations) {
+  const auto again = [&](const Summands& candidate) -> std::optional<Disagreement> {
+    std::optional<Disagreement> seen =
+        differential(candidate, implementations, static_cast<std::size_t>(-1)).disagreement;
+    const bool same =
+        seen && seen->implementation == found.implementation && seen->boundary == found.boundary;
+    return same ? seen : std::nullopt;
+  };
+  const Summands smallest =
+      shrink(summands, [&](const Summands& candidate) { return again(candidate).has_value(); });
+  return {smallest, again(smallest).value_or(found)};
+}
+
+void run_differential(
+    const std::vector<DifferentialCase>& cases, const std::vector<Implementation>& implementations,
+    std::size_t largest, unsigned threads,
+    const std::function<void(std::size_t index, const DifferentialResult& result)>& done) {
+  std::atomic<std::size_t> next_case{0};
+  std::mutex reporting;
+  std::exception_ptr failure;
+  const auto work = [&] {
+    try {
+      for (std::size_t i = next_case++; i < cases.size(); i = next_case++) {
+        const DifferentialResult result = differential(cases[i].make(), implementations, largest);
+        const std::lock_guard lock(reporting);
+        done(i, result);
+      }
+    } catch (...) {
+      const std::lock_guard lock(reporting);
+      if (!failure) failure = std::current_exception();
+      next_case = cases.size();
+    }
+  };
+  std::vector<std::thread> pool;
+  for (unsigned t = 1; t < std::max(threads, 1U); ++t) pool.emplace_back(work);
+  work();
+  for (std::thread& thread : pool) thread.join();
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace oplus

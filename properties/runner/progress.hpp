@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <string>
+
+namespace oplus {
+
+/// Says on standard error how far a run is: a bar on a terminal, else a plain line every tenth.
+class Progress {
+ public:
+  Progress(std::string what, std::size_t total);
+  void advance();
+
+ private:
+  void draw_bar() const;
+
+  std::string what_;
+  std::size_t total_;
+  std::size_t done_ = 0;
+  bool on_terminal_;
+  std::chrono::steady_clock::time_point start_;
+};
+
+}  // namespace oplus
