@@ -42,5 +42,12 @@ TEST(Point, orientation_sees_what_doubles_do_not) {
   EXPECT_EQ(orientation({0, 0}, {1, 1}, {2, 2 - tiny}), -1);
 }
 
+TEST(Point, orientation_is_one_or_minus_one_for_numbers_of_any_length) {
+  const Rational huge("1" + std::string(400, '0'));
+  EXPECT_EQ(orientation({0, 0}, {huge, 0}, {0, huge}), 1);
+  EXPECT_EQ(orientation({0, 0}, {0, huge}, {huge, 0}), -1);
+  EXPECT_EQ(orientation({0, 0}, {1 / huge, 0}, {huge, huge}), 1);
+}
+
 }  // namespace
 }  // namespace oplus
