@@ -10,6 +10,7 @@
 #include <memory>
 #include <set>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -30,8 +31,10 @@ using Vertex = Arrangement::Vertex_handle;
 using Halfedge = Arrangement::Halfedge_handle;
 using Face = Arrangement::Face_handle;
 
-Kernel::FT number(const Rational& value) { return Kernel::FT::ET(value.get_mpq_t()); }
-Rational number(const Kernel::FT& value) { return Rational(CGAL::exact(value).backend().data()); }
+static_assert(std::is_same_v<Kernel::FT::ET, Rational>, "CGAL is compiled with CGAL_USE_GMPXX");
+
+Kernel::FT number(const Rational& value) { return value; }
+Rational number(const Kernel::FT& value) { return CGAL::exact(value); }
 Point point(Vertex v) { return {number(v->point().x()), number(v->point().y())}; }
 Segment segment(Halfedge e) { return {point(e->source()), point(e->target())}; }
 Point middle(Halfedge e) { return midpoint(point(e->source()), point(e->target())); }
