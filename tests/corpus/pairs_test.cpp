@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cctype>
+#include <set>
+
+#include "checked/rca/rca.hpp"
+#include "reference/oracle/oracle.hpp"
+#include "tests/corpus/corpus.hpp"
+#include "tests/reference/definitions/print.hpp"
+
+namespace oplus {
+namespace {
+
+TEST(Corpus, rows_have_distinct_names_and_stories) {
+  const std::vector<Row> rows = corpus();
+  std::set<std::string> names;
+  for (const Row& row : rows) {
+    EXPECT_TRUE(names.insert(row.name).second) << row.name << " is there twice";
+    for (const char c : row.name)
+      EXPECT_TRUE(std::islower(c) || std::isdigit(c) || c == '_') << row.name;
+    EXPECT_TRUE(row.story.ends_with('.')) << row.name << ": no sentence";
+  }
+  EXPECT_TRUE(names.contains("cgal_full_convolution_crash"));
+  EXPECT_TRUE(names.contains("touching_diamond_hole_twice"));
+}
+
+TEST(Corpus, oracle_gives_the_sums_of_every_row) {
+  for (const Row& row : corpus()) {
+    const OracleSums sums = oracle_sums(row.p, row.q);
+    EXPECT_EQ(sums.closed, row.closed) << row.name;
+    EXPECT_EQ(sums.open, row.open) << row.name;
+    const OracleSums swapped = oracle_sums(row.q, row.p);
+    EXPECT_EQ(swapped.closed, row.closed) << row.name << ", swapped";
+    EXPECT_EQ(swapped.open, row.open) << row.name << ", swapped";
+  }
+}
+
+TEST(Corpus, rca_gives_the_sums_of_every_row) {
+  for (const Row& row : corpus()) {
+    EXPECT_EQ(rca(row.p, row.q, Boundary::closed).sum, row.closed) << row.name;
+    EXPECT_EQ(rca(row.p, row.q, Boundary::open).sum, row.open) << row.name;
+    EXPECT_EQ(rca(row.q, row.p, Boundary::closed).sum, row.closed) << row.name << ", swapped";
+    EXPECT_EQ(rca(row.q, row.p, Boundary::open).sum, row.open) << row.name << ", swapped";
+  }
+}
+
+}  // namespace
+}  // namespace oplus
