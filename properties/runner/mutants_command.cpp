@@ -16,20 +16,26 @@ struct Settings {
   std::uint64_t seed = 1;
 };
 
-/// Whether the statement kills the mutant. Only a failure on a pair counts, not a run that is short
-/// or whose shares are missed.
+/// Whether the statement kills the mutant: it fails on a pair with the fault and holds on the same
+/// pair without. A run that is short or misses a share kills nothing.
 bool kills(const Statement& statement, const Mutant& mutant, RunOptions options,
            std::ostream& out) {
   options.shrink = false;
   options.mutant = mutant.name;
   const PropertyRun run = run_property(statement, options);
   out << "  " << statement.id << ": ";
-  if (run.counterexample)
-    out << "killed by case " << run.run << ": " << run.counterexample->why << '\n';
-  else
-    out << "ALIVE after " << run.run << " cases\n";
-  out << std::flush;
-  return run.counterexample.has_value();
+  if (!run.counterexample) {
+    out << "ALIVE after " << run.run << " cases\n" << std::flush;
+    return false;
+  }
+  const Outcome without = evaluate(statement, run.counterexample->summands);
+  if (without.kind != Outcome::Kind::holds) {
+    out << "NOT KILLED: case " << run.run << " fails without the fault too: " << without.why << '\n'
+        << std::flush;
+    return false;
+  }
+  out << "killed by case " << run.run << ": " << run.counterexample->why << '\n' << std::flush;
+  return true;
 }
 
 bool names(const Statement& statement, const std::string& mutant) {
@@ -53,7 +59,7 @@ bool run_mutants(const std::vector<Statement>& statements, const std::vector<Mut
   }
   const std::vector<std::string> defects = defects_of_entries(statements, mutants);
   for (const std::string& defect : defects) out << defect << '\n';
-  out << killed << " killed, " << alive << " alive\n";
+  out << killed << " killed, " << alive << " not killed\n";
   return alive == 0 && killed > 0 && defects.empty();
 }
 
