@@ -2,7 +2,7 @@
 #include "checked/collision/hierarchy_collision.hpp"
 
 #include <algorithm>
-#include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -77,28 +77,30 @@ class HierarchyCollision : public CollisionTest {
   }
 
   bool meet_at_contacts(const Point& x) const {
-    struct EdgesAt {
-      std::vector<std::size_t> of_p, of_q;
-    };
-    std::map<Point, EdgesAt> edges_at;
-    const auto add = [](std::vector<std::size_t>& edges, std::size_t edge) {
-      if (std::find(edges.begin(), edges.end(), edge) == edges.end()) edges.push_back(edge);
-    };
+    std::set<Point> points;
     for (const auto& [i, j] : contacts_) {
-      for (const Point& at : intersection(p_.edges[i], translated(minus_q_.edges[j], x))) {
-        add(edges_at[at].of_p, i);
-        add(edges_at[at].of_q, j);
-      }
+      for (const Point& at : intersection(p_.edges[i], translated(minus_q_.edges[j], x)))
+        points.insert(at);
     }
-    for (const auto& [at, edges] : edges_at) {
-      std::vector<BoundaryRay> rays;
-      for (const std::size_t i : edges.of_p) add_rays(p_.edges[i], Summand::P, at, rays);
-      for (const std::size_t j : edges.of_q)
-        add_rays(translated(minus_q_.edges[j], x), Summand::Q, at, rays);
-      if (!OPLUS_MUTANT("weak-intersections-never-meet") && interiors_meet_around(rays))
-        return true;
+    return std::any_of(points.begin(), points.end(), [&](const Point& at) {
+      return !OPLUS_MUTANT("weak-intersections-never-meet") && interiors_meet_around(rays(at, x));
+    });
+  }
+
+  /// All rays of both boundaries at a contact. An edge may pass through it that overlaps another
+  /// from before it to behind it.
+  std::vector<BoundaryRay> rays(const Point& at, const Point& x) const {
+    std::set<std::size_t> of_p;
+    std::set<std::size_t> of_q;
+    for (const auto& [i, j] : contacts_) {
+      if (lies_on(at, p_.edges[i])) of_p.insert(i);
+      if (lies_on(at, translated(minus_q_.edges[j], x))) of_q.insert(j);
     }
-    return false;
+    std::vector<BoundaryRay> result;
+    for (const std::size_t i : of_p) add_rays(p_.edges[i], Summand::P, at, result);
+    for (const std::size_t j : of_q)
+      add_rays(translated(minus_q_.edges[j], x), Summand::Q, at, result);
+    return result;
   }
 
   /// Without a crossing, and where contacts show no common interior, a chain that has a contact
