@@ -48,8 +48,8 @@ void expect_valid(const Region& region) {
 
 TEST(Smaller, every_candidate_is_valid_and_smaller_in_every_family) {
   for (const Family& family : families()) {
-    for (std::uint64_t seed = 0; seed < 3; ++seed) {
-      const Summands summands = generate(family, family.typical, seed);
+    for (std::uint64_t seed = 0; seed < 2; ++seed) {
+      const Summands summands = generate(family, family.smallest + seed, seed);
       const std::vector<Summands> candidates = smaller(summands);
       EXPECT_GE(candidates.size(), 10u) << family.name;
       for (const Summands& candidate : candidates) {
