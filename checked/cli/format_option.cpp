@@ -15,7 +15,7 @@ void add_format_option(CLI::App& subcommand, std::optional<Format>& format) {
           "write wkt, dat or geojson; without it the ending of FILE decides, and wkt on standard "
           "output")
       ->check(CLI::IsMember(formats))
-      ->type_name("FORMAT");
+      ->type_name("NAME");
 }
 
 }  // namespace oplus

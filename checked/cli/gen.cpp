@@ -82,7 +82,7 @@ void add_gen(CLI::App& program, Action& chosen) {
       ->type_name("S");
   command.add_option("--summand", options->summand, "which of the pair, P without it")
       ->check(CLI::IsMember({"P", "Q"}))
-      ->type_name("P|Q");
+      ->type_name("NAME");
   command.add_option("-o,--output", options->output, "write there, not to standard output")
       ->type_name("FILE");
   add_format_option(command, options->format);

@@ -61,16 +61,16 @@ std::string origins_json(const MinkowskiSum& sum, const Origins& origins, const 
   const std::vector<std::string> kind = kinds(sum);
   OPLUS_REQUIRES(origins.size() == of_sum.size(), "an origin for each edge");
   const Naming naming(p, q);
-  Json list = Json::array();
+  std::string lines;
   for (std::size_t i = 0; i < of_sum.size(); ++i) {
     Json edge = {{"kind", kind[i]},
                  {"from", json(of_sum[i].source)},
                  {"to", json(of_sum[i].target)},
                  {"origins", Json::array()}};
     for (const Origin& origin : origins.at(i)) edge["origins"].push_back(naming.json(origin));
-    list.push_back(std::move(edge));
+    lines += (lines.empty() ? "" : ",\n") + edge.dump();
   }
-  return list.dump(1) + "\n";
+  return "[" + lines + "]\n";
 }
 
 }  // namespace oplus

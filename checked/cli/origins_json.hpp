@@ -7,7 +7,8 @@
 
 namespace oplus {
 
-/// Returns a JSON list with an object an edge of the sum, in the order of `edges(sum)`:
+/// Returns a JSON list with an object, on a line of its own, for each edge of the sum, in the order
+/// of `edges(sum)`:
 ///
 ///   {"kind": "outer" | "hole" | "dangling",
 ///    "from": ["x", "y"], "to": ["x", "y"],

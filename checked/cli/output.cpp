@@ -5,7 +5,6 @@
 
 #include <cerrno>
 #include <filesystem>
-#include <fstream>
 #include <set>
 #include <system_error>
 
@@ -20,7 +19,14 @@ std::string name_of(const std::string& path) { return path == "-" ? "standard ou
 /// Where a path leads, so that two ways to write one file are recognized.
 std::filesystem::path resolved(const std::string& path) {
   std::error_code ignored;
-  return std::filesystem::weakly_canonical(path, ignored);
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
+}
+
+/// Whether the path names a device or a pipe, which is written to and never replaced.
+bool is_special(const std::string& path) {
+  std::error_code failed;
+  const std::filesystem::file_status status = std::filesystem::status(path, failed);
+  return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
 }
 
 void require_writable(const std::string& path) {
@@ -33,24 +39,12 @@ void require_writable(const std::string& path) {
     throw UsageError("cannot write " + path + ": it is a folder");
   if (!std::filesystem::is_directory(folder, failed))
     throw UsageError("cannot write " + path + ": there is no folder " + folder.string());
-  const bool exists = std::filesystem::exists(path, failed);
-  if (access(folder.c_str(), W_OK) != 0 || (exists && access(path.c_str(), W_OK) != 0))
+  // A file is replaced as a whole, so its folder must be writable; a device is not replaced.
+  const bool writable =
+      is_special(path) ? access(path.c_str(), W_OK) == 0 : access(folder.c_str(), W_OK) == 0;
+  if (!writable)
     throw UsageError("cannot write " + path + ": " +
                      std::error_code(errno, std::generic_category()).message());
-}
-
-/// Whether the path names a device or a pipe, which is written to and never replaced.
-bool is_special(const std::string& path) {
-  std::error_code failed;
-  const std::filesystem::file_status status = std::filesystem::status(path, failed);
-  return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
-}
-
-void write_special(const std::string& path, const std::string& content) {
-  errno = 0;
-  std::ofstream out(path);
-  out << content << std::flush;
-  if (!out) throw std::system_error(errno, std::generic_category());
 }
 
 }  // namespace
@@ -75,10 +69,7 @@ void require_writable(const std::vector<std::string>& paths) {
 
 void write_output(const std::string& path, const std::string& content) {
   try {
-    if (path != "-" && is_special(path))
-      write_special(path, content);
-    else
-      write_file(path, content);
+    write_file(path, content);
   } catch (const std::system_error& error) {
     throw UsageError("cannot write " + name_of(path) + ": " + error.code().message());
   }

@@ -5,18 +5,15 @@
 #include <signal.h>
 #include <unistd.h>
 
-#include <exception>
-#include <new>
 #include <sstream>
 #include <string>
 
 #include "checked/cli/crash.hpp"
-#include "checked/cli/message.hpp"
+#include "checked/cli/outcome.hpp"
 #include "checked/cli/output.hpp"
 #include "checked/cli/subcommands.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "checked/cli/version.hpp"
-#include "reference/io/invalid_input.hpp"
 
 namespace oplus {
 
@@ -67,15 +64,6 @@ ExitCode parse_and_do(int argc, const char* const* argv) {
   return chosen();
 }
 
-int fail(ExitCode code, const std::string& why) {
-  say(why);
-  return static_cast<int>(code);
-}
-
-int fail_with_bug(const std::string& what) {
-  return fail(ExitCode::bug, "a bug in oplus: " + what + "; please report it with the input");
-}
-
 }  // namespace
 
 int run(int argc, const char* const* argv) noexcept {
@@ -83,19 +71,7 @@ int run(int argc, const char* const* argv) noexcept {
   occupy_closed_streams();
   // A reader that closes its pipe is an output that cannot be written, not a death.
   signal(SIGPIPE, SIG_IGN);
-  try {
-    return static_cast<int>(parse_and_do(argc, argv));
-  } catch (const InvalidInput& error) {
-    return fail(ExitCode::invalid, error.what());
-  } catch (const UsageError& error) {
-    return fail(ExitCode::invalid, error.what());
-  } catch (const std::bad_alloc&) {
-    return fail(ExitCode::invalid, "there is not enough memory for this input");
-  } catch (const std::exception& error) {
-    return fail_with_bug(error.what());
-  } catch (...) {
-    return fail_with_bug("an unknown exception");
-  }
+  return exit_code_of([&] { return parse_and_do(argc, argv); });
 }
 
 }  // namespace oplus

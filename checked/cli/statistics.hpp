@@ -12,7 +12,8 @@ namespace oplus {
 /// Names and values, in the order in which they are printed.
 using Statistics = std::vector<std::pair<std::string, std::string>>;
 
-/// How many parts of each kind the sum has, and its exact area.
+/// How many parts of each kind the sum has, and its area: exact, but rounded, and said so, where
+/// that would take a line of its own.
 Statistics statistics_of(const MinkowskiSum& sum);
 
 }  // namespace oplus

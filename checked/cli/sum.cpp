@@ -123,10 +123,10 @@ void add_sum(CLI::App& program, Action& chosen) {
                    "sum the regions' interiors: keeps dangling edges and isolated vertices");
   command.add_option("--engine", options->engine, engine_help())
       ->check(CLI::IsMember(engine_names()))
-      ->type_name("ENGINE");
+      ->type_name("NAME");
   command
       .add_option("--digits", options->digits, "round to N decimals; output is exact without it")
-      ->check(CLI::Range(0, 10000))
+      ->check(CLI::Range(0, most_digits))
       ->type_name("N");
   command.add_option("--svg", options->svg, "draw summands, convolutions and sum there")
       ->type_name("FILE");

@@ -79,6 +79,17 @@ Pieces cut_at(const Segment& edge, const std::vector<Segment>& of_b, std::vector
   return result;
 }
 
+std::vector<Point> ends_of(const Overlaid& a, const Overlaid& b) {
+  std::vector<Point> ends;
+  for (const Overlaid* of : {&a, &b}) {
+    for (const Segment& e : of->all) {
+      ends.push_back(e.source);
+      ends.push_back(e.target);
+    }
+  }
+  return ends;
+}
+
 struct Found {
   Point witness;
   Location in_a;
@@ -96,9 +107,12 @@ std::optional<Found> tells_apart(const Point& p, const Overlaid& a, const Overla
 /// of a does not run along an equally directed one of b, one of its sides is such a face, if a
 /// and b have edges with the sum to their left.
 std::optional<Found> regular_difference(const Overlaid& a, const Overlaid& b) {
+  // Where another chain or a dangling edge touches an edge in its middle, the normal would run into
+  // it.
+  const std::vector<Point> ends = ends_of(a, b);
   for (const Segment& edge : a.regular) {
     const Vector d = direction_of(edge);
-    const Pieces cuts = cut_at(edge, b.regular, {});
+    const Pieces cuts = cut_at(edge, b.regular, ends);
     for (const Segment& piece : cuts.pieces) {
       const Point middle = midpoint(piece.source, piece.target);
       const bool shared =

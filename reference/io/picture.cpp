@@ -215,29 +215,40 @@ std::string circle(const Pixel& centre, double radius, const std::string& more) 
          more + "/>\n";
 }
 
-std::string drawn_region(const std::vector<std::vector<Pixel>>& outlines, const Style& s) {
-  std::string data;
+double mean_edge_length(const std::vector<Pixel>& chain) {
   double length = 0;
-  std::size_t vertices = 0;
-  for (const std::vector<Pixel>& chain : outlines) {
-    for (std::size_t i = 0; i < chain.size(); ++i) {
-      data += step(i == 0 ? 'M' : 'L', chain[i]);
-      length += distance(chain[i], chain[next(i, chain.size())]);
-    }
-    data += "Z";
-    vertices += chain.size();
+  for (std::size_t i = 0; i < chain.size(); ++i)
+    length += distance(chain[i], chain[next(i, chain.size())]);
+  return length / static_cast<double>(chain.size());
+}
+
+std::string outline(const std::vector<Pixel>& chain) {
+  std::string data;
+  for (const Pixel& p : chain) data += step(data.empty() ? 'M' : 'L', p);
+  return data.append("Z");
+}
+
+std::string drawn_region(const std::vector<std::vector<Pixel>>& boundary, const Style& s) {
+  std::string all;
+  std::string bold;
+  std::string thin;
+  std::string vertices;
+  for (const std::vector<Pixel>& chain : boundary) {
+    const std::string data = outline(chain);
+    const double mean = mean_edge_length(chain);
+    all += data;
+    // Where edges are short a bold outline or dots would hide the drawing.
+    (mean < 8 ? thin : bold) += data;
+    if (mean < 16) continue;
+    for (const Pixel& vertex : chain)
+      vertices += circle(vertex, 2.1, attributes({{"fill", std::string(s.line)}}));
   }
-  // Where edges are short a bold outline would hide the drawing.
-  const double mean = length / static_cast<double>(std::max<std::size_t>(vertices, 1));
-  const double width = mean < 8 ? s.width / 2 : s.width;
   std::string result =
-      path(data, line_attributes(s, width, std::string(s.fill)) + " fill-rule=\"evenodd\"");
-  if (mean >= 16 && s.line != "none") {
-    for (const std::vector<Pixel>& chain : outlines)
-      for (const Pixel& vertex : chain)
-        result += circle(vertex, 2.1, attributes({{"fill", std::string(s.line)}}));
-  }
-  return result;
+      path(all, attributes({{"fill", std::string(s.fill)}, {"fill-rule", "evenodd"}}));
+  if (s.line == "none") return result;
+  if (!thin.empty()) result += path(thin, line_attributes(s, s.width / 3, "none"));
+  if (!bold.empty()) result += path(bold, line_attributes(s, s.width, "none"));
+  return result + vertices;
 }
 
 std::string drawn_segments(const std::vector<std::array<Pixel, 2>>& segments, const Style& s) {
@@ -276,12 +287,12 @@ std::string drawn(const Layer& layer, const Frame& frame) {
   const Style& s = style(layer.kind);
   std::string result = "<g" + attributes({{"class", std::string(s.name)}}) + ">\n";
   if (!layer.region.components.empty()) {
-    std::vector<std::vector<Pixel>> outlines;
+    std::vector<std::vector<Pixel>> boundary;
     for (const Chain& chain : chains(layer.region)) {
-      outlines.emplace_back();
-      for (const Point& p : chain) outlines.back().push_back(frame(p));
+      boundary.emplace_back();
+      for (const Point& p : chain) boundary.back().push_back(frame(p));
     }
-    result += drawn_region(outlines, s);
+    result += drawn_region(boundary, s);
   }
   if (!layer.segments.empty()) {
     std::vector<std::array<Pixel, 2>> segments;

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "properties/generators/family.hpp"
+#include "tests/checked/cli/shell.hpp"
+
+namespace oplus {
+namespace {
+
+class Gen : public Shell {};
+
+TEST_F(Gen, lists_every_family) {
+  const Ran ran = run("oplus gen --list");
+  EXPECT_EQ(ran.exit_code, 0);
+  EXPECT_EQ(static_cast<std::size_t>(std::count(ran.out.begin(), ran.out.end(), '\n')),
+            families().size());
+  for (const Family& family : families()) {
+    EXPECT_NE(("\n" + ran.out).find("\n" + family.name + " "), std::string::npos) << family.name;
+    EXPECT_NE(ran.out.find(" " + family.what + "\n"), std::string::npos) << family.name;
+  }
+}
+
+TEST_F(Gen, writes_both_summands_of_every_family_in_every_format) {
+  for (const Family& family : families()) {
+    for (const std::string format : {"dat", "wkt", "geojson"}) {
+      const std::string gen = "oplus gen " + family.name + " --seed 5 ";
+      const Ran ran = run("set -e\n" + gen + "-o p." + format + "\n" + gen + "--summand Q -o q." +
+                          format + "\noplus compare p." + format + " <(" + gen +
+                          "--summand P)\noplus compare q." + format + " <(" + gen + "--summand Q)");
+      EXPECT_EQ(ran.out, "equal\nequal\n") << family.name << " " << format << ran.err;
+      EXPECT_EQ(ran.err, "") << family.name << " " << format;
+    }
+  }
+}
+
+TEST_F(Gen, the_seed_decides) {
+  const std::string first = run("oplus gen grid --n 8 --seed 1").out;
+  EXPECT_NE(first, "");
+  EXPECT_EQ(run("oplus gen grid --n 8").out, first);
+  EXPECT_EQ(run("oplus gen grid --n 8 --seed 1").out, first);
+  EXPECT_NE(run("oplus gen grid --n 8 --seed 18446744073709551615").out, first);
+}
+
+TEST_F(Gen, refuses_what_no_family_makes) {
+  expect_refusal("oplus gen", "--list");
+  expect_refusal("oplus gen nothing -o p.wkt", "'nothing'");
+  expect_refusal("oplus gen star --n 2 -o p.wkt", "3 or more");
+  for (const std::string n : {"-1", "three", "3.5", "", "1e3", "99999999999999999999", "10001"})
+    expect_refusal("oplus gen star --n '" + n + "'", "--n");
+  expect_refusal("oplus gen star --seed -1", "--seed");
+  expect_refusal("oplus gen star --seed 18446744073709551616", "--seed");
+  expect_refusal("oplus gen star --summand R", "--summand");
+  expect_refusal("oplus gen star -o missing/p.wkt", "missing");
+  expect_refusal("oplus gen star -o p.txt", "p.txt");
+}
+
+}  // namespace
+}  // namespace oplus

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <sstream>
+#include <vector>
+
+#include "checked/cli/version.hpp"
+#include "tests/checked/cli/shell.hpp"
+
+namespace oplus {
+namespace {
+
+class Help : public Shell {};
+
+/// The lines of a help text that are commands.
+std::vector<std::string> example(const std::string& help) {
+  std::vector<std::string> commands;
+  std::istringstream lines(help.substr(std::min(help.find("Example:"), help.size())));
+  for (std::string line; std::getline(lines, line);)
+    if (line.rfind("  oplus ", 0) == 0) commands.push_back(line);
+  return commands;
+}
+
+TEST_F(Help, every_example_works_when_copied) {
+  for (const std::string command : {"", "sum", "compare", "draw", "gen"}) {
+    const Ran help = run("oplus " + command + " --help");
+    EXPECT_EQ(help.exit_code, 0);
+    EXPECT_EQ(help.err, "");
+    const std::vector<std::string> commands = example(help.out);
+    EXPECT_GE(commands.size(), 3U) << help.out;
+    for (const std::string& line : commands) {
+      const Ran ran = run(line);
+      EXPECT_EQ(ran.exit_code, 0) << line << "\n" << ran.err;
+    }
+  }
+}
+
+TEST_F(Help, of_the_program_explains_the_exit_codes) {
+  const std::string help = run("oplus --help").out;
+  for (const std::string line : {"\n  0  done", "\n  1  ", "\n  2  invalid", "\n  3  a bug"})
+    EXPECT_NE(help.find(line), std::string::npos) << line;
+}
+
+TEST_F(Help, version_is_that_of_the_build) {
+  std::ifstream in(std::string(OPLUS_SOURCE_DIR) + "/CMakeLists.txt");
+  const std::string cmake{std::istreambuf_iterator<char>(in), {}};
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(cmake, found, std::regex(R"(project\(oplus VERSION ([0-9.]+))")));
+  EXPECT_EQ(version, found[1].str());
+  EXPECT_EQ(run("oplus --version").out, "oplus " + found[1].str() + "\n");
+}
+
+}  // namespace
+}  // namespace oplus

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <boost/property_tree/ptree.hpp>
+#include <boost/property_tree/xml_parser.hpp>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/checked/cli/shell.hpp"
+
+namespace oplus {
+namespace {
+
+class Sum : public Shell {
+ protected:
+  void SetUp() override {
+    Shell::SetUp();
+    put("square.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))");
+    put("triangle.dat", "3\n0 0\n1 0\n0 1/3\n");
+    // A square of side 2 fits into the hole in one place, and a bar of side 1 along a segment.
+    put("frame.wkt", "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 3, 3 3, 3 1, 1 1))");
+    put("plug.wkt", "POLYGON ((-1 -1, 1 -1, 1 1, -1 1, -1 -1))");
+    put("slider.wkt", "POLYGON ((-1 0, 1 0, 1 1, -1 1, -1 0))");
+  }
+};
+
+TEST_F(Sum, is_wkt_on_standard_output) {
+  const Ran ran = run("oplus sum square.wkt square.wkt");
+  EXPECT_EQ(ran.exit_code, 0);
+  EXPECT_EQ(ran.out, "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))\n");
+  EXPECT_EQ(ran.err, "");
+}
+
+TEST_F(Sum, is_exact) {
+  EXPECT_EQ(run("oplus sum square.wkt triangle.dat").out,
+            "POLYGON ((0 0, 2 0, 2 1, 1 4/3, 0 4/3, 0 0))\n");
+}
+
+TEST_F(Sum, is_rounded_with_digits_and_says_so) {
+  const Ran ran = run("oplus sum square.wkt triangle.dat --digits 2");
+  EXPECT_EQ(ran.out, "POLYGON ((0 0, 2 0, 2 1, 1 1.33, 0 1.33, 0 0))\n");
+  EXPECT_EQ(ran.exit_code, 0);
+  EXPECT_NE(ran.err.find("rounded to 2 decimals"), std::string::npos) << ran.err;
+}
+
+TEST_F(Sum, takes_the_format_from_the_ending) {
+  const Ran ran =
+      run("oplus sum square.wkt square.wkt -o s.dat; oplus sum square.wkt square.wkt -o s.wkt\n"
+          "oplus sum square.wkt square.wkt -o s.geojson");
+  EXPECT_EQ(ran.out + ran.err, "");
+  EXPECT_EQ(content("s.dat"), "4\n0 0\n2 0\n2 2\n0 2\n");
+  EXPECT_EQ(content("s.wkt"), "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))\n");
+  const auto json = nlohmann::json::parse(content("s.geojson"));
+  EXPECT_EQ(json.at("type"), "Polygon");
+  EXPECT_EQ(json.at("coordinates").at(0).size(), 5U);
+}
+
+TEST_F(Sum, takes_the_format_that_is_asked_for) {
+  EXPECT_EQ(run("oplus sum square.wkt square.wkt --format dat").out, "4\n0 0\n2 0\n2 2\n0 2\n");
+  EXPECT_EQ(run("oplus sum square.wkt square.wkt --format dat -o any.name").exit_code, 0);
+  EXPECT_EQ(content("any.name"), "4\n0 0\n2 0\n2 2\n0 2\n");
+}
+
+TEST_F(Sum, reads_standard_input) {
+  const std::string expected = run("oplus sum square.wkt triangle.dat").out;
+  EXPECT_EQ(run("oplus sum - triangle.dat <square.wkt").out, expected);
+  EXPECT_EQ(run("oplus sum square.wkt - <triangle.dat").out, expected);
+  expect_refusal("oplus sum - - <square.wkt", "standard input");
+}
+
+TEST_F(Sum, says_that_orientation_was_repaired) {
+  put("clockwise.wkt", "POLYGON ((0 0, 0 1, 1 1, 1 0, 0 0))");
+  const Ran ran = run("oplus sum clockwise.wkt square.wkt");
+  EXPECT_EQ(ran.out, "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))\n");
+  EXPECT_EQ(ran.exit_code, 0);
+  EXPECT_NE(ran.err.find("clockwise.wkt"), std::string::npos) << ran.err;
+}
+
+TEST_F(Sum, closed_has_no_low_dimensional_features_and_open_has) {
+  EXPECT_EQ(run("oplus sum frame.wkt plug.wkt").out, "POLYGON ((-1 -1, 5 -1, 5 5, -1 5, -1 -1))\n");
+  EXPECT_EQ(run("oplus sum frame.wkt plug.wkt --open").out,
+            "GEOMETRYCOLLECTION (POLYGON ((-1 -1, 5 -1, 5 5, -1 5, -1 -1)), POINT (2 2))\n");
+  EXPECT_EQ(run("oplus sum frame.wkt slider.wkt --open").out,
+            "GEOMETRYCOLLECTION (POLYGON ((-1 0, 5 0, 5 5, -1 5, -1 0)), "
+            "LINESTRING (2 2, 2 3))\n");
+}
+
+TEST_F(Sum, dat_cannot_hold_low_dimensional_features) {
+  expect_refusal("oplus sum frame.wkt plug.wkt --open -o s.dat", ".wkt");
+  expect_refusal("oplus sum frame.wkt slider.wkt --open --format dat --svg s.svg --origins o.json",
+                 ".wkt");
+  EXPECT_EQ(run("oplus sum frame.wkt plug.wkt -o s.dat").exit_code, 0);
+}
+
+TEST_F(Sum, every_engine_finds_the_same) {
+  for (const std::string other : {"plug.wkt", "slider.wkt", "triangle.dat", "frame.wkt"}) {
+    for (const std::string open : {"", " --open"}) {
+      const std::string command = "oplus sum frame.wkt " + other + open;
+      const Ran ran = run(command + " --origins rca.json");
+      EXPECT_EQ(ran.exit_code, 0) << ran.err;
+      EXPECT_EQ(run(command + " --engine rca").out, ran.out) << command;
+      EXPECT_EQ(run(command + " --engine oracle --origins oracle.json").out, ran.out) << command;
+      EXPECT_EQ(content("rca.json"), content("oracle.json")) << command;
+    }
+  }
+  expect_refusal("oplus sum square.wkt square.wkt --engine none", "--engine");
+}
+
+TEST_F(Sum, origins_are_sums_along_the_edge) {
+  run("oplus sum square.wkt triangle.dat --origins o.json");
+  const auto list = nlohmann::json::parse(content("o.json"));
+  ASSERT_EQ(list.size(), 5U);
+  // Along the bottom run the bottom of each summand, from the corner of the other.
+  const auto& bottom = list.at(0);
+  EXPECT_EQ(bottom.at("kind"), "outer");
+  EXPECT_EQ(bottom.at("from"), nlohmann::json({"0", "0"}));
+  EXPECT_EQ(bottom.at("to"), nlohmann::json({"2", "0"}));
+  ASSERT_EQ(bottom.at("origins").size(), 2U);
+  // The slanted edge is the triangle's, at the square's corner (1, 1).
+  const auto& slanted = list.at(2);
+  EXPECT_EQ(slanted.at("from"), nlohmann::json({"2", "1"}));
+  ASSERT_EQ(slanted.at("origins").size(), 1U);
+  const auto& origin = slanted.at("origins").at(0);
+  EXPECT_EQ(
+      origin.at("edge"),
+      nlohmann::json(
+          {{"of", "Q"}, {"chain", 0}, {"leaves", 1}, {"from", {"1", "0"}}, {"to", {"0", "1/3"}}}));
+  EXPECT_EQ(origin.at("vertex"),
+            nlohmann::json({{"of", "P"}, {"chain", 0}, {"index", 2}, {"at", {"1", "1"}}}));
+}
+
+TEST_F(Sum, stats_are_lines_of_name_and_value) {
+  const Ran ran = run("oplus sum frame.wkt plug.wkt --open --stats");
+  EXPECT_EQ(ran.exit_code, 0);
+  for (const std::string line :
+       {"vertices of P: 8\n", "vertices of Q: 4\n", "segments of the convolution: 24\n",
+        "segments of the reduced convolution: 12\n", "A_RC (arrangement edges): ", "faces: ",
+        "candidates: ", "hole tests: ", "outer chains: 1\n", "holes: 0\n", "dangling edges: 0\n",
+        "isolated vertices: 1\n", "area: 36\n", "seconds: "})
+    EXPECT_NE(("\n" + ran.err).find("\n" + line), std::string::npos) << line << ran.err;
+}
+
+TEST_F(Sum, stats_show_the_published_arrangement_sizes) {
+  const std::string data = OPLUS_DATA_DIR;
+  if (data.empty() || !std::filesystem::exists(data + "/fork_part1.dat"))
+    GTEST_SKIP() << "the published data is not here";
+  for (const auto& [name, edges] :
+       {std::pair{"fork", "6154"}, std::pair{"comb", "579"}, std::pair{"stars", "791"}}) {
+    const std::string pair = data + "/" + name;
+    const Ran ran =
+        run("oplus sum '" + pair + "_part1.dat' '" + pair + "_part2.dat' --stats -o s.wkt");
+    EXPECT_NE(ran.err.find("A_RC (arrangement edges): " + std::string(edges) + "\n"),
+              std::string::npos)
+        << ran.err;
+  }
+}
+
+TEST_F(Sum, svg_is_a_picture_of_everything) {
+  const Ran ran = run("oplus sum frame.wkt plug.wkt --open --svg s.svg -o s.wkt");
+  EXPECT_EQ(ran.out + ran.err, "");
+  std::istringstream in(content("s.svg"));
+  boost::property_tree::ptree document;
+  boost::property_tree::read_xml(in, document);
+  EXPECT_EQ(document.front().first, "svg");
+  for (const std::string kind :
+       {"summand-p", "summand-q", "convolution", "reduced-convolution", "sum", "isolated-vertices"})
+    EXPECT_NE(content("s.svg").find("class=\"" + kind + "\""), std::string::npos) << kind;
+}
+
+TEST_F(Sum, empty_summand) {
+  put("empty.wkt", "POLYGON EMPTY");
+  for (const std::string engine : {"rca", "oracle"}) {
+    const Ran ran =
+        run("oplus sum empty.wkt square.wkt --open --svg s.svg --origins o.json --stats --engine " +
+            engine);
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_EQ(ran.out, "POLYGON EMPTY\n");
+    EXPECT_EQ(content("o.json"), "[]\n");
+  }
+}
+
+TEST_F(Sum, refuses_invalid_regions) {
+  put("repeated.dat", "6\n2 3\n1 1\n2 3\n0 0\n5 0\n5 5\n");
+  put("bow.wkt", "POLYGON ((0 0, 1 1, 1 0, 0 1, 0 0))");
+  put("noise.dat", "\x01\x02nonsense");
+  expect_refusal("oplus sum repeated.dat square.wkt -o s.wkt", "repeated.dat");
+  expect_refusal("oplus sum square.wkt bow.wkt -o s.wkt", "bow.wkt");
+  expect_refusal("oplus sum noise.dat square.wkt", "noise.dat");
+  expect_refusal("oplus sum missing.dat square.wkt", "missing.dat");
+  expect_refusal("oplus sum . square.wkt", "oplus: ");
+  expect_refusal("oplus sum /dev/null square.wkt", "/dev/null");
+}
+
+TEST_F(Sum, refuses_impossible_commands) {
+  expect_refusal("oplus", "subcommand");
+  expect_refusal("oplus add square.wkt square.wkt", "oplus: ");
+  expect_refusal("oplus sum", "oplus sum --help");
+  expect_refusal("oplus sum square.wkt", "Q");
+  expect_refusal("oplus sum square.wkt square.wkt square.wkt", "square.wkt");
+  expect_refusal("oplus sum square.wkt square.wkt --digits -1", "--digits");
+  expect_refusal("oplus sum square.wkt square.wkt --digits many", "--digits");
+  expect_refusal("oplus sum square.wkt square.wkt --digits 99999999999999999999", "--digits");
+  expect_refusal("oplus sum square.wkt square.wkt --format svg", "--format");
+  expect_refusal("oplus sum square.wkt square.wkt -o sum.shape", "sum.shape");
+  expect_refusal("oplus sum square.wkt square.wkt -o noending", "noending");
+}
+
+TEST_F(Sum, refuses_outputs_that_cannot_be_written) {
+  run("mkdir taken.wkt");
+  expect_refusal("oplus sum square.wkt square.wkt -o missing/s.wkt", "missing");
+  expect_refusal("oplus sum square.wkt square.wkt -o taken.wkt", "folder");
+  expect_refusal("oplus sum square.wkt square.wkt -o square.wkt/s.wkt", "square.wkt");
+  expect_refusal("oplus sum square.wkt square.wkt -o ''", "oplus: ");
+  expect_refusal("oplus sum square.wkt square.wkt --svg missing/s.svg", "missing");
+  expect_refusal("oplus sum square.wkt square.wkt -o s.wkt --origins missing/o.json", "missing");
+  expect_refusal("oplus sum square.wkt square.wkt -o s.wkt --svg ./s.wkt", "two outputs");
+  expect_refusal("oplus sum square.wkt square.wkt --svg -", "two outputs");
+}
+
+TEST_F(Sum, says_that_standard_output_cannot_be_written) {
+  expect_refusal("oplus sum square.wkt square.wkt >&-", "standard output");
+  expect_refusal("oplus sum square.wkt square.wkt >/dev/full", "standard output");
+  expect_refusal("oplus --help >/dev/full", "standard output");
+  expect_refusal("oplus sum --help >&-", "standard output");
+  expect_refusal("oplus --version >/dev/full", "standard output");
+  // A pipe whose reader is gone.
+  expect_refusal(
+      "mkfifo ../pipe; exec 3<>../pipe 4>../pipe 3>&-; oplus sum square.wkt square.wkt >&4",
+      "standard output");
+}
+
+TEST_F(Sum, a_closed_standard_output_is_not_mistaken_for_a_file) {
+  const Ran ran = run("oplus sum square.wkt square.wkt -o s.wkt >&- <&-");
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_EQ(content("s.wkt"), "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))\n");
+}
+
+TEST_F(Sum, writes_to_a_device_and_leaves_it_one) {
+  EXPECT_EQ(run("oplus sum square.wkt square.wkt --format wkt -o /dev/null").exit_code, 0);
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+}
+
+TEST_F(Sum, replaces_a_file) {
+  EXPECT_EQ(run("oplus sum square.wkt square.wkt -o square.wkt").exit_code, 0);
+  EXPECT_EQ(content("square.wkt"), "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))\n");
+}
+
+TEST_F(Sum, files_may_be_named_as_subcommands) {
+  put("sum", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))");
+  put("draw", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))");
+  EXPECT_EQ(run("oplus sum sum draw").out, "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))\n");
+}
+
+}  // namespace
+}  // namespace oplus

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/definitions/difference.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "properties/generators/family.hpp"
+#include "tests/reference/definitions/print.hpp"
+#include "tests/reference/definitions/shapes.hpp"
+
+namespace oplus {
+namespace {
+
+/// Each chain by its own winding numbers: another way to the same answer.
+Location located(const Point& p, const MinkowskiSum& sum) {
+  for (const Segment& e : sum.dangling_edges)
+    if (lies_on(p, e)) return Location::boundary;
+  const std::vector<Point>& isolated = sum.isolated_vertices;
+  if (std::count(isolated.begin(), isolated.end(), p) > 0) return Location::boundary;
+  return locate(p, region_of(sum));
+}
+
+/// Returns the difference, after checking its witness.
+std::optional<Difference> checked_difference(const MinkowskiSum& a, const MinkowskiSum& b) {
+  const std::optional<Difference> d = difference(a, b);
+  EXPECT_EQ(d.has_value(), a != b);
+  if (!d) return d;
+  EXPECT_NE(d->in_a, d->in_b) << d->what;
+  EXPECT_EQ(d->in_a, located(d->witness, a)) << d->what;
+  EXPECT_EQ(d->in_b, located(d->witness, b)) << d->what;
+  const bool regular_differ = a.outer != b.outer || a.holes != b.holes;
+  EXPECT_EQ(regular_differ, d->in_a != Location::boundary && d->in_b != Location::boundary)
+      << d->what;
+  return d;
+}
+
+MinkowskiSum square() { return canonical_sum(polygon(box(0, 0, 4, 4))); }
+
+TEST(Difference, of_any_two_shapes_has_a_true_witness) {
+  for (const Shape& a : shapes()) {
+    for (const Shape& b : shapes()) {
+      SCOPED_TRACE(a.name + " and " + b.name);
+      checked_difference(canonical_sum(a.region), canonical_sum(b.region));
+    }
+  }
+}
+
+TEST(Difference, of_generated_regions_has_a_true_witness) {
+  for (const Family& family : families()) {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+      SCOPED_TRACE(family.name + " " + std::to_string(seed));
+      const Summands pair = generate(family, std::max(family.smallest, family.typical), seed);
+      const MinkowskiSum p = canonical_sum(pair.p);
+      const MinkowskiSum q = canonical_sum(pair.q);
+      checked_difference(p, q);
+      checked_difference(q, p);
+      checked_difference(p, p);
+      checked_difference(p, canonical_sum(translated(pair.p, {Rational(1, 1000), 0})));
+    }
+  }
+}
+
+TEST(Difference, a_chain_that_touches_an_edge_in_its_middle) {
+  // The diamond's corner is the middle of the square's edge, and its normal runs into the diamond.
+  const Region diamond = polygon({{2, 0}, {3, 1}, {2, 2}, {1, 1}});
+  Region touched = polygon(box(0, 0, 4, 4));
+  touched.components[0].holes = {backwards(diamond.components[0].outer)};
+  checked_difference(canonical_sum(touched), MinkowskiSum{});
+  checked_difference(canonical_sum(touched), canonical_sum(diamond));
+}
+
+TEST(Difference, a_missing_hole_has_a_witness_in_it) {
+  MinkowskiSum frame = square();
+  frame.holes = {backwards(box(1, 1, 2, 2)), backwards(box(2, 2, 3, 3))};
+  for (Chain& hole : frame.holes) std::rotate(hole.begin(), std::prev(hole.end()), hole.end());
+  MinkowskiSum one_less = frame;
+  one_less.holes.pop_back();
+  const auto d = checked_difference(frame, one_less);
+  ASSERT_TRUE(d);
+  EXPECT_EQ(d->in_a, Location::outside);
+  EXPECT_EQ(locate(d->witness, polygon(box(2, 2, 3, 3))), Location::inside);
+  EXPECT_EQ(d->what, "a hole of the first is filled, wholly or in part, in the second");
+}
+
+TEST(Difference, a_component_more_has_a_witness_in_it) {
+  const MinkowskiSum two{{box(0, 0, 4, 4), box(6, 6, 7, 7)}, {}, {}, {}};
+  const auto d = checked_difference(square(), two);
+  ASSERT_TRUE(d);
+  EXPECT_EQ(locate(d->witness, polygon(box(6, 6, 7, 7))), Location::inside);
+  EXPECT_EQ(d->what, "the second covers a place outside the first");
+}
+
+TEST(Difference, equal_outlines_with_the_same_edges_filled_differently) {
+  // The same segments, but what is a hole here is covered there and the other way round.
+  const MinkowskiSum a = canonical_sum(
+      Region{{{box(0, 0, 6, 6), {backwards(box(1, 1, 5, 5))}}, {box(2, 2, 4, 4), {}}}});
+  const MinkowskiSum b = canonical_sum(Region{{{box(0, 0, 6, 6), {backwards(box(2, 2, 4, 4))}}}});
+  const auto d = checked_difference(a, b);
+  ASSERT_TRUE(d);
+}
+
+TEST(Difference, of_dangling_edges_avoids_isolated_vertices) {
+  MinkowskiSum a = square();
+  a.dangling_edges = {{{1, 1}, {3, 1}}};
+  MinkowskiSum b = square();
+  b.isolated_vertices = {{2, 1}};  // the middle of the edge
+  const auto d = checked_difference(a, b);
+  ASSERT_TRUE(d);
+  EXPECT_EQ(d->what, "a dangling edge of the first is none in the second");
+  EXPECT_EQ(checked_difference(b, a)->what, "a dangling edge of the second is none in the first");
+}
+
+TEST(Difference, of_a_shorter_dangling_edge_is_in_the_rest) {
+  MinkowskiSum a = square();
+  a.dangling_edges = {{{1, 1}, {3, 1}}};
+  MinkowskiSum b = square();
+  b.dangling_edges = {{{1, 1}, {2, 1}}};
+  const auto d = checked_difference(b, a);
+  ASSERT_TRUE(d);
+  EXPECT_EQ(d->witness, (Point{Rational(5, 2), 1}));
+}
+
+TEST(Difference, of_isolated_vertices_is_one_of_them) {
+  MinkowskiSum a = square();
+  a.isolated_vertices = {{1, 1}, {2, 1}};
+  MinkowskiSum b = square();
+  b.isolated_vertices = {{1, 1}};
+  EXPECT_EQ(checked_difference(a, b)->witness, (Point{2, 1}));
+  EXPECT_EQ(checked_difference(a, b)->in_b, Location::inside);
+}
+
+TEST(Difference, steps_past_low_dimensional_features) {
+  // The normal of the bottom's middle meets an isolated vertex and a dangling edge half way.
+  MinkowskiSum a = square();
+  a.isolated_vertices = {{2, 2}};
+  a.dangling_edges = {{{1, 1}, {3, 1}}};
+  const auto d = checked_difference(a, MinkowskiSum{});
+  ASSERT_TRUE(d);
+  EXPECT_EQ(d->in_a, Location::inside);
+}
+
+TEST(Difference, of_values_that_are_not_canonical_still_says_something) {
+  MinkowskiSum turned = square();
+  std::rotate(turned.outer[0].begin(), turned.outer[0].begin() + 1, turned.outer[0].end());
+  const auto d = difference(square(), turned);
+  ASSERT_TRUE(d);
+  EXPECT_EQ(d->in_a, d->in_b);
+  EXPECT_NE(d->what.find("canonical"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace oplus

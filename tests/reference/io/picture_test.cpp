@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/io/picture.hpp"
+
+#include <gtest/gtest.h>
+
+#include <boost/property_tree/ptree.hpp>
+#include <boost/property_tree/xml_parser.hpp>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "tests/reference/definitions/shapes.hpp"
+
+namespace oplus {
+namespace {
+
+using Kind = Layer::Kind;
+using boost::property_tree::ptree;
+
+constexpr std::array all_kinds = {
+    Kind::summand_p, Kind::summand_q, Kind::convolution,    Kind::reduced_convolution,
+    Kind::sum,       Kind::holes,     Kind::dangling_edges, Kind::isolated_vertices,
+    Kind::difference};
+
+/// The document as a tree; throws where it is not well formed.
+ptree parsed(const std::string& document) {
+  std::istringstream in(document);
+  ptree tree;
+  boost::property_tree::read_xml(in, tree);
+  return tree.get_child("svg");
+}
+
+std::vector<ptree> groups(const ptree& tree, const std::string& name) {
+  std::vector<ptree> found;
+  for (const auto& [tag, child] : tree) {
+    if (tag == "g" && child.get<std::string>("<xmlattr>.class") == name) found.push_back(child);
+  }
+  return found;
+}
+
+std::multiset<std::string> legend_of(const ptree& tree) {
+  std::multiset<std::string> labels;
+  const ptree legend = groups(tree, "legend").at(0);
+  for (const auto& [tag, child] : legend)
+    if (tag == "text") labels.insert(child.data());
+  return labels;
+}
+
+/// Something of the kind: a region, a segment or a point, as it suits.
+Layer some(Kind kind) {
+  switch (kind) {
+    case Kind::convolution:
+    case Kind::reduced_convolution:
+    case Kind::dangling_edges:
+      return {kind, {}, {{{0, 0}, {1, 2}}, {{1, 2}, {3, 0}}}};
+    case Kind::isolated_vertices:
+    case Kind::difference:
+      return {kind, {}, {}, {{1, 1}}};
+    default:
+      return {kind, polygon(box(0, 0, 2, 2))};
+  }
+}
+
+/// Every number in the path data of a panel, as pairs.
+std::vector<std::pair<double, double>> drawn_points(const ptree& panel) {
+  std::vector<std::pair<double, double>> points;
+  for (const auto& [tag, layer] : panel) {
+    if (tag != "g") continue;
+    for (const auto& [shape, content] : layer) {
+      if (shape != "path") continue;
+      std::string data = content.get<std::string>("<xmlattr>.d");
+      for (char& c : data)
+        if (c == 'M' || c == 'L' || c == 'Z' || c == ',') c = ' ';
+      std::istringstream numbers(data);
+      for (double x = 0, y = 0; numbers >> x >> y;) points.emplace_back(x, y);
+    }
+  }
+  return points;
+}
+
+TEST(Picture, legend_names_each_kind_that_is_drawn_once) {
+  for (const Kind kind : all_kinds)
+    EXPECT_EQ(legend_of(parsed(svg({{"one", {some(kind), some(kind)}}, {"two", {some(kind)}}}))),
+              std::multiset<std::string>{label(kind)});
+  std::vector<Layer> layers;
+  std::multiset<std::string> labels;
+  for (const Kind kind : all_kinds) {
+    layers.push_back(some(kind));
+    labels.insert(label(kind));
+  }
+  EXPECT_EQ(legend_of(parsed(svg({{"all", layers}}))), labels);
+  EXPECT_EQ(std::set<std::string>(labels.begin(), labels.end()).size(), all_kinds.size());
+}
+
+TEST(Picture, empty_layers_are_left_out) {
+  const ptree tree = parsed(svg({{"nothing", {{Kind::sum}, {Kind::holes}, {Kind::convolution}}}}));
+  EXPECT_TRUE(legend_of(tree).empty());
+  EXPECT_TRUE(groups(groups(tree, "panel").at(0), "sum").empty());
+}
+
+TEST(Picture, nothing_at_all_is_still_a_picture) {
+  EXPECT_TRUE(groups(parsed(svg({})), "panel").empty());
+  for (const Panel& panel : panels_of({}, {})) {
+    const ptree tree = parsed(svg({panel}));
+    EXPECT_EQ(groups(tree, "panel").size(), 1U);
+    EXPECT_NE(svg({panel}).find(">empty<"), std::string::npos);
+  }
+  EXPECT_TRUE(layers_of({}).empty());
+}
+
+TEST(Picture, same_panels_same_bytes) {
+  for (const Shape& a : shapes()) {
+    const std::vector<Panel> panels = panels_of(a.region, shapes().back().region);
+    EXPECT_EQ(svg(panels), svg(panels)) << a.name;
+    EXPECT_EQ(groups(parsed(svg(panels)), "panel").size(), 4U) << a.name;
+  }
+}
+
+TEST(Picture, y_axis_is_up) {
+  const auto points = drawn_points(
+      groups(parsed(svg({{"", {{Kind::dangling_edges, {}, {{{0, 0}, {1, 1}}}}}}})), "panel").at(0));
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_LT(points[0].first, points[1].first);
+  EXPECT_GT(points[0].second, points[1].second);
+}
+
+TEST(Picture, stays_on_the_page_however_large_or_small_the_coordinates) {
+  const Rational huge("1" + std::string(400, '0'));
+  for (const Rational& size : {Rational(1), huge, Rational(1 / huge)}) {
+    for (const Rational& offset : {Rational(0), huge, Rational(-huge)}) {
+      const Layer layer{Kind::sum, polygon(box(offset, offset, offset + size, offset + 3 * size))};
+      const ptree tree = parsed(svg({{"", {layer}}}));
+      const double width = tree.get<double>("<xmlattr>.width");
+      const double height = tree.get<double>("<xmlattr>.height");
+      const auto points = drawn_points(groups(tree, "panel").at(0));
+      EXPECT_GE(points.size(), 8U);
+      for (const auto& [x, y] : points) {
+        EXPECT_TRUE(x > 0 && x < width);
+        EXPECT_TRUE(y > 0 && y < height);
+      }
+      // One scale for both axes.
+      EXPECT_NEAR(points[2].second - points[1].second, 3 * (points[0].first - points[1].first),
+                  0.1);
+    }
+  }
+}
+
+TEST(Picture, one_point_can_be_drawn) {
+  const std::string document = svg({{"", {{Kind::isolated_vertices, {}, {}, {{7, 7}}}}}});
+  EXPECT_EQ(document.find("nan"), std::string::npos);
+  EXPECT_EQ(document.find("inf"), std::string::npos);
+  EXPECT_EQ(legend_of(parsed(document)).size(), 1U);
+}
+
+TEST(Picture, directed_segments_have_arrow_heads_and_others_none) {
+  const auto paths = [](Kind kind) {
+    const ptree panel =
+        groups(parsed(svg({{"", {{kind, {}, {{{0, 0}, {9, 0}}}}}}})), "panel").at(0);
+    for (const auto& [tag, layer] : panel)
+      if (tag == "g") return layer.count("path");
+    return std::size_t{0};
+  };
+  EXPECT_EQ(paths(Kind::convolution), 2U);
+  EXPECT_EQ(paths(Kind::reduced_convolution), 2U);
+  EXPECT_EQ(paths(Kind::dangling_edges), 1U);
+}
+
+TEST(Picture, titles_may_contain_anything) {
+  std::string title;
+  for (int c = 1; c < 256; ++c) title += static_cast<char>(c);
+  title += "\xe2\x8a\x95\xef\xbf\xbf\xf0\x9f";
+  const ptree tree = parsed(svg({{title, {some(Kind::sum)}}}));
+  const std::string drawn = groups(tree, "panel").at(0).get<std::string>("text");
+  EXPECT_NE(drawn.find("%&'()*+"), std::string::npos) << drawn;
+  EXPECT_NE(drawn.find(";<=>?"), std::string::npos) << drawn;
+  EXPECT_NE(drawn.find("\xe2\x8a\x95?"), std::string::npos) << drawn;
+}
+
+TEST(Picture, layers_of_a_sum_are_its_parts) {
+  MinkowskiSum sum = canonical_sum(
+      Region{{{box(0, 0, 6, 6), {backwards(box(1, 1, 5, 5))}}, {box(2, 2, 4, 4), {}}}});
+  EXPECT_EQ(layers_of(sum).size(), 2U);
+  sum.dangling_edges = {{{0, 0}, {1, 1}}};
+  sum.isolated_vertices = {{3, 3}};
+  const std::vector<Layer> layers = layers_of(sum);
+  ASSERT_EQ(layers.size(), 4U);
+  EXPECT_EQ(layers[0].kind, Kind::holes);
+  EXPECT_EQ(canonical_sum(layers[0].region), canonical_sum(polygon(box(1, 1, 5, 5))));
+  EXPECT_EQ(layers[1].kind, Kind::sum);
+  EXPECT_EQ(area(layers[1].region), 36 - 16 + 4);
+  EXPECT_EQ(layers[2].segments, sum.dangling_edges);
+  EXPECT_EQ(layers[3].points, sum.isolated_vertices);
+}
+
+}  // namespace
+}  // namespace oplus
