@@ -104,8 +104,8 @@ std::optional<Found> tells_apart(const Point& p, const Overlaid& a, const Overla
 }
 
 /// A point of a face beside an edge of a that is in one of the regularized sums only. Where an edge
-/// of a does not run along an equally directed one of b, one of its sides is such a face, if a
-/// and b have edges with the sum to their left.
+/// of a is no edge of b, a changes across it and b does not. Where a and b have the same edges as
+/// point sets, both change across the same ones and are outside far away: they are equal.
 std::optional<Found> regular_difference(const Overlaid& a, const Overlaid& b) {
   // Where another chain or a dangling edge touches an edge in its middle, the normal would run into
   // it.
@@ -115,10 +115,8 @@ std::optional<Found> regular_difference(const Overlaid& a, const Overlaid& b) {
     const Pieces cuts = cut_at(edge, b.regular, ends);
     for (const Segment& piece : cuts.pieces) {
       const Point middle = midpoint(piece.source, piece.target);
-      const bool shared =
-          std::any_of(cuts.overlapping.begin(), cuts.overlapping.end(), [&](const Segment& e) {
-            return sign(dot(direction_of(e), d)) > 0 && lies_on(middle, e);
-          });
+      const bool shared = std::any_of(cuts.overlapping.begin(), cuts.overlapping.end(),
+                                      [&](const Segment& e) { return lies_on(middle, e); });
       if (shared) continue;
       for (const Vector& normal : {Vector{-d.y, d.x}, Vector{d.y, -d.x}}) {
         if (auto found = tells_apart(inside_face(middle, normal, a, b), a, b)) return found;

@@ -244,7 +244,7 @@ std::string drawn_region(const std::vector<std::vector<Pixel>>& boundary, const 
       vertices += circle(vertex, 2.1, attributes({{"fill", std::string(s.line)}}));
   }
   std::string result =
-      path(all, attributes({{"fill", std::string(s.fill)}, {"fill-rule", "evenodd"}}));
+      path(all, attributes({{"fill", std::string(s.fill)}, {"fill-rule", "nonzero"}}));
   if (s.line == "none") return result;
   if (!thin.empty()) result += path(thin, line_attributes(s, s.width / 3, "none"));
   if (!bold.empty()) result += path(bold, line_attributes(s, s.width, "none"));

@@ -131,13 +131,15 @@ TEST(Difference, of_isolated_vertices_is_one_of_them) {
 }
 
 TEST(Difference, steps_past_low_dimensional_features) {
-  // The normal of the bottom's middle meets an isolated vertex and a dangling edge half way.
-  MinkowskiSum a = square();
-  a.isolated_vertices = {{2, 2}};
-  a.dangling_edges = {{{1, 1}, {3, 1}}};
-  const auto d = checked_difference(a, MinkowskiSum{});
-  ASSERT_TRUE(d);
-  EXPECT_EQ(d->in_a, Location::inside);
+  // Half way from the bottom's middle to the top.
+  MinkowskiSum dot = square();
+  dot.isolated_vertices = {{2, 2}};
+  MinkowskiSum across = square();
+  across.dangling_edges = {{{1, 2}, {3, 2}}};
+  MinkowskiSum along = square();
+  along.dangling_edges = {{{2, 1}, {2, 3}}};
+  for (const MinkowskiSum& a : {dot, across, along})
+    EXPECT_EQ(checked_difference(a, MinkowskiSum{})->in_a, Location::inside);
 }
 
 TEST(Difference, of_values_that_are_not_canonical_still_says_something) {

@@ -171,9 +171,23 @@ TEST(Picture, titles_may_contain_anything) {
   title += "\xe2\x8a\x95\xef\xbf\xbf\xf0\x9f";
   const ptree tree = parsed(svg({{title, {some(Kind::sum)}}}));
   const std::string drawn = groups(tree, "panel").at(0).get<std::string>("text");
+  for (const char c : drawn) EXPECT_TRUE(static_cast<unsigned char>(c) >= 0x20 && c != 0x7f);
   EXPECT_NE(drawn.find("%&'()*+"), std::string::npos) << drawn;
   EXPECT_NE(drawn.find(";<=>?"), std::string::npos) << drawn;
   EXPECT_NE(drawn.find("\xe2\x8a\x95?"), std::string::npos) << drawn;
+}
+
+TEST(Picture, a_hole_inside_a_hole_is_filled_too) {
+  // By the even-odd rule the inner one would be left out of the outer one.
+  const MinkowskiSum nested =
+      canonical_sum(Region{{{box(0, 0, 9, 9), {backwards(box(1, 1, 8, 8))}},
+                            {box(2, 2, 7, 7), {backwards(box(3, 3, 6, 6))}}}});
+  const ptree panel = groups(parsed(svg({{"", layers_of(nested)}})), "panel").at(0);
+  const ptree fill = groups(panel, "holes").at(0).get_child("path");
+  EXPECT_EQ(fill.get<std::string>("<xmlattr>.fill-rule"), "nonzero");
+  const Region holes = layers_of(nested).at(0).region;
+  EXPECT_EQ(holes.components.size(), 2U);
+  for (const Component& hole : holes.components) EXPECT_GT(twice_area(hole.outer), 0);
 }
 
 TEST(Picture, layers_of_a_sum_are_its_parts) {
