@@ -16,22 +16,27 @@ namespace {
 
 Segment translated(const Segment& s, const Vector& by) { return {s.source + by, s.target + by}; }
 
-/// A region's edges, its chains' first edges, and the hierarchy over all edges.
+/// The pieces of a region's boundary, cut where its chains touch, and the hierarchy over all.
 struct Summary {
-  explicit Summary(Region of)
-      : region(std::move(of)), edges(oplus::edges(region)), hierarchy(edges) {
+  explicit Summary(Region of) : region(std::move(of)), edges(pieces()), hierarchy(edges) {
     for (const Segment& e : edges) ends.emplace_back(interval(e.source), interval(e.target));
-    for (const Chain& chain : chains(region)) {
-      chain_of.insert(chain_of.end(), chain.size(), chain_starts.size());
-      chain_starts.push_back(chain_of.size() - chain.size());
+  }
+
+  std::vector<Segment> pieces() {
+    std::vector<Segment> all;
+    for (const std::vector<Segment>& of_chain : boundary_pieces(region)) {
+      chain_of.insert(chain_of.end(), of_chain.size(), chain_starts.size());
+      chain_starts.push_back(all.size());
+      all.insert(all.end(), of_chain.begin(), of_chain.end());
     }
+    return all;
   }
 
   Region region;
+  std::vector<std::size_t> chain_of;      ///< of each piece
+  std::vector<std::size_t> chain_starts;  ///< the first piece of each chain
   std::vector<Segment> edges;
   std::vector<std::pair<IntervalPoint, IntervalPoint>> ends;
-  std::vector<std::size_t> chain_of;      ///< of each edge
-  std::vector<std::size_t> chain_starts;  ///< the first edge of each chain
   BoundingVolumeHierarchy hierarchy;
 };
 

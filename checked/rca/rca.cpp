@@ -17,6 +17,7 @@
 #include "checked/collision/hierarchy_collision.hpp"
 #include "checked/rca/non_crossing_traits.hpp"
 #include "reference/definitions/contract.hpp"
+#include "reference/definitions/mutant.hpp"
 
 namespace oplus {
 
@@ -127,7 +128,8 @@ class Rca {
     ++statistics_.candidate_faces;
     // An edge all of whose segments run in one direction is not dangling (Theorem 3.2.8), so it is
     // in the open sum iff the face is.
-    return !interiors_meet_at(middle(*face->outer_ccbs_begin()));
+    return OPLUS_MUTANT("candidates-need-no-hole-test") ||
+           !interiors_meet_at(middle(*face->outer_ccbs_begin()));
   }
 
   bool interiors_meet_at(const Point& x) {
@@ -168,7 +170,7 @@ class Rca {
   void find_isolated_vertices_at_touching_points() {
     const std::vector<Point> of_p = touching_points(p_);
     const std::vector<Point> of_q = of_p.empty() ? of_p : touching_points(q_);
-    if (of_q.empty()) return;
+    if (of_q.empty() || OPLUS_MUTANT("touching-points-are-not-tested")) return;
     const Region closed = region_of(canonical_sum({features_.edges, {}, {}}));
     for (const Point& p : of_p) {
       for (const Point& q : of_q) {

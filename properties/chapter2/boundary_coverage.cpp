@@ -8,7 +8,7 @@
 namespace oplus {
 
 Coverage coverage(const Summands& summands, const std::vector<ConvolutionSegment>& covering,
-                  OpenSum& open_sum) {
+                  OpenSum& open_sum, const std::set<Point>& excepted) {
   const std::vector<ConvolutionSegment> all = vertex_edge_sum(summands.p, summands.q);
   const std::vector<std::vector<Segment>> pieces = cut_at_intersections(segments(all));
   std::set<Origin> covers;
@@ -43,7 +43,9 @@ Coverage coverage(const Summands& summands, const std::vector<ConvolutionSegment
       if (touched.count(end) == 0) bare_ends.insert(end);
   }
   result.points_left_out = bare_ends.size();
-  for (const Point& end : bare_ends) look_at(end);
+  for (const Point& end : bare_ends) {
+    if (excepted.count(end) == 0) look_at(end);
+  }
   return result;
 }
 

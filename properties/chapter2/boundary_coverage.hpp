@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,8 +23,9 @@ struct Coverage {
 /// Looks at every point of 𝒮 (thesis, Definition 2.2.1), which contains the boundary of the sum
 /// (Theorem 2.2.6), one point for each piece and each end of a piece: that is all of them, as both
 /// coverage and membership are constant inside a piece.
+/// Ends of pieces that are `excepted` are not looked at.
 /// Requires: covering is a subset of vertex_edge_sum(p, q).
 Coverage coverage(const Summands& summands, const std::vector<ConvolutionSegment>& covering,
-                  OpenSum& open_sum);
+                  OpenSum& open_sum, const std::set<Point>& excepted);
 
 }  // namespace oplus

@@ -9,7 +9,7 @@ namespace {
 
 Outcome check(const Summands& summands) {
   OpenSum open_sum(summands);
-  const Coverage c = coverage(summands, convolution(summands.p, summands.q), open_sum);
+  const Coverage c = coverage(summands, convolution(summands.p, summands.q), open_sum, {});
   Outcome outcome;
   outcome.counts = {{"pieces of the vertex-edge sum", c.pieces},
                     {"pieces off the convolution", c.pieces_left_out},
@@ -29,8 +29,8 @@ const Registered registered({
     .statement =
         "Every point on the boundary of the sum of the open regions, dangling edges and isolated "
         "vertices included (and so the boundary of the closed sum), is on a segment of the "
-        "convolution. Where the point is inside a segment of the vertex-edge sum, a segment of the "
-        "convolution of the same direction covers it.",
+        "convolution. Where the point is inside a segment of the vertex-edge sum, a segment of "
+        "the convolution of the same direction covers it.",
     .why =
         "A segment of the vertex-edge sum is an edge e carried to a vertex v. If e is not in v's "
         "tangent set, an edge at v points to the right of e; sliding e along it sweeps over the "

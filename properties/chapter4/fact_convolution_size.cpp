@@ -68,11 +68,10 @@ const Registered registered({
     .why =
         "The turns of a chain add up to 2π s, so a direction is passed s times, counterclockwise "
         "less clockwise. A convex vertex's tangent set is what it passes counterclockwise. A "
-        "reflex "
-        "vertex passes the complement of its tangent set clockwise, that is the tangent set less "
-        "one full turn; so the tangent sets cover each direction s + r times. Ties do not "
-        "matter, since Q's directions are turned as a whole; a vertex inside a straight line turns "
-        "by nothing and has no tangent set.",
+        "reflex vertex passes the complement of its tangent set clockwise, that is the tangent "
+        "set less one full turn; so the tangent sets cover each direction s + r times. Ties do "
+        "not matter, since Q's directions are turned as a whole; a vertex inside a straight line "
+        "turns by nothing and has no tangent set.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
     .rests_on = {},
     .sources = {{"grid", 8, 6},

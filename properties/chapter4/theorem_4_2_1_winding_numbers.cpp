@@ -95,14 +95,13 @@ const Registered registered({
         "meet, and it is never negative. Printed for two simple polygons; tested for regions with "
         "holes and several components as well, for which it holds.",
     .why =
-        "The winding number is the Euler characteristic of the intersection of P and -Q+x plus the "
-        "number of reflex vertices of either that are inside the other. Each hole of the "
+        "The winding number is the Euler characteristic of the intersection of P and -Q+x plus "
+        "the number of reflex vertices of either that are inside the other. Each hole of the "
         "intersection has three reflex corners or more, all of them such vertices, so the number "
-        "is "
-        "at least that of the intersection's components. Both sides are constant on a face of the "
-        "convolution's arrangement, and a point beside each piece of a segment is compared, so "
-        "every face is; where two vertices meet off the convolution, the naive collision test has "
-        "its hardest cases.",
+        "is at least that of the intersection's components. Both sides are constant on a face of "
+        "the convolution's arrangement, and a point beside each piece of a segment is compared, "
+        "so every face is; where two vertices meet off the convolution, the naive collision test "
+        "has its hardest cases.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
                    "x is not on the convolution",
                    "P ∩ -Q+x stands for the intersection of interiors: touching is not enough"},

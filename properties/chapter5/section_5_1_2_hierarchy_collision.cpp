@@ -48,16 +48,13 @@ const Registered registered({
     .id = "section-5.1.2",
     .kind = "section",
     .title = "Hierarchies of bounding volumes decide collision",
-    .statement =
-        "Two hierarchies built once, that of -Q translated by x, give the same answer as comparing "
-        "all pairs of edges: whether the interiors of P and -Q+x meet.",
+    .statement = "Two hierarchies built once, that of -Q translated by x, give the same answer as "
+                 "comparing all pairs of edges: whether the interiors of P and -Q+x meet.",
     .why =
         "Edges whose boxes are apart do not meet, so every crossing and every contact is visited. "
-        "A "
-        "proper crossing shows common interior. Around a contact the sectors between the edges "
-        "that "
-        "leave it tell whether both interiors are in one of them. Where neither happens, a chain "
-        "without contact is inside or outside the other region as a whole.",
+        "A proper crossing shows common interior. Around a contact the sectors between the edges "
+        "that leave it tell whether both interiors are in one of them. Where neither happens, a "
+        "chain without contact is inside or outside the other region as a whole.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
     .rests_on = {},
     .sources = {{"grid", 8, 6},

@@ -100,6 +100,13 @@ Summands mould(Random& random) {
   }
 }
 
+/// A square whose hole touches all its sides, so that only its corners are left, with itself: where
+/// they interlock, chains of both touch (docs/findings.md, on Theorem 2.3.2).
+Summands interlocked() {
+  const Region corners{{{{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {{{0, 1}, {1, 2}, {2, 1}, {1, 0}}}}}};
+  return {corners, corners};
+}
+
 struct LinearMap {
   Rational xx, xy, yx, yy;
 
@@ -128,7 +135,9 @@ LinearMap random_shear(Random& random) {
 }  // namespace
 
 Summands tight_pair(Random& random, std::size_t n) {
-  Summands pair = one_in(random, 3) ? mould(random) : passage(random, n);
+  Summands pair = one_in(random, 10)  ? interlocked()
+                  : one_in(random, 3) ? mould(random)
+                                      : passage(random, n);
   if (one_in(random, 4)) {
     // A little wider, narrower or both: what just fitted now has room to move, or none.
     const Rational factors[] = {Rational(7, 8), Rational(1), Rational(9, 8)};

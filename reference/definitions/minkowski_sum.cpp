@@ -124,16 +124,9 @@ MinkowskiSum canonical_sum(const BoundaryFeatures& features) {
 }
 
 MinkowskiSum canonical_sum(const Region& region) {
-  const std::vector<Segment> boundary = edges(region);
   BoundaryFeatures features;
-  for (const Segment& e : boundary) {
-    std::vector<Point> touched;
-    for (const Segment& f : boundary) {
-      if (lies_on(f.source, e)) touched.push_back(f.source);
-    }
-    const std::vector<Segment> pieces = cut(e, touched);
+  for (const std::vector<Segment>& pieces : boundary_pieces(region))
     features.edges.insert(features.edges.end(), pieces.begin(), pieces.end());
-  }
   return canonical_sum(features);
 }
 

@@ -101,6 +101,19 @@ std::vector<Point> touching_points(const Region& region) {
   return touching;
 }
 
+std::vector<std::vector<Segment>> boundary_pieces(const Region& region) {
+  const std::vector<Point> touching = touching_points(region);
+  std::vector<std::vector<Segment>> pieces;
+  for (const Chain& chain : chains(region)) {
+    pieces.emplace_back();
+    for (const Segment& edge : edges(chain)) {
+      const std::vector<Segment> of_edge = cut(edge, touching);
+      pieces.back().insert(pieces.back().end(), of_edge.begin(), of_edge.end());
+    }
+  }
+  return pieces;
+}
+
 Region polygon(Chain outer) { return {{{std::move(outer), {}}}}; }
 
 Location locate(const Point& p, const Region& region) {

@@ -69,6 +69,10 @@ Region reflected(Region region);
 /// Returns the points in which different chains of a valid region touch, sorted.
 std::vector<Point> touching_points(const Region& region);
 
+/// Returns the edges of each chain, cut where another chain touches it: around each point inside
+/// such a piece, the region fills exactly the half disk to its left.
+std::vector<std::vector<Segment>> boundary_pieces(const Region& region);
+
 /// A region of one component without holes.
 Region polygon(Chain outer);
 
