@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include <regex>
 #include <sstream>
 #include <vector>
 
@@ -45,10 +44,8 @@ TEST_F(Help, of_the_program_explains_the_exit_codes) {
 TEST_F(Help, version_is_that_of_the_build) {
   std::ifstream in(std::string(OPLUS_SOURCE_DIR) + "/CMakeLists.txt");
   const std::string cmake{std::istreambuf_iterator<char>(in), {}};
-  std::smatch found;
-  ASSERT_TRUE(std::regex_search(cmake, found, std::regex(R"(project\(oplus VERSION ([0-9.]+))")));
-  EXPECT_EQ(version, found[1].str());
-  EXPECT_EQ(run("oplus --version").out, "oplus " + found[1].str() + "\n");
+  EXPECT_NE(cmake.find("project(oplus VERSION " + std::string(version) + " "), std::string::npos);
+  EXPECT_EQ(run("oplus --version").out, "oplus " + std::string(version) + "\n");
 }
 
 }  // namespace

@@ -130,8 +130,8 @@ TEST(Picture, stays_on_the_page_however_large_or_small_the_coordinates) {
     for (const Rational& offset : {Rational(0), huge, Rational(-huge)}) {
       const Layer layer{Kind::sum, polygon(box(offset, offset, offset + size, offset + 3 * size))};
       const ptree tree = parsed(svg({{"", {layer}}}));
-      const double width = tree.get<double>("<xmlattr>.width");
-      const double height = tree.get<double>("<xmlattr>.height");
+      const double width = std::stod(tree.get<std::string>("<xmlattr>.width"));
+      const double height = std::stod(tree.get<std::string>("<xmlattr>.height"));
       const auto points = drawn_points(groups(tree, "panel").at(0));
       EXPECT_GE(points.size(), 8U);
       for (const auto& [x, y] : points) {
