@@ -27,20 +27,20 @@ class NonCrossingTraits : public CGAL::Arr_segment_traits_2<Kernel> {
   using typename Base::Point_2;
   using Has_merge_category = CGAL::Tag_false;
 
-  /// A segment, or a part of one, that knows its chain and which convolution segment it is from.
+  /// A segment, or a part of one, that knows its chain and which strand it is from.
   class X_monotone_curve_2 : public BaseCurve {
    public:
     X_monotone_curve_2() = default;
     explicit X_monotone_curve_2(const BaseCurve& curve, TranslatedChain chain = no_chain,
-                                std::uint32_t segment = 0)
-        : BaseCurve(curve), chain_(chain), segment_(segment) {}
+                                std::uint32_t strand = 0)
+        : BaseCurve(curve), chain_(chain), strand_(strand) {}
 
     TranslatedChain chain() const { return chain_; }
-    std::uint32_t segment() const { return segment_; }
+    std::uint32_t strand() const { return strand_; }
 
    private:
     TranslatedChain chain_ = no_chain;
-    std::uint32_t segment_ = 0;
+    std::uint32_t strand_ = 0;
   };
   using Curve_2 = X_monotone_curve_2;
 
@@ -59,7 +59,7 @@ class NonCrossingTraits : public CGAL::Arr_segment_traits_2<Kernel> {
     explicit Split_2(const Base& base) : base_(base) {}
     void operator()(const X_monotone_curve_2& curve, const Point_2& at, X_monotone_curve_2& left,
                     X_monotone_curve_2& right) const {
-      left = right = curve;  // keeps chain and segment
+      left = right = curve;  // keeps chain and strand
       base_.split_2_object()(curve, at, left, right);
     }
 

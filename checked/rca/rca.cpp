@@ -16,6 +16,7 @@
 
 #include "checked/collision/hierarchy_collision.hpp"
 #include "checked/rca/non_crossing_traits.hpp"
+#include "checked/rca/strands.hpp"
 #include "reference/definitions/contract.hpp"
 #include "reference/definitions/mutant.hpp"
 
@@ -44,7 +45,11 @@ Point middle(Halfedge e) { return midpoint(point(e->source()), point(e->target()
 class Rca {
  public:
   Rca(const Region& p, const Region& q)
-      : p_(p), q_(q), reduced_(reduced_convolution(p, q)), collision_(hierarchy_collision(p, q)) {
+      : p_(p),
+        q_(q),
+        reduced_(reduced_convolution(p, q)),
+        strands_(strands(segments(reduced_))),
+        collision_(hierarchy_collision(p, q)) {
     const std::vector<Traits::Curve_2> with_labels = curves();
     CGAL::insert(arrangement_, with_labels.begin(), with_labels.end());
     statistics_.segments = reduced_.size();
@@ -68,21 +73,25 @@ class Rca {
   }
 
  private:
-  /// A convolution segment's edge belongs to a chain, translated by the segment's vertex.
+  /// A curve a strand. A segment's edge belongs to a chain, translated by the segment's vertex; a
+  /// strand of several segments belongs to no chain.
   std::vector<Traits::Curve_2> curves() const {
     std::map<std::tuple<Summand, std::size_t, VertexIndex>, TranslatedChain> names;
-    std::vector<Traits::Curve_2> result;
-    result.reserve(reduced_.size());
-    for (std::uint32_t i = 0; i < reduced_.size(); ++i) {
-      const auto& [segment, origin, corner] = reduced_[i];
+    const auto chain_of = [&](const Strand& strand) {
+      if (strand.along.size() + strand.against.size() > 1) return no_chain;
+      const Origin& origin =
+          reduced_[strand.along.empty() ? strand.against[0] : strand.along[0]].origin;
       const auto next_name = static_cast<TranslatedChain>(names.size() + 1);
-      const TranslatedChain chain =
-          names.try_emplace({origin.edge_of, origin.edge.chain, origin.vertex}, next_name)
-              .first->second;
-      result.emplace_back(
-          CGAL::Arr_segment_2<Kernel>({number(segment.source.x), number(segment.source.y)},
-                                      {number(segment.target.x), number(segment.target.y)}),
-          chain, i);
+      return names.try_emplace({origin.edge_of, origin.edge.chain, origin.vertex}, next_name)
+          .first->second;
+    };
+    std::vector<Traits::Curve_2> result;
+    result.reserve(strands_.size());
+    for (std::uint32_t i = 0; i < strands_.size(); ++i) {
+      const auto& [source, target] = strands_[i].segment;
+      result.emplace_back(CGAL::Arr_segment_2<Kernel>({number(source.x), number(source.y)},
+                                                      {number(target.x), number(target.y)}),
+                          chain_of(strands_[i]), i);
     }
     return result;
   }
@@ -93,8 +102,11 @@ class Rca {
   void for_each_origin(Halfedge e, Action action) {
     const bool to_the_right = e->direction() == CGAL::ARR_LEFT_TO_RIGHT;
     const auto end = arrangement_.originating_curves_end(e);
-    for (auto curve = arrangement_.originating_curves_begin(e); curve != end; ++curve)
-      action(reduced_[curve->segment()], curve->is_directed_right() == to_the_right);
+    for (auto curve = arrangement_.originating_curves_begin(e); curve != end; ++curve) {
+      const Strand& strand = strands_[curve->strand()];
+      for (const std::uint32_t i : strand.along) action(reduced_[i], to_the_right);
+      for (const std::uint32_t i : strand.against) action(reduced_[i], !to_the_right);
+    }
   }
 
   /// Whether all convolution segments of this edge have its face to their right.
@@ -235,6 +247,7 @@ class Rca {
   const Region& p_;
   const Region& q_;
   std::vector<ConvolutionSegment> reduced_;
+  std::vector<Strand> strands_;
   std::unique_ptr<CollisionTest> collision_;
   Arrangement arrangement_;
   RcaStatistics statistics_;

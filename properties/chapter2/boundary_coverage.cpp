@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "properties/chapter2/cut_at_intersections.hpp"
+#include "reference/definitions/cut_at_intersections.hpp"
 
 namespace oplus {
 

@@ -2,7 +2,7 @@
 #include <set>
 
 #include "properties/chapter2/boundary_coverage.hpp"
-#include "properties/chapter2/cut_at_intersections.hpp"
+#include "reference/definitions/cut_at_intersections.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/io/writing.hpp"
 

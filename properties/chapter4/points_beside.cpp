@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "properties/chapter2/cut_at_intersections.hpp"
+#include "reference/definitions/cut_at_intersections.hpp"
 
 namespace oplus {
 

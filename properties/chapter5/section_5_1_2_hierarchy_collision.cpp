@@ -3,7 +3,7 @@
 #include <set>
 
 #include "checked/collision/hierarchy_collision.hpp"
-#include "properties/chapter2/cut_at_intersections.hpp"
+#include "reference/definitions/cut_at_intersections.hpp"
 #include "properties/chapter4/points_beside.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/definitions/collision.hpp"

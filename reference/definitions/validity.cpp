@@ -83,6 +83,23 @@ std::optional<Defect> defect_of_edges(const std::vector<Chain>& all,
   return std::nullopt;
 }
 
+struct Box {
+  Point low;
+  Point high;
+
+  explicit Box(const Chain& chain) : low(chain[0]), high(chain[0]) {
+    for (const Point& p : chain) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+  }
+
+  bool is_apart_from(const Box& other) const {
+    return high.x <= other.low.x || other.high.x <= low.x || high.y <= other.low.y ||
+           other.high.y <= low.y;
+  }
+};
+
 struct Side {
   bool inside = false, outside = false;
   VertexIndex edge;
@@ -158,10 +175,11 @@ std::optional<Defect> find_defect(const Region& region) {
   std::vector<std::size_t> outer_of;
   for (const Component& component : region.components)
     outer_of.insert(outer_of.end(), 1 + component.holes.size(), outer_of.size());
+  const std::vector<Box> boxes(all.begin(), all.end());
   std::vector<std::vector<bool>> is_inside(all.size(), std::vector<bool>(all.size(), false));
   for (std::size_t a = 0; a < all.size(); ++a) {
     for (std::size_t b = 0; b < all.size(); ++b) {
-      if (a == b) continue;
+      if (a == b || boxes[a].is_apart_from(boxes[b])) continue;
       const Side side = side_of(all[a], a, all[b], touching);
       if (side.inside && side.outside)
         return Defect{DefectKind::chains_cross, side.edge, {b, 0}, side.where};

@@ -8,11 +8,13 @@
 #include <CGAL/mpq_class.h>
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "reference/definitions/collision.hpp"
 #include "reference/definitions/convolution.hpp"
+#include "reference/definitions/cut_at_intersections.hpp"
 #include "reference/definitions/winding_number.hpp"
 
 namespace oplus {
@@ -31,13 +33,20 @@ Segment segment(Halfedge e) {
   return {point(e->source()->point()), point(e->target()->point())};
 }
 
+/// Cuts the segments into pieces that meet in common ends only, so that CGAL has but to connect
+/// them: its sweep, in 5.5, fails on some overlaps (docs/findings.md).
 Arrangement arrangement_of(const std::vector<Segment>& segments) {
+  std::set<Segment> pieces;
+  for (const std::vector<Segment>& of_segment : cut_at_intersections(segments)) {
+    for (const Segment& piece : of_segment)
+      pieces.insert(piece.source < piece.target ? piece : reversed(piece));
+  }
   std::vector<Traits::X_monotone_curve_2> curves;
-  for (const Segment& s : segments)
+  for (const Segment& s : pieces)
     curves.emplace_back(Traits::Point_2(s.source.x, s.source.y),
                         Traits::Point_2(s.target.x, s.target.y));
   Arrangement arrangement;
-  CGAL::insert(arrangement, curves.begin(), curves.end());
+  CGAL::insert_non_intersecting_curves(arrangement, curves.begin(), curves.end());
   return arrangement;
 }
 

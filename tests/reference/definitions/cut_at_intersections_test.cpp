@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/chapter2/cut_at_intersections.hpp"
+#include "reference/definitions/cut_at_intersections.hpp"
 
 #include <gtest/gtest.h>
 
