@@ -38,7 +38,9 @@ inline Rational dot(const Vector& u, const Vector& v) { return u.x * v.x + u.y *
 
 /// Returns 1 if a, b, c turn left, -1 if they turn right, 0 if they are collinear.
 inline int orientation(const Point& a, const Point& b, const Point& c) {
-  return cmp(Rational((b.x - a.x) * (c.y - a.y)), Rational((b.y - a.y) * (c.x - a.x)));
+  const int compared =
+      cmp(Rational((b.x - a.x) * (c.y - a.y)), Rational((b.y - a.y) * (c.x - a.x)));
+  return (compared > 0) - (compared < 0);
 }
 
 }  // namespace oplus

@@ -134,6 +134,13 @@ Side side_of(const Chain& chain, std::size_t index, const Chain& around,
   return side;
 }
 
+VertexIndex edge_through(const Point& p, const Chain& chain, std::size_t index) {
+  const std::vector<Segment> of_chain = edges(chain);
+  const auto edge = std::find_if(of_chain.begin(), of_chain.end(),
+                                 [&](const Segment& e) { return lies_on(p, e); });
+  return {index, static_cast<std::size_t>(edge - of_chain.begin())};
+}
+
 }  // namespace
 
 std::string describe(DefectKind kind) {
@@ -182,7 +189,8 @@ std::optional<Defect> find_defect(const Region& region) {
       if (a == b || boxes[a].is_apart_from(boxes[b])) continue;
       const Side side = side_of(all[a], a, all[b], touching);
       if (side.inside && side.outside)
-        return Defect{DefectKind::chains_cross, side.edge, {b, 0}, side.where};
+        return Defect{DefectKind::chains_cross, side.edge, edge_through(side.where, all[b], b),
+                      side.where};
       is_inside[a][b] = side.inside;
     }
   }
