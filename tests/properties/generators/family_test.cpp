@@ -142,7 +142,7 @@ TEST(Family, same_seed_same_polygons_on_every_compiler) {
                                                          {"holes", "fd155b03caf92893"},
                                                          {"simple", "ff4e4d4db550144c"},
                                                          {"star", "f5563cf689f420cd"},
-                                                         {"tight", "2683c3014990357c"}}));
+                                                         {"tight", "ff3e5d9fb397aca5"}}));
 }
 
 }  // namespace
