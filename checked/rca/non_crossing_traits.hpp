@@ -3,10 +3,10 @@
 
 #include <CGAL/Arr_segment_traits_2.h>
 
+#include <boost/iterator/function_output_iterator.hpp>
 #include <boost/variant.hpp>
 #include <cstdint>
 #include <utility>
-#include <vector>
 
 namespace oplus {
 
@@ -75,17 +75,16 @@ class NonCrossingTraits : public CGAL::Arr_segment_traits_2<Kernel> {
     template <typename OutputIterator>
     OutputIterator operator()(const X_monotone_curve_2& a, const X_monotone_curve_2& b,
                               OutputIterator out) const {
-      using MeetingPoint = std::pair<Point_2, Multiplicity>;
       if (a.chain() != no_chain && a.chain() == b.chain()) return out;
-      std::vector<boost::variant<MeetingPoint, BaseCurve>> meetings;
-      base_.intersect_2_object()(a, b, std::back_inserter(meetings));
-      for (const auto& meeting : meetings) {
+      using MeetingPoint = std::pair<Point_2, Multiplicity>;
+      using Meeting = boost::variant<MeetingPoint, X_monotone_curve_2>;
+      const auto add = [&](const boost::variant<MeetingPoint, BaseCurve>& meeting) {
         if (const auto* at = boost::get<MeetingPoint>(&meeting))
-          *out++ = boost::variant<MeetingPoint, X_monotone_curve_2>(*at);
+          *out++ = Meeting(*at);
         else  // an overlap belongs to two chains, so to none
-          *out++ = boost::variant<MeetingPoint, X_monotone_curve_2>(
-              X_monotone_curve_2(boost::get<BaseCurve>(meeting)));
-      }
+          *out++ = Meeting(X_monotone_curve_2(boost::get<BaseCurve>(meeting)));
+      };
+      base_.intersect_2_object()(a, b, boost::make_function_output_iterator(add));
       return out;
     }
 

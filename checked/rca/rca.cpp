@@ -59,12 +59,9 @@ class Rca {
   }
 
   RcaResult run(Boundary boundary, WithOrigins with_origins) {
-    for (Face face : arrangement_.face_handles()) face->set_data(is_in_complement(face));
-    for (Halfedge e : arrangement_.halfedge_handles()) {
-      if (!e->face()->data()) continue;
-      OPLUS_ENSURES(!e->twin()->face()->data(), "Observation 2.2.4");
-      features_.edges.push_back(segment(e->twin()));
-      if (with_origins == WithOrigins::yes) remember_origins(e->twin(), features_.edges.back());
+    for (Face face : arrangement_.face_handles()) {
+      face->set_data(is_in_complement(face));
+      if (face->data()) add_boundary_of(face, with_origins);
     }
     if (boundary == Boundary::open) find_low_dimensional_features(with_origins);
     MinkowskiSum sum = canonical_sum(features_);
@@ -116,22 +113,34 @@ class Rca {
     return against;
   }
 
-  bool all_run_against(Arrangement::Ccb_halfedge_circulator first) {
-    auto e = first;
-    do {
-      if (!only_runs_against(e)) return false;
-    } while (++e != first);
-    return true;
+  /// Whether `holds` for all halfedges around a face, the face to their left.
+  template <typename Holds>
+  static bool all_around(Face face, Holds holds) {
+    const auto along = [&](Arrangement::Ccb_halfedge_circulator first) {
+      auto e = first;
+      do {
+        if (!holds(e)) return false;
+      } while (++e != first);
+      return true;
+    };
+    return std::all_of(face->outer_ccbs_begin(), face->outer_ccbs_end(), along) &&
+           std::all_of(face->inner_ccbs_begin(), face->inner_ccbs_end(), along);
   }
 
   /// Left of a segment is the sum (thesis, Observation 2.2.4), so a face of the complement is to
   /// the right of all segments around it. This is the filter for orientable loops (Lemma 3.1.2) on
   /// faces instead of loops (Section 3.2.3); antennas fail it, too.
   bool may_be_in_complement(Face face) {
-    return std::all_of(face->outer_ccbs_begin(), face->outer_ccbs_end(),
-                       [&](auto ccb) { return all_run_against(ccb); }) &&
-           std::all_of(face->inner_ccbs_begin(), face->inner_ccbs_end(),
-                       [&](auto ccb) { return all_run_against(ccb); });
+    return all_around(face, [&](Halfedge e) { return only_runs_against(e); });
+  }
+
+  /// Around a face of the complement, the sum is on the other side of each edge.
+  void add_boundary_of(Face face, WithOrigins with_origins) {
+    all_around(face, [&](Halfedge e) {
+      features_.edges.push_back(segment(e->twin()));
+      if (with_origins == WithOrigins::yes) remember_origins(e->twin(), features_.edges.back());
+      return true;
+    });
   }
 
   bool is_in_complement(Face face) {

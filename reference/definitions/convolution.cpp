@@ -7,53 +7,68 @@ namespace oplus {
 
 namespace {
 
+std::vector<Corner> corners(const Chain& chain) {
+  std::vector<Corner> result;
+  for (std::size_t j = 0; j < chain.size(); ++j)
+    result.push_back(
+        {chain[j] - chain[previous(j, chain.size())], chain[next(j, chain.size())] - chain[j]});
+  return result;
+}
+
+/// Adds the sums of one summand's edges and the other's vertices for which `is_kept(direction of
+/// the edge, corner at the vertex)`.
+template <typename IsKept>
 void add_sums(const Region& with_edges, const Region& with_vertices, Summand edge_of,
-              std::vector<ConvolutionSegment>& sums) {
+              IsKept is_kept, std::vector<ConvolutionSegment>& sums) {
   const std::vector<Chain> edge_chains = chains(with_edges);
   const std::vector<Chain> vertex_chains = chains(with_vertices);
   for (std::size_t a = 0; a < edge_chains.size(); ++a) {
     const std::vector<Segment> chain_edges = edges(edge_chains[a]);
     for (std::size_t b = 0; b < vertex_chains.size(); ++b) {
       const Chain& vertices = vertex_chains[b];
+      const std::vector<Corner> chain_corners = corners(vertices);
       for (std::size_t i = 0; i < chain_edges.size(); ++i) {
+        const Direction direction{direction_of(chain_edges[i]), edge_of};
         for (std::size_t j = 0; j < vertices.size(); ++j) {
-          const Point& v = vertices[j];
-          const Corner corner{v - vertices[previous(j, vertices.size())],
-                              vertices[next(j, vertices.size())] - v};
-          sums.push_back({{chain_edges[i].source + v, chain_edges[i].target + v},
-                          {edge_of, {a, i}, {b, j}},
-                          corner});
+          if (!is_kept(direction, chain_corners[j])) continue;
+          sums.push_back(
+              {{chain_edges[i].source + vertices[j], chain_edges[i].target + vertices[j]},
+               {edge_of, {a, i}, {b, j}},
+               chain_corners[j]});
         }
       }
     }
   }
 }
 
-bool in_convolution(const ConvolutionSegment& s) {
-  const Summand of = OPLUS_MUTANT("tie-rule-depends-on-who-asks") ? Summand::P : s.origin.edge_of;
-  return in_tangent_set({direction_of(s.segment), of}, s.corner);
+template <typename IsKept>
+std::vector<ConvolutionSegment> kept_sums(const Region& p, const Region& q, IsKept is_kept) {
+  std::vector<ConvolutionSegment> sums;
+  add_sums(p, q, Summand::P, is_kept, sums);
+  add_sums(q, p, Summand::Q, is_kept, sums);
+  return sums;
+}
+
+bool in_convolution(const Direction& direction, const Corner& corner) {
+  if (OPLUS_MUTANT("tie-rule-depends-on-who-asks"))
+    return in_tangent_set({direction.vector, Summand::P}, corner);
+  return in_tangent_set(direction, corner);
 }
 
 }  // namespace
 
 std::vector<ConvolutionSegment> vertex_edge_sum(const Region& p, const Region& q) {
-  std::vector<ConvolutionSegment> sums;
-  sums.reserve(2 * vertex_count(p) * vertex_count(q));
-  add_sums(p, q, Summand::P, sums);
-  add_sums(q, p, Summand::Q, sums);
-  return sums;
+  return kept_sums(p, q, [](const Direction&, const Corner&) { return true; });
 }
 
 std::vector<ConvolutionSegment> convolution(const Region& p, const Region& q) {
-  std::vector<ConvolutionSegment> result = vertex_edge_sum(p, q);
-  std::erase_if(result, [](const ConvolutionSegment& s) { return !in_convolution(s); });
-  return result;
+  return kept_sums(p, q, in_convolution);
 }
 
 std::vector<ConvolutionSegment> reduced_convolution(const Region& p, const Region& q) {
-  std::vector<ConvolutionSegment> result = convolution(p, q);
-  std::erase_if(result, [](const ConvolutionSegment& s) { return is_reflex(s.corner); });
-  return result;
+  return kept_sums(p, q, [](const Direction& direction, const Corner& corner) {
+    return in_convolution(direction, corner) && !is_reflex(corner);
+  });
 }
 
 std::vector<Segment> segments(const std::vector<ConvolutionSegment>& convolution) {

@@ -15,7 +15,7 @@ int half(const Vector& v) { return sign(v.y) < 0 || (sign(v.y) == 0 && sign(v.x)
 int compare_angle(const Vector& u, const Vector& v) {
   OPLUS_REQUIRES(u != (Vector{0, 0}) && v != (Vector{0, 0}), "Definition 2.1.7");
   const int halves = half(u) - half(v);
-  return halves != 0 ? halves : -sign(cross(u, v));
+  return halves != 0 ? halves : cmp(Rational(u.y * v.x), Rational(u.x * v.y));
 }
 
 int compare(const Direction& a, const Direction& b) {
