@@ -116,6 +116,10 @@ int diff(const Settings& settings) {
   if (!folder.empty()) std::filesystem::create_directories(folder);
   write_file(file, to_json(report).dump(2) + "\n");
   std::cout << summary(report) << "report: " << file << '\n';
+  if (report.all.ran == 0) {
+    std::cerr << "oplus-check: diff compared nothing: every pair was skipped\n";
+    return 2;
+  }
   return report.all.disagreed == 0 ? 0 : 1;
 }
 

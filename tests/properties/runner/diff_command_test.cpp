@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/checked/cli/shell.hpp"
+
+namespace oplus {
+namespace {
+
+class DiffCommand : public Shell {
+ protected:
+  void SetUp() override {
+    Shell::SetUp();
+    put("square.dat", "4\n0 0\n1 0\n1 1\n0 1\n");
+    put("frame.dat", "4\n0 0\n4 0\n4 4\n0 4\n1\n4\n1 1\n1 3\n3 3\n3 1\n");
+  }
+
+  Ran diff(const std::string& options) {
+    return run(std::string("'") + OPLUS_CHECK_PROGRAM + "' diff " + options);
+  }
+};
+
+TEST_F(DiffCommand, compares_pairs_and_says_what_ran_and_where_the_report_is) {
+  const Ran ran = diff("--pair frame.dat square.dat --pair square.dat square.dat");
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_NE(ran.out.find("2 cases run, each closed and open, 0 skipped, 0 with a disagreement\n"
+                         "report: oplus-findings/diff.json\n"),
+            std::string::npos)
+      << ran.out;
+  const auto report = nlohmann::json::parse(content("oplus-findings/diff.json"));
+  EXPECT_EQ(report.at("all").at("ran"), 2);
+  EXPECT_EQ(report.at("all").at("holes_in_sum"), 1);
+  EXPECT_EQ(report.at("engines"), nlohmann::json({"rca"}));
+}
+
+TEST_F(DiffCommand, compares_families_the_same_for_the_same_seed) {
+  const std::string options = "--family grid --family tight --cases 8 --seed 3 --report ";
+  EXPECT_EQ(diff(options + "one.json").exit_code, 0);
+  EXPECT_EQ(diff(options + "two.json --threads 1").exit_code, 0);
+  EXPECT_EQ(content("one.json"), content("two.json"));
+  EXPECT_EQ(nlohmann::json::parse(content("one.json")).at("groups").at("tight").at("ran"), 8);
+}
+
+TEST_F(DiffCommand, counts_what_it_skips_and_does_not_pass_with_nothing_compared) {
+  const Ran ran = diff("--pair frame.dat square.dat --largest 5");
+  EXPECT_EQ(ran.exit_code, 2);
+  EXPECT_NE(ran.out.find("skipped: frame.dat square.dat: its convolution has"), std::string::npos);
+  EXPECT_NE(ran.out.find("0 cases run, each closed and open, 1 skipped"), std::string::npos);
+}
+
+TEST_F(DiffCommand, refuses_bad_input_and_requests_without_sense) {
+  put("bad.dat", "4\n0 0\n2 2\n2 0\n0 2\n");
+  const Ran bad = diff("--pair bad.dat square.dat");
+  EXPECT_EQ(bad.exit_code, 2);
+  EXPECT_NE(bad.err.find("bad.dat:4:1:"), std::string::npos) << bad.err;
+  EXPECT_EQ(diff("--family nonsense").exit_code, 2);
+  EXPECT_EQ(diff("--pair square.dat").exit_code, 2);
+  EXPECT_EQ(diff("--folder nowhere").exit_code, 2);
+  EXPECT_EQ(diff("--engine nonsense").exit_code, 2);
+  EXPECT_EQ(diff("--cases 0 --family grid").exit_code, 2);
+}
+
+}  // namespace
+}  // namespace oplus
