@@ -2,8 +2,8 @@
 #include <set>
 
 #include "properties/chapter2/boundary_coverage.hpp"
-#include "reference/definitions/cut_at_intersections.hpp"
 #include "properties/runner/registry.hpp"
+#include "reference/definitions/cut_at_intersections.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {

@@ -3,11 +3,11 @@
 #include <set>
 
 #include "checked/collision/hierarchy_collision.hpp"
-#include "reference/definitions/cut_at_intersections.hpp"
 #include "properties/chapter4/points_beside.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/definitions/collision.hpp"
 #include "reference/definitions/convolution.hpp"
+#include "reference/definitions/cut_at_intersections.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
