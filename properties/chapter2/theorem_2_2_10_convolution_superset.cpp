@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "properties/chapter2/boundary_coverage.hpp"
+#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/io/writing.hpp"
 
@@ -40,19 +41,8 @@ const Registered registered({
         "vertex-edge sum is in the open sum.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
     .rests_on = {"theorem-2.2.6", "lemma-2.2.9"},
-    .sources = {{"grid", 8, 6},
-                {"tight", 2, 2},
-                {"holes", 4, 3},
-                {"components", 3, 2},
-                {"convex", 8, 1},
-                {"star", 7, 1},
-                {"simple", 7, 1}},
-    .promises = {{"holes", 15},
-                 {"several components", 5},
-                 {"reflex vertices", 10},
-                 {"parallel edges", 40},
-                 {"collinear vertices", 5},
-                 {"overlapping segments", 5}},
+    .sources = small_mixture(),
+    .promises = promises_of_mixture(),
     .kills = {"parallel-edges-do-not-collide", "tangent-set-without-ties"},
     .cases = 400,
     .file = __FILE__,

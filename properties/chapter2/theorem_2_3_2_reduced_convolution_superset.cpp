@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <set>
 
 #include "properties/chapter2/boundary_coverage.hpp"
+#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/definitions/cut_at_intersections.hpp"
 #include "reference/io/writing.hpp"
@@ -10,28 +12,17 @@ namespace oplus {
 
 namespace {
 
-/// The vertices of a region that another of its chains touches, that is, through which another
-/// chain's edge passes or at which one ends.
-std::set<VertexIndex> touched_vertices(const Region& region) {
-  const std::vector<Chain> all = chains(region);
-  std::set<VertexIndex> touched;
-  for (std::size_t a = 0; a < all.size(); ++a) {
-    for (std::size_t b = 0; b < all.size(); ++b) {
-      if (a == b) continue;
-      for (const Segment& edge : edges(all[b]))
-        for (std::size_t i = 0; i < all[a].size(); ++i)
-          if (lies_on(all[a][i], edge)) touched.insert({a, i});
-    }
-  }
-  return touched;
-}
-
 /// The theorem as printed, for vertices that no other chain touches: no point inside a segment of a
 /// reflex vertex is on the boundary.
 Outcome check_reflex_segments(const Summands& summands, OpenSum& open_sum) {
   Outcome outcome;
-  const std::set<VertexIndex> touched_of_p = touched_vertices(summands.p);
-  const std::set<VertexIndex> touched_of_q = touched_vertices(summands.q);
+  const auto touched_vertex = [](const Region& region) {
+    return [all = chains(region), touching = touching_points(region)](const VertexIndex& index) {
+      return std::binary_search(touching.begin(), touching.end(), all[index.chain][index.vertex]);
+    };
+  };
+  const auto is_touched_of_p = touched_vertex(summands.p);
+  const auto is_touched_of_q = touched_vertex(summands.q);
   const std::vector<ConvolutionSegment> all = vertex_edge_sum(summands.p, summands.q);
   const std::vector<std::vector<Segment>> pieces = cut_at_intersections(segments(all));
   const auto look_at = [&](const Point& x) {
@@ -42,8 +33,8 @@ Outcome check_reflex_segments(const Summands& summands, OpenSum& open_sum) {
   };
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (!is_reflex(all[i].corner)) continue;
-    const bool vertex_of_p = all[i].origin.edge_of == Summand::Q;
-    if ((vertex_of_p ? touched_of_p : touched_of_q).count(all[i].origin.vertex) != 0) {
+    const auto& [edge_of, edge, vertex] = all[i].origin;
+    if (edge_of == Summand::Q ? is_touched_of_p(vertex) : is_touched_of_q(vertex)) {
       ++outcome.counts["segments of reflex vertices that another chain touches, left out"];
       continue;
     }
@@ -101,19 +92,8 @@ const Registered registered({
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
                    "first part: no other chain of its region touches the reflex vertex"},
     .rests_on = {"theorem-2.2.10"},
-    .sources = {{"grid", 8, 6},
-                {"tight", 2, 2},
-                {"holes", 4, 3},
-                {"components", 3, 2},
-                {"convex", 8, 1},
-                {"star", 7, 1},
-                {"simple", 7, 1}},
-    .promises = {{"holes", 15},
-                 {"several components", 5},
-                 {"reflex vertices", 10},
-                 {"parallel edges", 40},
-                 {"collinear vertices", 5},
-                 {"overlapping segments", 5}},
+    .sources = small_mixture(),
+    .promises = promises_of_mixture(),
     .kills = {"acute-vertex-is-reflex", "tangent-set-without-ties"},
     .cases = 400,
     .file = __FILE__,

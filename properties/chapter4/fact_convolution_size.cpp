@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <map>
 
+#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/definitions/convolution.hpp"
 
@@ -74,21 +75,8 @@ const Registered registered({
         "turns by nothing and has no tangent set.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
     .rests_on = {},
-    .sources = {{"grid", 8, 6},
-                {"tight", 3, 2},
-                {"holes", 6, 3},
-                {"components", 5, 2},
-                {"comb", 4, 1},
-                {"fork", 3, 1},
-                {"convex", 16, 1},
-                {"star", 16, 1},
-                {"simple", 16, 1}},
-    .promises = {{"holes", 15},
-                 {"several components", 5},
-                 {"reflex vertices", 10},
-                 {"parallel edges", 40},
-                 {"collinear vertices", 5},
-                 {"overlapping segments", 5}},
+    .sources = larger_mixture(),
+    .promises = promises_of_mixture(),
     .kills = {"acute-vertex-is-reflex", "reflex-turns-clockwise", "tangent-set-without-ties"},
     .cases = 1500,
     .file = __FILE__,

@@ -2,6 +2,7 @@
 #include <boost/range/iterator_range.hpp>
 
 #include "properties/chapter4/convolution_graph.hpp"
+#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 
 namespace oplus {
@@ -51,21 +52,8 @@ const Registered registered({
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
                    "one tie rule for both kinds of segments"},
     .rests_on = {"lemma-4.1.3"},
-    .sources = {{"grid", 8, 6},
-                {"tight", 3, 2},
-                {"holes", 6, 3},
-                {"components", 5, 2},
-                {"comb", 4, 1},
-                {"fork", 3, 1},
-                {"convex", 16, 1},
-                {"star", 16, 1},
-                {"simple", 16, 1}},
-    .promises = {{"holes", 15},
-                 {"several components", 5},
-                 {"reflex vertices", 10},
-                 {"parallel edges", 40},
-                 {"collinear vertices", 5},
-                 {"overlapping segments", 5}},
+    .sources = larger_mixture(),
+    .promises = promises_of_mixture(),
     .kills = {"tangent-set-without-ties", "tie-rule-depends-on-who-asks", "reflex-turns-clockwise"},
     .cases = 1500,
     .file = __FILE__,

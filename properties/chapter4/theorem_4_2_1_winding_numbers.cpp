@@ -5,6 +5,7 @@
 
 #include "properties/chapter2/open_sum.hpp"
 #include "properties/chapter4/points_beside.hpp"
+#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/definitions/winding_number.hpp"
@@ -106,19 +107,8 @@ const Registered registered({
                    "x is not on the convolution",
                    "P ∩ -Q+x stands for the intersection of interiors: touching is not enough"},
     .rests_on = {"lemma-4.1.4", "theorem-2.2.10"},
-    .sources = {{"grid", 8, 6},
-                {"tight", 2, 2},
-                {"holes", 4, 3},
-                {"components", 3, 2},
-                {"convex", 8, 1},
-                {"star", 7, 1},
-                {"simple", 7, 1}},
-    .promises = {{"holes", 15},
-                 {"several components", 5},
-                 {"reflex vertices", 10},
-                 {"parallel edges", 40},
-                 {"collinear vertices", 5},
-                 {"overlapping segments", 5}},
+    .sources = small_mixture(),
+    .promises = promises_of_mixture(),
     .kills = {"ray-counts-both-ends", "reflex-turns-clockwise", "tangent-set-without-ties",
               "tie-rule-depends-on-who-asks"},
     .cases = 300,

@@ -4,6 +4,7 @@
 
 #include "checked/collision/hierarchy_collision.hpp"
 #include "properties/chapter4/points_beside.hpp"
+#include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/definitions/collision.hpp"
 #include "reference/definitions/convolution.hpp"
@@ -57,19 +58,8 @@ const Registered registered({
         "chain without contact is inside or outside the other region as a whole.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
     .rests_on = {},
-    .sources = {{"grid", 8, 6},
-                {"tight", 2, 2},
-                {"holes", 4, 3},
-                {"components", 3, 2},
-                {"convex", 8, 1},
-                {"star", 7, 1},
-                {"simple", 7, 1}},
-    .promises = {{"holes", 15},
-                 {"several components", 5},
-                 {"reflex vertices", 10},
-                 {"parallel edges", 40},
-                 {"collinear vertices", 5},
-                 {"overlapping segments", 5}},
+    .sources = small_mixture(),
+    .promises = promises_of_mixture(),
     .kills = {"parallel-edges-do-not-collide", "weak-intersections-never-meet"},
     .cases = 300,
     .file = __FILE__,
