@@ -23,9 +23,9 @@ Region read(const std::filesystem::path& file) { return read_region_file(file.st
 
 std::size_t main_job_cases(const std::string& family) {
   static const std::map<std::string, std::size_t> counts = {
-      {"grid", 2000}, {"holes", 300}, {"tight", 300}, {"components", 150}, {"fork", 4}};
+      {"grid", 4000}, {"holes", 600}, {"tight", 600}, {"components", 300}, {"fork", 6}};
   const auto count = counts.find(family);
-  return count == counts.end() ? 40 : count->second;
+  return count == counts.end() ? 60 : count->second;
 }
 
 DifferentialCase case_of_files(const std::filesystem::path& p, const std::filesystem::path& q) {
