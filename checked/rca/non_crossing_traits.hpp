@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "reference/definitions/contract.hpp"
+
 namespace oplus {
 
 /// Says which translated chain a curve is a part of. Parts of one translated chain never cross: the
@@ -16,7 +18,9 @@ using TranslatedChain = std::uint32_t;
 inline constexpr TranslatedChain no_chain = 0;
 
 /// Segment traits that never test two parts of one translated chain for an intersection (thesis,
-/// Section 7.2.1): they can only meet in a common end, which the sweep sees without a test.
+/// Section 7.2.1): they can only meet in a common end, which the sweep sees without a test. Parts
+/// keep their labels, so the arrangement needs no history.
+/// Requires: curves do not overlap (strands.hpp).
 template <typename Kernel>
 class NonCrossingTraits : public CGAL::Arr_segment_traits_2<Kernel> {
   using Base = CGAL::Arr_segment_traits_2<Kernel>;
@@ -44,16 +48,6 @@ class NonCrossingTraits : public CGAL::Arr_segment_traits_2<Kernel> {
   };
   using Curve_2 = X_monotone_curve_2;
 
-  class Make_x_monotone_2 {
-   public:
-    template <typename OutputIterator>
-    OutputIterator operator()(const Curve_2& curve, OutputIterator out) const {
-      *out++ = boost::variant<Point_2, X_monotone_curve_2>(curve);
-      return out;
-    }
-  };
-  Make_x_monotone_2 make_x_monotone_2_object() const { return {}; }
-
   class Split_2 {
    public:
     explicit Split_2(const Base& base) : base_(base) {}
@@ -79,10 +73,9 @@ class NonCrossingTraits : public CGAL::Arr_segment_traits_2<Kernel> {
       using MeetingPoint = std::pair<Point_2, Multiplicity>;
       using Meeting = boost::variant<MeetingPoint, X_monotone_curve_2>;
       const auto add = [&](const boost::variant<MeetingPoint, BaseCurve>& meeting) {
-        if (const auto* at = boost::get<MeetingPoint>(&meeting))
-          *out++ = Meeting(*at);
-        else  // an overlap belongs to two chains, so to none
-          *out++ = Meeting(X_monotone_curve_2(boost::get<BaseCurve>(meeting)));
+        const auto* at = boost::get<MeetingPoint>(&meeting);
+        OPLUS_REQUIRES(at != nullptr, "strands do not overlap");
+        if (at != nullptr) *out++ = Meeting(*at);
       };
       base_.intersect_2_object()(a, b, boost::make_function_output_iterator(add));
       return out;

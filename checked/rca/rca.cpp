@@ -2,7 +2,7 @@
 #include "checked/rca/rca.hpp"
 
 #include <CGAL/Arr_extended_dcel.h>
-#include <CGAL/Arrangement_with_history_2.h>
+#include <CGAL/Arrangement_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using Traits = NonCrossingTraits<Kernel>;
 /// A face carries whether it belongs to the complement of the sum.
 using Cells = CGAL::Arr_face_extended_dcel<Traits, bool>;
-using Arrangement = CGAL::Arrangement_with_history_2<Traits, Cells>;
+using Arrangement = CGAL::Arrangement_2<Traits, Cells>;
 using Vertex = Arrangement::Vertex_handle;
 using Halfedge = Arrangement::Halfedge_handle;
 using Face = Arrangement::Face_handle;
@@ -50,7 +50,7 @@ class Rca {
         reduced_(reduced_convolution(p, q)),
         strands_(strands(segments(reduced_))),
         collision_(hierarchy_collision(p, q)) {
-    const std::vector<Traits::Curve_2> with_labels = curves();
+    const std::vector<Traits::X_monotone_curve_2> with_labels = curves();
     CGAL::insert(arrangement_, with_labels.begin(), with_labels.end());
     statistics_.segments = reduced_.size();
     statistics_.arrangement_vertices = arrangement_.number_of_vertices();
@@ -72,7 +72,7 @@ class Rca {
  private:
   /// A curve a strand. A segment's edge belongs to a chain, translated by the segment's vertex; a
   /// strand of several segments belongs to no chain.
-  std::vector<Traits::Curve_2> curves() const {
+  std::vector<Traits::X_monotone_curve_2> curves() const {
     std::map<std::tuple<Summand, std::size_t, VertexIndex>, TranslatedChain> names;
     const auto chain_of = [&](const Strand& strand) {
       if (strand.along.size() + strand.against.size() > 1) return no_chain;
@@ -82,7 +82,7 @@ class Rca {
       return names.try_emplace({origin.edge_of, origin.edge.chain, origin.vertex}, next_name)
           .first->second;
     };
-    std::vector<Traits::Curve_2> result;
+    std::vector<Traits::X_monotone_curve_2> result;
     result.reserve(strands_.size());
     for (std::uint32_t i = 0; i < strands_.size(); ++i) {
       const auto& [source, target] = strands_[i].segment;
@@ -98,12 +98,9 @@ class Rca {
   template <typename Action>
   void for_each_origin(Halfedge e, Action action) {
     const bool to_the_right = e->direction() == CGAL::ARR_LEFT_TO_RIGHT;
-    const auto end = arrangement_.originating_curves_end(e);
-    for (auto curve = arrangement_.originating_curves_begin(e); curve != end; ++curve) {
-      const Strand& strand = strands_[curve->strand()];
-      for (const std::uint32_t i : strand.along) action(reduced_[i], to_the_right);
-      for (const std::uint32_t i : strand.against) action(reduced_[i], !to_the_right);
-    }
+    const Strand& strand = strands_[e->curve().strand()];
+    for (const std::uint32_t i : strand.along) action(reduced_[i], to_the_right);
+    for (const std::uint32_t i : strand.against) action(reduced_[i], !to_the_right);
   }
 
   /// Whether all convolution segments of this edge have its face to their right.

@@ -26,9 +26,10 @@ struct RcaResult {
 /// Whether the result says where each edge came from.
 enum class WithOrigins { no, yes };
 
-/// Computes P ⊕ Q by the thesis's own algorithm RCA (Sections 3.2 and 7.2): the arrangement, with
-/// history, of the reduced convolution; faces whose whole boundary is directed with the face to its
-/// right are candidates for the complement (Lemma 3.1.2); a collision test each decides.
+/// Computes P ⊕ Q by the thesis's own algorithm RCA (Sections 3.2 and 7.2): the arrangement of the
+/// reduced convolution, whose edges know their segments; faces whose whole boundary is directed with
+/// the face to its right are candidates for the complement (Lemma 3.1.2); a collision test each
+/// decides.
 /// Requires: p and q are valid (validity.hpp).
 RcaResult rca(const Region& p, const Region& q, Boundary boundary,
               WithOrigins with_origins = WithOrigins::no);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/definitions/convolution.hpp"
 
+#include <deque>
+#include <iterator>
+
 #include "reference/definitions/mutant.hpp"
 
 namespace oplus {
@@ -19,7 +22,7 @@ std::vector<Corner> corners(const Chain& chain) {
 /// the edge, corner at the vertex)`.
 template <typename IsKept>
 void add_sums(const Region& with_edges, const Region& with_vertices, Summand edge_of,
-              IsKept is_kept, std::vector<ConvolutionSegment>& sums) {
+              IsKept is_kept, std::deque<ConvolutionSegment>& sums) {
   const std::vector<Chain> edge_chains = chains(with_edges);
   const std::vector<Chain> vertex_chains = chains(with_vertices);
   for (std::size_t a = 0; a < edge_chains.size(); ++a) {
@@ -43,10 +46,10 @@ void add_sums(const Region& with_edges, const Region& with_vertices, Summand edg
 
 template <typename IsKept>
 std::vector<ConvolutionSegment> kept_sums(const Region& p, const Region& q, IsKept is_kept) {
-  std::vector<ConvolutionSegment> sums;
+  std::deque<ConvolutionSegment> sums;  // grows without copying
   add_sums(p, q, Summand::P, is_kept, sums);
   add_sums(q, p, Summand::Q, is_kept, sums);
-  return sums;
+  return {std::make_move_iterator(sums.begin()), std::make_move_iterator(sums.end())};
 }
 
 bool in_convolution(const Direction& direction, const Corner& corner) {

@@ -59,7 +59,7 @@ TEST(Rca, with_the_empty_region_is_empty) {
   }
 }
 
-TEST(Rca, origins_of_the_arrangements_history_are_those_of_the_definition) {
+TEST(Rca, origins_from_the_arrangement_are_those_of_the_definition) {
   std::size_t several = 0;
   std::size_t dangling = 0;
   for (const Row& row : corpus()) {
