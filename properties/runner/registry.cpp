@@ -128,13 +128,25 @@ Registered::Registered(Statement statement) {
   registered_statements().push_back(std::move(statement));
 }
 
-std::filesystem::path source_root() {
-  const auto root = std::filesystem::path(__FILE__).parent_path().parent_path().parent_path();
-  return root.empty() ? "." : root;  // compiled from the root itself
+std::filesystem::path source_root() { return OPLUS_SOURCE_DIR; }
+
+namespace {
+
+/// ccache shortens __FILE__ to a path from the build folder, which is not where the program runs.
+std::filesystem::path absolute_file(const Statement& statement) {
+  const std::filesystem::path file = statement.file;
+  if (file.is_absolute()) return file;
+  std::filesystem::path absolute = source_root();
+  for (const std::filesystem::path& part : file) {
+    if (part != "..") absolute /= part;
+  }
+  return absolute;
 }
 
+}  // namespace
+
 std::string relative_file(const Statement& statement) {
-  return std::filesystem::path(statement.file).lexically_relative(source_root()).string();
+  return absolute_file(statement).lexically_relative(source_root()).string();
 }
 
 std::vector<std::string> defects_of_entries(const std::vector<Statement>& statements,
@@ -161,7 +173,7 @@ std::vector<std::string> defects_of_files(const std::vector<Statement>& statemen
     return {root.string() + ": the source tree is not there"};
   std::vector<std::string> defects;
   for (const Statement& s : statements)
-    if (!std::filesystem::is_regular_file(s.file))
+    if (!std::filesystem::is_regular_file(absolute_file(s)))
       defects.push_back(s.id + ": there is no file " + s.file);
   for (const Mutant& m : mutants) {
     if (!std::filesystem::is_regular_file(root / m.file))
