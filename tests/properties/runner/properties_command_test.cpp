@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <fstream>
@@ -35,7 +36,8 @@ class PropertiesCommand : public testing::Test {
   PropertiesCommand()
       : folder_(std::filesystem::path(testing::TempDir()) /
                 (std::string("oplus-") +
-                 testing::UnitTest::GetInstance()->current_test_info()->name())) {
+                 testing::UnitTest::GetInstance()->current_test_info()->name() + "-" +
+                 std::to_string(::getpid()))) {  // the same test of another build may run, too
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
   }

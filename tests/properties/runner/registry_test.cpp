@@ -2,9 +2,11 @@
 #include "properties/runner/registry.hpp"
 
 #include <gtest/gtest.h>
+#include <stdlib.h>
 
 #include <algorithm>
 #include <fstream>
+#include <stdexcept>
 
 namespace oplus {
 namespace {
@@ -99,8 +101,10 @@ TEST(RegistryDefects, UnknownFamilyOrClassOrNothingToRun) {
 /// A source tree of its own, removed in the end.
 class RegistryFiles : public testing::Test {
  protected:
-  RegistryFiles() : root_(std::filesystem::path(testing::TempDir()) / "oplus-registry-files") {
-    std::filesystem::remove_all(root_);
+  RegistryFiles() {
+    std::string pattern = testing::TempDir() + "oplus-registry-files-XXXXXX";
+    if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no folder to write to");
+    root_ = pattern;
     write("reference/a.cpp", "if (OPLUS_MUTANT(\"sign-flipped\")) return;");
     std::filesystem::create_directories(root_ / "properties/chapter9");
   }

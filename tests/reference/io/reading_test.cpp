@@ -2,6 +2,7 @@
 #include "reference/io/reading.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -123,7 +124,8 @@ TEST(Reading, where_says_file_line_and_column) {
 }
 
 TEST(Reading, of_a_file_names_it) {
-  const std::string path = testing::TempDir() + "oplus_reading_test.wkt";
+  const std::string path =
+      testing::TempDir() + "oplus_reading_test_" + std::to_string(::getpid()) + ".wkt";
   std::ofstream(path) << "POLYGON ((0 0, 0 1, 1 0, 0 0))";
   EXPECT_EQ(
       read_region_file(path).notes,
