@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "checked/collision/interval.hpp"
+#include "checked/arithmetic/interval.hpp"
 
 namespace oplus {
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "reference/definitions/point.hpp"
+#include <memory>
+
+#include "reference/definitions/region.hpp"
 
 namespace oplus {
 
@@ -18,5 +20,11 @@ class CollisionTest {
   /// regions.
   virtual bool interiors_meet_at(const Point& x) = 0;
 };
+
+enum class CollisionMethod { hierarchy, sweep, naive };
+
+/// Requires: p and q are valid (validity.hpp).
+std::unique_ptr<CollisionTest> collision_test(CollisionMethod method, const Region& p,
+                                              const Region& q);
 
 }  // namespace oplus

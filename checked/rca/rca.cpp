@@ -14,9 +14,9 @@
 #include <utility>
 #include <vector>
 
+#include "checked/arrangement/non_crossing_traits.hpp"
+#include "checked/arrangement/strands.hpp"
 #include "checked/collision/hierarchy_collision.hpp"
-#include "checked/rca/non_crossing_traits.hpp"
-#include "checked/rca/strands.hpp"
 #include "reference/definitions/contract.hpp"
 #include "reference/definitions/mutant.hpp"
 

@@ -32,7 +32,7 @@ Outcome check_reflex_segments(const Summands& summands, OpenSum& open_sum) {
     outcome.why = "the boundary point " + to_string(x) + " is inside a segment of a reflex vertex";
   };
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (!is_reflex(all[i].corner)) continue;
+    if (!all[i].vertex_is_reflex) continue;
     const auto& [edge_of, edge, vertex] = all[i].origin;
     if (edge_of == Summand::Q ? is_touched_of_p(vertex) : is_touched_of_q(vertex)) {
       ++outcome.counts["segments of reflex vertices that another chain touches, left out"];

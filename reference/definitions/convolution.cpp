@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "reference/definitions/mutant.hpp"
+#include "reference/definitions/tangent_set.hpp"
 
 namespace oplus {
 
@@ -37,7 +38,7 @@ void add_sums(const Region& with_edges, const Region& with_vertices, Summand edg
           sums.push_back(
               {{chain_edges[i].source + vertices[j], chain_edges[i].target + vertices[j]},
                {edge_of, {a, i}, {b, j}},
-               chain_corners[j]});
+               is_reflex(chain_corners[j])});
         }
       }
     }

@@ -6,7 +6,6 @@
 
 #include "reference/definitions/direction.hpp"
 #include "reference/definitions/region.hpp"
-#include "reference/definitions/tangent_set.hpp"
 
 namespace oplus {
 
@@ -24,7 +23,7 @@ struct Origin {
 struct ConvolutionSegment {
   Segment segment;
   Origin origin;
-  Corner corner;  ///< the edges at the vertex: they decide whether the segment is in 𝒞
+  bool vertex_is_reflex;  ///< then the segment is not in the reduced convolution
 };
 
 /// 𝒮 = all (edge, vertex) pairs, 2nm for n and m vertices (thesis, Definition 2.2.1).

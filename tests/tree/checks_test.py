@@ -52,10 +52,16 @@ class PublicHeaders(TreeTest):
 
     def test_out_of_its_folder(self):
         for included in ["checked/rca/traits.hpp", "checked/rca/faces.hpp"]:
-            with self.subTest(included=included):
-                self.write("checked/cli/sum.cpp", f'#include "{included}"')
-                self.assertEqual(public_headers.violations(self.root),
-                                 [f"checked/cli/sum.cpp:1: {included} brings CGAL out of its folder"])
+            for including in ["checked/cli/sum.hpp", "properties/runner/diff.cpp"]:
+                with self.subTest(included=included, including=including):
+                    path = self.write(including, f'#include "{included}"')
+                    self.assertEqual(public_headers.violations(self.root),
+                                     [f"{including}:1: {included} brings CGAL out of its folder"])
+                    path.unlink()
+
+    def test_a_source_of_the_same_library(self):
+        self.write("checked/cli/sum.cpp", '#include "checked/rca/traits.hpp"')
+        self.assertEqual(public_headers.violations(self.root), [])
 
 
 class Compiled(TreeTest):

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "reference/definitions/tangent_set.hpp"
 #include "tests/reference/definitions/print.hpp"
 #include "tests/reference/definitions/shapes.hpp"
 
@@ -54,8 +55,8 @@ TEST(Convolution, each_segment_is_the_sum_of_the_vertex_and_the_edge_it_names) {
         const std::size_t j = s.origin.vertex.vertex;
         const Point& v = with_vertex[j];
         ASSERT_EQ(s.segment, (Segment{with_edge[i] + v, with_edge[next(i, with_edge.size())] + v}));
-        ASSERT_EQ(s.corner.in, v - with_vertex[previous(j, with_vertex.size())]);
-        ASSERT_EQ(s.corner.out, with_vertex[next(j, with_vertex.size())] - v);
+        ASSERT_EQ(s.vertex_is_reflex, is_reflex({v - with_vertex[previous(j, with_vertex.size())],
+                                                 with_vertex[next(j, with_vertex.size())] - v}));
       }
     }
   }

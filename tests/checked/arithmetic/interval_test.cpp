@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "checked/collision/interval.hpp"
+#include "checked/arithmetic/interval.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "checked/rca/strands.hpp"
+#include "checked/arrangement/strands.hpp"
 
 #include <gtest/gtest.h>
 

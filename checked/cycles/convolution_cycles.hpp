@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "reference/definitions/convolution.hpp"
+
+namespace oplus {
+
+/// A convolution cycle (thesis, Definition 4.1.1): each segment starts where the one before it ends,
+/// the first where the last does. Consecutive segments are consecutive states of Algorithm 2.
+using ConvolutionCycle = std::vector<ConvolutionSegment>;
+
+struct ConvolutionCycles {
+  /// Together, each segment of 𝒞 exactly once (thesis, Lemma 4.1.5).
+  std::vector<ConvolutionCycle> cycles;
+
+  /// States looked at: those of the starting rows and columns, and each one that a cycle passes.
+  /// At most 3 (n + m + K), K the number of segments (thesis, Theorem 4.1.10).
+  std::size_t steps = 0;
+};
+
+/// Finds 𝒞 by tracing its cycles: Algorithm 2 on the fiber grid (thesis, Definition 4.1.7) of each
+/// pair of chains, started from one row and one column. O(n + m + K).
+/// Requires: p and q are valid (validity.hpp).
+ConvolutionCycles convolution_cycles(const Region& p, const Region& q);
+
+/// The segments of all cycles, cycle by cycle: 𝒞.
+std::vector<ConvolutionSegment> full_convolution(ConvolutionCycles cycles);
+
+/// Those whose vertex is not reflex: the reduced convolution (thesis, Definition 2.3.1).
+std::vector<ConvolutionSegment> reduced_convolution(ConvolutionCycles cycles);
+
+}  // namespace oplus
