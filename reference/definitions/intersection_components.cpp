@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/definitions/intersection_components.hpp"
+
+#include <CGAL/Boolean_set_operations_2.h>
+#include <CGAL/Polygon_set_2.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/mpq_class.h>
+
+#include <algorithm>
+
+#include "reference/definitions/mutant.hpp"
+
+namespace oplus {
+
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<Rational>;
+using Set = CGAL::Polygon_set_2<Kernel>;
+
+/// The polygon a chain bounds, counterclockwise, whichever way the chain runs.
+Set::Polygon_2 polygon_of(const Chain& chain) {
+  Set::Polygon_2 result;
+  for (const Point& p : chain) result.push_back({p.x, p.y});
+  if (twice_area(chain) < 0) result.reverse_orientation();
+  return result;
+}
+
+Set set_of(const Region& region) {
+  Set all;
+  for (const Component& component : region.components) {
+    Set one(polygon_of(component.outer));
+    for (const Chain& hole : component.holes) one.difference(polygon_of(hole));
+    all.join(one);
+  }
+  return all;
+}
+
+}  // namespace
+
+ComponentsAndHoles intersection_components(const Region& p, const Region& q, const Point& x) {
+  Set common = set_of(p);
+  common.intersection(set_of(translated(reflected(q), x)));
+  ComponentsAndHoles result{0, 0};
+  const Set::Arrangement_2& arrangement = common.arrangement();
+  for (auto face = arrangement.faces_begin(); face != arrangement.faces_end(); ++face) {
+    if (!face->contained()) continue;
+    ++result.components;
+    if (!OPLUS_MUTANT("holes-of-an-intersection-are-not-seen"))
+      result.holes += face->number_of_inner_ccbs();
+  }
+  return result;
+}
+
+}  // namespace oplus
