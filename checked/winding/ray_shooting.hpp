@@ -18,12 +18,11 @@ class RayShooting {
   ~RayShooting();
 
   /// The winding number of the points directly to the right of the middle of a segment, which may
-  /// be part of segments, cross some, or be none at all.
+  /// be a part of the convolution's segments, cross some, or be none of them.
   int winding_number_right_of(const Segment& edge) const;
 
  private:
   struct Tree;
-  std::vector<Segment> segments_;
   std::unique_ptr<Tree> tree_;
 };
 
