@@ -3,29 +3,56 @@
 
 #include <algorithm>
 
+#include "checked/loops/sum_by_loops.hpp"
 #include "checked/rca/rca.hpp"
+#include "checked/winding/sum_by_winding_numbers.hpp"
 #include "reference/oracle/oracle.hpp"
 
 namespace oplus {
 
 namespace {
 
-Computed by_rca(const Region& p, const Region& q, Boundary boundary, bool with_origins) {
-  RcaResult result = rca(p, q, boundary, with_origins ? WithOrigins::yes : WithOrigins::no);
-  const RcaStatistics& run = result.statistics;
+Computed computed(ComputedSum result) {
+  const RunStatistics& run = result.statistics;
+  const auto seconds = [](Stages::Duration stage) { return std::to_string(stage.count()); };
   return {std::move(result.sum),
           std::move(result.origins),
-          {{"A_RC (arrangement edges)", std::to_string(run.arrangement_edges)},
+          {{"segments in the arrangement", std::to_string(run.segments)},
+           {"arrangement edges", std::to_string(run.arrangement_edges)},
            {"arrangement vertices", std::to_string(run.arrangement_vertices)},
-           {"faces", std::to_string(run.arrangement_faces)},
-           {"candidates", std::to_string(run.candidate_faces)},
-           {"hole tests", std::to_string(run.hole_tests)}}};
+           {"arrangement faces", std::to_string(run.arrangement_faces)},
+           {"hole tests", std::to_string(run.hole_tests)},
+           {"tests of low-dimensional features", std::to_string(run.point_tests)},
+           {"seconds for cycles", seconds(run.stages.cycles)},
+           {"seconds for the arrangement", seconds(run.stages.arrangement)},
+           {"seconds to prepare hole tests", seconds(run.stages.hierarchy)},
+           {"seconds for hole tests", seconds(run.stages.hole_test)},
+           {"seconds for low-dimensional features", seconds(run.stages.degenerate)},
+           {"seconds for the canonical form", seconds(run.stages.output)}}};
 }
 
-Computed by_oracle(const Region& p, const Region& q, Boundary boundary, bool with_origins) {
+Computed by_rca(const Region& p, const Region& q, Boundary boundary, WithOrigins with_origins,
+                HoleTestMethod hole_test) {
+  return computed(rca(p, q, boundary, with_origins, hole_test));
+}
+
+Computed by_loops(const Region& p, const Region& q, Boundary boundary, WithOrigins with_origins,
+                  HoleTestMethod hole_test) {
+  return computed(sum_by_loops(p, q, boundary, with_origins, hole_test));
+}
+
+Computed by_winding_numbers(const Region& p, const Region& q, Boundary boundary,
+                            WithOrigins with_origins, HoleTestMethod hole_test) {
+  return computed(
+      sum_by_winding_numbers(p, q, boundary, with_origins, collision_method(hole_test)));
+}
+
+Computed by_oracle(const Region& p, const Region& q, Boundary boundary, WithOrigins with_origins,
+                   HoleTestMethod /*decides by the definition*/) {
   OracleSums sums = oracle_sums(p, q);
   MinkowskiSum& sum = boundary == Boundary::closed ? sums.closed : sums.open;
-  Origins where_from = with_origins ? origins(sum, reduced_convolution(p, q)) : Origins{};
+  Origins where_from =
+      with_origins == WithOrigins::yes ? origins(sum, reduced_convolution(p, q)) : Origins{};
   return {std::move(sum),
           std::move(where_from),
           {{"decided faces", std::to_string(sums.cells.faces)},
@@ -37,8 +64,10 @@ Computed by_oracle(const Region& p, const Region& q, Boundary boundary, bool wit
 
 const std::vector<Engine>& engines() {
   static const std::vector<Engine> table = {
-      {"rca", "the arrangement of the reduced convolution", by_rca},
-      {"oracle", "the definitions, slowly", by_oracle},
+      {"rca", "faces of the reduced convolution's arrangement", true, by_rca},
+      {"loops", "orientable loops of the same (Behar and Lien)", true, by_loops},
+      {"winding", "winding numbers on the full convolution (Wein)", true, by_winding_numbers},
+      {"oracle", "the definitions, slowly", false, by_oracle},
   };
   return table;
 }

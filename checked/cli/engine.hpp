@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "checked/arrangement/computed_sum.hpp"
 #include "checked/cli/statistics.hpp"
+#include "checked/hole_test/hole_test.hpp"
 #include "reference/definitions/minkowski_sum.hpp"
 
 namespace oplus {
@@ -18,8 +20,10 @@ struct Computed {
 /// A way to compute a sum that the program offers.
 struct Engine {
   std::string name;
-  std::string what;  ///< a line for the help
-  Computed (*compute)(const Region& p, const Region& q, Boundary boundary, bool with_origins);
+  std::string what;    ///< a line for the help
+  bool has_hole_test;  ///< whether the choice of a hole test makes a difference
+  Computed (*compute)(const Region& p, const Region& q, Boundary boundary, WithOrigins with_origins,
+                      HoleTestMethod hole_test);
 };
 
 /// All engines, the default first.

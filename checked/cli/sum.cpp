@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <chrono>
 #include <iostream>
 #include <memory>
@@ -13,6 +14,7 @@
 #include "checked/cli/statistics.hpp"
 #include "checked/cli/subcommands.hpp"
 #include "checked/cli/usage_error.hpp"
+#include "checked/cycles/convolution_cycles.hpp"
 #include "reference/io/picture.hpp"
 
 namespace oplus {
@@ -26,6 +28,7 @@ struct SumOptions {
   std::optional<Format> format;
   bool open = false;
   std::string engine = engines().front().name;
+  std::string hole_test;  ///< empty: the default
   std::optional<int> digits;
   std::optional<std::string> svg;
   std::optional<std::string> origins;
@@ -54,7 +57,32 @@ void print(const Statistics& statistics) {
   for (const auto& [name, value] : statistics) std::cerr << name + ": " + value + "\n";
 }
 
+/// Sizes of the summands and of their convolution.
+Statistics statistics_of(const Region& p, const Region& q) {
+  const ConvolutionCycles cycles = convolution_cycles(p, q);
+  const std::size_t full = full_convolution(cycles).size();
+  return {
+      {"vertices of P", std::to_string(vertex_count(p))},
+      {"vertices of Q", std::to_string(vertex_count(q))},
+      {"segments of the convolution", std::to_string(full)},
+      {"segments of the reduced convolution", std::to_string(reduced_convolution(cycles).size())},
+      {"convolution cycles", std::to_string(cycles.cycles.size())},
+      {"steps to trace them", std::to_string(cycles.steps)}};
+}
+
+HoleTestMethod chosen_hole_test(const SumOptions& options, const Engine& engine) {
+  if (options.hole_test.empty()) return hole_test_methods().front().second;
+  if (!engine.has_hole_test)
+    throw UsageError("--hole-test makes no difference to the engine " + engine.name +
+                     ", which decides every cell by the definition");
+  return std::find_if(hole_test_methods().begin(), hole_test_methods().end(),
+                      [&](const auto& method) { return method.first == options.hole_test; })
+      ->second;
+}
+
 ExitCode sum(const SumOptions& options) {
+  const Engine& engine = *find_engine(options.engine);
+  const HoleTestMethod hole_test = chosen_hole_test(options, engine);
   require_one_standard_input({options.p, options.q});
   require_writable(outputs(options));
   const Format format = output_format(options.format, options.output);
@@ -62,9 +90,9 @@ ExitCode sum(const SumOptions& options) {
   const Region q = read_summand(options.q);
 
   const auto start = std::chrono::steady_clock::now();
-  const Computed computed = find_engine(options.engine)
-                                ->compute(p, q, options.open ? Boundary::open : Boundary::closed,
-                                          options.origins.has_value());
+  const Computed computed =
+      engine.compute(p, q, options.open ? Boundary::open : Boundary::closed,
+                     options.origins ? WithOrigins::yes : WithOrigins::no, hole_test);
   const std::string seconds = seconds_since(start);
 
   if (!can_hold(format, computed.sum))
@@ -82,11 +110,7 @@ ExitCode sum(const SumOptions& options) {
     say("the output is rounded to " + std::to_string(*options.digits) +
         " decimals; without --digits it is exact");
   if (options.stats) {
-    print({{"vertices of P", std::to_string(vertex_count(p))},
-           {"vertices of Q", std::to_string(vertex_count(q))},
-           {"segments of the convolution", std::to_string(convolution(p, q).size())},
-           {"segments of the reduced convolution",
-            std::to_string(reduced_convolution(p, q).size())}});
+    print(statistics_of(p, q));
     print(computed.statistics);
     print(statistics_of(computed.sum));
     print({{"seconds", seconds}});
@@ -99,6 +123,12 @@ std::string engine_help() {
   for (const Engine& engine : engines())
     help += (&engine == &engines().front() ? " " : "; ") + engine.name + ", " + engine.what;
   return help;
+}
+
+std::vector<std::string> hole_test_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, method] : hole_test_methods()) names.push_back(name);
+  return names;
 }
 
 std::vector<std::string> engine_names() {
@@ -123,6 +153,14 @@ void add_sum(CLI::App& program, Action& chosen) {
                    "sum the regions' interiors: keeps dangling edges and isolated vertices");
   command.add_option("--engine", options->engine, engine_help())
       ->check(CLI::IsMember(engine_names()))
+      ->type_name("NAME");
+  command
+      .add_option("--hole-test", options->hole_test,
+                  "how to decide what the filters leave open: bvh (the default), hierarchies of "
+                  "bounding volumes; sweep, a sweep line; naive, all pairs of edges; ray, rays "
+                  "through the full convolution. The sum is the same. The engine winding asks only "
+                  "about low-dimensional features")
+      ->check(CLI::IsMember(hole_test_names()))
       ->type_name("NAME");
   command
       .add_option("--digits", options->digits, "round to N decimals; output is exact without it")

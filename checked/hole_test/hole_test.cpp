@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/hole_test/hole_test.hpp"
 
-#include <utility>
-
 #include "checked/cycles/convolution_cycles.hpp"
 #include "checked/winding/ray_shooting.hpp"
 #include "reference/definitions/contract.hpp"
@@ -46,6 +44,18 @@ class HoleTestByRays : public HoleTest {
   std::unique_ptr<CollisionTest> collision_;
 };
 
+}  // namespace
+
+const std::vector<std::pair<std::string, HoleTestMethod>>& hole_test_methods() {
+  static const std::vector<std::pair<std::string, HoleTestMethod>> methods = {
+      {"bvh", HoleTestMethod::hierarchy},
+      {"sweep", HoleTestMethod::sweep},
+      {"naive", HoleTestMethod::naive},
+      {"ray", HoleTestMethod::ray},
+  };
+  return methods;
+}
+
 CollisionMethod collision_method(HoleTestMethod method) {
   switch (method) {
     case HoleTestMethod::sweep:
@@ -56,8 +66,6 @@ CollisionMethod collision_method(HoleTestMethod method) {
       return CollisionMethod::hierarchy;
   }
 }
-
-}  // namespace
 
 std::unique_ptr<HoleTest> hole_test(HoleTestMethod method, const Region& p, const Region& q) {
   if (method == HoleTestMethod::ray) return std::make_unique<HoleTestByRays>(p, q);

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "checked/collision/collision_test.hpp"
 #include "reference/definitions/segment.hpp"
@@ -29,6 +32,12 @@ class HoleTest {
 /// ray: shoots rays through the full convolution (Section 5.2). Winding numbers are numbers of
 /// faces, so it leaves the second question to the hierarchies.
 enum class HoleTestMethod { hierarchy, sweep, naive, ray };
+
+/// All methods and what the program calls them, the default first.
+const std::vector<std::pair<std::string, HoleTestMethod>>& hole_test_methods();
+
+/// The collision test that a method asks about points.
+CollisionMethod collision_method(HoleTestMethod method);
 
 /// Requires: p and q are valid (validity.hpp).
 std::unique_ptr<HoleTest> hole_test(HoleTestMethod method, const Region& p, const Region& q);

@@ -89,7 +89,7 @@ struct RayShooting::Tree {
     const std::int64_t below = number_below(p.at.y);
     const bool at_a_height =
         below < std::ssize(heights) && heights[static_cast<std::size_t>(below)] == p.at.y;
-    return at_a_height && is_above(p) ? below : below - 1;
+    return at_a_height && is_above(p) && !OPLUS_MUTANT("rays-shift-down") ? below : below - 1;
   }
 
   /// Positive if the point is to the left of a segment's line, negative if to the right.
@@ -101,7 +101,9 @@ struct RayShooting::Tree {
     if (exact != 0) return exact;
     const Vector d = direction_of(s);
     const int by_first = sign(cross(d, p.first));
-    return by_first != 0 ? by_first : sign(cross(d, p.second));
+    if (by_first != 0) return by_first;
+    const int by_second = sign(cross(d, p.second));
+    return OPLUS_MUTANT("rays-start-left-of-their-edge") ? -by_second : by_second;
   }
 
   std::vector<Segment> segments;

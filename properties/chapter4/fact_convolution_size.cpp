@@ -5,6 +5,7 @@
 #include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/definitions/convolution.hpp"
+#include "reference/definitions/tangent_set.hpp"
 
 namespace oplus {
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "reference/definitions/convolution.hpp"
+#include "reference/definitions/tangent_set.hpp"
 
 namespace oplus {
 

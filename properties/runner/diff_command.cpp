@@ -19,6 +19,7 @@ namespace {
 
 struct Settings {
   std::vector<std::string> engines;
+  std::string hole_test = "all";
   std::vector<std::vector<std::string>> pairs;
   std::vector<std::string> folders;
   std::vector<std::string> families;
@@ -39,10 +40,22 @@ std::vector<std::string> names_of(const std::vector<Named>& table) {
   return names;
 }
 
-std::vector<Implementation> chosen_implementations(const std::vector<std::string>& names) {
-  if (names.empty() || std::find(names.begin(), names.end(), "all") != names.end())
-    return implementations();
-  std::vector<Implementation> chosen = implementations();
+std::optional<HoleTestMethod> chosen_hole_test(const std::string& name) {
+  for (const auto& [known, method] : hole_test_methods())
+    if (known == name) return method;
+  return std::nullopt;
+}
+
+std::vector<std::string> hole_test_names() {
+  std::vector<std::string> names = {"all"};
+  for (const auto& [name, method] : hole_test_methods()) names.push_back(name);
+  return names;
+}
+
+std::vector<Implementation> chosen_implementations(const Settings& settings) {
+  const std::vector<std::string>& names = settings.engines;
+  std::vector<Implementation> chosen = implementations(chosen_hole_test(settings.hole_test));
+  if (names.empty() || std::find(names.begin(), names.end(), "all") != names.end()) return chosen;
   std::erase_if(chosen, [&](const Implementation& implementation) {
     return std::find(names.begin(), names.end(), implementation.name) == names.end();
   });
@@ -75,10 +88,11 @@ std::vector<DifferentialCase> chosen_cases(const Settings& settings) {
 
 /// Runs all cases; shrinks, writes and explains the first few disagreements.
 DifferentialReport run(const Settings& settings, const std::vector<DifferentialCase>& cases) {
-  const std::vector<Implementation> checked = chosen_implementations(settings.engines);
+  const std::vector<Implementation> checked = chosen_implementations(settings);
   DifferentialReport report;
   report.seed = settings.seed;
   report.implementations = names_of(checked);
+  if (settings.hole_test != "all") report.hole_test = settings.hole_test;
   std::vector<DifferentialResult> results(cases.size());
   Progress progress("diff", cases.size());
   run_differential(cases, checked, settings.largest, settings.threads,
@@ -136,6 +150,12 @@ void add_diff_command(CLI::App& app, int& exit_code) {
                    "The engine to check; may be repeated; default: all")
       ->type_name("NAME")
       ->check(CLI::IsMember(engine_names));
+  command
+      ->add_option("--hole-test", settings->hole_test,
+                   "The hole test of the engines; all: every probe asks each, and they must agree")
+      ->type_name("NAME")
+      ->check(CLI::IsMember(hole_test_names()))
+      ->capture_default_str();
   command->add_option("--pair", settings->pairs, "A pair of files; may be repeated")
       ->type_name("P Q")
       ->type_size(2);

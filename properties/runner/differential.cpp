@@ -18,9 +18,9 @@ namespace {
 
 std::optional<Disagreement> disagreement(const Summands& summands,
                                          const Implementation& implementation, Boundary boundary,
-                                         const MinkowskiSum& expected) {
+                                         const MinkowskiSum& expected, Probes& probes) {
   try {
-    MinkowskiSum sum = implementation.sum(summands.p, summands.q, boundary);
+    MinkowskiSum sum = implementation.sum(summands.p, summands.q, boundary, probes);
     const std::optional<Difference> found = difference(expected, sum);
     if (!found) return std::nullopt;
     return Disagreement{implementation.name, boundary,    expected,
@@ -68,7 +68,8 @@ DifferentialResult differential(const Summands& summands,
   for (const Implementation& implementation : implementations) {
     for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
       const MinkowskiSum& expected = boundary == Boundary::closed ? sums.closed : sums.open;
-      result.disagreement = disagreement(summands, implementation, boundary, expected);
+      result.disagreement =
+          disagreement(summands, implementation, boundary, expected, result.probes);
       if (!result.disagreement) continue;
       result.kind = DifferentialResult::Kind::disagreed;
       return result;

@@ -37,6 +37,7 @@ struct DifferentialResult {
   Kind kind = Kind::agreed;
   std::string why;  ///< for skipped
   std::optional<Disagreement> disagreement;
+  Probes probes;  ///< of all implementations
 
   bool holes_in_sum = false;
   bool holes_in_summand = false;

@@ -42,7 +42,9 @@ nlohmann::json to_json(const Tally& tally) {
           {"holes_in_summand", tally.holes_in_summand},
           {"low_dimensional_features", tally.low_dimensional_features},
           {"overlapping_segments", tally.overlapping_segments},
-          {"several_components", tally.several_components}};
+          {"several_components", tally.several_components},
+          {"face_probes", tally.probes.faces},
+          {"point_probes", tally.probes.points}};
 }
 
 std::string picture(const ShrunkDisagreement& shrunk) {
@@ -72,11 +74,13 @@ void Tally::add(const DifferentialResult& result) {
   low_dimensional_features += result.low_dimensional_features;
   overlapping_segments += result.overlapping_segments;
   several_components += result.several_components;
+  probes += result.probes;
 }
 
 nlohmann::json to_json(const DifferentialReport& report) {
   nlohmann::json json = {{"seed", report.seed},
                          {"engines", report.implementations},
+                         {"hole_test", report.hole_test.empty() ? "all" : report.hole_test},
                          {"all", to_json(report.all)},
                          {"groups", nlohmann::json::object()},
                          {"skipped", nlohmann::json::array()},
@@ -119,6 +123,13 @@ std::string summary(const DifferentialReport& report) {
   for (const auto& [group, tally] : report.groups) tally_row(group, tally);
   tally_row("all", report.all);
   for (const auto& [name, why] : report.skipped) out << "skipped: " << name << ": " << why << '\n';
+  const Probes& probes = report.all.probes;
+  if (report.hole_test.empty())
+    out << "all hole tests gave the same answer " << probes.faces << " times about a face, "
+        << probes.points << " times about a point\n";
+  else
+    out << "the hole test " << report.hole_test << " was asked " << probes.faces
+        << " times about a face, " << probes.points << " times about a point\n";
   out << report.all.ran << " cases run, each closed and open, " << report.all.skipped
       << " skipped, " << report.all.disagreed << " with a disagreement\n";
   return out.str();

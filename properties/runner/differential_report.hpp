@@ -21,6 +21,7 @@ struct Tally {
   std::size_t low_dimensional_features = 0;
   std::size_t overlapping_segments = 0;
   std::size_t several_components = 0;
+  Probes probes;
 
   void add(const DifferentialResult& result);
 };
@@ -37,6 +38,7 @@ struct ReportedDisagreement {
 struct DifferentialReport {
   std::uint64_t seed = 0;
   std::vector<std::string> implementations;
+  std::string hole_test;  ///< empty: all of them at every probe
   std::map<std::string, Tally> groups;
   Tally all;
   std::vector<std::pair<std::string, std::string>> skipped;  ///< name of the case, why
