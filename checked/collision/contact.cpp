@@ -2,11 +2,22 @@
 #include "checked/collision/contact.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "reference/definitions/contract.hpp"
 
 namespace oplus {
+
+bool is_sector_inside_both(const std::vector<InteriorSides>& rays) {
+  // The sector before the first ray is the one after the last: go around twice.
+  std::array<bool, 2> inside{false, false};
+  for (int turn = 0; turn < 2; ++turn) {
+    for (const InteriorSides& ray : rays) {
+      for (std::size_t of : {0U, 1U}) inside[of] = ray[of].value_or(inside[of]);
+      if (turn == 1 && inside[0] && inside[1]) return true;
+    }
+  }
+  return false;
+}
 
 void add_rays(const Segment& edge, Summand of, const Point& at, std::vector<BoundaryRay>& rays) {
   OPLUS_REQUIRES(lies_on(at, edge), "Section 5.1.1");
@@ -20,18 +31,14 @@ bool interiors_meet_around(std::vector<BoundaryRay> rays) {
   std::sort(rays.begin(), rays.end(), [](const BoundaryRay& a, const BoundaryRay& b) {
     return compare_angle(a.direction.vector, b.direction.vector) < 0;
   });
-  // The sector before the first ray is the one after the last: go around twice.
-  std::array<bool, 2> inside{false, false};
-  for (int turn = 0; turn < 2; ++turn) {
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-      inside[static_cast<std::size_t>(rays[i].direction.of)] = rays[i].interior_is_counterclockwise;
-      const bool sector_follows =
-          i + 1 == rays.size() ||
-          !same_direction(rays[i].direction.vector, rays[i + 1].direction.vector);
-      if (turn == 1 && sector_follows && inside[0] && inside[1]) return true;
-    }
+  std::vector<InteriorSides> in_order;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (i == 0 || !same_direction(rays[i - 1].direction.vector, rays[i].direction.vector))
+      in_order.emplace_back();
+    in_order.back()[static_cast<std::size_t>(rays[i].direction.of)] =
+        rays[i].interior_is_counterclockwise;
   }
-  return false;
+  return is_sector_inside_both(in_order);
 }
 
 }  // namespace oplus

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "reference/definitions/direction.hpp"
+#include "reference/definitions/region.hpp"
+
+namespace oplus {
+
+/// A summand and the pieces of its boundary, which meet at common ends only and have its interior
+/// to their left (boundary_pieces).
+struct SummandBoundary {
+  explicit SummandBoundary(Region of);
+
+  Region region;
+  std::vector<Segment> pieces;
+  std::vector<std::size_t> chain_of;   ///< of each piece
+  std::vector<Point> vertex_of_chain;  ///< one vertex each
+};
+
+/// For each summand, which of its chains have a point in common with the other's boundary.
+using TouchedChains = std::array<std::vector<bool>, 2>;
+
+/// Returns the chains of both summands, none of them touched.
+TouchedChains untouched(const SummandBoundary& p, const SummandBoundary& minus_q);
+
+/// Whether the interiors of P and -Q+x meet, where no crossing and no contact shows that they do.
+/// Then a chain that touches the other boundary runs outside the other interior; one that does not
+/// is inside or outside as a whole.
+bool one_contains_untouched_chain(const SummandBoundary& p, const SummandBoundary& minus_q,
+                                  const Point& x, const TouchedChains& touched);
+
+}  // namespace oplus

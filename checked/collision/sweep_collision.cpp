@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/collision/sweep_collision.hpp"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Surface_sweep_2.h>
+#include <CGAL/Surface_sweep_2/Default_visitor.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <type_traits>
+#include <vector>
+
+#include "checked/arrangement/non_crossing_traits.hpp"
+#include "checked/arrangement/strands.hpp"
+#include "checked/collision/contact.hpp"
+#include "checked/collision/summand_boundary.hpp"
+#include "reference/definitions/mutant.hpp"
+
+namespace oplus {
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using Traits = NonCrossingTraits<Kernel>;
+
+static_assert(std::is_same_v<Kernel::FT::ET, Rational>, "CGAL is compiled with CGAL_USE_GMPXX");
+
+Kernel::Point_2 kernel_point(const Point& p) { return {Kernel::FT(p.x), Kernel::FT(p.y)}; }
+
+/// How the boundary of a summand runs along a strand: whether in its direction, and which chain.
+struct Run {
+  bool along;
+  std::size_t chain;
+};
+
+/// For each summand, how it runs along a strand, if it does.
+using Runs = std::array<std::optional<Run>, 2>;
+
+/// Told by CGAL's sweep what it meets; stops it at the first common interior.
+class Visitor : public CGAL::Surface_sweep_2::Default_visitor<Visitor, Traits> {
+  using Base = CGAL::Surface_sweep_2::Default_visitor<Visitor, Traits>;
+
+ public:
+  using typename Base::Event;
+  using typename Base::Status_line_iterator;
+  using typename Base::Subcurve;
+
+  Visitor(const std::vector<Runs>& runs_along_strand, TouchedChains& touched)
+      : runs_along_strand_(runs_along_strand), touched_(touched) {}
+
+  bool interiors_meet() const { return interiors_meet_; }
+
+  using Base::update_event;
+  /// The interiors of two curves intersect. They are not of one summand, and each has the interior
+  /// of its own on one side, all along.
+  void update_event(Event*, Subcurve*, Subcurve*, bool) { interiors_meet_ = true; }
+
+  bool after_handle_event(Event* event, Status_line_iterator, bool) {
+    interiors_meet_ = interiors_meet_ || meet_at(*event);
+    if (interiors_meet_) stop_sweep();
+    return true;  // the sweep may forget the event
+  }
+
+ private:
+  const Runs& runs(const Subcurve* curve) const {
+    return runs_along_strand_[curve->last_curve().strand()];
+  }
+
+  /// The order in which the sweep keeps the curves of an event is their order around it.
+  bool meet_at(Event& event) {
+    rays_.clear();
+    std::array<bool, 2> has_ray{false, false};
+    const auto add = [&](const Subcurve* curve, bool to_the_right) {
+      InteriorSides& sides = rays_.emplace_back();
+      for (const std::size_t of : {0U, 1U}) {
+        const std::optional<Run>& run = runs(curve)[of];
+        if (!run) continue;
+        sides[of] = run->along == to_the_right;
+        has_ray[of] = true;
+      }
+    };
+    for (auto curve = event.right_curves_begin(); curve != event.right_curves_end(); ++curve)
+      add(*curve, true);
+    for (auto curve = event.left_curves_rbegin(); curve != event.left_curves_rend(); ++curve)
+      add(*curve, false);
+    if (!has_ray[0] || !has_ray[1]) return false;
+    remember_chains(event);
+    return !OPLUS_MUTANT("sweep-ignores-weak-intersections") && is_sector_inside_both(rays_);
+  }
+
+  void remember_chains(Event& event) {
+    const auto remember = [&](const Subcurve* curve) {
+      for (const std::size_t of : {0U, 1U})
+        if (const std::optional<Run>& run = runs(curve)[of]) touched_[of][run->chain] = true;
+    };
+    std::for_each(event.left_curves_begin(), event.left_curves_end(), remember);
+    std::for_each(event.right_curves_begin(), event.right_curves_end(), remember);
+  }
+
+  const std::vector<Runs>& runs_along_strand_;
+  TouchedChains& touched_;
+  std::vector<InteriorSides> rays_;  ///< of one event; kept for its memory
+  bool interiors_meet_ = false;
+};
+
+class SweepCollision : public CollisionTest {
+ public:
+  SweepCollision(const Region& p, const Region& q) : p_(p), minus_q_(reflected(q)) {}
+
+  bool interiors_meet_at(const Point& x) override {
+    runs_along_strand_.clear();
+    curves_.clear();
+    for (const Strand& strand : strands(both_boundaries(x))) {
+      add_curve(strand);
+      if (overlap_shows_common_interior(runs_along_strand_.back())) return true;
+    }
+    TouchedChains touched = untouched(p_, minus_q_);
+    Visitor visitor(runs_along_strand_, touched);
+    CGAL::Surface_sweep_2::Surface_sweep_2<Visitor> sweep(&visitor);
+    sweep.sweep(curves_.begin(), curves_.end());
+    return visitor.interiors_meet() || one_contains_untouched_chain(p_, minus_q_, x, touched);
+  }
+
+ private:
+  /// The pieces of P, then those of -Q+x.
+  std::vector<Segment> both_boundaries(const Point& x) const {
+    std::vector<Segment> pieces = p_.pieces;
+    pieces.reserve(p_.pieces.size() + minus_q_.pieces.size());
+    for (const Segment& piece : minus_q_.pieces)
+      pieces.push_back({piece.source + x, piece.target + x});
+    return pieces;
+  }
+
+  /// A strand of one summand is a part of a translated chain, as far as the traits care: it does
+  /// not cross any other strand of that summand. One of both crosses nothing.
+  void add_curve(const Strand& strand) {
+    Runs runs;
+    for (const std::uint32_t piece : strand.along) add_run(piece, true, runs);
+    for (const std::uint32_t piece : strand.against) add_run(piece, false, runs);
+    const TranslatedChain label = runs[0] && runs[1] ? no_chain : runs[0] ? 1 : 2;
+    curves_.emplace_back(CGAL::Arr_segment_2<Kernel>(kernel_point(strand.segment.source),
+                                                     kernel_point(strand.segment.target)),
+                         label, static_cast<std::uint32_t>(runs_along_strand_.size()));
+    runs_along_strand_.push_back(runs);
+  }
+
+  void add_run(std::size_t piece, bool along, Runs& runs) const {
+    const std::size_t size_of_p = p_.pieces.size();
+    if (piece < size_of_p)
+      runs[0] = {along, p_.chain_of[piece]};
+    else
+      runs[1] = {along, minus_q_.chain_of[piece - size_of_p]};
+  }
+
+  /// Where the summands run in one direction, both interiors are to the left.
+  static bool overlap_shows_common_interior(const Runs& runs) {
+    return runs[0] && runs[1] &&
+           (runs[0]->along == runs[1]->along || OPLUS_MUTANT("sweep-forgets-overlap-direction"));
+  }
+
+  SummandBoundary p_;
+  SummandBoundary minus_q_;
+  // Of one query; kept for their memory.
+  std::vector<Runs> runs_along_strand_;
+  std::vector<Traits::X_monotone_curve_2> curves_;
+};
+
+}  // namespace
+
+std::unique_ptr<CollisionTest> sweep_collision(const Region& p, const Region& q) {
+  return std::make_unique<SweepCollision>(p, q);
+}
+
+}  // namespace oplus
