@@ -16,13 +16,14 @@ struct ConvolutionCycles {
   /// Together, each segment of 𝒞 exactly once (thesis, Lemma 4.1.5).
   std::vector<ConvolutionCycle> cycles;
 
-  /// States looked at: those of the starting rows and columns, and each one that a cycle passes.
-  /// At most 3 (n + m + K), K the number of segments (thesis, Theorem 4.1.10).
+  /// States looked at: those of the starting rows and columns, and each one that a cycle passes
+  /// between its start and its return there. With K segments, less than n + m + K for two chains,
+  /// and less than 2 K for any two regions, unless one is empty (thesis, Theorem 4.1.10).
   std::size_t steps = 0;
 };
 
 /// Finds 𝒞 by tracing its cycles: Algorithm 2 on the fiber grid (thesis, Definition 4.1.7) of each
-/// pair of chains, started from one row and one column. O(n + m + K).
+/// pair of chains, started from one row and one column. O(n + m + K). Same regions, same order.
 /// Requires: p and q are valid (validity.hpp).
 ConvolutionCycles convolution_cycles(const Region& p, const Region& q);
 
@@ -31,5 +32,20 @@ std::vector<ConvolutionSegment> full_convolution(ConvolutionCycles cycles);
 
 /// Those whose vertex is not reflex: the reduced convolution (thesis, Definition 2.3.1).
 std::vector<ConvolutionSegment> reduced_convolution(ConvolutionCycles cycles);
+
+/// The same, in the same order, without the cycles: each segment that is returned is made once, and
+/// no other.
+std::vector<ConvolutionSegment> traced_convolution(const Region& p, const Region& q);
+std::vector<ConvolutionSegment> traced_reduced_convolution(const Region& p, const Region& q);
+
+/// A convolution segment of which no point has been computed.
+struct TracedOrigin {
+  Origin origin;
+  bool vertex_is_reflex;
+};
+
+/// Those of traced_convolution, in its order. Exact points are what takes the time: without them 𝒞
+/// costs a twentieth or less.
+std::vector<TracedOrigin> traced_origins(const Region& p, const Region& q);
 
 }  // namespace oplus

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/cycles/cycle_tracing.hpp"
+
+#include <array>
+#include <utility>
+
+#include "checked/arithmetic/interval.hpp"
+#include "reference/definitions/contract.hpp"
+#include "reference/definitions/tangent_set.hpp"
+
+namespace oplus {
+
+TracedChain::TracedChain(const Chain& chain, Summand of) {
+  const std::size_t size = chain.size();
+  edges_.reserve(size);
+  corners_.reserve(size);
+  for (std::size_t i = 0; i < size; ++i)
+    edges_.emplace_back(Direction{chain[next(i, size)] - chain[i], of});
+  const CGAL::Protect_FPU_rounding<true> rounding;
+  for (std::size_t i = 0; i < size; ++i) {
+    const FilteredDirection& in = edges_[previous(i, size)];
+    const FilteredDirection& out = edges_[i];
+    corners_.push_back(
+        {oplus::is_reflex({in.exact().vector, out.exact().vector}), compare(in, out)});
+  }
+}
+
+bool TracedChain::has_in_tangent_set(std::size_t vertex, const FilteredDirection& d) const {
+  const int turn = corners_[vertex].turn;
+  if (turn == 0) return false;
+  const bool after_in = compare(edges_[previous(vertex, size())], d) < 0;
+  if (after_in != (turn < 0)) return after_in;
+  return compare(d, edges_[vertex]) < 0;
+}
+
+namespace {
+
+struct State {
+  std::size_t i;
+  std::size_t j;
+
+  friend bool operator==(const State&, const State&) = default;
+};
+
+class Tracer {
+ public:
+  Tracer(const TracedChain& p, const TracedChain& q)
+      : p_(p), q_(q), visited_in_row_(p.size()), visited_in_column_(q.size()) {}
+
+  GridCycles run() {
+    for (std::size_t i = 0; i < p_.size(); ++i) start_at({i, 0});
+    for (std::size_t j = 1; j < q_.size(); ++j) start_at({0, j});
+    return std::move(result_);
+  }
+
+ private:
+  /// Whether the sum of the state's vertex of one summand and the edge that leaves the other's is in
+  /// the convolution: inc_p and inc_q of Algorithm 2.
+  bool leaves_along(Summand edge_of, const State& at) const {
+    return edge_of == Summand::P ? q_.has_in_tangent_set(at.j, p_.edge(at.i))
+                                 : p_.has_in_tangent_set(at.i, q_.edge(at.j));
+  }
+
+  void start_at(const State& start) {
+    ++result_.states_looked_at;
+    for (const Summand edge_of : {Summand::P, Summand::Q})
+      if (leaves_along(edge_of, start) && !visited(edge_of, start)) trace(start, edge_of);
+  }
+
+  void trace(const State& start, Summand edge_of) {
+    std::vector<Summand> steps;
+    State at = start;
+    while (true) {
+      mark_visited(edge_of, at);
+      steps.push_back(edge_of);
+      OPLUS_ENSURES(steps.size() <= 2 * p_.size() * q_.size(), "Theorem 4.1.6");
+      std::size_t& index = edge_of == Summand::P ? at.i : at.j;
+      index = next(index, edge_of == Summand::P ? p_.size() : q_.size());
+      if (at == start) break;
+      edge_of = summand_after(edge_of, at);
+    }
+    result_.cycles.push_back({start.i, start.j, std::move(steps)});
+  }
+
+  /// Which edge a cycle takes that came to a state along this summand's. If it cannot go on, it need
+  /// not ask whether it can turn, as little as Algorithm 2 does.
+  Summand summand_after(Summand came_by, const State& at) {
+    ++result_.states_looked_at;
+    if (leaves_along(came_by, at)) return came_by;
+    OPLUS_ENSURES(leaves_along(other(came_by), at), "Lemma 4.1.3");
+    return other(came_by);
+  }
+
+  /// Of a starting state, for its two outgoing segments; of any other, nothing is kept.
+  std::array<bool, 2>* marks(const State& at) {
+    if (at.j == 0) return &visited_in_row_[at.i];
+    return at.i == 0 ? &visited_in_column_[at.j] : nullptr;
+  }
+
+  bool visited(Summand edge_of, const State& at) {
+    return (*marks(at))[static_cast<std::size_t>(edge_of)];
+  }
+
+  void mark_visited(Summand edge_of, const State& at) {
+    if (std::array<bool, 2>* of_state = marks(at)) {
+      bool& mark = (*of_state)[static_cast<std::size_t>(edge_of)];
+      OPLUS_ENSURES(!mark, "Theorem 4.1.6");
+      mark = true;
+    }
+  }
+
+  const TracedChain& p_;
+  const TracedChain& q_;
+  std::vector<std::array<bool, 2>> visited_in_row_;
+  std::vector<std::array<bool, 2>> visited_in_column_;
+  GridCycles result_;
+};
+
+}  // namespace
+
+GridCycles trace_cycles(const TracedChain& p, const TracedChain& q) {
+  const CGAL::Protect_FPU_rounding<true> rounding;
+  return Tracer(p, q).run();
+}
+
+}  // namespace oplus
