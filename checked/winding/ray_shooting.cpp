@@ -73,7 +73,7 @@ struct RayShooting::Tree {
     std::vector<Slabs> intervals;
     for (std::size_t i = 0; i < segments.size(); ++i) {
       const auto [low, high] =
-          std::minmax(number_below(segments[i].source.y), number_below(segments[i].target.y));
+          std::minmax({number_below(segments[i].source.y), number_below(segments[i].target.y)});
       if (low < high) intervals.emplace_back(low, high - 1, i);
       ends.emplace_back(interval(segments[i].source), interval(segments[i].target));
     }
