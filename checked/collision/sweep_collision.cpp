@@ -5,10 +5,13 @@
 #include <CGAL/Surface_sweep_2.h>
 #include <CGAL/Surface_sweep_2/Default_visitor.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "checked/arrangement/non_crossing_traits.hpp"
@@ -27,6 +30,8 @@ using Traits = NonCrossingTraits<Kernel>;
 static_assert(std::is_same_v<Kernel::FT::ET, Rational>, "CGAL is compiled with CGAL_USE_GMPXX");
 
 Kernel::Point_2 kernel_point(const Point& p) { return {Kernel::FT(p.x), Kernel::FT(p.y)}; }
+
+Segment translated(const Segment& s, const Vector& by) { return {s.source + by, s.target + by}; }
 
 /// How the boundary of a summand runs along a strand: whether in its direction, and which chain.
 struct Run {
@@ -104,63 +109,99 @@ class Visitor : public CGAL::Surface_sweep_2::Default_visitor<Visitor, Traits> {
   bool interiors_meet_ = false;
 };
 
+/// The slope of a segment, as a vector to the right or up.
+Vector slope_of(const Segment& s) {
+  return s.source < s.target ? direction_of(s) : -direction_of(s);
+}
+
+struct BySlope {
+  bool operator()(const Vector& a, const Vector& b) const { return sign(cross(a, b)) > 0; }
+};
+
+/// Which of the pieces are parallel to some of the others, so that they may overlap one.
+std::vector<bool> parallel_to_some(const std::vector<Segment>& pieces,
+                                   const std::vector<Segment>& others) {
+  std::set<Vector, BySlope> slopes;
+  for (const Segment& other : others) slopes.insert(slope_of(other));
+  std::vector<bool> parallel;
+  for (const Segment& piece : pieces) parallel.push_back(slopes.contains(slope_of(piece)));
+  return parallel;
+}
+
 class SweepCollision : public CollisionTest {
  public:
-  SweepCollision(const Region& p, const Region& q) : p_(p), minus_q_(reflected(q)) {}
+  SweepCollision(const Region& p, const Region& q)
+      : boundaries_{SummandBoundary(p), SummandBoundary(reflected(q))},
+        may_overlap_{parallel_to_some(boundaries_[0].pieces, boundaries_[1].pieces),
+                     parallel_to_some(boundaries_[1].pieces, boundaries_[0].pieces)} {}
 
   bool interiors_meet_at(const Point& x) override {
-    runs_along_strand_.clear();
-    curves_.clear();
-    for (const Strand& strand : strands(both_boundaries(x))) {
-      add_curve(strand);
-      if (overlap_shows_common_interior(runs_along_strand_.back())) return true;
-    }
-    TouchedChains touched = untouched(p_, minus_q_);
+    find_curves(x);
+    if (some_overlap_shows_common_interior()) return true;
+    TouchedChains touched = untouched(boundaries_[0], boundaries_[1]);
     Visitor visitor(runs_along_strand_, touched);
     CGAL::Surface_sweep_2::Surface_sweep_2<Visitor> sweep(&visitor);
     sweep.sweep(curves_.begin(), curves_.end());
-    return visitor.interiors_meet() || one_contains_untouched_chain(p_, minus_q_, x, touched);
+    return visitor.interiors_meet() ||
+           one_contains_untouched_chain(boundaries_[0], boundaries_[1], x, touched);
   }
 
  private:
-  /// The pieces of P, then those of -Q+x.
-  std::vector<Segment> both_boundaries(const Point& x) const {
-    std::vector<Segment> pieces = p_.pieces;
-    pieces.reserve(p_.pieces.size() + minus_q_.pieces.size());
-    for (const Segment& piece : minus_q_.pieces)
-      pieces.push_back({piece.source + x, piece.target + x});
-    return pieces;
+  /// Finds the strands of both boundaries. Slopes do not depend on x, so only pieces that have a
+  /// parallel one in the other boundary are looked at together.
+  void find_curves(const Point& x) {
+    runs_along_strand_.clear();
+    curves_.clear();
+    std::vector<Segment> parallel;
+    std::vector<std::pair<std::size_t, std::size_t>> whose;  // summand and chain
+    for (const std::size_t of : {0U, 1U}) {
+      const SummandBoundary& boundary = boundaries_[of];
+      for (std::size_t i = 0; i < boundary.pieces.size(); ++i) {
+        const Segment piece = of == 0 ? boundary.pieces[i] : translated(boundary.pieces[i], x);
+        if (may_overlap_[of][i]) {
+          parallel.push_back(piece);
+          whose.emplace_back(of, boundary.chain_of[i]);
+        } else {
+          Runs runs;
+          runs[of] = {piece.source < piece.target, boundary.chain_of[i]};
+          add_curve(piece, runs);
+        }
+      }
+    }
+    for (const Strand& strand : strands(parallel)) {
+      Runs runs;
+      const auto add_runs = [&](const std::vector<std::uint32_t>& pieces, bool along) {
+        for (const std::uint32_t i : pieces) {
+          const auto& [of, chain] = whose[i];
+          runs[of] = {along, chain};
+        }
+      };
+      add_runs(strand.along, true);
+      add_runs(strand.against, false);
+      add_curve(strand.segment, runs);
+    }
   }
 
   /// A strand of one summand is a part of a translated chain, as far as the traits care: it does
   /// not cross any other strand of that summand. One of both crosses nothing.
-  void add_curve(const Strand& strand) {
-    Runs runs;
-    for (const std::uint32_t piece : strand.along) add_run(piece, true, runs);
-    for (const std::uint32_t piece : strand.against) add_run(piece, false, runs);
+  void add_curve(const Segment& strand, const Runs& runs) {
     const TranslatedChain label = runs[0] && runs[1] ? no_chain : runs[0] ? 1 : 2;
-    curves_.emplace_back(CGAL::Arr_segment_2<Kernel>(kernel_point(strand.segment.source),
-                                                     kernel_point(strand.segment.target)),
-                         label, static_cast<std::uint32_t>(runs_along_strand_.size()));
+    curves_.emplace_back(
+        CGAL::Arr_segment_2<Kernel>(kernel_point(strand.source), kernel_point(strand.target)),
+        label, static_cast<std::uint32_t>(runs_along_strand_.size()));
     runs_along_strand_.push_back(runs);
   }
 
-  void add_run(std::size_t piece, bool along, Runs& runs) const {
-    const std::size_t size_of_p = p_.pieces.size();
-    if (piece < size_of_p)
-      runs[0] = {along, p_.chain_of[piece]};
-    else
-      runs[1] = {along, minus_q_.chain_of[piece - size_of_p]};
-  }
-
   /// Where the summands run in one direction, both interiors are to the left.
-  static bool overlap_shows_common_interior(const Runs& runs) {
-    return runs[0] && runs[1] &&
-           (runs[0]->along == runs[1]->along || OPLUS_MUTANT("sweep-forgets-overlap-direction"));
+  bool some_overlap_shows_common_interior() const {
+    return std::any_of(runs_along_strand_.begin(), runs_along_strand_.end(), [](const Runs& runs) {
+      return runs[0] && runs[1] &&
+             (runs[0]->along == runs[1]->along || OPLUS_MUTANT("sweep-forgets-overlap-direction"));
+    });
   }
 
-  SummandBoundary p_;
-  SummandBoundary minus_q_;
+  std::array<SummandBoundary, 2> boundaries_;  ///< of P and of -Q
+  std::array<std::vector<bool>, 2> may_overlap_;
   // Of one query; kept for their memory.
   std::vector<Runs> runs_along_strand_;
   std::vector<Traits::X_monotone_curve_2> curves_;
