@@ -6,7 +6,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/mpq_class.h>
 
-#include <algorithm>
+#include <vector>
 
 #include "reference/definitions/mutant.hpp"
 
@@ -25,14 +25,13 @@ Set::Polygon_2 polygon_of(const Chain& chain) {
   return result;
 }
 
+/// A region is the symmetric difference of what its chains bound: they may touch, never cross.
 Set set_of(const Region& region) {
-  Set all;
-  for (const Component& component : region.components) {
-    Set one(polygon_of(component.outer));
-    for (const Chain& hole : component.holes) one.difference(polygon_of(hole));
-    all.join(one);
-  }
-  return all;
+  std::vector<Set::Polygon_2> bounded;
+  for (const Chain& chain : chains(region)) bounded.push_back(polygon_of(chain));
+  Set result;
+  result.symmetric_difference(bounded.begin(), bounded.end());
+  return result;
 }
 
 }  // namespace

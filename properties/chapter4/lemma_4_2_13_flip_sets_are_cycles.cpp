@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <map>
+
+#include "properties/runner/mixture.hpp"
+#include "properties/runner/registry.hpp"
+#include "reference/definitions/original_convolution.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+/// Fails where a point is entered more or less often than it is left.
+void expect_cycles(const std::vector<ConvolutionSegment>& convolution, Outcome& outcome) {
+  std::map<Point, int> surplus;
+  for (const ConvolutionSegment& s : convolution) {
+    ++surplus[s.segment.source];
+    --surplus[s.segment.target];
+  }
+  outcome.counts["segments"] += convolution.size();
+  outcome.counts["points"] += surplus.size();
+  for (const auto& [point, leaving_less_entering] : surplus) {
+    if (leaving_less_entering == 0) continue;
+    outcome.kind = Outcome::Kind::fails;
+    outcome.why = to_string(point) + " is left " + std::to_string(leaving_less_entering) +
+                  " times more often than it is entered";
+    return;
+  }
+}
+
+Outcome check(const Summands& summands) {
+  const auto& [p, q] = summands;
+  Outcome outcome;
+  for (const ReflexVertex& vertex : reflex_vertices(p, q)) {
+    ++outcome.counts["reflex vertices"];
+    expect_cycles(replaced_at(vertex, p, q), outcome);
+    if (outcome.kind == Outcome::Kind::fails) return outcome;
+  }
+  expect_cycles(original_convolution(p, q), outcome);
+  return outcome;
+}
+
+const Registered registered({
+    .id = "lemma-4.2.13",
+    .kind = "lemma",
+    .title = "With flip sets the convolution still consists of cycles",
+    .statement =
+        "Take the convolution and at a reflex vertex, instead of its segments, the vertex's other "
+        "segments of the vertex-edge sum, reversed: every point is still entered as often as it is "
+        "left, so the winding number of every point off the segments is well defined. So it is "
+        "after the replacement at one reflex vertex and after that at all, 𝒞′. Printed for two "
+        "simple polygons.",
+    .why =
+        "Of each edge of Q the replacement at a vertex p of P takes out p + e, or puts in its "
+        "reverse: either way it subtracts p + e. So it subtracts p plus the boundary of Q, which "
+        "consists of cycles.",
+    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
+                   "one tie rule for both kinds of segments"},
+    .rests_on = {"lemma-4.1.4"},
+    .sources = larger_mixture(),
+    .promises = promises_of_mixture(),
+    .kills = {"flip-set-keeps-its-direction", "tangent-set-without-ties",
+              "tie-rule-depends-on-who-asks"},
+    .cases = 1500,
+    .file = __FILE__,
+    .check = check,
+});
+
+}  // namespace
+
+}  // namespace oplus

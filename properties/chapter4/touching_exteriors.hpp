@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "reference/definitions/region.hpp"
+
+namespace oplus {
+
+/// A point in which chains of a region touch.
+struct TouchingExteriors {
+  Point at;
+  int exteriors;  ///< at least 1
+};
+
+/// Returns the points in which chains of a valid region touch, and into how many parts each divides
+/// the exterior around it, a chain separating its two sides: where a hole touches its outer chain
+/// two, where two components touch one.
+std::vector<TouchingExteriors> touching_exteriors(const Region& region);
+
+}  // namespace oplus
