@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "properties/runner/compared_hole_tests.hpp"
 
+#include <utility>
+
 #include "reference/io/writing.hpp"
 
 namespace oplus {
@@ -22,12 +24,19 @@ bool common_answer(const std::vector<std::unique_ptr<HoleTest>>& tests, const st
   return answers.at(0);
 }
 
+std::vector<std::unique_ptr<HoleTest>> all_hole_tests(const Region& p, const Region& q) {
+  std::vector<std::unique_ptr<HoleTest>> tests;
+  for (const auto& [name, method] : hole_test_methods()) tests.push_back(hole_test(method, p, q));
+  return tests;
+}
+
 }  // namespace
 
 ComparedHoleTests::ComparedHoleTests(const Region& p, const Region& q, Probes& probes)
-    : probes_(probes) {
-  for (const auto& [name, method] : hole_test_methods()) tests_.push_back(hole_test(method, p, q));
-}
+    : ComparedHoleTests(all_hole_tests(p, q), probes) {}
+
+ComparedHoleTests::ComparedHoleTests(std::vector<std::unique_ptr<HoleTest>> tests, Probes& probes)
+    : tests_(std::move(tests)), probes_(probes) {}
 
 bool ComparedHoleTests::is_hole_right_of(const Segment& edge) {
   ++probes_.faces;

@@ -34,6 +34,9 @@ class ComparedHoleTests : public HoleTest {
  public:
   ComparedHoleTests(const Region& p, const Region& q, Probes& probes);
 
+  /// The given ones, in the order of hole_test_methods().
+  ComparedHoleTests(std::vector<std::unique_ptr<HoleTest>> tests, Probes& probes);
+
   /// Throw HoleTestsDiffer, which says where and who says what.
   bool is_hole_right_of(const Segment& edge) override;
   bool interiors_meet_at(const Point& x) override;

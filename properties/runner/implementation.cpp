@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <utility>
 
 #include "checked/loops/sum_by_loops.hpp"
 #include "checked/rca/rca.hpp"
@@ -59,6 +60,14 @@ std::vector<Implementation> table(std::optional<HoleTestMethod> method) {
 }
 
 }  // namespace
+
+Implementation without_probes(
+    std::string name,
+    std::function<MinkowskiSum(const Region& p, const Region& q, Boundary boundary)> sum) {
+  return {std::move(name),
+          [sum = std::move(sum)](const Region& p, const Region& q, Boundary boundary,
+                                 Probes& /*none*/) { return sum(p, q, boundary); }};
+}
 
 const std::vector<Implementation>& implementations(std::optional<HoleTestMethod> hole_test) {
   static const std::map<std::optional<HoleTestMethod>, std::vector<Implementation>> tables = [] {

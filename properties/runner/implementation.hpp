@@ -20,6 +20,11 @@ struct Implementation {
       sum;
 };
 
+/// One that asks no hole test.
+Implementation without_probes(
+    std::string name,
+    std::function<MinkowskiSum(const Region& p, const Region& q, Boundary boundary)> sum);
+
 /// The engines of oplus, the default first, with a hole test; without one, each asks all hole tests
 /// at every probe (compared_hole_tests.hpp), and so runs as with each of them.
 const std::vector<Implementation>& implementations(

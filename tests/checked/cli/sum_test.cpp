@@ -98,12 +98,18 @@ TEST_F(Sum, every_engine_finds_the_same) {
       const std::string command = "oplus sum frame.wkt " + other + open;
       const Ran ran = run(command + " --origins rca.json");
       EXPECT_EQ(ran.exit_code, 0) << ran.err;
-      EXPECT_EQ(run(command + " --engine rca").out, ran.out) << command;
-      EXPECT_EQ(run(command + " --engine oracle --origins oracle.json").out, ran.out) << command;
-      EXPECT_EQ(content("rca.json"), content("oracle.json")) << command;
+      for (const std::string engine : {"rca", "loops", "winding", "oracle"}) {
+        EXPECT_EQ(run(command + " --origins o.json --engine " + engine).out, ran.out) << command;
+        EXPECT_EQ(content("rca.json"), content("o.json")) << command << engine;
+      }
+      for (const std::string hole_test : {"bvh", "sweep", "naive", "ray"})
+        EXPECT_EQ(run(command + " --hole-test " + hole_test).out, ran.out) << command << hole_test;
     }
   }
   expect_refusal("oplus sum square.wkt square.wkt --engine none", "--engine");
+  expect_refusal("oplus sum square.wkt square.wkt --hole-test none", "--hole-test");
+  expect_refusal("oplus sum square.wkt square.wkt --engine oracle --hole-test ray",
+                 "no difference to the engine oracle");
 }
 
 TEST_F(Sum, origins_are_sums_along_the_edge) {
@@ -134,9 +140,10 @@ TEST_F(Sum, stats_are_lines_of_name_and_value) {
   EXPECT_EQ(ran.exit_code, 0);
   for (const std::string line :
        {"vertices of P: 8\n", "vertices of Q: 4\n", "segments of the convolution: 24\n",
-        "segments of the reduced convolution: 12\n", "A_RC (arrangement edges): ", "faces: ",
-        "candidates: ", "hole tests: ", "outer chains: 1\n", "holes: 0\n", "dangling edges: 0\n",
-        "isolated vertices: 1\n", "area: 36\n", "seconds: "})
+        "segments of the reduced convolution: 12\n", "convolution cycles: ",
+        "steps to trace them: ", "arrangement edges: ", "arrangement faces: ", "hole tests: ",
+        "tests of low-dimensional features: ", "seconds for cycles: ", "outer chains: 1\n",
+        "holes: 0\n", "dangling edges: 0\n", "isolated vertices: 1\n", "area: 36\n", "seconds: "})
     EXPECT_NE(("\n" + ran.err).find("\n" + line), std::string::npos) << line << ran.err;
 }
 
@@ -149,8 +156,7 @@ TEST_F(Sum, stats_show_the_published_arrangement_sizes) {
     const std::string pair = data + "/" + name;
     const Ran ran =
         run("oplus sum '" + pair + "_part1.dat' '" + pair + "_part2.dat' --stats -o s.wkt");
-    EXPECT_NE(ran.err.find("A_RC (arrangement edges): " + std::string(edges) + "\n"),
-              std::string::npos)
+    EXPECT_NE(ran.err.find("arrangement edges: " + std::string(edges) + "\n"), std::string::npos)
         << ran.err;
   }
 }
@@ -169,7 +175,7 @@ TEST_F(Sum, svg_is_a_picture_of_everything) {
 
 TEST_F(Sum, empty_summand) {
   put("empty.wkt", "POLYGON EMPTY");
-  for (const std::string engine : {"rca", "oracle"}) {
+  for (const std::string engine : {"rca", "loops", "winding", "oracle"}) {
     const Ran ran =
         run("oplus sum empty.wkt square.wkt --open --svg s.svg --origins o.json --stats --engine " +
             engine);

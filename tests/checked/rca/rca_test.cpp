@@ -8,7 +8,6 @@
 #include "properties/generators/fork.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/io/reading.hpp"
-#include "reference/oracle/oracle.hpp"
 #include "tests/corpus/corpus.hpp"
 #include "tests/reference/definitions/print.hpp"
 #include "tests/reference/definitions/shapes.hpp"
@@ -27,56 +26,6 @@ Region published(const std::string& name) {
 
 ComputedSum of_published(const std::string& p, const std::string& q, Boundary boundary) {
   return rca(published(p), published(q), boundary);
-}
-
-TEST(Rca, is_the_oracle_on_pairs_of_shapes) {
-  std::size_t with_features = 0;
-  std::size_t with_holes = 0;
-  const std::vector<Shape> all = shapes();
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    // A third of all pairs, each shape with five others; sanitizers make the oracle slow.
-    for (std::size_t j = i % 3; j < all.size(); j += 3) {
-      const Shape& p = all[i];
-      const Shape& q = all[j];
-      const OracleSums expected = oracle_sums(p.region, q.region);
-      ASSERT_EQ(rca(p.region, q.region, Boundary::closed).sum, expected.closed)
-          << p.name << " + " << q.name << ", closed";
-      ASSERT_EQ(rca(p.region, q.region, Boundary::open).sum, expected.open)
-          << p.name << " + " << q.name << ", open";
-      if (expected.open != expected.closed) ++with_features;
-      if (!expected.closed.holes.empty()) ++with_holes;
-    }
-  }
-  EXPECT_GT(with_features, 10u);
-  EXPECT_GT(with_holes, 5u);
-}
-
-TEST(Rca, with_the_empty_region_is_empty) {
-  const Region square = polygon(box(0, 0, 1, 1));
-  for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
-    EXPECT_EQ(rca(Region{}, square, boundary).sum, MinkowskiSum{});
-    EXPECT_EQ(rca(square, Region{}, boundary, WithOrigins::yes).sum, MinkowskiSum{});
-  }
-}
-
-TEST(Rca, origins_from_the_arrangement_are_those_of_the_definition) {
-  std::size_t several = 0;
-  std::size_t dangling = 0;
-  for (const Row& row : corpus()) {
-    for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
-      const ComputedSum result = rca(row.p, row.q, boundary, WithOrigins::yes);
-      ASSERT_EQ(result.origins.size(), edges(result.sum).size()) << row.name;
-      ASSERT_TRUE(result.origins == origins(result.sum, reduced_convolution(row.p, row.q)))
-          << row.name;
-      for (const auto& of_edge : result.origins) {
-        EXPECT_FALSE(of_edge.empty()) << row.name;
-        if (of_edge.size() > 1) ++several;
-      }
-      dangling += result.sum.dangling_edges.size();
-    }
-  }
-  EXPECT_GT(several, 20u) << "no edge of several collinear pieces was seen";
-  EXPECT_GT(dangling, 2u) << "no dangling edge was seen";
 }
 
 TEST(Rca, origins_are_empty_unless_asked_for) {

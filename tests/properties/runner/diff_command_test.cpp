@@ -31,7 +31,21 @@ TEST_F(DiffCommand, compares_pairs_and_says_what_ran_and_where_the_report_is) {
   const auto report = nlohmann::json::parse(content("oplus-findings/diff.json"));
   EXPECT_EQ(report.at("all").at("ran"), 2);
   EXPECT_EQ(report.at("all").at("holes_in_sum"), 1);
-  EXPECT_EQ(report.at("engines"), nlohmann::json({"rca"}));
+  EXPECT_EQ(report.at("engines"), nlohmann::json({"rca", "loops", "winding"}));
+  EXPECT_EQ(report.at("hole_test"), "all");
+}
+
+TEST_F(DiffCommand, says_what_hole_tests_were_asked) {
+  const std::string pair = "--pair frame.dat square.dat";
+  const Ran all = diff(pair);
+  // One hole; closed and open; rca and loops.
+  EXPECT_NE(all.out.find("all hole tests gave the same answer 4 times about a face, "),
+            std::string::npos)
+      << all.out;
+  const Ran ray = diff(pair + " --engine loops --hole-test ray");
+  EXPECT_NE(ray.out.find("the hole test ray was asked 2 times about a face, "), std::string::npos)
+      << ray.out;
+  EXPECT_EQ(diff(pair + " --hole-test none").exit_code, 2);
 }
 
 TEST_F(DiffCommand, compares_families_the_same_for_the_same_seed) {

@@ -44,8 +44,9 @@ MinkowskiSum throwing(const Region&, const Region&, Boundary) {
   throw std::runtime_error("no such luck");
 }
 
-std::vector<Implementation> only(const std::string& name, decltype(Implementation::sum) sum) {
-  return {{name, std::move(sum)}};
+template <typename Sum>
+std::vector<Implementation> only(const std::string& name, Sum sum) {
+  return {without_probes(name, sum)};
 }
 
 TEST(Differential, agrees_with_what_is_right_and_says_what_it_saw) {
@@ -95,7 +96,8 @@ TEST(Differential, skips_what_is_too_large_and_says_so) {
 }
 
 TEST(Differential, finds_a_second_implementation_wrong_after_a_right_one) {
-  const std::vector<Implementation> two = {{"right", oracle_sum}, {"careless", without_holes}};
+  const std::vector<Implementation> two = {without_probes("right", oracle_sum),
+                                           without_probes("careless", without_holes)};
   const DifferentialResult result = differential(frame_and_square, two, any_size);
   ASSERT_EQ(result.kind, DifferentialResult::Kind::disagreed);
   EXPECT_EQ(result.disagreement->implementation, "careless");

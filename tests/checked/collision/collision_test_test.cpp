@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "checked/collision/hierarchy_collision.hpp"
+#include "checked/collision/collision_test.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
+#include <string>
 
 #include "reference/definitions/collision.hpp"
 #include "reference/definitions/convolution.hpp"
@@ -13,6 +15,30 @@
 
 namespace oplus {
 namespace {
+
+class Collision : public testing::TestWithParam<CollisionMethod> {
+ protected:
+  static std::unique_ptr<CollisionTest> collision(const Region& p, const Region& q) {
+    return collision_test(GetParam(), p, q);
+  }
+};
+
+std::string name_of(const testing::TestParamInfo<CollisionMethod>& method) {
+  switch (method.param) {
+    case CollisionMethod::hierarchy:
+      return "hierarchy";
+    case CollisionMethod::sweep:
+      return "sweep";
+    case CollisionMethod::naive:
+      return "naive";
+  }
+  return "";
+}
+
+INSTANTIATE_TEST_SUITE_P(By, Collision,
+                         testing::Values(CollisionMethod::hierarchy, CollisionMethod::sweep,
+                                         CollisionMethod::naive),
+                         name_of);
 
 /// The largest coordinate of one of the `shapes()`.
 int side(const Region& region) {
@@ -40,21 +66,21 @@ std::vector<Shape> slanted_shapes() {
   };
 }
 
-TEST(HierarchyCollision, holds_where_the_summands_share_a_cell) {
+TEST_P(Collision, holds_where_the_summands_share_a_cell) {
   std::size_t meeting = 0;
   std::size_t apart = 0;
   for (const Shape& p : shapes()) {
     const std::set<Cell> in_p = cells_of(p.region);
     for (const Shape& q : shapes()) {
       const std::set<Cell> in_minus_q = cells_of(reflected(q.region));
-      const auto collision = hierarchy_collision(p.region, q.region);
+      const auto test = collision(p.region, q.region);
       const int end = side(p.region) + side(q.region) + 1;
       // All half-integers for small shapes, integers for large ones.
       const int step = end <= 7 ? 1 : 2;
       for (int i = -2; i <= 2 * end; i += step) {
         for (int j = -2; j <= 2 * end; j += step) {
           const bool expected = share_a_cell(in_p, in_minus_q, i, j);
-          ASSERT_EQ(collision->interiors_meet_at({Rational(i) / 2, Rational(j) / 2}), expected)
+          ASSERT_EQ(test->interiors_meet_at({Rational(i) / 2, Rational(j) / 2}), expected)
               << p.name << " + " << q.name << " at " << i << "/2 " << j << "/2";
           ++(expected ? meeting : apart);
         }
@@ -65,14 +91,14 @@ TEST(HierarchyCollision, holds_where_the_summands_share_a_cell) {
   EXPECT_GT(apart, 5000u);
 }
 
-TEST(HierarchyCollision, is_the_definition_on_every_vertex_edge_sum) {
+TEST_P(Collision, is_the_definition_on_every_vertex_edge_sum) {
   for (const Shape& p : slanted_shapes()) {
     for (const Shape& q : slanted_shapes()) {
-      const auto collision = hierarchy_collision(p.region, q.region);
+      const auto test = collision(p.region, q.region);
       for (const Segment& s : segments(vertex_edge_sum(p.region, q.region))) {
         for (const Rational& t : {Rational(0), Rational(1, 2), Rational(1, 3)}) {
           const Point x = s.source + t * direction_of(s);
-          ASSERT_EQ(collision->interiors_meet_at(x),
+          ASSERT_EQ(test->interiors_meet_at(x),
                     interiors_meet(p.region, translated(reflected(q.region), x)))
               << p.name << " + " << q.name << " at " << testing::PrintToString(x);
         }
@@ -81,14 +107,14 @@ TEST(HierarchyCollision, is_the_definition_on_every_vertex_edge_sum) {
   }
 }
 
-TEST(HierarchyCollision, is_the_definition_at_a_third_of_vertex_edge_sums) {
+TEST_P(Collision, is_the_definition_at_a_third_of_vertex_edge_sums) {
   for (const Shape& p : shapes()) {
     for (const Shape& q : shapes()) {
-      const auto collision = hierarchy_collision(p.region, q.region);
+      const auto test = collision(p.region, q.region);
       const std::vector<Segment> sums = segments(vertex_edge_sum(p.region, q.region));
       for (std::size_t i = 0; i < sums.size(); i += 11) {
         const Point x = sums[i].source + Rational(1, 3) * direction_of(sums[i]);
-        ASSERT_EQ(collision->interiors_meet_at(x),
+        ASSERT_EQ(test->interiors_meet_at(x),
                   interiors_meet(p.region, translated(reflected(q.region), x)))
             << p.name << " + " << q.name << " at " << testing::PrintToString(x);
       }
@@ -96,24 +122,24 @@ TEST(HierarchyCollision, is_the_definition_at_a_third_of_vertex_edge_sums) {
   }
 }
 
-TEST(HierarchyCollision, does_not_depend_on_what_was_asked_before) {
+TEST_P(Collision, does_not_depend_on_what_was_asked_before) {
   const Region square = polygon(box(0, 0, 2, 2));
-  const auto collision = hierarchy_collision(square, square);
+  const auto test = collision(square, square);
   for (int turn = 0; turn < 2; ++turn) {
-    EXPECT_TRUE(collision->interiors_meet_at({2, 2})) << "equal";
-    EXPECT_FALSE(collision->interiors_meet_at({4, 2})) << "side by side";
-    EXPECT_TRUE(collision->interiors_meet_at({3, 3})) << "crossing";
-    EXPECT_FALSE(collision->interiors_meet_at({9, 9})) << "apart";
+    EXPECT_TRUE(test->interiors_meet_at({2, 2})) << "equal";
+    EXPECT_FALSE(test->interiors_meet_at({4, 2})) << "side by side";
+    EXPECT_TRUE(test->interiors_meet_at({3, 3})) << "crossing";
+    EXPECT_FALSE(test->interiors_meet_at({9, 9})) << "apart";
   }
 }
 
-TEST(HierarchyCollision, with_the_empty_region_never_holds) {
+TEST_P(Collision, with_the_empty_region_never_holds) {
   const Region square = polygon(box(-1, -1, 1, 1));
-  EXPECT_FALSE(hierarchy_collision(Region{}, square)->interiors_meet_at({0, 0}));
-  EXPECT_FALSE(hierarchy_collision(square, Region{})->interiors_meet_at({0, 0}));
+  EXPECT_FALSE(collision(Region{}, square)->interiors_meet_at({0, 0}));
+  EXPECT_FALSE(collision(square, Region{})->interiors_meet_at({0, 0}));
 }
 
-TEST(HierarchyCollision, is_right_where_coordinates_are_no_doubles) {
+TEST_P(Collision, is_right_where_coordinates_are_no_doubles) {
   const Rational huge("1" + std::string(400, '0'));
   const std::vector<Shape> all = shapes();
   for (const Rational& factor : {huge, Rational(1 / huge)}) {
@@ -121,9 +147,8 @@ TEST(HierarchyCollision, is_right_where_coordinates_are_no_doubles) {
       const Region& p = all[k].region;
       const Region& q = all[(k + 5) % all.size()].region;
       const Vector away = factor * Vector{-3, 4};
-      const auto plain = hierarchy_collision(p, q);
-      const auto other =
-          hierarchy_collision(translated(scaled(p, factor), away), scaled(q, factor));
+      const auto plain = collision(p, q);
+      const auto other = collision(translated(scaled(p, factor), away), scaled(q, factor));
       for (int i = 0; i <= 8; ++i) {
         for (int j = 0; j <= 8; ++j) {
           ASSERT_EQ(other->interiors_meet_at(factor * Point{i, j} + away),
@@ -135,13 +160,13 @@ TEST(HierarchyCollision, is_right_where_coordinates_are_no_doubles) {
   }
 }
 
-TEST(HierarchyCollision, sees_less_than_a_double_can_hold) {
+TEST_P(Collision, sees_less_than_a_double_can_hold) {
   const Rational tiny = 1 / Rational("1" + std::string(400, '0'));
   const Region square = polygon(box(0, 0, 1, 1));
-  const auto collision = hierarchy_collision(square, square);
-  EXPECT_TRUE(collision->interiors_meet_at({2 - tiny, 1}));
-  EXPECT_FALSE(collision->interiors_meet_at({2 + tiny, 1}));
-  EXPECT_TRUE(collision->interiors_meet_at({1 + tiny, 1 - tiny}));
+  const auto test = collision(square, square);
+  EXPECT_TRUE(test->interiors_meet_at({2 - tiny, 1}));
+  EXPECT_FALSE(test->interiors_meet_at({2 + tiny, 1}));
+  EXPECT_TRUE(test->interiors_meet_at({1 + tiny, 1 - tiny}));
 }
 
 }  // namespace
