@@ -5,6 +5,7 @@
 
 #include "checked/arithmetic/interval.hpp"
 #include "reference/definitions/contract.hpp"
+#include "reference/definitions/mutant.hpp"
 
 namespace oplus {
 
@@ -37,6 +38,7 @@ std::optional<int> FilteredDirection::filtered_compare_slope(const FilteredDirec
 int FilteredDirection::compare_equal(Summand a, Summand b) {
   static const int p_and_q = compare(Direction{{1, 0}, Summand::P}, Direction{{1, 0}, Summand::Q});
   if (a == b) return 0;
+  if (OPLUS_MUTANT("filtered-ties-the-other-way")) return a == Summand::P ? -p_and_q : p_and_q;
   return a == Summand::P ? p_and_q : -p_and_q;
 }
 

@@ -53,6 +53,7 @@ class Tracing {
 
   const std::vector<Pair>& pairs() const { return pairs_; }
 
+  /// Calls `action` on the segments of a cycle in turn.
   template <typename Action>
   void for_each_step(const Pair& pair, const GridCycle& cycle, Action action) const {
     std::size_t i = cycle.i;

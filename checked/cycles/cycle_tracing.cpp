@@ -6,6 +6,7 @@
 
 #include "checked/arithmetic/interval.hpp"
 #include "reference/definitions/contract.hpp"
+#include "reference/definitions/mutant.hpp"
 #include "reference/definitions/tangent_set.hpp"
 
 namespace oplus {
@@ -20,8 +21,11 @@ TracedChain::TracedChain(const Chain& chain, Summand of) {
   for (std::size_t i = 0; i < size; ++i) {
     const FilteredDirection& in = edges_[previous(i, size)];
     const FilteredDirection& out = edges_[i];
-    corners_.push_back(
-        {oplus::is_reflex({in.exact().vector, out.exact().vector}), compare(in, out)});
+    const int turn = compare(in, out);
+    const bool is_reflex = OPLUS_MUTANT("reflex-where-angles-decrease")
+                               ? turn > 0
+                               : oplus::is_reflex({in.exact().vector, out.exact().vector});
+    corners_.push_back({is_reflex, turn});
   }
 }
 
@@ -49,7 +53,10 @@ class Tracer {
 
   GridCycles run() {
     for (std::size_t i = 0; i < p_.size(); ++i) start_at({i, 0});
+    if (OPLUS_MUTANT("no-start-in-the-first-column")) return std::move(result_);
     for (std::size_t j = 1; j < q_.size(); ++j) start_at({0, j});
+    for (std::size_t i = 1; OPLUS_MUTANT("every-state-is-a-start") && i < p_.size(); ++i)
+      for (std::size_t j = 1; j < q_.size(); ++j) start_at({i, j});
     return std::move(result_);
   }
 
@@ -76,7 +83,7 @@ class Tracer {
       OPLUS_ENSURES(steps.size() <= 2 * p_.size() * q_.size(), "Theorem 4.1.6");
       std::size_t& index = edge_of == Summand::P ? at.i : at.j;
       index = next(index, edge_of == Summand::P ? p_.size() : q_.size());
-      if (at == start) break;
+      if (at == start || (OPLUS_MUTANT("cycle-ends-in-its-column") && at.i == start.i)) break;
       edge_of = summand_after(edge_of, at);
     }
     result_.cycles.push_back({start.i, start.j, std::move(steps)});
@@ -86,6 +93,7 @@ class Tracer {
   /// not ask whether it can turn, as little as Algorithm 2 does.
   Summand summand_after(Summand came_by, const State& at) {
     ++result_.states_looked_at;
+    if (OPLUS_MUTANT("edge-of-p-though-visited")) came_by = Summand::P;
     if (leaves_along(came_by, at)) return came_by;
     OPLUS_ENSURES(leaves_along(other(came_by), at), "Lemma 4.1.3");
     return other(came_by);
@@ -97,8 +105,9 @@ class Tracer {
     return at.i == 0 ? &visited_in_column_[at.j] : nullptr;
   }
 
-  bool visited(Summand edge_of, const State& at) {
-    return (*marks(at))[static_cast<std::size_t>(edge_of)];
+  bool visited(Summand edge_of, const State& start) {
+    const std::array<bool, 2>* of_state = marks(start);
+    return of_state == nullptr || (*of_state)[static_cast<std::size_t>(edge_of)];
   }
 
   void mark_visited(Summand edge_of, const State& at) {
