@@ -33,7 +33,7 @@ std::vector<Summands> with_covered_holes(const Summands& summands) {
 
 std::vector<Source> pairs_with_holes() {
   return {{"grid", 8, 4},       {"tight", 3, 6},  {"holes", 4, 2},
-          {"components", 2, 2}, {"simple", 7, 1}, {"star", 7, 1}};
+          {"components", 3, 2}, {"simple", 7, 1}, {"star", 7, 1}};
 }
 
 IntersectionCounter::IntersectionCounter(const Summands& summands)

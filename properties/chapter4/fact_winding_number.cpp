@@ -73,7 +73,7 @@ const Registered registered({
     .promises = promises_of_mixture(),
     .kills = {"holes-of-an-intersection-are-not-seen", "reflex-turns-clockwise",
               "acute-vertex-is-reflex", "tangent-set-without-ties"},
-    .cases = 80,
+    .cases = 150,
     .file = __FILE__,
     .check = check,
 });

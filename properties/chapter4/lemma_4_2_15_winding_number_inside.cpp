@@ -60,7 +60,7 @@ const Registered registered({
     .rests_on = {"lemma-4.2.13"},
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
-    .kills = {"flip-set-keeps-its-direction", "tangent-set-without-ties"},
+    .kills = {"flip-set-keeps-its-direction", "ray-counts-both-ends"},
     .cases = 500,
     .file = __FILE__,
     .check = check,

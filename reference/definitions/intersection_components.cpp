@@ -6,8 +6,10 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/mpq_class.h>
 
+#include <algorithm>
 #include <vector>
 
+#include "reference/definitions/contract.hpp"
 #include "reference/definitions/mutant.hpp"
 
 namespace oplus {
@@ -16,6 +18,14 @@ namespace {
 
 using Kernel = CGAL::Simple_cartesian<Rational>;
 using Set = CGAL::Polygon_set_2<Kernel>;
+
+[[maybe_unused]] bool some_vertex_touches(const Region& a, const Region& b) {
+  const std::vector<Segment> of_a = edges(a), of_b = edges(b);
+  return std::any_of(of_a.begin(), of_a.end(), [&](const Segment& at_vertex) {
+    return std::any_of(of_b.begin(), of_b.end(),
+                       [&](const Segment& e) { return lies_on(at_vertex.source, e); });
+  });
+}
 
 /// The polygon a chain bounds, counterclockwise, whichever way the chain runs.
 Set::Polygon_2 polygon_of(const Chain& chain) {
@@ -37,8 +47,11 @@ Set set_of(const Region& region) {
 }  // namespace
 
 ComponentsAndHoles intersection_components(const Region& p, const Region& q, const Point& x) {
+  const Region moved_q = translated(reflected(q), x);
+  OPLUS_REQUIRES(!some_vertex_touches(p, moved_q) && !some_vertex_touches(moved_q, p),
+                 "general position, Section 4.2.2");
   Set common = set_of(p);
-  common.intersection(set_of(translated(reflected(q), x)));
+  common.intersection(set_of(moved_q));
   ComponentsAndHoles result{0, 0};
   const Set::Arrangement_2& arrangement = common.arrangement();
   for (auto face = arrangement.faces_begin(); face != arrangement.faces_end(); ++face) {
