@@ -76,11 +76,12 @@ std::vector<LoopVerdict> judge(const ConvolutionArrangement& arrangement,
       is_judged[i] = true;
       const bool seen_from_the_right = sides[i].right == region;
       // The sum is to the left of its boundary.
-      const bool is_nested = seen_from_the_right != is_in_sum;
+      const bool is_nested =
+          seen_from_the_right != is_in_sum &&
+          !(OPLUS_MUTANT("islands-are-not-nested") && seen_from_the_right && region != outside);
       const bool is_boundary = is_nested && (region == outside || is_hole_right_of(loops[i][0]));
       if (is_nested) verdicts[i] = is_boundary ? LoopVerdict::boundary : LoopVerdict::not_boundary;
-      const bool encloses_siblings = !is_boundary && !OPLUS_MUTANT("fallen-loops-have-an-inside");
-      if (!seen_from_the_right) to_visit.push({sides[i].right, is_in_sum && encloses_siblings});
+      if (!seen_from_the_right) to_visit.push({sides[i].right, is_in_sum && !is_boundary});
       for (const Face left : sides[i].left) {
         if (left != region) to_visit.push({left, is_in_sum || is_boundary});
       }

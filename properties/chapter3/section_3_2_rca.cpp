@@ -38,6 +38,7 @@ const Registered registered({
                 {"tight", 6, 3},
                 {"holes", 5, 2},
                 {"components", 5, 2},
+                {"islands", 2, 2},
                 {"fork", 3, 1},
                 {"diamond-u", 1, 1},
                 {"simple", 8, 1}},

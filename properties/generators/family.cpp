@@ -17,6 +17,8 @@ const std::vector<Family>& families() {
        holes_pair, 3, 6},
       {"components", "a region of several components, and any other; chains of 3 to n vertices",
        components_pair, 3, 5},
+      {"islands", "up to n islands in each other's moats, and a small convex polygon that may fit",
+       islands_pair, 1, 3},
       {"convex", "two convex polygons of n vertices on circles", convex_pair, 3, 8},
       {"star", "two star-shaped polygons of n vertices", star_pair, 3, 8},
       {"simple", "two simple polygons of n vertices, from Delaunay triangulations", simple_pair, 3,

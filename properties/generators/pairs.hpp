@@ -16,5 +16,6 @@ Summands tight_pair(Random& random, std::size_t n);
 Summands diamond_and_u_pair(Random& random, std::size_t n);
 Summands holes_pair(Random& random, std::size_t n);
 Summands components_pair(Random& random, std::size_t n);
+Summands islands_pair(Random& random, std::size_t n);
 
 }  // namespace oplus

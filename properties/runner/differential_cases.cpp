@@ -22,8 +22,9 @@ Region read(const std::filesystem::path& file) { return read_region_file(file.st
 }  // namespace
 
 std::size_t main_job_cases(const std::string& family) {
-  static const std::map<std::string, std::size_t> counts = {
-      {"grid", 4000}, {"holes", 600}, {"tight", 600}, {"components", 300}, {"fork", 6}};
+  static const std::map<std::string, std::size_t> counts = {{"grid", 4000},   {"holes", 600},
+                                                            {"tight", 600},   {"components", 300},
+                                                            {"islands", 300}, {"fork", 6}};
   const auto count = counts.find(family);
   return count == counts.end() ? 60 : count->second;
 }

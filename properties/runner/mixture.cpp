@@ -9,8 +9,9 @@ std::vector<Source> small_mixture() {
 }
 
 std::vector<Source> larger_mixture() {
-  return {{"grid", 8, 6}, {"tight", 3, 2},   {"holes", 6, 3}, {"components", 5, 2}, {"comb", 4, 1},
-          {"fork", 3, 1}, {"convex", 16, 1}, {"star", 16, 1}, {"simple", 16, 1}};
+  return {{"grid", 8, 6},    {"tight", 3, 2},  {"holes", 6, 3}, {"components", 5, 2},
+          {"islands", 2, 2}, {"comb", 4, 1},   {"fork", 3, 1},  {"convex", 16, 1},
+          {"star", 16, 1},   {"simple", 16, 1}};
 }
 
 std::vector<Promise> promises_of_mixture() {

@@ -69,7 +69,7 @@ TEST(Family, has_the_families_of_the_design) {
   std::set<std::string> names;
   for (const Family& family : families()) names.insert(family.name);
   EXPECT_EQ(names, (std::set<std::string>{"grid", "tight", "holes", "components", "convex", "star",
-                                          "simple", "comb", "fork", "diamond-u"}));
+                                          "simple", "comb", "fork", "diamond-u", "islands"}));
   EXPECT_EQ(names.size(), families().size());
 }
 
@@ -140,6 +140,7 @@ TEST(Family, same_seed_same_polygons_on_every_compiler) {
                                                          {"fork", "f43118ec6e4ca0c1"},
                                                          {"grid", "fcb7656619c0b5b3"},
                                                          {"holes", "fd155b03caf92893"},
+                                                         {"islands", "25b221315d82bed5"},
                                                          {"simple", "ff4e4d4db550144c"},
                                                          {"star", "f5563cf689f420cd"},
                                                          {"tight", "ff3e5d9fb397aca5"}}));
