@@ -29,7 +29,7 @@ class HoleTestByCollision : public HoleTest {
 class HoleTestByRays : public HoleTest {
  public:
   HoleTestByRays(const Region& p, const Region& q)
-      : rays_(segments(full_convolution(convolution_cycles(p, q)))),
+      : rays_(segments(traced_convolution(p, q))),
         collision_(collision_test(CollisionMethod::hierarchy, p, q)) {}
 
   bool is_hole_right_of(const Segment& edge) override {

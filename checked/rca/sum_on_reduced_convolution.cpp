@@ -20,7 +20,7 @@ ComputedSum sum_on_reduced_convolution(const Region& p, const Region& q, Boundar
   };
   return sum_on_arrangement(
       p, q, boundary, with_origins,
-      {[&] { return reduced_convolution(convolution_cycles(p, q)); }, boundary_by_hole_tests,
+      {[&] { return traced_reduced_convolution(p, q); }, boundary_by_hole_tests,
        [&](const Point& x) { return hole_test.interiors_meet_at(x); }});
 }
 

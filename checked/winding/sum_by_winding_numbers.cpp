@@ -30,9 +30,9 @@ std::vector<Halfedge> boundary_of_positive_faces(const ConvolutionArrangement& a
 
 ComputedSum sum_with(const Region& p, const Region& q, Boundary boundary, WithOrigins with_origins,
                      const std::function<bool(const Point&)>& interiors_meet_at) {
-  return sum_on_arrangement(p, q, boundary, with_origins,
-                            {[&] { return full_convolution(convolution_cycles(p, q)); },
-                             boundary_of_positive_faces, interiors_meet_at});
+  return sum_on_arrangement(
+      p, q, boundary, with_origins,
+      {[&] { return traced_convolution(p, q); }, boundary_of_positive_faces, interiors_meet_at});
 }
 
 }  // namespace
