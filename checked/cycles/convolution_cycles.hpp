@@ -45,7 +45,7 @@ struct TracedOrigin {
 };
 
 /// Those of traced_convolution, in its order. Exact points are what takes the time: without them 𝒞
-/// costs a twentieth or less.
+/// costs about a tenth.
 std::vector<TracedOrigin> traced_origins(const Region& p, const Region& q);
 
 }  // namespace oplus
