@@ -5,6 +5,7 @@
 #include <CGAL/Arrangement_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
+#include <algorithm>
 #include <boost/container_hash/hash.hpp>
 #include <tuple>
 #include <type_traits>
@@ -27,12 +28,46 @@ static_assert(std::is_same_v<Kernel::FT::ET, Rational>, "CGAL is compiled with C
 
 Kernel::FT number(const Rational& value) { return value; }
 Rational number(const Kernel::FT& value) { return CGAL::exact(value); }
-Kernel::Point_2 kernel_point(const Point& p) { return {number(p.x), number(p.y)}; }
+
+/// CGAL 5.5 intersects lines in intervals, and where those overflow it finds no intersection
+/// (docs/findings.md). So coordinates are divided by a power of two that makes none larger than
+/// one, if there are such as could come near: products of three must be doubles.
+class Scale {
+ public:
+  explicit Scale(const std::vector<ConvolutionSegment>& segments) {
+    std::size_t bits = 0;
+    for (const ConvolutionSegment& s : segments) {
+      for (const Point& p : {s.segment.source, s.segment.target})
+        bits = std::max({bits, bits_of(p.x), bits_of(p.y)});
+    }
+    if (bits > 256) shift_ = bits;
+  }
+
+  Kernel::Point_2 scaled(const Point& p) const {
+    if (shift_ == 0) return {number(p.x), number(p.y)};
+    return {number(Rational(p.x >> shift_)), number(Rational(p.y >> shift_))};
+  }
+  Point original(const Kernel::Point_2& p) const {
+    if (shift_ == 0) return {number(p.x()), number(p.y())};
+    return {Rational(number(p.x()) << shift_), Rational(number(p.y()) << shift_)};
+  }
+
+ private:
+  /// 2 to this power is larger than the value.
+  static std::size_t bits_of(const Rational& value) {
+    const std::size_t numerator = mpz_sizeinbase(value.get_num_mpz_t(), 2);
+    const std::size_t denominator = mpz_sizeinbase(value.get_den_mpz_t(), 2);
+    return numerator + 1 > denominator ? numerator + 1 - denominator : 0;
+  }
+
+  std::size_t shift_ = 0;
+};
 
 /// A curve a strand. A segment's edge belongs to a chain, translated by the segment's vertex; a
 /// strand of several segments belongs to no chain.
 std::vector<Traits::X_monotone_curve_2> curves(const std::vector<Strand>& strands,
-                                               const std::vector<ConvolutionSegment>& segments) {
+                                               const std::vector<ConvolutionSegment>& segments,
+                                               const Scale& scale) {
   using Name = std::tuple<bool, std::size_t, std::size_t, std::size_t>;
   std::unordered_map<Name, TranslatedChain, boost::hash<Name>> names;
   const auto chain_of = [&](const Strand& strand) {
@@ -47,7 +82,7 @@ std::vector<Traits::X_monotone_curve_2> curves(const std::vector<Strand>& strand
   result.reserve(strands.size());
   for (std::uint32_t i = 0; i < strands.size(); ++i) {
     const auto& [source, target] = strands[i].segment;
-    result.emplace_back(CGAL::Arr_segment_2<Kernel>(kernel_point(source), kernel_point(target)),
+    result.emplace_back(CGAL::Arr_segment_2<Kernel>(scale.scaled(source), scale.scaled(target)),
                         chain_of(strands[i]), i);
   }
   return result;
@@ -75,16 +110,18 @@ void number_cells(Arrangement& arrangement) {
 }  // namespace
 
 struct ConvolutionArrangement::Points {
+  Scale scale;
   std::vector<Kernel::Point_2> of_vertex;
 };
 
 ConvolutionArrangement::ConvolutionArrangement(std::vector<ConvolutionSegment> segments)
     : segments_(std::move(segments)),
       strands_(strands(oplus::segments(segments_))),
-      points_(std::make_unique<Points>()) {
+      points_(std::make_unique<Points>(Points{Scale(segments_), {}})) {
   Arrangement arrangement;
   {
-    const std::vector<Traits::X_monotone_curve_2> labelled = curves(strands_, segments_);
+    const std::vector<Traits::X_monotone_curve_2> labelled =
+        curves(strands_, segments_, points_->scale);
     CGAL::insert(arrangement, labelled.begin(), labelled.end());
   }
   number_cells(arrangement);
@@ -113,8 +150,7 @@ ConvolutionArrangement::ConvolutionArrangement(ConvolutionArrangement&&) noexcep
 ConvolutionArrangement::~ConvolutionArrangement() = default;
 
 Point ConvolutionArrangement::point(Vertex v) const {
-  const Kernel::Point_2& at = points_->of_vertex[v];
-  return {number(at.x()), number(at.y())};
+  return points_->scale.original(points_->of_vertex[v]);
 }
 
 }  // namespace oplus

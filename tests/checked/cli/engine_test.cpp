@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "checked/rca/rca.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/oracle/oracle.hpp"
 #include "tests/corpus/corpus.hpp"
@@ -79,6 +80,57 @@ TEST(Engines, find_the_origins_of_the_definition) {
   }
   EXPECT_GT(several, 60u) << "no edge of several collinear pieces was seen";
   EXPECT_GT(dangling, 6u) << "no dangling edge was seen";
+}
+
+Point scaled(const Point& p, const Rational& x, const Rational& y) { return {x * p.x, y * p.y}; }
+
+Chain scaled(Chain chain, const Rational& x, const Rational& y) {
+  for (Point& p : chain) p = scaled(p, x, y);
+  return chain;
+}
+
+Region scaled(Region region, const Rational& x, const Rational& y) {
+  for (Component& component : region.components) {
+    component.outer = scaled(component.outer, x, y);
+    for (Chain& hole : component.holes) hole = scaled(hole, x, y);
+  }
+  return region;
+}
+
+MinkowskiSum scaled(MinkowskiSum sum, const Rational& x, const Rational& y) {
+  for (Chain& chain : sum.outer) chain = scaled(chain, x, y);
+  for (Chain& chain : sum.holes) chain = scaled(chain, x, y);
+  for (Segment& e : sum.dangling_edges) e = {scaled(e.source, x, y), scaled(e.target, x, y)};
+  for (Point& p : sum.isolated_vertices) p = scaled(p, x, y);
+  return sum;
+}
+
+/// A shape without horizontal and vertical edges: its intersections need divisions.
+Region star() {
+  return polygon({{0, 0}, {7, 2}, {9, -3}, {8, 4}, {13, 9}, {6, 5}, {1, 8}, {3, 4}});
+}
+
+TEST(Engines, scale_with_their_summands_beyond_what_doubles_can_hold) {
+  const Rational huge("1" + std::string(400, '0'));
+  const Rational tiny = 1 / huge;
+  std::vector<std::pair<Region, Region>> pairs = {{star(), star()}};
+  for (const Row& row : corpus()) pairs.emplace_back(row.p, row.q);
+  for (const auto& [p, q] : pairs) {
+    const MinkowskiSum sum = rca(p, q, Boundary::open).sum;
+    for (const auto& [x, y] : {std::pair{huge, huge}, {tiny, tiny}, {huge, tiny}, {tiny, huge}}) {
+      const MinkowskiSum expected = scaled(sum, x, y);
+      const Region large_p = scaled(p, x, y);
+      const Region large_q = scaled(q, x, y);
+      for (const Engine& engine : checked_engines()) {
+        for (const auto& [name, method] : hole_test_methods()) {
+          EXPECT_TRUE(
+              engine.compute(large_p, large_q, Boundary::open, WithOrigins::no, method).sum ==
+              expected)
+              << engine.name << ", " << name;
+        }
+      }
+    }
+  }
 }
 
 TEST(Engines, are_found_by_their_names) {
