@@ -111,6 +111,10 @@ TEST(IntersectionComponents, do_not_add_up_over_pairs_of_chains) {
   const Region frame{{{outer, {backwards(hole)}}}};
   for (const Region& p : {polygon(outer), polygon(hole), frame})
     EXPECT_EQ(with_box(p, 3, Rational(5, 2), 5, Rational(7, 2)), one);
+  // Across the whole hole: 1, 1 and 2.
+  for (const Region& p : {polygon(outer), polygon(hole)})
+    EXPECT_EQ(with_box(p, 1, Rational(5, 2), 5, Rational(7, 2)), one);
+  EXPECT_EQ(with_box(frame, 1, Rational(5, 2), 5, Rational(7, 2)), two);
 }
 
 TEST(IntersectionComponents, with_the_empty_region_is_empty) {

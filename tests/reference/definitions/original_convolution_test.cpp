@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "reference/definitions/intersection_components.hpp"
 #include "reference/definitions/winding_number.hpp"
 #include "tests/reference/definitions/print.hpp"
 #include "tests/reference/definitions/shapes.hpp"
@@ -109,6 +110,21 @@ TEST(OriginalConvolution, does_not_count_a_component_with_a_hole) {
   EXPECT_EQ(winding_number(covering, segments(convolution(frame, polygon(box(0, 0, 3, 3))))), 4)
       << "the hole's four vertices";
   EXPECT_EQ(winding_of_original({Rational(3, 2), Rational(3, 2)}, frame, square), 1);
+}
+
+TEST(OriginalConvolution, does_not_count_components_of_regions_as_printed) {
+  // docs/findings.md, Section 4.2.4.
+  const Region pierced{{{{{-2, -1}, {1, 0}, {0, 2}}, {{{0, 0}, {-1, 0}, {0, 1}}}}}};
+  const Region triangle = polygon({{2, 0}, {0, 0}, {0, -2}});
+  const Point covering{Rational(3, 5), Rational(-3, 10)};
+  EXPECT_EQ(intersection_components(pierced, triangle, covering), (ComponentsAndHoles{1, 1}));
+  EXPECT_EQ(winding_of_original(covering, pierced, triangle), 0);
+
+  const Region touching{{{{{-2, 0}, {0, -1}, {1, 1}}, {{{-1, 0}, {0, 0}, {0, -1}}}}}};
+  const Region small = polygon({{-1, 0}, {0, 0}, {0, 1}});
+  const Point around{Rational(-13, 28), Rational(-25, 28)};
+  EXPECT_EQ(intersection_components(small, touching, around), (ComponentsAndHoles{2, 0}));
+  EXPECT_EQ(winding_of_original(around, small, touching), 1);
 }
 
 TEST(OriginalConvolution, of_the_empty_region_is_empty) {
