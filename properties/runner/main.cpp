@@ -4,6 +4,7 @@
 #include <iostream>
 #include <system_error>
 
+#include "properties/experiments/experiments_command.hpp"
 #include "properties/runner/diff_command.hpp"
 #include "properties/runner/mutants_command.hpp"
 #include "properties/runner/properties_command.hpp"
@@ -28,6 +29,7 @@ int run(int argc, char** argv) {
   oplus::add_properties_command(app, exit_code);
   oplus::add_theorems_command(app, exit_code);
   oplus::add_mutants_command(app, exit_code);
+  oplus::add_experiments_command(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
