@@ -18,6 +18,7 @@
 #include "checked/arrangement/strands.hpp"
 #include "checked/collision/contact.hpp"
 #include "checked/collision/summand_boundary.hpp"
+#include "reference/definitions/contract.hpp"
 #include "reference/definitions/mutant.hpp"
 
 namespace oplus {
@@ -25,11 +26,37 @@ namespace oplus {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-using Traits = NonCrossingTraits<Kernel>;
 
 static_assert(std::is_same_v<Kernel::FT::ET, Rational>, "CGAL is compiled with CGAL_USE_GMPXX");
 
 Kernel::Point_2 kernel_point(const Point& p) { return {Kernel::FT(p.x), Kernel::FT(p.y)}; }
+
+Point exact_point(const Kernel::Point_2& p) { return {CGAL::exact(p.x()), CGAL::exact(p.y())}; }
+
+/// Where curves of different summands meet, computed by us: CGAL 5.5.1 intersects lines in intervals
+/// and reads the point even where those overflow and there is none. Few curves meet, since the
+/// first proper crossing ends the sweep.
+class Traits : public NonCrossingTraits<Kernel> {
+  using Base = NonCrossingTraits<Kernel>;
+
+ public:
+  class Intersect_2 {
+   public:
+    template <typename OutputIterator>
+    OutputIterator operator()(const X_monotone_curve_2& a, const X_monotone_curve_2& b,
+                              OutputIterator out) const {
+      if (a.chain() == b.chain() && a.chain() != no_chain) return out;
+      if (!CGAL::do_intersect(Kernel::Segment_2(a), Kernel::Segment_2(b))) return out;
+      const Segment s{exact_point(a.source()), exact_point(a.target())};
+      const Segment t{exact_point(b.source()), exact_point(b.target())};
+      const std::vector<Point> common = intersection(s, t);
+      OPLUS_ENSURES(common.size() == 1, "strands do not overlap");
+      *out++ = std::pair<Point_2, Multiplicity>(kernel_point(common.front()), 1);
+      return out;
+    }
+  };
+  Intersect_2 intersect_2_object() const { return {}; }
+};
 
 Segment translated(const Segment& s, const Vector& by) { return {s.source + by, s.target + by}; }
 
