@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <optional>
 
 #include "tests/reference/definitions/print.hpp"
 
@@ -33,6 +34,27 @@ TEST(Contact, edge_that_ends_there_has_one_ray) {
   EXPECT_TRUE(rays[0].interior_is_counterclockwise);
   EXPECT_TRUE(same_direction(rays[1].direction.vector, {0, 1}));
   EXPECT_FALSE(rays[1].interior_is_counterclockwise);
+}
+
+constexpr std::optional<bool> none;
+
+TEST(Contact, sector_between_rays_in_order_is_inside_both) {
+  EXPECT_TRUE(is_sector_inside_both({{true, none}, {none, true}, {false, none}, {none, false}}));
+  EXPECT_FALSE(is_sector_inside_both({{true, none}, {false, none}, {none, true}, {none, false}}));
+  EXPECT_TRUE(is_sector_inside_both({{none, false}, {false, none}, {true, none}, {none, true}}))
+      << "only the sector after the last ray";
+}
+
+TEST(Contact, sector_beside_a_ray_of_both_summands_is_inside_both_iff_directions_are_equal) {
+  EXPECT_TRUE(is_sector_inside_both({{true, true}, {false, none}, {none, false}}));
+  EXPECT_FALSE(is_sector_inside_both({{true, false}, {false, none}, {none, true}}));
+  EXPECT_TRUE(is_sector_inside_both({{true, true}, {false, false}})) << "equal sectors";
+  EXPECT_FALSE(is_sector_inside_both({{true, false}, {false, true}})) << "the plane filled";
+}
+
+TEST(Contact, no_sector_is_inside_a_summand_without_rays) {
+  EXPECT_FALSE(is_sector_inside_both({}));
+  EXPECT_FALSE(is_sector_inside_both({{true, none}, {false, none}}));
 }
 
 /// Eight directions around a point cut its neighbourhood into eight sectors, sector i before
