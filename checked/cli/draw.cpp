@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <memory>
+#include <optional>
 
 #include "checked/cli/input.hpp"
 #include "checked/cli/output.hpp"
 #include "checked/cli/subcommands.hpp"
+#include "checked/cli/usage_error.hpp"
+#include "checked/cli/view.hpp"
+#include "reference/io/number.hpp"
 #include "reference/io/picture.hpp"
+#include "reference/io/quoting.hpp"
 
 namespace oplus {
 
@@ -12,27 +18,98 @@ namespace {
 
 struct DrawOptions {
   std::vector<std::string> files;
+  std::optional<std::string> view;
+  std::optional<std::string> at;
   std::string output;
 };
 
+std::string view_names() {
+  std::string names;
+  for (const View& view : views()) names += (names.empty() ? "" : ", ") + view.name;
+  return names;
+}
+
+Rational coordinate_at(const std::string& text, const std::string& number) {
+  NumberFault fault;
+  const std::optional<Rational> value = parse_number(number, fault);
+  if (!value)
+    throw UsageError("--at takes X,Y, such as 1/3,2.5, not " + quote(text) + ": " + fault.wrong +
+                     "; expected " + fault.expected);
+  return *value;
+}
+
+Point placement_at(const std::string& text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos)
+    throw UsageError("--at takes X,Y, such as 1/3,2.5, not " + quote(text));
+  return {coordinate_at(text, text.substr(0, comma)), coordinate_at(text, text.substr(comma + 1))};
+}
+
+/// The view that is asked for, and where; what does not fit together is said before files are read.
+struct ChosenView {
+  const View& view;
+  Point x;
+};
+
+std::optional<ChosenView> chosen_view(const DrawOptions& options) {
+  if (!options.view) {
+    if (options.at) throw UsageError("--at goes with --view placement");
+    return std::nullopt;
+  }
+  const View* view = find_view(*options.view);
+  if (view == nullptr)
+    throw UsageError("there is no view " + quote(*options.view) + "; there are " + view_names());
+  if (options.files.size() != 2)
+    throw UsageError("--view takes two files, P and Q, not " +
+                     std::to_string(options.files.size()));
+  if (view->has_a_placement != options.at.has_value())
+    throw UsageError("--view " + view->name +
+                     (options.at ? " takes no --at" : " needs --at X,Y, such as 1/3,2.5"));
+  return ChosenView{*view, options.at ? placement_at(*options.at) : Point{}};
+}
+
+std::string side_by_side(const std::vector<std::string>& files) {
+  std::vector<Panel> panels;
+  for (const std::string& file : files)
+    panels.push_back({file == "-" ? "standard input" : file, layers_of(read_given_sum(file))});
+  return svg(panels);
+}
+
 ExitCode draw(const DrawOptions& options) {
+  const std::optional<ChosenView> chosen = chosen_view(options);
   require_one_standard_input(options.files);
   require_writable({options.output});
-  std::vector<Panel> panels;
-  for (const std::string& file : options.files)
-    panels.push_back({file == "-" ? "standard input" : file, layers_of(read_given_sum(file))});
-  write_output(options.output, svg(panels));
+  if (!chosen) {
+    write_output(options.output, side_by_side(options.files));
+    return ExitCode::done;
+  }
+  const Region p = read_summand(options.files[0]);
+  const Region q = read_summand(options.files[1]);
+  write_output(options.output, chosen->view.draw(p, q, chosen->x));
   return ExitCode::done;
+}
+
+std::string view_help() {
+  std::string help = "draw what an algorithm sees of two regions P and Q:";
+  for (const View& view : views())
+    help += (&view == &views().front() ? " " : "; ") + view.name + ", " + view.what;
+  return help;
 }
 
 }  // namespace
 
 void add_draw(CLI::App& program, Action& chosen) {
   const auto options = std::make_shared<DrawOptions>();
-  CLI::App& command = *program.add_subcommand("draw", "Draw regions and sums side by side");
+  CLI::App& command = *program.add_subcommand(
+      "draw", "Draw regions and sums side by side, or what an algorithm sees of two regions");
   command.add_option("FILE", options->files, "regions or sums; - is standard input")
       ->required()
       ->type_name("FILE");
+  command.add_option("--view", options->view, view_help())->type_name("NAME");
+  command
+      .add_option("--at", options->at,
+                  "where --view placement puts -Q: integers, decimals or fractions p/q")
+      ->type_name("X,Y");
   command.add_option("-o,--output", options->output, "the picture, SVG; - is standard output")
       ->required()
       ->type_name("FILE.svg");
@@ -40,7 +117,9 @@ void add_draw(CLI::App& program, Action& chosen) {
       "Example:\n"
       "  oplus gen holes --n 8 --summand P -o p.wkt\n"
       "  oplus gen holes --n 8 --summand Q -o q.wkt\n"
-      "  oplus draw p.wkt q.wkt -o both.svg");
+      "  oplus draw p.wkt q.wkt -o both.svg\n"
+      "  oplus draw p.wkt q.wkt --view winding -o winding.svg\n"
+      "  oplus draw p.wkt q.wkt --view placement --at 1/3,-2.5 -o placement.svg");
   command.callback([options, &chosen] { chosen = [options] { return draw(*options); }; });
 }
 

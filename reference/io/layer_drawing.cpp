@@ -114,7 +114,7 @@ std::string drawn_point(const Pixel& p, Kind kind, const Style& s) {
 std::string drawn_note(const Layer::Note& note, const Frame& frame, const Style& s) {
   constexpr double smallest = 6.5;
   constexpr double largest = 12;
-  constexpr double distance_to_lines = 1.5;
+  constexpr double distance_to_lines = 2.5;
   constexpr double height = 0.73;  // of a digit, at size 1
   const double diagonal = std::hypot(text_width(note.text, 1), height);
   const double size =

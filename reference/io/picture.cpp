@@ -82,14 +82,6 @@ Drawing drawn(const Legend& legend, double top, double page_width) {
   return {content + "</g>\n", x == margin && y == top ? 0 : y + row - top};
 }
 
-/// About five digits; GMP's floats have room for every exponent.
-std::string approximate(const Rational& value) {
-  const mpf_class rounded(value);
-  std::array<char, 64> digits{};
-  gmp_snprintf(digits.data(), digits.size(), "%.5Fg", rounded.get_mpf_t());
-  return digits.data();
-}
-
 std::string caption(const Panel& panel) {
   const std::optional<BoundingBox> box = bounding_box(panel);
   if (!box) return "empty";
@@ -136,6 +128,14 @@ std::string label(Layer::Kind kind, int number) { return style(kind, number).lab
 
 std::string counted(std::size_t count, const std::string& one, const std::string& many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+// GMP's floats have room for every exponent.
+std::string approximate(const Rational& value) {
+  const mpf_class rounded(value);
+  std::array<char, 64> digits{};
+  gmp_snprintf(digits.data(), digits.size(), "%.5Fg", rounded.get_mpf_t());
+  return digits.data();
 }
 
 std::string svg(const std::vector<Panel>& panels) {

@@ -75,6 +75,9 @@ std::vector<Layer> layers_of(const MinkowskiSum& sum);
 /// Returns "1 segment", "2 segments".
 std::string counted(std::size_t count, const std::string& one, const std::string& many);
 
+/// Returns about five digits of a number, for the eye.
+std::string approximate(const Rational& value);
+
 /// Returns an SVG document, y axis up. Same panels, same bytes.
 std::string svg(const std::vector<Panel>& panels);
 

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "checked/cli/view.hpp"
+#include "checked/cycles/convolution_cycles.hpp"
+
+namespace oplus {
+
+namespace {
+
+/// Its size and how often it goes round each summand's chain; which chains where there are several.
+std::string described(const ConvolutionCycle& cycle, const std::vector<Chain>& chains_of_p,
+                      const std::vector<Chain>& chains_of_q) {
+  const auto of_p = static_cast<std::size_t>(
+      std::count_if(cycle.begin(), cycle.end(),
+                    [](const ConvolutionSegment& s) { return s.origin.edge_of == Summand::P; }));
+  const Origin& origin = cycle.front().origin;
+  const auto [p, q] = origin.edge_of == Summand::P
+                          ? std::pair{origin.edge.chain, origin.vertex.chain}
+                          : std::pair{origin.vertex.chain, origin.edge.chain};
+  const auto rounds = [](const std::string& summand, std::size_t chain,
+                         const std::vector<Chain>& chains, std::size_t steps) {
+    return summand + (chains.size() > 1 ? " chain " + std::to_string(chain) : "") + " " +
+           std::to_string(steps / chains[chain].size()) + "\u00d7";
+  };
+  return counted(cycle.size(), "segment", "segments") + ": " + rounds("P", p, chains_of_p, of_p) +
+         ", " + rounds("Q", q, chains_of_q, cycle.size() - of_p);
+}
+
+}  // namespace
+
+std::string cycles_view(const Region& p, const Region& q) {
+  const ConvolutionCycles traced = convolution_cycles(p, q);
+  const std::vector<Chain> chains_of_p = chains(p);
+  const std::vector<Chain> chains_of_q = chains(q);
+  std::vector<Layer> layers;
+  std::size_t size = 0;
+  for (const ConvolutionCycle& cycle : traced.cycles) {
+    Layer layer{Layer::Kind::cycle, {}, segments(cycle)};
+    layer.number = static_cast<int>(layers.size());
+    layer.name = described(cycle, chains_of_p, chains_of_q);
+    layers.push_back(std::move(layer));
+    size += cycle.size();
+  }
+  return beside_summands(p, q,
+                         "Convolution: " + counted(size, "segment", "segments") + " in " +
+                             counted(layers.size(), "cycle", "cycles"),
+                         layers);
+}
+
+}  // namespace oplus

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/cli/view.hpp"
+#include "checked/cycles/convolution_cycles.hpp"
+#include "checked/hole_test/hole_test.hpp"
+#include "checked/loops/nesting.hpp"
+
+namespace oplus {
+
+namespace {
+
+using Kind = Layer::Kind;
+using Halfedge = ConvolutionArrangement::Halfedge;
+
+/// The edges that no loop passes, in the directions of their segments.
+Layer edges_on_no_loop(const ConvolutionArrangement& arrangement,
+                       const std::vector<OrientableLoop>& loops) {
+  std::vector<bool> is_on_loop(2 * arrangement.edge_count(), false);
+  for (const OrientableLoop& loop : loops)
+    for (const Halfedge h : loop) is_on_loop[h] = true;
+  Layer layer{Kind::on_no_loop};
+  for (Halfedge h = 0; h < is_on_loop.size(); ++h) {
+    if (!is_on_loop[h] && !arrangement.along(h).empty())
+      layer.segments.push_back(arrangement.geometry(h));
+  }
+  return layer;
+}
+
+}  // namespace
+
+std::string loops_view(const Region& p, const Region& q) {
+  const ConvolutionArrangement arrangement(traced_reduced_convolution(p, q));
+  const std::vector<OrientableLoop> loops = orientable_loops(arrangement);
+  const std::unique_ptr<HoleTest> test = hole_test(HoleTestMethod::hierarchy, p, q);
+  const std::vector<LoopVerdict> verdicts = judge(arrangement, loops, [&](Halfedge h) {
+    return test->is_hole_right_of(arrangement.geometry(h));
+  });
+
+  Layer boundary{Kind::boundary_loop};
+  Layer not_nested{Kind::not_nested_loop};
+  Layer not_boundary{Kind::not_boundary_loop};
+  std::size_t of_boundary = 0, of_not_nested = 0, of_not_boundary = 0;
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    const bool is_boundary = verdicts[i] == LoopVerdict::boundary;
+    const bool is_nested = verdicts[i] != LoopVerdict::not_nested;
+    ++(is_boundary ? of_boundary : is_nested ? of_not_boundary : of_not_nested);
+    Layer& layer = is_boundary ? boundary : is_nested ? not_boundary : not_nested;
+    for (const Halfedge h : loops[i]) layer.segments.push_back(arrangement.geometry(h));
+  }
+  return beside_summands(
+      p, q,
+      "Orientable loops: " + std::to_string(of_boundary) + " of the boundary, " +
+          std::to_string(of_not_nested) + " not nested, " + std::to_string(of_not_boundary) +
+          " not of the boundary",
+      {edges_on_no_loop(arrangement, loops), not_boundary, not_nested, boundary});
+}
+
+}  // namespace oplus

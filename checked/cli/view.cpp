@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/cli/view.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace oplus {
+
+namespace {
+
+template <std::string (*draw)(const Region&, const Region&)>
+std::string without_placement(const Region& p, const Region& q, const Point& /*x*/) {
+  return draw(p, q);
+}
+
+}  // namespace
+
+const std::vector<View>& views() {
+  static const std::vector<View> table = {
+      {"fiber-grid", "the states of each pair of chains, convolution segments as edges", false,
+       without_placement<fiber_grid_view>},
+      {"cycles", "the convolution in the colours of its cycles", false,
+       without_placement<cycles_view>},
+      {"loops", "the reduced convolution's orientable loops, and what becomes of each", false,
+       without_placement<loops_view>},
+      {"winding", "the winding numbers of the convolution", false, without_placement<winding_view>},
+      {"original", "the original convolution and its winding numbers", false,
+       without_placement<original_view>},
+      {"placement", "P and -Q + x with their contacts, x from --at", true, placement_view},
+  };
+  return table;
+}
+
+const View* find_view(const std::string& name) {
+  const auto found = std::find_if(views().begin(), views().end(),
+                                  [&](const View& view) { return view.name == name; });
+  return found == views().end() ? nullptr : &*found;
+}
+
+std::string beside_summands(const Region& p, const Region& q, std::string title,
+                            std::vector<Layer> layers) {
+  constexpr double summand_side = 200;
+  constexpr double drawing_side = 560;
+  std::vector<Panel> summands = {panel_of(Summand::P, p), panel_of(Summand::Q, q)};
+  for (Panel& summand : summands) summand.longest_side = summand_side;
+  return svg_in_columns({summands, {{std::move(title), std::move(layers), drawing_side}}});
+}
+
+}  // namespace oplus
