@@ -143,9 +143,12 @@ std::string placement_view(const Region& p, const Region& q, const Point& x) {
   const Region placed_q = translated(reflected(q), x);
   const Placement placement(p, placed_q);
   const bool meet = collision_test(CollisionMethod::hierarchy, p, q)->interiors_meet_at(x);
+  // Their outlines once more, since fillings cover them.
   std::vector<Layer> layers = {{Kind::summand_p, p},
                                {Kind::placed_q, placed_q},
                                placement.common_interior(),
+                               {Kind::summand_p, {}, edges(p)},
+                               {Kind::placed_q, {}, edges(placed_q)},
                                placement.overlaps()};
   for (Layer& contacts : placement.contacts()) layers.push_back(std::move(contacts));
   return beside_summands(p, q, named(x) + ": the interiors " + (meet ? "meet" : "do not meet"),
