@@ -87,8 +87,8 @@ Row measured(const Engine& engine, const Summands& pair) {
 void add_engine(Row& row, const std::string& name, const ProcessReport& report) {
   const bool done = report.kind == ProcessReport::Kind::done;
   row[name + "_outcome"] = done ? "done" : report.text;
-  row[name + "_peak_mb"] = report.peak_mb;
   if (!done) return;
+  row[name + "_peak_mb"] = report.peak_mb;
   const Row found = Row::parse(report.text);
   for (const auto* of_both : {&of_pair, &of_sum})
     for (const std::string& column : *of_both) row[column] = found.at(column);

@@ -2,6 +2,7 @@
 #include "properties/experiments/experiments_command.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -14,6 +15,7 @@ namespace oplus {
 namespace {
 
 constexpr int exit_wrong = 1;
+constexpr int exit_usage = 2;
 constexpr int exit_no_plots = 4;
 
 struct Settings {
@@ -45,6 +47,10 @@ bool draw_all(const std::filesystem::path& folder, const std::vector<Plot>& plot
 }
 
 int run(const Settings& settings) {
+  if (std::isnan(settings.of_each.scale)) {  // it passes every range
+    std::cerr << "oplus-check: --scale: not a number\n";
+    return exit_usage;
+  }
   const std::filesystem::path folder = settings.out;
   std::filesystem::create_directories(folder);
   std::string index = index_head(settings.of_each);
@@ -91,6 +97,7 @@ void add_experiments_command(CLI::App& app, int& exit_code) {
       ->add_option("--memory", settings->of_each.memory_limit_mb,
                    "Most memory of a measurement, in MB; one that needs more is a row that says "
                    "so; 0: no limit")
+      ->check(CLI::Range(std::size_t{0}, std::size_t{1'000'000'000}))
       ->capture_default_str();
   std::string what = "Experiments:\n";
   for (const Experiment& experiment : experiments())

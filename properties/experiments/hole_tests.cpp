@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/hole_test/hole_test.hpp"
 
+#include <functional>
 #include <iostream>
+#include <map>
+#include <memory>
+#include <optional>
 #include <utility>
 
-#include "checked/rca/rca.hpp"
-#include "properties/experiments/engine_measurement.hpp"
 #include "properties/experiments/growing_families.hpp"
+#include "properties/experiments/hole_test_questions.hpp"
 #include "properties/experiments/plot.hpp"
 #include "properties/experiments/process_of_its_own.hpp"
 #include "properties/experiments/published_pairs.hpp"
@@ -19,8 +22,16 @@ namespace oplus {
 namespace {
 
 /// More are thinned out evenly: the slowest method takes milliseconds for each.
-constexpr std::size_t most_questions = 200;
+constexpr std::size_t most_questions = 100;
 constexpr std::size_t rounds = 3;
+
+/// The two sets of questions, by what the column `about` says.
+struct Questions {
+  std::string about;
+  std::vector<Segment> (*of)(const Summands& pair);
+};
+const std::vector<Questions> all_questions = {{"candidates", questions_of_rca},
+                                              {"edges", questions_about_edges}};
 
 struct NamedPair {
   std::string name;
@@ -45,31 +56,6 @@ std::vector<NamedPair> pairs_to_ask_about(const ExperimentSettings& settings) {
   return pairs;
 }
 
-/// Answers by the hierarchies and remembers what was asked.
-class Recording : public HoleTest {
- public:
-  explicit Recording(const Summands& pair)
-      : answers_(hole_test(HoleTestMethod::hierarchy, pair.p, pair.q)) {}
-
-  bool is_hole_right_of(const Segment& edge) override {
-    asked.push_back(edge);
-    return answers_->is_hole_right_of(edge);
-  }
-  bool interiors_meet_at(const Point& x) override { return answers_->interiors_meet_at(x); }
-
-  std::vector<Segment> asked;
-
- private:
-  std::unique_ptr<HoleTest> answers_;
-};
-
-std::vector<Segment> thinned_out(const std::vector<Segment>& questions) {
-  std::vector<Segment> some;
-  const std::size_t count = std::min(questions.size(), most_questions);
-  for (std::size_t i = 0; i < count; ++i) some.push_back(questions[i * questions.size() / count]);
-  return some;
-}
-
 /// One round of questions.
 struct Asked {
   Stages::Duration preparing{};
@@ -91,11 +77,9 @@ Asked ask(HoleTestMethod method, const Summands& pair, const std::vector<Segment
   return asked;
 }
 
-/// What a process reports: a method asked about a pair what rca asks.
-Row measured(HoleTestMethod method, const Summands& pair) {
-  Recording recording(pair);
-  const ComputedSum sum = rca(pair.p, pair.q, Boundary::closed, WithOrigins::no, recording);
-  const std::vector<Segment> questions = thinned_out(recording.asked);
+/// What a process reports of one method.
+Row measured(HoleTestMethod method, const Summands& pair, const std::vector<Segment>& all_of_them) {
+  const std::vector<Segment> questions = thinned_out(all_of_them, most_questions);
   std::vector<Asked> all;
   while (all.size() < rounds) all.push_back(ask(method, pair, questions));
   const Asked asked = median(std::move(all), [](const Asked& round) {
@@ -106,7 +90,7 @@ Row measured(HoleTestMethod method, const Summands& pair) {
   const std::size_t others = questions.size() - holes;
   Row row = {{"m", vertex_count(pair.p)},
              {"n", vertex_count(pair.q)},
-             {"questions", recording.asked.size()},
+             {"questions", all_of_them.size()},
              {"asked", questions.size()},
              {"holes", holes},
              {"others", others},
@@ -118,7 +102,7 @@ Row measured(HoleTestMethod method, const Summands& pair) {
     const double mean =
         (asked.of_holes + asked.of_others).count() / static_cast<double>(questions.size());
     row["question"] = mean;
-    row["all"] = asked.preparing.count() + mean * static_cast<double>(recording.asked.size());
+    row["all"] = asked.preparing.count() + mean * static_cast<double>(all_of_them.size());
   }
   return row;
 }
@@ -138,14 +122,19 @@ std::string order_by(const Row& row, const std::string& column) {
   return names;
 }
 
-Row row_of(const NamedPair& pair, const ExperimentSettings& settings,
+Row row_of(const NamedPair& pair, const Questions& questions, const ExperimentSettings& settings,
            std::vector<std::string>& wrong) {
-  Row row = {{"name", pair.name}, {"family", pair.family}, {"size", pair.size}};
+  Row row = {{"name", pair.name},
+             {"family", pair.family},
+             {"size", pair.size},
+             {"about", questions.about}};
   std::optional<std::string> answers;
   for (const auto& [name, method] : hole_test_methods()) {
-    const ProcessReport report =
-        in_process_of_its_own([&, method = method] { return measured(method, pair.make()).dump(); },
-                              settings.memory_limit_mb);
+    const auto work = [&, method = method] {
+      const Summands made = pair.make();
+      return measured(method, made, questions.of(made)).dump();
+    };
+    const ProcessReport report = in_process_of_its_own(work, settings.memory_limit_mb);
     const bool done = report.kind == ProcessReport::Kind::done;
     row[name + "_outcome"] = done ? "done" : report.text;
     if (report.kind == ProcessReport::Kind::failed)
@@ -166,18 +155,20 @@ Row row_of(const NamedPair& pair, const ExperimentSettings& settings,
 }
 
 std::vector<ShownTable> shown_tables() {
-  std::vector<ShownColumn> first = {{"pair", "name"},
-                                    {"m", "m"},
-                                    {"n", "n"},
-                                    {"questions of rca", "questions"},
-                                    {"asked here", "asked"},
-                                    {"holes", "holes"},
-                                    {"other faces", "others"},
-                                    {"fastest first", "order"},
-                                    {"with preparing, all questions", "order_of_all"}};
   std::vector<ShownTable> shown = {
-      {"Which method is faster: by a question, then by preparing and all that rca asks.", first}};
-  std::vector<ShownColumn> times = {{"pair", "name"}};
+      {"Candidates: what rca asks, about faces. Edges: one question each about the edges of its "
+       "arrangement. Which method is faster: by a question, then by preparing and all questions.",
+       {{"pair", "name"},
+        {"m", "m"},
+        {"n", "n"},
+        {"about", "about"},
+        {"questions", "questions"},
+        {"asked here", "asked"},
+        {"holes", "holes"},
+        {"others", "others"},
+        {"by a question", "order"},
+        {"with preparing", "order_of_all"}}}};
+  std::vector<ShownColumn> times = {{"pair", "name"}, {"about", "about"}};
   for (const auto& [name, method] : hole_test_methods()) {
     times.push_back({name + ": prepare", name + "_prepare", 1e6});
     times.push_back({"hole", name + "_hole", 1e6});
@@ -190,15 +181,18 @@ std::vector<ShownTable> shown_tables() {
 std::optional<Plot> plot(const Table& table, const std::string& family, const std::string& size) {
   Table of_family{table.columns, {}};
   for (const Row& row : table.rows)
-    if (row.at("family") == family) of_family.rows.push_back(row);
+    if (row.at("family") == family && row.at("about") == "candidates")
+      of_family.rows.push_back(row);
   std::vector<Series> series;
   const std::vector<std::pair<std::string, std::string>> coloured = {
       {"bvh", "#0072b2"}, {"sweep", "#d55e00"}, {"naive", "#999999"}, {"ray", "#009e73"}};
-  const std::string only = "strcol(\"family\") eq \"" + family + "\"";
+  const std::string only =
+      "strcol(\"family\") eq \"" + family + "\" && strcol(\"about\") eq \"candidates\"";
   for (const auto& [name, colour] : coloured)
     series.push_back({name + "_question", name, colour, std::nullopt, only});
   return plot_of("hole-tests-" + family, "hole-tests.csv", of_family,
-                 {"Hole tests, " + family, "size", size, "seconds a question", true}, series);
+                 {"Hole tests, " + family, "size", size, "microseconds a question", true, 1e6},
+                 series);
 }
 
 }  // namespace
@@ -206,7 +200,7 @@ std::optional<Plot> plot(const Table& table, const std::string& family, const st
 ExperimentResult run_hole_tests(const ExperimentSettings& settings) {
   ExperimentResult result;
   result.title = "Hole tests";
-  result.table.columns = {"name", "family", "size"};
+  result.table.columns = {"name", "family", "size", "about"};
   std::vector<std::string>& columns = result.table.columns;
   columns.insert(columns.end(), of_pair.begin(), of_pair.end());
   columns.insert(columns.end(), {"order", "order_of_all"});
@@ -216,15 +210,19 @@ ExperimentResult run_hole_tests(const ExperimentSettings& settings) {
   }
   std::map<std::string, std::size_t> orders;
   for (const NamedPair& pair : pairs_to_ask_about(settings)) {
-    Row row = row_of(pair, settings, result.wrong);
-    std::cout << "hole-tests " << pair.name << ": " << row.at("order").get<std::string>()
-              << std::endl;
-    if (row.at("order") != "") ++orders[row.at("order")];
-    result.table.rows.push_back(std::move(row));
+    for (const Questions& questions : all_questions) {
+      Row row = row_of(pair, questions, settings, result.wrong);
+      const std::string order = row.at("order");
+      std::cout << "hole-tests " << pair.name << ", " << questions.about << ": "
+                << (order.empty() ? "no question" : order) << std::endl;
+      if (!order.empty()) ++orders[questions.about + ": " + order];
+      result.table.rows.push_back(std::move(row));
+    }
   }
   result.shown = shown_tables();
   for (const auto& [order, count] : orders)
-    result.summary.push_back("by a question " + order + ": " + std::to_string(count) + " pairs");
+    result.summary.push_back("by a question about " + order + ", " + std::to_string(count) +
+                             (count == 1 ? " pair" : " pairs"));
   add(result.plots, plot(result.table, "simple", "vertices of P"));
   add(result.plots, plot(result.table, "fork", "teeth an arm"));
   return result;

@@ -23,6 +23,7 @@ bool has_points(const Table& table, const std::string& x, const std::string& y) 
 
 std::string drawn_series(const Series& series, const std::string& csv, const Axes& axes) {
   std::string y = "column(" + in_quotes(series.column) + ")";
+  if (axes.y_factor != 1) y = shown(axes.y_factor) + " * " + y;
   if (!series.only_where.empty()) y = "(" + series.only_where + ") ? " + y + " : NaN";
   const std::string points =
       in_quotes(csv) + " using (column(" + in_quotes(axes.x_column) + ")):(" + y + ")";

@@ -26,6 +26,7 @@ struct Axes {
   std::string x_label;
   std::string y_label;
   bool logarithmic = false;  ///< else both start at zero
+  double y_factor = 1;       ///< 1e6 shows seconds as microseconds
 };
 
 /// The columns of a table NAME.csv against another; where no row has x and y there is no series, and

@@ -10,7 +10,6 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <iostream>
 #include <new>
 #include <system_error>
 
@@ -112,17 +111,20 @@ ProcessReport in_process_of_its_own(const std::function<std::string()>& work,
   std::array<int, 2> ends;
   if (::pipe(ends.data()) != 0) throw no_process();
   const auto [to_read, to_write] = ends;
-  std::cout.flush();
   const pid_t process = ::fork();
+  if (process < 0) {
+    const std::system_error failure = no_process();
+    ::close(to_read);
+    ::close(to_write);
+    throw failure;
+  }
   if (process == 0) {
     ::close(to_read);
     work_and_exit(work, memory_limit_mb, to_write);
   }
-  const std::system_error failure = no_process();
   ::close(to_write);
-  std::string text = process < 0 ? "" : read_all(to_read);
+  std::string text = read_all(to_read);
   ::close(to_read);
-  if (process < 0) throw failure;
 
   int status = 0;
   rusage usage{};

@@ -68,7 +68,6 @@ ExperimentResult run_table_6_1(const ExperimentSettings& settings) {
           " skipped: not in " + published_folder().filename().string() + "/",
       "A_RC is the thesis's in " + std::to_string(count(result.table, "same_rca_edges")) +
           " of them, A_W in " + std::to_string(count(result.table, "same_winding_edges"))};
-  for (const std::string& line : ratio_lines(result.table)) result.summary.push_back(line);
   return result;
 }
 

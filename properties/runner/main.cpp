@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <iostream>
+#include <string>
 #include <system_error>
 
 #include "properties/experiments/experiments_command.hpp"
@@ -17,6 +18,9 @@ int run(int argc, char** argv) {
   int exit_code = 0;
   CLI::App app{"Checks oplus: statements, mutants, and engines against the oracle", "oplus-check"};
   app.require_subcommand(1);
+  app.failure_message([](const CLI::App*, const CLI::Error& e) {
+    return std::string("oplus-check: ") + e.what() + '\n';
+  });
   app.footer(
       "Example:\n"
       "  oplus-check diff --family grid --cases 500 --seed 7\n\n"
@@ -24,7 +28,8 @@ int run(int argc, char** argv) {
       "  0  all is as it should be\n"
       "  1  a disagreement, a statement that failed, a mutant that lives\n"
       "  2  invalid input or usage, or a file that cannot be read or written\n"
-      "  3  a bug in oplus; please report it");
+      "  3  a bug in oplus; please report it\n"
+      "  4  of experiments: gnuplot is missing or fails; all but the plots is written");
   oplus::add_diff_command(app, exit_code);
   oplus::add_properties_command(app, exit_code);
   oplus::add_theorems_command(app, exit_code);
