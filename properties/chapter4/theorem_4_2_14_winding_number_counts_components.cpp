@@ -17,6 +17,7 @@ Outcome check(const Summands& summands) {
   Outcome outcome;
   if (!is_simple_polygon(p) || !is_simple_polygon(q)) {
     outcome.kind = Outcome::Kind::discarded;
+    outcome.why = "not two simple polygons";
     return outcome;
   }
   const std::vector<Segment> original = segments(original_convolution(p, q));

@@ -92,13 +92,16 @@ bool run_statements(const std::vector<Statement>& statements, std::optional<std:
     if (run.passed()) ++passed;
     out << std::flush;
   }
-  print_last_line(out, passed, statements.size() - passed);
-  return !statements.empty() && passed == statements.size();
+  const std::size_t not_applicable = statements.size() - passed - failed;
+  if (not_applicable > 0) out << not_applicable << " do not apply to this pair\n";
+  print_last_line(out, passed, failed);
+  return passed > 0 && failed == 0;
 }
 
 bool replay_statements(const std::vector<Statement>& statements, const Summands& summands,
                        std::ostream& out) {
   std::size_t passed = 0;
+  std::size_t failed = 0;
   for (const Statement& statement : statements) {
     const Outcome outcome = evaluate(statement, summands);
     out << statement.id << ": ";
@@ -109,6 +112,7 @@ bool replay_statements(const std::vector<Statement>& statements, const Summands&
         break;
       case Outcome::Kind::fails:
         out << "FAILED: " << outcome.why << '\n';
+        ++failed;
         break;
       case Outcome::Kind::discarded:
         out << "does not apply: " << outcome.why << '\n';

@@ -20,7 +20,7 @@ void add_properties_command(CLI::App& app, int& exit_code);
 bool run_statements(const std::vector<Statement>& statements, std::optional<std::size_t> cases,
                     std::uint64_t seed, const std::filesystem::path& findings, std::ostream& out);
 
-/// Tries statements on one pair. Returns whether all hold; a discarded pair does not.
+/// Tries statements on one pair. Returns whether some hold and none fails.
 bool replay_statements(const std::vector<Statement>& statements, const Summands& summands,
                        std::ostream& out);
 

@@ -30,12 +30,13 @@ std::vector<std::string> commands_of_readme() {
 
 TEST_F(Readme, commands_do_what_it_says_and_draw_its_picture) {
   const std::vector<std::string> commands = commands_of_readme();
-  ASSERT_EQ(commands.size(), 8U);
+  ASSERT_EQ(commands.size(), 9U);
   for (const std::string& command : commands) {
     const Ran ran = run(command);
     const bool unequal = command.find("compare sum.wkt room.wkt") != std::string::npos;
     EXPECT_EQ(ran.exit_code, unequal ? 1 : 0) << command << '\n' << ran.err;
   }
+  EXPECT_EQ(content("same.wkt"), content("sum.wkt"));
   EXPECT_EQ(content("picture.svg"), text_of("docs/pictures/room_and_diamond.svg"))
       << "docs/pictures/room_and_diamond.svg is out of date";
 }
