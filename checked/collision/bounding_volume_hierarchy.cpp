@@ -2,6 +2,9 @@
 #include "checked/collision/bounding_volume_hierarchy.hpp"
 
 #include <algorithm>
+#include <utility>
+
+#include "checked/arithmetic/interval.hpp"
 
 namespace oplus {
 
@@ -11,42 +14,94 @@ Interval hull(const Interval& a, const Interval& b) {
   return {std::min(a.inf(), b.inf()), std::max(a.sup(), b.sup())};
 }
 
-Box box_of(const Segment& s) {
-  const IntervalPoint source = interval(s.source);
-  const IntervalPoint target = interval(s.target);
-  return {hull(source.x, target.x), hull(source.y, target.y)};
-}
-
 /// Where a box goes in the order along an axis; only the shape of the tree depends on it.
 double middle(const Interval& side) { return side.inf() / 2 + side.sup() / 2; }
 
 }  // namespace
 
+struct BoundingVolumeHierarchy::Box {
+  Interval x;
+  Interval y;
+
+  bool meets(const Box& other) const { return x.do_overlap(other.x) && y.do_overlap(other.y); }
+  Box operator+(const IntervalPoint& by) const { return {x + by.x, y + by.y}; }
+  Box with(const Box& other) const { return {hull(x, other.x), hull(y, other.y)}; }
+};
+
+/// The left child follows its parent directly.
+struct BoundingVolumeHierarchy::Node {
+  Box box;
+  std::size_t right = 0;    ///< the right child; 0 in a leaf
+  std::size_t segment = 0;  ///< in a leaf
+  bool is_leaf() const { return right == 0; }
+};
+
+struct BoundingVolumeHierarchy::Leaf {
+  Box box;
+  std::size_t segment;
+};
+
 BoundingVolumeHierarchy::BoundingVolumeHierarchy(const std::vector<Segment>& segments) {
-  std::vector<std::pair<Box, std::size_t>> boxes;
-  boxes.reserve(segments.size());
-  for (std::size_t i = 0; i < segments.size(); ++i) boxes.emplace_back(box_of(segments[i]), i);
+  std::vector<Leaf> leaves;
+  leaves.reserve(segments.size());
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const IntervalPoint source = interval(segments[i].source);
+    const IntervalPoint target = interval(segments[i].target);
+    leaves.push_back({{hull(source.x, target.x), hull(source.y, target.y)}, i});
+  }
   nodes_.reserve(2 * segments.size());
-  if (!boxes.empty()) build(boxes, 0, boxes.size());
+  if (!leaves.empty()) build(leaves, 0, leaves.size());
 }
 
-void BoundingVolumeHierarchy::build(std::vector<std::pair<Box, std::size_t>>& boxes,
-                                    std::size_t begin, std::size_t end) {
-  Box around = boxes[begin].first;
-  for (std::size_t i = begin + 1; i < end; ++i)
-    around = {hull(around.x, boxes[i].first.x), hull(around.y, boxes[i].first.y)};
+BoundingVolumeHierarchy::~BoundingVolumeHierarchy() = default;
+
+bool BoundingVolumeHierarchy::empty() const { return nodes_.empty(); }
+
+void BoundingVolumeHierarchy::build(std::vector<Leaf>& leaves, std::size_t begin, std::size_t end) {
+  Box around = leaves[begin].box;
+  for (std::size_t i = begin + 1; i < end; ++i) around = around.with(leaves[i].box);
   const std::size_t self = nodes_.size();
-  nodes_.push_back({around, 0, boxes[begin].second});
+  nodes_.push_back({around, 0, leaves[begin].segment});
   if (end - begin == 1) return;
   const bool wide = around.x.sup() - around.x.inf() > around.y.sup() - around.y.inf();
   const std::size_t half = begin + (end - begin) / 2;
-  const auto at = [&](std::size_t i) { return boxes.begin() + static_cast<std::ptrdiff_t>(i); };
-  std::nth_element(at(begin), at(half), at(end), [&](const auto& a, const auto& b) {
-    return wide ? middle(a.first.x) < middle(b.first.x) : middle(a.first.y) < middle(b.first.y);
+  const auto at = [&](std::size_t i) { return leaves.begin() + static_cast<std::ptrdiff_t>(i); };
+  std::nth_element(at(begin), at(half), at(end), [&](const Leaf& a, const Leaf& b) {
+    return wide ? middle(a.box.x) < middle(b.box.x) : middle(a.box.y) < middle(b.box.y);
   });
-  build(boxes, begin, half);
+  build(leaves, begin, half);
   nodes_[self].right = nodes_.size();
-  build(boxes, half, end);
+  build(leaves, half, end);
+}
+
+bool BoundingVolumeHierarchy::visit_meeting(
+    const BoundingVolumeHierarchy& moved, const Vector& by,
+    const std::function<bool(std::size_t i, std::size_t j)>& visit) const {
+  if (empty() || moved.empty()) return false;
+  const CGAL::Protect_FPU_rounding<true> rounding;
+  const IntervalPoint certified_by = interval(by);
+  std::vector<std::pair<std::size_t, std::size_t>> pending{{0, 0}};
+  while (!pending.empty()) {
+    const auto [a, b] = pending.back();
+    pending.pop_back();
+    const Node& node = nodes_[a];
+    const Node& other = moved.nodes_[b];
+    if (!node.box.meets(other.box + certified_by)) continue;
+    if (node.is_leaf() && other.is_leaf()) {
+      if (visit(node.segment, other.segment)) return true;
+      continue;
+    }
+    const auto each_child = [](const Node& parent, std::size_t self, auto&& action) {
+      if (parent.is_leaf()) return action(self);
+      action(self + 1);
+      action(parent.right);
+    };
+    each_child(node, a, [&](std::size_t child) {
+      each_child(other, b,
+                 [&](std::size_t child_of_other) { pending.emplace_back(child, child_of_other); });
+    });
+  }
+  return false;
 }
 
 }  // namespace oplus

@@ -17,7 +17,7 @@ class HierarchyCollision : public PairwiseCollision {
 
  private:
   bool visit_pairs(const Point& x, const Visit& visit) const override {
-    return hierarchy_of_p_.visit_meeting(hierarchy_of_minus_q_, interval(x), visit);
+    return hierarchy_of_p_.visit_meeting(hierarchy_of_minus_q_, x, visit);
   }
 
   BoundingVolumeHierarchy hierarchy_of_p_;

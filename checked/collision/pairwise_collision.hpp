@@ -31,7 +31,6 @@ class PairwiseCollision : public CollisionTest {
  private:
   /// Calls `visit` for each pair that has a point in common, and for as many others as it likes,
   /// each once, until a call returns true. Returns whether one did.
-  /// Is called with the rounding that Interval requires.
   virtual bool visit_pairs(const Point& x, const Visit& visit) const = 0;
 
   /// Each piece's ends as certified intervals.

@@ -47,13 +47,12 @@ Pairs pairs_whose_boxes_meet(const std::vector<Segment>& a, const std::vector<Se
 }
 
 Pairs visited(const std::vector<Segment>& a, const std::vector<Segment>& b, const Vector& by) {
-  const CGAL::Protect_FPU_rounding<true> rounding;
   Pairs pairs;
-  const bool stopped = BoundingVolumeHierarchy(a).visit_meeting(
-      BoundingVolumeHierarchy(b), interval(by), [&](std::size_t i, std::size_t j) {
-        pairs.emplace_back(i, j);
-        return false;
-      });
+  const bool stopped = BoundingVolumeHierarchy(a).visit_meeting(BoundingVolumeHierarchy(b), by,
+                                                                [&](std::size_t i, std::size_t j) {
+                                                                  pairs.emplace_back(i, j);
+                                                                  return false;
+                                                                });
   EXPECT_FALSE(stopped);
   std::sort(pairs.begin(), pairs.end());
   return pairs;
@@ -88,13 +87,12 @@ TEST(BoundingVolumeHierarchy, misses_no_pair_of_boxes_that_touch_at_a_third) {
 }
 
 TEST(BoundingVolumeHierarchy, stops_at_the_first_true) {
-  const CGAL::Protect_FPU_rounding<true> rounding;
   const std::vector<Segment> a = scattered(40, 3);
   const BoundingVolumeHierarchy hierarchy(a);
   const std::size_t all = pairs_whose_boxes_meet(a, a, {0, 0}).size();
   for (std::size_t last = 1; last <= all; ++last) {
     std::size_t calls = 0;
-    EXPECT_TRUE(hierarchy.visit_meeting(hierarchy, interval(Vector{0, 0}),
+    EXPECT_TRUE(hierarchy.visit_meeting(hierarchy, {0, 0},
                                         [&](std::size_t, std::size_t) { return ++calls == last; }));
     EXPECT_EQ(calls, last);
   }
