@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <utility>
 
 #include "checked/cli/face_drawing.hpp"
 #include "checked/cli/view.hpp"
@@ -52,6 +53,7 @@ class Placement {
     Layer layer{Kind::overlap};
     for (Halfedge h = 0; h < 2 * arrangement_.edge_count(); h += 2)
       if (is_overlap(h)) layer.segments.push_back(arrangement_.geometry(h));
+    layer.segments = maximal_segments(std::move(layer.segments));
     layer.name = counted(layer.segments.size(), "overlap", "overlaps");
     return layer;
   }

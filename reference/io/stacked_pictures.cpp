@@ -37,11 +37,12 @@ std::string stacked(const std::vector<TitledPicture>& pictures) {
   double y = 0;
   std::string content;
   for (const auto& [title, svg] : pictures) {
+    width = std::max({width, size(svg, "width"), 2 * margin + text_width(title, title_size)});
+    const double height = size(svg, "height");
     y += margin + title_size;
     content += text(margin, y, title_size, "start", "#1a1a1a", title);
     content += std::string(start) + attributes({{"y", number(y)}}) + svg.substr(start.size());
-    width = std::max({width, size(svg, "width"), 2 * margin + text_width(title, title_size)});
-    y += size(svg, "height");
+    y += height;
   }
   const std::string extent = number(width) + " " + number(y + margin);
   return std::string(start) + " xmlns=\"http://www.w3.org/2000/svg\"" +

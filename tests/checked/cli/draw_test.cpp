@@ -48,5 +48,44 @@ TEST_F(Draw, refuses_what_cannot_be_drawn) {
   expect_refusal("oplus draw - - -o all.svg <frame.wkt", "standard input");
 }
 
+TEST_F(Draw, views_are_drawn_of_any_two_regions) {
+  for (const std::string view : {"fiber-grid", "cycles", "loops", "winding", "original"}) {
+    for (const std::string q : {"triangle.dat", "'<odd> & \xff name.wkt'"}) {
+      const Ran ran = run("oplus draw frame.wkt " + q + " --view " + view + " -o view.svg");
+      EXPECT_EQ(ran.exit_code, 0) << view << ran.err;
+      EXPECT_EQ(content("view.svg").substr(0, 5), "<svg ");
+    }
+  }
+}
+
+TEST_F(Draw, takes_a_placement_for_exactly_what_it_says) {
+  const auto title = [&](const std::string& at) {
+    const Ran ran =
+        run("oplus draw frame.wkt - --view placement --at " + at + " -o - <triangle.dat");
+    EXPECT_EQ(ran.exit_code, 0) << at << ran.err;
+    const std::size_t begin = ran.out.find(">x = ") + 1;
+    return ran.out.substr(begin, ran.out.find('<', begin) - begin);
+  };
+  EXPECT_EQ(title("1/3,2.5"), "x = (1/3, 2.5): the interiors meet");
+  EXPECT_EQ(title("-1,-2e-1"), "x = (-1, -0.2): the interiors do not meet");
+}
+
+TEST_F(Draw, refuses_views_that_it_cannot_draw) {
+  const std::string pair = "oplus draw frame.wkt triangle.dat -o view.svg ";
+  expect_refusal(pair + "--view nothing", "fiber-grid");
+  expect_refusal(pair + "--view ''", "there is no view");
+  expect_refusal("oplus draw frame.wkt --view loops -o view.svg", "two files");
+  expect_refusal("oplus draw frame.wkt frame.wkt frame.wkt --view loops -o view.svg", "two files");
+  expect_refusal(pair + "--at 1,2", "--view placement");
+  expect_refusal(pair + "--view loops --at 1,2", "takes no --at");
+  expect_refusal(pair + "--view placement", "needs --at");
+  for (const std::string at : {"1", "1,", ",1", "1,2,3", "'1;2'", "1/0,2", "x,y", "'1,2)'", "''",
+                               ",", "1e999999999,1", "0x1,1", "$'1\\n,2'"})
+    expect_refusal(pair + "--view placement --at " + at, "--at");
+  put("line.wkt", "GEOMETRYCOLLECTION (LINESTRING (0 0, 1 1))");
+  expect_refusal("oplus draw frame.wkt line.wkt --view loops -o view.svg", "line.wkt");
+  expect_refusal(pair + "--view placement --at 1,2 -o missing/view.svg", "");
+}
+
 }  // namespace
 }  // namespace oplus

@@ -3,13 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <boost/property_tree/ptree.hpp>
-#include <boost/property_tree/xml_parser.hpp>
-#include <map>
 #include <set>
 #include <sstream>
 
 #include "tests/reference/definitions/shapes.hpp"
+#include "tests/reference/io/parsed_picture.hpp"
 
 namespace oplus {
 namespace {
@@ -17,33 +15,11 @@ namespace {
 using Kind = Layer::Kind;
 using boost::property_tree::ptree;
 
-constexpr std::array all_kinds = {
-    Kind::summand_p, Kind::summand_q, Kind::convolution,    Kind::reduced_convolution,
-    Kind::sum,       Kind::holes,     Kind::dangling_edges, Kind::isolated_vertices,
-    Kind::difference};
-
-/// The document as a tree; throws where it is not well formed.
-ptree parsed(const std::string& document) {
-  std::istringstream in(document);
-  ptree tree;
-  boost::property_tree::read_xml(in, tree);
-  return tree.get_child("svg");
-}
-
-std::vector<ptree> groups(const ptree& tree, const std::string& name) {
-  std::vector<ptree> found;
-  for (const auto& [tag, child] : tree) {
-    if (tag == "g" && child.get<std::string>("<xmlattr>.class") == name) found.push_back(child);
-  }
-  return found;
-}
-
-std::multiset<std::string> legend_of(const ptree& tree) {
-  std::multiset<std::string> labels;
-  const ptree legend = groups(tree, "legend").at(0);
-  for (const auto& [tag, child] : legend)
-    if (tag == "text") labels.insert(child.data());
-  return labels;
+std::vector<Kind> all_kinds() {
+  std::vector<Kind> kinds;
+  for (int kind = 0; kind <= static_cast<int>(Kind::touching); ++kind)
+    kinds.push_back(static_cast<Kind>(kind));
+  return kinds;
 }
 
 /// Something of the kind: a region, a segment or a point, as it suits.
@@ -52,9 +28,19 @@ Layer some(Kind kind) {
     case Kind::convolution:
     case Kind::reduced_convolution:
     case Kind::dangling_edges:
+    case Kind::cycle:
+    case Kind::flipped:
+    case Kind::on_no_loop:
+    case Kind::boundary_loop:
+    case Kind::not_nested_loop:
+    case Kind::not_boundary_loop:
+    case Kind::overlap:
       return {kind, {}, {{{0, 0}, {1, 2}}, {{1, 2}, {3, 0}}}};
     case Kind::isolated_vertices:
     case Kind::difference:
+    case Kind::crossing:
+    case Kind::weak_intersection:
+    case Kind::touching:
       return {kind, {}, {}, {{1, 1}}};
     default:
       return {kind, polygon(box(0, 0, 2, 2))};
@@ -79,17 +65,17 @@ std::vector<std::pair<double, double>> drawn_points(const ptree& panel) {
 }
 
 TEST(Picture, legend_names_each_kind_that_is_drawn_once) {
-  for (const Kind kind : all_kinds)
+  for (const Kind kind : all_kinds())
     EXPECT_EQ(legend_of(parsed(svg({{"one", {some(kind), some(kind)}}, {"two", {some(kind)}}}))),
               std::multiset<std::string>{label(kind)});
   std::vector<Layer> layers;
   std::multiset<std::string> labels;
-  for (const Kind kind : all_kinds) {
+  for (const Kind kind : all_kinds()) {
     layers.push_back(some(kind));
     labels.insert(label(kind));
   }
   EXPECT_EQ(legend_of(parsed(svg({{"all", layers}}))), labels);
-  EXPECT_EQ(std::set<std::string>(labels.begin(), labels.end()).size(), all_kinds.size());
+  EXPECT_EQ(std::set<std::string>(labels.begin(), labels.end()).size(), all_kinds().size());
 }
 
 TEST(Picture, empty_layers_are_left_out) {
@@ -204,6 +190,111 @@ TEST(Picture, layers_of_a_sum_are_its_parts) {
   EXPECT_EQ(area(layers[1].region), 36 - 16 + 4);
   EXPECT_EQ(layers[2].segments, sum.dangling_edges);
   EXPECT_EQ(layers[3].points, sum.isolated_vertices);
+}
+
+TEST(Picture, legend_tells_numbered_layers_apart) {
+  std::vector<Layer> layers;
+  for (int number = -2; number < 3; ++number) {
+    layers.push_back(some(Kind::winding_number));
+    layers.back().number = number;
+  }
+  EXPECT_EQ(
+      legend_of(parsed(svg({{"", layers}}))),
+      (std::multiset<std::string>{"winding number -2", "winding number -1", "winding number 0",
+                                  "winding number 1", "winding number 2"}));
+}
+
+TEST(Picture, numbered_layers_differ_in_their_look) {
+  std::set<std::string> looks;
+  const auto look = [](Kind kind, int number) {
+    Layer layer = some(kind);
+    layer.number = number;
+    layer.name = "same";
+    return svg({{"", {layer}}});
+  };
+  for (int number = 0; number < 28; ++number) looks.insert(look(Kind::cycle, number));
+  for (int number = -4; number <= 8; ++number) looks.insert(look(Kind::winding_number, number));
+  EXPECT_EQ(looks.size(), 28U + 13U);
+  EXPECT_EQ(look(Kind::winding_number, 9), look(Kind::winding_number, 8));
+  EXPECT_EQ(look(Kind::winding_number, -5), look(Kind::winding_number, -4));
+}
+
+TEST(Picture, a_layer_may_have_a_name_of_its_own) {
+  Layer named = some(Kind::crossing);
+  named.name = "3 crossings";
+  EXPECT_EQ(legend_of(parsed(svg({{"", {named, some(Kind::crossing)}}}))),
+            (std::multiset<std::string>{"3 crossings", label(Kind::crossing)}));
+}
+
+TEST(Picture, a_long_legend_says_how_much_it_leaves_out) {
+  std::vector<Layer> cycles(100, some(Kind::cycle));
+  for (int number = 0; number < 100; ++number)
+    cycles[static_cast<std::size_t>(number)].number = number;
+  const std::multiset<std::string> legend = legend_of(parsed(svg({{"", cycles}})));
+  EXPECT_EQ(legend.size(), 41U);
+  EXPECT_EQ(legend.count("and 60 more"), 1U);
+}
+
+/// The notes that are written into the first panel.
+std::multiset<std::string> notes_of(const std::string& document) {
+  std::multiset<std::string> notes;
+  const ptree panel = groups(parsed(document), "panel").at(0);
+  for (const auto& [tag, layer] : panel)
+    if (tag == "g")
+      for (const auto& [shape, content] : layer)
+        if (shape == "text") notes.insert(content.data());
+  return notes;
+}
+
+TEST(Picture, notes_are_written_where_they_fit_and_counted_where_not) {
+  Layer layer = some(Kind::winding_number);
+  layer.notes = {{"7", {1, 1}, Rational(1, 4)}, {"8", {1, 1}, Rational(1, 10000)}, {"9", {}, 0}};
+  const std::string document = svg({{"", {layer}}});
+  EXPECT_EQ(notes_of(document), std::multiset<std::string>{"7"});
+  EXPECT_EQ(legend_of(parsed(document)).count("no room for 2 numbers"), 1U);
+  // What fits depends on the size of the drawing and on the length of the text.
+  EXPECT_EQ(notes_of(svg({{"", {layer}, 3200}})), (std::multiset<std::string>{"7", "8"}));
+  layer.notes = {{"12345678901234567890123456789012345678901234", {1, 1}, Rational(1, 4)}};
+  EXPECT_TRUE(notes_of(svg({{"", {layer}}})).empty());
+}
+
+TEST(Picture, a_written_note_stays_in_its_disk) {
+  for (const Rational& radius : {Rational(1, 20), Rational(1, 10), Rational(1, 2)}) {
+    Layer layer = some(Kind::winding_number);
+    layer.notes = {{"12", {1, 1}, radius * radius}};
+    const ptree panel = groups(parsed(svg({{"", {layer}}})), "panel").at(0);
+    const ptree note = groups(panel, "winding-number").at(0).get_child("text");
+    const auto size = note.get<double>("<xmlattr>.font-size");
+    EXPECT_GT(size, 6);
+    EXPECT_LE(2 * 0.6 * size, 2 * 160 * radius.get_d());
+    // Its middle, not its foot, is at the point.
+    EXPECT_NEAR(note.get<double>("<xmlattr>.y") - 0.365 * size, 42 + 160, 0.1);
+  }
+}
+
+TEST(Picture, columns_stand_beside_each_other_and_their_panels_below) {
+  const Panel flat{"flat", {{Kind::sum, polygon(box(0, 0, 8, 1))}}, 100};
+  const Panel square{"square", {{Kind::sum, polygon(box(0, 0, 1, 1))}}, 300};
+  const std::vector<ptree> panels =
+      groups(parsed(svg_in_columns({{flat, flat}, {square}})), "panel");
+  ASSERT_EQ(panels.size(), 3U);
+  const auto range = [&](std::size_t panel, auto coordinate) {
+    std::set<double> values;
+    for (const auto& point : drawn_points(panels[panel])) values.insert(coordinate(point));
+    return std::pair{*values.begin(), *values.rbegin()};
+  };
+  const auto x = [](const auto& point) { return point.first; };
+  const auto y = [](const auto& point) { return point.second; };
+  EXPECT_EQ(range(0, x), range(1, x));
+  EXPECT_GT(range(1, y).first, range(0, y).second + 40);  // caption and title between
+  EXPECT_GT(range(2, x).first, range(0, x).second);
+  EXPECT_NEAR(range(0, x).second - range(0, x).first, 100, 0.01);
+  EXPECT_NEAR(range(2, y).second - range(2, y).first, 300, 0.01);
+}
+
+TEST(Picture, a_panel_a_column_is_the_picture_of_the_panels) {
+  const std::vector<Panel> panels = panels_of(shapes()[0].region, shapes()[1].region);
+  EXPECT_EQ(svg_in_columns({{panels[0]}, {panels[1]}, {panels[2]}, {panels[3]}}), svg(panels));
 }
 
 }  // namespace
