@@ -92,10 +92,8 @@ bool run_statements(const std::vector<Statement>& statements, std::optional<std:
     if (run.passed()) ++passed;
     out << std::flush;
   }
-  const std::size_t not_applicable = statements.size() - passed - failed;
-  if (not_applicable > 0) out << not_applicable << " do not apply to this pair\n";
-  print_last_line(out, passed, failed);
-  return passed > 0 && failed == 0;
+  print_last_line(out, passed, statements.size() - passed);
+  return !statements.empty() && passed == statements.size();
 }
 
 bool replay_statements(const std::vector<Statement>& statements, const Summands& summands,
@@ -120,8 +118,10 @@ bool replay_statements(const std::vector<Statement>& statements, const Summands&
     }
     print_tally(out, "looked at", outcome.counts);
   }
-  print_last_line(out, passed, statements.size() - passed);
-  return !statements.empty() && passed == statements.size();
+  const std::size_t not_applicable = statements.size() - passed - failed;
+  if (not_applicable > 0) out << not_applicable << " do not apply to this pair\n";
+  print_last_line(out, passed, failed);
+  return passed > 0 && failed == 0;
 }
 
 void add_properties_command(CLI::App& app, int& exit_code) {
