@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "tests/checked/cli/shell.hpp"
+
+namespace oplus {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path top = OPLUS_SOURCE_DIR;
+
+std::string text_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// Those below docs/, by their names.
+std::map<std::string, std::string> pages() {
+  std::map<std::string, std::string> result;
+  for (const auto& entry : fs::directory_iterator(top / "docs"))
+    if (entry.path().extension() == ".md")
+      result[entry.path().filename().string()] = text_of(entry.path());
+  return result;
+}
+
+/// The commands of a page that call `oplus`, in their order.
+std::vector<std::string> commands(const std::string& page) {
+  std::vector<std::string> result;
+  std::istringstream lines(page);
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with("    oplus ")) result.push_back(line.substr(4));
+  return result;
+}
+
+/// All matches of the first group.
+std::vector<std::string> found(const std::string& text, const std::string& pattern) {
+  const std::regex expression(pattern);
+  std::vector<std::string> result;
+  for (auto at = std::sregex_iterator(text.begin(), text.end(), expression);
+       at != std::sregex_iterator(); ++at)
+    result.push_back((*at)[1]);
+  return result;
+}
+
+class Pages : public Shell {};
+
+TEST_F(Pages, draw_their_pictures) {
+  std::set<std::string> drawn;
+  for (const auto& [name, page] : pages()) {
+    SCOPED_TRACE(name);
+    ASSERT_EQ(run("mkdir -p docs/pictures").exit_code, 0);
+    for (const std::string& command : commands(page)) {
+      const Ran ran = run(command);
+      ASSERT_EQ(ran.exit_code, 0) << command << '\n' << ran.err;
+      for (const std::string& picture : found(command, "(docs/pictures/\\S+\\.svg)")) {
+        EXPECT_EQ(content(picture), text_of(top / picture))
+            << picture << " is out of date: " << command;
+        drawn.insert(picture);
+      }
+    }
+    for (const std::string& shown : found(page, "\\]\\((pictures/[^)]+)\\)"))
+      EXPECT_TRUE(drawn.contains("docs/" + shown)) << shown << " is not drawn on its page";
+  }
+  // README draws the one picture of its own.
+  drawn.insert("docs/pictures/room_and_diamond.svg");
+  for (const auto& entry : fs::directory_iterator(top / "docs/pictures"))
+    EXPECT_TRUE(drawn.contains("docs/pictures/" + entry.path().filename().string()))
+        << entry.path() << " is drawn by no page";
+}
+
+TEST(AlgorithmPages, show_a_picture_and_what_they_rest_on) {
+  const std::map<std::string, std::string> all = pages();
+  for (const std::string name : {"cycles.md", "collision.md", "winding.md", "loops.md", "rca.md",
+                                 "original_convolution.md"}) {
+    ASSERT_TRUE(all.contains(name)) << name;
+    const std::string& page = all.at(name);
+    EXPECT_FALSE(found(page, "!\\[[^\\]]+\\]\\((pictures/[^)]+\\.svg)\\)").empty()) << name;
+    EXPECT_FALSE(found(page, "\\]\\((\\.\\./properties/[^)]+)\\)").empty()) << name;
+    for (const std::string part :
+         {"## Cost\n", "## What it rests on", "Tests: `", "## Where it is weak\n"})
+      EXPECT_NE(page.find(part), std::string::npos) << name << " lacks " << part;
+  }
+}
+
+TEST(AllPages, link_to_what_exists) {
+  std::map<fs::path, std::string> texts = {{top / "README.md", text_of(top / "README.md")}};
+  for (const auto& [name, page] : pages()) texts[top / "docs" / name] = page;
+  std::size_t links = 0;
+  for (const auto& [path, text] : texts) {
+    for (const std::string& link : found(text, "\\]\\(([^)#]+)\\)")) {
+      if (link.starts_with("http")) continue;
+      ++links;
+      EXPECT_TRUE(fs::exists(path.parent_path() / link)) << path << " links to " << link;
+    }
+  }
+  EXPECT_GT(links, 40U);
+}
+
+/// Files and folders named in code, which are no links.
+TEST(AllPages, name_files_that_exist) {
+  std::size_t names = 0;
+  for (const auto& [name, page] : pages()) {
+    for (const std::string& path :
+         found(page, "`((?:checked|reference|properties|tests)/[a-z0-9_/.]*)`")) {
+      ++names;
+      EXPECT_TRUE(fs::exists(top / path)) << name << " names " << path;
+    }
+  }
+  EXPECT_GT(names, 20U);
+}
+
+TEST(AllPages, name_statements_by_their_ids) {
+  std::size_t statements = 0;
+  for (const auto& [name, page] : pages()) {
+    const std::regex link("\\[([a-z]+-[0-9a-z.-]+)\\]\\((\\.\\./properties/[^)]+)\\)");
+    for (auto at = std::sregex_iterator(page.begin(), page.end(), link);
+         at != std::sregex_iterator(); ++at) {
+      ++statements;
+      const std::string file = text_of(top / "docs" / (*at)[2].str());
+      EXPECT_NE(file.find(".id = \"" + (*at)[1].str() + "\""), std::string::npos)
+          << name << ": " << (*at)[1] << " is not the id of " << (*at)[2];
+    }
+  }
+  EXPECT_GT(statements, 20U);
+}
+
+TEST(AllPages, are_linked_from_the_readme) {
+  const std::string readme = text_of(top / "README.md");
+  for (const auto& [name, page] : pages())
+    EXPECT_NE(readme.find("](docs/" + name + ")"), std::string::npos) << name;
+}
+
+}  // namespace
+}  // namespace oplus
