@@ -21,6 +21,8 @@ const std::vector<View>& views() {
        without_placement<fiber_grid_view>},
       {"cycles", "the convolution in the colours of its cycles", false,
        without_placement<cycles_view>},
+      {"faces", "the reduced convolution's faces, candidates and holes", false,
+       without_placement<faces_view>},
       {"loops", "the reduced convolution's orientable loops, and what becomes of each", false,
        without_placement<loops_view>},
       {"winding", "the winding numbers of the convolution", false, without_placement<winding_view>},

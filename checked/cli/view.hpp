@@ -32,6 +32,10 @@ std::string fiber_grid_view(const Region& p, const Region& q);
 /// The convolution's segments in the colours of their cycles (thesis, Definition 4.1.1).
 std::string cycles_view(const Region& p, const Region& q);
 
+/// The faces of the reduced convolution's arrangement: those that the filter leaves as candidates,
+/// and which of them are holes (thesis, Section 3.2).
+std::string faces_view(const Region& p, const Region& q);
+
 /// The orientable loops of the reduced convolution's arrangement, by verdict (thesis, Section 3.1).
 std::string loops_view(const Region& p, const Region& q);
 

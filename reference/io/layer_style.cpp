@@ -24,7 +24,7 @@ struct FixedStyle {
 };
 
 /// The colours are those of Okabe and Ito, told apart by colour-blind readers.
-constexpr std::array<FixedStyle, 22> styles = {{
+constexpr std::array<FixedStyle, 24> styles = {{
     {"summand-p", "P", "#0072b2", "#c7e0f0", 1.6, false},
     {"summand-q", "Q", "#b87700", "#fbe6b8", 1.6, false},
     {"convolution", "convolution", "#5a5a5a", "none", 0.9, true},
@@ -37,6 +37,8 @@ constexpr std::array<FixedStyle, 22> styles = {{
     {"cycle", "cycle", "none", "none", 1.4, true},
     {"winding-number", "winding number", "none", "none", 0, false},
     {"flipped", "flipped segment", "#d55e00", "none", 0.9, true},
+    {"no-candidate", "no candidate", "none", "#e9ecee", 0, false},
+    {"candidate-in-sum", "candidate in the sum", "none", "#d9c3e6", 0, false},
     {"on-no-loop", "on no loop", "#9a9a9a", "none", 0.8, true},
     {"boundary-loop", "loop of the boundary", "#0072b2", "none", 2.2, true},
     {"not-nested-loop", "loop that is not nested", "#d58a00", "none", 2.2, true, "6 3"},

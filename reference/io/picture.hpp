@@ -26,6 +26,8 @@ struct Layer {
     cycle,              ///< of the convolution; numbered
     winding_number,     ///< the faces that have it, filled; numbered
     flipped,            ///< segments of the original convolution that are not in the reduced one
+    no_candidate,       ///< faces that need no hole test
+    candidate_in_sum,   ///< faces that a hole test found to be no hole
     on_no_loop,         ///< edges of an arrangement that are on no orientable loop
     boundary_loop,      ///< an orientable loop, by what became of it
     not_nested_loop,    ///< likewise

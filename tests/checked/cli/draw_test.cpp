@@ -49,7 +49,7 @@ TEST_F(Draw, refuses_what_cannot_be_drawn) {
 }
 
 TEST_F(Draw, views_are_drawn_of_any_two_regions) {
-  for (const std::string view : {"fiber-grid", "cycles", "loops", "winding", "original"}) {
+  for (const std::string view : {"fiber-grid", "cycles", "faces", "loops", "winding", "original"}) {
     for (const std::string q : {"triangle.dat", "'<odd> & \xff name.wkt'"}) {
       const Ran ran = run("oplus draw frame.wkt " + q + " --view " + view + " -o view.svg");
       EXPECT_EQ(ran.exit_code, 0) << view << ran.err;

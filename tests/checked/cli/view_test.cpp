@@ -125,6 +125,33 @@ TEST(View, cycles_say_how_often_they_go_round) {
   EXPECT_EQ(legend.count("8 segments: P chain 0 1\u00d7, Q chain 0 1\u00d7"), 1U);
 }
 
+TEST(View, faces_are_candidates_where_rca_asks_and_holes_where_the_sum_has_them) {
+  std::size_t of_holes = 0;
+  for_each_pair([&](const Region& p, const Region& q) {
+    const ComputedSum computed = rca(p, q, Boundary::closed);
+    const ConvolutionArrangement arrangement(traced_reduced_convolution(p, q));
+    const FaceDrawing drawing(arrangement);
+    std::size_t holes = 0;
+    for (ConvolutionArrangement::Face f = 1; f < arrangement.face_count(); ++f) {
+      const std::optional<FreeDisk> disk = drawing.free_disk(f);
+      ASSERT_TRUE(disk);
+      if (locate(disk->centre, computed.sum) == Location::outside) ++holes;
+    }
+    const std::string document = faces_view(p, q);
+    const std::string of_faces = title(drawing_of(document));
+    EXPECT_NE(
+        of_faces.find(", " + counted(computed.statistics.hole_tests, "candidate", "candidates") +
+                      ", " + counted(holes, "hole", "holes")),
+        std::string::npos)
+        << of_faces;
+    EXPECT_EQ(groups(drawing_of(document), "holes").empty(), holes == 0);
+    EXPECT_EQ(groups(drawing_of(document), "candidate-in-sum").empty(),
+              computed.statistics.hole_tests == holes);
+    of_holes += holes;
+  });
+  EXPECT_GT(of_holes, 20U);
+}
+
 TEST(View, loops_draw_each_edge_and_those_of_the_boundary_as_such) {
   for_each_pair([](const Region& p, const Region& q) {
     const ConvolutionArrangement arrangement(traced_reduced_convolution(p, q));
