@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <sstream>
+#include <boost/functional/hash.hpp>
 
 #include "checked/rca/rca.hpp"
 #include "checked/winding/sum_by_winding_numbers.hpp"
 #include "properties/experiments/repetitions.hpp"
-#include "reference/io/writing.hpp"
 
 namespace oplus {
 
@@ -40,10 +39,24 @@ double without_output(const Stages& s) {
   return (s.cycles + s.arrangement + s.hierarchy + s.hole_test + s.degenerate).count();
 }
 
+/// Tells sums apart. Not by what is written of them: that takes longer than to compute them.
 std::string digest(const MinkowskiSum& sum) {
-  std::ostringstream text;
-  write(text, sum, Format::wkt);
-  return std::to_string(std::hash<std::string>()(text.str()));
+  std::size_t hash = 0;
+  const auto add = [&](const Chain& chain) {
+    boost::hash_combine(hash, chain.size());
+    for (const Point& p : chain) {
+      boost::hash_combine(hash, p.x.get_str());
+      boost::hash_combine(hash, p.y.get_str());
+    }
+  };
+  for (const auto* chains : {&sum.outer, &sum.holes}) {
+    boost::hash_combine(hash, chains->size());
+    for (const Chain& chain : *chains) add(chain);
+  }
+  boost::hash_combine(hash, sum.dangling_edges.size());
+  for (const Segment& edge : sum.dangling_edges) add({edge.source, edge.target});
+  add(sum.isolated_vertices);
+  return std::to_string(hash);
 }
 
 Row measured(const Engine& engine, const Summands& pair) {
