@@ -99,18 +99,16 @@ class Placement {
     bool of_q = false;
     bool overlap = false;
     bool common = false;    ///< interior of both
-    bool straight = false;  ///< two edges pass, and no other
+    bool straight = false;  ///< no edge ends there: an edge of each passes
   };
 
   Around look_around(Vertex v) const {
     Around around;
     const Point at = arrangement_.point(v);
-    int leaving = 0;
     around.straight = true;
     const Halfedge first = arrangement_.leaving(v);
     Halfedge h = first;
     do {
-      ++leaving;
       around.of_p = around.of_p || runs_along(h, Summand::P);
       around.of_q = around.of_q || runs_along(h, Summand::Q);
       around.overlap = around.overlap || is_overlap(h);
@@ -123,7 +121,6 @@ class Placement {
       }
       h = arrangement_.clockwise(h);
     } while (h != first);
-    around.straight = around.straight && leaving == 4;
     return around;
   }
 

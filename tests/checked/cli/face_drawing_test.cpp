@@ -75,6 +75,15 @@ TEST(FaceDrawing, a_disk_is_the_largest_where_that_is_easy) {
   EXPECT_EQ(disk->squared_radius, 4);
 }
 
+TEST(FaceDrawing, edges_bound_a_disk_and_their_lines_do_not) {
+  const ConvolutionArrangement notched =
+      arrangement_of(edges_of({{{0, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 6}, {2, 4}, {0, 2}}}));
+  const std::optional<FreeDisk> disk = FaceDrawing(notched).free_disk(1);
+  ASSERT_TRUE(disk);
+  EXPECT_EQ(disk->centre, (Point{Rational(9, 2), 5}));
+  EXPECT_EQ(disk->squared_radius, Rational(29, 4));  // the notch is nearest
+}
+
 TEST(FaceDrawing, faces_may_have_holes_antennas_and_touching_boundaries) {
   // A frame around a square, an edge from the frame inwards, one that stands alone, and a triangle
   // that touches the frame.

@@ -95,11 +95,15 @@ TEST(View, draws_any_regions_the_same_way_twice) {
 TEST(View, fiber_grid_has_a_grid_for_each_pair_of_chains) {
   for_each_pair([](const Region& p, const Region& q) {
     const std::string document = fiber_grid_view(p, q);
-    const std::size_t pairs = chains(p).size() * chains(q).size();
-    if (pairs == 1)
-      EXPECT_EQ(document, svg(fiber_grid(chains(p)[0], chains(q)[0])));
-    else
-      EXPECT_EQ(parsed(document).count("svg"), pairs);
+    std::size_t pairs = 0;
+    for (const Chain& of_p : chains(p)) {
+      for (const Chain& of_q : chains(q)) {
+        // Without the start of the tag, where a nested one has its place.
+        EXPECT_NE(document.find(svg(fiber_grid(of_p, of_q)).substr(4)), std::string::npos);
+        ++pairs;
+      }
+    }
+    EXPECT_EQ(parsed(document).count("svg"), pairs == 1 ? 0U : pairs);
   });
 }
 
