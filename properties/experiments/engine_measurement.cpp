@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <boost/functional/hash.hpp>
+#include <ctime>
 
 #include "checked/rca/rca.hpp"
 #include "checked/winding/sum_by_winding_numbers.hpp"
@@ -59,22 +60,33 @@ std::string digest(const MinkowskiSum& sum) {
   return std::to_string(hash);
 }
 
+struct Run {
+  Stages stages;
+  double busy;  ///< processor time / time
+};
+
 Row measured(const Engine& engine, const Summands& pair) {
-  ComputedSum result = engine.compute(pair);
+  ComputedSum result;
+  const auto run = [&] {
+    result = {};  // before the next is computed: two sums are not what is measured
+    Stages::Duration duration{};
+    const std::clock_t start = std::clock();
+    timed(duration, [&] { result = engine.compute(pair); });
+    const double worked = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    return Run{result.statistics.stages, worked / duration.count()};
+  };
+  std::vector<Run> runs = {run()};
   const std::size_t times = repetitions(result.statistics.arrangement_edges);
-  std::vector<Stages> runs = {result.statistics.stages};
-  while (runs.size() < times) {
-    result = {};  // before the next, not after it: two sums are not what is measured
-    result = engine.compute(pair);
-    runs.push_back(result.statistics.stages);
-  }
-  const Stages middle = median(std::move(runs), without_output);
+  while (runs.size() < times) runs.push_back(run());
+  const auto [middle, busy] =
+      median(std::move(runs), [](const Run& one) { return without_output(one.stages); });
   const RunStatistics& statistics = result.statistics;
   const MinkowskiSum& sum = result.sum;
   return {
       {"m", vertex_count(pair.p)},
       {"n", vertex_count(pair.q)},
       {"repetitions", times},
+      {"busy", busy},
       {"segments", statistics.segments},
       {"vertices", statistics.arrangement_vertices},
       {"edges", statistics.arrangement_edges},
@@ -107,8 +119,8 @@ void add_engine(Row& row, const std::string& name, const ProcessReport& report) 
     for (const std::string& column : *of_both) row[column] = found.at(column);
   for (const auto* of_engine : {&sizes, &stages})
     for (const std::string& column : *of_engine) row[name + '_' + column] = found.at(column);
-  row[name + "_repetitions"] = found.at("repetitions");
-  row[name + "_time"] = found.at("time");
+  for (const std::string column : {"repetitions", "busy", "time"})
+    row[name + '_' + column] = found.at(column);
 }
 
 }  // namespace
@@ -121,7 +133,7 @@ std::vector<std::string> engine_columns() {
   append("", of_sum);
   append("", {"same_sum", "ratio", "ratio_with_output"});
   for (const Engine& engine : engines()) {
-    append(engine.name + '_', {"outcome", "repetitions"});
+    append(engine.name + '_', {"outcome", "repetitions", "busy"});
     append(engine.name + '_', sizes);
     append(engine.name + '_', stages);
     append(engine.name + '_', {"time", "peak_mb"});

@@ -14,11 +14,12 @@ namespace oplus {
 /// Runs both engines on a pair, one after the other, each in a process of its own in which the pair
 /// is made: rca for the thesis's RCA, winding for its CWEIN. Both find low-dimensional features, as
 /// in the thesis (Section 6.2.1). The times are of the median of five runs where the arrangement
-/// has at most 20,000 edges, of three up to 60,000, else of one.
+/// has at most 20,000 edges, of three up to 600,000, else of one.
 ///
 /// Columns: m and n, the vertices of the summands; of each engine, after its name, what became of it
 /// (`outcome`, "done" where all went well), its arrangement, its questions, its stages and `time`,
-/// their sum without the output, in seconds; `ratio` and `ratio_with_output`, of rca to winding;
+/// their sum without the output, in seconds, and `busy`, for how much of that run a processor worked on
+/// it: where other programs compete it is less than 1, and the times are too long; `ratio` and `ratio_with_output`, of rca to winding;
 /// what the sum is made of, and whether both have the `same_sum`.
 Row measured_engines(const std::function<Summands()>& make, std::size_t memory_limit_mb);
 

@@ -17,9 +17,13 @@ ShownTable stages_of(const std::string& engine, const std::string& called,
     std::replace(heading.begin(), heading.end(), '_', ' ');
     columns.push_back({heading, engine + '_' + stage, 1000});
   }
+  columns.push_back({"busy", engine + "_busy"});
   columns.push_back({"hole tests", engine + "_hole_tests"});
   columns.push_back({"point tests", engine + "_point_tests"});
-  return {"Stages of " + called + ", in milliseconds, and the questions it asked.", columns};
+  return {"Stages of " + called +
+              ", in milliseconds, for how much of that a processor worked on it, and the questions "
+              "it asked.",
+          columns};
 }
 
 }  // namespace

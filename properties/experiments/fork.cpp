@@ -12,7 +12,7 @@ namespace {
 // The thesis has 50 to 250 teeth, "about four times" as many vertices, and says n² holes. Ours have
 // n teeth an arm, 8n + 4 vertices, n² holes: these are its numbers of vertices and of holes.
 const GrowingFamily fork_l = {
-    "fork-l", {10, 250, 15}, 1, [](Random&, std::size_t teeth) { return fork_and_l(teeth); }};
+    "fork-l", {10, 250, 30}, 1, [](Random&, std::size_t teeth) { return fork_and_l(teeth); }};
 
 }  // namespace
 

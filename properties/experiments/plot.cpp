@@ -65,7 +65,8 @@ std::string to_gnuplot(const Plot& plot) {
          ".svg\"\n"
          "set datafile separator comma\n"
          "set datafile columnheaders\n"
-         "set key top left reverse Left\n"
+         "set datafile missing NaN\n"  // else rows of other series would cut the lines
+         "set key below\n"
          "set grid\n" +
          plot.script;
 }

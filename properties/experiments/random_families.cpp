@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t vertices_of_q = 100;
 
-// The thesis's ranges (Section 6.2.4), but: one pair a size, not 20.
+// The thesis's range (Section 6.2.4), but one pair a size instead of 20.
 const GrowingFamily convex_star = {
     "convex-star", {50, 980, 30}, 1, [](Random& random, std::size_t m) {
       Region p = convex_polygon(random, m);
@@ -26,7 +26,7 @@ const GrowingFamily star_star = {
 
 // In the thesis in steps of 5, five pairs a size.
 const GrowingFamily simple_simple = {
-    "simple-simple", {30, 200, 10}, 2, [](Random& random, std::size_t m) {
+    "simple-simple", {30, 200, 10}, 1, [](Random& random, std::size_t m) {
       Region p = simple_polygon(random, m);
       return Summands{std::move(p), simple_polygon(random, vertices_of_q)};
     }};

@@ -13,7 +13,7 @@ namespace oplus {
 /// decide, not clocks: the same on every machine.
 inline std::size_t repetitions(std::size_t size) {
   if (size <= 20'000) return 5;
-  return size <= 60'000 ? 3 : 1;
+  return size <= 600'000 ? 3 : 1;
 }
 
 /// The element in the middle when sorted. Requires: at least one, an odd number.
