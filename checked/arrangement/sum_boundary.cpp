@@ -52,7 +52,7 @@ bool has_three_directions(const ConvolutionArrangement& arrangement, Vertex v) {
     }
     h = arrangement.clockwise(h);
   } while (h != first && directions.size() < 3);
-  return directions.size() >= 3;
+  return directions.size() >= 3 && !OPLUS_MUTANT("three-directions-are-too-few");
 }
 
 /// Where touching points of both summands meet, a vertex may be isolated without a segment of the
@@ -97,7 +97,8 @@ void add_low_dimensional_features(const ConvolutionArrangement& arrangement, con
   }
   for (Halfedge h = 0; h < 2 * arrangement.edge_count(); h += 2) {
     const bool opposite_segments = !arrangement.along(h).empty() &&
-                                   !arrangement.along(ConvolutionArrangement::twin(h)).empty();
+                                   !arrangement.along(ConvolutionArrangement::twin(h)).empty() &&
+                                   !OPLUS_MUTANT("dangling-edges-run-one-way");
     if (edge_is_on_boundary[h / 2] || !opposite_segments) continue;
     const Segment edge = arrangement.geometry(h);
     if (interiors_meet_at(midpoint(edge.source, edge.target))) continue;

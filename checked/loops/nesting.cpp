@@ -79,7 +79,9 @@ std::vector<LoopVerdict> judge(const ConvolutionArrangement& arrangement,
       const bool is_nested =
           seen_from_the_right != is_in_sum &&
           !(OPLUS_MUTANT("islands-are-not-nested") && seen_from_the_right && region != outside);
-      const bool is_boundary = is_nested && (region == outside || is_hole_right_of(loops[i][0]));
+      const bool is_boundary =
+          is_nested && (region == outside || OPLUS_MUTANT("nested-loops-need-no-hole-test") ||
+                        is_hole_right_of(loops[i][0]));
       if (is_nested) verdicts[i] = is_boundary ? LoopVerdict::boundary : LoopVerdict::not_boundary;
       if (!seen_from_the_right) to_visit.push({sides[i].right, is_in_sum && !is_boundary});
       for (const Face left : sides[i].left) {

@@ -26,6 +26,8 @@ std::optional<Halfedge> clockwise_most(const ConvolutionArrangement& arrangement
   for (Halfedge out = arrangement.clockwise(back); out != back; out = arrangement.clockwise(out)) {
     if (!is_directed(arrangement, out)) continue;
     best = out;
+    if (OPLUS_MUTANT("loops-go-straight-on") && arrangement.strand(out) == arrangement.strand(h))
+      break;
     if (OPLUS_MUTANT("loops-turn-counterclockwise-most")) break;
   }
   return best;

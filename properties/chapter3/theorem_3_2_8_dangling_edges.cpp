@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "checked/rca/rca.hpp"
+#include "properties/runner/registry.hpp"
+#include "reference/io/writing.hpp"
+#include "reference/oracle/oracle.hpp"
+
+namespace oplus {
+
+namespace {
+
+/// Whether the segments of one direction along an edge cover all of it.
+bool cover(const std::vector<ConvolutionSegment>& segments, const Vector& direction,
+           const Segment& edge) {
+  std::vector<Segment> along;
+  for (const ConvolutionSegment& s : segments) {
+    if (same_direction(direction_of(s.segment), direction) && overlap(s.segment, edge))
+      along.push_back(s.segment);
+  }
+  const std::vector<Segment> joined = maximal_segments(along);
+  return std::any_of(joined.begin(), joined.end(), [&](const Segment& s) {
+    return lies_on(edge.source, s) && lies_on(edge.target, s);
+  });
+}
+
+Outcome check(const Summands& summands) {
+  Outcome outcome;
+  const std::vector<Segment> dangling =
+      oracle_sum(summands.p, summands.q, Boundary::open).dangling_edges;
+  outcome.counts["dangling edges"] = dangling.size();
+  const std::vector<ConvolutionSegment> reduced = reduced_convolution(summands.p, summands.q);
+  for (const Segment& edge : dangling) {
+    const Vector d = direction_of(edge);
+    if (cover(reduced, d, edge) && cover(reduced, -d, edge)) continue;
+    outcome.kind = Outcome::Kind::fails;
+    outcome.why = "no opposite segments cover the dangling edge from " + to_string(edge.source) +
+                  " to " + to_string(edge.target);
+    return outcome;
+  }
+  if (rca(summands.p, summands.q, Boundary::open).sum.dangling_edges != dangling) {
+    outcome.kind = Outcome::Kind::fails;
+    outcome.why = "the filter finds other dangling edges";
+  }
+  return outcome;
+}
+
+const Registered registered({
+    .id = "theorem-3.2.8",
+    .kind = "theorem",
+    .title = "Dangling edges lie on opposite segments",
+    .statement =
+        "The segments of the reduced convolution in either direction along a dangling edge of the "
+        "open sum cover all of it. So looking at overlaps of opposite segments only finds all "
+        "dangling edges, and one collision test for each tells which are.",
+    .why = "On both sides of a dangling edge is the sum. Each side is the half disk to the left of "
+           "a segment along the edge, so two of them run in opposite directions. Segments of the "
+           "reduced convolution suffice (Theorem 2.3.2).",
+    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
+    .rests_on = {"theorem-2.3.2"},
+    .sources = {{"tight", 4, 6},
+                {"grid", 8, 3},
+                {"holes", 4, 1},
+                {"components", 3, 1},
+                {"diamond-u", 1, 1}},
+    .promises = {{"reflex vertices", 10}, {"parallel edges", 40}, {"overlapping segments", 5}},
+    .kills = {"dangling-edges-run-one-way"},
+    .cases = 200,
+    .file = __FILE__,
+    .check = check,
+});
+
+}  // namespace
+
+}  // namespace oplus
