@@ -37,13 +37,14 @@ struct Fits {
   std::optional<Fit> winding;
 };
 
-Fits fits(const Table& table, const std::string& x,
+/// `of` is what is fitted: time or edges.
+Fits fits(const Table& table, const std::string& x, const std::string& of,
           std::optional<Fit> (*fit)(const std::vector<double>&, const std::vector<double>&)) {
-  const auto of = [&](const std::string& column) {
+  const auto fitted = [&](const std::string& column) {
     const auto [xs, ys] = points(table, x, column);
     return fit(xs, ys);
   };
-  return {of("rca_time"), of("winding_time")};
+  return {fitted("rca_" + of), fitted("winding_" + of)};
 }
 
 std::string r_squared_line(const std::string& curve, const Fits& fits) {
@@ -51,6 +52,13 @@ std::string r_squared_line(const std::string& curve, const Fits& fits) {
     return fit ? shown(fit->r_squared) : "too few sizes";
   };
   return "R² of " + curve + ": rca " + of(fits.rca) + ", winding " + of(fits.winding);
+}
+
+/// The arrangements' sizes say without any clock whether the work is quadratic.
+void add_parabola_lines(ExperimentResult& result, const Fits& of_times) {
+  result.summary.push_back(r_squared_line("a parabola in m through the times", of_times));
+  result.summary.push_back(r_squared_line("one through the arrangements' edges",
+                                          fits(result.table, "m", "edges", fit_parabola)));
 }
 
 ExperimentResult result_of(const GrowingFamily& family, const ExperimentSettings& settings,
@@ -68,8 +76,8 @@ ExperimentResult result_of(const GrowingFamily& family, const ExperimentSettings
 ExperimentResult run_convex_star(const ExperimentSettings& settings) {
   ExperimentResult result =
       result_of(convex_star, settings, "Convex P, star-shaped Q of 100 vertices");
-  const Fits lines = fits(result.table, "winding_edges", fit_line);
-  result.summary.push_back(r_squared_line("a line in A_W", lines));
+  const Fits lines = fits(result.table, "winding_edges", "time", fit_line);
+  result.summary.push_back(r_squared_line("a line in A_W through the times", lines));
   if (lines.rca && lines.winding)
     result.summary.push_back("slope, microseconds an edge of A_W: rca " +
                              shown(1e6 * lines.rca->linear) + ", winding " +
@@ -86,8 +94,8 @@ ExperimentResult run_convex_star(const ExperimentSettings& settings) {
 ExperimentResult run_star_star(const ExperimentSettings& settings) {
   ExperimentResult result =
       result_of(star_star, settings, "Star-shaped P, star-shaped Q of 100 vertices");
-  const Fits parabolas = fits(result.table, "m", fit_parabola);
-  result.summary.push_back(r_squared_line("a parabola in m", parabolas));
+  const Fits parabolas = fits(result.table, "m", "time", fit_parabola);
+  add_parabola_lines(result, parabolas);
   const EnginePlots plots{star_star.name + ".csv", result.table};
   add(result.plots, plots.times("figure-6.10", "Figure 6.10: star and star", "m", "vertices of P",
                                 parabolas.rca, parabolas.winding));
@@ -97,8 +105,8 @@ ExperimentResult run_star_star(const ExperimentSettings& settings) {
 ExperimentResult run_simple_simple(const ExperimentSettings& settings) {
   ExperimentResult result =
       result_of(simple_simple, settings, "Simple P, simple Q of 100 vertices");
-  const Fits parabolas = fits(result.table, "m", fit_parabola);
-  result.summary.push_back(r_squared_line("a parabola in m", parabolas));
+  const Fits parabolas = fits(result.table, "m", "time", fit_parabola);
+  add_parabola_lines(result, parabolas);
   const EnginePlots plots{simple_simple.name + ".csv", result.table};
   add(result.plots, plots.times("figure-6.11", "Figure 6.11: simple and simple", "m",
                                 "vertices of P", parabolas.rca, parabolas.winding));
