@@ -19,7 +19,7 @@ const GrowingFamily convex_star = {
 
 // In the thesis to 340 in steps of 3, which takes winding minutes and more than 10 GB a pair.
 const GrowingFamily star_star = {
-    "star-star", {25, 190, 15}, 1, [](Random& random, std::size_t m) {
+    "star-star", {25, 160, 15}, 1, [](Random& random, std::size_t m) {
       Region p = star_polygon(random, m);
       return Summands{std::move(p), star_polygon(random, vertices_of_q)};
     }};
