@@ -145,9 +145,17 @@ TEST_F(PropertiesCommand, ProgramTriesAPairFromFiles) {
   const std::string pair = " --pair " + finding.p.string() + " " + finding.q.string();
   const auto [code, text] = oplus_check("properties" + pair);
   EXPECT_EQ(code, 0) << text;
-  // Theorem 4.2.14 is about simple polygons.
-  EXPECT_TRUE(ends_with(text, "1 do not apply to this pair\n" +
-                                  std::to_string(statements().size() - 1) + " passed, 0 failed\n"))
+  // Some are about simple polygons only.
+  EXPECT_NE(text.find("theorem-4.2.14: does not apply: not two simple polygons\n"),
+            std::string::npos)
+      << text;
+  std::size_t not_applicable = 0;
+  for (std::size_t at = text.find("does not apply: "); at != std::string::npos;
+       at = text.find("does not apply: ", at + 1))
+    ++not_applicable;
+  EXPECT_TRUE(ends_with(text, std::to_string(not_applicable) + " do not apply to this pair\n" +
+                                  std::to_string(statements().size() - not_applicable) +
+                                  " passed, 0 failed\n"))
       << text;
   EXPECT_EQ(oplus_check("properties --cases 5" + pair).first, 2);
 }
