@@ -66,7 +66,7 @@ std::string to_gnuplot(const Plot& plot) {
          "set datafile separator comma\n"
          "set datafile columnheaders\n"
          "set datafile missing NaN\n"  // else rows of other series would cut the lines
-         "set key below\n"
+         "set key above\n"
          "set grid\n" +
          plot.script;
 }
