@@ -16,14 +16,28 @@ struct Settings {
   std::uint64_t seed = 1;
 };
 
-/// Whether the statement kills the mutant: it fails on a pair with the fault and holds on the same
-/// pair without. A run that is short or misses a share kills nothing.
+/// Whether an enumeration that fails with the fault holds without.
+bool killed_by_enumeration(const Statement& statement, const Enumeration& with, std::ostream& out) {
+  const Enumeration without = enumerated(statement);
+  if (without.failure.empty())
+    out << "killed by the enumeration: " << with.failure << '\n' << std::flush;
+  else
+    out << "NOT KILLED: the enumeration fails without the fault too: " << without.failure << '\n'
+        << std::flush;
+  return without.failure.empty();
+}
+
+/// Whether the statement kills the mutant: its enumeration fails with the fault and holds without,
+/// or it fails on a pair with the fault and holds on the same pair without. A run that is short or
+/// misses a share kills nothing.
 bool kills(const Statement& statement, const Mutant& mutant, RunOptions options,
            std::ostream& out) {
   options.shrink = false;
   options.mutant = mutant.name;
   const PropertyRun run = run_property(statement, options);
   out << "  " << statement.id << ": ";
+  if (run.enumeration && !run.enumeration->failure.empty())
+    return killed_by_enumeration(statement, *run.enumeration, out);
   if (!run.counterexample) {
     out << "ALIVE after " << run.run << " cases\n" << std::flush;
     return false;

@@ -58,8 +58,10 @@ void print_tally(std::ostream& out, const std::string& label,
 }
 
 void print_run(std::ostream& out, const Statement& statement, const PropertyRun& run) {
-  out << statement.id << ": " << statement.title << '\n'
-      << "  " << run.run << " cases run, " << run.discarded << " discarded\n";
+  out << statement.id << ": " << statement.title << '\n';
+  if (run.enumeration && run.enumeration->failure.empty())
+    out << "  proved by enumeration, " << run.enumeration->cases << " cases\n";
+  if (statement.check) out << "  " << run.run << " cases run, " << run.discarded << " discarded\n";
   print_tally(out, "families", run.families);
   print_tally(out, "cases with", run.classes);
   print_tally(out, "looked at", run.counts);

@@ -180,13 +180,9 @@ std::uint64_t seed_of(const std::string& id, std::uint64_t seed) {
   return hash;
 }
 
-PropertyRun run_property(const Statement& statement, const RunOptions& options) {
-  if (options.cases > static_cast<std::size_t>(std::numeric_limits<int>::max()))
-    throw std::invalid_argument("more cases than RapidCheck can count");
-#ifndef OPLUS_MUTANTS
-  if (!options.mutant.empty()) throw std::invalid_argument("a build without mutants");
-#endif
-  PropertyRun run;
+namespace {
+
+void try_on_pairs(const Statement& statement, const RunOptions& options, PropertyRun& run) {
   Recorder recorder(statement, options, run);
   const rc::Gen<Case> cases = cases_of(statement);
   const auto property = rc::detail::toProperty([&] { return recorder.check(*cases); });
@@ -202,6 +198,26 @@ PropertyRun run_property(const Statement& statement, const RunOptions& options) 
   judge_result(result, run);
   judge_number(options, run);
   judge_shares(statement, run);
+}
+
+}  // namespace
+
+PropertyRun run_property(const Statement& statement, const RunOptions& options) {
+  if (options.cases > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+    throw std::invalid_argument("more cases than RapidCheck can count");
+#ifndef OPLUS_MUTANTS
+  if (!options.mutant.empty()) throw std::invalid_argument("a build without mutants");
+#endif
+  PropertyRun run;
+  if (statement.enumerate) {
+    const SwitchedOn fault(options.mutant);
+    run.enumeration = enumerated(statement);
+    if (!run.enumeration->failure.empty())
+      run.complaints.push_back("enumeration: " + run.enumeration->failure);
+  }
+  // Without either a run must not pass; then no pair can be tried, which is a complaint.
+  if (run.passed() && (statement.check || !statement.enumerate))
+    try_on_pairs(statement, options, run);
   return run;
 }
 

@@ -16,7 +16,9 @@ struct RunOptions {
   std::size_t cases = 100;  ///< that must hold, discarded ones not counted
   std::uint64_t seed = 1;
   bool shrink = true;
-  std::string mutant;  ///< switched on while a pair is checked, never while one is made; or empty
+  /// Switched on while a pair is checked and while cases are enumerated, never while a pair is
+  /// made; or empty.
+  std::string mutant;
 };
 
 struct Counterexample {
@@ -27,7 +29,8 @@ struct Counterexample {
 
 /// What a run did. It has passed only if `complaints` is empty.
 struct PropertyRun {
-  std::size_t run = 0;  ///< cases that held or failed
+  std::optional<Enumeration> enumeration;  ///< where the statement has one
+  std::size_t run = 0;                     ///< cases that held or failed
   std::size_t discarded = 0;
   std::map<std::string, std::size_t> classes;   ///< how many of `run`, by class; absent: none
   std::map<std::string, std::size_t> families;  ///< the same by family
@@ -45,7 +48,9 @@ constexpr std::size_t cases_to_judge_shares = 50;
 /// Seed of a statement's run, so that no two statements receive the same pairs.
 std::uint64_t seed_of(const std::string& id, std::uint64_t seed);
 
-/// Tries the statement on pairs from its sources, with RapidCheck. Everything that is not "as many
+/// Goes through the statement's enumeration; unless that fails, tries the statement on pairs from
+/// its sources, with RapidCheck. A case of the enumeration that fails is a complaint, and that there
+/// is none. Of the pairs, everything that is not "as many
 /// cases as asked, all hold, every promised share kept" is a complaint: a failure, zero cases,
 /// fewer cases than asked, too many discarded, a generator that throws. Same options, same run, on
 /// every compiler; nothing in the environment changes it.

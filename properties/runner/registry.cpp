@@ -42,8 +42,8 @@ std::set<std::string> class_names() {
 }
 
 const std::set<std::string>& kinds() {
-  static const std::set<std::string> all = {"lemma",       "theorem", "corollary",
-                                            "observation", "section", "fact"};
+  static const std::set<std::string> all = {"lemma",   "theorem", "corollary", "observation",
+                                            "section", "table",   "fact"};
   return all;
 }
 
@@ -58,10 +58,14 @@ void add_defects_of_entry(const Statement& s, const std::set<std::string>& mutan
   const auto defect = [&](const std::string& what) { defects.push_back(s.id + ": " + what); };
   if (!kinds().count(s.kind) || s.id.rfind(s.kind + "-", 0) != 0)
     defect("the id does not start with a kind, here " + s.kind);
-  if (s.title.empty() || s.statement.empty() || s.why.empty() || !s.check)
-    defect("title, statement, why or check is missing");
-  if (s.cases == 0) defect("a run has no case");
-  if (s.sources.empty()) defect("it names no family");
+  if (s.title.empty() || s.statement.empty() || s.why.empty())
+    defect("title, statement or why is missing");
+  if (!s.check && !s.enumerate)
+    defect("it has neither check nor enumeration");
+  else if (!s.check && (s.cases > 0 || !s.sources.empty() || !s.promises.empty()))
+    defect("without a check there is nothing to try on pairs");
+  if (s.check && s.cases == 0) defect("a run has no case");
+  if (s.check && s.sources.empty()) defect("it names no family");
   for (const Source& source : s.sources) {
     const Family* family = find_family(source.family);
     if (family == nullptr)

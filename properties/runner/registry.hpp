@@ -26,8 +26,8 @@ std::string relative_file(const Statement& statement);
 
 /// What is wrong with the entries themselves, a line each; none where:
 ///  1. ids are unique and start with their kind;
-///  2. each statement has words, sources that are families, classes that exist, and a number of
-///  cases;
+///  2. each statement has words, and a check or an enumeration; with a check, sources that are
+///  families, classes that exist, and a number of cases; without, none of these;
 ///  3. each statement names at least one mutant, and each mutant exists;
 ///  4. mutants have unique names, and each is named by a statement.
 std::vector<std::string> defects_of_entries(const std::vector<Statement>& statements,

@@ -19,6 +19,12 @@ struct Outcome {
   std::map<std::string, std::size_t> counts;  ///< how much was looked at, summed over a run
 };
 
+/// A finite domain, gone through completely.
+struct Enumeration {
+  std::size_t cases = 0;
+  std::string failure;  ///< the first case found false, in words; empty where all hold
+};
+
 /// A family whose pairs the statement is tried on.
 struct Source {
   std::string family;
@@ -35,7 +41,7 @@ struct Promise {
 /// A statement of the thesis or a fact of our own, as something that can be found false.
 struct Statement {
   std::string id;         ///< kind and number: "lemma-4.1.4"
-  std::string kind;       ///< lemma, theorem, corollary, observation, section or fact
+  std::string kind;       ///< lemma, theorem, corollary, observation, section, table or fact
   std::string title;      ///< a line
   std::string statement;  ///< in our own words
   std::string why;        ///< why it holds, in a few lines
@@ -44,12 +50,21 @@ struct Statement {
   std::vector<Source> sources;
   std::vector<Promise> promises;
   std::vector<std::string> kills;  ///< mutants that the statement must find
-  std::size_t cases;               ///< how many a run tries unless told otherwise
+  std::size_t cases = 0;           ///< how many a run tries unless told otherwise
   std::string file;                ///< where it stands, __FILE__
-  std::function<Outcome(const Summands&)> check;
+  /// Tried on pairs. May be empty where `enumerate` is not; then there are no sources, no promises
+  /// and no cases.
+  std::function<Outcome(const Summands&)> check = {};
+  /// Proves the statement, or what it comes down to, case by case; empty where there is no finite
+  /// domain.
+  std::function<Enumeration()> enumerate = {};
 };
 
-/// What the statement says of a pair; an exception is a failure too.
+/// What the statement says of a pair; an exception is a failure too. Discarded without `check`.
 Outcome evaluate(const Statement& statement, const Summands& summands);
+
+/// Goes through all cases; none at all is a failure, and so is an exception.
+/// Requires: the statement has an enumeration.
+Enumeration enumerated(const Statement& statement);
 
 }  // namespace oplus

@@ -38,11 +38,15 @@ void print_table(const std::vector<Statement>& all) {
   std::cout << all.size() << " statements, " << mutants().size() << " mutants\n";
 }
 
+std::string backing(const Statement& s) {
+  return !s.enumerate ? "pairs" : s.check ? "an enumeration, and pairs" : "an enumeration";
+}
+
 void print_entry(const Statement& s) {
   std::cout << s.id << ": " << s.title << "\n\nStatement. " << s.statement << "\n\nWhy. " << s.why
             << "\n\nHypotheses: " << joined(s.hypotheses, "; ")
             << "\nRests on: " << joined(s.rests_on) << "\nKills: " << joined(s.kills)
-            << "\nCases: " << s.cases << ", from";
+            << "\nBacked by " << backing(s) << "\nCases: " << s.cases << (s.check ? ", from" : "");
   for (const Source& source : s.sources)
     std::cout << ' ' << source.family << " (n to " << source.largest << ", weight " << source.weight
               << ')';

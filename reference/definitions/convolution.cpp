@@ -35,9 +35,11 @@ void add_sums(const Region& with_edges, const Region& with_vertices, Summand edg
         const Direction direction{direction_of(chain_edges[i]), edge_of};
         for (std::size_t j = 0; j < vertices.size(); ++j) {
           if (!is_kept(direction, chain_corners[j])) continue;
+          const std::size_t named =
+              OPLUS_MUTANT("sums-name-the-vertex-before") ? previous(j, vertices.size()) : j;
           sums.push_back(
               {{chain_edges[i].source + vertices[j], chain_edges[i].target + vertices[j]},
-               {edge_of, {a, i}, {b, j}},
+               {edge_of, {a, i}, {b, named}},
                is_reflex(chain_corners[j])});
         }
       }

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "properties/runner/mutants_command.hpp"
+#include "reference/definitions/mutant.hpp"
 
 namespace oplus {
 namespace {
@@ -25,6 +26,32 @@ TEST(Mutants, NoneRunIsNoSuccess) {
   EXPECT_FALSE(run_mutants({}, {{"unnamed", "is named by no statement", ""}}, 5, 1, out));
   EXPECT_NE(out.str().find("unnamed: no statement names this mutant"), std::string::npos);
 }
+
+#ifdef OPLUS_MUTANTS
+/// A statement whose enumeration fails as told, with the fault and without.
+Statement enumerated_with(const std::string& failure_with, const std::string& failure_without) {
+  Statement s;
+  s.id = "fact-of-a-test";
+  s.kind = "fact";
+  s.title = s.statement = s.why = "as the test wants";
+  s.kills = {"some-fault"};
+  s.enumerate = [=] {
+    return Enumeration{7, active_mutant.empty() ? failure_without : failure_with};
+  };
+  return s;
+}
+
+TEST(Mutants, AreKilledByAnEnumerationThatHoldsWithoutThem) {
+  const std::vector<Mutant> fault = {{"some-fault", "something is wrong", ""}};
+  std::ostringstream killed, alive, broken;
+  EXPECT_TRUE(run_mutants({enumerated_with("case 3", "")}, fault, std::nullopt, 1, killed));
+  EXPECT_NE(killed.str().find("killed by the enumeration: case 3"), std::string::npos);
+  EXPECT_FALSE(run_mutants({enumerated_with("", "")}, fault, std::nullopt, 1, alive));
+  EXPECT_NE(alive.str().find("ALIVE"), std::string::npos);
+  EXPECT_FALSE(run_mutants({enumerated_with("case 3", "case 4")}, fault, std::nullopt, 1, broken));
+  EXPECT_NE(broken.str().find("fails without the fault too: case 4"), std::string::npos);
+}
+#endif
 
 }  // namespace
 }  // namespace oplus

@@ -123,6 +123,37 @@ TEST_F(PropertiesCommand, PassedAndFailedAreCountedInTheLastLine) {
   EXPECT_TRUE(ends_with(only_holds.str(), "1 passed, 0 failed\n")) << only_holds.str();
 }
 
+TEST_F(PropertiesCommand, EnumerationsAreReportedAndCountedLikeRuns) {
+  Statement proved = triangles_only();
+  proved.check = nullptr;
+  proved.sources.clear();
+  proved.enumerate = [] { return Enumeration{36, ""}; };
+  Statement wrong = proved, empty = proved;
+  wrong.enumerate = [] { return Enumeration{36, "a tie is lost"}; };
+  empty.enumerate = [] { return Enumeration{}; };
+
+  std::ostringstream out;
+  EXPECT_TRUE(run_statements({proved}, std::nullopt, 1, folder_, out));
+  EXPECT_NE(out.str().find("  proved by enumeration, 36 cases\n1 passed, 0 failed\n"),
+            std::string::npos)
+      << out.str();
+
+  std::ostringstream mixed;
+  EXPECT_FALSE(run_statements({proved, wrong, empty}, std::nullopt, 1, folder_, mixed));
+  EXPECT_NE(mixed.str().find("FAILED: enumeration: a tie is lost"), std::string::npos);
+  EXPECT_NE(mixed.str().find("FAILED: enumeration: no case was enumerated"), std::string::npos);
+  EXPECT_TRUE(ends_with(mixed.str(), "1 passed, 2 failed\n")) << mixed.str();
+}
+
+TEST_F(PropertiesCommand, AStatementThatIsOnlyEnumeratedDoesNotApplyToAPair) {
+  Statement proved = triangles_only();
+  proved.check = nullptr;
+  proved.enumerate = [] { return Enumeration{36, ""}; };
+  std::ostringstream out;
+  EXPECT_FALSE(replay_statements({proved}, {}, out));
+  EXPECT_TRUE(ends_with(out.str(), "1 do not apply to this pair\n0 passed, 0 failed\n"));
+}
+
 TEST_F(PropertiesCommand, APairToWhichNothingAppliesIsNoSuccess) {
   Statement s = triangles_only();
   s.check = [](const Summands&) { return Outcome{Outcome::Kind::discarded, "not a pair", {}}; };

@@ -127,6 +127,57 @@ TEST(PropertyRun, FailsWhereNoPairCanBeMade) {
   EXPECT_FALSE(run_property(s, options(10)).passed());
 }
 
+Statement enumerated_as(const Enumeration& enumeration) {
+  Statement s = that_always(Outcome::Kind::holds);
+  s.enumerate = [enumeration] { return enumeration; };
+  return s;
+}
+
+TEST(PropertyRun, GoesThroughAnEnumerationAndTriesPairsAsWell) {
+  const PropertyRun run = run_property(enumerated_as({12, ""}), options(20));
+  EXPECT_TRUE(run.passed());
+  ASSERT_TRUE(run.enumeration.has_value());
+  EXPECT_EQ(run.enumeration->cases, 12U);
+  EXPECT_EQ(run.run, 20U);
+  EXPECT_FALSE(run_property(that_always(Outcome::Kind::holds), options(20)).enumeration);
+}
+
+TEST(PropertyRun, NeedsNoPairsWhereThereIsAnEnumerationOnly) {
+  Statement s = enumerated_as({12, ""});
+  s.check = nullptr;
+  s.sources.clear();
+  const PropertyRun run = run_property(s, options(0));
+  EXPECT_TRUE(run.passed());
+  EXPECT_EQ(run.run, 0U);
+}
+
+TEST(PropertyRun, FailsWhereTheEnumerationFails) {
+  const PropertyRun run = run_property(enumerated_as({12, "the third case"}), options(20));
+  EXPECT_EQ(run.complaints, std::vector<std::string>{"enumeration: the third case"});
+}
+
+TEST(PropertyRun, FailsOnAnEmptyEnumeration) {
+  const PropertyRun run = run_property(enumerated_as({}), options(20));
+  EXPECT_EQ(run.complaints, std::vector<std::string>{"enumeration: no case was enumerated"});
+}
+
+TEST(PropertyRun, TakesAnExceptionInAnEnumerationForAFailure) {
+  Statement s = enumerated_as({});
+  s.enumerate = []() -> Enumeration { throw std::logic_error("broken inside"); };
+  EXPECT_EQ(run_property(s, options(20)).complaints,
+            std::vector<std::string>{"enumeration: threw: broken inside"});
+}
+
+TEST(PropertyRun, FailsWithNeitherPairsNorEnumeration) {
+  EXPECT_FALSE(run_property(statement_that(nullptr), options(20)).passed());
+}
+
+TEST(PropertyRun, StillFailsOnPairsWhereTheEnumerationHolds) {
+  Statement s = enumerated_as({12, ""});
+  s.check = [](const Summands&) { return always(Outcome::Kind::fails); };
+  EXPECT_FALSE(run_property(s, options(20)).passed());
+}
+
 std::vector<Summands> pairs_of(const std::string& id, std::uint64_t seed) {
   std::vector<Summands> pairs;
   Statement s = statement_that([&](const Summands& summands) {

@@ -98,6 +98,30 @@ TEST(RegistryDefects, UnknownFamilyOrClassOrNothingToRun) {
   EXPECT_EQ(defects_with([](Statement& s) { s.check = nullptr; }).size(), 1U);
 }
 
+TEST(RegistryDefects, EnumerationInPlaceOfPairs) {
+  const auto enumerate_only = [](Statement& s) {
+    s.check = nullptr;
+    s.enumerate = [] { return Enumeration{1, ""}; };
+    s.cases = 0;
+    s.sources.clear();
+    s.promises.clear();
+  };
+  EXPECT_EQ(defects_with(enumerate_only), Defects{});
+  const Defects nothing_to_try = {"lemma-9.9.9: without a check there is nothing to try on pairs"};
+  EXPECT_EQ(defects_with([&](Statement& s) { enumerate_only(s), s.cases = 5; }), nothing_to_try);
+  EXPECT_EQ(defects_with([&](Statement& s) {
+              enumerate_only(s);
+              s.sources = sound_entry().sources;
+            }),
+            nothing_to_try);
+  EXPECT_EQ(defects_with([&](Statement& s) { enumerate_only(s), s.enumerate = nullptr; }),
+            Defects{"lemma-9.9.9: it has neither check nor enumeration"});
+  EXPECT_EQ(defects_with([](Statement& s) { s.enumerate = [] {
+                                              return Enumeration{1, ""};
+                                            }; }),
+            Defects{});
+}
+
 /// A source tree of its own, removed in the end.
 class RegistryFiles : public testing::Test {
  protected:

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "properties/runner/mixture.hpp"
+#include "properties/runner/registry.hpp"
+#include "reference/definitions/convolution.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+constexpr std::size_t most_segments = 60;  // a pair
+
+bool lies_inside(const Point& p, const Segment& s) {
+  return p != s.source && p != s.target && lies_on(p, s);
+}
+
+const Point& vertex_of(const std::vector<Chain>& all, const VertexIndex& v) {
+  return all[v.chain][v.vertex];
+}
+
+Segment edge_of(const std::vector<Chain>& all, const VertexIndex& e) {
+  const Chain& chain = all[e.chain];
+  return {chain[e.vertex], chain[next(e.vertex, chain.size())]};
+}
+
+/// Whether the vertex that the origin names is inside the edge that it names, of P and of what is
+/// at x: -Q+x, whose chains are in the order of Q's.
+bool meet_as_named(const Origin& origin, const std::vector<Chain>& of_p,
+                   const std::vector<Chain>& placed) {
+  return origin.edge_of == Summand::P
+             ? lies_inside(vertex_of(placed, origin.vertex), edge_of(of_p, origin.edge))
+             : lies_inside(vertex_of(of_p, origin.vertex), edge_of(placed, origin.edge));
+}
+
+/// How many pairs of a vertex of one region and an edge that contains it inside, of the other.
+std::size_t vertices_inside_edges(const Region& vertices_of, const Region& edges_of) {
+  std::size_t count = 0;
+  for (const Segment& e : edges(edges_of))
+    for (const Chain& chain : chains(vertices_of))
+      count += static_cast<std::size_t>(std::count_if(
+          chain.begin(), chain.end(), [&](const Point& v) { return lies_inside(v, e); }));
+  return count;
+}
+
+Outcome check(const Summands& summands) {
+  const auto& [p, q] = summands;
+  const std::vector<Chain> of_p = chains(p);
+  const std::vector<ConvolutionSegment> all = convolution(p, q), sums = vertex_edge_sum(p, q);
+  const Region turned = reflected(q);
+  const std::size_t looked_at = std::min(all.size(), most_segments);
+  Outcome outcome;
+  for (std::size_t k = 0; k < looked_at; ++k) {
+    const auto& [segment, origin, corner] = all[k * all.size() / looked_at];
+    for (const Rational& t : {Rational(1, 2), Rational(13, 31)}) {
+      const Point x = segment.source + t * direction_of(segment);
+      const Region placed = translated(turned, x);
+      const std::size_t met = vertices_inside_edges(p, placed) + vertices_inside_edges(placed, p);
+      const auto through = static_cast<std::size_t>(std::count_if(
+          sums.begin(), sums.end(), [&](const auto& s) { return lies_inside(x, s.segment); }));
+      ++outcome.counts["points"];
+      outcome.counts["vertices inside edges"] += met;
+      if (!meet_as_named(origin, of_p, chains(placed)))
+        outcome.why = "the named vertex is not inside the named edge";
+      else if (met != through)
+        outcome.why = std::to_string(met) + " vertices are inside edges, and " +
+                      std::to_string(through) + " segments of the vertex-edge sum pass";
+      if (outcome.why.empty()) continue;
+      outcome.kind = Outcome::Kind::fails;
+      outcome.why = "at " + to_string(x) + " " + outcome.why;
+      return outcome;
+    }
+  }
+  return outcome;
+}
+
+const Registered registered({
+    .id = "observation-4.2.8",
+    .kind = "observation",
+    .title = "Points inside convolution segments: a vertex meets an edge",
+    .statement =
+        "If x is inside a convolution segment, the sum of an edge of one summand and a vertex of "
+        "the other, then P and -Q+x meet where this vertex, of P or of -Q+x, is inside this edge, "
+        "of the other. And wherever x is, there are as many pairs of a vertex of the one and an "
+        "edge of the other that contains it inside as segments of the vertex-edge sum that contain "
+        "x inside.",
+    .why = "x = v + (1-t) e + t e' says that x - v is inside the edge from e to e'. If the edge is "
+           "Q's, x - ((1-t) e + t e') is a point inside an edge of -Q+x, and it is v.",
+    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
+    .rests_on = {},
+    .sources = small_mixture(),
+    .promises = promises_of_mixture(),
+    .kills = {"sums-name-the-vertex-before"},
+    .cases = 100,
+    .file = __FILE__,
+    .check = check,
+});
+
+}  // namespace
+
+}  // namespace oplus
