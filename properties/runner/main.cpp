@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "properties/experiments/experiments_command.hpp"
+#include "properties/pages/pages_command.hpp"
 #include "properties/runner/diff_command.hpp"
 #include "properties/runner/mutants_command.hpp"
 #include "properties/runner/properties_command.hpp"
@@ -34,6 +35,7 @@ int run(int argc, char** argv) {
   oplus::add_properties_command(app, exit_code);
   oplus::add_theorems_command(app, exit_code);
   oplus::add_mutants_command(app, exit_code);
+  oplus::add_pages_command(app, exit_code);
   oplus::add_experiments_command(app, exit_code);
   try {
     app.parse(argc, argv);

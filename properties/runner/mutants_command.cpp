@@ -5,7 +5,8 @@
 #include <iostream>
 #include <memory>
 
-#include "properties/runner/property_run.hpp"
+#include "properties/runner/record.hpp"
+#include "reference/io/writing.hpp"
 
 namespace oplus {
 
@@ -14,43 +15,8 @@ namespace {
 struct Settings {
   std::optional<std::size_t> cases;
   std::uint64_t seed = 1;
+  std::string record;
 };
-
-/// Whether an enumeration that fails with the fault holds without.
-bool killed_by_enumeration(const Statement& statement, const Enumeration& with, std::ostream& out) {
-  const Enumeration without = enumerated(statement);
-  if (without.failure.empty())
-    out << "killed by the enumeration: " << with.failure << '\n' << std::flush;
-  else
-    out << "NOT KILLED: the enumeration fails without the fault too: " << without.failure << '\n'
-        << std::flush;
-  return without.failure.empty();
-}
-
-/// Whether the statement kills the mutant: its enumeration fails with the fault and holds without,
-/// or it fails on a pair with the fault and holds on the same pair without. A run that is short or
-/// misses a share kills nothing.
-bool kills(const Statement& statement, const Mutant& mutant, RunOptions options,
-           std::ostream& out) {
-  options.shrink = false;
-  options.mutant = mutant.name;
-  const PropertyRun run = run_property(statement, options);
-  out << "  " << statement.id << ": ";
-  if (run.enumeration && !run.enumeration->failure.empty())
-    return killed_by_enumeration(statement, *run.enumeration, out);
-  if (!run.counterexample) {
-    out << "ALIVE after " << run.run << " cases\n" << std::flush;
-    return false;
-  }
-  const Outcome without = evaluate(statement, run.counterexample->summands);
-  if (without.kind != Outcome::Kind::holds) {
-    out << "NOT KILLED: case " << run.run << " fails without the fault too: " << without.why << '\n'
-        << std::flush;
-    return false;
-  }
-  out << "killed by case " << run.run << ": " << run.counterexample->why << '\n' << std::flush;
-  return true;
-}
 
 bool names(const Statement& statement, const std::string& mutant) {
   return std::find(statement.kills.begin(), statement.kills.end(), mutant) != statement.kills.end();
@@ -59,7 +25,8 @@ bool names(const Statement& statement, const std::string& mutant) {
 }  // namespace
 
 bool run_mutants(const std::vector<Statement>& statements, const std::vector<Mutant>& mutants,
-                 std::optional<std::size_t> cases, std::uint64_t seed, std::ostream& out) {
+                 std::optional<std::size_t> cases, std::uint64_t seed, std::ostream& out,
+                 std::vector<Kill>* kills) {
   std::size_t killed = 0, alive = 0;
   for (const Mutant& mutant : mutants) {
     out << mutant.name << ": " << mutant.what << '\n';
@@ -68,7 +35,10 @@ bool run_mutants(const std::vector<Statement>& statements, const std::vector<Mut
       RunOptions options;
       options.cases = cases.value_or(statement.cases);
       options.seed = seed;
-      ++(kills(statement, mutant, options, out) ? killed : alive);
+      const Kill kill = try_to_kill(statement, mutant, options);
+      out << "  " << statement.id << ": " << in_words(kill) << '\n' << std::flush;
+      ++(kill.killed ? killed : alive);
+      if (kills != nullptr) kills->push_back(kill);
     }
   }
   const std::vector<std::string> defects = defects_of_entries(statements, mutants);
@@ -86,11 +56,15 @@ void add_mutants_command(CLI::App& app, int& exit_code) {
                    "Cases after which a mutant is called alive; default: the statement's number")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000000}));
   command->add_option("--seed", settings->seed, "Same seed, same pairs")->capture_default_str();
+  command->add_option("--record", settings->record, "Write the kills and shrunk pairs as JSON")
+      ->type_name("FILE");
   command->footer("Example: build/check/bin/oplus-check mutants");
   command->callback([settings, &exit_code] {
 #ifdef OPLUS_MUTANTS
+    std::vector<Kill> kills;
     const bool all_died =
-        run_mutants(statements(), mutants(), settings->cases, settings->seed, std::cout);
+        run_mutants(statements(), mutants(), settings->cases, settings->seed, std::cout, &kills);
+    if (!settings->record.empty()) write_file(settings->record, to_json(kills));
     exit_code = all_died ? 0 : 1;
 #else
     std::cerr << "oplus-check mutants: this build contains no mutants; use the preset `check`: "

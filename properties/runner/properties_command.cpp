@@ -8,6 +8,7 @@
 #include "properties/runner/finding.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/io/reading.hpp"
+#include "reference/io/writing.hpp"
 
 namespace oplus {
 
@@ -19,6 +20,7 @@ struct Settings {
   std::uint64_t seed = 1;
   std::vector<std::string> pair;
   std::string findings = "oplus-findings";
+  std::string record;
 };
 
 std::vector<Statement> chosen(const std::vector<std::string>& ids) {
@@ -76,7 +78,8 @@ void print_last_line(std::ostream& out, std::size_t passed, std::size_t failed) 
 }  // namespace
 
 bool run_statements(const std::vector<Statement>& statements, std::optional<std::size_t> cases,
-                    std::uint64_t seed, const std::filesystem::path& findings, std::ostream& out) {
+                    std::uint64_t seed, const std::filesystem::path& findings, std::ostream& out,
+                    std::vector<RecordedRun>* records) {
   std::size_t passed = 0;
   for (const Statement& statement : statements) {
     RunOptions options;
@@ -91,7 +94,10 @@ bool run_statements(const std::vector<Statement>& statements, std::optional<std:
                          write_finding(findings, statement.id, run.counterexample->summands))
           << '\n';
     }
-    if (run.passed()) ++passed;
+    if (run.passed()) {
+      ++passed;
+      if (records != nullptr) records->push_back(recorded(statement, run));
+    }
     out << std::flush;
   }
   print_last_line(out, passed, statements.size() - passed);
@@ -145,15 +151,22 @@ void add_properties_command(CLI::App& app, int& exit_code) {
   command->add_option("--out", settings->findings, "Folder for shrunk counterexamples")
       ->type_name("DIR")
       ->capture_default_str();
+  command->add_option("--record", settings->record, "Write what the run did as JSON")
+      ->type_name("FILE")
+      ->excludes("--pair");
   command->footer(
       "Example: oplus-check properties --theorem lemma-4.1.4 --cases 5000 --seed 7\n"
       "Exit code: 0 all passed, 1 a statement failed, 2 the request made no sense.");
   command->callback([settings, &exit_code] {
     const std::vector<Statement> to_run = chosen(settings->ids);
-    const bool passed =
-        settings->pair.empty()
-            ? run_statements(to_run, settings->cases, settings->seed, settings->findings, std::cout)
-            : replay_statements(to_run, read_pair(settings->pair), std::cout);
+    if (!settings->pair.empty()) {
+      exit_code = replay_statements(to_run, read_pair(settings->pair), std::cout) ? 0 : 1;
+      return;
+    }
+    std::vector<RecordedRun> records;
+    const bool passed = run_statements(to_run, settings->cases, settings->seed, settings->findings,
+                                       std::cout, &records);
+    if (!settings->record.empty()) write_file(settings->record, to_json(records));
     exit_code = passed ? 0 : 1;
   });
 }

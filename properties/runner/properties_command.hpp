@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "properties/runner/property_run.hpp"
+#include "properties/runner/record.hpp"
 
 namespace oplus {
 
@@ -15,10 +15,11 @@ namespace oplus {
 void add_properties_command(CLI::App& app, int& exit_code);
 
 /// Runs statements, says of each what it did, and how many passed in a last line. Shrunk
-/// counterexamples go to the folder `findings`. Returns whether all passed.
+/// counterexamples go to the folder `findings`, what passed, where wanted, to `records`. Returns whether all passed.
 /// cases: none for each statement's own number.
 bool run_statements(const std::vector<Statement>& statements, std::optional<std::size_t> cases,
-                    std::uint64_t seed, const std::filesystem::path& findings, std::ostream& out);
+                    std::uint64_t seed, const std::filesystem::path& findings, std::ostream& out,
+                    std::vector<RecordedRun>* records = nullptr);
 
 /// Tries statements on one pair. Returns whether some hold and none fails.
 bool replay_statements(const std::vector<Statement>& statements, const Summands& summands,

@@ -5,6 +5,7 @@
 
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -94,6 +95,7 @@ class Recorder : public rc::detail::TestListener {
       case Outcome::Kind::discarded:
         return {Type::Discard, outcome_.why};
       case Outcome::Kind::fails:
+        if (failing_ && fails_without_fault(c)) return {Type::Success};
         failing_ = Counterexample{c.summands, outcome_.why, shrinks_};
         return {Type::Failure, outcome_.why};
     }
@@ -109,6 +111,7 @@ class Recorder : public rc::detail::TestListener {
       return;
     }
     ++run_.run;
+    if (outcome_.kind == Outcome::Kind::holds) held_.push_back(finished.summands);
     ++run_.families[finished.family];
     for (const auto& [name, is_so] : named(classify(finished.summands)))
       if (is_so) ++run_.classes[name];
@@ -126,7 +129,24 @@ class Recorder : public rc::detail::TestListener {
   /// The last pair that failed: RapidCheck goes on from the first shrink that fails.
   const std::optional<Counterexample>& failing() const { return failing_; }
 
+  /// The first one of middle size among the cases that held, by their numbers of vertices.
+  std::optional<Summands> typical() const {
+    if (held_.empty()) return std::nullopt;
+    std::vector<std::pair<std::size_t, std::size_t>> sizes;
+    for (std::size_t i = 0; i < held_.size(); ++i)
+      sizes.emplace_back(vertex_count(held_[i].p) + vertex_count(held_[i].q), i);
+    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+    std::nth_element(sizes.begin(), middle, sizes.end());
+    return held_[middle->second];
+  }
+
  private:
+  /// While a mutant's counterexample is shrunk: whether this one is none of the mutant's.
+  bool fails_without_fault(const Case& c) const {
+    return !options_.mutant.empty() &&
+           evaluate(statement_, c.summands).kind != Outcome::Kind::holds;
+  }
+
   const Statement& statement_;
   const RunOptions& options_;
   PropertyRun& run_;
@@ -134,6 +154,7 @@ class Recorder : public rc::detail::TestListener {
   Outcome outcome_;
   std::optional<Counterexample> failing_;
   std::size_t shrinks_ = 0;
+  std::vector<Summands> held_;
 };
 
 void judge_result(const rc::detail::TestResult& result, PropertyRun& run) {
@@ -195,6 +216,7 @@ void try_on_pairs(const Statement& statement, const RunOptions& options, Propert
   const auto result =
       rc::detail::checkProperty(property, {statement.id, statement.title}, params, recorder, {});
   run.counterexample = recorder.failing();
+  run.typical = recorder.typical();
   judge_result(result, run);
   judge_number(options, run);
   judge_shares(statement, run);

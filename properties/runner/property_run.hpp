@@ -22,7 +22,8 @@ struct RunOptions {
 };
 
 struct Counterexample {
-  Summands summands;  ///< no smaller pair (see `smaller`) fails
+  /// No smaller pair (see `smaller`) fails; with a mutant, fails with the fault and holds without.
+  Summands summands;
   std::string why;
   std::size_t shrinks;  ///< how many steps it took
 };
@@ -37,7 +38,8 @@ struct PropertyRun {
   std::map<std::string, std::size_t> counts;    ///< as the statement counts
   std::vector<std::string> complaints;
   std::optional<Counterexample> counterexample;
-  bool shares_judged = false;  ///< whether there were enough cases for that
+  std::optional<Summands> typical;  ///< of the cases that held, one of middle size
+  bool shares_judged = false;       ///< whether there were enough cases for that
 
   bool passed() const { return complaints.empty(); }
 };
@@ -50,10 +52,10 @@ std::uint64_t seed_of(const std::string& id, std::uint64_t seed);
 
 /// Goes through the statement's enumeration; unless that fails, tries the statement on pairs from
 /// its sources, with RapidCheck. A case of the enumeration that fails is a complaint, and that there
-/// is none. Of the pairs, everything that is not "as many
-/// cases as asked, all hold, every promised share kept" is a complaint: a failure, zero cases,
-/// fewer cases than asked, too many discarded, a generator that throws. Same options, same run, on
-/// every compiler; nothing in the environment changes it.
+/// is none. Of the pairs, everything that is not "as many cases as asked, all hold, every promised
+/// share kept" is a complaint: a failure, zero cases, fewer cases than asked, too many discarded, a
+/// generator that throws. Same options, same run, on every compiler; nothing in the environment
+/// changes it.
 PropertyRun run_property(const Statement& statement, const RunOptions& options);
 
 }  // namespace oplus

@@ -176,9 +176,12 @@ std::vector<std::string> defects_of_files(const std::vector<Statement>& statemen
   if (!std::filesystem::is_directory(root / "properties"))
     return {root.string() + ": the source tree is not there"};
   std::vector<std::string> defects;
-  for (const Statement& s : statements)
+  for (const Statement& s : statements) {
     if (!std::filesystem::is_regular_file(absolute_file(s)))
       defects.push_back(s.id + ": there is no file " + s.file);
+    if (!std::filesystem::is_regular_file(root / "docs/theorems" / (s.id + ".md")))
+      defects.push_back(s.id + ": there is no page docs/theorems/" + s.id + ".md");
+  }
   for (const Mutant& m : mutants) {
     if (!std::filesystem::is_regular_file(root / m.file))
       defects.push_back(m.name + ": there is no file " + m.file);

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "properties/runner/registry.hpp"
+#include "properties/runner/statement_graph.hpp"
 
 namespace oplus {
 
@@ -60,6 +61,7 @@ bool check(const std::vector<Statement>& all) {
   std::vector<std::string> defects = defects_of_entries(all, mutants());
   for (std::string& d : defects_of_files(all, mutants(), source_root()))
     defects.push_back(std::move(d));
+  for (std::string& d : defects_of_graph(all)) defects.push_back(std::move(d));
   for (const std::string& d : defects) std::cout << d << '\n';
   std::cout << all.size() << " statements, " << mutants().size() << " mutants, " << defects.size()
             << " defects\n";

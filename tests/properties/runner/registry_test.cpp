@@ -130,6 +130,7 @@ class RegistryFiles : public testing::Test {
     if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no folder to write to");
     root_ = pattern;
     write("reference/a.cpp", "if (OPLUS_MUTANT(\"sign-flipped\")) return;");
+    write("docs/theorems/lemma-9.9.9.md", "");
     std::filesystem::create_directories(root_ / "properties/chapter9");
   }
   ~RegistryFiles() override { std::filesystem::remove_all(root_); }
@@ -150,6 +151,11 @@ TEST_F(RegistryFiles, FileOfAStatementMissing) {
   s.file = "/nowhere/lemma_9_9_9.cpp";
   EXPECT_EQ(defects_of_files({s}, one_mutant, root_),
             Defects{"lemma-9.9.9: there is no file /nowhere/lemma_9_9_9.cpp"});
+}
+
+TEST_F(RegistryFiles, PageOfAStatementMissing) {
+  std::filesystem::remove(root_ / "docs/theorems/lemma-9.9.9.md");
+  EXPECT_EQ(defects(), Defects{"lemma-9.9.9: there is no page docs/theorems/lemma-9.9.9.md"});
 }
 
 TEST_F(RegistryFiles, FileOfAMutantMissingOrWithoutIt) {

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/pages/pages_command.hpp"
+
+#include <iostream>
+#include <memory>
+
+#include "properties/pages/page_files.hpp"
+#include "properties/runner/registry.hpp"
+
+namespace oplus {
+
+namespace {
+
+struct Settings {
+  std::string docs = (source_root() / "docs").string();
+  bool check = false;
+};
+
+int print_and_judge(const std::vector<std::string>& lines, const std::string& all_well) {
+  for (const std::string& line : lines) std::cout << line << '\n';
+  if (lines.empty())
+    std::cout << all_well << '\n';
+  else
+    std::cout << "bash docs/renew writes records, pages and drawings anew\n";
+  return lines.empty() ? 0 : 1;
+}
+
+int run(const Settings& settings) {
+  const Registry registry = registry_with_records(settings.docs);
+  const std::vector<std::string> defects = defects_of_records(registry);
+  if (!defects.empty()) return print_and_judge(defects, {});
+  const std::vector<Page> pages = all_pages(registry);
+  const std::string number = std::to_string(pages.size()) + " files";
+  if (settings.check)
+    return print_and_judge(stale_files(pages, settings.docs), number + " up to date");
+  write_pages(pages, settings.docs);
+  std::cout << number << " written\n";
+  return 0;
+}
+
+}  // namespace
+
+void add_pages_command(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand(
+      "pages", "Write docs/theorems/, docs/theorems.md and docs/mutants.md from the registry");
+  const auto settings = std::make_shared<Settings>();
+  command->add_flag("--check", settings->check, "Write nothing; fail where a page is out of date");
+  command
+      ->add_option("--docs", settings->docs, "The folder docs/, with the records theorems/*.json")
+      ->type_name("DIR")
+      ->capture_default_str();
+  command->footer(
+      "Records come from `properties --record` and, in the preset check, `mutants --record`.\n"
+      "Example: oplus-check pages --check\n"
+      "Exit code: 0 written or up to date, 1 out of date, 2 a record cannot be read.");
+  command->callback([settings, &exit_code] { exit_code = run(*settings); });
+}
+
+}  // namespace oplus

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/pages/theorem_page.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "properties/pages/pair_picture.hpp"
+#include "properties/runner/registry.hpp"
+
+namespace oplus {
+
+namespace {
+
+std::string link(const std::string& text, const std::string& to) {
+  return "[" + text + "](" + to + ")";
+}
+
+std::string link_to_source(const std::string& file) {
+  return link("`" + file + "`", "../../" + file);
+}
+
+std::string list_of_statements(const std::vector<std::string>& ids, const std::string& none) {
+  std::string list;
+  for (const std::string& id : ids) list += (list.empty() ? "" : ", ") + link(id, id + ".md");
+  return list.empty() ? none : list;
+}
+
+std::vector<std::string> resting_on(const Registry& registry, const std::string& id) {
+  std::vector<std::string> above;
+  for (const Statement& s : registry.statements)
+    if (std::find(s.rests_on.begin(), s.rests_on.end(), id) != s.rests_on.end())
+      above.push_back(s.id);
+  return above;
+}
+
+std::string source_of_theory(const Statement& s) {
+  if (s.kind == "fact") return "A fact of our own";
+  if (s.kind == "law") return "A law of the sum, for every engine, not in the thesis";
+  std::string number = s.id.substr(s.kind.size() + 1), kind = s.kind;
+  kind[0] = static_cast<char>(kind[0] - 'a' + 'A');
+  return kind + " " + number + " of the thesis";
+}
+
+std::string tally(const std::string& title, const std::map<std::string, std::size_t>& counts,
+                  std::size_t of, const std::vector<Promise>& promises) {
+  if (counts.empty()) return {};
+  std::string text = "\n| " + title + " | number |";
+  text += of > 0 ? " share | promised |\n|---|---:|---:|---:|\n" : "\n|---|---:|\n";
+  for (const auto& [name, count] : counts) {
+    text += "| " + name + " | " + std::to_string(count) + " |";
+    if (of > 0) {
+      const auto promise = std::find_if(promises.begin(), promises.end(),
+                                        [&](const Promise& p) { return p.classification == name; });
+      text += " " + std::to_string(100 * count / of) + " % | " +
+              (promise == promises.end() ? "" : std::to_string(promise->percent) + " %") + " |";
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+std::string recorded_run(const Statement& s, const RecordedRun& run) {
+  std::string text = "\n## A recorded run\n";
+  text += "    oplus-check properties --theorem " + s.id + "\n";
+  if (run.enumerated)
+    text += "\nProved by enumeration, " + std::to_string(*run.enumerated) + " cases.\n";
+  if (!s.check) return text;
+  text += "\n" + std::to_string(run.run) + " pairs held, " + std::to_string(run.discarded) +
+          " were discarded, none failed.\n";
+  text += tally("family", run.families, run.run, {});
+  text += tally("pairs with", run.classes, run.run, s.promises);
+  text += tally("looked at", run.counts, 0, {});
+  return text;
+}
+
+std::string kill_table(const Registry& registry, const std::vector<const Kill*>& kills) {
+  std::string text =
+      "\n## Faults it finds\nEach is one line, in the preset `check` only.\n\n"
+      "| mutant | what goes wrong | where | found by |\n|---|---|---|---|\n";
+  for (const Kill* kill : kills) {
+    const Mutant& mutant = mutant_of(registry, kill->mutant);
+    text +=
+        "| `" + mutant.name + "` | " + mutant.what + " | " + link_to_source(mutant.file) + " | " +
+        (kill->by_enumeration ? "the enumeration" : "case " + std::to_string(kill->cases)) + " |\n";
+  }
+  return text;
+}
+
+const Kill* shown_kill(const std::vector<const Kill*>& kills) {
+  const auto shrunk = std::find_if(kills.begin(), kills.end(),
+                                   [](const Kill* kill) { return kill->shrunk.has_value(); });
+  return shrunk == kills.end() ? nullptr : *shrunk;
+}
+
+}  // namespace
+
+std::string backing(const RecordedRun& run) {
+  std::string text;
+  if (run.enumerated) text = "proved by enumeration, " + std::to_string(*run.enumerated) + " cases";
+  if (run.run > 0)
+    text += (text.empty() ? "" : "; ") + ("sampled, " + std::to_string(run.run)) + " pairs";
+  return text;
+}
+
+const Mutant& mutant_of(const Registry& registry, const std::string& name) {
+  return *std::find_if(registry.mutants.begin(), registry.mutants.end(),
+                       [&](const Mutant& m) { return m.name == name; });
+}
+
+std::vector<Page> theorem_pages(const Registry& registry, const Statement& s) {
+  const RecordedRun& run = registry.runs.at(s.id);
+  std::vector<const Kill*> kills;
+  for (const Kill& kill : registry.kills)
+    if (kill.statement == s.id) kills.push_back(&kill);
+  std::set<std::string> protects;
+  for (const Kill* kill : kills) protects.insert(mutant_of(registry, kill->mutant).file);
+
+  std::string text = "# " + s.title + "\n" + source_of_theory(s) + ", `" + s.id +
+                     "`. Generated from the registry by `oplus-check pages`.\n\n## Statement\n" +
+                     s.statement + "\n\n## Why it holds\n" + s.why + "\n\n## Hypotheses\n";
+  for (const std::string& hypothesis : s.hypotheses) text += "- " + hypothesis + '\n';
+  text += "\nRests on: " + list_of_statements(s.rests_on, "nothing but definitions") + ".\n";
+  text +=
+      "\nWhat rests on it: " + list_of_statements(resting_on(registry, s.id), "nothing") + ".\n";
+  text += "\n## How it is backed\n- " + backing(run) +
+          "\n- the property: " + link_to_source(relative_file(s)) + "\n- what it protects: ";
+  for (const std::string& file : protects)
+    text += (file == *protects.begin() ? "" : ", ") + link_to_source(file);
+  text += '\n' + recorded_run(s, run) + kill_table(registry, kills);
+
+  std::vector<Page> pages;
+  if (run.typical) {
+    const std::string picture = "pictures/" + s.id + "-typical.svg";
+    text +=
+        "\n## A typical case\nOf middle size among those of the run.\n\n![P, Q, and their convolution and open sum](" +
+        picture + ")\n";
+    pages.push_back({"theorems/" + picture, picture_of_pair(*run.typical)});
+  }
+  if (const Kill* kill = shown_kill(kills)) {
+    const std::string picture = "pictures/" + s.id + "-shrunk.svg";
+    text += "\n## A shrunk case\nWith the fault `" + kill->mutant +
+            "` the statement fails on this pair, and on no smaller one; without, it holds:\n" +
+            kill->why + ".\n\n![P, Q, and their convolution and open sum](" + picture + ")\n";
+    pages.push_back({"theorems/" + picture, picture_of_pair(*kill->shrunk)});
+  }
+  pages.push_back({"theorems/" + s.id + ".md", std::move(text)});
+  return pages;
+}
+
+}  // namespace oplus

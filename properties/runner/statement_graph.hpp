@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <boost/graph/adjacency_list.hpp>
+#include <string>
+#include <vector>
+
+#include "properties/runner/statement.hpp"
+
+namespace oplus {
+
+/// Which statement rests on which: node i is statement i, an edge leads from a statement to one that
+/// it rests on.
+using StatementGraph = boost::adjacency_list<boost::vecS, boost::vecS, boost::bidirectionalS>;
+
+/// Leaves out what rests on an unknown statement; defects_of_graph says so.
+StatementGraph statement_graph(const std::vector<Statement>& statements);
+
+/// What is wrong with it, a line each: a statement that rests on an unknown one or on itself, a cycle.
+std::vector<std::string> defects_of_graph(const std::vector<Statement>& statements);
+
+/// Returns it for Graphviz, coloured by how statements are backed, each node a link to its page.
+std::string to_dot(const std::vector<Statement>& statements);
+
+}  // namespace oplus
