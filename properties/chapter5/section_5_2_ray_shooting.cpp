@@ -50,7 +50,7 @@ const Registered registered({
         "then to its right puts the start of the ray on no segment, and no segment's end at its "
         "height.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
-    .rests_on = {"lemma-4.1.5", "observation-4.2.5", "observation-5.2.1"},
+    .rests_on = {"lemma-4.1.5", "observation-4.2.5"},
     .sources = larger_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"overlapping-segments-count-once", "rays-shift-down",

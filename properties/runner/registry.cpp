@@ -43,7 +43,8 @@ std::set<std::string> class_names() {
 
 const std::set<std::string>& kinds() {
   static const std::set<std::string> all = {"lemma",   "theorem", "corollary", "observation",
-                                            "section", "table",   "fact"};
+                                            "section", "table",   "equation",  "definition",
+                                            "fact",    "law"};
   return all;
 }
 

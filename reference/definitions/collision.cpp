@@ -19,7 +19,7 @@ bool shows_common_interior(const Segment& piece, const Region& b,
     case Location::outside:
       return false;
     case Location::inside:
-      return true;
+      return !OPLUS_MUTANT("containment-is-no-collision");
     case Location::boundary:
       if (OPLUS_MUTANT("parallel-edges-do-not-collide")) return false;
       return std::any_of(edges_of_b.begin(), edges_of_b.end(), [&](const Segment& e) {

@@ -64,7 +64,9 @@ bool in_convolution(const Direction& direction, const Corner& corner) {
 }  // namespace
 
 std::vector<ConvolutionSegment> vertex_edge_sum(const Region& p, const Region& q) {
-  return kept_sums(p, q, [](const Direction&, const Corner&) { return true; });
+  return kept_sums(p, q, [](const Direction& d, const Corner&) {
+    return !(OPLUS_MUTANT("vertices-of-p-are-left-out") && d.of == Summand::Q);
+  });
 }
 
 std::vector<ConvolutionSegment> convolution(const Region& p, const Region& q) {

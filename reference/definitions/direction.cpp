@@ -2,13 +2,17 @@
 #include "reference/definitions/direction.hpp"
 
 #include "reference/definitions/contract.hpp"
+#include "reference/definitions/mutant.hpp"
 
 namespace oplus {
 
 namespace {
 
 /// 0 for angles in [0, π), 1 for angles in [π, 2π).
-int half(const Vector& v) { return sign(v.y) < 0 || (sign(v.y) == 0 && sign(v.x) < 0) ? 1 : 0; }
+int half(const Vector& v) {
+  if (OPLUS_MUTANT("left-and-right-are-one-direction")) return sign(v.y) < 0 ? 1 : 0;
+  return sign(v.y) < 0 || (sign(v.y) == 0 && sign(v.x) < 0) ? 1 : 0;
+}
 
 }  // namespace
 

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "reference/definitions/mutant.hpp"
 #include "reference/definitions/winding_number.hpp"
 
 namespace oplus {
@@ -102,7 +103,8 @@ std::vector<Point> touching_points(const Region& region) {
 }
 
 std::vector<std::vector<Segment>> boundary_pieces(const Region& region) {
-  const std::vector<Point> touching = touching_points(region);
+  std::vector<Point> touching = touching_points(region);
+  if (OPLUS_MUTANT("edges-are-not-cut-where-chains-touch")) touching.clear();
   std::vector<std::vector<Segment>> pieces;
   for (const Chain& chain : chains(region)) {
     pieces.emplace_back();

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/runner/mixture.hpp"
+#include "properties/runner/registry.hpp"
+#include "reference/definitions/region.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+/// How often a vertex passes a direction, turning from `in` to `out` by less than π: 1
+/// counterclockwise, -1 clockwise, or 0. The direction counts as turned by an infinitesimal, as those
+/// of Q do, so it is that of no edge.
+int passed(const Vector& d, const Vector& in, const Vector& out) {
+  const auto between = [&](const Vector& from, const Vector& to) {
+    return counterclockwise_between({d, Summand::Q}, {from, Summand::P}, {to, Summand::P});
+  };
+  const int turn = sign(cross(in, out));
+  if (turn > 0) return between(in, out) ? 1 : 0;
+  if (turn < 0) return between(out, in) ? -1 : 0;
+  return 0;
+}
+
+/// The axes, others, those of the edges, and their opposites.
+std::vector<Vector> directions(const std::vector<Segment>& edges) {
+  std::vector<Vector> result = {{1, 0}, {0, 1}, {1, 1}, {-2, 1}};
+  for (const Segment& e : edges) result.push_back(direction_of(e));
+  for (std::size_t i = result.size(); i-- > 0;) result.push_back(-result[i]);
+  return result;
+}
+
+Outcome check(const Summands& summands) {
+  Outcome outcome;
+  for (const Region* region : {&summands.p, &summands.q}) {
+    for (const Chain& chain : chains(*region)) {
+      const std::vector<Segment> of_chain = edges(chain);
+      const int expected = sign(twice_area(chain));
+      ++outcome.counts[expected > 0 ? "outer chains" : "holes"];
+      for (const Vector& d : directions(of_chain)) {
+        int turns = 0;
+        for (std::size_t i = 0; i < of_chain.size(); ++i)
+          turns += passed(d, direction_of(of_chain[i]),
+                          direction_of(of_chain[next(i, of_chain.size())]));
+        ++outcome.counts["directions"];
+        if (turns == expected) continue;
+        outcome.kind = Outcome::Kind::fails;
+        outcome.why = "the chain from " + to_string(chain[0]) + " passes the direction " +
+                      to_string(d) + " " + std::to_string(turns) + " times, and should " +
+                      std::to_string(expected) + " times";
+        return outcome;
+      }
+    }
+  }
+  return outcome;
+}
+
+const Registered registered({
+    .id = "definition-2.1.9",
+    .kind = "definition",
+    .title = "A chain turns once",
+    .statement =
+        "The signed angles at the vertices of an outer chain add up to a full turn "
+        "counterclockwise, those of a hole to one clockwise. Counted exactly: any direction, "
+        "turned by an infinitesimal so that no edge has it, is passed once more counterclockwise "
+        "than clockwise; of a hole, once less.",
+    .why =
+        "That is the theorem of turning tangents (Hopf) for simple closed polygons, and the chains "
+        "of a valid region are simple. The sum of signed angles is a whole number of turns, and "
+        "each turn passes each direction once.",
+    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
+    .rests_on = {},
+    .sources = larger_mixture(),
+    .promises = promises_of_mixture(),
+    .kills = {"left-and-right-are-one-direction"},
+    .cases = 1000,
+    .file = __FILE__,
+    .check = check,
+});
+
+}  // namespace
+
+}  // namespace oplus

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
+#include <set>
+
+#include "properties/runner/mixture.hpp"
+#include "properties/runner/registry.hpp"
+#include "reference/definitions/convolution.hpp"
+#include "reference/definitions/cut_at_intersections.hpp"
+#include "reference/definitions/tangent_set.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+/// The tangent set of a vertex as Definition 2.1.13 has it, by skew products alone and without a
+/// rule for ties: the directions strictly between those of its two edges; inside a straight line,
+/// where a vertex is a point on a segment like any other, that one direction.
+class TangentSet {
+ public:
+  explicit TangentSet(const Corner& corner)
+      : corner_(corner), turn_(sign(cross(corner.in, corner.out))) {}
+
+  bool contains(const Vector& d) const {
+    const int after_in = sign(cross(corner_.in, d));
+    const int before_out = sign(cross(d, corner_.out));
+    if (turn_ > 0) return after_in > 0 && before_out > 0;
+    if (turn_ < 0) return after_in > 0 || before_out > 0;
+    return after_in == 0 && sign(dot(corner_.in, d)) > 0;
+  }
+
+  bool starts_with(const Vector& d) const { return same(corner_.in, d); }
+  bool ends_with(const Vector& d) const { return same(corner_.out, d); }
+
+  /// Arcs of a circle meet iff one contains the start of the other, or they start alike.
+  bool meets(const TangentSet& other) const {
+    if (turn_ == 0) return other.contains(corner_.in);
+    if (other.turn_ == 0) return contains(other.corner_.in);
+    return contains(other.corner_.in) || other.contains(corner_.in) ||
+           same(corner_.in, other.corner_.in);
+  }
+
+ private:
+  static bool same(const Vector& u, const Vector& v) {
+    return sign(cross(u, v)) == 0 && sign(dot(u, v)) > 0;
+  }
+
+  Corner corner_;
+  int turn_;
+};
+
+std::vector<std::vector<TangentSet>> tangent_sets(const Region& region) {
+  std::vector<std::vector<TangentSet>> all;
+  for (const Chain& chain : chains(region)) {
+    all.emplace_back();
+    for (std::size_t i = 0; i < chain.size(); ++i)
+      all.back().emplace_back(Corner{chain[i] - chain[previous(i, chain.size())],
+                                     chain[next(i, chain.size())] - chain[i]});
+  }
+  return all;
+}
+
+/// Both definitions as sets of directed pieces of the vertex-edge sum, and of ends of them.
+class TwoDefinitions {
+ public:
+  explicit TwoDefinitions(const Summands& summands)
+      : of_p_(tangent_sets(summands.p)), of_q_(tangent_sets(summands.q)) {
+    const std::vector<ConvolutionSegment> all = vertex_edge_sum(summands.p, summands.q);
+    const std::vector<std::vector<Segment>> pieces = cut_at_intersections(segments(all));
+    std::set<Origin> kept;
+    for (const ConvolutionSegment& s : convolution(summands.p, summands.q)) kept.insert(s.origin);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (kept.count(all[i].origin) > 0) {
+        add(pieces[i], first_pieces, first_points);
+        first_points.insert({all[i].segment.source, all[i].segment.target});
+      }
+      const auto& [edge_of, edge, v] = all[i].origin;
+      const TangentSet& at_vertex = (edge_of == Summand::P ? of_q_ : of_p_)[v.chain][v.vertex];
+      const Vector d = direction_of(all[i].segment);
+      const bool from_start = at_vertex.starts_with(d), to_end = at_vertex.ends_with(d);
+      // The sum of two edges of equal direction is that of either one and the other's two ends, and
+      // has the point where these two segments meet or overlap inside.
+      if (at_vertex.contains(d) || from_start || to_end)
+        add(pieces[i], second_pieces, second_points);
+      if (from_start) second_points.insert(all[i].segment.source);
+      if (to_end) second_points.insert(all[i].segment.target);
+    }
+    add_vertex_pairs(summands);
+  }
+
+  std::set<Segment> first_pieces, second_pieces;
+  std::set<Point> first_points, second_points;
+
+ private:
+  /// Without the ends of the segment: the second definition has them as sums of vertices.
+  static void add(const std::vector<Segment>& of_segment, std::set<Segment>& pieces,
+                  std::set<Point>& points) {
+    pieces.insert(of_segment.begin(), of_segment.end());
+    for (std::size_t i = 1; i < of_segment.size(); ++i) points.insert(of_segment[i].source);
+  }
+
+  void add_vertex_pairs(const Summands& summands) {
+    const std::vector<Chain> chains_of_p = chains(summands.p), chains_of_q = chains(summands.q);
+    for (std::size_t a = 0; a < of_p_.size(); ++a) {
+      for (std::size_t b = 0; b < of_q_.size(); ++b) {
+        for (std::size_t i = 0; i < of_p_[a].size(); ++i) {
+          for (std::size_t j = 0; j < of_q_[b].size(); ++j)
+            if (of_p_[a][i].meets(of_q_[b][j]))
+              second_points.insert(chains_of_p[a][i] + chains_of_q[b][j]);
+        }
+      }
+    }
+  }
+
+  std::vector<std::vector<TangentSet>> of_p_, of_q_;
+};
+
+template <typename Value>
+std::optional<Value> missing_in(const std::set<Value>& found, const std::set<Value>& all) {
+  for (const Value& value : found)
+    if (all.count(value) == 0) return value;
+  return std::nullopt;
+}
+
+Outcome check(const Summands& summands) {
+  const TwoDefinitions both(summands);
+  Outcome outcome;
+  outcome.counts = {{"pieces of segments", both.second_pieces.size()},
+                    {"ends of pieces", both.second_points.size()}};
+  const auto fail = [&](const std::string& why) {
+    outcome.kind = Outcome::Kind::fails;
+    if (outcome.why.empty()) outcome.why = why;
+  };
+  const auto compare_pieces = [&](const std::set<Segment>& a, const std::set<Segment>& b,
+                                  const std::string& which) {
+    if (const auto s = missing_in(a, b))
+      fail("only by Definition " + which + ", from " + to_string(s->source) + " to " +
+           to_string(s->target));
+  };
+  compare_pieces(both.first_pieces, both.second_pieces, "2.2.7");
+  compare_pieces(both.second_pieces, both.first_pieces, "2.2.8");
+  if (const auto x = missing_in(both.first_points, both.second_points))
+    fail("only by Definition 2.2.7, the point " + to_string(*x));
+  if (const auto x = missing_in(both.second_points, both.first_points))
+    fail("only by Definition 2.2.8, the point " + to_string(*x));
+  return outcome;
+}
+
+const Registered registered({
+    .id = "definition-2.2.7-and-2.2.8",
+    .kind = "definition",
+    .title = "Both definitions of the convolution have the same points",
+    .statement =
+        "The segments of an edge and a vertex in whose tangent set its direction is, ties told "
+        "apart by the rule, are as a point set the sums of boundary points of P and Q whose "
+        "tangent sets meet, where tangent sets have no ends and know no ties. That holds for each "
+        "direction of segments, and for their ends.",
+    .why =
+        "The definitions differ in ties, and in vertices that meet vertices. Two edges of equal "
+        "direction have equal tangent sets, so their sum, a segment as long as both, belongs to "
+        "the second definition; the tie rule keeps the edge of P at the source of Q's edge, then "
+        "the edge of Q at the target of P's, which together are as long. Where vertices are inside "
+        "straight lines, it does so for the whole lines. If the tangent sets of two vertices "
+        "meet, one starts in the other or with it, and then a segment of the first definition "
+        "ends there.",
+    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
+                   "a vertex inside a straight line has the tangent set of its edges"},
+    .rests_on = {"fact-equation-2.1"},
+    .sources = small_mixture(),
+    .promises = promises_of_mixture(),
+    .kills = {"reflex-turns-clockwise", "tangent-set-without-ties", "tie-rule-depends-on-who-asks"},
+    .cases = 300,
+    .file = __FILE__,
+    .check = check,
+});
+
+}  // namespace
+
+}  // namespace oplus

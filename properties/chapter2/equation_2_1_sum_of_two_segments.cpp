@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "properties/runner/mixture.hpp"
+#include "properties/runner/registry.hpp"
+#include "reference/definitions/region.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+/// The sums of an end of one segment and the other segment.
+std::vector<Segment> vertex_edge_sums(const Segment& s, const Segment& t) {
+  return {{s.source + t.source, s.target + t.source},
+          {s.source + t.target, s.target + t.target},
+          {s.source + t.source, s.source + t.target},
+          {s.target + t.source, s.target + t.target}};
+}
+
+/// Where the point a + λ (b - a) + c + μ (d - c) lies, by its parameters.
+Location by_parameters(const Rational& lambda, const Rational& mu) {
+  if (lambda < 0 || lambda > 1 || mu < 0 || mu > 1) return Location::outside;
+  const bool inside = lambda > 0 && lambda < 1 && mu > 0 && mu < 1;
+  return inside ? Location::inside : Location::boundary;
+}
+
+/// The parallelogram, its interior to the left.
+Region parallelogram(const Segment& s, const Segment& t) {
+  Chain chain = {s.source + t.source, s.target + t.source, s.target + t.target,
+                 s.source + t.target};
+  if (sign(cross(direction_of(s), direction_of(t))) < 0) std::reverse(chain.begin(), chain.end());
+  return polygon(std::move(chain));
+}
+
+std::string defect_of_parallelogram(const Segment& s, const Segment& t, Outcome& outcome) {
+  const Region sum = parallelogram(s, t);
+  const std::vector<Rational> parameters = {Rational(-1, 2), 0, Rational(1, 3), 1, Rational(3, 2)};
+  for (const Rational& lambda : parameters) {
+    for (const Rational& mu : parameters) {
+      const Point x = s.source + lambda * direction_of(s) + t.source + mu * direction_of(t);
+      ++outcome.counts["points of planes"];
+      if (locate(x, sum) != by_parameters(lambda, mu)) return to_string(x) + " is misplaced";
+      const std::vector<Segment> sides = vertex_edge_sums(s, t);
+      const bool on_a_side = std::any_of(sides.begin(), sides.end(),
+                                         [&](const Segment& side) { return lies_on(x, side); });
+      if (on_a_side != (by_parameters(lambda, mu) == Location::boundary))
+        return to_string(x) + " is on no side of its own";
+    }
+  }
+  return {};
+}
+
+std::string defect_of_collinear_sum(const Segment& s, const Segment& t) {
+  const std::vector<Segment> sum = maximal_segments(vertex_edge_sums(s, t));
+  if (sum.size() != 1) return "the sums of ends and segments are no single segment";
+  const Vector u = direction_of(s), v = direction_of(t);
+  const Vector longest = sign(dot(u, v)) > 0 ? u + v : u - v;
+  const Vector found = direction_of(sum[0]);
+  return found == longest || found == -longest ? "" : "the sum is not as long as both together";
+}
+
+Outcome check(const Summands& summands) {
+  Outcome outcome;
+  for (const Segment& s : edges(summands.p)) {
+    for (const Segment& t : edges(summands.q)) {
+      const bool are_parallel = sign(cross(direction_of(s), direction_of(t))) == 0;
+      ++outcome.counts[are_parallel ? "parallel pairs of edges" : "other pairs of edges"];
+      const std::string defect =
+          are_parallel ? defect_of_collinear_sum(s, t) : defect_of_parallelogram(s, t, outcome);
+      if (defect.empty()) continue;
+      outcome.kind = Outcome::Kind::fails;
+      outcome.why = "edges from " + to_string(s.source) + " to " + to_string(s.target) +
+                    " and from " + to_string(t.source) + " to " + to_string(t.target) + ": " +
+                    defect;
+      return outcome;
+    }
+  }
+  return outcome;
+}
+
+const Registered registered({
+    .id = "equation-2.1",
+    .kind = "equation",
+    .title = "The sum of two segments is a parallelogram or a segment",
+    .statement =
+        "The sum of two segments that are not parallel is a parallelogram, whose sides are the sums "
+        "of an end of the one and the other segment. The sum of two parallel segments is a segment "
+        "as long as both together, and the sums of an end of the one and the other cover it.",
+    .why =
+        "The sum consists of the points a + λ u + c + μ w, λ and μ in [0, 1]. If u and w are "
+        "independent, that is an affine image of the unit square, and its boundary is the image of "
+        "the square's. If not, λ u + μ w takes all values between its extremes, which are at ends "
+        "of both; the longer segment, moved to either end of the shorter, covers all of them.",
+    .hypotheses = {"no segment is a point"},
+    .rests_on = {},
+    .sources = small_mixture(),
+    .promises = promises_of_mixture(),
+    .kills = {"segments-end-to-end-stay-apart"},
+    .cases = 100,
+    .file = __FILE__,
+    .check = check,
+});
+
+}  // namespace
+
+}  // namespace oplus
