@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "checked/arrangement/non_crossing_traits.hpp"
+#include "reference/definitions/mutant.hpp"
 
 namespace oplus {
 
@@ -48,7 +49,8 @@ class Scale {
     return {number(Rational(p.x >> shift_)), number(Rational(p.y >> shift_))};
   }
   Point original(const Kernel::Point_2& p) const {
-    if (shift_ == 0) return {number(p.x()), number(p.y())};
+    if (shift_ == 0 || OPLUS_MUTANT("coordinates-stay-scaled"))
+      return {number(p.x()), number(p.y())};
     return {Rational(number(p.x()) << shift_), Rational(number(p.y()) << shift_)};
   }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "checked/cycles/cycle_tracing.hpp"
+#include "reference/definitions/mutant.hpp"
 
 namespace oplus {
 
@@ -48,7 +49,8 @@ class Tracing {
         traced_q_(traced(q_, Summand::Q)) {
     for (std::size_t a = 0; a < p_.size(); ++a)
       for (std::size_t b = 0; b < q_.size(); ++b)
-        pairs_.push_back({a, b, trace_cycles(traced_p_[a], traced_q_[b])});
+        if (!OPLUS_MUTANT("holes-of-q-are-left-out") || sign(twice_area(q_[b])) > 0)
+          pairs_.push_back({a, b, trace_cycles(traced_p_[a], traced_q_[b])});
   }
 
   const std::vector<Pair>& pairs() const { return pairs_; }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "reference/definitions/contract.hpp"
+#include "reference/definitions/mutant.hpp"
 
 namespace oplus {
 
@@ -49,7 +50,8 @@ Chain without_collinear_vertices(const Chain& chain) {
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const Point& before = chain[previous(i, chain.size())];
     const Point& after = chain[next(i, chain.size())];
-    if (orientation(before, chain[i], after) != 0) corners.push_back(chain[i]);
+    if (orientation(before, chain[i], after) != 0 || OPLUS_MUTANT("edges-in-line-stay-apart"))
+      corners.push_back(chain[i]);
   }
   return corners;
 }
@@ -159,7 +161,9 @@ Region region_of(const MinkowskiSum& sum) {
 
 Rational area(const MinkowskiSum& sum) {
   Rational twice = 0;
-  for (const Chain& chain : sum.outer) twice += twice_area(chain);
+  for (const Chain& chain : sum.outer)
+    if (!OPLUS_MUTANT("area-is-of-the-first-chain") || &chain == &sum.outer[0])
+      twice += twice_area(chain);
   for (const Chain& hole : sum.holes) twice += twice_area(hole);
   return twice / 2;
 }

@@ -178,6 +178,13 @@ TEST_F(RegistryFiles, FileWithoutAStatement) {
                                "registered from it"});
 }
 
+TEST_F(RegistryFiles, LawWithoutAStatement) {
+  write("properties/laws/law_left_out.cpp", "");
+  write("properties/laws/linear_map.cpp", "");
+  EXPECT_EQ(defects(),
+            Defects{"properties/laws/law_left_out.cpp: no statement is registered from it"});
+}
+
 TEST_F(RegistryFiles, NoSourceTree) {
   EXPECT_EQ(defects_of_files({}, {}, "/nowhere"),
             Defects{"/nowhere: the source tree is not there"});

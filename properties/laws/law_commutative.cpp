@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/laws/each_engine.hpp"
+#include "properties/runner/registry.hpp"
+
+namespace oplus {
+
+namespace {
+
+Outcome check(const Summands& summands) {
+  const auto& [p, q] = summands;
+  return of_each_engine(Law([&](const Sum& sum) { return told_apart(sum(p, q), sum(q, p)); }));
+}
+
+const Registered registered({
+    .id = "law-commutative",
+    .kind = "law",
+    .title = "The sum does not depend on the order of the summands",
+    .statement = "Closed and open, P ⊕ Q = Q ⊕ P, the same value for each engine.",
+    .why =
+        "Addition of points is commutative. The engines treat the summands differently: of equal "
+        "directions Q's comes after P's, and -Q moves while P rests. The convolution changes "
+        "with the order, the sum must not.",
+    .hypotheses = {"P and Q are valid regions"},
+    .rests_on = {"section-3.2"},
+    .sources = {{"grid", 8, 4},
+                {"tight", 6, 3},
+                {"holes", 5, 2},
+                {"components", 5, 2},
+                {"islands", 2, 1},
+                {"fork", 3, 1},
+                {"diamond-u", 1, 1},
+                {"simple", 8, 1}},
+    .promises = {{"holes", 15},
+                 {"several components", 5},
+                 {"reflex vertices", 10},
+                 {"parallel edges", 40},
+                 {"overlapping segments", 5}},
+    .kills = {"candidates-need-no-hole-test", "holes-of-q-are-left-out"},
+    .cases = 250,
+    .file = __FILE__,
+    .check = check,
+});
+
+}  // namespace
+
+}  // namespace oplus
