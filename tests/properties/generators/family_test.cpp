@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "properties/generators/classification.hpp"
 #include "reference/definitions/validity.hpp"
 
 namespace oplus {
@@ -103,6 +104,48 @@ TEST(Family, makes_larger_regions_than_typical_ones) {
     const Summands summands = generate(family, 24, 1);
     EXPECT_TRUE(is_valid(summands.p)) << family.name;
     EXPECT_TRUE(is_valid(summands.q)) << family.name;
+  }
+}
+
+/// A class of pairs, and how many of a hundred are in it at least and at most.
+struct Share {
+  std::string classification;
+  std::size_t least;
+  std::size_t most;
+};
+
+// What statements rely on when they name a family; no two families promise the same.
+TEST(Family, has_the_shares_of_degenerate_pairs_that_it_is_for) {
+  const std::map<std::string, std::vector<Share>> promised = {
+      {"comb", {{"reflex vertices", 0, 0}, {"parallel edges", 90, 100}, {"holes", 0, 0}}},
+      {"components", {{"several components", 100, 100}, {"parallel edges", 70, 100}}},
+      {"convex", {{"reflex vertices", 0, 0}, {"holes", 0, 0}, {"several components", 0, 0}}},
+      {"diamond-u", {{"reflex vertices", 0, 0}, {"holes", 0, 0}, {"several components", 0, 0}}},
+      {"fork", {{"reflex vertices", 100, 100}, {"parallel edges", 100, 100}}},
+      {"grid",
+       {{"reflex vertices", 20, 100},
+        {"parallel edges", 70, 100},
+        {"collinear vertices", 20, 100},
+        {"overlapping segments", 10, 100},
+        {"holes", 0, 0}}},
+      {"holes", {{"holes", 100, 100}, {"parallel edges", 70, 100}}},
+      {"islands", {{"several components", 30, 100}, {"parallel edges", 50, 100}}},
+      {"simple", {{"reflex vertices", 50, 100}, {"holes", 0, 0}}},
+      {"star", {{"reflex vertices", 50, 100}, {"holes", 0, 0}}},
+      {"tight", {{"parallel edges", 70, 100}}},
+  };
+  for (const Family& family : families()) {
+    ASSERT_TRUE(promised.count(family.name)) << family.name;
+    std::map<std::string, std::size_t> seen;
+    for (std::uint64_t seed = 0; seed < 100; ++seed)
+      for (const auto& [name, is_so] : named(classify(generate(family, family.typical, seed))))
+        seen[name] += is_so ? 1 : 0;
+    for (const Share& share : promised.at(family.name)) {
+      EXPECT_GE(seen.at(share.classification), share.least)
+          << family.name << ' ' << share.classification;
+      EXPECT_LE(seen.at(share.classification), share.most)
+          << family.name << ' ' << share.classification;
+    }
   }
 }
 

@@ -61,6 +61,22 @@ TEST(Smaller, every_candidate_is_valid_and_smaller_in_every_family) {
   }
 }
 
+// Whatever fails, a way down is one of these: each step valid and smaller, and there is an end.
+TEST(Smaller, every_way_down_stays_valid_and_ends_in_two_triangles) {
+  for (const Family& family : families()) {
+    Random random(7);
+    Summands at = generate(family, family.smallest, 7);
+    for (std::vector<Summands> below = smaller(at); !below.empty(); below = smaller(at)) {
+      Summands step = std::move(below[uniform_index(random, below.size())]);
+      ASSERT_LT(size_of(step), size_of(at)) << family.name;
+      expect_valid(step.p);
+      expect_valid(step.q);
+      at = std::move(step);
+    }
+    EXPECT_EQ(size_of(at).vertices, 6u) << family.name;
+  }
+}
+
 TEST(Smaller, leaves_out_each_part) {
   const Region two{
       {{{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, {{{1, 1}, {1, 2}, {2, 1}}, {{2, 5}, {2, 6}, {3, 5}}}},

@@ -208,13 +208,40 @@ TEST_F(PropertiesCommand, ProgramRefusesRequestsThatMakeNoSense) {
   EXPECT_NE(text.find("no_such_p.dat"), std::string::npos) << text;
 }
 
-/// The environment variable with which RapidCheck lets a run be skipped or cut short.
-TEST_F(PropertiesCommand, ProgramRunsNoFewerCasesForTheEnvironment) {
-  ASSERT_EQ(setenv("RC_PARAMS", "max_success=0", 1), 0);
-  const auto [code, text] = oplus_check("properties --theorem fact-convolution-size --cases 60");
-  unsetenv("RC_PARAMS");
+/// RC_PARAMS lets RapidCheck skip a run, cut it short, draw other cases or replay a stale failure.
+TEST_F(PropertiesCommand, ProgramRunsTheSameWhateverTheEnvironmentTellsRapidCheck) {
+  const std::string run = "properties --theorem fact-convolution-size --cases 60";
+  const auto [code, text] = oplus_check(run);
   EXPECT_EQ(code, 0);
   EXPECT_NE(text.find("60 cases run"), std::string::npos) << text;
+  // The second string is what RapidCheck itself prints after a failure of some other test.
+  for (const char* params : {"max_success=0", "reproduce=BwyehNmchxWZhNEIwdWZyAiMysGcFNHd",
+                             "max_size=1 seed=5", "noshrinking=1", "reproduce=", "no parameters"}) {
+    ASSERT_EQ(setenv("RC_PARAMS", params, 1), 0);
+    EXPECT_EQ(oplus_check(run), std::pair(code, text)) << params;
+    unsetenv("RC_PARAMS");
+  }
+}
+
+TEST_F(PropertiesCommand, ProgramUnderstandsTheLineThatReplays) {
+  const Summands pair = generate(*find_family("components"), 4, 5);
+  const std::string line =
+      replay_line("section-3.2", write_finding(folder_ / "it's a folder", "section-3.2", pair));
+  const std::string program = "oplus-check ";
+  ASSERT_EQ(line.find(program), 0U);
+  const auto [code, text] = oplus_check(line.substr(program.size()));
+  EXPECT_EQ(code, 0) << line << '\n' << text;
+  EXPECT_TRUE(ends_with(text, "1 passed, 0 failed\n")) << text;
+}
+
+/// A pair from an earlier run, changed since: not tried, and no success.
+TEST_F(PropertiesCommand, ProgramRefusesAFindingThatIsNoRegion) {
+  const Finding finding = write_finding(folder_, "pair", generate(*find_family("grid"), 5, 1));
+  std::ofstream(finding.q) << "1\n4\n0 0\n1 1\n1 0\n0 1\n";
+  const auto [code, text] = oplus_check("properties --theorem lemma-4.1.4 --pair " +
+                                        finding.p.string() + " " + finding.q.string());
+  EXPECT_EQ(code, 2) << text;
+  EXPECT_NE(text.find(finding.q.string()), std::string::npos) << text;
 }
 
 TEST_F(PropertiesCommand, ProgramListsStatements) {
