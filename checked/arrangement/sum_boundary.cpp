@@ -101,6 +101,7 @@ void add_low_dimensional_features(const ConvolutionArrangement& arrangement, con
                                    !OPLUS_MUTANT("dangling-edges-run-one-way");
     if (edge_is_on_boundary[h / 2] || !opposite_segments) continue;
     const Segment edge = arrangement.geometry(h);
+    if (OPLUS_MUTANT("vertical-edges-never-dangle") && edge.source.x == edge.target.x) continue;
     if (interiors_meet_at(midpoint(edge.source, edge.target))) continue;
     boundary.dangling.push_back(h);
     mark(h);

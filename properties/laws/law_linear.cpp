@@ -52,7 +52,7 @@ const Registered registered({
                 {"fork", 2, 1},
                 {"diamond-u", 1, 1}},
     .promises = {{"holes", 15}, {"several components", 5}, {"parallel edges", 40}},
-    .kills = {"left-and-right-are-one-direction"},
+    .kills = {"left-and-right-are-one-direction", "vertical-edges-never-dangle"},
     .cases = 80,
     .file = __FILE__,
     .check = check,
