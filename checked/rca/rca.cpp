@@ -24,6 +24,7 @@ std::vector<Halfedge> boundary_of_faces(const ConvolutionArrangement& arrangemen
     if (face == ConvolutionArrangement::unbounded) return true;
     if (!may_be_in_complement(arrangement, face)) return false;
     if (OPLUS_MUTANT("candidates-need-no-hole-test")) return true;
+    if (OPLUS_MUTANT("no-candidate-is-a-hole")) return false;
     return is_hole_right_of(ConvolutionArrangement::twin(arrangement.boundaries(face)[0]));
   };
   std::vector<Halfedge> boundary;

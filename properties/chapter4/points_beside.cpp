@@ -29,8 +29,9 @@ std::optional<Rational> hit(const Point& x, const Vector& along, const Segment& 
   return nearest > 0 ? std::optional(nearest) : std::nullopt;
 }
 
-/// A point on the ray before it meets any of the segments again.
-Point before_next_hit(const Point& x, const Vector& along, const std::vector<Segment>& segments) {
+}  // namespace
+
+Point point_beside(const Point& x, const Vector& along, const std::vector<Segment>& segments) {
   Rational nearest = 2;
   for (const Segment& s : segments) {
     const std::optional<Rational> t = hit(x, along, s);
@@ -38,8 +39,6 @@ Point before_next_hit(const Point& x, const Vector& along, const std::vector<Seg
   }
   return x + Rational(nearest / 2) * along;
 }
-
-}  // namespace
 
 std::vector<Point> points_beside(const std::vector<Segment>& segments) {
   std::set<Segment> pieces;
@@ -53,8 +52,8 @@ std::vector<Point> points_beside(const std::vector<Segment>& segments) {
     const Point middle = midpoint(piece.source, piece.target);
     const Vector along = direction_of(piece);
     const Vector normal{along.y, -along.x};
-    points.push_back(before_next_hit(middle, normal, segments));
-    points.push_back(before_next_hit(middle, -normal, segments));
+    points.push_back(point_beside(middle, normal, segments));
+    points.push_back(point_beside(middle, -normal, segments));
   }
   return points;
 }

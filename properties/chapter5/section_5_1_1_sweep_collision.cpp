@@ -22,7 +22,7 @@ const Registered registered({
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"sweep-forgets-overlap-direction", "sweep-ignores-weak-intersections"},
-    .cases = 300,
+    .cases = 100,
     .file = __FILE__,
     .check =
         [](const Summands& summands) {

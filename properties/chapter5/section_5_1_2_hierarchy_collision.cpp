@@ -20,7 +20,7 @@ const Registered registered({
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"parallel-edges-do-not-collide", "weak-intersections-never-meet"},
-    .cases = 300,
+    .cases = 100,
     .file = __FILE__,
     .check =
         [](const Summands& summands) {

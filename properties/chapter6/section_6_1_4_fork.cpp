@@ -43,7 +43,7 @@ const Registered registered({
     .rests_on = {"section-3.2"},
     .sources = {{"fork", 6, 1}},
     .promises = {{"reflex vertices", 100}, {"parallel edges", 100}},
-    .kills = {"reflex-where-angles-decrease"},
+    .kills = {"no-candidate-is-a-hole"},
     .cases = 60,
     .file = __FILE__,
     .check = check,

@@ -27,7 +27,9 @@ std::vector<Chain> stitch(std::vector<Segment> edges) {
                          [](const Segment& a, const Segment& b) { return a.source < b.source; });
     OPLUS_REQUIRES(leaving.first != leaving.second, "Observation 3.2.4");
     return std::max_element(leaving.first, leaving.second, [&](const Segment& a, const Segment& b) {
-      return turns_more_clockwise(direction_of(edge), direction_of(b), direction_of(a));
+      const bool b_first =
+          turns_more_clockwise(direction_of(edge), direction_of(b), direction_of(a));
+      return b_first != OPLUS_MUTANT("chains-turn-counterclockwise-most");
     });
   };
   std::vector<Chain> stitched;
