@@ -165,7 +165,7 @@ const Registered registered({
         "ends there.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
                    "a vertex inside a straight line has the tangent set of its edges"},
-    .rests_on = {"fact-equation-2.1"},
+    .rests_on = {"equation-2.1"},
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"reflex-turns-clockwise", "tangent-set-without-ties", "tie-rule-depends-on-who-asks"},

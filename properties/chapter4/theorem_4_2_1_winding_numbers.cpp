@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "properties/chapter2/open_sum.hpp"
-#include "properties/chapter4/points_beside.hpp"
+#include "properties/chapter2/points_beside.hpp"
 #include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/definitions/convolution.hpp"

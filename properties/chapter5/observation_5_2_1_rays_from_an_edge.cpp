@@ -3,7 +3,7 @@
 
 #include "checked/cycles/convolution_cycles.hpp"
 #include "checked/winding/ray_shooting.hpp"
-#include "properties/chapter4/points_beside.hpp"
+#include "properties/chapter2/points_beside.hpp"
 #include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/definitions/collision.hpp"

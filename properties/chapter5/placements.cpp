@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "properties/chapter4/points_beside.hpp"
+#include "properties/chapter2/points_beside.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/definitions/cut_at_intersections.hpp"
 

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <set>
 
-#include "properties/chapter4/points_beside.hpp"
+#include "properties/chapter2/points_beside.hpp"
 #include "reference/definitions/cut_at_intersections.hpp"
 
 namespace oplus {

@@ -98,6 +98,7 @@ DifferentialReport run(const Settings& settings, const std::vector<DifferentialC
   run_differential(cases, checked, settings.largest, settings.threads,
                    [&](std::size_t index, const DifferentialResult& result) {
                      results[index] = result;
+                     results[index].by_oracle.reset();  // thousands of them
                      progress.advance();
                    });
   for (std::size_t i = 0; i < cases.size(); ++i) {

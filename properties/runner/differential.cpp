@@ -62,6 +62,7 @@ DifferentialResult differential(const Summands& summands,
                                        std::nullopt};
     return result;
   }
+  result.by_oracle = sums;
   result.holes_in_sum = !sums.closed.holes.empty();
   result.low_dimensional_features =
       !sums.open.dangling_edges.empty() || !sums.open.isolated_vertices.empty();

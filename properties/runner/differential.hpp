@@ -10,6 +10,7 @@
 #include "properties/generators/family.hpp"
 #include "properties/runner/implementation.hpp"
 #include "reference/definitions/difference.hpp"
+#include "reference/oracle/oracle.hpp"
 
 namespace oplus {
 
@@ -37,7 +38,8 @@ struct DifferentialResult {
   Kind kind = Kind::agreed;
   std::string why;  ///< for skipped
   std::optional<Disagreement> disagreement;
-  Probes probes;  ///< of all implementations
+  Probes probes;                        ///< of all implementations
+  std::optional<OracleSums> by_oracle;  ///< none for skipped, or where the oracle threw
 
   bool holes_in_sum = false;
   bool holes_in_summand = false;

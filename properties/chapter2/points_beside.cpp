@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/chapter4/points_beside.hpp"
+#include "properties/chapter2/points_beside.hpp"
 
 #include <optional>
 #include <set>

@@ -5,6 +5,7 @@
 #include <string>
 #include <system_error>
 
+#include "properties/exhaustive/exhaustive_command.hpp"
 #include "properties/experiments/experiments_command.hpp"
 #include "properties/pages/pages_command.hpp"
 #include "properties/runner/diff_command.hpp"
@@ -30,8 +31,10 @@ int run(int argc, char** argv) {
       "  1  a disagreement, a statement that failed, a mutant that lives\n"
       "  2  invalid input or usage, or a file that cannot be read or written\n"
       "  3  a bug in oplus; please report it\n"
-      "  4  of experiments: gnuplot is missing or fails; all but the plots is written");
+      "  4  of experiments: gnuplot is missing or fails; all but the plots is written\n"
+      "  5  of exhaustive: interrupted before the end");
   oplus::add_diff_command(app, exit_code);
+  oplus::add_exhaustive_command(app, exit_code);
   oplus::add_properties_command(app, exit_code);
   oplus::add_theorems_command(app, exit_code);
   oplus::add_mutants_command(app, exit_code);

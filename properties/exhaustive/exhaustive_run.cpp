@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/exhaustive/exhaustive_run.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "properties/exhaustive/grid_polygons.hpp"
+#include "reference/io/invalid_input.hpp"
+
+namespace oplus {
+
+namespace {
+
+constexpr std::size_t pairs_at_a_time = 256;
+
+std::vector<std::size_t> orbits_of_shard(std::size_t orbits, const Scope& scope) {
+  std::vector<std::size_t> result;
+  for (std::size_t k = scope.shard - 1; k < orbits; k += scope.shards) result.push_back(k);
+  return result;
+}
+
+void add(const DifferentialResult& result, std::size_t orbit, ExhaustiveState& state) {
+  state.holes_in_sum += result.holes_in_sum;
+  state.low_dimensional_features += result.low_dimensional_features;
+  state.overlapping_segments += result.overlapping_segments;
+  state.disagreed += result.kind == DifferentialResult::Kind::disagreed;
+  if (result.by_oracle) state.digest.add(orbit, result.by_oracle->closed, result.by_oracle->open);
+}
+
+}  // namespace
+
+std::string to_json(const ExhaustiveState& state) {
+  const nlohmann::ordered_json json = {{"grid", state.scope.side},
+                                       {"vertices", state.scope.most_vertices},
+                                       {"shard", state.scope.shard},
+                                       {"shards", state.scope.shards},
+                                       {"engines", state.engines},
+                                       {"polygons", state.polygons},
+                                       {"pairs", state.pairs},
+                                       {"done", state.done},
+                                       {"holes_in_sum", state.holes_in_sum},
+                                       {"low_dimensional_features", state.low_dimensional_features},
+                                       {"overlapping_segments", state.overlapping_segments},
+                                       {"disagreed", state.disagreed},
+                                       {"digest", state.digest.to_string()}};
+  return json.dump(2) + "\n";
+}
+
+ExhaustiveState state_of_json(const std::string& text, const std::string& file) {
+  const auto refuse = [&](const std::string& wrong) {
+    return InvalidInput({file, 1, 0}, wrong, "a state that oplus-check exhaustive wrote");
+  };
+  try {
+    const nlohmann::json json = nlohmann::json::parse(text);
+    ExhaustiveState state;
+    json.at("grid").get_to(state.scope.side);
+    json.at("vertices").get_to(state.scope.most_vertices);
+    json.at("shard").get_to(state.scope.shard);
+    json.at("shards").get_to(state.scope.shards);
+    json.at("engines").get_to(state.engines);
+    json.at("polygons").get_to(state.polygons);
+    json.at("pairs").get_to(state.pairs);
+    json.at("done").get_to(state.done);
+    json.at("holes_in_sum").get_to(state.holes_in_sum);
+    json.at("low_dimensional_features").get_to(state.low_dimensional_features);
+    json.at("overlapping_segments").get_to(state.overlapping_segments);
+    json.at("disagreed").get_to(state.disagreed);
+    state.digest = SumDigest(json.at("digest").get<std::string>());
+    if (state.done > state.pairs) throw refuse("more pairs are done than there are");
+    return state;
+  } catch (const nlohmann::json::exception& e) {
+    throw refuse(e.what());
+  } catch (const std::invalid_argument& e) {
+    throw refuse(e.what());
+  }
+}
+
+ExhaustiveState run_exhaustively(ExhaustiveState state,
+                                 const std::vector<Implementation>& implementations,
+                                 unsigned threads, const ExhaustiveReports& reports) {
+  const std::vector<GridPolygon> polygons =
+      grid_polygons(state.scope.side, state.scope.most_vertices);
+  const auto orbits = pair_orbits(polygons);
+  const std::vector<std::size_t> of_shard = orbits_of_shard(orbits.size(), state.scope);
+  state.polygons = polygons.size();
+  state.pairs = of_shard.size();
+  while (state.done < state.pairs && !reports.is_enough()) {
+    const std::size_t end = std::min(state.done + pairs_at_a_time, state.pairs);
+    std::vector<DifferentialCase> cases;
+    for (std::size_t k = state.done; k < end; ++k) {
+      const auto [i, j] = orbits[of_shard[k]];
+      cases.push_back({"pair " + std::to_string(of_shard[k]), "exhaustive",
+                       [p = region_of(polygons[i]), q = region_of(polygons[j])] {
+                         return Summands{p, q};
+                       }});
+    }
+    std::vector<std::pair<std::size_t, Disagreement>> found;
+    run_differential(cases, implementations, static_cast<std::size_t>(-1), threads,
+                     [&](std::size_t index, const DifferentialResult& result) {
+                       add(result, of_shard[state.done + index], state);
+                       if (result.disagreement) found.emplace_back(index, *result.disagreement);
+                     });
+    for (const auto& [index, disagreement] : found)
+      reports.disagreement(cases[index].name, cases[index].make(), disagreement);
+    state.done = end;
+    reports.after_some(state);
+  }
+  return state;
+}
+
+}  // namespace oplus
