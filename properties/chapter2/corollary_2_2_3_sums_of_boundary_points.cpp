@@ -53,7 +53,7 @@ const Registered registered({
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"ends-are-not-on-their-segment"},
-    .cases = 100,
+    .cases = 200,
     .file = __FILE__,
     .check = check,
 });

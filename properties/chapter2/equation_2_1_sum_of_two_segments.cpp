@@ -97,7 +97,7 @@ const Registered registered({
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"segments-end-to-end-stay-apart"},
-    .cases = 100,
+    .cases = 300,
     .file = __FILE__,
     .check = check,
 });

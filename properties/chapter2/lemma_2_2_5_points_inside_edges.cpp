@@ -53,7 +53,7 @@ std::set<Point> sums_of_some_inside_points(const Summands& summands) {
   return sums;
 }
 
-constexpr std::size_t most_sums = 30;  // a pair
+constexpr std::size_t most_sums = 20;  // a pair
 
 Outcome check(const Summands& summands) {
   Outcome outcome;

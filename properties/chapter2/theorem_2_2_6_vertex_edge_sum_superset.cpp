@@ -49,7 +49,7 @@ const Registered registered({
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"vertices-of-p-are-left-out"},
-    .cases = 100,
+    .cases = 200,
     .file = __FILE__,
     .check = check,
 });

@@ -95,7 +95,7 @@ const Registered registered({
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"acute-vertex-is-reflex", "tangent-set-without-ties"},
-    .cases = 400,
+    .cases = 200,
     .file = __FILE__,
     .check = check,
 });
