@@ -58,19 +58,6 @@ Chain without_collinear_vertices(const Chain& chain) {
   return corners;
 }
 
-/// The rotation that is lexicographically smallest: it starts at the smallest vertex.
-Chain smallest_rotation(const Chain& chain) {
-  Chain best;
-  const Point smallest = *std::min_element(chain.begin(), chain.end());
-  for (auto start = chain.begin(); start != chain.end(); ++start) {
-    if (*start != smallest) continue;
-    Chain rotated(start, chain.end());
-    rotated.insert(rotated.end(), chain.begin(), start);
-    if (best.empty() || rotated < best) best = std::move(rotated);
-  }
-  return best;
-}
-
 /// The edges of a chain, cut at the vertices of another, or of its own, that lie inside them.
 std::vector<Segment> cut_edges(const Chain& chain, const Chain& at) {
   std::vector<Segment> pieces;
@@ -110,10 +97,27 @@ bool is_inside(const Chain& hole, const Chain& outer) {
 
 }  // namespace
 
+std::size_t start_of_smallest_rotation(const Chain& chain) {
+  const auto rotated = [&](std::size_t start) {
+    Chain result(chain.begin() + static_cast<std::ptrdiff_t>(start), chain.end());
+    result.insert(result.end(), chain.begin(), chain.begin() + static_cast<std::ptrdiff_t>(start));
+    return result;
+  };
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < chain.size(); ++i) {
+    const auto compared = chain[i] <=> chain[best];
+    if (compared < 0 || (compared == 0 && rotated(i) < rotated(best))) best = i;
+  }
+  return best;
+}
+
 MinkowskiSum canonical_sum(const BoundaryFeatures& features) {
   MinkowskiSum sum;
   for (const Chain& stitched : stitch(features.edges)) {
-    Chain chain = smallest_rotation(without_collinear_vertices(stitched));
+    Chain chain = without_collinear_vertices(stitched);
+    std::rotate(chain.begin(),
+                chain.begin() + static_cast<std::ptrdiff_t>(start_of_smallest_rotation(chain)),
+                chain.end());
     (sign(twice_area(chain)) > 0 ? sum.outer : sum.holes).push_back(std::move(chain));
   }
   std::sort(sum.outer.begin(), sum.outer.end());

@@ -36,6 +36,9 @@ struct BoundaryFeatures {
   std::vector<Point> isolated_vertices;
 };
 
+/// Where the rotation of a chain starts that is lexicographically smallest: at a smallest vertex.
+std::size_t start_of_smallest_rotation(const Chain& chain);
+
 /// Brings features into canonical form.
 /// Requires: as many edges enter each point as leave it.
 MinkowskiSum canonical_sum(const BoundaryFeatures& features);
