@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "checked/arrangement/isolated_touching_points.hpp"
 #include "reference/definitions/contract.hpp"
 #include "reference/definitions/mutant.hpp"
 
@@ -55,30 +56,6 @@ bool has_three_directions(const ConvolutionArrangement& arrangement, Vertex v) {
   return directions.size() >= 3 && !OPLUS_MUTANT("three-directions-are-too-few");
 }
 
-/// Where touching points of both summands meet, a vertex may be isolated without a segment of the
-/// reduced convolution through it (docs/findings.md, on Theorem 2.3.2).
-std::vector<Point> isolated_touching_points(
-    const ConvolutionArrangement& arrangement, const Region& p, const Region& q,
-    const std::function<bool(const Point&)>& interiors_meet_at, const SumBoundary& boundary) {
-  const std::vector<Point> of_p = touching_points(p);
-  const std::vector<Point> of_q = of_p.empty() ? of_p : touching_points(q);
-  std::vector<Point> isolated;
-  if (of_q.empty() || OPLUS_MUTANT("touching-points-are-not-tested")) return isolated;
-  const BoundaryFeatures found = features(arrangement, boundary);
-  const Region closed = region_of(canonical_sum({found.edges, {}, {}}));
-  for (const Point& a : of_p) {
-    for (const Point& b : of_q) {
-      const Point x = a + b;
-      const bool on_dangling_edge =
-          std::any_of(found.dangling_edges.begin(), found.dangling_edges.end(),
-                      [&](const Segment& e) { return lies_on(x, e); });
-      if (!on_dangling_edge && locate(x, closed) == Location::inside && !interiors_meet_at(x))
-        isolated.push_back(x);
-    }
-  }
-  return isolated;
-}
-
 }  // namespace
 
 void add_low_dimensional_features(const ConvolutionArrangement& arrangement, const Region& p,
@@ -111,7 +88,8 @@ void add_low_dimensional_features(const ConvolutionArrangement& arrangement, con
     const Point x = arrangement.point(v);
     if (!interiors_meet_at(x)) boundary.isolated_vertices.push_back(x);
   }
-  for (Point& x : isolated_touching_points(arrangement, p, q, interiors_meet_at, boundary))
+  for (Point& x :
+       isolated_touching_points(p, q, interiors_meet_at, sum_within(arrangement, boundary)))
     boundary.isolated_vertices.push_back(std::move(x));
 }
 

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "reference/definitions/minkowski_sum.hpp"
+
+namespace oplus {
+
+/// Where touching points of both summands meet, a vertex of the open sum may be isolated without a
+/// segment of the reduced convolution through it (docs/findings.md, on Theorem 2.3.2). Returns these.
+/// `found` is the open sum but for them.
+std::vector<Point> isolated_touching_points(
+    const Region& p, const Region& q, const std::function<bool(const Point&)>& interiors_meet_at,
+    const MinkowskiSum& found);
+
+}  // namespace oplus
