@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "checked/slide/fraction.hpp"
+#include "checked/slide/integer_vector.hpp"
+
+namespace oplus::slide {
+
+/// Open.
+template <typename Numbers>
+struct BlockedInterval {
+  Fraction<Numbers> from;
+  Fraction<Numbers> to;
+};
+
+/// Whether x(t) is shifted by an infinitesimal to the segment's right before it is asked whether it
+/// is blocked.
+enum class Shift { none, to_the_right };
+
+namespace detail {
+
+/// What strips of the plane leave of a line.
+template <typename Numbers>
+class Strips {
+ public:
+  using Value = typename Numbers::Value;
+
+  /// Cuts to where 0 < constant + t slope < limit. `nudge` is the sign of what a shift adds to the
+  /// constant; it matters only where the line is parallel to the strip. Returns whether something
+  /// may be left.
+  bool cut(const Value& constant, const Value& slope, const Value& limit, int nudge) {
+    if (slope == 0) {
+      if (constant == 0) return nudge > 0;
+      if (constant == limit) return nudge < 0;
+      return constant > 0 && constant < limit;
+    }
+    if (slope > 0) return cut({-constant, slope}, {limit - constant, slope});
+    return cut({constant - limit, -slope}, {constant, -slope});
+  }
+
+  const std::optional<BlockedInterval<Numbers>>& left() const { return left_; }
+
+ private:
+  bool cut(const Fraction<Numbers>& from, const Fraction<Numbers>& to) {
+    if (!left_) {
+      left_ = {from, to};
+      return true;
+    }
+    if (left_->from < from) left_->from = from;
+    if (to < left_->to) left_->to = to;
+    return left_->from < left_->to;
+  }
+
+  std::optional<BlockedInterval<Numbers>> left_;
+};
+
+}  // namespace detail
+
+/// The places on the line of a segment at which an edge of P and one of -Q + x(t) cross properly:
+/// where x(t), shifted, is inside the sum of the edge of P and that of Q, a parallelogram. It is one
+/// open interval, or empty; of infinitesimal length counts as empty.
+template <typename Numbers>
+std::optional<BlockedInterval<Numbers>> blocked_interval(const IntegerSegment<Numbers>& segment,
+                                                         const IntegerSegment<Numbers>& of_p,
+                                                         const IntegerSegment<Numbers>& of_q,
+                                                         Shift shift) {
+  using Value = typename Numbers::Value;
+  // x = of_p.source + of_q.source + a u + b w, where 0 < a < 1 and 0 < b < 1 inside.
+  const auto& u = of_p.direction;
+  const auto& w = of_q.direction;
+  const auto& d = segment.direction;
+  Value area = cross(u, w);
+  if (area == 0) return std::nullopt;
+  const bool mirrored = area < 0;
+  if (mirrored) area = -area;
+  const auto from_corner = segment.source - of_p.source - of_q.source;
+  const auto turned = [&](const Value& value) { return mirrored ? Value(-value) : value; };
+  // The right normal n has [n, w] = d w and [u, n] = -d u.
+  const auto nudge = [&](const IntegerVector<Numbers>& along, int which) {
+    return shift == Shift::none ? 0 : which * sign_of(dot(d, along)) * (mirrored ? -1 : 1);
+  };
+  detail::Strips<Numbers> strips;
+  const Value slope_a = cross(d, w);
+  if (!strips.cut(turned(cross(from_corner, w)), turned(slope_a), area,
+                  slope_a == 0 ? nudge(w, 1) : 0))
+    return std::nullopt;
+  const Value slope_b = cross(u, d);
+  if (!strips.cut(turned(cross(u, from_corner)), turned(slope_b), area,
+                  slope_b == 0 ? nudge(u, -1) : 0))
+    return std::nullopt;
+  return strips.left();
+}
+
+}  // namespace oplus::slide

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "checked/slide/blocked_interval.hpp"
+#include "checked/slide/integer_summands.hpp"
+#include "checked/slide/swept_box.hpp"
+
+namespace oplus::slide {
+
+/// How much a search had to do.
+struct SearchEffort {
+  std::size_t probes = 0;
+  std::size_t box_pairs = 0;    ///< pairs of boxes opened or found to be edges
+  std::size_t by_doubles = 0;   ///< pairs of edges that doubles told not to block
+  std::size_t by_integers = 0;  ///< pairs of edges that took integers
+
+  SearchEffort& operator+=(const SearchEffort& more) {
+    probes += more.probes;
+    box_pairs += more.box_pairs;
+    by_doubles += more.by_doubles;
+    by_integers += more.by_integers;
+    return *this;
+  }
+};
+
+/// The numbers of an edge of P and one of Q.
+using EdgePair = std::pair<std::uint32_t, std::uint32_t>;
+
+/// Looks for pairs of edges that block places on a segment. It remembers which blocked lately, since
+/// the next segment is near.
+template <typename Numbers>
+class BlockingSearch {
+ public:
+  using Interval = BlockedInterval<Numbers>;
+
+  BlockingSearch(const IntegerSummands<Numbers>& summands, Shift shift)
+      : summands_(summands), shift_(shift) {}
+
+  /// An interval that contains t, if there is one.
+  std::optional<Interval> at(const Track<Numbers>& track, const Fraction<Numbers>& t) {
+    ++effort.probes;
+    const NearPoint near = near_place(track, t);
+    for (std::size_t k = 0; k < remembered_; ++k) {
+      if (auto found = containing(track, t, near, recent_[k])) {
+        std::rotate(recent_.begin(), recent_.begin() + static_cast<std::ptrdiff_t>(k),
+                    recent_.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+        return found;
+      }
+    }
+    const Box point = near.box(summands_.margins.coordinate);
+    left_out_.clear();
+    std::size_t waiting = 0;
+    Pair boxes{0, 0};
+    if (!contains(sum_of(boxes), point)) {
+      left_out_.push_back(boxes);
+      return std::nullopt;
+    }
+    while (true) {
+      ++effort.box_pairs;
+      if (const auto halves = halves_of(boxes)) {
+        const Box first = sum_of(halves->first), second = sum_of(halves->second);
+        const bool in_first = contains(first, point), in_second = contains(second, point);
+        if (in_first && in_second) {
+          const bool swap = distance(second, near) < distance(first, near);
+          waiting_[waiting++] = swap ? halves->first : halves->second;
+          boxes = swap ? halves->second : halves->first;
+          continue;
+        }
+        if (!in_first) left_out_.push_back(halves->first);
+        if (!in_second) left_out_.push_back(halves->second);
+        if (in_first || in_second) {
+          boxes = in_first ? halves->first : halves->second;
+          continue;
+        }
+      } else {
+        const EdgePair pair = edges_in(boxes);
+        if (auto found = containing(track, t, near, pair)) {
+          remember(pair);
+          return found;
+        }
+        left_out_.push_back(boxes);
+      }
+      if (waiting == 0) return std::nullopt;
+      boxes = waiting_[--waiting];
+    }
+  }
+
+  /// Prepares each_pair() without a probe.
+  void leave_out_all() { left_out_.assign(1, {0, 0}); }
+
+  /// Visits all pairs of edges that can touch each other at a place on a piece of the track, by the
+  /// numbers of the edges.
+  /// Requires: at() was asked about a place on this piece last, and found none; or leave_out_all().
+  template <typename Visit>
+  void each_pair(const Track<Numbers>& track, const Piece<Numbers>& piece, const Visit& visit) {
+    const NearPoint from = near_place(track, piece.from), to = near_place(track, piece.to);
+    const SweptBox swept(from, to, 2 * summands_.margins.coordinate);
+    const auto may_meet = [&](const Pair& boxes) { return swept.may_meet(sum_of(boxes)); };
+    for (Pair boxes : left_out_) {
+      if (!may_meet(boxes)) continue;
+      std::size_t waiting = 0;
+      while (true) {
+        ++effort.box_pairs;
+        if (const auto halves = halves_of(boxes)) {
+          const bool first = may_meet(halves->first), second = may_meet(halves->second);
+          if (first && second) waiting_[waiting++] = halves->second;
+          if (first || second) {
+            boxes = first ? halves->first : halves->second;
+            continue;
+          }
+        } else {
+          const EdgePair pair = edges_in(boxes);
+          if (!certainly_outside(pair, from, to)) visit(pair);
+        }
+        if (waiting == 0) break;
+        boxes = waiting_[--waiting];
+      }
+    }
+  }
+
+  std::optional<Interval> interval_of(const Track<Numbers>& track, const EdgePair& pair) {
+    ++effort.by_integers;
+    return blocked_interval(track.exact, summands_.p.edges[pair.first],
+                            summands_.q.edges[pair.second], shift_);
+  }
+
+  SearchEffort effort;
+
+ private:
+  using Pair = std::pair<std::uint32_t, std::uint32_t>;  ///< of nodes
+
+  /// Whether no place between two is in the sum of a pair of edges, a parallelogram, or its boundary,
+  /// given points near the two.
+  bool certainly_outside(const EdgePair& pair, const NearPoint& from, const NearPoint& to) {
+    const NearSegment& e = summands_.p.near[pair.first];
+    const NearSegment& f = summands_.q.near[pair.second];
+    const double area = e.dx * f.dy - e.dy * f.dx;
+    const double m = summands_.margins.area;
+    const double low = std::min(area, 0.0) - m, high = std::max(area, 0.0) + m;
+    const double corner_x = e.x + f.x, corner_y = e.y + f.y;
+    const auto outside = [&](double at_from, double at_to) {
+      return std::max(at_from, at_to) < low || std::min(at_from, at_to) > high;
+    };
+    const auto along_e = [&](const NearPoint& c) {
+      return (c.x - corner_x) * f.dy - (c.y - corner_y) * f.dx;
+    };
+    const auto along_f = [&](const NearPoint& c) {
+      return e.dx * (c.y - corner_y) - e.dy * (c.x - corner_x);
+    };
+    if (!outside(along_e(from), along_e(to)) && !outside(along_f(from), along_f(to))) return false;
+    ++effort.by_doubles;
+    return true;
+  }
+
+  /// The interval of a pair, if it contains t.
+  std::optional<Interval> containing(const Track<Numbers>& track, const Fraction<Numbers>& t,
+                                     const NearPoint& near, const EdgePair& pair) {
+    if (certainly_outside(pair, near, near)) return std::nullopt;
+    auto interval = interval_of(track, pair);
+    if (interval && interval->from < t && t < interval->to) return interval;
+    return std::nullopt;
+  }
+
+  Box sum_of(const Pair& boxes) const {
+    return summands_.tree_of_p[boxes.first].box + summands_.tree_of_q[boxes.second].box;
+  }
+
+  EdgePair edges_in(const Pair& leaves) const {
+    return {summands_.tree_of_p[leaves.first].edge, summands_.tree_of_q[leaves.second].edge};
+  }
+
+  struct Halves {
+    Pair first;
+    Pair second;
+  };
+  /// The larger of two boxes halved, each with the other. Nothing if they are leaves.
+  std::optional<Halves> halves_of(const Pair& boxes) const {
+    const auto [i, j] = boxes;
+    const BoxTree::Node& a = summands_.tree_of_p[i];
+    const BoxTree::Node& b = summands_.tree_of_q[j];
+    if (a.is_leaf() && b.is_leaf()) return std::nullopt;
+    if (b.is_leaf() || (!a.is_leaf() && a.size > b.size)) return Halves{{i + 1, j}, {a.right, j}};
+    return Halves{{i, j + 1}, {i, b.right}};
+  }
+
+  /// From the middle of a box to a point, twice and by the coordinates' sum.
+  static double distance(const Box& box, const NearPoint& to) {
+    return std::abs(static_cast<double>(box[0] - box[2]) - 2 * to.x) +
+           std::abs(static_cast<double>(box[1] - box[3]) - 2 * to.y);
+  }
+
+  void remember(const EdgePair& pair) {
+    if (remembered_ < recent_.size()) ++remembered_;
+    std::move_backward(recent_.begin(),
+                       recent_.begin() + static_cast<std::ptrdiff_t>(remembered_) - 1,
+                       recent_.begin() + static_cast<std::ptrdiff_t>(remembered_));
+    recent_[0] = pair;
+  }
+
+  const IntegerSummands<Numbers>& summands_;
+  Shift shift_;
+  std::array<EdgePair, 4> recent_;
+  std::size_t remembered_ = 0;
+  std::array<Pair, 72> waiting_;  ///< one a level of either tree
+  std::vector<Pair> left_out_;    ///< by the last probe
+};
+
+}  // namespace oplus::slide

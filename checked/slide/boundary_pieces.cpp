@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/slide/boundary_pieces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "checked/slide/point_grid.hpp"
+#include "reference/definitions/segment.hpp"
+
+namespace oplus::slide {
+
+std::vector<BoundaryPiece> cut_at_points(const std::vector<BoundaryPiece>& pieces,
+                                         const BoundaryPoints& points) {
+  const auto& [exact, near_x, near_y, margin] = points;
+  const PointGrid grid(near_x, near_y, margin);
+  std::vector<BoundaryPiece> result;
+  result.reserve(pieces.size());
+  std::vector<std::pair<Point, std::uint32_t>> inside;
+  for (const BoundaryPiece& piece : pieces) {
+    const double ax = near_x[piece.from], ay = near_y[piece.from];
+    const double dx = near_x[piece.to] - ax, dy = near_y[piece.to] - ay;
+    const double off = 4 * margin * (std::abs(dx) + std::abs(dy) + 4 * margin);
+    inside.clear();
+    std::optional<Segment> segment;
+    grid.each_near_segment(piece.from, piece.to, [&](std::uint32_t i) {
+      if (i == piece.from || i == piece.to) return;
+      const double x = near_x[i] - ax, y = near_y[i] - ay;
+      if (std::abs(dx * y - dy * x) > off) return;
+      // Behind one end or the other.
+      if (dx * x + dy * y < -off || dx * (x - dx) + dy * (y - dy) > off) return;
+      if (!segment) segment = {exact(piece.from), exact(piece.to)};
+      if (Point point = exact(i); lies_on(point, *segment)) inside.push_back({std::move(point), i});
+    });
+    std::sort(inside.begin(), inside.end());
+    if (!inside.empty() && segment->target < segment->source)
+      std::reverse(inside.begin(), inside.end());
+    std::uint32_t from = piece.from;
+    for (const auto& [point, i] : inside) {
+      result.push_back({from, i, piece.segment});
+      from = i;
+    }
+    result.push_back({from, piece.to, piece.segment});
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+}  // namespace oplus::slide

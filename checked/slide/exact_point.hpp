@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <compare>
+#include <numeric>
+#include <tuple>
+
+#include "checked/slide/fraction.hpp"
+#include "checked/slide/integer_summands.hpp"
+
+namespace oplus::slide {
+
+/// x(t) with coordinates in lowest terms, so that equal points have equal numbers. Their order is
+/// that of the numbers, not of the plane.
+template <typename Numbers>
+class ExactPoint {
+ public:
+  ExactPoint(const IntegerSegment<Numbers>& segment, const Fraction<Numbers>& t)
+      : point_{coordinate(segment.source.x, segment.direction.x, t),
+               coordinate(segment.source.y, segment.direction.y, t)} {}
+
+  /// Coordinates in units of 2^shift, off by less than one in 2^50.
+  double near_x(const Scaling& scaling) const { return near(point_.x, scaling); }
+  double near_y(const Scaling& scaling) const { return near(point_.y, scaling); }
+
+  void put_into(Point& point, const Scaling& scaling) const {
+    point = point_;
+    scaling.put_back(point);
+  }
+
+  Point in_the_plane(const Scaling& scaling) const {
+    Point point;
+    put_into(point, scaling);
+    return point;
+  }
+
+  friend bool operator==(const ExactPoint& a, const ExactPoint& b) { return a.point_ == b.point_; }
+  friend bool operator<(const ExactPoint& a, const ExactPoint& b) { return a.point_ < b.point_; }
+
+ private:
+  using Value = typename Numbers::Value;
+
+  static double near(Rational coordinate, const Scaling& scaling) {
+    mpq_div_2exp(coordinate.get_mpq_t(), coordinate.get_mpq_t(), scaling.shift);
+    return coordinate.get_d();
+  }
+
+  static mpz_class integer(const Value& value) {
+    return mpz_class(boost::multiprecision::mpz_int(value).backend().data());
+  }
+
+  static Rational coordinate(const Value& source, const Value& direction,
+                             const Fraction<Numbers>& t) {
+    Rational along(integer(t.numerator()), integer(t.denominator()));
+    along.canonicalize();
+    return integer(source) + integer(direction) * along;
+  }
+
+  Point point_;
+};
+
+template <>
+class ExactPoint<SmallNumbers> {
+ public:
+  ExactPoint(const IntegerSegment<SmallNumbers>& segment, const Fraction<SmallNumbers>& t) {
+    Value n = t.numerator(), d = t.denominator();
+    if (n != 0 && d != 1) {
+      const Value common = std::gcd(n, d);
+      n /= common;
+      d /= common;
+    }
+    x_ = coordinate(segment.source.x, segment.direction.x, n, d);
+    y_ = coordinate(segment.source.y, segment.direction.y, n, d);
+  }
+
+  double near_x(const Scaling& /*has no shift*/) const { return x_.near(); }
+  double near_y(const Scaling& /*has no shift*/) const { return y_.near(); }
+
+  /// The point in the plane, without a point to be allocated.
+  void put_into(Point& point, const Scaling& scaling) const {
+    x_.put_into(point.x);
+    y_.put_into(point.y);
+    if (!scaling.is_trivial()) scaling.put_back(point);
+  }
+
+  Point in_the_plane(const Scaling& scaling) const {
+    Point point;
+    put_into(point, scaling);
+    return point;
+  }
+
+  friend bool operator==(const ExactPoint& a, const ExactPoint& b) {
+    return a.numbers() == b.numbers();
+  }
+  friend bool operator<(const ExactPoint& a, const ExactPoint& b) {
+    return a.numbers() < b.numbers();
+  }
+
+ private:
+  using Value = SmallNumbers::Value;
+  using Product = SmallNumbers::Product;
+  __extension__ typedef unsigned __int128 Size;
+
+  struct Coordinate {
+    Product numerator;
+    Value denominator;
+
+    double near() const {
+      return static_cast<double>(numerator) / static_cast<double>(denominator);
+    }
+
+    void put_into(Rational& value) const {
+      if (numerator == static_cast<long>(numerator)) {
+        mpz_set_si(value.get_num_mpz_t(), static_cast<long>(numerator));
+      } else {
+        const auto size = static_cast<Size>(numerator < 0 ? -numerator : numerator);
+        const std::array<std::uint64_t, 2> words = {static_cast<std::uint64_t>(size),
+                                                    static_cast<std::uint64_t>(size >> 64)};
+        mpz_import(value.get_num_mpz_t(), words.size(), -1, sizeof(std::uint64_t), 0, 0,
+                   words.data());
+        if (numerator < 0) mpz_neg(value.get_num_mpz_t(), value.get_num_mpz_t());
+      }
+      if (denominator != 1) mpz_set_si(value.get_den_mpz_t(), denominator);
+    }
+  };
+
+  /// source + direction n / d, where n and d have no common factor.
+  static Coordinate coordinate(Value source, Value direction, Value n, Value d) {
+    const Value common = std::gcd(direction, d);
+    d /= common;
+    return {Product(source) * d + Product(direction / common) * n, d};
+  }
+
+  std::tuple<const Product&, const Value&, const Product&, const Value&> numbers() const {
+    return {x_.numerator, x_.denominator, y_.numerator, y_.denominator};
+  }
+
+  Coordinate x_;
+  Coordinate y_;
+};
+
+template <typename Numbers>
+Segment in_the_plane(const Track<Numbers>& track, const Scaling& scaling) {
+  return {ExactPoint<Numbers>(track.exact, {0, 1}).in_the_plane(scaling),
+          ExactPoint<Numbers>(track.exact, {1, 1}).in_the_plane(scaling)};
+}
+
+}  // namespace oplus::slide

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/slide/for_each_number.hpp"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+namespace oplus::slide {
+
+void for_each_number(std::size_t n, unsigned threads,
+                     const std::function<void(std::size_t)>& work) {
+  if (threads <= 1) {
+    for (std::size_t i = 0; i < n; ++i) work(i);
+    return;
+  }
+  tbb::task_arena arena(static_cast<int>(threads));
+  arena.execute([&] { tbb::parallel_for(std::size_t{0}, n, work); });
+}
+
+}  // namespace oplus::slide

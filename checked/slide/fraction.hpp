@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+
+#include "checked/slide/numbers.hpp"
+
+namespace oplus::slide {
+
+/// Off by at most a few roundings.
+template <typename Value>
+double to_double(const Value& value) {
+  if constexpr (std::is_same_v<Value, std::int64_t>)
+    return static_cast<double>(value);
+  else
+    return value.template convert_to<double>();
+}
+
+/// n / d as a double, however large both are, off by at most 2^-50 of its size or 2^-1000.
+template <typename Value>
+double quotient(const Value& n, const Value& d) {
+  if constexpr (std::is_same_v<Value, boost::multiprecision::mpz_int>) {
+    if (n == 0) return 0;
+    long n_exponent = 0, d_exponent = 0;
+    const double n_mantissa = mpz_get_d_2exp(&n_exponent, n.backend().data());
+    const double d_mantissa = mpz_get_d_2exp(&d_exponent, d.backend().data());
+    return std::ldexp(n_mantissa / d_mantissa, static_cast<int>(n_exponent - d_exponent));
+  } else {
+    return to_double(n) / to_double(d);
+  }
+}
+
+/// A place on the line of a segment: 0 is its source, 1 its target.
+template <typename Numbers>
+class Fraction {
+ public:
+  using Value = typename Numbers::Value;
+
+  /// Requires: denominator > 0.
+  Fraction(Value numerator, Value denominator)
+      : numerator_(std::move(numerator)), denominator_(std::move(denominator)) {
+    if constexpr (!is_small<Numbers>) near_ = quotient(numerator_, denominator_);
+  }
+
+  const Value& numerator() const { return numerator_; }
+  const Value& denominator() const { return denominator_; }
+
+  /// Off by at most 2^-50 of its size or 2^-1000.
+  double near() const {
+    if constexpr (is_small<Numbers>)
+      return quotient(numerator_, denominator_);
+    else
+      return near_;
+  }
+
+  /// Exact: in the larger numbers, doubles decide where they are certain.
+  friend bool operator<(const Fraction& a, const Fraction& b) {
+    using Product = typename Numbers::Product;
+    if constexpr (!is_small<Numbers>) {
+      const double difference = b.near_ - a.near_;
+      if (std::abs(difference) > 0x1p-48 * (std::abs(a.near_) + std::abs(b.near_)) + 0x1p-900)
+        return difference > 0;
+    }
+    return Product(a.numerator_) * Product(b.denominator_) <
+           Product(b.numerator_) * Product(a.denominator_);
+  }
+
+ private:
+  struct Nothing {};
+
+  Value numerator_;
+  Value denominator_;
+  [[no_unique_address]] std::conditional_t<is_small<Numbers>, Nothing, double> near_{};
+};
+
+/// Closed.
+template <typename Numbers>
+struct Piece {
+  Fraction<Numbers> from;
+  Fraction<Numbers> to;
+};
+
+}  // namespace oplus::slide

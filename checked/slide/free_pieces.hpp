@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "checked/slide/blocking_search.hpp"
+#include "checked/slide/component_test.hpp"
+
+namespace oplus::slide {
+
+/// A place inside a piece: near its middle, in short numbers, or else the mediant of its ends.
+template <typename Numbers>
+Fraction<Numbers> place_inside(const Piece<Numbers>& piece) {
+  const double low = piece.from.near(), high = piece.to.near();
+  const double width = high - low;
+  if (width > 0x1p-40) {
+    const int exponent = 1 - std::ilogb(width);
+    const double rounded = std::round(std::ldexp((low + high) / 2, exponent));
+    Fraction<Numbers> t{static_cast<std::int64_t>(rounded), std::int64_t{1} << exponent};
+    if (piece.from < t && t < piece.to) return t;
+  }
+  return {piece.from.numerator() + piece.to.numerator(),
+          piece.from.denominator() + piece.to.denominator()};
+}
+
+/// Finds what no pair of edges blocks of segments. One object a thread.
+template <typename Numbers>
+class FreePieces {
+ public:
+  explicit FreePieces(const IntegerSummands<Numbers>& summands)
+      : search_(summands, Shift::to_the_right), components_(summands) {}
+
+  /// Calls `add` with the maximal free pieces longer than a point.
+  template <typename Add>
+  void find(const Track<Numbers>& track, const Add& add) {
+    gaps_.assign(1, {{0, 1}, {1, 1}});
+    // After a segment that is free from end to end, the next one is likely to be.
+    if (last_was_free_) {
+      search_.leave_out_all();
+      last_was_free_ = uncovered(track, gaps_.back(), add);
+      return;
+    }
+    bool is_whole = true;
+    while (!gaps_.empty()) {
+      const Piece<Numbers> gap = std::move(gaps_.back());
+      gaps_.pop_back();
+      if (const auto blocked = search_.at(track, place_inside(gap))) {
+        is_whole = false;
+        if (gap.from < blocked->from) gaps_.push_back({gap.from, blocked->from});
+        if (blocked->to < gap.to) gaps_.push_back({blocked->to, gap.to});
+      } else {
+        const bool is_free = uncovered(track, gap, add);
+        last_was_free_ = is_whole && is_free;
+      }
+    }
+  }
+
+  const SearchEffort& effort() const { return search_.effort; }
+
+ private:
+  /// Returns whether that is all of the gap.
+  template <typename Add>
+  bool uncovered(const Track<Numbers>& track, const Piece<Numbers>& gap, const Add& add) {
+    intervals_.clear();
+    search_.each_pair(track, gap, [&](const EdgePair& pair) {
+      if (auto blocked = search_.interval_of(track, pair))
+        intervals_.push_back(std::move(*blocked));
+    });
+    std::sort(intervals_.begin(), intervals_.end(),
+              [](const auto& a, const auto& b) { return a.from < b.from; });
+    const auto add_if_free = [&](const Fraction<Numbers>& low, const Fraction<Numbers>& high) {
+      if (!(low < high)) return;
+      Piece<Numbers> piece{low, high};
+      // Along a piece, whether components overlap does not change.
+      if (components_.is_needed() && components_.overlap_at(track, place_inside(piece))) return;
+      add(std::move(piece));
+    };
+    bool is_all = true;
+    Fraction<Numbers> from = gap.from;
+    for (const BlockedInterval<Numbers>& blocked : intervals_) {
+      if (!(blocked.from < gap.to)) break;
+      add_if_free(from, blocked.from);
+      if (from < blocked.to) {
+        from = blocked.to;
+        is_all = false;
+      }
+    }
+    add_if_free(from, gap.to);
+    return is_all;
+  }
+
+  BlockingSearch<Numbers> search_;
+  ComponentTest<Numbers> components_;
+  std::vector<Piece<Numbers>> gaps_;
+  std::vector<BlockedInterval<Numbers>> intervals_;
+  bool last_was_free_ = false;
+};
+
+}  // namespace oplus::slide

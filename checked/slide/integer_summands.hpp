@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "checked/slide/fraction.hpp"
+#include "checked/slide/integer_summand.hpp"
+
+namespace oplus::slide {
+
+/// Both summands and their boxes.
+template <typename Numbers>
+struct IntegerSummands {
+  IntegerSummand<Numbers> p;
+  IntegerSummand<Numbers> q;
+  BoxTree tree_of_p;
+  BoxTree tree_of_q;
+  Margins margins;
+};
+
+/// A segment of the convolution, exactly and in doubles.
+template <typename Numbers>
+struct Track {
+  IntegerSegment<Numbers> exact;
+  NearSegment near;
+};
+
+template <typename Numbers>
+NearPoint near_place(const Track<Numbers>& track, const Fraction<Numbers>& t) {
+  const double near_t = t.near();
+  return {track.near.x + near_t * track.near.dx, track.near.y + near_t * track.near.dy};
+}
+
+}  // namespace oplus::slide

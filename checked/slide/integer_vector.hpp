@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "checked/slide/numbers.hpp"
+
+namespace oplus::slide {
+
+template <typename Numbers>
+struct IntegerVector {
+  using Value = typename Numbers::Value;
+
+  Value x;
+  Value y;
+
+  friend IntegerVector operator+(const IntegerVector& a, const IntegerVector& b) {
+    return {a.x + b.x, a.y + b.y};
+  }
+  friend IntegerVector operator-(const IntegerVector& a, const IntegerVector& b) {
+    return {a.x - b.x, a.y - b.y};
+  }
+  friend Value cross(const IntegerVector& a, const IntegerVector& b) {
+    return a.x * b.y - a.y * b.x;
+  }
+  friend Value dot(const IntegerVector& a, const IntegerVector& b) { return a.x * b.x + a.y * b.y; }
+};
+
+/// From `source`, as far as `direction` goes.
+template <typename Numbers>
+struct IntegerSegment {
+  IntegerVector<Numbers> source;
+  IntegerVector<Numbers> direction;
+};
+
+}  // namespace oplus::slide

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/slide/low_dimensional_features.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+
+#include "checked/arrangement/isolated_touching_points.hpp"
+#include "checked/collision/hierarchy_collision.hpp"
+
+namespace oplus::slide {
+
+namespace {
+
+void sort_and_drop_copies(std::vector<Point>& points) {
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+}
+
+bool is_on_one(const Point& x, const std::vector<Segment>& segments) {
+  return std::any_of(segments.begin(), segments.end(),
+                     [&](const Segment& s) { return lies_on(x, s); });
+}
+
+}  // namespace
+
+void Candidates::take(Candidates&& more) {
+  pieces.insert(pieces.end(), std::make_move_iterator(more.pieces.begin()),
+                std::make_move_iterator(more.pieces.end()));
+  points.insert(points.end(), std::make_move_iterator(more.points.begin()),
+                std::make_move_iterator(more.points.end()));
+}
+
+void add_low_dimensional_features(const Candidates& candidates, const Region& p, const Region& q,
+                                  std::vector<Point> corners, MinkowskiSum& sum) {
+  const std::unique_ptr<CollisionTest> collision = hierarchy_collision(p, q);
+  const std::vector<Segment> boundary = edges(sum);
+  for (const Candidates::Piece& piece : candidates.pieces) {
+    if (collision->interiors_meet_at(piece.inside)) continue;
+    sum.dangling_edges.push_back(piece.segment);
+    corners.push_back(piece.segment.source);
+    corners.push_back(piece.segment.target);
+  }
+  sum.dangling_edges = maximal_segments(std::move(sum.dangling_edges));
+  sort_and_drop_copies(corners);
+  std::vector<Point> points = candidates.points;
+  sort_and_drop_copies(points);
+  for (Point& x : points) {
+    if (std::binary_search(corners.begin(), corners.end(), x) || collision->interiors_meet_at(x) ||
+        is_on_one(x, sum.dangling_edges) || is_on_one(x, boundary))
+      continue;
+    sum.isolated_vertices.push_back(std::move(x));
+  }
+  for (Point& x : isolated_touching_points(
+           p, q, [&](const Point& y) { return collision->interiors_meet_at(y); }, sum))
+    sum.isolated_vertices.push_back(std::move(x));
+  sort_and_drop_copies(sum.isolated_vertices);
+}
+
+}  // namespace oplus::slide

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "checked/slide/boundary_pieces.hpp"
+#include "checked/slide/exact_point.hpp"
+#include "checked/slide/tracks.hpp"
+
+namespace oplus::slide {
+
+/// A free piece of a segment.
+template <typename Numbers>
+struct FreePiece {
+  std::uint32_t segment;
+  Piece<Numbers> piece;
+};
+
+/// Free pieces, the ends of which have numbers: equal points the same.
+template <typename Numbers>
+struct NamedEnds {
+  std::vector<ExactPoint<Numbers>> points;
+  std::vector<double> near_x, near_y;
+  std::vector<BoundaryPiece> pieces;
+};
+
+template <typename Numbers>
+NamedEnds<Numbers> named_ends(const std::vector<FreePiece<Numbers>>& pieces,
+                              const Tracks<Numbers>& tracks, const Scaling& scaling) {
+  // End 2 k is the source of piece k, end 2 k + 1 its target.
+  std::vector<ExactPoint<Numbers>> ends;
+  ends.reserve(2 * pieces.size());
+  for (const FreePiece<Numbers>& piece : pieces) {
+    const IntegerSegment<Numbers> segment = tracks[piece.segment].exact;
+    ends.emplace_back(segment, piece.piece.from);
+    ends.emplace_back(segment, piece.piece.to);
+  }
+  // Equal points are equal in doubles, too, and those are faster to sort.
+  struct Place {
+    double near_x;
+    std::uint32_t end;
+  };
+  std::vector<Place> sorted;
+  sorted.reserve(ends.size());
+  for (std::uint32_t i = 0; i < ends.size(); ++i) sorted.push_back({ends[i].near_x(scaling), i});
+  std::sort(sorted.begin(), sorted.end(), [&](const Place& a, const Place& b) {
+    return a.near_x != b.near_x ? a.near_x < b.near_x : ends[a.end] < ends[b.end];
+  });
+  NamedEnds<Numbers> named;
+  named.pieces.resize(pieces.size());
+  for (const Place& place : sorted) {
+    const ExactPoint<Numbers>& point = ends[place.end];
+    if (named.points.empty() || !(named.points.back() == point)) {
+      named.points.push_back(point);
+      named.near_x.push_back(place.near_x);
+      named.near_y.push_back(point.near_y(scaling));
+    }
+    const auto name = static_cast<std::uint32_t>(named.points.size() - 1);
+    BoundaryPiece& piece = named.pieces[place.end / 2];
+    (place.end % 2 == 0 ? piece.from : piece.to) = name;
+    piece.segment = pieces[place.end / 2].segment;
+  }
+  return named;
+}
+
+}  // namespace oplus::slide

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <boost/multiprecision/gmp.hpp>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+namespace oplus::slide {
+
+/// The stages of integer arithmetic. Coordinates of a summand have at most `bits` bits, apart from
+/// the sign. What is a skew or scalar product of sums and differences of four of them has less than
+/// 2 bits + 5 and fits in Value; the sum of two products of two such fits in Product.
+struct SmallNumbers {
+  static constexpr std::size_t bits = 29;
+  using Value = std::int64_t;
+  __extension__ typedef __int128 Product;
+};
+
+struct WideNumbers {
+  static constexpr std::size_t bits = 124;
+  using Value = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<
+      256, 256, boost::multiprecision::signed_magnitude, boost::multiprecision::unchecked, void>>;
+  using Product = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<
+      512, 512, boost::multiprecision::signed_magnitude, boost::multiprecision::unchecked, void>>;
+};
+
+struct AnyNumbers {
+  using Value = boost::multiprecision::mpz_int;
+  using Product = Value;
+};
+
+template <typename Numbers>
+constexpr bool is_small = std::is_same_v<Numbers, SmallNumbers>;
+
+template <typename Value>
+int sign_of(const Value& value) {
+  return (value > 0) - (value < 0);
+}
+
+}  // namespace oplus::slide

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+#include "checked/slide/integer_summand.hpp"
+#include "reference/definitions/direction.hpp"
+
+namespace oplus::slide {
+
+/// A segment of the reduced convolution: an edge of one summand at a convex vertex of the other.
+struct ReducedSegment {
+  Summand edge_of;
+  std::uint32_t edge;
+  std::uint32_t vertex;
+};
+
+namespace detail {
+
+/// The places of all edges' directions in counterclockwise order, ties as Definition 2.2.7 has them;
+/// equal ones have the same. And the edges of each summand in that order.
+struct Ranks {
+  std::vector<std::uint32_t> of_p, of_q;
+  std::vector<std::uint32_t> sorted_p, sorted_q;
+};
+
+template <typename Numbers>
+Ranks ranks(const IntegerSummand<Numbers>& p, const IntegerSummand<Numbers>& q) {
+  struct Edge {
+    IntegerVector<Numbers> direction;
+    Summand of;
+    bool lower;  ///< its angle is at least π
+    std::uint32_t number;
+  };
+  std::vector<Edge> all;
+  all.reserve(p.edges.size() + q.edges.size());
+  const auto add = [&](const IntegerSummand<Numbers>& summand, Summand of) {
+    for (std::uint32_t i = 0; i < summand.edges.size(); ++i) {
+      const auto& d = summand.edges[i].direction;
+      all.push_back({d, of, d.y < 0 || (d.y == 0 && d.x < 0), i});
+    }
+  };
+  add(p, Summand::P);
+  add(q, Summand::Q);
+  static const int p_and_q = compare(Direction{{1, 0}, Summand::P}, Direction{{1, 0}, Summand::Q});
+  const auto compared = [](const Edge& a, const Edge& b) {
+    if (a.lower != b.lower) return a.lower ? 1 : -1;
+    const int turn = sign_of(cross(b.direction, a.direction));
+    if (turn != 0 || a.of == b.of) return turn;
+    return a.of == Summand::P ? p_and_q : -p_and_q;
+  };
+  std::sort(all.begin(), all.end(),
+            [&](const Edge& a, const Edge& b) { return compared(a, b) < 0; });
+  Ranks ranks{std::vector<std::uint32_t>(p.edges.size()),
+              std::vector<std::uint32_t>(q.edges.size()),
+              {},
+              {}};
+  std::uint32_t rank = 0;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (k > 0 && compared(all[k - 1], all[k]) != 0) ++rank;
+    const bool is_of_p = all[k].of == Summand::P;
+    (is_of_p ? ranks.of_p : ranks.of_q)[all[k].number] = rank;
+    (is_of_p ? ranks.sorted_p : ranks.sorted_q).push_back(all[k].number);
+  }
+  return ranks;
+}
+
+}  // namespace detail
+
+/// The reduced convolution, vertex by vertex along the boundary, and at each vertex edge by edge: so
+/// that neighbours are near each other. O((n + m + K) log(n + m + K)).
+template <typename Numbers>
+std::vector<ReducedSegment> reduced_segments(const IntegerSummand<Numbers>& p,
+                                             const IntegerSummand<Numbers>& q) {
+  const detail::Ranks ranks = detail::ranks(p, q);
+  std::vector<ReducedSegment> segments;
+  const auto add = [&](const IntegerSummand<Numbers>& at,
+                       const std::vector<std::uint32_t>& ranks_at, Summand edge_of,
+                       const std::vector<std::uint32_t>& sorted,
+                       const std::vector<std::uint32_t>& ranks_of_edges) {
+    const auto first_after = [&](std::uint32_t rank) {
+      return std::partition_point(sorted.begin(), sorted.end(),
+                                  [&](std::uint32_t edge) { return ranks_of_edges[edge] < rank; });
+    };
+    for (std::uint32_t v = 0; v < at.edges.size(); ++v) {
+      const std::uint32_t entering = at.previous[v];
+      if (cross(at.edges[entering].direction, at.edges[v].direction) <= 0) continue;
+      const auto from = first_after(ranks_at[entering]), to = first_after(ranks_at[v]);
+      const std::size_t begin = segments.size();
+      const auto take = [&](auto edge, auto end) {
+        for (; edge != end; ++edge) segments.push_back({edge_of, *edge, v});
+      };
+      if (ranks_at[entering] < ranks_at[v]) {
+        take(from, to);
+      } else {
+        take(from, sorted.end());
+        take(sorted.begin(), to);
+      }
+      std::sort(segments.begin() + static_cast<std::ptrdiff_t>(begin), segments.end(),
+                [](const ReducedSegment& a, const ReducedSegment& b) { return a.edge < b.edge; });
+    }
+  };
+  add(p, ranks.of_p, Summand::Q, ranks.sorted_q, ranks.of_q);
+  add(q, ranks.of_q, Summand::P, ranks.sorted_p, ranks.of_p);
+  return segments;
+}
+
+}  // namespace oplus::slide

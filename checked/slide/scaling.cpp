@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/slide/scaling.hpp"
+
+#include <algorithm>
+
+#include "checked/slide/numbers.hpp"
+
+namespace oplus::slide {
+
+namespace {
+
+template <typename Visit>
+void each_vertex(const Region& region, const Visit& visit) {
+  for (const Component& component : region.components) {
+    for (const Point& v : component.outer) visit(v);
+    for (const Chain& hole : component.holes)
+      for (const Point& v : hole) visit(v);
+  }
+}
+
+std::size_t bits(const mpz_class& value) { return mpz_sizeinbase(value.get_mpz_t(), 2); }
+
+std::size_t largest_bits(const Region& region, const Scaling& scaling,
+                         const Scaling::Offset& offset) {
+  std::size_t largest = 1;
+  each_vertex(region, [&](const Point& v) {
+    largest = std::max(
+        {largest, bits(scaled(v.x, scaling, offset.x)), bits(scaled(v.y, scaling, offset.y))});
+  });
+  return largest;
+}
+
+/// The middle of the smallest and the largest coordinates.
+Scaling::Offset middle(const Region& region, const Scaling& scaling) {
+  Point low = region.components[0].outer[0];
+  Point high = low;
+  each_vertex(region, [&](const Point& v) {
+    low = {std::min(low.x, v.x), std::min(low.y, v.y)};
+    high = {std::max(high.x, v.x), std::max(high.y, v.y)};
+  });
+  const auto between = [&](const Rational& a, const Rational& b) {
+    return mpz_class((scaled(a, scaling, 0) + scaled(b, scaling, 0)) / 2);
+  };
+  return {between(low.x, high.x), between(low.y, high.y)};
+}
+
+}  // namespace
+
+void Scaling::put_back(Point& point) const {
+  point.x = (point.x + of_p.x + of_q.x) / denominator;
+  point.y = (point.y + of_p.y + of_q.y) / denominator;
+}
+
+mpz_class scaled(const Rational& coordinate, const Scaling& scaling, const mpz_class& offset) {
+  return coordinate.get_num() * (scaling.denominator / coordinate.get_den()) - offset;
+}
+
+Scaling scaling_of(const Region& p, const Region& q) {
+  Scaling scaling;
+  for (const Region* region : {&p, &q}) {
+    each_vertex(*region, [&](const Point& v) {
+      for (const Rational* c : {&v.x, &v.y}) {
+        if (c->get_den() != 1)
+          mpz_lcm(scaling.denominator.get_mpz_t(), scaling.denominator.get_mpz_t(),
+                  c->get_den_mpz_t());
+        scaling.bits = std::max(scaling.bits, bits(c->get_num()));
+      }
+    });
+  }
+  if (scaling.is_trivial()) return scaling;
+  const auto largest = [&] {
+    return std::max(largest_bits(p, scaling, scaling.of_p), largest_bits(q, scaling, scaling.of_q));
+  };
+  scaling.bits = largest();
+  if (scaling.bits > SmallNumbers::bits) {
+    scaling.of_p = middle(p, scaling);
+    scaling.of_q = middle(q, scaling);
+    scaling.is_moved = true;
+    scaling.bits = largest();
+  }
+  scaling.shift = scaling.bits > 60 ? scaling.bits - 60 : 0;
+  return scaling;
+}
+
+}  // namespace oplus::slide

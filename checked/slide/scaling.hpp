@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+
+#include "reference/definitions/region.hpp"
+
+namespace oplus::slide {
+
+/// How two summands become integers: their coordinates times a common denominator and, where that
+/// would take more than 29 bits, less the middle of their boxes.
+struct Scaling {
+  struct Offset {
+    mpz_class x = 0;
+    mpz_class y = 0;
+  };
+
+  mpz_class denominator = 1;
+  Offset of_p = {};
+  Offset of_q = {};
+  std::size_t bits = 1;   ///< of the largest coordinate then
+  std::size_t shift = 0;  ///< coordinates are near to doubles times 2^shift
+
+  bool is_trivial() const { return denominator == 1 && bits <= 29 && !is_moved; }
+  bool is_moved = false;
+
+  /// A point of the scaled sum becomes one of the sum.
+  void put_back(Point& point) const;
+};
+
+/// Requires: both have a vertex.
+Scaling scaling_of(const Region& p, const Region& q);
+
+/// A coordinate as an integer.
+mpz_class scaled(const Rational& coordinate, const Scaling& scaling, const mpz_class& offset);
+
+}  // namespace oplus::slide

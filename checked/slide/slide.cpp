@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/slide/slide.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "checked/slide/for_each_number.hpp"
+#include "checked/slide/free_pieces.hpp"
+#include "checked/slide/low_dimensional_candidates.hpp"
+#include "checked/slide/named_ends.hpp"
+#include "checked/slide/stitching.hpp"
+#include "checked/slide/tracks.hpp"
+
+namespace oplus {
+
+namespace {
+
+using namespace slide;
+
+template <typename Numbers>
+struct FoundPieces {
+  std::vector<FreePiece<Numbers>> pieces;  ///< segment by segment
+  SearchEffort effort;
+};
+
+/// Segments are independent. They are handed out in lots of the same size, whatever the number of
+/// threads, so that neither the result nor the effort depends on it.
+template <typename Numbers>
+FoundPieces<Numbers> find_free_pieces(const Tracks<Numbers>& tracks, unsigned threads) {
+  constexpr std::size_t in_a_lot = 128;
+  constexpr std::size_t too_few = 8;  // to start threads for
+  std::vector<FoundPieces<Numbers>> lots((tracks.size() + in_a_lot - 1) / in_a_lot);
+  for_each_number(lots.size(), lots.size() < too_few ? 1 : threads, [&](std::size_t lot) {
+    FreePieces<Numbers> search(tracks.summands());
+    const std::size_t end = std::min((lot + 1) * in_a_lot, tracks.size());
+    for (auto i = static_cast<std::uint32_t>(lot * in_a_lot); i < end; ++i)
+      search.find(tracks[i], [&](Piece<Numbers> piece) {
+        lots[lot].pieces.push_back({i, std::move(piece)});
+      });
+    lots[lot].effort = search.effort();
+  });
+  FoundPieces<Numbers> all;
+  for (FoundPieces<Numbers>& lot : lots) {
+    all.pieces.insert(all.pieces.end(), std::make_move_iterator(lot.pieces.begin()),
+                      std::make_move_iterator(lot.pieces.end()));
+    all.effort += lot.effort;
+  }
+  return all;
+}
+
+struct ChainWithOrigins {
+  Chain chain;
+  Origins origins;
+};
+
+/// `origins` of a chain's edge: whatever turns its segments into origins, or nothing.
+template <typename PutPoint, typename OriginsOf>
+ChainWithOrigins in_the_plane(const StitchedChain& stitched, const PutPoint& put_point,
+                              const OriginsOf& origins_of, WithOrigins with_origins) {
+  ChainWithOrigins result;
+  result.chain.resize(stitched.edges.size());
+  for (std::size_t i = 0; i < stitched.edges.size(); ++i)
+    put_point(stitched.edges[i].from, result.chain[i]);
+  if (with_origins == WithOrigins::yes)
+    for (const StitchedChain::Edge& edge : stitched.edges)
+      result.origins.push_back(origins_of(edge.segments));
+  const auto start = static_cast<std::ptrdiff_t>(start_of_smallest_rotation(result.chain));
+  std::rotate(result.chain.begin(), result.chain.begin() + start, result.chain.end());
+  if (with_origins == WithOrigins::yes)
+    std::rotate(result.origins.begin(), result.origins.begin() + start, result.origins.end());
+  return result;
+}
+
+void add(std::vector<ChainWithOrigins> chains, std::vector<Chain>& to, Origins& origins) {
+  std::sort(chains.begin(), chains.end(),
+            [](const auto& a, const auto& b) { return a.chain < b.chain; });
+  for (ChainWithOrigins& chain : chains) {
+    to.push_back(std::move(chain.chain));
+    std::move(chain.origins.begin(), chain.origins.end(), std::back_inserter(origins));
+  }
+}
+
+/// Which stage of arithmetic the pairs of edges are counted for.
+template <typename Numbers>
+std::size_t& decided_in(SlideStatistics& statistics) {
+  if constexpr (is_small<Numbers>) return statistics.in_64_bits;
+  if constexpr (std::is_same_v<Numbers, WideNumbers>) return statistics.in_256_bits;
+  return statistics.in_gmp;
+}
+
+template <typename Numbers>
+SlideResult sum_in(const Region& p, const Region& q, const Scaling& scaling, Boundary boundary,
+                   const SlideOptions& options) {
+  const Tracks<Numbers> tracks(p, q, scaling);
+  const auto [pieces, effort] = find_free_pieces(tracks, options.threads);
+
+  const NamedEnds<Numbers> ends = named_ends(pieces, tracks, scaling);
+  const auto point = [&](std::uint32_t i) { return ends.points[i].in_the_plane(scaling); };
+  const std::vector<BoundaryPiece> cut =
+      cut_at_points(ends.pieces, {point, ends.near_x, ends.near_y, margins(scaling).point});
+  const std::vector<StitchedChain> chains = stitched(
+      cut, ends.points.size(), [&](std::uint32_t segment) { return tracks.direction(segment); });
+
+  SlideResult result;
+  const auto origins_of = [&](const std::vector<std::uint32_t>& segments) {
+    std::vector<Origin> origins;
+    for (const std::uint32_t segment : segments) origins.push_back(tracks.origin(segment));
+    std::sort(origins.begin(), origins.end());
+    origins.erase(std::unique(origins.begin(), origins.end()), origins.end());
+    return origins;
+  };
+  const auto put_point = [&](std::uint32_t i, Point& at) { ends.points[i].put_into(at, scaling); };
+  std::vector<ChainWithOrigins> outer, holes;
+  for (const StitchedChain& chain : chains)
+    (chain.is_outer ? outer : holes)
+        .push_back(in_the_plane(chain, put_point, origins_of, options.with_origins));
+  add(std::move(outer), result.sum.outer, result.origins);
+  add(std::move(holes), result.sum.holes, result.origins);
+
+  if (boundary == Boundary::open) {
+    std::vector<Point> corners;
+    for (std::uint32_t i = 0; i < ends.points.size(); ++i) corners.push_back(point(i));
+    add_low_dimensional_features(
+        low_dimensional_candidates(tracks, pieces, scaling, options.threads), p, q,
+        std::move(corners), result.sum);
+    if (options.with_origins == WithOrigins::yes)
+      for (const Segment& edge : result.sum.dangling_edges) {
+        std::vector<std::uint32_t> along;
+        for (std::uint32_t i = 0; i < tracks.size(); ++i)
+          if (overlap(in_the_plane(tracks[i], scaling), edge)) along.push_back(i);
+        result.origins.push_back(origins_of(along));
+      }
+  }
+
+  result.statistics = {.segments = tracks.size(),
+                       .bits = scaling.bits,
+                       .probes = effort.probes,
+                       .box_pairs = effort.box_pairs,
+                       .by_doubles = effort.by_doubles,
+                       .free_pieces = pieces.size()};
+  decided_in<Numbers>(result.statistics) = effort.by_integers;
+  return result;
+}
+
+}  // namespace
+
+SlideResult slide_sum(const Region& p, const Region& q, Boundary boundary,
+                      const SlideOptions& options) {
+  if (p.components.empty() || q.components.empty()) return {};
+  const Scaling scaling = scaling_of(p, q);
+  if (options.numbers == SlideNumbers::as_needed && scaling.bits <= SmallNumbers::bits)
+    return sum_in<SmallNumbers>(p, q, scaling, boundary, options);
+  if (options.numbers != SlideNumbers::gmp && scaling.bits <= WideNumbers::bits)
+    return sum_in<WideNumbers>(p, q, scaling, boundary, options);
+  return sum_in<AnyNumbers>(p, q, scaling, boundary, options);
+}
+
+}  // namespace oplus

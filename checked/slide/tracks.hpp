@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "checked/slide/integer_summands.hpp"
+#include "checked/slide/reduced_segments.hpp"
+#include "reference/definitions/convolution.hpp"
+
+namespace oplus::slide {
+
+/// The segments of the reduced convolution, by numbers.
+template <typename Numbers>
+class Tracks {
+ public:
+  Tracks(const Region& p, const Region& q, const Scaling& scaling)
+      : summands_(summands_of(p, q, scaling)),
+        segments_(reduced_segments(summands_.p, summands_.q)) {}
+
+  const IntegerSummands<Numbers>& summands() const { return summands_; }
+  std::size_t size() const { return segments_.size(); }
+
+  const IntegerVector<Numbers>& direction(std::uint32_t segment) const {
+    const ReducedSegment& s = segments_[segment];
+    return with_edge(s).edges[s.edge].direction;
+  }
+
+  Track<Numbers> operator[](std::uint32_t segment) const {
+    const ReducedSegment& s = segments_[segment];
+    const IntegerSegment<Numbers>& edge = with_edge(s).edges[s.edge];
+    const NearSegment& e = with_edge(s).near[s.edge];
+    const NearSegment& v = with_vertex(s).near[s.vertex];
+    return {{edge.source + with_vertex(s).edges[s.vertex].source, edge.direction},
+            {e.x + v.x, e.y + v.y, e.dx, e.dy}};
+  }
+
+  Origin origin(std::uint32_t segment) const {
+    const ReducedSegment& s = segments_[segment];
+    return {s.edge_of, with_edge(s).names[s.edge], with_vertex(s).names[s.vertex]};
+  }
+
+ private:
+  static IntegerSummands<Numbers> summands_of(const Region& p, const Region& q,
+                                              const Scaling& scaling) {
+    auto of_p = integer_summand<Numbers>(p, scaling, scaling.of_p);
+    auto of_q = integer_summand<Numbers>(q, scaling, scaling.of_q);
+    BoxTree tree_of_p = box_tree(of_p), tree_of_q = box_tree(of_q);
+    return {std::move(of_p), std::move(of_q), std::move(tree_of_p), std::move(tree_of_q),
+            margins(scaling)};
+  }
+
+  const IntegerSummand<Numbers>& with_edge(const ReducedSegment& s) const {
+    return s.edge_of == Summand::P ? summands_.p : summands_.q;
+  }
+  const IntegerSummand<Numbers>& with_vertex(const ReducedSegment& s) const {
+    return s.edge_of == Summand::P ? summands_.q : summands_.p;
+  }
+
+  IntegerSummands<Numbers> summands_;
+  std::vector<ReducedSegment> segments_;
+};
+
+}  // namespace oplus::slide
