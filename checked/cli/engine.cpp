@@ -5,6 +5,7 @@
 
 #include "checked/loops/sum_by_loops.hpp"
 #include "checked/rca/rca.hpp"
+#include "checked/slide/slide.hpp"
 #include "checked/winding/sum_by_winding_numbers.hpp"
 #include "reference/oracle/oracle.hpp"
 
@@ -31,28 +32,45 @@ Computed computed(ComputedSum result) {
            {"seconds for the canonical form", seconds(run.stages.output)}}};
 }
 
-Computed by_rca(const Region& p, const Region& q, Boundary boundary, WithOrigins with_origins,
-                HoleTestMethod hole_test) {
-  return computed(rca(p, q, boundary, with_origins, hole_test));
+Computed by_slide(const Region& p, const Region& q, Boundary boundary,
+                  const EngineOptions& options) {
+  SlideResult result =
+      slide_sum(p, q, boundary, {.with_origins = options.with_origins, .threads = options.threads});
+  const SlideStatistics& run = result.statistics;
+  return {std::move(result.sum),
+          std::move(result.origins),
+          {{"bits of a coordinate", std::to_string(run.bits)},
+           {"free pieces of segments", std::to_string(run.free_pieces)},
+           {"probes", std::to_string(run.probes)},
+           {"pairs of boxes", std::to_string(run.box_pairs)},
+           {"pairs of edges decided by doubles", std::to_string(run.by_doubles)},
+           {"in integers of 64 bits", std::to_string(run.in_64_bits)},
+           {"in integers of 256 bits", std::to_string(run.in_256_bits)},
+           {"in integers of GMP", std::to_string(run.in_gmp)}}};
 }
 
-Computed by_loops(const Region& p, const Region& q, Boundary boundary, WithOrigins with_origins,
-                  HoleTestMethod hole_test) {
-  return computed(sum_by_loops(p, q, boundary, with_origins, hole_test));
+Computed by_rca(const Region& p, const Region& q, Boundary boundary, const EngineOptions& options) {
+  return computed(rca(p, q, boundary, options.with_origins, options.hole_test));
+}
+
+Computed by_loops(const Region& p, const Region& q, Boundary boundary,
+                  const EngineOptions& options) {
+  return computed(sum_by_loops(p, q, boundary, options.with_origins, options.hole_test));
 }
 
 Computed by_winding_numbers(const Region& p, const Region& q, Boundary boundary,
-                            WithOrigins with_origins, HoleTestMethod hole_test) {
-  return computed(
-      sum_by_winding_numbers(p, q, boundary, with_origins, collision_method(hole_test)));
+                            const EngineOptions& options) {
+  return computed(sum_by_winding_numbers(p, q, boundary, options.with_origins,
+                                         collision_method(options.hole_test)));
 }
 
-Computed by_oracle(const Region& p, const Region& q, Boundary boundary, WithOrigins with_origins,
-                   HoleTestMethod /*decides by the definition*/) {
+Computed by_oracle(const Region& p, const Region& q, Boundary boundary,
+                   const EngineOptions& options) {
   OracleSums sums = oracle_sums(p, q);
   MinkowskiSum& sum = boundary == Boundary::closed ? sums.closed : sums.open;
-  Origins where_from =
-      with_origins == WithOrigins::yes ? origins(sum, reduced_convolution(p, q)) : Origins{};
+  Origins where_from = options.with_origins == WithOrigins::yes
+                           ? origins(sum, reduced_convolution(p, q))
+                           : Origins{};
   return {std::move(sum),
           std::move(where_from),
           {{"decided faces", std::to_string(sums.cells.faces)},
@@ -64,10 +82,12 @@ Computed by_oracle(const Region& p, const Region& q, Boundary boundary, WithOrig
 
 const std::vector<Engine>& engines() {
   static const std::vector<Engine> table = {
-      {"rca", "faces of the reduced convolution's arrangement", true, by_rca},
-      {"loops", "orientable loops of the same (Behar and Lien)", true, by_loops},
-      {"winding", "winding numbers on the full convolution (Wein)", true, by_winding_numbers},
-      {"oracle", "the definitions, slowly", false, by_oracle},
+      {"slide", "segments of the reduced convolution, no arrangement", false, true, by_slide},
+      {"rca", "faces of the reduced convolution's arrangement", true, false, by_rca},
+      {"loops", "orientable loops of the same (Behar and Lien)", true, false, by_loops},
+      {"winding", "winding numbers on the full convolution (Wein)", true, false,
+       by_winding_numbers},
+      {"oracle", "the definitions, slowly", false, false, by_oracle},
   };
   return table;
 }

@@ -17,13 +17,20 @@ struct Computed {
   Statistics statistics;
 };
 
+struct EngineOptions {
+  WithOrigins with_origins = WithOrigins::no;
+  HoleTestMethod hole_test = HoleTestMethod::hierarchy;
+  unsigned threads = 1;
+};
+
 /// A way to compute a sum that the program offers.
 struct Engine {
   std::string name;
   std::string what;    ///< a line for the help
   bool has_hole_test;  ///< whether the choice of a hole test makes a difference
-  Computed (*compute)(const Region& p, const Region& q, Boundary boundary, WithOrigins with_origins,
-                      HoleTestMethod hole_test);
+  bool has_threads;    ///< whether the number of threads does
+  Computed (*compute)(const Region& p, const Region& q, Boundary boundary,
+                      const EngineOptions& options);
 };
 
 /// All engines, the default first.

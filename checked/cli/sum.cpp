@@ -4,6 +4,7 @@
 #include <iostream>
 #include <memory>
 #include <sstream>
+#include <thread>
 
 #include "checked/cli/engine.hpp"
 #include "checked/cli/format_option.hpp"
@@ -28,7 +29,8 @@ struct SumOptions {
   std::optional<Format> format;
   bool open = false;
   std::string engine = engines().front().name;
-  std::string hole_test;  ///< empty: the default
+  std::string hole_test;            ///< empty: the default
+  std::optional<unsigned> threads;  ///< none: as many as there are cores
   std::optional<int> digits;
   std::optional<std::string> svg;
   std::optional<std::string> origins;
@@ -74,15 +76,26 @@ HoleTestMethod chosen_hole_test(const SumOptions& options, const Engine& engine)
   if (options.hole_test.empty()) return hole_test_methods().front().second;
   if (!engine.has_hole_test)
     throw UsageError("--hole-test makes no difference to the engine " + engine.name +
-                     ", which decides every cell by the definition");
+                     ", which has none");
   return std::find_if(hole_test_methods().begin(), hole_test_methods().end(),
                       [&](const auto& method) { return method.first == options.hole_test; })
       ->second;
 }
 
+unsigned chosen_threads(const SumOptions& options, const Engine& engine) {
+  if (!options.threads) return std::max(std::thread::hardware_concurrency(), 1U);
+  if (!engine.has_threads)
+    throw UsageError("--threads makes no difference to the engine " + engine.name +
+                     ", which has one");
+  return *options.threads;
+}
+
 ExitCode sum(const SumOptions& options) {
   const Engine& engine = *find_engine(options.engine);
-  const HoleTestMethod hole_test = chosen_hole_test(options, engine);
+  const EngineOptions engine_options = {
+      .with_origins = options.origins ? WithOrigins::yes : WithOrigins::no,
+      .hole_test = chosen_hole_test(options, engine),
+      .threads = chosen_threads(options, engine)};
   require_one_standard_input({options.p, options.q});
   require_writable(outputs(options));
   const Format format = output_format(options.format, options.output);
@@ -91,8 +104,7 @@ ExitCode sum(const SumOptions& options) {
 
   const auto start = std::chrono::steady_clock::now();
   const Computed computed =
-      engine.compute(p, q, options.open ? Boundary::open : Boundary::closed,
-                     options.origins ? WithOrigins::yes : WithOrigins::no, hole_test);
+      engine.compute(p, q, options.open ? Boundary::open : Boundary::closed, engine_options);
   const std::string seconds = seconds_since(start);
 
   if (!can_hold(format, computed.sum))
@@ -159,9 +171,14 @@ void add_sum(CLI::App& program, Action& chosen) {
                   "how to decide what the filters leave open: bvh (the default), hierarchies of "
                   "bounding volumes; sweep, a sweep line; naive, all pairs of edges; ray, rays "
                   "through the full convolution. The sum is the same. The engine winding asks only "
-                  "about low-dimensional features")
+                  "about low-dimensional features, slide and oracle ask none")
       ->check(CLI::IsMember(hole_test_names()))
       ->type_name("NAME");
+  command
+      .add_option("--threads", options->threads,
+                  "on how many threads, by default one a core; slide only. The output is the same")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
   command
       .add_option("--digits", options->digits, "round to N decimals; output is exact without it")
       ->check(CLI::Range(0, most_digits))

@@ -7,6 +7,7 @@
 
 #include "checked/loops/sum_by_loops.hpp"
 #include "checked/rca/rca.hpp"
+#include "checked/slide/slide.hpp"
 #include "checked/winding/sum_by_winding_numbers.hpp"
 
 namespace oplus {
@@ -43,6 +44,8 @@ Implementation implementation(const std::string& name, std::optional<HoleTestMet
 
 std::vector<Implementation> table(std::optional<HoleTestMethod> method) {
   return {
+      without_probes("slide", [](const Region& p, const Region& q,
+                                 Boundary boundary) { return slide_sum(p, q, boundary).sum; }),
       implementation("rca", method,
                      [](const Region& p, const Region& q, Boundary boundary, HoleTest& hole_test) {
                        return rca(p, q, boundary, WithOrigins::no, hole_test);

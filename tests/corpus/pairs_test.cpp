@@ -39,13 +39,14 @@ TEST(Corpus, oracle_gives_the_sums_of_every_row) {
 TEST(Corpus, every_engine_gives_the_sums_of_every_row) {
   const auto same = [](const Region& p, const Region& q, const Row& row, const std::string& how) {
     for (const Engine& engine : engines()) {
-      if (!engine.has_hole_test) continue;  // the oracle, above
+      if (engine.name == "oracle") continue;  // above
       for (const auto& [name, method] : hole_test_methods()) {
         const auto sum = [&](Boundary boundary) {
-          return engine.compute(p, q, boundary, WithOrigins::no, method).sum;
+          return engine.compute(p, q, boundary, {.hole_test = method}).sum;
         };
         EXPECT_EQ(sum(Boundary::closed), row.closed) << engine.name << ", " << name << how;
         EXPECT_EQ(sum(Boundary::open), row.open) << engine.name << ", " << name << how;
+        if (!engine.has_hole_test) break;
       }
     }
   };

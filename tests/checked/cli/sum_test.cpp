@@ -96,20 +96,30 @@ TEST_F(Sum, every_engine_finds_the_same) {
   for (const std::string other : {"plug.wkt", "slider.wkt", "triangle.dat", "frame.wkt"}) {
     for (const std::string open : {"", " --open"}) {
       const std::string command = "oplus sum frame.wkt " + other + open;
-      const Ran ran = run(command + " --origins rca.json");
+      const Ran ran = run(command + " --origins default.json");
       EXPECT_EQ(ran.exit_code, 0) << ran.err;
-      for (const std::string engine : {"rca", "loops", "winding", "oracle"}) {
+      for (const std::string engine : {"slide", "rca", "loops", "winding", "oracle"}) {
         EXPECT_EQ(run(command + " --origins o.json --engine " + engine).out, ran.out) << command;
-        EXPECT_EQ(content("rca.json"), content("o.json")) << command << engine;
+        EXPECT_EQ(content("default.json"), content("o.json")) << command << engine;
       }
       for (const std::string hole_test : {"bvh", "sweep", "naive", "ray"})
-        EXPECT_EQ(run(command + " --hole-test " + hole_test).out, ran.out) << command << hole_test;
+        EXPECT_EQ(run(command + " --engine rca --hole-test " + hole_test).out, ran.out)
+            << command << hole_test;
+      for (const std::string threads : {"1", "2", "7"}) {
+        EXPECT_EQ(run(command + " --origins o.json --threads " + threads).out, ran.out) << command;
+        EXPECT_EQ(content("default.json"), content("o.json")) << command << threads;
+      }
     }
   }
   expect_refusal("oplus sum square.wkt square.wkt --engine none", "--engine");
   expect_refusal("oplus sum square.wkt square.wkt --hole-test none", "--hole-test");
   expect_refusal("oplus sum square.wkt square.wkt --engine oracle --hole-test ray",
                  "no difference to the engine oracle");
+  expect_refusal("oplus sum square.wkt square.wkt --hole-test ray",
+                 "no difference to the engine slide");
+  expect_refusal("oplus sum square.wkt square.wkt --engine rca --threads 2",
+                 "no difference to the engine rca");
+  expect_refusal("oplus sum square.wkt square.wkt --threads 0", "--threads");
 }
 
 TEST_F(Sum, origins_are_sums_along_the_edge) {

@@ -31,7 +31,7 @@ TEST_F(DiffCommand, compares_pairs_and_says_what_ran_and_where_the_report_is) {
   const auto report = nlohmann::json::parse(content("oplus-findings/diff.json"));
   EXPECT_EQ(report.at("all").at("ran"), 2);
   EXPECT_EQ(report.at("all").at("holes_in_sum"), 1);
-  EXPECT_EQ(report.at("engines"), nlohmann::json({"rca", "loops", "winding"}));
+  EXPECT_EQ(report.at("engines"), nlohmann::json({"slide", "rca", "loops", "winding"}));
   EXPECT_EQ(report.at("hole_test"), "all");
 }
 
