@@ -3,7 +3,7 @@
 
 packages=(g++ cmake ninja-build ccache git python3 clang-format
           libcgal-dev libgmp-dev libmpfr-dev libboost-dev libcli11-dev nlohmann-json3-dev
-          librapidcheck-dev libgtest-dev libbenchmark-dev libtbb-dev gnuplot-nox)
+          libtbb-dev libpolyclipping-dev librapidcheck-dev libgtest-dev gnuplot-nox)
 
 # Installs what is missing. Asks nothing; says what it installs.
 install_missing_packages() {

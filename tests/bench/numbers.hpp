@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace oplus {
+
+/// Three significant digits, thousands apart: "0.0123", "1.20", "4,560".
+std::string three_digits(double value);
+
+/// "-1.2e-06"; "0" is exactly zero.
+std::string power_of_ten(double value);
+
+std::string with_thousands(std::size_t value);
+
+}  // namespace oplus
