@@ -156,7 +156,7 @@ const std::vector<BenchRow>& rows() {
     made.push_back({"small_pairs", "small pairs",
                     std::to_string(small_pairs) + " pairs of polygons of 4 to 8 vertices",
                     Subject::sums, small_pairs, make_small_pairs});
-    for (const std::size_t n : {45, 78, 142, 246, 318})
+    for (const std::size_t n : {55, 95, 175, 300, 388})
       made.push_back(pair_of("growth", star, n, star, n, Subject::growth));
     add_convolutions(made);
     return made;
