@@ -99,7 +99,7 @@ Report measured(const Options& options, const std::string& command) {
   const std::vector<Engine> of_run = chosen_engines(options);
   for (const BenchRow& row : chosen_rows(options)) {
     write_head(std::cout, row);
-    report.rows.push_back({row.name, row.group, row.what, row.pairs, {}});
+    report.rows.push_back({row.name, row.group, row.what, row.subject, row.pairs, {}});
     for (const Engine& engine : of_run) {
       if (!is_for(engine.name, row)) continue;
       report.rows.back().measurements.push_back(
@@ -148,9 +148,15 @@ int run(const Options& options, const std::string& command) {
   return is_wrong(report) ? exit_wrong : 0;
 }
 
+/// In quotes where a shell would see more than a word.
+std::string shell_word(const std::string& argument) {
+  const bool is_plain = argument.find_first_of("*?[]{}()|&;<>$`\\\"' \t#~!^") == std::string::npos;
+  return is_plain && !argument.empty() ? argument : '\'' + argument + '\'';
+}
+
 std::string command_of(int argc, char** argv) {
   std::string command = "build/release/bin/oplus-bench";
-  for (int i = 1; i < argc; ++i) command += std::string(" ") + argv[i];
+  for (int i = 1; i < argc; ++i) command += ' ' + shell_word(argv[i]);
   return command;
 }
 

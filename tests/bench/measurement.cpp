@@ -33,6 +33,7 @@ void to_json(Json& json, const Measurement& m) {
   json["seconds"] = m.seconds;
   put(json, "seconds_evaluated", m.seconds_evaluated);
   json["runs"] = m.runs;
+  json["busy"] = m.busy;
   json["outer"] = m.outer;
   json["holes"] = m.holes;
   json["vertices"] = m.vertices;
@@ -52,6 +53,7 @@ void from_json(const Json& json, Measurement& m) {
   json.at("seconds").get_to(m.seconds);
   get(json, "seconds_evaluated", m.seconds_evaluated);
   json.at("runs").get_to(m.runs);
+  json.at("busy").get_to(m.busy);
   json.at("outer").get_to(m.outer);
   json.at("holes").get_to(m.holes);
   json.at("vertices").get_to(m.vertices);

@@ -28,6 +28,10 @@ struct Measurement {
   std::optional<double> seconds_evaluated;
   std::size_t runs = 0;
 
+  /// For how much of the runs a processor worked on them. Where other programs compete it is less than
+  /// 1, and the times are too long; on two threads it is 2 at best.
+  double busy = 0;
+
   /// Resident at most, in units of 10^6 bytes: of the process until its first run has ended, or, where
   /// it did not come that far, until it ended.
   double peak_mb = 0;
@@ -35,7 +39,7 @@ struct Measurement {
   std::size_t outer = 0;
   std::size_t holes = 0;
   std::size_t vertices = 0;
-  std::string area;                     ///< exactly
+  std::string area;                     ///< exactly; to 30 decimals where that is too long
   std::string digest;                   ///< of an exact result in canonical form
   std::optional<std::size_t> segments;  ///< of the convolution that was looked at, if it is known
   std::optional<std::size_t> steps;     ///< of cycle tracing

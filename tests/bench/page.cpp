@@ -2,14 +2,15 @@
 #include "tests/bench/page.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <map>
+#include <sstream>
 #include <stdexcept>
 
 #include "tests/bench/engine.hpp"
+#include "tests/bench/goals.hpp"
 #include "tests/bench/numbers.hpp"
-#include "tests/bench/rows.hpp"
+#include "tests/bench/ratio.hpp"
 #include "tests/bench/terminal.hpp"
 
 namespace oplus {
@@ -43,17 +44,6 @@ class MarkdownTable {
 /// All others are compared with it.
 const std::string baseline = "slide";
 
-std::vector<const RowReport*> rows_for(const Report& report, Subject subject) {
-  std::vector<const RowReport*> found;
-  for (const RowReport& row : report.rows) {
-    const BenchRow* known = find_row(row.name);
-    const bool is_published = row.name.starts_with("published_");
-    if (known != nullptr ? known->subject == subject : is_published && subject == Subject::sums)
-      found.push_back(&row);
-  }
-  return found;
-}
-
 /// The engines of sums that the run has, in the order in which they are listed.
 std::vector<std::string> sum_engines(const Report& report) {
   const std::vector<const RowReport*> of_sums = rows_for(report, Subject::sums);
@@ -73,6 +63,13 @@ std::vector<std::string> others(const Report& report) {
   return names;
 }
 
+/// As it was asked for: "60", "0.25".
+std::string plain(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
 std::string milliseconds(double seconds) { return three_digits(1000 * seconds); }
 
 /// What stands in a table where there is no number.
@@ -85,10 +82,7 @@ std::string instead(const Measurement* m) {
 std::string times(const Report& report) {
   const std::vector<std::string> names = sum_engines(report);
   Cells head{"sum, ms", "segments", "vertices", "holes"};
-  for (const std::string& name : names) {
-    head.push_back(name);
-    if (name == "cgal-reduced") head.push_back("evaluated");
-  }
+  head.insert(head.end(), names.begin(), names.end());
   MarkdownTable table(head);
   for (const RowReport* row : rows_for(report, Subject::sums)) {
     const Measurement* exact = agreement_of(*row).exact;
@@ -100,74 +94,58 @@ std::string times(const Report& report) {
     for (const std::string& name : names) {
       const Measurement* m = row->done(name);
       cells.push_back(m != nullptr ? milliseconds(m->seconds) : instead(row->of(name)));
-      if (name == "cgal-reduced")
-        cells.push_back(m != nullptr && m->seconds_evaluated ? milliseconds(*m->seconds_evaluated)
-                                                             : "");
     }
     table.add(cells);
   }
   return table.text();
 }
 
-/// A number of a measurement, or of one over the limit, where it is a lower bound.
-struct Ratio {
-  double value;
-  bool is_lower_bound;
-};
-
-using RatioOf = std::function<std::optional<Ratio>(const RowReport& row, const std::string& name)>;
-
-std::optional<Ratio> ratio_of_times(const Report& report, const RowReport& row,
-                                    const std::string& name) {
-  const Measurement* base = row.done(baseline);
-  const Measurement* m = row.of(name);
-  if (base == nullptr || m == nullptr) return std::nullopt;
-  if (m->outcome == Outcome::done) return Ratio{m->seconds / base->seconds, false};
-  if (m->outcome == Outcome::over_limit) return Ratio{report.setting.limit / base->seconds, true};
-  return std::nullopt;
+std::string evaluated(const Report& report) {
+  std::vector<std::string> names = others(report);
+  std::erase_if(names, [&](const std::string& name) {
+    return std::none_of(report.rows.begin(), report.rows.end(), [&](const RowReport& row) {
+      const Measurement* m = row.done(name);
+      return m != nullptr && m->seconds_evaluated;
+    });
+  });
+  Cells head{"sum, ms", baseline};
+  for (const std::string& name : names) {
+    head.push_back(name);
+    head.push_back("/ " + baseline);
+  }
+  MarkdownTable table(head);
+  for (const RowReport* row : rows_for(report, Subject::sums)) {
+    const Measurement* base = row->done(baseline);
+    Cells cells{row->what, base != nullptr ? milliseconds(base->seconds) : ""};
+    for (const std::string& name : names) {
+      const Measurement* m = row->done(name);
+      const bool known = m != nullptr && m->seconds_evaluated;
+      cells.push_back(known ? milliseconds(*m->seconds_evaluated) : instead(row->of(name)));
+      cells.push_back(known && base != nullptr ? three_digits(*m->seconds_evaluated / base->seconds)
+                                               : "");
+    }
+    table.add(cells);
+  }
+  return table.text();
 }
 
-std::optional<Ratio> ratio_of_memory(const Report&, const RowReport& row, const std::string& name) {
-  const Measurement* base = row.done(baseline);
-  const Measurement* m = row.of(name);
-  if (base == nullptr || m == nullptr) return std::nullopt;
-  if (m->outcome == Outcome::done) return Ratio{m->peak_mb / base->peak_mb, false};
-  if (m->outcome == Outcome::over_limit) return Ratio{m->peak_mb / base->peak_mb, true};
-  return std::nullopt;
-}
-
-using RatioFunction = std::optional<Ratio>(const Report& report, const RowReport& row,
-                                           const std::string& name);
-
-std::string ratio_text(const Ratio& ratio) {
-  return (ratio.is_lower_bound ? "> " : "") + three_digits(ratio.value);
-}
+using RatioOf = std::optional<Ratio>(const Report& report, const RowReport& row,
+                                     const std::string& engine, const std::string& base);
 
 /// The geometric means of a group, where it has several rows; a row without a ratio is left out.
-void add_means(const Report& report, const std::vector<const RowReport*>& group,
-               RatioFunction ratio_of, Cells cells, MarkdownTable& table) {
+void add_means(const Report& report, const std::vector<const RowReport*>& group, RatioOf ratio_of,
+               Cells cells, MarkdownTable& table) {
   if (group.size() < 2) return;
   for (const std::string& name : others(report)) {
-    double logarithms = 0;
-    std::size_t count = 0;
-    bool is_lower_bound = false;
-    for (const RowReport* row : group) {
-      const std::optional<Ratio> ratio = ratio_of(report, *row, name);
-      if (!ratio) continue;
-      logarithms += std::log(ratio->value);
-      is_lower_bound = is_lower_bound || ratio->is_lower_bound;
-      ++count;
-    }
-    cells.push_back(count == 0 ? ""
-                               : "*" +
-                                     ratio_text({std::exp(logarithms / static_cast<double>(count)),
-                                                 is_lower_bound}) +
-                                     "*");
+    std::vector<Ratio> ratios;
+    for (const RowReport* row : group)
+      if (const auto ratio = ratio_of(report, *row, name, baseline)) ratios.push_back(*ratio);
+    cells.push_back(ratios.empty() ? "" : '*' + ratio_text(geometric_mean(ratios)) + '*');
   }
   table.add(cells);
 }
 
-std::string ratios(const Report& report, const Cells& first_heads, RatioFunction ratio_of,
+std::string ratios(const Report& report, const Cells& first_heads, RatioOf ratio_of,
                    const std::function<Cells(const RowReport&)>& first_cells) {
   Cells head = first_heads;
   for (const std::string& name : others(report)) head.push_back(name);
@@ -178,7 +156,7 @@ std::string ratios(const Report& report, const Cells& first_heads, RatioFunction
     const RowReport& row = *of_sums[i];
     Cells cells = first_cells(row);
     for (const std::string& name : others(report)) {
-      const std::optional<Ratio> ratio = ratio_of(report, row, name);
+      const std::optional<Ratio> ratio = ratio_of(report, row, name, baseline);
       cells.push_back(ratio ? ratio_text(*ratio) : instead(row.of(name)));
     }
     table.add(cells);
@@ -194,12 +172,12 @@ std::string ratios(const Report& report, const Cells& first_heads, RatioFunction
 }
 
 std::string time_ratios(const Report& report) {
-  return ratios(report, {"time / " + baseline}, ratio_of_times,
+  return ratios(report, {"time / " + baseline}, time_ratio,
                 [](const RowReport& row) { return Cells{row.what}; });
 }
 
 std::string memory_ratios(const Report& report) {
-  return ratios(report, {"memory / " + baseline, baseline + ", MB"}, ratio_of_memory,
+  return ratios(report, {"memory / " + baseline, baseline + ", MB"}, memory_ratio,
                 [](const RowReport& row) {
                   const Measurement* base = row.done(baseline);
                   return Cells{row.what, base != nullptr ? three_digits(base->peak_mb) : ""};
@@ -303,6 +281,20 @@ std::string remarks(const Report& report) {
   return text.empty() ? "- Every engine took every row.\n" : text;
 }
 
+/// How much others were in the way.
+std::string busy(const Report& report) {
+  std::size_t measured = 0;
+  std::size_t well = 0;
+  for (const RowReport& row : report.rows) {
+    for (const Measurement& m : row.measurements) {
+      if (m.outcome != Outcome::done) continue;
+      ++measured;
+      if (m.busy >= 0.95) ++well;
+    }
+  }
+  return std::to_string(well) + " of " + std::to_string(measured);
+}
+
 std::string agreement(const Report& report) {
   std::size_t compared = 0;
   std::size_t equal = 0;
@@ -318,6 +310,16 @@ std::string agreement(const Report& report) {
   }
   return "On " + std::to_string(equal) + " of " + std::to_string(compared) +
          " rows with two exact engines or more, all exact results are equal";
+}
+
+std::string goals(const Report& report) {
+  MarkdownTable table({"goal", "measured", "reached"});
+  for (const Goal& goal : goals_of(report))
+    table.add({goal.text, goal.measured,
+               !goal.reached   ? "not measured"
+               : *goal.reached ? "yes"
+                               : "**no**"});
+  return table.text();
 }
 
 std::string engine_list(const Report& report) {
@@ -337,10 +339,13 @@ std::string page_of(const Report& report, const std::string& page_template) {
       {"COMPILER", setting.compiler},
       {"LIBRARIES", setting.libraries},
       {"COMMAND", setting.command},
-      {"LIMIT", three_digits(setting.limit)},
+      {"LIMIT", plain(setting.limit)},
       {"AGREEMENT", agreement(report)},
+      {"BUSY", busy(report)},
       {"TIMES", times(report)},
+      {"GOALS", goals(report)},
       {"RATIOS", time_ratios(report)},
+      {"EVALUATED", evaluated(report)},
       {"THROUGHPUT", throughput(report)},
       {"MEMORY", memory_ratios(report)},
       {"ERRORS", errors(report)},

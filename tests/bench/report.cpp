@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <stdexcept>
 
-#include "reference/definitions/rational.hpp"
+#include "reference/io/number.hpp"
 #include "tests/bench/engine.hpp"
 
 namespace oplus {
@@ -22,8 +24,16 @@ const Measurement* RowReport::done(const std::string& engine) const {
   return found != nullptr && found->outcome == Outcome::done ? found : nullptr;
 }
 
+NLOHMANN_JSON_SERIALIZE_ENUM(Subject, {{Subject::sums, "sums"},
+                                       {Subject::growth, "growth"},
+                                       {Subject::convolution, "convolution"}})
+
 void to_json(Json& json, const RowReport& row) {
-  json = Json{{"name", row.name}, {"group", row.group}, {"what", row.what}, {"pairs", row.pairs}};
+  json = Json{{"name", row.name},
+              {"group", row.group},
+              {"what", row.what},
+              {"subject", row.subject},
+              {"pairs", row.pairs}};
   json["measurements"] = row.measurements;
 }
 
@@ -31,6 +41,7 @@ void from_json(const Json& json, RowReport& row) {
   json.at("name").get_to(row.name);
   json.at("group").get_to(row.group);
   json.at("what").get_to(row.what);
+  json.at("subject").get_to(row.subject);
   json.at("pairs").get_to(row.pairs);
   json.at("measurements").get_to(row.measurements);
 }
@@ -72,6 +83,13 @@ bool is_exact(const Measurement& m) {
 
 }  // namespace
 
+std::vector<const RowReport*> rows_for(const Report& report, Subject subject) {
+  std::vector<const RowReport*> found;
+  for (const RowReport& row : report.rows)
+    if (row.subject == subject) found.push_back(&row);
+  return found;
+}
+
 Agreement agreement_of(const RowReport& row) {
   Agreement agreement;
   std::map<std::string, std::string> engines_by_digest;
@@ -88,13 +106,24 @@ Agreement agreement_of(const RowReport& row) {
   return agreement;
 }
 
+namespace {
+
+Rational area_of(const Measurement& m) {
+  NumberFault fault;
+  const std::optional<Rational> area = parse_number(m.area, fault);
+  if (!area) throw std::invalid_argument(m.engine + ": its area is no number: " + m.area);
+  return *area;
+}
+
+}  // namespace
+
 double absolute_area_error(const Measurement& rounded, const Measurement& exact) {
-  return Rational(Rational(rounded.area) - Rational(exact.area)).get_d();
+  return Rational(area_of(rounded) - area_of(exact)).get_d();
 }
 
 double relative_area_error(const Measurement& rounded, const Measurement& exact) {
-  const Rational area(exact.area);
-  return Rational((Rational(rounded.area) - area) / area).get_d();
+  const Rational area = area_of(exact);
+  return Rational((area_of(rounded) - area) / area).get_d();
 }
 
 }  // namespace oplus

@@ -15,6 +15,7 @@ struct RowReport {
   std::string name;
   std::string group;
   std::string what;
+  Subject subject = Subject::sums;
   std::size_t pairs = 1;
   std::vector<Measurement> measurements;
 
@@ -49,6 +50,9 @@ void from_json(const nlohmann::ordered_json& json, Report& report);
 
 /// That of this program on this machine.
 Setting this_setting(const std::string& command, double limit);
+
+/// The rows of a run that are for this.
+std::vector<const RowReport*> rows_for(const Report& report, Subject subject);
 
 /// What results say about each other.
 struct Agreement {

@@ -59,19 +59,21 @@ BenchRow pair_of(const std::string& group, const Kind& p, std::size_t n, const K
 /// Files of the folder of published polygons, without their ending.
 struct PublishedFiles {
   std::string name;
+  std::string what;
   std::string p;
   std::string q;
 };
 
 const std::vector<PublishedFiles>& published() {
   static const std::vector<PublishedFiles> all{
-      {"fork", "fork_part1", "fork_part2"},
-      {"comb", "comb_part1", "comb_part2"},
-      {"stars", "stars_part1", "stars_part2"},
-      {"isolated_vertex", "isolated_vertex_part1", "isolated_vertex_part2"},
-      {"e_and_g", "E", "G"},
-      {"l_and_square", "l_shape", "deg_square"},
-      {"holes", "pwh1", "pwh2"},
+      {"fork", "published fork", "fork_part1", "fork_part2"},
+      {"comb", "published comb", "comb_part1", "comb_part2"},
+      {"stars", "published stars", "stars_part1", "stars_part2"},
+      {"isolated_vertex", "published pair with an isolated vertex", "isolated_vertex_part1",
+       "isolated_vertex_part2"},
+      {"e_and_g", "published E and G", "E", "G"},
+      {"l_and_square", "published L and square", "l_shape", "deg_square"},
+      {"holes", "published pair with holes", "pwh1", "pwh2"},
   };
   return all;
 }
@@ -95,8 +97,7 @@ void add_published(std::vector<BenchRow>& all) {
     const Summands pair = read(files);
     const std::string group = files.name == "holes" ? "with holes" : "published";
     all.push_back({"published_" + files.name, group,
-                   "published " + files.p + " and " + files.q + ", " +
-                       std::to_string(vertex_count(pair.p)) + " and " +
+                   files.what + ", " + std::to_string(vertex_count(pair.p)) + " and " +
                        std::to_string(vertex_count(pair.q)) + " vertices",
                    Subject::sums, 1, [files] { return std::vector<Summands>{read(files)}; }});
   }

@@ -23,6 +23,14 @@ ReturnedChains chains_of(const MinkowskiSum& sum) {
   return chains;
 }
 
+/// An exact area of a large sum has thousands of digits.
+std::string area_text(const Rational& area) {
+  constexpr std::size_t long_text = 100;
+  constexpr int decimals = 30;
+  std::string exact = to_string(area);
+  return exact.size() <= long_text ? exact : to_string(area, decimals);
+}
+
 }  // namespace
 
 void describe_sums(const std::vector<ReturnedChains>& sums, Arithmetic arithmetic,
@@ -42,7 +50,7 @@ void describe_sums(const std::vector<ReturnedChains>& sums, Arithmetic arithmeti
     }
     digest.add("end of sum");
   }
-  measurement.area = Rational(twice / 2).get_str();
+  measurement.area = area_text(twice / 2);
   if (exact) measurement.digest = digest.hexadecimal();
 }
 

@@ -28,6 +28,13 @@ std::string in_words(const Measurement& m) {
   return "";
 }
 
+namespace {
+
+/// Less than that, and other programs were in the way.
+constexpr double well_busy = 0.95;
+
+}  // namespace
+
 void write_line(std::ostream& out, const Measurement& m) {
   out << "  " << std::left << std::setw(14) << m.engine << std::right;
   if (m.outcome != Outcome::done) {
@@ -42,6 +49,7 @@ void write_line(std::ostream& out, const Measurement& m) {
   if (m.segments) out << std::setw(9) << with_thousands(*m.segments) << " segments";
   if (m.seconds_evaluated)
     out << "  (evaluated: " << three_digits(1000 * *m.seconds_evaluated) << " ms)";
+  if (m.busy < well_busy) out << "  (a processor for " << three_digits(100 * m.busy) << " %)";
   out << std::endl;
 }
 

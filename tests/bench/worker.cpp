@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <iostream>
 #include <sstream>
 
@@ -20,6 +21,11 @@ double seconds_of(Work work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// Of all threads of this process.
+double processor_seconds() {
+  return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
+}
+
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const std::size_t middle = values.size() / 2;
@@ -30,15 +36,19 @@ void measure(PreparedPairs& pairs, double min_time, Measurement& measurement) {
   std::vector<double> computed;
   std::vector<double> evaluated;
   double total = 0;
+  double worked = 0;
   do {
     pairs.forget();
+    worked -= processor_seconds();
     computed.push_back(seconds_of([&] { pairs.compute(); }));
+    worked += processor_seconds();
     if (computed.size() == 1) measurement.peak_mb = own_peak_mb();
     total += computed.back();
     if (pairs.is_lazy())
       evaluated.push_back(computed.back() + seconds_of([&] { pairs.evaluate(); }));
   } while (computed.back() <= long_run && (computed.size() < least_runs || total < min_time));
   measurement.runs = computed.size();
+  measurement.busy = worked / total;
   measurement.seconds = median(std::move(computed));
   if (!evaluated.empty()) measurement.seconds_evaluated = median(std::move(evaluated));
 }
