@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/slide/contact_interval.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "properties/generators/random.hpp"
+#include "reference/definitions/segment.hpp"
+#include "tests/checked/slide/exact_values.hpp"
+#include "tests/reference/definitions/print.hpp"
+
+namespace oplus::slide {
+namespace {
+
+struct Places {
+  Rational from, to;
+
+  friend bool operator==(const Places&, const Places&) = default;
+  friend void PrintTo(const Places& p, std::ostream* out) {
+    *out << '[' << p.from << ", " << p.to << ']';
+  }
+};
+
+template <typename Numbers = SmallNumbers>
+std::optional<Places> contact(const Segment& segment, const Segment& of_p, const Segment& of_q) {
+  const auto piece =
+      contact_interval(integer_segment<Numbers>(segment), integer_segment<Numbers>(of_p),
+                       integer_segment<Numbers>(of_q));
+  if (!piece) return std::nullopt;
+  return Places{rational(piece->from), rational(piece->to)};
+}
+
+/// However the edges are directed, whichever is of P, and turned by quarters.
+void expect_contact(Segment segment, Segment of_p, Segment of_q,
+                    const std::optional<Places>& expected) {
+  const auto turn = [](Segment& s) {
+    for (Point* p : {&s.source, &s.target}) *p = {-p->y, p->x};
+  };
+  std::optional<Places> backwards;
+  if (expected) backwards = {1 - expected->to, 1 - expected->from};
+  for (int turns = 0; turns < 4; ++turns) {
+    for (const Segment& p : {of_p, reversed(of_p)}) {
+      for (const Segment& q : {of_q, reversed(of_q)}) {
+        EXPECT_EQ(contact(segment, p, q), expected) << turns;
+        EXPECT_EQ(contact(segment, q, p), expected) << turns;
+        EXPECT_EQ(contact(reversed(segment), p, q), backwards) << turns;
+      }
+    }
+    turn(segment);
+    turn(of_p);
+    turn(of_q);
+  }
+}
+
+// The sum of these is the closed rectangle from (0, 0) to (4, 2).
+const Segment across{{0, 0}, {4, 0}}, up{{0, 0}, {0, 2}};
+
+TEST(ContactInterval, is_where_the_segment_is_in_the_closed_parallelogram) {
+  expect_contact({{-1, 1}, {9, 1}}, across, up, Places{{1, 10}, {1, 2}});
+  expect_contact({{1, 1}, {2, 1}}, across, up, Places{0, 1});
+  expect_contact({{1, 1}, {9, 1}}, across, up, Places{0, {3, 8}});
+  expect_contact({{-1, 3}, {9, 3}}, across, up, std::nullopt);
+  expect_contact({{-9, 1}, {-1, 1}}, across, up, std::nullopt);
+}
+
+TEST(ContactInterval, has_sides_corners_and_ends) {
+  expect_contact({{-1, 0}, {9, 0}}, across, up, Places{{1, 10}, {1, 2}});
+  expect_contact({{-1, 2}, {9, 2}}, across, up, Places{{1, 10}, {1, 2}});
+  expect_contact({{-1, 1}, {1, -1}}, across, up, Places{{1, 2}, {1, 2}});
+  expect_contact({{3, 3}, {6, 0}}, across, up, Places{{1, 3}, {1, 3}});
+  expect_contact({{4, 1}, {9, 1}}, across, up, Places{0, 0});
+  expect_contact({{-5, 7}, {0, 2}}, across, up, Places{1, 1});
+}
+
+TEST(ContactInterval, of_parallel_edges_is_in_a_segment) {
+  const Segment same{{0, 0}, {2, 0}};  // The sum is (0, 0) to (6, 0).
+  expect_contact({{-2, 0}, {8, 0}}, across, same, Places{{1, 5}, {4, 5}});
+  expect_contact({{1, 0}, {3, 0}}, across, same, Places{0, 1});
+  expect_contact({{6, 0}, {9, 0}}, across, same, Places{0, 0});
+  expect_contact({{7, 0}, {9, 0}}, across, same, std::nullopt);
+  expect_contact({{-9, 0}, {-1, 0}}, across, same, std::nullopt);
+  // In line, and apart.
+  const Segment behind{{10, 0}, {12, 0}}, beside{{0, 5}, {2, 5}};
+  expect_contact({{8, 0}, {18, 0}}, across, behind, Places{{1, 5}, {4, 5}});
+  expect_contact({{-2, 5}, {8, 5}}, across, beside, Places{{1, 5}, {4, 5}});
+  expect_contact({{-2, 0}, {8, 0}}, across, beside, std::nullopt);
+}
+
+TEST(ContactInterval, of_parallel_edges_with_a_segment_across_is_a_point) {
+  const Segment same{{0, 0}, {2, 0}};
+  expect_contact({{3, -1}, {3, 2}}, across, same, Places{{1, 3}, {1, 3}});
+  expect_contact({{6, -1}, {6, 2}}, across, same, Places{{1, 3}, {1, 3}});
+  expect_contact({{7, -1}, {7, 2}}, across, same, std::nullopt);
+  expect_contact({{3, 1}, {3, 2}}, across, same, std::nullopt);
+  expect_contact({{-1, -1}, {1, 1}}, across, same, Places{{1, 2}, {1, 2}});
+  expect_contact({{-2, -1}, {0, 1}}, across, same, std::nullopt);
+}
+
+/// -Q + x against P, as it is defined.
+TEST(ContactInterval, is_where_the_edges_meet) {
+  Random random(5);
+  const auto point = [&] {
+    const int x = uniform(random, -2, 2);
+    const int y = uniform(random, -2, 2);
+    return Point{x, y};
+  };
+  const auto segment = [&] {
+    while (true) {
+      const Point a = point(), b = point();
+      if (a != b) return Segment{a, b};
+    }
+  };
+  std::size_t points = 0, pieces = 0;
+  for (int k = 0; k < 1500; ++k) {
+    const Segment p = segment();
+    Segment q = segment();
+    if (one_in(random, 3)) q = {q.source, q.source + direction_of(p)};
+    const Point x = point() + point();
+    const Segment slid{x, x + (one_in(random, 2) ? direction_of(p) : direction_of(segment()))};
+    const std::optional<Places> places = contact(slid, p, q);
+    const auto meet_at = [&](const Rational& t) {
+      const Point at = slid.source + t * direction_of(slid);
+      return !intersection(p, {at - q.source, at - q.target}).empty();
+    };
+    std::vector<Rational> asked;
+    for (int i = 0; i <= 12; ++i) asked.emplace_back(i, 12);
+    if (places) {
+      (places->from == places->to ? points : pieces) += 1;
+      asked.insert(asked.end(), {places->from, places->to, (places->from + places->to) / 2});
+    }
+    for (const Rational& t : asked)
+      EXPECT_EQ(meet_at(t), places && places->from <= t && t <= places->to)
+          << testing::PrintToString(p) << testing::PrintToString(q) << testing::PrintToString(slid)
+          << " at " << t;
+  }
+  EXPECT_GT(points, 100u);
+  EXPECT_GT(pieces, 100u);
+}
+
+template <typename Numbers>
+class ContactIntervalAtTheLimit : public testing::Test {};
+using LimitedNumbers = testing::Types<SmallNumbers, WideNumbers>;
+TYPED_TEST_SUITE(ContactIntervalAtTheLimit, LimitedNumbers);
+
+TYPED_TEST(ContactIntervalAtTheLimit, is_that_of_gmp) {
+  const Rational m = power_of_two(TypeParam::bits) - 1;
+  const std::vector<Point> corners{{-m, -m}, {m, -m}, {m, m}, {-m, m}};
+  std::size_t found = 0;
+  for (int k = 0; k < 1 << 12; ++k) {
+    const auto corner = [&](int which) {
+      return corners[static_cast<std::size_t>(k >> which) % 4];
+    };
+    const Segment of_p{corner(0), corner(2)}, of_q{corner(4), corner(6)};
+    if (of_p.source == of_p.target || of_q.source == of_q.target) continue;
+    for (const Segment& edge :
+         {of_p, of_q, Segment{corners[0], corners[2]}, Segment{corners[3], corners[1]}}) {
+      for (const Point& vertex : {corner(8), corner(10)}) {
+        const Segment slid{edge.source + vertex, edge.target + vertex};
+        const auto expected = contact<AnyNumbers>(slid, of_p, of_q);
+        EXPECT_EQ(contact<TypeParam>(slid, of_p, of_q), expected);
+        found += expected ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(found, 1000u);
+}
+
+}  // namespace
+}  // namespace oplus::slide

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "checked/slide/fraction.hpp"
+#include "checked/slide/integer_vector.hpp"
+#include "reference/definitions/segment.hpp"
+
+namespace oplus::slide {
+
+// What the stages of arithmetic compute, as rationals that know nothing of stages.
+
+using AllNumbers = testing::Types<SmallNumbers, WideNumbers, AnyNumbers>;
+
+template <typename Value>
+mpz_class integer(const Value& value) {
+  if constexpr (std::is_same_v<Value, std::int64_t>)
+    return {static_cast<long>(value)};
+  else
+    return mpz_class(value.str());
+}
+
+/// The other way round. Requires: it fits.
+template <typename Numbers>
+typename Numbers::Value value(const mpz_class& integer) {
+  if constexpr (is_small<Numbers>)
+    return integer.get_si();
+  else
+    return typename Numbers::Value(integer.get_str());
+}
+
+template <typename Numbers>
+Rational rational(const Fraction<Numbers>& fraction) {
+  Rational result(integer(fraction.numerator()), integer(fraction.denominator()));
+  result.canonicalize();
+  return result;
+}
+
+/// From one point to another. Requires: integer coordinates.
+template <typename Numbers>
+IntegerSegment<Numbers> integer_segment(const Segment& s) {
+  const Vector d = direction_of(s);
+  return {{value<Numbers>(s.source.x.get_num()), value<Numbers>(s.source.y.get_num())},
+          {value<Numbers>(d.x.get_num()), value<Numbers>(d.y.get_num())}};
+}
+
+/// 2 to a power, which may be negative.
+inline Rational power_of_two(int exponent) {
+  const mpz_class power = mpz_class(1) << static_cast<unsigned>(std::abs(exponent));
+  return exponent < 0 ? Rational(1, power) : Rational(power);
+}
+
+}  // namespace oplus::slide

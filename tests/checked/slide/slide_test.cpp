@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/slide/slide.hpp"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "checked/rca/rca.hpp"
+#include "properties/generators/family.hpp"
+#include "properties/generators/polygons.hpp"
+#include "reference/definitions/validity.hpp"
+#include "tests/checked/slide/exact_values.hpp"
+#include "tests/checked/slide/stretched.hpp"
+#include "tests/corpus/corpus.hpp"
+#include "tests/reference/definitions/print.hpp"
+#include "tests/reference/definitions/shapes.hpp"
+
+namespace oplus {
+namespace {
+
+using slide::power_of_two;
+
+constexpr Boundary both[] = {Boundary::closed, Boundary::open};
+
+std::string name_of(Boundary boundary) { return boundary == Boundary::closed ? "closed" : "open"; }
+
+/// The stage that decided about pairs of edges, and none other did.
+std::string stage(const SlideStatistics& statistics) {
+  std::string stages;
+  if (statistics.in_64_bits > 0) stages += "64";
+  if (statistics.in_256_bits > 0) stages += "256";
+  if (statistics.in_gmp > 0) stages += "gmp";
+  return stages;
+}
+
+std::string stage(const Region& p, const Region& q) {
+  return stage(slide_sum(p, q, Boundary::closed).statistics);
+}
+
+void expect_as_rca(const Region& p, const Region& q, const std::string& what) {
+  ASSERT_FALSE(find_defect(p)) << what;
+  ASSERT_FALSE(find_defect(q)) << what;
+  for (const Boundary boundary : both) {
+    const ComputedSum expected = rca(p, q, boundary, WithOrigins::yes);
+    const SlideResult result = slide_sum(p, q, boundary, {.with_origins = WithOrigins::yes});
+    EXPECT_EQ(result.sum, expected.sum) << what << ", " << name_of(boundary);
+    EXPECT_EQ(result.origins, expected.origins) << what << ", " << name_of(boundary);
+  }
+}
+
+const Region triangle = polygon({{0, 0}, {2, 0}, {0, 2}});
+
+/// A triangle with coordinates 0 and c.
+Region triangle_to(const Rational& c) { return polygon({{0, 0}, {c, 0}, {0, c}}); }
+
+/// A square with coordinates -c and c.
+Region square_around_origin(const Rational& c) { return polygon(box(-c, -c, c, c)); }
+
+TEST(Slide, of_nothing_is_nothing) {
+  for (const Boundary boundary : both) {
+    EXPECT_EQ(slide_sum({}, triangle, boundary).sum, MinkowskiSum{});
+    EXPECT_EQ(slide_sum(triangle, {}, boundary).sum, MinkowskiSum{});
+  }
+}
+
+TEST(Slide, origins_are_empty_unless_asked_for) {
+  EXPECT_TRUE(slide_sum(triangle, triangle, Boundary::closed).origins.empty());
+  const SlideOptions asked{.with_origins = WithOrigins::yes};
+  EXPECT_EQ(slide_sum(triangle, triangle, Boundary::closed, asked).origins.size(), 3u);
+}
+
+TEST(Slide, is_what_the_corpus_says) {
+  for (const Row& row : corpus()) {
+    EXPECT_EQ(slide_sum(row.p, row.q, Boundary::closed).sum, row.closed) << row.name;
+    EXPECT_EQ(slide_sum(row.p, row.q, Boundary::open).sum, row.open) << row.name;
+    EXPECT_EQ(slide_sum(row.p, row.q, Boundary::closed).statistics.segments,
+              reduced_convolution(row.p, row.q).size())
+        << row.name;
+  }
+}
+
+TEST(SlideStages, have_29_bits_at_most_in_64) {
+  const Rational largest = power_of_two(29) - 1;
+  const SlideStatistics statistics =
+      slide_sum(square_around_origin(largest), triangle, Boundary::closed).statistics;
+  EXPECT_EQ(statistics.bits, 29u);
+  EXPECT_EQ(stage(statistics), "64");
+}
+
+TEST(SlideStages, of_30_bits_are_256_bits_where_the_box_is_as_large) {
+  const Region large = square_around_origin(power_of_two(29));
+  const SlideStatistics statistics = slide_sum(large, triangle, Boundary::closed).statistics;
+  EXPECT_EQ(statistics.bits, 30u);
+  EXPECT_EQ(stage(statistics), "256");
+  EXPECT_EQ(stage(triangle, large), "256");
+}
+
+TEST(SlideStages, of_30_bits_are_64_bits_where_the_middle_of_the_box_can_be_taken_off) {
+  const SlideStatistics statistics =
+      slide_sum(triangle_to(power_of_two(30) - 2), triangle, Boundary::closed).statistics;
+  EXPECT_EQ(statistics.bits, 29u);
+  EXPECT_EQ(stage(statistics), "64");
+  EXPECT_EQ(stage(triangle_to(power_of_two(30)), triangle), "256");
+}
+
+TEST(SlideStages, of_what_is_small_but_far_from_the_origin_are_64_bits) {
+  const Region square = polygon(box(0, 0, 3, 5));
+  const MinkowskiSum sum = slide_sum(square, triangle, Boundary::closed).sum;
+  for (const char* far :
+       {"536870912", "1000000000000000000000000000000000000000", "-99999999999"}) {
+    const Vector by{Rational(far), -Rational(far) - 7};
+    const Vector other{Rational(far) / 3, 5};
+    const SlideResult moved =
+        slide_sum(translated(square, by), translated(triangle, other), Boundary::closed);
+    EXPECT_EQ(moved.sum.outer, (std::vector<Chain>{translated(sum.outer[0], by + other)}));
+    EXPECT_EQ(stage(moved.statistics), "64");
+    EXPECT_LE(moved.statistics.bits, 4u + 2);
+  }
+}
+
+TEST(SlideStages, have_124_bits_at_most_in_256) {
+  const Rational limit = power_of_two(124);
+  const SlideStatistics below =
+      slide_sum(square_around_origin(limit - 1), triangle, Boundary::closed).statistics;
+  EXPECT_EQ(below.bits, 124u);
+  EXPECT_EQ(stage(below), "256");
+  const SlideStatistics above =
+      slide_sum(square_around_origin(limit), triangle, Boundary::closed).statistics;
+  EXPECT_EQ(above.bits, 125u);
+  EXPECT_EQ(stage(above), "gmp");
+}
+
+TEST(SlideStages, count_the_common_denominator) {
+  // 2^20 and a denominator of 9 bits have 29 bits, and of 10 bits 30 bits and more.
+  const Region large = square_around_origin(power_of_two(20) - 1);
+  const auto tiny = [](int denominator) { return triangle_to(Rational(1, denominator)); };
+  EXPECT_EQ(stage(large, tiny(511)), "64");
+  EXPECT_EQ(stage(large, tiny(513)), "256");
+  EXPECT_EQ(slide_sum(large, tiny(3), Boundary::closed).statistics.bits, 22u);
+}
+
+TEST(SlideStages, that_are_asked_for_are_taken) {
+  const auto with = [](SlideNumbers numbers) {
+    return stage(slide_sum(triangle, triangle, Boundary::closed, {.numbers = numbers}).statistics);
+  };
+  EXPECT_EQ(with(SlideNumbers::as_needed), "64");
+  EXPECT_EQ(with(SlideNumbers::at_least_256_bits), "256");
+  EXPECT_EQ(with(SlideNumbers::gmp), "gmp");
+  const SlideOptions at_least{.numbers = SlideNumbers::at_least_256_bits};
+  EXPECT_EQ(stage(slide_sum(triangle_to(power_of_two(200)), square_around_origin(1),
+                            Boundary::closed, at_least)
+                      .statistics),
+            "gmp");
+}
+
+/// Regions that reach from -m to m in both coordinates, as long and as thin as integers allow.
+std::vector<Shape> reaching_shapes(const Rational& m) {
+  return {
+      {"square", polygon(box(-m, -m, m, m))},
+      {"half a square", polygon({{-m, -m}, {m, -m}, {m, m}})},
+      {"needle", polygon({{-m, -m}, {m, m - 1}, {m, m}})},
+      {"hourglass", polygon({{-m, -m}, {m, -m}, {1, 0}, {m, m}, {-m, m}, {-1, 0}})},
+      {"narrow frame", {{{box(-m, -m, m, m), {backwards(box(1 - m, 1 - m, m - 1, m - 1))}}}}},
+      {"two halves, and a diagonal slit between",
+       {{{{{2 - m, -m}, {m, -m}, {m, m - 2}}, {}}, {{{-m, 2 - m}, {m - 2, m}, {-m, m}}, {}}}}},
+  };
+}
+
+class AtTheLimit : public testing::TestWithParam<int> {};
+
+TEST_P(AtTheLimit, of_a_stage_every_combination_of_signs_is_exact) {
+  const Rational m = power_of_two(GetParam()) - 1;
+  const std::vector<Shape> shapes = reaching_shapes(m);
+  const std::string expected = GetParam() <= 29 ? "64" : GetParam() <= 124 ? "256" : "gmp";
+  for (const Shape& p : shapes) {
+    for (const Shape& q : shapes) {
+      for (int times = 0; times < 4; ++times) {
+        const Region of_q = turned(q.region, times);
+        EXPECT_EQ(stage(p.region, of_q), expected);
+        expect_as_rca(p.region, of_q, p.name + " and " + q.name + ", " + std::to_string(times));
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Bits, AtTheLimit, testing::Values(28, 29, 30, 124, 125),
+                         testing::PrintToStringParamName());
+
+TEST(Slide, is_exact_where_exponents_of_doubles_are_mixed) {
+  const Rational huge(1e300), tiny(1e-300);
+  const Region wedge = polygon({{0, 0}, {huge, tiny}, {tiny, huge}, {tiny, tiny}});
+  const Region needle = polygon({{-1e-300, 0.1}, {1e300, 1e-17}, {0.3, 1e17}});
+  const Region frame{{{box(-huge, -huge, huge, huge), {backwards(box(-tiny, -tiny, tiny, tiny))}}}};
+  const Region dot = polygon(box(0, 0, tiny, 2 * tiny));
+  for (const Region* p : {&wedge, &needle, &frame, &dot}) {
+    EXPECT_EQ(stage(*p, needle), "gmp");
+    for (const Region* q : {&wedge, &needle, &frame, &dot}) expect_as_rca(*p, *q, "mixed");
+  }
+}
+
+TEST(Slide, is_exact_where_denominators_are_large_and_coprime) {
+  const auto over = [](int n, const char* d) { return Rational(std::to_string(n) + "/" + d); };
+  const char* const p1 = "1000000007";
+  const char* const p2 = "998244353";
+  const char* const p3 = "170141183460469231731687303715884105727";  // 2^127 - 1
+  const Region dart = polygon({{over(1, p1), over(-5, p2)},
+                               {3 + over(2, p2), over(1, p1)},
+                               {over(1, "3"), over(2, "7")},
+                               {over(-4, p1), 2 + over(11, p2)}});
+  const Region thin = polygon({{0, over(1, p3)}, {1, over(2, p3)}, {1, over(3, p3)}});
+  EXPECT_EQ(stage(dart, dart), "256");
+  EXPECT_EQ(stage(dart, thin), "gmp");
+  expect_as_rca(dart, dart, "dart and dart");
+  expect_as_rca(dart, thin, "dart and needle");
+  expect_as_rca(thin, thin, "needle and needle");
+}
+
+TEST(Slide, does_not_go_through_infinity) {
+  const Rational huge = power_of_two(1200), tiny = power_of_two(-1200);
+  const auto slotted = [&](const Rational& width) {
+    return Region{{{box(-huge, -huge, huge, huge), {backwards(box(0, 0, huge / 2, width))}}}};
+  };
+  const Region dot = polygon(box(0, 0, tiny, tiny));
+  EXPECT_EQ(slide_sum(slotted(tiny + tiny * tiny), dot, Boundary::closed).sum.holes,
+            (std::vector<Chain>{{{tiny, tiny},
+                                 {tiny, tiny + tiny * tiny},
+                                 {huge / 2, tiny + tiny * tiny},
+                                 {huge / 2, tiny}}}));
+  EXPECT_EQ(slide_sum(slotted(tiny), dot, Boundary::open).sum.dangling_edges,
+            (std::vector<Segment>{{{tiny, tiny}, {huge / 2, tiny}}}));
+  EXPECT_TRUE(slide_sum(slotted(tiny), dot, Boundary::closed).sum.holes.empty());
+  expect_as_rca(slotted(tiny / 2), dot, "closed slot");
+}
+
+TEST(Slide, of_stretched_summands_is_the_sum_stretched) {
+  for (const char* name : {"grid", "tight", "holes", "components", "star"}) {
+    for (std::uint64_t seed = 0; seed < 4; ++seed) {
+      const auto [p, q] = generate(*find_family(name), 5, seed);
+      for (const Boundary boundary : both) {
+        const MinkowskiSum sum = slide_sum(p, q, boundary).sum;
+        for (const Rational& factor :
+             {power_of_two(90), power_of_two(-90), power_of_two(2000), Rational(3, 7)})
+          EXPECT_EQ(slide_sum(stretched(p, factor), stretched(q, factor), boundary).sum,
+                    stretched(sum, factor))
+              << name << ' ' << seed << ' ' << factor;
+      }
+    }
+  }
+}
+
+TEST(SlideNumbers, do_not_change_the_result) {
+  for (const Family& family : families()) {
+    for (std::uint64_t seed = 0; seed < 4; ++seed) {
+      const auto [p, q] = generate(family, family.typical, seed);
+      for (const Boundary boundary : both) {
+        const auto with = [&, &p = p, &q = q](SlideNumbers numbers) {
+          return slide_sum(p, q, boundary, {.with_origins = WithOrigins::yes, .numbers = numbers});
+        };
+        const SlideResult needed = with(SlideNumbers::as_needed);
+        for (const SlideNumbers larger : {SlideNumbers::at_least_256_bits, SlideNumbers::gmp}) {
+          const SlideResult result = with(larger);
+          EXPECT_EQ(result.sum, needed.sum) << family.name << ' ' << seed;
+          EXPECT_EQ(result.origins, needed.origins) << family.name << ' ' << seed;
+          EXPECT_EQ(result.statistics.free_pieces, needed.statistics.free_pieces);
+        }
+      }
+    }
+  }
+}
+
+auto all_of(const SlideStatistics& s) {
+  return std::make_tuple(s.segments, s.bits, s.probes, s.box_pairs, s.by_doubles, s.in_64_bits,
+                         s.in_256_bits, s.in_gmp, s.free_pieces);
+}
+
+TEST(SlideThreads, do_not_change_the_result) {
+  // However few cores there are, as many threads.
+  const tbb::global_control eight(tbb::global_control::max_allowed_parallelism, 8);
+  Random random(7);
+  const Region star = star_polygon(random, 120), other_star = star_polygon(random, 80);
+  const Region large_star = star_polygon(random, 200);
+  const auto [frames, islands] = generate(*find_family("islands"), 12, 3);
+  const std::pair<Region, Region> pairs[] = {{star, other_star}, {frames, large_star}};
+  for (const auto& [p, q] : pairs) {
+    for (const Boundary boundary : both) {
+      const auto with = [&, &p = p, &q = q](unsigned threads) {
+        return slide_sum(p, q, boundary, {.with_origins = WithOrigins::yes, .threads = threads});
+      };
+      const SlideResult one = with(1);
+      ASSERT_GE(one.statistics.segments, 1024u) << "fewer are not worth a thread";
+      for (const unsigned threads : {2u, 3u, 8u}) {
+        const SlideResult result = with(threads);
+        EXPECT_EQ(result.sum, one.sum) << threads;
+        EXPECT_EQ(result.origins, one.origins) << threads;
+        EXPECT_EQ(all_of(result.statistics), all_of(one.statistics)) << threads;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace oplus
