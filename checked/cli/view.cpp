@@ -23,6 +23,8 @@ const std::vector<View>& views() {
        without_placement<cycles_view>},
       {"faces", "the reduced convolution's faces, candidates and holes", false,
        without_placement<faces_view>},
+      {"slide", "the reduced convolution and the sum that its free pieces bound", false,
+       without_placement<slide_view>},
       {"loops", "the reduced convolution's orientable loops, and what becomes of each", false,
        without_placement<loops_view>},
       {"winding", "the winding numbers of the convolution", false, without_placement<winding_view>},

@@ -36,6 +36,9 @@ std::string cycles_view(const Region& p, const Region& q);
 /// and which of them are holes (thesis, Section 3.2).
 std::string faces_view(const Region& p, const Region& q);
 
+/// The reduced convolution's segments, and the sum that their free pieces bound (docs/slide.md).
+std::string slide_view(const Region& p, const Region& q);
+
 /// The orientable loops of the reduced convolution's arrangement, by verdict (thesis, Section 3.1).
 std::string loops_view(const Region& p, const Region& q);
 

@@ -5,6 +5,7 @@
 
 #include "checked/slide/fraction.hpp"
 #include "checked/slide/integer_vector.hpp"
+#include "reference/definitions/mutant.hpp"
 
 namespace oplus::slide {
 
@@ -79,7 +80,9 @@ std::optional<BlockedInterval<Numbers>> blocked_interval(const IntegerSegment<Nu
   const auto turned = [&](const Value& value) { return mirrored ? Value(-value) : value; };
   // The right normal n has [n, w] = d w and [u, n] = -d u.
   const auto nudge = [&](const IntegerVector<Numbers>& along, int which) {
-    return shift == Shift::none ? 0 : which * sign_of(dot(d, along)) * (mirrored ? -1 : 1);
+    if (shift == Shift::none) return 0;
+    const int inwards = which * sign_of(dot(d, along)) * (mirrored ? -1 : 1);
+    return OPLUS_MUTANT("slide-shifts-to-the-left") ? -inwards : inwards;
   };
   detail::Strips<Numbers> strips;
   const Value slope_a = cross(d, w);

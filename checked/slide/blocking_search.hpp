@@ -10,6 +10,7 @@
 #include "checked/slide/blocked_interval.hpp"
 #include "checked/slide/integer_summands.hpp"
 #include "checked/slide/swept_box.hpp"
+#include "reference/definitions/mutant.hpp"
 
 namespace oplus::slide {
 
@@ -73,7 +74,8 @@ class BlockingSearch {
           continue;
         }
         if (!in_first) left_out_.push_back(halves->first);
-        if (!in_second) left_out_.push_back(halves->second);
+        if (!in_second && !OPLUS_MUTANT("slide-leaves-boxes-out"))
+          left_out_.push_back(halves->second);
         if (in_first || in_second) {
           boxes = in_first ? halves->first : halves->second;
           continue;

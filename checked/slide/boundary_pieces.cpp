@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "checked/slide/point_grid.hpp"
+#include "reference/definitions/mutant.hpp"
 #include "reference/definitions/segment.hpp"
 
 namespace oplus::slide {
@@ -25,7 +26,7 @@ std::vector<BoundaryPiece> cut_at_points(const std::vector<BoundaryPiece>& piece
     inside.clear();
     std::optional<Segment> segment;
     grid.each_near_segment(piece.from, piece.to, [&](std::uint32_t i) {
-      if (i == piece.from || i == piece.to) return;
+      if (i == piece.from || i == piece.to || OPLUS_MUTANT("slide-pieces-stay-uncut")) return;
       const double x = near_x[i] - ax, y = near_y[i] - ay;
       if (std::abs(dx * y - dy * x) > off) return;
       // Behind one end or the other.

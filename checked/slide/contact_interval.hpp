@@ -25,7 +25,8 @@ bool cut(Piece<Numbers>& piece, const typename Numbers::Value& constant,
 }
 
 /// The places on a segment at which an edge of P and one of -Q + x(t) have a point in common: where
-/// x(t) is in the closed sum of the edge of P and that of Q, which is a segment if they are parallel.
+/// x(t) is in the closed sum of the edge of P and that of Q, a parallelogram. None for parallel edges:
+/// where they begin or end to touch, so does one of them and a neighbour of the other.
 template <typename Numbers>
 std::optional<Piece<Numbers>> contact_interval(const IntegerSegment<Numbers>& segment,
                                                const IntegerSegment<Numbers>& of_p,
@@ -34,20 +35,15 @@ std::optional<Piece<Numbers>> contact_interval(const IntegerSegment<Numbers>& se
   const auto& u = of_p.direction;
   const auto& w = of_q.direction;
   const auto& d = segment.direction;
-  const auto from_corner = segment.source - of_p.source - of_q.source;
   const Value area = cross(u, w);
+  if (area == 0) return std::nullopt;
+  const auto from_corner = segment.source - of_p.source - of_q.source;
   const Value zero = 0;
   const Value low = std::min(area, zero), high = std::max(area, zero);
   Piece<Numbers> piece{{0, 1}, {1, 1}};
   // The corner, plus a u + b w, where 0 <= a <= 1 and 0 <= b <= 1.
   if (!cut<Numbers>(piece, cross(from_corner, w), cross(d, w), low, high)) return std::nullopt;
   if (!cut<Numbers>(piece, cross(u, from_corner), cross(u, d), low, high)) return std::nullopt;
-  if (area == 0) {
-    const Value along = dot(u, w);
-    if (!cut<Numbers>(piece, dot(from_corner, u), dot(d, u), std::min(along, zero),
-                      Value(dot(u, u) + std::max(along, zero))))
-      return std::nullopt;
-  }
   return piece;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "checked/slide/numbers.hpp"
+#include "reference/definitions/mutant.hpp"
 
 namespace oplus::slide {
 
@@ -58,7 +59,8 @@ class Fraction {
     using Product = typename Numbers::Product;
     if constexpr (!is_small<Numbers>) {
       const double difference = b.near_ - a.near_;
-      if (std::abs(difference) > 0x1p-48 * (std::abs(a.near_) + std::abs(b.near_)) + 0x1p-900)
+      if (OPLUS_MUTANT("slide-believes-doubles") ||
+          std::abs(difference) > 0x1p-48 * (std::abs(a.near_) + std::abs(b.near_)) + 0x1p-900)
         return difference > 0;
     }
     return Product(a.numerator_) * Product(b.denominator_) <

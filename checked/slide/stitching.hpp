@@ -46,7 +46,8 @@ int turning_number(const std::vector<IntegerVector<Numbers>>& directions) {
   for (const IntegerVector<Numbers>& out : directions) {
     const bool left = cross(*in, out) > 0;
     if (left && is_lower(*in) && !is_lower(out)) ++turns;
-    if (!left && !is_lower(*in) && is_lower(out)) --turns;
+    if (!left && !is_lower(*in) && is_lower(out) && !OPLUS_MUTANT("slide-sees-no-right-turn"))
+      --turns;
     in = &out;
   }
   return turns;

@@ -6,6 +6,7 @@
 
 #include "checked/slide/contact_interval.hpp"
 #include "checked/slide/free_pieces.hpp"
+#include "reference/definitions/mutant.hpp"
 
 namespace oplus::slide {
 
@@ -45,6 +46,7 @@ class UnblockedPlaces {
     search_.each_pair(track, gap, [&](const EdgePair& pair) {
       if (auto blocked = search_.interval_of(track, pair))
         intervals_.push_back(std::move(*blocked));
+      if (OPLUS_MUTANT("slide-forgets-changes-of-contact")) return;
       if (auto contact = contact_interval(track.exact, summands_.p.edges[pair.first],
                                           summands_.q.edges[pair.second])) {
         changes_.push_back(std::move(contact->from));

@@ -30,10 +30,11 @@ const Registered registered({
            "or in the complement as a whole; one in the complement has all segments around it "
            "directed with the face to their right, and one collision test decides. Dangling edges "
            "need opposite segments, isolated vertices three directions; again a collision test "
-           "decides. The oracle decides every cell of the larger arrangement of the convolution by "
+           "decides; slide decides along the segments (step-boundary). The oracle decides every cell of the larger arrangement of the convolution by "
            "the definition, so the two must agree.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
-    .rests_on = {"theorem-2.3.2", "theorem-4.2.1", "section-5.1.2"},
+    .rests_on = {"theorem-2.3.2", "theorem-4.2.1", "section-5.1.2", "step-boundary",
+                 "step-ends", "step-turning", "step-candidates"},
     .sources = {{"grid", 8, 4},
                 {"tight", 6, 3},
                 {"holes", 5, 2},
@@ -47,8 +48,8 @@ const Registered registered({
                  {"reflex vertices", 10},
                  {"parallel edges", 40},
                  {"overlapping segments", 5}},
-    .kills = {"candidates-need-no-hole-test", "touching-points-are-not-tested",
-              "weak-intersections-never-meet"},
+    .kills = {"candidates-need-no-hole-test", "slide-turns-counterclockwise-most",
+              "touching-points-are-not-tested", "weak-intersections-never-meet"},
     .cases = 300,
     .file = __FILE__,
     .check = check,

@@ -44,7 +44,7 @@ std::set<std::string> class_names() {
 const std::set<std::string>& kinds() {
   static const std::set<std::string> all = {"lemma",   "theorem", "corollary", "observation",
                                             "section", "table",   "equation",  "definition",
-                                            "fact",    "law"};
+                                            "fact",    "law",     "step"};
   return all;
 }
 
@@ -92,7 +92,7 @@ void add_defects_of_fault_sites(const std::set<std::string>& mutants,
   for (const char* folder : {"reference", "checked"}) {
     if (!std::filesystem::is_directory(root / folder)) continue;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder)) {
-      if (entry.path().extension() != ".cpp") continue;
+      if (entry.path().extension() != ".cpp" && entry.path().extension() != ".hpp") continue;
       const std::string text = text_of(entry.path());
       for (std::sregex_iterator it(text.begin(), text.end(), site); it != std::sregex_iterator();
            ++it)
@@ -112,8 +112,9 @@ void add_defects_of_unregistered_files(const std::vector<Statement>& all,
     const std::string file = entry.path().lexically_relative(root).string();
     const std::string name = entry.path().filename().string();
     const std::string kind = name.substr(0, name.find('_'));
-    const bool holds_statements =
-        file.rfind("properties/chapter", 0) == 0 || file.rfind("properties/laws/", 0) == 0;
+    const bool holds_statements = file.rfind("properties/chapter", 0) == 0 ||
+                                  file.rfind("properties/laws/", 0) == 0 ||
+                                  file.rfind("properties/slide/", 0) == 0;
     if (holds_statements && entry.path().extension() == ".cpp" && kinds().count(kind) &&
         !files.count(file))
       defects.push_back(file + ": no statement is registered from it");

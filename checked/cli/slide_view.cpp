@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/cli/view.hpp"
+#include "checked/cycles/convolution_cycles.hpp"
+#include "checked/slide/slide.hpp"
+#include "reference/io/picture.hpp"
+
+namespace oplus {
+
+std::string slide_view(const Region& p, const Region& q) {
+  const SlideResult result = slide_sum(p, q, Boundary::closed);
+  std::vector<Layer> layers = layers_of(result.sum);
+  layers.insert(layers.begin(),
+                {Layer::Kind::reduced_convolution, {}, segments(traced_reduced_convolution(p, q))});
+  return beside_summands(
+      p, q,
+      "Reduced convolution: " + counted(result.statistics.segments, "segment", "segments") + ", " +
+          counted(result.statistics.free_pieces, "free piece", "free pieces"),
+      std::move(layers));
+}
+
+}  // namespace oplus
