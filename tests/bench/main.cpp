@@ -98,6 +98,9 @@ Report measured(const Options& options, const std::string& command) {
   Report report{this_setting(command, options.limit), {}};
   const std::vector<Engine> of_run = chosen_engines(options);
   for (const BenchRow& row : chosen_rows(options)) {
+    if (std::none_of(of_run.begin(), of_run.end(),
+                     [&](const Engine& engine) { return is_for(engine.name, row); }))
+      continue;
     write_head(std::cout, row);
     report.rows.push_back({row.name, row.group, row.what, row.subject, row.pairs, {}});
     for (const Engine& engine : of_run) {
