@@ -16,8 +16,9 @@ std::string printed(const char* format, int decimals, double value) {
 }
 
 std::string thousands_apart(std::string digits) {
+  const std::size_t begin = digits.starts_with('-') ? 1 : 0;
   const std::size_t end = std::min(digits.find('.'), digits.size());
-  for (std::size_t at = end; at > 3; at -= 3) digits.insert(at - 3, 1, ',');
+  for (std::size_t at = end; at > begin + 3; at -= 3) digits.insert(at - 3, 1, ',');
   return digits;
 }
 
