@@ -178,7 +178,7 @@ int main(int argc, char** argv) {
   app.add_option("--engines", options.engines, "Only these, separated by commas")
       ->type_name("LIST")
       ->delimiter(',');
-  app.add_option("--limit", options.limit, "Seconds after which an engine is ended")
+  app.add_option("--limit", options.limit, "Seconds that a run may take before the engine is ended")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   app.add_option("--min-time", options.min_time,

@@ -32,11 +32,29 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
 }
 
+void say(const std::string& line) { std::cout << line << std::endl; }
+
+/// Says that another run has ended, so that its limit is each run's own. Many short ones are said
+/// together, lest writing be what the processor does.
+class Pulse {
+ public:
+  void beat() {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_ < std::chrono::milliseconds(20)) return;
+    say("computing");
+    last_ = now;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
 void measure(PreparedPairs& pairs, double min_time, Measurement& measurement) {
   std::vector<double> computed;
   std::vector<double> evaluated;
   double total = 0;
   double worked = 0;
+  Pulse pulse;
   do {
     pairs.forget();
     worked -= processor_seconds();
@@ -44,16 +62,16 @@ void measure(PreparedPairs& pairs, double min_time, Measurement& measurement) {
     worked += processor_seconds();
     if (computed.size() == 1) measurement.peak_mb = own_peak_mb();
     total += computed.back();
+    pulse.beat();
     if (pairs.is_lazy())
       evaluated.push_back(computed.back() + seconds_of([&] { pairs.evaluate(); }));
+    pulse.beat();
   } while (computed.back() <= long_run && (computed.size() < least_runs || total < min_time));
   measurement.runs = computed.size();
   measurement.busy = worked / total;
   measurement.seconds = median(std::move(computed));
   if (!evaluated.empty()) measurement.seconds_evaluated = median(std::move(evaluated));
 }
-
-void say(const std::string& line) { std::cout << line << std::endl; }
 
 std::string last_line(const std::string& text) {
   std::istringstream lines(text);
