@@ -204,7 +204,7 @@ TEST(BlockedInterval, is_that_of_the_definition) {
         ASSERT_LT(interval->from, interval->to);
       }
       // No end of an interval is at such a place, as their denominators are below 101.
-      for (int i = -303; i <= 404; i += 4) {
+      for (int i = -303; i <= 404; i += 7) {
         const Rational t(i, 101);
         if (i % 101 == 0) continue;
         EXPECT_EQ(is_inside_by_definition(c, t, shift),
