@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "checked/slide/free_pieces.hpp"
+#include "checked/slide/place_inside.hpp"
 
 #include <gtest/gtest.h>
 
