@@ -123,6 +123,29 @@ TYPED_TEST(ComponentTestIn, counts_vertices_level_with_each_other_once) {
   }
 }
 
+TYPED_TEST(ComponentTestIn, comes_apart_to_the_right_where_a_vertex_slides_along_an_edge) {
+  using In = ComponentTestIn<TypeParam>;
+  const Region square = polygon(box(0, 0, 10, 10));
+  // -Q is to the left of x, and to the right of it.
+  const Region pointing_right = polygon({{0, 0}, {2, -1}, {2, 1}});
+  const Region pointing_left = polygon({{0, 0}, {-2, 1}, {-2, -1}});
+  const Point on_the_right_side{10, 5}, on_the_left_side{0, 5};
+  for (int times = 0; times < 4; ++times) {
+    const auto overlap = [&](const Region& q, const Point& x, const Vector& along) {
+      const Chain segment = turned(Chain{x, x + along}, times);
+      const Region p = turned(square, times), of_q = turned(q, times);
+      const Segment slid{segment[0], segment[1]};
+      const bool result = In::overlap_at(p, of_q, slid, 0, 1);
+      EXPECT_EQ(In::overlap_at(of_q, p, slid, 0, 1), result) << times;
+      return result;
+    };
+    EXPECT_TRUE(overlap(pointing_right, on_the_right_side, {0, -1})) << times;
+    EXPECT_FALSE(overlap(pointing_left, on_the_right_side, {0, 1})) << times;
+    EXPECT_TRUE(overlap(pointing_left, on_the_left_side, {0, 1})) << times;
+    EXPECT_FALSE(overlap(pointing_right, on_the_left_side, {0, -1})) << times;
+  }
+}
+
 /// Whether a pair of edges has a point in common.
 bool edges_meet(const Region& a, const Region& b) {
   for (const Segment& e : edges(a))
