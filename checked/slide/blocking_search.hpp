@@ -30,9 +30,6 @@ struct SearchEffort {
   }
 };
 
-/// The numbers of an edge of P and one of Q.
-using EdgePair = std::pair<std::uint32_t, std::uint32_t>;
-
 /// Looks for pairs of edges that block places on a segment. It remembers which blocked lately, since
 /// the next segment is near.
 template <typename Numbers>
@@ -118,7 +115,7 @@ class BlockingSearch {
           }
         } else {
           const EdgePair pair = edges_in(boxes);
-          if (!certainly_outside(pair, from, to)) visit(pair);
+          if (!comes_apart(track, pair) && !certainly_outside(pair, from, to)) visit(pair);
         }
         if (waiting == 0) break;
         boxes = waiting_[--waiting];
@@ -136,6 +133,12 @@ class BlockingSearch {
 
  private:
   using Pair = std::pair<std::uint32_t, std::uint32_t>;  ///< of nodes
+
+  /// Whether these are edges that touch each other all along the track, and that the shift moves apart;
+  /// without it they count, since their contact begins and ends.
+  bool comes_apart(const Track<Numbers>& track, const EdgePair& pair) const {
+    return shift_ == Shift::to_the_right && (pair == track.contact[0] || pair == track.contact[1]);
+  }
 
   /// Whether no place between two is in the sum of a pair of edges, a parallelogram, or its boundary,
   /// given points near the two.
@@ -163,7 +166,7 @@ class BlockingSearch {
   /// The interval of a pair, if it contains t.
   std::optional<Interval> containing(const Track<Numbers>& track, const Fraction<Numbers>& t,
                                      const NearPoint& near, const EdgePair& pair) {
-    if (certainly_outside(pair, near, near)) return std::nullopt;
+    if (comes_apart(track, pair) || certainly_outside(pair, near, near)) return std::nullopt;
     auto interval = interval_of(track, pair);
     if (interval && interval->from < t && t < interval->to) return interval;
     return std::nullopt;

@@ -3,42 +3,46 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <utility>
 
 #include "checked/slide/point_grid.hpp"
 #include "reference/definitions/mutant.hpp"
-#include "reference/definitions/segment.hpp"
 
 namespace oplus::slide {
 
+namespace {
+
+void sort_along(const BoundaryPiece& piece, const std::function<Point(std::uint32_t)>& exact,
+                std::vector<std::uint32_t>& inside) {
+  std::sort(inside.begin(), inside.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return exact(a) < exact(b); });
+  if (exact(piece.to) < exact(piece.from)) std::reverse(inside.begin(), inside.end());
+}
+
+}  // namespace
+
 std::vector<BoundaryPiece> cut_at_points(const std::vector<BoundaryPiece>& pieces,
                                          const BoundaryPoints& points) {
-  const auto& [exact, near_x, near_y, margin] = points;
+  const auto& [exact, is_on, near_x, near_y, margin] = points;
   const PointGrid grid(near_x, near_y, margin);
   std::vector<BoundaryPiece> result;
   result.reserve(pieces.size());
-  std::vector<std::pair<Point, std::uint32_t>> inside;
+  std::vector<std::uint32_t> inside;
   for (const BoundaryPiece& piece : pieces) {
     const double ax = near_x[piece.from], ay = near_y[piece.from];
     const double dx = near_x[piece.to] - ax, dy = near_y[piece.to] - ay;
     const double off = 4 * margin * (std::abs(dx) + std::abs(dy) + 4 * margin);
     inside.clear();
-    std::optional<Segment> segment;
     grid.each_near_segment(piece.from, piece.to, [&](std::uint32_t i) {
       if (i == piece.from || i == piece.to || OPLUS_MUTANT("slide-pieces-stay-uncut")) return;
       const double x = near_x[i] - ax, y = near_y[i] - ay;
       if (std::abs(dx * y - dy * x) > off) return;
       // Behind one end or the other.
       if (dx * x + dy * y < -off || dx * (x - dx) + dy * (y - dy) > off) return;
-      if (!segment) segment = {exact(piece.from), exact(piece.to)};
-      if (Point point = exact(i); lies_on(point, *segment)) inside.push_back({std::move(point), i});
+      if (is_on(i, piece)) inside.push_back(i);
     });
-    std::sort(inside.begin(), inside.end());
-    if (!inside.empty() && segment->target < segment->source)
-      std::reverse(inside.begin(), inside.end());
+    if (inside.size() > 1) sort_along(piece, exact, inside);
     std::uint32_t from = piece.from;
-    for (const auto& [point, i] : inside) {
+    for (const std::uint32_t i : inside) {
       result.push_back({from, i, piece.segment});
       from = i;
     }

@@ -22,6 +22,7 @@ struct BoundaryPiece {
 /// Different points: in doubles, off by at most `margin`, and exact on demand.
 struct BoundaryPoints {
   std::function<Point(std::uint32_t)> exact;
+  std::function<bool(std::uint32_t point, const BoundaryPiece&)> is_on;
   const std::vector<double>& near_x;
   const std::vector<double>& near_y;
   double margin;

@@ -4,10 +4,12 @@
 #include <array>
 #include <compare>
 #include <numeric>
+#include <optional>
 #include <tuple>
 
 #include "checked/slide/fraction.hpp"
 #include "checked/slide/integer_summands.hpp"
+#include "reference/definitions/segment.hpp"
 
 namespace oplus::slide {
 
@@ -97,6 +99,18 @@ class ExactPoint<SmallNumbers> {
     return a.numbers() < b.numbers();
   }
 
+  /// Whether x is on the segment from a to b; no answer where one of them has a denominator.
+  static std::optional<bool> lies_between_integers(const ExactPoint& x, const ExactPoint& a,
+                                                   const ExactPoint& b) {
+    for (const ExactPoint* point : {&x, &a, &b})
+      if (point->x_.denominator != 1 || point->y_.denominator != 1) return std::nullopt;
+    const Product ux = b.x_.numerator - a.x_.numerator, uy = b.y_.numerator - a.y_.numerator;
+    const Product vx = x.x_.numerator - a.x_.numerator, vy = x.y_.numerator - a.y_.numerator;
+    if (ux * vy != uy * vx) return false;
+    const Product along = ux * vx + uy * vy;
+    return along >= 0 && along <= ux * ux + uy * uy;
+  }
+
  private:
   using Value = SmallNumbers::Value;
   using Product = SmallNumbers::Product;
@@ -139,6 +153,16 @@ class ExactPoint<SmallNumbers> {
   Coordinate x_;
   Coordinate y_;
 };
+
+/// Whether x is on the segment from a to b.
+template <typename Numbers>
+bool lies_between(const ExactPoint<Numbers>& x, const ExactPoint<Numbers>& a,
+                  const ExactPoint<Numbers>& b, const Scaling& scaling) {
+  if constexpr (is_small<Numbers>) {
+    if (const auto answer = ExactPoint<Numbers>::lies_between_integers(x, a, b)) return *answer;
+  }
+  return lies_on(x.in_the_plane(scaling), {a.in_the_plane(scaling), b.in_the_plane(scaling)});
+}
 
 template <typename Numbers>
 Segment in_the_plane(const Track<Numbers>& track, const Scaling& scaling) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <utility>
+
 #include "checked/slide/fraction.hpp"
 #include "checked/slide/integer_summand.hpp"
 
@@ -16,11 +19,16 @@ struct IntegerSummands {
   Margins margins;
 };
 
+/// The numbers of an edge of P and one of Q.
+using EdgePair = std::pair<std::uint32_t, std::uint32_t>;
+
 /// A segment of the convolution, exactly and in doubles.
 template <typename Numbers>
 struct Track {
   IntegerSegment<Numbers> exact;
   NearSegment near;
+  /// The edge that touches, with both edges at the vertex that touches it.
+  std::array<EdgePair, 2> contact;
 };
 
 template <typename Numbers>

@@ -39,13 +39,17 @@ NamedEnds<Numbers> named_ends(const std::vector<FreePiece<Numbers>>& pieces,
   // Equal points are equal in doubles, too, and those are faster to sort.
   struct Place {
     double near_x;
+    double near_y;
     std::uint32_t end;
   };
   std::vector<Place> sorted;
   sorted.reserve(ends.size());
-  for (std::uint32_t i = 0; i < ends.size(); ++i) sorted.push_back({ends[i].near_x(scaling), i});
+  for (std::uint32_t i = 0; i < ends.size(); ++i)
+    sorted.push_back({ends[i].near_x(scaling), ends[i].near_y(scaling), i});
   std::sort(sorted.begin(), sorted.end(), [&](const Place& a, const Place& b) {
-    return a.near_x != b.near_x ? a.near_x < b.near_x : ends[a.end] < ends[b.end];
+    if (a.near_x != b.near_x) return a.near_x < b.near_x;
+    if (a.near_y != b.near_y) return a.near_y < b.near_y;
+    return ends[a.end] < ends[b.end];
   });
   NamedEnds<Numbers> named;
   named.pieces.resize(pieces.size());
@@ -54,7 +58,7 @@ NamedEnds<Numbers> named_ends(const std::vector<FreePiece<Numbers>>& pieces,
     if (named.points.empty() || !(named.points.back() == point)) {
       named.points.push_back(point);
       named.near_x.push_back(place.near_x);
-      named.near_y.push_back(point.near_y(scaling));
+      named.near_y.push_back(place.near_y);
     }
     const auto name = static_cast<std::uint32_t>(named.points.size() - 1);
     BoundaryPiece& piece = named.pieces[place.end / 2];

@@ -96,8 +96,11 @@ SlideResult sum_in(const Region& p, const Region& q, const Scaling& scaling, Bou
 
   const NamedEnds<Numbers> ends = named_ends(pieces, tracks, scaling);
   const auto point = [&](std::uint32_t i) { return ends.points[i].in_the_plane(scaling); };
+  const auto is_on = [&](std::uint32_t i, const BoundaryPiece& piece) {
+    return lies_between(ends.points[i], ends.points[piece.from], ends.points[piece.to], scaling);
+  };
   const std::vector<BoundaryPiece> cut =
-      cut_at_points(ends.pieces, {point, ends.near_x, ends.near_y, margins(scaling).point});
+      cut_at_points(ends.pieces, {point, is_on, ends.near_x, ends.near_y, margins(scaling).point});
   const std::vector<StitchedChain> chains = stitched(
       cut, ends.points.size(), [&](std::uint32_t segment) { return tracks.direction(segment); });
 

@@ -31,8 +31,12 @@ class Tracks {
     const IntegerSegment<Numbers>& edge = with_edge(s).edges[s.edge];
     const NearSegment& e = with_edge(s).near[s.edge];
     const NearSegment& v = with_vertex(s).near[s.vertex];
+    const std::uint32_t entering = with_vertex(s).previous[s.vertex];
+    const bool of_p = s.edge_of == Summand::P;
     return {{edge.source + with_vertex(s).edges[s.vertex].source, edge.direction},
-            {e.x + v.x, e.y + v.y, e.dx, e.dy}};
+            {e.x + v.x, e.y + v.y, e.dx, e.dy},
+            {of_p ? EdgePair{s.edge, entering} : EdgePair{entering, s.edge},
+             of_p ? EdgePair{s.edge, s.vertex} : EdgePair{s.vertex, s.edge}}};
   }
 
   Origin origin(std::uint32_t segment) const {

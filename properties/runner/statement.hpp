@@ -40,9 +40,9 @@ struct Promise {
 
 /// A statement of the thesis or a fact of our own, as something that can be found false.
 struct Statement {
-  std::string id;         ///< kind and number: "lemma-4.1.4"
-  std::string kind;       ///< as kinds() in registry.cpp has them: lemma, theorem, ..., fact, law, step
-  std::string title;      ///< a line
+  std::string id;     ///< kind and number: "lemma-4.1.4"
+  std::string kind;   ///< as kinds() in registry.cpp has them: lemma, theorem, ..., fact, law, step
+  std::string title;  ///< a line
   std::string statement;  ///< in our own words
   std::string why;        ///< why it holds, in a few lines
   std::vector<std::string> hypotheses;

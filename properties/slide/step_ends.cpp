@@ -18,9 +18,13 @@ Outcome check(const Summands& summands) {
   const auto ends = slide::named_ends(pieces, pair.tracks, pair.scaling);
   std::vector<Point> points;
   for (const auto& x : ends.points) points.push_back(x.in_the_plane(pair.scaling));
-  const auto cut =
-      slide::cut_at_points(ends.pieces, {[&](std::uint32_t i) { return points[i]; }, ends.near_x,
-                                         ends.near_y, slide::margins(pair.scaling).point});
+  const auto is_on = [&](std::uint32_t i, const slide::BoundaryPiece& piece) {
+    return slide::lies_between(ends.points[i], ends.points[piece.from], ends.points[piece.to],
+                               pair.scaling);
+  };
+  const auto cut = slide::cut_at_points(
+      ends.pieces, {[&](std::uint32_t i) { return points[i]; }, is_on, ends.near_x, ends.near_y,
+                    slide::margins(pair.scaling).point});
   Outcome outcome;
   outcome.counts["free pieces"] = pieces.size();
   outcome.counts["pieces after cutting"] = cut.size();
