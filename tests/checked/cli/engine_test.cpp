@@ -13,8 +13,6 @@
 namespace oplus {
 namespace {
 
-constexpr HoleTestMethod bvh = HoleTestMethod::hierarchy;
-
 std::vector<Engine> checked_engines() {
   std::vector<Engine> checked = engines();
   std::erase_if(checked, [](const Engine& engine) { return engine.name == "oracle"; });
@@ -32,9 +30,9 @@ TEST(Engines, are_the_oracle_on_pairs_of_shapes) {
       const auto& [q_name, q] = all[j];
       const OracleSums expected = oracle_sums(p, q);
       for (const Engine& engine : checked_engines()) {
-        ASSERT_EQ(engine.compute(p, q, Boundary::closed, WithOrigins::no, bvh).sum, expected.closed)
+        ASSERT_EQ(engine.compute(p, q, Boundary::closed, {}).sum, expected.closed)
             << engine.name << ", " << p_name << " + " << q_name << ", closed";
-        ASSERT_EQ(engine.compute(p, q, Boundary::open, WithOrigins::no, bvh).sum, expected.open)
+        ASSERT_EQ(engine.compute(p, q, Boundary::open, {}).sum, expected.open)
             << engine.name << ", " << p_name << " + " << q_name << ", open";
       }
       if (expected.open != expected.closed) ++with_features;
@@ -51,7 +49,9 @@ TEST(Engines, with_the_empty_region_are_empty) {
     for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
       for (const auto& [name, method] : hole_test_methods()) {
         const auto sum = [&, hole_test = method](const Region& p, const Region& q) {
-          return engine.compute(p, q, boundary, WithOrigins::yes, hole_test).sum;
+          return engine
+              .compute(p, q, boundary, {.with_origins = WithOrigins::yes, .hole_test = hole_test})
+              .sum;
         };
         EXPECT_EQ(sum(Region{}, square), MinkowskiSum{}) << engine.name << ", " << name;
         EXPECT_EQ(sum(square, Region{}), MinkowskiSum{}) << engine.name << ", " << name;
@@ -67,7 +67,8 @@ TEST(Engines, find_the_origins_of_the_definition) {
   for (const Row& row : corpus()) {
     for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
       for (const Engine& engine : checked_engines()) {
-        const Computed result = engine.compute(row.p, row.q, boundary, WithOrigins::yes, bvh);
+        const Computed result =
+            engine.compute(row.p, row.q, boundary, {.with_origins = WithOrigins::yes});
         ASSERT_TRUE(result.origins == origins(result.sum, reduced_convolution(row.p, row.q)))
             << row.name << ", " << engine.name;
         for (const auto& of_edge : result.origins) {
@@ -123,9 +124,8 @@ TEST(Engines, scale_with_their_summands_beyond_what_doubles_can_hold) {
       const Region large_q = scaled(q, x, y);
       for (const Engine& engine : checked_engines()) {
         for (const auto& [name, method] : hole_test_methods()) {
-          EXPECT_TRUE(
-              engine.compute(large_p, large_q, Boundary::open, WithOrigins::no, method).sum ==
-              expected)
+          EXPECT_TRUE(engine.compute(large_p, large_q, Boundary::open, {.hole_test = method}).sum ==
+                      expected)
               << engine.name << ", " << name;
         }
       }

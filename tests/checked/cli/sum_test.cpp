@@ -146,7 +146,7 @@ TEST_F(Sum, origins_are_sums_along_the_edge) {
 }
 
 TEST_F(Sum, stats_are_lines_of_name_and_value) {
-  const Ran ran = run("oplus sum frame.wkt plug.wkt --open --stats");
+  const Ran ran = run("oplus sum frame.wkt plug.wkt --open --engine rca --stats");
   EXPECT_EQ(ran.exit_code, 0);
   for (const std::string line :
        {"vertices of P: 8\n", "vertices of Q: 4\n", "segments of the convolution: 24\n",
@@ -155,6 +155,13 @@ TEST_F(Sum, stats_are_lines_of_name_and_value) {
         "tests of low-dimensional features: ", "seconds for cycles: ", "outer chains: 1\n",
         "holes: 0\n", "dangling edges: 0\n", "isolated vertices: 1\n", "area: 36\n", "seconds: "})
     EXPECT_NE(("\n" + ran.err).find("\n" + line), std::string::npos) << line << ran.err;
+
+  const Ran by_default = run("oplus sum frame.wkt plug.wkt --open --stats");
+  for (const std::string line :
+       {"bits of a coordinate: 3\n", "free pieces of segments: ", "probes: ", "pairs of boxes: ",
+        "pairs of edges decided by doubles: ", "in integers of 64 bits: ",
+        "in integers of 256 bits: 0\n", "in integers of GMP: 0\n", "isolated vertices: 1\n"})
+    EXPECT_NE(("\n" + by_default.err).find("\n" + line), std::string::npos) << by_default.err;
 }
 
 TEST_F(Sum, stats_show_the_published_arrangement_sizes) {
@@ -164,8 +171,8 @@ TEST_F(Sum, stats_show_the_published_arrangement_sizes) {
   for (const auto& [name, edges] :
        {std::pair{"fork", "6154"}, std::pair{"comb", "579"}, std::pair{"stars", "791"}}) {
     const std::string pair = data + "/" + name;
-    const Ran ran =
-        run("oplus sum '" + pair + "_part1.dat' '" + pair + "_part2.dat' --stats -o s.wkt");
+    const Ran ran = run("oplus sum '" + pair + "_part1.dat' '" + pair +
+                        "_part2.dat' --engine rca --stats -o s.wkt");
     EXPECT_NE(ran.err.find("arrangement edges: " + std::string(edges) + "\n"), std::string::npos)
         << ran.err;
   }
