@@ -9,8 +9,8 @@ namespace oplus {
 std::string slide_view(const Region& p, const Region& q) {
   const SlideResult result = slide_sum(p, q, Boundary::closed);
   std::vector<Layer> layers = layers_of(result.sum);
-  layers.insert(layers.begin(),
-                {Layer::Kind::reduced_convolution, {}, segments(traced_reduced_convolution(p, q))});
+  layers.push_back(
+      {Layer::Kind::reduced_convolution, {}, segments(traced_reduced_convolution(p, q))});
   return beside_summands(
       p, q,
       "Reduced convolution: " + counted(result.statistics.segments, "segment", "segments") + ", " +

@@ -38,7 +38,9 @@ class BlockingSearch {
   using Interval = BlockedInterval<Numbers>;
 
   BlockingSearch(const IntegerSummands<Numbers>& summands, Shift shift)
-      : summands_(summands), shift_(shift) {}
+      : summands_(summands), shift_(shift) {
+    left_out_.reserve(64);
+  }
 
   /// An interval that contains t, if there is one.
   std::optional<Interval> at(const Track<Numbers>& track, const Fraction<Numbers>& t) {
@@ -99,6 +101,9 @@ class BlockingSearch {
   template <typename Visit>
   void each_pair(const Track<Numbers>& track, const Piece<Numbers>& piece, const Visit& visit) {
     const NearPoint from = near_place(track, piece.from), to = near_place(track, piece.to);
+    const auto visit_if_near = [&](const EdgePair& pair) {
+      if (!comes_apart(track, pair) && !certainly_outside(pair, from, to)) visit(pair);
+    };
     const SweptBox swept(from, to, 2 * summands_.margins.coordinate);
     const auto may_meet = [&](const Pair& boxes) { return swept.may_meet(sum_of(boxes)); };
     for (Pair boxes : left_out_) {
@@ -114,8 +119,7 @@ class BlockingSearch {
             continue;
           }
         } else {
-          const EdgePair pair = edges_in(boxes);
-          if (!comes_apart(track, pair) && !certainly_outside(pair, from, to)) visit(pair);
+          visit_if_near(edges_in(boxes));
         }
         if (waiting == 0) break;
         boxes = waiting_[--waiting];

@@ -17,15 +17,24 @@ double to_double(const Value& value) {
     return value.template convert_to<double>();
 }
 
+/// value / 2^shift as a double, however large it is, off by a rounding.
+template <typename Value>
+double scaled_down(const Value& value, std::size_t shift) {
+  if constexpr (std::is_same_v<Value, boost::multiprecision::mpz_int>) {
+    long exponent = 0;
+    const double mantissa = mpz_get_d_2exp(&exponent, value.backend().data());
+    return std::ldexp(mantissa, static_cast<int>(exponent - static_cast<long>(shift)));
+  } else {
+    return std::ldexp(to_double(value), -static_cast<int>(shift));
+  }
+}
+
 /// n / d as a double, however large both are, off by at most 2^-50 of its size or 2^-1000.
 template <typename Value>
 double quotient(const Value& n, const Value& d) {
   if constexpr (std::is_same_v<Value, boost::multiprecision::mpz_int>) {
-    if (n == 0) return 0;
-    long n_exponent = 0, d_exponent = 0;
-    const double n_mantissa = mpz_get_d_2exp(&n_exponent, n.backend().data());
-    const double d_mantissa = mpz_get_d_2exp(&d_exponent, d.backend().data());
-    return std::ldexp(n_mantissa / d_mantissa, static_cast<int>(n_exponent - d_exponent));
+    const std::size_t shift = mpz_sizeinbase(d.backend().data(), 2);
+    return scaled_down(n, shift) / scaled_down(d, shift);
   } else {
     return to_double(n) / to_double(d);
   }

@@ -15,7 +15,10 @@ template <typename Numbers>
 class FreePieces {
  public:
   explicit FreePieces(const IntegerSummands<Numbers>& summands)
-      : search_(summands, Shift::to_the_right), components_(summands) {}
+      : search_(summands, Shift::to_the_right), components_(summands) {
+    gaps_.reserve(16);
+    intervals_.reserve(32);
+  }
 
   /// Calls `add` with the maximal free pieces longer than a point.
   template <typename Add>

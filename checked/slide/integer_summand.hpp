@@ -59,7 +59,7 @@ double near(const Value& value, const Scaling& scaling) {
   if constexpr (std::is_same_v<Value, std::int64_t>)
     return static_cast<double>(value);
   else
-    return to_double(Value(value >> scaling.shift));
+    return scaled_down(value, scaling.shift);
 }
 
 template <typename Numbers>

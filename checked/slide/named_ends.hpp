@@ -53,6 +53,9 @@ NamedEnds<Numbers> named_ends(const std::vector<FreePiece<Numbers>>& pieces,
   });
   NamedEnds<Numbers> named;
   named.pieces.resize(pieces.size());
+  named.points.reserve(pieces.size() + 8);
+  named.near_x.reserve(pieces.size() + 8);
+  named.near_y.reserve(pieces.size() + 8);
   for (const Place& place : sorted) {
     const ExactPoint<Numbers>& point = ends[place.end];
     if (named.points.empty() || !(named.points.back() == point)) {

@@ -58,6 +58,8 @@ Ranks ranks(const IntegerSummand<Numbers>& p, const IntegerSummand<Numbers>& q) 
               std::vector<std::uint32_t>(q.edges.size()),
               {},
               {}};
+  ranks.sorted_p.reserve(p.edges.size());
+  ranks.sorted_q.reserve(q.edges.size());
   std::uint32_t rank = 0;
   for (std::size_t k = 0; k < all.size(); ++k) {
     if (k > 0 && compared(all[k - 1], all[k]) != 0) ++rank;
@@ -77,6 +79,7 @@ std::vector<ReducedSegment> reduced_segments(const IntegerSummand<Numbers>& p,
                                              const IntegerSummand<Numbers>& q) {
   const detail::Ranks ranks = detail::ranks(p, q);
   std::vector<ReducedSegment> segments;
+  segments.reserve(4 * (p.edges.size() + q.edges.size()));
   const auto add = [&](const IntegerSummand<Numbers>& at,
                        const std::vector<std::uint32_t>& ranks_at, Summand edge_of,
                        const std::vector<std::uint32_t>& sorted,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 
 #include "checked/slide/for_each_number.hpp"
 #include "checked/slide/free_pieces.hpp"
@@ -32,6 +33,7 @@ FoundPieces<Numbers> find_free_pieces(const Tracks<Numbers>& tracks, unsigned th
   std::vector<FoundPieces<Numbers>> lots((tracks.size() + in_a_lot - 1) / in_a_lot);
   for_each_number(lots.size(), lots.size() < too_few ? 1 : threads, [&](std::size_t lot) {
     FreePieces<Numbers> search(tracks.summands());
+    lots[lot].pieces.reserve(in_a_lot / 4);
     const std::size_t end = std::min((lot + 1) * in_a_lot, tracks.size());
     for (auto i = static_cast<std::uint32_t>(lot * in_a_lot); i < end; ++i)
       search.find(tracks[i], [&](Piece<Numbers> piece) {
@@ -39,6 +41,7 @@ FoundPieces<Numbers> find_free_pieces(const Tracks<Numbers>& tracks, unsigned th
       });
     lots[lot].effort = search.effort();
   });
+  if (lots.size() == 1) return std::move(lots[0]);
   FoundPieces<Numbers> all;
   for (FoundPieces<Numbers>& lot : lots) {
     all.pieces.insert(all.pieces.end(), std::make_move_iterator(lot.pieces.begin()),
@@ -63,7 +66,7 @@ ChainWithOrigins in_the_plane(const StitchedChain& stitched, const PutPoint& put
     put_point(stitched.edges[i].from, result.chain[i]);
   if (with_origins == WithOrigins::yes)
     for (const StitchedChain::Edge& edge : stitched.edges)
-      result.origins.push_back(origins_of(edge.segments));
+      result.origins.push_back(origins_of(stitched.segments_of(edge)));
   const auto start = static_cast<std::ptrdiff_t>(start_of_smallest_rotation(result.chain));
   std::rotate(result.chain.begin(), result.chain.begin() + start, result.chain.end());
   if (with_origins == WithOrigins::yes)
@@ -105,7 +108,7 @@ SlideResult sum_in(const Region& p, const Region& q, const Scaling& scaling, Bou
       cut, ends.points.size(), [&](std::uint32_t segment) { return tracks.direction(segment); });
 
   SlideResult result;
-  const auto origins_of = [&](const std::vector<std::uint32_t>& segments) {
+  const auto origins_of = [&](std::span<const std::uint32_t> segments) {
     std::vector<Origin> origins;
     for (const std::uint32_t segment : segments) origins.push_back(tracks.origin(segment));
     std::sort(origins.begin(), origins.end());

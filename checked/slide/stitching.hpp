@@ -15,11 +15,17 @@ namespace oplus::slide {
 /// A closed chain, from corner to corner.
 struct StitchedChain {
   struct Edge {
-    std::uint32_t from;                   ///< the number of a point
-    std::vector<std::uint32_t> segments;  ///< on which it runs
+    std::uint32_t from;           ///< the number of a point
+    std::uint32_t first_segment;  ///< of those on which the edge runs, in `segments`
+    std::uint32_t last_segment;   ///< behind these
   };
   std::vector<Edge> edges;
+  std::vector<std::uint32_t> segments;
   bool is_outer = false;
+
+  std::span<const std::uint32_t> segments_of(const Edge& edge) const {
+    return {segments.begin() + edge.first_segment, segments.begin() + edge.last_segment};
+  }
 };
 
 namespace detail {
@@ -63,6 +69,7 @@ std::vector<StitchedChain> stitched(std::span<const BoundaryPiece> pieces, std::
                                     const Direction& direction) {
   // Equal pieces are one, named by the first of them.
   std::vector<std::uint32_t> distinct;
+  distinct.reserve(pieces.size());
   std::vector<std::uint32_t> leaving(points + 1, 0);
   for (std::uint32_t i = 0; i < pieces.size(); ++i) {
     if (i > 0 && pieces[i - 1].from == pieces[i].from && pieces[i - 1].to == pieces[i].to) continue;
@@ -87,7 +94,9 @@ std::vector<StitchedChain> stitched(std::span<const BoundaryPiece> pieces, std::
   std::vector<StitchedChain> chains;
   std::vector<bool> visited(distinct.size(), false);
   std::vector<std::uint32_t> around;
+  around.reserve(pieces.size());
   std::vector<std::decay_t<decltype(direction(0))>> directions;
+  directions.reserve(pieces.size());
   for (std::uint32_t first = 0; first < distinct.size(); ++first) {
     if (visited[first]) continue;
     around.clear();
@@ -106,15 +115,18 @@ std::vector<StitchedChain> stitched(std::span<const BoundaryPiece> pieces, std::
     std::size_t start = 0;
     while (!is_corner(start)) ++start;
     StitchedChain chain;
+    chain.edges.reserve(around.size());
+    chain.segments.reserve(around.size());
     for (std::size_t step = 0; step < around.size(); ++step) {
       const std::size_t i = (start + step) % around.size();
-      if (is_corner(i)) chain.edges.push_back({piece(around[i]).from, {}});
-      std::vector<std::uint32_t>& segments = chain.edges.back().segments;
+      const auto first_segment = static_cast<std::uint32_t>(chain.segments.size());
+      if (is_corner(i)) chain.edges.push_back({piece(around[i]).from, first_segment, 0});
       const std::uint32_t end = around[i] + 1 < distinct.size()
                                     ? distinct[around[i] + 1]
                                     : static_cast<std::uint32_t>(pieces.size());
       for (std::uint32_t j = distinct[around[i]]; j < end; ++j)
-        segments.push_back(pieces[j].segment);
+        chain.segments.push_back(pieces[j].segment);
+      chain.edges.back().last_segment = static_cast<std::uint32_t>(chain.segments.size());
     }
     chain.is_outer = detail::turning_number(directions) > 0;
     chains.push_back(std::move(chain));
