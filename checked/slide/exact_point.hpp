@@ -67,7 +67,7 @@ class ExactPoint<SmallNumbers> {
  public:
   ExactPoint(const IntegerSegment<SmallNumbers>& segment, const Fraction<SmallNumbers>& t) {
     Value n = t.numerator(), d = t.denominator();
-    if (n != 0 && d != 1) {
+    if (d != 1) {
       const Value common = std::gcd(n, d);
       n /= common;
       d /= common;
@@ -135,7 +135,7 @@ class ExactPoint<SmallNumbers> {
                    words.data());
         if (numerator < 0) mpz_neg(value.get_num_mpz_t(), value.get_num_mpz_t());
       }
-      if (denominator != 1) mpz_set_si(value.get_den_mpz_t(), denominator);
+      mpz_set_si(value.get_den_mpz_t(), denominator);
     }
   };
 

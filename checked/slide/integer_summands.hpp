@@ -28,7 +28,7 @@ struct Track {
   IntegerSegment<Numbers> exact;
   NearSegment near;
   /// The edge that touches, with both edges at the vertex that touches it.
-  std::array<EdgePair, 2> contact;
+  std::array<EdgePair, 2> contact = {};
 };
 
 template <typename Numbers>

@@ -19,12 +19,13 @@ class PointGrid {
   void each_near_segment(std::uint32_t a, std::uint32_t b, const Visit& visit) const {
     if (near_x_[b] < near_x_[a]) std::swap(a, b);
     const double ax = near_x_[a], ay = near_y_[a], bx = near_x_[b], by = near_y_[b];
-    const double low = std::min(ay, by) - margin_, high = std::max(ay, by) + margin_;
-    const std::size_t last_column = columns_.of(bx + margin_);
+    // Both the points and the ends may be off.
+    const double low = std::min(ay, by) - 2 * margin_, high = std::max(ay, by) + 2 * margin_;
+    const std::size_t last_column = columns_.of(bx + 2 * margin_);
     const bool is_steep = bx - ax < 0x1p10 * margin_;
     const double slope = is_steep ? 0 : (by - ay) / (bx - ax);
     const double around = 8 * margin_ * (1 + std::abs(slope));
-    for (std::size_t column = columns_.of(ax - margin_); column <= last_column; ++column) {
+    for (std::size_t column = columns_.of(ax - 2 * margin_); column <= last_column; ++column) {
       double from = low, to = high;
       if (!is_steep) {
         // Where the segment enters and leaves the column.

@@ -27,8 +27,11 @@ Pieces cut_at(const std::vector<Point>& points, const Pieces& pieces) {
     near_x.push_back(p.x.get_d());
     near_y.push_back(p.y.get_d());
   }
+  const auto is_on = [&](std::uint32_t i, const BoundaryPiece& piece) {
+    return lies_on(points[i], {points[piece.from], points[piece.to]});
+  };
   return cut_at_points(pieces,
-                       {[&](std::uint32_t i) { return points[i]; }, near_x, near_y, margin});
+                       {[&](std::uint32_t i) { return points[i]; }, is_on, near_x, near_y, margin});
 }
 
 TEST(CutAtPoints, leaves_what_has_no_point_inside) {

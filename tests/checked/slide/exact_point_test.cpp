@@ -146,5 +146,18 @@ TEST(ExactPoint, near_coordinates_are_shifted) {
   EXPECT_EQ(exact.near_y(scaling), -0x1p57);
 }
 
+TEST(ExactPointOfSmallNumbers, at_zero_over_anything_is_the_source) {
+  const auto segment = integer_segment<SmallNumbers>({{1, 2}, {4, 6}});
+  EXPECT_TRUE(ExactPoint<SmallNumbers>(segment, {0, 1}) ==
+              ExactPoint<SmallNumbers>(segment, {0, 5}));
+}
+
+TEST(ExactPointOfSmallNumbers, is_put_into_a_point_that_was_another_one) {
+  Point at{Rational(1, 3), Rational(2, 7)};
+  ExactPoint<SmallNumbers>(integer_segment<SmallNumbers>({{1, 2}, {4, 6}}), {0, 1})
+      .put_into(at, {});
+  EXPECT_EQ(at, (Point{1, 2}));
+}
+
 }  // namespace
 }  // namespace oplus::slide

@@ -108,5 +108,21 @@ TYPED_TEST(FractionIn, near_is_within_its_bound) {
   }
 }
 
+/// Boost's own shift makes some of these positive (docs/findings.md).
+TYPED_TEST(FractionIn, negative_numbers_are_scaled_down_to_negative_ones) {
+  using Value = typename TypeParam::Value;
+  const int most = static_cast<int>(std::min(bits<TypeParam>, 300u));
+  for (int k = 1; k < most - 1; ++k) {
+    Value value = 1;
+    for (int i = 0; i < k; ++i) value = value + value;
+    for (const int more : {-1, 0, 1}) {
+      const double expected = -std::ldexp(1.0, k - 16);
+      const double got = scaled_down(Value(-value - more), 16);
+      EXPECT_NEAR(got, expected, std::ldexp(1.0, -15)) << k;
+      EXPECT_EQ(scaled_down(Value(value + more), 16), -got) << k;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace oplus::slide

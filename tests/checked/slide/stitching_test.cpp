@@ -127,9 +127,10 @@ TEST(Stitching, drops_collinear_vertices_and_joins_their_segments) {
   EXPECT_EQ(result.sum().outer, (std::vector<Chain>{{{0, 0}, {3, 0}, {0, 3}}}));
   ASSERT_EQ(result.chains.size(), 1u);
   std::vector<std::vector<std::uint32_t>> segments;
-  for (StitchedChain::Edge edge : result.chains[0].edges) {
-    std::sort(edge.segments.begin(), edge.segments.end());
-    segments.push_back(edge.segments);
+  for (const StitchedChain::Edge& edge : result.chains[0].edges) {
+    const auto of_edge = result.chains[0].segments_of(edge);
+    segments.emplace_back(of_edge.begin(), of_edge.end());
+    std::sort(segments.back().begin(), segments.back().end());
   }
   std::sort(segments.begin(), segments.end());
   EXPECT_EQ(segments, (std::vector<std::vector<std::uint32_t>>{{0, 1, 4, 5}, {2}, {3}}));
