@@ -126,7 +126,7 @@ const std::vector<Mutant>& mutants() {
        "reference/definitions/convolution.cpp"},
       {"touching-points-are-not-tested",
        "isolated vertices are looked for on the reduced convolution only",
-       "checked/arrangement/sum_boundary.cpp"},
+       "checked/arrangement/isolated_touching_points.cpp"},
       {"vertical-edges-never-dangle",
        "dangling edges are not looked for where they are parallel to the y-axis",
        "checked/arrangement/sum_boundary.cpp"},

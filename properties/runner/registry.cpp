@@ -93,6 +93,7 @@ void add_defects_of_fault_sites(const std::set<std::string>& mutants,
     if (!std::filesystem::is_directory(root / folder)) continue;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder)) {
       if (entry.path().extension() != ".cpp" && entry.path().extension() != ".hpp") continue;
+      if (entry.path().filename() == "mutant.hpp") continue;  // says how to name one
       const std::string text = text_of(entry.path());
       for (std::sregex_iterator it(text.begin(), text.end(), site); it != std::sregex_iterator();
            ++it)
