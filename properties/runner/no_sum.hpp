@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace oplus {
+
+/// An implementation returned no sum. what() says why in a line.
+class NoSum : public std::runtime_error {
+ public:
+  enum class Kind {
+    crashed,        ///< ended by a signal, an assertion, an exception
+    hung,           ///< still running when its time was up
+    out_of_memory,  ///< wanted more than it was given
+    unreadable,     ///< what it wrote is no sum
+    not_taken,      ///< it does not take such regions, and says so; no fault
+  };
+
+  /// `site` tells kinds of failure apart: a signal, an assertion with its file; no numbers that
+  /// change from pair to pair.
+  NoSum(Kind kind, std::string site, const std::string& what)
+      : std::runtime_error(what), kind_(kind), site_(std::move(site)) {}
+
+  Kind kind() const { return kind_; }
+  const std::string& site() const { return site_; }
+
+ private:
+  Kind kind_;
+  std::string site_;
+};
+
+}  // namespace oplus
