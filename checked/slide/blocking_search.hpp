@@ -5,10 +5,10 @@
 #include <array>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include "checked/slide/blocked_interval.hpp"
 #include "checked/slide/integer_summands.hpp"
+#include "checked/slide/short_list.hpp"
 #include "checked/slide/swept_box.hpp"
 #include "reference/definitions/mutant.hpp"
 
@@ -38,9 +38,7 @@ class BlockingSearch {
   using Interval = BlockedInterval<Numbers>;
 
   BlockingSearch(const IntegerSummands<Numbers>& summands, Shift shift)
-      : summands_(summands), shift_(shift) {
-    left_out_.reserve(64);
-  }
+      : summands_(summands), shift_(shift) {}
 
   /// An interval that contains t, if there is one.
   std::optional<Interval> at(const Track<Numbers>& track, const Fraction<Numbers>& t) {
@@ -95,14 +93,18 @@ class BlockingSearch {
   /// Prepares each_pair() without a probe.
   void leave_out_all() { left_out_.assign(1, {0, 0}); }
 
-  /// Visits all pairs of edges that can touch each other at a place on a piece of the track, by the
-  /// numbers of the edges.
+  /// Visits all pairs of edges that can block a place inside a piece of the track, by the numbers of the
+  /// edges; without a shift, all those that can touch each other at a place on it.
   /// Requires: at() was asked about a place on this piece last, and found none; or leave_out_all().
   template <typename Visit>
   void each_pair(const Track<Numbers>& track, const Piece<Numbers>& piece, const Visit& visit) {
     const NearPoint from = near_place(track, piece.from), to = near_place(track, piece.to);
+    const bool exactly = shift_ == Shift::to_the_right && summands_.margins.area_is_exact &&
+                         piece.from.denominator() == 1 && piece.to.denominator() == 1;
     const auto visit_if_near = [&](const EdgePair& pair) {
-      if (!comes_apart(track, pair) && !certainly_outside(pair, from, to)) visit(pair);
+      if (comes_apart(track, pair)) return;
+      if (!(exactly ? outside_exactly(pair, from, to) : certainly_outside(pair, from, to)))
+        visit(pair);
     };
     const SweptBox swept(from, to, 2 * summands_.margins.coordinate);
     const auto may_meet = [&](const Pair& boxes) { return swept.may_meet(sum_of(boxes)); };
@@ -147,22 +149,40 @@ class BlockingSearch {
   /// Whether no place between two is in the sum of a pair of edges, a parallelogram, or its boundary,
   /// given points near the two.
   bool certainly_outside(const EdgePair& pair, const NearPoint& from, const NearPoint& to) {
+    return beside(pair, from, to, summands_.margins.area,
+                  [](double low, double high, double a, double b) {
+                    return std::max(a, b) < low || std::min(a, b) > high;
+                  });
+  }
+
+  /// Whether no place between two ends of segments, shifted, is inside the sum of a pair of edges.
+  bool outside_exactly(const EdgePair& pair, const NearPoint& from, const NearPoint& to) {
+    return beside(pair, from, to, 0, [](double low, double high, double a, double b) {
+      // Along a side, the shift decides.
+      const bool is_along = a == b && (a == low || a == high);
+      return !is_along && (std::max(a, b) <= low || std::min(a, b) >= high);
+    });
+  }
+
+  /// Whether the part of a line between two points is beside one of the two strips of which the sum of a
+  /// pair of edges is the intersection.
+  template <typename BesideStrip>
+  bool beside(const EdgePair& pair, const NearPoint& from, const NearPoint& to, double margin,
+              const BesideStrip& beside_strip) {
     const NearSegment& e = summands_.p.near[pair.first];
     const NearSegment& f = summands_.q.near[pair.second];
     const double area = e.dx * f.dy - e.dy * f.dx;
-    const double m = summands_.margins.area;
-    const double low = std::min(area, 0.0) - m, high = std::max(area, 0.0) + m;
+    const double low = std::min(area, 0.0) - margin, high = std::max(area, 0.0) + margin;
     const double corner_x = e.x + f.x, corner_y = e.y + f.y;
-    const auto outside = [&](double at_from, double at_to) {
-      return std::max(at_from, at_to) < low || std::min(at_from, at_to) > high;
-    };
     const auto along_e = [&](const NearPoint& c) {
       return (c.x - corner_x) * f.dy - (c.y - corner_y) * f.dx;
     };
     const auto along_f = [&](const NearPoint& c) {
       return e.dx * (c.y - corner_y) - e.dy * (c.x - corner_x);
     };
-    if (!outside(along_e(from), along_e(to)) && !outside(along_f(from), along_f(to))) return false;
+    if (!beside_strip(low, high, along_e(from), along_e(to)) &&
+        !beside_strip(low, high, along_f(from), along_f(to)))
+      return false;
     ++effort.by_doubles;
     return true;
   }
@@ -217,7 +237,7 @@ class BlockingSearch {
   std::array<EdgePair, 4> recent_;
   std::size_t remembered_ = 0;
   std::array<Pair, 72> waiting_;  ///< one a level of either tree
-  std::vector<Pair> left_out_;    ///< by the last probe
+  ShortList<Pair> left_out_;      ///< by the last probe
 };
 
 }  // namespace oplus::slide

@@ -12,7 +12,7 @@ namespace oplus::slide {
 namespace {
 
 void sort_along(const BoundaryPiece& piece, const std::function<Point(std::uint32_t)>& exact,
-                std::vector<std::uint32_t>& inside) {
+                ShortList<std::uint32_t>& inside) {
   std::sort(inside.begin(), inside.end(),
             [&](std::uint32_t a, std::uint32_t b) { return exact(a) < exact(b); });
   if (exact(piece.to) < exact(piece.from)) std::reverse(inside.begin(), inside.end());
@@ -26,7 +26,7 @@ std::vector<BoundaryPiece> cut_at_points(const std::vector<BoundaryPiece>& piece
   const PointGrid grid(near_x, near_y, margin);
   std::vector<BoundaryPiece> result;
   result.reserve(pieces.size());
-  std::vector<std::uint32_t> inside;
+  ShortList<std::uint32_t> inside;
   for (const BoundaryPiece& piece : pieces) {
     const double ax = near_x[piece.from], ay = near_y[piece.from];
     const double dx = near_x[piece.to] - ax, dy = near_y[piece.to] - ay;

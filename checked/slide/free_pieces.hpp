@@ -17,7 +17,6 @@ class FreePieces {
   explicit FreePieces(const IntegerSummands<Numbers>& summands)
       : search_(summands, Shift::to_the_right), components_(summands) {
     gaps_.reserve(16);
-    intervals_.reserve(32);
   }
 
   /// Calls `add` with the maximal free pieces longer than a point.
@@ -82,7 +81,7 @@ class FreePieces {
   BlockingSearch<Numbers> search_;
   ComponentTest<Numbers> components_;
   std::vector<Piece<Numbers>> gaps_;
-  std::vector<BlockedInterval<Numbers>> intervals_;
+  ShortList<BlockedInterval<Numbers>> intervals_;
   bool last_was_free_ = false;
 };
 

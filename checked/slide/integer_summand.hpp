@@ -31,15 +31,17 @@ struct IntegerSummand {
 
 /// More than anything computed in doubles or floats can be off, given the largest coordinate.
 struct Margins {
-  double coordinate;  ///< sums of boxes and places on segments
-  double point;       ///< coordinates of exact points, rounded
-  double area;        ///< skew products of sums and differences of at most four coordinates
+  double coordinate;   ///< sums of boxes and places on segments
+  double point;        ///< coordinates of exact points, rounded
+  double area;         ///< skew products of sums and differences of at most four coordinates
+  bool area_is_exact;  ///< at ends of segments, such products are not off at all
 };
 
 inline Margins margins(const Scaling& scaling) {
   const double largest = std::ldexp(1.0, static_cast<int>(scaling.bits - scaling.shift));
   // A float has 24 bits, a double 53; what is shifted out is less than one in 2^60.
-  return {largest * 0x1p-20, largest * 0x1p-45, largest * largest * 0x1p-42};
+  return {largest * 0x1p-20, largest * 0x1p-45, largest * largest * 0x1p-42,
+          scaling.bits <= 24 && scaling.shift == 0};
 }
 
 template <typename Numbers>

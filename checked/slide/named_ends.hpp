@@ -6,6 +6,7 @@
 
 #include "checked/slide/boundary_pieces.hpp"
 #include "checked/slide/exact_point.hpp"
+#include "checked/slide/short_list.hpp"
 #include "checked/slide/tracks.hpp"
 
 namespace oplus::slide {
@@ -29,7 +30,7 @@ template <typename Numbers>
 NamedEnds<Numbers> named_ends(const std::vector<FreePiece<Numbers>>& pieces,
                               const Tracks<Numbers>& tracks, const Scaling& scaling) {
   // End 2 k is the source of piece k, end 2 k + 1 its target.
-  std::vector<ExactPoint<Numbers>> ends;
+  ShortList<ExactPoint<Numbers>> ends;
   ends.reserve(2 * pieces.size());
   for (const FreePiece<Numbers>& piece : pieces) {
     const IntegerSegment<Numbers> segment = tracks[piece.segment].exact;
@@ -42,7 +43,7 @@ NamedEnds<Numbers> named_ends(const std::vector<FreePiece<Numbers>>& pieces,
     double near_y;
     std::uint32_t end;
   };
-  std::vector<Place> sorted;
+  ShortList<Place> sorted;
   sorted.reserve(ends.size());
   for (std::uint32_t i = 0; i < ends.size(); ++i)
     sorted.push_back({ends[i].near_x(scaling), ends[i].near_y(scaling), i});

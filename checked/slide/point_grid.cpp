@@ -23,7 +23,7 @@ PointGrid::PointGrid(const std::vector<double>& near_x, const std::vector<double
   for (std::size_t i = 0; i < near_x.size(); ++i) ++first_[cell(i) + 1];
   for (std::size_t k = 1; k < first_.size(); ++k) first_[k] += first_[k - 1];
   points_.resize(near_x.size());
-  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+  ShortList<std::uint32_t> next(first_.begin(), first_.end() - 1);
   for (std::uint32_t i = 0; i < near_x.size(); ++i) points_[next[cell(i)]++] = i;
 }
 

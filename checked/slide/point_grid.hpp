@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "checked/slide/short_list.hpp"
+
 namespace oplus::slide {
 
 /// Points, given in doubles off by at most `margin`, in about as many equal cells as there are points.
@@ -61,8 +63,8 @@ class PointGrid {
   double margin_;
   Parts columns_;
   Parts rows_;
-  std::vector<std::uint32_t> first_;  ///< of each cell, column by column, in `points_`
-  std::vector<std::uint32_t> points_;
+  ShortList<std::uint32_t> first_;  ///< of each cell, column by column, in `points_`
+  ShortList<std::uint32_t> points_;
 };
 
 }  // namespace oplus::slide

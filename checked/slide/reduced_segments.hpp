@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "checked/slide/integer_summand.hpp"
+#include "checked/slide/short_list.hpp"
 #include "reference/definitions/direction.hpp"
 #include "reference/definitions/mutant.hpp"
 
@@ -23,8 +24,8 @@ namespace detail {
 /// The places of all edges' directions in counterclockwise order, ties as Definition 2.2.7 has them;
 /// equal ones have the same. And the edges of each summand in that order.
 struct Ranks {
-  std::vector<std::uint32_t> of_p, of_q;
-  std::vector<std::uint32_t> sorted_p, sorted_q;
+  ShortList<std::uint32_t> of_p, of_q;
+  ShortList<std::uint32_t> sorted_p, sorted_q;
 };
 
 template <typename Numbers>
@@ -35,7 +36,7 @@ Ranks ranks(const IntegerSummand<Numbers>& p, const IntegerSummand<Numbers>& q) 
     bool lower;  ///< its angle is at least π
     std::uint32_t number;
   };
-  std::vector<Edge> all;
+  ShortList<Edge> all;
   all.reserve(p.edges.size() + q.edges.size());
   const auto add = [&](const IntegerSummand<Numbers>& summand, Summand of) {
     for (std::uint32_t i = 0; i < summand.edges.size(); ++i) {
@@ -54,10 +55,9 @@ Ranks ranks(const IntegerSummand<Numbers>& p, const IntegerSummand<Numbers>& q) 
   };
   std::sort(all.begin(), all.end(),
             [&](const Edge& a, const Edge& b) { return compared(a, b) < 0; });
-  Ranks ranks{std::vector<std::uint32_t>(p.edges.size()),
-              std::vector<std::uint32_t>(q.edges.size()),
-              {},
-              {}};
+  Ranks ranks;
+  ranks.of_p.resize(p.edges.size());
+  ranks.of_q.resize(q.edges.size());
   ranks.sorted_p.reserve(p.edges.size());
   ranks.sorted_q.reserve(q.edges.size());
   std::uint32_t rank = 0;
@@ -80,10 +80,9 @@ std::vector<ReducedSegment> reduced_segments(const IntegerSummand<Numbers>& p,
   const detail::Ranks ranks = detail::ranks(p, q);
   std::vector<ReducedSegment> segments;
   segments.reserve(4 * (p.edges.size() + q.edges.size()));
-  const auto add = [&](const IntegerSummand<Numbers>& at,
-                       const std::vector<std::uint32_t>& ranks_at, Summand edge_of,
-                       const std::vector<std::uint32_t>& sorted,
-                       const std::vector<std::uint32_t>& ranks_of_edges) {
+  const auto add = [&](const IntegerSummand<Numbers>& at, const ShortList<std::uint32_t>& ranks_at,
+                       Summand edge_of, const ShortList<std::uint32_t>& sorted,
+                       const ShortList<std::uint32_t>& ranks_of_edges) {
     const auto first_after = [&](std::uint32_t rank) {
       return std::partition_point(sorted.begin(), sorted.end(),
                                   [&](std::uint32_t edge) { return ranks_of_edges[edge] < rank; });

@@ -7,6 +7,7 @@
 
 #include "checked/slide/boundary_pieces.hpp"
 #include "checked/slide/integer_vector.hpp"
+#include "checked/slide/short_list.hpp"
 #include "reference/definitions/contract.hpp"
 #include "reference/definitions/mutant.hpp"
 
@@ -42,14 +43,13 @@ bool turns_more_clockwise(const IntegerVector<Numbers>& in, const IntegerVector<
 
 /// By how many full turns the direction changes along a chain, each corner less than half a turn
 /// (thesis, Definition 2.1.9).
-template <typename Numbers>
-int turning_number(const std::vector<IntegerVector<Numbers>>& directions) {
-  const auto is_lower = [](const IntegerVector<Numbers>& d) {
-    return d.y < 0 || (d.y == 0 && d.x < 0);
-  };
+template <typename Directions>
+int turning_number(const Directions& directions) {
+  using Vector = typename Directions::value_type;
+  const auto is_lower = [](const Vector& d) { return d.y < 0 || (d.y == 0 && d.x < 0); };
   int turns = 0;
-  const IntegerVector<Numbers>* in = &directions.back();
-  for (const IntegerVector<Numbers>& out : directions) {
+  const Vector* in = &directions.back();
+  for (const Vector& out : directions) {
     const bool left = cross(*in, out) > 0;
     if (left && is_lower(*in) && !is_lower(out)) ++turns;
     if (!left && !is_lower(*in) && is_lower(out) && !OPLUS_MUTANT("slide-sees-no-right-turn"))
@@ -68,9 +68,9 @@ template <typename Direction>
 std::vector<StitchedChain> stitched(std::span<const BoundaryPiece> pieces, std::size_t points,
                                     const Direction& direction) {
   // Equal pieces are one, named by the first of them.
-  std::vector<std::uint32_t> distinct;
+  ShortList<std::uint32_t> distinct;
   distinct.reserve(pieces.size());
-  std::vector<std::uint32_t> leaving(points + 1, 0);
+  ShortList<std::uint32_t> leaving(points + 1, 0);
   for (std::uint32_t i = 0; i < pieces.size(); ++i) {
     if (i > 0 && pieces[i - 1].from == pieces[i].from && pieces[i - 1].to == pieces[i].to) continue;
     distinct.push_back(i);
@@ -92,10 +92,10 @@ std::vector<StitchedChain> stitched(std::span<const BoundaryPiece> pieces, std::
   };
 
   std::vector<StitchedChain> chains;
-  std::vector<bool> visited(distinct.size(), false);
-  std::vector<std::uint32_t> around;
+  ShortList<char> visited(distinct.size(), false);
+  ShortList<std::uint32_t> around;
   around.reserve(pieces.size());
-  std::vector<std::decay_t<decltype(direction(0))>> directions;
+  ShortList<std::decay_t<decltype(direction(0))>> directions;
   directions.reserve(pieces.size());
   for (std::uint32_t first = 0; first < distinct.size(); ++first) {
     if (visited[first]) continue;
