@@ -159,7 +159,8 @@ class BlockingSearch {
   bool outside_exactly(const EdgePair& pair, const NearPoint& from, const NearPoint& to) {
     return beside(pair, from, to, 0, [](double low, double high, double a, double b) {
       // Along a side, the shift decides.
-      const bool is_along = a == b && (a == low || a == high);
+      const bool is_along =
+          a == b && (a == low || a == high) && !OPLUS_MUTANT("slide-passes-sides-by");
       return !is_along && (std::max(a, b) <= low || std::min(a, b) >= high);
     });
   }

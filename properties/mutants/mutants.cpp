@@ -96,6 +96,8 @@ const std::vector<Mutant>& mutants() {
        "checked/slide/unblocked_places.hpp"},
       {"slide-leaves-boxes-out", "some boxes that a probe leaves out are never looked into",
        "checked/slide/blocking_search.hpp"},
+      {"slide-passes-sides-by", "doubles leave out parallelograms along whose sides a segment runs",
+       "checked/slide/blocking_search.hpp"},
       {"slide-pieces-stay-uncut", "free pieces are not cut where others end inside them",
        "checked/slide/boundary_pieces.cpp"},
       {"slide-ranks-without-ties", "equal directions of P and Q have one rank",

@@ -63,19 +63,22 @@ const Registered registered({
         "The free pieces that probes and traversals of boxes find, doubles first, are what "
         "the intervals of all pairs of edges leave uncovered of a segment, each piece once "
         "and as long as it can be.",
-    .why = "A pair of edges blocks a place only if x(t) is in the sum of their boxes, so a "
-           "traversal that leaves out no sum of boxes with x(t) in it finds a pair that blocks t "
-           "if there is one. A probe that finds none leaves out boxes; those that the gap meets "
-           "hold all other pairs with an interval there. Boxes are rounded outwards, and doubles "
-           "decide only where they are off by less than what they see. Each probe takes an "
-           "interval out of a gap or settles the gap, and there are finitely many intervals.",
+    .why =
+        "A pair of edges blocks a place only if x(t) is in the sum of their boxes, so a "
+        "traversal that leaves out no sum of boxes with x(t) in it finds a pair that blocks t "
+        "if there is one. A probe that finds none leaves out boxes; those that the gap meets "
+        "hold all other pairs with an interval there. Boxes are rounded outwards, and doubles "
+        "decide only where they are off by less than what they see; at both ends of a segment with "
+        "short coordinates they are off by nothing, and there a line beside a strip or on its "
+        "side is told, unless it runs along that side, when the shift decides. Each probe takes an "
+        "interval out of a gap or settles the gap, and there are finitely many intervals.",
     .hypotheses =
         {"P and Q are valid regions",
          "components do not matter here: those that lie in another one with no edges crossing are left to step-components"},
     .rests_on = {"step-interval"},
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
-    .kills = {"slide-leaves-boxes-out"},
+    .kills = {"slide-leaves-boxes-out", "slide-passes-sides-by"},
     .cases = 1000,
     .file = __FILE__,
     .check = check,
