@@ -138,7 +138,7 @@ std::string named(const Point& x) {
 
 }  // namespace
 
-std::string placement_view(const Region& p, const Region& q, const Point& x) {
+Panel placement_panel(const Region& p, const Region& q, const Point& x) {
   const Region placed_q = translated(reflected(q), x);
   const Placement placement(p, placed_q);
   const bool meet = collision_test(CollisionMethod::hierarchy, p, q)->interiors_meet_at(x);
@@ -150,8 +150,12 @@ std::string placement_view(const Region& p, const Region& q, const Point& x) {
                                {Kind::placed_q, {}, edges(placed_q)},
                                placement.overlaps()};
   for (Layer& contacts : placement.contacts()) layers.push_back(std::move(contacts));
-  return beside_summands(p, q, named(x) + ": the interiors " + (meet ? "meet" : "do not meet"),
-                         std::move(layers));
+  return {named(x) + ": the interiors " + (meet ? "meet" : "do not meet"), std::move(layers)};
+}
+
+std::string placement_view(const Region& p, const Region& q, const Point& x) {
+  Panel panel = placement_panel(p, q, x);
+  return beside_summands(p, q, std::move(panel.title), std::move(panel.layers));
 }
 
 }  // namespace oplus

@@ -47,6 +47,7 @@ ExitCode parse_and_do(int argc, const char* const* argv) {
   Action chosen;
   add_sum(program, chosen);
   add_compare(program, chosen);
+  add_verify(program, chosen);
   add_draw(program, chosen);
   add_gen(program, chosen);
   try {

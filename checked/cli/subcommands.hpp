@@ -14,6 +14,7 @@ using Action = std::function<ExitCode()>;
 /// Each adds a subcommand, which sets `chosen` where it is the one asked for.
 void add_sum(CLI::App& program, Action& chosen);
 void add_compare(CLI::App& program, Action& chosen);
+void add_verify(CLI::App& program, Action& chosen);
 void add_draw(CLI::App& program, Action& chosen);
 void add_gen(CLI::App& program, Action& chosen);
 

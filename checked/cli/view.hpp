@@ -53,6 +53,9 @@ std::string original_view(const Region& p, const Region& q);
 /// the collision test in the title (thesis, Section 5.1).
 std::string placement_view(const Region& p, const Region& q, const Point& x);
 
+/// Its drawing alone.
+Panel placement_panel(const Region& p, const Region& q, const Point& x);
+
 /// The document: both summands in a column, the drawing at its right.
 std::string beside_summands(const Region& p, const Region& q, std::string title,
                             std::vector<Layer> layers);

@@ -101,7 +101,7 @@ Region valid_region(const InputText& input, PlacedGeometry& geometry,
 }
 
 /// The edges of the line strings, none of zero length.
-std::vector<Segment> dangling_edges(const InputText& input, const PlacedGeometry& geometry) {
+std::vector<Segment> edges_of_line_strings(const InputText& input, const PlacedGeometry& geometry) {
   std::vector<Segment> result;
   for (std::size_t l = 0; l < geometry.line_strings.size(); ++l) {
     const PlacedChain& line = geometry.line_strings[l];
@@ -117,7 +117,7 @@ std::vector<Segment> dangling_edges(const InputText& input, const PlacedGeometry
       result.push_back({line.vertices[i - 1], line.vertices[i]});
     }
   }
-  return maximal_segments(std::move(result));
+  return result;
 }
 
 /// The points, each isolated from the other points and from the dangling edges.
@@ -171,13 +171,23 @@ ReadSum read_sum(std::istream& in, const std::string& name) {
   PlacedGeometry geometry = parse(input, Wanted::sum);
   ReadSum result;
   result.sum = canonical_sum(valid_region(input, geometry, result.notes));
-  result.sum.dangling_edges = dangling_edges(input, geometry);
+  result.sum.dangling_edges = maximal_segments(edges_of_line_strings(input, geometry));
   result.sum.isolated_vertices = isolated_vertices(input, geometry, result.sum.dangling_edges);
   return result;
+}
+
+GivenSum read_unchecked_sum(std::istream& in, const std::string& name) {
+  const InputText input = input_text(in, name);
+  const PlacedGeometry geometry = parse(input, Wanted::sum);
+  return {region_in(geometry), edges_of_line_strings(input, geometry), geometry.points.vertices};
 }
 
 ReadRegion read_region_file(const std::string& path) { return read_file(path, read_region); }
 
 ReadSum read_sum_file(const std::string& path) { return read_file(path, read_sum); }
+
+GivenSum read_unchecked_sum_file(const std::string& path) {
+  return read_file(path, read_unchecked_sum);
+}
 
 }  // namespace oplus

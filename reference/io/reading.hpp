@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "reference/definitions/given_sum.hpp"
 #include "reference/definitions/minkowski_sum.hpp"
 #include "reference/definitions/region.hpp"
 #include "reference/io/invalid_input.hpp"
@@ -36,8 +37,13 @@ ReadRegion read_region(std::istream& in, const std::string& name);
 /// the isolated vertices. Result in canonical form. Throws InvalidInput.
 ReadSum read_sum(std::istream& in, const std::string& name);
 
+/// Reads a sum and checks nothing but its syntax, so that what is wrong with it can be told. In the
+/// input's order, points and edges of line strings as they are. Throws InvalidInput.
+GivenSum read_unchecked_sum(std::istream& in, const std::string& name);
+
 /// The same from a file; "-" is standard input. Throws InvalidInput also where it can't be opened.
 ReadRegion read_region_file(const std::string& path);
 ReadSum read_sum_file(const std::string& path);
+GivenSum read_unchecked_sum_file(const std::string& path);
 
 }  // namespace oplus

@@ -1,91 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/oracle/oracle.hpp"
 
-#include <CGAL/Arr_extended_dcel.h>
-#include <CGAL/Arr_segment_traits_2.h>
-#include <CGAL/Arrangement_2.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/mpq_class.h>
-
 #include <algorithm>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "reference/definitions/collision.hpp"
 #include "reference/definitions/convolution.hpp"
-#include "reference/definitions/cut_at_intersections.hpp"
 #include "reference/definitions/winding_number.hpp"
+#include "reference/oracle/cells.hpp"
 
 namespace oplus {
 
 namespace {
 
-// Plain rationals: no filter, no lazy evaluation. Each cell carries whether it is in the open sum.
-using Traits = CGAL::Arr_segment_traits_2<CGAL::Simple_cartesian<Rational>>;
-using Cells = CGAL::Arr_extended_dcel<Traits, bool, bool, bool>;
-using Arrangement = CGAL::Arrangement_2<Traits, Cells>;
-
-Point point(const Traits::Point_2& p) { return {p.x(), p.y()}; }
-
-template <typename Halfedge>
-Segment segment(Halfedge e) {
-  return {point(e->source()->point()), point(e->target()->point())};
-}
-
-/// Cuts the segments into pieces that meet in common ends only, so that CGAL has but to connect
-/// them: its sweep, in 5.5, fails on some overlaps (docs/findings.md).
-Arrangement arrangement_of(const std::vector<Segment>& segments) {
-  std::set<Segment> pieces;
-  for (const std::vector<Segment>& of_segment : cut_at_intersections(segments)) {
-    for (const Segment& piece : of_segment)
-      pieces.insert(piece.source < piece.target ? piece : reversed(piece));
-  }
-  std::vector<Traits::X_monotone_curve_2> curves;
-  for (const Segment& s : pieces)
-    curves.emplace_back(Traits::Point_2(s.source.x, s.source.y),
-                        Traits::Point_2(s.target.x, s.target.y));
-  Arrangement arrangement;
-  CGAL::insert_non_intersecting_curves(arrangement, curves.begin(), curves.end());
-  return arrangement;
-}
-
-/// All edges of a face's boundary, the face to their left.
-std::vector<Segment> boundary(Arrangement::Face_handle face) {
-  std::vector<Segment> result;
-  const auto add = [&](Arrangement::Ccb_halfedge_circulator first) {
-    auto e = first;
-    do {
-      result.push_back(segment(e));
-    } while (++e != first);
-  };
-  for (auto ccb = face->outer_ccbs_begin(); ccb != face->outer_ccbs_end(); ++ccb) add(*ccb);
-  for (auto ccb = face->inner_ccbs_begin(); ccb != face->inner_ccbs_end(); ++ccb) add(*ccb);
-  return result;
-}
-
-/// A point inside a face: from the middle of an edge to the left, half way to what is met first.
-Point point_inside(const std::vector<Segment>& boundary) {
-  const Point start = midpoint(boundary[0].source, boundary[0].target);
-  const Vector along = direction_of(boundary[0]);
-  const Vector left{-along.y, along.x};
-  Rational step = 2;  // in the unbounded face, where nothing may be met
-  const auto meet = [&](const Rational& at) {
-    if (at > 0 && at < step) step = at;
-  };
-  for (const Segment& e : boundary) {
-    const Vector v = direction_of(e);
-    const Rational across = cross(left, v);
-    if (sign(across) != 0) {
-      const Rational on_edge = cross(e.source - start, left) / across;
-      if (on_edge >= 0 && on_edge <= 1) meet(cross(e.source - start, v) / across);
-    } else if (sign(cross(e.source - start, left)) == 0) {
-      meet(dot(e.source - start, left) / dot(left, left));
-      meet(dot(e.target - start, left) / dot(left, left));
-    }
-  }
-  return start + step / 2 * left;
-}
+/// Whether each cell is in the open sum.
+struct CellVerdicts {
+  std::vector<bool> faces, edges, vertices;
+};
 
 /// Gives every cell its verdict.
 class Verdicts {
@@ -93,23 +25,25 @@ class Verdicts {
   Verdicts(const Region& p, const Region& q, const std::vector<Segment>& convolution)
       : p_(p), minus_q_(reflected(q)), convolution_(convolution) {}
 
-  void decide(Arrangement& arrangement) const {
-    for (auto face : arrangement.face_handles()) {
-      const std::vector<Segment> around = boundary(face);
-      if (around.empty()) continue;  // an empty sum: the whole plane is one face
-      const Point x = point_inside(around);
-      face->set_data(interiors_meet_at(x));
-      require((winding_number(x, convolution_) > 0) == face->data(), x);
+  CellVerdicts decide(const Cells& cells) const {
+    CellVerdicts in_sum;
+    for (const std::vector<Segment>& boundary : cells.faces) {
+      if (boundary.empty()) {  // an empty sum: the whole plane is one face
+        in_sum.faces.push_back(false);
+        continue;
+      }
+      const Point x = point_inside(boundary);
+      in_sum.faces.push_back(interiors_meet_at(x));
+      require((winding_number(x, convolution_) > 0) == in_sum.faces.back(), x);
     }
-    for (auto e : arrangement.edge_handles()) {
-      const Segment s = segment(e);
-      const Point x = midpoint(s.source, s.target);
-      e->set_data(interiors_meet_at(x));
-      e->twin()->set_data(e->data());
+    for (const Cells::Edge& e : cells.edges) {
+      const Point x = midpoint(e.segment.source, e.segment.target);
+      in_sum.edges.push_back(interiors_meet_at(x));
       // The sum of the open regions is open.
-      require(!e->data() || (e->face()->data() && e->twin()->face()->data()), x);
+      require(!in_sum.edges.back() || (in_sum.faces[e.left_face] && in_sum.faces[e.right_face]), x);
     }
-    for (auto v : arrangement.vertex_handles()) v->set_data(interiors_meet_at(point(v->point())));
+    for (const Point& x : cells.vertices) in_sum.vertices.push_back(interiors_meet_at(x));
+    return in_sum;
   }
 
   bool interiors_meet_at(const Point& x) const {
@@ -128,14 +62,16 @@ class Verdicts {
   const std::vector<Segment>& convolution_;
 };
 
-/// Whether all cells around a vertex are in the sum, though the vertex may not be.
-bool surrounded(Arrangement::Vertex_handle v) {
-  auto e = v->incident_halfedges();
-  const auto first = e;
-  do {
-    if (!e->data() || !e->face()->data()) return false;
-  } while (++e != first);
-  return true;
+/// Of each vertex, whether all cells around it are in the sum, though it may not be.
+std::vector<bool> surrounded(const Cells& cells, const CellVerdicts& in_sum) {
+  std::vector<bool> result(cells.vertices.size(), true);
+  for (std::size_t i = 0; i < cells.edges.size(); ++i) {
+    const Cells::Edge& e = cells.edges[i];
+    if (in_sum.edges[i] && in_sum.faces[e.left_face] && in_sum.faces[e.right_face]) continue;
+    result[e.source] = false;
+    result[e.target] = false;
+  }
+  return result;
 }
 
 /// The same for a point that need not be a vertex of the arrangement.
@@ -156,20 +92,23 @@ std::vector<Point> vertex_sums(const Region& p, const Region& q) {
 
 OracleSums oracle_sums(const Region& p, const Region& q) {
   const std::vector<Segment> convolution_segments = segments(convolution(p, q));
-  Arrangement arrangement = arrangement_of(convolution_segments);
+  const Cells arrangement = cells(convolution_segments);
   const Verdicts verdicts(p, q, convolution_segments);
-  verdicts.decide(arrangement);
+  const CellVerdicts in_sum = verdicts.decide(arrangement);
 
   BoundaryFeatures closed;
   BoundaryFeatures low_dimensional;
-  for (auto e : arrangement.edge_handles()) {
-    const bool left = e->face()->data();
-    const bool right = e->twin()->face()->data();
-    if (left != right) closed.edges.push_back(left ? segment(e) : reversed(segment(e)));
-    if (left && right && !e->data()) low_dimensional.dangling_edges.push_back(segment(e));
+  for (std::size_t i = 0; i < arrangement.edges.size(); ++i) {
+    const Cells::Edge& e = arrangement.edges[i];
+    const bool left = in_sum.faces[e.left_face];
+    const bool right = in_sum.faces[e.right_face];
+    if (left != right) closed.edges.push_back(left ? e.segment : reversed(e.segment));
+    if (left && right && !in_sum.edges[i]) low_dimensional.dangling_edges.push_back(e.segment);
   }
-  for (auto v : arrangement.vertex_handles()) {
-    if (!v->data() && surrounded(v)) low_dimensional.isolated_vertices.push_back(point(v->point()));
+  const std::vector<bool> may_be_isolated = surrounded(arrangement, in_sum);
+  for (std::size_t i = 0; i < arrangement.vertices.size(); ++i) {
+    if (!in_sum.vertices[i] && may_be_isolated[i])
+      low_dimensional.isolated_vertices.push_back(arrangement.vertices[i]);
   }
   low_dimensional.edges = closed.edges;
   const MinkowskiSum closed_sum = canonical_sum(closed);
@@ -181,8 +120,7 @@ OracleSums oracle_sums(const Region& p, const Region& q) {
   }
   return {closed_sum,
           canonical_sum(low_dimensional),
-          {arrangement.number_of_faces(), arrangement.number_of_edges(),
-           arrangement.number_of_vertices()}};
+          {arrangement.faces.size(), arrangement.edges.size(), arrangement.vertices.size()}};
 }
 
 MinkowskiSum oracle_sum(const Region& p, const Region& q, Boundary boundary) {

@@ -6,7 +6,7 @@ from includes import includes
 from sources import ROOT, cpp, report
 
 # Who may include what of ours: the table of the design. The longest folder that holds a file decides.
-REFERENCE = {"reference/definitions", "reference/io", "reference/oracle"}
+REFERENCE = {"reference/definitions", "reference/io", "reference/oracle", "reference/verify"}
 GENERATORS = {"reference/definitions", "reference/io", "properties/generators"}
 CHECKED = {"reference/definitions", "reference/io", "checked"}
 PROPERTIES = REFERENCE | {"checked", "checked/cli", "properties", "properties/generators"}
@@ -14,9 +14,12 @@ MAY_INCLUDE = {
     "reference/definitions": {"reference/definitions"},
     "reference/io": {"reference/definitions", "reference/io"},
     "reference/oracle": {"reference/definitions", "reference/oracle"},
+    # Cuts the plane into cells as the oracle does, and names its places as messages do.
+    "reference/verify": REFERENCE,
     "checked": CHECKED,
-    # Composes the program, so it alone of `checked` sees the oracle.
-    "checked/cli": CHECKED | {"checked/cli", "reference/oracle", "properties/generators"},
+    # Composes the program, so it alone of `checked` sees what decides by the definitions.
+    "checked/cli": CHECKED | {"checked/cli", "reference/oracle", "reference/verify",
+                              "properties/generators"},
     # `checked/cli` offers them, so they can't be above it.
     "properties/generators": GENERATORS,
     "properties": PROPERTIES,

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/verify/verify.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "checked/cli/input.hpp"
+#include "checked/cli/output.hpp"
+#include "checked/cli/subcommands.hpp"
+#include "checked/cli/usage_error.hpp"
+#include "checked/cli/view.hpp"
+#include "reference/io/number.hpp"
+#include "reference/io/picture.hpp"
+#include "reference/io/quoting.hpp"
+#include "reference/io/reading.hpp"
+#include "reference/io/writing.hpp"
+#include "reference/verify/closeness.hpp"
+
+namespace oplus {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct VerifyOptions {
+  std::string p;
+  std::string q;
+  std::string sum;
+  bool open = false;
+  std::optional<std::string> tolerance;
+  std::optional<std::string> svg;
+  bool json = false;
+  bool quiet = false;
+};
+
+Rational tolerance_in(const std::string& text) {
+  NumberFault fault;
+  const std::optional<Rational> value = parse_number(text, fault);
+  if (!value) throw UsageError("--tolerance: " + fault.wrong + "; expected " + fault.expected);
+  if (sign(*value) < 0)
+    throw UsageError("--tolerance takes a distance, not the negative number " + quote(text));
+  return *value;
+}
+
+/// The square root, rounded down or up to six digits or more; exact where that is a short decimal.
+std::string root(const Rational& value, bool up) {
+  if (sign(value) == 0) return "0";
+  mpz_class scale = 1;
+  for (int digits = 0;; ++digits, scale *= 10) {
+    const Rational scaled = value * Rational(scale) * Rational(scale);
+    const mpz_class whole = scaled.get_num() / scaled.get_den();
+    const mpz_class floor = sqrt(whole);
+    const bool exact = Rational(floor) * Rational(floor) == scaled;
+    if (!exact && floor < 100000 && digits < most_digits) continue;
+    return to_string(Rational(floor + (up && !exact ? 1 : 0)) / Rational(scale), digits);
+  }
+}
+
+std::string said_distance(const BoundaryDistance& d) {
+  const std::string low = root(d.least_squared, false);
+  const std::string high = root(d.most_squared, true);
+  return low == high ? low : "between " + low + " and " + high;
+}
+
+std::string membership(const Reason& reason) {
+  if (reason.in_sum == reason.in_given)
+    return reason.in_sum ? "is in the sum, and given" : "is not in the sum, nor given";
+  return reason.in_sum ? "is in the sum, and not given" : "is given, and not in the sum";
+}
+
+std::string text_of(const Verdict& verdict) {
+  if (verdict.is_sum()) return "yes\n";
+  const Reason& first = verdict.reasons.front();
+  const std::string x = to_string(first.witness);
+  std::string text = "no: " + describe(first.kind) + ": " + first.detail + "\nwitness: " + x + " " +
+                     membership(first);
+  if (verdict.addends)
+    text +=
+        ": " + to_string(verdict.addends->p) + " of P + " + to_string(verdict.addends->q) + " of Q";
+  else if (!first.in_sum)
+    text += ": the interiors of P and -Q + " + x + " do not meet";
+  text += "\n";
+  std::set<ReasonKind> said = {first.kind};
+  for (const Reason& reason : verdict.reasons) {
+    if (!said.insert(reason.kind).second) continue;
+    text += "also: " + describe(reason.kind) + ": " + reason.detail + "; at " +
+            to_string(reason.witness) + "\n";
+  }
+  for (const ReasonKind kind : said) {
+    const auto count = std::count_if(verdict.reasons.begin(), verdict.reasons.end(),
+                                     [&](const Reason& reason) { return reason.kind == kind; });
+    if (count > 1) text += "in all: " + describe(kind) + ", " + std::to_string(count) + " times\n";
+  }
+  return text;
+}
+
+std::string text_of(const Closeness& close, const std::string& tolerance) {
+  std::string text = close.is_close() ? "yes" : "no";
+  text += ": the boundaries are ";
+  text += close.is_within ? "within " : "not within ";
+  text += tolerance + " of each other\n";
+  if (close.distance) {
+    text += "distance: " + said_distance(*close.distance);
+    if (sign(close.distance->most_squared) > 0)
+      text += std::string(", at ") + to_string(close.distance->farthest) + " of the boundary of " +
+              (close.distance->farthest_is_given ? "S" : "the sum");
+    text += "\n";
+  }
+  text += close.no_partners.empty() ? "components and holes correspond\n" : "";
+  for (const std::string& line : close.no_partners) text += line + "\n";
+  return text;
+}
+
+Json json_of(const Point& p) { return Json::array({to_string(p.x), to_string(p.y)}); }
+
+Json json_of(const Verdict& verdict) {
+  Json reasons = Json::array();
+  for (const Reason& reason : verdict.reasons)
+    reasons.push_back({{"kind", describe(reason.kind)},
+                       {"detail", reason.detail},
+                       {"witness", json_of(reason.witness)},
+                       {"in_sum", reason.in_sum},
+                       {"given", reason.in_given}});
+  Json result = {{"answer", verdict.is_sum() ? "yes" : "no"}, {"reasons", std::move(reasons)}};
+  if (!verdict.is_sum()) result["witness"] = json_of(verdict.reasons.front().witness);
+  if (verdict.addends) {
+    result["p"] = json_of(verdict.addends->p);
+    result["q"] = json_of(verdict.addends->q);
+  }
+  return result;
+}
+
+Json json_of(const Closeness& close, const Rational& tolerance) {
+  Json result = {{"answer", close.is_close() ? "yes" : "no"},
+                 {"tolerance", to_string(tolerance)},
+                 {"within", close.is_within},
+                 {"without_partner", close.no_partners}};
+  if (!close.distance) {
+    result["distance"] = nullptr;
+    return result;
+  }
+  const BoundaryDistance& d = *close.distance;
+  result["distance"] = {{"at_least", root(d.least_squared, false)},
+                        {"at_most", root(d.most_squared, true)},
+                        {"squared_at_least", to_string(d.least_squared)},
+                        {"squared_at_most", to_string(d.most_squared)},
+                        {"at", json_of(d.farthest)},
+                        {"of", d.farthest_is_given ? "given" : "sum"}};
+  return result;
+}
+
+/// The given chains over the sum; at the witness P and -Q + x.
+std::string picture(const Region& p, const Region& q, const GivenSum& given,
+                    const MinkowskiSum& right, const std::optional<Point>& witness) {
+  std::vector<Layer> layers = layers_of(right);
+  Layer chains{Layer::Kind::boundary_loop};
+  for (const GivenChain& chain : given_chains(given)) {
+    const std::vector<Segment> of_chain = edges(*chain.vertices);
+    std::copy_if(of_chain.begin(), of_chain.end(), std::back_inserter(chains.segments),
+                 [](const Segment& e) { return e.source != e.target; });
+  }
+  chains.segments.insert(chains.segments.end(), given.dangling_edges.begin(),
+                         given.dangling_edges.end());
+  chains.name = "S";
+  layers.push_back(std::move(chains));
+  Layer points{Layer::Kind::touching, {}, {}, given.isolated_vertices};
+  points.name = "point of S";
+  layers.push_back(std::move(points));
+  if (witness) {
+    Layer mark{Layer::Kind::difference, {}, {}, {*witness}};
+    mark.name = "witness";
+    layers.push_back(std::move(mark));
+  }
+  std::vector<Panel> summands = {panel_of(Summand::P, p), panel_of(Summand::Q, q)};
+  for (Panel& summand : summands) summand.longest_side = 160;
+  std::vector<std::vector<Panel>> columns = {summands, {{"S over P \u2295 Q", layers, 420}}};
+  if (witness) {
+    columns.push_back({placement_panel(p, q, *witness)});
+    columns.back()[0].longest_side = 420;
+  }
+  return svg_in_columns(columns);
+}
+
+/// Printing, drawing and the exit code of an answer.
+ExitCode answer(const VerifyOptions& options, bool is_yes, Json json, std::string text,
+                const std::vector<std::string>& notes) {
+  json["boundary"] = options.open ? "open" : "closed";
+  json["notes"] = notes;
+  for (const std::string& note : notes) text += "note: " + note + "\n";
+  if (!options.quiet) write_output("-", options.json ? json.dump(2) + "\n" : text);
+  return is_yes ? ExitCode::done : ExitCode::not_equal;
+}
+
+ExitCode verify_files(const VerifyOptions& options) {
+  require_one_standard_input({options.p, options.q, options.sum});
+  if (options.svg) require_writable({*options.svg});
+  const std::optional<Rational> tolerance =
+      options.tolerance ? std::optional(tolerance_in(*options.tolerance)) : std::nullopt;
+  const Region p = read_summand(options.p);
+  const Region q = read_summand(options.q);
+  const GivenSum given = read_unchecked_sum_file(options.sum);
+  const Boundary boundary = options.open ? Boundary::open : Boundary::closed;
+  const auto draw = [&](const MinkowskiSum& right, const std::optional<Point>& witness) {
+    if (options.svg) write_output(*options.svg, picture(p, q, given, right, witness));
+  };
+
+  if (tolerance) {
+    const MinkowskiSum right = sum_by_definition(p, q, boundary);
+    const Closeness close = closeness(right, given, *tolerance);
+    const bool differs = close.distance && sign(close.distance->most_squared) > 0;
+    draw(right, differs ? std::optional(close.distance->farthest) : std::nullopt);
+    return answer(options, close.is_close(), json_of(close, *tolerance),
+                  text_of(close, *options.tolerance), close.notes);
+  }
+  const Verdict verdict = verify(p, q, boundary, given);
+  draw(verdict.right,
+       verdict.is_sum() ? std::nullopt : std::optional(verdict.reasons.front().witness));
+  return answer(options, verdict.is_sum(), json_of(verdict), text_of(verdict), verdict.notes);
+}
+
+}  // namespace
+
+void add_verify(CLI::App& program, Action& chosen) {
+  const auto options = std::make_shared<VerifyOptions>();
+  CLI::App& command = *program.add_subcommand(
+      "verify", "Say whether a sum is that of two regions, with a witness and the reason if not");
+  command.add_option("P", options->p, "a region: .dat, WKT or GeoJSON; - is standard input")
+      ->required()
+      ->type_name("FILE");
+  command.add_option("Q", options->q, "the other region")->required()->type_name("FILE");
+  command.add_option("S", options->sum, "what somebody says their sum is, valid or not")
+      ->required()
+      ->type_name("FILE");
+  command.add_flag(
+      "--open", options->open,
+      "it is to be the sum of the regions' interiors, with dangling edges and isolated "
+      "vertices");
+  command
+      .add_option(
+          "--tolerance", options->tolerance,
+          "for a sum that was rounded: ask whether the boundaries are nowhere farther than D "
+          "from each other, and components and holes correspond")
+      ->type_name("D");
+  command
+      .add_option("--svg", options->svg, "draw S over the sum, and P and -Q + x at the witness x")
+      ->type_name("FILE");
+  CLI::Option* json = command.add_flag("--json", options->json, "answer in JSON");
+  command.add_flag("--quiet", options->quiet, "print no answer; the exit code tells")
+      ->excludes(json);
+  command.footer(
+      "Example:\n"
+      "  oplus gen tight --n 6 --summand P -o p.wkt\n"
+      "  oplus gen tight --n 6 --summand Q -o q.wkt\n"
+      "  oplus sum p.wkt q.wkt --digits 2 -o s.wkt\n"
+      "  oplus sum p.wkt q.wkt -o exact.wkt\n"
+      "  oplus verify p.wkt q.wkt exact.wkt\n"
+      "  oplus verify p.wkt q.wkt s.wkt --tolerance 0.01\n"
+      "Exit code 0 if it is their sum, 1 if not.");
+  command.callback([options, &chosen] { chosen = [options] { return verify_files(*options); }; });
+}
+
+}  // namespace oplus

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/region.hpp"
+
+namespace oplus {
+
+/// A sum as somebody wrote it down. Nothing is required: chains may be turned the wrong way, cross,
+/// overlap, touch or repeat each other and themselves.
+///
+/// The set it stands for: a point on no chain belongs to it iff some component's outer chain winds
+/// around it, in either direction, and none of that component's holes does; the set is the closure
+/// of these points, for Boundary::open its interior without dangling edges and isolated vertices.
+struct GivenSum {
+  Region region;
+  std::vector<Segment> dangling_edges;
+  std::vector<Point> isolated_vertices;
+};
+
+/// A sum by its chains. A hole goes to the smallest outer chain around it; one around which there is
+/// none is the only chain of its component, whose outer chain is empty.
+GivenSum given(const MinkowskiSum& sum);
+
+/// A chain of a given sum, numbered as it was given, both from one; hole 0 is the outer chain.
+struct GivenChain {
+  std::size_t component;
+  std::size_t hole;
+  const Chain* vertices;
+};
+
+/// All chains, without those that have no vertex.
+std::vector<GivenChain> given_chains(const GivenSum& sum);
+
+/// Returns "the outer chain of component 1" or "hole 2 of component 1".
+std::string describe(const GivenChain& chain);
+
+}  // namespace oplus

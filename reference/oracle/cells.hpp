@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "reference/definitions/segment.hpp"
+
+namespace oplus {
+
+/// The arrangement of segments: what they cut the plane into.
+struct Cells {
+  struct Edge {
+    Segment segment;
+    std::size_t left_face, right_face;
+    std::size_t source, target;  ///< vertices
+  };
+
+  /// The boundary of each face, the face to the left of each segment; an edge with the face on both
+  /// sides is there twice. Without any segment the plane is one face without a boundary.
+  std::vector<std::vector<Segment>> faces;
+  std::vector<Edge> edges;  ///< each directed from its smaller end
+  std::vector<Point> vertices;
+  std::size_t unbounded_face;
+};
+
+/// All pairs of segments are cut where they meet; CGAL's Arrangement_2 connects the pieces.
+Cells cells(const std::vector<Segment>& segments);
+
+/// The same of segments that are cut already.
+/// Requires: `pieces` as cut_at_intersections returns them.
+Cells cells_of_pieces(const std::vector<std::vector<Segment>>& pieces);
+
+/// A point inside a face: from the middle of its first edge to the left, half way to what is met
+/// first. Requires: the boundary is not empty.
+Point point_inside(const std::vector<Segment>& boundary);
+
+}  // namespace oplus

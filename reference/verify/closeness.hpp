@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reference/definitions/given_sum.hpp"
+#include "reference/definitions/minkowski_sum.hpp"
+
+namespace oplus {
+
+/// The Hausdorff distance of two sets: the largest distance of a point of one from the other.
+struct BoundaryDistance {
+  /// Certified bounds of its square, equal where it is known exactly; else the upper one is larger
+  /// by at most a 2^20th.
+  Rational least_squared;
+  Rational most_squared;
+  /// A point of one boundary that is farther from the other than the square root of `least_squared`
+  /// or as far.
+  Point farthest;
+  bool farthest_is_given;  ///< whether it is one of the given boundary
+};
+
+/// How far a given sum is from the right one.
+struct Closeness {
+  /// Of the boundaries; none where one of the two sums is empty and the other is not.
+  std::optional<BoundaryDistance> distance;
+  bool is_within;                        ///< decided exactly: whether the distance is at most D
+  std::vector<std::string> no_partners;  ///< a line for each chain without a partner
+  std::vector<std::string> notes;        ///< chains that cross or overlap, as rounding makes them
+
+  bool is_close() const { return is_within && no_partners.empty(); }
+};
+
+/// Compares boundaries: all chains as they are given, with dangling edges and isolated vertices. A
+/// chain and one of the right sum are partners if their Hausdorff distance is at most D; chains are
+/// those of region_of(right) and of the set the given sum stands for. Components correspond where
+/// outer chains can be paired with partners one to one, and holes likewise. Requires: D >= 0.
+Closeness closeness(const MinkowskiSum& right, const GivenSum& sum, const Rational& tolerance);
+
+/// Whether each point of `from` is at most as far from `to` as the square root of `squared`; decided
+/// exactly. A segment may be a point.
+bool is_within(const std::vector<Segment>& from, const std::vector<Segment>& to,
+               const Rational& squared);
+
+/// The Hausdorff distance. Requires: neither is empty.
+BoundaryDistance distance(const std::vector<Segment>& right, const std::vector<Segment>& given);
+
+}  // namespace oplus

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/region.hpp"
+#include "reference/verify/placements.hpp"
+
+namespace oplus {
+
+/// Computes P ⊕ Q by walking along each segment of the convolution, from infinity, and counting the
+/// winding number of the points just to its right: what lies between a place outside the sum and
+/// one inside is the boundary (thesis, Theorem 4.2.1). Nothing but that theorem is used, and no
+/// arrangement is built: O(K²) signs for K segments, and O(I log I) for I intersections.
+///
+/// Dangling edges and isolated vertices are what the collision test leaves of the places where they
+/// can be: docs/verify.md.
+/// Requires: p and q are those of `placements`.
+MinkowskiSum sum_by_walks(const Region& p, const Region& q, Boundary boundary,
+                          const Placements& placements);
+
+}  // namespace oplus

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/verify/witness.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "reference/definitions/winding_number.hpp"
+#include "reference/oracle/cells.hpp"
+
+namespace oplus {
+
+namespace {
+
+bool lies_on_one(const Point& p, const std::vector<Segment>& segments) {
+  return std::any_of(segments.begin(), segments.end(),
+                     [&](const Segment& s) { return lies_on(p, s); });
+}
+
+/// Rounded down to a multiple of 1/scale.
+Rational rounded(const Rational& value, const mpz_class& scale) {
+  const Rational scaled = value * Rational(scale);
+  mpz_class floor;
+  mpz_fdiv_q(floor.get_mpz_t(), scaled.get_num_mpz_t(), scaled.get_den_mpz_t());
+  return Rational(floor) / Rational(scale);
+}
+
+}  // namespace
+
+Point point_beside(const Segment& segment, const std::vector<Segment>& edges,
+                   const std::vector<Point>& points) {
+  std::vector<Point> ends;
+  for (const Segment& e : edges) {
+    ends.push_back(e.source);
+    ends.push_back(e.target);
+  }
+  // Between two of them, so that nothing starts where the way into the face does.
+  std::vector<Segment> around = {cut(segment, std::move(ends))[0]};
+  around.insert(around.end(), edges.begin(), edges.end());
+  for (const Point& p : points) around.push_back({p, p});
+  return point_inside(around);
+}
+
+Point point_of_face(const std::vector<Segment>& boundary, const std::vector<Segment>& edges,
+                    const std::vector<Point>& points) {
+  std::vector<Segment> all = boundary;
+  all.insert(all.end(), edges.begin(), edges.end());
+  const Point inside = point_beside(boundary[0], all, points);
+  mpz_class scale = 1;
+  for (int digits = 0; digits <= 9; ++digits, scale *= 10) {
+    const Rational x = rounded(inside.x, scale);
+    const Rational y = rounded(inside.y, scale);
+    const Rational step = Rational(1) / Rational(scale);
+    for (const Point& p : {Point{x, y}, {x + step, y}, {x, y + step}, {x + step, y + step}}) {
+      if (!lies_on_one(p, all) && std::find(points.begin(), points.end(), p) == points.end() &&
+          winding_number(p, boundary) == 1)
+        return p;
+    }
+  }
+  return inside;
+}
+
+}  // namespace oplus
