@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "properties/peers/engine_called.hpp"
+#include "properties/peers/methods/peer_table.hpp"
 #include "properties/runner/differential_cases.hpp"
 #include "properties/runner/differential_report.hpp"
 #include "properties/runner/progress.hpp"
@@ -29,6 +31,8 @@ struct Settings {
   std::size_t largest = 1300;
   unsigned threads = std::max(std::thread::hardware_concurrency(), 1U);
   std::size_t most_shrunk = 3;
+  std::size_t shrink_tries = 5000;
+  PeerLimits limits;
   std::string out = "oplus-findings";
   std::string report;
 };
@@ -52,6 +56,29 @@ std::vector<std::string> hole_test_names() {
   return names;
 }
 
+CLI::Validator engine_name() {
+  return CLI::Validator(
+      [](const std::string& name) -> std::string {
+        std::vector<std::string> known = names_of(implementations());
+        known.emplace_back("all");
+        if (std::find(known.begin(), known.end(), name) != known.end() ||
+            engine_called(name, PeerLimits()))
+          return "";
+        std::string names;
+        for (const std::string& own : known) names += own + ", ";
+        for (const Peer& peer : peers()) names += peer.name + ", ";
+        return name + " is no engine; there are " + names + "exec:CMD";
+      },
+      "");
+}
+
+std::string peer_list() {
+  std::string lines;
+  for (const Peer& peer : peers())
+    lines += "  " + peer.name + std::string(22 - peer.name.size(), ' ') + peer.what + '\n';
+  return lines;
+}
+
 std::vector<Implementation> chosen_implementations(const Settings& settings) {
   const std::vector<std::string>& names = settings.engines;
   std::vector<Implementation> chosen = implementations(chosen_hole_test(settings.hole_test));
@@ -59,6 +86,8 @@ std::vector<Implementation> chosen_implementations(const Settings& settings) {
   std::erase_if(chosen, [&](const Implementation& implementation) {
     return std::find(names.begin(), names.end(), implementation.name) == names.end();
   });
+  for (const std::string& name : names)
+    if (auto peer = engine_called(name, settings.limits)) chosen.push_back(std::move(*peer));
   return chosen;
 }
 
@@ -111,7 +140,8 @@ DifferentialReport run(const Settings& settings, const std::vector<DifferentialC
     if (report.disagreements.size() == settings.most_shrunk) continue;
     std::cout << "shrinking a disagreement found in " << cases[i].name << std::endl;
     report.disagreements.push_back(write_disagreement(
-        settings.out, cases[i].name, shrink(cases[i].make(), *result.disagreement, checked)));
+        settings.out, cases[i].name,
+        shrink(cases[i].make(), *result.disagreement, checked, settings.shrink_tries)));
     std::cout << explanation(report.disagreements.back()) << std::flush;
   }
   return report;
@@ -144,13 +174,12 @@ void add_diff_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "diff", "Compare engines with the oracle; without pairs or families: the main job");
   const auto settings = std::make_shared<Settings>();
-  std::vector<std::string> engine_names = names_of(implementations());
-  engine_names.emplace_back("all");
   command
       ->add_option("--engine", settings->engines,
-                   "The engine to check; may be repeated; default: all")
+                   "The engine to check; may be repeated; default: all of oplus; below, those of "
+                   "others")
       ->type_name("NAME")
-      ->check(CLI::IsMember(engine_names));
+      ->check(engine_name());
   command
       ->add_option("--hole-test", settings->hole_test,
                    "The hole test of the engines; all: every probe asks each, and they must agree")
@@ -181,13 +210,31 @@ void add_diff_command(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_option("--shrink", settings->most_shrunk, "Shrink at most so many disagreements")
       ->capture_default_str();
+  command->add_option("--shrink-tries", settings->shrink_tries, "Pairs tried to shrink one")
+      ->capture_default_str();
+  command
+      ->add_option("--time-limit", settings->limits.seconds,
+                   "Seconds that another's engine has for a sum")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command
+      ->add_option("--memory-limit", settings->limits.memory_mb,
+                   "Address space that it has, in MB; 0: any")
+      ->capture_default_str();
   command->add_option("--out", settings->out, "Folder for disagreements and the report")
       ->type_name("DIR")
       ->capture_default_str();
   command->add_option("--report", settings->report, "The report; default: diff.json in --out")
       ->type_name("FILE");
   command->footer(
-      "Example: oplus-check diff --family grid --cases 500 --seed 7\n"
+      "Example: oplus-check diff --family grid --cases 500 --seed 7\n\n"
+      "Engines of others, each sum in a process of its own:\n" +
+      peer_list() +
+      "  exec:CMD              any program: the shell runs CMD with {p} and {q} replaced by files\n"
+      "                        in WKT, or these appended; it writes the sum. Open sums: where CMD\n"
+      "                        has {boundary}, which is replaced by closed or open. Exit code 77:\n"
+      "                        not taken.\n"
+      "Example: oplus-check diff --engine 'exec:my-sum {p} {q}' --time-limit 5 --family holes\n\n"
       "Exit code: 0 all agree, 1 a disagreement, 2 bad input or a request that makes no sense.");
   command->callback([settings, &exit_code] { exit_code = diff(*settings); });
 }

@@ -9,6 +9,7 @@
 
 #include "properties/generators/family.hpp"
 #include "properties/runner/implementation.hpp"
+#include "properties/runner/no_sum.hpp"
 #include "reference/definitions/difference.hpp"
 #include "reference/oracle/oracle.hpp"
 
@@ -27,8 +28,16 @@ struct Disagreement {
   Boundary boundary;
   MinkowskiSum by_oracle;
   std::optional<MinkowskiSum> by_implementation;  ///< none where it threw
+  std::optional<NoSum> no_sum;                    ///< where it threw that
   std::string what;                               ///< a line that says how they differ
   std::optional<Point> witness;                   ///< a point at which they do
+};
+
+/// An implementation does not take a pair, which is neither agreement nor disagreement.
+struct NotTakenSum {
+  std::string implementation;
+  Boundary boundary;
+  std::string why;
 };
 
 /// What one case showed. An exception of an implementation is a disagreement; one of the oracle is
@@ -36,7 +45,8 @@ struct Disagreement {
 struct DifferentialResult {
   enum class Kind { agreed, disagreed, skipped };
   Kind kind = Kind::agreed;
-  std::string why;  ///< for skipped
+  std::string why;                     ///< for skipped
+  std::vector<NotTakenSum> not_taken;  ///< where all are, the case is skipped
   std::optional<Disagreement> disagreement;
   Probes probes;                        ///< of all implementations
   std::optional<OracleSums> by_oracle;  ///< none for skipped, or where the oracle threw
@@ -54,14 +64,17 @@ DifferentialResult differential(const Summands& summands,
                                 const std::vector<Implementation>& implementations,
                                 std::size_t largest);
 
-/// Returns a pair on which the same implementation still disagrees, for the same boundary, and no
-/// smaller one does (see shrinking.hpp); and the disagreement on it.
+/// Returns a pair on which the same implementation still disagrees, for the same boundary and in the
+/// same way (wrong stays wrong, a crash the same crash), and no smaller one does (see shrinking.hpp);
+/// and the disagreement on it. After `most_tries` pairs were tried it returns the smallest so far: a
+/// try may cost a process, or all of its time limit.
 struct ShrunkDisagreement {
   Summands summands;
   Disagreement disagreement;
 };
 ShrunkDisagreement shrink(const Summands& summands, const Disagreement& disagreement,
-                          const std::vector<Implementation>& implementations);
+                          const std::vector<Implementation>& implementations,
+                          std::size_t most_tries = static_cast<std::size_t>(-1));
 
 /// Runs all cases on so many threads. `done` is called once a case, in any order, never by two
 /// threads at once.

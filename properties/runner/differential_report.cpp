@@ -44,7 +44,33 @@ nlohmann::json to_json(const Tally& tally) {
           {"overlapping_segments", tally.overlapping_segments},
           {"several_components", tally.several_components},
           {"face_probes", tally.probes.faces},
-          {"point_probes", tally.probes.points}};
+          {"point_probes", tally.probes.points},
+          {"not_taken", tally.not_taken}};
+}
+
+/// Engines that are not among the default ones must be named. In quotes for a shell.
+std::string engine_option(const std::string& name) {
+  for (const Implementation& own : implementations())
+    if (own.name == name) return "";
+  if (name == "oracle") return "";
+  std::string quoted;
+  for (const char c : name) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return " --engine '" + quoted + "'";
+}
+
+/// A line for each reason and the first case that has it.
+void write_skipped(std::ostream& out,
+                   const std::vector<std::pair<std::string, std::string>>& skipped) {
+  std::map<std::string, std::size_t> times;
+  for (const auto& [name, why] : skipped) ++times[why];
+  for (const auto& [name, why] : skipped) {
+    std::size_t& left = times[why];
+    if (left == 0) continue;
+    out << "skipped: " << name;
+    if (left > 1) out << " and " << left - 1 << " more";
+    out << ": " << why << '\n';
+    left = 0;
+  }
 }
 
 std::string picture(const ShrunkDisagreement& shrunk) {
@@ -63,6 +89,8 @@ std::string picture(const ShrunkDisagreement& shrunk) {
 }  // namespace
 
 void Tally::add(const DifferentialResult& result) {
+  for (const NotTakenSum& sum : result.not_taken)
+    ++not_taken[sum.implementation + ", " + word(sum.boundary) + ": " + sum.why];
   if (result.kind == DifferentialResult::Kind::skipped) {
     ++skipped;
     return;
@@ -99,6 +127,8 @@ nlohmann::json to_json(const DifferentialReport& report) {
                             {"picture", reported.picture},
                             {"oracle_sum", wkt(found.by_oracle)}};
     if (found.by_implementation) entry["engine_sum"] = wkt(*found.by_implementation);
+    if (found.no_sum)
+      entry["no_sum"] = {{"kind", name(found.no_sum->kind())}, {"site", found.no_sum->site()}};
     if (found.witness)
       entry["witness"] = {to_string(found.witness->x), to_string(found.witness->y)};
     json["disagreements"].push_back(std::move(entry));
@@ -122,7 +152,7 @@ std::string summary(const DifferentialReport& report) {
   };
   for (const auto& [group, tally] : report.groups) tally_row(group, tally);
   tally_row("all", report.all);
-  for (const auto& [name, why] : report.skipped) out << "skipped: " << name << ": " << why << '\n';
+  write_skipped(out, report.skipped);
   const Probes& probes = report.all.probes;
   if (report.hole_test.empty())
     out << "all hole tests gave the same answer " << probes.faces << " times about a face, "
@@ -130,8 +160,15 @@ std::string summary(const DifferentialReport& report) {
   else
     out << "the hole test " << report.hole_test << " was asked " << probes.faces
         << " times about a face, " << probes.points << " times about a point\n";
-  out << report.all.ran << " cases run, each closed and open, " << report.all.skipped
-      << " skipped, " << report.all.disagreed << " with a disagreement\n";
+  std::size_t not_taken = 0;
+  for (const auto& [what, times] : report.all.not_taken) {
+    out << times << (times == 1 ? " sum" : " sums") << " not taken by " << what << '\n';
+    not_taken += times;
+  }
+  out << report.all.ran << " cases run, each closed and open";
+  if (not_taken > 0) out << " but for " << not_taken << " sums not taken";
+  out << ", " << report.all.skipped << " skipped, " << report.all.disagreed
+      << " with a disagreement\n";
   return out.str();
 }
 
@@ -158,7 +195,7 @@ std::string explanation(const ReportedDisagreement& reported) {
   if (found.witness) out << "  they differ at " << to_string(*found.witness) << '\n';
   out << "  picture: " << reported.picture << '\n'
       << "  see it again: oplus-check diff --pair " << reported.p_file << ' ' << reported.q_file
-      << '\n';
+      << engine_option(found.implementation) << '\n';
   return out.str();
 }
 

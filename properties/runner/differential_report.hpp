@@ -22,6 +22,7 @@ struct Tally {
   std::size_t overlapping_segments = 0;
   std::size_t several_components = 0;
   Probes probes;
+  std::map<std::string, std::size_t> not_taken;  ///< sums, by engine, boundary and reason
 
   void add(const DifferentialResult& result);
 };

@@ -31,4 +31,21 @@ class NoSum : public std::runtime_error {
   std::string site_;
 };
 
+/// "crashed", "hung", …
+inline std::string name(NoSum::Kind kind) {
+  switch (kind) {
+    case NoSum::Kind::crashed:
+      return "crashed";
+    case NoSum::Kind::hung:
+      return "hung";
+    case NoSum::Kind::out_of_memory:
+      return "out of memory";
+    case NoSum::Kind::unreadable:
+      return "unreadable";
+    case NoSum::Kind::not_taken:
+      break;
+  }
+  return "not taken";
+}
+
 }  // namespace oplus

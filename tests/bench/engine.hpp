@@ -2,20 +2,13 @@
 #pragma once
 
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "properties/generators/family.hpp"
+#include "properties/peers/methods/method.hpp"
 #include "tests/bench/measurement.hpp"
 
 namespace oplus {
-
-/// What an engine is asked for cannot be asked of it, such as a sum of polygons with holes.
-class NotTaken : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// Pairs in an engine's own form, ready to be computed again and again.
 class PreparedPairs {
@@ -35,12 +28,6 @@ class PreparedPairs {
 
   /// Says what compute() kept.
   virtual void describe(Measurement& measurement) const = 0;
-};
-
-/// What an engine's results are held against those of the others in a row for.
-enum class Arithmetic {
-  exact,    ///< they must be equal
-  rounding  ///< they may be off, and by how much is reported
 };
 
 struct Engine {

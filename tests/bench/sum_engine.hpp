@@ -9,23 +9,12 @@
 
 namespace oplus {
 
-/// The regularized boundary that an engine returned: the sum is to the left of each chain.
-using ReturnedChains = std::vector<Chain>;
-
 /// Says what these sums are made of. Exact ones are brought into canonical form first, so that equal
 /// sums have equal digests; of the others the chains are counted as they are.
 void describe_sums(const std::vector<ReturnedChains>& sums, Arithmetic arithmetic,
                    Measurement& measurement);
 
-/// An engine of sums from what it does with a pair. `Method` has
-///   using Input = …;  a pair in its own form
-///   using Sum = …;    a sum in its own form
-///   static constexpr Arithmetic arithmetic = …;
-///   Input converted(const Summands& pair) const;  throws NotTaken
-///   Sum sum(const Input& input) const;
-///   ReturnedChains chains(const Input& input, const Sum& sum) const;
-///   and, if it leaves coordinates unevaluated, static void evaluate(const Sum& sum);
-///   and, if it knows, static std::size_t segments(const Sum& sum);
+/// An engine of sums from what it does with a pair. What a `Method` has: method.hpp.
 template <typename Method>
 class SumsBy : public PreparedPairs {
  public:

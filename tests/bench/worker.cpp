@@ -8,7 +8,7 @@
 #include <iostream>
 #include <sstream>
 
-#include "tests/bench/process.hpp"
+#include "properties/process/child_process.hpp"
 
 namespace oplus {
 
@@ -89,7 +89,6 @@ std::string format(double value) {
 }  // namespace
 
 void work(const Engine& engine, const BenchRow& row, double min_time) {
-  end_with_parent();
   Measurement measurement;
   measurement.engine = engine.name;
   try {
@@ -117,11 +116,16 @@ Measurement measured_in_worker(const Engine& engine, const BenchRow& row, double
                                double limit) {
   Measurement measurement;
   measurement.engine = engine.name;
-  const EndedProcess ended = run_process(
-      {own_path(), "--worker", engine.name, row.name, "--min-time", format(min_time)}, limit);
+  ProcessLimits limits;
+  limits.seconds = limit;
+  limits.a_line_at_a_time = true;
+  const EndedProcess ended = run_program(
+      {program_beside(""), "--worker", engine.name, row.name, "--min-time", format(min_time)},
+      limits);
   measurement.peak_mb = ended.peak_mb;
   switch (ended.how) {
-    case EndedProcess::How::over_limit:
+    case EndedProcess::How::over_time:
+    case EndedProcess::How::over_output:
       measurement.outcome = Outcome::over_limit;
       measurement.note = "> " + format(limit) + " s";
       return measurement;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/bench/integer_pair.hpp"
+#include "properties/peers/methods/integer_scale.hpp"
 
 #include <algorithm>
 

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vector>
-
-#include "tests/bench/sum_engine.hpp"
+#include "properties/peers/methods/method.hpp"
 
 namespace oplus {
 
-/// A pair scaled to integers, for engines that compute on them and round to them. The more of the
+/// A pair scaled to integers, for methods that compute on them and round to them. The more of the
 /// range they use, the less they round, so the scale is as large as the range allows.
 struct IntegerScale {
   Rational factor;
@@ -19,7 +17,7 @@ struct IntegerScale {
   /// Requires: value is a coordinate of the pair.
   long scaled(const Rational& value) const;
 
-  /// Back from the engine's coordinates.
+  /// Back from the method's coordinates.
   Point point(long x, long y) const { return {Rational(x) / factor, Rational(y) / factor}; }
 };
 

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "properties/runner/implementation.hpp"
+
+namespace oplus {
+
+/// What one sum may take.
+struct PeerLimits {
+  double seconds = 10;
+  std::size_t memory_mb = 4000;  ///< address space (RLIMIT_AS) of each process; 0: any
+  std::size_t output_mb = 64;    ///< of the sum as written
+};
+
+/// Returns an implementation of somebody else's that runs in a process of its own for each sum, or
+/// none where `engine` is neither the name of a peer (peer_table.hpp) nor "exec:" and a command.
+/// Its sum() throws NoSum, and std::system_error where no process or no file can be had; any number of
+/// threads may call it.
+std::optional<Implementation> engine_called(const std::string& engine, const PeerLimits& limits);
+
+/// Any program as an implementation. The shell runs the command, in which
+///  1. {p} and {q} are replaced by the names of two files, the summands in WKT: absolute, and of
+///     letters, digits and "/._-" only, so that they need no quotes and do no harm in any;
+///     where neither is there, both are appended;
+///  2. {boundary} is replaced by closed or open; where it is not there, the program computes closed
+///     sums, and open ones are not taken.
+/// It writes the sum to its standard output, in any format that read_sum reads, and ends with the exit
+/// code 0; with 77 (exit_not_taken) where it does not take such a pair, the reason on standard error.
+/// Anything else is a fault.
+Implementation program_engine(const std::string& command, const PeerLimits& limits);
+
+}  // namespace oplus

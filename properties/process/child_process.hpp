@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace oplus {
+
+/// What a process may use.
+struct ProcessLimits {
+  double seconds = std::numeric_limits<double>::infinity();
+  bool a_line_at_a_time = false;     ///< each line it writes starts its clock anew
+  std::size_t address_space_mb = 0;  ///< of each of its processes, in units of 10^6 bytes; 0: any
+  std::size_t output_mb = 0;         ///< of what it writes to standard output; 0: any
+  bool is_quiet = false;             ///< standard error is kept, not passed on
+};
+
+/// What became of a process.
+struct EndedProcess {
+  enum class How { exited, killed_by_signal, over_time, over_output };
+  How how = How::exited;
+  int code = 0;        ///< the exit code, or the signal
+  std::string output;  ///< what it wrote
+  std::string errors;  ///< the end of what it wrote to standard error, where that is kept
+  double peak_mb = 0;  ///< resident at most (wait4, ru_maxrss), in units of 10^6 bytes
+};
+
+/// Runs a program, its standard input empty, and waits for it.
+///  1. It has ended when the process that was started has. What that process started and left behind
+///     is killed then, unless it has made itself leader of a group; so is all of it where a limit is
+///     passed, and where the thread that called this ends.
+///  2. Any number of threads may run programs at a time.
+/// Throws std::system_error where it cannot be started.
+EndedProcess run_program(const std::vector<std::string>& command, const ProcessLimits& limits);
+
+/// The same for work of this program, which is forked: `work` writes to the file descriptor, which is
+/// the output, and returns the exit code. What this process would do at its end, such as writing what
+/// is buffered, is not done. Its limit is memory alone. Requires: no other thread runs.
+EndedProcess run_fork(const std::function<int(int output)>& work, const ProcessLimits& limits);
+
+/// The program of this name beside the one that is running, which "" is.
+std::string program_beside(const std::string& name);
+
+/// Resident at most until now, in units of 10^6 bytes.
+double own_peak_mb();
+
+/// "SIGSEGV" for 11; "signal 99" for one without a name.
+std::string signal_name(int signal);
+
+}  // namespace oplus
