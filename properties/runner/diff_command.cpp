@@ -8,10 +8,10 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "properties/peers/engine_called.hpp"
 #include "properties/peers/methods/peer_table.hpp"
 #include "properties/runner/differential_cases.hpp"
 #include "properties/runner/differential_report.hpp"
+#include "properties/runner/engine_called.hpp"
 #include "properties/runner/progress.hpp"
 #include "reference/io/writing.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/peers/engine_called.hpp"
+#include "properties/runner/engine_called.hpp"
 
 #include <iomanip>
 #include <sstream>
