@@ -79,7 +79,8 @@ Rational twice_area_inside(const std::vector<Segment>& boundary) {
 
 }  // namespace
 
-Overlay::Overlay(const GivenSum& given, const MinkowskiSum& right) {
+Overlay::Overlay(const GivenSum& given, const MinkowskiSum& right, std::vector<Segment> avoided)
+    : avoided_(std::move(avoided)) {
   const std::vector<GivenChain> chains = given_chains(given);
   const std::size_t of_right = chains.size();
   std::vector<Segment> segments;
@@ -95,8 +96,6 @@ Overlay::Overlay(const GivenSum& given, const MinkowskiSum& right) {
   for (const std::vector<Chain>* of_sum : {&right.outer, &right.holes})
     for (const Chain& chain : *of_sum) add(chain, of_right);
   if (segments.empty()) return;
-  avoided_edges_ = right.dangling_edges;
-  avoided_points_ = right.isolated_vertices;
 
   const std::vector<std::vector<Segment>> pieces = cut_at_intersections(segments);
   const Cells cells = cells_of_pieces(pieces);
@@ -182,7 +181,7 @@ Reason Overlay::reason_for(const std::vector<std::size_t>& faces) const {
     largest = twice;
     at = f;
   }
-  reason.witness = point_of_face(faces_[at].boundary, avoided_edges_, avoided_points_);
+  reason.witness = point_of_face(faces_[at].boundary, avoided_);
 
   const auto is_all_of = [&](std::size_t Face::*part) {
     const auto size = static_cast<std::size_t>(std::count_if(

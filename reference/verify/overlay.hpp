@@ -14,8 +14,8 @@ namespace oplus {
 /// A given sum's chains and the right sum's, laid over each other.
 class Overlay {
  public:
-  /// Low-dimensional features are left out; witnesses avoid those of the right sum.
-  Overlay(const GivenSum& given, const MinkowskiSum& right);
+  /// Low-dimensional features are left out. Witnesses are on none of `avoided`.
+  Overlay(const GivenSum& given, const MinkowskiSum& right, std::vector<Segment> avoided = {});
 
   /// Faces in which the two differ, connected ones together: a reason each, without details.
   std::vector<Reason> differing_faces() const;
@@ -48,8 +48,7 @@ class Overlay {
 
   std::vector<Face> faces_;
   std::vector<std::pair<std::size_t, std::size_t>> neighbours_;  ///< faces on both sides of an edge
-  std::vector<Segment> avoided_edges_;
-  std::vector<Point> avoided_points_;
+  std::vector<Segment> avoided_;
   std::vector<Unsimple> unsimple_;
   std::vector<Segment> boundary_of_given_;
 };

@@ -355,6 +355,14 @@ bool lies_on_one(const Point& x, const std::vector<Segment>& segments) {
 
 }  // namespace
 
+std::vector<Segment> exceptional_places(const Region& p, const Region& q) {
+  std::vector<Segment> all = segments(convolution(p, q));
+  const std::vector<Segment> more =
+      contacts_of_touching_points(p, q, touching_points(p), touching_points(q));
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
 MinkowskiSum sum_by_walks(const Region& p, const Region& q, Boundary boundary,
                           const Placements& placements) {
   const bool open = boundary == Boundary::open;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "reference/definitions/minkowski_sum.hpp"
 #include "reference/definitions/region.hpp"
 #include "reference/verify/placements.hpp"
@@ -17,5 +19,9 @@ namespace oplus {
 /// Requires: p and q are those of `placements`.
 MinkowskiSum sum_by_walks(const Region& p, const Region& q, Boundary boundary,
                           const Placements& placements);
+
+/// Segments on which all points lie that are in the interior of the closed sum and not in the open
+/// one, with the boundary of both: the convolution, and the contacts of vertices in which chains touch.
+std::vector<Segment> exceptional_places(const Region& p, const Region& q);
 
 }  // namespace oplus

@@ -331,13 +331,13 @@ bool same_features(const GivenSum& given, const MinkowskiSum& right) {
 }
 
 /// A second verdict: a point on either side of each chain of the sum, by the collision test.
-void ask_collision_test(const MinkowskiSum& sum, const Placements& placements) {
-  const std::vector<Segment> all = edges(sum);
+void ask_collision_test(const MinkowskiSum& sum, const std::vector<Segment>& exceptional,
+                        const Placements& placements) {
   for (const std::vector<Chain>* of_sum : {&sum.outer, &sum.holes}) {
     for (const Chain& chain : *of_sum) {
       for (const bool left : {true, false}) {
         const Segment first = left ? Segment{chain[0], chain[1]} : Segment{chain[1], chain[0]};
-        const Point x = point_beside(first, all, sum.isolated_vertices);
+        const Point x = point_beside(first, exceptional);
         if (placements.interiors_meet_at(x) != left)
           throw VerdictsDiffer("winding numbers and the collision test differ at " + to_string(x));
       }
@@ -348,7 +348,7 @@ void ask_collision_test(const MinkowskiSum& sum, const Placements& placements) {
 MinkowskiSum decided_sum(const Region& p, const Region& q, Boundary boundary,
                          const Placements& placements) {
   MinkowskiSum sum = sum_by_walks(p, q, boundary, placements);
-  ask_collision_test(sum, placements);
+  ask_collision_test(sum, exceptional_places(p, q), placements);
   return sum;
 }
 
@@ -367,17 +367,18 @@ Verdict verdict(MinkowskiSum computed, const Region& p, const Region& q, Boundar
   const bool same_region = given_normal == right_normal;
   if (same_region && same_features(sum, right)) return result;
 
-  const Overlay overlay(sum, right);
+  const Overlay overlay(sum, right, exceptional_places(p, q));
   append(result.reasons, face_reasons(overlay, placements));
   append(result.reasons, orientation_reasons(sum, right));
   append(result.reasons, unsimple_reasons(overlay, right));
   const bool same_chains = result.reasons.empty();
   append(result.reasons, FeatureReasons(sum, right, overlay, boundary).find());
 
-  if (same_chains && !result.reasons.empty() && has_features(right) != has_features(sum)) {
+  if (same_chains && !result.reasons.empty()) {
     const bool open = boundary == Boundary::open;
     const bool is_the_other =
-        open || same_features(sum, sum_by_walks(p, q, Boundary::open, placements));
+        open ? has_features(right) && !has_features(sum)
+             : same_features(sum, sum_by_walks(p, q, Boundary::open, placements));
     if (is_the_other) {
       Reason other = result.reasons.front();
       other.kind = ReasonKind::wrong_boundary;

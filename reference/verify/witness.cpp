@@ -26,8 +26,7 @@ Rational rounded(const Rational& value, const mpz_class& scale) {
 
 }  // namespace
 
-Point point_beside(const Segment& segment, const std::vector<Segment>& edges,
-                   const std::vector<Point>& points) {
+Point point_beside(const Segment& segment, const std::vector<Segment>& edges) {
   std::vector<Point> ends;
   for (const Segment& e : edges) {
     ends.push_back(e.source);
@@ -36,24 +35,20 @@ Point point_beside(const Segment& segment, const std::vector<Segment>& edges,
   // Between two of them, so that nothing starts where the way into the face does.
   std::vector<Segment> around = {cut(segment, std::move(ends))[0]};
   around.insert(around.end(), edges.begin(), edges.end());
-  for (const Point& p : points) around.push_back({p, p});
   return point_inside(around);
 }
 
-Point point_of_face(const std::vector<Segment>& boundary, const std::vector<Segment>& edges,
-                    const std::vector<Point>& points) {
+Point point_of_face(const std::vector<Segment>& boundary, const std::vector<Segment>& avoided) {
   std::vector<Segment> all = boundary;
-  all.insert(all.end(), edges.begin(), edges.end());
-  const Point inside = point_beside(boundary[0], all, points);
+  all.insert(all.end(), avoided.begin(), avoided.end());
+  const Point inside = point_beside(boundary[0], all);
   mpz_class scale = 1;
   for (int digits = 0; digits <= 9; ++digits, scale *= 10) {
     const Rational x = rounded(inside.x, scale);
     const Rational y = rounded(inside.y, scale);
     const Rational step = Rational(1) / Rational(scale);
     for (const Point& p : {Point{x, y}, {x + step, y}, {x, y + step}, {x + step, y + step}}) {
-      if (!lies_on_one(p, all) && std::find(points.begin(), points.end(), p) == points.end() &&
-          winding_number(p, boundary) == 1)
-        return p;
+      if (winding_number(p, boundary) == 1 && !lies_on_one(p, all)) return p;
     }
   }
   return inside;

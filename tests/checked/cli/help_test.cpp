@@ -22,7 +22,7 @@ std::vector<std::string> example(const std::string& help) {
 }
 
 TEST_F(Help, every_example_works_when_copied) {
-  for (const std::string command : {"", "sum", "compare", "draw", "gen"}) {
+  for (const std::string command : {"", "sum", "compare", "verify", "draw", "gen"}) {
     const Ran help = run("oplus " + command + " --help");
     EXPECT_EQ(help.exit_code, 0);
     EXPECT_EQ(help.err, "");
