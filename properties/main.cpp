@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <string>
 #include <system_error>
 
+#include "checked/cli/command_line/program_frame.hpp"
+#include "checked/cli/command_line/terminal.hpp"
+#include "checked/cli/usage_error.hpp"
 #include "properties/exhaustive/exhaustive_command.hpp"
 #include "properties/experiments/experiments_command.hpp"
 #include "properties/pages/pages_command.hpp"
@@ -16,16 +20,20 @@
 
 namespace {
 
+constexpr int exit_invalid = 2;
+constexpr int exit_bug = 3;
+const std::string name = "oplus-check";
+
 int run(int argc, char** argv) {
   int exit_code = 0;
-  CLI::App app{"Checks oplus: statements, mutants, and engines against the oracle", "oplus-check"};
-  app.require_subcommand(1);
-  app.failure_message([](const CLI::App*, const CLI::Error& e) {
-    return std::string("oplus-check: ") + e.what() + '\n';
-  });
+  CLI::App app{"Check oplus: the statements, the mutants, and the engines against the oracle", name};
+  oplus::set_up(app);
   app.footer(
       "Example:\n"
-      "  oplus-check diff --family grid --cases 500 --seed 7\n\n"
+      "  oplus-check diff --family grid --cases 500 --seed 7\n"
+      "  oplus-check properties --theorem lemma-4.1.4\n"
+      "  oplus-check theorems lemma-4.1.4\n"
+      "\n"
       "Exit codes:\n"
       "  0  all is as it should be\n"
       "  1  a disagreement, a statement that failed, a mutant that lives\n"
@@ -40,27 +48,44 @@ int run(int argc, char** argv) {
   oplus::add_mutants_command(app, exit_code);
   oplus::add_pages_command(app, exit_code);
   oplus::add_experiments_command(app, exit_code);
+  const oplus::Choose choose = [&exit_code](const std::function<void()>& work) {
+    work();
+    exit_code = 0;
+  };
+  oplus::add_completion_command(app, choose);
+  oplus::add_man_command(app, choose);
   try {
     app.parse(argc, argv);
-  } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? 0 : 2;
+  } catch (const CLI::Success& asked) {
+    app.exit(asked);
+  } catch (const CLI::ParseError& error) {
+    throw oplus::UsageError(oplus::complaint(app, error));
   }
+  // Results that nobody received are no success.
+  if (!std::cout.flush()) throw oplus::UsageError("cannot write standard output");
   return exit_code;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  oplus::occupy_closed_streams();
+  // A reader that closes its pipe is an output that cannot be written, not a death.
+  // Handled, not ignored: the programs that it starts would ignore it, too.
+  std::signal(SIGPIPE, [](int) {});
   try {
     return run(argc, argv);
   } catch (const oplus::InvalidInput& e) {
-    std::cerr << "oplus-check: " << e.what() << '\n';
-    return 2;
+    oplus::say_error(name, e.what());
+    return exit_invalid;
+  } catch (const oplus::UsageError& e) {
+    oplus::say_error(name, e.what());
+    return exit_invalid;
   } catch (const std::system_error& e) {
-    std::cerr << "oplus-check: " << e.what() << '\n';
-    return 2;
+    oplus::say_error(name, e.what());
+    return exit_invalid;
   } catch (const std::exception& e) {
-    std::cerr << "oplus-check: a bug in oplus: " << e.what() << "; please report it\n";
-    return 3;
+    oplus::say_error(name, std::string("a bug in oplus: ") + e.what() + "; please report it");
+    return exit_bug;
   }
 }

@@ -11,13 +11,13 @@ namespace oplus {
 
 Region read_summand(const std::string& path) {
   ReadRegion read = read_region_file(path);
-  for (const std::string& note : read.notes) say(note);
+  for (const std::string& note : read.notes) say_note(note);
   return std::move(read.region);
 }
 
 MinkowskiSum read_given_sum(const std::string& path) {
   ReadSum read = read_sum_file(path);
-  for (const std::string& note : read.notes) say(note);
+  for (const std::string& note : read.notes) say_note(note);
   return std::move(read.sum);
 }
 

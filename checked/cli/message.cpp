@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/cli/message.hpp"
 
-#include <algorithm>
-#include <iostream>
+#include "checked/cli/command_line/terminal.hpp"
 
 namespace oplus {
 
-void say(const std::string& message) {
-  std::string line = message;
-  std::replace_if(
-      line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
-  std::cerr << "oplus: " + line + "\n" << std::flush;
-}
+void say(const std::string& message) { say("oplus", message); }
+void say_error(const std::string& message) { say_error("oplus", message); }
+void say_note(const std::string& message) { say_note("oplus", message); }
 
 }  // namespace oplus

@@ -14,7 +14,7 @@ namespace oplus {
 namespace {
 
 int fail(ExitCode code, const std::string& why) {
-  say(why);
+  say_error(why);
   return static_cast<int>(code);
 }
 

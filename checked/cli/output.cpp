@@ -8,6 +8,7 @@
 #include <set>
 #include <system_error>
 
+#include "checked/cli/command_line/program_frame.hpp"
 #include "checked/cli/usage_error.hpp"
 
 namespace oplus {
@@ -68,11 +69,7 @@ void require_writable(const std::vector<std::string>& paths) {
 }
 
 void write_output(const std::string& path, const std::string& content) {
-  try {
-    write_file(path, content);
-  } catch (const std::system_error& error) {
-    throw UsageError("cannot write " + name_of(path) + ": " + error.code().message());
-  }
+  write_text(path, content);
 }
 
 }  // namespace oplus

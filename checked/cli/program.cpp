@@ -1,38 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/cli/program.hpp"
 
-#include <fcntl.h>
 #include <signal.h>
-#include <unistd.h>
 
 #include <sstream>
 #include <string>
 
+#include "checked/cli/command_line/program_frame.hpp"
 #include "checked/cli/crash.hpp"
 #include "checked/cli/outcome.hpp"
 #include "checked/cli/output.hpp"
 #include "checked/cli/subcommands.hpp"
 #include "checked/cli/usage_error.hpp"
-#include "checked/cli/version.hpp"
 
 namespace oplus {
 
 namespace {
 
-/// A standard stream that was closed before the start would otherwise be the first file opened, and
-/// what is meant for the stream would end up in it. Opened the wrong way round, so its use fails.
-void occupy_closed_streams() {
-  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    if (fcntl(stream, F_GETFD) == -1)
-      open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
-  }
-}
-
 ExitCode parse_and_do(int argc, const char* const* argv) {
-  CLI::App program("oplus computes Minkowski sums of polygons, exactly.", "oplus");
-  program.set_version_flag("--version", std::string("oplus ") + version);
-  program.require_subcommand(1);
-  program.get_formatter()->column_width(28);
+  CLI::App program("Compute Minkowski sums of polygons, exactly", "oplus");
+  set_up(program);
   program.footer(
       "Example:\n"
       "  oplus gen tight --n 6 --summand P -o p.wkt\n"
@@ -49,7 +36,16 @@ ExitCode parse_and_do(int argc, const char* const* argv) {
   add_compare(program, chosen);
   add_verify(program, chosen);
   add_draw(program, chosen);
+  add_reflect(program, chosen);
   add_gen(program, chosen);
+  const Choose choose = [&chosen](const std::function<void()>& work) {
+    chosen = [work] {
+      work();
+      return ExitCode::done;
+    };
+  };
+  add_completion_command(program, choose);
+  add_man_command(program, choose);
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& asked) {
@@ -58,9 +54,7 @@ ExitCode parse_and_do(int argc, const char* const* argv) {
     write_output("-", text.str());
     return ExitCode::done;
   } catch (const CLI::ParseError& error) {
-    const auto used = program.get_subcommands();
-    throw UsageError(std::string(error.what()) + "; see oplus " +
-                     (used.empty() ? "" : used.front()->get_name() + " ") + "--help");
+    throw UsageError(complaint(program, error));
   }
   return chosen();
 }

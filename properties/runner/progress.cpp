@@ -6,6 +6,8 @@
 #include <iostream>
 #include <utility>
 
+#include "checked/cli/command_line/terminal.hpp"
+
 namespace oplus {
 
 Progress::Progress(std::string what, std::size_t total)
@@ -16,6 +18,7 @@ Progress::Progress(std::string what, std::size_t total)
 
 void Progress::advance() {
   ++done_;
+  if (speech().quiet) return;
   if (on_terminal_)
     draw_bar();
   else if (done_ == total_ || done_ * 10 / total_ != (done_ - 1) * 10 / total_)

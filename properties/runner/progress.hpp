@@ -7,7 +7,8 @@
 
 namespace oplus {
 
-/// Says on standard error how far a run is: a bar on a terminal, else a plain line every tenth.
+/// Says on standard error how far a run is: a bar on a terminal, else a plain line every tenth;
+/// nothing with --quiet.
 class Progress {
  public:
   Progress(std::string what, std::size_t total);

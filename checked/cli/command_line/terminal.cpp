@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/cli/command_line/terminal.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <string_view>
+
+namespace oplus {
+
+namespace {
+
+bool is_terminal(const std::ostream& where) {
+  if (&where == &std::cout) return isatty(STDOUT_FILENO) == 1;
+  if (&where == &std::cerr) return isatty(STDERR_FILENO) == 1;
+  return false;
+}
+
+bool forbidden_by_environment() {
+  const char* const no_color = std::getenv("NO_COLOR");
+  const char* const term = std::getenv("TERM");
+  return (no_color != nullptr && *no_color != '\0') ||
+         (term != nullptr && std::string_view(term) == "dumb");
+}
+
+bool shows_colours(const std::ostream& where) {
+  if (speech().colours != ColourUse::automatic) return speech().colours == ColourUse::always;
+  return is_terminal(where) && !forbidden_by_environment();
+}
+
+void write_line(const std::string& prefix, std::string message) {
+  std::replace_if(
+      message.begin(), message.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  std::cerr << prefix + " " + message + "\n" << std::flush;
+}
+
+}  // namespace
+
+Speech& speech() {
+  static Speech of_the_program;
+  return of_the_program;
+}
+
+std::string painted(Paint paint, const std::string& text, const std::ostream& where) {
+  if (!shows_colours(where)) return text;
+  return (paint == Paint::good ? "\033[32m" : "\033[31m") + text + "\033[0m";
+}
+
+std::ostream& text_output(bool in_json) {
+  static std::ostream nowhere(nullptr);
+  return in_json ? nowhere : std::cout;
+}
+
+std::string with_painted_verdict(const std::string& text, Paint paint, const std::ostream& where) {
+  const std::size_t end = text.find_last_not_of('\n');
+  if (end == std::string::npos) return text;
+  const std::size_t newline = text.rfind('\n', end);
+  const std::size_t start = newline == std::string::npos ? 0 : newline + 1;
+  return text.substr(0, start) + painted(paint, text.substr(start, end + 1 - start), where) +
+         text.substr(end + 1);
+}
+
+void say(const std::string& program, const std::string& message) {
+  write_line(program + ":", message);
+}
+
+void say_error(const std::string& program, const std::string& message) {
+  write_line(painted(Paint::bad, program + ":", std::cerr), message);
+}
+
+void say_note(const std::string& program, const std::string& message) {
+  if (!speech().quiet) say(program, message);
+}
+
+}  // namespace oplus
