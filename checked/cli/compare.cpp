@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <iostream>
 #include <memory>
 
+#include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/input.hpp"
+#include "checked/cli/json_values.hpp"
 #include "checked/cli/output.hpp"
 #include "checked/cli/statistics.hpp"
 #include "checked/cli/subcommands.hpp"
@@ -14,6 +17,7 @@ namespace {
 struct CompareOptions {
   std::string a;
   std::string b;
+  bool json = false;
 };
 
 std::string words(Location location) {
@@ -28,6 +32,10 @@ std::string words(Location location) {
   return "";
 }
 
+std::string word(Location location) {
+  return location == Location::boundary ? "boundary" : words(location);
+}
+
 std::string line(const std::string& name, const MinkowskiSum& sum) {
   std::string result = name + ":";
   for (const auto& [what, value] : statistics_of(sum))
@@ -35,19 +43,35 @@ std::string line(const std::string& name, const MinkowskiSum& sum) {
   return result + "\n";
 }
 
+std::string verdict(const std::optional<Difference>& found, const MinkowskiSum& a,
+                    const MinkowskiSum& b) {
+  if (!found) return painted(Paint::good, "equal", std::cout) + "\n";
+  return painted(Paint::bad, "not equal", std::cout) + ": " + found->what +
+         "\nwitness: " + to_string(found->witness) + " is " + words(found->in_a) +
+         " the first and " + words(found->in_b) + " the second\n" + line("first", a) +
+         line("second", b);
+}
+
+std::string json_verdict(const std::optional<Difference>& found, const MinkowskiSum& a,
+                         const MinkowskiSum& b) {
+  Json object = {{"equal", !found}};
+  if (found) {
+    object["what"] = found->what;
+    object["witness"] = {
+        {"at", json(found->witness)}, {"first", word(found->in_a)}, {"second", word(found->in_b)}};
+  }
+  object["first"] = json_statistics_of(a);
+  object["second"] = json_statistics_of(b);
+  return object.dump(2) + "\n";
+}
+
 ExitCode compare(const CompareOptions& options) {
   require_one_standard_input({options.a, options.b});
   const MinkowskiSum a = read_given_sum(options.a);
   const MinkowskiSum b = read_given_sum(options.b);
   const std::optional<Difference> found = difference(a, b);
-  if (!found) {
-    write_output("-", "equal\n");
-    return ExitCode::done;
-  }
-  write_output("-", "not equal: " + found->what + "\nwitness: " + to_string(found->witness) +
-                        " is " + words(found->in_a) + " the first and " + words(found->in_b) +
-                        " the second\n" + line("first", a) + line("second", b));
-  return ExitCode::not_equal;
+  write_output("-", (options.json ? json_verdict : verdict)(found, a, b));
+  return found ? ExitCode::not_equal : ExitCode::done;
 }
 
 }  // namespace
@@ -56,10 +80,14 @@ void add_compare(CLI::App& program, Action& chosen) {
   const auto options = std::make_shared<CompareOptions>();
   CLI::App& command = *program.add_subcommand(
       "compare", "Say whether two sums are equal, with a point that tells them apart if not");
-  command.add_option("A", options->a, "a sum or a region; - is standard input")
+  command
+      .add_option("A", options->a, "a sum or a region: .dat, WKT or GeoJSON; - is standard input")
       ->required()
       ->type_name("FILE");
-  command.add_option("B", options->b, "the other")->required()->type_name("FILE");
+  command.add_option("B", options->b, "the other, in any of these formats")
+      ->required()
+      ->type_name("FILE");
+  command.add_flag("--json", options->json, "answer in JSON (docs/json.md)");
   command.footer(
       "Example:\n"
       "  oplus gen star --n 8 --summand P -o p.wkt\n"
@@ -67,7 +95,11 @@ void add_compare(CLI::App& program, Action& chosen) {
       "  oplus sum p.wkt q.wkt -o fast.wkt\n"
       "  oplus sum p.wkt q.wkt -o slow.wkt --engine oracle\n"
       "  oplus compare fast.wkt slow.wkt\n"
-      "Exit code 0 if equal, 1 if not.");
+      "\n"
+      "Exit codes:\n"
+      "  0  equal\n"
+      "  1  not equal\n"
+      "  2  invalid input or usage, or a file that cannot be read or written");
   command.callback([options, &chosen] { chosen = [options] { return compare(*options); }; });
 }
 

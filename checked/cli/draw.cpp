@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -20,12 +22,13 @@ struct DrawOptions {
   std::vector<std::string> files;
   std::optional<std::string> view;
   std::optional<std::string> at;
+  bool together = false;
   std::string output;
 };
 
-std::string view_names() {
+std::string view_names(const std::string& separator = ", ") {
   std::string names;
-  for (const View& view : views()) names += (names.empty() ? "" : ", ") + view.name;
+  for (const View& view : views()) names += (names.empty() ? "" : separator) + view.name;
   return names;
 }
 
@@ -75,12 +78,52 @@ std::string side_by_side(const std::vector<std::string>& files) {
   return svg(panels);
 }
 
+/// A file in a picture with others, told apart by what its place in the list gives it.
+std::vector<Layer> layers_in_common(std::size_t place, const std::string& name,
+                                    const MinkowskiSum& sum) {
+  using Kind = Layer::Kind;
+  constexpr std::array<Kind, 4> kinds = {Kind::sum, Kind::summand_p, Kind::summand_q,
+                                         Kind::common_interior};
+  // Lines that are all of a file are its subject; beside a region they are what it lacks.
+  const bool only_lines = sum.outer.empty();
+  const std::string of = only_lines ? name : " of " + name;
+  Layer lines{only_lines ? Kind::cycle : Kind::dangling_edges,
+              {},
+              sum.dangling_edges,
+              {},
+              static_cast<int>((place + 6) % 7),
+              {},
+              only_lines ? name : "dangling edges" + of};
+  Layer points{Kind::isolated_vertices,
+               {},
+               {},
+               sum.isolated_vertices,
+               0,
+               {},
+               only_lines ? name : "isolated vertices" + of};
+  return {{kinds[place % kinds.size()], region_of(sum), {}, {}, 0, {}, name},
+          std::move(lines),
+          std::move(points)};
+}
+
+std::string one_over_the_other(const std::vector<std::string>& files) {
+  Panel panel{"", {}, 560};
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const std::string name =
+        files[i] == "-" ? "standard input" : std::filesystem::path(files[i]).stem().string();
+    for (Layer& layer : layers_in_common(i, name, read_given_sum(files[i])))
+      panel.layers.push_back(std::move(layer));
+  }
+  return svg({panel});
+}
+
 ExitCode draw(const DrawOptions& options) {
   const std::optional<ChosenView> chosen = chosen_view(options);
   require_one_standard_input(options.files);
   require_writable({options.output});
   if (!chosen) {
-    write_output(options.output, side_by_side(options.files));
+    write_output(options.output,
+                 (options.together ? one_over_the_other : side_by_side)(options.files));
     return ExitCode::done;
   }
   const Region p = read_summand(options.files[0]);
@@ -101,11 +144,18 @@ std::string view_help() {
 void add_draw(CLI::App& program, Action& chosen) {
   const auto options = std::make_shared<DrawOptions>();
   CLI::App& command = *program.add_subcommand(
-      "draw", "Draw regions and sums side by side, or what an algorithm sees of two regions");
-  command.add_option("FILE", options->files, "regions or sums; - is standard input")
+      "draw", "Draw regions and sums, or what an algorithm sees of two regions");
+  command
+      .add_option("FILE", options->files,
+                  "regions or sums: .dat, WKT or GeoJSON; - is standard input")
       ->required()
       ->type_name("FILE");
-  command.add_option("--view", options->view, view_help())->type_name("NAME");
+  CLI::Option* view = command.add_option("--view", options->view, view_help());
+  view->type_name_fn([] { return "NAME:{" + view_names(",") + "}"; });
+  command
+      .add_flag("--together", options->together,
+                "draw all in one picture, the first lowest, not side by side")
+      ->excludes(view);
   command
       .add_option("--at", options->at,
                   "where --view placement puts -Q: integers, decimals or fractions p/q")
@@ -118,6 +168,7 @@ void add_draw(CLI::App& program, Action& chosen) {
       "  oplus gen holes --n 8 --summand P -o p.wkt\n"
       "  oplus gen holes --n 8 --summand Q -o q.wkt\n"
       "  oplus draw p.wkt q.wkt -o both.svg\n"
+      "  oplus draw p.wkt q.wkt --together -o one_over_the_other.svg\n"
       "  oplus draw p.wkt q.wkt --view winding -o winding.svg\n"
       "  oplus draw p.wkt q.wkt --view placement --at 1/3,-2.5 -o placement.svg");
   command.callback([options, &chosen] { chosen = [options] { return draw(*options); }; });

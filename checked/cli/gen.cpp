@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "checked/cli/format_option.hpp"
+#include "checked/cli/json_values.hpp"
 #include "checked/cli/output.hpp"
 #include "checked/cli/subcommands.hpp"
 #include "checked/cli/usage_error.hpp"
@@ -24,6 +25,7 @@ struct GenOptions {
   std::string output = "-";
   std::optional<Format> format;
   bool list = false;
+  bool json = false;
 };
 
 /// Larger polygons are of no use here, and every family stays far from overflow.
@@ -40,6 +42,17 @@ std::uint64_t whole_number(const std::string& option, const std::string& digits,
   return value;
 }
 
+ExitCode list_as_json() {
+  Json list = Json::array();
+  for (const Family& family : families())
+    list.push_back({{"name", family.name},
+                    {"what", family.what},
+                    {"smallest", family.smallest},
+                    {"typical", family.typical}});
+  write_output("-", Json{{"families", list}}.dump(2) + "\n");
+  return ExitCode::done;
+}
+
 ExitCode list() {
   std::size_t longest = 0;
   for (const Family& family : families()) longest = std::max(longest, family.name.size());
@@ -50,8 +63,15 @@ ExitCode list() {
   return ExitCode::done;
 }
 
+/// For help and completion; a name that is none gets a message of its own.
+std::string family_names() {
+  std::string names;
+  for (const Family& family : families()) names += (names.empty() ? "" : ",") + family.name;
+  return names;
+}
+
 ExitCode gen(const GenOptions& options) {
-  if (options.list) return list();
+  if (options.list) return options.json ? list_as_json() : list();
   if (!options.family) throw UsageError("gen needs a FAMILY; 'oplus gen --list' lists them");
   const Family* family = find_family(*options.family);
   if (family == nullptr)
@@ -75,9 +95,16 @@ ExitCode gen(const GenOptions& options) {
 void add_gen(CLI::App& program, Action& chosen) {
   const auto options = std::make_shared<GenOptions>();
   CLI::App& command = *program.add_subcommand("gen", "Write a region of a family of test pairs");
-  command.add_option("FAMILY", options->family, "which family")->type_name("NAME");
-  command.add_flag("--list", options->list, "list the families, and what n is in each");
-  command.add_option("--n", options->n, "the size, as the family understands it")->type_name("N");
+  command
+      .add_option("FAMILY", options->family, "the name of a family; 'oplus gen --list' lists them")
+      ->type_name_fn([] { return "NAME:{" + family_names() + "}"; });
+  CLI::Option* listing =
+      command.add_flag("--list", options->list, "list the families, and what n is in each");
+  command.add_flag("--json", options->json, "list them in JSON (docs/json.md)")->needs(listing);
+  command
+      .add_option("--n", options->n,
+                  "the size, as the family understands it; a typical one without it")
+      ->type_name("N");
   command.add_option("--seed", options->seed, "same seed, same pair, everywhere; 1 without it")
       ->type_name("S");
   command.add_option("--summand", options->summand, "which of the pair, P without it")

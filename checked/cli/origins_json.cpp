@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/cli/origins_json.hpp"
 
-#include <nlohmann/json.hpp>
-
+#include "checked/cli/json_values.hpp"
 #include "reference/definitions/contract.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json json(const Point& p) { return Json::array({to_string(p.x), to_string(p.y)}); }
 
 /// The kind of each edge, in the order of `edges(sum)`.
 std::vector<std::string> kinds(const MinkowskiSum& sum) {

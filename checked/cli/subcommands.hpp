@@ -17,5 +17,6 @@ void add_compare(CLI::App& program, Action& chosen);
 void add_verify(CLI::App& program, Action& chosen);
 void add_draw(CLI::App& program, Action& chosen);
 void add_gen(CLI::App& program, Action& chosen);
+void add_reflect(CLI::App& program, Action& chosen);
 
 }  // namespace oplus

@@ -9,6 +9,7 @@
 #include "checked/cli/engine.hpp"
 #include "checked/cli/format_option.hpp"
 #include "checked/cli/input.hpp"
+#include "checked/cli/json_values.hpp"
 #include "checked/cli/message.hpp"
 #include "checked/cli/origins_json.hpp"
 #include "checked/cli/output.hpp"
@@ -35,12 +36,14 @@ struct SumOptions {
   std::optional<std::string> svg;
   std::optional<std::string> origins;
   bool stats = false;
+  std::optional<std::string> stats_json;
 };
 
 std::vector<std::string> outputs(const SumOptions& options) {
   std::vector<std::string> paths = {options.output};
   if (options.svg) paths.push_back(*options.svg);
   if (options.origins) paths.push_back(*options.origins);
+  if (options.stats_json) paths.push_back(*options.stats_json);
   return paths;
 }
 
@@ -70,6 +73,17 @@ Statistics statistics_of(const Region& p, const Region& q) {
       {"segments of the reduced convolution", std::to_string(reduced_convolution(cycles).size())},
       {"convolution cycles", std::to_string(cycles.cycles.size())},
       {"steps to trace them", std::to_string(cycles.steps)}};
+}
+
+std::string statistics_json(const SumOptions& options, const Region& p, const Region& q,
+                            const Computed& computed, const std::string& seconds) {
+  const Json object = {{"engine", options.engine},
+                       {"boundary", options.open ? "open" : "closed"},
+                       {"summands", json(statistics_of(p, q))},
+                       {"run", json(computed.statistics)},
+                       {"sum", json_statistics_of(computed.sum)},
+                       {"seconds", std::stod(seconds)}};
+  return object.dump(2) + "\n";
 }
 
 HoleTestMethod chosen_hole_test(const SumOptions& options, const Engine& engine) {
@@ -116,11 +130,13 @@ ExitCode sum(const SumOptions& options) {
   if (options.svg) write_output(*options.svg, picture(p, q, computed.sum));
   if (options.origins)
     write_output(*options.origins, origins_json(computed.sum, computed.origins, p, q));
+  if (options.stats_json)
+    write_output(*options.stats_json, statistics_json(options, p, q, computed, seconds));
   write_output(options.output, content.str());
 
   if (options.digits)
-    say("the output is rounded to " + std::to_string(*options.digits) +
-        " decimals; without --digits it is exact");
+    say_note("the output is rounded to " + std::to_string(*options.digits) +
+             " decimals; without --digits it is exact");
   if (options.stats) {
     print(statistics_of(p, q));
     print(computed.statistics);
@@ -157,7 +173,9 @@ void add_sum(CLI::App& program, Action& chosen) {
   command.add_option("P", options->p, "a region: .dat, WKT or GeoJSON; - is standard input")
       ->required()
       ->type_name("FILE");
-  command.add_option("Q", options->q, "the other region")->required()->type_name("FILE");
+  command.add_option("Q", options->q, "the other region, in any of these formats")
+      ->required()
+      ->type_name("FILE");
   command.add_option("-o,--output", options->output, "write the sum there, not to standard output")
       ->type_name("FILE");
   add_format_option(command, options->format);
@@ -183,13 +201,17 @@ void add_sum(CLI::App& program, Action& chosen) {
       .add_option("--digits", options->digits, "round to N decimals; output is exact without it")
       ->check(CLI::Range(0, most_digits))
       ->type_name("N");
-  command.add_option("--svg", options->svg, "draw summands, convolutions and sum there")
+  command.add_option("--svg", options->svg, "draw summands, convolutions and sum there, as SVG")
       ->type_name("FILE");
   command
       .add_option("--origins", options->origins,
                   "write there, as JSON, which vertex and edge each edge of the sum came from")
       ->type_name("FILE");
   command.add_flag("--stats", options->stats, "print sizes and times to standard error");
+  command
+      .add_option("--stats-json", options->stats_json,
+                  "write the same there, as JSON (docs/json.md); - is standard output")
+      ->type_name("FILE");
   command.footer(
       "Example:\n"
       "  oplus gen comb --n 5 --summand P -o p.wkt\n"

@@ -10,6 +10,7 @@
 #include <memory>
 #include <thread>
 
+#include "checked/cli/command_line/terminal.hpp"
 #include "properties/exhaustive/exhaustive_run.hpp"
 #include "properties/runner/differential_report.hpp"
 #include "reference/io/writing.hpp"
@@ -26,6 +27,7 @@ struct Settings {
   std::vector<std::string> engines;
   std::string resume;
   std::string report;
+  bool json = false;
   unsigned threads = std::max(std::thread::hardware_concurrency(), 1U);
   std::size_t most_shrunk = 3;
   std::string out = "oplus-findings";
@@ -68,21 +70,24 @@ std::optional<ExhaustiveState> first_state(const Settings& settings,
               << " is the state of a run with other --grid, --vertices, --shard or --engine\n";
     return std::nullopt;
   }
-  std::cerr << "exhaustive: going on after " << kept.done << " of " << kept.pairs << " pairs\n";
+  if (!speech().quiet)
+    std::cerr << "exhaustive: going on after " << kept.done << " of " << kept.pairs << " pairs\n";
   return kept;
 }
 
 void print(const ExhaustiveState& state) {
-  std::cout << state.polygons << " polygons of 3 to " << state.scope.most_vertices
-            << " vertices on " << state.scope.side << " x " << state.scope.side << " points; shard "
-            << state.scope.shard << " of " << state.scope.shards << ": " << state.done << " of "
-            << state.pairs << " pairs\n"
-            << "with holes in the sum " << state.holes_in_sum << ", with low-dimensional features "
-            << state.low_dimensional_features << ", with overlapping segments "
-            << state.overlapping_segments << '\n'
-            << "digest of all sums " << state.digest.to_string() << '\n'
-            << state.done << " pairs compared, closed and open, " << state.disagreed
-            << " with a disagreement\n";
+  std::ostringstream text;
+  text << state.polygons << " polygons of 3 to " << state.scope.most_vertices << " vertices on "
+       << state.scope.side << " x " << state.scope.side << " points; shard " << state.scope.shard
+       << " of " << state.scope.shards << ": " << state.done << " of " << state.pairs << " pairs\n"
+       << "with holes in the sum " << state.holes_in_sum << ", with low-dimensional features "
+       << state.low_dimensional_features << ", with overlapping segments "
+       << state.overlapping_segments << '\n'
+       << "digest of all sums " << state.digest.to_string() << '\n'
+       << state.done << " pairs compared, closed and open, " << state.disagreed
+       << " with a disagreement\n";
+  std::cout << with_painted_verdict(text.str(), state.disagreed == 0 ? Paint::good : Paint::bad,
+                                    std::cout);
 }
 
 /// Says every few seconds how far the run is and how long it will take.
@@ -94,6 +99,7 @@ class Estimate {
     const auto now = Clock::now();
     if (now - said_ < std::chrono::seconds(5) && state.done < state.pairs) return;
     said_ = now;
+    if (speech().quiet) return;
     const std::chrono::duration<double> taken = now - start_;
     const double left = taken.count() / static_cast<double>(state.done - done_before_) *
                         static_cast<double>(state.pairs - state.done);
@@ -130,10 +136,13 @@ int exhaustive(Settings settings) {
        [] { return interrupted != 0; },
        [&](const std::string& name, const Summands& pair, const Disagreement& found) {
          if (shrunk++ >= settings.most_shrunk) return;
-         std::cout << explanation(
-             write_disagreement(settings.out, name, shrink(pair, found, checked)));
+         text_output(settings.json)
+             << explanation(write_disagreement(settings.out, name, shrink(pair, found, checked)));
        }});
-  print(state);
+  if (settings.json)
+    std::cout << to_json(state);
+  else
+    print(state);
   if (!settings.report.empty()) write_file(settings.report, to_json(state));
   if (state.disagreed > 0) return 1;
   return state.done == state.pairs ? 0 : 5;
@@ -162,9 +171,9 @@ void add_exhaustive_command(CLI::App& app, int& exit_code) {
                    "Keep the state in this file, and go on from it where it exists")
       ->type_name("FILE");
   command->add_option("--report", settings->report, "Write the result as JSON")->type_name("FILE");
-  command->add_option("--threads", settings->threads, "Pairs at a time")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  command->add_flag("--json", settings->json, "Print the result as JSON (docs/json.md)");
+  command->add_option("--threads", settings->threads, "Pairs at a time; default: one a core")
+      ->check(CLI::Range(1, 1024));
   command->add_option("--shrink", settings->most_shrunk, "Shrink at most so many disagreements")
       ->capture_default_str();
   command->add_option("--out", settings->out, "Folder for disagreements")
@@ -172,9 +181,15 @@ void add_exhaustive_command(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->footer(
       "Pairs are taken up to what keeps a sum: exchange, translations, the square's symmetries.\n"
-      "Example: oplus-check exhaustive --grid 3 --vertices 5 --shard 1/4 --resume part1.json\n"
-      "Exit code: 0 all agree, 1 a disagreement, 2 bad input or a request that makes no sense, 5\n"
-      "interrupted; the same command goes on where --resume was given.");
+      "\n"
+      "Example:\n"
+      "  oplus-check exhaustive --grid 3 --vertices 5 --shard 1/4 --resume part1.json\n"
+      "\n"
+      "Exit codes:\n"
+      "  0  all agree\n"
+      "  1  a disagreement\n"
+      "  2  bad input or a request that makes no sense\n"
+      "  5  interrupted; the same command goes on where --resume was given");
   command->callback([settings, &exit_code] { exit_code = exhaustive(*settings); });
 }
 

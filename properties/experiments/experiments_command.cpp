@@ -104,10 +104,15 @@ void add_experiments_command(CLI::App& app, int& exit_code) {
     what += "  " + experiment.name + std::string(16 - experiment.name.size(), ' ') +
             experiment.what + '\n';
   command->footer(what +
-                  "\nExample: oplus-check experiments --only fork-l --scale 0.4\n"
-                  "Exit code: 0 all is written, 1 engines disagree or a measurement died, 2 a "
-                  "request that makes no sense or a file that cannot be written, 4 tables are "
-                  "written but gnuplot is missing or fails.");
+                  "\n"
+                  "Example:\n"
+                  "  oplus-check experiments --only fork-l --scale 0.4\n"
+                  "\n"
+                  "Exit codes:\n"
+                  "  0  all is written\n"
+                  "  1  engines disagree or a measurement died\n"
+                  "  2  a request that makes no sense or a file that cannot be written\n"
+                  "  4  tables are written but gnuplot is missing or fails");
   command->callback([settings, &exit_code] { exit_code = run(*settings); });
 }
 

@@ -46,13 +46,20 @@ void add_pages_command(CLI::App& app, int& exit_code) {
   const auto settings = std::make_shared<Settings>();
   command->add_flag("--check", settings->check, "Write nothing; fail where a page is out of date");
   command
-      ->add_option("--docs", settings->docs, "The folder docs/, with the records theorems/*.json")
-      ->type_name("DIR")
-      ->capture_default_str();
+      ->add_option("--docs", settings->docs,
+                   "The folder docs/, with the records theorems/*.json; default: that of the "
+                   "sources which this program was built of")
+      ->type_name("DIR");
   command->footer(
-      "Records come from `properties --record` and, in the preset check, `mutants --record`.\n"
-      "Example: oplus-check pages --check\n"
-      "Exit code: 0 written or up to date, 1 out of date, 2 a record cannot be read.");
+      "Records come from properties --record and, in the preset check, mutants --record.\n"
+      "\n"
+      "Example:\n"
+      "  oplus-check pages --check\n"
+      "\n"
+      "Exit codes:\n"
+      "  0  written or up to date\n"
+      "  1  out of date\n"
+      "  2  a record cannot be read");
   command->callback([settings, &exit_code] { exit_code = run(*settings); });
 }
 

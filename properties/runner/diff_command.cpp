@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "checked/cli/command_line/terminal.hpp"
 #include "properties/peers/methods/peer_table.hpp"
 #include "properties/runner/differential_cases.hpp"
 #include "properties/runner/differential_report.hpp"
@@ -35,6 +36,7 @@ struct Settings {
   PeerLimits limits;
   std::string out = "oplus-findings";
   std::string report;
+  bool json = false;
 };
 
 template <typename Named>
@@ -105,8 +107,8 @@ std::vector<DifferentialCase> chosen_cases(const Settings& settings) {
     if (std::filesystem::is_directory(OPLUS_DATA_DIR))
       append(cases_of_folder(OPLUS_DATA_DIR));
     else
-      std::cout << "the published pairs are left out: there is no folder " << OPLUS_DATA_DIR
-                << '\n';
+      text_output(settings.json || speech().quiet)
+          << "the published pairs are left out: there is no folder " << OPLUS_DATA_DIR << '\n';
     names = names_of(families());
   }
   for (const std::string& name : names)
@@ -138,11 +140,12 @@ DifferentialReport run(const Settings& settings, const std::vector<DifferentialC
       report.skipped.emplace_back(cases[i].name, result.why);
     if (result.kind != DifferentialResult::Kind::disagreed) continue;
     if (report.disagreements.size() == settings.most_shrunk) continue;
-    std::cout << "shrinking a disagreement found in " << cases[i].name << std::endl;
+    text_output(settings.json || speech().quiet)
+        << "shrinking a disagreement found in " << cases[i].name << std::endl;
     report.disagreements.push_back(write_disagreement(
         settings.out, cases[i].name,
         shrink(cases[i].make(), *result.disagreement, checked, settings.shrink_tries)));
-    std::cout << explanation(report.disagreements.back()) << std::flush;
+    text_output(settings.json) << explanation(report.disagreements.back()) << std::flush;
   }
   return report;
 }
@@ -150,7 +153,7 @@ DifferentialReport run(const Settings& settings, const std::vector<DifferentialC
 int diff(const Settings& settings) {
   const std::vector<DifferentialCase> cases = chosen_cases(settings);
   if (cases.empty()) {
-    std::cerr << "oplus-check: diff found no pair to compare\n";
+    say_error("oplus-check", "diff found no pair to compare");
     return 2;
   }
   const DifferentialReport report = run(settings, cases);
@@ -159,10 +162,15 @@ int diff(const Settings& settings) {
                                : settings.report;
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
   if (!folder.empty()) std::filesystem::create_directories(folder);
-  write_file(file, to_json(report).dump(2) + "\n");
-  std::cout << summary(report) << "report: " << file << '\n';
+  const std::string json = to_json(report).dump(2) + "\n";
+  write_file(file, json);
+  text_output(settings.json) << with_painted_verdict(
+                                    summary(report),
+                                    report.all.disagreed == 0 ? Paint::good : Paint::bad, std::cout)
+                             << "report: " << file << '\n';
+  if (settings.json) std::cout << json;
   if (report.all.ran == 0) {
-    std::cerr << "oplus-check: diff compared nothing: every pair was skipped\n";
+    say_error("oplus-check", "diff compared nothing: every pair was skipped");
     return 2;
   }
   return report.all.disagreed == 0 ? 0 : 1;
@@ -191,23 +199,25 @@ void add_diff_command(CLI::App& app, int& exit_code) {
       ->type_size(2);
   command
       ->add_option("--folder", settings->folders,
-                   "NAME_part1 with NAME_part2, all other files with each other")
+                   "The files of a folder: NAME_part1 with NAME_part2, all others with each other")
       ->type_name("DIR")
       ->check(CLI::ExistingDirectory);
   command->add_option("--family", settings->families, "A generated family; may be repeated")
       ->type_name("NAME")
       ->check(CLI::IsMember(names_of(families())));
-  command->add_option("--cases", settings->cases, "Cases a family")
+  command
+      ->add_option("--cases", settings->cases,
+                   "Pairs of each family; default: those of the main job")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000000}));
-  command->add_option("--n", settings->n, "The largest size, as the family understands it");
+  command->add_option("--n", settings->n,
+                      "The largest size of a generated pair, as the family understands it");
   command->add_option("--seed", settings->seed, "Same seed, same pairs")->capture_default_str();
   command
       ->add_option("--largest", settings->largest,
                    "Skip, and count, pairs whose convolution has more segments")
       ->capture_default_str();
-  command->add_option("--threads", settings->threads, "Cases at a time")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  command->add_option("--threads", settings->threads, "Cases at a time; default: one a core")
+      ->check(CLI::Range(1, 1024));
   command->add_option("--shrink", settings->most_shrunk, "Shrink at most so many disagreements")
       ->capture_default_str();
   command->add_option("--shrink-tries", settings->shrink_tries, "Pairs tried to shrink one")
@@ -226,16 +236,23 @@ void add_diff_command(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_option("--report", settings->report, "The report; default: diff.json in --out")
       ->type_name("FILE");
+  command->add_flag("--json", settings->json, "Print the report, not a table (docs/json.md)");
   command->footer(
-      "Example: oplus-check diff --family grid --cases 500 --seed 7\n\n"
-      "Engines of others, each sum in a process of its own:\n" +
-      peer_list() +
+      "Engines of others, each sum in a process of its own:\n" + peer_list() +
       "  exec:CMD              any program: the shell runs CMD with {p} and {q} replaced by files\n"
       "                        in WKT, or these appended; it writes the sum. Open sums: where CMD\n"
       "                        has {boundary}, which is replaced by closed or open. Exit code 77:\n"
       "                        not taken.\n"
-      "Example: oplus-check diff --engine 'exec:my-sum {p} {q}' --time-limit 5 --family holes\n\n"
-      "Exit code: 0 all agree, 1 a disagreement, 2 bad input or a request that makes no sense.");
+      "\n"
+      "Example:\n"
+      "  oplus-check diff --family grid --cases 500 --seed 7\n"
+      "  oplus-check diff --pair p.wkt q.wkt --engine slide\n"
+      "  oplus-check diff --engine 'exec:my-sum {p} {q}' --time-limit 5 --family holes\n"
+      "\n"
+      "Exit codes:\n"
+      "  0  all agree\n"
+      "  1  a disagreement\n"
+      "  2  bad input, a request that makes no sense, or nothing compared");
   command->callback([settings, &exit_code] { exit_code = diff(*settings); });
 }
 

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 
+#include "checked/cli/command_line/terminal.hpp"
 #include "properties/runner/record.hpp"
 #include "reference/io/writing.hpp"
 
@@ -16,7 +18,19 @@ struct Settings {
   std::optional<std::size_t> cases;
   std::uint64_t seed = 1;
   std::string record;
+  bool json = false;
 };
+
+#ifdef OPLUS_MUTANTS
+nlohmann::ordered_json report_of(const std::vector<Kill>& kills) {
+  const auto killed =
+      std::count_if(kills.begin(), kills.end(), [](const Kill& k) { return k.killed; });
+  return {{"kills", nlohmann::ordered_json::parse(to_json(kills))},
+          {"killed", killed},
+          {"not_killed", static_cast<std::ptrdiff_t>(kills.size()) - killed},
+          {"defects", defects_of_entries(statements(), mutants())}};
+}
+#endif
 
 bool names(const Statement& statement, const std::string& mutant) {
   return std::find(statement.kills.begin(), statement.kills.end(), mutant) != statement.kills.end();
@@ -29,14 +43,19 @@ bool run_mutants(const std::vector<Statement>& statements, const std::vector<Mut
                  std::vector<Kill>* kills) {
   std::size_t killed = 0, alive = 0;
   for (const Mutant& mutant : mutants) {
-    out << mutant.name << ": " << mutant.what << '\n';
+    if (!speech().quiet) out << mutant.name << ": " << mutant.what << '\n';
     for (const Statement& statement : statements) {
       if (!names(statement, mutant.name)) continue;
       RunOptions options;
       options.cases = cases.value_or(statement.cases);
       options.seed = seed;
       const Kill kill = try_to_kill(statement, mutant, options);
-      out << "  " << statement.id << ": " << in_words(kill) << '\n' << std::flush;
+      if (!speech().quiet || !kill.killed) {
+        if (speech().quiet) out << mutant.name << ": " << mutant.what << '\n';
+        out << "  " << statement.id << ": "
+            << painted(kill.killed ? Paint::good : Paint::bad, in_words(kill), out) << '\n'
+            << std::flush;
+      }
       ++(kill.killed ? killed : alive);
       if (kills != nullptr) kills->push_back(kill);
     }
@@ -49,7 +68,7 @@ bool run_mutants(const std::vector<Statement>& statements, const std::vector<Mut
 
 void add_mutants_command(CLI::App& app, int& exit_code) {
   CLI::App* command =
-      app.add_subcommand("mutants", "Switch on faults one by one and see statements fail");
+      app.add_subcommand("mutants", "Switch on faults one by one and see the statements fail");
   const auto settings = std::make_shared<Settings>();
   command
       ->add_option("--cases", settings->cases,
@@ -58,17 +77,29 @@ void add_mutants_command(CLI::App& app, int& exit_code) {
   command->add_option("--seed", settings->seed, "Same seed, same pairs")->capture_default_str();
   command->add_option("--record", settings->record, "Write the kills and shrunk pairs as JSON")
       ->type_name("FILE");
-  command->footer("Example: build/check/bin/oplus-check mutants");
+  command->add_flag("--json", settings->json, "Answer in JSON (docs/json.md)");
+  command->footer(
+      "Needs a build that contains the faults: the preset check.\n"
+      "\n"
+      "Example:\n"
+      "  build/check/bin/oplus-check mutants\n"
+      "\n"
+      "Exit codes:\n"
+      "  0  every statement killed its mutants\n"
+      "  1  a mutant lives, or nothing is to kill it\n"
+      "  2  this build contains no mutants, or the request makes no sense");
   command->callback([settings, &exit_code] {
 #ifdef OPLUS_MUTANTS
     std::vector<Kill> kills;
-    const bool all_died =
-        run_mutants(statements(), mutants(), settings->cases, settings->seed, std::cout, &kills);
+    const bool all_died = run_mutants(statements(), mutants(), settings->cases, settings->seed,
+                                      text_output(settings->json), &kills);
+    if (settings->json) std::cout << report_of(kills).dump(2) << '\n';
     if (!settings->record.empty()) write_file(settings->record, to_json(kills));
     exit_code = all_died ? 0 : 1;
 #else
-    std::cerr << "oplus-check mutants: this build contains no mutants; use the preset `check`: "
-                 "build/check/bin/oplus-check mutants\n";
+    say_error("oplus-check",
+              "this build contains no mutants; use the preset check: "
+              "build/check/bin/oplus-check mutants");
     exit_code = 2;
 #endif
   });

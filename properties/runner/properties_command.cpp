@@ -4,9 +4,13 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
+#include <sstream>
 
+#include "checked/cli/command_line/terminal.hpp"
 #include "properties/runner/finding.hpp"
 #include "properties/runner/registry.hpp"
+#include "properties/runner/run_report.hpp"
 #include "reference/io/reading.hpp"
 #include "reference/io/writing.hpp"
 
@@ -21,6 +25,7 @@ struct Settings {
   std::vector<std::string> pair;
   std::string findings = "oplus-findings";
   std::string record;
+  bool json = false;
 };
 
 std::vector<Statement> chosen(const std::vector<std::string>& ids) {
@@ -41,7 +46,7 @@ Summands read_pair(const std::vector<std::string>& files) {
   Region regions[2];
   for (std::size_t i = 0; i < 2; ++i) {
     ReadRegion read = read_region_file(files.at(i));
-    for (const std::string& note : read.notes) std::cerr << note << '\n';
+    for (const std::string& note : read.notes) say_note("oplus-check", note);
     regions[i] = std::move(read.region);
   }
   return {std::move(regions[0]), std::move(regions[1])};
@@ -72,28 +77,35 @@ void print_run(std::ostream& out, const Statement& statement, const PropertyRun&
 }
 
 void print_last_line(std::ostream& out, std::size_t passed, std::size_t failed) {
-  out << passed << " passed, " << failed << " failed\n";
+  std::ostringstream line;
+  line << passed << " passed, " << failed << " failed";
+  out << painted(failed == 0 ? Paint::good : Paint::bad, line.str(), out) << '\n';
 }
+
+nlohmann::ordered_json empty_report() { return {{"statements", nlohmann::ordered_json::array()}}; }
 
 }  // namespace
 
 bool run_statements(const std::vector<Statement>& statements, std::optional<std::size_t> cases,
                     std::uint64_t seed, const std::filesystem::path& findings, std::ostream& out,
-                    std::vector<RecordedRun>* records) {
+                    std::vector<RecordedRun>* records, nlohmann::ordered_json* report) {
+  if (report != nullptr) *report = empty_report();
   std::size_t passed = 0;
   for (const Statement& statement : statements) {
     RunOptions options;
     options.cases = cases.value_or(statement.cases);
     options.seed = seed;
     const PropertyRun run = run_property(statement, options);
-    print_run(out, statement, run);
-    for (const std::string& complaint : run.complaints) out << "  FAILED: " << complaint << '\n';
+    if (!speech().quiet || !run.passed()) print_run(out, statement, run);
+    for (const std::string& complaint : run.complaints)
+      out << "  " << painted(Paint::bad, "FAILED", out) << ": " << complaint << '\n';
+    std::optional<Finding> files;
     if (run.counterexample) {
+      files = write_finding(findings, statement.id, run.counterexample->summands);
       out << "  shrunk in " << run.counterexample->shrinks << " steps; replay with\n    "
-          << replay_line(statement.id,
-                         write_finding(findings, statement.id, run.counterexample->summands))
-          << '\n';
+          << replay_line(statement.id, *files) << '\n';
     }
+    if (report != nullptr) (*report)["statements"].push_back(run_report(statement, run, files));
     if (run.passed()) {
       ++passed;
       if (records != nullptr) records->push_back(recorded(statement, run));
@@ -101,15 +113,21 @@ bool run_statements(const std::vector<Statement>& statements, std::optional<std:
     out << std::flush;
   }
   print_last_line(out, passed, statements.size() - passed);
+  if (report != nullptr) {
+    (*report)["passed"] = passed;
+    (*report)["failed"] = statements.size() - passed;
+  }
   return !statements.empty() && passed == statements.size();
 }
 
 bool replay_statements(const std::vector<Statement>& statements, const Summands& summands,
-                       std::ostream& out) {
+                       std::ostream& out, nlohmann::ordered_json* report) {
+  if (report != nullptr) *report = empty_report();
   std::size_t passed = 0;
   std::size_t failed = 0;
   for (const Statement& statement : statements) {
     const Outcome outcome = evaluate(statement, summands);
+    if (report != nullptr) (*report)["statements"].push_back(run_report(statement, outcome));
     out << statement.id << ": ";
     switch (outcome.kind) {
       case Outcome::Kind::holds:
@@ -117,7 +135,7 @@ bool replay_statements(const std::vector<Statement>& statements, const Summands&
         ++passed;
         break;
       case Outcome::Kind::fails:
-        out << "FAILED: " << outcome.why << '\n';
+        out << painted(Paint::bad, "FAILED", out) << ": " << outcome.why << '\n';
         ++failed;
         break;
       case Outcome::Kind::discarded:
@@ -129,13 +147,21 @@ bool replay_statements(const std::vector<Statement>& statements, const Summands&
   const std::size_t not_applicable = statements.size() - passed - failed;
   if (not_applicable > 0) out << not_applicable << " do not apply to this pair\n";
   print_last_line(out, passed, failed);
+  if (report != nullptr) {
+    (*report)["passed"] = passed;
+    (*report)["failed"] = failed;
+    (*report)["not_applicable"] = not_applicable;
+  }
   return passed > 0 && failed == 0;
 }
 
 void add_properties_command(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("properties", "Try statements on generated pairs");
+  CLI::App* command =
+      app.add_subcommand("properties", "Try the statements, theorems and laws, on generated pairs");
   const auto settings = std::make_shared<Settings>();
-  command->add_option("--theorem", settings->ids, "Only this statement; may be repeated")
+  command
+      ->add_option("--theorem", settings->ids,
+                   "Only this statement; may be repeated; 'oplus-check theorems' lists them")
       ->type_name("ID")
       ->check(CLI::IsMember(ids_of(statements())));
   CLI::Option* cases =
@@ -151,22 +177,34 @@ void add_properties_command(CLI::App& app, int& exit_code) {
   command->add_option("--out", settings->findings, "Folder for shrunk counterexamples")
       ->type_name("DIR")
       ->capture_default_str();
-  command->add_option("--record", settings->record, "Write what the run did as JSON")
+  command
+      ->add_option("--record", settings->record,
+                   "Write what the run did as JSON, as docs/theorems/ keeps it")
       ->type_name("FILE")
       ->excludes("--pair");
+  command->add_flag("--json", settings->json, "Answer in JSON (docs/json.md)");
   command->footer(
-      "Example: oplus-check properties --theorem lemma-4.1.4 --cases 5000 --seed 7\n"
-      "Exit code: 0 all passed, 1 a statement failed, 2 the request made no sense.");
+      "Example:\n"
+      "  oplus-check properties --theorem lemma-4.1.4 --cases 5000 --seed 7\n"
+      "\n"
+      "Exit codes:\n"
+      "  0  all passed\n"
+      "  1  a statement failed\n"
+      "  2  the request makes no sense, or a file cannot be read or written");
   command->callback([settings, &exit_code] {
     const std::vector<Statement> to_run = chosen(settings->ids);
-    if (!settings->pair.empty()) {
-      exit_code = replay_statements(to_run, read_pair(settings->pair), std::cout) ? 0 : 1;
-      return;
+    std::ostream& out = text_output(settings->json);
+    nlohmann::ordered_json report;
+    bool passed = false;
+    if (settings->pair.empty()) {
+      std::vector<RecordedRun> records;
+      passed = run_statements(to_run, settings->cases, settings->seed, settings->findings, out,
+                              &records, &report);
+      if (!settings->record.empty()) write_file(settings->record, to_json(records));
+    } else {
+      passed = replay_statements(to_run, read_pair(settings->pair), out, &report);
     }
-    std::vector<RecordedRun> records;
-    const bool passed = run_statements(to_run, settings->cases, settings->seed, settings->findings,
-                                       std::cout, &records);
-    if (!settings->record.empty()) write_file(settings->record, to_json(records));
+    if (settings->json) std::cout << report.dump(2) << '\n';
     exit_code = passed ? 0 : 1;
   });
 }

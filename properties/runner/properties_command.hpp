@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -16,13 +17,15 @@ void add_properties_command(CLI::App& app, int& exit_code);
 
 /// Runs statements, says of each what it did, and how many passed in a last line. Shrunk
 /// counterexamples go to the folder `findings`, what passed, where wanted, to `records`. Returns whether all passed.
-/// cases: none for each statement's own number.
+/// cases: none for each statement's own number. With --quiet only failures and the last line are
+/// said. `report`, where wanted, receives the same as JSON.
 bool run_statements(const std::vector<Statement>& statements, std::optional<std::size_t> cases,
                     std::uint64_t seed, const std::filesystem::path& findings, std::ostream& out,
-                    std::vector<RecordedRun>* records = nullptr);
+                    std::vector<RecordedRun>* records = nullptr,
+                    nlohmann::ordered_json* report = nullptr);
 
 /// Tries statements on one pair. Returns whether some hold and none fails.
 bool replay_statements(const std::vector<Statement>& statements, const Summands& summands,
-                       std::ostream& out);
+                       std::ostream& out, nlohmann::ordered_json* report = nullptr);
 
 }  // namespace oplus

@@ -5,6 +5,7 @@
 #include <iomanip>
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "properties/runner/registry.hpp"
 #include "properties/runner/statement_graph.hpp"
@@ -16,6 +17,7 @@ namespace {
 struct Settings {
   std::string id;
   bool check = false;
+  bool json = false;
 };
 
 std::string joined(const std::vector<std::string>& words, const std::string& separator = ", ") {
@@ -57,11 +59,42 @@ void print_entry(const Statement& s) {
   std::cout << "\nPromises: " << joined(promises) << "\nFile: " << relative_file(s) << '\n';
 }
 
-bool check(const std::vector<Statement>& all) {
+nlohmann::ordered_json json_of(const Statement& s) {
+  nlohmann::ordered_json sources = nlohmann::ordered_json::array();
+  for (const Source& source : s.sources)
+    sources.push_back(
+        {{"family", source.family}, {"largest", source.largest}, {"weight", source.weight}});
+  nlohmann::ordered_json promises = nlohmann::ordered_json::object();
+  for (const Promise& promise : s.promises) promises[promise.classification] = promise.percent;
+  return {{"statement", s.id},       {"title", s.title},   {"kind", s.kind},
+          {"says", s.statement},     {"why", s.why},       {"hypotheses", s.hypotheses},
+          {"rests_on", s.rests_on},  {"kills", s.kills},   {"enumerated", s.enumerate != nullptr},
+          {"cases", s.cases},        {"sources", sources}, {"promised_percent", promises},
+          {"file", relative_file(s)}};
+}
+
+nlohmann::ordered_json json_of(const std::vector<Statement>& all) {
+  nlohmann::ordered_json report = {{"statements", nlohmann::ordered_json::array()},
+                                   {"mutants", nlohmann::ordered_json::array()}};
+  for (const Statement& s : all) report["statements"].push_back(json_of(s));
+  for (const Mutant& mutant : mutants())
+    report["mutants"].push_back({{"mutant", mutant.name}, {"what", mutant.what}});
+  return report;
+}
+
+bool check(const std::vector<Statement>& all, bool in_json) {
   std::vector<std::string> defects = defects_of_entries(all, mutants());
   for (std::string& d : defects_of_files(all, mutants(), source_root()))
     defects.push_back(std::move(d));
   for (std::string& d : defects_of_graph(all)) defects.push_back(std::move(d));
+  if (in_json) {
+    std::cout << nlohmann::ordered_json({{"statements", all.size()},
+                                         {"mutants", mutants().size()},
+                                         {"defects", defects}})
+                     .dump(2)
+              << '\n';
+    return defects.empty();
+  }
   for (const std::string& d : defects) std::cout << d << '\n';
   std::cout << all.size() << " statements, " << mutants().size() << " mutants, " << defects.size()
             << " defects\n";
@@ -71,24 +104,44 @@ bool check(const std::vector<Statement>& all) {
 }  // namespace
 
 void add_theorems_command(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("theorems", "List the statements and what kills what");
+  CLI::App* command = app.add_subcommand(
+      "theorems", "List the statements and the faults that each must find, or show one");
   const auto settings = std::make_shared<Settings>();
   std::vector<std::string> ids;
   for (const Statement& s : statements()) ids.push_back(s.id);
-  CLI::Option* id = command->add_option("id", settings->id, "Show all that is known of this one")
-                        ->check(CLI::IsMember(ids));
+  CLI::Option* id =
+      command
+          ->add_option("ID", settings->id,
+                       "Show all that is known of this statement; without it: the list")
+          ->type_name("NAME")
+          ->check(CLI::IsMember(ids));
   command->add_flag("--check", settings->check, "Fail where the list does not fit the sources")
       ->excludes(id);
-  command->footer("Example: oplus-check theorems theorem-4.2.1");
+  command->add_flag("--json", settings->json, "Answer in JSON (docs/json.md)");
+  command->footer(
+      "Example:\n"
+      "  oplus-check theorems theorem-4.2.1\n"
+      "\n"
+      "Exit codes:\n"
+      "  0  listed; of --check: the list fits the sources\n"
+      "  1  of --check: it does not\n"
+      "  2  the request makes no sense");
   command->callback([settings, &exit_code] {
     const std::vector<Statement> all = statements();
     if (settings->check) {
-      exit_code = check(all) ? 0 : 1;
+      exit_code = check(all, settings->json) ? 0 : 1;
     } else if (settings->id.empty()) {
-      print_table(all);
+      if (settings->json)
+        std::cout << json_of(all).dump(2) << '\n';
+      else
+        print_table(all);
     } else {
-      print_entry(*std::find_if(all.begin(), all.end(),
-                                [&](const Statement& s) { return s.id == settings->id; }));
+      const Statement& one = *std::find_if(
+          all.begin(), all.end(), [&](const Statement& s) { return s.id == settings->id; });
+      if (settings->json)
+        std::cout << json_of(one).dump(2) << '\n';
+      else
+        print_entry(one);
     }
   });
 }

@@ -94,7 +94,7 @@ std::pair<std::string, std::string> key_and_meaning(const std::string& line) {
 /// A footer, section by section.
 std::string footer_sections(const std::string& footer) {
   std::string text;
-  bool verbatim = false, starts_paragraph = true;
+  bool verbatim = false, starts_paragraph = true, in_entry = false;
   const auto set_verbatim = [&](bool wanted) {
     if (verbatim != wanted) text += wanted ? ".EX\n" : ".EE\n";
     verbatim = wanted;
@@ -102,6 +102,7 @@ std::string footer_sections(const std::string& footer) {
   std::istringstream lines(footer);
   for (std::string line; std::getline(lines, line);) {
     const auto [key, meaning] = key_and_meaning(line);
+    in_entry = !key.empty() || (in_entry && line.starts_with("      "));
     if (line.empty()) {
       set_verbatim(false);
       starts_paragraph = true;
@@ -117,6 +118,8 @@ std::string footer_sections(const std::string& footer) {
     } else if (!key.empty()) {
       set_verbatim(false);
       text += ".TP\n" + bold(key) + "\n" + prose(meaning);
+    } else if (in_entry && line.starts_with("      ")) {  // which goes on
+      text += prose(line);
     } else if (is_indented(line)) {
       set_verbatim(true);
       text += escaped(line.substr(2)) + "\n";
