@@ -36,6 +36,27 @@ TEST_F(Draw, has_a_panel_a_file) {
                                            "standard input"}));
 }
 
+TEST_F(Draw, draws_together_what_is_told_apart_by_its_name) {
+  put("slit.wkt",
+      "GEOMETRYCOLLECTION (POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0)), LINESTRING (1 2, 3 2), POINT (2 3))");
+  put("way.wkt", "GEOMETRYCOLLECTION (LINESTRING (5 0, 5 4))");
+  const Ran ran = run("oplus draw slit.wkt frame.wkt triangle.dat way.wkt --together -o all.svg");
+  EXPECT_EQ(ran.exit_code, 0);
+  EXPECT_EQ(ran.out + ran.err, "");
+  const std::string svg = content("all.svg");
+  std::size_t panels = 0;
+  for (std::size_t at = 0; (at = svg.find("class=\"panel\"", at)) != std::string::npos; ++at)
+    ++panels;
+  EXPECT_EQ(panels, 1U);
+  for (const std::string name : {">slit<", ">dangling edges of slit<",
+                                 ">isolated vertices of slit<", ">frame<", ">triangle<", ">way<"})
+    EXPECT_NE(svg.find(name), std::string::npos) << name;
+  EXPECT_EQ(svg.find("edges of frame"), std::string::npos);
+  // Of the first, "sum" is a layer's kind, and lies lowest.
+  EXPECT_LT(svg.find("class=\"sum\""), svg.find("class=\"summand-p\""));
+  expect_refusal("oplus draw frame.wkt triangle.dat --together --view faces -o a.svg", "--view");
+}
+
 TEST_F(Draw, writes_to_standard_output) {
   EXPECT_EQ(run("oplus draw frame.wkt -o -").out.substr(0, 5), "<svg ");
 }

@@ -215,7 +215,7 @@ TEST_F(Sum, refuses_invalid_regions) {
 }
 
 TEST_F(Sum, refuses_impossible_commands) {
-  expect_refusal("oplus", "subcommand");
+  expect_refusal("oplus", "a command is needed");
   expect_refusal("oplus add square.wkt square.wkt", "oplus: ");
   expect_refusal("oplus sum", "oplus sum --help");
   expect_refusal("oplus sum square.wkt", "Q");

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/checked/cli/shell.hpp"
+
+namespace oplus {
+
+inline const std::vector<std::string> programs = {"oplus", "oplus-check"};
+
+/// Reads off help texts what there is, for tests of what is made of the same definitions.
+class HelpPages : public Shell {
+ protected:
+  std::string help(const std::string& command) const { return run(command + " --help").out; }
+
+  std::vector<std::string> commands(const std::string& program) const {
+    const std::string text = help(program);
+    const std::size_t start = text.find("\nCommands:\n") + 9;
+    return found(text.substr(start, text.find("\n\n", start) - start), "\n  ([a-z-]+)");
+  }
+
+  /// Of a command, or of a program: -o, --output, ....
+  std::vector<std::string> options(const std::string& command) const {
+    std::vector<std::string> names;
+    for (const std::string& line : found(help(command), "\n  (-[^\n]*)"))
+      for (const std::string& name : found(line.substr(0, line.find("   ")), "(--?[a-z-]+)"))
+        names.push_back(name);
+    return names;
+  }
+
+  static std::vector<std::string> found(const std::string& text, const std::string& pattern) {
+    const std::regex expression(pattern);
+    std::vector<std::string> result;
+    for (auto at = std::sregex_iterator(text.begin(), text.end(), expression);
+         at != std::sregex_iterator(); ++at)
+      result.push_back((*at)[1]);
+    return result;
+  }
+};
+
+}  // namespace oplus

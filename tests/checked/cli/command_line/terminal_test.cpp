@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/cli/command_line/terminal.hpp"
+
+#include <iostream>
+#include <sstream>
+
+#include "tests/checked/cli/shell.hpp"
+
+namespace oplus {
+namespace {
+
+class Terminal : public Shell {
+ protected:
+  void SetUp() override {
+    Shell::SetUp();
+    put("square.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))");
+    put("turned.wkt", "POLYGON ((0 0, 0 2, 2 2, 2 0, 0 0))");  // clockwise
+  }
+
+  /// What the command says on a terminal of its own.
+  std::string on_terminal(const std::string& settings, const std::string& command) const {
+    return run("env -u NO_COLOR TERM=xterm " + settings + " script -qec '" + command +
+               "' /dev/null")
+        .out;
+  }
+};
+
+const std::string red = "\033[31m", green = "\033[32m", plain = "\033[0m";
+
+TEST_F(Terminal, colours_are_for_terminals_that_want_them) {
+  const std::string compare = "oplus compare square.wkt square.wkt";
+  EXPECT_EQ(on_terminal("", compare), green + "equal" + plain + "\r\n");
+  EXPECT_EQ(on_terminal("NO_COLOR=1", compare), "equal\r\n");
+  EXPECT_EQ(on_terminal("NO_COLOR=", compare), green + "equal" + plain + "\r\n");
+  EXPECT_EQ(on_terminal("TERM=dumb", compare), "equal\r\n");
+  EXPECT_EQ(on_terminal("", compare + " --color never"), "equal\r\n");
+  EXPECT_EQ(on_terminal("NO_COLOR=1", compare + " --color always"),
+            green + "equal" + plain + "\r\n");
+  EXPECT_EQ(run("unset NO_COLOR; TERM=xterm " + compare).out, "equal\n");
+  EXPECT_EQ(run("NO_COLOR=1 oplus --color always compare square.wkt square.wkt").out,
+            green + "equal" + plain + "\n");
+}
+
+TEST_F(Terminal, errors_and_differences_are_red) {
+  EXPECT_EQ(run("oplus --color=always compare square.wkt turned.wkt --quiet").out.substr(0, 18),
+            red + "not equal" + plain);
+  for (const std::string command :
+       {"oplus --color always sum", "oplus sum --color always", "oplus --color always nonsense",
+        "oplus --color always compare square.wkt missing.wkt"})
+    EXPECT_EQ(run(command).err.substr(0, 16), red + "oplus:" + plain + " ") << command;
+  EXPECT_EQ(run("oplus-check --color always diff --nonsense").err.substr(0, 21),
+            red + "oplus-check:" + plain);
+  EXPECT_NE(run("oplus-check diff --pair square.wkt square.wkt --color always")
+                .out.find(green +
+                          "1 cases run, each closed and open, 0 skipped, 0 with a "
+                          "disagreement" +
+                          plain + "\n"),
+            std::string::npos);
+}
+
+TEST_F(Terminal, quiet_leaves_results_and_errors) {
+  const std::string sum = "sum square.wkt turned.wkt --digits 2";
+  const Ran loud = run("oplus " + sum);
+  EXPECT_EQ(loud.lines_of_err(), 2) << loud.err;  // orientation, rounding
+  for (const std::string& command : {"oplus --quiet " + sum, "oplus " + sum + " --quiet"}) {
+    const Ran quiet = run(command);
+    EXPECT_EQ(quiet.exit_code, 0);
+    EXPECT_EQ(quiet.err, "") << command;
+    EXPECT_EQ(quiet.out, loud.out) << command;
+  }
+  EXPECT_EQ(run("oplus --quiet sum square.wkt missing.wkt").lines_of_err(), 1);
+  EXPECT_NE(run("oplus --quiet sum square.wkt turned.wkt --stats").err.find("area: 9\n"),
+            std::string::npos);
+
+  const std::string diff = "oplus-check diff --family grid --cases 5";
+  const Ran progress = run(diff), none = run(diff + " --quiet");
+  EXPECT_NE(progress.err.find("diff: 5 of 5\n"), std::string::npos);
+  EXPECT_EQ(none.err, "");
+  EXPECT_EQ(none.out, progress.out);
+  EXPECT_EQ(run("oplus-check --quiet properties --theorem lemma-4.1.4 --cases 5").out,
+            "1 passed, 0 failed\n");
+}
+
+TEST_F(Terminal, what_is_no_standard_stream_is_not_painted_of_itself) {
+  std::ostringstream elsewhere;
+  EXPECT_EQ(painted(Paint::bad, "text", elsewhere), "text");
+}
+
+TEST_F(Terminal, the_last_line_is_the_verdict) {
+  speech().colours = ColourUse::always;
+  EXPECT_EQ(with_painted_verdict("a\nb\nc\n", Paint::good, std::cout),
+            "a\nb\n" + green + "c" + plain + "\n");
+  EXPECT_EQ(with_painted_verdict("c", Paint::bad, std::cout), red + "c" + plain);
+  EXPECT_EQ(with_painted_verdict("", Paint::bad, std::cout), "");
+  speech().colours = ColourUse::automatic;
+}
+
+/// Both programs, whatever is wrong: one line and exit code 2.
+TEST_F(Terminal, usage_errors_are_a_line) {
+  for (const std::string program : {"oplus", "oplus-check"}) {
+    for (const std::string rest :
+         {"", "nonsense", "--nonsense", "--color", "--color sometimes", "man --nonsense",
+          "man --quiet=maybe", "completion bash too much"}) {
+      const Ran ran = run(program + " " + rest);
+      EXPECT_EQ(ran.exit_code, 2) << program << ' ' << rest;
+      EXPECT_EQ(ran.out, "") << program << ' ' << rest;
+      EXPECT_EQ(ran.lines_of_err(), 1) << program << ' ' << rest << '\n' << ran.err;
+      EXPECT_EQ(ran.err.substr(0, program.size() + 2), program + ": ");
+      EXPECT_NE(ran.err.find("--help\n"), std::string::npos) << ran.err;
+    }
+  }
+  EXPECT_NE(run("oplus nonsense").err.find("there is no command nonsense"), std::string::npos);
+}
+
+TEST_F(Terminal, results_that_nobody_receives_are_no_success) {
+  for (const std::string command :
+       {"oplus --help", "oplus gen --list", "oplus man", "oplus compare square.wkt square.wkt",
+        "oplus-check --help", "oplus-check theorems", "oplus-check theorems --json",
+        "oplus-check man", "oplus-check diff --pair square.wkt square.wkt"}) {
+    for (const std::string output : {">/dev/full", ">&-"}) {
+      const Ran ran = run(command + " " + output);
+      EXPECT_EQ(ran.exit_code, 2) << command << output;
+      EXPECT_NE(ran.err.find("cannot write standard output"), std::string::npos)
+          << command << output << ran.err;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace oplus

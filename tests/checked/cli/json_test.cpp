@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cctype>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/checked/cli/shell.hpp"
+
+namespace oplus {
+namespace {
+
+using Json = nlohmann::json;
+
+/// docs/json.md: what it says, and that it is what the text says.
+class JsonAnswers : public Shell {
+ protected:
+  void SetUp() override {
+    Shell::SetUp();
+    put("full.wkt", "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))");
+    put("frame.wkt", "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 3, 3 3, 3 1, 1 1))");
+    put("third.wkt", "POLYGON ((0 0, 1/3 0, 0 1/3, 0 0))");
+  }
+
+  /// Lines "name: value", names as keys are written.
+  static std::map<std::string, std::string> values(const std::string& text) {
+    std::map<std::string, std::string> result;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+      const std::size_t colon = line.find(": ");
+      std::string key = line.substr(0, colon);
+      for (char& c : key)
+        c = std::isalnum(static_cast<unsigned char>(c)) ? static_cast<char>(std::tolower(c)) : '_';
+      result[key] = line.substr(colon + 2);
+    }
+    return result;
+  }
+
+  /// The program's standard output, which is JSON.
+  Json answer(const std::string& command, int exit_code = 0) const {
+    const Ran ran = run(command);
+    EXPECT_EQ(ran.exit_code, exit_code) << command << ran.err;
+    return Json::parse(ran.out);
+  }
+};
+
+TEST_F(JsonAnswers, compare) {
+  const Json equal = answer("oplus compare full.wkt full.wkt --json");
+  EXPECT_EQ(equal.at("equal"), true);
+  EXPECT_FALSE(equal.contains("witness"));
+  EXPECT_EQ(equal.at("first"), equal.at("second"));
+
+  const Json unequal = answer("oplus compare frame.wkt full.wkt --json", 1);
+  EXPECT_EQ(unequal.at("equal"), false);
+  EXPECT_EQ(unequal.at("witness"),
+            Json({{"at", {"2", "2"}}, {"first", "outside"}, {"second", "inside"}}));
+  EXPECT_EQ(unequal.at("first"), Json({{"outer_chains", 1},
+                                       {"holes", 1},
+                                       {"dangling_edges", 0},
+                                       {"isolated_vertices", 0},
+                                       {"area", "12"}}));
+  EXPECT_NE(run("oplus compare frame.wkt full.wkt")
+                .out.find("not equal: " + unequal.at("what").get<std::string>() + "\n"),
+            std::string::npos);
+}
+
+TEST_F(JsonAnswers, gen_list) {
+  const Json families = answer("oplus gen --list --json").at("families");
+  const std::string text = run("oplus gen --list").out;
+  EXPECT_EQ(static_cast<long>(families.size()), std::count(text.begin(), text.end(), '\n'));
+  for (const Json& family : families) {
+    EXPECT_NE(text.find(family.at("name").get<std::string>() + " "), std::string::npos);
+    EXPECT_NE(text.find(" " + family.at("what").get<std::string>() + "\n"), std::string::npos);
+    EXPECT_GE(family.at("typical"), family.at("smallest"));
+  }
+  expect_refusal("oplus gen star --json", "--list");
+}
+
+TEST_F(JsonAnswers, statistics_of_sum_are_those_of_the_text) {
+  for (const std::string engine : {"slide", "rca", "oracle"}) {
+    const Ran ran =
+        run("oplus sum frame.wkt third.wkt --stats --stats-json stats.json --engine " + engine);
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    const Json all = Json::parse(content("stats.json"));
+    EXPECT_EQ(all.at("engine"), engine);
+    EXPECT_EQ(all.at("boundary"), "closed");
+    EXPECT_TRUE(all.at("seconds").is_number());
+    std::map<std::string, std::string> said = values(ran.err);
+    EXPECT_EQ(static_cast<long>(said.size()), ran.lines_of_err()) << ran.err;
+    said.erase("seconds");
+    for (const std::string part : {"summands", "run", "sum"}) {
+      for (const auto& [key, value] : all.at(part).items()) {
+        ASSERT_TRUE(said.contains(key)) << key;
+        if (value.is_number_float())
+          EXPECT_EQ(std::stod(said.at(key)), value) << key;
+        else
+          EXPECT_EQ(said.at(key), value.is_string() ? value.get<std::string>() : value.dump())
+              << key;
+        said.erase(key);
+      }
+    }
+    EXPECT_TRUE(said.empty()) << said.begin()->first;
+  }
+}
+
+TEST_F(JsonAnswers, numbers_are_exact) {
+  std::string decimals(70, '3');
+  put("long.wkt", "POLYGON ((0 0, 1." + decimals + "7 0, 0 1." + decimals + "1, 0 0))");
+  const Json long_area =
+      answer("oplus sum long.wkt long.wkt -o sum.wkt --stats-json -").at("sum").at("area");
+  EXPECT_GT(long_area.get<std::string>().size(), 140U);  // --stats rounds such a one
+  EXPECT_EQ(answer("oplus compare third.wkt third.wkt --json").at("first").at("area"), "1/18");
+}
+
+TEST_F(JsonAnswers, of_sum_go_where_nothing_else_goes) {
+  expect_refusal("oplus sum full.wkt third.wkt --stats-json -", "standard output");
+  expect_refusal("oplus sum full.wkt third.wkt -o s.wkt --stats-json s.wkt", "s.wkt");
+  expect_refusal("oplus sum full.wkt third.wkt --stats-json missing/s.json", "missing");
+}
+
+TEST_F(JsonAnswers, of_oplus_check_diff_are_its_report) {
+  const Ran ran = run("oplus-check diff --pair frame.wkt third.wkt --json");
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_EQ(ran.out, content("oplus-findings/diff.json"));
+  EXPECT_EQ(Json::parse(ran.out).at("all").at("ran"), 1);
+}
+
+TEST_F(JsonAnswers, of_oplus_check_exhaustive_are_its_report) {
+  const Ran ran = run("oplus-check exhaustive --grid 2 --vertices 3 --json --report report.json");
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_EQ(ran.out, content("report.json"));
+  const Json report = Json::parse(ran.out);
+  EXPECT_GT(report.at("pairs"), 0);
+}
+
+TEST_F(JsonAnswers, of_oplus_check_properties) {
+  const std::string command = "oplus-check properties --theorem lemma-4.1.4 --cases 20";
+  const Json all = answer(command + " --json");
+  EXPECT_EQ(all.at("passed"), 1);
+  EXPECT_EQ(all.at("failed"), 0);
+  const Json& one = all.at("statements").at(0);
+  EXPECT_EQ(one.at("statement"), "lemma-4.1.4");
+  EXPECT_EQ(one.at("passed"), true);
+  EXPECT_EQ(one.at("complaints"), Json::array());
+  const std::string text = run(command).out;
+  EXPECT_NE(text.find("  " + one.at("run").dump() + " cases run, " + one.at("discarded").dump() +
+                      " discarded\n"),
+            std::string::npos);
+  for (const auto& [family, cases] : one.at("families").items())
+    EXPECT_NE(text.find(family + " " + cases.dump()), std::string::npos) << family;
+
+  const Json pair =
+      answer("oplus-check properties --theorem lemma-4.1.4 --pair full.wkt frame.wkt --json");
+  EXPECT_EQ(pair.at("statements").at(0).at("outcome"), "holds");
+  EXPECT_EQ(pair.at("not_applicable"), 0);
+}
+
+TEST_F(JsonAnswers, of_oplus_check_theorems) {
+  const Json all = answer("oplus-check theorems --json");
+  const std::string text = run("oplus-check theorems").out;
+  EXPECT_NE(text.find("\n" + std::to_string(all.at("statements").size()) + " statements, " +
+                      std::to_string(all.at("mutants").size()) + " mutants\n"),
+            std::string::npos);
+  const std::string entry = run("oplus-check theorems lemma-4.1.4").out;
+  const Json one = answer("oplus-check theorems lemma-4.1.4 --json");
+  EXPECT_NE(std::find(all.at("statements").begin(), all.at("statements").end(), one),
+            all.at("statements").end());
+  for (const std::string key : {"statement", "title", "says", "why", "file"})
+    EXPECT_NE(entry.find(one.at(key).get<std::string>()), std::string::npos) << key;
+  EXPECT_EQ(answer("oplus-check theorems --check --json").at("defects"), Json::array());
+}
+
+}  // namespace
+}  // namespace oplus

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <sstream>
+
+#include "reference/definitions/collision.hpp"
+#include "reference/definitions/convolution.hpp"
+#include "reference/definitions/cut_at_intersections.hpp"
+#include "reference/io/reading.hpp"
+#include "tests/checked/cli/shell.hpp"
+
+namespace oplus {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path examples = fs::path(OPLUS_SOURCE_DIR) / "docs/examples";
+
+std::string text_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+class Examples : public Shell {
+ protected:
+  Ran run_example(const std::string& name) const {
+    return run("bash '" + (examples / name / "run").string() + "'");
+  }
+};
+
+TEST_F(Examples, draw_their_pictures) {
+  const std::string page = text_of(examples / "README.md");
+  std::size_t pictures = 0, folders = 0;
+  for (const auto& folder : fs::directory_iterator(examples)) {
+    if (!folder.is_directory()) continue;
+    ++folders;
+    const std::string name = folder.path().filename().string();
+    const Ran ran = run_example(name);
+    ASSERT_EQ(ran.exit_code, 0) << name << ran.err;
+    EXPECT_EQ(ran.out + ran.err, "") << name;
+    for (const auto& file : fs::directory_iterator(folder)) {
+      if (file.path().extension() != ".svg") continue;
+      ++pictures;
+      const std::string picture = file.path().filename().string();
+      EXPECT_TRUE(content(picture) == text_of(file.path())) << file.path() << " is out of date";
+      EXPECT_NE(page.find("](" + name + "/" + picture + ")"), std::string::npos) << picture;
+    }
+  }
+  EXPECT_EQ(folders, 3U);
+  EXPECT_EQ(pictures, 6U);
+}
+
+/// The page shows no command that no script runs, and links to nothing that is not there.
+TEST_F(Examples, are_what_their_page_says) {
+  const std::string page = text_of(examples / "README.md");
+  std::string scripts;
+  for (const std::string name : {"robot", "nesting", "offset"})
+    scripts += text_of(examples / name / "run");
+  std::size_t commands = 0;
+  std::istringstream lines(page);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("    oplus ")) continue;
+    ++commands;
+    EXPECT_NE(scripts.find("\n" + line.substr(4) + "\n"), std::string::npos) << line;
+  }
+  EXPECT_EQ(commands, 6U);
+  const std::regex link("\\]\\(([^)]+)\\)");
+  for (auto at = std::sregex_iterator(page.begin(), page.end(), link); at != std::sregex_iterator();
+       ++at)
+    EXPECT_TRUE(fs::exists(examples / (*at)[1].str())) << (*at)[1];
+}
+
+/// By the definition: P and -Q + x have no common inner point, x anywhere on the path. Between two
+/// points in which the path meets the convolution it is the same for all x.
+TEST_F(Examples, the_robot_meets_nothing_on_its_path) {
+  const Region obstacles = read_region_file((examples / "robot/obstacles.wkt").string()).region;
+  const Region robot = read_region_file((examples / "robot/robot.wkt").string()).region;
+  const MinkowskiSum path = read_sum_file((examples / "robot/path.wkt").string()).sum;
+  ASSERT_EQ(path.dangling_edges.size(), 5U);
+  std::vector<Segment> all = path.dangling_edges;
+  for (const ConvolutionSegment& s : convolution(obstacles, reflected(robot)))
+    all.push_back(s.segment);
+  std::size_t pieces = 0;
+  const std::vector<std::vector<Segment>> cut = cut_at_intersections(all);
+  for (std::size_t i = 0; i < path.dangling_edges.size(); ++i) {
+    for (const Segment& piece : cut.at(i)) {
+      ++pieces;
+      for (const Point& x : {piece.source, midpoint(piece.source, piece.target), piece.target})
+        EXPECT_FALSE(interiors_meet(obstacles, translated(robot, x))) << x.x << ' ' << x.y;
+    }
+  }
+  EXPECT_GT(pieces, 8U);
+}
+
+TEST_F(Examples, the_door_is_an_edge_that_only_the_open_sum_has) {
+  ASSERT_EQ(run_example("robot").exit_code, 0);
+  const auto door = nlohmann::json::parse(content("door.json"));
+  EXPECT_EQ(door.at("equal"), false);
+  EXPECT_EQ(door.at("first").at("dangling_edges"), 1);
+  EXPECT_EQ(door.at("second").at("dangling_edges"), 0);
+  ASSERT_EQ(run_example("nesting").exit_code, 0);
+  EXPECT_NE(content("no_fit.wkt").find("POINT (1 2)"), std::string::npos);
+  ASSERT_EQ(run_example("offset").exit_code, 0);
+  EXPECT_NE(content("around.wkt").find("LINESTRING (8 5, 8 8.4), POINT (3 3)"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace oplus
