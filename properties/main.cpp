@@ -26,7 +26,8 @@ const std::string name = "oplus-check";
 
 int run(int argc, char** argv) {
   int exit_code = 0;
-  CLI::App app{"Check oplus: the statements, the mutants, and the engines against the oracle", name};
+  CLI::App app{"Check oplus: the statements, the mutants, and the engines against the oracle",
+               name};
   oplus::set_up(app);
   app.footer(
       "Example:\n"
