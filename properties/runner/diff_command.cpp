@@ -59,6 +59,9 @@ std::vector<std::string> hole_test_names() {
 }
 
 CLI::Validator engine_name() {
+  std::string offered = "all";  // for completion, which is told nothing of exec:CMD
+  for (const Implementation& own : implementations()) offered += "," + own.name;
+  for (const Peer& peer : peers()) offered += "," + peer.name;
   return CLI::Validator(
       [](const std::string& name) -> std::string {
         std::vector<std::string> known = names_of(implementations());
@@ -71,7 +74,7 @@ CLI::Validator engine_name() {
         for (const Peer& peer : peers()) names += peer.name + ", ";
         return name + " is no engine; there are " + names + "exec:CMD";
       },
-      "");
+      "{" + offered + "}");
 }
 
 std::string peer_list() {
