@@ -22,32 +22,31 @@ std::vector<std::string> example(const std::string& help) {
 }
 
 TEST_F(Help, every_example_works_when_copied) {
-  for (const std::string command : {"", "sum", "compare", "verify", "draw", "gen"}) {
-    for (const std::string command : {"", "sum", "compare", "verify", "draw", "reflect", "gen"}) {
-      const Ran help = run("oplus " + command + " --help");
-      EXPECT_EQ(help.exit_code, 0);
-      EXPECT_EQ(help.err, "");
-      const std::vector<std::string> commands = example(help.out);
-      EXPECT_GE(commands.size(), 3U) << help.out;
-      for (const std::string& line : commands) {
-        const Ran ran = run(line);
-        EXPECT_EQ(ran.exit_code, 0) << line << "\n" << ran.err;
-      }
+  for (const std::string command : {"", "sum", "compare", "verify", "draw", "reflect", "gen"}) {
+    const Ran help = run("oplus " + command + " --help");
+    EXPECT_EQ(help.exit_code, 0);
+    EXPECT_EQ(help.err, "");
+    const std::vector<std::string> commands = example(help.out);
+    EXPECT_GE(commands.size(), 3U) << help.out;
+    for (const std::string& line : commands) {
+      const Ran ran = run(line);
+      EXPECT_EQ(ran.exit_code, 0) << line << "\n" << ran.err;
     }
   }
+}
 
-  TEST_F(Help, of_the_program_explains_the_exit_codes) {
-    const std::string help = run("oplus --help").out;
-    for (const std::string line : {"\n  0  done", "\n  1  ", "\n  2  invalid", "\n  3  a bug"})
-      EXPECT_NE(help.find(line), std::string::npos) << line;
-  }
+TEST_F(Help, of_the_program_explains_the_exit_codes) {
+  const std::string help = run("oplus --help").out;
+  for (const std::string line : {"\n  0  done", "\n  1  ", "\n  2  invalid", "\n  3  a bug"})
+    EXPECT_NE(help.find(line), std::string::npos) << line;
+}
 
-  TEST_F(Help, version_is_that_of_the_build) {
-    std::ifstream in(std::string(OPLUS_SOURCE_DIR) + "/CMakeLists.txt");
-    const std::string cmake{std::istreambuf_iterator<char>(in), {}};
-    EXPECT_NE(cmake.find("project(oplus VERSION " + std::string(version) + " "), std::string::npos);
-    EXPECT_EQ(run("oplus --version").out, "oplus " + std::string(version) + "\n");
-  }
+TEST_F(Help, version_is_that_of_the_build) {
+  std::ifstream in(std::string(OPLUS_SOURCE_DIR) + "/CMakeLists.txt");
+  const std::string cmake{std::istreambuf_iterator<char>(in), {}};
+  EXPECT_NE(cmake.find("project(oplus VERSION " + std::string(version) + " "), std::string::npos);
+  EXPECT_EQ(run("oplus --version").out, "oplus " + std::string(version) + "\n");
+}
 
 }  // namespace
 }  // namespace oplus
