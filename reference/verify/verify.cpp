@@ -333,11 +333,12 @@ bool same_features(const GivenSum& given, const MinkowskiSum& right) {
 /// A second verdict: a point on either side of each chain of the sum, by the collision test.
 void ask_collision_test(const MinkowskiSum& sum, const std::vector<Segment>& exceptional,
                         const Placements& placements) {
+  const std::vector<Segment> all = edges(sum);
   for (const std::vector<Chain>* of_sum : {&sum.outer, &sum.holes}) {
     for (const Chain& chain : *of_sum) {
       for (const bool left : {true, false}) {
         const Segment first = left ? Segment{chain[0], chain[1]} : Segment{chain[1], chain[0]};
-        const Point x = point_beside(first, exceptional);
+        const Point x = point_beside(first, all, exceptional);
         if (placements.interiors_meet_at(x) != left)
           throw VerdictsDiffer("winding numbers and the collision test differ at " + to_string(x));
       }

@@ -7,11 +7,13 @@
 
 namespace oplus {
 
-/// A point of the face to the left of a segment, whose boundary is among `edges`; on none of these.
-Point point_beside(const Segment& segment, const std::vector<Segment>& edges);
+/// A point of the face to the left of a segment, whose boundary is among `edges`; on none of these,
+/// and none of `avoided`.
+Point point_beside(const Segment& segment, const std::vector<Segment>& edges,
+                   const std::vector<Segment>& avoided);
 
 /// The same for a bounded face by its boundary, the face to the left: a point with few decimals, if
-/// one is found, and on none of `avoided`.
+/// one is found.
 Point point_of_face(const std::vector<Segment>& boundary, const std::vector<Segment>& avoided);
 
 }  // namespace oplus
