@@ -73,10 +73,19 @@ struct CgalMethod {
     return chain;
   }
 
+  /// CGAL wants chains to touch in common vertices only (is_valid_polygon_with_holes), so a vertex is
+  /// added where one touches an edge of another.
   static PolygonWithHoles polygon_of(const Region& region) {
     if (region.components.size() != 1) throw NotTaken("takes one component");
-    PolygonWithHoles polygon(polygon_of(region.components[0].outer));
-    for (const Chain& hole : region.components[0].holes) polygon.add_hole(polygon_of(hole));
+    PolygonWithHoles polygon;
+    for (const std::vector<Segment>& pieces : boundary_pieces(region)) {
+      Chain chain;
+      for (const Segment& piece : pieces) chain.push_back(piece.source);
+      if (polygon.outer_boundary().is_empty())
+        polygon.outer_boundary() = polygon_of(chain);
+      else
+        polygon.add_hole(polygon_of(chain));
+    }
     return polygon;
   }
 
