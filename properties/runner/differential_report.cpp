@@ -166,7 +166,8 @@ std::string summary(const DifferentialReport& report) {
     not_taken += times;
   }
   out << report.all.ran << " cases run, each closed and open";
-  if (not_taken > 0) out << " but for " << not_taken << " sums not taken";
+  if (not_taken > 0)
+    out << " but for " << not_taken << (not_taken == 1 ? " sum" : " sums") << " not taken";
   out << ", " << report.all.skipped << " skipped, " << report.all.disagreed
       << " with a disagreement\n";
   return out.str();

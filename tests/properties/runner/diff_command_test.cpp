@@ -75,5 +75,55 @@ TEST_F(DiffCommand, refuses_bad_input_and_requests_without_sense) {
   EXPECT_EQ(diff("--cases 0 --family grid").exit_code, 2);
 }
 
+TEST_F(DiffCommand, holds_a_program_of_somebody_else_to_account) {
+  const Ran ran = diff("--pair square.dat frame.dat --engine 'exec:cat {p} #' --shrink-tries 20");
+  EXPECT_EQ(ran.exit_code, 1) << ran.err;
+  EXPECT_NE(ran.out.find("the second is exec:cat {p} #: 1 outer chain"), std::string::npos)
+      << ran.out;
+  EXPECT_NE(ran.out.find("-q.dat --engine 'exec:cat {p} #'\n"), std::string::npos) << ran.out;
+  const auto report = nlohmann::json::parse(content("oplus-findings/diff.json"));
+  EXPECT_EQ(report.at("engines"), nlohmann::json({"exec:cat {p} #"}));
+}
+
+TEST_F(DiffCommand, agrees_with_a_program_that_is_right) {
+  const Ran ran =
+      diff("--pair square.dat frame.dat --engine 'exec:oplus sum {p} {q} --format wkt'");
+  EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
+  EXPECT_NE(
+      ran.out.find("1 sum not taken by exec:oplus sum {p} {q} --format wkt, open: not taken: it "
+                   "computes closed sums only\n"
+                   "1 cases run, each closed and open but for 1 sum not taken, 0 skipped, 0 with"),
+      std::string::npos)
+      << ran.out;
+  const auto report = nlohmann::json::parse(content("oplus-findings/diff.json"));
+  EXPECT_EQ(report.at("all").at("not_taken").size(), 1U);
+}
+
+TEST_F(DiffCommand, reports_how_a_program_ends_and_skips_what_it_does_not_take) {
+  const Ran crash =
+      diff("--pair square.dat frame.dat --engine 'exec:kill -SEGV $$ #' --shrink-tries 5");
+  EXPECT_EQ(crash.exit_code, 1);
+  EXPECT_NE(crash.out.find("no sum\n  crashed: SIGSEGV"), std::string::npos) << crash.out;
+  const auto report = nlohmann::json::parse(content("oplus-findings/diff.json"));
+  EXPECT_EQ(report.at("disagreements").at(0).at("no_sum"),
+            nlohmann::json({{"kind", "crashed"}, {"site", "SIGSEGV"}}));
+  const Ran hang = diff(
+      "--pair square.dat frame.dat --engine 'exec:sleep 100000 #' --time-limit 0.2 --shrink 0");
+  EXPECT_EQ(hang.exit_code, 1);
+  const Ran none = diff("--pair square.dat frame.dat --engine 'exec:exit 77 #'");
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_NE(none.out.find("skipped: square.dat frame.dat: exec:exit 77 #: not taken"),
+            std::string::npos)
+      << none.out;
+}
+
+TEST_F(DiffCommand, lists_the_engines_of_others_in_its_help) {
+  const Ran help = diff("--help");
+  for (const char* part :
+       {"cgal-reduced ", "cgal-greene ", "clipper ", "boost-polygon ", "exec:CMD "})
+    EXPECT_NE(help.out.find(std::string("\n  ") + part), std::string::npos) << part;
+  EXPECT_NE(diff("--engine cgal --family grid").err.find("cgal-reduced"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace oplus

@@ -5,11 +5,14 @@
 #include <stdlib.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <optional>
 #include <set>
+#include <stdexcept>
+#include <utility>
 
 #include "properties/peers/methods/peer_table.hpp"
 #include "properties/runner/differential.hpp"
@@ -230,6 +233,37 @@ TEST(Peers, compute_sums_of_the_corpus_they_are_known_to_compute) {
   for (const Peer& peer : peers()) EXPECT_GE(right_sums[peer.name], 1U) << peer.name;
 }
 
+/// Where this fails a library has become better: docs/findings.md is to say so.
+TEST(Peers, are_as_wrong_as_the_findings_say) {
+  const auto by = [](const std::string& peer, const std::string& name) {
+    const std::vector<Row> rows = corpus();
+    const auto row =
+        std::find_if(rows.begin(), rows.end(), [&](const Row& r) { return r.name == name; });
+    if (row == rows.end()) throw std::runtime_error("no row " + name);
+    return std::pair(sum(peer, patient(), Boundary::closed, row->p, row->q), row->closed);
+  };
+  for (const char* row :
+       {"cgal_full_convolution_crash", "cgal_full_convolution_crash_of_nine_vertices"}) {
+    try {
+      by("cgal-full", row);
+      ADD_FAILURE() << row << ": no crash";
+    } catch (const NoSum& e) {
+      EXPECT_EQ(e.kind(), Kind::crashed) << e.what();
+    }
+    const auto [other, expected] = by("cgal-reduced", row);
+    EXPECT_EQ(other, expected);
+  }
+  const auto [by_reduced, with_hole] = by("cgal-reduced", "cgal_reduced_convolution_lost_hole");
+  EXPECT_EQ(with_hole.holes.size(), 1U);
+  EXPECT_EQ(by_reduced.holes.size(), 0U);
+  EXPECT_EQ(by_reduced.outer, with_hole.outer);
+  for (const char* peer : {"clipper", "boost-polygon"}) {
+    const auto [rounded, exact] = by(peer, "clipper_and_boost_polygon_round");
+    EXPECT_NE(rounded, exact) << peer;
+    EXPECT_EQ(rounded.outer.at(0).size(), exact.outer.at(0).size()) << peer;
+  }
+}
+
 TEST(Peers, do_not_take_what_they_have_no_interface_for) {
   const Region frame{{{{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, {{{2, 2}, {2, 7}, {7, 7}, {7, 2}}}}}};
   const Region two{{{{{0, 0}, {1, 0}, {0, 1}}, {}}, {{{5, 5}, {6, 5}, {5, 6}}, {}}}};
@@ -250,6 +284,15 @@ TEST(Peers, do_not_take_what_they_have_no_interface_for) {
     EXPECT_EQ(is_taken(peer, frame, Boundary::closed), take_holes.contains(peer.name)) << peer.name;
     EXPECT_EQ(is_taken(peer, two, Boundary::closed), peer.name == "boost-polygon") << peer.name;
   }
+}
+
+TEST(Peers, of_cgal_are_right_where_a_chain_touches_the_inside_of_an_edge) {
+  const Region q{{{{{0, -4}, {4, 0}, {0, 0}}, {{{0, 0}, {1, -1}, {1, -3}}}}}};
+  const Region p = polygon({{-1, -2}, {0, 0}, {0, 1}});
+  const MinkowskiSum right_sum =
+      canonical_sum(polygon({{-1, -6}, {3, -2}, {4, 0}, {4, 1}, {0, 1}, {-1, -2}}));
+  for (const char* peer : {"cgal-reduced", "cgal-vertical", "cgal-triangulation"})
+    EXPECT_EQ(sum(peer, patient(), Boundary::closed, p, q), right_sum) << peer;
 }
 
 TEST(Peers, that_are_not_taken_are_skipped_visibly_and_never_agree) {
