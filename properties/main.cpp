@@ -11,6 +11,7 @@
 #include "checked/cli/usage_error.hpp"
 #include "properties/exhaustive/exhaustive_command.hpp"
 #include "properties/experiments/experiments_command.hpp"
+#include "properties/fuzz/fuzz_command.hpp"
 #include "properties/pages/pages_command.hpp"
 #include "properties/runner/diff_command.hpp"
 #include "properties/runner/mutants_command.hpp"
@@ -49,6 +50,7 @@ int run(int argc, char** argv) {
   oplus::add_mutants_command(app, exit_code);
   oplus::add_pages_command(app, exit_code);
   oplus::add_experiments_command(app, exit_code);
+  oplus::add_fuzz_command(app, exit_code);
   const oplus::Choose choose = [&exit_code](const std::function<void()>& work) {
     work();
     exit_code = 0;

@@ -82,7 +82,9 @@ bool BoundingVolumeHierarchy::visit_meeting(
   const IntervalPoint certified_by = interval(by);
   std::vector<std::pair<std::size_t, std::size_t>> pending{{0, 0}};
   while (!pending.empty()) {
-    const auto [a, b] = pending.back();
+    // Not a structured binding: Clang 14 lets no lambda capture one.
+    const std::size_t a = pending.back().first;
+    const std::size_t b = pending.back().second;
     pending.pop_back();
     const Node& node = nodes_[a];
     const Node& other = moved.nodes_[b];

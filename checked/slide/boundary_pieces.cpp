@@ -22,7 +22,9 @@ void sort_along(const BoundaryPiece& piece, const std::function<Point(std::uint3
 
 std::vector<BoundaryPiece> cut_at_points(const std::vector<BoundaryPiece>& pieces,
                                          const BoundaryPoints& points) {
-  const auto& [exact, is_on, near_x, near_y, margin] = points;
+  const std::vector<double>& near_x = points.near_x;
+  const std::vector<double>& near_y = points.near_y;
+  const double margin = points.margin;
   const PointGrid grid(near_x, near_y, margin);
   std::vector<BoundaryPiece> result;
   result.reserve(pieces.size());
@@ -38,9 +40,9 @@ std::vector<BoundaryPiece> cut_at_points(const std::vector<BoundaryPiece>& piece
       if (std::abs(dx * y - dy * x) > off) return;
       // Behind one end or the other.
       if (dx * x + dy * y < -off || dx * (x - dx) + dy * (y - dy) > off) return;
-      if (is_on(i, piece)) inside.push_back(i);
+      if (points.is_on(i, piece)) inside.push_back(i);
     });
-    if (inside.size() > 1) sort_along(piece, exact, inside);
+    if (inside.size() > 1) sort_along(piece, points.exact, inside);
     std::uint32_t from = piece.from;
     for (const std::uint32_t i : inside) {
       result.push_back({from, i, piece.segment});

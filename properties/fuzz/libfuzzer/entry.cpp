@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Joins one target to libFuzzer: OPLUS_FUZZ_TARGET is the function that returns it.
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <iostream>
+#include <string>
+#include <string_view>
+
+#include "properties/fuzz/fuzz_target.hpp"
+#include "reference/definitions/mutant.hpp"
+
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
+
+namespace {
+
+const oplus::FuzzTarget& target() { return oplus::OPLUS_FUZZ_TARGET(); }
+
+struct Counts {
+  std::size_t reached = 0;
+  std::size_t rejected = 0;
+};
+Counts counts;
+
+std::string_view text(const std::uint8_t* data, std::size_t size) {
+  return {reinterpret_cast<const char*>(data), size};
+}
+
+std::size_t put(const std::string& input, std::uint8_t* data, std::size_t most) {
+  const std::size_t size = std::min(input.size(), most);
+  std::memcpy(data, input.data(), size);
+  return size;
+}
+
+}  // namespace
+
+/// GMP keeps no frame pointers, so that each allocation would have a stack of its own to be kept.
+/// ASAN_OPTIONS=malloc_context_size=30 tells more of one finding.
+extern "C" const char* __asan_default_options() {
+  return "malloc_context_size=1:quarantine_size_mb=16";
+}
+
+extern "C" int LLVMFuzzerInitialize(int* /*argc*/, char*** /*argv*/) {
+#ifdef OPLUS_MUTANTS
+  // In a build of one's own, to see that a target finds a fault.
+  if (const char* mutant = std::getenv("OPLUS_MUTANT")) oplus::active_mutant = mutant;
+#endif
+  std::atexit([] {
+    std::cerr << "oplus: reached " << counts.reached << ", rejected " << counts.rejected << '\n';
+  });
+  return 0;
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  try {
+    const bool reached = target().run(text(data, size)) == oplus::FuzzOutcome::reached;
+    ++(reached ? counts.reached : counts.rejected);
+  } catch (const std::exception& e) {
+    std::cerr << "oplus: finding: " << e.what() << std::endl;
+    std::abort();
+  }
+  return 0;
+}
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
+                                               std::size_t most, unsigned seed) {
+  oplus::Random random(seed);
+  // Bytes too: what no structure would ever have, and what comparisons and dictionaries suggest.
+  if (oplus::one_in(random, 4)) return LLVMFuzzerMutate(data, size, most);
+  return put(target().mutated(random, text(data, size)), data, most);
+}
+
+extern "C" std::size_t LLVMFuzzerCustomCrossOver(const std::uint8_t* a, std::size_t size_of_a,
+                                                 const std::uint8_t* b, std::size_t size_of_b,
+                                                 std::uint8_t* out, std::size_t most,
+                                                 unsigned seed) {
+  oplus::Random random(seed);
+  return put(target().crossed(random, text(a, size_of_a), text(b, size_of_b)), out, most);
+}

@@ -1,0 +1,414 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/fuzz/pair_mutation.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "properties/fuzz/realized_pair.hpp"
+#include "properties/generators/lattice_polygon.hpp"
+#include "properties/generators/rich_regions.hpp"
+
+namespace oplus {
+
+namespace {
+
+using Vertices = std::vector<PlannedVertex>;
+
+std::int8_t clamped(int value) {
+  using Limits = std::numeric_limits<std::int8_t>;
+  return static_cast<std::int8_t>(std::clamp<int>(value, Limits::min(), Limits::max()));
+}
+
+PlannedVertex on_grid(int x, int y) { return {clamped(x), clamped(y)}; }
+
+PlannedVertex moved(PlannedVertex v, int dx, int dy) {
+  v.x = clamped(v.x + dx);
+  v.y = clamped(v.y + dy);
+  return v;
+}
+
+PlannedVertex opposite(const PlannedVertex& v) {
+  const auto jitter = [](int value) { return static_cast<std::int8_t>(std::min(-value, 7)); };
+  return {clamped(-v.x), clamped(-v.y), jitter(v.jitter_x), jitter(v.jitter_y)};
+}
+
+template <typename T>
+T& one_of(Random& random, std::vector<T>& all) {
+  return all[uniform_index(random, all.size())];
+}
+
+PlannedSummand& a_summand(Random& random, PairPlan& plan) {
+  return one_in(random, 2) ? plan.p : plan.q;
+}
+
+/// A chain of either summand; none where the summand that was drawn has none.
+PlannedChain* a_chain(Random& random, PairPlan& plan) {
+  PlannedSummand& summand = a_summand(random, plan);
+  return summand.chains.empty() ? nullptr : &one_of(random, summand.chains);
+}
+
+std::size_t vertices_in(const PlannedSummand& summand) {
+  std::size_t n = 0;
+  for (const PlannedChain& chain : summand.chains) n += chain.vertices.size();
+  return n;
+}
+
+bool has_room(const PlannedSummand& summand, std::size_t more) {
+  return summand.chains.size() < most_chains && vertices_in(summand) + more <= most_vertices_in_all;
+}
+
+Vertices vertices_of(const Chain& chain) {
+  Vertices result;
+  for (const Point& v : chain)
+    result.push_back(on_grid(static_cast<int>(v.x.get_d()), static_cast<int>(v.y.get_d())));
+  return result;
+}
+
+// Vertices.
+
+bool move_vertex(Random& random, PairPlan& plan) {
+  PlannedChain* chain = a_chain(random, plan);
+  if (chain == nullptr) return false;
+  const int most = one_in(random, 4) ? 20 : 2;
+  const int dx = uniform(random, -most, most), dy = uniform(random, -most, most);
+  PlannedVertex& v = one_of(random, chain->vertices);
+  v = moved(v, dx, dy);
+  return true;
+}
+
+bool insert_vertex(Random& random, PairPlan& plan) {
+  PlannedSummand& summand = a_summand(random, plan);
+  if (summand.chains.empty() || vertices_in(summand) == most_vertices_in_all) return false;
+  Vertices& vertices = one_of(random, summand.chains).vertices;
+  if (vertices.size() == most_vertices) return false;
+  const std::size_t i = uniform_index(random, vertices.size());
+  const PlannedVertex& a = vertices[i];
+  const PlannedVertex& b = vertices[next(i, vertices.size())];
+  const int dx = uniform(random, -3, 3), dy = uniform(random, -3, 3);
+  const PlannedVertex between = on_grid((a.x + b.x) / 2 + dx, (a.y + b.y) / 2 + dy);
+  vertices.insert(vertices.begin() + static_cast<std::ptrdiff_t>(i) + 1, between);
+  return true;
+}
+
+/// A vertex inside a straight edge, where the grid has a point on it.
+bool split_edge(Random& random, PairPlan& plan) {
+  PlannedSummand& summand = a_summand(random, plan);
+  if (summand.chains.empty() || vertices_in(summand) == most_vertices_in_all) return false;
+  Vertices& vertices = one_of(random, summand.chains).vertices;
+  if (vertices.size() == most_vertices) return false;
+  const std::size_t i = uniform_index(random, vertices.size());
+  const PlannedVertex& a = vertices[i];
+  const PlannedVertex& b = vertices[next(i, vertices.size())];
+  const int parts = std::gcd(b.x - a.x, b.y - a.y);
+  if (parts < 2) return false;
+  const int part = uniform(random, 1, parts - 1);
+  const PlannedVertex between = moved(a, (b.x - a.x) / parts * part, (b.y - a.y) / parts * part);
+  vertices.insert(vertices.begin() + static_cast<std::ptrdiff_t>(i) + 1, between);
+  return true;
+}
+
+bool remove_vertex(Random& random, PairPlan& plan) {
+  PlannedChain* chain = a_chain(random, plan);
+  if (chain == nullptr || chain->vertices.size() <= 3) return false;
+  chain->vertices.erase(chain->vertices.begin() +
+                        static_cast<std::ptrdiff_t>(uniform_index(random, chain->vertices.size())));
+  return true;
+}
+
+/// A vertex onto one of another chain of the summand, so that the two touch.
+bool touch_vertex(Random& random, PairPlan& plan) {
+  PlannedSummand& summand = a_summand(random, plan);
+  if (summand.chains.size() < 2) return false;
+  PlannedChain& chain = one_of(random, summand.chains);
+  const PlannedChain& other = one_of(random, summand.chains);
+  if (&chain == &other) return false;
+  const PlannedVertex onto = other.vertices[uniform_index(random, other.vertices.size())];
+  one_of(random, chain.vertices) = onto;
+  return true;
+}
+
+/// The same with a point inside an edge of the other chain.
+bool touch_edge(Random& random, PairPlan& plan) {
+  PlannedSummand& summand = a_summand(random, plan);
+  if (summand.chains.size() < 2) return false;
+  PlannedChain& chain = one_of(random, summand.chains);
+  const PlannedChain& other = one_of(random, summand.chains);
+  if (&chain == &other) return false;
+  const std::size_t i = uniform_index(random, other.vertices.size());
+  const PlannedVertex& a = other.vertices[i];
+  const PlannedVertex& b = other.vertices[next(i, other.vertices.size())];
+  const int parts = std::gcd(b.x - a.x, b.y - a.y);
+  if (parts < 2) return false;
+  const int part = uniform(random, 1, parts - 1);
+  const PlannedVertex onto = moved(a, (b.x - a.x) / parts * part, (b.y - a.y) / parts * part);
+  one_of(random, chain.vertices) = onto;
+  return true;
+}
+
+/// An edge becomes parallel to one of the other summand, or just as long.
+bool make_parallel(Random& random, PairPlan& plan) {
+  const bool of_p = one_in(random, 2);
+  PlannedSummand& changed = of_p ? plan.p : plan.q;
+  PlannedSummand& other = of_p ? plan.q : plan.p;
+  if (changed.chains.empty() || other.chains.empty()) return false;
+  const Vertices& from = one_of(random, other.chains).vertices;
+  const std::size_t i = uniform_index(random, from.size());
+  const PlannedVertex& a = from[i];
+  const PlannedVertex& b = from[next(i, from.size())];
+  Vertices& vertices = one_of(random, changed.chains).vertices;
+  const std::size_t j = uniform_index(random, vertices.size());
+  const int side = one_in(random, 2) ? 1 : -1;
+  const int length = one_in(random, 3) ? 2 : 1;
+  vertices[next(j, vertices.size())] =
+      moved(vertices[j], side * length * (b.x - a.x), side * length * (b.y - a.y));
+  return true;
+}
+
+// Chains.
+
+bool add_component(Random& random, PairPlan& plan) {
+  PlannedSummand& summand = a_summand(random, plan);
+  if (!has_room(summand, 5)) return false;
+  const Chain chain = lattice_polygon(random, uniform(random, 2, 4), 5);
+  const int dx = uniform(random, -12, 12), dy = uniform(random, -12, 12);
+  Vertices vertices = vertices_of(chain);
+  for (PlannedVertex& v : vertices) v = moved(v, dx, dy);
+  summand.chains.push_back({false, std::move(vertices)});
+  return true;
+}
+
+/// A hole in a component, or an island in a hole.
+bool add_inside(Random& random, PairPlan& plan) {
+  PlannedSummand& summand = a_summand(random, plan);
+  if (summand.chains.empty() || !has_room(summand, 5)) return false;
+  const PlannedChain& around = one_of(random, summand.chains);
+  Chain chain;
+  for (const PlannedVertex& v : around.vertices) chain.push_back({v.x, v.y});
+  const auto inside = lattice_polygon_within(random, chain, 5);
+  if (!inside) return false;
+  summand.chains.push_back({!around.is_hole, vertices_of(*inside)});
+  return true;
+}
+
+bool remove_chain(Random& random, PairPlan& plan) {
+  PlannedSummand& summand = a_summand(random, plan);
+  if (summand.chains.size() < 2) return false;
+  summand.chains.erase(summand.chains.begin() +
+                       static_cast<std::ptrdiff_t>(uniform_index(random, summand.chains.size())));
+  return true;
+}
+
+/// What was a hole becomes a component alone, or the other way round.
+bool turn_chain(Random& random, PairPlan& plan) {
+  PlannedChain* chain = a_chain(random, plan);
+  if (chain == nullptr) return false;
+  chain->is_hole = !chain->is_hole;
+  return true;
+}
+
+bool move_chain(Random& random, PairPlan& plan) {
+  PlannedChain* chain = a_chain(random, plan);
+  if (chain == nullptr) return false;
+  const int dx = uniform(random, -4, 4), dy = uniform(random, -4, 4);
+  for (PlannedVertex& v : chain->vertices) v = moved(v, dx, dy);
+  return true;
+}
+
+bool copy_chain(Random& random, PairPlan& plan) {
+  PlannedChain* chain = a_chain(random, plan);
+  PlannedSummand& to = a_summand(random, plan);
+  if (chain == nullptr || !has_room(to, chain->vertices.size())) return false;
+  PlannedChain copy = *chain;
+  const int dx = uniform(random, -12, 12), dy = uniform(random, -12, 12);
+  for (PlannedVertex& v : copy.vertices) v = moved(v, dx, dy);
+  to.chains.push_back(std::move(copy));
+  return true;
+}
+
+/// A component that fits a hole of the other summand, turned by half a turn, in one place only; or
+/// that is narrower, and slides in it.
+bool fit_hole(Random& random, PairPlan& plan) {
+  const bool of_p = one_in(random, 2);
+  const PlannedSummand& around = of_p ? plan.p : plan.q;
+  PlannedSummand& fitted = of_p ? plan.q : plan.p;
+  std::vector<const PlannedChain*> holes;
+  for (const PlannedChain& chain : around.chains)
+    if (chain.is_hole) holes.push_back(&chain);
+  if (holes.empty()) return false;
+  PlannedChain piece{false, one_of(random, holes)->vertices};
+  for (PlannedVertex& v : piece.vertices) v = opposite(v);
+  if (one_in(random, 2)) {  // narrower: what is farthest right moves to the left
+    const auto right = std::max_element(piece.vertices.begin(), piece.vertices.end())->x;
+    for (PlannedVertex& v : piece.vertices)
+      if (v.x == right) v = moved(v, -1, 0);
+  }
+  if (one_in(random, 2) || !has_room(fitted, piece.vertices.size())) fitted.chains.clear();
+  fitted.chains.push_back(std::move(piece));
+  return true;
+}
+
+// Summands.
+
+bool renew_summand(Random& random, PairPlan& plan) {
+  const PairPlan fresh = new_plan(random);
+  (one_in(random, 2) ? plan.p : plan.q).chains = fresh.p.chains;
+  return true;
+}
+
+bool swap_summands(Random& /*no choice*/, PairPlan& plan) {
+  std::swap(plan.p, plan.q);
+  return true;
+}
+
+/// Q becomes P or -P.
+bool copy_summand(Random& random, PairPlan& plan) {
+  plan.q = plan.p;
+  if (one_in(random, 2)) return true;
+  for (PlannedChain& chain : plan.q.chains)
+    for (PlannedVertex& v : chain.vertices) v = opposite(v);
+  return true;
+}
+
+/// A summand mirrored, turned by a quarter, or twice as large.
+bool map_summand(Random& random, PairPlan& plan) {
+  const int how = uniform(random, 0, 2);
+  for (PlannedChain& chain : a_summand(random, plan).chains)
+    for (PlannedVertex& v : chain.vertices)
+      v = how == 0 ? on_grid(-v.x, v.y) : how == 1 ? on_grid(-v.y, v.x) : on_grid(2 * v.x, 2 * v.y);
+  return true;
+}
+
+// Numbers.
+
+bool change_magnitude(Random& random, PairPlan& plan) {
+  plan.magnitude = static_cast<std::uint8_t>(uniform_index(random, magnitudes.size()));
+  return true;
+}
+
+bool change_shear(Random& /*no choice*/, PairPlan& plan) {
+  plan.is_sheared = !plan.is_sheared;
+  return true;
+}
+
+bool change_denominator(Random& random, PairPlan& plan) {
+  const auto denominator = static_cast<std::uint8_t>(uniform_index(random, denominators().size()));
+  a_summand(random, plan).denominator = denominator;
+  if (one_in(random, 2)) plan.p.denominator = plan.q.denominator = denominator;
+  return true;
+}
+
+bool change_offset(Random& random, PairPlan& plan) {
+  const auto offset = static_cast<std::uint8_t>(uniform_index(random, offsets().size()));
+  a_summand(random, plan).offset = offset;
+  return true;
+}
+
+/// Off the grid by little, all vertices in that place alike or one alone.
+bool change_jitter(Random& random, PairPlan& plan) {
+  PlannedSummand& summand = a_summand(random, plan);
+  if (summand.chains.empty()) return false;
+  PlannedVertex& one = one_of(random, one_of(random, summand.chains).vertices);
+  const PlannedVertex before = one;
+  one.jitter_x = static_cast<std::int8_t>(uniform(random, -8, 7));
+  one.jitter_y = static_cast<std::int8_t>(uniform(random, -8, 7));
+  const PlannedVertex after = one;
+  if (one_in(random, 2))
+    for (PlannedChain& chain : summand.chains)
+      std::replace(chain.vertices.begin(), chain.vertices.end(), before, after);
+  return true;
+}
+
+bool is_good(const PairPlan& plan) {
+  const auto pair = realized(plan);
+  return pair && pair->is_as_planned();
+}
+
+PlannedSummand new_summand(Random& random) {
+  while (true) {
+    const int kind = uniform(random, 0, 3);
+    const Region region = kind == 0   ? plain_region(random, 8)
+                          : kind == 1 ? scattered_region(random, 5)
+                                      : holed_region(random, 6);
+    // A plan takes regions of a limited size only.
+    if (const auto plan = plan_of(Summands{region, region})) return plan->p;
+  }
+}
+
+}  // namespace
+
+const std::vector<PairChange>& pair_changes() {
+  static const std::vector<PairChange> all{
+      {"add_component", add_component},
+      {"add_inside", add_inside},
+      {"change_denominator", change_denominator},
+      {"change_jitter", change_jitter},
+      {"change_magnitude", change_magnitude},
+      {"change_offset", change_offset},
+      {"change_shear", change_shear},
+      {"copy_chain", copy_chain},
+      {"copy_summand", copy_summand},
+      {"fit_hole", fit_hole},
+      {"insert_vertex", insert_vertex},
+      {"make_parallel", make_parallel},
+      {"map_summand", map_summand},
+      {"move_chain", move_chain},
+      {"move_vertex", move_vertex},
+      {"remove_chain", remove_chain},
+      {"remove_vertex", remove_vertex},
+      {"renew_summand", renew_summand},
+      {"split_edge", split_edge},
+      {"swap_summands", swap_summands},
+      {"touch_edge", touch_edge},
+      {"touch_vertex", touch_vertex},
+      {"turn_chain", turn_chain},
+  };
+  return all;
+}
+
+PairPlan new_plan(Random& random) {
+  PairPlan plan;
+  plan.p = new_summand(random);
+  plan.q = new_summand(random);
+  return plan;
+}
+
+PairPlan mutated_plan(Random& random, const PairPlan& plan) {
+  for (int tries = 16; tries > 0; --tries) {
+    PairPlan changed = plan;
+    for (int changes = uniform(random, 1, 3); changes > 0; --changes)
+      pair_changes()[uniform_index(random, pair_changes().size())].apply(random, changed);
+    if (changed != plan && is_good(changed)) return changed;
+  }
+  return new_plan(random);
+}
+
+PairPlan crossed_plan(Random& random, const PairPlan& a, const PairPlan& b) {
+  for (int tries = 8; tries > 0; --tries) {
+    PairPlan crossed = one_in(random, 2) ? a : b;
+    crossed.p = one_in(random, 2) ? a.p : b.q;
+    crossed.q = one_in(random, 2) ? b.p : a.q;
+    if (one_in(random, 2)) {  // a chain more, from anywhere
+      const PairPlan& from = one_in(random, 2) ? a : b;
+      const PlannedSummand& summand = one_in(random, 2) ? from.p : from.q;
+      PlannedSummand& to = a_summand(random, crossed);
+      if (!summand.chains.empty()) {
+        const PlannedChain& chain = summand.chains[uniform_index(random, summand.chains.size())];
+        if (has_room(to, chain.vertices.size())) to.chains.push_back(chain);
+      }
+    }
+    if (is_good(crossed)) return crossed;
+  }
+  return new_plan(random);
+}
+
+std::string mutated_pair(Random& random, std::string_view bytes) {
+  return encoded(mutated_plan(random, decoded(bytes)));
+}
+
+std::string crossed_pair(Random& random, std::string_view a, std::string_view b) {
+  return encoded(crossed_plan(random, decoded(a), decoded(b)));
+}
+
+}  // namespace oplus

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/fuzz/reader_check.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/validity.hpp"
+#include "reference/io/reading.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+constexpr const char* file = "input";
+constexpr std::array formats{Format::dat, Format::wkt, Format::geojson};
+
+void require(bool holds, const std::string& what) {
+  if (!holds) throw FuzzFinding(what);
+}
+
+void require_one_line(const std::string& message) {
+  require(!message.empty() && std::all_of(message.begin(), message.end(),
+                                          [](char c) { return c >= ' ' && c <= '~'; }),
+          "a message that is not one line of printable characters: " + message);
+}
+
+void require_good_refusal(const InvalidInput& refused, std::string_view text) {
+  const std::string what = refused.what();
+  require_one_line(what);
+  const Place& at = refused.where();
+  require(what.starts_with(std::string(file) + ":" + std::to_string(at.line) + ":"),
+          "a refusal that does not start with its place: " + what);
+  require(what.find("; expected ") != std::string::npos,
+          "a refusal that does not say what was expected: " + what);
+  const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
+  require(at.line >= 1 && at.line <= lines, "a refusal at a line that is not there: " + what);
+  for (std::size_t line = 1; line < at.line; ++line) text.remove_prefix(text.find('\n') + 1);
+  // At most one past the end of the line.
+  require(at.column <= std::min(text.find('\n'), text.size()) + 1,
+          "a refusal at a column that is not there: " + what);
+}
+
+ReadRegion region_from(const std::string& text) {
+  std::istringstream in(text);
+  return read_region(in, file);
+}
+
+ReadSum sum_from(const std::string& text) {
+  std::istringstream in(text);
+  return read_sum(in, file);
+}
+
+/// What `read` returns, or none where it refuses as it should.
+template <typename Read>
+auto read_or_refused(Read read, const std::string& text) -> std::optional<decltype(read(text))> {
+  try {
+    auto result = read(text);
+    for (const std::string& note : result.notes) require_one_line(note);
+    return result;
+  } catch (const InvalidInput& refused) {
+    require_good_refusal(refused, text);
+    return std::nullopt;
+  }
+}
+
+template <typename Written>
+std::string written(const Written& value, Format format, std::optional<int> digits = std::nullopt) {
+  std::ostringstream out;
+  write(out, value, format, digits);
+  return out.str();
+}
+
+/// Law 3: `read` refuses nothing that was written, and repairs nothing.
+template <typename Read>
+auto read_again(Read read, const std::string& text) {
+  try {
+    auto result = read(text);
+    require(result.notes.empty(), "what was written needed repair: " + text);
+    return result;
+  } catch (const InvalidInput& refused) {
+    throw FuzzFinding("what was written is refused: " + std::string(refused.what()));
+  }
+}
+
+void require_valid(const Region& region) {
+  if (const auto defect = find_defect(region))
+    throw FuzzFinding("an invalid region was read: " + describe(defect->kind));
+}
+
+}  // namespace
+
+FuzzOutcome check_region_reader(std::string_view input) {
+  const std::string text(input);
+  const std::optional<ReadRegion> read = read_or_refused(region_from, text);
+  if (!read) return FuzzOutcome::rejected;
+  const Region& region = read->region;
+  require_valid(region);
+  for (const Format format : formats) {
+    require(read_again(region_from, written(region, format)).region == region,
+            "written and read again, the region is another one");
+    const auto rounded = read_or_refused(region_from, written(region, format, 2));
+    if (rounded) require_valid(rounded->region);
+  }
+  const std::optional<ReadSum> sum = read_or_refused(sum_from, text);
+  require(sum.has_value(), "a region was read that is refused as a sum");
+  require(sum->sum == canonical_sum(region), "read as a sum, the region is another one");
+  return FuzzOutcome::reached;
+}
+
+FuzzOutcome check_sum_reader(std::string_view input) {
+  const std::string text(input);
+  const std::optional<ReadSum> read = read_or_refused(sum_from, text);
+  if (!read) return FuzzOutcome::rejected;
+  const MinkowskiSum& sum = read->sum;
+  const Region region = region_of(sum);
+  require_valid(region);
+  const MinkowskiSum of_region = canonical_sum(region);
+  require(of_region.outer == sum.outer && of_region.holes == sum.holes,
+          "a sum was read that is not in canonical form");
+  require(maximal_segments(sum.dangling_edges) == sum.dangling_edges,
+          "dangling edges were read that are not maximal");
+  require(std::is_sorted(sum.isolated_vertices.begin(), sum.isolated_vertices.end()) &&
+              std::adjacent_find(sum.isolated_vertices.begin(), sum.isolated_vertices.end()) ==
+                  sum.isolated_vertices.end(),
+          "isolated vertices were read that are not sorted, each once");
+  for (const Format format : formats) {
+    if (!can_hold(format, sum)) continue;
+    require(read_again(sum_from, written(sum, format)).sum == sum,
+            "written and read again, the sum is another one");
+    if (const auto rounded = read_or_refused(sum_from, written(sum, format, 2)))
+      require_valid(region_of(rounded->sum));
+  }
+  return FuzzOutcome::reached;
+}
+
+}  // namespace oplus

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/fuzz/shown_input.hpp"
+
+#include <sstream>
+
+#include "properties/fuzz/realized_pair.hpp"
+#include "properties/fuzz/slide_check.hpp"
+#include "properties/generators/shrinking.hpp"
+#include "properties/runner/finding.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+/// What is wrong with slide on a pair, or empty.
+std::string fault_of(const Summands& summands) {
+  try {
+    check_slide(summands);
+  } catch (const std::exception& e) {
+    return e.what();
+  }
+  return {};
+}
+
+ShownInput shown_pair(Summands summands, const std::filesystem::path& folder) {
+  ShownInput result;
+  if (!fault_of(summands).empty()) {
+    result.is_a_finding = true;
+    summands = shrink(std::move(summands),
+                      [](const Summands& smaller) { return !fault_of(smaller).empty(); });
+  }
+  const Finding files = write_finding(folder, "fuzz-slide", summands);
+  std::ostringstream out;
+  out << "P: ";
+  write(out, summands.p, Format::wkt);
+  out << "Q: ";
+  write(out, summands.q, Format::wkt);
+  out << "written to " << files.p.string() << " and " << files.q.string() << '\n'
+      << (result.is_a_finding ? "finding: " + fault_of(summands) : "no finding") << '\n';
+  result.text = out.str();
+  return result;
+}
+
+}  // namespace
+
+std::optional<Summands> pair_of_input(std::string_view bytes) {
+  auto pair = realized(decoded(bytes));
+  if (!pair) return std::nullopt;
+  return std::move(pair->summands);
+}
+
+std::optional<std::string> input_of_pair(const Summands& summands) {
+  const auto plan = plan_of(summands);
+  if (!plan) return std::nullopt;
+  return encoded(*plan);
+}
+
+ShownInput shown(const FuzzTarget& target, std::string_view input,
+                 const std::filesystem::path& folder) {
+  if (target.name == "slide") {
+    auto pair = pair_of_input(input);
+    if (!pair) return {"rejected: a summand without a valid chain\n", false};
+    return shown_pair(std::move(*pair), folder);
+  }
+  try {
+    const bool reached = target.run(input) == FuzzOutcome::reached;
+    return {reached ? "read; no finding\n" : "refused, as it should be; no finding\n", false};
+  } catch (const std::exception& e) {
+    return {"finding: " + std::string(e.what()) + '\n', true};
+  }
+}
+
+}  // namespace oplus

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/fuzz/slide_check.hpp"
+
+#include <array>
+#include <string>
+#include <utility>
+
+#include "checked/slide/slide.hpp"
+#include "checked/winding/sum_by_winding_numbers.hpp"
+#include "reference/definitions/difference.hpp"
+#include "reference/definitions/validity.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+constexpr std::array<std::pair<SlideNumbers, const char*>, 3> stages{{
+    {SlideNumbers::as_needed, ""},
+    {SlideNumbers::at_least_256_bits, " in 256 bits or more"},
+    {SlideNumbers::gmp, " in GMP"},
+}};
+
+std::string named(Boundary boundary) {
+  return boundary == Boundary::closed ? "closed sum: " : "open sum: ";
+}
+
+void require_same(const MinkowskiSum& sum, const MinkowskiSum& expected, const std::string& what) {
+  if (sum == expected) return;
+  const auto found = difference(sum, expected);
+  throw FuzzFinding(what + (found ? found->what + ", at " + to_string(found->witness)
+                                  : std::string("another order")));
+}
+
+void require(bool holds, const std::string& what) {
+  if (!holds) throw FuzzFinding(what);
+}
+
+bool is_in_right_stage(const SlideStatistics& s, SlideNumbers numbers) {
+  const bool may_be_small = numbers == SlideNumbers::as_needed && s.bits <= 29;
+  const bool may_be_wide = numbers != SlideNumbers::gmp && s.bits <= 124;
+  return (s.in_64_bits == 0 || may_be_small) &&
+         (s.in_256_bits == 0 || (may_be_wide && !may_be_small)) && (s.in_gmp == 0 || !may_be_wide);
+}
+
+void check(const Summands& summands, Boundary boundary) {
+  const auto& [p, q] = summands;
+  const std::string which = named(boundary);
+  const ComputedSum expected = sum_by_winding_numbers(p, q, boundary, WithOrigins::yes);
+  SlideStatistics first;
+  for (const auto& [numbers, in_these] : stages) {
+    const SlideResult result =
+        slide_sum(p, q, boundary, {.with_origins = WithOrigins::yes, .numbers = numbers});
+    require_same(result.sum, expected.sum,
+                 which + "slide" + in_these + ", the first, and winding numbers differ: ");
+    require(result.origins == expected.origins, which + "other origins" + in_these);
+    const SlideStatistics& s = result.statistics;
+    require(is_in_right_stage(s, numbers), which + "decided in the wrong numbers" + in_these);
+    if (numbers == SlideNumbers::as_needed) first = s;
+    require(
+        s.segments == first.segments && s.bits == first.bits && s.free_pieces == first.free_pieces,
+        which + "other pieces" + in_these);
+  }
+  require_same(slide_sum(q, p, boundary).sum, expected.sum,
+               which + "slide, the first, with both summands exchanged differs: ");
+  const Region region = region_of(expected.sum);
+  if (const auto defect = find_defect(region))
+    throw FuzzFinding(which + "no valid region: " + describe(defect->kind));
+  MinkowskiSum regularized = expected.sum;
+  regularized.dangling_edges.clear();
+  regularized.isolated_vertices.clear();
+  require_same(canonical_sum(region), regularized, which + "the first is the region of the sum: ");
+}
+
+}  // namespace
+
+void check_slide(const Summands& summands) {
+  check(summands, Boundary::closed);
+  check(summands, Boundary::open);
+}
+
+}  // namespace oplus
