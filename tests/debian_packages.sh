@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Sourced by tests/run and properties/run: what they need of Debian 12, and how they get it.
 
-packages=(g++ cmake ninja-build ccache git python3 clang-format
+packages=(g++ clang libclang-rt-14-dev cmake ninja-build ccache git python3 clang-format
           libcgal-dev libgmp-dev libmpfr-dev libboost-dev libcli11-dev nlohmann-json3-dev
           libtbb-dev libpolyclipping-dev librapidcheck-dev libgtest-dev gnuplot-nox)
 

@@ -66,6 +66,16 @@ Vertices vertices_of(const Chain& chain) {
   return result;
 }
 
+bool is_small(const Vertices& vertices) {
+  const auto extent = [&](std::int8_t PlannedVertex::*axis) {
+    const auto [low, high] = std::minmax_element(
+        vertices.begin(), vertices.end(),
+        [&](const PlannedVertex& a, const PlannedVertex& b) { return a.*axis < b.*axis; });
+    return (*high).*axis - (*low).*axis;
+  };
+  return extent(&PlannedVertex::x) <= 24 && extent(&PlannedVertex::y) <= 24;
+}
+
 // Vertices.
 
 bool move_vertex(Random& random, PairPlan& plan) {
@@ -186,6 +196,8 @@ bool add_inside(Random& random, PairPlan& plan) {
   const PlannedChain& around = one_of(random, summand.chains);
   Chain chain;
   for (const PlannedVertex& v : around.vertices) chain.push_back({v.x, v.y});
+  // All grid points inside are listed, and those of no polygon may be too few.
+  if (!is_small(around.vertices) || sign(twice_area(chain)) == 0) return false;
   const auto inside = lattice_polygon_within(random, chain, 5);
   if (!inside) return false;
   summand.chains.push_back({!around.is_hole, vertices_of(*inside)});
