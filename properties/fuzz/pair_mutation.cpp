@@ -212,14 +212,6 @@ bool remove_chain(Random& random, PairPlan& plan) {
   return true;
 }
 
-/// What was a hole becomes a component alone, or the other way round.
-bool turn_chain(Random& random, PairPlan& plan) {
-  PlannedChain* chain = a_chain(random, plan);
-  if (chain == nullptr) return false;
-  chain->is_hole = !chain->is_hole;
-  return true;
-}
-
 bool move_chain(Random& random, PairPlan& plan) {
   PlannedChain* chain = a_chain(random, plan);
   if (chain == nullptr) return false;
@@ -374,7 +366,6 @@ const std::vector<PairChange>& pair_changes() {
       {"swap_summands", swap_summands},
       {"touch_edge", touch_edge},
       {"touch_vertex", touch_vertex},
-      {"turn_chain", turn_chain},
   };
   return all;
 }

@@ -90,6 +90,7 @@ std::optional<std::int8_t> small(const Rational& value) {
 }
 
 std::optional<PlannedSummand> plan_of(const Region& region) {
+  if (region.components.empty()) return std::nullopt;
   PlannedSummand result;
   std::size_t vertices = 0;
   for (const Component& component : region.components) {

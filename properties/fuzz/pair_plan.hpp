@@ -71,7 +71,7 @@ PairPlan decoded(std::string_view bytes);
 /// decoded(encoded(plan)) == plan, if the plan keeps within the limits.
 std::string encoded(const PairPlan& plan);
 
-/// The plan of a pair with integer coordinates of 8 bits with sign, within the limits.
+/// The plan of a pair with integer coordinates of 8 bits with sign, within the limits, neither empty.
 std::optional<PairPlan> plan_of(const Summands& summands);
 
 }  // namespace oplus

@@ -40,18 +40,17 @@ TEST(TextMutation, new_texts_are_read) {
     }
 }
 
-/// Neither all read nor all refused: a fifth of the first changes to a valid text keep it valid, and
-/// as many do not.
+/// Neither all read nor all refused: of valid texts a tenth at least stays valid, and a fifth does not.
 TEST(TextMutation, keeps_a_share_of_texts_valid) {
   for (const Format format : formats) {
     Random random(3);
     int reached = 0;
-    constexpr int cases = 300;
+    constexpr int cases = 150;
     for (int i = 0; i < cases; ++i) {
       const std::string text = mutated_text(random, new_region_text(random, format), format);
       reached += check_region_reader(text) == FuzzOutcome::reached;
     }
-    EXPECT_GT(reached, cases / 5);
+    EXPECT_GT(reached, cases / 10);
     EXPECT_LT(reached, cases * 4 / 5);
   }
 }
