@@ -58,7 +58,7 @@ int list(const Settings& settings) {
       std::cout << name << ' ' << target.what << '\n';
     }
   }
-  if (settings.json) std::cout << json.dump(2) << '\n';
+  if (settings.json) std::cout << nlohmann::json{{"targets", json}}.dump(2) << '\n';
   return 0;
 }
 
@@ -126,7 +126,7 @@ int fuzz(Settings settings) {
     json.push_back(to_json(report));
     if (!settings.json) std::cout << line_of(report) << std::endl;
   }
-  if (settings.json) std::cout << json.dump(2) << '\n';
+  if (settings.json) std::cout << nlohmann::json{{"targets", json}}.dump(2) << '\n';
   return found ? 1 : 0;
 }
 
@@ -161,7 +161,8 @@ void add_fuzz_command(CLI::App& app, int& exit_code) {
   command->add_option("--out", settings->out, "Folder for logs, and inputs that show a finding")
       ->type_name("DIR")
       ->capture_default_str();
-  command->add_flag("--json", settings->json, "The result, or the list, as JSON");
+  command->add_flag("--json", settings->json,
+                    "Print the result, or the list, as JSON (docs/json.md)");
   command
       ->add_option("--show", settings->show,
                    "Run the target on this input, here and now; of slide, shrink the pair that "
@@ -173,9 +174,13 @@ void add_fuzz_command(CLI::App& app, int& exit_code) {
       ->type_size(3)
       ->expected(1);
   command->footer(
-      "Example: oplus-check fuzz slide --seconds 600 --corpus slide-corpus\n"
-      "         oplus-check fuzz slide --show oplus-findings/fuzz/slide-crash-da39a3ee\n"
-      "Exit code: 0 no finding, 1 a finding, 2 bad input, or the fuzz build is missing.");
+      "Example:\n"
+      "  oplus-check fuzz slide --seconds 600 --corpus slide-corpus\n"
+      "\n"
+      "Exit codes:\n"
+      "  0  no finding\n"
+      "  1  a finding\n"
+      "  2  bad input or usage, or the fuzz build is missing; says how to build it");
   command->callback([settings, &exit_code] { exit_code = fuzz(*settings); });
 }
 

@@ -42,7 +42,6 @@ FuzzReport report_of(const std::string& target, std::string_view log, bool ended
   report.target = target;
   report.runs = number_after_last(log, "stat::number_of_executed_units:");
   report.edges = number_after_last(log, " cov:");
-  report.peak_mb = number_after_last(log, "stat::peak_rss_mb:");
   report.reached = number_after_last(log, "oplus: reached ");
   report.rejected = number_after_last(log, ", rejected ");
   if (const auto input = after_last(log, "Test unit written to ")) report.input = *input;
@@ -65,10 +64,11 @@ std::string line_of(const FuzzReport& report) {
 }
 
 nlohmann::json to_json(const FuzzReport& report) {
-  nlohmann::json json{{"target", report.target},     {"runs", report.runs},
-                      {"edges", report.edges},       {"reached", report.reached},
-                      {"rejected", report.rejected}, {"peak_mb", report.peak_mb},
-                      {"finding", nullptr},          {"input", nullptr}};
+  nlohmann::json json{{"target", report.target}, {"runs", report.runs}, {"edges", report.edges}};
+  if (report.finding.empty()) {
+    json["reached"] = report.reached;
+    json["rejected"] = report.rejected;
+  }
   if (!report.finding.empty()) json["finding"] = report.finding;
   if (!report.input.empty()) json["input"] = report.input;
   return json;

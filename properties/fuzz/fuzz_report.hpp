@@ -15,9 +15,8 @@ struct FuzzReport {
   std::size_t edges = 0;     ///< of the control flow, covered
   std::size_t reached = 0;   ///< inputs that got as far as what the target is about,
   std::size_t rejected = 0;  ///< and the others; neither is known where a finding ended the run
-  std::size_t peak_mb = 0;
-  std::string finding;  ///< a line, or empty
-  std::string input;    ///< the file with the input that shows it
+  std::string finding;       ///< a line, or empty
+  std::string input;         ///< the file with the input that shows it
 };
 
 /// Reads what libFuzzer and the target wrote. A run that ended neither at its end nor with a finding

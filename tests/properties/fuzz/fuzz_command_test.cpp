@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/checked/cli/shell.hpp"
+
+namespace oplus {
+namespace {
+
+/// Scripts of a line stand for the fuzz programs, which another build makes.
+class FuzzCommand : public Shell {
+ protected:
+  /// `script` is what oplus-fuzz-dat does.
+  Ran fuzz_dat(const std::string& script, const std::string& options) const {
+    put("program", "#!/bin/sh\n" + script + "\n");
+    return run(
+        "mkdir bin && mv program bin/oplus-fuzz-dat && chmod +x bin/oplus-fuzz-dat\n"
+        "oplus-check fuzz dat --binaries bin " +
+        options);
+  }
+};
+
+constexpr const char* good =
+    "echo '#9 DONE   cov: 77 ft: 9'; echo 'stat::number_of_executed_units: 9'; "
+    "echo 'oplus: reached 4, rejected 5' >&2";
+
+TEST_F(FuzzCommand, lists_its_targets) {
+  const Ran ran = run("oplus-check fuzz --list");
+  EXPECT_EQ(ran.exit_code, 0);
+  for (const std::string target : {"dat", "wkt", "geojson", "sums", "slide"})
+    EXPECT_NE(("\n" + ran.out).find("\n" + target + " "), std::string::npos) << target;
+}
+
+TEST_F(FuzzCommand, tells_what_a_run_did) {
+  const Ran ran = fuzz_dat(good, "--runs 9");
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_EQ(ran.out, "dat      9 runs, 77 edges, 4 inputs reached, 5 rejected; no finding\n");
+}
+
+TEST_F(FuzzCommand, gives_the_program_what_was_asked_for) {
+  const Ran ran = fuzz_dat("echo \"$@\"", "--seconds 7 --seed 3 --corpus kept --out found");
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  const std::string log = content("found/dat.log");
+  for (const std::string argument :
+       {"-seed=3 ", "-max_total_time=7 ", "-artifact_prefix=found/dat-", " kept/dat ", "/seeds/dat",
+        "/dictionaries/dat.dict"})
+    EXPECT_NE(log.find(argument), std::string::npos) << argument << " in " << log;
+}
+
+TEST_F(FuzzCommand, has_exit_code_one_for_a_finding) {
+  const Ran ran = fuzz_dat("echo 'oplus: finding: wrong'; exit 77", "--json");
+  EXPECT_EQ(ran.exit_code, 1);
+  EXPECT_EQ(nlohmann::json::parse(ran.out).at("targets").at(0).at("finding"), "wrong");
+}
+
+TEST_F(FuzzCommand, says_how_to_build_what_is_missing) {
+  const Ran ran = run("mkdir none && oplus-check fuzz dat --binaries none");
+  EXPECT_EQ(ran.exit_code, 2);
+  EXPECT_EQ(ran.lines_of_err(), 1);
+  EXPECT_NE(ran.err.find("cmake --preset fuzz && cmake --build --preset fuzz"), std::string::npos);
+}
+
+TEST_F(FuzzCommand, shows_an_input_as_the_pair_it_is) {
+  put("p.wkt", "POLYGON ((0 0, 4 0, 0 4, 0 0))");
+  put("q.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 0))");
+  const Ran ran =
+      run("oplus-check fuzz --encode p.wkt q.wkt input && "
+          "oplus-check fuzz slide --show input --out shown");
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_NE(ran.out.find("P: POLYGON ((0 0, 4 0, 0 4, 0 0))"), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find("no finding"), std::string::npos) << ran.out;
+  EXPECT_EQ(run("ls shown/*-p.dat shown/*-q.dat").exit_code, 0);
+}
+
+TEST_F(FuzzCommand, refuses_a_pair_that_is_no_input) {
+  put("p.wkt", "POLYGON ((0 0, 400 0, 0 4, 0 0))");
+  const Ran ran = run("oplus-check fuzz --encode p.wkt p.wkt input");
+  EXPECT_EQ(ran.exit_code, 2);
+  EXPECT_EQ(ran.lines_of_err(), 1);
+}
+
+}  // namespace
+}  // namespace oplus
