@@ -183,7 +183,8 @@ int diff(const Settings& settings) {
 
 void add_diff_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
-      "diff", "Compare engines with the oracle; without pairs or families: the main job");
+      "diff",
+      "Compare engines with the oracle, on pairs that are named or on those of the main job");
   const auto settings = std::make_shared<Settings>();
   command
       ->add_option("--engine", settings->engines,

@@ -117,6 +117,12 @@ std::string full_description(const DescribedOption& option) {
   return more.empty() ? option.what : option.what + (option.what.empty() ? "(" : " (") + more + ")";
 }
 
+std::string short_description(const DescribedOption& option) {
+  std::size_t end = option.what.size();
+  for (const char* const mark : {": ", "; ", ". "}) end = std::min(end, option.what.find(mark));
+  return option.what.substr(0, end);
+}
+
 bool is_for_every_command(const CLI::Option& option) {
   return option.nonpositional() && !option.check_lname("help") && !option.check_lname("version");
 }

@@ -49,6 +49,9 @@ DescribedProgram described(const CLI::App& program);
 /// "a description (one of a, b, c; default: b)": what the description leaves out is added.
 std::string full_description(const DescribedOption& option);
 
+/// What the description says first, for where there is one line: "how to compute".
+std::string short_description(const DescribedOption& option);
+
 /// Whether each command takes an option of the program as well.
 bool is_for_every_command(const CLI::Option& option);
 

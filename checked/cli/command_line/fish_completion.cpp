@@ -36,7 +36,7 @@ std::string lines(const std::string& start, const std::vector<DescribedOption>& 
     for (const std::string& name : option.names)
       text += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
     if (option.values > 0) text += offered(option);
-    text += " -d " + in_fish_quotes(option.what) + "\n";
+    text += " -d " + in_fish_quotes(short_description(option)) + "\n";
   }
   return text;
 }

@@ -41,10 +41,10 @@ std::string specifications(const std::vector<DescribedOption>& options) {
     for (const std::string& name : option.names) {
       const std::string before = option.repeats ? "*" : "(" + others + ")";
       const std::string assigned = option.values == 1 && name.starts_with("--") ? "=" : "";
-      text +=
-          "        " +
-          in_quotes(before + name + assigned + "[" + escaped(option.what) + "]" + values(option)) +
-          " \\\n";
+      text += "        " +
+              in_quotes(before + name + assigned + "[" + escaped(short_description(option)) + "]" +
+                        values(option)) +
+              " \\\n";
     }
   }
   return text;
