@@ -246,7 +246,8 @@ Region stretched(Random& random, Region region) {
                                              Rational(1, 3),
                                              Rational(-1, 10),
                                              Rational("123456789012345678901"),
-                                             Rational(22, 7)};
+                                             Rational(22, 7),
+                                             Rational("101/1000")};
   const Rational factor = one_of(random, factors);
   const Rational shift = one_of(random, factors);
   // Turned by half a turn or not at all: orientations stay.
@@ -324,7 +325,8 @@ std::string new_sum_text(Random& random, Format format) {
   if (format != Format::dat) {
     const Rational x = uniform(random, -9, 9), y = uniform(random, -9, 9);
     sum.dangling_edges = {{{x, y}, {x + 2, y + 1}}, {{x, y}, {x + 3, y}}};
-    sum.isolated_vertices = {{x - 1, y / 3}};
+    // Not in the order that readers put them in.
+    sum.isolated_vertices = {{x - 1, y / 3}, {x - 2, y}};
   }
   std::ostringstream out;
   write(out, sum, format);
