@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "properties/chapter2/boundary_coverage.hpp"
+#include "properties/chapter2/covered_sum.hpp"
+#include "properties/runner/each_engine.hpp"
 #include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/io/writing.hpp"
@@ -21,6 +23,11 @@ Outcome check(const Summands& summands) {
                   " is on no equally directed segment of the convolution";
   }
   return outcome;
+}
+
+Outcome law(const Sum& sum, const Summands& summands) {
+  const auto& [p, q] = summands;
+  return unless_broken(bare(sum(p, q), convolution(p, q), {}));
 }
 
 const Registered registered({
@@ -47,6 +54,7 @@ const Registered registered({
     .cases = 400,
     .file = __FILE__,
     .check = check,
+    .of_implementation = of_one(law),
 });
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <set>
 
 #include "properties/chapter2/boundary_coverage.hpp"
+#include "properties/chapter2/covered_sum.hpp"
+#include "properties/runner/each_engine.hpp"
 #include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/definitions/cut_at_intersections.hpp"
@@ -71,6 +73,13 @@ Outcome check(const Summands& summands) {
   return outcome;
 }
 
+Outcome law(const Sum& sum, const Summands& summands) {
+  const auto& [p, q] = summands;
+  const std::set<Point> excepted = sums_of_touching_points(summands);
+  return unless_broken(
+      bare(sum(p, q), reduced_convolution(p, q), {excepted.begin(), excepted.end()}));
+}
+
 const Registered registered({
     .id = "theorem-2.3.2",
     .kind = "theorem",
@@ -98,6 +107,7 @@ const Registered registered({
     .cases = 200,
     .file = __FILE__,
     .check = check,
+    .of_implementation = of_one(law),
 });
 
 }  // namespace

@@ -5,9 +5,11 @@
 
 #include "properties/chapter2/open_sum.hpp"
 #include "properties/chapter2/points_beside.hpp"
+#include "properties/runner/each_engine.hpp"
 #include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/definitions/convolution.hpp"
+#include "reference/definitions/difference.hpp"
 #include "reference/definitions/winding_number.hpp"
 #include "reference/io/writing.hpp"
 
@@ -87,6 +89,28 @@ class Comparison {
   Outcome outcome_;
 };
 
+/// What the theorem says of a result: a point in every face of the convolution's arrangement, which
+/// the result's edges cut further, is inside iff its winding number is positive.
+Outcome law(const Sum& sum, const Summands& summands) {
+  const MinkowskiSum result = sum(summands.p, summands.q);
+  const std::vector<Segment> all = segments(convolution(summands.p, summands.q));
+  std::vector<Segment> overlaid = all;
+  const std::vector<Segment> of_result = edges(result);
+  overlaid.insert(overlaid.end(), of_result.begin(), of_result.end());
+  Outcome outcome;
+  for (const Point& x : points_beside(overlaid)) {
+    ++outcome.counts["points beside segments"];
+    const int winding = winding_number(x, all);
+    const Location location = locate(x, result);
+    if (location == Location::boundary || (location == Location::inside) == (winding > 0)) continue;
+    outcome.kind = Outcome::Kind::fails;
+    outcome.why = "at " + to_string(x) + " the winding number is " + std::to_string(winding) +
+                  ", which is " + (location == Location::inside ? "in" : "not in") + " the sum";
+    return outcome;
+  }
+  return outcome;
+}
+
 const Registered registered({
     .id = "theorem-4.2.1",
     .kind = "theorem",
@@ -114,6 +138,7 @@ const Registered registered({
     .cases = 300,
     .file = __FILE__,
     .check = [](const Summands& summands) { return Comparison(summands).run(); },
+    .of_implementation = of_one(law),
 });
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "properties/generators/diamond_and_u.hpp"
-#include "properties/runner/implementation.hpp"
+#include "properties/runner/each_engine.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/oracle/oracle.hpp"
 
@@ -49,7 +49,8 @@ Rational power_of_two(int exponent) {
   return result;
 }
 
-Outcome check(const Summands& summands) {
+Outcome shows(const Summands& summands, const std::vector<Implementation>& implementations,
+              const std::vector<Boundary>& boundaries) {
   Outcome outcome;
   const auto discard = [&] {
     outcome.kind = Outcome::Kind::discarded;
@@ -69,9 +70,9 @@ Outcome check(const Summands& summands) {
   // From what a double can tell from zero next to one, to what it cannot tell from zero at all.
   for (const Rational& scale : {power_of_two(-10), power_of_two(-60), power_of_two(-1100)}) {
     const Summands tiny = diamond_and_u(scale * given.eps1, scale * given.eps2);
-    for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
+    for (const Boundary boundary : boundaries) {
       const Shape right = shape_of(boundary == Boundary::closed ? expected.closed : expected.open);
-      for (const Implementation& implementation : implementations()) {
+      for (const Implementation& implementation : implementations) {
         Probes probes;
         const Shape shape = shape_of(implementation.sum(tiny.p, tiny.q, boundary, probes));
         ++outcome.counts["sums"];
@@ -85,6 +86,15 @@ Outcome check(const Summands& summands) {
     }
   }
   return outcome;
+}
+
+Outcome check(const Summands& summands) {
+  return shows(summands, implementations(), {Boundary::closed, Boundary::open});
+}
+
+Outcome of_implementation(const Implementation& implementation, Boundary boundary,
+                          const Summands& summands) {
+  return shows(summands, {implementation}, {boundary});
 }
 
 const Registered registered({
@@ -109,6 +119,7 @@ const Registered registered({
     .cases = 40,
     .file = __FILE__,
     .check = check,
+    .of_implementation = of_implementation,
 });
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "properties/laws/convex_hull.hpp"
-#include "properties/laws/each_engine.hpp"
 #include "properties/laws/linear_map.hpp"
+#include "properties/runner/each_engine.hpp"
 #include "properties/runner/registry.hpp"
 
 namespace oplus {
@@ -47,13 +47,12 @@ std::string broken(const Sum& sum, const Region& p, const Region& q) {
          (equal ? "" : "not ") + "convex and homothetic";
 }
 
-Outcome check(const Summands& summands) {
+Outcome law(const Sum& sum, const Summands& summands) {
   const auto& [p, q] = summands;
   const Region similar_to_p = translated(image(scaling(Rational(2, 3)), p), {1, 5});
-  Outcome outcome = of_each_engine(Law([&](const Sum& sum) {
-    std::string what = broken(sum, p, q);
-    return what.empty() ? broken(sum, p, similar_to_p) : "P and a smaller P: " + what;
-  }));
+  std::string what = broken(sum, p, q);
+  what = what.empty() ? broken(sum, p, similar_to_p) : "P and a smaller P: " + what;
+  Outcome outcome = unless_broken(what);
   if (are_homothetic(p, similar_to_p)) ++outcome.counts["equal areas"];
   return outcome;
 }
@@ -79,7 +78,8 @@ const Registered registered({
     .kills = {"area-is-of-the-first-chain"},
     .cases = 100,
     .file = __FILE__,
-    .check = check,
+    .check = of_each_engine(law),
+    .of_implementation = of_one(law),
 });
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/laws/each_engine.hpp"
+#include "properties/runner/each_engine.hpp"
 #include "properties/runner/registry.hpp"
 
 namespace oplus {
@@ -12,19 +12,14 @@ std::vector<Region> third_summands(const Summands& summands) {
           polygon({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}), summands.q};
 }
 
-Outcome check(const Summands& summands) {
+Outcome law(const Sum& sum, const Summands& summands) {
   const auto& [p, q] = summands;
-  return of_each_engine(std::function<std::string(const BothSums&)>([&](const BothSums& sums) {
-    const Region pq = region_of(sums.closed(p, q));
-    for (const Region& r : third_summands(summands)) {
-      const Region qr = region_of(sums.closed(q, r));
-      for (const Sum* sum : {&sums.closed, &sums.open}) {
-        std::string what = told_apart((*sum)(pq, r), (*sum)(p, qr));
-        if (!what.empty()) return (sum == &sums.open ? "open, " : "closed, ") + what;
-      }
-    }
-    return std::string();
-  }));
+  const Region pq = region_of(sum.closed(p, q));
+  for (const Region& r : third_summands(summands)) {
+    const std::string what = told_apart(sum(pq, r), sum(p, region_of(sum.closed(q, r))));
+    if (!what.empty()) return unless_broken(what);
+  }
+  return {};
 }
 
 const Registered registered({
@@ -48,7 +43,8 @@ const Registered registered({
     .kills = {"candidates-need-no-hole-test"},
     .cases = 80,
     .file = __FILE__,
-    .check = check,
+    .check = of_each_engine(law),
+    .of_implementation = of_one(law),
 });
 
 }  // namespace

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/laws/each_engine.hpp"
+#include "properties/runner/each_engine.hpp"
 #include "properties/runner/registry.hpp"
 
 namespace oplus {
 
 namespace {
 
-Outcome check(const Summands& summands) {
+Outcome law(const Sum& sum, const Summands& summands) {
   const auto& [p, q] = summands;
-  return of_each_engine(Law([&](const Sum& sum) { return told_apart(sum(p, q), sum(q, p)); }));
+  return unless_broken(told_apart(sum(p, q), sum(q, p)));
 }
 
 const Registered registered({
@@ -38,7 +38,8 @@ const Registered registered({
     .kills = {"candidates-need-no-hole-test", "holes-of-q-are-left-out"},
     .cases = 250,
     .file = __FILE__,
-    .check = check,
+    .check = of_each_engine(law),
+    .of_implementation = of_one(law),
 });
 
 }  // namespace

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "properties/laws/convex_hull.hpp"
-#include "properties/laws/each_engine.hpp"
+#include "properties/runner/each_engine.hpp"
 #include "properties/runner/registry.hpp"
 
 namespace oplus {
@@ -39,17 +39,15 @@ Chain merged(const Chain& p, const Chain& q) {
   return result;
 }
 
-Outcome check(const Summands& summands) {
+Outcome law(const Sum& sum, const Summands& summands) {
   const Region p = hull(summands.p), q = hull(summands.q);
   const MinkowskiSum expected{{merged(p.components[0].outer, q.components[0].outer)}, {}, {}, {}};
-  return of_each_engine(Law([&](const Sum& sum) -> std::string {
-    const std::string what = told_apart(sum(p, q), expected);
-    if (!what.empty()) return "of the hulls, " + what;
-    const MinkowskiSum whole = sum(summands.p, summands.q);
-    if (convex_hull(vertices(whole.outer)) != expected.outer[0])
-      return "the hull of the sum is not the sum of the hulls";
-    return "";
-  }));
+  const std::string what = told_apart(sum(p, q), expected);
+  if (!what.empty()) return unless_broken("of the hulls, " + what);
+  const MinkowskiSum whole = sum(summands.p, summands.q);
+  if (convex_hull(vertices(whole.outer)) != expected.outer[0])
+    return unless_broken("the hull of the sum is not the sum of the hulls");
+  return {};
 }
 
 const Registered registered({
@@ -77,7 +75,8 @@ const Registered registered({
     .kills = {"edges-in-line-stay-apart"},
     .cases = 200,
     .file = __FILE__,
-    .check = check,
+    .check = of_each_engine(law),
+    .of_implementation = of_one(law),
 });
 
 }  // namespace

@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "properties/laws/convex_hull.hpp"
-#include "properties/laws/each_engine.hpp"
 #include "properties/laws/overlaid_sums.hpp"
+#include "properties/runner/each_engine.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/io/writing.hpp"
 
@@ -24,29 +24,25 @@ std::vector<std::pair<Region, Region>> nested(const Region& p) {
   return pairs;
 }
 
-std::string broken(const Sum& sum, const Region& smaller, const Region& larger, const Region& q,
-                   bool open) {
+std::string broken(const Sum& sum, const Region& smaller, const Region& larger, const Region& q) {
   for (const OverlaidPoint& x : overlaid({sum(smaller, q), sum(larger, q)})) {
-    const bool in_smaller = open ? x.in[0] == Location::inside : x.in[0] != Location::outside;
-    const bool in_larger = open ? x.in[1] == Location::inside : x.in[1] != Location::outside;
+    const bool in_smaller =
+        sum.is_open() ? x.in[0] == Location::inside : x.in[0] != Location::outside;
+    const bool in_larger =
+        sum.is_open() ? x.in[1] == Location::inside : x.in[1] != Location::outside;
     if (in_smaller && !in_larger)
-      return std::string(open ? "open, " : "closed, ") + to_string(x.point) +
-             " is in the sum of the smaller region only";
+      return to_string(x.point) + " is in the sum of the smaller region only";
   }
   return "";
 }
 
-Outcome check(const Summands& summands) {
+Outcome law(const Sum& sum, const Summands& summands) {
   const std::vector<std::pair<Region, Region>> pairs = nested(summands.p);
-  Outcome outcome =
-      of_each_engine(std::function<std::string(const BothSums&)>([&](const BothSums& sums) {
-        for (const auto& [smaller, larger] : pairs) {
-          std::string what = broken(sums.closed, smaller, larger, summands.q, false);
-          if (what.empty()) what = broken(sums.open, smaller, larger, summands.q, true);
-          if (!what.empty()) return what;
-        }
-        return std::string();
-      }));
+  Outcome outcome;
+  for (const auto& [smaller, larger] : pairs) {
+    outcome = unless_broken(broken(sum, smaller, larger, summands.q));
+    if (outcome.kind == Outcome::Kind::fails) break;
+  }
   outcome.counts["nested regions"] += pairs.size();
   return outcome;
 }
@@ -69,7 +65,8 @@ const Registered registered({
     .kills = {"candidates-need-no-hole-test"},
     .cases = 60,
     .file = __FILE__,
-    .check = check,
+    .check = of_each_engine(law),
+    .of_implementation = of_one(law),
 });
 
 }  // namespace

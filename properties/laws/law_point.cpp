@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/laws/each_engine.hpp"
 #include "properties/laws/linear_map.hpp"
 #include "properties/laws/overlaid_sums.hpp"
+#include "properties/runner/each_engine.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/io/writing.hpp"
 
@@ -43,13 +43,10 @@ std::string shrinks_to_p(const Sum& sum, const Region& p, const Region& q) {
   return "";
 }
 
-Outcome check(const Summands& summands) {
+Outcome law(const Sum& sum, const Summands& summands) {
   const auto& [p, q] = summands;
-  return of_each_engine(std::function<std::string(const BothSums&)>([&](const BothSums& sums) {
-    std::string what = contains_translates(sums.closed, p, q);
-    if (what.empty()) what = shrinks_to_p(sums.closed, p, q);
-    return what.empty() ? shrinks_to_p(sums.open, p, q) : what;
-  }));
+  std::string what = sum.is_open() ? "" : contains_translates(sum, p, q);
+  return unless_broken(what.empty() ? shrinks_to_p(sum, p, q) : what);
 }
 
 const Registered registered({
@@ -72,7 +69,8 @@ const Registered registered({
     .kills = {"area-is-of-the-first-chain"},
     .cases = 60,
     .file = __FILE__,
-    .check = check,
+    .check = of_each_engine(law),
+    .of_implementation = of_one(law),
 });
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/laws/each_engine.hpp"
 #include "properties/laws/linear_map.hpp"
+#include "properties/runner/each_engine.hpp"
 #include "properties/runner/registry.hpp"
 
 namespace oplus {
@@ -12,17 +12,15 @@ std::vector<Rational> factors() {
   return {-1, Rational(2, 3), large, 1 / large};
 }
 
-Outcome check(const Summands& summands) {
+Outcome law(const Sum& sum, const Summands& summands) {
   const auto& [p, q] = summands;
-  return of_each_engine(Law([&](const Sum& sum) {
-    const MinkowskiSum here = sum(p, q);
-    for (const Rational& factor : factors()) {
-      const LinearMap map = scaling(factor);
-      std::string what = told_apart(image(map, here), sum(image(map, p), image(map, q)));
-      if (!what.empty()) return "scaled by " + factor.get_str() + ", " + what;
-    }
-    return std::string();
-  }));
+  const MinkowskiSum here = sum(p, q);
+  for (const Rational& factor : factors()) {
+    const LinearMap map = scaling(factor);
+    const std::string what = told_apart(image(map, here), sum(image(map, p), image(map, q)));
+    if (!what.empty()) return unless_broken("scaled by " + factor.get_str() + ", " + what);
+  }
+  return {};
 }
 
 const Registered registered({
@@ -47,7 +45,8 @@ const Registered registered({
     .kills = {"coordinates-stay-scaled"},
     .cases = 60,
     .file = __FILE__,
-    .check = check,
+    .check = of_each_engine(law),
+    .of_implementation = of_one(law),
 });
 
 }  // namespace

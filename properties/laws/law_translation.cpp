@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/laws/each_engine.hpp"
 #include "properties/laws/linear_map.hpp"
+#include "properties/runner/each_engine.hpp"
 #include "properties/runner/registry.hpp"
 
 namespace oplus {
@@ -15,17 +15,15 @@ std::vector<std::pair<Vector, Vector>> translations() {
           {{far, 1}, {-1, far}}};
 }
 
-Outcome check(const Summands& summands) {
+Outcome law(const Sum& sum, const Summands& summands) {
   const auto& [p, q] = summands;
-  return of_each_engine(Law([&](const Sum& sum) {
-    const MinkowskiSum here = sum(p, q);
-    for (const auto& [s, t] : translations()) {
-      std::string what =
-          told_apart(image(scaling(1), here, s + t), sum(translated(p, s), translated(q, t)));
-      if (!what.empty()) return what;
-    }
-    return std::string();
-  }));
+  const MinkowskiSum here = sum(p, q);
+  for (const auto& [s, t] : translations()) {
+    const std::string what =
+        told_apart(image(scaling(1), here, s + t), sum(translated(p, s), translated(q, t)));
+    if (!what.empty()) return unless_broken(what);
+  }
+  return {};
 }
 
 const Registered registered({
@@ -51,7 +49,8 @@ const Registered registered({
     .kills = {"coordinates-stay-scaled"},
     .cases = 80,
     .file = __FILE__,
-    .check = check,
+    .check = of_each_engine(law),
+    .of_implementation = of_one(law),
 });
 
 }  // namespace

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "properties/laws/each_engine.hpp"
 #include "properties/laws/overlaid_sums.hpp"
+#include "properties/runner/each_engine.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/definitions/validity.hpp"
 #include "reference/io/writing.hpp"
@@ -47,20 +47,20 @@ bool in_one_of(const OverlaidPoint& x, std::size_t from, bool open) {
   });
 }
 
-std::string broken(const Sum& sum, const Summands& summands, const std::vector<Region>& parts,
-                   bool open) {
+std::string broken(const Sum& sum, const Summands& summands, const std::vector<Region>& parts) {
   std::vector<MinkowskiSum> sums = {sum(summands.p, summands.q)};
   for (const Region& part : parts) sums.push_back(sum(part, summands.q));
   for (const OverlaidPoint& x : overlaid(sums)) {
-    const bool in_whole = open ? x.in[0] == Location::inside : x.in[0] != Location::outside;
-    if (in_whole == in_one_of(x, 1, open)) continue;
-    return std::string(open ? "open, " : "closed, ") + to_string(x.point) + " is in the sum of " +
+    const bool in_whole =
+        sum.is_open() ? x.in[0] == Location::inside : x.in[0] != Location::outside;
+    if (in_whole == in_one_of(x, 1, sum.is_open())) continue;
+    return to_string(x.point) + " is in the sum of " +
            (in_whole ? "the union and of no part" : "a part and not of the union");
   }
   return "";
 }
 
-Outcome check(const Summands& summands) {
+Outcome law(const Sum& sum, const Summands& summands) {
   const std::optional<std::vector<Region>> of_p = parts(summands.p);
   if (!of_p) {
     Outcome outcome;
@@ -68,11 +68,7 @@ Outcome check(const Summands& summands) {
     outcome.why = "P is neither several components nor a polygon with a diagonal";
     return outcome;
   }
-  Outcome outcome =
-      of_each_engine(std::function<std::string(const BothSums&)>([&](const BothSums& sums) {
-        std::string what = broken(sums.closed, summands, *of_p, false);
-        return what.empty() ? broken(sums.open, summands, *of_p, true) : what;
-      }));
+  Outcome outcome = unless_broken(broken(sum, summands, *of_p));
   ++outcome
         .counts[summands.p.components.size() > 1 ? "unions of components" : "polygons cut in two"];
   return outcome;
@@ -97,7 +93,8 @@ const Registered registered({
     .kills = {"candidates-need-no-hole-test", "dangling-edges-run-one-way"},
     .cases = 50,
     .file = __FILE__,
-    .check = check,
+    .check = of_each_engine(law),
+    .of_implementation = of_one(law),
 });
 
 }  // namespace

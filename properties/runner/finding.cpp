@@ -17,17 +17,6 @@ std::string dat(const Region& region) {
   return out.str();
 }
 
-std::string quoted(const std::filesystem::path& path) {
-  std::string result = "'";
-  for (const char c : path.string()) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return result + "'";
-}
-
-std::string for_shell(const std::filesystem::path& path) {
-  const std::string plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./-";
-  return path.string().find_first_not_of(plain) == std::string::npos ? path.string() : quoted(path);
-}
-
 }  // namespace
 
 Finding write_finding(const std::filesystem::path& folder, const std::string& statement,
@@ -40,6 +29,14 @@ Finding write_finding(const std::filesystem::path& folder, const std::string& st
   write_file(finding.p.string(), p);
   write_file(finding.q.string(), q);
   return finding;
+}
+
+std::string for_shell(const std::string& text) {
+  const std::string plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./-";
+  if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return result + "'";
 }
 
 std::string replay_line(const std::string& statement, const Finding& finding) {

@@ -20,6 +20,9 @@ struct Finding {
 Finding write_finding(const std::filesystem::path& folder, const std::string& statement,
                       const Summands& summands);
 
+/// The text as one word of a shell's line: quoted where it has to be.
+std::string for_shell(const std::string& text);
+
 /// The line that tries the statement on just that pair, quoted for a shell.
 std::string replay_line(const std::string& statement, const Finding& finding);
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "properties/generators/family.hpp"
+#include "properties/runner/implementation.hpp"
 
 namespace oplus {
 
@@ -58,6 +59,9 @@ struct Statement {
   /// Proves the statement, or what it comes down to, case by case; empty where there is no finite
   /// domain.
   std::function<Enumeration()> enumerate = {};
+  /// The same asked of one implementation's sums, for statements that speak of sums only; throws what
+  /// the implementation throws. Empty for others.
+  std::function<Outcome(const Implementation&, Boundary, const Summands&)> of_implementation = {};
 };
 
 /// What the statement says of a pair; an exception is a failure too. Discarded without `check`.

@@ -1,30 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#pragma once
+#include "properties/corpus/corpus.hpp"
 
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "reference/io/reading.hpp"
 
 namespace oplus {
 
-/// A named pair with its sums. What is written where: tests/corpus/pairs.txt.
-struct Row {
-  std::string name;
-  std::string story;
-  Region p;
-  Region q;
-  MinkowskiSum closed;
-  MinkowskiSum open;
-};
-
-/// Returns the rows in the order of the file. Throws InvalidInput or std::runtime_error, naming the
-/// row, where one is wrong.
-inline std::vector<Row> corpus() {
+std::vector<Row> corpus() {
   std::ifstream in(OPLUS_SOURCE_DIR "/tests/corpus/pairs.txt");
   if (!in) throw std::runtime_error("cannot open tests/corpus/pairs.txt");
   std::vector<std::vector<std::string>> blocks(1);

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "properties/generators/family.hpp"
+#include "properties/runner/implementation.hpp"
+#include "properties/runner/no_sum.hpp"
+
+namespace oplus {
+
+/// What an implementation answers when asked for a sum: the sum, or why there is none.
+struct Answer {
+  std::optional<MinkowskiSum> sum;
+  NoSum::Kind no_sum = NoSum::Kind::crashed;  ///< where there is none
+  std::string site;                           ///< likewise, as NoSum has it
+  std::string what;                           ///< likewise, a line
+};
+
+/// Never throws but for want of memory: an exception of an implementation is an answer, too. One that
+/// is no NoSum is a crash, its type and its words without digits the site.
+Answer ask(const Implementation& implementation, const Region& p, const Region& q,
+           Boundary boundary);
+
+}  // namespace oplus

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/runner/each_engine.hpp"
+
+#include <exception>
+#include <utility>
+
+#include "reference/definitions/difference.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+/// An engine that throws is named, too.
+Outcome asked(const Law& law, const Implementation& engine, Boundary boundary,
+              const Summands& summands) {
+  try {
+    return law(Sum(engine, boundary), summands);
+  } catch (const std::exception& e) {
+    return unless_broken(std::string("it threw: ") + e.what());
+  }
+}
+
+}  // namespace
+
+Outcome unless_broken(std::string what) {
+  Outcome outcome;
+  if (what.empty()) return outcome;
+  outcome.kind = Outcome::Kind::fails;
+  outcome.why = std::move(what);
+  return outcome;
+}
+
+std::function<Outcome(const Summands&)> of_each_engine(Law law) {
+  return [law = std::move(law)](const Summands& summands) {
+    Outcome outcome;
+    for (const Implementation& engine : implementations()) {
+      for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
+        outcome = asked(law, engine, boundary, summands);
+        if (outcome.kind == Outcome::Kind::holds) continue;
+        if (outcome.kind == Outcome::Kind::fails)
+          outcome.why.insert(
+              0, engine.name + (boundary == Boundary::closed ? ", closed: " : ", open: "));
+        return outcome;
+      }
+    }
+    return outcome;
+  };
+}
+
+std::function<Outcome(const Implementation&, Boundary, const Summands&)> of_one(Law law) {
+  return [law = std::move(law)](const Implementation& implementation, Boundary boundary,
+                                const Summands& summands) {
+    return law(Sum(implementation, boundary), summands);
+  };
+}
+
+std::string told_apart(const MinkowskiSum& first, const MinkowskiSum& second) {
+  const auto found = difference(first, second);
+  return found ? found->what + ", at " + to_string(found->witness) : "";
+}
+
+}  // namespace oplus

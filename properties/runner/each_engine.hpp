@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "properties/runner/implementation.hpp"
+#include "properties/runner/statement.hpp"
+
+namespace oplus {
+
+/// P ⊕ Q by one implementation, for laws that are asked of closed sums or of open ones.
+class Sum {
+ public:
+  Sum(const Implementation& by, Boundary boundary) : by_(by), boundary_(boundary) {}
+
+  /// The one asked about.
+  MinkowskiSum operator()(const Region& p, const Region& q) const { return sum(p, q, boundary_); }
+  /// The closed one, always: a region again.
+  MinkowskiSum closed(const Region& p, const Region& q) const {
+    return sum(p, q, Boundary::closed);
+  }
+  bool is_open() const { return boundary_ == Boundary::open; }
+
+ private:
+  MinkowskiSum sum(const Region& p, const Region& q, Boundary boundary) const {
+    Probes probes;
+    return by_.sum(p, q, boundary, probes);
+  }
+
+  const Implementation& by_;
+  Boundary boundary_;
+};
+
+/// What a law on sums says of a pair.
+using Law = std::function<Outcome(const Sum& sum, const Summands& summands)>;
+
+/// Holds where nothing is said to be broken.
+Outcome unless_broken(std::string what);
+
+/// Fits `Statement::check`: asks the law of every engine, closed and open; the outcome names the first
+/// that breaks it, and counts what was looked at once. An engine that throws breaks it.
+std::function<Outcome(const Summands&)> of_each_engine(Law law);
+
+/// Fits `Statement::of_implementation`.
+std::function<Outcome(const Implementation&, Boundary, const Summands&)> of_one(Law law);
+
+/// How two sums differ, in words; empty where they are equal.
+std::string told_apart(const MinkowskiSum& first, const MinkowskiSum& second);
+
+}  // namespace oplus

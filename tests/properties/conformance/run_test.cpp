@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/conformance/run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "reference/definitions/difference.hpp"
+#include "tests/properties/conformance/faulty_implementations.hpp"
+
+namespace oplus {
+namespace {
+
+using Kinds = std::map<std::string, std::size_t>;
+
+/// How many sums of the plan an implementation gets wrong, counted without what is tested.
+std::size_t wrong_sums(const Implementation& implementation) {
+  std::size_t count = 0;
+  for (const Trial& trial : conformance_plan(few()).trials) {
+    const auto [p, q] = trial.make();
+    for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
+      Probes probes;
+      try {
+        count += implementation.sum(p, q, boundary, probes) != slide_sum(p, q, boundary).sum;
+      } catch (const std::exception&) {
+        ++count;
+      }
+    }
+  }
+  return count;
+}
+
+/// The report has failures of this kind only, all there are, and one shrunk to so many vertices.
+void expect_only(const std::string& kind, std::size_t vertices,
+                 const Implementation& implementation) {
+  const std::size_t expected = wrong_sums(implementation);
+  ASSERT_GT(expected, 0U) << kind;
+  const ConformanceReport report = conformance_of(implementation);
+  EXPECT_EQ(report.all().kinds, (Kinds{{kind, expected}}));
+  EXPECT_FALSE(report.conforms());
+  ASSERT_EQ(report.counterexamples.size(), 1U);
+  const ShrunkFailure& shrunk = report.counterexamples.at(kind);
+  EXPECT_EQ(shrunk.seen.failure.kind, kind);
+  EXPECT_TRUE(shrunk.is_repeatable) << kind;
+  EXPECT_LE(size_of(shrunk.seen.summands).vertices, vertices) << kind;
+}
+
+Summands shrunk_pair(const ConformanceReport& report, const std::string& kind) {
+  return report.counterexamples.at(kind).seen.summands;
+}
+
+TEST(Conformance, slide_conforms_in_every_part) {
+  ConformanceSettings settings;
+  settings.cases = 3;
+  const ConformanceReport report = conformance_of(
+      without_probes("slide", [](const Region& p, const Region& q,
+                                 Boundary boundary) { return slide_sum(p, q, boundary).sum; }),
+      settings);
+  EXPECT_TRUE(report.conforms());
+  std::set<std::string> parts;
+  for (std::size_t i = 0; i < report.groups.size(); ++i) {
+    parts.insert(report.groups[i].part);
+    EXPECT_GT(report.tallies[i].count(Ruling::passed), 0U) << report.groups[i].name;
+    EXPECT_EQ(report.tallies[i].pairs, report.groups[i].pairs);
+  }
+  EXPECT_EQ(parts.size(), conformance_parts().size());
+}
+
+TEST(Conformance, tells_kinds_of_wrong_sums_apart_and_counts_them) {
+  expect_only("hole lost", 8, changed([](MinkowskiSum& sum) { sum.holes.clear(); }));
+  expect_only("dangling edge lost", 8,
+              changed([](MinkowskiSum& sum) { sum.dangling_edges.clear(); }));
+  expect_only("isolated vertex lost", 8,
+              changed([](MinkowskiSum& sum) { sum.isolated_vertices.clear(); }));
+  expect_only("isolated vertex invented", 6, changed([](MinkowskiSum& sum) {
+                sum.isolated_vertices.push_back({1000, 1000});
+              }));
+  expect_only("orientation", 6, changed([](MinkowskiSum& sum) {
+                std::reverse(sum.outer[0].begin(), sum.outer[0].end());
+              }));
+  expect_only("component lost", 6, changed([](MinkowskiSum& sum) {
+                sum = {{{{1000, 1000}, {1001, 1000}, {1000, 1001}}}, {}, {}, {}};
+              }));
+  expect_only("component invented", 6, changed([](MinkowskiSum& sum) {
+                sum.outer.push_back({{1000, 1000}, {1001, 1000}, {1000, 1001}});
+              }));
+}
+
+TEST(Conformance, sees_one_vertex_too_far_out_and_all_of_them_rounded) {
+  expect_only("area larger", 6, changed([](MinkowskiSum& sum) {
+                MinkowskiSum moved = sum;
+                moved.outer[0][0].x -= 1;
+                if (!malformed(moved)) sum = moved;
+              }));
+  const Rational grid(1, 1024);
+  const auto rounded = [&](Rational& v) {
+    const Rational steps = v / grid;
+    v = Rational(steps.get_num() / steps.get_den()) * grid;
+  };
+  expect_only("rounded", 8, changed([&](MinkowskiSum& sum) {
+                for (auto* chains : {&sum.outer, &sum.holes}) {
+                  for (Chain& chain : *chains) {
+                    for (Point& p : chain) {
+                      rounded(p.x);
+                      rounded(p.y);
+                    }
+                  }
+                }
+              }));
+}
+
+TEST(Conformance, what_is_no_sum_is_a_kind_with_its_site) {
+  const auto always = [](const Summands&) { return true; };
+  expect_only("crashed: exception: bad luck, times", 6, failing(always, []() -> MinkowskiSum {
+                throw std::runtime_error("bad luck, 13 times");
+              }));
+  const auto no_sum = [](NoSum::Kind kind) {
+    return [kind]() -> MinkowskiSum { throw NoSum(kind, "f.cpp", "a line"); };
+  };
+  const auto large = [](const Summands& s) { return vertex_count(s.p) > 3; };
+  expect_only("crashed: f.cpp", 7, failing(large, no_sum(NoSum::Kind::crashed)));
+  expect_only("unreadable: f.cpp", 7, failing(large, no_sum(NoSum::Kind::unreadable)));
+  expect_only("out of memory", 7, failing(large, no_sum(NoSum::Kind::out_of_memory)));
+  const Implementation hangs = failing(large, no_sum(NoSum::Kind::hung));
+  const ConformanceReport report = conformance_of(hangs);
+  EXPECT_EQ(report.all().kinds, (Kinds{{"hung", wrong_sums(hangs)}}));
+  EXPECT_LE(report.counterexamples.at("hung").tries, report.settings.shrink_tries / 20 + 1);
+}
+
+TEST(Conformance, crashes_at_different_sites_are_different_kinds) {
+  const Implementation two = without_probes(
+      "two sites", [](const Region& p, const Region& q, Boundary boundary) -> MinkowskiSum {
+        if (vertex_count(p) > 3) throw NoSum(NoSum::Kind::crashed, "a.hpp", "one");
+        if (vertex_count(q) > 3) throw NoSum(NoSum::Kind::crashed, "b.hpp", "two");
+        return slide_sum(p, q, boundary).sum;
+      });
+  const ConformanceReport report = conformance_of(two);
+  EXPECT_EQ(vertex_count(shrunk_pair(report, "crashed: a.hpp").p), 4U);
+  EXPECT_EQ(vertex_count(shrunk_pair(report, "crashed: b.hpp").p), 3U);
+  EXPECT_EQ(vertex_count(shrunk_pair(report, "crashed: b.hpp").q), 4U);
+}
+
+TEST(Conformance, what_is_not_taken_is_counted_and_no_fault) {
+  const Implementation closed_only = without_probes(
+      "closed only", [](const Region& p, const Region& q, Boundary boundary) -> MinkowskiSum {
+        if (boundary == Boundary::open) throw NoSum(NoSum::Kind::not_taken, "", "no open sums");
+        return slide_sum(p, q, boundary).sum;
+      });
+  ConformanceSettings settings;
+  settings.cases = 2;
+  const ConformanceReport report = conformance_of(closed_only, settings);
+  const ConformanceTally all = report.all();
+  EXPECT_TRUE(report.conforms());
+  EXPECT_EQ(all.count(Ruling::passed) + all.count(Ruling::not_taken) + all.count(Ruling::skipped),
+            2 * all.pairs);
+  EXPECT_GT(all.count(Ruling::passed), 0U);
+  EXPECT_GE(all.count(Ruling::not_taken), all.pairs - all.count(Ruling::skipped));
+}
+
+TEST(Conformance, laws_find_what_pairs_do_not_and_blame_the_sum_that_is_wrong) {
+  const Rational far(mpz_class(1) << 300);
+  const Implementation careless =
+      without_probes("careless", [&](const Region& p, const Region& q, Boundary boundary) {
+        MinkowskiSum sum = slide_sum(p, q, boundary).sum;
+        if (abs(p.components[0].outer[0].x) > far) sum.holes.clear();
+        return sum;
+      });
+  EXPECT_TRUE(conformance_of(careless).conforms());
+  ConformanceSettings settings;
+  settings.cases = 30;
+  settings.parts = {"laws"};
+  const ConformanceReport report = conformance_of(careless, settings);
+  ASSERT_EQ(report.all().kinds.size(), 1U);
+  const ShrunkFailure& shrunk = report.counterexamples.at("hole lost");
+  EXPECT_GT(abs(shrunk.seen.summands.p.components[0].outer[0].x), far);
+  EXPECT_LE(size_of(shrunk.seen.summands).vertices, 9U);
+}
+
+TEST(Conformance, statements_judge_where_the_oracle_is_not_asked) {
+  ConformanceSettings settings;
+  settings.cases = 4;
+  settings.largest = 0;
+  const ConformanceReport report =
+      conformance_of(changed([](MinkowskiSum& sum) { sum.outer[0][0].x -= 1; }), settings);
+  for (const auto& [kind, count] : report.all().kinds)
+    EXPECT_TRUE(kind.starts_with("breaks ")) << kind;
+  EXPECT_TRUE(report.counterexamples.contains("breaks theorem-4.2.1"));
+  EXPECT_TRUE(report.counterexamples.contains("breaks theorem-2.2.10"));
+  EXPECT_TRUE(report.counterexamples.contains("breaks law-convex"));
+  EXPECT_LE(size_of(shrunk_pair(report, "breaks theorem-2.2.10")).vertices, 6U);
+}
+
+TEST(Conformance, an_answer_that_is_not_repeated_is_reported_and_not_shrunk) {
+  std::size_t asked = 0;
+  const Implementation once =
+      without_probes("once", [&](const Region& p, const Region& q, Boundary boundary) {
+        if (++asked == 5) throw NoSum(NoSum::Kind::crashed, "once", "only once");
+        return slide_sum(p, q, boundary).sum;
+      });
+  const ConformanceReport report = run_conformance(once, few(), conformance_plan(few()), 1);
+  EXPECT_EQ(report.all().kinds, (Kinds{{"crashed: once", 1}}));
+  EXPECT_FALSE(report.counterexamples.at("crashed: once").is_repeatable);
+}
+
+TEST(Conformance, same_report_however_many_threads) {
+  const Implementation loses = changed([](MinkowskiSum& sum) { sum.holes.clear(); });
+  const ConformancePlan plan = conformance_plan(few());
+  const ConformanceReport one = run_conformance(loses, few(), plan, 1);
+  const ConformanceReport four = run_conformance(loses, few(), plan, 4);
+  EXPECT_EQ(to_json(one).dump(), to_json(four).dump());
+  EXPECT_EQ(to_markdown(one), to_markdown(four));
+  EXPECT_EQ(to_junit(one), to_junit(four));
+}
+
+TEST(Conformance, given_pairs_are_asked_of_the_oracle_and_of_every_statement) {
+  const Summands pair{polygon({{0, 0}, {1, 0}, {0, 1}}), polygon({{0, 0}, {1, 0}, {0, 1}})};
+  const ConformancePlan plan = plan_of_pairs({{"a b", pair}});
+  EXPECT_EQ(plan.groups[0].name, "a b, by the oracle");
+  EXPECT_EQ(plan.groups.size(), plan.trials.size());
+  EXPECT_GT(plan.groups.size(), 15U);
+  EXPECT_TRUE(run_conformance(changed([](MinkowskiSum&) {}), few(), plan, 1).conforms());
+}
+
+}  // namespace
+}  // namespace oplus
