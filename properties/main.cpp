@@ -9,6 +9,7 @@
 #include "checked/cli/command_line/program_frame.hpp"
 #include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/usage_error.hpp"
+#include "properties/campaigns/merge_command.hpp"
 #include "properties/conformance/conformance_command.hpp"
 #include "properties/exhaustive/exhaustive_command.hpp"
 #include "properties/experiments/experiments_command.hpp"
@@ -47,6 +48,7 @@ int run(int argc, char** argv) {
   oplus::add_diff_command(app, exit_code);
   oplus::add_conformance_command(app, exit_code);
   oplus::add_exhaustive_command(app, exit_code);
+  oplus::add_merge_command(app, exit_code);
   oplus::add_properties_command(app, exit_code);
   oplus::add_theorems_command(app, exit_code);
   oplus::add_mutants_command(app, exit_code);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <exception>
+#include <system_error>
 
 #include "reference/io/quoting.hpp"
 
@@ -32,6 +33,8 @@ Answer ask(const Implementation& implementation, const Region& p, const Region& 
     answer.no_sum = e.kind();
     answer.site = one_line(e.site());
     answer.what = one_line(e.what());
+  } catch (const std::system_error&) {
+    throw;  // there is no process to be had, which is no fault of who was asked
   } catch (const std::exception& e) {
     answer.site = "exception: " + without_digits(e.what());
     answer.what = "it threw: " + one_line(e.what());

@@ -18,8 +18,8 @@ struct Answer {
   std::string what;                           ///< likewise, a line
 };
 
-/// Never throws but for want of memory: an exception of an implementation is an answer, too. One that
-/// is no NoSum is a crash, its type and its words without digits the site.
+/// An exception of an implementation is an answer, too. One that is no NoSum is a crash, its words
+/// without digits the site. Throws std::system_error where the implementation does: it was not asked.
 Answer ask(const Implementation& implementation, const Region& p, const Region& q,
            Boundary boundary);
 

@@ -8,7 +8,9 @@
 #include <memory>
 #include <thread>
 
+#include "checked/cli/command_line/terminal.hpp"
 #include "properties/conformance/run.hpp"
+#include "properties/runner/engine_called.hpp"
 #include "properties/runner/progress.hpp"
 #include "reference/io/picture.hpp"
 #include "reference/io/reading.hpp"
@@ -28,10 +30,11 @@ struct Settings {
   std::vector<std::string> reports;
 };
 
-const Implementation* engine_named(const std::string& name) {
+/// One of our engines, a peer or a command.
+std::optional<Implementation> engine_named(const std::string& name, const PeerLimits& limits) {
   for (const Implementation& engine : implementations())
-    if (engine.name == name) return &engine;
-  return nullptr;
+    if (engine.name == name) return engine;
+  return engine_called(name, limits);
 }
 
 ConformancePlan plan(const Settings& settings) {
@@ -77,7 +80,7 @@ void print(const ConformanceReport& report, const std::string& folder) {
 }
 
 int refused(const std::string& why) {
-  std::cerr << "oplus-check: " << why << '\n';
+  say_error("oplus-check", why);
   return 2;
 }
 
@@ -89,8 +92,8 @@ int conformance(Settings settings) {
     if (!is_report_name(file))
       return refused("--report " + file + " ends in none of .md, .json and .xml");
   }
-  const Implementation* const engine = engine_named(settings.engine);
-  if (engine == nullptr) return refused("there is no engine " + settings.engine);
+  const std::optional<Implementation> engine = engine_named(settings.engine, settings.asked.limits);
+  if (!engine) return refused("there is no engine " + settings.engine);
 
   const ConformancePlan planned = plan(settings);
   Progress progress("conformance", trials_of(*shard, planned));
@@ -118,7 +121,10 @@ void add_conformance_command(CLI::App& app, int& exit_code) {
       "conformance", "Check all that must hold of sums against one implementation");
   const auto settings = std::make_shared<Settings>();
   ConformanceSettings& asked = settings->asked;
-  command->add_option("--engine", settings->engine, "The implementation")
+  command
+      ->add_option(
+          "--engine", settings->engine,
+          "The implementation: an engine of oplus, a peer, or exec:CMD, as diff takes them")
       ->type_name("NAME")
       ->required();
   command->add_option("--pair", settings->pairs, "Only this pair of files; may be repeated")
@@ -140,6 +146,15 @@ void add_conformance_command(CLI::App& app, int& exit_code) {
   command
       ->add_option("--shrink", asked.shrink_tries,
                    "Try at most so many pairs to shrink a counterexample; of hangs a twentieth")
+      ->capture_default_str();
+  command
+      ->add_option("--time-limit", asked.limits.seconds,
+                   "Seconds that another's engine has for a sum")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command
+      ->add_option("--memory-limit", asked.limits.memory_mb,
+                   "Address space that it has, in MB; 0: any")
       ->capture_default_str();
   command->add_option("--shard", settings->shard, "Only trials of the I-th of N parts")
       ->type_name("I/N")

@@ -172,19 +172,10 @@ MinkowskiSum with_sorted_features(MinkowskiSum sum) {
 }  // namespace
 
 Failure failure_without_sum(const Answer& answer) {
-  switch (answer.no_sum) {
-    case NoSum::Kind::crashed:
-      return named(with_site("crashed", answer.site), answer.what);
-    case NoSum::Kind::hung:
-      return named("hung", answer.what);
-    case NoSum::Kind::out_of_memory:
-      return named("out of memory", answer.what);
-    case NoSum::Kind::unreadable:
-      return named(with_site("unreadable", answer.site), answer.what);
-    case NoSum::Kind::not_taken:
-      break;
-  }
-  return named("not taken", answer.what);
+  const std::string kind = name(answer.no_sum);
+  const bool has_site =
+      answer.no_sum == NoSum::Kind::crashed || answer.no_sum == NoSum::Kind::unreadable;
+  return named(has_site ? with_site(kind, answer.site) : kind, answer.what);
 }
 
 std::optional<Failure> malformed(const MinkowskiSum& sum) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "properties/conformance/trial.hpp"
+#include "properties/runner/engine_called.hpp"
 #include "properties/runner/shard.hpp"
 
 namespace oplus {
@@ -21,6 +22,7 @@ struct ConformanceSettings {
   std::vector<std::string> parts = {};    ///< of conformance_parts(); none: all of them
   std::size_t largest = 1300;             ///< see try_out()
   std::size_t shrink_tries = 1000;  ///< for one counterexample; a twentieth for one that hangs
+  PeerLimits limits = {};           ///< of others' engines
   Shard shard = {};
 };
 

@@ -158,6 +158,8 @@ Json campaign_of(const ConformanceReport& report) {
   json["parts"] = settings.parts;
   json["largest"] = settings.largest;
   json["shrink"] = settings.shrink_tries;
+  json["time_limit"] = settings.limits.seconds;
+  json["memory_limit"] = settings.limits.memory_mb;
   json["pairs"] = report.pairs;
   json["groups"] = Json::array();
   for (const TrialGroup& group : report.groups)
@@ -194,6 +196,8 @@ ConformanceReport conformance_of_json(const Json& json) {
   campaign.at("parts").get_to(settings.parts);
   campaign.at("largest").get_to(settings.largest);
   campaign.at("shrink").get_to(settings.shrink_tries);
+  campaign.at("time_limit").get_to(settings.limits.seconds);
+  campaign.at("memory_limit").get_to(settings.limits.memory_mb);
   campaign.at("pairs").get_to(report.pairs);
   json.at("shard").get_to(settings.shard.index);
   json.at("shards").get_to(settings.shard.of);

@@ -2,6 +2,7 @@
 #include "properties/conformance/trial.hpp"
 
 #include <exception>
+#include <system_error>
 
 #include "reference/definitions/convolution.hpp"
 #include "reference/io/quoting.hpp"
@@ -83,6 +84,8 @@ TrialResult against_statement(const Summands& summands, Boundary boundary,
   Outcome outcome;
   try {
     outcome = statement.of_implementation(recording(implementation, asked), boundary, summands);
+  } catch (const std::system_error&) {
+    throw;
   } catch (const std::exception& e) {
     outcome.kind = Outcome::Kind::fails;
     outcome.why = one_line(e.what());

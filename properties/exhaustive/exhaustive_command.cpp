@@ -13,6 +13,7 @@
 #include "checked/cli/command_line/terminal.hpp"
 #include "properties/exhaustive/exhaustive_run.hpp"
 #include "properties/runner/differential_report.hpp"
+#include "properties/runner/shard.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
@@ -32,14 +33,6 @@ struct Settings {
   std::size_t most_shrunk = 3;
   std::string out = "oplus-findings";
 };
-
-/// "2/8", or none.
-bool parse_shard(const std::string& text, Scope& scope) {
-  std::istringstream in(text);
-  char slash = 0;
-  return in >> scope.shard >> slash >> scope.shards && slash == '/' && in.eof() &&
-         scope.shard >= 1 && scope.shard <= scope.shards;
-}
 
 std::vector<Implementation> chosen_implementations(const std::vector<std::string>& names) {
   std::vector<Implementation> chosen = implementations();
@@ -115,11 +108,13 @@ class Estimate {
 };
 
 int exhaustive(Settings settings) {
-  if (!parse_shard(settings.shard, settings.scope)) {
-    std::cerr << "oplus-check: --shard " << settings.shard
-              << " names no shard; expected I/N, 1 <= I <= N\n";
+  const std::optional<Shard> shard = shard_of(settings.shard);
+  if (!shard) {
+    say_error("oplus-check", no_shard(settings.shard));
     return 2;
   }
+  settings.scope.shard = shard->index;
+  settings.scope.shards = shard->of;
   const std::vector<Implementation> checked = chosen_implementations(settings.engines);
   const std::optional<ExhaustiveState> first = first_state(settings, names_of(checked));
   if (!first) return 2;

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "properties/exhaustive/grid_polygons.hpp"
+#include "properties/runner/sealed_report.hpp"
 #include "reference/io/invalid_input.hpp"
 
 namespace oplus {
@@ -29,34 +30,37 @@ void add(const DifferentialResult& result, std::size_t orbit, ExhaustiveState& s
 }  // namespace
 
 std::string to_json(const ExhaustiveState& state) {
-  const nlohmann::ordered_json json = {{"grid", state.scope.side},
-                                       {"vertices", state.scope.most_vertices},
-                                       {"shard", state.scope.shard},
-                                       {"shards", state.scope.shards},
-                                       {"engines", state.engines},
-                                       {"polygons", state.polygons},
-                                       {"pairs", state.pairs},
-                                       {"done", state.done},
-                                       {"holes_in_sum", state.holes_in_sum},
-                                       {"low_dimensional_features", state.low_dimensional_features},
-                                       {"overlapping_segments", state.overlapping_segments},
-                                       {"disagreed", state.disagreed},
-                                       {"digest", state.digest.to_string()}};
-  return json.dump(2) + "\n";
+  nlohmann::ordered_json json = begun_report("exhaustive",
+                                             {{"grid", state.scope.side},
+                                              {"vertices", state.scope.most_vertices},
+                                              {"engines", state.engines}},
+                                             {state.scope.shard, state.scope.shards});
+  json.update({{"polygons", state.polygons},
+               {"pairs", state.pairs},
+               {"done", state.done},
+               {"holes_in_sum", state.holes_in_sum},
+               {"low_dimensional_features", state.low_dimensional_features},
+               {"overlapping_segments", state.overlapping_segments},
+               {"disagreed", state.disagreed},
+               {"digest", state.digest.to_string()}});
+  return sealed(json);
 }
 
 ExhaustiveState state_of_json(const std::string& text, const std::string& file) {
   const auto refuse = [&](const std::string& wrong) {
     return InvalidInput({file, 1, 0}, wrong, "a state that oplus-check exhaustive wrote");
   };
+  const nlohmann::ordered_json json = opened(text, file);
+  if (json.at("report") != "exhaustive") throw refuse("another command's report");
+  if (json.at("version") != version()) throw refuse("the state of another version");
   try {
-    const nlohmann::json json = nlohmann::json::parse(text);
     ExhaustiveState state;
-    json.at("grid").get_to(state.scope.side);
-    json.at("vertices").get_to(state.scope.most_vertices);
+    const nlohmann::ordered_json& campaign = json.at("campaign");
+    campaign.at("grid").get_to(state.scope.side);
+    campaign.at("vertices").get_to(state.scope.most_vertices);
+    campaign.at("engines").get_to(state.engines);
     json.at("shard").get_to(state.scope.shard);
     json.at("shards").get_to(state.scope.shards);
-    json.at("engines").get_to(state.engines);
     json.at("polygons").get_to(state.polygons);
     json.at("pairs").get_to(state.pairs);
     json.at("done").get_to(state.done);

@@ -14,6 +14,8 @@
 #include "properties/runner/differential_report.hpp"
 #include "properties/runner/engine_called.hpp"
 #include "properties/runner/progress.hpp"
+#include "properties/runner/property_run.hpp"
+#include "properties/runner/sealed_report.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
@@ -37,6 +39,7 @@ struct Settings {
   std::string out = "oplus-findings";
   std::string report;
   bool json = false;
+  std::string shard = "1/1";
 };
 
 template <typename Named>
@@ -120,12 +123,39 @@ std::vector<DifferentialCase> chosen_cases(const Settings& settings) {
   return cases;
 }
 
-/// Runs all cases; shrinks, writes and explains the first few disagreements.
-DifferentialReport run(const Settings& settings, const std::vector<DifferentialCase>& cases) {
+/// All that decides what is run, and who says so.
+nlohmann::json campaign(const Settings& settings, const std::vector<std::string>& engines,
+                        const std::vector<DifferentialCase>& cases) {
+  std::string names;
+  for (const DifferentialCase& one : cases) names += one.name + '\n';
+  return {{"engines", engines},
+          {"hole_test", settings.hole_test},
+          {"seed", settings.seed},
+          {"largest", settings.largest},
+          {"shrink", settings.most_shrunk},
+          {"shrink_tries", settings.shrink_tries},
+          {"time_limit", settings.limits.seconds},
+          {"memory_limit", settings.limits.memory_mb},
+          {"cases", cases.size()},
+          {"names_of_cases", seed_of(names, 0)}};
+}
+
+/// Runs all cases of the shard; shrinks, writes and explains the first few disagreements.
+DifferentialReport run(const Settings& settings, const Shard& shard,
+                       const std::vector<DifferentialCase>& all_cases) {
+  std::vector<DifferentialCase> cases;
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; i < all_cases.size(); ++i) {
+    if (!shard.has(i)) continue;
+    cases.push_back(all_cases[i]);
+    indices.push_back(i);
+  }
   const std::vector<Implementation> checked = chosen_implementations(settings);
   DifferentialReport report;
+  report.shard = shard;
   report.seed = settings.seed;
   report.implementations = names_of(checked);
+  report.campaign = campaign(settings, report.implementations, all_cases);
   if (settings.hole_test != "all") report.hole_test = settings.hole_test;
   std::vector<DifferentialResult> results(cases.size());
   Progress progress("diff", cases.size());
@@ -140,7 +170,7 @@ DifferentialReport run(const Settings& settings, const std::vector<DifferentialC
     report.all.add(result);
     report.groups[cases[i].group].add(result);
     if (result.kind == DifferentialResult::Kind::skipped)
-      report.skipped.emplace_back(cases[i].name, result.why);
+      report.skipped.push_back({indices[i], cases[i].name, result.why});
     if (result.kind != DifferentialResult::Kind::disagreed) continue;
     if (report.disagreements.size() == settings.most_shrunk) continue;
     text_output(settings.json || speech().quiet)
@@ -148,31 +178,37 @@ DifferentialReport run(const Settings& settings, const std::vector<DifferentialC
     report.disagreements.push_back(write_disagreement(
         settings.out, cases[i].name,
         shrink(cases[i].make(), *result.disagreement, checked, settings.shrink_tries)));
+    report.disagreements.back().index = indices[i];
     text_output(settings.json) << explanation(report.disagreements.back()) << std::flush;
   }
   return report;
 }
 
 int diff(const Settings& settings) {
+  const std::optional<Shard> shard = shard_of(settings.shard);
+  if (!shard) {
+    say_error("oplus-check", no_shard(settings.shard));
+    return 2;
+  }
   const std::vector<DifferentialCase> cases = chosen_cases(settings);
   if (cases.empty()) {
     say_error("oplus-check", "diff found no pair to compare");
     return 2;
   }
-  const DifferentialReport report = run(settings, cases);
+  const DifferentialReport report = run(settings, *shard, cases);
   const std::string file = settings.report.empty()
                                ? (std::filesystem::path(settings.out) / "diff.json").string()
                                : settings.report;
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
   if (!folder.empty()) std::filesystem::create_directories(folder);
-  const std::string json = to_json(report).dump(2) + "\n";
+  const std::string json = sealed(to_json(report));
   write_file(file, json);
   text_output(settings.json) << with_painted_verdict(
                                     summary(report),
                                     report.all.disagreed == 0 ? Paint::good : Paint::bad, std::cout)
                              << "report: " << file << '\n';
   if (settings.json) std::cout << json;
-  if (report.all.ran == 0) {
+  if (report.all.ran == 0 && shard->of == 1) {
     say_error("oplus-check", "diff compared nothing: every pair was skipped");
     return 2;
   }
@@ -234,6 +270,9 @@ void add_diff_command(CLI::App& app, int& exit_code) {
   command
       ->add_option("--memory-limit", settings->limits.memory_mb,
                    "Address space that it has, in MB; 0: any")
+      ->capture_default_str();
+  command->add_option("--shard", settings->shard, "Only cases of the I-th of N parts")
+      ->type_name("I/N")
       ->capture_default_str();
   command->add_option("--out", settings->out, "Folder for disagreements and the report")
       ->type_name("DIR")

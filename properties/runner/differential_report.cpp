@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "properties/runner/differential_report.hpp"
 
+#include <filesystem>
 #include <iomanip>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "properties/runner/finding.hpp"
+#include "properties/runner/sealed_report.hpp"
 #include "reference/io/picture.hpp"
 #include "reference/io/writing.hpp"
 
@@ -59,11 +61,10 @@ std::string engine_option(const std::string& name) {
 }
 
 /// A line for each reason and the first case that has it.
-void write_skipped(std::ostream& out,
-                   const std::vector<std::pair<std::string, std::string>>& skipped) {
+void write_skipped(std::ostream& out, const std::vector<SkippedCase>& skipped) {
   std::map<std::string, std::size_t> times;
-  for (const auto& [name, why] : skipped) ++times[why];
-  for (const auto& [name, why] : skipped) {
+  for (const SkippedCase& one : skipped) ++times[one.why];
+  for (const auto& [index, name, why] : skipped) {
     std::size_t& left = times[why];
     if (left == 0) continue;
     out << "skipped: " << name;
@@ -71,6 +72,10 @@ void write_skipped(std::ostream& out,
     out << ": " << why << '\n';
     left = 0;
   }
+}
+
+std::string without_folder(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
 }
 
 std::string picture(const ShrunkDisagreement& shrunk) {
@@ -105,7 +110,7 @@ void Tally::add(const DifferentialResult& result) {
   probes += result.probes;
 }
 
-nlohmann::json to_json(const DifferentialReport& report) {
+nlohmann::ordered_json to_json(const DifferentialReport& report) {
   nlohmann::json json = {{"seed", report.seed},
                          {"engines", report.implementations},
                          {"hole_test", report.hole_test.empty() ? "all" : report.hole_test},
@@ -114,17 +119,18 @@ nlohmann::json to_json(const DifferentialReport& report) {
                          {"skipped", nlohmann::json::array()},
                          {"disagreements", nlohmann::json::array()}};
   for (const auto& [group, tally] : report.groups) json["groups"][group] = to_json(tally);
-  for (const auto& [name, why] : report.skipped)
-    json["skipped"].push_back({{"case", name}, {"why", why}});
+  for (const auto& [index, name, why] : report.skipped)
+    json["skipped"].push_back({{"index", index}, {"case", name}, {"why", why}});
   for (const ReportedDisagreement& reported : report.disagreements) {
     const Disagreement& found = reported.shrunk.disagreement;
-    nlohmann::json entry = {{"found_in", reported.found_in},
+    nlohmann::json entry = {{"index", reported.index},
+                            {"found_in", reported.found_in},
                             {"engine", found.implementation},
                             {"boundary", word(found.boundary)},
                             {"what", found.what},
-                            {"p", reported.p_file},
-                            {"q", reported.q_file},
-                            {"picture", reported.picture},
+                            {"p", without_folder(reported.p_file)},
+                            {"q", without_folder(reported.q_file)},
+                            {"picture", without_folder(reported.picture)},
                             {"oracle_sum", wkt(found.by_oracle)}};
     if (found.by_implementation) entry["engine_sum"] = wkt(*found.by_implementation);
     if (found.no_sum)
@@ -133,7 +139,9 @@ nlohmann::json to_json(const DifferentialReport& report) {
       entry["witness"] = {to_string(found.witness->x), to_string(found.witness->y)};
     json["disagreements"].push_back(std::move(entry));
   }
-  return json;
+  nlohmann::ordered_json sealable = begun_report("diff", report.campaign, report.shard);
+  for (const auto& [key, value] : json.items()) sealable[key] = value;
+  return sealable;
 }
 
 std::string summary(const DifferentialReport& report) {
@@ -180,7 +188,7 @@ ReportedDisagreement write_disagreement(const std::string& folder, const std::st
   std::string picture_file = files.p.string();
   picture_file.replace(picture_file.rfind("-p.dat"), std::string::npos, ".svg");
   write_file(picture_file, picture(shrunk));
-  return {found_in, shrunk, files.p.string(), files.q.string(), picture_file};
+  return {0, found_in, shrunk, files.p.string(), files.q.string(), picture_file};
 }
 
 std::string explanation(const ReportedDisagreement& reported) {

@@ -3,11 +3,12 @@
 
 #include <cstddef>
 #include <map>
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "properties/runner/differential.hpp"
+#include "properties/runner/shard.hpp"
 
 namespace oplus {
 
@@ -29,24 +30,35 @@ struct Tally {
 
 /// A disagreement as reported: where it was found and where its shrunk form is.
 struct ReportedDisagreement {
-  std::string found_in;  ///< name of the case
+  std::size_t index = 0;  ///< of the case
+  std::string found_in;   ///< name of the case
   ShrunkDisagreement shrunk;
   std::string p_file;
   std::string q_file;
   std::string picture;
 };
 
+struct SkippedCase {
+  std::size_t index = 0;
+  std::string name;
+  std::string why;
+};
+
+/// Of a shard; campaign: all that decides what is run, JSON for sealed_report.hpp.
 struct DifferentialReport {
+  Shard shard;
+  nlohmann::json campaign;
   std::uint64_t seed = 0;
   std::vector<std::string> implementations;
   std::string hole_test;  ///< empty: all of them at every probe
   std::map<std::string, Tally> groups;
   Tally all;
-  std::vector<std::pair<std::string, std::string>> skipped;  ///< name of the case, why
+  std::vector<SkippedCase> skipped;
   std::vector<ReportedDisagreement> disagreements;
 };
 
-nlohmann::json to_json(const DifferentialReport& report);
+/// Files are named without their folder.
+nlohmann::ordered_json to_json(const DifferentialReport& report);
 
 /// Returns a table of the groups, the skipped cases and the totals, for people.
 std::string summary(const DifferentialReport& report);

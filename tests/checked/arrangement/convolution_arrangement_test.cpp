@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-#include "properties/corpus/corpus.hpp"
+#include "tests/corpus/corpus.hpp"
 #include "tests/reference/definitions/print.hpp"
 #include "tests/reference/definitions/shapes.hpp"
 

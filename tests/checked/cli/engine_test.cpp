@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "checked/rca/rca.hpp"
-#include "properties/corpus/corpus.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/oracle/oracle.hpp"
+#include "tests/corpus/corpus.hpp"
 #include "tests/reference/definitions/print.hpp"
 #include "tests/reference/definitions/shapes.hpp"
 

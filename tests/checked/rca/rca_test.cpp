@@ -5,10 +5,10 @@
 
 #include <filesystem>
 
-#include "properties/corpus/corpus.hpp"
 #include "properties/generators/fork.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/io/reading.hpp"
+#include "tests/corpus/corpus.hpp"
 #include "tests/reference/definitions/print.hpp"
 #include "tests/reference/definitions/shapes.hpp"
 

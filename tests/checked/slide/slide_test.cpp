@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "checked/rca/rca.hpp"
-#include "properties/corpus/corpus.hpp"
 #include "properties/generators/family.hpp"
 #include "properties/generators/polygons.hpp"
 #include "reference/definitions/validity.hpp"
 #include "tests/checked/slide/exact_values.hpp"
 #include "tests/checked/slide/stretched.hpp"
+#include "tests/corpus/corpus.hpp"
 #include "tests/reference/definitions/print.hpp"
 #include "tests/reference/definitions/shapes.hpp"
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "checked/winding/winding_numbers.hpp"
-#include "properties/corpus/corpus.hpp"
+#include "tests/corpus/corpus.hpp"
 #include "tests/reference/definitions/shapes.hpp"
 
 namespace oplus {
