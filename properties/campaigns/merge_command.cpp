@@ -8,6 +8,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "checked/cli/command_line/terminal.hpp"
 #include "properties/campaigns/merged_report.hpp"
 #include "properties/conformance/report.hpp"
 #include "properties/runner/sealed_report.hpp"
@@ -68,9 +69,14 @@ void add_merge_command(CLI::App& app, int& exit_code) {
   command->add_option("--out", settings->out, "Of conformance: folder for the counterexamples")
       ->type_name("DIR");
   command->footer(
-      "Example: oplus-check merge shard-*.json -o conformance.json\n"
-      "Exit code: 0 all is as it should be, 1 it is not, 2 shards are missing, are there twice with\n"
-      "different content, are of different campaigns, or are damaged.");
+      "Example:\n"
+      "  oplus-check merge shard-*.json -o conformance.json\n"
+      "\n"
+      "Exit codes:\n"
+      "  0  all is as it should be\n"
+      "  1  it is not\n"
+      "  2  shards are missing, are there twice with different content, are of different campaigns,\n"
+      "     or are damaged");
   command->callback([settings, &exit_code] { exit_code = merge(*settings); });
 }
 

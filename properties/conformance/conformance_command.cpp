@@ -173,8 +173,15 @@ void add_conformance_command(CLI::App& app, int& exit_code) {
       "Parts, in the order of the run: grids (all pairs of small polygons on small grids, or an even\n"
       "selection), corpus, families (random pairs against the oracle), statements (of the thesis),\n"
       "laws (of the sum).\n"
-      "Example: oplus-check conformance --engine slide --report conformance.md\n"
-      "Exit code: 0 it conforms, 1 it does not, 2 bad input or a request that makes no sense.");
+      "\n"
+      "Example:\n"
+      "  oplus-check conformance --engine slide --report conformance.md\n"
+      "  oplus-check conformance --engine 'exec:my-sum {p} {q}' --report conformance.xml\n"
+      "\n"
+      "Exit codes:\n"
+      "  0  it conforms\n"
+      "  1  it does not\n"
+      "  2  bad input or a request that makes no sense");
   command->callback([settings, &exit_code] { exit_code = conformance(*settings); });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "properties/runner/differential_report.hpp"
 
+#include <cctype>
 #include <filesystem>
 #include <iomanip>
 #include <nlohmann/json.hpp>
@@ -76,6 +77,13 @@ void write_skipped(std::ostream& out, const std::vector<SkippedCase>& skipped) {
 
 std::string without_folder(const std::string& path) {
   return std::filesystem::path(path).filename().string();
+}
+
+/// "exec:./mine {p}" would name folders, and wants quotes in a shell.
+std::string file_name(std::string engine) {
+  for (char& c : engine)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '-';
+  return engine.substr(0, 40);
 }
 
 std::string picture(const ShrunkDisagreement& shrunk) {
@@ -183,8 +191,8 @@ std::string summary(const DifferentialReport& report) {
 
 ReportedDisagreement write_disagreement(const std::string& folder, const std::string& found_in,
                                         const ShrunkDisagreement& shrunk) {
-  const Finding files =
-      write_finding(folder, "diff-" + shrunk.disagreement.implementation, shrunk.summands);
+  const Finding files = write_finding(
+      folder, "diff-" + file_name(shrunk.disagreement.implementation), shrunk.summands);
   std::string picture_file = files.p.string();
   picture_file.replace(picture_file.rfind("-p.dat"), std::string::npos, ".svg");
   write_file(picture_file, picture(shrunk));

@@ -55,7 +55,7 @@ TEST(FailureKind, rounded_is_a_step_of_the_grid_and_moves_nothing_that_is_on_it)
   const auto found = failure(right, {rounded, {}, {}, {}});
   EXPECT_GT(*found->squared_distance, 0);
   EXPECT_LE(*found->squared_distance, Rational(2, 9));
-  EXPECT_EQ(kind(right, {{{{0, 0}, {8, 0}, {7, 7}, {0, 9}}}, {}, {}, {}}), "area larger");
+  EXPECT_EQ(kind(right, {{{{0, 0}, {8, 0}, {7, 7}, {0, 9}}}, {}, {}, {}}), "area smaller");
   // A millionth counts as rounding on any grid.
   MinkowskiSum nearly = right;
   nearly.outer[0][1].x += Rational(1, 1000000);
