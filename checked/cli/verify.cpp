@@ -34,7 +34,6 @@ struct VerifyOptions {
   std::optional<std::string> tolerance;
   std::optional<std::string> svg;
   bool json = false;
-  bool quiet = false;
 };
 
 Rational tolerance_in(const std::string& text) {
@@ -191,7 +190,7 @@ ExitCode answer(const VerifyOptions& options, bool is_yes, Json json, std::strin
   json["boundary"] = options.open ? "open" : "closed";
   json["notes"] = notes;
   for (const std::string& note : notes) text += "note: " + note + "\n";
-  if (!options.quiet) write_output("-", options.json ? json.dump(2) + "\n" : text);
+  write_output("-", options.json ? json.dump(2) + "\n" : text);
   return is_yes ? ExitCode::done : ExitCode::not_equal;
 }
 
@@ -248,9 +247,7 @@ void add_verify(CLI::App& program, Action& chosen) {
   command
       .add_option("--svg", options->svg, "draw S over the sum, and P and -Q + x at the witness x")
       ->type_name("FILE");
-  CLI::Option* json = command.add_flag("--json", options->json, "answer in JSON");
-  command.add_flag("--quiet", options->quiet, "print no answer; the exit code tells")
-      ->excludes(json);
+  command.add_flag("--json", options->json, "answer in JSON");
   command.footer(
       "Example:\n"
       "  oplus gen tight --n 6 --summand P -o p.wkt\n"
@@ -259,7 +256,10 @@ void add_verify(CLI::App& program, Action& chosen) {
       "  oplus sum p.wkt q.wkt -o exact.wkt\n"
       "  oplus verify p.wkt q.wkt exact.wkt\n"
       "  oplus verify p.wkt q.wkt s.wkt --tolerance 0.01\n"
-      "Exit code 0 if it is their sum, 1 if not.");
+      "\n"
+      "Exit codes:\n"
+      "  0  it is their sum\n"
+      "  1  it is not");
   command.callback([options, &chosen] { chosen = [options] { return verify_files(*options); }; });
 }
 

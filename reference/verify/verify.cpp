@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "reference/definitions/difference.hpp"
+#include "reference/definitions/mutant.hpp"
 #include "reference/definitions/winding_number.hpp"
 #include "reference/io/picture.hpp"
 #include "reference/io/writing.hpp"
@@ -275,7 +276,9 @@ std::vector<Reason> orientation_reasons(const GivenSum& given, const MinkowskiSu
   regular.holes = right.holes;
   for (const GivenChain& chain : given_chains(given)) {
     const Rational twice = twice_area(*chain.vertices);
-    if (sign(twice) == 0 || (sign(twice) > 0) == (chain.hole == 0)) continue;
+    if (sign(twice) == 0 || (sign(twice) > 0) == (chain.hole == 0) ||
+        OPLUS_MUTANT("chains-may-run-either-way"))
+      continue;
     const Point witness = midpoint((*chain.vertices)[0], (*chain.vertices)[1]);
     reasons.push_back(
         {ReasonKind::wrong_orientation, witness, locate(witness, regular) != Location::outside,

@@ -114,11 +114,6 @@ TEST_F(VerifyCommand, answers_in_json) {
   EXPECT_FALSE(yes.contains("witness"));
 }
 
-TEST_F(VerifyCommand, is_quiet) {
-  expect_answer("frame.wkt square.wkt sum.wkt --quiet", 0, "");
-  expect_answer("frame.wkt square.wkt full.wkt --quiet", 1, "");
-}
-
 TEST_F(VerifyCommand, draws_the_empty_intersection) {
   const Ran ran = run("oplus verify frame.wkt square.wkt full.wkt --svg x.svg");
   EXPECT_EQ(ran.exit_code, 1);
@@ -171,7 +166,6 @@ TEST_F(VerifyCommand, refuses_what_it_cannot_read) {
   expect_refusal("oplus verify frame.wkt square.wkt sum.wkt --tolerance -1", "negative");
   expect_refusal("oplus verify frame.wkt square.wkt sum.wkt --tolerance wide", "not a number");
   expect_refusal("oplus verify frame.wkt square.wkt sum.wkt --svg none/x.svg", "none");
-  expect_refusal("oplus verify frame.wkt square.wkt sum.wkt --json --quiet", "quiet");
   expect_refusal("oplus verify frame.wkt square.wkt sum.wkt >/dev/full", "standard output");
 }
 
