@@ -30,7 +30,7 @@ std::vector<std::string> commands_of_readme() {
 
 TEST_F(Readme, commands_do_what_it_says_and_draw_its_picture) {
   const std::vector<std::string> commands = commands_of_readme();
-  ASSERT_EQ(commands.size(), 9U);
+  ASSERT_EQ(commands.size(), 11U);
   for (const std::string& command : commands) {
     const Ran ran = run(command);
     const bool unequal = command.find("compare sum.wkt room.wkt") != std::string::npos;
