@@ -28,6 +28,7 @@ struct Settings {
   unsigned threads = std::max(std::thread::hardware_concurrency(), 1U);
   std::string out = "oplus-findings";
   std::vector<std::string> reports;
+  bool json = false;
 };
 
 /// One of our engines, a peer or a command.
@@ -47,18 +48,18 @@ ConformancePlan plan(const Settings& settings) {
   return plan_of_pairs(pairs);
 }
 
-void print(const ConformanceReport& report, const std::string& folder) {
-  const auto line = [](const std::string& name, const ConformanceTally& tally) {
-    std::cout << std::left << std::setw(12) << name << std::right << std::setw(8) << tally.pairs;
+void print(std::ostream& out, const ConformanceReport& report, const std::string& folder) {
+  const auto line = [&out](const std::string& name, const ConformanceTally& tally) {
+    out << std::left << std::setw(12) << name << std::right << std::setw(8) << tally.pairs;
     for (const auto& [ruling, word] : rulings())
-      std::cout << std::setw(static_cast<int>(std::max<std::size_t>(word.size(), 6)) + 2)
-                << tally.count(ruling);
-    std::cout << '\n';
+      out << std::setw(static_cast<int>(std::max<std::size_t>(word.size(), 6)) + 2)
+          << tally.count(ruling);
+    out << '\n';
   };
-  std::cout << std::setw(20) << "pairs";
+  out << std::setw(20) << "pairs";
   for (const auto& [ruling, word] : rulings())
-    std::cout << std::setw(static_cast<int>(std::max<std::size_t>(word.size(), 6)) + 2) << word;
-  std::cout << '\n';
+    out << std::setw(static_cast<int>(std::max<std::size_t>(word.size(), 6)) + 2) << word;
+  out << '\n';
   for (std::size_t i = 0; i < report.groups.size();) {
     const std::string& part = report.groups[i].part;
     ConformanceTally tally;
@@ -70,13 +71,13 @@ void print(const ConformanceReport& report, const std::string& folder) {
   line("all", all);
   for (const auto& [kind, times] : all.kinds) {
     const ShrunkFailure& of = report.counterexamples.at(kind);
-    std::cout << kind << ": " << counted(times, "sum", "sums") << "; a pair of "
-              << size_of(of.seen.summands).vertices << " vertices, in " << folder << ":\n  "
-              << replay_line(report, of) << '\n';
+    out << kind << ": " << counted(times, "sum", "sums") << "; a pair of "
+        << size_of(of.seen.summands).vertices << " vertices, in " << folder << ":\n  "
+        << replay_line(report, of) << '\n';
   }
-  std::cout << report.engine << (report.conforms() ? " conforms" : " does not conform") << ": "
-            << all.count(Ruling::passed) << " sums passed, " << all.failures() << " failures of "
-            << counted(all.kinds.size(), "kind", "kinds") << '\n';
+  out << report.engine << (report.conforms() ? " conforms" : " does not conform") << ": "
+      << all.count(Ruling::passed) << " sums passed, " << all.failures() << " failures of "
+      << counted(all.kinds.size(), "kind", "kinds") << '\n';
 }
 
 int refused(const std::string& why) {
@@ -106,7 +107,8 @@ int conformance(Settings settings) {
     if (!folder.empty()) std::filesystem::create_directories(folder);
     write_file(file, conformance_text(report, file));
   }
-  print(report, settings.out);
+  print(text_output(settings.json), report, settings.out);
+  if (settings.json) std::cout << conformance_text(report, ".json");
   if (!report.conforms()) return 1;
   // A shard may be too small to have asked anything that is taken; the campaign is judged as a whole.
   if (report.all().count(Ruling::passed) == 0 && shard->of == 1)
@@ -169,6 +171,7 @@ void add_conformance_command(CLI::App& app, int& exit_code) {
       ->add_option("--report", settings->reports,
                    "A report: .md for people, .json, .xml for a CI (JUnit); may be repeated")
       ->type_name("FILE");
+  command->add_flag("--json", settings->json, "Print the JSON report, not a table (docs/json.md)");
   command->footer(
       "Parts, in the order of the run: grids (all pairs of small polygons on small grids, or an even\n"
       "selection), corpus, families (random pairs against the oracle), statements (of the thesis),\n"

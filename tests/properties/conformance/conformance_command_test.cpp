@@ -25,7 +25,9 @@ TEST_F(ConformanceCommand, an_engine_of_oplus_conforms) {
   EXPECT_EQ(report.at("conforms"), true);
   EXPECT_TRUE(content("a/c.md").starts_with("# Conformance of slide\n"));
   EXPECT_TRUE(content("a/c.xml").starts_with("<?xml"));
-  EXPECT_EQ(conformance(options + "--threads 1 --report two.json --report two.md").exit_code, 0);
+  const Ran again = conformance(options + "--threads 1 --report two.json --report two.md --json");
+  EXPECT_EQ(again.exit_code, 0);
+  EXPECT_EQ(again.out, content("two.json"));
   EXPECT_EQ(content("two.json"), content("a/c.json"));
   EXPECT_EQ(content("two.md"), content("a/c.md"));
 }
