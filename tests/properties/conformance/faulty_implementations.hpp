@@ -30,7 +30,7 @@ inline Implementation failing(const std::function<bool(const Summands&)>& fails,
 /// Few pairs of the two parts that need nothing but the oracle.
 inline ConformanceSettings few() {
   ConformanceSettings settings;
-  settings.cases = 12;
+  settings.cases = 4;
   settings.parts = {"grids", "families"};
   return settings;
 }

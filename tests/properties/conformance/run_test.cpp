@@ -30,15 +30,20 @@ std::size_t wrong_sums(const Implementation& implementation) {
   return count;
 }
 
-/// The report has failures of this kind only, all there are, and one shrunk to so many vertices.
+/// The report has all failures there are, of this kind only, but for fewer of another kind where one is
+/// named, and one of the kind shrunk to so many vertices.
 void expect_only(const std::string& kind, std::size_t vertices,
-                 const Implementation& implementation) {
+                 const Implementation& implementation, const std::string& rarely = "") {
   const std::size_t expected = wrong_sums(implementation);
   ASSERT_GT(expected, 0U) << kind;
   const ConformanceReport report = conformance_of(implementation);
-  EXPECT_EQ(report.all().kinds, (Kinds{{kind, expected}}));
+  Kinds kinds = report.all().kinds;
+  ASSERT_TRUE(report.counterexamples.contains(kind)) << kind;
+  EXPECT_EQ(report.counterexamples.size(), kinds.size());
+  if (const std::size_t others = kinds[rarely]; others < kinds[kind]) kinds[kind] += others;
+  kinds.erase(rarely);
+  EXPECT_EQ(kinds, (Kinds{{kind, expected}}));
   EXPECT_FALSE(report.conforms());
-  ASSERT_EQ(report.counterexamples.size(), 1U);
   const ShrunkFailure& shrunk = report.counterexamples.at(kind);
   EXPECT_EQ(shrunk.seen.failure.kind, kind);
   EXPECT_TRUE(shrunk.is_repeatable) << kind;
@@ -47,6 +52,20 @@ void expect_only(const std::string& kind, std::size_t vertices,
 
 Summands shrunk_pair(const ConformanceReport& report, const std::string& kind) {
   return report.counterexamples.at(kind).seen.summands;
+}
+
+/// The largest absolute value of a coordinate of a sum's boundary.
+Rational size_of_sum(const MinkowskiSum& sum) {
+  Rational size = 1;
+  for (const Chain& chain : sum.outer)
+    for (const Point& p : chain) size = std::max({size, Rational(abs(p.x)), Rational(abs(p.y))});
+  return size;
+}
+
+/// A triangle that has nothing in common with a sum.
+Chain apart_from(const MinkowskiSum& sum) {
+  const Rational x = 2 * size_of_sum(sum);
+  return {{x, x}, {x + 1, x}, {x, x + 1}};
 }
 
 TEST(Conformance, slide_conforms_in_every_part) {
@@ -67,42 +86,43 @@ TEST(Conformance, slide_conforms_in_every_part) {
 }
 
 TEST(Conformance, tells_kinds_of_wrong_sums_apart_and_counts_them) {
-  expect_only("hole lost", 8, changed([](MinkowskiSum& sum) { sum.holes.clear(); }));
-  expect_only("dangling edge lost", 8,
+  // Where a component is in the hole, it and the one around become one.
+  expect_only("hole lost", 9, changed([](MinkowskiSum& sum) { sum.holes.clear(); }),
+              "components joined");
+  expect_only("dangling edge lost", 9,
               changed([](MinkowskiSum& sum) { sum.dangling_edges.clear(); }));
-  expect_only("isolated vertex lost", 8,
+  expect_only("isolated vertex lost", 9,
               changed([](MinkowskiSum& sum) { sum.isolated_vertices.clear(); }));
   expect_only("isolated vertex invented", 6, changed([](MinkowskiSum& sum) {
-                sum.isolated_vertices.push_back({1000, 1000});
+                sum.isolated_vertices.push_back(apart_from(sum)[0]);
               }));
   expect_only("orientation", 6, changed([](MinkowskiSum& sum) {
                 std::reverse(sum.outer[0].begin(), sum.outer[0].end());
               }));
   expect_only("component lost", 6, changed([](MinkowskiSum& sum) {
-                sum = {{{{1000, 1000}, {1001, 1000}, {1000, 1001}}}, {}, {}, {}};
+                sum = {{apart_from(sum)}, {}, {}, {}};
               }));
-  expect_only("component invented", 6, changed([](MinkowskiSum& sum) {
-                sum.outer.push_back({{1000, 1000}, {1001, 1000}, {1000, 1001}});
-              }));
+  expect_only("component invented", 6,
+              changed([](MinkowskiSum& sum) { sum.outer.push_back(apart_from(sum)); }));
 }
 
 TEST(Conformance, sees_one_vertex_too_far_out_and_all_of_them_rounded) {
   expect_only("area larger", 6, changed([](MinkowskiSum& sum) {
                 MinkowskiSum moved = sum;
-                moved.outer[0][0].x -= 1;
+                moved.outer[0][0].x -= size_of_sum(sum) / 1000;
                 if (!malformed(moved)) sum = moved;
               }));
-  const Rational grid(1, 1024);
-  const auto rounded = [&](Rational& v) {
+  const auto rounded = [](Rational& v, const Rational& grid) {
     const Rational steps = v / grid;
     v = Rational(steps.get_num() / steps.get_den()) * grid;
   };
   expect_only("rounded", 8, changed([&](MinkowskiSum& sum) {
+                const Rational grid = size_of_sum(sum) / (1 << 24);
                 for (auto* chains : {&sum.outer, &sum.holes}) {
                   for (Chain& chain : *chains) {
                     for (Point& p : chain) {
-                      rounded(p.x);
-                      rounded(p.y);
+                      rounded(p.x, grid);
+                      rounded(p.y, grid);
                     }
                   }
                 }
@@ -111,7 +131,7 @@ TEST(Conformance, sees_one_vertex_too_far_out_and_all_of_them_rounded) {
 
 TEST(Conformance, what_is_no_sum_is_a_kind_with_its_site) {
   const auto always = [](const Summands&) { return true; };
-  expect_only("crashed: exception: bad luck, times", 6, failing(always, []() -> MinkowskiSum {
+  expect_only("crashed: exception: bad luck,  times", 6, failing(always, []() -> MinkowskiSum {
                 throw std::runtime_error("bad luck, 13 times");
               }));
   const auto no_sum = [](NoSum::Kind kind) {
@@ -167,21 +187,27 @@ TEST(Conformance, laws_find_what_pairs_do_not_and_blame_the_sum_that_is_wrong) {
       });
   EXPECT_TRUE(conformance_of(careless).conforms());
   ConformanceSettings settings;
-  settings.cases = 30;
+  settings.cases = 12;
   settings.parts = {"laws"};
+  settings.shrink_tries = 300;
   const ConformanceReport report = conformance_of(careless, settings);
-  ASSERT_EQ(report.all().kinds.size(), 1U);
+  for (const auto& [kind, count] : report.all().kinds)
+    EXPECT_TRUE(kind == "hole lost" || kind == "components joined") << kind;
+  ASSERT_TRUE(report.counterexamples.contains("hole lost"));
   const ShrunkFailure& shrunk = report.counterexamples.at("hole lost");
   EXPECT_GT(abs(shrunk.seen.summands.p.components[0].outer[0].x), far);
-  EXPECT_LE(size_of(shrunk.seen.summands).vertices, 9U);
+  EXPECT_LE(size_of(shrunk.seen.summands).vertices, 12U);
 }
 
 TEST(Conformance, statements_judge_where_the_oracle_is_not_asked) {
   ConformanceSettings settings;
   settings.cases = 4;
   settings.largest = 0;
-  const ConformanceReport report =
-      conformance_of(changed([](MinkowskiSum& sum) { sum.outer[0][0].x -= 1; }), settings);
+  settings.parts = {"families", "statements", "laws"};  // rows of the corpus have their sums
+  const ConformanceReport report = conformance_of(changed([](MinkowskiSum& sum) {
+                                                    if (!sum.outer.empty()) sum.outer[0][0].x -= 1;
+                                                  }),
+                                                  settings);
   for (const auto& [kind, count] : report.all().kinds)
     EXPECT_TRUE(kind.starts_with("breaks ")) << kind;
   EXPECT_TRUE(report.counterexamples.contains("breaks theorem-4.2.1"));
