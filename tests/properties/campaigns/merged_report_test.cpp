@@ -28,14 +28,15 @@ nlohmann::ordered_json conformance(const Shard& shard, std::uint64_t seed = 1) {
   ConformanceSettings settings = few();
   settings.shard = shard;
   settings.seed = seed;
-  settings.shrink_tries = 20;  // what is compared is the same then
+  settings.cases = 2;
+  settings.shrink_tries = 10;  // what is compared is the same then
   return to_json(conformance_of(faulty(), settings));
 }
 
 TEST(MergedReport, of_conformance_is_that_of_one_run) {
   std::vector<std::pair<std::string, nlohmann::ordered_json>> shards;
-  for (const std::size_t i : {3U, 1U, 5U, 2U, 4U})
-    shards.emplace_back("shard", opened(sealed(conformance({i, 5})), "shard"));
+  for (const std::size_t i : {3U, 1U, 2U})
+    shards.emplace_back("shard", opened(sealed(conformance({i, 3})), "shard"));
   const nlohmann::ordered_json one = conformance({});
   EXPECT_GE(one.at("counterexamples").size(), 2U);
   EXPECT_EQ(sealed(merged_report(shards)), sealed(one));

@@ -31,6 +31,7 @@ inline Implementation failing(const std::function<bool(const Summands&)>& fails,
 inline ConformanceSettings few() {
   ConformanceSettings settings;
   settings.cases = 4;
+  settings.shrink_tries = 400;
   settings.parts = {"grids", "families"};
   return settings;
 }
