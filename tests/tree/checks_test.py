@@ -22,10 +22,13 @@ class LicenceLines(TreeTest):
         self.write("reference/io/empty.hpp")
         self.write("properties/run", "#!/bin/sh", "echo", "# " + SPDX)
         self.write("CMakeLists.txt", "project(oplus)")
+        self.write("properties/proofs/right.v", f"(* {SPDX} *)")
+        self.write("properties/proofs/unclosed.v", f"(* {SPDX}", "*)")
+        self.write("properties/smt/right.smt2", "; " + SPDX)
         found = licence_lines.violations(self.root, licence_lines.sources(self.root))
         self.assertEqual([line.split(":")[0] for line in found],
-                         ["CMakeLists.txt", "properties/run", "reference/io/empty.hpp",
-                          "reference/io/late.cpp"])
+                         ["CMakeLists.txt", "properties/proofs/unclosed.v", "properties/run",
+                          "reference/io/empty.hpp", "reference/io/late.cpp"])
 
 
 class Format(TreeTest):

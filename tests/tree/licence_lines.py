@@ -5,7 +5,8 @@
 from sources import ROOT, files, report
 
 LINE = "SPDX-License-Identifier: GPL-3.0-or-later"
-COMMENT = {".cpp": "// ", ".hpp": "// "}
+COMMENT = {".cpp": ("// ", ""), ".hpp": ("// ", ""), ".smt2": ("; ", ""),
+           ".v": ("(* ", " *)"), ".ml": ("(* ", " *)"), ".mli": ("(* ", " *)")}
 SCRIPTS = (".py", ".sh", ".cmake")
 
 
@@ -22,7 +23,8 @@ def violations(root, paths):
         lines = path.read_text(encoding="utf-8").splitlines()
         if lines and lines[0].startswith("#!"):
             lines = lines[1:]
-        expected = COMMENT.get(path.suffix, "# ") + LINE
+        opened, closed = COMMENT.get(path.suffix, ("# ", ""))
+        expected = opened + LINE + closed
         if not lines or lines[0] != expected:
             found.append(f"{path.relative_to(root)}: does not start with `{expected}`")
     return found
