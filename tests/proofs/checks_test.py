@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The checks of the proofs find what they are for."""
+
+import contextlib
+import io
+import tempfile
+import unittest
+from pathlib import Path
+
+import compiled
+import headlines
+import sources
+
+RIGHT = "(* True holds. *)\nTheorem right : True.\nProof. exact I. Qed.\n"
+
+
+class ProofsTest(unittest.TestCase):
+    def setUp(self):
+        directory = tempfile.TemporaryDirectory()
+        self.addCleanup(directory.cleanup)
+        self.folder = Path(directory.name) / "sources"
+        self.build = Path(directory.name) / "build"
+        self.folder.mkdir()
+
+    def write(self, name, text):
+        (self.folder / name).write_text(text, encoding="utf-8")
+
+    def project(self, *names):
+        self.write("_CoqProject", "-R . Oplus\n" + "".join(name + "\n" for name in names))
+
+
+class Sources(ProofsTest):
+    def test_words_in_comments_are_no_gaps(self):
+        self.assertEqual(sources.unproved("a.v", "(* Admitted (* admit *) Axiom *)\n" + RIGHT), [])
+
+    def test_gaps(self):
+        text = "(* a\n *)\nAxiom a : False.\nLemma b : False. Proof. admit. Admitted.\n"
+        self.assertEqual(sources.unproved("a.v", text),
+                         ["a.v:3: Axiom", "a.v:4: admit", "a.v:4: Admitted"])
+
+    def test_checks_switched_off(self):
+        self.assertEqual(sources.unproved("a.v", "Unset Guard Checking."),
+                         ["a.v:1: Unset Guard Checking"])
+
+    def test_a_comment_opened_in_a_string_is_none(self):
+        self.assertEqual(sources.unproved("a.v", 'Check "(*". Axiom a : False. (* *)'),
+                         ["a.v:1: Axiom"])
+
+
+class Compiled(ProofsTest):
+    def test_sources_and_project_agree(self):
+        self.write("outside.v", RIGHT)
+        self.project("missing.v")
+        self.assertEqual(compiled.violations(self.folder),
+                         ["outside.v: not in _CoqProject", "missing.v: in _CoqProject, but missing"])
+
+    def test_what_is_gone_from_the_sources_is_gone_from_the_build(self):
+        for name in ("a.v", "b.v"):
+            self.write(name, RIGHT)
+        self.project("a.v", "b.v")
+        compiled.bring_up_to_date(self.folder, self.build)
+        self.assertTrue(compiled.compile_in(self.build))
+        (self.folder / "b.v").unlink()
+        self.project("a.v")
+        compiled.bring_up_to_date(self.folder, self.build)
+        self.assertTrue((self.build / "a.vo").exists())
+        self.assertEqual(list(self.build.glob("b.*")), [])
+
+    def test_a_proof_that_is_none(self):
+        self.write("a.v", "Theorem wrong : False.\nProof. exact I. Qed.\n")
+        self.project("a.v")
+        compiled.bring_up_to_date(self.folder, self.build)
+        self.assertFalse(compiled.compile_in(self.build))
+
+
+class Headlines(ProofsTest):
+    def entry(self, **changed):
+        return dict(zip(headlines.KEYS, ["lemma-1", "right", "a.v", "True holds.", "all", "nothing"]),
+                    **changed)
+
+    def violations(self, *entries):
+        self.write("a.v", RIGHT + "Theorem bare : True.\nProof. exact I. Qed.\n")
+        return headlines.violations(entries, self.folder, {"lemma-1"})
+
+    def test_the_list(self):
+        self.assertEqual(self.violations(self.entry()), [])
+        self.assertEqual(self.violations(self.entry(statement="lemma-2")),
+                         ["right: no statement lemma-2 is registered"])
+        for wrong in ({"theorem": "wrong"}, {"theorem": "bare"}, {"file": "b.v"}):
+            entry = self.entry(**wrong)
+            self.assertEqual(self.violations(entry),
+                             [f"{entry['theorem']}: not stated in {entry['file']} under a comment"])
+        self.assertEqual(self.violations(self.entry(), self.entry()),
+                         ["right: listed twice for lemma-1"])
+        self.assertIn("needs texts", self.violations(self.entry(gloss=""))[0])
+        self.assertIn("needs texts", self.violations({"theorem": "right"})[0])
+
+    def test_what_theorems_rest_on(self):
+        self.write("a.v", RIGHT + "Variable gap : False.\n"
+                   "Theorem wrong : 1 = 2.\nProof. destruct gap. Qed.\n")
+        self.project("a.v")
+        compiled.bring_up_to_date(self.folder, self.build)
+        self.assertTrue(compiled.compile_in(self.build))
+        right, wrong = headlines.assumptions([self.entry(), self.entry(theorem="wrong")], self.build)
+        self.assertEqual(right, headlines.CLOSED)
+        self.assertIn("gap : False", wrong)
+        with contextlib.redirect_stderr(io.StringIO()), self.assertRaises(SystemExit):
+            headlines.assumptions([self.entry(theorem="unknown")], self.build)
+
+
+if __name__ == "__main__":
+    unittest.main()
