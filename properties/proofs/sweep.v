@@ -2,7 +2,7 @@
 (* How often turning from one direction to the next passes a third, and that around a closed sequence
    of directions it does not matter which third. Winding numbers and turning numbers are such sums. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List SetoidList SetoidPermutation.
-From Oplus Require Import direction.
+From Oplus Require Import direction angle cyclic_order.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -32,35 +32,19 @@ Proof. apply (proj2 (Qlt_alt x y)). Qed.
 Lemma greater_comparison x y : (x ?= y) = Gt -> y < x.
 Proof. apply (proj2 (Qgt_alt x y)). Qed.
 
-(* Case analysis of a comparison, with what it says about its sides. *)
-Ltac compared c :=
+(* Case analysis of a comparison of numbers, with what it says about them. *)
+Ltac compared_numbers c :=
   let E := fresh "C" in
   destruct c eqn:E;
   [ apply equal_comparison in E | apply less_comparison in E | apply greater_comparison in E ].
 
 Lemma compare_as_difference : forall x y z t, y - x == t - z -> (x ?= y) = (z ?= t).
 Proof.
-  intros x y z t E. compared (z ?= t).
+  intros x y z t E. compared_numbers (z ?= t).
   - apply (proj1 (Qeq_alt _ _)); lra.
   - apply (proj1 (Qlt_alt _ _)); lra.
   - apply (proj1 (Qgt_alt _ _)); lra.
 Qed.
-
-Lemma half_false : forall v, nonzero v -> half v = false -> 0 < vy v \/ (vy v == 0 /\ 0 < vx v).
-Proof.
-  intros [x y]; unfold nonzero, half, negative, zero; cbn; intros N H.
-  compared (y ?= 0); compared (x ?= 0); cbn in H; try discriminate; tauto.
-Qed.
-
-Lemma half_true : forall v, half v = true -> vy v < 0 \/ (vy v == 0 /\ vx v < 0).
-Proof.
-  intros [x y]; unfold half, negative, zero; cbn; intros H.
-  compared (y ?= 0); compared (x ?= 0); cbn in H; try discriminate; tauto.
-Qed.
-
-Ltac halves v :=
-  let H := fresh "H" in
-  destruct (half v) eqn:H; [apply half_true in H | apply half_false in H; [|assumption]].
 
 (* On which side of the ray from the origin along d a point is, strictly to its left or not; the ray
    is turned by an infinitesimal: counterclockwise if `side` is OfQ, so that points on it are not to
@@ -68,125 +52,34 @@ Ltac halves v :=
 Definition left_of_ray (side : summand) (d a : vector) : bool :=
   match side with OfQ => negative (cross a d) | OfP => negb (negative (cross d a)) end.
 
+(* Seen from the origin, a ray is crossed by a turn to the left iff its direction is met on the way. *)
 Lemma crossed_to_the_left : forall k d a b,
   nonzero d -> nonzero a -> nonzero b -> 0 < cross a b ->
   ccw (Direction d k) (Direction a (other k)) (Direction b (other k)) =
   negb (left_of_ray k d a) && left_of_ray k d b.
 Proof.
-  intros k [dx dy] [ax ay] [bx by_] ND NA NB G.
-  assert (X : cross (Vector ax ay) (Vector bx by_) * dx ==
-              (dx * by_ - dy * bx) * ax - (dx * ay - dy * ax) * bx) by (unfold cross; cbn; ring).
-  assert (Y : cross (Vector ax ay) (Vector bx by_) * dy ==
-              (dx * by_ - dy * bx) * ay - (dx * ay - dy * ax) * by_) by (unfold cross; cbn; ring).
-  unfold ccw, before, compare, compare_angle, left_of_ray, negative; cbn [vec of].
-  halves (Vector ax ay); halves (Vector bx by_); halves (Vector dx dy).
-  all: clear ND NA NB; unfold cross in *; cbn [vx vy] in *.
-  all: set (A := dx * ay - dy * ax) in *; set (B := dx * by_ - dy * bx) in *;
-    set (g := ax * by_ - ay * bx) in *.
-  all: rewrite ?(compare_as_difference (ay * dx) (ax * dy) A 0) by (subst A B g; ring).
-  all: rewrite ?(compare_as_difference (ax * dy - ay * dx) 0 0 A) by (subst A B g; ring).
-  all: rewrite ?(compare_as_difference (bx * dy - by_ * dx) 0 0 B) by (subst A B g; ring).
-  all: rewrite ?(compare_as_difference (by_ * dx) (bx * dy) B 0) by (subst A B g; ring).
-  all: rewrite ?(compare_as_difference (ay * bx) (ax * by_) 0 g) by (subst A B g; ring).
-  all: rewrite ?(compare_as_difference (dy * ax) (dx * ay) 0 A) by (subst A B g; ring).
-  all: rewrite ?(compare_as_difference (dy * bx) (dx * by_) 0 B) by (subst A B g; ring).
-  all: rewrite ?(proj1 (Qlt_alt 0 g) G).
-  all: rewrite <- ?(Qcompare_antisym 0 A), <- ?(Qcompare_antisym 0 B).
-  all: clearbody A B g.
-  all: compared (0 ?= A); compared (0 ?= B); destruct k; cbn; try reflexivity; exfalso.
-  all: repeat match goal with H : _ \/ _ |- _ => destruct H as [? | [? ?]] end; nra.
-Qed.
-
-Lemma compare_antisymmetric : forall a b, compare b a = CompOpp (compare a b).
-Proof.
-  intros [[ax ay] s] [[bx by_] t]; unfold compare, compare_angle; cbn [vec of vx vy].
-  destruct (half (Vector ax ay)), (half (Vector bx by_)); try reflexivity;
-    rewrite (compare_as_difference (by_ * ax) (bx * ay) (ax * by_) (ay * bx)) by ring;
-    rewrite <- (Qcompare_antisym (ay * bx) (ax * by_));
-    destruct (ay * bx ?= ax * by_), s, t; reflexivity.
-Qed.
-
-Lemma same_half_transitive : forall u v w,
-  nonzero v -> half u = half v -> half v = half w ->
-  vy u * vx v <= vx u * vy v -> vy v * vx w <= vx v * vy w ->
-  vy u * vx w <= vx u * vy w.
-Proof.
-  intros [ux uy] [vx vy] [wx wy]; unfold nonzero, half, negative, zero; cbn [direction.vx direction.vy].
-  intros N HU HW A B.
-  compared (uy ?= 0); compared (vy ?= 0); compared (wy ?= 0); compared (ux ?= 0); compared (vx ?= 0);
-    compared (wx ?= 0); cbn in HU, HW; try discriminate; try tauto; nra.
-Qed.
-
-Lemma compare_angle_antisymmetric : forall u v, compare_angle v u = CompOpp (compare_angle u v).
-Proof.
-  intros u v. pose proof (compare_antisymmetric (Direction u OfP) (Direction v OfP)) as H.
-  unfold compare in H; cbn [vec of] in H.
-  destruct (compare_angle u v), (compare_angle v u); cbn in *; congruence.
-Qed.
-
-Lemma compare_angle_not_greater : forall u v w,
-  nonzero v -> compare_angle u v <> Gt -> compare_angle v w <> Gt -> compare_angle u w <> Gt.
-Proof.
-  intros u v w N A B G. unfold compare_angle in *.
-  pose proof (same_half_transitive u v w N) as T.
-  destruct (half u), (half v), (half w); try congruence;
-    apply greater_comparison in G;
-    refine (Qlt_not_le _ _ G (T eq_refl eq_refl _ _)); apply Qle_alt; assumption.
-Qed.
-
-Lemma compare_angle_transitive : forall u v w,
-  nonzero u -> nonzero v -> nonzero w ->
-  compare_angle u v <> Gt -> compare_angle v w <> Gt ->
-  compare_angle u w =
-  match compare_angle u v, compare_angle v w with Eq, Eq => Eq | _, _ => Lt end.
-Proof.
-  intros u v w Nu Nv Nw A B.
-  pose proof (compare_angle_not_greater u v w Nv A B).
-  pose proof (compare_angle_not_greater w v u Nv) as C.
-  pose proof (compare_angle_not_greater v w u Nw B) as D.
-  pose proof (compare_angle_not_greater w u v Nu) as E.
-  rewrite (compare_angle_antisymmetric u w), (compare_angle_antisymmetric u v),
-    (compare_angle_antisymmetric v w) in *.
-  destruct (compare_angle u v), (compare_angle v w), (compare_angle u w); cbn in *;
-    intuition congruence.
-Qed.
-
-Lemma before_transitive : forall a b c,
-  proper a -> proper b -> proper c -> before a b = true -> before b c = true -> before a c = true.
-Proof.
-  unfold proper, before, compare. intros a b c A B C AB BC.
-  pose proof (compare_angle_transitive (vec a) (vec b) (vec c) A B C) as T.
-  destruct (compare_angle (vec a) (vec b)), (compare_angle (vec b) (vec c)); try congruence;
-    rewrite T by congruence; try reflexivity.
-  destruct (of a), (of b), (of c); congruence.
-Qed.
-
-(* Of two directions that are not equal, one is before the other. *)
-Lemma before_total : forall a b, compare a b <> Eq -> before a b = negb (before b a).
-Proof.
-  unfold before. intros a b N. rewrite (compare_antisymmetric a b).
-  destruct (compare a b); cbn; congruence.
-Qed.
-
-Lemma never_equal : forall u v s, compare (Direction u s) (Direction v (other s)) <> Eq.
-Proof.
-  unfold compare; cbn. intros u v s. destruct (compare_angle u v), s; cbn; congruence.
+  intros k d a b D A B G.
+  pose proof (cross_angle d a D A) as DA. pose proof (cross_angle d b D B) as DB.
+  pose proof (cross_angle a b A B) as AB.
+  pose proof (angle_range d D). pose proof (angle_range a A). pose proof (angle_range b B).
+  assert (a_first : forall c, cross c d == - cross d c) by (intros; unfold cross; ring).
+  destruct (ccw_spec (Direction d k) (Direction a (other k)) (Direction b (other k)) D A B) as [I | I];
+    unfold left_of_ray, in_order, earlier, place, turns_by in *; destruct k; cbn [vec of other] in *;
+    destruct (negative_spec (cross a d)), (negative_spec (cross b d)), (negative_spec (cross d a)),
+      (negative_spec (cross d b)); cbn; try reflexivity; rewrite ?a_first in *; exfalso; lra.
 Qed.
 
 (* The key: what passing d depends on d with is a difference of two terms, one of each end. *)
 Lemma ccw_as_difference : forall d a b,
-  proper d -> proper a -> proper b ->
-  compare d b <> Eq -> compare a b <> Eq ->
+  proper d -> proper a -> proper b -> of a <> of d -> of b <> of d -> compare a b <> Eq ->
   Z.b2z (ccw d a b) = (Z.b2z (before a d) - Z.b2z (before b d) + Z.b2z (before b a))%Z.
 Proof.
-  intros d a b D A B DB AB.
-  pose proof (before_transitive a b d A B D) as T.
-  pose proof (before_transitive b a d B A D) as U.
-  unfold ccw. rewrite (before_total d b DB).
-  unfold before in T, U |- *. rewrite (compare_antisymmetric a b) in *.
-  destruct (compare a b); try congruence; cbn in *;
-    destruct (compare a d), (compare b d); cbn in *; try reflexivity;
-    try (specialize (T eq_refl eq_refl)); try (specialize (U eq_refl eq_refl)); congruence.
+  intros d a b D A B DA DB AB.
+  assert (~ equal a b) by (intro; revert AB; compared a b; intros AB; [tauto | order | order]).
+  assert (~ place a == place d) by now rewrite place_of.
+  assert (~ place b == place d) by now rewrite place_of.
+  destruct (ccw_spec d a b D A B), (before_spec a d A D), (before_spec b d B D), (before_spec b a B A);
+    try reflexivity; exfalso; unfold in_order in *; order.
 Qed.
 
 (* Whether the positive x-axis is passed, or reached, counterclockwise or clockwise. *)
@@ -205,60 +98,31 @@ Proof.
   unfold before, compare; cbn. intros u v s t. destruct (compare_angle u v), s, t; reflexivity.
 Qed.
 
-(* Equal angles are same directions. *)
-Lemma compare_angle_equal : forall u v, nonzero u -> nonzero v ->
-  (compare_angle u v = Eq <-> cross u v == 0 /\ 0 < dot u v).
-Proof.
-  intros [ux uy] [vx vy] U V. unfold compare_angle, cross, dot.
-  assert (Y : vy * (ux * vx + uy * vy) == uy * (vx * vx + vy * vy) + vx * (ux * vy - uy * vx)) by ring.
-  assert (X : vx * (ux * vx + uy * vy) == ux * (vx * vx + vy * vy) - vy * (ux * vy - uy * vx)) by ring.
-  assert (S : 0 < vx * vx + vy * vy).
-  { unfold nonzero in V; cbn in V. destruct (Qlt_le_dec 0 (vx * vx + vy * vy)) as [|L]; [assumption|].
-    exfalso. apply V. split; nra. }
-  halves (Vector ux uy); halves (Vector vx vy); cbn [direction.vx direction.vy] in *; clear U V;
-    set (d := ux * vx + uy * vy) in *; set (s := vx * vx + vy * vy) in *;
-    clearbody d s;
-    (split; [intros E | intros [E F]]);
-    try discriminate; try apply equal_comparison in E;
-    assert (Z : ux * vy - uy * vx == 0) by lra; rewrite Z in X, Y;
-    repeat match goal with H : _ \/ _ |- _ => destruct H as [? | [? ?]] end;
-    first [ split; nra | exfalso; nra | apply (proj1 (Qeq_alt _ _)); lra ].
-Qed.
-
-Lemma equal_angles : forall u v w, nonzero u -> nonzero v -> nonzero w ->
-  compare_angle u v = Eq -> compare_angle u w = compare_angle v w.
-Proof.
-  intros u v w U V W E.
-  assert (F : compare_angle v u = Eq) by (rewrite compare_angle_antisymmetric, E; reflexivity).
-  pose proof (compare_angle_transitive u v w U V W) as A.
-  pose proof (compare_angle_transitive v u w V U W) as B.
-  rewrite E in A. rewrite F in B.
-  destruct (compare_angle u w), (compare_angle v w); try reflexivity;
-    solve [symmetry; apply A; congruence | apply A; congruence
-          | apply B; congruence | symmetry; apply B; congruence ].
-Qed.
-
 (* What passing d adds to the potential `is_before`, the axis pays for: whatever d is. *)
 Lemma sweep_as_difference : forall d u v,
   proper d -> turns u v ->
   sweep d u v = (is_before u d - is_before v d + passes_axis u v)%Z.
 Proof.
   intros [d s] u v D (U & V & N). unfold sweep, passes_axis, is_before; cbn [of].
-  assert (AB : ~ cross u v == 0 -> compare (Direction u (other s)) (Direction v (other s)) <> Eq).
-  { intros C E. apply C. apply (compare_angle_equal u v U V).
-    unfold compare in E; cbn in E. destruct (compare_angle u v), s; cbn in E; congruence. }
-  assert (BA : ~ cross u v == 0 -> compare (Direction v (other s)) (Direction u (other s)) <> Eq).
-  { intros C. rewrite compare_antisymmetric. specialize (AB C).
-    destruct (compare (Direction u (other s)) (Direction v (other s))); cbn; congruence. }
-  compared (cross u v ?= 0).
-  - assert (compare_angle u v = Eq) as E by (apply compare_angle_equal; auto).
-    unfold before, compare; cbn. rewrite (equal_angles u v d); auto. lia.
-  - rewrite ccw_as_difference; auto using never_equal.
-    + rewrite (before_of_one_summand u v OfP (other s)). lia.
-    + apply BA. lra.
-  - rewrite ccw_as_difference; auto using never_equal.
-    + rewrite (before_of_one_summand v u OfP (other s)). lia.
-    + apply AB. lra.
+  pose proof (cross_angle u v U V) as T. unfold turns_by in T.
+  assert (of_d : forall w, of (Direction w (other s)) <> of (Direction d s))
+    by (intros w; destruct s; discriminate).
+  assert (apart : ~ cross u v == 0 -> forall t, compare (Direction u t) (Direction v t) <> Eq /\
+                                                compare (Direction v t) (Direction u t) <> Eq).
+  { intros C t. split; intros E; unfold compare in E; cbn in E;
+      [ pose proof (compare_angle_is u v U V) as I | pose proof (compare_angle_is v u V U) as I ];
+      rewrite I in E;
+      [ destruct (angle u ?= angle v) eqn:F | destruct (angle v ?= angle u) eqn:F ];
+      try (destruct t; discriminate); apply equal_comparison in F; lra. }
+  compared_numbers (cross u v ?= 0).
+  - assert (F : angle u == angle v) by (specialize (N C); lra).
+    destruct (before_spec (Direction u (other s)) (Direction d s) U D),
+      (before_spec (Direction v (other s)) (Direction d s) V D); try reflexivity;
+      exfalso; unfold earlier in *; cbn [vec] in *; unfold place in *; cbn [of] in *; lra.
+  - rewrite ccw_as_difference; auto; [| apply apart; lra].
+    rewrite (before_of_one_summand u v OfP (other s)). lia.
+  - rewrite ccw_as_difference; auto; [| apply apart; lra].
+    rewrite (before_of_one_summand v u OfP (other s)). lia.
 Qed.
 
 (* Pairs of directions, one turned to the other, in any order; closed if each direction is turned

@@ -134,7 +134,7 @@ Proof.
   rewrite (compare_as_difference _ _ (cross (minus a p) (minus b p)) 0)
     by (unfold cross, minus; cbn; ring).
   destruct T as (A & B & _).
-  compared (cross (minus a p) (minus b p) ?= 0).
+  compared_numbers (cross (minus a p) (minus b p) ?= 0).
   - destruct (left_of_ray k d (minus a p)), (left_of_ray k d (minus b p)); reflexivity.
   - rewrite crossed_to_the_left by (try assumption; unfold cross in *; lra).
     destruct (left_of_ray k d (minus a p)), (left_of_ray k d (minus b p)); reflexivity.
