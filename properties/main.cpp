@@ -19,6 +19,7 @@
 #include "properties/runner/mutants_command.hpp"
 #include "properties/runner/properties_command.hpp"
 #include "properties/runner/theorems_command.hpp"
+#include "properties/smt/smt_command.hpp"
 #include "reference/io/invalid_input.hpp"
 
 namespace {
@@ -55,6 +56,7 @@ int run(int argc, char** argv) {
   oplus::add_pages_command(app, exit_code);
   oplus::add_experiments_command(app, exit_code);
   oplus::add_fuzz_command(app, exit_code);
+  oplus::add_smt_command(app, exit_code);
   const oplus::Choose choose = [&exit_code](const std::function<void()>& work) {
     work();
     exit_code = 0;
