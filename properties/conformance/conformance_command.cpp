@@ -11,6 +11,7 @@
 #include "checked/cli/command_line/terminal.hpp"
 #include "properties/conformance/run.hpp"
 #include "properties/runner/engine_called.hpp"
+#include "properties/runner/limit_options.hpp"
 #include "properties/runner/progress.hpp"
 #include "reference/io/picture.hpp"
 #include "reference/io/reading.hpp"
@@ -97,7 +98,7 @@ int conformance(Settings settings) {
   if (!engine) return refused("there is no engine " + settings.engine);
 
   const ConformancePlan planned = plan(settings);
-  Progress progress("conformance", trials_of(*shard, planned));
+  Progress progress("conformance", shard->cases_of(planned.trials.size()).size());
   ConformanceReport report = run_conformance(*engine, settings.asked, planned, settings.threads,
                                              [&] { progress.advance(); });
   for (const auto& files : settings.pairs) report.pairs.push_back(files.at(0) + " " + files.at(1));
@@ -149,15 +150,7 @@ void add_conformance_command(CLI::App& app, int& exit_code) {
       ->add_option("--shrink", asked.shrink_tries,
                    "Try at most so many pairs to shrink a counterexample; of hangs a twentieth")
       ->capture_default_str();
-  command
-      ->add_option("--time-limit", asked.limits.seconds,
-                   "Seconds that another's engine has for a sum")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command
-      ->add_option("--memory-limit", asked.limits.memory_mb,
-                   "Address space that it has, in MB; 0: any")
-      ->capture_default_str();
+  add_limit_options(*command, asked.limits);
   command->add_option("--shard", settings->shard, "Only trials of the I-th of N parts")
       ->type_name("I/N")
       ->capture_default_str();

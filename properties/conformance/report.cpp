@@ -13,18 +13,11 @@
 #include "properties/runner/property_run.hpp"
 #include "properties/runner/sealed_report.hpp"
 #include "reference/io/picture.hpp"
-#include "reference/io/writing.hpp"
+#include "reference/io/written.hpp"
 
 namespace oplus {
 
 namespace {
-
-template <typename Value>
-std::string text(const Value& value, Format format) {
-  std::ostringstream out;
-  write(out, value, format);
-  return out.str();
-}
 
 /// "crashed: SIGSEGV" becomes "crashed-sigsegv".
 std::string slug(const std::string& kind) {
@@ -118,7 +111,7 @@ CounterexampleFiles files_of(const ShrunkFailure& counterexample) {
   const auto& [p, q] = counterexample.seen.summands;
   std::ostringstream name;
   name << slug(counterexample.seen.failure.kind) << '-' << std::hex << std::setfill('0')
-       << std::setw(16) << seed_of(text(p, Format::dat) + text(q, Format::dat), 0);
+       << std::setw(16) << seed_of(written(p, Format::dat) + written(q, Format::dat), 0);
   CounterexampleFiles files{name.str() + "-p.dat", name.str() + "-q.dat", "", "",
                             name.str() + ".svg"};
   if (counterexample.seen.right) files.right = name.str() + "-right.wkt";
@@ -136,10 +129,10 @@ void write_counterexamples(const ConformanceReport& report, const std::string& f
       write_file((std::filesystem::path(folder) / name).string(), content);
     };
     const SeenFailure& seen = counterexample.seen;
-    put(files.p, text(seen.summands.p, Format::dat));
-    put(files.q, text(seen.summands.q, Format::dat));
-    if (!files.right.empty()) put(files.right, text(*seen.right, Format::wkt));
-    if (!files.given.empty()) put(files.given, text(*seen.given, Format::wkt));
+    put(files.p, written(seen.summands.p, Format::dat));
+    put(files.q, written(seen.summands.q, Format::dat));
+    if (!files.right.empty()) put(files.right, written(*seen.right, Format::wkt));
+    if (!files.given.empty()) put(files.given, written(*seen.given, Format::wkt));
     put(files.picture, picture(counterexample, report.engine));
   }
 }

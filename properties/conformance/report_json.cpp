@@ -7,7 +7,7 @@
 #include "properties/runner/sealed_report.hpp"
 #include "reference/io/invalid_input.hpp"
 #include "reference/io/reading.hpp"
-#include "reference/io/writing.hpp"
+#include "reference/io/written.hpp"
 
 namespace oplus {
 
@@ -79,14 +79,6 @@ MinkowskiSum sum_of(const Json& json) {
     sum.dangling_edges.push_back({point_of(e.at(0)), point_of(e.at(1))});
   sum.isolated_vertices = chain_of(json.at("isolated_vertices"));
   return sum;
-}
-
-std::string wkt(const Region& region) {
-  std::ostringstream out;
-  write(out, region, Format::wkt);
-  std::string text = out.str();
-  while (!text.empty() && text.back() == '\n') text.pop_back();
-  return text;
 }
 
 Region region_of(const Json& json) {

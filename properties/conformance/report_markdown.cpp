@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <sstream>
 
+#include "checked/cli/version.hpp"
 #include "properties/conformance/report.hpp"
 #include "properties/runner/sealed_report.hpp"
 #include "reference/io/picture.hpp"
-#include "reference/io/writing.hpp"
+#include "reference/io/written.hpp"
 
 namespace oplus {
 
@@ -37,18 +38,8 @@ void row(std::ostream& out, const std::vector<std::string>& first, const Conform
   out << "|\n";
 }
 
-std::string wkt(const Region& region) {
-  std::ostringstream out;
-  write(out, region, Format::wkt);
-  return out.str();
-}
-
 std::string in_words(const MinkowskiSum& sum) {
-  if (!malformed(sum)) {
-    std::ostringstream out;
-    write(out, sum, Format::wkt);
-    return out.str();
-  }
+  if (!malformed(sum)) return written(sum, Format::wkt);
   std::string text;
   for (const std::vector<Chain>* chains : {&sum.outer, &sum.holes}) {
     for (const Chain& chain : *chains) {
@@ -78,7 +69,8 @@ void counterexample(std::ostream& out, const ConformanceReport& report, const Sh
   if (seen.failure.witness) out << ", at " << to_string(*seen.failure.witness);
   if (seen.failure.squared_distance)
     out << "; the boundaries differ by " << distance_in_words(*seen.failure.squared_distance);
-  out << ".\n\n```text\nP      " << wkt(seen.summands.p) << "Q      " << wkt(seen.summands.q);
+  out << ".\n\n```text\nP      " << written(seen.summands.p, Format::wkt) << "Q      "
+      << written(seen.summands.q, Format::wkt);
   if (seen.right) out << "oracle " << in_words(*seen.right);
   if (seen.given) out << "engine " << in_words(*seen.given);
   out << "```\n\n![both summands, their convolution, and the sums](" << files.picture
@@ -99,14 +91,13 @@ std::string to_markdown(const ConformanceReport& report) {
       << counted(all.kinds.size(), "kind", "kinds") << ", " << all.count(Ruling::not_taken)
       << " not taken, " << all.count(Ruling::skipped) << " skipped.\n\n";
   if (report.pairs.empty()) {
-    out << "Oplus " << version() << ", seed " << settings.seed << ", ";
+    out << "Oplus " << version << ", seed " << settings.seed << ", ";
     if (settings.cases)
       out << counted(*settings.cases, "pair", "pairs") << " a group";
     else
       out << "a budget of " << counted(settings.budget, "pair", "pairs");
   } else {
-    out << "Oplus " << version() << ", "
-        << counted(report.pairs.size(), "given pair", "given pairs");
+    out << "Oplus " << version << ", " << counted(report.pairs.size(), "given pair", "given pairs");
   }
   if (settings.shard.of > 1)
     out << ", shard " << settings.shard.index << " of " << settings.shard.of;

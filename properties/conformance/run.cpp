@@ -2,10 +2,9 @@
 #include "properties/conformance/run.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
 #include <mutex>
-#include <thread>
+
+#include "checked/slide/for_each_number.hpp"
 
 namespace oplus {
 
@@ -22,27 +21,17 @@ class Run {
     report_.tallies.resize(plan.groups.size());
   }
 
-  /// By several threads.
-  void work(const std::function<void()>& done) {
-    try {
-      for (std::size_t i = next_++; i < plan_.trials.size(); i = next_++) {
-        if (!report_.settings.shard.has(i)) continue;
-        TrialResults results = try_out(plan_.trials[i], implementation_, report_.settings.largest);
-        const std::lock_guard lock(reporting_);
-        ++report_.tallies[plan_.trials[i].group].pairs;
-        add(i, std::move(results.closed));
-        add(i, std::move(results.open));
-        done();
-      }
-    } catch (...) {
-      const std::lock_guard lock(reporting_);
-      if (!failure_) failure_ = std::current_exception();
-      next_ = plan_.trials.size();
-    }
+  /// May be called by several threads.
+  void try_trial(std::size_t i, const std::function<void()>& done) {
+    TrialResults results = try_out(plan_.trials[i], implementation_, report_.settings.largest);
+    const std::lock_guard lock(reporting_);
+    ++report_.tallies[plan_.trials[i].group].pairs;
+    add(i, std::move(results.closed));
+    add(i, std::move(results.open));
+    done();
   }
 
   ConformanceReport finish() {
-    if (failure_) std::rethrow_exception(failure_);
     for (auto& [kind, counterexample] : report_.counterexamples) shrink(counterexample);
     return std::move(report_);
   }
@@ -112,27 +101,18 @@ class Run {
   const Implementation& implementation_;
   const ConformancePlan& plan_;
   ConformanceReport report_;
-  std::atomic<std::size_t> next_{0};
   std::mutex reporting_;
-  std::exception_ptr failure_;
 };
 
 }  // namespace
-
-std::size_t trials_of(const Shard& shard, const ConformancePlan& plan) {
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < plan.trials.size(); ++i) count += shard.has(i);
-  return count;
-}
 
 ConformanceReport run_conformance(const Implementation& implementation,
                                   const ConformanceSettings& settings, const ConformancePlan& plan,
                                   unsigned threads, const std::function<void()>& done) {
   Run run(implementation, settings, plan);
-  std::vector<std::thread> pool;
-  for (unsigned t = 1; t < std::max(threads, 1U); ++t) pool.emplace_back([&] { run.work(done); });
-  run.work(done);
-  for (std::thread& thread : pool) thread.join();
+  const std::vector<std::size_t> trials = settings.shard.cases_of(plan.trials.size());
+  slide::for_each_number(trials.size(), threads,
+                         [&](std::size_t k) { run.try_trial(trials[k], done); });
   return run.finish();
 }
 

@@ -14,7 +14,4 @@ ConformanceReport run_conformance(
     const Implementation& implementation, const ConformanceSettings& settings,
     const ConformancePlan& plan, unsigned threads, const std::function<void()>& done = [] {});
 
-/// How many trials are the shard's.
-std::size_t trials_of(const Shard& shard, const ConformancePlan& plan);
-
 }  // namespace oplus

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "checked/cli/version.hpp"
 #include "properties/exhaustive/grid_polygons.hpp"
 #include "properties/runner/sealed_report.hpp"
 #include "reference/io/invalid_input.hpp"
@@ -13,11 +14,7 @@ namespace {
 
 constexpr std::size_t pairs_at_a_time = 256;
 
-std::vector<std::size_t> orbits_of_shard(std::size_t orbits, const Scope& scope) {
-  std::vector<std::size_t> result;
-  for (std::size_t k = scope.shard - 1; k < orbits; k += scope.shards) result.push_back(k);
-  return result;
-}
+Shard shard_of(const Scope& scope) { return {scope.shard, scope.shards}; }
 
 void add(const DifferentialResult& result, std::size_t orbit, ExhaustiveState& state) {
   state.holes_in_sum += result.holes_in_sum;
@@ -34,7 +31,7 @@ std::string to_json(const ExhaustiveState& state) {
                                              {{"grid", state.scope.side},
                                               {"vertices", state.scope.most_vertices},
                                               {"engines", state.engines}},
-                                             {state.scope.shard, state.scope.shards});
+                                             shard_of(state.scope));
   json.update({{"polygons", state.polygons},
                {"pairs", state.pairs},
                {"done", state.done},
@@ -52,7 +49,7 @@ ExhaustiveState state_of_json(const std::string& text, const std::string& file) 
   };
   const nlohmann::ordered_json json = opened(text, file);
   if (json.at("report") != "exhaustive") throw refuse("another command's report");
-  if (json.at("version") != version()) throw refuse("the state of another version");
+  if (json.at("version") != version) throw refuse("the state of another version");
   try {
     ExhaustiveState state;
     const nlohmann::ordered_json& campaign = json.at("campaign");
@@ -84,7 +81,7 @@ ExhaustiveState run_exhaustively(ExhaustiveState state,
   const std::vector<GridPolygon> polygons =
       grid_polygons(state.scope.side, state.scope.most_vertices);
   const auto orbits = pair_orbits(polygons);
-  const std::vector<std::size_t> of_shard = orbits_of_shard(orbits.size(), state.scope);
+  const std::vector<std::size_t> of_shard = shard_of(state.scope).cases_of(orbits.size());
   state.polygons = polygons.size();
   state.pairs = of_shard.size();
   while (state.done < state.pairs && !reports.is_enough()) {

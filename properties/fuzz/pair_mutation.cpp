@@ -88,34 +88,44 @@ bool move_vertex(Random& random, PairPlan& plan) {
   return true;
 }
 
-bool insert_vertex(Random& random, PairPlan& plan) {
+/// An edge of a chain that may have one more vertex; no chain where it drew none.
+struct GrowingEdge {
+  Vertices* vertices = nullptr;
+  std::size_t index = 0;
+
+  const PlannedVertex& source() const { return (*vertices)[index]; }
+  const PlannedVertex& target() const { return (*vertices)[next(index, vertices->size())]; }
+  void insert(const PlannedVertex& between) const {
+    vertices->insert(vertices->begin() + static_cast<std::ptrdiff_t>(index) + 1, between);
+  }
+};
+
+GrowingEdge a_growing_edge(Random& random, PairPlan& plan) {
   PlannedSummand& summand = a_summand(random, plan);
-  if (summand.chains.empty() || vertices_in(summand) == most_vertices_in_all) return false;
+  if (summand.chains.empty() || vertices_in(summand) == most_vertices_in_all) return {};
   Vertices& vertices = one_of(random, summand.chains).vertices;
-  if (vertices.size() == most_vertices) return false;
-  const std::size_t i = uniform_index(random, vertices.size());
-  const PlannedVertex& a = vertices[i];
-  const PlannedVertex& b = vertices[next(i, vertices.size())];
+  if (vertices.size() == most_vertices) return {};
+  return {&vertices, uniform_index(random, vertices.size())};
+}
+
+bool insert_vertex(Random& random, PairPlan& plan) {
+  const GrowingEdge edge = a_growing_edge(random, plan);
+  if (edge.vertices == nullptr) return false;
+  const PlannedVertex &a = edge.source(), &b = edge.target();
   const int dx = uniform(random, -3, 3), dy = uniform(random, -3, 3);
-  const PlannedVertex between = on_grid((a.x + b.x) / 2 + dx, (a.y + b.y) / 2 + dy);
-  vertices.insert(vertices.begin() + static_cast<std::ptrdiff_t>(i) + 1, between);
+  edge.insert(on_grid((a.x + b.x) / 2 + dx, (a.y + b.y) / 2 + dy));
   return true;
 }
 
 /// A vertex inside a straight edge, where the grid has a point on it.
 bool split_edge(Random& random, PairPlan& plan) {
-  PlannedSummand& summand = a_summand(random, plan);
-  if (summand.chains.empty() || vertices_in(summand) == most_vertices_in_all) return false;
-  Vertices& vertices = one_of(random, summand.chains).vertices;
-  if (vertices.size() == most_vertices) return false;
-  const std::size_t i = uniform_index(random, vertices.size());
-  const PlannedVertex& a = vertices[i];
-  const PlannedVertex& b = vertices[next(i, vertices.size())];
+  const GrowingEdge edge = a_growing_edge(random, plan);
+  if (edge.vertices == nullptr) return false;
+  const PlannedVertex &a = edge.source(), &b = edge.target();
   const int parts = std::gcd(b.x - a.x, b.y - a.y);
   if (parts < 2) return false;
   const int part = uniform(random, 1, parts - 1);
-  const PlannedVertex between = moved(a, (b.x - a.x) / parts * part, (b.y - a.y) / parts * part);
-  vertices.insert(vertices.begin() + static_cast<std::ptrdiff_t>(i) + 1, between);
+  edge.insert(moved(a, (b.x - a.x) / parts * part, (b.y - a.y) / parts * part));
   return true;
 }
 

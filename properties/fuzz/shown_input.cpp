@@ -7,7 +7,7 @@
 #include "properties/fuzz/slide_check.hpp"
 #include "properties/generators/shrinking.hpp"
 #include "properties/runner/finding.hpp"
-#include "reference/io/writing.hpp"
+#include "reference/io/written.hpp"
 
 namespace oplus {
 
@@ -32,11 +32,8 @@ ShownInput shown_pair(Summands summands, const std::filesystem::path& folder) {
   }
   const Finding files = write_finding(folder, "fuzz-slide", summands);
   std::ostringstream out;
-  out << "P: ";
-  write(out, summands.p, Format::wkt);
-  out << "Q: ";
-  write(out, summands.q, Format::wkt);
-  out << "written to " << files.p.string() << " and " << files.q.string() << '\n'
+  out << "P: " << wkt(summands.p) << "\nQ: " << wkt(summands.q) << "\nwritten to "
+      << files.p.string() << " and " << files.q.string() << '\n'
       << (result.is_a_finding ? "finding: " + fault_of(summands) : "no finding") << '\n';
   result.text = out.str();
   return result;

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <sstream>
 #include <utility>
 
 #include "properties/generators/rich_regions.hpp"
+#include "reference/io/written.hpp"
 
 namespace oplus {
 
@@ -314,9 +314,7 @@ std::string crossed_text(Random& random, std::string_view a, std::string_view b)
 
 std::string new_region_text(Random& random, Format format) {
   const Region region = small_region(random);
-  std::ostringstream out;
-  write(out, stretched(random, region), format);
-  return out.str();
+  return written(stretched(random, region), format);
 }
 
 std::string new_sum_text(Random& random, Format format) {
@@ -328,9 +326,7 @@ std::string new_sum_text(Random& random, Format format) {
     // Not in the order that readers put them in.
     sum.isolated_vertices = {{x - 1, y / 3}, {x - 2, y}};
   }
-  std::ostringstream out;
-  write(out, sum, format);
-  return out.str();
+  return written(sum, format);
 }
 
 }  // namespace oplus

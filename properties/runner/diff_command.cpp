@@ -13,6 +13,7 @@
 #include "properties/runner/differential_cases.hpp"
 #include "properties/runner/differential_report.hpp"
 #include "properties/runner/engine_called.hpp"
+#include "properties/runner/limit_options.hpp"
 #include "properties/runner/progress.hpp"
 #include "properties/runner/property_run.hpp"
 #include "properties/runner/sealed_report.hpp"
@@ -143,13 +144,9 @@ nlohmann::json campaign(const Settings& settings, const std::vector<std::string>
 /// Runs all cases of the shard; shrinks, writes and explains the first few disagreements.
 DifferentialReport run(const Settings& settings, const Shard& shard,
                        const std::vector<DifferentialCase>& all_cases) {
+  const std::vector<std::size_t> indices = shard.cases_of(all_cases.size());
   std::vector<DifferentialCase> cases;
-  std::vector<std::size_t> indices;
-  for (std::size_t i = 0; i < all_cases.size(); ++i) {
-    if (!shard.has(i)) continue;
-    cases.push_back(all_cases[i]);
-    indices.push_back(i);
-  }
+  for (const std::size_t i : indices) cases.push_back(all_cases[i]);
   const std::vector<Implementation> checked = chosen_implementations(settings);
   DifferentialReport report;
   report.shard = shard;
@@ -262,15 +259,7 @@ void add_diff_command(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_option("--shrink-tries", settings->shrink_tries, "Pairs tried to shrink one")
       ->capture_default_str();
-  command
-      ->add_option("--time-limit", settings->limits.seconds,
-                   "Seconds that another's engine has for a sum")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command
-      ->add_option("--memory-limit", settings->limits.memory_mb,
-                   "Address space that it has, in MB; 0: any")
-      ->capture_default_str();
+  add_limit_options(*command, settings->limits);
   command->add_option("--shard", settings->shard, "Only cases of the I-th of N parts")
       ->type_name("I/N")
       ->capture_default_str();

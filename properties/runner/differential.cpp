@@ -2,11 +2,10 @@
 #include "properties/runner/differential.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <exception>
 #include <mutex>
-#include <thread>
 
+#include "checked/slide/for_each_number.hpp"
 #include "properties/generators/classification.hpp"
 #include "properties/generators/shrinking.hpp"
 #include "reference/definitions/convolution.hpp"
@@ -144,27 +143,12 @@ void run_differential(
     const std::vector<DifferentialCase>& cases, const std::vector<Implementation>& implementations,
     std::size_t largest, unsigned threads,
     const std::function<void(std::size_t index, const DifferentialResult& result)>& done) {
-  std::atomic<std::size_t> next_case{0};
   std::mutex reporting;
-  std::exception_ptr failure;
-  const auto work = [&] {
-    try {
-      for (std::size_t i = next_case++; i < cases.size(); i = next_case++) {
-        const DifferentialResult result = differential(cases[i].make(), implementations, largest);
-        const std::lock_guard lock(reporting);
-        done(i, result);
-      }
-    } catch (...) {
-      const std::lock_guard lock(reporting);
-      if (!failure) failure = std::current_exception();
-      next_case = cases.size();
-    }
-  };
-  std::vector<std::thread> pool;
-  for (unsigned t = 1; t < std::max(threads, 1U); ++t) pool.emplace_back(work);
-  work();
-  for (std::thread& thread : pool) thread.join();
-  if (failure) std::rethrow_exception(failure);
+  slide::for_each_number(cases.size(), threads, [&](std::size_t i) {
+    const DifferentialResult result = differential(cases[i].make(), implementations, largest);
+    const std::lock_guard lock(reporting);
+    done(i, result);
+  });
 }
 
 }  // namespace oplus

@@ -10,7 +10,7 @@
 #include "properties/runner/finding.hpp"
 #include "properties/runner/sealed_report.hpp"
 #include "reference/io/picture.hpp"
-#include "reference/io/writing.hpp"
+#include "reference/io/written.hpp"
 
 namespace oplus {
 
@@ -27,14 +27,6 @@ std::string description(const MinkowskiSum& sum) {
          count(sum.dangling_edges.size(), "dangling edge", "dangling edges") + ", " +
          count(sum.isolated_vertices.size(), "isolated vertex", "isolated vertices") + ", area " +
          to_string(area(sum));
-}
-
-std::string wkt(const MinkowskiSum& sum) {
-  std::ostringstream out;
-  write(out, sum, Format::wkt);
-  std::string text = out.str();
-  while (!text.empty() && text.back() == '\n') text.pop_back();
-  return text;
 }
 
 nlohmann::json to_json(const Tally& tally) {

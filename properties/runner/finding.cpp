@@ -5,24 +5,14 @@
 #include <sstream>
 
 #include "properties/runner/property_run.hpp"
-#include "reference/io/writing.hpp"
+#include "reference/io/written.hpp"
 
 namespace oplus {
-
-namespace {
-
-std::string dat(const Region& region) {
-  std::ostringstream out;
-  write(out, region, Format::dat);
-  return out.str();
-}
-
-}  // namespace
 
 Finding write_finding(const std::filesystem::path& folder, const std::string& statement,
                       const Summands& summands) {
   std::filesystem::create_directories(folder);
-  const std::string p = dat(summands.p), q = dat(summands.q);
+  const std::string p = written(summands.p, Format::dat), q = written(summands.q, Format::dat);
   std::ostringstream name;
   name << statement << '-' << std::hex << std::setfill('0') << std::setw(16) << seed_of(p + q, 0);
   const Finding finding{folder / (name.str() + "-p.dat"), folder / (name.str() + "-q.dat")};

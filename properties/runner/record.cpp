@@ -7,21 +7,13 @@
 
 #include "reference/io/invalid_input.hpp"
 #include "reference/io/reading.hpp"
-#include "reference/io/writing.hpp"
+#include "reference/io/written.hpp"
 
 namespace oplus {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string wkt(const Region& region) {
-  std::ostringstream out;
-  write(out, region, Format::wkt);
-  std::string text = out.str();
-  if (!text.empty() && text.back() == '\n') text.pop_back();
-  return text;
-}
 
 Json to_json(const Summands& pair) { return {{"p", wkt(pair.p)}, {"q", wkt(pair.q)}}; }
 

@@ -2,21 +2,12 @@
 #include "properties/runner/run_report.hpp"
 
 #include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "reference/io/writing.hpp"
+#include "reference/io/written.hpp"
 
 namespace oplus {
 
 namespace {
-
-std::string wkt(const Region& region) {
-  std::ostringstream out;
-  write(out, region, Format::wkt);
-  std::string text = out.str();
-  if (!text.empty() && text.back() == '\n') text.pop_back();
-  return text;
-}
 
 const char* word(Outcome::Kind kind) {
   switch (kind) {

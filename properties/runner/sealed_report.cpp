@@ -5,6 +5,7 @@
 #include <boost/uuid/uuid_io.hpp>
 #include <nlohmann/json.hpp>
 
+#include "checked/cli/version.hpp"
 #include "reference/io/invalid_input.hpp"
 
 namespace oplus {
@@ -22,12 +23,10 @@ std::string checksum(const nlohmann::ordered_json& report) {
 
 }  // namespace
 
-std::string version() { return OPLUS_VERSION; }
-
 nlohmann::ordered_json begun_report(const std::string& command,
                                     const nlohmann::ordered_json& campaign, const Shard& shard) {
   return {{"report", command},
-          {"version", version()},
+          {"version", version},
           {"campaign", campaign},
           {"shard", shard.index},
           {"shards", shard.of}};

@@ -15,9 +15,6 @@ namespace oplus {
 ///  4. what the command reports: counts and findings, nothing of time and place;
 ///  5. "checksum": of all that.
 
-/// That of oplus, such as "1.2.3".
-std::string version();
-
 /// Returns the first three, to which the rest is added.
 nlohmann::ordered_json begun_report(const std::string& command,
                                     const nlohmann::ordered_json& campaign, const Shard& shard);

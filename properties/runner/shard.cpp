@@ -7,6 +7,12 @@
 
 namespace oplus {
 
+std::vector<std::size_t> Shard::cases_of(std::size_t count) const {
+  std::vector<std::size_t> result;
+  for (std::size_t i = index - 1; i < count; i += of) result.push_back(i);
+  return result;
+}
+
 std::optional<Shard> shard_of(const std::string& text) {
   Shard shard;
   const char* const end = text.data() + text.size();

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace oplus {
 
@@ -13,7 +14,9 @@ struct Shard {
   std::size_t index = 1;  ///< 1 <= index <= of
   std::size_t of = 1;
 
-  bool has(std::size_t i) const { return i % of + 1 == index; }
+  /// Which of `count` cases are of the shard, in their order.
+  std::vector<std::size_t> cases_of(std::size_t count) const;
+
   friend bool operator==(const Shard&, const Shard&) = default;
 };
 
