@@ -42,6 +42,9 @@ Proof. intros m n. unfold before. compared a b; constructor; order. Qed.
 Lemma same_spec (a b : direction) : proper a -> proper b -> reflect (equal a b) (same a b).
 Proof. intros m n. unfold same. compared a b; constructor; order. Qed.
 
+Lemma earlier_total (a b : direction) : earlier a b \/ equal a b \/ earlier b a.
+Proof. order. Qed.
+
 (* Going round from the positive x-axis, the three are met in this order, or in one that starts with
    the second or the third of them. *)
 Definition in_order (a b c : direction) : Prop :=
