@@ -176,18 +176,22 @@ Proof.
   destruct (half v), (half w); try reflexivity; rewrite X, Y; reflexivity.
 Qed.
 
-(* Around a closed sequence each direction is passed equally often, counterclockwise less clockwise. *)
+Lemma sweeps_are_axis : forall pairs d,
+  closed pairs -> (forall u v, In (u, v) pairs -> turns u v) -> proper d ->
+  total (fun p => sweep d (fst p) (snd p)) pairs =
+  total (fun p => passes_axis (fst p) (snd p)) pairs.
+Proof.
+  intros pairs d C T D. apply closed_total with (f := fun u => is_before u d); cbn; [| assumption |].
+  - intros u v E. unfold is_before, before, compare; cbn.
+    rewrite (compare_angle_of_equal u v (vec d) E). reflexivity.
+  - intros u v I. apply sweep_as_difference; auto.
+Qed.
+
+(* Theorem. Around a closed sequence of directions, each turned to the next by less than pi, all
+   directions are passed equally often, counterclockwise less clockwise. *)
 Theorem sweeps_are_equal : forall pairs d e,
   closed pairs -> (forall u v, In (u, v) pairs -> turns u v) -> proper d -> proper e ->
   total (fun p => sweep d (fst p) (snd p)) pairs = total (fun p => sweep e (fst p) (snd p)) pairs.
 Proof.
-  intros pairs d e C T.
-  assert (forall d, proper d -> total (fun p => sweep d (fst p) (snd p)) pairs =
-                                total (fun p => passes_axis (fst p) (snd p)) pairs) as A.
-  { clear d e. intros d D.
-    apply closed_total with (f := fun u => is_before u d); cbn; [| assumption |].
-    - intros u v E. unfold is_before, before, compare; cbn.
-      rewrite (compare_angle_of_equal u v (vec d) E). reflexivity.
-    - intros u v I. apply sweep_as_difference; auto. }
-  intros D E. rewrite (A d D), (A e E). reflexivity.
+  intros pairs d e C T D E. rewrite !sweeps_are_axis by assumption. reflexivity.
 Qed.

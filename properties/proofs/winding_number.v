@@ -142,26 +142,33 @@ Proof.
     destruct (left_of_ray k d (minus a p)), (left_of_ray k d (minus b p)); reflexivity.
 Qed.
 
+Lemma ray_as_sweeps : forall p segments k d,
+  off p segments -> nonzero d ->
+  winding_number_by_ray k d p segments =
+  total (fun q => sweep (Direction d k) (fst q) (snd q)) (map (seen_from p) segments).
+Proof.
+  intros p segments k d O D. unfold winding_number_by_ray, total. rewrite map_map.
+  f_equal. apply map_ext_in. intros s I. apply crossing_is_sweep; auto.
+Qed.
+
+Lemma seen_turns : forall p segments, off p segments ->
+  forall u v, In (u, v) (map (seen_from p) segments) -> turns u v.
+Proof.
+  intros p segments O u v I. apply in_map_iff in I. destruct I as (s & Q & I). inversion Q; subst.
+  apply turns_around. now apply O.
+Qed.
+
 (* Theorem. The winding number of a point off closed chains, counted by signed crossings, is the same
    for all rays: in any direction, and whether points on the ray count as to its right or its left. *)
 Theorem winding_number_is_the_same_for_all_rays : forall p segments k d l e,
   cycles segments -> off p segments -> nonzero d -> nonzero e ->
   winding_number_by_ray k d p segments = winding_number_by_ray l e p segments.
 Proof.
-  intros p segments k d l e C O D E.
-  assert (forall k d, nonzero d -> winding_number_by_ray k d p segments =
-    total (fun q => sweep (Direction d k) (fst q) (snd q)) (map (seen_from p) segments)) as W.
-  { clear k d l e D E C. intros k d D. unfold winding_number_by_ray, total. rewrite map_map.
-    f_equal. apply map_ext_in. intros s I. apply crossing_is_sweep; auto. }
-  rewrite (W k d D), (W l e E).
-  apply sweeps_are_equal; [now apply cycles_seen | | exact D | exact E].
-  intros u v I. apply in_map_iff in I. destruct I as (s & Q & I). inversion Q; subst.
-  apply turns_around. now apply O.
+  intros p segments k d l e C O D E. rewrite !ray_as_sweeps by assumption.
+  apply sweeps_are_equal; [now apply cycles_seen | now apply seen_turns | exact D | exact E].
 Qed.
 
 Definition right : vector := Vector 1 0.
-Definition left : vector := Vector (-1) 0.
-Definition up : vector := Vector 0 1.
 
 (* What the code counts is the crossings of the ray to the right, turned counterclockwise. *)
 Lemma the_codes_ray : forall p s, signed_crossing p s = signed_crossing_of_ray OfQ right p s.
@@ -175,6 +182,17 @@ Proof.
   rewrite (H a), (H b). reflexivity.
 Qed.
 
+Lemma winding_number_as_sweeps : forall p segments,
+  off p segments ->
+  winding_number p segments =
+  total (fun q => sweep (Direction right OfQ) (fst q) (snd q)) (map (seen_from p) segments).
+Proof.
+  intros p segments O. unfold winding_number. rewrite (map_ext _ _ (the_codes_ray p)).
+  apply ray_as_sweeps; [exact O |]. unfold nonzero, right; cbn. lra.
+Qed.
+
+(* Theorem. What the code counts, on the ray to the right, is what any other ray counts: to the left, up
+   or down, or in any direction, turned or shifted to either side. *)
 Theorem winding_number_by_any_ray : forall p segments k d,
   cycles segments -> off p segments -> nonzero d ->
   winding_number_by_ray k d p segments = winding_number p segments.
