@@ -21,13 +21,17 @@ template <typename Vector>
 int compare_angle(const Vector& u, const Vector& v) {
   using Number = std::remove_cvref_t<decltype(u.x)>;
   const int halves = half(u) - half(v);
-  return halves != 0 ? halves : cmp(Number(u.y * v.x), Number(u.x * v.y));
+  if (halves != 0) return halves;
+  const int in_one_half = cmp(Number(u.y * v.x), Number(u.x * v.y));
+  return OPLUS_MUTANT("angles-grow-clockwise") ? -in_one_half : in_one_half;
 }
 
 template <typename Direction>
 int compare(const Direction& a, const Direction& b) {
   const int angles = compare_angle(a.vector, b.vector);  // of rationals, the one with a contract
-  return angles != 0 ? angles : static_cast<int>(a.of) - static_cast<int>(b.of);
+  if (angles != 0) return angles;
+  const int ties = static_cast<int>(a.of) - static_cast<int>(b.of);
+  return OPLUS_MUTANT("ties-go-the-other-way") ? -ties : ties;
 }
 
 template <typename Direction>
@@ -36,7 +40,8 @@ bool counterclockwise_between(const Direction& d, const Direction& from, const D
   const bool before_to = compare(d, to) < 0;
   const int range = compare(from, to);
   if (range == 0) return false;
-  return range < 0 ? after_from && before_to : after_from || before_to;
+  const bool passes_no_axis = OPLUS_MUTANT("between-is-on-the-other-arc") ? range > 0 : range < 0;
+  return passes_no_axis ? after_from && before_to : after_from || before_to;
 }
 
 template <typename Corner>

@@ -8,6 +8,7 @@ import unittest
 from pathlib import Path
 
 import compiled
+import extracted
 import headlines
 import sources
 
@@ -71,6 +72,16 @@ class Compiled(ProofsTest):
         self.project("a.v")
         compiled.bring_up_to_date(self.folder, self.build)
         self.assertFalse(compiled.compile_in(self.build))
+
+
+class Extracted(ProofsTest):
+    def test_what_is_proved_may_not_be_replaced(self):
+        text = ('From Coq Require Extraction ExtrOcamlBasic.\nExtract Constant plus => "(-)".\n'
+                'Extract Inductive nat => int [ "0" "succ" ].\n'
+                'Extract Inlined Constant a => "b". (* Extract Constant *)\nExtraction "a.ml" a.\n')
+        self.assertEqual(extracted.replaced(text),
+                         ["ExtrOcamlBasic", "Extract Constant", "Extract Inductive",
+                          "Extract Inlined Constant"])
 
 
 class Headlines(ProofsTest):

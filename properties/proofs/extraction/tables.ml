@@ -1,0 +1,113 @@
+(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* Tables of the proved predicates, a byte an entry, for tests/proofs/extracted_predicates.cpp to compare
+   with. In lists of vectors x grows slowest, then y, then P comes before Q. *)
+open Proved
+
+let rec positive n =
+  if n = 1 then XH else if n land 1 = 1 then XI (positive (n / 2)) else XO (positive (n / 2))
+
+let integer n = if n = 0 then Z0 else if n > 0 then Zpos (positive n) else Zneg (positive (-n))
+let rational numerator denominator = { qnum = integer numerator; qden = positive denominator }
+let point ?(over = 1) x y = { vx = rational x over; vy = rational y over }
+let rec natural n = if n = 0 then O else S (natural (n - 1))
+let rec coq_list = function [] -> Nil | a :: rest -> Cons (a, coq_list rest)
+
+let write_bit = function True -> print_char '1' | False -> print_char '0'
+let write_order = function Lt -> print_char '<' | Eq -> print_char '=' | Gt -> print_char '>'
+
+(* 0 to 9; a for -1, b for -2, and so on. *)
+let write_number z =
+  let rec value = function XH -> 1 | XO p -> 2 * value p | XI p -> (2 * value p) + 1 in
+  let n = match z with Z0 -> 0 | Zpos p -> value p | Zneg p -> -value p in
+  assert (abs n <= 9);
+  print_char (Char.chr (if n >= 0 then Char.code '0' + n else Char.code 'a' - 1 - n))
+
+(* Points of a square grid around the origin. *)
+let grid ?over radius =
+  let range = List.init ((2 * radius) + 1) (fun i -> i - radius) in
+  List.concat_map (fun x -> List.map (fun y -> point ?over x y) range) range
+
+let vectors radius =
+  List.filter (fun v -> not (v.vx.qnum = Z0 && v.vy.qnum = Z0)) (grid radius)
+
+let directions radius =
+  List.concat_map (fun vec -> [ { vec; of0 = OfP }; { vec; of0 = OfQ } ]) (vectors radius)
+
+let each list action = List.iter action list
+
+let orders radius =
+  let all = directions radius in
+  each all (fun a -> each all (fun b -> write_order (compare0 a b)))
+
+let betweens radius =
+  let all = directions radius in
+  each all (fun d -> each all (fun from -> each all (fun to_ -> write_bit (ccw d from to_))))
+
+let reflex radius =
+  let all = vectors radius in
+  each all (fun incoming -> each all (fun outgoing -> write_bit (is_reflex { incoming; outgoing })))
+
+let tangents radius =
+  let all = vectors radius in
+  each (directions radius) (fun d ->
+      each all (fun incoming ->
+          each all (fun outgoing -> write_bit (in_tangent_set d { incoming; outgoing }))))
+
+(* Halves are among the points that are wound around. *)
+let crossings radius =
+  let ends = grid radius in
+  each (grid ~over:2 radius) (fun p ->
+      each ends (fun source ->
+          each ends (fun target -> write_number (signed_crossing p { source; target }))))
+
+(* Polygons: a line each, coordinates separated by blanks. *)
+let polygons file =
+  let rec points = function
+    | x :: y :: rest -> point x y :: points rest
+    | [] -> []
+    | [ _ ] -> failwith "a point with one coordinate"
+  in
+  let channel = open_in file in
+  let rec lines () =
+    match input_line channel with
+    | line -> (
+        match List.filter (( <> ) "") (String.split_on_char ' ' line) with
+        | [] -> lines ()
+        | words ->
+            let vertices = points (List.map int_of_string words) in
+            vertices :: lines ())
+    | exception End_of_file -> close_in channel; []
+  in
+  lines ()
+
+let windings radius file =
+  let places = grid ~over:2 radius in
+  each (polygons file) (fun polygon ->
+      let boundary = edges (coq_list polygon) in
+      each places (fun p -> write_number (winding_number p boundary)))
+
+(* Of each two polygons, for each state, whether a segment leaves it along the edge of P, then of Q. *)
+let convolutions file =
+  let all = List.map (fun p -> (List.length p, coq_list p)) (polygons file) in
+  each all (fun (n, p) ->
+      each all (fun (m, q) ->
+          for i = 0 to n - 1 do
+            for j = 0 to m - 1 do
+              each [ OfP; OfQ ] (fun along ->
+                  write_bit (is_convolution_segment p q along (natural i) (natural j)))
+            done
+          done))
+
+let () =
+  match List.tl (Array.to_list Sys.argv) with
+  | [ "orders"; radius ] -> orders (int_of_string radius)
+  | [ "betweens"; radius ] -> betweens (int_of_string radius)
+  | [ "reflex"; radius ] -> reflex (int_of_string radius)
+  | [ "tangents"; radius ] -> tangents (int_of_string radius)
+  | [ "crossings"; radius ] -> crossings (int_of_string radius)
+  | [ "windings"; radius; file ] -> windings (int_of_string radius) file
+  | [ "convolutions"; file ] -> convolutions file
+  | _ ->
+      prerr_endline "usage: (orders | betweens | reflex | tangents | crossings) RADIUS, \
+                     windings RADIUS FILE, or convolutions FILE";
+      exit 2
