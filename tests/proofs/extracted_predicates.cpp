@@ -17,6 +17,7 @@
 #include "checked/arithmetic/interval.hpp"
 #include "checked/cycles/convolution_cycles.hpp"
 #include "checked/cycles/cycle_tracing.hpp"
+#include "checked/winding/ray_shooting.hpp"
 #include "properties/exhaustive/grid_polygons.hpp"
 #include "properties/process/child_process.hpp"
 #include "reference/definitions/contract.hpp"
@@ -207,6 +208,22 @@ void windings(const std::vector<GridPolygon>& polygons, Comparison& table) {
   }
 }
 
+void shots(const std::vector<GridPolygon>& polygons, Comparison& table) {
+  const std::vector<Point> ends = grid();
+  for (const GridPolygon& polygon : polygons) {
+    const RayShooting rays(edges(region_of(polygon)));
+    for (const Point& source : ends) {
+      for (const Point& target : ends) {
+        if (source == target) continue;
+        table.entry(number(rays.winding_number_right_of({source, target})), [&] {
+          return "right of the segment from " + to_string(source) + " to " + to_string(target) +
+                 " and the polygon " + words(polygon);
+        });
+      }
+    }
+  }
+}
+
 /// A state of the fiber grid, and along whose edge it is left.
 using Leaving = std::tuple<std::size_t, std::size_t, Summand>;
 
@@ -309,6 +326,9 @@ std::vector<Predicate> predicates(const std::vector<GridPolygon>& polygons,
       {"winding_number, of a polygon",
        {"windings", points, file},
        [&](Comparison& table) { windings(polygons, table); }},
+      {"winding_number_right_of",
+       {"shots", points, file},
+       [&](Comparison& table) { shots(polygons, table); }},
       {"convolution",
        {"convolutions", file},
        [&](Comparison& table) { convolutions(polygons, of_the_definition, table); }},
@@ -333,6 +353,8 @@ const std::vector<std::pair<std::string, std::vector<std::string>>>& faults() {
       {"left-and-right-are-one-direction", {"compare, of directions", "counterclockwise_between"}},
       {"no-start-in-the-first-column", {"traced_origins"}},
       {"ray-counts-both-ends", {"winding_number, of a segment", "winding_number, of a polygon"}},
+      {"rays-shift-down", {"winding_number_right_of"}},
+      {"rays-start-left-of-their-edge", {"winding_number_right_of"}},
       {"reflex-turns-clockwise", {"in_tangent_set", "convolution"}},
       {"tangent-set-without-ties", {"in_tangent_set", "convolution"}},
       {"tie-rule-depends-on-who-asks", {"convolution"}},

@@ -86,6 +86,16 @@ let windings radius file =
       let boundary = edges (coq_list polygon) in
       each places (fun p -> write_number (winding_number p boundary)))
 
+(* To the right of segments between grid points, by ray shooting's shifts. *)
+let shots radius file =
+  let ends = grid radius in
+  each (polygons file) (fun polygon ->
+      let boundary = edges (coq_list polygon) in
+      each ends (fun source ->
+          each ends (fun target ->
+              if source <> target then
+                write_number (winding_number_shifted (right_of_middle { source; target }) boundary))))
+
 (* Of each two polygons, for each state, whether a segment leaves it along the edge of P, then of Q. *)
 let convolutions file =
   let all = List.map (fun p -> (List.length p, coq_list p)) (polygons file) in
@@ -106,8 +116,9 @@ let () =
   | [ "tangents"; radius ] -> tangents (int_of_string radius)
   | [ "crossings"; radius ] -> crossings (int_of_string radius)
   | [ "windings"; radius; file ] -> windings (int_of_string radius) file
+  | [ "shots"; radius; file ] -> shots (int_of_string radius) file
   | [ "convolutions"; file ] -> convolutions file
   | _ ->
       prerr_endline "usage: (orders | betweens | reflex | tangents | crossings) RADIUS, \
-                     windings RADIUS FILE, or convolutions FILE";
+                     (windings | shots) RADIUS FILE, or convolutions FILE";
       exit 2
