@@ -5,6 +5,7 @@
 #include <CGAL/Polygon_2.h>
 #include <CGAL/Polygon_with_holes_2.h>
 
+#include <cmath>
 #include <sstream>
 
 #include "properties/peers/methods/method.hpp"
@@ -44,7 +45,8 @@ struct CgalMethod {
   /// A double where it is one, which is what CGAL is fastest with; else by way of text, since its
   /// exact type depends on how CGAL was configured.
   static Number number(const Rational& value) {
-    if (Rational(value.get_d()) == value) return Number(value.get_d());
+    const double nearest = value.get_d();
+    if (std::isfinite(nearest) && Rational(nearest) == value) return Number(nearest);
     std::istringstream text(value.get_str());
     Number::ET exact;
     text >> exact;
