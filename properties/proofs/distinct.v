@@ -12,6 +12,11 @@ Proof.
   - apply IH. intros b I. apply apart. now right.
 Qed.
 
+Lemma NoDup_second A (l m : list A) : NoDup (l ++ m) -> NoDup m.
+Proof.
+  induction l as [| a l IH]; intros L; [exact L |]. apply IH. now inversion L.
+Qed.
+
 Lemma NoDup_images A B (f : A -> B) (l : list A) :
   NoDup l -> (forall a b, In a l -> In b l -> f a = f b -> a = b) -> NoDup (map f l).
 Proof.
