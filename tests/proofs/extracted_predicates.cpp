@@ -74,6 +74,8 @@ std::string words(const GridPolygon& polygon) {
   return all;
 }
 
+std::string shown(char c) { return c == '\n' ? "end of line" : std::string("`") + c + '`'; }
+
 /// Reads a table along with what the C++ code says.
 class Comparison {
  public:
@@ -86,7 +88,7 @@ class Comparison {
     ++entries_;
     if (here == proved) return;
     if (differences_++ == 0)
-      first_ = where() + ": proved `" + proved + "`, but C++ says `" + here + "`";
+      first_ = where() + ": proved " + shown(proved) + ", but C++ says " + shown(here);
   }
 
   void broken_contract(const std::string& what) {
@@ -272,6 +274,29 @@ void convolutions(const std::vector<GridPolygon>& polygons, Convolved convolved,
   }
 }
 
+/// The cycles of each pair as text, line by line.
+void cycles(const std::vector<GridPolygon>& polygons, Comparison& table) {
+  std::vector<std::array<TracedChain, 2>> traced;
+  for (const GridPolygon& polygon : polygons) {
+    const Chain chain = chains(region_of(polygon)).front();
+    traced.push_back({TracedChain(chain, Summand::P), TracedChain(chain, Summand::Q)});
+  }
+  for (std::size_t a = 0; a < polygons.size(); ++a) {
+    for (std::size_t b = 0; b < polygons.size(); ++b) {
+      const GridCycles all = trace_cycles(traced[a][0], traced[b][1]);
+      std::string text;
+      for (const GridCycle& cycle : all.cycles) {
+        text += std::to_string(cycle.i) + " " + std::to_string(cycle.j) + " ";
+        for (const Summand along : cycle.steps) text += along == Summand::P ? 'P' : 'Q';
+        text += '\n';
+      }
+      text += std::to_string(all.states_looked_at) + '\n';
+      for (const char c : text)
+        table.entry(c, [&] { return "P " + words(polygons[a]) + ", Q " + words(polygons[b]); });
+    }
+  }
+}
+
 /// A predicate of ours, and which of the tables says what it should be.
 struct Predicate {
   std::string name;
@@ -335,6 +360,7 @@ std::vector<Predicate> predicates(const std::vector<GridPolygon>& polygons,
       {"traced_origins",
        {"convolutions", file},
        [&](Comparison& table) { convolutions(polygons, traced, table); }},
+      {"trace_cycles", {"cycles", file}, [&](Comparison& table) { cycles(polygons, table); }},
   };
 }
 
@@ -347,11 +373,13 @@ const std::vector<std::pair<std::string, std::vector<std::string>>>& faults() {
        {"compare, of directions", "counterclockwise_between", "in_tangent_set", "convolution"}},
       {"between-is-on-the-other-arc",
        {"counterclockwise_between", "in_tangent_set", "convolution"}},
-      {"cycle-ends-in-its-column", {"traced_origins"}},
+      {"cycle-ends-in-its-column", {"traced_origins", "trace_cycles"}},
+      {"edge-of-p-though-visited", {"trace_cycles"}},
+      {"every-state-is-a-start", {"trace_cycles"}},
       {"filtered-ties-the-other-way",
        {"compare, of filtered directions", "TracedChain::has_in_tangent_set", "traced_origins"}},
       {"left-and-right-are-one-direction", {"compare, of directions", "counterclockwise_between"}},
-      {"no-start-in-the-first-column", {"traced_origins"}},
+      {"no-start-in-the-first-column", {"traced_origins", "trace_cycles"}},
       {"ray-counts-both-ends", {"winding_number, of a segment", "winding_number, of a polygon"}},
       {"rays-shift-down", {"winding_number_right_of"}},
       {"rays-start-left-of-their-edge", {"winding_number_right_of"}},

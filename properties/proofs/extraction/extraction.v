@@ -3,8 +3,9 @@
    numbers are Coq's binary ones, and what runs is what was proved, but for extraction itself. *)
 From Coq Require Extraction.
 From Oplus Require Import direction tangent_set winding_number turning_number convolution_size
-  shifted_ray.
+  shifted_ray states tracing convolution_cycles.
 
 Extraction Language OCaml.
 Extraction "proved.ml" compare ccw is_reflex in_tangent_set is_convolution_segment
-  signed_crossing winding_number.winding_number edges right_of_middle winding_number_shifted.
+  signed_crossing winding_number.winding_number edges right_of_middle winding_number_shifted
+  in_convolution trace_cycles states_looked_at.

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Tables of the proved predicates, a byte an entry, for tests/proofs/extracted_predicates.cpp to compare
+(* Tables of the proved predicates, a byte an entry but for cycles, for tests/proofs/extracted_predicates.cpp to compare
    with. In lists of vectors x grows slowest, then y, then P comes before Q. *)
 open Proved
 
@@ -108,6 +108,34 @@ let convolutions file =
             done
           done))
 
+(* Of each two polygons, the cycles as they are traced: a start and the steps from it, a line for each;
+   then how many states were looked at. *)
+let cycles file =
+  let rec value = function O -> 0 | S n -> 1 + value n in
+  let all = List.map (fun p -> (List.length p, coq_list p)) (polygons file) in
+  let rec write_steps = function
+    | Nil -> print_char '\n'
+    | Cons (Pair (along, _), rest) ->
+        print_char (match along with OfP -> 'P' | OfQ -> 'Q');
+        write_steps rest
+  in
+  let rec write_cycles = function
+    | Nil -> ()
+    | Cons ((Cons (Pair (_, Pair (i, j)), _) as cycle), rest) ->
+        Printf.printf "%d %d " (value i) (value j);
+        write_steps cycle;
+        write_cycles rest
+    | Cons (Nil, _) -> failwith "a cycle without steps"
+  in
+  each all (fun (n, p) ->
+      each all (fun (m, q) ->
+          let n = natural n and m = natural m in
+          match trace_cycles n m (in_convolution p q) with
+          | None -> failwith "a trace that does not end"
+          | Some traced ->
+              write_cycles traced;
+              Printf.printf "%d\n" (value (states_looked_at n m traced))))
+
 let () =
   match List.tl (Array.to_list Sys.argv) with
   | [ "orders"; radius ] -> orders (int_of_string radius)
@@ -118,7 +146,8 @@ let () =
   | [ "windings"; radius; file ] -> windings (int_of_string radius) file
   | [ "shots"; radius; file ] -> shots (int_of_string radius) file
   | [ "convolutions"; file ] -> convolutions file
+  | [ "cycles"; file ] -> cycles file
   | _ ->
       prerr_endline "usage: (orders | betweens | reflex | tangents | crossings) RADIUS, \
-                     (windings | shots) RADIUS FILE, or convolutions FILE";
+                     (windings | shots) RADIUS FILE, or (convolutions | cycles) FILE";
       exit 2
