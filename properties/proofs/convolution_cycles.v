@@ -81,3 +81,37 @@ Proof.
     unfold list_sum in *. cbn [map fold_right length]. lia. }
   unfold named_segment, state in *. lia.
 Qed.
+
+(* What tracing makes of one pair of chains. *)
+Definition traced_pair : Type := (list vector * list vector) * list (list named_segment).
+
+Definition is_traced (pair : traced_pair) : Prop :=
+  let n := length (fst (fst pair)) in
+  let m := length (snd (fst pair)) in
+  trace_cycles n m (in_convolution (fst (fst pair)) (snd (fst pair))) = Some (snd pair) /\
+  Forall (is_cycle n m) (snd pair).
+
+(* Theorem 4.1.6 for two regions, each of any number of closed chains, holes among them: tracing each chain of
+   P with each of Q, all traces end, each is a closed walk, and together they are the convolution, each
+   segment in exactly one cycle, once. *)
+Theorem cycles_cover_the_convolution_of_regions (p q : region) :
+  (forall chain, In chain p -> no_edge_is_a_point chain /\ chain <> []) ->
+  (forall chain, In chain q -> no_edge_is_a_point chain /\ chain <> []) ->
+  exists pairs : list traced_pair,
+    map fst pairs = list_prod p q /\ Forall is_traced pairs /\
+    Permutation (flat_map (fun pair => map (fun s => (fst pair, s)) (concat (snd pair))) pairs)
+                (segments_of_regions p q).
+Proof.
+  intros ep eq. unfold segments_of_regions.
+  assert (proper_pairs : forall a b, In (a, b) (list_prod p q) ->
+            (no_edge_is_a_point a /\ a <> []) /\ (no_edge_is_a_point b /\ b <> [])).
+  { intros a b I. apply in_prod_iff in I. split; [apply ep | apply eq]; tauto. }
+  induction (list_prod p q) as [| [a b] rest IH]; [exists []; repeat split; constructor |].
+  destruct IH as (pairs & firsts & good & all); [intros; apply proper_pairs; now right |].
+  destruct (proper_pairs a b (or_introl eq_refl)) as [[ea na] [eb nb]].
+  destruct (cycles_cover_the_convolution a b ea eb na nb) as (cycles & traced & closed & covered).
+  exists (((a, b), cycles) :: pairs). cbn [map flat_map fst snd]. repeat split.
+  - now rewrite firsts.
+  - constructor; [now split | exact good].
+  - apply Permutation_app; [| exact all]. exact (Permutation_map _ covered).
+Qed.

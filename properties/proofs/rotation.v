@@ -215,3 +215,54 @@ Proof.
     apply same_as_turned in e; [| assumption .. | lra]. apply same_as_turned in f; [| assumption .. | lra].
     lra.
 Qed.
+
+(* Seen from `from`, a direction is ahead, or to the left or straight behind, or to the right: by the signs
+   of a cross and a dot product. *)
+Definition ahead (from v : vector) : bool := zero (cross from v) && negb (negative (dot from v)).
+Definition on_the_far_side (from v : vector) : bool :=
+  negative (cross from v) || (zero (cross from v) && negative (dot from v)).
+
+Definition ccw_by_signs (d from to : vector) : bool :=
+  negb (ahead from d) &&
+  match on_the_far_side from d, on_the_far_side from to with
+  | false, true => true
+  | true, false => false
+  | _, _ => negative (cross to d)
+  end.
+
+Lemma ahead_angle (b v : vector) : nonzero b -> nonzero v -> ahead b v = true <-> angle (seen b v) == 0.
+Proof.
+  intros m n. pose proof (turns_as_seen b b v m m n) as k. unfold turns_by in k.
+  pose proof (angle_seen_itself b m). pose proof (angle_range (seen b v) (seen_nonzero b v m n)).
+  unfold ahead. destruct (zero_spec (cross b v)), (negative_spec (dot b v)); cbn;
+    split; (discriminate || lra || (intros; exfalso; lra) || trivial).
+Qed.
+
+(* The same predicate by signs of cross and dot products of the three vectors alone: the x-axis, from which
+   the code measures angles, does not matter. *)
+Theorem ccw_is_by_signs (d from to : vector) :
+  nonzero d -> nonzero from -> nonzero to ->
+  ccw_of_vectors d from to = ccw_by_signs d from to.
+Proof.
+  intros l m n. apply eq_true_iff_eq. rewrite ccw_seen by assumption.
+  pose proof (ahead_angle from d m l) as a.
+  pose proof (angle_range (seen from d) (seen_nonzero _ _ m l)) as range.
+  pose proof (compare_angle_is (seen from d) (seen from to)
+                (seen_nonzero _ _ m l) (seen_nonzero _ _ m n)) as c.
+  assert (smaller : angle (seen from d) < angle (seen from to) <->
+                    compare_angle (seen from d) (seen from to) = Lt)
+    by (rewrite c; apply Qlt_alt).
+  assert (halves : forall v, half (seen from v) = on_the_far_side from v) by reflexivity.
+  assert (products : (vy (seen from d) * vx (seen from to) ?= vx (seen from d) * vy (seen from to))
+                     = Lt <-> cross to d < 0).
+  { pose proof (square_positive from m).
+    assert (vx (seen from d) * vy (seen from to) - vy (seen from d) * vx (seen from to) ==
+            dot from from * - cross to d) as e
+      by (unfold seen, cross, dot; cbn [vx vy]; ring).
+    rewrite <- Qlt_alt. split; intros; nra. }
+  unfold ccw_by_signs, compare_angle in *. rewrite !halves in *.
+  rewrite andb_true_iff, negb_true_iff, <- not_true_iff_false, a, smaller.
+  assert (0 < angle (seen from d) <-> ~ angle (seen from d) == 0) as -> by lra.
+  destruct (on_the_far_side from d), (on_the_far_side from to);
+    rewrite ?products; destruct (negative_spec (cross to d)); intuition discriminate.
+Qed.
