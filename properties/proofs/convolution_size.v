@@ -173,27 +173,3 @@ Proof.
   intros p q P Q NP NQ. pose proof (convolution_size_by_turning_numbers p q P Q) as S.
   rewrite NP, NQ in S. nia.
 Qed.
-
-Lemma count_positive : forall A (f : A -> bool) l, 0 < count f l -> exists a, In a l /\ f a = true.
-Proof.
-  intros A f l C. unfold count in C. destruct (filter f l) as [| a rest] eqn:E; [cbn in C; lia |].
-  exists a. apply filter_In. rewrite E. left. reflexivity.
-Qed.
-
-(* Theorem. With turning number one, an edge of the fiber grid leaves every column, to the next, and
-   one leaves every row. *)
-Theorem every_column_and_row_is_left : forall p q,
-  turns_everywhere p -> turns_everywhere q -> turning_number p = 1%Z -> turning_number q = 1%Z ->
-  (forall i, i < length p -> exists j, j < length q /\ is_convolution_segment p q OfP i j = true) /\
-  (forall j, j < length q -> exists i, i < length p /\ is_convolution_segment p q OfQ i j = true).
-Proof.
-  intros p q P Q NP NQ. split.
-  - intros i I. pose proof (covered_by_q p q i P Q I) as C.
-    destruct (count_positive _ (fun j => is_convolution_segment p q OfP i j) (seq 0 (length q)))
-      as (j & J & E); [lia |].
-    apply in_seq in J. exists j. split; [lia | exact E].
-  - intros j J. pose proof (covered_by_p p q j P Q J) as C.
-    destruct (count_positive _ (fun i => is_convolution_segment p q OfQ i j) (seq 0 (length p)))
-      as (i & I & E); [lia |].
-    apply in_seq in I. exists i. split; [lia | exact E].
-Qed.
