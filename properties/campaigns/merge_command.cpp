@@ -2,9 +2,7 @@
 #include "properties/campaigns/merge_command.hpp"
 #include "checked/cli/command_line/terminal.hpp"
 
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -12,6 +10,7 @@
 #include "properties/campaigns/merged_report.hpp"
 #include "properties/conformance/report.hpp"
 #include "properties/runner/sealed_report.hpp"
+#include "reference/io/file_text.hpp"
 #include "reference/io/invalid_input.hpp"
 #include "reference/io/writing.hpp"
 
@@ -26,9 +25,7 @@ struct Settings {
 };
 
 nlohmann::ordered_json read(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw InvalidInput({file, 1, 0}, "it cannot be opened", "the report of a shard");
-  return opened({std::istreambuf_iterator<char>(in), {}}, file);
+  return opened(text_of_file(file, "the report of a shard"), file);
 }
 
 int merge(const Settings& settings) {

@@ -4,9 +4,7 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <memory>
 #include <thread>
 
@@ -14,6 +12,7 @@
 #include "properties/exhaustive/exhaustive_run.hpp"
 #include "properties/runner/differential_report.hpp"
 #include "properties/runner/shard.hpp"
+#include "reference/io/file_text.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
@@ -56,8 +55,8 @@ std::optional<ExhaustiveState> first_state(const Settings& settings,
   state.scope = settings.scope;
   state.engines = engines;
   if (settings.resume.empty() || !std::filesystem::exists(settings.resume)) return state;
-  std::ifstream in(settings.resume, std::ios::binary);
-  ExhaustiveState kept = state_of_json({std::istreambuf_iterator<char>(in), {}}, settings.resume);
+  ExhaustiveState kept = state_of_json(
+      text_of_file(settings.resume, "the state of a run of exhaustive"), settings.resume);
   if (kept.scope != state.scope || kept.engines != state.engines) {
     std::cerr << "oplus-check: " << settings.resume
               << " is the state of a run with other --grid, --vertices, --shard or --engine\n";

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "properties/fuzz/fuzz_command.hpp"
 
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -11,6 +9,7 @@
 #include "properties/fuzz/all_targets.hpp"
 #include "properties/fuzz/fuzz_program.hpp"
 #include "properties/fuzz/shown_input.hpp"
+#include "reference/io/file_text.hpp"
 #include "reference/io/reading.hpp"
 #include "reference/io/writing.hpp"
 
@@ -62,18 +61,14 @@ int list(const Settings& settings) {
   return 0;
 }
 
-std::string content(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 int show(const Settings& settings) {
   if (settings.targets.size() != 1) {
     std::cerr << "oplus-check: --show wants one target, whose input the file is\n";
     return 2;
   }
   const ShownInput found =
-      shown(*find_fuzz_target(settings.targets[0]), content(settings.show), settings.out);
+      shown(*find_fuzz_target(settings.targets[0]),
+            text_of_file(settings.show, "an input of the target"), settings.out);
   std::cout << found.text;
   return found.is_a_finding ? 1 : 0;
 }

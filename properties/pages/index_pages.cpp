@@ -3,6 +3,8 @@
 
 #include <cctype>
 
+#include "properties/pages/strength.hpp"
+
 namespace oplus {
 
 namespace {
@@ -51,7 +53,7 @@ Page theorems_page(const Registry& registry) {
     const RecordedRun& run = registry.runs.at(s.id);
     enumerated += run.enumerated.value_or(0);
     pairs += run.run;
-    text += "| " + link(s) + " | " + s.title + " | " + backing(run) + " | " +
+    text += "| " + link(s) + " | " + s.title + " | " + backing(registry, s) + " | " +
             std::to_string(s.kills.size()) + " |\n";
   }
   text += "\n" + std::to_string(registry.statements.size()) + " statements, " +
@@ -59,9 +61,8 @@ Page theorems_page(const Registry& registry) {
           " pairs sampled, " + std::to_string(registry.mutants.size()) + " faults found.\n";
   text +=
       "\n## Which rests on which\n"
-      "An arrow leads to what a statement rests on. Blue: sampled on generated pairs; light green: "
-      "what it comes down to\nis proved by enumeration, and pairs are sampled; green: proved by "
-      "enumeration.\n\n![The graph of statements](theorems/graph.svg)\n";
+      "An arrow leads to what a statement rests on. " +
+      legend() + "\n\n![The graph of statements](theorems/graph.svg)\n";
   return {"theorems.md", std::move(text)};
 }
 

@@ -2,13 +2,13 @@
 #include "properties/pages/page_files.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <set>
 
 #include "properties/pages/index_pages.hpp"
+#include "properties/pages/strength.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/runner/statement_graph.hpp"
+#include "reference/io/file_text.hpp"
 #include "reference/io/invalid_input.hpp"
 #include "reference/io/writing.hpp"
 
@@ -20,12 +20,6 @@ namespace fs = std::filesystem;
 
 const char* const records_and_drawing[] = {"theorems/runs.json", "theorems/kills.json",
                                            "theorems/graph.svg"};
-
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw InvalidInput({file.string(), 1, 0}, "cannot be read", "a record");
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// Files below docs/theorems/ that nobody generates.
 std::vector<fs::path> superfluous_files(const std::vector<Page>& pages, const fs::path& docs) {
@@ -42,45 +36,13 @@ std::vector<fs::path> superfluous_files(const std::vector<Page>& pages, const fs
 
 }  // namespace
 
-Registry registry_with_records(const fs::path& docs) {
-  Registry registry{statements(), mutants(), {}, {}};
-  const fs::path runs = docs / "theorems/runs.json", kills = docs / "theorems/kills.json";
-  for (RecordedRun& run : runs_of_json(text_of(runs), runs.string()))
-    registry.runs[run.statement] = std::move(run);
-  registry.kills = kills_of_json(text_of(kills), kills.string());
-  return registry;
-}
-
-std::vector<std::string> defects_of_records(const Registry& registry) {
-  std::vector<std::string> defects;
-  std::set<std::string> ids;
-  std::set<std::pair<std::string, std::string>> named, recorded;
-  for (const Kill& kill : registry.kills) {
-    recorded.emplace(kill.statement, kill.mutant);
-    if (!kill.killed) defects.push_back(kill.statement + ": has not killed " + kill.mutant);
-  }
-  for (const Statement& s : registry.statements) {
-    ids.insert(s.id);
-    if (!registry.runs.contains(s.id)) defects.push_back(s.id + ": no run is recorded");
-    for (const std::string& mutant : s.kills) {
-      named.emplace(s.id, mutant);
-      if (!recorded.contains({s.id, mutant}))
-        defects.push_back(s.id + ": no kill of " + mutant + " is recorded");
-    }
-  }
-  for (const auto& [id, run] : registry.runs)
-    if (!ids.contains(id))
-      defects.push_back(id + ": a run is recorded, but there is no such statement");
-  for (const auto& [id, mutant] : recorded)
-    if (!named.contains({id, mutant}))
-      defects.push_back(id + ": a kill of " + mutant + " is recorded, which it does not name");
-  return defects;
-}
-
 std::vector<Page> all_pages(const Registry& registry) {
-  std::vector<Page> pages = {theorems_page(registry),
-                             mutants_page(registry),
-                             {"theorems/graph.dot", to_dot(registry.statements)}};
+  std::vector<Page> pages = {
+      theorems_page(registry),
+      mutants_page(registry),
+      {"theorems/graph.dot", to_dot(registry.statements, [&](const Statement& s) {
+         return colour(strength(registry, s));
+       })}};
   for (const Statement& s : registry.statements)
     for (Page& page : theorem_pages(registry, s)) pages.push_back(std::move(page));
   return pages;
@@ -97,7 +59,7 @@ std::vector<std::string> stale_files(const std::vector<Page>& pages, const fs::p
   for (const Page& page : pages) {
     if (!fs::is_regular_file(docs / page.path))
       stale.push_back(page.path + ": missing");
-    else if (text_of(docs / page.path) != page.text)
+    else if (text_of_file(docs / page.path, "a page") != page.text)
       stale.push_back(page.path + ": out of date");
   }
   for (const fs::path& file : superfluous_files(pages, docs))

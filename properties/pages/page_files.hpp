@@ -7,14 +7,6 @@
 
 namespace oplus {
 
-/// The registry with the records docs/theorems/runs.json and kills.json.
-/// Throws InvalidInput where one cannot be read.
-Registry registry_with_records(const std::filesystem::path& docs);
-
-/// What is missing in the records or no longer true of the registry, a line each: a statement without
-/// a run, a mutant that a statement names without a kill, a record of neither.
-std::vector<std::string> defects_of_records(const Registry& registry);
-
 /// All generated pages. Requires: no defects of records.
 std::vector<Page> all_pages(const Registry& registry);
 

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "properties/pages/pair_picture.hpp"
+#include "properties/pages/strength.hpp"
 #include "properties/runner/registry.hpp"
 
 namespace oplus {
@@ -74,6 +75,44 @@ std::string recorded_run(const Statement& s, const RecordedRun& run) {
   return text;
 }
 
+std::string indented(const std::string& lines) {
+  std::string text = "    ";
+  for (const char c : lines) text += c == '\n' ? std::string("\n    ") : std::string(1, c);
+  return text;
+}
+
+std::string proofs(const Registry& registry, const Statement& s) {
+  std::string text;
+  for (const ProvedTheorem& theorem : registry.theorems) {
+    if (theorem.statement != s.id) continue;
+    text += "\n`" + theorem.name + "`, " + link_to_source("properties/proofs/" + theorem.file) +
+            (theorem.is_whole ? "" : ", a part") + ".\n" + theorem.gloss + "\n\n" +
+            indented(theorem.formal) + "\n\n- covered: " + theorem.covers +
+            "\n- not covered: " + theorem.not_covered + '\n';
+  }
+  return text.empty()
+             ? text
+             : "\n## Checked by Coq\n`ctest -L proofs` checks it again, and that it rests on no axiom.\n" +
+                   text;
+}
+
+std::string answers(const Registry& registry, const Statement& s) {
+  std::string text;
+  for (const AnsweredQuery& query : registry.queries) {
+    if (query.statement != s.id) continue;
+    text += "\n`" + query.id + "`: if\n";
+    for (const std::string& hypothesis : query.hypotheses) text += "- " + hypothesis + '\n';
+    text += "\nthen " + query.conclusion + ". Not so without \"" + query.dropped +
+            "\": " + query.counterexample + ".\n";
+  }
+  return text.empty()
+             ? text
+             : "\n## Proved by Z3 and cvc5\nOver all real numbers, each by both, see "
+               "[proofs by SMT](../smt.md). The counterexamples are Z3's, and false by the "
+               "definitions too.\n" +
+                   text;
+}
+
 std::string kill_table(const Registry& registry, const std::vector<const Kill*>& kills) {
   std::string text =
       "\n## Faults it finds\nEach is one line, in the preset `check` only.\n\n"
@@ -95,14 +134,6 @@ const Kill* shown_kill(const std::vector<const Kill*>& kills) {
 
 }  // namespace
 
-std::string backing(const RecordedRun& run) {
-  std::string text;
-  if (run.enumerated) text = "proved by enumeration, " + std::to_string(*run.enumerated) + " cases";
-  if (run.run > 0)
-    text += (text.empty() ? "" : "; ") + ("sampled, " + std::to_string(run.run)) + " pairs";
-  return text;
-}
-
 const Mutant& mutant_of(const Registry& registry, const std::string& name) {
   return *std::find_if(registry.mutants.begin(), registry.mutants.end(),
                        [&](const Mutant& m) { return m.name == name; });
@@ -123,11 +154,12 @@ std::vector<Page> theorem_pages(const Registry& registry, const Statement& s) {
   text += "\nRests on: " + list_of_statements(s.rests_on, "nothing but definitions") + ".\n";
   text +=
       "\nWhat rests on it: " + list_of_statements(resting_on(registry, s.id), "nothing") + ".\n";
-  text += "\n## How it is backed\n- " + backing(run) +
+  text += "\n## How it is backed\n- " + backing(registry, s) +
           "\n- the property: " + link_to_source(relative_file(s)) + "\n- what it protects: ";
   for (const std::string& file : protects)
     text += (file == *protects.begin() ? "" : ", ") + link_to_source(file);
-  text += '\n' + recorded_run(s, run) + kill_table(registry, kills);
+  text += '\n' + proofs(registry, s) + answers(registry, s) + recorded_run(s, run) +
+          kill_table(registry, kills);
 
   std::vector<Page> pages;
   if (run.typical) {

@@ -3,14 +3,13 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
-#include <iterator>
 #include <regex>
 #include <set>
 #include <string_view>
 #include <utility>
 
 #include "properties/generators/classification.hpp"
+#include "reference/io/file_text.hpp"
 
 namespace oplus {
 
@@ -28,11 +27,6 @@ std::vector<int> numbers_of(const std::string& id) {
   for (std::sregex_iterator it(id.begin(), id.end(), number); it != std::sregex_iterator(); ++it)
     numbers.push_back(std::stoi(it->str()));
   return numbers;
-}
-
-std::string text_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 std::set<std::string> class_names() {
@@ -94,7 +88,7 @@ void add_defects_of_fault_sites(const std::set<std::string>& mutants,
     for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder)) {
       if (entry.path().extension() != ".cpp" && entry.path().extension() != ".hpp") continue;
       if (entry.path().filename() == "mutant.hpp") continue;  // says how to name one
-      const std::string text = text_of(entry.path());
+      const std::string text = text_of_file(entry.path(), "a source file");
       for (std::sregex_iterator it(text.begin(), text.end(), site); it != std::sregex_iterator();
            ++it)
         if (!mutants.count((*it)[1]))
@@ -190,7 +184,8 @@ std::vector<std::string> defects_of_files(const std::vector<Statement>& statemen
   for (const Mutant& m : mutants) {
     if (!std::filesystem::is_regular_file(root / m.file))
       defects.push_back(m.name + ": there is no file " + m.file);
-    else if (text_of(root / m.file).find("OPLUS_MUTANT(\"" + m.name + "\")") == std::string::npos)
+    else if (text_of_file(root / m.file, "a source file")
+                 .find("OPLUS_MUTANT(\"" + m.name + "\")") == std::string::npos)
       defects.push_back(m.name + ": " + m.file + " does not contain it");
   }
   add_defects_of_fault_sites(names_of(mutants), root, defects);

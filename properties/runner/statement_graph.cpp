@@ -24,11 +24,6 @@ std::vector<std::size_t> strong_component_of_each(const StatementGraph& graph) {
   return component;
 }
 
-std::string colour(const Statement& s) {
-  if (!s.enumerate) return "#e8eef7";
-  return s.check ? "#dcefd8" : "#bfe3b4";
-}
-
 }  // namespace
 
 StatementGraph statement_graph(const std::vector<Statement>& statements) {
@@ -63,7 +58,8 @@ std::vector<std::string> defects_of_graph(const std::vector<Statement>& statemen
   return defects;
 }
 
-std::string to_dot(const std::vector<Statement>& statements) {
+std::string to_dot(const std::vector<Statement>& statements,
+                   const std::function<std::string(const Statement&)>& colour) {
   std::ostringstream out;
   const auto write_node = [&](std::ostream& node, std::size_t i) {
     const Statement& s = statements[i];

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <boost/graph/adjacency_list.hpp>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,8 @@ StatementGraph statement_graph(const std::vector<Statement>& statements);
 /// What is wrong with it, a line each: a statement that rests on an unknown one or on itself, a cycle.
 std::vector<std::string> defects_of_graph(const std::vector<Statement>& statements);
 
-/// Returns it for Graphviz, coloured by how statements are backed, each node a link to its page.
-std::string to_dot(const std::vector<Statement>& statements);
+/// Returns it for Graphviz, each node in its colour and a link to its page.
+std::string to_dot(const std::vector<Statement>& statements,
+                   const std::function<std::string(const Statement&)>& colour);
 
 }  // namespace oplus

@@ -103,7 +103,7 @@ TEST_F(Merge, refuses_what_is_no_campaign) {
   for (const std::string shard : {"1", "2", "3"})
     check(command + " --shard " + shard + "/3 --report s" + shard + ".json");
   expect_refused("s1.json", "shards these are missing: 2, 3;");
-  expect_refused("s1.json s2.json nowhere.json", "nowhere.json:1: it cannot be opened");
+  expect_refused("s1.json s2.json nowhere.json", "nowhere.json:1: cannot be read");
 
   check("exhaustive --engine rca --grid 2 --vertices 4 --shard 3/3 --report other.json");
   expect_refused("s1.json s2.json other.json", R"(engines is ["rca"], not ["slide"])");

@@ -48,7 +48,10 @@ Registry sound_registry() {
              .classes = {{"holes", 10}},
              .counts = {{"edges", 99}},
              .typical = pair}}},
-          {{"sign-flipped", s.id, true, false, 5, "it has none", pair}}};
+          {{"sign-flipped", s.id, true, false, 5, "it has none", pair}},
+          {{s.id, false, "edges_exist", "edges.v", "There is one.", "All.", "Nothing.",
+            "Theorem edges_exist : True."}},
+          {{"lemma-9.9.9.sign", s.id, {"x is positive"}, "x is not 0", "x is positive", "x = 0"}}};
 }
 
 class PageFiles : public testing::Test {
@@ -105,6 +108,20 @@ TEST_F(PageFiles, ChangeWithWhatTheyAreMadeOf) {
             Lines{"theorems/pictures/lemma-9.9.9-shrunk.svg: out of date"});
 }
 
+TEST_F(PageFiles, ChangeWithProofs) {
+  write_pages(all_pages(sound_registry()), docs_);
+  Registry registry = sound_registry();
+  registry.theorems[0].formal += "!";
+  EXPECT_EQ(stale_files(all_pages(registry), docs_), Lines{"theorems/lemma-9.9.9.md: out of date"});
+  registry.theorems[0].is_whole = true;
+  EXPECT_EQ(stale_files(all_pages(registry), docs_),
+            (Lines{"theorems.md: out of date", "theorems/graph.dot: out of date",
+                   "theorems/lemma-9.9.9.md: out of date"}));
+  registry = sound_registry();
+  registry.queries[0].counterexample = "x = -1";
+  EXPECT_EQ(stale_files(all_pages(registry), docs_), Lines{"theorems/lemma-9.9.9.md: out of date"});
+}
+
 TEST(Records, OfASoundRegistryHaveNoDefect) {
   EXPECT_EQ(defects_of_records(sound_registry()), Lines{});
 }
@@ -116,14 +133,16 @@ TEST(Records, MustFitTheRegistry) {
       defects_of_records(registry),
       (Lines{"lemma-9.9.8: no run is recorded", "lemma-9.9.8: no kill of sign-flipped is recorded",
              "lemma-9.9.9: a run is recorded, but there is no such statement",
-             "lemma-9.9.9: a kill of sign-flipped is recorded, which it does not name"}));
+             "lemma-9.9.9: a kill of sign-flipped is recorded, which it does not name",
+             "edges_exist: is to back lemma-9.9.9, but there is no such statement",
+             "lemma-9.9.9.sign: is to back lemma-9.9.9, but there is no such statement"}));
   registry = sound_registry();
   registry.kills[0].killed = false;
   EXPECT_EQ(defects_of_records(registry), Lines{"lemma-9.9.9: has not killed sign-flipped"});
 }
 
 TEST(Records, ThatAreMissingAreBadInput) {
-  EXPECT_THROW(registry_with_records("/nowhere"), InvalidInput);
+  EXPECT_THROW(registry_with_records({"/nowhere", "/nowhere", "/nowhere"}), InvalidInput);
 }
 
 /// Each node and each arrow of graph.dot is drawn, and nothing else.

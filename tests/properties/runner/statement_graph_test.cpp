@@ -40,10 +40,11 @@ TEST(StatementGraph, NamesWhatRestsOnItselfOrOnNothingKnown) {
 }
 
 TEST(StatementGraph, GoesToGraphviz) {
-  Statement proved = resting_on("a", {});
-  proved.enumerate = [] { return Enumeration{1, ""}; };
-  const std::string dot = to_dot({proved, resting_on("b", {"a"})});
-  EXPECT_NE(dot.find("0[label=\"a\", URL=\"a.md\", tooltip=\"Title of a\""), std::string::npos)
+  const std::string dot =
+      to_dot({resting_on("a", {}), resting_on("b", {"a"})},
+             [](const Statement& s) { return s.id == "a" ? "#123456" : "#abcdef"; });
+  EXPECT_NE(dot.find("0[label=\"a\", URL=\"a.md\", tooltip=\"Title of a\", fillcolor=\"#123456\"]"),
+            std::string::npos)
       << dot;
   EXPECT_NE(dot.find("1->0"), std::string::npos) << dot;
   EXPECT_EQ(dot.find("0->1"), std::string::npos) << dot;

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "properties/mutants/mutants.hpp"
+#include "properties/pages/proof_record.hpp"
+#include "properties/runner/record.hpp"
+
+namespace oplus {
+
+/// All that pages are made of. Everything in it is the registry's or was recorded.
+struct Registry {
+  std::vector<Statement> statements;
+  std::vector<Mutant> mutants;
+  std::map<std::string, RecordedRun> runs;  ///< by statement
+  std::vector<Kill> kills;
+  std::vector<ProvedTheorem> theorems = {};
+  std::vector<AnsweredQuery> queries = {};
+};
+
+/// Where records are.
+struct RecordFolders {
+  std::filesystem::path docs;    ///< theorems/runs.json and kills.json below it
+  std::filesystem::path proofs;  ///< theorems.json
+  std::filesystem::path smt;     ///< results.json
+};
+
+/// Throws InvalidInput where one cannot be read.
+Registry registry_with_records(const RecordFolders& folders);
+
+/// What is missing in the records or no longer true of the registry, a line each: a statement without
+/// a run, a mutant that a statement names without a kill, a record, theorem or query of no statement.
+std::vector<std::string> defects_of_records(const Registry& registry);
+
+}  // namespace oplus

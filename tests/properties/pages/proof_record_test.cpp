@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/pages/proof_record.hpp"
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <fstream>
+
+#include "reference/io/invalid_input.hpp"
+
+namespace oplus {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ProofRecord : public testing::Test {
+ protected:
+  ProofRecord() {
+    std::string pattern = testing::TempDir() + "oplus-proof-record-XXXXXX";
+    if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no folder to write to");
+    folder_ = pattern;
+    write("edges.v",
+          "Lemma edges_are : True.\nProof. easy. Qed.\n\n"
+          "Theorem edges (a : nat) :\n  a = a.\nProof. easy. Qed.\n");
+  }
+  ~ProofRecord() override { fs::remove_all(folder_); }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+  }
+  static std::string theorem(const std::string& name, const std::string& extent) {
+    return R"([{"statement": "lemma-9", "extent": ")" + extent + R"(", "theorem": ")" + name +
+           R"(", "file": "edges.v", "gloss": "g", "covers": "c", "not_covered": "n"}])";
+  }
+  static std::string query(const std::string& proof, const std::string& twin) {
+    return R"({"queries": [{"id": "lemma-9.a", "statement": "lemma-9",
+      "hypotheses": {"one": "x is 1", "two": "y is 2"}, "conclusion": "x is not y",
+      "dropped": "two", "answers": {"proof": {"z3": "unsat", "cvc5": ")" +
+           proof + R"("}, "hypotheses": {"z3": "sat", "cvc5": "sat"},
+      "twin": {"z3": "sat", "cvc5": ")" +
+           twin + R"("}}, "counterexample": {"x": "1/1", "y": "1", "f": true}}]})";
+  }
+  void expect_refused(const std::string& what) const {
+    try {
+      proved_theorems(folder_);
+      answered_queries(folder_);
+      FAIL() << what;
+    } catch (const InvalidInput& e) {
+      EXPECT_NE(std::string(e.what()).find(what), std::string::npos) << e.what();
+    }
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(ProofRecord, has_the_formal_statement_of_a_theorem) {
+  write("theorems.json", theorem("edges", "part"));
+  const std::vector<ProvedTheorem> theorems = proved_theorems(folder_);
+  ASSERT_EQ(theorems.size(), 1U);
+  EXPECT_EQ(theorems[0].formal, "Theorem edges (a : nat) :\n  a = a.");
+  EXPECT_FALSE(theorems[0].is_whole);
+  EXPECT_EQ(theorems[0].statement, "lemma-9");
+  EXPECT_EQ(theorems[0].not_covered, "n");
+}
+
+TEST_F(ProofRecord, names_the_hypothesis_that_was_dropped) {
+  write("results.json", query("unsat", "sat"));
+  const std::vector<AnsweredQuery> queries = answered_queries(folder_);
+  ASSERT_EQ(queries.size(), 1U);
+  EXPECT_EQ(queries[0].hypotheses, (std::vector<std::string>{"x is 1", "y is 2"}));
+  EXPECT_EQ(queries[0].dropped, "y is 2");
+  EXPECT_EQ(queries[0].counterexample, "x = 1/1, y = 1, f = true");
+}
+
+TEST_F(ProofRecord, refuses_what_is_not_proved) {
+  expect_refused("theorems.json:1: cannot be read");
+  write("theorems.json", theorem("corners", "whole"));
+  expect_refused("edges.v:1: no theorem corners");
+  write("theorems.json", theorem("edges", "most"));
+  expect_refused("an extent of 'most'");
+  write("theorems.json", "[{}]");
+  expect_refused("theorems.json:1: ");
+  write("theorems.json", theorem("edges", "whole"));
+  expect_refused("results.json:1: cannot be read");
+  write("results.json", query("none", "sat"));
+  expect_refused("lemma-9.a: cvc5 answers \"none\" to proof");
+  write("results.json", query("unsat", "unsat"));
+  expect_refused("lemma-9.a: cvc5 answers \"unsat\" to twin");
+  write("results.json", "{");
+  expect_refused("results.json:1: ");
+}
+
+}  // namespace
+}  // namespace oplus
