@@ -23,10 +23,11 @@ ConformanceReport report_of_many_kinds() {
         MinkowskiSum sum = slide_sum(p, q, boundary).sum;
         if (vertex_count(p) == 5) throw NoSum(NoSum::Kind::crashed, "x < y && z|w", "it <died>\n");
         if (vertex_count(p) == 6) std::swap(sum.outer[0][0], sum.outer[0][1]);
-        sum.holes.clear();
+        if (vertex_count(q) == 4) sum.isolated_vertices.push_back({1000, 1000});
         return sum;
       });
-  ConformanceSettings settings = few();
+  ConformanceSettings settings = few({"grids"});
+  settings.cases = 40;
   settings.shrink_tries = 20;  // a report does not depend on it
   return conformance_of(faulty, settings);
 }
@@ -48,7 +49,7 @@ TEST_F(ConformanceReportFiles, are_valid) {
           "assert root.get(\"name\").endswith(all[\"campaign\"][\"engine\"])\n"
           "print(sorted(c[\"kind\"] for c in all[\"counterexamples\"]))'");
   EXPECT_EQ(ran.exit_code, 0) << ran.err;
-  EXPECT_NE(ran.out.find("hole lost"), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find("isolated vertex invented"), std::string::npos) << ran.out;
 }
 
 TEST_F(ConformanceReportFiles, tables_have_as_many_cells_in_each_row) {
@@ -66,7 +67,7 @@ TEST_F(ConformanceReportFiles, tables_have_as_many_cells_in_each_row) {
     EXPECT_EQ(bars, expected) << line;
     ++rows;
   }
-  EXPECT_GT(rows, 20U);
+  EXPECT_GT(rows, 10U);
 }
 
 TEST_F(ConformanceReportFiles, counterexamples_are_written_and_read_again) {
@@ -103,7 +104,8 @@ TEST(SealedReport, sees_what_was_changed) {
   EXPECT_THROW(opened("[]", "r.json"), InvalidInput);
   EXPECT_THROW(opened("{}", "r.json"), InvalidInput);
   std::string changed = text;
-  changed[changed.find("\"pairs\": 12") + 9] = '2';
+  char& digit = changed[changed.find("\"pairs\": ") + 9];
+  digit = digit == '2' ? '3' : '2';
   EXPECT_THROW(opened(changed, "r.json"), InvalidInput);
 }
 
