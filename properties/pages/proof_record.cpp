@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "properties/pages/proof_record.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <regex>
 
@@ -31,11 +32,26 @@ bool extent_is_whole(const std::string& extent, const fs::path& file) {
   return extent == "whole";
 }
 
+/// Numbers as they are; what a model says of a direction (properties/smt/values.hpp) as its vector.
 std::string in_words(const Json& counterexample) {
   std::string text;
-  for (const auto& [name, value] : counterexample.items())
-    text += (text.empty() ? "" : ", ") + name + " = " +
-            (value.is_string() ? value.get<std::string>() : value.dump());
+  const auto add = [&](const std::string& name, const std::string& value) {
+    text += (text.empty() ? "" : ", ") + name + " = " + value;
+  };
+  for (const auto& [key, value] : counterexample.items()) {
+    const std::string name = key.substr(0, key.find('.'));
+    const std::string part = key.substr(std::min(name.size() + 1, key.size()));
+    if (part.empty())
+      add(name, value.is_string() ? value.get<std::string>() : value.dump());
+    else if (part == "x")
+      add(name, "(" + value.get<std::string>() + ", " +
+                    counterexample.at(name + ".y").get<std::string>() + ")");
+    else if (part == "slanted") {
+      const std::string one = counterexample.at(name + ".positive") ? "1" : "-1";
+      add(name, value ? "(" + counterexample.at(name + ".t").get<std::string>() + ", " + one + ")"
+                      : "(" + one + ", 0)");
+    }
+  }
   return text;
 }
 

@@ -100,8 +100,8 @@ std::string colour(Strength strength) {
 
 std::string legend() {
   return "Green: machine-checked; light green: proved by enumeration; yellow: machine-checked in part; "
-         "orange: proved by\nSMT in local form; blue: sampled on generated pairs only. Of several, the "
-         "first.";
+         "orange: proved by SMT\nin local form; blue: sampled on generated pairs only. Of several, "
+         "the first.";
 }
 
 }  // namespace oplus

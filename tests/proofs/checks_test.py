@@ -86,7 +86,8 @@ class Extracted(ProofsTest):
 
 class Headlines(ProofsTest):
     def entry(self, **changed):
-        return dict(zip(headlines.KEYS, ["lemma-1", "right", "a.v", "True holds.", "all", "nothing"]),
+        return dict(zip(headlines.KEYS, ["lemma-1", "whole", "right", "a.v", "True holds.", "all",
+                                        "nothing"]),
                     **changed)
 
     def violations(self, *entries):

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Asks Coq what the theorems in theorems.json rest on, and fails unless that is nothing at all.
 
-theorems.json says for each which registered statement it backs, its name and file, what it says in
+theorems.json says for each which registered statement it backs, whether it is the whole of it or a
+part (extent), its name and file, what it says in
 plain words (gloss), what of the statement it covers and what not. Each is a Theorem, Lemma or
 Corollary of its file with a comment right above it.
 Usage: headlines.py SOURCES BUILD STATEMENTS, BUILD made by compiled.py, STATEMENTS the folder of
@@ -15,7 +16,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-KEYS = ["statement", "theorem", "file", "gloss", "covers", "not_covered"]
+KEYS = ["statement", "extent", "theorem", "file", "gloss", "covers", "not_covered"]
 CLOSED = "Closed under the global context"
 
 

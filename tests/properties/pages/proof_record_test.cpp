@@ -38,7 +38,9 @@ class ProofRecord : public testing::Test {
       "dropped": "two", "answers": {"proof": {"z3": "unsat", "cvc5": ")" +
            proof + R"("}, "hypotheses": {"z3": "sat", "cvc5": "sat"},
       "twin": {"z3": "sat", "cvc5": ")" +
-           twin + R"("}}, "counterexample": {"x": "1/1", "y": "1", "f": true}}]})";
+           twin + R"("}}, "counterexample": {"x": "1/2", "f": true, "v.x": "1", "v.y": "2",
+      "d.t": "3/4", "e.t": "5", "d.positive": false, "d.slanted": true, "e.positive": true,
+      "e.slanted": false}}]})";
   }
   void expect_refused(const std::string& what) const {
     try {
@@ -69,7 +71,7 @@ TEST_F(ProofRecord, names_the_hypothesis_that_was_dropped) {
   ASSERT_EQ(queries.size(), 1U);
   EXPECT_EQ(queries[0].hypotheses, (std::vector<std::string>{"x is 1", "y is 2"}));
   EXPECT_EQ(queries[0].dropped, "y is 2");
-  EXPECT_EQ(queries[0].counterexample, "x = 1/1, y = 1, f = true");
+  EXPECT_EQ(queries[0].counterexample, "x = 1/2, f = true, v = (1, 2), d = (3/4, -1), e = (1, 0)");
 }
 
 TEST_F(ProofRecord, refuses_what_is_not_proved) {
