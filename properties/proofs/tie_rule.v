@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* The tie rule (thesis, Definition 2.2.7) is a rotation: what ccw says of labelled directions is what
    it says of plain vectors once all of Q's have been turned counterclockwise by a small enough angle. *)
-From Coq Require Import QArith Qabs Qminmax Lqa Bool.
+From Coq Require Import QArith Qabs Qminmax Lqa Bool List.
 From Oplus Require Import direction angle cyclic_order rotation.
 
 Open Scope Q_scope.
@@ -132,15 +132,10 @@ Proof.
     lra.
 Qed.
 
-(* Definition 2.2.7's tie rule: turn the directions of Q counterclockwise by one and the same small
-   angle, leave those of P, and forget to whom they belong. For every small enough angle, ccw of what
-   comes out, which Definition 2.1.10 defines, is ccw of the labelled directions. *)
-Theorem tie_rule_is_a_rotation (d from to : direction) :
+Lemma nudged_ccw (d from to : direction) :
   proper d -> proper from -> proper to ->
-  exists bound, 0 < bound /\
-    forall epsilon, 0 < epsilon -> epsilon < bound ->
-      ccw d from to =
-      ccw_of_vectors (nudged epsilon d) (nudged epsilon from) (nudged epsilon to).
+  eventually (fun epsilon =>
+    ccw d from to = ccw_of_vectors (nudged epsilon d) (nudged epsilon from) (nudged epsilon to)).
 Proof.
   intros l m n.
   refine (eventually_implied _ _ _
@@ -157,4 +152,54 @@ Proof.
     repeat match goal with
            | h : ?A -> _, k : ?A |- _ => specialize (h k)
            end; lra.
+Qed.
+
+Lemma eventually_for_all {A : Type} (holds : A -> Q -> Prop) (l : list A) :
+  (forall a, In a l -> eventually (holds a)) ->
+  eventually (fun epsilon => forall a, In a l -> holds a epsilon).
+Proof.
+  induction l as [| a l IH]; intros each.
+  - exists 1. split; [lra |]. intros e _ _ a [].
+  - refine (eventually_implied _ _ _
+              (eventually_and _ _ (each a (or_introl eq_refl)) (IH (fun b I => each b (or_intror I))))).
+    intros e [here there] b [<- | I]; auto.
+Qed.
+
+(* Definition 2.2.7's tie rule, for any finite number of directions of P and Q. Turn those of Q
+   counterclockwise by one and the same angle, leave those of P, and forget to whom they belong. For every
+   small enough angle, no direction of P is equal to one of Q any more, and ccw of what comes out, which
+   Definition 2.1.10 defines, is ccw of the labelled directions. *)
+Theorem tie_rule_is_a_rotation (directions : list direction) :
+  (forall d, In d directions -> proper d) ->
+  exists bound, 0 < bound /\
+    forall epsilon, 0 < epsilon -> epsilon < bound ->
+      (forall a b, In a directions -> In b directions -> of a = OfP -> of b = OfQ ->
+         ~ same_direction (nudged epsilon a) (nudged epsilon b)) /\
+      (forall d from to, In d directions -> In from directions -> In to directions ->
+         ccw d from to =
+         ccw_of_vectors (nudged epsilon d) (nudged epsilon from) (nudged epsilon to)).
+Proof.
+  intros all_proper.
+  refine (eventually_and _ _ _ _).
+  - refine (eventually_implied _ _ _
+              (eventually_for_all (fun pair epsilon => of (fst pair) = OfP -> of (snd pair) = OfQ ->
+                 ~ same_direction (nudged epsilon (fst pair)) (nudged epsilon (snd pair)))
+                 (list_prod directions directions) _)).
+    + intros e apart a b A B. apply (apart (a, b)). now apply in_prod.
+    + intros [a b] I. apply in_prod_iff in I. destruct I as [A B]. cbn [fst snd].
+      refine (eventually_implied _ _ _ (nudged_order a b (all_proper a A) (all_proper b B))).
+      intros e (na & nb & ab & _ & ba) oa ob. rewrite same_direction_angle by assumption.
+      destruct (earlier_total a b) as [o | [o | o]].
+      * specialize (ab o). lra.
+      * destruct o as [_ o]. apply place_of in o. rewrite oa, ob in o. discriminate o.
+      * specialize (ba o). lra.
+  - refine (eventually_implied _ _ _
+              (eventually_for_all (fun triple epsilon =>
+                 ccw (fst (fst triple)) (snd (fst triple)) (snd triple) =
+                 ccw_of_vectors (nudged epsilon (fst (fst triple)))
+                   (nudged epsilon (snd (fst triple))) (nudged epsilon (snd triple)))
+                 (list_prod (list_prod directions directions) directions) _)).
+    + intros e equal d from to D F T. apply (equal ((d, from), to)). repeat apply in_prod; trivial.
+    + intros [[d from] to] I. rewrite !in_prod_iff in I. destruct I as [[D F] T].
+      now apply nudged_ccw; apply all_proper.
 Qed.

@@ -7,6 +7,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
+import checked_again
 import compiled
 import extracted
 import headlines
@@ -118,6 +119,30 @@ class Headlines(ProofsTest):
         self.assertIn("gap : False", wrong)
         with contextlib.redirect_stderr(io.StringIO()), self.assertRaises(SystemExit):
             headlines.assumptions([self.entry(theorem="unknown")], self.build)
+
+
+class CheckedAgain(ProofsTest):
+    def said(self, text):
+        self.write("a.v", text)
+        self.project("a.v")
+        compiled.bring_up_to_date(self.folder, self.build)
+        self.assertTrue(compiled.compile_in(self.build))
+        return checked_again.coqchk(self.build, ["a"])[1]
+
+    def test_nothing(self):
+        self.assertEqual(checked_again.trusted(self.said(RIGHT)), [])
+
+    def test_an_axiom(self):
+        self.assertEqual(checked_again.trusted(self.said("Axiom gap : False.\n" + RIGHT)),
+                         ["Oplus.a.gap"])
+
+    def test_a_check_switched_off(self):
+        text = ("Unset Guard Checking.\nFixpoint wrong (n : nat) : False := wrong n.\n"
+                "Set Guard Checking.\n" + RIGHT)
+        self.assertEqual(checked_again.trusted(self.said(text)), ["Oplus.a.wrong"])
+
+    def test_silence(self):
+        self.assertEqual(len(checked_again.trusted("")), len(checked_again.HEADS))
 
 
 if __name__ == "__main__":
