@@ -121,4 +121,107 @@ Proof.
         rewrite <- all. now apply Permutation_app_head.
 Qed.
 
+(* Euler circuits. A closed walk takes each of its edges once, but may come to a node again. *)
+Definition closed_walk_of_edges (walk : list edge) : Prop :=
+  walk <> [] /\ exists a, leads a walk a.
+
+(* No edge of one starts where one of the other does; closed walks then have no node in common. *)
+Definition no_common_node (walk other : list edge) : Prop :=
+  forall e f, In e walk -> In f other -> source e <> source f.
+
+Lemma common_node_dec walk other :
+  {no_common_node walk other} +
+  {exists e f, In e walk /\ In f other /\ source e = source f}.
+Proof.
+  destruct (Exists_dec (fun e => In (source e) (map source other)) walk) as [common | none].
+  - intros e. apply in_dec, node_eq_dec.
+  - right. apply Exists_exists in common. destruct common as (e & I & J). apply in_map_iff in J.
+    destruct J as (f & same & J). exists e, f. auto.
+  - left. intros e f I J same. apply none, Exists_exists. exists e. split; [exact I |].
+    rewrite same. now apply in_map.
+Qed.
+
+(* A closed walk can be started at any of its edges. *)
+Lemma started_at walk e :
+  closed_walk_of_edges walk -> In e walk ->
+  exists rest, Permutation (e :: rest) walk /\ leads (source e) (e :: rest) (source e).
+Proof.
+  intros (_ & a & l) I. apply in_split in I. destruct I as (before & after & ->).
+  exists (after ++ before). split.
+  - apply (Permutation_app_comm (e :: after) before).
+  - apply leads_split in l. destruct l as (c & first & last). pose proof last as [from _].
+    rewrite <- from in first, last. exact (leads_app _ (e :: after) _ before _ last first).
+Qed.
+
+Lemma joined walk other e f :
+  closed_walk_of_edges walk -> closed_walk_of_edges other ->
+  In e walk -> In f other -> source e = source f ->
+  exists both, closed_walk_of_edges both /\ Permutation both (walk ++ other).
+Proof.
+  intros w o I J same.
+  destruct (started_at walk e w I) as (rest & all & l), (started_at other f o J) as (rest' & all' & l').
+  exists ((e :: rest) ++ f :: rest'). split.
+  - split; [discriminate |]. exists (source e). apply (leads_app _ _ (source e)); [exact l |].
+    now rewrite same.
+  - now apply Permutation_app.
+Qed.
+
+Lemma pairs_without_one A (R : A -> A -> Prop) a l : forall before,
+  ForallOrdPairs R (before ++ a :: l) -> ForallOrdPairs R (before ++ l).
+Proof.
+  induction before as [| b before IH]; intros pairs; cbn in *.
+  - now inversion pairs.
+  - inversion pairs as [| ? ? with_b others]; subst. constructor; [| now apply IH].
+    apply Forall_app in with_b. destruct with_b as [with_before with_rest].
+    apply Forall_app. split; trivial. now inversion with_rest.
+Qed.
+
+Definition circuits_of (circuits : list (list edge)) (edges : list edge) : Prop :=
+  Forall closed_walk_of_edges circuits /\ ForallOrdPairs no_common_node circuits /\
+  Permutation (concat circuits) edges.
+
+(* One more closed walk is joined with all that it meets. *)
+Lemma one_more circuits : forall edges walk,
+  circuits_of circuits edges -> closed_walk_of_edges walk ->
+  exists more, circuits_of more (walk ++ edges).
+Proof.
+  remember (length circuits) as size eqn:size_is. revert circuits size_is.
+  induction size as [size IH] using lt_wf_ind. intros circuits size_is edges walk (good & apart & all) w.
+  destruct (Exists_dec (fun other => ~ no_common_node walk other) circuits) as [meets | meets].
+  { intros other. destruct (common_node_dec walk other) as [n | common]; [right; tauto | left].
+    intros n. destruct common as (e & f & I & J & same). exact (n e f I J same). }
+  - apply Exists_exists in meets. destruct meets as (other & I & met).
+    destruct (common_node_dec walk other) as [n | (e & f & I' & J' & same)]; [contradiction |].
+    apply in_split in I. destruct I as (before & after & ->).
+    apply Forall_app in good. destruct good as [good_before good].
+    inversion good as [| ? ? o good_after]; subst.
+    destruct (joined walk other e f w o I' J' same) as (both & b & both_is).
+    destruct (IH (length (before ++ after))) with (circuits := before ++ after)
+      (edges := concat (before ++ after)) (walk := both) as (more & good' & apart' & all'); trivial.
+    + rewrite !app_length. cbn. lia.
+    + repeat split; [now apply Forall_app | now apply pairs_without_one in apart | reflexivity].
+    + exists more. repeat split; trivial. rewrite all', both_is, <- all, !concat_app. cbn [concat].
+      rewrite <- app_assoc. apply Permutation_app_head.
+      rewrite app_assoc. rewrite (Permutation_app_comm other). now rewrite <- app_assoc.
+  - exists (walk :: circuits). repeat split.
+    + now constructor.
+    + constructor; [| exact apart]. apply Forall_forall. intros other I.
+      destruct (common_node_dec walk other) as [n | (e & f & I' & J' & same)]; [exact n | exfalso].
+      apply meets, Exists_exists. exists other. split; [exact I |]. intros n. exact (n e f I' J' same).
+    + cbn [concat]. now apply Permutation_app_head.
+Qed.
+
+(* Euler's theorem: each connected part of the graph has a closed walk that takes each of its edges once. *)
+Theorem euler_circuits edges :
+  entered_as_left edges -> exists circuits, circuits_of circuits edges.
+Proof.
+  intros balanced. destruct (falls_into_cycles edges balanced) as (cycles & good & all).
+  enough (exists circuits, circuits_of circuits (concat cycles)) as (circuits & good' & apart & all').
+  { exists circuits. repeat split; trivial. now rewrite all'. }
+  clear all balanced edges. induction good as [| cycle cycles simple _ IH].
+  - exists []. repeat split; constructor.
+  - destruct IH as (circuits & c). cbn [concat]. apply (one_more circuits); trivial.
+    destruct simple as (nonempty & _ & closed). now split.
+Qed.
+
 End graph.

@@ -57,6 +57,25 @@ Proof.
   rewrite andb_true_iff, !Qeq_bool_iff. split; symmetry; apply Qred_correct.
 Qed.
 
+Lemma points_entered_as_left (p q : region) :
+  (forall chain, In chain p -> no_edge_is_a_point chain) ->
+  (forall chain, In chain q -> no_edge_is_a_point chain) ->
+  entered_as_left vector_eq_dec starts_at_node ends_at_node (segments_of_regions p q).
+Proof.
+  intros ep eq x. destruct (vector_eq_dec x (node_of x)) as [-> | N].
+  - unfold ends_at_node, starts_at_node. rewrite !count_at_node. now apply in_out_degree.
+  - rewrite !count_elsewhere; trivial; intros; apply node_of_node.
+Qed.
+
+Lemma states_entered_as_left (p q : list vector) :
+  no_edge_is_a_point p -> no_edge_is_a_point q ->
+  entered_as_left state_eq_dec state_before (state_after (length p) (length q)) (convolution p q).
+Proof.
+  intros ep eq x. rewrite !count_occ_is_count.
+  exact (as_many_end_as_start _ _ _ (fun a => if state_eq_dec a x then true else false)
+           (convolution_is_balanced p q ep eq)).
+Qed.
+
 (* Lemma 4.1.5. The segments of the convolution of two regions are those of cycles, each segment in exactly
    one cycle, once. In a cycle each segment starts at the point where the one before it ends, the first
    where the last does, and no two start at the same point. *)
@@ -67,10 +86,7 @@ Theorem edge_disjoint_cycles (p q : region) :
     Forall (simple_cycle starts_at_node ends_at_node) cycles /\
     Permutation (concat cycles) (segments_of_regions p q).
 Proof.
-  intros ep eq. apply (falls_into_cycles vector_eq_dec). intros x.
-  destruct (vector_eq_dec x (node_of x)) as [-> | N].
-  - unfold ends_at_node, starts_at_node. rewrite !count_at_node. now apply in_out_degree.
-  - rewrite !count_elsewhere; trivial; intros; apply node_of_node.
+  intros ep eq. apply (falls_into_cycles vector_eq_dec). now apply points_entered_as_left.
 Qed.
 
 (* The same in the fiber grid, where only equal states are one node. *)
@@ -80,8 +96,25 @@ Theorem edge_disjoint_cycles_of_states (p q : list vector) :
     Forall (simple_cycle state_before (state_after (length p) (length q))) cycles /\
     Permutation (concat cycles) (convolution p q).
 Proof.
-  intros ep eq. apply (falls_into_cycles state_eq_dec). intros x.
-  rewrite !count_occ_is_count.
-  exact (as_many_end_as_start _ _ _ (fun a => if state_eq_dec a x then true else false)
-           (convolution_is_balanced p q ep eq)).
+  intros ep eq. apply (falls_into_cycles state_eq_dec). now apply states_entered_as_left.
+Qed.
+
+(* The segments of the convolution of two regions are also those of closed walks of which no two have a point
+   in common, each segment in exactly one walk, once. As a closed walk is connected, and nothing joins two
+   of them, each connected part of the graph has one: its Euler circuit. *)
+Theorem euler_circuits_of_the_convolution (p q : region) :
+  (forall chain, In chain p -> no_edge_is_a_point chain) ->
+  (forall chain, In chain q -> no_edge_is_a_point chain) ->
+  exists circuits, circuits_of starts_at_node ends_at_node circuits (segments_of_regions p q).
+Proof.
+  intros ep eq. apply (euler_circuits vector_eq_dec). now apply points_entered_as_left.
+Qed.
+
+(* The same in the fiber grid. *)
+Theorem euler_circuits_of_states (p q : list vector) :
+  no_edge_is_a_point p -> no_edge_is_a_point q ->
+  exists circuits,
+    circuits_of state_before (state_after (length p) (length q)) circuits (convolution p q).
+Proof.
+  intros ep eq. apply (euler_circuits state_eq_dec). now apply states_entered_as_left.
 Qed.

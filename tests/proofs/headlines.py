@@ -3,9 +3,8 @@
 """Asks Coq what the theorems in theorems.json rest on, and fails unless that is nothing at all.
 
 theorems.json says for each which registered statement it backs, whether it is the whole of it or a
-part (extent), its name and file, what it says in
-plain words (gloss), what of the statement it covers and what not. Each is a Theorem, Lemma or
-Corollary of its file with a comment right above it.
+part (extent), its name and file, what it says in plain words (gloss), what of the statement it covers
+and what not. Each is a Theorem, Lemma or Corollary of its file with a comment right above it.
 Usage: headlines.py SOURCES BUILD STATEMENTS, BUILD made by compiled.py, STATEMENTS the folder of
 the registered statements."""
 
@@ -52,19 +51,30 @@ def violations(theorems, folder, statements):
 
 def assumptions(theorems, build):
     """What Coq says each theorem rests on, in their order."""
+    together = asked([theorems], build)
+    if together == [CLOSED]:
+        return [CLOSED] * len(theorems)
+    return asked([[entry] for entry in theorems], build)
+
+
+def asked(groups, build):
+    """What Coq says the theorems of each group together rest on: it looks at all that they are made of,
+    which many have in common."""
     with tempfile.TemporaryDirectory() as directory:
         lines = []
-        for number, entry in enumerate(theorems):
-            module = Path(entry["file"]).stem
-            lines += [f"From Oplus Require {module}.",
-                      f'Redirect "{number}" Print Assumptions Oplus.{module}.{entry["theorem"]}.']
-        asked = Path(directory) / "asked.v"
-        asked.write_text("\n".join(lines) + "\n", encoding="utf-8")
-        done = subprocess.run(["coqc", "-R", build.resolve(), "Oplus", asked], cwd=directory)
+        for number, group in enumerate(groups):
+            modules = [Path(entry["file"]).stem for entry in group]
+            names = [f"@Oplus.{module}.{entry['theorem']}" for module, entry in zip(modules, group)]
+            lines += [f"From Oplus Require {module}." for module in sorted(set(modules))]
+            lines += [f"Definition group{number} := ({', '.join(names)}).",
+                      f'Redirect "{number}" Print Assumptions group{number}.']
+        source = Path(directory) / "asked.v"
+        source.write_text("\n".join(lines) + "\n", encoding="utf-8")
+        done = subprocess.run(["coqc", "-R", build.resolve(), "Oplus", source], cwd=directory)
         if done.returncode != 0:
             sys.exit("Coq does not know a theorem")
         return [(Path(directory) / f"{number}.out").read_text(encoding="utf-8").strip()
-                for number in range(len(theorems))]
+                for number in range(len(groups))]
 
 
 def main():
