@@ -10,6 +10,7 @@ from pathlib import Path
 import checked_again
 import compiled
 import extracted
+import faults
 import headlines
 import sources
 
@@ -143,6 +144,32 @@ class CheckedAgain(ProofsTest):
 
     def test_silence(self):
         self.assertEqual(len(checked_again.trusted("")), len(checked_again.HEADS))
+
+
+class Faults(ProofsTest):
+    def survivor(self, wrong, where="b.v"):
+        self.write("a.v", "Definition one : nat := 1.\nDefinition two : nat := 2.\n")
+        self.write("b.v", "From Oplus Require Import a.\nTheorem less : one < two.\n"
+                   "Proof. unfold one, two. auto. Qed.\n")
+        self.project("a.v", "b.v")
+        compiled.bring_up_to_date(self.folder, self.build)
+        self.assertTrue(compiled.compile_in(self.build))
+        return faults.survivor(self.build, self.folder, ("a fault", "a.v", "nat := 2", wrong, where))
+
+    def test_what_a_proof_finds(self):
+        self.assertIsNone(self.survivor("nat := 0"))
+
+    def test_what_none_finds(self):
+        self.assertEqual(self.survivor("nat := 3"), "a fault: Coq rejects nothing, not b.v")
+
+    def test_no_definition(self):
+        self.assertEqual(self.survivor("nat := true", "a.v"),
+                         "a fault: Coq rejects line 2 of a.v, which is no proof, not a.v")
+
+    def test_what_is_not_there(self):
+        self.assertEqual(faults.survivor(self.build, Path(__file__).parent,
+                                         ("a fault", "faults.py", "no" + "where", "", "a.v")),
+                         "a fault: `nowhere` stands in faults.py 0 times")
 
 
 if __name__ == "__main__":
