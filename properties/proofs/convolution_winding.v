@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* The convolution of two regions consists of closed chains, so that it has winding numbers. *)
 From Coq Require Import QArith ZArith Lia Bool List Permutation SetoidList SetoidPermutation.
-From Oplus Require Import direction sweep winding_number shifted_ray turning_number total_turn
+From Oplus Require Import direction sweep winding_number shifted_ray signed_crossings turning_number total_turn
   convolution_size fiber_grid states in_out_degree tracing convolution_cycles.
 Import ListNotations.
 
@@ -93,4 +93,22 @@ Proof.
   intros p q x k d P Q O D. pose proof (convolution_is_closed p q P Q) as C. split.
   - now apply winding_number_by_any_ray.
   - now apply winding_number_counts_turns.
+Qed.
+
+(* Theorem. Observation 4.2.5: along any path of straight steps between two points off the convolution of
+   two regions, the signed crossings add up to the difference of the winding numbers at its ends,
+   wherever the points between are; along a closed path they add up to zero. *)
+Theorem convolution_crossings_add_up : forall (p q : region) path first,
+  (forall chain, In chain p -> no_edge_is_a_point chain) ->
+  (forall chain, In chain q -> no_edge_is_a_point chain) ->
+  off first (convolution_segments p q) -> off (last path first) (convolution_segments p q) ->
+  signed_crossings_of_path (first :: path) (convolution_segments p q) =
+    (winding_number.winding_number (last path first) (convolution_segments p q) -
+     winding_number.winding_number first (convolution_segments p q))%Z /\
+  (last path first = first ->
+   signed_crossings_of_path (first :: path) (convolution_segments p q) = 0%Z).
+Proof.
+  intros p q path first P Q A B.
+  pose proof (signed_crossings_add_up _ path first (convolution_is_closed p q P Q) A B) as E.
+  split; [exact E |]. intros closed. rewrite E, closed. lia.
 Qed.

@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Along a path, the winding number changes by the signed crossings, counted as in
    properties/chapter4/observation_4_2_5_signed_crossings.cpp. *)
-From Coq Require Import QArith Lqa ZArith Lia Bool List.
-From Oplus Require Import direction angle sweep winding_number.
+From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
+From Oplus Require Import direction angle sweep winding_number shifted_ray.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -162,10 +162,9 @@ Proof.
   change (last (a :: b :: rest) d) with (last (b :: rest) d). rewrite !IH. reflexivity.
 Qed.
 
-(* Theorem. Along any path of straight steps whose points are off closed chains, the signed crossings add
-   up to the winding number at its end less that at its beginning. Its steps may pass through vertices
-   of the chains and run along their edges. *)
-Theorem signed_crossings_add_up : forall segments path first,
+(* For paths whose points are off the chains; their steps may pass through vertices of the chains and run
+   along their edges. *)
+Lemma crossings_of_free_paths : forall segments path first,
   cycles segments -> (forall p, In p (first :: path) -> off p segments) ->
   signed_crossings_of_path (first :: path) segments =
   (winding_number (last path first) segments - winding_number first segments)%Z.
@@ -187,4 +186,231 @@ Proof.
       unfold nonzero, minus; cbn; tauto.
     + rewrite step_changes_winding_number; [lia | exact C | | |]; try (apply O; cbn; tauto).
       unfold nonzero, minus; cbn; tauto.
+Qed.
+
+(* A point of the path moved by (e, e^2), which the path's points on the chains need. *)
+Definition shifted (p : vector) : shifted_point := ShiftedPoint p (Vector 1 0) (Vector 0 1).
+
+Lemma side_of_segment_nearby : forall p s, nonzero (minus (target s) (source s)) ->
+  exists limit, 0 < limit /\ forall e, 0 < e -> e < limit ->
+    side_of_segment s (moved (shifted p) e) = side_of_segment s p /\
+    orientation (source s) (target s) (moved (shifted p) e) <> Eq.
+Proof.
+  intros p s N. destruct (side_nearby (shifted p) s) as (l & L & H).
+  exists l. split; [exact L |]. intros e E M. specialize (H e E M). unfold side_of_segment. rewrite H.
+  pose proof (turn_to_shift_decides _ N) as T.
+  unfold side. cbn [shifted at_ first second]. set (d := minus (target s) (source s)) in *.
+  assert (U : match cross d (Vector 1 0) ?= 0 with
+              | Eq => cross d (Vector 0 1) ?= 0 | by_first => by_first end = turn_to_shift d).
+  { unfold turn_to_shift.
+    rewrite (compare_as_difference (cross d (Vector 1 0)) 0 0 (vy d)) by (unfold cross; cbn; ring).
+    rewrite (compare_as_difference (cross d (Vector 0 1)) 0 (vx d) 0) by (unfold cross; cbn; ring).
+    rewrite <- (Qcompare_antisym (vy d) 0). destruct (vy d ?= 0); reflexivity. }
+  rewrite U. destruct (orientation (source s) (target s) p), (turn_to_shift d); split; congruence.
+Qed.
+
+Lemma side_of_step_nearby : forall from to a, nonzero (minus to from) ->
+  exists limit, 0 < limit /\ forall e, 0 < e -> e < limit ->
+    side_of_step (moved (shifted from) e) (moved (shifted to) e) a = side_of_step from to a.
+Proof.
+  intros from to a N. set (d := minus to from) in *.
+  set (o := (vx to - vx from) * (vy a - vy from) - (vy to - vy from) * (vx a - vx from)).
+  destruct (quadratic_nearby o (vy d) (- vx d)) as (l & L & H).
+  exists l. split; [exact L |]. intros e E M. specialize (H e E M).
+  pose proof (turn_to_shift_decides _ N) as T. unfold side_of_step.
+  assert (X : orientation (moved (shifted from) e) (moved (shifted to) e) a =
+              sign_nearby o (vy d) (- vx d)).
+  { rewrite <- H. unfold orientation. apply compare_as_difference. unfold o, d. cbn. ring. }
+  assert (Y : orientation from to a = (o ?= 0)).
+  { unfold orientation. apply compare_as_difference. unfold o. ring. }
+  assert (Z : match vy d ?= 0 with Eq => - vx d ?= 0 | c => c end = CompOpp (turn_to_shift d)).
+  { unfold turn_to_shift.
+    rewrite (compare_as_difference (- vx d) 0 0 (vx d)) by ring.
+    rewrite <- (Qcompare_antisym (vx d) 0). destruct (vy d ?= 0); reflexivity. }
+  rewrite X, Y. unfold sign_nearby. rewrite Z. fold d.
+  destruct (o ?= 0); try reflexivity. destruct (turn_to_shift d); [now destruct T | reflexivity ..].
+Qed.
+
+Lemma step_nearby : forall from to s, nonzero (minus to from) ->
+  exists limit, 0 < limit /\ forall e, 0 < e -> e < limit ->
+    signed_crossing_of_step (moved (shifted from) e) (moved (shifted to) e) s =
+    signed_crossing_of_step from to s.
+Proof.
+  intros from to s N.
+  destruct (side_of_step_nearby from to (source s) N) as (l1 & L1 & H1).
+  destruct (side_of_step_nearby from to (target s) N) as (l2 & L2 & H2).
+  destruct (zero_spec (vx (target s) - vx (source s))) as [X | X],
+    (zero_spec (vy (target s) - vy (source s))) as [Y | Y].
+  1: { (* a segment of length zero is on one side of everything *)
+    exists (Qmin l1 l2). split; [now apply Q.min_glb_lt |]. intros e E M.
+    pose proof (Q.le_min_l l1 l2). pose proof (Q.le_min_r l1 l2).
+    unfold signed_crossing_of_step. rewrite H1, H2 by lra.
+    assert (side_of_step from to (source s) = side_of_step from to (target s)) as ->.
+    { unfold side_of_step, orientation.
+      rewrite (compare_as_difference ((vx to - vx from) * (vy (source s) - vy from)) ((vy to - vy from) * (vx (source s) - vx from))
+                 ((vx to - vx from) * (vy (target s) - vy from)) ((vy to - vy from) * (vx (target s) - vx from)));
+        [reflexivity |].
+      assert (vx (target s) == vx (source s)) as -> by lra.
+      assert (vy (target s) == vy (source s)) as -> by lra. ring. }
+    destruct (side_of_step from to (target s)); cbn [same_side]; rewrite !orb_true_r; reflexivity. }
+  all: assert (D : nonzero (minus (target s) (source s))) by (unfold nonzero, minus; cbn; tauto);
+    destruct (side_of_segment_nearby from s D) as (l3 & L3 & H3);
+    destruct (side_of_segment_nearby to s D) as (l4 & L4 & H4);
+    exists (Qmin (Qmin l1 l2) (Qmin l3 l4));
+    (split; [repeat apply Q.min_glb_lt; assumption |]); intros e E M;
+    pose proof (Q.le_min_l (Qmin l1 l2) (Qmin l3 l4)); pose proof (Q.le_min_r (Qmin l1 l2) (Qmin l3 l4));
+    pose proof (Q.le_min_l l1 l2); pose proof (Q.le_min_r l1 l2);
+    pose proof (Q.le_min_l l3 l4); pose proof (Q.le_min_r l3 l4);
+    unfold signed_crossing_of_step; rewrite H1, H2 by lra;
+    destruct (H3 e E) as [-> _]; [lra |]; destruct (H4 e E) as [-> _]; [lra | reflexivity].
+Qed.
+
+(* What holds near p for each of finitely many things holds near p for all of them. *)
+Lemma all_nearby : forall A (holds : A -> Q -> Prop) (l : list A),
+  (forall a, In a l -> exists limit, 0 < limit /\ forall e, 0 < e -> e < limit -> holds a e) ->
+  exists limit, 0 < limit /\ forall e, 0 < e -> e < limit -> forall a, In a l -> holds a e.
+Proof.
+  intros A holds l. induction l as [| a rest IH]; intros H.
+  - exists 1. split; [lra |]. intros e _ _ a [].
+  - destruct (H a (or_introl eq_refl)) as (k & K & F).
+    destruct IH as (m & M & G); [intros b I; apply H; now right |].
+    exists (Qmin k m). split; [now apply Q.min_glb_lt |]. intros e E L.
+    pose proof (Q.le_min_l k m). pose proof (Q.le_min_r k m).
+    intros b [<- | I]; [apply F | apply G]; trivial; lra.
+Qed.
+
+Lemma shifted_leaves_its_height : forall p, leaves_its_height (shifted p).
+Proof. intros p. split; cbn; lra. Qed.
+
+Lemma shifted_off : forall p s,
+  exists limit, 0 < limit /\ forall e, 0 < e -> e < limit -> ~ lies_on (moved (shifted p) e) s.
+Proof.
+  intros p s.
+  destruct (zero_spec (vx (target s) - vx (source s))) as [X | X],
+    (zero_spec (vy (target s) - vy (source s))) as [Y | Y].
+  1: { destruct (below_nearby (shifted p) (source s) (shifted_leaves_its_height p)) as (l & L & H).
+       exists l. split; [exact L |]. intros e E M (t & _ & _ & I). destruct (H e E M) as [_ N].
+       apply N. rewrite I. setoid_replace (vy (target s)) with (vy (source s)) by lra. ring. }
+  all: assert (D : nonzero (minus (target s) (source s))) by (unfold nonzero, minus; cbn; tauto);
+    destruct (side_of_segment_nearby p s D) as (l & L & H); exists l; (split; [exact L |]);
+    intros e E M I; destruct (H e E M) as [_ N]; apply N; now apply on_its_line.
+Qed.
+
+Lemma crossing_of_shifted : forall p s, ~ lies_on p s ->
+  exists limit, 0 < limit /\ forall e, 0 < e -> e < limit ->
+    signed_crossing (moved (shifted p) e) s = signed_crossing p s.
+Proof.
+  intros p s N.
+  destruct (below_nearby (shifted p) (source s) (shifted_leaves_its_height p)) as (l1 & L1 & H1).
+  destruct (below_nearby (shifted p) (target s) (shifted_leaves_its_height p)) as (l2 & L2 & H2).
+  destruct (side_nearby (shifted p) s) as (l3 & L3 & H3).
+  exists (Qmin l1 (Qmin l2 l3)). split; [repeat apply Q.min_glb_lt; assumption |]. intros e E M.
+  pose proof (Q.le_min_l l1 (Qmin l2 l3)). pose proof (Q.le_min_r l1 (Qmin l2 l3)).
+  pose proof (Q.le_min_l l2 l3). pose proof (Q.le_min_r l2 l3).
+  destruct (H1 e E) as [B1 _]; [lra |]. destruct (H2 e E) as [B2 _]; [lra |].
+  assert (e < l3) as E3 by lra. specialize (H3 e E E3).
+  change (is_above (shifted p)) with true in B1, B2. cbv iota in B1, B2.
+  change (vy (at_ (shifted p))) with (vy p) in B1, B2.
+  pose proof (beside_what_crosses OfQ right p s N) as O.
+  pose proof (the_codes_ray p s) as C. unfold signed_crossing, signed_crossing_of_ray in C.
+  unfold signed_crossing. rewrite B1, B2, H3.
+  assert (K : forall a, at_most (vy a) (vy p) = negb (left_of_ray OfQ right (minus a p))).
+  { intros a. unfold at_most, left_of_ray, negative.
+    rewrite (compare_as_difference (cross (minus a p) right) 0 (vy p) (vy a))
+      by (unfold cross, minus, right; cbn; ring).
+    rewrite <- (Qcompare_antisym (vy a) (vy p)). destruct (vy a ?= vy p); reflexivity. }
+  rewrite !K.
+  destruct (left_of_ray OfQ right (minus (source s) p)), (left_of_ray OfQ right (minus (target s) p));
+    cbn [negb Bool.eqb]; try reflexivity;
+    (assert (T : true <> false) by discriminate; assert (F : false <> true) by discriminate);
+    try specialize (O T); try specialize (O F); unfold side; cbn [shifted at_];
+    destruct (orientation (source s) (target s) p); try reflexivity; now destruct O.
+Qed.
+
+Lemma path_nearby : forall segments path,
+  exists limit, 0 < limit /\ forall e, 0 < e -> e < limit ->
+    signed_crossings_of_path (map (fun p => moved (shifted p) e) path) segments =
+    signed_crossings_of_path path segments.
+Proof.
+  intros segments path. induction path as [| from [| to rest] IH].
+  - exists 1. split; [lra | reflexivity].
+  - exists 1. split; [lra | reflexivity].
+  - destruct IH as (l & L & H).
+    assert (S : exists limit, 0 < limit /\ forall e, 0 < e -> e < limit ->
+      (if zero (vx to - vx from) && zero (vy to - vy from) then 0%Z
+       else sum (map (signed_crossing_of_step (moved (shifted from) e) (moved (shifted to) e)) segments)) =
+      (if zero (vx to - vx from) && zero (vy to - vy from) then 0%Z
+       else sum (map (signed_crossing_of_step from to) segments))).
+    { destruct (zero (vx to - vx from) && zero (vy to - vy from)) eqn:Z.
+      - exists 1. split; [lra | reflexivity].
+      - assert (N : nonzero (minus to from)).
+        { unfold nonzero, minus; cbn. destruct (zero_spec (vx to - vx from)), (zero_spec (vy to - vy from));
+            cbn in Z; try discriminate; tauto. }
+        destruct (all_nearby segment (fun s e =>
+          signed_crossing_of_step (moved (shifted from) e) (moved (shifted to) e) s =
+          signed_crossing_of_step from to s) segments) as (k & K & F).
+        { intros s _. now apply step_nearby. }
+        exists k. split; [exact K |]. intros e E M. f_equal. apply map_ext_in. exact (F e E M). }
+    destruct S as (k & K & F). exists (Qmin k l). split; [now apply Q.min_glb_lt |]. intros e E M.
+    pose proof (Q.le_min_l k l). pose proof (Q.le_min_r k l).
+    assert (zero_moved : forall a b, zero (vx (moved (shifted a) e) - vx (moved (shifted b) e)) =
+                                     zero (vx a - vx b) /\
+                                     zero (vy (moved (shifted a) e) - vy (moved (shifted b) e)) =
+                                     zero (vy a - vy b)).
+    { intros a b. unfold zero. split.
+      - rewrite (compare_as_difference _ 0 (vx a - vx b) 0) by (cbn; ring). reflexivity.
+      - rewrite (compare_as_difference _ 0 (vy a - vy b) 0) by (cbn; ring). reflexivity. }
+    assert (unfolded : forall a b others, signed_crossings_of_path (a :: b :: others) segments =
+      ((if zero (vx b - vx a) && zero (vy b - vy a) then 0
+        else sum (map (signed_crossing_of_step a b) segments))
+       + signed_crossings_of_path (b :: others) segments)%Z) by reflexivity.
+    cbn [map]. rewrite !unfolded. destruct (zero_moved to from) as [-> ->].
+    rewrite F by lra. cbn [map] in H. rewrite H by lra. reflexivity.
+Qed.
+
+Lemma last_of_images : forall A B (f : A -> B) l a, last (map f l) (f a) = f (last l a).
+Proof.
+  intros A B f l. induction l as [| b rest IH]; intros a; [reflexivity |].
+  cbn [map]. rewrite !last_of_more. apply IH.
+Qed.
+
+(* Theorem. Along any path of straight steps between two points off closed chains, the signed crossings
+   add up to the winding number at its end less that at its beginning. All between may be anywhere: on
+   the chains, on their vertices, and the path may run along their edges. *)
+Theorem signed_crossings_add_up : forall segments path first,
+  cycles segments -> off first segments -> off (last path first) segments ->
+  signed_crossings_of_path (first :: path) segments =
+  (winding_number (last path first) segments - winding_number first segments)%Z.
+Proof.
+  intros segments path first C O P.
+  destruct (path_nearby segments (first :: path)) as (l1 & L1 & H1).
+  assert (S : forall p, exists limit, 0 < limit /\ forall e, 0 < e -> e < limit ->
+    off (moved (shifted p) e) segments).
+  { intros p. apply (all_nearby segment (fun s e => ~ lies_on (moved (shifted p) e) s)).
+    intros s _. apply shifted_off. }
+  destruct (all_nearby vector (fun p e => off (moved (shifted p) e) segments) (first :: path)
+              (fun p _ => S p)) as (l2 & L2 & H2).
+  assert (W : forall p, off p segments -> exists limit, 0 < limit /\ forall e, 0 < e -> e < limit ->
+    winding_number (moved (shifted p) e) segments = winding_number p segments).
+  { intros p F.
+    destruct (all_nearby segment (fun s e =>
+      signed_crossing (moved (shifted p) e) s = signed_crossing p s) segments) as (k & K & G).
+    { intros s I. apply crossing_of_shifted. now apply F. }
+    exists k. split; [exact K |]. intros e E M. unfold winding_number. f_equal.
+    apply map_ext_in. exact (G e E M). }
+  destruct (W first O) as (l3 & L3 & H3). destruct (W (last path first) P) as (l4 & L4 & H4).
+  set (e := (1 # 2) * Qmin (Qmin l1 l2) (Qmin l3 l4)).
+  assert (0 < Qmin (Qmin l1 l2) (Qmin l3 l4)) by (repeat apply Q.min_glb_lt; assumption).
+  assert (E : e < Qmin (Qmin l1 l2) (Qmin l3 l4)) by (unfold e; lra).
+  assert (E0 : 0 < e) by (unfold e; lra).
+  pose proof (Q.le_min_l (Qmin l1 l2) (Qmin l3 l4)). pose proof (Q.le_min_r (Qmin l1 l2) (Qmin l3 l4)).
+  pose proof (Q.le_min_l l1 l2). pose proof (Q.le_min_r l1 l2).
+  pose proof (Q.le_min_l l3 l4). pose proof (Q.le_min_r l3 l4). clearbody e.
+  rewrite <- (H1 e) by lra. rewrite <- (H3 e) by lra. rewrite <- (H4 e) by lra.
+  cbn [map]. rewrite crossings_of_free_paths.
+  - rewrite (last_of_images _ _ (fun p => moved (shifted p) e)). reflexivity.
+  - exact C.
+  - intros p I. change (moved (shifted first) e :: map (fun q => moved (shifted q) e) path) with
+      (map (fun q => moved (shifted q) e) (first :: path)) in I.
+    apply in_map_iff in I. destruct I as (q & <- & I). apply H2; [exact E0 | lra | exact I].
 Qed.
