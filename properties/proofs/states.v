@@ -174,3 +174,21 @@ Proof.
     by (intros chain k K; now rewrite corner_is).
   destruct (ends p i I) as [pi po], (ends q j J) as [qi qo]. rewrite pi, po, qi, qo in e. exact e.
 Qed.
+
+(* Lemma 4.1.3 in a fiber grid. A state of two closed chains has two segments that could lead to it, from
+   the states (i - 1, j) and (i, j - 1), and two that could leave it.
+   (1) If one that leads to it is in the convolution, one that leaves it is: tracing can always go on.
+   (2) Both that leave it are in the convolution if and only if both that lead to it are. *)
+Theorem forward_traversal_of_states (p q : list vector) (at_ : state) :
+  no_edge_is_a_point p -> no_edge_is_a_point q -> in_grid (length p) (length q) at_ ->
+  let enters along := in_convolution p q (segment_to (length p) (length q) along at_) = true in
+  let leaves along := in_convolution p q (along, at_) = true in
+  (enters OfP \/ enters OfQ -> leaves OfP \/ leaves OfQ) /\
+  (leaves OfP /\ leaves OfQ <-> enters OfP /\ enters OfQ).
+Proof.
+  intros ep eq g enters leaves. pose proof (convolution_is_balanced p q ep eq at_ g) as e.
+  unfold entering_state, leaving_state in e. unfold enters, leaves.
+  destruct (in_convolution p q (segment_to _ _ OfP at_)), (in_convolution p q (segment_to _ _ OfQ at_)),
+    (in_convolution p q (OfP, at_)), (in_convolution p q (OfQ, at_)); cbn in e; try discriminate e;
+    intuition discriminate.
+Qed.
