@@ -226,6 +226,18 @@ void shots(const std::vector<GridPolygon>& polygons, Comparison& table) {
   }
 }
 
+/// What the theorems on chains ask for, and is not proved of simple polygons: they turn once, holes of
+/// their shape once backwards. On valid regions it is what twice_area tells.
+void turnings(const std::vector<GridPolygon>& polygons, Comparison& table) {
+  for (const GridPolygon& polygon : polygons) {
+    Chain chain = chains(region_of(polygon)).front();
+    for (const std::string kind : {"the polygon ", "a hole, the polygon "}) {
+      table.entry(number(sign(twice_area(chain))), [&] { return kind + words(polygon); });
+      std::reverse(chain.begin(), chain.end());
+    }
+  }
+}
+
 /// A state of the fiber grid, and along whose edge it is left.
 using Leaving = std::tuple<std::size_t, std::size_t, Summand>;
 
@@ -354,6 +366,9 @@ std::vector<Predicate> predicates(const std::vector<GridPolygon>& polygons,
       {"winding_number_right_of",
        {"shots", points, file},
        [&](Comparison& table) { shots(polygons, table); }},
+      {"twice_area, its sign",
+       {"turnings", file},
+       [&](Comparison& table) { turnings(polygons, table); }},
       {"convolution",
        {"convolutions", file},
        [&](Comparison& table) { convolutions(polygons, of_the_definition, table); }},

@@ -8,4 +8,4 @@ From Oplus Require Import direction tangent_set winding_number turning_number co
 Extraction Language OCaml.
 Extraction "proved.ml" compare ccw is_reflex in_tangent_set is_convolution_segment
   signed_crossing winding_number.winding_number edges right_of_middle winding_number_shifted
-  in_convolution trace_cycles states_looked_at.
+  turning_number.turning_number in_convolution trace_cycles states_looked_at.

@@ -96,6 +96,12 @@ let shots radius file =
               if source <> target then
                 write_number (winding_number_shifted (right_of_middle { source; target }) boundary))))
 
+(* Turning numbers, of each polygon and of a hole of its shape. *)
+let turnings file =
+  each (polygons file) (fun polygon ->
+      write_number (turning_number (coq_list polygon));
+      write_number (turning_number (coq_list (List.rev polygon))))
+
 (* Of each two polygons, for each state, whether a segment leaves it along the edge of P, then of Q. *)
 let convolutions file =
   let all = List.map (fun p -> (List.length p, coq_list p)) (polygons file) in
@@ -145,9 +151,10 @@ let () =
   | [ "crossings"; radius ] -> crossings (int_of_string radius)
   | [ "windings"; radius; file ] -> windings (int_of_string radius) file
   | [ "shots"; radius; file ] -> shots (int_of_string radius) file
+  | [ "turnings"; file ] -> turnings file
   | [ "convolutions"; file ] -> convolutions file
   | [ "cycles"; file ] -> cycles file
   | _ ->
       prerr_endline "usage: (orders | betweens | reflex | tangents | crossings) RADIUS, \
-                     (windings | shots) RADIUS FILE, or (convolutions | cycles) FILE";
+                     (windings | shots) RADIUS FILE, or (turnings | convolutions | cycles) FILE";
       exit 2
