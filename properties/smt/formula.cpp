@@ -44,6 +44,25 @@ std::optional<bool> Formula::value() const {
   return node_->known;
 }
 
+bool Formula::holds_in(const Model& model) const {
+  const std::vector<Formula>& parts = node_->parts;
+  const auto holds = [&](const Formula& part) { return part.holds_in(model); };
+  switch (node_->kind) {
+    case Node::Kind::known:
+      return node_->known;
+    case Node::Kind::flag:
+      return model.flags.at(node_->word);
+    case Node::Kind::sign:
+      return node_->signs.has(sign(node_->term.at(model.numbers)));
+    case Node::Kind::join:
+      break;
+  }
+  if (node_->word == "and") return std::all_of(parts.begin(), parts.end(), holds);
+  if (node_->word == "or") return std::any_of(parts.begin(), parts.end(), holds);
+  if (node_->word == "not") return !holds(parts[0]);
+  return holds(parts[0]) ? holds(parts[1]) : holds(parts[2]);
+}
+
 void Formula::add_names_to(Names& names) const {
   if (node_->kind == Node::Kind::sign) node_->term.add_names_to(names.numbers);
   if (node_->kind == Node::Kind::flag) names.flags.insert(node_->word);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -11,6 +12,14 @@
 #include "properties/smt/term.hpp"
 
 namespace oplus::smt {
+
+/// What the unknowns are, exactly.
+struct Model {
+  std::map<std::string, Rational> numbers;
+  std::map<std::string, bool> flags;
+
+  friend bool operator==(const Model&, const Model&) = default;
+};
 
 /// Which signs a number may have.
 struct Signs {
@@ -40,6 +49,9 @@ class Formula {
   static Formula flag(const std::string& name);
 
   std::optional<bool> value() const;
+
+  /// Whether it holds where the unknowns are these. Throws std::out_of_range where one is missing.
+  bool holds_in(const Model& model) const;
 
   struct Names {
     std::set<std::string> numbers;

@@ -2,21 +2,18 @@
 #include "properties/smt/paths.hpp"
 
 #include <stdexcept>
-#include <variant>
 
 namespace oplus::smt {
 
 namespace {
 
-/// The question that comes after those with an answer.
-struct Unanswered {
-  Formula question;
-};
-
 /// One way through the code.
 class Path {
  public:
-  explicit Path(const std::vector<bool>& answers) : answers_(answers) {}
+  /// Takes these answers, and adds those it gives itself.
+  explicit Path(std::vector<bool>& answers) : answers_(answers) {}
+
+  const std::vector<Formula>& questions() const { return questions_; }
 
   bool ask(const Term& term, const Signs& signs) {
     const Rational factor = term.factor_to_normal_form();
@@ -38,45 +35,46 @@ class Path {
   }
 
  private:
+  /// After the given answers, "yes".
   bool next(const Formula& question) {
-    if (at_ == answers_.size()) throw Unanswered{question};
-    return answers_[at_++];
+    const bool answer = questions_.size() == answers_.size() || answers_[questions_.size()];
+    if (questions_.size() == answers_.size()) answers_.push_back(true);
+    questions_.push_back(question);
+    return answer;
   }
 
-  const std::vector<bool>& answers_;
-  std::size_t at_ = 0;
+  std::vector<bool>& answers_;
+  std::vector<Formula> questions_;
   std::map<Term, Signs, Term::InOrder> signs_;
   std::map<std::string, bool> flags_;
 };
 
 thread_local Path* walked = nullptr;
 
-std::variant<bool, Unanswered> walk(const std::function<bool()>& code,
-                                    const std::vector<bool>& answers) {
-  Path path(answers);
-  walked = &path;
-  try {
-    const bool answer = code();
-    walked = nullptr;
-    return answer;
-  } catch (const Unanswered& question) {
-    walked = nullptr;
-    return question;
-  } catch (...) {
-    walked = nullptr;
-    throw;
-  }
-}
+/// Sets what is walked as long as it lives.
+class Walk {
+ public:
+  explicit Walk(Path& path) { walked = &path; }
+  Walk(const Walk&) = delete;
+  Walk& operator=(const Walk&) = delete;
+  ~Walk() { walked = nullptr; }
+};
 
-Formula explored(const std::function<bool()>& code, std::vector<bool>& answers) {
-  const std::variant<bool, Unanswered> end = walk(code, answers);
-  if (const bool* answer = std::get_if<bool>(&end)) return *answer;
-  answers.push_back(true);
-  const Formula then = explored(code, answers);
-  answers.back() = false;
-  const Formula otherwise = explored(code, answers);
-  answers.pop_back();
-  return if_then_else(std::get<Unanswered>(end).question, then, otherwise);
+/// What comes after the given answers: one way through it, and at each question of that the other
+/// answer, too.
+Formula explored(const std::function<bool()>& code, const std::vector<bool>& given) {
+  std::vector<bool> answers = given;
+  Path path(answers);
+  Formula result = [&] {
+    const Walk walk(path);
+    return Formula(code());
+  }();
+  for (std::size_t i = answers.size(); i > given.size(); --i) {
+    std::vector<bool> others(answers.begin(), answers.begin() + static_cast<std::ptrdiff_t>(i));
+    others.back() = false;
+    result = if_then_else(path.questions()[i - 1], result, explored(code, others));
+  }
+  return result;
 }
 
 Path& path() {
@@ -88,8 +86,7 @@ Path& path() {
 
 Formula executed(const std::function<bool()>& code) {
   if (walked != nullptr) throw std::logic_error("executed() inside executed()");
-  std::vector<bool> answers;
-  return explored(code, answers);
+  return explored(code, {});
 }
 
 bool is_among(const Term& term, const Signs& signs) {

@@ -25,7 +25,7 @@ std::vector<Condition> assertions(const Query& query, Asked asked) {
   if (asked == Asked::twin) all.insert(all.end(), query.of_twin.begin(), query.of_twin.end());
   if (asked != Asked::hypotheses)
     all.push_back({"not: " + query.conclusion.says, [&query](const Values& values) {
-                     return negation(query.conclusion.formula(values));
+                     return negation(query.conclusion.in(values));
                    }});
   return all;
 }
@@ -38,6 +38,12 @@ Formula::Names names_in(const Query& query) {
 }
 
 }  // namespace
+
+Formula Condition::in(const Values& values) const {
+  if (values.are_known()) return formula(values);
+  if (!*of_unknowns) *of_unknowns = formula(values);
+  return **of_unknowns;
+}
 
 std::string to_string(Asked asked) {
   switch (asked) {
@@ -80,6 +86,7 @@ std::vector<std::string> defects_of_queries(const std::vector<Query>& all) {
     if (std::none_of(query.hypotheses.begin(), query.hypotheses.end(),
                      [&](const Hypothesis& h) { return h.name == query.dropped; }))
       found.push_back(query.id + ": no hypothesis " + query.dropped);
+    if (query.file.empty()) found.push_back(query.id + ": has no file");
     if (!query.is_false_by_definition) found.push_back(query.id + ": its models are not tested");
     Formula::Names names = names_in(query);
     for (const Unknown& unknown : query.unknowns) {
@@ -98,8 +105,7 @@ std::vector<std::string> defects_of_queries(const std::vector<Query>& all) {
 
 Formula formula_of(const Query& query, Asked asked, const Values& values) {
   std::vector<Formula> parts;
-  for (const Condition& condition : assertions(query, asked))
-    parts.push_back(condition.formula(values));
+  for (const Condition& condition : assertions(query, asked)) parts.push_back(condition.in(values));
   return all_of(parts);
 }
 
@@ -107,7 +113,7 @@ std::string smt_text(const Query& query, Asked asked, bool with_model) {
   std::ostringstream text;
   const std::vector<Condition> all = assertions(query, asked);
   std::vector<Formula> formulas;
-  for (const Condition& condition : all) formulas.push_back(condition.formula(Values()));
+  for (const Condition& condition : all) formulas.push_back(condition.in(Values()));
   text << "; SPDX-License-Identifier: GPL-3.0-or-later\n; " << query.id << ", " << to_string(asked)
        << ": expected to be " << (is_expected_satisfiable(asked) ? "sat" : "unsat") << '\n';
   if (asked == Asked::twin) text << "; dropped: " << query.dropped << '\n';

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +15,11 @@ namespace oplus::smt {
 struct Condition {
   std::string says;
   std::function<Formula(const Values&)> formula;
+
+  /// The same, made only once of the unknowns themselves.
+  Formula in(const Values& values) const;
+
+  std::shared_ptr<std::optional<Formula>> of_unknowns = std::make_shared<std::optional<Formula>>();
 };
 
 /// A hypothesis has a name, by which a query says which one its twin drops.
@@ -31,6 +38,7 @@ struct Query {
   std::string dropped;  ///< the hypothesis without which the conclusion may be false
   /// More that is asked of the counterexample to that, so that it can be built.
   std::vector<Condition> of_twin = {};
+  std::string file;  ///< where it stands, __FILE__
   /// Whether the definitions (reference/) say, too, that in this model the conclusion is false: of
   /// regions that are built from it, or of the code itself on its rational numbers.
   std::function<bool(const Model&)> is_false_by_definition;
@@ -55,7 +63,7 @@ struct RegisteredQueries {
 };
 
 /// What a query is wrong about, a line each: a statement that is not registered, a hypothesis to drop
-/// that it has not, unknowns that its formulas do not have or do not declare, an id used twice.
+/// that it has not, unknowns that its formulas do not have or do not declare, an id used twice, no file.
 std::vector<std::string> defects_of_queries(const std::vector<Query>& all);
 
 /// What has to hold of a model, as one formula.

@@ -3,6 +3,8 @@
 
 #include <cstdio>
 
+#include "properties/runner/registry.hpp"
+
 namespace oplus::smt {
 
 nlohmann::ordered_json to_json(const Query& query) {
@@ -11,9 +13,13 @@ nlohmann::ordered_json to_json(const Query& query) {
     hypotheses[hypothesis.name] = hypothesis.condition.says;
   nlohmann::ordered_json of_twin = nlohmann::ordered_json::array();
   for (const Condition& condition : query.of_twin) of_twin.push_back(condition.says);
-  return {{"id", query.id},           {"statement", query.statement},
-          {"hypotheses", hypotheses}, {"conclusion", query.conclusion.says},
-          {"dropped", query.dropped}, {"of_twin", of_twin}};
+  return {{"id", query.id},
+          {"statement", query.statement},
+          {"file", std::filesystem::relative(query.file, source_root()).generic_string()},
+          {"hypotheses", hypotheses},
+          {"conclusion", query.conclusion.says},
+          {"dropped", query.dropped},
+          {"of_twin", of_twin}};
 }
 
 nlohmann::ordered_json to_json(const Model& model) {

@@ -2,6 +2,7 @@
 #include "properties/smt/run.hpp"
 
 #include <chrono>
+#include <exception>
 
 #include "reference/io/writing.hpp"
 
@@ -16,6 +17,16 @@ std::filesystem::path file_of(const Query& query, Asked asked,
 
 constexpr Asked all_questions[] = {Asked::proof, Asked::hypotheses, Asked::twin};
 
+/// A broken contract is one, too.
+std::string defect_by_definition(const Query& query, const Model& model) {
+  try {
+    if (query.is_false_by_definition(model)) return "";
+    return "by the definitions the model is no counterexample";
+  } catch (const std::exception& error) {
+    return std::string("the definitions, asked about the model: ") + error.what();
+  }
+}
+
 /// What is wrong with an answer; empty where nothing is.
 std::string defect(const Query& query, Asked asked, const Answer& answer) {
   const bool is_satisfiable = is_expected_satisfiable(asked);
@@ -25,11 +36,11 @@ std::string defect(const Query& query, Asked asked, const Answer& answer) {
     return "is " + to_string(answer.kind) + ", and was expected to be " + to_string(expected);
   if (!is_satisfiable) return "";
   if (!answer.model) return "the model has a number that is not rational";
-  if (formula_of(query, asked, Values(*answer.model)).value() != true)
+  if (!formula_of(query, asked, Values()).holds_in(*answer.model))
     return "the model does not satisfy the formulas";
-  if (asked == Asked::twin && !query.is_false_by_definition(*answer.model))
-    return "by the definitions the model is no counterexample";
-  return "";
+  if (formula_of(query, asked, Values(*answer.model)).value() != true)
+    return "the code, run on the model's numbers, does not find what its formulas say";
+  return asked == Asked::twin ? defect_by_definition(query, *answer.model) : "";
 }
 
 }  // namespace

@@ -31,7 +31,8 @@ void write_questions(const Query& query, const std::filesystem::path& folder);
 
 /// Asks all solvers all three. A failure is
 ///  1. an answer that is not the expected one: none at all, or none in time, too;
-///  2. a model that does not satisfy the formulas, computed exactly;
+///  2. a model that does not satisfy the formulas, or the code from which they were made when it runs
+///  on the model's numbers; both exactly;
 ///  3. a model of the twin that the definitions do not find to be a counterexample.
 QueryRun run(const Query& query, const std::filesystem::path& folder, double seconds);
 

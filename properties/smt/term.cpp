@@ -42,6 +42,16 @@ std::optional<Rational> Term::value() const {
   return sum_.begin()->second;
 }
 
+Rational Term::at(const std::map<std::string, Rational>& numbers) const {
+  Rational value = 0;
+  for (const auto& [names, coefficient] : sum_) {
+    Rational product = coefficient;
+    for (const std::string& name : names) product *= numbers.at(name);
+    value += product;
+  }
+  return value;
+}
+
 std::size_t Term::degree() const {
   std::size_t most = 0;
   for (const auto& [names, coefficient] : sum_) most = std::max(most, names.size());

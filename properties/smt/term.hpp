@@ -25,6 +25,9 @@ class Term {
   /// None where an unknown is left.
   std::optional<Rational> value() const;
 
+  /// Its value where the unknowns have these. Throws std::out_of_range where one is missing.
+  Rational at(const std::map<std::string, Rational>& numbers) const;
+
   std::size_t degree() const;
   void add_names_to(std::set<std::string>& names) const;
   std::string to_smt() const;

@@ -38,14 +38,6 @@ struct TermCorner {
   TermVector out;
 };
 
-/// What the unknowns are, exactly.
-struct Model {
-  std::map<std::string, Rational> numbers;
-  std::map<std::string, bool> flags;
-
-  friend bool operator==(const Model&, const Model&) = default;
-};
-
 struct Unknown {
   enum class Kind {
     number,     ///< any real number
@@ -64,6 +56,8 @@ class Values {
  public:
   Values() = default;
   explicit Values(const Model& model) : model_(&model) {}
+
+  bool are_known() const { return model_ != nullptr; }
 
   Term number(const std::string& name) const;
   TermVector vector(const std::string& name) const;

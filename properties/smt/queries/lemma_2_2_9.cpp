@@ -88,6 +88,7 @@ const RegisteredQueries registered({
                     }},
      .dropped = "slides",
      .of_twin = {not_sliding_either},
+     .file = __FILE__,
      .is_false_by_definition = [](const Model& model) { return !interiors_meet_at_vertex(model); }},
     {.id = "lemma-2.2.9.edge-that-enters",
      .statement = "lemma-2.2.9",
@@ -103,6 +104,7 @@ const RegisteredQueries registered({
                     }},
      .dropped = "slides",
      .of_twin = {not_sliding_either},
+     .file = __FILE__,
      .is_false_by_definition = [](const Model& model) { return !interiors_meet_at_vertex(model); }},
     {.id = "lemma-2.2.9.kept-where-nothing-slides",
      .statement = "lemma-2.2.9",
@@ -113,6 +115,7 @@ const RegisteredQueries registered({
                       [](const Values& values) { return negation(slides(values)); }}}},
      .conclusion = {"e is in the tangent set of the vertex", is_kept},
      .dropped = "still",
+     .file = __FILE__,
      .is_false_by_definition = [](const Model& model) { return !is_in_convolution(model); }},
     {.id = "lemma-2.2.9.not-kept-where-a-convex-vertex-slides",
      .statement = "lemma-2.2.9",
@@ -123,6 +126,7 @@ const RegisteredQueries registered({
      .conclusion = {"e is not in the tangent set of the vertex",
                     [](const Values& values) { return negation(is_kept(values)); }},
      .dropped = "convex",
+     .file = __FILE__,
      .is_false_by_definition = is_in_convolution},
     {.id = "lemma-2.2.9.kept-by-a-convex-vertex",
      .statement = "lemma-2.2.9",
@@ -136,6 +140,7 @@ const RegisteredQueries registered({
                       return negation(is_to_the_right_and_inside(values, direction(values, "m")));
                     }},
      .dropped = "kept",
+     .file = __FILE__,
      .is_false_by_definition = interiors_meet_at_vertex},
 });
 

@@ -67,6 +67,7 @@ Query across(const Sides& sides, int way) {
                                    all_of({is_inside_unit(x.x), is_inside_unit(x.y)}));
                      }},
       .dropped = "across",
+      .file = __FILE__,
       .is_false_by_definition = [edges](const Model& model) {
         const Values values(model);
         const Term t = values.number("t");
@@ -110,6 +111,7 @@ Query pace(const Sides& sides, int x, int y) {
                          const TermVector d = values.vector("d");
                          return all_of({is_zero(d.x - x), is_zero(d.y - y)});
                        }}},
+          .file = __FILE__,
           .is_false_by_definition = [sides](const Model& model) {
             const Values values(model);
             const TermVector c = values.vector("c"), d = values.vector("d");
@@ -161,6 +163,7 @@ Query along(const Sides& sides, bool is_upright) {
                                     is_zero(x.x - (is_upright ? Rational(0) : half)),
                                     is_zero(x.y - (is_upright ? half : Rational(0)))});
                    }}},
+      .file = __FILE__,
       .is_false_by_definition = [sides, shifted](const Model& model) {
         const Values values(model);
         return blocks_in_integers(edges_of(values, sides), values.number("t")) !=
@@ -196,6 +199,7 @@ Query corner(const Sides& sides) {
                            return negation(blocks_somewhere(edges_of(values, sides)));
                          }},
           .dropped = "passes",
+          .file = __FILE__,
           .is_false_by_definition = [sides](const Model& model) {
             const Values values(model);
             // Where the line enters, it is inside on one side of the corner.
@@ -271,6 +275,7 @@ const Query crossing = {
             const TermVector u = values.vector("u"), w = values.vector("w");
             return all_of({is_zero(u.x - 2), is_zero(u.y - 1), is_zero(w.x - 1), is_zero(w.y - 3)});
           }}},
+    .file = __FILE__,
     .is_false_by_definition = [](const Model& model) { return !is_model_crossing(model); }};
 
 Query only_crossing() {
@@ -319,6 +324,7 @@ Query own_edge(Summand edge_of, bool leaves) {
                          const TermVector d = values.vector("d");
                          return all_of({is_zero(d.x - 2), is_zero(d.y - 1)});
                        }}},
+          .file = __FILE__,
           .is_false_by_definition = [edges](const Model& model) {
             const Values values(model);
             const SlidEdges own = edges(values);
@@ -351,6 +357,7 @@ const Query parallel = {
                    return all_of({is_zero(c.x), is_zero(c.y + 1), is_zero(d.x - 1),
                                   is_zero(d.y - 2), is_zero(u.x - 1), is_zero(u.y), is_zero(w.x)});
                  }}},
+    .file = __FILE__,
     .is_false_by_definition = [](const Model& model) {
       const Values values(model);
       const SlidEdges edges{values.vector("c"), values.vector("d"), values.vector("u"),

@@ -45,6 +45,7 @@ const RegisteredQueries registered({
                   [](const Values& values) {
                     return is_in_tangent_set(direction(values, "e"), Summand::P, corner_of(values));
                   }}},
+     .file = __FILE__,
      .is_false_by_definition =
          [](const Model& model) {
            const Corner corner{direction_in(model, "in"), direction_in(model, "out")};
