@@ -370,11 +370,48 @@ const Query parallel = {
                       Shift::none);
     }};
 
+/// The sign of a + k b, for small k > 0: that of a, or of b where a is zero.
+const Query shift = {
+    .id = "step-interval.shift",
+    .statement = "step-interval",
+    .unknowns = {{"a", Unknown::Kind::number},
+                 {"b", Unknown::Kind::number},
+                 {"k", Unknown::Kind::number}},
+    .hypotheses = {{"positive",
+                    {"k > 0",
+                     [](const Values& values) {
+                       return Formula::sign_of(values.number("k"), {.positive = true});
+                     }}},
+                   {"small",
+                    {"a is zero, or k b is smaller than a in size",
+                     [](const Values& values) {
+                       const Term a = values.number("a");
+                       const Term by = values.number("k") * values.number("b");
+                       return executed([&] {
+                         if (a == 0) return true;
+                         return a > 0 ? -a < by && by < a : a < by && by < -a;
+                       });
+                     }}}},
+    .conclusion = {"a + k b has the sign of a, or, where a is zero, that of b",
+                   [](const Values& values) {
+                     const Term a = values.number("a"), b = values.number("b");
+                     const Term shifted = a + values.number("k") * b;
+                     return executed([&] { return sign(shifted) == (a == 0 ? sign(b) : sign(a)); });
+                   }},
+    .dropped = "small",
+    .of_twin = {{"k = 1", [](const Values& values) { return is_zero(values.number("k") - 1); }}},
+    .file = __FILE__,
+    .is_false_by_definition = [](const Model& model) {
+      const Rational &a = model.numbers.at("a"), &b = model.numbers.at("b");
+      const Rational shifted = a + model.numbers.at("k") * b;
+      return oplus::sign(shifted) != oplus::sign(oplus::sign(a) == 0 ? b : a);
+    }};
+
 const Sides straight{"", {1, 0}, {0, 1}};
 const Sides mirrored{"-mirrored", {0, 1}, {1, 0}};
 
 std::vector<Query> all_queries() {
-  std::vector<Query> all = {crossing, only_crossing(), parallel};
+  std::vector<Query> all = {crossing, only_crossing(), parallel, shift};
   for (const Sides& sides : {straight, mirrored}) {
     for (const int x : {1, -1}) {
       all.push_back(across(sides, x));

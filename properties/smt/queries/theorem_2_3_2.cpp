@@ -14,7 +14,59 @@ Corners corner_of(const Values& values) {
   return {direction(values, "in"), direction(values, "out")};
 }
 
+const std::vector<Unknown> corner_and_direction = {{"in", Unknown::Kind::direction},
+                                                   {"out", Unknown::Kind::direction},
+                                                   {"d", Unknown::Kind::direction}};
+
+const Hypothesis turns = {"turns", {"the corner does not turn back", [](const Values& values) {
+                                      return negation(turns_back(corner_of(values)));
+                                    }}};
+
+Formula is_reflex_here(const Values& values) { return is_a_reflex_vertex(corner_of(values)); }
+
+/// Left of both edges, or of one of them.
+Formula is_left_of_edges(const Values& values, bool of_both) {
+  const Vectors d = direction(values, "d");
+  const std::vector<Formula> sides = {is_left(corner_of(values).in, d),
+                                      is_left(corner_of(values).out, d)};
+  return of_both ? all_of(sides) : any_of(sides);
+}
+
+/// What the sector is in half planes, which does not depend on how angles are compared.
+Query sector(bool is_reflex) {
+  return {.id = std::string("theorem-2.3.2.sector-of-a-") + (is_reflex ? "reflex" : "convex") +
+                "-vertex",
+          .statement = "theorem-2.3.2",
+          .unknowns = corner_and_direction,
+          .hypotheses = {turns,
+                         {"vertex",
+                          {std::string("the vertex is ") + (is_reflex ? "" : "not ") + "reflex",
+                           [is_reflex](const Values& values) {
+                             return same(Formula(is_reflex), is_reflex_here(values));
+                           }}}},
+          .conclusion = {std::string("d is in the sector iff it is to the left of ") +
+                             (is_reflex ? "one of the edges, or both" : "both edges"),
+                         [is_reflex](const Values& values) {
+                           return same(is_in_sector(direction(values, "d"), corner_of(values)),
+                                       is_left_of_edges(values, !is_reflex));
+                         }},
+          .dropped = "vertex",
+          .file = __FILE__,
+          .is_false_by_definition = [is_reflex](const Model& model) {
+            const Corner corner{direction_in(model, "in"), direction_in(model, "out")};
+            const Vector d = direction_in(model, "d");
+            const Rational little(1, 1'000'000'007);
+            const Rational length = abs(d.x) + abs(d.y);
+            const Point near = Rational(little / length) * d;
+            const bool is_inside = locate(near, region_with_corner(corner)) == Location::inside;
+            const bool in = sign(cross(corner.in, d)) > 0, out = sign(cross(corner.out, d)) > 0;
+            return is_inside != (is_reflex ? in || out : in && out);
+          }};
+}
+
 const RegisteredQueries registered({
+    sector(true),
+    sector(false),
     {.id = "theorem-2.3.2.reflex-vertex",
      .statement = "theorem-2.3.2",
      .unknowns = {{"e", Unknown::Kind::direction},
