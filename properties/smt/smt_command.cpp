@@ -54,7 +54,7 @@ int list(const Settings& settings, const std::vector<smt::Query>& queries) {
 }
 
 int prove(const Settings& settings, const std::vector<smt::Query>& queries) {
-  const std::vector<std::string> defects = smt::defects_of_queries(smt::queries());
+  const std::vector<std::string> defects = smt::defects_of_queries(queries);
   for (const std::string& defect : defects) say_error("oplus-check", defect);
   const smt::QuestionFolder folder(settings.folder);
   for (const smt::Query& query : queries) write_questions(query, folder.path());
