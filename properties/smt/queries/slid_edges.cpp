@@ -10,9 +10,9 @@ namespace {
 
 std::optional<slide::BlockedInterval<SymbolicNumbers>> interval(const SlidEdges& edges) {
   const slide::IntegerVector<SymbolicNumbers> origin{0, 0};
-  return slide::blocked_interval<SymbolicNumbers>(
-      {slide_vector(edges.c), slide_vector(edges.d)}, {origin, slide_vector(edges.u)},
-      {origin, slide_vector(edges.w)}, slide::Shift::to_the_right);
+  return slide::blocked_interval<SymbolicNumbers>({slide_vector(edges.c), slide_vector(edges.d)},
+                                                  {origin, slide_vector(edges.u)},
+                                                  {origin, slide_vector(edges.w)}, edges.shift);
 }
 
 Vector known(const TermVector& v) { return {v.x.value().value(), v.y.value().value()}; }
@@ -50,9 +50,9 @@ bool blocks_in_integers(const SlidEdges& edges, const Term& t) {
     return {integer(at.x.get_num()), integer(at.y.get_num())};
   };
   const slide::IntegerVector<Integers> origin{0, 0};
-  const auto blocked = slide::blocked_interval<Integers>(
-      {scaled(edges.c), scaled(edges.d)}, {origin, scaled(edges.u)}, {origin, scaled(edges.w)},
-      slide::Shift::to_the_right);
+  const auto blocked = slide::blocked_interval<Integers>({scaled(edges.c), scaled(edges.d)},
+                                                         {origin, scaled(edges.u)},
+                                                         {origin, scaled(edges.w)}, edges.shift);
   const Rational at = t.value().value();
   const slide::Fraction<Integers> place(integer(at.get_num()), integer(at.get_den()));
   return blocked && blocked->from < place && place < blocked->to;

@@ -171,6 +171,34 @@ Query along(const Sides& sides, bool is_upright) {
       }};
 }
 
+/// The same line without the shift: what open sums ask for.
+Query along_unshifted(const Sides& sides, bool is_upright) {
+  Query query = along(sides, is_upright);
+  const auto edges = [sides](const Values& values) {
+    SlidEdges all = edges_of(values, sides);
+    all.shift = Shift::none;
+    return all;
+  };
+  query.id = "step-candidates" + query.id.substr(query.statement.size());
+  query.statement = "step-candidates";
+  query.conclusion = {
+      "without the shift, t is in the interval of the code iff x(t) is inside the "
+      "parallelogram",
+      [edges](const Values& values) {
+        const TermVector x = place(values);
+        return same(blocks(edges(values), values.number("t")),
+                    all_of({is_inside_unit(x.x), is_inside_unit(x.y)}));
+      }};
+  query.dropped = "moves";
+  query.of_twin = {{"t is 0", [](const Values& values) { return is_zero(values.number("t")); }}};
+  query.is_false_by_definition = [edges](const Model& model) {
+    const Values values(model);
+    return blocks_in_integers(edges(values), values.number("t")) !=
+           cross_at(edges(values), place(values), Shift::none);
+  };
+  return query;
+}
+
 /// One of the four, as flags of c: that is 0 or 1 in each coordinate.
 Query corner(const Sides& sides) {
   return {.id = "step-interval.corner" + sides.suffix,
@@ -417,7 +445,10 @@ std::vector<Query> all_queries() {
       all.push_back(across(sides, x));
       for (const int y : {1, -1}) all.push_back(pace(sides, x, y));
     }
-    for (const bool is_upright : {true, false}) all.push_back(along(sides, is_upright));
+    for (const bool is_upright : {true, false}) {
+      all.push_back(along(sides, is_upright));
+      all.push_back(along_unshifted(sides, is_upright));
+    }
     all.push_back(corner(sides));
   }
   for (const Summand of : {Summand::P, Summand::Q})
