@@ -69,12 +69,38 @@ const Hypothesis apart = {"apart",
                                                      are_parallel(edge(values), corner.out)}));
                            }}};
 
+/// Ties included; that is what slide's own-edge rule rests on (step-interval.own-edge).
+Query nothing_slides_what_is_kept(Summand of) {
+  const auto is_kept_of = [of](const Values& values) {
+    return is_in_tangent_set(edge(values), of, corner_of(values));
+  };
+  return {.id = std::string("lemma-2.2.9.nothing-slides-what-is-kept-of-") +
+                (of == Summand::P ? "p" : "q"),
+          .statement = "lemma-2.2.9",
+          .unknowns = edge_and_corner,
+          .hypotheses = {turns,
+                         convex,
+                         {"kept", {"e is in the tangent set of the vertex", is_kept_of}}},
+          .conclusion = {"neither out nor the reverse of in points to the right of e",
+                         [](const Values& values) { return negation(slides(values)); }},
+          .dropped = "convex",
+          .file = __FILE__,
+          .is_false_by_definition = [of](const Model& model) {
+            const Corner corner = corner_in(model);
+            const Vector e = direction_in(model, "e");
+            return in_tangent_set({e, of}, corner) &&
+                   (sign(cross(e, corner.out)) < 0 || sign(cross(e, -corner.in)) < 0);
+          }};
+}
+
 const Condition not_sliding_either = {
     "nothing slides e, and the vertex is convex", [](const Values& values) {
       return all_of({negation(slides(values)), negation(is_a_reflex_vertex(corner_of(values)))});
     }};
 
 const RegisteredQueries registered({
+    nothing_slides_what_is_kept(Summand::P),
+    nothing_slides_what_is_kept(Summand::Q),
     {.id = "lemma-2.2.9.edge-that-leaves",
      .statement = "lemma-2.2.9",
      .unknowns = edge_and_corner,
