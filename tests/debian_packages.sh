@@ -5,7 +5,7 @@ packages=(g++ clang libclang-rt-14-dev cmake ninja-build ccache git python3 clan
           libcgal-dev libgmp-dev libmpfr-dev libboost-dev libcli11-dev nlohmann-json3-dev
           libtbb-dev libpolyclipping-dev librapidcheck-dev libgtest-dev gnuplot-nox
           parallel munge slurmctld slurmd slurm-client
-          coq ocaml-nox z3 cvc5)
+          coq make ocaml-nox z3 cvc5 jq)
 
 # Installs what is missing. Asks nothing; says what it installs.
 install_missing_packages() {

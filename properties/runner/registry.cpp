@@ -136,8 +136,7 @@ std::filesystem::path source_root() { return OPLUS_SOURCE_DIR; }
 namespace {
 
 /// ccache shortens __FILE__ to a path from the build folder, which is not where the program runs.
-std::filesystem::path absolute_file(const Statement& statement) {
-  const std::filesystem::path file = statement.file;
+std::filesystem::path absolute_file(const std::filesystem::path& file) {
   if (file.is_absolute()) return file;
   std::filesystem::path absolute = source_root();
   for (const std::filesystem::path& part : file) {
@@ -148,9 +147,11 @@ std::filesystem::path absolute_file(const Statement& statement) {
 
 }  // namespace
 
-std::string relative_file(const Statement& statement) {
-  return absolute_file(statement).lexically_relative(source_root()).string();
+std::string relative_file(const std::string& file) {
+  return absolute_file(file).lexically_relative(source_root()).string();
 }
+
+std::string relative_file(const Statement& statement) { return relative_file(statement.file); }
 
 std::vector<std::string> defects_of_entries(const std::vector<Statement>& statements,
                                             const std::vector<Mutant>& mutants) {
@@ -176,7 +177,7 @@ std::vector<std::string> defects_of_files(const std::vector<Statement>& statemen
     return {root.string() + ": the source tree is not there"};
   std::vector<std::string> defects;
   for (const Statement& s : statements) {
-    if (!std::filesystem::is_regular_file(absolute_file(s)))
+    if (!std::filesystem::is_regular_file(absolute_file(s.file)))
       defects.push_back(s.id + ": there is no file " + s.file);
     if (!std::filesystem::is_regular_file(root / "docs/theorems" / (s.id + ".md")))
       defects.push_back(s.id + ": there is no page docs/theorems/" + s.id + ".md");

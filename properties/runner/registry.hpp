@@ -21,6 +21,9 @@ struct Registered {
 /// The root of the source tree this was built from.
 std::filesystem::path source_root();
 
+/// A source file, named by its __FILE__, relative to the root.
+std::string relative_file(const std::string& file);
+
 /// The file of a statement, relative to the root.
 std::string relative_file(const Statement& statement);
 

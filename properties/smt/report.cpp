@@ -15,7 +15,7 @@ nlohmann::ordered_json to_json(const Query& query) {
   for (const Condition& condition : query.of_twin) of_twin.push_back(condition.says);
   return {{"id", query.id},
           {"statement", query.statement},
-          {"file", std::filesystem::relative(query.file, source_root()).generic_string()},
+          {"file", relative_file(query.file)},
           {"hypotheses", hypotheses},
           {"conclusion", query.conclusion.says},
           {"dropped", query.dropped},
