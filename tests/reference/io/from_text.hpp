@@ -38,7 +38,9 @@ struct Refused {
   std::string text;
   std::string message;
 
-  friend void PrintTo(const Refused& refused, std::ostream* out) { *out << refused.text; }
+  friend void PrintTo(const Refused& refused, std::ostream* out) {
+    *out << refused.text.substr(0, 60);
+  }
 };
 
 inline std::string test_name(const testing::TestParamInfo<Refused>& info) {
