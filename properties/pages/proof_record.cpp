@@ -114,6 +114,7 @@ std::vector<AnsweredQuery> answered_queries(const fs::path& smt) {
       expect_answers(entry, file);
       AnsweredQuery query{.id = entry.at("id"),
                           .statement = entry.at("statement"),
+                          .file = entry.at("file"),
                           .hypotheses = {},
                           .conclusion = entry.at("conclusion"),
                           .dropped = entry.at("hypotheses").at(entry.at("dropped")),

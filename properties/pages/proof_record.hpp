@@ -30,6 +30,7 @@ std::string formal_statement(const std::string& coq, const std::string& name);
 struct AnsweredQuery {
   std::string id;
   std::string statement;
+  std::string file;                     ///< from the root
   std::vector<std::string> hypotheses;  ///< in words
   std::string conclusion;
   std::string dropped;         ///< the hypothesis in words without which there is a counterexample

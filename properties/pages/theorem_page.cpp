@@ -100,7 +100,7 @@ std::string answers(const Registry& registry, const Statement& s) {
   std::string text;
   for (const AnsweredQuery& query : registry.queries) {
     if (query.statement != s.id) continue;
-    text += "\n`" + query.id + "`: if\n";
+    text += "\n`" + query.id + "`, " + link_to_source(query.file) + ": if\n";
     for (const std::string& hypothesis : query.hypotheses) text += "- " + hypothesis + '\n';
     text += "\nthen " + query.conclusion + ". Not so without \"" + query.dropped +
             "\": " + query.counterexample + ".\n";

@@ -51,7 +51,13 @@ Registry sound_registry() {
           {{"sign-flipped", s.id, true, false, 5, "it has none", pair}},
           {{s.id, false, "edges_exist", "edges.v", "There is one.", "All.", "Nothing.",
             "Theorem edges_exist : True."}},
-          {{"lemma-9.9.9.sign", s.id, {"x is positive"}, "x is not 0", "x is positive", "x = 0"}}};
+          {{"lemma-9.9.9.sign",
+            s.id,
+            "sign.cpp",
+            {"x is positive"},
+            "x is not 0",
+            "x is positive",
+            "x = 0"}}};
 }
 
 class PageFiles : public testing::Test {

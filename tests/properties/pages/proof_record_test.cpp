@@ -34,7 +34,7 @@ class ProofRecord : public testing::Test {
   }
   static std::string query(const std::string& proof, const std::string& twin) {
     return R"({"queries": [{"id": "lemma-9.a", "statement": "lemma-9",
-      "hypotheses": {"one": "x is 1", "two": "y is 2"}, "conclusion": "x is not y",
+      "file": "a.cpp", "hypotheses": {"one": "x is 1", "two": "y is 2"}, "conclusion": "x is not y",
       "dropped": "two", "answers": {"proof": {"z3": "unsat", "cvc5": ")" +
            proof + R"("}, "hypotheses": {"z3": "sat", "cvc5": "sat"},
       "twin": {"z3": "sat", "cvc5": ")" +
@@ -71,6 +71,7 @@ TEST_F(ProofRecord, names_the_hypothesis_that_was_dropped) {
   ASSERT_EQ(queries.size(), 1U);
   EXPECT_EQ(queries[0].hypotheses, (std::vector<std::string>{"x is 1", "y is 2"}));
   EXPECT_EQ(queries[0].dropped, "y is 2");
+  EXPECT_EQ(queries[0].file, "a.cpp");
   EXPECT_EQ(queries[0].counterexample, "x = 1/2, f = true, v = (1, 2), d = (3/4, -1), e = (1, 0)");
 }
 
