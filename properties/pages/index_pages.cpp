@@ -61,7 +61,7 @@ Page theorems_page(const Registry& registry) {
           " pairs sampled, " + std::to_string(registry.mutants.size()) + " faults found.\n";
   text +=
       "\n## Which rests on which\n"
-      "An arrow leads to what a statement rests on.\n" +
+      "An arrow leads to what a statement rests on. The colour is that of the strongest that backs it:\n" +
       legend() + "\n\n![The graph of statements](theorems/graph.svg)\n";
   return {"theorems.md", std::move(text)};
 }

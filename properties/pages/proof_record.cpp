@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "properties/pages/proof_record.hpp"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <stdexcept>
 
+#include "properties/smt/query.hpp"
+#include "properties/smt/report.hpp"
 #include "reference/io/file_text.hpp"
 #include "reference/io/invalid_input.hpp"
 
@@ -23,6 +25,8 @@ auto read_json(const fs::path& file, const std::string& expected, Read read) {
     return read(Json::parse(text));
   } catch (const nlohmann::json::exception& e) {
     throw InvalidInput({file.string(), 1, 0}, e.what(), expected);
+  } catch (const std::invalid_argument&) {
+    throw InvalidInput({file.string(), 1, 0}, "a number that is none", expected);
   }
 }
 
@@ -32,40 +36,39 @@ bool extent_is_whole(const std::string& extent, const fs::path& file) {
   return extent == "whole";
 }
 
-/// Numbers as they are; what a model says of a direction (properties/smt/values.hpp) as its vector.
+/// Numbers and flags as they are, of vectors and directions the vector.
 std::string in_words(const Json& counterexample) {
+  const smt::Model model = smt::model_of_json(counterexample);
   std::string text;
   const auto add = [&](const std::string& name, const std::string& value) {
     text += (text.empty() ? "" : ", ") + name + " = " + value;
   };
+  const auto in_brackets = [](const Vector& v) {
+    return "(" + v.x.get_str() + ", " + v.y.get_str() + ")";
+  };
   for (const auto& [key, value] : counterexample.items()) {
     const std::string name = key.substr(0, key.find('.'));
-    const std::string part = key.substr(std::min(name.size() + 1, key.size()));
-    if (part.empty())
+    if (key == name)
       add(name, value.is_string() ? value.get<std::string>() : value.dump());
-    else if (part == "x")
-      add(name, "(" + value.get<std::string>() + ", " +
-                    counterexample.at(name + ".y").get<std::string>() + ")");
-    else if (part == "slanted") {
-      const std::string one = counterexample.at(name + ".positive") ? "1" : "-1";
-      add(name, value ? "(" + counterexample.at(name + ".t").get<std::string>() + ", " + one + ")"
-                      : "(" + one + ", 0)");
-    }
+    else if (key == name + ".x")
+      add(name, in_brackets(smt::vector_in(model, name)));
+    else if (key == name + ".slanted")
+      add(name, in_brackets(smt::direction_in(model, name)));
   }
   return text;
 }
 
-/// The proof is expected to be unsatisfiable, the rest satisfiable, with every solver.
 void expect_answers(const Json& query, const fs::path& file) {
-  const Json& answers = query.at("answers");
-  for (const char* asked : {"proof", "hypotheses", "twin"})
-    for (const auto& [solver, answer] : answers.at(asked).items())
-      if (const std::string expected = asked == std::string("proof") ? "unsat" : "sat";
-          answer != expected)
+  using smt::Asked;
+  for (const Asked asked : {Asked::proof, Asked::hypotheses, Asked::twin}) {
+    const std::string expected = smt::is_expected_satisfiable(asked) ? "sat" : "unsat";
+    for (const auto& [solver, answer] : query.at("answers").at(to_string(asked)).items())
+      if (answer != expected)
         throw InvalidInput({file.string(), 1, 0},
                            query.at("id").get<std::string>() + ": " + solver + " answers " +
-                               answer.dump() + " to " + asked,
+                               answer.dump() + " to " + to_string(asked),
                            expected);
+  }
 }
 
 }  // namespace

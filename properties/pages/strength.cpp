@@ -2,17 +2,38 @@
 #include "properties/pages/strength.hpp"
 
 #include <algorithm>
+#include <iterator>
+
+#include "reference/io/picture.hpp"
 
 namespace oplus {
 
 namespace {
 
-constexpr Strength all_strengths[] = {Strength::machine_checked, Strength::enumerated,
-                                      Strength::machine_checked_in_part, Strength::solved,
-                                      Strength::sampled};
+struct Look {
+  Strength strength;
+  const char* name;
+  const char* colour;  ///< as Graphviz has it
+  const char* colour_name;
+};
 
-std::string counted(std::ptrdiff_t number, const std::string& singular, const std::string& plural) {
-  return ", " + std::to_string(number) + " " + (number == 1 ? singular : plural);
+/// From the strongest to the weakest.
+constexpr Look looks[] = {
+    {Strength::machine_checked, "machine-checked", "#7cc26a", "green"},
+    {Strength::enumerated, "proved by enumeration", "#bfe3b4", "light green"},
+    {Strength::machine_checked_in_part, "machine-checked in part", "#fff2a8", "yellow"},
+    {Strength::solved, "proved by SMT in local form", "#fbd9b0", "orange"},
+    {Strength::sampled, "sampled", "#e8eef7", "blue"},
+};
+
+const Look& look_of(Strength strength) {
+  return *std::find_if(std::begin(looks), std::end(looks),
+                       [&](const Look& look) { return look.strength == strength; });
+}
+
+/// Returns ", 2 theorems"; nothing of none.
+std::string amount_of(std::ptrdiff_t number, const std::string& one, const std::string& many) {
+  return number == 0 ? "" : ", " + counted(static_cast<std::size_t>(number), one, many);
 }
 
 std::ptrdiff_t theorems_of(const Registry& registry, const std::string& id, bool is_whole) {
@@ -32,18 +53,15 @@ std::string amount(Strength strength, const Registry& registry, const std::strin
   const bool has_run = run != registry.runs.end();
   switch (strength) {
     case Strength::machine_checked:
-    case Strength::machine_checked_in_part: {
-      const auto number = theorems_of(registry, id, strength == Strength::machine_checked);
-      return number == 0 ? "" : counted(number, "theorem", "theorems");
-    }
+    case Strength::machine_checked_in_part:
+      return amount_of(theorems_of(registry, id, strength == Strength::machine_checked), "theorem",
+                       "theorems");
     case Strength::enumerated:
       return has_run && run->second.enumerated
                  ? ", " + std::to_string(*run->second.enumerated) + " cases"
                  : "";
-    case Strength::solved: {
-      const auto number = queries_of(registry, id);
-      return number == 0 ? "" : counted(number, "query", "queries");
-    }
+    case Strength::solved:
+      return amount_of(queries_of(registry, id), "query", "queries");
     case Strength::sampled:
       break;
   }
@@ -53,55 +71,28 @@ std::string amount(Strength strength, const Registry& registry, const std::strin
 }  // namespace
 
 Strength strength(const Registry& registry, const Statement& s) {
-  for (const Strength each : all_strengths)
-    if (!amount(each, registry, s.id).empty()) return each;
+  for (const Look& look : looks)
+    if (!amount(look.strength, registry, s.id).empty()) return look.strength;
   return Strength::sampled;
 }
 
-std::string to_string(Strength strength) {
-  switch (strength) {
-    case Strength::machine_checked:
-      return "machine-checked";
-    case Strength::enumerated:
-      return "proved by enumeration";
-    case Strength::machine_checked_in_part:
-      return "machine-checked in part";
-    case Strength::solved:
-      return "proved by SMT in local form";
-    case Strength::sampled:
-      break;
-  }
-  return "sampled";
-}
+std::string to_string(Strength strength) { return look_of(strength).name; }
 
 std::string backing(const Registry& registry, const Statement& s) {
   std::string text;
-  for (const Strength each : all_strengths)
-    if (const std::string much = amount(each, registry, s.id); !much.empty())
-      text += (text.empty() ? "" : "; ") + to_string(each) + much;
+  for (const Look& look : looks)
+    if (const std::string much = amount(look.strength, registry, s.id); !much.empty())
+      text += (text.empty() ? "" : "; ") + (look.name + much);
   return text;
 }
 
-std::string colour(Strength strength) {
-  switch (strength) {
-    case Strength::machine_checked:
-      return "#7cc26a";
-    case Strength::enumerated:
-      return "#bfe3b4";
-    case Strength::machine_checked_in_part:
-      return "#fff2a8";
-    case Strength::solved:
-      return "#fbd9b0";
-    case Strength::sampled:
-      break;
-  }
-  return "#e8eef7";
-}
+std::string colour(Strength strength) { return look_of(strength).colour; }
 
 std::string legend() {
-  return "Green: machine-checked; light green: proved by enumeration; yellow: machine-checked in part; "
-         "orange: proved by SMT\nin local form; blue: sampled on generated pairs only. Of several, "
-         "the first.";
+  std::string text;
+  for (const Look& look : looks)
+    text += (text.empty() ? "" : "; ") + (std::string(look.colour_name) + ": " + look.name);
+  return text + ".";
 }
 
 }  // namespace oplus

@@ -108,28 +108,31 @@ Proof.
   apply in_map_iff in I. destruct I as (c & <- & I). apply (T c I).
 Qed.
 
-(* How many vertices of q have the edge i of p in their tangent sets, and the other way round. *)
+(* How many vertices of a chain have an edge of the other in their tangent sets. *)
+Lemma covered : forall chain other side i,
+  turns_everywhere chain -> turns_everywhere other -> i < length chain ->
+  Z.of_nat (count (fun j => in_tangent_set (Direction (edge_of_chain chain i) side)
+                              (nth j (corners other) (Corner nowhere nowhere)))
+              (seq 0 (length other))) =
+  (turning_number other + Z.of_nat (reflex_vertices other))%Z.
+Proof.
+  intros chain other side i C O I.
+  rewrite (count_of_nth _ (in_tangent_set (Direction (edge_of_chain chain i) side)) (corners other)
+             (Corner nowhere nowhere)) by apply corners_length.
+  apply tangent_sets_cover; [assumption |]. apply edges_are_directions; assumption.
+Qed.
+
 Lemma covered_by_q : forall p q i,
   turns_everywhere p -> turns_everywhere q -> i < length p ->
   Z.of_nat (count (fun j => is_convolution_segment p q OfP i j) (seq 0 (length q))) =
   (turning_number q + Z.of_nat (reflex_vertices q))%Z.
-Proof.
-  intros p q i P Q I. cbn.
-  rewrite (count_of_nth _ (in_tangent_set (Direction (edge_of_chain p i) OfP)) (corners q)
-             (Corner nowhere nowhere)) by apply corners_length.
-  apply tangent_sets_cover; [assumption |]. apply edges_are_directions; assumption.
-Qed.
+Proof. intros p q i. exact (covered p q OfP i). Qed.
 
 Lemma covered_by_p : forall p q j,
   turns_everywhere p -> turns_everywhere q -> j < length q ->
   Z.of_nat (count (fun i => is_convolution_segment p q OfQ i j) (seq 0 (length p))) =
   (turning_number p + Z.of_nat (reflex_vertices p))%Z.
-Proof.
-  intros p q j P Q J. cbn.
-  rewrite (count_of_nth _ (in_tangent_set (Direction (edge_of_chain q j) OfQ)) (corners p)
-             (Corner nowhere nowhere)) by apply corners_length.
-  apply tangent_sets_cover; [assumption |]. apply edges_are_directions; assumption.
-Qed.
+Proof. intros p q j P Q. exact (covered q p OfQ j Q P). Qed.
 
 Lemma rows_of_equal_size : forall A B (f : A * B -> bool) l m z,
   (forall a, In a l -> Z.of_nat (count (fun b => f (a, b)) m) = z) ->

@@ -31,14 +31,7 @@ Definition side (p : shifted_point) (s : segment) : comparison :=
    segment ends. *)
 Definition signed_crossing_of_shifted (p : shifted_point) (s : segment) : Z :=
   let below a := if is_above p then at_most (vy a) (vy (at_ p)) else negb (at_most (vy (at_ p)) (vy a)) in
-  let source_below := below (source s) in
-  let target_below := below (target s) in
-  if Bool.eqb source_below target_below then 0
-  else match side p s with
-       | Gt => if source_below then 1 else 0
-       | Lt => if target_below then -1 else 0
-       | Eq => 0
-       end.
+  crossing (below (source s)) (below (target s)) (side p s).
 
 Definition winding_number_shifted (p : shifted_point) (segments : list segment) : Z :=
   sum (map (signed_crossing_of_shifted p) segments).
@@ -211,7 +204,7 @@ Proof.
     apply (beside_every_segment edge s); [exact N | | exact Z].
     intros [X Y]. destruct I as (t & _ & _ & I). apply A1. cbn in X, Y. rewrite I.
     setoid_replace (vy (target s)) with (vy (source s)) by lra. ring.
-  - unfold signed_crossing, signed_crossing_of_shifted. rewrite B1, B2, H3. reflexivity.
+  - unfold signed_crossing, signed_crossing_of_shifted, crossing. rewrite B1, B2, H3. reflexivity.
 Qed.
 
 (* Theorem. What the code counts on symbolic shifts is the winding number, counted on the ray to the

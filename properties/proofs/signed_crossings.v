@@ -115,7 +115,7 @@ Lemma crossing_as_difference : forall from to s,
   signed_crossing_of_step from to s =
   (signed_crossing_of_ray k d to s - signed_crossing_of_ray k d from s)%Z.
 Proof.
-  intros from to s N F T d k. unfold signed_crossing_of_step, signed_crossing_of_ray.
+  intros from to s N F T d k. unfold signed_crossing_of_step, signed_crossing_of_ray, crossing.
   rewrite !side_of_step_is_side_of_ray by exact N. fold d k.
   pose proof (one_line k from to (source s)) as S. pose proof (one_line k from to (target s)) as R.
   fold d in S, R.
@@ -153,7 +153,7 @@ Proof.
     by (intros a; unfold at_most; rewrite Y; reflexivity).
   assert (O : forall a b, orientation a b p = orientation a b q)
     by (intros a b; unfold orientation; rewrite X, Y; reflexivity).
-  unfold signed_crossing. rewrite !H, O. reflexivity.
+  unfold signed_crossing, crossing. rewrite !H, O. reflexivity.
 Qed.
 
 Lemma last_of_more : forall A (rest : list A) a d, last (a :: rest) d = last rest a.
@@ -312,8 +312,8 @@ Proof.
   change (is_above (shifted p)) with true in B1, B2. cbv iota in B1, B2.
   change (vy (at_ (shifted p))) with (vy p) in B1, B2.
   pose proof (beside_what_crosses OfQ right p s N) as O.
-  pose proof (the_codes_ray p s) as C. unfold signed_crossing, signed_crossing_of_ray in C.
-  unfold signed_crossing. rewrite B1, B2, H3.
+  pose proof (the_codes_ray p s) as C. unfold signed_crossing, signed_crossing_of_ray, crossing in C.
+  unfold signed_crossing, crossing. rewrite B1, B2, H3.
   assert (K : forall a, at_most (vy a) (vy p) = negb (left_of_ray OfQ right (minus a p))).
   { intros a. unfold at_most, left_of_ray, negative.
     rewrite (compare_as_difference (cross (minus a p) right) 0 (vy p) (vy a))

@@ -18,17 +18,21 @@ Definition orientation (a b c : vector) : comparison :=
 
 Definition at_most (a b : Q) : bool := match a ?= b with Gt => false | _ => true end.
 
+(* What a segment adds of which each end is on the right of a ray or not, and on which side of it the
+   ray's start is. *)
+Definition crossing (source_right target_right : bool) (side : comparison) : Z :=
+  if Bool.eqb source_right target_right then 0
+  else match side with
+       | Gt => if source_right then 1 else 0
+       | Lt => if target_right then -1 else 0
+       | Eq => 0
+       end.
+
 (* What a segment adds to the winding number of p in the code: the ray goes to the right, and points at
    its height count as below it. *)
 Definition signed_crossing (p : vector) (s : segment) : Z :=
-  let source_below := at_most (vy (source s)) (vy p) in
-  let target_below := at_most (vy (target s)) (vy p) in
-  if Bool.eqb source_below target_below then 0
-  else match orientation (source s) (target s) p with
-       | Gt => if source_below then 1 else 0
-       | Lt => if target_below then -1 else 0
-       | Eq => 0
-       end.
+  crossing (at_most (vy (source s)) (vy p)) (at_most (vy (target s)) (vy p))
+    (orientation (source s) (target s) p).
 
 Definition winding_number (p : vector) (segments : list segment) : Z :=
   sum (map (signed_crossing p) segments).
@@ -36,14 +40,8 @@ Definition winding_number (p : vector) (segments : list segment) : Z :=
 (* The same for any ray: from p in the direction d, turned by an infinitesimal, or shifted, which is
    the same: counterclockwise if `side` is OfQ, clockwise if it is OfP. *)
 Definition signed_crossing_of_ray (side : summand) (d p : vector) (s : segment) : Z :=
-  let source_right := negb (left_of_ray side d (minus (source s) p)) in
-  let target_right := negb (left_of_ray side d (minus (target s) p)) in
-  if Bool.eqb source_right target_right then 0
-  else match orientation (source s) (target s) p with
-       | Gt => if source_right then 1 else 0
-       | Lt => if target_right then -1 else 0
-       | Eq => 0
-       end.
+  crossing (negb (left_of_ray side d (minus (source s) p)))
+    (negb (left_of_ray side d (minus (target s) p))) (orientation (source s) (target s) p).
 
 Definition winding_number_by_ray (side : summand) (d p : vector) (segments : list segment) : Z :=
   sum (map (signed_crossing_of_ray side d p) segments).
@@ -130,7 +128,7 @@ Lemma crossing_is_sweep : forall k d p s,
   sweep (Direction d k) (minus (source s) p) (minus (target s) p).
 Proof.
   intros k d p [a b] D N. pose proof (turns_around p _ N) as T. cbn in T |- *.
-  unfold signed_crossing_of_ray, sweep, orientation; cbn [source target of].
+  unfold signed_crossing_of_ray, sweep, orientation, crossing; cbn [source target of].
   rewrite (compare_as_difference _ _ (cross (minus a p) (minus b p)) 0)
     by (unfold cross, minus; cbn; ring).
   destruct T as (A & B & _).
@@ -173,7 +171,7 @@ Definition right : vector := Vector 1 0.
 (* What the code counts is the crossings of the ray to the right, turned counterclockwise. *)
 Lemma the_codes_ray : forall p s, signed_crossing p s = signed_crossing_of_ray OfQ right p s.
 Proof.
-  intros p [a b]. unfold signed_crossing, signed_crossing_of_ray, left_of_ray; cbn [source target].
+  intros p [a b]. unfold signed_crossing, signed_crossing_of_ray, left_of_ray, crossing; cbn [source target].
   assert (H : forall c, at_most (vy c) (vy p) = negb (negative (cross (minus c p) right))).
   { intros c. unfold at_most, negative.
     rewrite (compare_as_difference (cross (minus c p) right) 0 (vy p) (vy c))

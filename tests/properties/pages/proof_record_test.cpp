@@ -89,6 +89,9 @@ TEST_F(ProofRecord, refuses_what_is_not_proved) {
   expect_refused("lemma-9.a: cvc5 answers \"none\" to proof");
   write("results.json", query("unsat", "unsat"));
   expect_refused("lemma-9.a: cvc5 answers \"unsat\" to twin");
+  std::string text = query("unsat", "sat");
+  write("results.json", text.replace(text.find("\"1/2\""), 5, "\"one\""));
+  expect_refused("results.json:1: a number that is none");
   write("results.json", "{");
   expect_refused("results.json:1: ");
 }
