@@ -12,7 +12,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "checked/arrangement/non_crossing_traits.hpp"
+#include "checked/collision/non_crossing_traits.hpp"
 #include "reference/definitions/mutant.hpp"
 
 namespace oplus {

@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
-#include "checked/arrangement/computed_sum.hpp"
 #include "checked/arrangement/convolution_arrangement.hpp"
+#include "checked/computed_sum.hpp"
 
 namespace oplus {
 

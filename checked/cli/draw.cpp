@@ -11,8 +11,8 @@
 #include "checked/cli/usage_error.hpp"
 #include "checked/cli/view.hpp"
 #include "reference/io/number.hpp"
-#include "reference/io/picture.hpp"
 #include "reference/io/quoting.hpp"
+#include "reference/pictures/picture.hpp"
 
 namespace oplus {
 

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "checked/loops/sum_by_loops.hpp"
-#include "checked/rca/rca.hpp"
+#include "checked/arrangement/rca.hpp"
+#include "checked/arrangement/sum_by_loops.hpp"
+#include "checked/arrangement/sum_by_winding_numbers.hpp"
 #include "checked/slide/slide.hpp"
-#include "checked/winding/sum_by_winding_numbers.hpp"
 #include "reference/oracle/oracle.hpp"
 
 namespace oplus {

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "checked/arrangement/computed_sum.hpp"
+#include "checked/arrangement/hole_test.hpp"
 #include "checked/cli/statistics.hpp"
-#include "checked/hole_test/hole_test.hpp"
+#include "checked/computed_sum.hpp"
 #include "reference/definitions/minkowski_sum.hpp"
 
 namespace oplus {

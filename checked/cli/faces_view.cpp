@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/arrangement/hole_test.hpp"
 #include "checked/cli/face_drawing.hpp"
 #include "checked/cli/view.hpp"
 #include "checked/cycles/convolution_cycles.hpp"
-#include "checked/hole_test/hole_test.hpp"
 
 namespace oplus {
 

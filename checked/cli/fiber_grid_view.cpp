@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/cli/view.hpp"
 #include "checked/cycles/fiber_grid_picture.hpp"
-#include "reference/io/stacked_pictures.hpp"
+#include "reference/pictures/stacked_pictures.hpp"
 
 namespace oplus {
 

@@ -11,7 +11,7 @@
 #include "checked/cli/output.hpp"
 #include "checked/cli/subcommands.hpp"
 #include "checked/cli/usage_error.hpp"
-#include "properties/generators/family.hpp"
+#include "reference/families/family.hpp"
 
 namespace oplus {
 

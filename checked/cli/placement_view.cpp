@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "checked/arrangement/winding_numbers.hpp"
 #include "checked/cli/face_drawing.hpp"
 #include "checked/cli/view.hpp"
 #include "checked/collision/collision_test.hpp"
-#include "checked/winding/winding_numbers.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {

@@ -2,7 +2,7 @@
 #include "checked/cli/view.hpp"
 #include "checked/cycles/convolution_cycles.hpp"
 #include "checked/slide/slide.hpp"
-#include "reference/io/picture.hpp"
+#include "reference/pictures/picture.hpp"
 
 namespace oplus {
 

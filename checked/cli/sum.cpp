@@ -17,7 +17,7 @@
 #include "checked/cli/subcommands.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "checked/cycles/convolution_cycles.hpp"
-#include "reference/io/picture.hpp"
+#include "reference/pictures/picture.hpp"
 
 namespace oplus {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/verify/verify.hpp"
+#include "checked/verify/verify.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -13,12 +13,12 @@
 #include "checked/cli/subcommands.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "checked/cli/view.hpp"
+#include "checked/verify/closeness.hpp"
 #include "reference/io/number.hpp"
-#include "reference/io/picture.hpp"
 #include "reference/io/quoting.hpp"
 #include "reference/io/reading.hpp"
 #include "reference/io/writing.hpp"
-#include "reference/verify/closeness.hpp"
+#include "reference/pictures/picture.hpp"
 
 namespace oplus {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "reference/definitions/region.hpp"
-#include "reference/io/picture.hpp"
+#include "reference/pictures/picture.hpp"
 
 namespace oplus {
 

@@ -2,10 +2,10 @@
 #include <map>
 #include <utility>
 
+#include "checked/arrangement/winding_numbers.hpp"
 #include "checked/cli/face_drawing.hpp"
 #include "checked/cli/view.hpp"
 #include "checked/cycles/convolution_cycles.hpp"
-#include "checked/winding/winding_numbers.hpp"
 #include "reference/definitions/original_convolution.hpp"
 
 namespace oplus {

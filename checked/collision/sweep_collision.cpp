@@ -14,9 +14,9 @@
 #include <utility>
 #include <vector>
 
-#include "checked/arrangement/non_crossing_traits.hpp"
-#include "checked/arrangement/strands.hpp"
 #include "checked/collision/contact.hpp"
+#include "checked/collision/non_crossing_traits.hpp"
+#include "checked/collision/strands.hpp"
 #include "checked/collision/summand_boundary.hpp"
 #include "reference/definitions/contract.hpp"
 #include "reference/definitions/mutant.hpp"

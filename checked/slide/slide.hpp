@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "checked/arrangement/computed_sum.hpp"
+#include "checked/computed_sum.hpp"
 
 namespace oplus {
 

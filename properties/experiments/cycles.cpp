@@ -8,8 +8,8 @@
 #include "properties/experiments/plot.hpp"
 #include "properties/experiments/process_of_its_own.hpp"
 #include "properties/experiments/repetitions.hpp"
-#include "properties/generators/fork.hpp"
-#include "properties/generators/polygons.hpp"
+#include "reference/families/fork.hpp"
+#include "reference/families/polygons.hpp"
 
 namespace oplus {
 

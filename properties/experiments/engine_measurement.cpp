@@ -6,8 +6,8 @@
 #include <boost/functional/hash.hpp>
 #include <ctime>
 
-#include "checked/rca/rca.hpp"
-#include "checked/winding/sum_by_winding_numbers.hpp"
+#include "checked/arrangement/rca.hpp"
+#include "checked/arrangement/sum_by_winding_numbers.hpp"
 #include "properties/experiments/repetitions.hpp"
 
 namespace oplus {

@@ -7,7 +7,7 @@
 
 #include "properties/experiments/process_of_its_own.hpp"
 #include "properties/experiments/table.hpp"
-#include "properties/generators/family.hpp"
+#include "reference/families/family.hpp"
 
 namespace oplus {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/generators/fork.hpp"
+#include "reference/families/fork.hpp"
 
 #include "properties/experiments/engine_plots.hpp"
 #include "properties/experiments/engine_tables.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "properties/experiments/experiment.hpp"
-#include "properties/generators/family.hpp"
+#include "reference/families/family.hpp"
 
 namespace oplus {
 

@@ -5,9 +5,9 @@
 #include <memory>
 
 #include "checked/arrangement/convolution_arrangement.hpp"
+#include "checked/arrangement/hole_test.hpp"
+#include "checked/arrangement/rca.hpp"
 #include "checked/cycles/convolution_cycles.hpp"
-#include "checked/hole_test/hole_test.hpp"
-#include "checked/rca/rca.hpp"
 
 namespace oplus {
 

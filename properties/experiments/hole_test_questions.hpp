@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "properties/generators/family.hpp"
 #include "reference/definitions/segment.hpp"
+#include "reference/families/family.hpp"
 
 namespace oplus {
 

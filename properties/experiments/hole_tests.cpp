@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "checked/hole_test/hole_test.hpp"
+#include "checked/arrangement/hole_test.hpp"
 
 #include <functional>
 #include <iostream>
@@ -14,8 +14,8 @@
 #include "properties/experiments/process_of_its_own.hpp"
 #include "properties/experiments/published_pairs.hpp"
 #include "properties/experiments/repetitions.hpp"
-#include "properties/generators/fork.hpp"
-#include "properties/generators/polygons.hpp"
+#include "reference/families/fork.hpp"
+#include "reference/families/polygons.hpp"
 
 namespace oplus {
 

@@ -11,7 +11,7 @@
 #include <new>
 #include <utility>
 
-#include "properties/process/child_process.hpp"
+#include "properties/runner/child_process.hpp"
 
 namespace oplus {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "properties/generators/family.hpp"
+#include "reference/families/family.hpp"
 
 namespace oplus {
 

@@ -2,7 +2,7 @@
 #include "properties/experiments/engine_plots.hpp"
 #include "properties/experiments/engine_tables.hpp"
 #include "properties/experiments/growing_families.hpp"
-#include "properties/generators/polygons.hpp"
+#include "reference/families/polygons.hpp"
 
 namespace oplus {
 

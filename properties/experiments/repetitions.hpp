@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "checked/arrangement/computed_sum.hpp"
+#include "checked/computed_sum.hpp"
 
 namespace oplus {
 

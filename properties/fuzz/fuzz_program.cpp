@@ -5,7 +5,7 @@
 #include <iterator>
 #include <vector>
 
-#include "properties/process/child_process.hpp"
+#include "properties/runner/child_process.hpp"
 
 namespace oplus {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "properties/generators/random.hpp"
+#include "reference/families/random.hpp"
 
 namespace oplus {
 

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "properties/fuzz/realized_pair.hpp"
-#include "properties/generators/lattice_polygon.hpp"
-#include "properties/generators/rich_regions.hpp"
+#include "reference/families/lattice_polygon.hpp"
+#include "reference/families/rich_regions.hpp"
 
 namespace oplus {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "properties/fuzz/pair_plan.hpp"
-#include "properties/generators/random.hpp"
+#include "reference/families/random.hpp"
 
 namespace oplus {
 

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "properties/generators/family.hpp"
 #include "reference/definitions/rational.hpp"
+#include "reference/families/family.hpp"
 
 namespace oplus {
 

@@ -6,8 +6,8 @@
 #include <map>
 #include <utility>
 
-#include "properties/generators/lattice_polygon.hpp"
 #include "reference/definitions/validity.hpp"
+#include "reference/families/lattice_polygon.hpp"
 
 namespace oplus {
 

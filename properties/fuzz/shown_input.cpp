@@ -5,8 +5,8 @@
 
 #include "properties/fuzz/realized_pair.hpp"
 #include "properties/fuzz/slide_check.hpp"
-#include "properties/generators/shrinking.hpp"
 #include "properties/runner/finding.hpp"
+#include "properties/runner/shrinking.hpp"
 #include "reference/io/written.hpp"
 
 namespace oplus {

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "properties/fuzz/fuzz_target.hpp"
-#include "properties/generators/family.hpp"
+#include "reference/families/family.hpp"
 
 namespace oplus {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "checked/arrangement/sum_by_winding_numbers.hpp"
 #include "checked/slide/slide.hpp"
-#include "checked/winding/sum_by_winding_numbers.hpp"
 #include "reference/definitions/difference.hpp"
 #include "reference/definitions/validity.hpp"
 #include "reference/io/writing.hpp"

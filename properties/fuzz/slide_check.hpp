@@ -2,7 +2,7 @@
 #pragma once
 
 #include "properties/fuzz/fuzz_target.hpp"
-#include "properties/generators/family.hpp"
+#include "reference/families/family.hpp"
 
 namespace oplus {
 

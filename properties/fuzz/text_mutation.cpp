@@ -6,7 +6,7 @@
 #include <cctype>
 #include <utility>
 
-#include "properties/generators/rich_regions.hpp"
+#include "reference/families/rich_regions.hpp"
 #include "reference/io/written.hpp"
 
 namespace oplus {

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "properties/generators/random.hpp"
 #include "reference/definitions/minkowski_sum.hpp"
+#include "reference/families/random.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {

@@ -5,9 +5,9 @@
 #include <set>
 
 #include "properties/pages/index_pages.hpp"
+#include "properties/pages/statement_graph.hpp"
 #include "properties/pages/strength.hpp"
 #include "properties/runner/registry.hpp"
-#include "properties/runner/statement_graph.hpp"
 #include "reference/io/file_text.hpp"
 #include "reference/io/invalid_input.hpp"
 #include "reference/io/writing.hpp"

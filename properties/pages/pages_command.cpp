@@ -26,8 +26,9 @@ int print_and_judge(const std::vector<std::string>& lines, const std::string& al
 }
 
 int run(const Settings& settings) {
-  const Registry registry = registry_with_records(
-      {settings.docs, source_root() / "properties/proofs", source_root() / "properties/smt"});
+  const Registry registry =
+      registry_with_records({settings.docs, source_root() / "properties/proofs",
+                             source_root() / "properties/proofs/smt"});
   const std::vector<std::string> defects = defects_of_records(registry);
   if (!defects.empty()) return print_and_judge(defects, {});
   const std::vector<Page> pages = all_pages(registry);

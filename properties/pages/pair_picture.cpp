@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "checked/rca/rca.hpp"
+#include "checked/arrangement/rca.hpp"
 #include "reference/definitions/convolution.hpp"
-#include "reference/io/picture.hpp"
+#include "reference/pictures/picture.hpp"
 
 namespace oplus {
 

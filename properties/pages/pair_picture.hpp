@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "properties/generators/family.hpp"
+#include "reference/families/family.hpp"
 
 namespace oplus {
 

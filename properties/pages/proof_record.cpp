@@ -5,8 +5,8 @@
 #include <regex>
 #include <stdexcept>
 
-#include "properties/smt/query.hpp"
-#include "properties/smt/report.hpp"
+#include "properties/proofs/smt/query.hpp"
+#include "properties/proofs/smt/report.hpp"
 #include "reference/io/file_text.hpp"
 #include "reference/io/invalid_input.hpp"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "reference/io/picture.hpp"
+#include "reference/pictures/picture.hpp"
 
 namespace oplus {
 

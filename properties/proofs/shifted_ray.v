@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Winding numbers to the right of an edge's middle, as checked/winding/ray_shooting.cpp counts them:
+(* Winding numbers to the right of an edge's middle, as checked/arrangement/ray_shooting.cpp counts them:
    its symbolic shifts mean what an actual small shift does. *)
 From Coq Require Import QArith Qabs Qminmax Lqa Qfield ZArith Lia Bool List.
 From Oplus Require Import direction angle sweep winding_number.

@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Along a path, the winding number changes by the signed crossings, counted as in
-   properties/chapter4/observation_4_2_5_signed_crossings.cpp. *)
+   properties/statements/chapter4/observation_4_2_5_signed_crossings.cpp. *)
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
 From Oplus Require Import direction angle sweep winding_number shifted_ray.
 Import ListNotations.

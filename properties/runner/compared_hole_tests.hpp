@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "checked/hole_test/hole_test.hpp"
+#include "checked/arrangement/hole_test.hpp"
 
 namespace oplus {
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "properties/generators/family.hpp"
+#include "reference/families/family.hpp"
 
 namespace oplus {
 

@@ -5,10 +5,10 @@
 #include <memory>
 #include <utility>
 
-#include "checked/loops/sum_by_loops.hpp"
-#include "checked/rca/rca.hpp"
+#include "checked/arrangement/rca.hpp"
+#include "checked/arrangement/sum_by_loops.hpp"
+#include "checked/arrangement/sum_by_winding_numbers.hpp"
 #include "checked/slide/slide.hpp"
-#include "checked/winding/sum_by_winding_numbers.hpp"
 
 namespace oplus {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "checked/hole_test/hole_test.hpp"
+#include "checked/arrangement/hole_test.hpp"
 #include "properties/runner/compared_hole_tests.hpp"
 #include "reference/definitions/minkowski_sum.hpp"
 

@@ -10,8 +10,8 @@
 #include <numeric>
 #include <utility>
 
-#include "properties/generators/classification.hpp"
-#include "properties/generators/shrinking.hpp"
+#include "properties/runner/classification.hpp"
+#include "properties/runner/shrinking.hpp"
 #include "reference/definitions/mutant.hpp"
 
 namespace oplus {

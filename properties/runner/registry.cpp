@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "properties/generators/classification.hpp"
+#include "properties/runner/classification.hpp"
 #include "reference/io/file_text.hpp"
 
 namespace oplus {
@@ -107,9 +107,9 @@ void add_defects_of_unregistered_files(const std::vector<Statement>& all,
     const std::string file = entry.path().lexically_relative(root).string();
     const std::string name = entry.path().filename().string();
     const std::string kind = name.substr(0, name.find('_'));
-    const bool holds_statements = file.rfind("properties/chapter", 0) == 0 ||
-                                  file.rfind("properties/laws/", 0) == 0 ||
-                                  file.rfind("properties/slide/", 0) == 0;
+    const bool holds_statements = file.rfind("properties/statements/chapter", 0) == 0 ||
+                                  file.rfind("properties/statements/laws/", 0) == 0 ||
+                                  file.rfind("properties/statements/slide/", 0) == 0;
     if (holds_statements && entry.path().extension() == ".cpp" && kinds().count(kind) &&
         !files.count(file))
       defects.push_back(file + ": no statement is registered from it");

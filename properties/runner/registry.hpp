@@ -39,7 +39,7 @@ std::vector<std::string> defects_of_entries(const std::vector<Statement>& statem
 /// What is wrong between entries and source files, a line each; none where:
 ///  1. the file of each statement and of each mutant exists, and a mutant's contains its fault;
 ///  2. each fault in reference/ and checked/ is a mutant of the list;
-///  3. each file properties/chapter*/KIND_*.cpp and properties/laws/law_*.cpp is the file of a
+///  3. each file properties/chapter*/KIND_*.cpp and properties/statements/laws/law_*.cpp is the file of a
 ///  statement;
 ///  4. each statement has its page docs/theorems/ID.md.
 std::vector<std::string> defects_of_files(const std::vector<Statement>& statements,

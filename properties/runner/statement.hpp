@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "properties/generators/family.hpp"
 #include "properties/runner/implementation.hpp"
+#include "reference/families/family.hpp"
 
 namespace oplus {
 

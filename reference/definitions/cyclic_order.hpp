@@ -7,7 +7,7 @@
 #include "reference/definitions/rational.hpp"
 
 /// What direction.hpp and tangent_set.hpp declare, over any numbers that `sign` and `cmp` know: the code
-/// that runs on rationals is also run on unknowns, to make the formulas of properties/smt/.
+/// that runs on rationals is also run on unknowns, to make the formulas of properties/proofs/smt/.
 namespace oplus::cyclic_order {
 
 /// 0 for angles in [0, π), 1 for angles in [π, 2π).

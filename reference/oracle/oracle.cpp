@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "reference/definitions/cells.hpp"
 #include "reference/definitions/collision.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/definitions/winding_number.hpp"
-#include "reference/oracle/cells.hpp"
 
 namespace oplus {
 

@@ -2,18 +2,11 @@
 #pragma once
 
 #include <cstddef>
-#include <stdexcept>
 
 #include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/verdicts_differ.hpp"
 
 namespace oplus {
-
-/// The two verdicts of the oracle differ on a cell: Theorem 4.2.1 is false, or one of the
-/// definitions is wrong. Never seen on a valid region.
-class VerdictsDiffer : public std::logic_error {
- public:
-  using std::logic_error::logic_error;
-};
 
 /// How many cells of the arrangement of 𝒞 the oracle decided.
 struct CellCount {

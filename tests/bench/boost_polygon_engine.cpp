@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/peers/methods/boost_polygon_method.hpp"
+#include "properties/compare/peers/boost_polygon_method.hpp"
 #include "tests/bench/sum_engine.hpp"
 
 namespace oplus {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/peers/methods/cgal_methods.hpp"
+#include "properties/compare/peers/cgal_methods.hpp"
 #include "tests/bench/sum_engine.hpp"
 
 namespace oplus {

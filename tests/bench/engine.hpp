@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "properties/peers/methods/method.hpp"
+#include "properties/compare/peers/method.hpp"
 #include "tests/bench/measurement.hpp"
 
 namespace oplus {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "checked/rca/rca.hpp"
-#include "checked/winding/sum_by_winding_numbers.hpp"
+#include "checked/arrangement/rca.hpp"
+#include "checked/arrangement/sum_by_winding_numbers.hpp"
 #include "tests/bench/own_sum.hpp"
 
 namespace oplus {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "properties/generators/coast.hpp"
-#include "properties/generators/fork.hpp"
-#include "properties/generators/pairs.hpp"
-#include "properties/generators/polygons.hpp"
+#include "reference/families/coast.hpp"
+#include "reference/families/fork.hpp"
+#include "reference/families/pairs.hpp"
+#include "reference/families/polygons.hpp"
 #include "reference/io/reading.hpp"
 
 namespace oplus {

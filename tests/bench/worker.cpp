@@ -8,7 +8,7 @@
 #include <iostream>
 #include <sstream>
 
-#include "properties/process/child_process.hpp"
+#include "properties/runner/child_process.hpp"
 
 namespace oplus {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <iostream>
-#include <oplus/checked/rca/rca.hpp>
+#include <oplus/checked/arrangement/rca.hpp>
 
 /// A unit square and a triangle: the sum's area is 1 + 1/2 + 2, the last one the mixed term.
 int main() {

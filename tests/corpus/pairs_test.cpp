@@ -5,8 +5,8 @@
 #include <set>
 
 #include "checked/cli/engine.hpp"
+#include "properties/compare/corpus.hpp"
 #include "reference/oracle/oracle.hpp"
-#include "tests/corpus/corpus.hpp"
 #include "tests/reference/definitions/print.hpp"
 
 namespace oplus {

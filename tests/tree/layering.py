@@ -5,28 +5,14 @@
 from includes import includes
 from sources import ROOT, cpp, report
 
-# Who may include what of ours: the table of the design. The longest folder that holds a file decides.
-REFERENCE = {"reference/definitions", "reference/io", "reference/oracle", "reference/verify"}
-GENERATORS = {"reference/definitions", "reference/io", "properties/generators"}
-CHECKED = {"reference/definitions", "reference/io", "checked"}
-PROPERTIES = REFERENCE | {"checked", "checked/cli", "properties", "properties/generators"}
-MAY_INCLUDE = {
-    "reference/definitions": {"reference/definitions"},
-    "reference/io": {"reference/definitions", "reference/io"},
-    "reference/oracle": {"reference/definitions", "reference/oracle"},
-    # Cuts the plane into cells as the oracle does, and names its places as messages do.
-    "reference/verify": REFERENCE,
-    "checked": CHECKED,
-    # Composes the program, so it alone of `checked` sees what decides by the definitions.
-    "checked/cli": CHECKED | {"checked/cli", "reference/oracle", "reference/verify",
-                              "properties/generators"},
-    # `checked/cli` offers them, so they can't be above it.
-    "properties/generators": GENERATORS,
-    "properties": PROPERTIES,
-    "tests": PROPERTIES | {"tests"},
-    # Programs that show what is wrong with others, for others to compile.
-    "docs/findings": set(),
-}
+# The arrows of the design: a file includes what is in its own folder of a line, or before it. The longest
+# folder of a line that holds a file is its folder there; one line that allows an include is enough.
+LINES = (
+    ("reference/definitions", "reference/io", "reference/pictures", "reference/families",
+     "checked", "checked/cli", "properties", "tests"),
+    ("reference/definitions", "reference/oracle", "checked/cli", "properties", "tests"),
+    ("docs/findings",),
+)
 OURS = ("reference", "checked", "properties", "tests", "docs", "oplus")
 
 
@@ -34,9 +20,18 @@ def holds(folder, path):
     return path.startswith(folder + "/")
 
 
-def layer(path):
-    """The entry of the table that decides about a path, or None."""
-    return max((folder for folder in MAY_INCLUDE if holds(folder, path)), key=len, default=None)
+def place(line, path):
+    """The index of a path's folder on a line, or None."""
+    folders = [folder for folder in line if holds(folder, path)]
+    return line.index(max(folders, key=len)) if folders else None
+
+
+def allowed(including, included):
+    for line in LINES:
+        here, there = place(line, including), place(line, included)
+        if None not in (here, there) and there <= here:
+            return True
+    return False
 
 
 def folder_of(path):
@@ -75,8 +70,7 @@ def violations(root):
         name = path.relative_to(root).as_posix()
         if holds("tests/consumer", name):  # a project of its own
             continue
-        including = layer(name)
-        if including is None:
+        if all(place(line, name) is None for line in LINES):
             found.append(f"{name}: no rule says what this folder may include")
             continue
         for include in includes(path):
@@ -88,9 +82,9 @@ def violations(root):
                 if include.quoted:
                     found.append(f"{where}: {included} is not named from the repository root")
                 continue
-            if layer(included) not in MAY_INCLUDE[including]:
-                found.append(f"{where}: {including} may not include {included}")
-            if including != "tests" and folder_of(name) != folder_of(included):
+            if not allowed(name, included):
+                found.append(f"{where}: {folder_of(name)} may not include {included}")
+            if not holds("tests", name) and folder_of(name) != folder_of(included):
                 graph.setdefault(folder_of(name), set()).add(folder_of(included))
     around = cycle(graph)
     if around:

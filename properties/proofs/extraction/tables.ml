@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Tables of the proved predicates, a byte an entry but for cycles, for tests/proofs/extracted_predicates.cpp to compare
+(* Tables of the proved predicates, a byte an entry but for cycles, for tests/properties/proofs/extracted_predicates.cpp to compare
    with. In lists of vectors x grows slowest, then y, then P comes before Q. *)
 open Proved
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-#include "tests/corpus/corpus.hpp"
+#include "properties/compare/corpus.hpp"
 #include "tests/reference/definitions/print.hpp"
 #include "tests/reference/definitions/shapes.hpp"
 

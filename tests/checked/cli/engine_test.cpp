@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "checked/rca/rca.hpp"
+#include "checked/arrangement/rca.hpp"
+#include "properties/compare/corpus.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/oracle/oracle.hpp"
-#include "tests/corpus/corpus.hpp"
 #include "tests/reference/definitions/print.hpp"
 #include "tests/reference/definitions/shapes.hpp"
 

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
+#include "checked/arrangement/winding_numbers.hpp"
 #include "checked/cycles/convolution_cycles.hpp"
-#include "checked/winding/winding_numbers.hpp"
 #include "reference/definitions/winding_number.hpp"
 #include "reference/io/writing.hpp"
 #include "tests/reference/definitions/shapes.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "properties/generators/family.hpp"
+#include "reference/families/family.hpp"
 #include "tests/checked/cli/shell.hpp"
 
 namespace oplus {

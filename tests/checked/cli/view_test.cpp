@@ -6,19 +6,19 @@
 #include <algorithm>
 #include <optional>
 
+#include "checked/arrangement/hole_test.hpp"
+#include "checked/arrangement/nesting.hpp"
+#include "checked/arrangement/rca.hpp"
 #include "checked/cli/face_drawing.hpp"
 #include "checked/cycles/convolution_cycles.hpp"
 #include "checked/cycles/fiber_grid_picture.hpp"
-#include "checked/hole_test/hole_test.hpp"
-#include "checked/loops/nesting.hpp"
-#include "checked/rca/rca.hpp"
 #include "reference/definitions/collision.hpp"
 #include "reference/definitions/difference.hpp"
 #include "reference/definitions/original_convolution.hpp"
 #include "reference/definitions/winding_number.hpp"
 #include "reference/io/writing.hpp"
 #include "tests/reference/definitions/shapes.hpp"
-#include "tests/reference/io/parsed_picture.hpp"
+#include "tests/reference/pictures/parsed_picture.hpp"
 
 namespace oplus {
 namespace {

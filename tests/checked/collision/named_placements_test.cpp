@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "properties/chapter5/boundary_contact.hpp"
+#include "properties/statements/chapter5/boundary_contact.hpp"
 #include "reference/definitions/collision.hpp"
 #include "reference/definitions/validity.hpp"
 #include "tests/checked/collision/collision_methods.hpp"

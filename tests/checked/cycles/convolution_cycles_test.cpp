@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <set>
 
-#include "properties/generators/family.hpp"
-#include "properties/generators/polygons.hpp"
+#include "reference/families/family.hpp"
+#include "reference/families/polygons.hpp"
 #include "tests/reference/definitions/print.hpp"
 #include "tests/reference/definitions/shapes.hpp"
 

@@ -8,7 +8,7 @@
 #include <boost/property_tree/xml_parser.hpp>
 #include <sstream>
 
-#include "properties/generators/polygons.hpp"
+#include "reference/families/polygons.hpp"
 #include "tests/reference/definitions/shapes.hpp"
 
 namespace oplus {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "properties/generators/random.hpp"
 #include "reference/definitions/segment.hpp"
+#include "reference/families/random.hpp"
 
 namespace oplus::slide {
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "properties/generators/random.hpp"
+#include "reference/families/random.hpp"
 
 namespace oplus::slide {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "properties/generators/rich_regions.hpp"
 #include "reference/definitions/collision.hpp"
+#include "reference/families/rich_regions.hpp"
 #include "tests/checked/slide/exact_values.hpp"
 #include "tests/checked/slide/stretched.hpp"
 #include "tests/reference/definitions/print.hpp"

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "properties/generators/random.hpp"
 #include "reference/definitions/segment.hpp"
+#include "reference/families/random.hpp"
 #include "tests/checked/slide/exact_values.hpp"
 #include "tests/reference/definitions/print.hpp"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "properties/generators/random.hpp"
+#include "reference/families/random.hpp"
 #include "tests/checked/slide/exact_values.hpp"
 #include "tests/reference/definitions/print.hpp"
 

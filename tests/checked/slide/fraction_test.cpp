@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "properties/generators/random.hpp"
+#include "reference/families/random.hpp"
 #include "tests/checked/slide/exact_values.hpp"
 
 namespace oplus::slide {

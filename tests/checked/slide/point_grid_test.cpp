@@ -6,8 +6,8 @@
 #include <set>
 #include <vector>
 
-#include "properties/generators/random.hpp"
 #include "reference/definitions/segment.hpp"
+#include "reference/families/random.hpp"
 #include "tests/reference/definitions/print.hpp"
 
 namespace oplus::slide {

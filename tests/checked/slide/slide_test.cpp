@@ -8,13 +8,13 @@
 #include <tuple>
 #include <vector>
 
-#include "checked/rca/rca.hpp"
-#include "properties/generators/family.hpp"
-#include "properties/generators/polygons.hpp"
+#include "checked/arrangement/rca.hpp"
+#include "properties/compare/corpus.hpp"
 #include "reference/definitions/validity.hpp"
+#include "reference/families/family.hpp"
+#include "reference/families/polygons.hpp"
 #include "tests/checked/slide/exact_values.hpp"
 #include "tests/checked/slide/stretched.hpp"
-#include "tests/corpus/corpus.hpp"
 #include "tests/reference/definitions/print.hpp"
 #include "tests/reference/definitions/shapes.hpp"
 

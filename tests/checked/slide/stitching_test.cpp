@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "checked/slide/numbers.hpp"
-#include "properties/generators/polygons.hpp"
-#include "properties/generators/rich_regions.hpp"
 #include "reference/definitions/minkowski_sum.hpp"
+#include "reference/families/polygons.hpp"
+#include "reference/families/rich_regions.hpp"
 #include "tests/checked/slide/exact_values.hpp"
 #include "tests/reference/definitions/print.hpp"
 #include "tests/reference/definitions/shapes.hpp"

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "properties/generators/random.hpp"
 #include "reference/definitions/region.hpp"
+#include "reference/families/random.hpp"
 
 namespace oplus::slide {
 namespace {

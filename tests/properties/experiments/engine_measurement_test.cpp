@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "properties/experiments/engine_tables.hpp"
-#include "properties/generators/fork.hpp"
+#include "reference/families/fork.hpp"
 
 namespace oplus {
 namespace {

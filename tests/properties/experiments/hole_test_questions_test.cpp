@@ -5,8 +5,8 @@
 
 #include <memory>
 
-#include "checked/hole_test/hole_test.hpp"
-#include "properties/generators/fork.hpp"
+#include "checked/arrangement/hole_test.hpp"
+#include "reference/families/fork.hpp"
 
 namespace oplus {
 namespace {

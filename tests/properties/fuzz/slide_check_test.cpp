@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "properties/compare/corpus.hpp"
 #include "properties/fuzz/shown_input.hpp"
-#include "tests/corpus/corpus.hpp"
 
 namespace oplus {
 namespace {

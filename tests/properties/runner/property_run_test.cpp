@@ -6,8 +6,8 @@
 #include <set>
 #include <stdexcept>
 
-#include "properties/generators/shrinking.hpp"
 #include "properties/runner/registry.hpp"
+#include "properties/runner/shrinking.hpp"
 
 namespace oplus {
 namespace {

@@ -131,7 +131,7 @@ class RegistryFiles : public testing::Test {
     root_ = pattern;
     write("reference/a.cpp", "if (OPLUS_MUTANT(\"sign-flipped\")) return;");
     write("docs/theorems/lemma-9.9.9.md", "");
-    std::filesystem::create_directories(root_ / "properties/chapter9");
+    std::filesystem::create_directories(root_ / "properties/statements/chapter9");
   }
   ~RegistryFiles() override { std::filesystem::remove_all(root_); }
 
@@ -166,23 +166,26 @@ TEST_F(RegistryFiles, FileOfAMutantMissingOrWithoutIt) {
 }
 
 TEST_F(RegistryFiles, FaultThatIsNotInTheList) {
-  write("checked/rca/b.cpp", "if (OPLUS_MUTANT(\"forgotten\")) return;");
-  EXPECT_EQ(defects(),
-            Defects{"checked/rca/b.cpp: the fault forgotten is not in the list of mutants"});
+  write("checked/arrangement/b.cpp", "if (OPLUS_MUTANT(\"forgotten\")) return;");
+  EXPECT_EQ(
+      defects(),
+      Defects{"checked/arrangement/b.cpp: the fault forgotten is not in the list of mutants"});
 }
 
 TEST_F(RegistryFiles, FileWithoutAStatement) {
-  write("properties/chapter9/lemma_9_9_8_left_out.cpp", "");
-  write("properties/chapter9/arrangement.cpp", "");
-  EXPECT_EQ(defects(), Defects{"properties/chapter9/lemma_9_9_8_left_out.cpp: no statement is "
-                               "registered from it"});
+  write("properties/statements/chapter9/lemma_9_9_8_left_out.cpp", "");
+  write("properties/statements/chapter9/arrangement.cpp", "");
+  EXPECT_EQ(defects(),
+            Defects{"properties/statements/chapter9/lemma_9_9_8_left_out.cpp: no statement is "
+                    "registered from it"});
 }
 
 TEST_F(RegistryFiles, LawWithoutAStatement) {
-  write("properties/laws/law_left_out.cpp", "");
-  write("properties/laws/linear_map.cpp", "");
-  EXPECT_EQ(defects(),
-            Defects{"properties/laws/law_left_out.cpp: no statement is registered from it"});
+  write("properties/statements/laws/law_left_out.cpp", "");
+  write("properties/statements/laws/linear_map.cpp", "");
+  EXPECT_EQ(
+      defects(),
+      Defects{"properties/statements/laws/law_left_out.cpp: no statement is registered from it"});
 }
 
 TEST_F(RegistryFiles, NoSourceTree) {

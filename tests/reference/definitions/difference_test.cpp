@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "properties/generators/family.hpp"
+#include "reference/families/family.hpp"
 #include "tests/reference/definitions/print.hpp"
 #include "tests/reference/definitions/shapes.hpp"
 

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "checked/collision/collision_test.hpp"
+#include "checked/computed_sum.hpp"
+
+namespace oplus {
+
+/// Computes P ⊕ Q by the arrangement of the full convolution and the winding numbers of its faces:
+/// a face is in the sum iff its winding number is positive (thesis, Theorem 4.2.1; Section 6.2.1,
+/// the method of Wein). No face needs a hole test; low-dimensional features of the open sum do.
+/// Requires: p and q are valid (validity.hpp).
+ComputedSum sum_by_winding_numbers(const Region& p, const Region& q, Boundary boundary,
+                                   WithOrigins with_origins = WithOrigins::no,
+                                   CollisionMethod method = CollisionMethod::hierarchy);
+
+/// The same with a collision test for p and q that the caller has.
+ComputedSum sum_by_winding_numbers(const Region& p, const Region& q, Boundary boundary,
+                                   WithOrigins with_origins, CollisionTest& collision);
+
+}  // namespace oplus

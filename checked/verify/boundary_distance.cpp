@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <queue>
+#include <utility>
+#include <vector>
+
+#include "checked/verify/closeness.hpp"
+#include "checked/verify/root_number.hpp"
+
+namespace oplus {
+
+namespace {
+
+Rational squared_length(const Vector& v) { return dot(v, v); }
+
+Rational squared_distance(const Point& x, const Segment& s) {
+  const Vector along = direction_of(s);
+  const Vector to = x - s.source;
+  const Rational at = dot(along, to);
+  if (at <= 0) return squared_length(to);
+  const Rational length = squared_length(along);
+  if (at >= length) return squared_length(x - s.target);
+  const Rational across = cross(along, to);
+  return across * across / length;
+}
+
+Rational squared_distance(const Point& x, const std::vector<Segment>& to) {
+  Rational least = squared_distance(x, to[0]);
+  for (const Segment& s : to) {
+    if (sign(least) == 0) break;
+    least = std::min(least, squared_distance(x, s));
+  }
+  return least;
+}
+
+/// A part of an edge, and how far from the other set it is at most: the distance from one segment is
+/// convex, so it is largest at an end.
+struct Part {
+  Segment segment;
+  Rational most;
+
+  friend bool operator<(const Part& a, const Part& b) { return a.most < b.most; }
+};
+
+/// `enough`: more than that need not be known.
+Part part_of(const Segment& s, const std::vector<Segment>& to, const Rational& enough) {
+  std::optional<Rational> most;
+  for (const Segment& t : to) {
+    Rational here = squared_distance(s.source, t);
+    if (most && here >= *most) continue;
+    here = std::max(here, squared_distance(s.target, t));
+    if (!most || here < *most) most = std::move(here);
+    if (*most <= enough) break;
+  }
+  return {s, *most};
+}
+
+struct Farthest {
+  Rational least = -1;  ///< the squared distance there
+  Point point;
+  Rational most = 0;
+};
+
+/// The directed distance, by branch and bound: parts are halved until no part can be much farther
+/// away than a point that was seen.
+void look_for_farther(const std::vector<Segment>& from, const std::vector<Segment>& to,
+                      Farthest& farthest) {
+  const auto see = [&](const Point& x) {
+    Rational here = squared_distance(x, to);
+    if (here <= farthest.least) return;
+    farthest.least = std::move(here);
+    farthest.point = x;
+  };
+  for (const Segment& s : from) {
+    see(s.source);
+    see(s.target);
+  }
+  std::priority_queue<Part> parts;
+  for (const Segment& s : from) {
+    // Cut where the other set meets it, so that what runs along it is no distance from the pieces.
+    std::vector<Point> contacts;
+    if (s.source != s.target) {
+      if (part_of(s, to, farthest.least).most <= farthest.least) continue;
+      for (const Segment& t : to) {
+        const std::vector<Point> common = intersection(s, t);
+        contacts.insert(contacts.end(), common.begin(), common.end());
+      }
+      for (const Segment& piece : cut(s, std::move(contacts)))
+        parts.push(part_of(piece, to, farthest.least));
+    }
+  }
+  const Rational accuracy(1, 1 << 20);
+  while (!parts.empty() && parts.top().most > farthest.least * (1 + accuracy)) {
+    const Segment s = parts.top().segment;
+    parts.pop();
+    const Point middle = midpoint(s.source, s.target);
+    see(middle);
+    for (const Segment& half : {Segment{s.source, middle}, {middle, s.target}})
+      parts.push(part_of(half, to, farthest.least));
+  }
+  farthest.most = std::max(farthest.most, farthest.least);
+  if (!parts.empty()) farthest.most = std::max(farthest.most, parts.top().most);
+}
+
+struct Interval {
+  RootNumber low;
+  RootNumber high;
+};
+
+void extend(std::optional<Interval>& interval, const RootNumber& low, const RootNumber& high) {
+  if (!interval) {
+    interval = Interval{low, high};
+    return;
+  }
+  if (low < interval->low) interval->low = low;
+  if (interval->high < high) interval->high = high;
+}
+
+/// Which t have s.source + t direction_of(s) at most so far from `to`. A convex set: that of the
+/// disks around both ends and of the rectangle between them.
+std::optional<Interval> near_part(const Segment& s, const Segment& to, const Rational& squared) {
+  const Vector along = direction_of(s);
+  const Rational length = squared_length(along);
+  std::optional<Interval> result;
+  for (const Point& centre : {to.source, to.target}) {
+    const Vector from = s.source - centre;
+    const Rational half = dot(along, from);
+    const Rational discriminant = half * half - length * (squared_length(from) - squared);
+    if (discriminant < 0) continue;
+    const Rational middle = -half / length;
+    const Rational step = 1 / length;
+    extend(result, {middle, -step, discriminant}, {middle, step, discriminant});
+  }
+  const Vector other = direction_of(to);
+  const Rational other_length = squared_length(other);
+  if (other_length == 0) return result;
+  const Vector from = s.source - to.source;
+
+  // Beside the other segment, from one of its ends to the other...
+  std::optional<Interval> beside;
+  const Rational start = dot(other, from);
+  const Rational slope = dot(other, along);
+  if (slope != 0) {
+    Rational first = -start / slope;
+    Rational last = (other_length - start) / slope;
+    if (last < first) std::swap(first, last);
+    beside = Interval{{first}, {last}};
+  } else if (start < 0 || start > other_length) {
+    return result;
+  }
+  // ... and not too far from its line.
+  const Rational across = cross(other, from);
+  const Rational turn = cross(other, along);
+  if (turn != 0) {
+    const Rational middle = -across / turn;
+    const Rational step = 1 / abs(turn);
+    const RootNumber low{middle, -step, squared * other_length};
+    const RootNumber high{middle, step, squared * other_length};
+    if (!beside) {
+      beside = Interval{low, high};
+    } else {
+      if (beside->low < low) beside->low = low;
+      if (high < beside->high) beside->high = high;
+    }
+  } else if (across * across > squared * other_length) {
+    return result;
+  }
+  if (beside && beside->low <= beside->high) extend(result, beside->low, beside->high);
+  return result;
+}
+
+bool is_covered(const Segment& s, const std::vector<Segment>& to, const Rational& squared) {
+  if (s.source == s.target) return squared_distance(s.source, to) <= squared;
+  if (part_of(s, to, squared).most <= squared) return true;
+  std::vector<Interval> near;
+  for (const Segment& t : to)
+    if (std::optional<Interval> part = near_part(s, t, squared)) near.push_back(std::move(*part));
+  std::sort(near.begin(), near.end(),
+            [](const Interval& a, const Interval& b) { return a.low < b.low; });
+  RootNumber reached{0};
+  bool started = false;
+  for (const Interval& part : near) {
+    if (reached < part.low) return false;
+    started = true;
+    if (reached < part.high) reached = part.high;
+    if (!(reached < RootNumber{1})) return true;
+  }
+  return started && !(reached < RootNumber{1});
+}
+
+}  // namespace
+
+bool is_within(const std::vector<Segment>& from, const std::vector<Segment>& to,
+               const Rational& squared) {
+  return std::all_of(from.begin(), from.end(),
+                     [&](const Segment& s) { return !to.empty() && is_covered(s, to, squared); });
+}
+
+BoundaryDistance distance(const std::vector<Segment>& right, const std::vector<Segment>& given) {
+  Farthest farthest;
+  look_for_farther(right, given, farthest);
+  const Rational of_right = farthest.least;
+  look_for_farther(given, right, farthest);
+  return {farthest.least, farthest.most, farthest.point, farthest.least > of_right};
+}
+
+}  // namespace oplus

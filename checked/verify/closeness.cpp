@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/verify/closeness.hpp"
+
+#include <algorithm>
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/max_cardinality_matching.hpp>
+
+#include "checked/verify/overlay.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+void add_edges(std::vector<Segment>& all, const Chain& chain) {
+  const std::vector<Segment> of_chain = edges(chain);
+  all.insert(all.end(), of_chain.begin(), of_chain.end());
+}
+
+void add_points(std::vector<Segment>& all, const std::vector<Point>& points) {
+  for (const Point& p : points) all.push_back({p, p});
+}
+
+std::vector<Segment> boundary_of(const MinkowskiSum& sum) {
+  std::vector<Segment> all = edges(sum);
+  add_points(all, sum.isolated_vertices);
+  return all;
+}
+
+std::vector<Segment> boundary_of(const GivenSum& sum) {
+  std::vector<Segment> all;
+  for (const GivenChain& chain : given_chains(sum)) add_edges(all, *chain.vertices);
+  all.insert(all.end(), sum.dangling_edges.begin(), sum.dangling_edges.end());
+  add_points(all, sum.isolated_vertices);
+  return all;
+}
+
+struct Box {
+  Point low;
+  Point high;
+};
+
+Box box_of(const Chain& chain) {
+  Box box{chain[0], chain[0]};
+  for (const Point& p : chain) {
+    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+  }
+  return box;
+}
+
+/// Where boxes differ by more, so do chains.
+bool boxes_within(const Box& a, const Box& b, const Rational& distance) {
+  return abs(a.low.x - b.low.x) <= distance && abs(a.low.y - b.low.y) <= distance &&
+         abs(a.high.x - b.high.x) <= distance && abs(a.high.y - b.high.y) <= distance;
+}
+
+std::string described(const Chain& chain, bool is_hole) {
+  return (is_hole ? "the hole at " : "the component at ") +
+         to_string(*std::min_element(chain.begin(), chain.end()));
+}
+
+/// Pairs as many chains as can be, and names those that are left.
+void find_partners(const std::vector<Chain>& right, const std::vector<Chain>& given,
+                   const Rational& tolerance, bool are_holes, std::vector<std::string>& left_over) {
+  using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;
+  Graph graph(right.size() + given.size());
+  std::vector<Box> boxes;
+  for (const Chain& chain : given) boxes.push_back(box_of(chain));
+  const Rational squared = tolerance * tolerance;
+  for (std::size_t i = 0; i < right.size(); ++i) {
+    const Box box = box_of(right[i]);
+    for (std::size_t j = 0; j < given.size(); ++j) {
+      if (boxes_within(box, boxes[j], tolerance) &&
+          is_within(edges(right[i]), edges(given[j]), squared) &&
+          is_within(edges(given[j]), edges(right[i]), squared))
+        boost::add_edge(i, right.size() + j, graph);
+    }
+  }
+  std::vector<Graph::vertex_descriptor> mate(boost::num_vertices(graph));
+  if (!mate.empty()) boost::edmonds_maximum_cardinality_matching(graph, mate.data());
+  for (std::size_t i = 0; i < mate.size(); ++i) {
+    if (mate[i] != Graph::null_vertex()) continue;
+    const bool is_right = i < right.size();
+    left_over.push_back(
+        described(is_right ? right[i] : given[i - right.size()], are_holes) +
+        (is_right ? " of the sum has no partner" : " that is given has no partner"));
+  }
+}
+
+std::vector<Chain> outer_chains(const Region& region) {
+  std::vector<Chain> result;
+  for (const Component& component : region.components) result.push_back(component.outer);
+  return result;
+}
+
+std::vector<Chain> holes(const Region& region) {
+  std::vector<Chain> result;
+  for (const Component& component : region.components)
+    result.insert(result.end(), component.holes.begin(), component.holes.end());
+  return result;
+}
+
+}  // namespace
+
+Closeness closeness(const MinkowskiSum& right, const GivenSum& sum, const Rational& tolerance) {
+  Closeness result{};
+  const std::vector<Segment> of_right = boundary_of(right);
+  const std::vector<Segment> of_given = boundary_of(sum);
+  const Rational squared = tolerance * tolerance;
+  if (of_right.empty() || of_given.empty()) {
+    result.is_within = of_right.empty() && of_given.empty();
+    if (result.is_within) result.distance = BoundaryDistance{0, 0, {}, false};
+  } else {
+    result.distance = distance(of_right, of_given);
+    result.is_within = result.distance->most_squared <= squared;
+    // Bounds on either side of D decide nothing.
+    if (!result.is_within && result.distance->least_squared <= squared)
+      result.is_within =
+          is_within(of_right, of_given, squared) && is_within(of_given, of_right, squared);
+  }
+
+  const Overlay overlay(sum, {});
+  const Region given_region =
+      region_of(canonical_sum(BoundaryFeatures{overlay.boundary_of_given(), {}, {}}));
+  const Region right_region = region_of(right);
+  find_partners(outer_chains(right_region), outer_chains(given_region), tolerance, false,
+                result.no_partners);
+  find_partners(holes(right_region), holes(given_region), tolerance, true, result.no_partners);
+  const std::size_t unsimple = overlay.unsimple_pieces().size();
+  if (unsimple > 0)
+    result.notes.push_back("chains cross, overlap or bound nothing in " + std::to_string(unsimple) +
+                           (unsimple == 1 ? " place" : " places"));
+  return result;
+}
+
+}  // namespace oplus

@@ -1,0 +1,454 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/verify/verify.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <tuple>
+#include <utility>
+
+#include "checked/verify/overlay.hpp"
+#include "checked/verify/placements.hpp"
+#include "checked/verify/sum_by_walks.hpp"
+#include "checked/verify/witness.hpp"
+#include "reference/definitions/difference.hpp"
+#include "reference/definitions/mutant.hpp"
+#include "reference/definitions/verdicts_differ.hpp"
+#include "reference/definitions/winding_number.hpp"
+#include "reference/io/writing.hpp"
+#include "reference/pictures/picture.hpp"
+
+namespace oplus {
+
+namespace {
+
+/// What a chain has that changes nothing.
+struct Oddities {
+  std::size_t repeated = 0;   ///< vertices equal to the one before
+  std::size_t collinear = 0;  ///< vertices inside a straight line
+};
+
+Chain without_oddities(const Chain& chain, Oddities& oddities) {
+  Chain distinct;
+  for (const Point& p : chain) {
+    if (!distinct.empty() && distinct.back() == p)
+      ++oddities.repeated;
+    else
+      distinct.push_back(p);
+  }
+  while (distinct.size() > 1 && distinct.back() == distinct.front()) {
+    distinct.pop_back();
+    ++oddities.repeated;
+  }
+  Chain corners;
+  for (std::size_t i = 0; i < distinct.size(); ++i) {
+    const Vector in = distinct[i] - distinct[previous(i, distinct.size())];
+    const Vector out = distinct[next(i, distinct.size())] - distinct[i];
+    if (sign(cross(in, out)) == 0 &&
+        sign(dot(in, out)) > 0)  // the tip of a spike is no such vertex
+      ++oddities.collinear;
+    else
+      corners.push_back(distinct[i]);
+  }
+  return corners;
+}
+
+void to_normal_form(Region& region, Oddities& oddities) {
+  const auto normal = [&](Chain& chain) {
+    chain = without_oddities(chain, oddities);
+    if (chain.empty()) return;
+    std::rotate(chain.begin(),
+                chain.begin() + static_cast<std::ptrdiff_t>(start_of_smallest_rotation(chain)),
+                chain.end());
+  };
+  for (Component& component : region.components) {
+    normal(component.outer);
+    for (Chain& hole : component.holes) normal(hole);
+    std::sort(component.holes.begin(), component.holes.end());
+  }
+  std::sort(region.components.begin(), region.components.end(),
+            [](const Component& a, const Component& b) {
+              return std::tie(a.outer, a.holes) < std::tie(b.outer, b.holes);
+            });
+}
+
+std::string counted(std::size_t count, const std::string& one, const std::string& many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+std::vector<std::string> notes_of(const GivenSum& sum, const Oddities& oddities) {
+  std::vector<std::string> notes;
+  if (oddities.repeated > 0)
+    notes.push_back(counted(oddities.repeated, "vertex repeats", "vertices repeat") +
+                    " the one before");
+  if (oddities.collinear > 0)
+    notes.push_back(counted(oddities.collinear, "vertex is", "vertices are") +
+                    " inside a straight line");
+  std::size_t touching = 0;
+  for (const GivenChain& chain : given_chains(sum)) {
+    Oddities ignored;
+    Chain vertices = without_oddities(*chain.vertices, ignored);
+    std::sort(vertices.begin(), vertices.end());
+    touching += std::adjacent_find(vertices.begin(), vertices.end()) != vertices.end();
+  }
+  if (touching > 0)
+    notes.push_back(counted(touching, "chain touches itself", "chains touch themselves"));
+  return notes;
+}
+
+/// Whether a point is in the given set: on its chains, inside, or outside.
+class GivenSet {
+ public:
+  explicit GivenSet(const GivenSum& sum) {
+    for (const Component& component : sum.region.components) {
+      components_.emplace_back();
+      components_.back().push_back(edges(component.outer));
+      for (const Chain& hole : component.holes) components_.back().push_back(edges(hole));
+    }
+  }
+
+  /// Chains that bound nothing make no boundary.
+  bool is_inside(const Point& p, const std::vector<Segment>& boundary) const {
+    for (const Segment& e : boundary)
+      if (lies_on(p, e)) return false;
+    return std::any_of(components_.begin(), components_.end(), [&](const auto& chains) {
+      for (std::size_t c = 0; c < chains.size(); ++c)
+        if ((winding_number(p, chains[c]) != 0) != (c == 0)) return false;
+      return true;
+    });
+  }
+
+ private:
+  std::vector<std::vector<std::vector<Segment>>> components_;
+};
+
+Rational squared_length(const Segment& s) {
+  const Vector along = direction_of(s);
+  return dot(along, along);
+}
+
+bool lies_on_one(const Point& p, const std::vector<Segment>& segments) {
+  return std::any_of(segments.begin(), segments.end(),
+                     [&](const Segment& s) { return lies_on(p, s); });
+}
+
+std::string from_to(const Segment& s) {
+  return "from " + to_string(s.source) + " to " + to_string(s.target);
+}
+
+/// The low-dimensional features in which a given sum differs where the regular sums do not.
+class FeatureReasons {
+ public:
+  FeatureReasons(const GivenSum& given, const MinkowskiSum& right, const Overlay& overlay,
+                 Boundary boundary)
+      : given_(given),
+        right_(right),
+        boundary_(boundary),
+        set_(given),
+        chains_(overlay.boundary_of_given()) {
+    regular_.outer = right.outer;
+    regular_.holes = right.holes;
+  }
+
+  std::vector<Reason> find() {
+    for (const Segment& e : right_.dangling_edges) {
+      for (const Segment& piece : pieces(e)) {
+        const Point middle = midpoint(piece.source, piece.target);
+        if (!lies_on_one(middle, given_.dangling_edges) && is_inside_given(middle))
+          add(ReasonKind::missing_dangling_edge, middle, false, true, squared_length(piece),
+              "the dangling edge " + from_to(e) + " is missing" + part_of(piece, e));
+      }
+    }
+    for (const Segment& e : maximal_segments(given_.dangling_edges)) {
+      for (const Segment& piece : pieces(e)) {
+        const Point middle = midpoint(piece.source, piece.target);
+        if (lies_on_one(middle, right_.dangling_edges)) continue;
+        add(ReasonKind::additional_dangling_edge, middle, is_in_sum(middle), false,
+            squared_length(piece),
+            "the line string " + from_to(e) + " is no dangling edge of the sum" +
+                part_of(piece, e));
+      }
+    }
+    for (const Point& p : right_.isolated_vertices) {
+      if (!is_one_of(p, given_.isolated_vertices) && !lies_on_one(p, given_.dangling_edges) &&
+          is_inside_given(p))
+        add(ReasonKind::missing_isolated_vertex, p, false, true, 0,
+            "the isolated vertex " + to_string(p) + " is missing");
+    }
+    std::vector<Point> points = given_.isolated_vertices;
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    for (const Point& p : points) {
+      if (!is_one_of(p, right_.isolated_vertices))
+        add(ReasonKind::additional_isolated_vertex, p, is_in_sum(p), false, 0,
+            "the point " + to_string(p) + " is no isolated vertex of the sum");
+    }
+    return std::move(reasons_);
+  }
+
+ private:
+  static bool is_one_of(const Point& p, const std::vector<Point>& points) {
+    return std::find(points.begin(), points.end(), p) != points.end();
+  }
+
+  /// Membership in both sets is constant inside each.
+  std::vector<Segment> pieces(const Segment& e) const {
+    std::vector<Point> contacts;
+    const auto cut_by = [&](const std::vector<Segment>& segments) {
+      for (const Segment& s : segments) {
+        const std::vector<Point> common = intersection(e, s);
+        contacts.insert(contacts.end(), common.begin(), common.end());
+      }
+    };
+    cut_by(given_.dangling_edges);
+    cut_by(chains_);
+    cut_by(edges(right_));
+    return cut(e, std::move(contacts));
+  }
+
+  bool is_inside_given(const Point& p) const { return set_.is_inside(p, chains_); }
+
+  bool is_in_sum(const Point& p) const {
+    if (boundary_ == Boundary::closed) return locate(p, regular_) != Location::outside;
+    return locate(p, right_) == Location::inside;
+  }
+
+  static std::string part_of(const Segment& piece, const Segment& whole) {
+    return squared_length(piece) == squared_length(whole) ? "" : ", " + from_to(piece);
+  }
+
+  void add(ReasonKind kind, const Point& witness, bool in_sum, bool in_given, Rational size,
+           std::string detail) {
+    reasons_.push_back({kind, witness, in_sum, in_given, std::move(size), std::move(detail)});
+  }
+
+  const GivenSum& given_;
+  const MinkowskiSum& right_;
+  MinkowskiSum regular_;
+  Boundary boundary_;
+  GivenSet set_;
+  std::vector<Segment> chains_;
+  std::vector<Reason> reasons_;
+};
+
+/// Exactly, or rounded where nobody would read it.
+std::string legible(const Rational& value) {
+  const std::string exact = to_string(value);
+  return exact.size() <= 24 ? exact : "about " + approximate(value);
+}
+
+std::string detail_of(const Reason& reason) {
+  const std::string place = " of area " + legible(reason.size / 2);
+  switch (reason.kind) {
+    case ReasonKind::missing_hole:
+      return "a hole" + place + " of the sum is filled";
+    case ReasonKind::additional_hole:
+      return "a hole" + place + " is none of the sum";
+    case ReasonKind::missing_component:
+      return "a component" + place + " of the sum is missing";
+    case ReasonKind::additional_component:
+      return "a component" + place + " is outside the sum";
+    case ReasonKind::joined_components:
+      return "a place" + place + " outside the sum joins components of it";
+    case ReasonKind::split_component:
+      return "a place" + place + " is left out, which splits a component of the sum";
+    case ReasonKind::not_in_given:
+      return "a place" + place + " of the sum is left out";
+    default:
+      return "a place" + place + " is outside the sum";
+  }
+}
+
+std::vector<Reason> face_reasons(const Overlay& overlay, const Placements& placements) {
+  std::vector<Reason> reasons = overlay.differing_faces();
+  for (Reason& reason : reasons) {
+    if (placements.interiors_meet_at(reason.witness) != reason.in_sum)
+      throw VerdictsDiffer("winding numbers and the collision test differ at " +
+                           to_string(reason.witness));
+    reason.detail = detail_of(reason);
+  }
+  return reasons;
+}
+
+std::vector<Reason> orientation_reasons(const GivenSum& given, const MinkowskiSum& right) {
+  std::vector<Reason> reasons;
+  MinkowskiSum regular;
+  regular.outer = right.outer;
+  regular.holes = right.holes;
+  for (const GivenChain& chain : given_chains(given)) {
+    const Rational twice = twice_area(*chain.vertices);
+    if (sign(twice) == 0 || (sign(twice) > 0) == (chain.hole == 0) ||
+        OPLUS_MUTANT("chains-may-run-either-way"))
+      continue;
+    const Point witness = midpoint((*chain.vertices)[0], (*chain.vertices)[1]);
+    reasons.push_back(
+        {ReasonKind::wrong_orientation, witness, locate(witness, regular) != Location::outside,
+         true, abs(twice),
+         describe(chain) + (sign(twice) > 0 ? " runs counterclockwise, not clockwise"
+                                            : " runs clockwise, not counterclockwise")});
+  }
+  return reasons;
+}
+
+std::vector<Reason> unsimple_reasons(const Overlay& overlay, const MinkowskiSum& right) {
+  std::vector<Reason> reasons;
+  for (const Overlay::Unsimple& u : overlay.unsimple_pieces()) {
+    const Point middle = midpoint(u.piece.source, u.piece.target);
+    const std::string chain = "a chain runs " + from_to(u.piece);
+    std::string detail;
+    if (!u.is_boundary)
+      detail =
+          chain + ", where the given set is on " + (u.in_given ? "both sides" : "neither side");
+    else if (u.times > 1)
+      detail = std::to_string(u.times) + " chains run " + from_to(u.piece);
+    else
+      detail = chain + " the wrong way: it crosses itself or another";
+    reasons.push_back({ReasonKind::unsimple_boundary, middle,
+                       locate(middle, right) != Location::outside, u.in_given || u.is_boundary,
+                       squared_length(u.piece), std::move(detail)});
+  }
+  return reasons;
+}
+
+void append(std::vector<Reason>& all, std::vector<Reason> some) {
+  std::sort(some.begin(), some.end(), [](const Reason& a, const Reason& b) {
+    const int by_size = cmp(a.size, b.size);
+    return by_size != 0 ? by_size > 0 : a.witness < b.witness;
+  });
+  std::move(some.begin(), some.end(), std::back_inserter(all));
+}
+
+bool has_features(const MinkowskiSum& sum) {
+  return !sum.dangling_edges.empty() || !sum.isolated_vertices.empty();
+}
+
+bool has_features(const GivenSum& sum) {
+  return !sum.dangling_edges.empty() || !sum.isolated_vertices.empty();
+}
+
+bool same_features(const GivenSum& given, const MinkowskiSum& right) {
+  std::vector<Point> points = given.isolated_vertices;
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return maximal_segments(given.dangling_edges) == right.dangling_edges &&
+         points == right.isolated_vertices;
+}
+
+/// A second verdict: a point on either side of each chain of the sum, by the collision test.
+void ask_collision_test(const MinkowskiSum& sum, const std::vector<Segment>& exceptional,
+                        const Placements& placements) {
+  const std::vector<Segment> all = edges(sum);
+  for (const std::vector<Chain>* of_sum : {&sum.outer, &sum.holes}) {
+    for (const Chain& chain : *of_sum) {
+      for (const bool left : {true, false}) {
+        const Segment first = left ? Segment{chain[0], chain[1]} : Segment{chain[1], chain[0]};
+        const Point x = point_beside(first, all, exceptional);
+        if (placements.interiors_meet_at(x) != left)
+          throw VerdictsDiffer("winding numbers and the collision test differ at " + to_string(x));
+      }
+    }
+  }
+}
+
+MinkowskiSum decided_sum(const Region& p, const Region& q, Boundary boundary,
+                         const Placements& placements) {
+  MinkowskiSum sum = sum_by_walks(p, q, boundary, placements);
+  ask_collision_test(sum, exceptional_places(p, q), placements);
+  return sum;
+}
+
+Verdict verdict(MinkowskiSum computed, const Region& p, const Region& q, Boundary boundary,
+                const GivenSum& sum, const Placements& placements) {
+  Verdict result;
+  result.right = std::move(computed);
+  const MinkowskiSum& right = result.right;
+  Oddities oddities;
+  Region given_normal = sum.region;
+  to_normal_form(given_normal, oddities);
+  result.notes = notes_of(sum, oddities);
+  Region right_normal = region_of(right);
+  Oddities ignored;
+  to_normal_form(right_normal, ignored);
+  const bool same_region = given_normal == right_normal;
+  if (same_region && same_features(sum, right)) return result;
+
+  const Overlay overlay(sum, right, exceptional_places(p, q));
+  append(result.reasons, face_reasons(overlay, placements));
+  append(result.reasons, orientation_reasons(sum, right));
+  append(result.reasons, unsimple_reasons(overlay, right));
+  const bool same_chains = result.reasons.empty();
+  append(result.reasons, FeatureReasons(sum, right, overlay, boundary).find());
+
+  if (same_chains && !result.reasons.empty()) {
+    const bool open = boundary == Boundary::open;
+    const bool is_the_other =
+        open ? has_features(right) && !has_features(sum)
+             : same_features(sum, sum_by_walks(p, q, Boundary::open, placements));
+    if (is_the_other) {
+      Reason other = result.reasons.front();
+      other.kind = ReasonKind::wrong_boundary;
+      other.size = 0;
+      other.detail =
+          open ? "it is the sum of the closed regions" : "it is the sum of the regions' interiors";
+      result.reasons.push_back(std::move(other));
+    }
+  }
+  if (!result.reasons.empty() && result.reasons.front().in_sum) {
+    const Point& x = result.reasons.front().witness;
+    if (const std::optional<Point> common = placements.common_point_at(x))
+      result.addends = Addends{*common, x - *common};
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string describe(ReasonKind kind) {
+  switch (kind) {
+    case ReasonKind::missing_hole:
+      return "missing hole";
+    case ReasonKind::additional_hole:
+      return "additional hole";
+    case ReasonKind::missing_component:
+      return "missing component";
+    case ReasonKind::additional_component:
+      return "additional component";
+    case ReasonKind::joined_components:
+      return "components joined";
+    case ReasonKind::split_component:
+      return "component split";
+    case ReasonKind::not_in_given:
+      return "in the sum but not given";
+    case ReasonKind::not_in_sum:
+      return "given but not in the sum";
+    case ReasonKind::wrong_orientation:
+      return "wrong orientation";
+    case ReasonKind::unsimple_boundary:
+      return "unsimple boundary";
+    case ReasonKind::wrong_boundary:
+      return "wrong kind of boundary";
+    case ReasonKind::missing_dangling_edge:
+      return "missing dangling edge";
+    case ReasonKind::additional_dangling_edge:
+      return "additional dangling edge";
+    case ReasonKind::missing_isolated_vertex:
+      return "missing isolated vertex";
+    case ReasonKind::additional_isolated_vertex:
+      return "additional isolated vertex";
+  }
+  return {};
+}
+
+Verdict verify(const Region& p, const Region& q, Boundary boundary, const GivenSum& sum) {
+  const Placements placements(p, q);
+  return verdict(decided_sum(p, q, boundary, placements), p, q, boundary, sum, placements);
+}
+
+Verdict verify(const Region& p, const Region& q, Boundary boundary, const MinkowskiSum& sum) {
+  return verify(p, q, boundary, given(sum));
+}
+
+MinkowskiSum sum_by_definition(const Region& p, const Region& q, Boundary boundary) {
+  return decided_sum(p, q, boundary, Placements(p, q));
+}
+
+}  // namespace oplus

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/verify/witness.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "reference/definitions/cells.hpp"
+#include "reference/definitions/winding_number.hpp"
+
+namespace oplus {
+
+namespace {
+
+bool lies_on_one(const Point& p, const std::vector<Segment>& segments) {
+  return std::any_of(segments.begin(), segments.end(),
+                     [&](const Segment& s) { return lies_on(p, s); });
+}
+
+/// Rounded down to a multiple of 1/scale.
+Rational rounded(const Rational& value, const mpz_class& scale) {
+  const Rational scaled = value * Rational(scale);
+  mpz_class floor;
+  mpz_fdiv_q(floor.get_mpz_t(), scaled.get_num_mpz_t(), scaled.get_den_mpz_t());
+  return Rational(floor) / Rational(scale);
+}
+
+/// Of the face of all the segments.
+Point point_of_small_face(const Segment& segment, const std::vector<Segment>& edges) {
+  std::vector<Point> ends;
+  for (const Segment& e : edges)
+    for (const Point* end : {&e.source, &e.target})
+      if (lies_on(*end, segment)) ends.push_back(*end);
+  // Between two of them, so that nothing starts where the way into the face does.
+  std::vector<Segment> around = {cut(segment, std::move(ends))[0]};
+  around.insert(around.end(), edges.begin(), edges.end());
+  return point_inside(around);
+}
+
+}  // namespace
+
+Point point_beside(const Segment& segment, const std::vector<Segment>& edges,
+                   const std::vector<Segment>& avoided) {
+  Point inside = point_of_small_face(segment, edges);
+  if (!lies_on_one(inside, avoided)) return inside;
+  std::vector<Segment> all = edges;
+  all.insert(all.end(), avoided.begin(), avoided.end());
+  return point_of_small_face(segment, all);
+}
+
+Point point_of_face(const std::vector<Segment>& boundary, const std::vector<Segment>& avoided) {
+  const Point inside = point_beside(boundary[0], boundary, avoided);
+  mpz_class scale = 1;
+  for (int digits = 0; digits <= 9; ++digits, scale *= 10) {
+    const Rational x = rounded(inside.x, scale);
+    const Rational y = rounded(inside.y, scale);
+    const Rational step = Rational(1) / Rational(scale);
+    for (const Point& p : {Point{x, y}, {x + step, y}, {x, y + step}, {x + step, y + step}}) {
+      if (!lies_on_one(p, boundary) && winding_number(p, boundary) == 1 && !lies_on_one(p, avoided))
+        return p;
+    }
+  }
+  return inside;
+}
+
+}  // namespace oplus

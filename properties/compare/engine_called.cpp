@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/compare/engine_called.hpp"
+
+#include <iomanip>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include "properties/compare/crash_site.hpp"
+#include "properties/compare/no_sum.hpp"
+#include "properties/compare/peers/peer_table.hpp"
+#include "properties/compare/summand_files.hpp"
+#include "properties/runner/child_process.hpp"
+#include "reference/io/reading.hpp"
+
+namespace oplus {
+
+namespace {
+
+using Kind = NoSum::Kind;
+
+constexpr std::string_view exec = "exec:";
+
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+std::string format(double value) {
+  std::ostringstream out;
+  out << value;
+  return out.str();
+}
+
+/// A shell's exit code for a program that a signal ended is 128 and the signal.
+constexpr int of_signal = 128;
+
+std::string how_it_ended(const EndedProcess& ended) {
+  if (ended.how == EndedProcess::How::killed_by_signal) return signal_name(ended.code);
+  constexpr int signals = 32;
+  if (ended.code > of_signal && ended.code < of_signal + signals)
+    return signal_name(ended.code - of_signal);
+  return "exit code " + std::to_string(ended.code);
+}
+
+[[noreturn]] void report_failure(const EndedProcess& ended) {
+  const std::string said = ended.errors.empty() ? "" : ": " + first_line(ended.errors);
+  const std::string how = how_it_ended(ended);
+  if (ended.how == EndedProcess::How::exited) {
+    if (ended.code == exit_not_taken)
+      throw NoSum(Kind::not_taken, first_line(ended.errors),
+                  "not taken" + (said.empty() ? ", it does not say why" : said));
+    if (ended.code == exit_no_region) {
+      const std::size_t second = ended.errors.find('\n');
+      throw NoSum(Kind::unreadable, first_line(ended.errors),
+                  "its result bounds no region: " +
+                      first_line(second == std::string::npos ? ended.errors
+                                                             : ended.errors.substr(second + 1)));
+    }
+  }
+  if (says_out_of_memory(ended.errors))
+    throw NoSum(Kind::out_of_memory, "", "out of memory: it ended by " + how + said);
+  const std::string site = crash_site(ended.errors, how);
+  throw NoSum(Kind::crashed, site,
+              "crashed: " + (site == how ? how : how + ", " + site) + (site == how ? said : ""));
+}
+
+MinkowskiSum sum_in(const std::string& output) {
+  if (output.find_first_not_of(" \t\r\n\v\f") == std::string::npos)
+    throw NoSum(Kind::unreadable, "nothing", "it wrote nothing");
+  std::istringstream in(output);
+  try {
+    return read_sum(in, "its output").sum;
+  } catch (const InvalidInput& e) {
+    throw NoSum(Kind::unreadable, "no sum", std::string("unreadable: ") + e.what());
+  }
+}
+
+MinkowskiSum sum_by(const std::vector<std::string>& command, const PeerLimits& limits) {
+  ProcessLimits of_process;
+  of_process.seconds = limits.seconds;
+  of_process.address_space_mb = limits.memory_mb;
+  of_process.output_mb = limits.output_mb;
+  of_process.is_quiet = true;
+  const EndedProcess ended = run_program(command, of_process);
+  if (ended.how == EndedProcess::How::over_time)
+    throw NoSum(Kind::hung, "", "hung: no sum after " + format(limits.seconds) + " s");
+  if (ended.how == EndedProcess::How::over_output)
+    throw NoSum(Kind::unreadable, "too much",
+                "it wrote more than " + std::to_string(limits.output_mb) + " MB");
+  if (ended.how == EndedProcess::How::killed_by_signal || ended.code != 0) report_failure(ended);
+  return sum_in(ended.output);
+}
+
+/// Returns whether it was there.
+bool replace_all(std::string& text, std::string_view what, const std::string& by) {
+  bool found = false;
+  for (std::size_t at = text.find(what); at != std::string::npos;
+       at = text.find(what, at + by.size())) {
+    text.replace(at, what.size(), by);
+    found = true;
+  }
+  return found;
+}
+
+NoSum open_not_taken() {
+  return {Kind::not_taken, "open", "not taken: it computes closed sums only"};
+}
+
+Implementation peer_engine(const Peer& peer, PeerLimits limits) {
+#ifdef __SANITIZE_ADDRESS__
+  limits.memory_mb = 0;  // the sanitizer is linked with it and needs terabytes
+#endif
+  return without_probes(peer.name,
+                        [name = peer.name, limits, program = program_beside("oplus-peer")](
+                            const Region& p, const Region& q, Boundary boundary) {
+                          if (boundary == Boundary::open) throw open_not_taken();
+                          const SummandFiles files(p, q);
+                          return sum_by({program, name, files.p(), files.q()}, limits);
+                        });
+}
+
+}  // namespace
+
+Implementation program_engine(const std::string& command, const PeerLimits& limits) {
+  return without_probes(std::string(exec) + command,
+                        [command, limits](const Region& p, const Region& q, Boundary boundary) {
+                          std::string script = command;
+                          const bool takes_open = replace_all(
+                              script, "{boundary}", boundary == Boundary::open ? "open" : "closed");
+                          if (boundary == Boundary::open && !takes_open) throw open_not_taken();
+                          const SummandFiles files(p, q);
+                          const bool has_p = replace_all(script, "{p}", files.p());
+                          const bool has_q = replace_all(script, "{q}", files.q());
+                          if (!has_p && !has_q) script += ' ' + files.p() + ' ' + files.q();
+                          return sum_by({"/bin/sh", "-c", script}, limits);
+                        });
+}
+
+std::optional<Implementation> engine_called(const std::string& engine, const PeerLimits& limits) {
+  if (const Peer* peer = find_peer(engine)) return peer_engine(*peer, limits);
+  if (engine.starts_with(exec) && engine.size() > exec.size())
+    return program_engine(engine.substr(exec.size()), limits);
+  return std::nullopt;
+}
+
+}  // namespace oplus

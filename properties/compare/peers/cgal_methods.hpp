@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Polygon_2.h>
+#include <CGAL/Polygon_with_holes_2.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "properties/compare/peers/method.hpp"
+
+namespace oplus {
+
+/// What CGAL's methods share. The kernel is that of its manual's examples.
+struct CgalMethod {
+  using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+  using Number = Kernel::FT;
+  using Polygon = CGAL::Polygon_2<Kernel>;
+  using PolygonWithHoles = CGAL::Polygon_with_holes_2<Kernel>;
+
+  struct Input {
+    PolygonWithHoles p;
+    PolygonWithHoles q;
+
+    bool is_simple() const { return p.number_of_holes() == 0 && q.number_of_holes() == 0; }
+  };
+  using Sum = PolygonWithHoles;
+  static constexpr Arithmetic arithmetic = Arithmetic::exact;
+
+  Input converted(const Summands& pair) const { return {polygon_of(pair.p), polygon_of(pair.q)}; }
+
+  ReturnedChains chains(const Input&, const PolygonWithHoles& sum) const {
+    ReturnedChains chains{chain_of(sum.outer_boundary())};
+    for (const Polygon& hole : sum.holes()) chains.push_back(chain_of(hole));
+    return chains;
+  }
+
+  static void evaluate(const PolygonWithHoles& sum) {
+    evaluate_polygon(sum.outer_boundary());
+    for (const Polygon& hole : sum.holes()) evaluate_polygon(hole);
+  }
+
+ private:
+  /// A double where it is one, which is what CGAL is fastest with; else by way of text, since its
+  /// exact type depends on how CGAL was configured.
+  static Number number(const Rational& value) {
+    const double nearest = value.get_d();
+    if (std::isfinite(nearest) && Rational(nearest) == value) return Number(nearest);
+    std::istringstream text(value.get_str());
+    Number::ET exact;
+    text >> exact;
+    return Number(exact);
+  }
+
+  static Rational rational(const Number& value) {
+    std::ostringstream text;
+    text << CGAL::exact(value);
+    Rational result(text.str());
+    result.canonicalize();
+    return result;
+  }
+
+  static Polygon polygon_of(const Chain& chain) {
+    Polygon polygon;
+    for (const Point& p : chain) polygon.push_back({number(p.x), number(p.y)});
+    return polygon;
+  }
+
+  static Chain chain_of(const Polygon& polygon) {
+    Chain chain;
+    chain.reserve(polygon.size());
+    for (const Kernel::Point_2& p : polygon.container())
+      chain.push_back({rational(p.x()), rational(p.y())});
+    return chain;
+  }
+
+  /// CGAL wants chains to touch in common vertices only (is_valid_polygon_with_holes), so a vertex is
+  /// added where one touches an edge of another.
+  static PolygonWithHoles polygon_of(const Region& region) {
+    if (region.components.size() != 1) throw NotTaken("takes one component");
+    PolygonWithHoles polygon;
+    for (const std::vector<Segment>& pieces : boundary_pieces(region)) {
+      Chain chain;
+      for (const Segment& piece : pieces) chain.push_back(piece.source);
+      if (polygon.outer_boundary().is_empty())
+        polygon.outer_boundary() = polygon_of(chain);
+      else
+        polygon.add_hole(polygon_of(chain));
+    }
+    return polygon;
+  }
+
+  static void evaluate_polygon(const Polygon& polygon) {
+    for (const Kernel::Point_2& p : polygon.container()) CGAL::exact(p);
+  }
+};
+
+struct CgalWithoutHoles : CgalMethod {
+  Input converted(const Summands& pair) const {
+    Input result = CgalMethod::converted(pair);
+    if (!result.is_simple()) throw NotTaken("takes no holes");
+    return result;
+  }
+};
+
+struct CgalReduced : CgalMethod {
+  PolygonWithHoles sum(const Input& pair) const;
+};
+
+struct CgalFull : CgalWithoutHoles {
+  PolygonWithHoles sum(const Input& pair) const;
+};
+
+// By decomposition into convex polygons. Two of CGAL's decompositions take holes.
+struct CgalVertical : CgalMethod {
+  PolygonWithHoles sum(const Input& pair) const;
+};
+
+struct CgalTriangulation : CgalMethod {
+  PolygonWithHoles sum(const Input& pair) const;
+};
+
+struct CgalSmallSide : CgalWithoutHoles {
+  PolygonWithHoles sum(const Input& pair) const;
+};
+
+struct CgalOptimal : CgalWithoutHoles {
+  PolygonWithHoles sum(const Input& pair) const;
+};
+
+struct CgalHertelMehlhorn : CgalWithoutHoles {
+  PolygonWithHoles sum(const Input& pair) const;
+};
+
+struct CgalGreene : CgalWithoutHoles {
+  PolygonWithHoles sum(const Input& pair) const;
+};
+
+}  // namespace oplus

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "properties/compare/peers/method.hpp"
+
+namespace oplus {
+
+/// A pair scaled to integers, for methods that compute on them and round to them. The more of the
+/// range they use, the less they round, so the scale is as large as the range allows.
+struct IntegerScale {
+  Rational factor;
+
+  /// The largest power of two, times the common denominator, with which all coordinates of the
+  /// summands and of their sum are at most `most`. Throws NotTaken where there is none.
+  static IntegerScale of(const Summands& pair, const mpz_class& most);
+
+  /// Requires: value is a coordinate of the pair.
+  long scaled(const Rational& value) const;
+
+  /// Back from the method's coordinates.
+  Point point(long x, long y) const { return {Rational(x) / factor, Rational(y) / factor}; }
+};
+
+}  // namespace oplus

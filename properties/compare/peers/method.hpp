@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <stdexcept>
+#include <vector>
+
+#include "reference/families/family.hpp"
+
+namespace oplus {
+
+// A method is what somebody's library has for Minkowski sums. It has
+//   using Input = …;  a pair in its own form
+//   using Sum = …;    a sum in its own form
+//   static constexpr Arithmetic arithmetic = …;
+//   Input converted(const Summands& pair) const;  throws NotTaken
+//   Sum sum(const Input& input) const;
+//   ReturnedChains chains(const Input& input, const Sum& sum) const;
+//   and, if it leaves coordinates unevaluated, static void evaluate(const Sum& sum);
+//   and, if it knows, static std::size_t segments(const Sum& sum);
+
+/// What a method's results are held against those of the others for.
+enum class Arithmetic {
+  exact,    ///< they must be equal
+  rounding  ///< they may be off, and by how much is reported
+};
+
+/// What a method is asked for cannot be asked of it, such as a sum of polygons with holes.
+class NotTaken : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The regularized boundary that a method returned: the sum is to the left of each chain.
+using ReturnedChains = std::vector<Chain>;
+
+}  // namespace oplus

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A query for each row of the tables. All is seen from the vertex, as P and -Q have it: the corner's
+// sector there, and the other's half plane, whose border passes the vertex. While the half plane has the
+// vertex, it has the whole of each ray from there up to some point, and meets the sector in one
+// component. While it has not, a ray meets it from some point on if it points to the left of the edge,
+// and not at all otherwise: so there are as many components as there are arcs of directions in the
+// sector and to the left of the edge. Edges that are parallel to the corner's count as turned apart, as
+// the tie rule says: definition-2.2.7-and-2.2.8.tie-rule.
+#include "properties/proofs/smt/built_regions.hpp"
+#include "properties/proofs/smt/sectors.hpp"
+#include "properties/statements/chapter4/euler_characteristic.hpp"
+#include "properties/statements/chapter4/vertex_edge_events.hpp"
+#include "reference/definitions/original_convolution.hpp"
+#include "reference/definitions/winding_number.hpp"
+
+namespace oplus::smt {
+
+namespace {
+
+Summand edge_of(const TableRow& row) { return other(row.event.vertex_of); }
+
+/// As their own summands have them.
+Corners given_corner(const Values& values) {
+  return {direction(values, "in"), direction(values, "out")};
+}
+
+/// As P or -Q has it.
+Vectors placed(const Vectors& v, Summand of) { return of == Summand::P ? v : opposite(v); }
+
+/// Unknown directions and arcs of those in the sector and to the left of the edge.
+class Arcs {
+ public:
+  Arcs(const Values& values, const TableRow& row)
+      : edge_(placed(direction(values, "e"), edge_of(row))),
+        corner_{placed(direction(values, "in"), row.event.vertex_of),
+                placed(direction(values, "out"), row.event.vertex_of)} {
+    for (const std::string name : {"d1", "d2", "d3", "d4", "d5"})
+      unknown_.push_back(direction(values, name));
+  }
+
+  /// That there are so many; of "none" and "no more" as no unknown directions show the contrary.
+  Formula are(int count) const {
+    switch (count) {
+      case 0:
+        return negation(has(unknown_[0]));
+      case 1:
+        return all_of({one_is_in(candidates(), [&](const Vectors& d) { return has(d); }),
+                       negation(alternate(3, unknown_))});
+      case 2: {
+        const Vectors back = opposite(corner_.in);
+        return all_of({alternate(3, {sum(edge_, back), back, sum(opposite(edge_), corner_.out)}),
+                       negation(alternate(5, unknown_))});
+      }
+      default:
+        return false;
+    }
+  }
+
+ private:
+  Formula has(const Vectors& d) const {
+    return all_of({is_left(edge_, d), is_in_sector(d, corner_)});
+  }
+
+  /// That directions to the left of the edge follow each other counterclockwise, the first in an arc,
+  /// the second in none, and so on.
+  Formula alternate(std::size_t count, const std::vector<Vectors>& d) const {
+    std::vector<Formula> parts;
+    for (std::size_t i = 0; i < count; ++i) {
+      parts.push_back(is_left(edge_, d[i]));
+      const Formula inside = is_in_sector(d[i], corner_);
+      parts.push_back(i % 2 == 0 ? inside : negation(inside));
+      if (i > 0) parts.push_back(is_left(d[i - 1], d[i]));
+    }
+    return all_of(parts);
+  }
+
+  /// An arc's ends are among the edge's directions and the corner's. Between two ends, less than π
+  /// apart, is their sum; an arc of π has the vector to the left of the edge.
+  std::vector<Vectors> candidates() const {
+    const Vectors back = opposite(corner_.in), ahead = edge_, behind = opposite(edge_);
+    return {sum(ahead, corner_.out), sum(ahead, back),       sum(behind, corner_.out),
+            sum(behind, back),       sum(corner_.out, back), leftwards(edge_)};
+  }
+
+  Vectors edge_;
+  Corners corner_;
+  std::vector<Vectors> unknown_;
+};
+
+Formula goes_as_named(const Values& values, const TableRow& row) {
+  const Vectors edge = placed(direction(values, "e"), edge_of(row));
+  return executed([&] { return sign(edge().y) == (row.event.edge_upwards ? 1 : -1); });
+}
+
+/// Whether the other's half plane has the vertex before the event, not after it, as -Q moves left:
+/// -Q's half plane was farther right, or its vertex was.
+Formula half_plane_has_vertex_before(const Values& values, const TableRow& row) {
+  const Vectors edge = placed(direction(values, "e"), edge_of(row));
+  const int side = edge_of(row) == Summand::P ? 1 : -1;
+  return executed([&] { return sign(cross(edge(), TermVector{1, 0})) == side; });
+}
+
+/// That crossing a segment of this direction to the left changes a winding number so.
+Formula crossing_adds(const Vectors& segment, int change) {
+  return executed([&] { return sign(cross(segment(), TermVector{-1, 0})) == change; });
+}
+
+Formula are_as_in_row(const Values& values, const TableRow& row) {
+  const auto& [vertex_of, up, on, reflex] = row.event;
+  const Vectors e = direction(values, "e");
+  const Arcs arcs(values, row);
+  const bool is_flipped = reflex && !on, is_kept = !reflex && on;
+  return all_of({
+      if_then_else(half_plane_has_vertex_before(values, row), arcs.are(1 + row.components),
+                   arcs.are(1 - row.components)),
+      on ? crossing_adds(e, row.winding_number) : Formula(row.winding_number == 0),
+      is_flipped ? crossing_adds(opposite(e), row.with_flip_sets)
+      : is_kept  ? crossing_adds(e, row.with_flip_sets)
+                 : Formula(row.with_flip_sets == 0),
+  });
+}
+
+/// The pair as regions, moved through the event.
+bool moves_otherwise(const Model& model, const TableRow& row) {
+  const Vector e = direction_in(model, "e");
+  const Corner corner{direction_in(model, "in"), direction_in(model, "out")};
+  Rational size = 1;
+  for (const Vector& v : {e, corner.in, corner.out}) size += abs(v.x);
+  const Region with_edge = region_with_edge(e, 1000 * size * size);
+  const Region with_corner = region_with_corner(corner);
+  const Summands pair = edge_of(row) == Summand::P ? Summands{with_edge, with_corner}
+                                                   : Summands{with_corner, with_edge};
+  const Point before = {Rational(1, 1'000'000'007), 0};
+  const IntersectionCounter counter(pair);
+  const std::vector<Segment> all = segments(convolution(pair.p, pair.q));
+  const std::vector<Segment> original = segments(original_convolution(pair.p, pair.q));
+  return counter.at(-before).euler_characteristic() - counter.at(before).euler_characteristic() !=
+             row.components ||
+         winding_number(-before, all) - winding_number(before, all) != row.winding_number ||
+         winding_number(-before, original) - winding_number(before, original) != row.with_flip_sets;
+}
+
+std::string name_of(const VertexEdgeEvent& event) {
+  return std::string(event.vertex_of == Summand::P ? "p" : "q") +
+         (event.edge_upwards ? "-up" : "-down") + (event.in_convolution ? "-on" : "-off") +
+         (event.vertex_is_reflex ? "-reflex" : "-convex");
+}
+
+std::string changes_in_words(const TableRow& row) {
+  return "the winding number grows by " + std::to_string(row.winding_number) +
+         ", the number of components by " + std::to_string(row.components) +
+         ", the winding number with flip sets by " + std::to_string(row.with_flip_sets);
+}
+
+std::vector<Unknown> unknowns_for(const TableRow& row) {
+  std::vector<Unknown> all;
+  for (const std::string name : {"e", "in", "out"}) all.push_back({name, Unknown::Kind::direction});
+  const int looked_at = row.components == 0 ? 3 : 5;  // by Arcs::are
+  for (int i = 1; i <= looked_at; ++i)
+    all.push_back({"d" + std::to_string(i), Unknown::Kind::direction});
+  return all;
+}
+
+Query query_for(const TableRow& row) {
+  const auto& [vertex_of, up, on, reflex] = row.event;
+  return {
+      .id = "table-4.3-to-4.6." + name_of(row.event),
+      .statement = "table-4.3-to-4.6",
+      .unknowns = unknowns_for(row),
+      .hypotheses =
+          {{"turns",
+            {"the corner of in and out does not turn back",
+             [](const Values& values) { return negation(turns_back(given_corner(values))); }}},
+           {"apart",
+            {"e is parallel to neither edge of the corner",
+             [](const Values& values) {
+               const Corners corner = given_corner(values);
+               const Vectors e = direction(values, "e");
+               return negation(any_of({are_parallel(e, corner.in), are_parallel(e, corner.out)}));
+             }}},
+           {"way",
+            {std::string("e goes ") + (up ? "up" : "down") + ", as P or -Q has it",
+             [&row](const Values& values) { return goes_as_named(values, row); }}},
+           {"convolution",
+            {std::string("e is ") + (on ? "" : "not ") + "in the tangent set of the corner",
+             [&row](const Values& values) {
+               return same(
+                   Formula(row.event.in_convolution),
+                   is_in_tangent_set(direction(values, "e"), edge_of(row), given_corner(values)));
+             }}},
+           {"vertex",
+            {std::string("the corner is ") + (reflex ? "" : "not ") + "reflex",
+             [&row](const Values& values) {
+               return same(Formula(row.event.vertex_is_reflex),
+                           is_a_reflex_vertex(given_corner(values)));
+             }}}},
+      .conclusion = {changes_in_words(row),
+                     [&row](const Values& values) { return are_as_in_row(values, row); }},
+      .dropped = "convolution",
+      .file = __FILE__,
+      .is_false_by_definition = [&row](const Model& model) { return moves_otherwise(model, row); }};
+}
+
+std::vector<Query> a_query_a_row() {
+  std::vector<Query> all;
+  for (const TableRow& row : table_rows()) all.push_back(query_for(row));
+  return all;
+}
+
+const RegisteredQueries registered(a_query_a_row());
+
+}  // namespace
+
+}  // namespace oplus::smt

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "properties/proofs/smt/values.hpp"
+
+namespace oplus::smt {
+
+/// A condition on unknowns, in words and as a formula.
+struct Condition {
+  std::string says;
+  std::function<Formula(const Values&)> formula;
+
+  /// The same, made only once of the unknowns themselves.
+  Formula in(const Values& values) const;
+
+  std::shared_ptr<std::optional<Formula>> of_unknowns = std::make_shared<std::optional<Formula>>();
+};
+
+/// A hypothesis has a name, by which a query says which one its twin drops.
+struct Hypothesis {
+  std::string name;
+  Condition condition;
+};
+
+/// "For all real numbers: if the hypotheses hold, so does the conclusion."
+struct Query {
+  std::string id;         ///< that of the statement, a dot, what it is about
+  std::string statement;  ///< the id of the registered statement that it backs
+  std::vector<Unknown> unknowns;
+  std::vector<Hypothesis> hypotheses;
+  Condition conclusion;
+  std::string dropped;  ///< the hypothesis without which the conclusion may be false
+  /// More that is asked of the counterexample to that, so that it can be built.
+  std::vector<Condition> of_twin = {};
+  std::string file;  ///< where it stands, __FILE__
+  /// Whether the definitions (reference/) say, too, that in this model the conclusion is false: of
+  /// regions that are built from it, or of the code itself on its rational numbers.
+  std::function<bool(const Model&)> is_false_by_definition;
+};
+
+/// What is asked of a solver about a query.
+enum class Asked {
+  proof,       ///< hypotheses and not the conclusion: expected to be unsatisfiable
+  hypotheses,  ///< they alone: expected to be satisfiable, or the proof would be of nothing
+  twin,        ///< all hypotheses but one, and not the conclusion: expected to be satisfiable
+};
+
+std::string to_string(Asked asked);
+bool is_expected_satisfiable(Asked asked);
+
+/// In the order of their statements.
+const std::vector<Query>& queries();
+
+/// Registers the queries of a file before main.
+struct RegisteredQueries {
+  explicit RegisteredQueries(const std::vector<Query>& all);
+};
+
+/// What a query is wrong about, a line each: a statement that is not registered, a hypothesis to drop
+/// that it has not, unknowns that its formulas do not have or do not declare, an id used twice, no file.
+std::vector<std::string> defects_of_queries(const std::vector<Query>& all);
+
+/// What has to hold of a model, as one formula.
+Formula formula_of(const Query& query, Asked asked, const Values& values);
+
+/// The SMT-LIB 2.6 text of a question, with its models asked for where `with_model`.
+std::string smt_text(const Query& query, Asked asked, bool with_model);
+
+}  // namespace oplus::smt

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/proofs/smt/run.hpp"
+
+#include <chrono>
+#include <exception>
+
+#include "reference/io/writing.hpp"
+
+namespace oplus::smt {
+
+namespace {
+
+std::filesystem::path file_of(const Query& query, Asked asked,
+                              const std::filesystem::path& folder) {
+  return folder / (query.id + "." + to_string(asked) + ".smt2");
+}
+
+constexpr Asked all_questions[] = {Asked::proof, Asked::hypotheses, Asked::twin};
+
+/// A broken contract is one, too.
+std::string defect_by_definition(const Query& query, const Model& model) {
+  try {
+    if (query.is_false_by_definition(model)) return "";
+    return "by the definitions the model is no counterexample";
+  } catch (const std::exception& error) {
+    return std::string("the definitions, asked about the model: ") + error.what();
+  }
+}
+
+/// What is wrong with an answer; empty where nothing is.
+std::string defect(const Query& query, Asked asked, const Answer& answer) {
+  const bool is_satisfiable = is_expected_satisfiable(asked);
+  const auto expected = is_satisfiable ? Answer::Kind::satisfiable : Answer::Kind::unsatisfiable;
+  if (answer.kind == Answer::Kind::none) return "no answer: " + answer.why_none;
+  if (answer.kind != expected)
+    return "is " + to_string(answer.kind) + ", and was expected to be " + to_string(expected);
+  if (!is_satisfiable) return "";
+  if (!answer.model) return "the model has a number that is not rational";
+  if (!formula_of(query, asked, Values()).holds_in(*answer.model))
+    return "the model does not satisfy the formulas";
+  if (formula_of(query, asked, Values(*answer.model)).value() != true)
+    return "the code, run on the model's numbers, does not find what its formulas say";
+  return asked == Asked::twin ? defect_by_definition(query, *answer.model) : "";
+}
+
+}  // namespace
+
+void write_questions(const Query& query, const std::filesystem::path& folder) {
+  for (const Asked asked : all_questions)
+    write_file(file_of(query, asked, folder).string(),
+               smt_text(query, asked, is_expected_satisfiable(asked)));
+}
+
+QueryRun run(const Query& query, const std::filesystem::path& folder, double seconds) {
+  QueryRun result{query.id, query.statement, {}, {}};
+  for (const Asked asked : all_questions) {
+    for (const Solver& solver : solvers()) {
+      const std::string file = file_of(query, asked, folder).string();
+      const auto start = std::chrono::steady_clock::now();
+      const Answer answer = ask(solver, file, seconds);
+      const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+      result.askings.push_back({solver.name, asked, answer, taken.count()});
+      const std::string wrong = defect(query, asked, answer);
+      if (!wrong.empty())
+        result.failures.push_back(query.id + ", " + to_string(asked) + ", " + solver.name + ": " +
+                                  wrong);
+    }
+  }
+  return result;
+}
+
+}  // namespace oplus::smt

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "properties/proofs/smt/query.hpp"
+#include "properties/proofs/smt/solver.hpp"
+
+namespace oplus::smt {
+
+/// What one solver made of one question.
+struct Asking {
+  std::string solver;
+  Asked asked;
+  Answer answer;
+  double seconds;
+};
+
+struct QueryRun {
+  std::string id;
+  std::string statement;
+  std::vector<Asking> askings;
+  std::vector<std::string> failures;  ///< in words; none where all is as expected
+};
+
+/// Writes the three questions of a query, ID.proof.smt2 and so on, into a folder that exists.
+void write_questions(const Query& query, const std::filesystem::path& folder);
+
+/// Asks all solvers all three. A failure is
+///  1. an answer that is not the expected one: none at all, or none in time, too;
+///  2. a model that does not satisfy the formulas, or the code from which they were made when it runs
+///  on the model's numbers; both exactly;
+///  3. a model of the twin that the definitions do not find to be a counterexample.
+QueryRun run(const Query& query, const std::filesystem::path& folder, double seconds);
+
+}  // namespace oplus::smt

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/proofs/smt/smt_command.hpp"
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <set>
+
+#include "checked/cli/command_line/terminal.hpp"
+#include "properties/proofs/smt/question_folder.hpp"
+#include "properties/proofs/smt/report.hpp"
+#include "reference/definitions/mutant.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+struct Settings {
+  std::vector<std::string> names;
+  bool lists = false;
+  bool only_writes = false;
+  bool json = false;
+  std::string folder;
+  std::string record;
+  std::string mutant;
+  double seconds = 60;
+};
+
+std::vector<smt::Query> chosen(const std::vector<std::string>& names) {
+  std::vector<smt::Query> all = smt::queries();
+  std::erase_if(all, [&](const smt::Query& query) {
+    return !names.empty() && std::none_of(names.begin(), names.end(), [&](const std::string& name) {
+      return name == query.id || name == query.statement;
+    });
+  });
+  return all;
+}
+
+std::set<std::string> names_to_choose() {
+  std::set<std::string> names;
+  for (const smt::Query& query : smt::queries()) names.insert({query.id, query.statement});
+  return names;
+}
+
+int list(const Settings& settings, const std::vector<smt::Query>& queries) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const smt::Query& query : queries) {
+    json.push_back(to_json(query));
+    text_output(settings.json) << query.id << ": " << query.conclusion.says << '\n';
+  }
+  if (settings.json) std::cout << nlohmann::ordered_json{{"queries", json}}.dump(2) << '\n';
+  return 0;
+}
+
+int prove(const Settings& settings, const std::vector<smt::Query>& queries) {
+  const std::vector<std::string> defects = smt::defects_of_queries(queries);
+  for (const std::string& defect : defects) say_error("oplus-check", defect);
+  const smt::QuestionFolder folder(settings.folder);
+  for (const smt::Query& query : queries) write_questions(query, folder.path());
+  if (settings.only_writes) return defects.empty() ? 0 : 1;
+  std::ostream& out = text_output(settings.json);
+  for (const smt::Solver& solver : smt::solvers()) out << version_of(solver) << '\n';
+  std::vector<smt::QueryRun> runs;
+  std::size_t failed = 0;
+  for (const smt::Query& query : queries) {
+    runs.push_back(run(query, folder.path(), settings.seconds));
+    out << line_of(runs.back()) << std::endl;
+    for (const std::string& failure : runs.back().failures) out << "  " << failure << '\n';
+    if (!runs.back().failures.empty()) ++failed;
+  }
+  const bool is_good = failed == 0 && defects.empty() && !queries.empty();
+  const std::string verdict =
+      std::to_string(runs.size()) + " queries, " + std::to_string(failed) + " failed\n";
+  out << with_painted_verdict(verdict, is_good ? Paint::good : Paint::bad, out);
+  const std::string record = record_of(queries, runs).dump(2) + "\n";
+  if (settings.json) std::cout << record;
+  if (!settings.record.empty()) write_file(settings.record, record);
+  return is_good ? 0 : 1;
+}
+
+int smt_work(const Settings& settings) {
+  if (!settings.mutant.empty()) {
+#ifdef OPLUS_MUTANTS
+    active_mutant = settings.mutant;
+#else
+    say_error("oplus-check", "faults are in the preset check only");
+    return 2;
+#endif
+  }
+  const std::vector<smt::Query> queries = chosen(settings.names);
+  return settings.lists ? list(settings, queries) : prove(settings, queries);
+}
+
+}  // namespace
+
+void add_smt_command(CLI::App& app, int& exit_code) {
+  CLI::App* command =
+      app.add_subcommand("smt", "Prove statements about a few directions with Z3 and cvc5");
+  const auto settings = std::make_shared<Settings>();
+  command->add_option("name", settings->names, "Queries, or statements with all of theirs")
+      ->type_name("ID")
+      ->check(CLI::IsMember(names_to_choose()));
+  command->add_flag("--list", settings->lists, "List the queries, and ask no solver");
+  command
+      ->add_option("--write", settings->folder, "Keep the questions, SMT-LIB files, in this folder")
+      ->type_name("DIR");
+  command->add_flag("--only-write", settings->only_writes, "Write them, and ask no solver")
+      ->needs("--write");
+  command->add_option("--seconds", settings->seconds, "How long a solver may take for a question")
+      ->check(CLI::Range(0.01, 1e6))
+      ->capture_default_str();
+  command->add_option("--record", settings->record, "Write what --json prints to this file")
+      ->type_name("FILE");
+  command->add_option("--mutant", settings->mutant, "Switch this fault on; preset check only")
+      ->type_name("NAME");
+  command->add_flag("--json", settings->json,
+                    "Print the result, or the list, as JSON (docs/json.md)");
+  command->footer(
+      "Example:\n"
+      "  oplus-check smt table-4.3-to-4.6 --write questions\n"
+      "\n"
+      "Exit codes:\n"
+      "  0  both solvers gave every expected answer\n"
+      "  1  another answer, none, or none in time; a model that is no counterexample\n"
+      "  2  bad usage, or a solver is missing");
+  command->callback([settings, &exit_code] { exit_code = smt_work(*settings); });
+}
+
+}  // namespace oplus

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "properties/runner/mixture.hpp"
+#include "properties/runner/registry.hpp"
+#include "properties/statements/places/boundary_points.hpp"
+#include "properties/statements/places/overlay_points.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+constexpr std::size_t most_points = 8;  // a pair
+
+Outcome check(const Summands& summands) {
+  Outcome outcome;
+  const Region reflected_q = reflected(summands.q);
+  const std::vector<Point> all = some_boundary_points(summands);
+  const std::size_t looked_at = std::min(all.size(), most_points);
+  for (std::size_t k = 0; k < looked_at; ++k) {
+    const Point& x = all[k * all.size() / looked_at];
+    std::size_t sources = 0, on_boundaries = 0;
+    for (const OverlayPoint& a : overlay_points(summands.p, translated(reflected_q, x))) {
+      if (a.in_a == Location::outside || a.in_b == Location::outside) continue;
+      ++sources;
+      if (a.in_a == Location::boundary && a.in_b == Location::boundary) ++on_boundaries;
+    }
+    ++outcome.counts["boundary points"];
+    outcome.counts["their sources"] += sources;
+    if (sources > 0 && sources == on_boundaries) continue;
+    outcome.kind = Outcome::Kind::fails;
+    outcome.why = "the boundary point " + to_string(x) + " has " + std::to_string(sources) +
+                  " sources, of which " + std::to_string(on_boundaries) +
+                  " are sums of boundary points";
+    return outcome;
+  }
+  return outcome;
+}
+
+const Registered registered({
+    .id = "corollary-2.2.3",
+    .kind = "corollary",
+    .title = "Boundary points are sums of boundary points",
+    .statement =
+        "Every point on the boundary of the sum of two closed regions is the sum of a point on the "
+        "boundary of P and one on the boundary of Q, and no other sum.",
+    .why =
+        "The closed sum is closed, so the point is the sum of some points of P and Q, and by Lemma "
+        "2.2.2 these are on the boundaries.",
+    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
+    .rests_on = {"lemma-2.2.2"},
+    .sources = small_mixture(),
+    .promises = promises_of_mixture(),
+    .kills = {"ends-are-not-on-their-segment"},
+    .cases = 200,
+    .file = __FILE__,
+    .check = check,
+});
+
+}  // namespace
+
+}  // namespace oplus

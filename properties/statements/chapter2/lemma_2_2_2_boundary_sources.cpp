@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/runner/mixture.hpp"
+#include "properties/runner/registry.hpp"
+#include "properties/statements/chapter2/paths_across.hpp"
+#include "properties/statements/places/open_sum.hpp"
+#include "properties/statements/places/overlay_points.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+/// Whether a is in the one region's interior and a point of the other, closed.
+bool is_interior_source(const OverlayPoint& a) {
+  return (a.in_a == Location::inside && a.in_b != Location::outside) ||
+         (a.in_b == Location::inside && a.in_a != Location::outside);
+}
+
+Outcome check(const Summands& summands) {
+  Outcome outcome;
+  OpenSum open_sum(summands);
+  const Region reflected_q = reflected(summands.q);
+  bool meets_the_sum = false;
+  for (const std::vector<Segment>& path : paths_across(summands)) {
+    // By turns a point where a path meets the vertex-edge sum, and one where it does not.
+    const Segment& piece = path[path.size() / 2];
+    meets_the_sum = !meets_the_sum;
+    const Point x = meets_the_sum ? piece.source : midpoint(piece.source, piece.target);
+    const bool is_in_sum = open_sum.contains(x);
+    ++outcome.counts[is_in_sum ? "points of the open sum" : "other points"];
+    for (const OverlayPoint& a : overlay_points(summands.p, translated(reflected_q, x))) {
+      if (a.in_a == Location::boundary && a.in_b == Location::boundary)
+        ++outcome.counts["sources on both boundaries"];
+      if (is_in_sum || !is_interior_source(a)) continue;
+      outcome.kind = Outcome::Kind::fails;
+      outcome.why = to_string(x) + " is said not to be in the open sum, but it is the sum of " +
+                    to_string(a.point) + " and " + to_string(x - a.point) +
+                    ", one inside its region, the other in the other";
+      return outcome;
+    }
+  }
+  return outcome;
+}
+
+const Registered registered({
+    .id = "lemma-2.2.2",
+    .kind = "lemma",
+    .title = "Sources of a boundary point are boundary points",
+    .statement =
+        "If x is on the boundary of the sum of two closed regions, or on a dangling edge or an "
+        "isolated vertex of the sum of the open ones, and x = a + b with a in P and b in Q, then a "
+        "and b are on the boundaries of P and of Q. In other words: the sum of an interior point "
+        "of one and any point of the other is in the sum of the open regions.",
+    .why =
+        "A disk around a that is inside P, moved by b, is a disk around x. Since b is the limit of "
+        "interior points of Q, one of them is near enough that x minus it is still in the disk.",
+    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
+    .rests_on = {},
+    .sources = small_mixture(),
+    .promises = promises_of_mixture(),
+    .kills = {"containment-is-no-collision"},
+    .cases = 200,
+    .file = __FILE__,
+    .check = check,
+});
+
+}  // namespace
+
+}  // namespace oplus

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <set>
+
+#include "properties/runner/registry.hpp"
+#include "properties/statements/places/overlay_points.hpp"
+#include "reference/definitions/collision.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+/// Whether x is the sum of a point inside a piece of an edge of P and one of Q, in equal directions
+/// and in different ones. Placed at x, the edges of -Q are reversed.
+struct SumsOfInsidePoints {
+  bool equal = false;
+  bool different = false;
+};
+
+SumsOfInsidePoints sums_of_inside_points(const Region& p, const Region& placed) {
+  SumsOfInsidePoints found;
+  for (const std::vector<Segment>& of_p : boundary_pieces(p)) {
+    for (const Segment& s : of_p) {
+      for (const std::vector<Segment>& of_q : boundary_pieces(placed)) {
+        for (const Segment& t : of_q) {
+          if (cross_properly(s, t)) found.different = true;
+          if (!overlap(s, t)) continue;
+          const bool is_same = sign(dot(direction_of(s), direction_of(t))) > 0;
+          (is_same ? found.different : found.equal) = true;
+        }
+      }
+    }
+  }
+  return found;
+}
+
+/// Sums of middles and quarters of pieces: on a grid, many of them are placements where more than
+/// these two pieces meet.
+std::set<Point> sums_of_some_inside_points(const Summands& summands) {
+  std::set<Point> sums;
+  for (const std::vector<Segment>& of_p : boundary_pieces(summands.p)) {
+    for (const Segment& s : of_p) {
+      const Point middle = midpoint(s.source, s.target);
+      for (const std::vector<Segment>& of_q : boundary_pieces(summands.q)) {
+        for (const Segment& t : of_q) {
+          const Point middle_of_t = midpoint(t.source, t.target);
+          sums.insert({middle + middle_of_t, midpoint(s.source, middle) + middle_of_t});
+        }
+      }
+    }
+  }
+  return sums;
+}
+
+constexpr std::size_t most_sums = 20;  // a pair
+
+Outcome check(const Summands& summands) {
+  Outcome outcome;
+  const Region reflected_q = reflected(summands.q);
+  const std::set<Point> sums_of_points = sums_of_some_inside_points(summands);
+  const std::vector<Point> all(sums_of_points.begin(), sums_of_points.end());
+  const std::size_t looked_at = std::min(all.size(), most_sums);
+  for (std::size_t k = 0; k < looked_at; ++k) {
+    const Point& x = all[k * all.size() / looked_at];
+    const Region placed = translated(reflected_q, x);
+    const SumsOfInsidePoints sums = sums_of_inside_points(summands.p, placed);
+    ++outcome.counts["sums of points inside edges"];
+    const bool is_in_sum = have_common_interior(overlay_points(summands.p, placed));
+    if (!is_in_sum) ++outcome.counts["of them, not in the open sum"];
+    if (sums.different && !is_in_sum) {
+      outcome.kind = Outcome::Kind::fails;
+      outcome.why = to_string(x) +
+                    " is a sum of points inside edges of different directions, but "
+                    "not in the open sum";
+    } else if (interiors_meet(summands.p, placed) != is_in_sum) {
+      outcome.kind = Outcome::Kind::fails;
+      outcome.why = "the interiors are said " + std::string(is_in_sum ? "not " : "") +
+                    "to meet at " + to_string(x);
+    }
+    if (outcome.kind == Outcome::Kind::fails) break;
+  }
+  return outcome;
+}
+
+const Registered registered({
+    .id = "lemma-2.2.5",
+    .kind = "lemma",
+    .title = "Points inside edges sum up to boundary for equal directions only",
+    .statement =
+        "Let p be inside an edge of P and q inside an edge of Q, in no points where other chains "
+        "touch these edges. If p + q is not in the sum of the open regions, then the edges have "
+        "equal directions. In other words: where an edge of P and one of -Q, placed, cross, or "
+        "overlap in equal directions, the interiors meet. The collision test by definition, which "
+        "takes this for granted, agrees with winding numbers.",
+    .why =
+        "The half disks to the left of the edges, one of them reflected, meet unless their bases "
+        "are opposite after reflection, which is equal before. Where another chain touches an "
+        "edge, the half disk is not there, and the lemma is false for open regions: "
+        "docs/findings.md, on Observation 2.2.4. For closed ones it is true there, too, since the "
+        "edges' other points next to p + q take their place.",
+    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
+                   "no other chain touches the edges in p and q"},
+    .rests_on = {"observation-2.2.4"},
+    .sources = {{"grid", 5, 4}, {"tight", 1, 1}, {"holes", 3, 5}, {"components", 3, 2}},
+    .promises =
+        {{"holes", 15}, {"several components", 5}, {"reflex vertices", 10}, {"parallel edges", 40}},
+    .kills = {"edges-are-not-cut-where-chains-touch", "parallel-edges-do-not-collide"},
+    .cases = 80,
+    .file = __FILE__,
+    .check = check,
+});
+
+}  // namespace
+
+}  // namespace oplus

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/statements/chapter2/paths_across.hpp"
+
+#include <algorithm>
+
+#include "reference/definitions/convolution.hpp"
+
+namespace oplus {
+
+namespace {
+
+std::vector<Segment> cut_where_it_meets(const Segment& path, const std::vector<Segment>& others) {
+  std::vector<Point> at;
+  for (const Segment& other : others)
+    for (const Point& x : intersection(path, other)) at.push_back(x);
+  return cut(path, at);
+}
+
+}  // namespace
+
+std::vector<std::vector<Segment>> paths_across(const Summands& summands) {
+  const std::vector<Segment> all = segments(vertex_edge_sum(summands.p, summands.q));
+  Point low = all[0].source, high = low;
+  for (const Segment& s : all) {
+    low = {std::min(low.x, s.source.x), std::min(low.y, s.source.y)};
+    high = {std::max(high.x, s.source.x), std::max(high.y, s.source.y)};
+  }
+  const Vector one = {1, 1};
+  low = low - one;
+  high = high + one;
+  // In the heights and along the verticals of sums of vertices, and across, in general position
+  // as good as ever.
+  std::vector<Segment> paths = {{low, high}, {{low.x, high.y}, {high.x + Rational(1, 7), low.y}}};
+  for (const std::size_t k : {all.size() / 3, 2 * all.size() / 3}) {
+    const Point& through = all[k].source;
+    paths.push_back({{low.x, through.y}, {high.x, through.y}});
+    paths.push_back({{through.x, low.y}, {through.x, high.y}});
+  }
+  std::vector<std::vector<Segment>> result;
+  for (const Segment& path : paths) result.push_back(cut_where_it_meets(path, all));
+  return result;
+}
+
+}  // namespace oplus

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <set>
+
+#include "properties/runner/each_engine.hpp"
+#include "properties/runner/mixture.hpp"
+#include "properties/runner/registry.hpp"
+#include "properties/statements/chapter2/boundary_coverage.hpp"
+#include "properties/statements/places/covered_sum.hpp"
+#include "reference/definitions/cut_at_intersections.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+/// The theorem as printed, for vertices that no other chain touches: no point inside a segment of a
+/// reflex vertex is on the boundary.
+Outcome check_reflex_segments(const Summands& summands, OpenSum& open_sum) {
+  Outcome outcome;
+  const auto touched_vertex = [](const Region& region) {
+    return [all = chains(region), touching = touching_points(region)](const VertexIndex& index) {
+      return std::binary_search(touching.begin(), touching.end(), all[index.chain][index.vertex]);
+    };
+  };
+  const auto is_touched_of_p = touched_vertex(summands.p);
+  const auto is_touched_of_q = touched_vertex(summands.q);
+  const std::vector<ConvolutionSegment> all = vertex_edge_sum(summands.p, summands.q);
+  const std::vector<std::vector<Segment>> pieces = cut_at_intersections(segments(all));
+  const auto look_at = [&](const Point& x) {
+    ++outcome.counts["points inside segments of reflex vertices"];
+    if (outcome.kind == Outcome::Kind::fails || open_sum.contains(x)) return;
+    outcome.kind = Outcome::Kind::fails;
+    outcome.why = "the boundary point " + to_string(x) + " is inside a segment of a reflex vertex";
+  };
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!all[i].vertex_is_reflex) continue;
+    const auto& [edge_of, edge, vertex] = all[i].origin;
+    if (edge_of == Summand::Q ? is_touched_of_p(vertex) : is_touched_of_q(vertex)) {
+      ++outcome.counts["segments of reflex vertices that another chain touches, left out"];
+      continue;
+    }
+    for (const Segment& piece : pieces[i]) {
+      look_at(midpoint(piece.source, piece.target));
+      if (piece.target != all[i].segment.target) look_at(piece.target);
+    }
+  }
+  return outcome;
+}
+
+/// Where isolated vertices may be on no reduced segment (docs/findings.md).
+std::set<Point> sums_of_touching_points(const Summands& summands) {
+  std::set<Point> sums;
+  for (const Point& p : touching_points(summands.p))
+    for (const Point& q : touching_points(summands.q)) sums.insert(p + q);
+  return sums;
+}
+
+Outcome check(const Summands& summands) {
+  OpenSum open_sum(summands);
+  Outcome outcome = check_reflex_segments(summands, open_sum);
+  const std::set<Point> excepted = sums_of_touching_points(summands);
+  const Coverage c =
+      coverage(summands, reduced_convolution(summands.p, summands.q), open_sum, excepted);
+  outcome.counts["sums of touching points of both summands, left out"] = excepted.size();
+  outcome.counts["pieces off the reduced convolution"] = c.pieces_left_out;
+  outcome.counts["points off the reduced convolution"] = c.points_left_out;
+  if (c.bare_boundary && outcome.kind == Outcome::Kind::holds) {
+    outcome.kind = Outcome::Kind::fails;
+    outcome.why = "the boundary point " + to_string(*c.bare_boundary) +
+                  " is on no equally directed segment of the reduced convolution";
+  }
+  return outcome;
+}
+
+Outcome law(const Sum& sum, const Summands& summands) {
+  const auto& [p, q] = summands;
+  const std::set<Point> excepted = sums_of_touching_points(summands);
+  return unless_broken(
+      bare(sum(p, q), reduced_convolution(p, q), {excepted.begin(), excepted.end()}));
+}
+
+const Registered registered({
+    .id = "theorem-2.3.2",
+    .kind = "theorem",
+    .title = "The reduced convolution contains the boundary of the sum",
+    .statement =
+        "No point inside a segment made with a reflex vertex is on the boundary of the sum of the "
+        "open regions, unless another chain of the same region touches that vertex. Even then the "
+        "equally directed segments of the reduced convolution cover the boundary, dangling edges "
+        "included, and isolated vertices too, unless one is the sum of two points in which chains "
+        "of P and chains of Q touch.",
+    .why =
+        "Around a reflex vertex the interior fills more than a half plane, around a point inside "
+        "an edge it fills a half plane. A half plane and the reflection of anything larger meet, "
+        "so the interiors meet at that placement. The exceptions are not in the thesis: see "
+        "docs/findings.md, which has the counterexamples. Where another chain touches the reflex "
+        "vertex, that chain's segments cover what the vertex's own do not. An isolated vertex at "
+        "a reflex vertex that no chain touches is touched by a convex vertex of the other "
+        "summand, whose segments along both edges are kept.",
+    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
+                   "first part: no other chain of its region touches the reflex vertex"},
+    .rests_on = {"theorem-2.2.10"},
+    .sources = small_mixture(),
+    .promises = promises_of_mixture(),
+    .kills = {"acute-vertex-is-reflex", "tangent-set-without-ties"},
+    .cases = 200,
+    .file = __FILE__,
+    .check = check,
+    .of_implementation = of_one(law),
+});
+
+}  // namespace
+
+}  // namespace oplus

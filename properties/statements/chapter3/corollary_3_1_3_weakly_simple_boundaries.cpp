@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <map>
+
+#include "checked/arrangement/rca.hpp"
+#include "properties/runner/mixture.hpp"
+#include "properties/runner/registry.hpp"
+#include "reference/definitions/cut_at_intersections.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+/// Where a chain passes a point: it comes along `in` and goes on along `out`.
+struct Pass {
+  Vector in;
+  Vector out;
+};
+
+/// Whether d points from a vertex into what a pass has to its right.
+bool is_right_of(const Vector& d, const Pass& pass) {
+  return counterclockwise_between({d, Summand::P}, {-pass.in, Summand::P}, {pass.out, Summand::P});
+}
+
+/// All passes at each point: at vertices, and where a chain touches an edge inside.
+std::map<Point, std::vector<Pass>> passes_of(const MinkowskiSum& sum,
+                                             const std::vector<std::vector<Segment>>& pieces) {
+  std::map<Point, std::vector<Pass>> passes;
+  std::size_t edge = 0;
+  for (const std::vector<Chain>* of_sum : {&sum.outer, &sum.holes}) {
+    for (const Chain& chain : *of_sum) {
+      std::vector<Segment> around;
+      for (std::size_t i = 0; i < chain.size(); ++i, ++edge)
+        around.insert(around.end(), pieces[edge].begin(), pieces[edge].end());
+      for (std::size_t k = 0; k < around.size(); ++k)
+        passes[around[k].target].push_back(
+            {direction_of(around[k]), direction_of(around[next(k, around.size())])});
+    }
+  }
+  return passes;
+}
+
+std::string defect_of(const Point& at, const std::vector<Pass>& passes) {
+  for (const Pass& pass : passes) {
+    if (same_direction(-pass.in, pass.out)) return "at " + to_string(at) + " a chain turns back";
+    for (const Pass& another : passes) {
+      if (&another == &pass) continue;
+      for (const Vector& d : {Vector(-another.in), another.out}) {
+        if (is_right_of(d, pass))
+          return "at " + to_string(at) + " a chain has another part of the boundary to its right";
+        if (same_direction(d, pass.out) || same_direction(d, -pass.in))
+          return "at " + to_string(at) + " edges overlap";
+      }
+    }
+  }
+  return {};
+}
+
+Outcome check(const Summands& summands) {
+  const MinkowskiSum sum = rca(summands.p, summands.q, Boundary::closed).sum;
+  const std::vector<Segment> all = edges(sum);
+  Outcome outcome;
+  for (const auto& [at, passes] : passes_of(sum, cut_at_intersections(all))) {
+    ++outcome.counts[passes.size() > 1 ? "points where the boundary touches itself"
+                                       : "other vertices"];
+    const std::string defect = defect_of(at, passes);
+    if (defect.empty()) continue;
+    outcome.kind = Outcome::Kind::fails;
+    outcome.why = defect;
+    return outcome;
+  }
+  return outcome;
+}
+
+const Registered registered({
+    .id = "corollary-3.1.3",
+    .kind = "corollary",
+    .title = "Chains of the boundary are weakly simple",
+    .statement =
+        "Each chain of the closed sum's boundary is weakly simple: it may touch itself and others "
+        "in points, but does not cross, overlap or turn back. At each point, also where chains "
+        "touch, nothing of the boundary is to the right of a chain between its way in and its way "
+        "out: there is one face of the complement.",
+    .why =
+        "To the left of each edge is the sum, so two edges that overlap in opposite directions "
+        "would have the sum on both sides, and be no boundary. Loops that turn clockwise most go "
+        "round one face of the complement (Lemma 3.1.2), and a face is on one side of its boundary.",
+    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
+    .rests_on = {"lemma-3.1.2"},
+    .sources = larger_mixture(),
+    .promises = promises_of_mixture(),
+    .kills = {"chains-turn-counterclockwise-most"},
+    .cases = 500,
+    .file = __FILE__,
+    .check = check,
+});
+
+}  // namespace
+
+}  // namespace oplus

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/arrangement/sum_by_loops.hpp"
+#include "properties/runner/mixture.hpp"
+#include "properties/runner/registry.hpp"
+#include "reference/io/writing.hpp"
+#include "reference/oracle/oracle.hpp"
+
+namespace oplus {
+
+namespace {
+
+Outcome check(const Summands& summands) {
+  Outcome outcome;
+  const MinkowskiSum sum = oracle_sum(summands.p, summands.q, Boundary::closed);
+  const std::vector<ConvolutionSegment> reduced = reduced_convolution(summands.p, summands.q);
+  for (const Segment& edge : edges(sum)) {
+    ++outcome.counts["edges of the boundary"];
+    std::vector<Segment> along;
+    for (const ConvolutionSegment& s : reduced) {
+      if (!overlap(s.segment, edge)) continue;
+      if (same_direction(direction_of(s.segment), direction_of(edge))) {
+        along.push_back(s.segment);
+        continue;
+      }
+      outcome.kind = Outcome::Kind::fails;
+      outcome.why = "a segment runs against the edge from " + to_string(edge.source) + " to " +
+                    to_string(edge.target);
+    }
+    const std::vector<Segment> joined = maximal_segments(along);
+    if (joined.size() == 1 && lies_on(edge.source, joined[0]) && lies_on(edge.target, joined[0]))
+      continue;
+    outcome.kind = Outcome::Kind::fails;
+    outcome.why = "no segments run along all of the edge from " + to_string(edge.source) + " to " +
+                  to_string(edge.target);
+  }
+  if (sum_by_loops(summands.p, summands.q, Boundary::closed).sum != sum) {
+    outcome.kind = Outcome::Kind::fails;
+    outcome.why = "the loops on the boundary are other chains";
+  }
+  return outcome;
+}
+
+const Registered registered({
+    .id = "lemma-3.1.2",
+    .kind = "lemma",
+    .title = "The boundary is a union of orientable loops",
+    .statement =
+        "With the sum to its left, each edge of the regularized boundary is the direction of all "
+        "segments of the reduced convolution that overlap it, and they leave no gap: none runs "
+        "against it. So the boundary's chains are traced loops, and edges with segments in both "
+        "directions can be left out of the tracing.",
+    .why = "The half disk to the left of a segment is in the sum. With segments in both "
+           "directions both sides would be.",
+    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
+    .rests_on = {"theorem-2.3.2"},
+    .sources = small_mixture(),
+    .promises = promises_of_mixture(),
+    .kills = {"loops-turn-counterclockwise-most"},
+    .cases = 200,
+    .file = __FILE__,
+    .check = check,
+});
+
+}  // namespace
+
+}  // namespace oplus

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/arrangement/nesting.hpp"
+#include "properties/runner/registry.hpp"
+#include "properties/statements/places/open_sum.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+using Arrangement = ConvolutionArrangement;
+
+/// The filter's verdict on each loop against the definition of the sum: were boundary loops of one
+/// kind directly inside each other, it would discard one of them.
+Outcome check(const Summands& summands) {
+  Outcome outcome;
+  OpenSum open_sum(summands);
+  const Arrangement arrangement(reduced_convolution(summands.p, summands.q));
+  const auto is_boundary = [&](Arrangement::Halfedge h) {
+    const Segment edge = arrangement.geometry(h);
+    return !open_sum.contains(midpoint(edge.source, edge.target));
+  };
+  const std::vector<OrientableLoop> loops = orientable_loops(arrangement);
+  const std::vector<LoopVerdict> verdicts = judge(arrangement, loops, is_boundary);
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    const bool expected = is_boundary(loops[i][0]);
+    outcome.counts["loops on the boundary"] += expected;
+    outcome.counts["other loops"] += !expected;
+    outcome.counts["loops that are not nested"] += verdicts[i] == LoopVerdict::not_nested;
+    if ((verdicts[i] == LoopVerdict::boundary) == expected) continue;
+    outcome.kind = Outcome::Kind::fails;
+    outcome.why =
+        "the loop through " + to_string(arrangement.point(arrangement.source(loops[i][0]))) +
+        (expected ? " is on the boundary, and falls" : " is not on the boundary, and stays");
+  }
+  return outcome;
+}
+
+const Registered registered({
+    .id = "observation-3.1.4",
+    .kind = "observation",
+    .title = "External loops and holes of the boundary are nested in turn",
+    .statement =
+        "Of the loops that are on the boundary by the definition of the sum, those that touch the "
+        "outer face are external, those directly inside an external one are holes, and those "
+        "directly inside a hole are external. So the nesting filter, from the outside in, keeps "
+        "all of them, and with one question a loop nothing else.",
+    .why = "Loops do not cross, so they cut the plane into regions that form a tree. Crossing a "
+           "loop of the boundary changes between sum and complement, crossing another one does "
+           "not, and the sum is to the left of a boundary loop.",
+    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
+    .rests_on = {"lemma-3.1.2", "observation-3.2.5"},
+    .sources = {{"grid", 8, 4},
+                {"tight", 4, 2},
+                {"holes", 6, 3},
+                {"components", 5, 2},
+                {"islands", 3, 3},
+                {"fork", 2, 1},
+                {"comb", 3, 1}},
+    .promises = {{"holes", 15},
+                 {"several components", 5},
+                 {"reflex vertices", 10},
+                 {"parallel edges", 40},
+                 {"overlapping segments", 5}},
+    .kills = {"islands-are-not-nested", "nested-loops-need-no-hole-test"},
+    .cases = 300,
+    .file = __FILE__,
+    .check = check,
+});
+
+}  // namespace
+
+}  // namespace oplus

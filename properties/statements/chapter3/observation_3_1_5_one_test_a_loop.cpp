@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/arrangement/hole_test.hpp"
+#include "checked/arrangement/orientable_loops.hpp"
+#include "properties/runner/mixture.hpp"
+#include "properties/runner/registry.hpp"
+#include "properties/statements/places/open_sum.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+Outcome check(const Summands& summands) {
+  Outcome outcome;
+  OpenSum open_sum(summands);
+  const ConvolutionArrangement arrangement(reduced_convolution(summands.p, summands.q));
+  const std::vector<OrientableLoop> loops = orientable_loops(arrangement);
+  for (const auto& [name, method] : hole_test_methods()) {
+    const auto test = hole_test(method, summands.p, summands.q);
+    for (const OrientableLoop& loop : loops) {
+      const bool of_loop = test->is_hole_right_of(arrangement.geometry(loop[0]));
+      outcome.counts[of_loop ? "edges of loops on the boundary" : "edges of other loops"] +=
+          loop.size();
+      for (const ConvolutionArrangement::Halfedge h : loop) {
+        const Segment edge = arrangement.geometry(h);
+        const bool collides = open_sum.contains(midpoint(edge.source, edge.target));
+        if (collides != of_loop && test->is_hole_right_of(edge) == of_loop) continue;
+        outcome.kind = Outcome::Kind::fails;
+        outcome.why = name + " on one edge of a loop says other than the definition does from " +
+                      to_string(edge.source) + " to " + to_string(edge.target);
+        return outcome;
+      }
+    }
+  }
+  return outcome;
+}
+
+const Registered registered({
+    .id = "observation-3.1.5",
+    .kind = "observation",
+    .title = "One hole test a loop is enough",
+    .statement =
+        "If P and -Q collide at one point inside an edge of a traced loop, they do inside every "
+        "edge of it; if they do not at one, they do at none. Each hole test, asked about any edge "
+        "of the loop, gives that answer.",
+    .why = "The face to the right of an edge is in the sum or in the complement as a whole. If it "
+           "is in the complement the loop is on the boundary all the way (Observation 3.2.4). If "
+           "not, the edge has the sum on both sides; it is no dangling edge, since no segment runs "
+           "against it (Theorem 3.2.8). Vertices are left out: a loop that is not on the boundary "
+           "may touch it there.",
+    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
+                   "points inside edges of the arrangement, not its vertices"},
+    .rests_on = {"observation-3.2.4", "theorem-3.2.8"},
+    .sources = small_mixture(),
+    .promises = promises_of_mixture(),
+    .kills = {"rays-start-left-of-their-edge"},
+    .cases = 300,
+    .file = __FILE__,
+    .check = check,
+});
+
+}  // namespace
+
+}  // namespace oplus

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <set>
+
+#include "checked/arrangement/orientable_loops.hpp"
+#include "properties/runner/mixture.hpp"
+#include "properties/runner/registry.hpp"
+#include "properties/statements/places/open_sum.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+using Arrangement = ConvolutionArrangement;
+
+/// Where segments run one way only, the sum is to their left; so such an edge is on the regularized
+/// boundary iff its points are not in the open sum.
+Outcome check(const Summands& summands) {
+  Outcome outcome;
+  OpenSum open_sum(summands);
+  const Arrangement arrangement(reduced_convolution(summands.p, summands.q));
+  const auto is_boundary = [&](Arrangement::Halfedge h) {
+    const Segment edge = arrangement.geometry(h);
+    return !open_sum.contains(midpoint(edge.source, edge.target));
+  };
+  const auto fail = [&](Arrangement::Halfedge h, const std::string& what) {
+    outcome.kind = Outcome::Kind::fails;
+    const Segment edge = arrangement.geometry(h);
+    outcome.why = "from " + to_string(edge.source) + " to " + to_string(edge.target) + " " + what;
+  };
+  std::set<Arrangement::Halfedge> on_loops;
+  for (const OrientableLoop& loop : orientable_loops(arrangement)) {
+    const bool first = is_boundary(loop[0]);
+    ++outcome.counts[first ? "loops on the boundary" : "other loops"];
+    for (const Arrangement::Halfedge h : loop) {
+      on_loops.insert(h);
+      if (is_boundary(h) != first) fail(h, "a loop leaves or enters the boundary");
+    }
+  }
+  for (Arrangement::Halfedge h = 0; h < 2 * arrangement.edge_count(); ++h) {
+    const bool one_way =
+        !arrangement.along(h).empty() && arrangement.along(Arrangement::twin(h)).empty();
+    if (one_way && on_loops.count(h) == 0 && is_boundary(h)) fail(h, "no loop has this boundary");
+  }
+  return outcome;
+}
+
+const Registered registered({
+    .id = "observation-3.2.4",
+    .kind = "observation",
+    .title = "Turning clockwise most, tracing stays on the boundary",
+    .statement =
+        "On the arrangement of the reduced convolution, every edge of the regularized boundary is "
+        "on a traced loop, and of a traced loop either all edges are on the boundary or none is, "
+        "by the definition of the sum.",
+    .why = "To the right of a boundary edge is a face of the complement. Going around the edge's "
+           "target counterclockwise from where it came, that face ends at the next boundary edge, "
+           "and the complement is to its right, so it leaves the vertex. Edges of both directions "
+           "that lie between would be inside the complement, and none is.",
+    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
+    .rests_on = {"theorem-2.3.2", "lemma-3.1.2"},
+    .sources = small_mixture(),
+    .promises = promises_of_mixture(),
+    .kills = {"loops-turn-counterclockwise-most"},
+    .cases = 400,
+    .file = __FILE__,
+    .check = check,
+});
+
+}  // namespace
+
+}  // namespace oplus

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/arrangement/hole_test.hpp"
+#include "checked/arrangement/nesting.hpp"
+#include "checked/arrangement/rca.hpp"
+#include "checked/arrangement/sum_by_loops.hpp"
+#include "checked/cycles/convolution_cycles.hpp"
+#include "properties/runner/mixture.hpp"
+#include "properties/runner/registry.hpp"
+
+namespace oplus {
+
+namespace {
+
+using Halfedge = ConvolutionArrangement::Halfedge;
+
+/// Counts what the filters do; a loop that is not nested must not be on the boundary.
+void look_at_loops(const Summands& summands, Outcome& outcome) {
+  const ConvolutionArrangement arrangement(
+      reduced_convolution(convolution_cycles(summands.p, summands.q)));
+  const auto test = hole_test(HoleTestMethod::hierarchy, summands.p, summands.q);
+  const auto is_hole_right_of = [&](Halfedge h) {
+    return test->is_hole_right_of(arrangement.geometry(h));
+  };
+  const std::vector<OrientableLoop> loops = orientable_loops(arrangement);
+  const std::vector<LoopVerdict> verdicts = judge(arrangement, loops, is_hole_right_of);
+  outcome.counts["orientable loops"] += loops.size();
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    outcome.counts["loops on the boundary"] += verdicts[i] == LoopVerdict::boundary;
+    outcome.counts["loops that fell to a hole test"] += verdicts[i] == LoopVerdict::not_boundary;
+    if (verdicts[i] != LoopVerdict::not_nested) continue;
+    ++outcome.counts["loops that fell to the nesting filter"];
+    if (!is_hole_right_of(loops[i][0])) continue;
+    outcome.kind = Outcome::Kind::fails;
+    outcome.why = "a loop on the boundary falls to the nesting filter";
+  }
+}
+
+Outcome check(const Summands& summands) {
+  Outcome outcome;
+  for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
+    if (rca(summands.p, summands.q, boundary).sum ==
+        sum_by_loops(summands.p, summands.q, boundary).sum)
+      continue;
+    outcome.kind = Outcome::Kind::fails;
+    outcome.why = "faces and loops give different sums";
+    return outcome;
+  }
+  look_at_loops(summands, outcome);
+  return outcome;
+}
+
+const Registered registered({
+    .id = "section-3.2.3",
+    .kind = "section",
+    .title = "Faces and loops give the same sum",
+    .statement =
+        "Tracing orientable loops, turning clockwise most, then the nesting filter and one hole "
+        "test a loop, gives the sum that testing the faces of the arrangement gives. A loop on the "
+        "boundary passes the nesting filter.",
+    .why =
+        "To the right of a boundary edge is the complement. Going around its target, the next "
+        "outgoing edge on that side is on the boundary of the same face, so tracing stays on it "
+        "until it closes. Loops share no edge and do not cross, so they cut the plane into regions "
+        "that form a tree; crossing a loop of the boundary changes between sum and complement, "
+        "crossing another one does not.",
+    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
+    .rests_on = {"lemma-3.1.2", "observation-3.1.4", "observation-3.1.5", "observation-3.2.4",
+                 "observation-3.2.5"},
+    .sources = {{"grid", 8, 4},
+                {"tight", 6, 2},
+                {"holes", 6, 3},
+                {"components", 5, 2},
+                {"islands", 3, 2},
+                {"fork", 4, 2},
+                {"comb", 4, 1},
+                {"star", 16, 1},
+                {"simple", 12, 1}},
+    .promises = {{"holes", 15},
+                 {"several components", 5},
+                 {"reflex vertices", 10},
+                 {"parallel edges", 40},
+                 {"overlapping segments", 5}},
+    .kills = {"candidates-need-no-hole-test", "islands-are-not-nested",
+              "loops-turn-counterclockwise-most"},
+    .cases = 600,
+    .file = __FILE__,
+    .check = check,
+});
+
+}  // namespace
+
+}  // namespace oplus

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/compare/differential.hpp"
+#include "properties/runner/registry.hpp"
+
+namespace oplus {
+
+namespace {
+
+Outcome check(const Summands& summands) {
+  const DifferentialResult result =
+      differential(summands, implementations(), static_cast<std::size_t>(-1));
+  Outcome outcome;
+  outcome.counts["sums with holes"] = result.holes_in_sum;
+  outcome.counts["open sums with low-dimensional features"] = result.low_dimensional_features;
+  if (result.disagreement) {
+    outcome.kind = Outcome::Kind::fails;
+    outcome.why = result.disagreement->implementation + ": " + result.disagreement->what;
+  }
+  return outcome;
+}
+
+const Registered registered({
+    .id = "section-3.2",
+    .kind = "section",
+    .title = "The algorithms compute the sum",
+    .statement =
+        "Closed and open, each algorithm returns the sum that the definitions give, holes, "
+        "dangling edges and isolated vertices included.",
+    .why =
+        "The reduced convolution contains the boundary. A face of its arrangement is in the sum "
+        "or in the complement as a whole; one in the complement has all segments around it "
+        "directed with the face to their right, and one collision test decides. Dangling edges "
+        "need opposite segments, isolated vertices three directions; again a collision test "
+        "decides; slide decides along the segments (step-boundary). The oracle decides every cell of the larger arrangement of the convolution by "
+        "the definition, so the two must agree.",
+    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
+    .rests_on = {"theorem-2.3.2", "theorem-4.2.1", "section-5.1.2", "step-boundary", "step-ends",
+                 "step-turning", "step-candidates"},
+    .sources = {{"grid", 8, 4},
+                {"tight", 6, 3},
+                {"holes", 5, 2},
+                {"components", 5, 2},
+                {"islands", 2, 2},
+                {"fork", 3, 1},
+                {"diamond-u", 1, 1},
+                {"simple", 8, 1}},
+    .promises = {{"holes", 15},
+                 {"several components", 5},
+                 {"reflex vertices", 10},
+                 {"parallel edges", 40},
+                 {"overlapping segments", 5}},
+    .kills = {"candidates-need-no-hole-test", "slide-turns-counterclockwise-most",
+              "touching-points-are-not-tested", "weak-intersections-never-meet"},
+    .cases = 300,
+    .file = __FILE__,
+    .check = check,
+});
+
+}  // namespace
+
+}  // namespace oplus

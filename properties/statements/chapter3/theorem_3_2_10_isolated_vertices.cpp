@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "checked/arrangement/rca.hpp"
+#include "properties/runner/each_engine.hpp"
+#include "properties/runner/registry.hpp"
+#include "reference/io/writing.hpp"
+#include "reference/oracle/oracle.hpp"
+
+namespace oplus {
+
+namespace {
+
+std::size_t directions_through(const Point& x, const std::vector<ConvolutionSegment>& segments) {
+  std::vector<Vector> directions;
+  for (const ConvolutionSegment& s : segments) {
+    const Vector d = direction_of(s.segment);
+    if (lies_on(x, s.segment) &&
+        std::none_of(directions.begin(), directions.end(),
+                     [&](const Vector& known) { return same_direction(known, d); }))
+      directions.push_back(d);
+  }
+  return directions.size();
+}
+
+bool is_sum_of_touching_points(const Point& x, const Summands& summands) {
+  const std::vector<Point> of_q = touching_points(summands.q);
+  for (const Point& p : touching_points(summands.p)) {
+    for (const Point& q : of_q)
+      if (p + q == x) return true;
+  }
+  return false;
+}
+
+Outcome where_three_meet(const std::vector<Point>& isolated, const Summands& summands) {
+  Outcome outcome;
+  const std::vector<ConvolutionSegment> reduced = reduced_convolution(summands.p, summands.q);
+  for (const Point& x : isolated) {
+    ++outcome.counts["isolated vertices"];
+    if (is_sum_of_touching_points(x, summands)) {
+      ++outcome.counts["isolated vertices where chains of both summands touch"];
+      continue;
+    }
+    if (directions_through(x, reduced) >= 3) continue;
+    outcome.kind = Outcome::Kind::fails;
+    outcome.why = "fewer than three directions meet in the isolated vertex " + to_string(x);
+    return outcome;
+  }
+  return outcome;
+}
+
+Outcome law(const Sum& sum, const Summands& summands) {
+  return where_three_meet(sum(summands.p, summands.q).isolated_vertices, summands);
+}
+
+Outcome check(const Summands& summands) {
+  const std::vector<Point> isolated =
+      oracle_sum(summands.p, summands.q, Boundary::open).isolated_vertices;
+  Outcome outcome = where_three_meet(isolated, summands);
+  if (outcome.kind == Outcome::Kind::holds &&
+      rca(summands.p, summands.q, Boundary::open).sum.isolated_vertices != isolated) {
+    outcome.kind = Outcome::Kind::fails;
+    outcome.why = "the filter finds other isolated vertices";
+  }
+  return outcome;
+}
+
+const Registered registered({
+    .id = "theorem-3.2.10",
+    .kind = "theorem",
+    .title = "In isolated vertices three directions meet",
+    .statement =
+        "Segments of the reduced convolution of three directions or more pass through or end in "
+        "an isolated vertex of the open sum, unless it is the sum of two points in which chains "
+        "of P and of Q touch. So looking at such points only, and at those sums, finds them all.",
+    .why = "Around the vertex is the sum, and each segment gives the half disk to its left. Two "
+           "open half disks leave a line or more of the disk uncovered, so the open sum would be "
+           "missing more than a point. The exception is not in the thesis: docs/findings.md, on "
+           "Theorem 2.3.2.",
+    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
+                   "not a sum of touching points of both summands"},
+    .rests_on = {"theorem-2.3.2"},
+    .sources =
+        {{"tight", 4, 6}, {"grid", 8, 3}, {"holes", 4, 1}, {"components", 3, 1}, {"islands", 1, 1}},
+    .promises = {{"reflex vertices", 10}, {"parallel edges", 40}, {"overlapping segments", 5}},
+    .kills = {"three-directions-are-too-few"},
+    .cases = 200,
+    .file = __FILE__,
+    .check = check,
+    .of_implementation = of_one(law),
+});
+
+}  // namespace
+
+}  // namespace oplus

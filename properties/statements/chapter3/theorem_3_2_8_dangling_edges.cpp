@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/arrangement/rca.hpp"
+#include "properties/runner/each_engine.hpp"
+#include "properties/runner/registry.hpp"
+#include "properties/statements/places/covered_sum.hpp"
+#include "reference/io/writing.hpp"
+#include "reference/oracle/oracle.hpp"
+
+namespace oplus {
+
+namespace {
+
+Outcome covered(const std::vector<Segment>& dangling, const Summands& summands) {
+  Outcome outcome;
+  outcome.counts["dangling edges"] = dangling.size();
+  const std::vector<ConvolutionSegment> reduced = reduced_convolution(summands.p, summands.q);
+  for (const Segment& edge : dangling) {
+    const Vector d = direction_of(edge);
+    if (cover(reduced, d, edge) && cover(reduced, -d, edge)) continue;
+    outcome.kind = Outcome::Kind::fails;
+    outcome.why = "no opposite segments cover the dangling edge from " + to_string(edge.source) +
+                  " to " + to_string(edge.target);
+    return outcome;
+  }
+  return outcome;
+}
+
+Outcome law(const Sum& sum, const Summands& summands) {
+  return covered(sum(summands.p, summands.q).dangling_edges, summands);
+}
+
+Outcome check(const Summands& summands) {
+  const std::vector<Segment> dangling =
+      oracle_sum(summands.p, summands.q, Boundary::open).dangling_edges;
+  Outcome outcome = covered(dangling, summands);
+  if (outcome.kind == Outcome::Kind::holds &&
+      rca(summands.p, summands.q, Boundary::open).sum.dangling_edges != dangling) {
+    outcome.kind = Outcome::Kind::fails;
+    outcome.why = "the filter finds other dangling edges";
+  }
+  return outcome;
+}
+
+const Registered registered({
+    .id = "theorem-3.2.8",
+    .kind = "theorem",
+    .title = "Dangling edges lie on opposite segments",
+    .statement =
+        "The segments of the reduced convolution in either direction along a dangling edge of the "
+        "open sum cover all of it. So looking at overlaps of opposite segments only finds all "
+        "dangling edges, and one collision test for each tells which are.",
+    .why = "On both sides of a dangling edge is the sum. Each side is the half disk to the left of "
+           "a segment along the edge, so two of them run in opposite directions. Segments of the "
+           "reduced convolution suffice (Theorem 2.3.2).",
+    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
+    .rests_on = {"theorem-2.3.2"},
+    .sources = {{"tight", 4, 6},
+                {"grid", 8, 3},
+                {"holes", 4, 1},
+                {"components", 3, 1},
+                {"diamond-u", 1, 1}},
+    .promises = {{"reflex vertices", 10}, {"parallel edges", 40}, {"overlapping segments", 5}},
+    .kills = {"dangling-edges-run-one-way"},
+    .cases = 200,
+    .file = __FILE__,
+    .check = check,
+    .of_implementation = of_one(law),
+});
+
+}  // namespace
+
+}  // namespace oplus

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "properties/runner/statement.hpp"
+#include "properties/statements/chapter4/touching_exteriors.hpp"
+#include "reference/definitions/intersection_components.hpp"
+#include "reference/families/family.hpp"
+
+namespace oplus {
+
+/// The intersection of P and -Q+x, as Section 4.2.4 has to count it.
+struct CountedIntersection {
+  ComponentsAndHoles of_interiors;
+  /// Points in which chains of one summand, inside the other, part its exterior: a hole touches the
+  /// outside there, which the interiors do not tell from having no hole.
+  int parted_exteriors;
+
+  /// Of the intersection where touching chains are moved apart, each kept whole.
+  int euler_characteristic() const {
+    return of_interiors.euler_characteristic() - parted_exteriors;
+  }
+};
+
+std::string in_words(const CountedIntersection& counted);
+
+/// Counts intersections of one pair.
+class IntersectionCounter {
+ public:
+  explicit IntersectionCounter(const Summands& summands);
+
+  /// Requires: x is on no segment of the vertex-edge sum.
+  CountedIntersection at(const Point& x) const;
+
+ private:
+  Region p_;
+  Region q_;
+  std::vector<TouchingExteriors> touching_in_p_;
+  std::vector<TouchingExteriors> touching_in_q_;
+};
+
+/// The pair; and where one summand alone has holes, the pair with the other four times as large, so
+/// that it covers holes and the intersection has them.
+std::vector<Summands> with_covered_holes(const Summands& summands);
+
+/// Pairs for statements about these intersections: many have holes that touch nothing.
+std::vector<Source> pairs_with_holes();
+
+/// Adds what kind of intersection was looked at.
+void count(const CountedIntersection& counted, Outcome& outcome);
+
+}  // namespace oplus

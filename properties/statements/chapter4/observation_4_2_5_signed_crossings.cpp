@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "properties/runner/mixture.hpp"
+#include "properties/runner/registry.hpp"
+#include "properties/statements/places/points_in_faces.hpp"
+#include "reference/definitions/convolution.hpp"
+#include "reference/definitions/winding_number.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+constexpr std::size_t most_paths = 12;  // a pair
+
+/// The sign of [v, (ε, ε²)] for an infinitesimal ε > 0. Requires: v is not zero.
+int turn_to_shift(const Vector& v) { return sign(v.y) != 0 ? -sign(v.y) : sign(v.x); }
+
+/// How the winding number changes along from → to, where it crosses s, if the path is shifted by
+/// (ε, ε²): 1 from the right of s to its left, -1 from left to right, 0 if it does not cross.
+/// The shift leaves the ends of a path in their faces, and no vertex on the path.
+int signed_crossing(const Point& from, const Point& to, const Segment& s) {
+  const auto side_of_s = [&](const Point& p) {
+    const int side = orientation(s.source, s.target, p);
+    return side != 0 ? side : turn_to_shift(direction_of(s));
+  };
+  const auto side_of_path = [&](const Point& p) {
+    const int side = orientation(from, to, p);
+    return side != 0 ? side : -turn_to_shift(to - from);
+  };
+  const int before = side_of_s(from), after = side_of_s(to);
+  if (before == after || side_of_path(s.source) == side_of_path(s.target)) return 0;
+  return after;
+}
+
+struct Crossings {
+  int sum = 0;
+  std::size_t number = 0;
+};
+
+Crossings crossings(const std::vector<Point>& path, const std::vector<Segment>& all) {
+  Crossings result;
+  for (std::size_t k = 0; k + 1 < path.size(); ++k) {
+    if (path[k] == path[k + 1]) continue;
+    for (const Segment& s : all) {
+      const int crossing = signed_crossing(path[k], path[k + 1], s);
+      result.sum += crossing;
+      if (crossing != 0) ++result.number;
+    }
+  }
+  return result;
+}
+
+std::string in_words(const std::vector<Point>& path) {
+  std::string words;
+  for (const Point& p : path) words += (words.empty() ? "" : " to ") + to_string(p);
+  return words;
+}
+
+void expect(const std::vector<Point>& path, const std::vector<Segment>& all, Outcome& outcome) {
+  const int before = winding_number(path.front(), all), after = winding_number(path.back(), all);
+  const Crossings seen = crossings(path, all);
+  ++outcome.counts["paths"];
+  outcome.counts["crossings"] += seen.number;
+  if (before != after) ++outcome.counts["paths that change the winding number"];
+  if (seen.sum == after - before) return;
+  outcome.kind = Outcome::Kind::fails;
+  outcome.why = "from " + in_words(path) + " the winding number goes from " +
+                std::to_string(before) + " to " + std::to_string(after) +
+                ", and signed crossings add up to " + std::to_string(seen.sum);
+}
+
+Outcome check(const Summands& summands) {
+  const std::vector<Segment> all = segments(convolution(summands.p, summands.q));
+  const std::vector<Point> points = points_in_faces(all, {});
+  const std::size_t paths = std::min(points.size(), most_paths);
+  Outcome outcome;
+  for (std::size_t k = 0; k < paths && outcome.kind == Outcome::Kind::holds; ++k) {
+    const Point& from = points[k * points.size() / paths];
+    const Point& to = points[(k + 1) % paths * points.size() / paths];
+    const Segment& along = all[k * all.size() / paths];
+    expect({from, to}, all, outcome);
+    if (outcome.kind == Outcome::Kind::holds)
+      expect({from, along.source, along.target, to}, all, outcome);
+    if (outcome.kind == Outcome::Kind::holds) expect({from, along.target, to, from}, all, outcome);
+  }
+  return outcome;
+}
+
+const Registered registered({
+    .id = "observation-4.2.5",
+    .kind = "observation",
+    .title = "Signed crossings along a path add up to the change of the winding number",
+    .statement =
+        "Along a path between two points off the convolution, the crossings, 1 where the path "
+        "comes from the right of a segment to its left and -1 where it comes from the left, each "
+        "segment of its own where some overlap, add up to the difference of the winding numbers at "
+        "its ends. Along a closed path they add up to zero. The path need not be in general "
+        "position: it may pass through vertices of the convolution and run along its segments, if "
+        "crossings are counted on the path moved by an infinitesimal.",
+    .why =
+        "The convolution consists of closed cycles, and the winding number of a cycle is constant "
+        "off it and one higher just left of a segment than just right. Winding numbers are counted "
+        "on a ray to the right, which the path has nothing to do with. Moved by an infinitesimal "
+        "the path's ends stay in their faces and it passes no vertex.",
+    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
+                   "the path's ends are on no segment of the convolution"},
+    .rests_on = {"lemma-4.1.5"},
+    .sources = small_mixture(),
+    .promises = promises_of_mixture(),
+    .kills = {"ray-counts-both-ends", "tangent-set-without-ties", "reflex-turns-clockwise"},
+    .cases = 150,
+    .file = __FILE__,
+    .check = check,
+});
+
+}  // namespace
+
+}  // namespace oplus

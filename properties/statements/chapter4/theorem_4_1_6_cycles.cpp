@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <set>
+
+#include "checked/cycles/convolution_cycles.hpp"
+#include "properties/runner/mixture.hpp"
+#include "properties/runner/registry.hpp"
+#include "properties/statements/chapter4/state.hpp"
+
+namespace oplus {
+
+namespace {
+
+/// What is wrong with a cycle, or empty.
+std::string defect(const ConvolutionCycle& cycle, const std::vector<Chain>& of_p,
+                   const std::vector<Chain>& of_q) {
+  if (cycle.empty()) return "a cycle has no segment";
+  for (std::size_t k = 0; k < cycle.size(); ++k) {
+    const ConvolutionSegment& here = cycle[k];
+    const ConvolutionSegment& after = cycle[next(k, cycle.size())];
+    const std::string where = "after segment " + std::to_string(k) + " of " +
+                              std::to_string(cycle.size()) + " a cycle goes on ";
+    if (here.segment.target != after.segment.source) return where + "at another point";
+    if (state_after(here.origin, of_p, of_q) != state_before(after.origin))
+      return where + "in another state";
+  }
+  return {};
+}
+
+Outcome check(const Summands& summands) {
+  const std::vector<Chain> of_p = chains(summands.p), of_q = chains(summands.q);
+  const ConvolutionCycles traced = convolution_cycles(summands.p, summands.q);
+  std::set<Origin> missing;
+  for (const ConvolutionSegment& s : convolution(summands.p, summands.q)) missing.insert(s.origin);
+  Outcome outcome;
+  outcome.counts = {{"cycles", traced.cycles.size()}, {"segments", missing.size()}};
+  for (const ConvolutionCycle& cycle : traced.cycles) {
+    if (outcome.why.empty()) outcome.why = defect(cycle, of_p, of_q);
+    for (const ConvolutionSegment& s : cycle)
+      if (missing.erase(s.origin) == 0 && outcome.why.empty())
+        outcome.why = "a segment is in two cycles, or twice in one, or not in the convolution";
+  }
+  if (outcome.why.empty() && !missing.empty()) outcome.why = "a segment is in no cycle";
+  if (!outcome.why.empty()) outcome.kind = Outcome::Kind::fails;
+  return outcome;
+}
+
+const Registered registered({
+    .id = "theorem-4.1.6",
+    .kind = "theorem",
+    .title = "Algorithm 2 traces cycles",
+    .statement =
+        "From an unvisited convolution segment, Algorithm 2 returns to the state that this segment "
+        "leaves, after finitely many steps; each step is a convolution segment nobody has visited, "
+        "to the next state from the one before. So the traced cycles are closed, share no segment, "
+        "and cover the convolution.",
+    .why =
+        "Segments visited by complete traces, and the trace so far, enter each state as often as "
+        "they leave it, but for the two ends of the trace. As many segments of the convolution "
+        "enter a state as leave it (Lemma 4.1.4); so a trace that has come to a state other than "
+        "its start finds an unvisited segment that leaves it, and if that is not P's, it is Q's: "
+        "the branch that does not ask is right. No segment is taken twice, so the trace ends. As "
+        "printed, nothing marks a segment before its cycle is complete; then the algorithm need "
+        "not terminate (docs/findings.md).",
+    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
+                   "the first segment is unvisited and in the convolution",
+                   "a segment is marked as visited as soon as it is taken"},
+    .rests_on = {"lemma-4.1.3", "lemma-4.1.4", "theorem-4.1.10"},
+    .sources = larger_mixture(),
+    .promises = promises_of_mixture(),
+    .kills = {"cycle-ends-in-its-column", "edge-of-p-though-visited",
+              "no-start-in-the-first-column"},
+    .cases = 1500,
+    .file = __FILE__,
+    .check = check,
+});
+
+}  // namespace
+
+}  // namespace oplus

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/runner/registry.hpp"
+#include "properties/statements/places/generic_placements.hpp"
+#include "reference/definitions/intersection_components.hpp"
+#include "reference/definitions/original_convolution.hpp"
+#include "reference/definitions/winding_number.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+bool is_simple_polygon(const Region& region) { return chains(region).size() == 1; }
+
+Outcome check(const Summands& summands) {
+  const auto& [p, q] = summands;
+  Outcome outcome;
+  if (!is_simple_polygon(p) || !is_simple_polygon(q)) {
+    outcome.kind = Outcome::Kind::discarded;
+    outcome.why = "not two simple polygons";
+    return outcome;
+  }
+  const std::vector<Segment> original = segments(original_convolution(p, q));
+  for (const Point& x : generic_placements(summands)) {
+    const ComponentsAndHoles seen = intersection_components(p, q, x);
+    const int winding = winding_number(x, original);
+    ++outcome.counts[seen.components < 2 ? std::to_string(seen.components) + " components"
+                                         : "two components or more"];
+    if (winding == static_cast<int>(seen.components) && seen.holes == 0) continue;
+    outcome.kind = Outcome::Kind::fails;
+    outcome.why = "at " + to_string(x) + " the winding number is " + std::to_string(winding) +
+                  " and the intersection has " + std::to_string(seen.components) +
+                  " components and " + std::to_string(seen.holes) + " holes";
+    return outcome;
+  }
+  return outcome;
+}
+
+const Registered registered({
+    .id = "theorem-4.2.14",
+    .kind = "theorem",
+    .title = "The winding number with flip sets counts components of the intersection",
+    .statement =
+        "For two simple polygons, the winding number of x with respect to 𝒞′ is the number of "
+        "connected components of the intersection of P and -Q+x.",
+    .why =
+        "The intersection of two simple polygons has no holes, so the number of its components is "
+        "its boundary's total turning, in full turns. As x moves, that changes only where a vertex "
+        "of one passes an edge of the other: by one, up or down, at a convex vertex where the "
+        "edge's direction is in its tangent set, and at a reflex vertex where it is not; the first "
+        "are the segments of 𝒞 that are kept, the second the flip sets. A point in every face of "
+        "𝒞 ∪ 𝒞′ is tried, and the components are counted by Boolean operations that know nothing "
+        "of convolutions.",
+    .hypotheses = {"P and Q are simple polygons, collinear vertices and parallel edges allowed",
+                   "x is on no segment of the vertex-edge sum"},
+    .rests_on = {"lemma-4.2.13"},
+    .sources = {{"grid", 8, 6},
+                {"simple", 7, 2},
+                {"star", 7, 1},
+                {"convex", 7, 1},
+                {"comb", 3, 1},
+                {"fork", 2, 1}},
+    .promises = {{"reflex vertices", 10}, {"parallel edges", 40}, {"overlapping segments", 5}},
+    .kills = {"flip-set-keeps-its-direction", "reflex-vertices-of-q-are-not-replaced",
+              "reflex-turns-clockwise", "tangent-set-without-ties"},
+    .cases = 1000,
+    .file = __FILE__,
+    .check = check,
+});
+
+}  // namespace
+
+}  // namespace oplus

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/statements/chapter5/boundary_contact.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace oplus {
+
+namespace {
+
+BoundaryContact contact_of(const Segment& s, const Segment& t) {
+  if (cross_properly(s, t)) return BoundaryContact::crossing;
+  if (overlap(s, t)) {
+    return sign(dot(direction_of(s), direction_of(t))) > 0 ? BoundaryContact::same
+                                                           : BoundaryContact::opposite;
+  }
+  return intersection(s, t).empty() ? BoundaryContact::none : BoundaryContact::weak;
+}
+
+/// A point inside an edge in which another chain of the same region touches it is an end, too.
+std::vector<Segment> edges_cut_where_chains_touch(const Region& region) {
+  std::vector<Segment> all;
+  for (const std::vector<Segment>& of_chain : boundary_pieces(region))
+    all.insert(all.end(), of_chain.begin(), of_chain.end());
+  return all;
+}
+
+}  // namespace
+
+BoundaryContact strongest_contact(const Region& a, const Region& b) {
+  const std::vector<Segment> edges_of_b = edges_cut_where_chains_touch(b);
+  BoundaryContact strongest = BoundaryContact::none;
+  for (const Segment& s : edges_cut_where_chains_touch(a)) {
+    for (const Segment& t : edges_of_b) strongest = std::max(strongest, contact_of(s, t));
+  }
+  return strongest;
+}
+
+std::string describe(BoundaryContact contact) {
+  switch (contact) {
+    case BoundaryContact::none:
+      return "without contact";
+    case BoundaryContact::weak:
+      return "with weak intersections only";
+    case BoundaryContact::opposite:
+      return "with opposite edges that overlap";
+    case BoundaryContact::same:
+      return "with edges of one direction that overlap";
+    case BoundaryContact::crossing:
+      return "with edges that cross";
+  }
+  throw std::logic_error("a contact without a kind");
+}
+
+}  // namespace oplus

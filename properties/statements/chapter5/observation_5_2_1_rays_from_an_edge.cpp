@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "checked/arrangement/ray_shooting.hpp"
+#include "checked/cycles/convolution_cycles.hpp"
+#include "properties/runner/mixture.hpp"
+#include "properties/runner/registry.hpp"
+#include "properties/statements/places/points_beside.hpp"
+#include "reference/definitions/collision.hpp"
+#include "reference/definitions/cut_at_intersections.hpp"
+#include "reference/definitions/winding_number.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+constexpr std::size_t most_pieces = 24;  // a pair
+
+/// Signed crossings of the ray to the right from x with the segments that x is not on, and with those
+/// it is on.
+struct Crossings {
+  int ahead = 0;
+  int here = 0;
+};
+
+/// Each segment without its upper end.
+Crossings crossings(const Point& x, const std::vector<Segment>& all) {
+  Crossings result;
+  for (const Segment& s : all) {
+    const bool upward = s.source.y <= x.y && x.y < s.target.y;
+    const bool downward = s.target.y <= x.y && x.y < s.source.y;
+    if (!upward && !downward) continue;
+    const int side = orientation(s.source, s.target, x) * (upward ? 1 : -1);
+    const int sign = upward ? 1 : -1;
+    if (side > 0) result.ahead += sign;
+    if (side == 0) result.here += sign;
+  }
+  return result;
+}
+
+/// The segments, cut where they meet: a middle is on no segment but those that run along.
+std::vector<Segment> pieces_of(const std::vector<Segment>& all) {
+  std::vector<Segment> pieces;
+  for (const std::vector<Segment>& of_segment : cut_at_intersections(all))
+    pieces.insert(pieces.end(), of_segment.begin(), of_segment.end());
+  return pieces;
+}
+
+/// A point directly to the right of the middle of a segment.
+Point right_of(const Segment& edge, const std::vector<Segment>& all) {
+  const Point middle = midpoint(edge.source, edge.target);
+  const Vector along = direction_of(edge);
+  return point_beside(middle, {along.y, -along.x}, all);
+}
+
+Outcome check(const Summands& summands) {
+  Outcome outcome;
+  const std::vector<Segment> all = segments(traced_convolution(summands.p, summands.q));
+  const RayShooting rays(all);
+  const Region reflected_q = reflected(summands.q);
+  const std::vector<Segment> pieces = pieces_of(all);
+  const std::size_t looked_at = std::min(pieces.size(), most_pieces);
+  for (std::size_t k = 0; k < looked_at; ++k) {
+    const Segment& edge = pieces[k * pieces.size() / looked_at];
+    const Point middle = midpoint(edge.source, edge.target);
+    const Point beside = right_of(edge, all);
+    const int winding = winding_number(beside, all);
+    const auto expect = [&](bool is_so, const std::string& what) {
+      if (is_so || outcome.kind == Outcome::Kind::fails) return;
+      outcome.kind = Outcome::Kind::fails;
+      outcome.why = "right of the middle of " + to_string(edge.source) + " to " +
+                    to_string(edge.target) + " the winding number is " + std::to_string(winding) +
+                    ", " + what;
+    };
+    expect(rays.winding_number_right_of(edge) == winding,
+           "the ray counts " + std::to_string(rays.winding_number_right_of(edge)));
+    const int rise = sign(edge.target.y - edge.source.y);
+    if (rise != 0) {
+      const Crossings seen = crossings(middle, all);
+      // To the right of an upward edge the ray leaves it behind; from the other side it crosses it
+      // and all that overlaps it.
+      const int expected = rise > 0 ? seen.ahead : seen.ahead + seen.here;
+      ++outcome.counts[rise > 0 ? "upward edges" : "downward edges"];
+      expect(expected == winding, "crossings make it " + std::to_string(expected));
+    }
+    const bool in_sum = interiors_meet(summands.p, translated(reflected_q, beside));
+    ++outcome.counts[in_sum ? "faces in the sum" : "faces of the complement"];
+    expect((winding > 0) == in_sum,
+           std::string("and the interiors ") + (in_sum ? "meet" : "do not meet"));
+  }
+  return outcome;
+}
+
+const Registered registered({
+    .id = "observation-5.2.1",
+    .kind = "observation",
+    .title = "A ray from an edge counts the face beside it",
+    .statement =
+        "A ray to the right, shot from a point of an edge of the full convolution, has the winding "
+        "number of the face directly to the right of the edge as its signed crossings with what it "
+        "meets further on, if the edge leads upwards; if it leads downwards, those with the edge "
+        "itself, and with all that overlaps it, are added, -1 where nothing else overlaps. The "
+        "structure for rays counts that number, and it is positive exactly where P and -Q, placed "
+        "there, collide.",
+    .why = "The right of an upward edge is where the ray goes; a ray that starts directly to the "
+           "right of a downward edge crosses that edge first. Winding numbers do not depend on the "
+           "ray, and Theorem 4.2.1 says what they mean.",
+    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
+                   "first part: the edge is not horizontal"},
+    .rests_on = {"theorem-4.2.1", "observation-4.2.5"},
+    .sources = small_mixture(),
+    .promises = promises_of_mixture(),
+    .kills = {"rays-start-left-of-their-edge", "rays-shift-down"},
+    .cases = 100,
+    .file = __FILE__,
+    .check = check,
+});
+
+}  // namespace
+
+}  // namespace oplus

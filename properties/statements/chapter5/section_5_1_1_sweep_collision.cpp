@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/runner/mixture.hpp"
+#include "properties/runner/registry.hpp"
+#include "properties/statements/chapter5/collision_outcome.hpp"
+
+namespace oplus {
+
+namespace {
+
+const Registered registered({
+    .id = "section-5.1.1",
+    .kind = "section",
+    .title = "A sweep that stops at the first common interior decides collision",
+    .statement = "A line swept over the boundaries of P and -Q+x, stopped by the first proper "
+                 "crossing, the first event around which a sector is inside both, or before it "
+                 "starts by edges that overlap in one direction, gives the same answer as the "
+                 "definition: whether the interiors of P and -Q+x meet.",
+    .why = "The sweep meets every point that both boundaries share, and knows the edges that leave "
+           "it in their order around it; section-5.1 says why these points suffice.",
+    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
+    .rests_on = {"section-5.1"},
+    .sources = small_mixture(),
+    .promises = promises_of_mixture(),
+    .kills = {"sweep-forgets-overlap-direction", "sweep-ignores-weak-intersections"},
+    .cases = 100,
+    .file = __FILE__,
+    .check =
+        [](const Summands& summands) {
+          return collision_outcome(CollisionMethod::sweep, summands);
+        },
+});
+
+}  // namespace
+
+}  // namespace oplus

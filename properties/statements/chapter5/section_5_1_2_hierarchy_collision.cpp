@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/runner/mixture.hpp"
+#include "properties/runner/registry.hpp"
+#include "properties/statements/chapter5/collision_outcome.hpp"
+
+namespace oplus {
+
+namespace {
+
+const Registered registered({
+    .id = "section-5.1.2",
+    .kind = "section",
+    .title = "Hierarchies of bounding volumes decide collision",
+    .statement = "Two hierarchies built once, that of -Q translated by x, give the same answer as "
+                 "the definition: whether the interiors of P and -Q+x meet.",
+    .why = "Edges whose boxes are apart do not meet, so every pair that crosses or has contact is "
+           "visited; section-5.1 says why these suffice.",
+    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
+    .rests_on = {"section-5.1"},
+    .sources = small_mixture(),
+    .promises = promises_of_mixture(),
+    .kills = {"parallel-edges-do-not-collide", "weak-intersections-never-meet"},
+    .cases = 100,
+    .file = __FILE__,
+    .check =
+        [](const Summands& summands) {
+          return collision_outcome(CollisionMethod::hierarchy, summands);
+        },
+});
+
+}  // namespace
+
+}  // namespace oplus

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/runner/mixture.hpp"
+#include "properties/runner/registry.hpp"
+#include "properties/statements/chapter5/collision_outcome.hpp"
+
+namespace oplus {
+
+namespace {
+
+const Registered registered({
+    .id = "section-5.1",
+    .kind = "section",
+    .title = "Crossings, contacts and containment decide collision",
+    .statement = "The interiors of P and -Q+x meet iff an edge of one crosses an edge of the other "
+                 "properly, or around a point that both boundaries share a sector is inside both, "
+                 "or a chain of one that does not meet the other boundary is inside the other.",
+    .why = "A proper crossing shows common interior, and around a contact the sectors between the "
+           "edges that leave it tell whether both interiors are in one of them. Where neither "
+           "happens, no chain enters the other interior at a contact, so one with a contact stays "
+           "outside it and one without is inside or outside as a whole. If none is inside, each "
+           "component of an interior is outside the other region, or both run along one chain in "
+           "one direction, which the sectors tell.",
+    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
+                   "edges are cut where another chain of their region touches them"},
+    .rests_on = {},
+    .sources = small_mixture(),
+    .promises = promises_of_mixture(),
+    .kills = {"weak-intersections-never-meet"},
+    .cases = 100,
+    .file = __FILE__,
+    .check =
+        [](const Summands& summands) {
+          return collision_outcome(CollisionMethod::naive, summands);
+        },
+});
+
+}  // namespace
+
+}  // namespace oplus

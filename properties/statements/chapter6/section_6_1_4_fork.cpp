@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/arrangement/rca.hpp"
+#include "properties/runner/each_engine.hpp"
+#include "properties/runner/registry.hpp"
+
+namespace oplus {
+
+namespace {
+
+/// The fork of n teeth on each arm has 8n + 4 vertices.
+std::size_t teeth(const Region& fork) { return (vertex_count(fork) - 4) / 8; }
+
+Outcome has_square_holes(const Summands& summands, const std::function<MinkowskiSum()>& computed) {
+  Outcome outcome;
+  // A pair that is shrunk or given may be none of the family.
+  if (vertex_count(summands.q) != 6 || vertex_count(summands.p) % 8 != 4) {
+    outcome.kind = Outcome::Kind::discarded;
+    return outcome;
+  }
+  const std::size_t n = teeth(summands.p);
+  const MinkowskiSum sum = computed();
+  outcome.counts["holes"] += sum.holes.size();
+  if (sum.outer.size() == 1 && sum.holes.size() == n * n) return outcome;
+  outcome.kind = Outcome::Kind::fails;
+  outcome.why = std::to_string(n) + " teeth an arm, " + std::to_string(sum.outer.size()) +
+                " outer chains and " + std::to_string(sum.holes.size()) + " holes";
+  return outcome;
+}
+
+Outcome law(const Sum& sum, const Summands& summands) {
+  return has_square_holes(summands, [&] { return sum(summands.p, summands.q); });
+}
+
+Outcome check(const Summands& summands) {
+  Outcome both;
+  for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
+    const Outcome outcome =
+        has_square_holes(summands, [&] { return rca(summands.p, summands.q, boundary).sum; });
+    if (outcome.kind != Outcome::Kind::holds) return outcome;
+    for (const auto& [what, count] : outcome.counts) both.counts[what] += count;
+  }
+  return both;
+}
+
+const Registered registered({
+    .id = "section-6.1.4",
+    .kind = "section",
+    .title = "The fork's sum has n² holes",
+    .statement =
+        "The sum of a fork with n teeth on each of its two arms, of whatever widths and gaps, and "
+        "the L that fits it is connected and has exactly n² holes.",
+    .why = "One arm of the L draws a bar out of each tooth of one arm of the fork, the other arm a "
+           "bar out of each tooth of the other. The gaps are wider than the L, so the bars stay "
+           "apart, and n bars that cross n others leave n² holes between them and the block.",
+    .hypotheses = {"P is a fork and Q its L, as the family makes them"},
+    .rests_on = {"section-3.2"},
+    .sources = {{"fork", 6, 1}},
+    .promises = {{"reflex vertices", 100}, {"parallel edges", 100}},
+    .kills = {"no-candidate-is-a-hole"},
+    .cases = 60,
+    .file = __FILE__,
+    .check = check,
+    .of_implementation = of_one(law),
+});
+
+}  // namespace
+
+}  // namespace oplus

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+#include <vector>
+
+#include "properties/runner/each_engine.hpp"
+#include "properties/runner/registry.hpp"
+#include "reference/families/diamond_and_u.hpp"
+#include "reference/oracle/oracle.hpp"
+
+namespace oplus {
+
+namespace {
+
+/// How many parts a sum has, and of how many vertices.
+using Shape = std::vector<std::size_t>;
+
+Shape shape_of(const MinkowskiSum& sum) {
+  Shape shape = {sum.dangling_edges.size(), sum.isolated_vertices.size(), sum.outer.size()};
+  for (const Chain& chain : sum.outer) shape.push_back(chain.size());
+  shape.push_back(sum.holes.size());
+  for (const Chain& hole : sum.holes) shape.push_back(hole.size());
+  return shape;
+}
+
+std::string in_words(const Shape& shape) {
+  std::string words;
+  for (const std::size_t number : shape)
+    words += (words.empty() ? "" : " ") + std::to_string(number);
+  return words;
+}
+
+/// A hundredth and two of them, in the same order as the given numbers.
+struct Perturbation {
+  Rational eps1;
+  Rational eps2;
+
+  Perturbation visible() const {
+    const Rational one(1, 100), two(2, 100);
+    if (eps1 == 0) return {0, eps2 == 0 ? Rational(0) : one};
+    if (eps2 == 0) return {one, 0};
+    if (eps1 == eps2) return {one, one};
+    return eps1 < eps2 ? Perturbation{one, two} : Perturbation{two, one};
+  }
+};
+
+Rational power_of_two(int exponent) {
+  Rational result = 1;
+  mpq_div_2exp(result.get_mpq_t(), result.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
+  return result;
+}
+
+Outcome shows(const Summands& summands, const std::vector<Implementation>& implementations,
+              const std::vector<Boundary>& boundaries) {
+  Outcome outcome;
+  const auto discard = [&] {
+    outcome.kind = Outcome::Kind::discarded;
+    outcome.why = "no diamond and room";
+    return outcome;
+  };
+  if (vertex_count(summands.p) != 12 || vertex_count(summands.q) != 4) return discard();
+  const Perturbation given{3 - summands.p.components[0].outer[10].x,
+                           -summands.q.components[0].outer[0].x};
+  if (given.eps1 < 0 || given.eps1 >= 3 || given.eps2 < 0 ||
+      summands != diamond_and_u(given.eps1, given.eps2))
+    return discard();
+
+  const Perturbation visible = given.visible();
+  const Summands seen = diamond_and_u(visible.eps1, visible.eps2);
+  const OracleSums expected = oracle_sums(seen.p, seen.q);
+  // From what a double can tell from zero next to one, to what it cannot tell from zero at all.
+  for (const Rational& scale : {power_of_two(-10), power_of_two(-60), power_of_two(-1100)}) {
+    const Summands tiny = diamond_and_u(scale * given.eps1, scale * given.eps2);
+    for (const Boundary boundary : boundaries) {
+      const Shape right = shape_of(boundary == Boundary::closed ? expected.closed : expected.open);
+      for (const Implementation& implementation : implementations) {
+        Probes probes;
+        const Shape shape = shape_of(implementation.sum(tiny.p, tiny.q, boundary, probes));
+        ++outcome.counts["sums"];
+        if (shape == right) continue;
+        outcome.kind = Outcome::Kind::fails;
+        outcome.why = implementation.name + ", " +
+                      (boundary == Boundary::closed ? "closed" : "open") + ": shape " +
+                      in_words(shape) + " instead of " + in_words(right);
+        return outcome;
+      }
+    }
+  }
+  return outcome;
+}
+
+Outcome check(const Summands& summands) {
+  return shows(summands, implementations(), {Boundary::closed, Boundary::open});
+}
+
+Outcome of_implementation(const Implementation& implementation, Boundary boundary,
+                          const Summands& summands) {
+  return shows(summands, {implementation}, {boundary});
+}
+
+const Registered registered({
+    .id = "section-6.4",
+    .kind = "section",
+    .title = "However small a perturbation is, the sum shows it",
+    .statement =
+        "A diamond just fits through the hatch of a room. If the hatch is widened at its top by "
+        "eps1 and the diamond by eps2, the numbers of chains, of their vertices, of dangling edges "
+        "and of isolated vertices depend only on which of the two is zero or larger, as long as "
+        "they are small: at 2^-1100 as at 1/100, closed and open, in every engine.",
+    .why =
+        "The combinatorics of the convolution's arrangement changes only where three of its "
+        "segments meet in a point or two become parallel. For small numbers that is only where one "
+        "of them is zero or both are equal. Exact arithmetic tells these cases apart at any size; "
+        "multiprecision floats with rounding, the thesis reports, lose the hole or the wedge.",
+    .hypotheses = {"P and Q are the thesis's room and diamond", "0 <= eps1, eps2 <= 1/100 or so"},
+    .rests_on = {"section-3.2"},
+    .sources = {{"diamond-u", 1, 1}},
+    .promises = {},
+    .kills = {"dangling-edges-run-one-way"},
+    .cases = 40,
+    .file = __FILE__,
+    .check = check,
+    .of_implementation = of_implementation,
+});
+
+}  // namespace
+
+}  // namespace oplus

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "checked/verify/verify.hpp"
+#include "properties/runner/registry.hpp"
+#include "reference/oracle/oracle.hpp"
+
+namespace oplus {
+
+namespace {
+
+Outcome failed(Outcome outcome, const std::string& why) {
+  outcome.kind = Outcome::Kind::fails;
+  outcome.why = why;
+  return outcome;
+}
+
+Outcome check(const Summands& summands) {
+  Outcome outcome;
+  const auto& [p, q] = summands;
+  const OracleSums sums = oracle_sums(p, q);
+  for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
+    const MinkowskiSum& sum = boundary == Boundary::open ? sums.open : sums.closed;
+    const Verdict verdict = verify(p, q, boundary, sum);
+    if (!verdict.is_sum())
+      return failed(outcome, "refuses the oracle's sum: " + verdict.reasons.front().detail);
+    const auto accepts = [&](const GivenSum& given) {
+      ++outcome.counts["wrong sums"];
+      return verify(p, q, boundary, given).is_sum();
+    };
+
+    GivenSum turned = given(sum);
+    for (Component& component : turned.region.components) {
+      std::reverse(component.outer.begin(), component.outer.end());
+      if (accepts(turned)) return failed(outcome, "accepts a clockwise outer chain");
+      std::reverse(component.outer.begin(), component.outer.end());
+    }
+    for (std::size_t i = 0; i < sum.holes.size(); ++i) {
+      MinkowskiSum filled = sum;
+      filled.holes.erase(filled.holes.begin() + static_cast<std::ptrdiff_t>(i));
+      if (accepts(given(filled))) return failed(outcome, "accepts a sum without one of its holes");
+    }
+  }
+  if (sums.open != sums.closed) {
+    ++outcome.counts["open sums with low-dimensional features"];
+    ++outcome.counts["wrong sums"];
+    if (verify(p, q, Boundary::open, sums.closed).is_sum() ||
+        verify(p, q, Boundary::closed, sums.open).is_sum())
+      return failed(outcome, "accepts the sum of the other kind of boundary");
+  }
+  return outcome;
+}
+
+const Registered registered({
+    .id = "fact-verify",
+    .kind = "fact",
+    .title = "What oplus verify accepts",
+    .statement =
+        "Walks along the segments of the convolution, and a collision test where segments run "
+        "opposite each other or in three directions through a point, give the sum of the oracle, "
+        "closed and open. It is accepted; a sum with a chain turned, without one of its holes, or of "
+        "the other kind of boundary is not.",
+    .why =
+        "The winding number of the points just to the right of a segment changes where another "
+        "segment's part to the right is passed, by one, and nowhere else. So each piece between two "
+        "such places has the sum on either side or not as a whole (Theorem 4.2.1). Dangling edges "
+        "need opposite segments, isolated vertices three directions (Theorems 3.2.8 and 3.2.10), "
+        "but where chains touch, and there all contacts are walked along.",
+    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
+    .rests_on = {"theorem-3.2.8", "theorem-3.2.10", "theorem-4.2.1"},
+    .sources = {{"tight", 4, 6},
+                {"grid", 8, 3},
+                {"holes", 4, 2},
+                {"components", 3, 1},
+                {"islands", 1, 1},
+                {"diamond-u", 1, 1}},
+    .promises = {{"holes", 10},
+                 {"reflex vertices", 10},
+                 {"parallel edges", 40},
+                 {"overlapping segments", 5}},
+    .kills = {"chains-may-run-either-way", "four-directions-do-not-isolate",
+              "walks-count-what-is-on-the-left", "walks-see-no-dangling-edges"},
+    .cases = 100,
+    .file = __FILE__,
+    .check = check,
+});
+
+}  // namespace
+
+}  // namespace oplus

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/runner/each_engine.hpp"
+#include "properties/runner/registry.hpp"
+#include "properties/statements/laws/linear_map.hpp"
+
+namespace oplus {
+
+namespace {
+
+struct NamedMap {
+  std::string name;
+  LinearMap map;
+};
+
+std::vector<NamedMap> maps() {
+  return {{"a quarter turn", {0, -1, 1, 0}},
+          {"a reflection in the y-axis", {-1, 0, 0, 1}},
+          {"x and y exchanged", {0, 1, 1, 0}},
+          {"a shear", {1, 2, 0, 1}},
+          {"a map that stretches and turns", {3, -1, 1, 2}}};
+}
+
+Outcome law(const Sum& sum, const Summands& summands) {
+  const auto& [p, q] = summands;
+  const MinkowskiSum here = sum(p, q);
+  for (const auto& [name, map] : maps()) {
+    const std::string what = told_apart(image(map, here), sum(image(map, p), image(map, q)));
+    if (!what.empty()) return unless_broken("under " + name + ", " + what);
+  }
+  return {};
+}
+
+const Registered registered({
+    .id = "law-linear",
+    .kind = "law",
+    .title = "A linear map of both summands maps the sum",
+    .statement = "Closed and open, AP ⊕ AQ = A(P ⊕ Q) for an invertible matrix A: quarter turns, "
+                 "reflections in axes, which reverse all chains, shears and a general map.",
+    .why =
+        "Ap + Aq = A(p + q) for all points. Nothing in the definition knows axes; in algorithms, "
+        "angles from the x-axis, the sweep from left to right and rays do. A map that reverses "
+        "orientation also exchanges which summand comes first where directions are equal.",
+    .hypotheses = {"P and Q are valid regions", "A is invertible"},
+    .rests_on = {"section-3.2"},
+    .sources = {{"grid", 7, 4},
+                {"tight", 4, 2},
+                {"holes", 5, 2},
+                {"components", 4, 2},
+                {"islands", 1, 1},
+                {"fork", 2, 1},
+                {"diamond-u", 1, 1}},
+    .promises = {{"holes", 15}, {"several components", 5}, {"parallel edges", 40}},
+    .kills = {"left-and-right-are-one-direction", "vertical-edges-never-dangle"},
+    .cases = 80,
+    .file = __FILE__,
+    .check = of_each_engine(law),
+    .of_implementation = of_one(law),
+});
+
+}  // namespace
+
+}  // namespace oplus

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "properties/runner/each_engine.hpp"
+#include "properties/runner/registry.hpp"
+#include "properties/statements/laws/convex_hull.hpp"
+#include "properties/statements/laws/overlaid_sums.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+/// Regions within one another, the smallest first: the first component, without its holes, and its
+/// convex hull; and all of P in P's hull.
+std::vector<std::pair<Region, Region>> nested(const Region& p) {
+  const Region component{{p.components[0]}};
+  const Region without_holes = polygon(p.components[0].outer);
+  std::vector<Point> all;
+  for (const Chain& chain : chains(p)) all.insert(all.end(), chain.begin(), chain.end());
+  std::vector<std::pair<Region, Region>> pairs = {{p, polygon(convex_hull(all))}};
+  if (component != p) pairs.emplace_back(component, p);
+  if (without_holes != component) pairs.emplace_back(component, without_holes);
+  return pairs;
+}
+
+std::string broken(const Sum& sum, const Region& smaller, const Region& larger, const Region& q) {
+  for (const OverlaidPoint& x : overlaid({sum(smaller, q), sum(larger, q)})) {
+    const bool in_smaller =
+        sum.is_open() ? x.in[0] == Location::inside : x.in[0] != Location::outside;
+    const bool in_larger =
+        sum.is_open() ? x.in[1] == Location::inside : x.in[1] != Location::outside;
+    if (in_smaller && !in_larger)
+      return to_string(x.point) + " is in the sum of the smaller region only";
+  }
+  return "";
+}
+
+Outcome law(const Sum& sum, const Summands& summands) {
+  const std::vector<std::pair<Region, Region>> pairs = nested(summands.p);
+  Outcome outcome;
+  for (const auto& [smaller, larger] : pairs) {
+    outcome = unless_broken(broken(sum, smaller, larger, summands.q));
+    if (outcome.kind == Outcome::Kind::fails) break;
+  }
+  outcome.counts["nested regions"] += pairs.size();
+  return outcome;
+}
+
+const Registered registered({
+    .id = "law-monotone",
+    .kind = "law",
+    .title = "A larger summand has a larger sum",
+    .statement =
+        "If P ⊆ P′, then P ⊕ Q ⊆ P′ ⊕ Q, closed and open, points of dangling edges and "
+        "isolated vertices looked at, too. Tried on P and its convex hull, a component and "
+        "all of P, and a component and the same with its holes filled.",
+    .why = "The union of more translates of Q is a larger set. Filling a hole may remove edges, "
+           "holes and low-dimensional features from the sum, and may never add one to it.",
+    .hypotheses = {"P and Q are valid regions"},
+    .rests_on = {"section-3.2"},
+    .sources =
+        {{"holes", 4, 3}, {"components", 4, 3}, {"grid", 6, 2}, {"islands", 1, 1}, {"tight", 3, 1}},
+    .promises = {{"holes", 15}, {"several components", 15}, {"parallel edges", 40}},
+    .kills = {"candidates-need-no-hole-test"},
+    .cases = 60,
+    .file = __FILE__,
+    .check = of_each_engine(law),
+    .of_implementation = of_one(law),
+});
+
+}  // namespace
+
+}  // namespace oplus

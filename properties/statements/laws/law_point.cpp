@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/runner/each_engine.hpp"
+#include "properties/runner/registry.hpp"
+#include "properties/statements/laws/linear_map.hpp"
+#include "properties/statements/laws/overlaid_sums.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+/// P + x, where x is a point of the closed Q, must be in the closed sum.
+std::string contains_translates(const Sum& sum, const Region& p, const Region& q) {
+  const MinkowskiSum whole = sum(p, q);
+  for (const Chain& chain : chains(q)) {
+    const MinkowskiSum part = canonical_sum(translated(p, chain[0]));
+    for (const OverlaidPoint& at : overlaid({whole, part})) {
+      if (at.in[1] != Location::outside && at.in[0] == Location::outside)
+        return "P + " + to_string(chain[0]) + " contains " + to_string(at.point) + ", the sum not";
+    }
+  }
+  return "";
+}
+
+/// The value at zero of the quadratic through (1, f1), (2, f2), (3, f3); none where (4, f4) is not
+/// on it.
+std::optional<Rational> value_at_zero(const Rational& f1, const Rational& f2, const Rational& f3,
+                                      const Rational& f4) {
+  if (f4 - 3 * f3 + 3 * f2 - f1 != 0) return std::nullopt;
+  return Rational(3 * f1 - 3 * f2 + f3);
+}
+
+std::string shrinks_to_p(const Sum& sum, const Region& p, const Region& q) {
+  const Rational tiny = 1 / Rational(mpz_class(1) << 300);
+  const auto area_with = [&](int times) {
+    return area(sum(p, image(scaling(Rational(times * tiny)), q)));
+  };
+  const std::optional<Rational> limit =
+      value_at_zero(area_with(1), area_with(2), area_with(3), area_with(4));
+  if (!limit) return "the area of P ⊕ λQ is no quadratic function of a small λ";
+  if (*limit != area(p))
+    return "the area of P ⊕ λQ tends to " + limit->get_str() + ", P's is " + area(p).get_str();
+  return "";
+}
+
+Outcome law(const Sum& sum, const Summands& summands) {
+  const auto& [p, q] = summands;
+  std::string what = sum.is_open() ? "" : contains_translates(sum, p, q);
+  return unless_broken(what.empty() ? shrinks_to_p(sum, p, q) : what);
+}
+
+const Registered registered({
+    .id = "law-point",
+    .kind = "law",
+    .title = "Adding a point translates: as a part, and in the limit",
+    .statement =
+        "P ⊕ {x} = P + x. A region is never a point, so this is held against what it says of "
+        "regions: the closed sum contains P + x for a vertex x of each chain of Q; and as λ goes "
+        "to zero, the area of P ⊕ λQ is a quadratic function of λ whose value at zero is P's area.",
+    .why =
+        "The sum is the union of the translates P + x. For small λ the sum's edges are the same "
+        "ones, each shifted and lengthened in proportion to λ, so the area is a quadratic "
+        "function from there on; four values at λ = k/2³⁰⁰, far below the reach of coordinates of "
+        "twenty bits, determine it and check it once more.",
+    .hypotheses = {"P and Q are valid regions with integer coordinates"},
+    .rests_on = {"section-3.2"},
+    .sources = {{"grid", 6, 4}, {"holes", 4, 2}, {"components", 4, 2}, {"tight", 2, 1}},
+    .promises = {{"holes", 15}, {"several components", 5}, {"parallel edges", 40}},
+    .kills = {"area-is-of-the-first-chain"},
+    .cases = 60,
+    .file = __FILE__,
+    .check = of_each_engine(law),
+    .of_implementation = of_one(law),
+});
+
+}  // namespace
+
+}  // namespace oplus

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/runner/each_engine.hpp"
+#include "properties/runner/registry.hpp"
+#include "properties/statements/laws/linear_map.hpp"
+
+namespace oplus {
+
+namespace {
+
+std::vector<Rational> factors() {
+  const Rational large(mpz_class(1) << 600);
+  return {-1, Rational(2, 3), large, 1 / large};
+}
+
+Outcome law(const Sum& sum, const Summands& summands) {
+  const auto& [p, q] = summands;
+  const MinkowskiSum here = sum(p, q);
+  for (const Rational& factor : factors()) {
+    const LinearMap map = scaling(factor);
+    const std::string what = told_apart(image(map, here), sum(image(map, p), image(map, q)));
+    if (!what.empty()) return unless_broken("scaled by " + factor.get_str() + ", " + what);
+  }
+  return {};
+}
+
+const Registered registered({
+    .id = "law-scaling",
+    .kind = "law",
+    .title = "Scaling or reflecting both summands does so to the sum",
+    .statement = "Closed and open, λP ⊕ λQ = λ(P ⊕ Q), for λ = -1, a fraction, and powers of two "
+                 "far beyond and far below what a double holds.",
+    .why = "λp + λq = λ(p + q) for all points. The engines' filters compute in doubles, which "
+           "overflow and underflow on such coordinates; they may then answer nothing, never "
+           "wrongly.",
+    .hypotheses = {"P and Q are valid regions", "λ is not zero"},
+    .rests_on = {"section-3.2"},
+    .sources = {{"grid", 7, 4},
+                {"tight", 4, 2},
+                {"holes", 5, 2},
+                {"components", 4, 2},
+                {"islands", 1, 1},
+                {"fork", 2, 1},
+                {"diamond-u", 1, 1}},
+    .promises = {{"holes", 15}, {"several components", 5}, {"parallel edges", 40}},
+    .kills = {"coordinates-stay-scaled"},
+    .cases = 60,
+    .file = __FILE__,
+    .check = of_each_engine(law),
+    .of_implementation = of_one(law),
+});
+
+}  // namespace
+
+}  // namespace oplus

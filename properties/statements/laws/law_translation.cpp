@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/runner/each_engine.hpp"
+#include "properties/runner/registry.hpp"
+#include "properties/statements/laws/linear_map.hpp"
+
+namespace oplus {
+
+namespace {
+
+/// Near, between the grid's points, and so far that squares overflow a double.
+std::vector<std::pair<Vector, Vector>> translations() {
+  const Rational far(mpz_class(1) << 600);
+  return {{{3, -5}, {0, 0}},
+          {{Rational(1, 3), 0}, {Rational(-2, 7), Rational(5, 11)}},
+          {{far, 1}, {-1, far}}};
+}
+
+Outcome law(const Sum& sum, const Summands& summands) {
+  const auto& [p, q] = summands;
+  const MinkowskiSum here = sum(p, q);
+  for (const auto& [s, t] : translations()) {
+    const std::string what =
+        told_apart(image(scaling(1), here, s + t), sum(translated(p, s), translated(q, t)));
+    if (!what.empty()) return unless_broken(what);
+  }
+  return {};
+}
+
+const Registered registered({
+    .id = "law-translation",
+    .kind = "law",
+    .title = "Translating a summand translates the sum",
+    .statement = "Closed and open, (P + s) ⊕ (Q + t) = (P ⊕ Q) + s + t, for vectors s and t of "
+                 "integers, of other rationals, and of numbers beyond the range of a double.",
+    .why =
+        "(p + s) + (q + t) = (p + q) + s + t for all points. Directions do not change, so neither "
+        "does which segments are in the convolution; coordinates do, and with them what an "
+        "interval can certify and how CGAL's arrangement is scaled.",
+    .hypotheses = {"P and Q are valid regions"},
+    .rests_on = {"section-3.2"},
+    .sources = {{"grid", 7, 4},
+                {"tight", 4, 2},
+                {"holes", 5, 2},
+                {"components", 4, 2},
+                {"islands", 1, 1},
+                {"fork", 2, 1},
+                {"diamond-u", 1, 1}},
+    .promises = {{"holes", 15}, {"several components", 5}, {"parallel edges", 40}},
+    .kills = {"coordinates-stay-scaled"},
+    .cases = 80,
+    .file = __FILE__,
+    .check = of_each_engine(law),
+    .of_implementation = of_one(law),
+});
+
+}  // namespace
+
+}  // namespace oplus

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <optional>
+
+#include "properties/runner/each_engine.hpp"
+#include "properties/runner/registry.hpp"
+#include "properties/statements/laws/overlaid_sums.hpp"
+#include "reference/definitions/validity.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+/// A polygon in two, cut along its first diagonal that leaves both valid.
+std::optional<std::vector<Region>> halves(const Chain& chain) {
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    for (std::size_t j = i + 2; j < chain.size(); ++j) {
+      const auto first = chain.begin() + static_cast<std::ptrdiff_t>(i);
+      const auto last = chain.begin() + static_cast<std::ptrdiff_t>(j);
+      Chain one(first, last + 1);
+      Chain other(last, chain.end());
+      other.insert(other.end(), chain.begin(), first + 1);
+      if (other.size() < 3 || sign(twice_area(one)) <= 0 || sign(twice_area(other)) <= 0) continue;
+      std::vector<Region> both = {polygon(std::move(one)), polygon(std::move(other))};
+      if (!find_defect(both[0]) && !find_defect(both[1])) return both;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Two regions or more whose union is the region, or none.
+std::optional<std::vector<Region>> parts(const Region& region) {
+  if (region.components.size() > 1) {
+    std::vector<Region> components;
+    for (const Component& component : region.components) components.push_back({{component}});
+    return components;
+  }
+  const Component& only = region.components[0];
+  return only.holes.empty() ? halves(only.outer) : std::nullopt;
+}
+
+/// Whether a point is in one of the sums, as the closed or as the open set.
+bool in_one_of(const OverlaidPoint& x, std::size_t from, bool open) {
+  return std::any_of(x.in.begin() + static_cast<std::ptrdiff_t>(from), x.in.end(), [&](Location l) {
+    return open ? l == Location::inside : l != Location::outside;
+  });
+}
+
+std::string broken(const Sum& sum, const Summands& summands, const std::vector<Region>& parts) {
+  std::vector<MinkowskiSum> sums = {sum(summands.p, summands.q)};
+  for (const Region& part : parts) sums.push_back(sum(part, summands.q));
+  for (const OverlaidPoint& x : overlaid(sums)) {
+    const bool in_whole =
+        sum.is_open() ? x.in[0] == Location::inside : x.in[0] != Location::outside;
+    if (in_whole == in_one_of(x, 1, sum.is_open())) continue;
+    return to_string(x.point) + " is in the sum of " +
+           (in_whole ? "the union and of no part" : "a part and not of the union");
+  }
+  return "";
+}
+
+Outcome law(const Sum& sum, const Summands& summands) {
+  const std::optional<std::vector<Region>> of_p = parts(summands.p);
+  if (!of_p) {
+    Outcome outcome;
+    outcome.kind = Outcome::Kind::discarded;
+    outcome.why = "P is neither several components nor a polygon with a diagonal";
+    return outcome;
+  }
+  Outcome outcome = unless_broken(broken(sum, summands, *of_p));
+  ++outcome
+        .counts[summands.p.components.size() > 1 ? "unions of components" : "polygons cut in two"];
+  return outcome;
+}
+
+const Registered registered({
+    .id = "law-union",
+    .kind = "law",
+    .title = "The sum distributes over unions",
+    .statement = "Closed and open, as sets of points, (P₁ ∪ P₂) ⊕ Q = (P₁ ⊕ Q) ∪ (P₂ ⊕ Q): for "
+                 "components, which may touch, and for a polygon cut along a diagonal.",
+    .why = "A point of the union is a point of one of the two. The open polygon has its diagonal, "
+           "which neither open half has; that adds nothing to the sum, since two open sets that "
+           "have a point in common have it off any segment, too. A point of every cell of the "
+           "overlay of the sums is looked at, dangling edges and isolated vertices included.",
+    .hypotheses = {"P has several components, or it is a simple polygon of more than three "
+                   "vertices",
+                   "Q is a valid region"},
+    .rests_on = {"section-3.2"},
+    .sources = {{"components", 4, 4}, {"grid", 6, 3}, {"islands", 1, 1}, {"tight", 3, 1}},
+    .promises = {{"several components", 15}, {"reflex vertices", 10}, {"parallel edges", 40}},
+    .kills = {"candidates-need-no-hole-test", "dangling-edges-run-one-way"},
+    .cases = 50,
+    .file = __FILE__,
+    .check = of_each_engine(law),
+    .of_implementation = of_one(law),
+});
+
+}  // namespace
+
+}  // namespace oplus

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+
+#include "reference/families/family.hpp"
+
+namespace oplus {
+
+/// The sum of the open regions by its definition, point by point and without any convolution: x is
+/// in it iff the interiors of P and -Q+x meet.
+class OpenSum {
+ public:
+  explicit OpenSum(const Summands& summands);
+
+  bool contains(const Point& x);
+
+ private:
+  Region p_;
+  Region reflected_q_;
+  std::map<Point, bool> known_;
+};
+
+}  // namespace oplus

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "checked/slide/exact_point.hpp"
+#include "checked/slide/tracks.hpp"
+#include "reference/families/family.hpp"
+
+namespace oplus {
+
+/// A pair as slide prepares it, in 64-bit integers.
+struct SlidPair {
+  using Numbers = slide::SmallNumbers;
+  using Place = slide::Fraction<Numbers>;
+  using Track = slide::Track<Numbers>;
+
+  /// Requires: coordinates of at most 29 bits.
+  explicit SlidPair(const Summands& pair);
+
+  Point point(std::uint32_t segment, const Place& t) const;
+
+  Vector direction(std::uint32_t segment) const;
+
+  /// x(t), shifted to the right of the segment: by so little that nothing that is not on the segment
+  /// comes closer or goes farther by a sign.
+  Point shifted(std::uint32_t segment, const Place& t) const;
+
+  /// By the definition: whether the interiors of P and -Q + x meet.
+  bool interiors_meet_at(const Point& x) const;
+
+  /// A place of each part into which the given places cut the segment, between two of them; the places
+  /// need be neither sorted nor different.
+  std::vector<Place> between(std::vector<Place> places) const;
+
+  const Summands& summands;
+  slide::Scaling scaling;
+  slide::Tracks<Numbers> tracks;
+
+ private:
+  Region minus_q_;
+};
+
+}  // namespace oplus

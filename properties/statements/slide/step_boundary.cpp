@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/slide/free_pieces.hpp"
+#include "properties/runner/registry.hpp"
+#include "properties/statements/slide/slid_pair.hpp"
+#include "reference/oracle/oracle.hpp"
+
+namespace oplus {
+
+namespace {
+
+Outcome check(const Summands& summands) {
+  const SlidPair pair(summands);
+  const MinkowskiSum sum = oracle_sums(summands.p, summands.q).closed;
+  const std::vector<Segment> boundary = edges(sum);
+  slide::FreePieces<SlidPair::Numbers> search(pair.tracks.summands());
+  Outcome outcome;
+  std::vector<Segment> free;
+  for (std::uint32_t i = 0; i < pair.tracks.size(); ++i) {
+    std::vector<slide::Piece<SlidPair::Numbers>> pieces;
+    search.find(pair.tracks[i], [&](auto piece) { pieces.push_back(std::move(piece)); });
+    std::vector<SlidPair::Place> ends;
+    for (const auto& piece : pieces) {
+      ends.insert(ends.end(), {piece.from, piece.to});
+      free.push_back({pair.point(i, piece.from), pair.point(i, piece.to)});
+    }
+    for (const SlidPair::Place& t : pair.between(ends)) {
+      const bool is_free = std::any_of(pieces.begin(), pieces.end(), [&](const auto& piece) {
+        return piece.from < t && t < piece.to;
+      });
+      const Point x = pair.point(i, t);
+      const bool is_boundary =
+          std::any_of(boundary.begin(), boundary.end(), [&](const Segment& edge) {
+            return lies_on(x, edge) && sign(dot(direction_of(edge), pair.direction(i))) > 0 &&
+                   sign(cross(direction_of(edge), pair.direction(i))) == 0;
+          });
+      ++outcome.counts[is_free ? "places in free pieces" : "places elsewhere"];
+      if (is_free == is_boundary) continue;
+      outcome.kind = Outcome::Kind::fails;
+      outcome.why = std::string(is_free ? "a free place is not on" : "a blocked place is on") +
+                    " the boundary, on segment " + std::to_string(i);
+      return outcome;
+    }
+  }
+  for (const Segment& edge : boundary) {
+    std::vector<Segment> along;
+    for (const Segment& piece : free)
+      if (overlap(piece, edge) && sign(dot(direction_of(piece), direction_of(edge))) > 0)
+        along.push_back(piece);
+    const std::vector<Segment> joined = maximal_segments(along);
+    const bool is_covered = std::any_of(joined.begin(), joined.end(), [&](const Segment& whole) {
+      return lies_on(edge.source, whole) && lies_on(edge.target, whole);
+    });
+    ++outcome.counts["edges of the boundary"];
+    if (is_covered) continue;
+    outcome.kind = Outcome::Kind::fails;
+    outcome.why = "an edge of the boundary is not covered by free pieces";
+    return outcome;
+  }
+  return outcome;
+}
+
+const Registered registered({
+    .id = "step-boundary",
+    .kind = "step",
+    .title = "The free pieces are the boundary",
+    .statement =
+        "A place on a segment of the reduced convolution, no end of a free piece, is on the "
+        "boundary of the closed sum iff it is in a free piece of its segment; and every edge "
+        "of the boundary is covered by free pieces.",
+    .why = "Left of a segment of the convolution is the sum (Observation 2.2.4), so it is on the "
+           "boundary where the sum is not on its right: where P and -Q + x(t), shifted to the "
+           "right, do not meet. That is where no edges cross (step-search) and no component is "
+           "inside another (step-components). The boundary is on segments of the reduced "
+           "convolution (Theorem 2.3.2, as corrected where chains touch), and the sum is to the "
+           "left of each of its edges, as of the segment.",
+    .hypotheses = {"P and Q are valid regions"},
+    .rests_on = {"step-search", "step-components", "theorem-2.3.2"},
+    .sources =
+        {
+            {"grid", 6, 4},
+            {"tight", 6, 3},
+            {"holes", 4, 2},
+            {"components", 4, 2},
+            {"islands", 2, 1},
+            {"fork", 2, 1},
+        },
+    .promises = {{"holes", 10}, {"parallel edges", 40}},
+    .kills = {"slide-shifts-to-the-left", "slide-components-never-overlap"},
+    .cases = 250,
+    .file = __FILE__,
+    .check = check,
+});
+
+}  // namespace
+
+}  // namespace oplus

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/slide/free_pieces.hpp"
+#include "checked/slide/low_dimensional_candidates.hpp"
+#include "properties/runner/registry.hpp"
+#include "properties/statements/slide/slid_pair.hpp"
+#include "reference/oracle/oracle.hpp"
+
+namespace oplus {
+
+namespace {
+
+Outcome check(const Summands& summands) {
+  const SlidPair pair(summands);
+  slide::FreePieces<SlidPair::Numbers> search(pair.tracks.summands());
+  std::vector<slide::FreePiece<SlidPair::Numbers>> pieces;
+  for (std::uint32_t i = 0; i < pair.tracks.size(); ++i)
+    search.find(pair.tracks[i], [&](auto piece) { pieces.push_back({i, std::move(piece)}); });
+  const slide::Candidates candidates =
+      slide::low_dimensional_candidates(pair.tracks, pieces, pair.scaling, 1);
+  const MinkowskiSum open = oracle_sums(summands.p, summands.q).open;
+  Outcome outcome;
+  outcome.counts["candidate pieces"] = candidates.pieces.size();
+  outcome.counts["candidate points"] = candidates.points.size();
+  outcome.counts["dangling edges"] = open.dangling_edges.size();
+  outcome.counts["isolated vertices"] = open.isolated_vertices.size();
+  const auto fail = [&](const std::string& what) {
+    outcome.kind = Outcome::Kind::fails;
+    outcome.why = what;
+    return outcome;
+  };
+  std::vector<Segment> segments;
+  for (const auto& piece : candidates.pieces) {
+    segments.push_back(piece.segment);
+    // Two more places, both sides of the one that decides.
+    const bool is_in_sum = pair.interiors_meet_at(piece.inside);
+    for (const Point& end : {piece.segment.source, piece.segment.target})
+      if (pair.interiors_meet_at(midpoint(piece.inside, end)) != is_in_sum)
+        return fail("a part of a candidate piece is in the open sum");
+  }
+  segments = maximal_segments(segments);
+  for (const Segment& edge : open.dangling_edges)
+    if (std::none_of(segments.begin(), segments.end(), [&](const Segment& s) {
+          return lies_on(edge.source, s) && lies_on(edge.target, s);
+        }))
+      return fail("a dangling edge is not covered");
+  for (const Point& x : open.isolated_vertices) {
+    const auto is_sum_of_touching_points = [&] {
+      for (const Point& a : touching_points(summands.p))
+        for (const Point& b : touching_points(summands.q))
+          if (a + b == x) return true;
+      return false;
+    };
+    if (std::find(candidates.points.begin(), candidates.points.end(), x) ==
+            candidates.points.end() &&
+        !is_sum_of_touching_points())
+      return fail("an isolated vertex is no candidate");
+  }
+  return outcome;
+}
+
+const Registered registered({
+    .id = "step-candidates",
+    .kind = "step",
+    .title = "What the open sum lacks inside is among the candidates",
+    .statement =
+        "Every dangling edge of the open sum is covered by candidate pieces of slide, every "
+        "isolated vertex is a candidate point or the sum of points where the summands touch "
+        "themselves; and of no candidate piece is only a part in the open sum.",
+    .why = "Such a feature is on segments of the reduced convolution, the sum to both sides. "
+           "Edges of P and -Q + x(t), not shifted, do not cross properly there, so it is in a "
+           "closed piece that no pair blocks. Along a segment, contact of two edges begins and "
+           "ends where x(t) enters and leaves their closed sum; between two such places "
+           "everything that touches goes on touching alike, so either all or no place there is "
+           "in the open sum. An isolated vertex differs from its neighbours on the segment, so "
+           "it is one of these places.",
+    .hypotheses = {"P and Q are valid regions"},
+    .rests_on = {"step-interval", "theorem-3.2.8", "theorem-3.2.10"},
+    .sources =
+        {
+            {"tight", 6, 4},
+            {"grid", 6, 2},
+            {"holes", 4, 2},
+            {"components", 4, 1},
+            {"islands", 2, 1},
+        },
+    .promises = {{"parallel edges", 40}, {"holes", 10}},
+    .kills = {"slide-forgets-changes-of-contact"},
+    .cases = 250,
+    .file = __FILE__,
+    .check = check,
+});
+
+}  // namespace
+
+}  // namespace oplus

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/slide/blocking_search.hpp"
+#include "checked/slide/component_test.hpp"
+#include "checked/slide/contact_interval.hpp"
+#include "properties/runner/registry.hpp"
+#include "properties/statements/slide/slid_pair.hpp"
+
+namespace oplus {
+
+namespace {
+
+Outcome check(const Summands& summands) {
+  const SlidPair pair(summands);
+  const auto& integers = pair.tracks.summands();
+  const slide::ComponentTest<SlidPair::Numbers> components(integers);
+  slide::BlockingSearch<SlidPair::Numbers> search(integers, slide::Shift::to_the_right);
+  Outcome outcome;
+  const auto fail = [&](std::uint32_t segment, const std::string& what) {
+    outcome.kind = Outcome::Kind::fails;
+    outcome.why = "segment " + std::to_string(segment) + ": " + what;
+    return outcome;
+  };
+  const std::uint32_t step = 1 + static_cast<std::uint32_t>(pair.tracks.size() / 8);
+  for (std::uint32_t i = 0; i < pair.tracks.size(); i += step) {
+    const SlidPair::Track track = pair.tracks[i];
+    std::vector<SlidPair::Place> ends;
+    for (const auto& e : integers.p.edges)
+      for (const auto& f : integers.q.edges)
+        if (const auto contact = slide::contact_interval(track.exact, e, f))
+          ends.insert(ends.end(), {contact->from, contact->to});
+    for (const SlidPair::Place& t : pair.between(ends)) {
+      if (search.at(track, t)) continue;
+      const bool overlap = components.overlap_at(track, t);
+      ++outcome.counts["places where no edges cross"];
+      outcome.counts["places where components overlap"] += overlap;
+      if (pair.interiors_meet_at(pair.shifted(i, t)) != overlap)
+        return fail(i, overlap ? "components that do not overlap" : "an overlap is not seen");
+      if (overlap && !components.is_needed()) return fail(i, "connected regions overlap");
+    }
+  }
+  return outcome;
+}
+
+const Registered registered({
+    .id = "step-components",
+    .kind = "step",
+    .title = "Where no edges cross, components overlap only one inside the other",
+    .statement =
+        "At a place on a segment that no pair of edges blocks, the interiors of P and -Q + "
+        "x(t), shifted to the right, meet exactly where a component of one is inside a "
+        "component of the other; and the two components whose vertex and edge touch there "
+        "never are. If both regions are connected, such a place is free.",
+    .why = "Shifted, the boundaries have no point in common. If interiors of two components meet "
+           "then, the outer chain of one is inside the other: their outer chains are disjoint "
+           "closed curves, so one is inside the other, and not in a hole. Now let two components "
+           "touch along the segment. Draw their chains; they cut the plane into parts, and two "
+           "parts on either side of a chain are neighbours: a tree, as chains are closed curves. "
+           "The shift opens a part between the two chains that belongs to neither component. "
+           "Take it away: each component is connected, so all of it is on one side of the tree, "
+           "and the two are on different sides.",
+    .hypotheses = {"P and Q are valid regions"},
+    .rests_on = {"step-search", "observation-2.2.4"},
+    .sources =
+        {
+            {"components", 5, 4},
+            {"islands", 2, 2},
+            {"holes", 5, 2},
+            {"grid", 8, 2},
+            {"tight", 6, 2},
+        },
+    .promises = {{"several components", 30}, {"holes", 20}},
+    .kills = {"slide-components-never-overlap"},
+    .cases = 800,
+    .file = __FILE__,
+    .check = check,
+});
+
+}  // namespace
+
+}  // namespace oplus

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/slide/blocked_interval.hpp"
+#include "checked/slide/contact_interval.hpp"
+#include "properties/runner/mixture.hpp"
+#include "properties/runner/registry.hpp"
+#include "properties/statements/slide/slid_pair.hpp"
+
+namespace oplus {
+
+namespace {
+
+Outcome check(const Summands& summands) {
+  const SlidPair pair(summands);
+  const auto& p = pair.tracks.summands().p.edges;
+  const auto& q = pair.tracks.summands().q.edges;
+  const std::vector<Segment> of_p = edges(summands.p);
+  const std::vector<Segment> of_q = edges(reflected(summands.q));
+  Outcome outcome;
+  // All pairs of edges, on every few segments: a different one for each case.
+  const std::uint32_t step = 1 + static_cast<std::uint32_t>(pair.tracks.size() / 4);
+  for (std::uint32_t i = static_cast<std::uint32_t>(of_p.size()) % step; i < pair.tracks.size();
+       i += step) {
+    const auto segment = pair.tracks[i].exact;
+    for (std::size_t a = 0; a < p.size(); ++a) {
+      for (std::size_t b = 0; b < q.size(); ++b) {
+        const auto blocked =
+            slide::blocked_interval(segment, p[a], q[b], slide::Shift::to_the_right);
+        const auto contact = slide::contact_interval(segment, p[a], q[b]);
+        std::vector<SlidPair::Place> ends;
+        if (blocked) ends.insert(ends.end(), {blocked->from, blocked->to});
+        if (contact) ends.insert(ends.end(), {contact->from, contact->to});
+        for (const SlidPair::Place& t : pair.between(ends)) {
+          ++outcome.counts["places"];
+          const bool is_blocked = blocked && blocked->from < t && t < blocked->to;
+          outcome.counts["places where they cross"] += is_blocked;
+          const Point x = pair.shifted(i, t);
+          const Segment moved{of_q[b].source + x, of_q[b].target + x};
+          if (cross_properly(of_p[a], moved) == is_blocked) continue;
+          outcome.kind = Outcome::Kind::fails;
+          outcome.why = "edge " + std::to_string(a) + " of P and " + std::to_string(b) +
+                        " of Q, on segment " + std::to_string(i);
+          return outcome;
+        }
+      }
+    }
+  }
+  return outcome;
+}
+
+const Registered registered({
+    .id = "step-interval",
+    .kind = "step",
+    .title = "A pair of edges blocks one open interval of a segment",
+    .statement =
+        "Let x(t) run along a segment of the reduced convolution, shifted to its right by an "
+        "infinitesimal. An edge of P and one of -Q + x(t) cross properly exactly where t is "
+        "in the open interval that slide computes for them, except where the shift alone "
+        "makes them touch or come apart.",
+    .why = "The two edges have an interior point in common iff x(t) is inside the sum of the "
+           "edge of P and the edge of Q, a parallelogram. A line meets its interior in an open "
+           "interval: the intersection of two strips. Where the line is parallel to a strip and "
+           "runs along its border, the shift decides, by a sign: inside iff the strip is on the "
+           "right. Parallel edges have a parallelogram without interior. At a corner that the "
+           "line only touches the shift may cut off an interval of infinitesimal length; it "
+           "counts as empty.",
+    .hypotheses = {"P and Q are valid regions"},
+    .rests_on = {"equation-2.1"},
+    .sources = small_mixture(),
+    .promises = promises_of_mixture(),
+    .kills = {"slide-shifts-to-the-left"},
+    .cases = 500,
+    .file = __FILE__,
+    .check = check,
+});
+
+}  // namespace
+
+}  // namespace oplus

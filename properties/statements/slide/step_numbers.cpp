@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/arrangement/rca.hpp"
+#include "checked/slide/slide.hpp"
+#include "properties/runner/mixture.hpp"
+#include "properties/runner/registry.hpp"
+#include "properties/statements/slide/slid_pair.hpp"
+#include "reference/definitions/validity.hpp"
+
+namespace oplus {
+
+namespace {
+
+/// Large, and no product of it is a small number times a power of two.
+Point stretched(const Point& x) {
+  static const mpz_class large = mpz_class(1) << 60;
+  static const Rational shift(mpz_class(1) << 100);
+  return {large * x.x + 3 * x.y + shift, 5 * x.x + large * x.y};
+}
+
+/// Stretched, and bent by little: what was parallel, in line or in one point is that only nearly, by
+/// less than doubles see.
+Point bent(const Point& x) { return stretched(x) + Point{x.y * x.y, x.x * x.y}; }
+
+Region mapped(Region region, Point (*map)(const Point&)) {
+  for (Component& component : region.components) {
+    for (Point& x : component.outer) x = map(x);
+    for (Chain& hole : component.holes)
+      for (Point& x : hole) x = map(x);
+  }
+  return region;
+}
+
+Outcome check(const Summands& summands) {
+  Outcome outcome;
+  const auto fail = [&](const std::string& what) {
+    outcome.kind = Outcome::Kind::fails;
+    outcome.why = what;
+    return outcome;
+  };
+  std::vector<Summands> large = {{mapped(summands.p, stretched), mapped(summands.q, stretched)}};
+  Summands bent_pair = {mapped(summands.p, bent), mapped(summands.q, bent)};
+  if (!find_defect(bent_pair.p) && !find_defect(bent_pair.q)) large.push_back(std::move(bent_pair));
+  outcome.counts["bent pairs"] += large.size() - 1;
+  for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
+    SlideOptions options{.with_origins = WithOrigins::yes};
+    const SlideResult small = slide_sum(summands.p, summands.q, boundary, options);
+    outcome.counts["in 64-bit integers"] += small.statistics.in_64_bits > 0;
+    for (const SlideNumbers numbers : {SlideNumbers::at_least_256_bits, SlideNumbers::gmp}) {
+      options.numbers = numbers;
+      const SlideResult other = slide_sum(summands.p, summands.q, boundary, options);
+      if (other.sum != small.sum || other.origins != small.origins)
+        return fail("the same pair in larger numbers");
+      for (const Summands& pair : large) {
+        const SlideResult of_large = slide_sum(pair.p, pair.q, boundary, options);
+        if (of_large.statistics.in_64_bits > 0) return fail("large coordinates in 64 bits");
+        if (of_large.sum != rca(pair.p, pair.q, boundary).sum) return fail("a pair made large");
+      }
+    }
+  }
+  return outcome;
+}
+
+const Registered registered({
+    .id = "step-numbers",
+    .kind = "step",
+    .title = "The size of the numbers does not matter",
+    .statement =
+        "In 64-bit integers, in 256-bit integers and in GMP, slide finds the same sum, "
+        "origins included; and stretched so much that 64 bits do not hold the coordinates, "
+        "or bent as well, so that doubles cannot tell what is parallel, the sum that rca "
+        "finds.",
+    .why = "Each stage computes the same integers as long as none overflows, and the bits of the "
+           "coordinates say that none does. Larger stages ask doubles first, and believe them "
+           "only where they differ by more than they can be off.",
+    .hypotheses = {"P and Q are valid regions"},
+    .rests_on = {"step-boundary", "law-linear"},
+    .sources = small_mixture(),
+    .promises = promises_of_mixture(),
+    .kills = {"slide-believes-doubles"},
+    .cases = 300,
+    .file = __FILE__,
+    .check = check,
+});
+
+}  // namespace
+
+}  // namespace oplus

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/slide/free_pieces.hpp"
+#include "properties/runner/mixture.hpp"
+#include "properties/runner/registry.hpp"
+#include "properties/statements/slide/slid_pair.hpp"
+
+namespace oplus {
+
+namespace {
+
+Outcome check(const Summands& summands) {
+  const SlidPair pair(summands);
+  const auto& integers = pair.tracks.summands();
+  slide::FreePieces<SlidPair::Numbers> search(integers);
+  const slide::ComponentTest<SlidPair::Numbers> components(integers);
+  Outcome outcome;
+  for (std::uint32_t i = 0; i < pair.tracks.size(); ++i) {
+    const SlidPair::Track track = pair.tracks[i];
+    using Piece = slide::Piece<SlidPair::Numbers>;
+    std::vector<Piece> found, defined;
+    search.find(track, [&](Piece piece) { found.push_back(std::move(piece)); });
+    std::vector<slide::BlockedInterval<SlidPair::Numbers>> intervals;
+    for (const auto& e : integers.p.edges)
+      for (const auto& f : integers.q.edges)
+        if (auto blocked = slide::blocked_interval(track.exact, e, f, slide::Shift::to_the_right))
+          intervals.push_back(*blocked);
+    std::vector<SlidPair::Place> ends = {{0, 1}, {1, 1}};
+    for (const auto& interval : intervals) ends.insert(ends.end(), {interval.from, interval.to});
+    std::sort(ends.begin(), ends.end());
+    for (std::size_t k = 1; k < ends.size(); ++k) {
+      if (!(ends[k - 1] < ends[k]) || ends[k - 1] < SlidPair::Place{0, 1} ||
+          SlidPair::Place{1, 1} < ends[k])
+        continue;
+      const Piece piece{ends[k - 1], ends[k]};
+      const SlidPair::Place t = slide::place_inside(piece);
+      const bool is_blocked =
+          std::any_of(intervals.begin(), intervals.end(),
+                      [&](const auto& interval) { return interval.from < t && t < interval.to; });
+      if (is_blocked || components.overlap_at(track, t)) continue;
+      defined.push_back(piece);
+    }
+    std::sort(found.begin(), found.end(),
+              [](const Piece& a, const Piece& b) { return a.from < b.from; });
+    outcome.counts["segments"] += 1;
+    outcome.counts["free pieces"] += found.size();
+    const auto same = [](const Piece& a, const Piece& b) {
+      return !(a.from < b.from) && !(b.from < a.from) && !(a.to < b.to) && !(b.to < a.to);
+    };
+    if (std::equal(found.begin(), found.end(), defined.begin(), defined.end(), same)) continue;
+    outcome.kind = Outcome::Kind::fails;
+    outcome.why = "segment " + std::to_string(i) + " has " + std::to_string(found.size()) +
+                  " free pieces by search, " + std::to_string(defined.size()) + " by all pairs";
+    return outcome;
+  }
+  return outcome;
+}
+
+const Registered registered({
+    .id = "step-search",
+    .kind = "step",
+    .title = "The search finds what all pairs of edges leave uncovered",
+    .statement =
+        "The free pieces that probes and traversals of boxes find, doubles first, are what "
+        "the intervals of all pairs of edges leave uncovered of a segment, each piece once "
+        "and as long as it can be.",
+    .why =
+        "A pair of edges blocks a place only if x(t) is in the sum of their boxes, so a "
+        "traversal that leaves out no sum of boxes with x(t) in it finds a pair that blocks t "
+        "if there is one. A probe that finds none leaves out boxes; those that the gap meets "
+        "hold all other pairs with an interval there. Boxes are rounded outwards, and doubles "
+        "decide only where they are off by less than what they see; at both ends of a segment with "
+        "short coordinates they are off by nothing, and there a line beside a strip or on its "
+        "side is told, unless it runs along that side, when the shift decides. Each probe takes an "
+        "interval out of a gap or settles the gap, and there are finitely many intervals.",
+    .hypotheses =
+        {"P and Q are valid regions",
+         "components do not matter here: those that lie in another one with no edges crossing are left to step-components"},
+    .rests_on = {"step-interval"},
+    .sources = small_mixture(),
+    .promises = promises_of_mixture(),
+    .kills = {"slide-leaves-boxes-out", "slide-passes-sides-by"},
+    .cases = 1000,
+    .file = __FILE__,
+    .check = check,
+});
+
+}  // namespace
+
+}  // namespace oplus

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/runner/mixture.hpp"
+#include "properties/runner/registry.hpp"
+#include "properties/statements/slide/slid_pair.hpp"
+
+namespace oplus {
+
+namespace {
+
+Outcome check(const Summands& summands) {
+  const SlidPair pair(summands);
+  std::vector<Origin> found, defined;
+  for (std::uint32_t i = 0; i < pair.tracks.size(); ++i) found.push_back(pair.tracks.origin(i));
+  for (const ConvolutionSegment& s : reduced_convolution(summands.p, summands.q))
+    defined.push_back(s.origin);
+  std::sort(found.begin(), found.end());
+  std::sort(defined.begin(), defined.end());
+  Outcome outcome;
+  outcome.counts["segments"] = found.size();
+  if (found != defined) {
+    outcome.kind = Outcome::Kind::fails;
+    outcome.why = std::to_string(found.size()) + " segments are found, " +
+                  std::to_string(defined.size()) + " are in the reduced convolution";
+  }
+  return outcome;
+}
+
+const Registered registered({
+    .id = "step-segments",
+    .kind = "step",
+    .title = "The segments are those of the reduced convolution",
+    .statement = "slide takes exactly the segments of the reduced convolution, each once: found by "
+                 "ranks of directions, they are what the definition finds by comparing all pairs.",
+    .why = "A direction is in the tangent set of a convex vertex iff, turning counterclockwise, "
+           "it is met after the edge that enters and before the edge that leaves. With all "
+           "directions of both summands sorted once, ties by the one rule of Definition 2.2.7, "
+           "that is a range of ranks, which may go past the last one. At a reflex vertex, and "
+           "where an edge goes straight on, nothing is taken.",
+    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
+    .rests_on = {"definition-2.2.7-and-2.2.8", "theorem-2.3.2"},
+    .sources = small_mixture(),
+    .promises = promises_of_mixture(),
+    .kills = {"slide-ranks-without-ties"},
+    .cases = 600,
+    .file = __FILE__,
+    .check = check,
+});
+
+}  // namespace
+
+}  // namespace oplus

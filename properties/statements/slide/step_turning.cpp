@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/slide/slide.hpp"
+#include "properties/runner/registry.hpp"
+#include "properties/statements/slide/slid_pair.hpp"
+
+namespace oplus {
+
+namespace {
+
+Outcome check(const Summands& summands) {
+  const MinkowskiSum sum = slide_sum(summands.p, summands.q, Boundary::closed).sum;
+  Outcome outcome;
+  for (const std::vector<Chain>* of_kind : {&sum.outer, &sum.holes}) {
+    for (const Chain& chain : *of_kind) {
+      const bool is_outer = of_kind == &sum.outer;
+      ++outcome.counts[is_outer ? "outer chains" : "holes"];
+      if ((sign(twice_area(chain)) > 0) == is_outer) continue;
+      outcome.kind = Outcome::Kind::fails;
+      outcome.why = is_outer ? "an outer chain runs clockwise" : "a hole runs counterclockwise";
+      return outcome;
+    }
+  }
+  return outcome;
+}
+
+const Registered registered({
+    .id = "step-turning",
+    .kind = "step",
+    .title = "The turning number of a chain says whether it is an outer one",
+    .statement =
+        "Every chain that slide stitches turns once to the left if it is an outer chain of "
+        "the sum, once to the right if it goes around a hole.",
+    .why = "A chain bounds one face of the complement or goes around a component of the sum, "
+           "turning clockwise most where it touches itself. Drawn apart by an infinitesimal at "
+           "these points it is a simple polygon, with the same turns at its corners; and a "
+           "simple polygon turns once.",
+    .hypotheses = {"P and Q are valid regions"},
+    .rests_on = {"definition-2.1.9", "step-ends"},
+    .sources = {{"grid", 8, 2},
+                {"tight", 6, 4},
+                {"holes", 5, 3},
+                {"components", 5, 2},
+                {"islands", 2, 1},
+                {"fork", 3, 2},
+                {"diamond-u", 1, 1}},
+    .promises = {{"holes", 15}},
+    .kills = {"slide-sees-no-right-turn"},
+    .cases = 1000,
+    .file = __FILE__,
+    .check = check,
+});
+
+}  // namespace
+
+}  // namespace oplus

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/definitions/cells.hpp"
+
+#include <CGAL/Arr_extended_dcel.h>
+#include <CGAL/Arr_segment_traits_2.h>
+#include <CGAL/Arrangement_2.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/mpq_class.h>
+
+#include <set>
+
+#include "reference/definitions/cut_at_intersections.hpp"
+
+namespace oplus {
+
+namespace {
+
+// Plain rationals: no filter, no lazy evaluation. Vertices and faces carry their numbers.
+using Traits = CGAL::Arr_segment_traits_2<CGAL::Simple_cartesian<Rational>>;
+using Dcel = CGAL::Arr_extended_dcel<Traits, std::size_t, bool, std::size_t>;
+using Arrangement = CGAL::Arrangement_2<Traits, Dcel>;
+
+Point point(const Traits::Point_2& p) { return {p.x(), p.y()}; }
+
+template <typename Halfedge>
+Segment segment(Halfedge e) {
+  return {point(e->source()->point()), point(e->target()->point())};
+}
+
+/// The pieces meet in common ends only, so that CGAL has but to connect them: its sweep, in 5.5,
+/// fails on some overlaps (docs/findings.md).
+Arrangement arrangement_of(const std::vector<std::vector<Segment>>& of_segments) {
+  std::set<Segment> pieces;
+  for (const std::vector<Segment>& of_segment : of_segments) {
+    for (const Segment& piece : of_segment)
+      pieces.insert(piece.source < piece.target ? piece : reversed(piece));
+  }
+  std::vector<Traits::X_monotone_curve_2> curves;
+  for (const Segment& s : pieces)
+    curves.emplace_back(Traits::Point_2(s.source.x, s.source.y),
+                        Traits::Point_2(s.target.x, s.target.y));
+  Arrangement arrangement;
+  CGAL::insert_non_intersecting_curves(arrangement, curves.begin(), curves.end());
+  return arrangement;
+}
+
+/// All edges of a face's boundary, the face to their left.
+std::vector<Segment> boundary(Arrangement::Face_handle face) {
+  std::vector<Segment> result;
+  const auto add = [&](Arrangement::Ccb_halfedge_circulator first) {
+    auto e = first;
+    do {
+      result.push_back(segment(e));
+    } while (++e != first);
+  };
+  for (auto ccb = face->outer_ccbs_begin(); ccb != face->outer_ccbs_end(); ++ccb) add(*ccb);
+  for (auto ccb = face->inner_ccbs_begin(); ccb != face->inner_ccbs_end(); ++ccb) add(*ccb);
+  return result;
+}
+
+}  // namespace
+
+Cells cells(const std::vector<Segment>& segments) {
+  return cells_of_pieces(cut_at_intersections(segments));
+}
+
+Cells cells_of_pieces(const std::vector<std::vector<Segment>>& pieces) {
+  Arrangement arrangement = arrangement_of(pieces);
+  Cells result;
+  for (auto face : arrangement.face_handles()) {
+    face->set_data(result.faces.size());
+    if (face->is_unbounded()) result.unbounded_face = face->data();
+    result.faces.push_back(boundary(face));
+  }
+  for (auto vertex : arrangement.vertex_handles()) {
+    vertex->set_data(result.vertices.size());
+    result.vertices.push_back(point(vertex->point()));
+  }
+  for (auto edge : arrangement.edge_handles()) {
+    const Segment s = segment(edge);
+    const auto e = s.source < s.target ? edge : edge->twin();
+    result.edges.push_back({segment(e), e->face()->data(), e->twin()->face()->data(),
+                            e->source()->data(), e->target()->data()});
+  }
+  return result;
+}
+
+Point point_inside(const std::vector<Segment>& boundary) {
+  const Point start = midpoint(boundary[0].source, boundary[0].target);
+  const Vector along = direction_of(boundary[0]);
+  const Vector left{-along.y, along.x};
+  Rational step = 2;  // in the unbounded face, where nothing may be met
+  const auto meet = [&](const Rational& at) {
+    if (at > 0 && at < step) step = at;
+  };
+  for (const Segment& e : boundary) {
+    const Vector v = direction_of(e);
+    const Rational across = cross(left, v);
+    if (sign(across) != 0) {
+      const Rational on_edge = cross(e.source - start, left) / across;
+      if (on_edge >= 0 && on_edge <= 1) meet(cross(e.source - start, v) / across);
+    } else if (sign(cross(e.source - start, left)) == 0) {
+      meet(dot(e.source - start, left) / dot(left, left));
+      meet(dot(e.target - start, left) / dot(left, left));
+    }
+  }
+  return start + step / 2 * left;
+}
+
+}  // namespace oplus

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <stdexcept>
+
+namespace oplus {
+
+/// Two verdicts on whether a point is in the sum differ, one by winding number, one by collision:
+/// Theorem 4.2.1 is false, or one of the definitions is wrong. Never seen on a valid region.
+class VerdictsDiffer : public std::logic_error {
+ public:
+  using std::logic_error::logic_error;
+};
+
+}  // namespace oplus

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "reference/families/family.hpp"
+
+namespace oplus {
+
+/// The `make` of each family; what it makes and what n is stands in the table in family.cpp.
+Summands convex_pair(Random& random, std::size_t n);
+Summands star_pair(Random& random, std::size_t n);
+Summands simple_pair(Random& random, std::size_t n);
+Summands grid_pair(Random& random, std::size_t n);
+Summands comb_pair(Random& random, std::size_t n);
+Summands fork_pair(Random& random, std::size_t n);
+Summands tight_pair(Random& random, std::size_t n);
+Summands diamond_and_u_pair(Random& random, std::size_t n);
+Summands holes_pair(Random& random, std::size_t n);
+Summands components_pair(Random& random, std::size_t n);
+Summands islands_pair(Random& random, std::size_t n);
+
+}  // namespace oplus

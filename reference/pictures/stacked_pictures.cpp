@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/pictures/stacked_pictures.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <stdexcept>
+
+#include "reference/pictures/svg_elements.hpp"
+
+namespace oplus {
+
+namespace {
+
+using namespace picture;
+
+constexpr std::string_view start = "<svg";
+
+/// The number that the svg tag has as an attribute.
+double size(const std::string& svg, const std::string& name) {
+  const std::string tag = svg.substr(0, svg.find('>'));
+  const std::string assigned = " " + name + "=\"";
+  const std::size_t at = tag.find(assigned);
+  double value = 0;
+  if (!tag.starts_with(start) || at == std::string::npos ||
+      std::from_chars(tag.data() + at + assigned.size(), tag.data() + tag.size(), value).ec !=
+          std::errc())
+    throw std::invalid_argument("a picture without its " + name);
+  return value;
+}
+
+}  // namespace
+
+std::string stacked(const std::vector<TitledPicture>& pictures) {
+  constexpr double margin = 16;
+  constexpr double title_size = 15;
+  double width = 240;
+  double y = 0;
+  std::string content;
+  for (const auto& [title, svg] : pictures) {
+    width = std::max({width, size(svg, "width"), 2 * margin + text_width(title, title_size)});
+    const double height = size(svg, "height");
+    y += margin + title_size;
+    content += text(margin, y, title_size, "start", "#1a1a1a", title);
+    content += std::string(start) + attributes({{"y", number(y)}}) + svg.substr(start.size());
+    y += height;
+  }
+  const std::string extent = number(width) + " " + number(y + margin);
+  return std::string(start) + " xmlns=\"http://www.w3.org/2000/svg\"" +
+         attributes({{"viewBox", "0 0 " + extent},
+                     {"width", number(width)},
+                     {"height", number(y + margin)},
+                     {"font-family", "DejaVu Sans, Helvetica, Arial, sans-serif"}}) +
+         ">\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n" + content + "</svg>\n";
+}
+
+}  // namespace oplus

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/arrangement/rca.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "properties/compare/corpus.hpp"
+#include "reference/definitions/convolution.hpp"
+#include "reference/families/fork.hpp"
+#include "reference/io/reading.hpp"
+#include "tests/reference/definitions/print.hpp"
+#include "tests/reference/definitions/shapes.hpp"
+
+namespace oplus {
+namespace {
+
+const std::string data_dir = OPLUS_DATA_DIR;
+
+#define NEEDS_PUBLISHED_DATA() \
+  if (!std::filesystem::exists(data_dir)) GTEST_SKIP() << data_dir << " is not there"
+
+Region published(const std::string& name) {
+  return read_region_file(data_dir + "/" + name + ".dat").region;
+}
+
+ComputedSum of_published(const std::string& p, const std::string& q, Boundary boundary) {
+  return rca(published(p), published(q), boundary);
+}
+
+TEST(Rca, origins_are_empty_unless_asked_for) {
+  const Region square = polygon(box(0, 0, 1, 1));
+  EXPECT_TRUE(rca(square, square, Boundary::closed).origins.empty());
+  EXPECT_EQ(rca(square, square, Boundary::closed, WithOrigins::yes).origins.size(), 4u);
+}
+
+TEST(Rca, statistics_are_those_of_an_arrangement) {
+  for (const Row& row : corpus()) {
+    const RunStatistics closed = rca(row.p, row.q, Boundary::closed).statistics;
+    EXPECT_EQ(closed.segments, reduced_convolution(row.p, row.q).size()) << row.name;
+    // Euler: V + F = E + 1 + connected components.
+    EXPECT_GE(closed.arrangement_vertices + closed.arrangement_faces,
+              closed.arrangement_edges + (closed.segments == 0 ? 1 : 2))
+        << row.name;
+    EXPECT_LT(closed.hole_tests, closed.arrangement_faces) << row.name;
+    const RunStatistics open = rca(row.p, row.q, Boundary::open).statistics;
+    EXPECT_EQ(open.arrangement_edges, closed.arrangement_edges) << row.name;
+    EXPECT_GE(open.hole_tests, closed.hole_tests) << row.name;
+  }
+}
+
+TEST(Rca, statistics_of_two_squares) {
+  const Region square = polygon(box(0, 0, 1, 1));
+  const RunStatistics statistics = rca(square, square, Boundary::closed).statistics;
+  EXPECT_EQ(statistics.segments, 8u);
+  EXPECT_EQ(statistics.arrangement_vertices, 8u);
+  EXPECT_EQ(statistics.arrangement_edges, 8u);
+  EXPECT_EQ(statistics.arrangement_faces, 2u);
+  EXPECT_EQ(statistics.hole_tests, 0u);
+}
+
+TEST(Rca, has_the_arrangement_edges_of_table_6_1) {
+  NEEDS_PUBLISHED_DATA();
+  const auto edges_of = [](const std::string& pair) {
+    return of_published(pair + "_part1", pair + "_part2", Boundary::closed)
+        .statistics.arrangement_edges;
+  };
+  EXPECT_EQ(edges_of("fork"), 6154u);
+  EXPECT_EQ(edges_of("comb"), 579u);
+  EXPECT_EQ(edges_of("stars"), 791u);
+}
+
+TEST(Rca, of_the_published_pair_has_one_isolated_vertex_where_open) {
+  NEEDS_PUBLISHED_DATA();
+  const auto isolated = [](Boundary boundary) {
+    return of_published("isolated_vertex_part1", "isolated_vertex_part2", boundary)
+        .sum.isolated_vertices;
+  };
+  EXPECT_EQ(isolated(Boundary::open), (std::vector<Point>{{3, 3}}));
+  EXPECT_TRUE(isolated(Boundary::closed).empty());
+}
+
+TEST(Rca, of_the_published_touching_chains_has_four_isolated_vertices_where_open) {
+  NEEDS_PUBLISHED_DATA();
+  EXPECT_EQ(of_published("pwh5", "pwh5", Boundary::open).sum.isolated_vertices,
+            (std::vector<Point>{{4, 4}, {4, 12}, {12, 4}, {12, 12}}));
+}
+
+TEST(Rca, of_a_fork_and_its_l_has_a_hole_for_each_pair_of_teeth) {
+  for (const std::size_t teeth : {1, 2, 5}) {
+    const Summands fork = fork_and_l(teeth);
+    const MinkowskiSum sum = rca(fork.p, fork.q, Boundary::closed).sum;
+    EXPECT_EQ(sum.holes.size(), teeth * teeth);
+    EXPECT_EQ(sum.outer.size(), 1u);
+  }
+}
+
+TEST(Rca, of_the_published_fork_has_600_holes) {
+  NEEDS_PUBLISHED_DATA();
+  EXPECT_EQ(of_published("fork_part1", "fork_part2", Boundary::closed).sum.holes.size(), 600u);
+}
+
+TEST(Rca, is_exact_where_no_double_is) {
+  const Rational tiny = 1 / Rational("1" + std::string(400, '0'));
+  // The slot is wider than the square by less than any double: a hole instead of a dangling edge.
+  const auto slotted = [](const Rational& top) {
+    return Region{{{box(0, 0, 5, 5), {backwards(box(1, 1, 4, top))}}}};
+  };
+  const Region square = polygon(box(0, 0, 2, 2));
+  EXPECT_EQ(rca(slotted(3 + tiny), square, Boundary::closed).sum.holes,
+            (std::vector<Chain>{{{3, 3}, {3, 3 + tiny}, {4, 3 + tiny}, {4, 3}}}));
+  EXPECT_EQ(rca(slotted(3), square, Boundary::open).sum.dangling_edges,
+            (std::vector<Segment>{{{3, 3}, {4, 3}}}));
+  const MinkowskiSum closed = rca(slotted(3 - tiny), square, Boundary::open).sum;
+  EXPECT_EQ(closed, canonical_sum(polygon(box(0, 0, 7, 7))));
+}
+
+}  // namespace
+}  // namespace oplus

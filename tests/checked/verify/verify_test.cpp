@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/verify/verify.hpp"
+
+#include <gtest/gtest.h>
+
+#include "checked/cli/engine.hpp"
+#include "checked/verify/sum_by_walks.hpp"
+#include "properties/compare/corpus.hpp"
+#include "reference/families/family.hpp"
+#include "reference/oracle/oracle.hpp"
+#include "tests/reference/definitions/print.hpp"
+#include "tests/reference/definitions/shapes.hpp"
+
+namespace oplus {
+namespace {
+
+const Region unit = polygon(box(0, 0, 1, 1));
+
+/// A frame of width 1 around a hole of side 2: what is summed with a unit square has a hole of side
+/// 1.
+const Region frame{{{box(0, 0, 4, 4), {backwards(box(1, 1, 3, 3))}}}};
+const Region sum_of_frame{{{box(0, 0, 5, 5), {backwards(box(2, 2, 3, 3))}}}};
+
+Verdict of_frame(const Region& given) {
+  return verify(frame, unit, Boundary::closed, {given, {}, {}});
+}
+
+std::vector<ReasonKind> kinds(const Verdict& verdict) {
+  std::vector<ReasonKind> result;
+  for (const Reason& reason : verdict.reasons) result.push_back(reason.kind);
+  return result;
+}
+
+using Kinds = std::vector<ReasonKind>;
+
+TEST(Verify, accepts_every_sum_of_every_engine_in_the_corpus) {
+  for (const Row& row : corpus()) {
+    for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
+      EXPECT_EQ(sum_by_definition(row.p, row.q, boundary),
+                boundary == Boundary::open ? row.open : row.closed)
+          << row.name;
+      for (const Engine& engine : engines()) {
+        const MinkowskiSum sum = engine.compute(row.p, row.q, boundary, {}).sum;
+        const Verdict verdict = verify(row.p, row.q, boundary, sum);
+        EXPECT_TRUE(verdict.is_sum()) << row.name << ", " << engine.name;
+        EXPECT_EQ(verdict.right, sum) << row.name << ", " << engine.name;
+        EXPECT_FALSE(verdict.addends.has_value());
+      }
+    }
+  }
+}
+
+/// Not by the verifier's word alone: its sum is the oracle's.
+TEST(Verify, walks_along_the_convolution_to_the_sum_of_the_oracle) {
+  std::size_t features = 0;
+  for (const Family& family : families()) {
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
+      const auto [p, q] = generate(family, family.smallest + 1, seed);
+      if (vertex_count(p) * vertex_count(q) > 200) continue;  // the oracle takes seconds
+      const OracleSums sums = oracle_sums(p, q);
+      const Placements placements(p, q);
+      EXPECT_EQ(sum_by_walks(p, q, Boundary::closed, placements), sums.closed) << family.name;
+      EXPECT_EQ(sum_by_walks(p, q, Boundary::open, placements), sums.open) << family.name;
+      features += sums.open.dangling_edges.size() + sums.open.isolated_vertices.size();
+    }
+  }
+  EXPECT_GT(features, 0U);
+}
+
+TEST(Verify, accepts_chains_in_any_order_from_any_vertex) {
+  const Region turned{{{{{5, 0}, {5, 5}, {0, 5}, {0, 0}}, {{{3, 2}, {2, 2}, {2, 3}, {3, 3}}}}}};
+  EXPECT_TRUE(of_frame(turned).is_sum());
+  EXPECT_TRUE(of_frame(turned).notes.empty());
+}
+
+TEST(Verify, notes_what_changes_nothing) {
+  const Region given{
+      {{{{0, 0}, {5, 0}, {5, 0}, {5, 2}, {5, 5}, {0, 5}, {0, 0}}, {backwards(box(2, 2, 3, 3))}}}};
+  const Verdict verdict = of_frame(given);
+  EXPECT_TRUE(verdict.is_sum());
+  EXPECT_EQ(verdict.notes, (std::vector<std::string>{"2 vertices repeat the one before",
+                                                     "1 vertex is inside a straight line"}));
+}
+
+TEST(Verify, a_chain_that_touches_itself_is_as_good_as_two) {
+  const Region pieces{{{box(0, 0, 1, 1), {}}, {box(2, 2, 3, 3), {}}}};
+  const Region one_chain =
+      polygon({{0, 0}, {2, 0}, {2, 2}, {4, 2}, {4, 4}, {2, 4}, {2, 2}, {0, 2}});
+  const Verdict verdict = verify(pieces, unit, Boundary::closed, {one_chain, {}, {}});
+  EXPECT_TRUE(verdict.is_sum());
+  EXPECT_EQ(verdict.notes, (std::vector<std::string>{"1 chain touches itself"}));
+}
+
+TEST(Verify, a_missing_hole_has_its_area_and_a_point_of_it) {
+  const Verdict verdict = of_frame(polygon(box(0, 0, 5, 5)));
+  ASSERT_EQ(kinds(verdict), Kinds{ReasonKind::missing_hole});
+  const Reason& reason = verdict.reasons.front();
+  EXPECT_EQ(reason.detail, "a hole of area 1 of the sum is filled");
+  EXPECT_EQ(reason.witness, (Point{Rational(5, 2), Rational(5, 2)}));
+  EXPECT_EQ(reason.size, 2);
+  EXPECT_FALSE(reason.in_sum);
+  EXPECT_TRUE(reason.in_given);
+  EXPECT_FALSE(verdict.addends.has_value());
+}
+
+TEST(Verify, what_is_left_out_comes_with_points_that_add_up_to_it) {
+  const Region given{{{box(0, 0, 5, 4), {backwards(box(2, 2, 3, 3))}}}};
+  const Verdict verdict = of_frame(given);
+  ASSERT_EQ(kinds(verdict), Kinds{ReasonKind::not_in_given});
+  ASSERT_TRUE(verdict.addends.has_value());
+  EXPECT_EQ(verdict.addends->p + verdict.addends->q, verdict.reasons[0].witness);
+  EXPECT_EQ(locate(verdict.addends->p, frame), Location::inside);
+  EXPECT_EQ(locate(verdict.addends->q, unit), Location::inside);
+}
+
+TEST(Verify, the_larger_difference_comes_first) {
+  const Region given{
+      {{box(0, 0, 6, 5), {backwards(box(2, 2, 3, 3)), backwards(box(1, 1, Rational(3, 2), 2))}}}};
+  EXPECT_EQ(kinds(of_frame(given)), (Kinds{ReasonKind::not_in_sum, ReasonKind::additional_hole}));
+}
+
+TEST(Verify, a_component_that_is_cut_is_split) {
+  const Region given{{{box(0, 0, 2, 5), {}}, {box(3, 0, 5, 5), {}}}};
+  // Below the hole and above it.
+  EXPECT_EQ(kinds(of_frame(given)), Kinds(2, ReasonKind::split_component));
+}
+
+TEST(Verify, a_bridge_joins_components) {
+  const Region two{{{box(0, 0, 1, 1), {}}, {box(4, 0, 5, 1), {}}}};
+  const Region bridged = polygon({{0, 0}, {2, 0}, {2, 1}, {4, 1}, {4, 0}, {6, 0}, {6, 2}, {0, 2}});
+  EXPECT_EQ(kinds(verify(two, unit, Boundary::closed, {bridged, {}, {}})),
+            Kinds{ReasonKind::joined_components});
+}
+
+TEST(Verify, each_wrong_orientation_is_a_reason) {
+  const Region given{{{backwards(box(0, 0, 5, 5)), {box(2, 2, 3, 3)}}}};
+  const Verdict verdict = of_frame(given);
+  ASSERT_EQ(kinds(verdict), (Kinds(2, ReasonKind::wrong_orientation)));
+  EXPECT_EQ(verdict.reasons[0].detail,
+            "the outer chain of component 1 runs clockwise, not counterclockwise");
+  EXPECT_EQ(verdict.reasons[1].detail,
+            "hole 1 of component 1 runs counterclockwise, not clockwise");
+}
+
+TEST(Verify, chains_that_cross_are_unsimple_even_where_the_set_is_right) {
+  // Two boxes that overlap: their union is the sum's square.
+  const Region given{{{box(0, 0, 4, 5), {backwards(box(2, 2, 3, 3))}}, {box(4, 0, 5, 5), {}}}};
+  const Verdict touching = of_frame(given);
+  ASSERT_EQ(kinds(touching), Kinds{ReasonKind::unsimple_boundary});
+  EXPECT_EQ(touching.reasons[0].detail,
+            "a chain runs from (4, 0) to (4, 5), where the given set is on both sides");
+}
+
+TEST(Verify, of_an_empty_sum) {
+  EXPECT_TRUE(verify({}, unit, Boundary::closed, GivenSum{}).is_sum());
+  EXPECT_TRUE(verify({}, {}, Boundary::open, GivenSum{}).is_sum());
+  EXPECT_EQ(kinds(verify({}, unit, Boundary::closed, GivenSum{unit, {}, {}})),
+            Kinds{ReasonKind::additional_component});
+  EXPECT_EQ(kinds(verify(unit, unit, Boundary::closed, GivenSum{})),
+            Kinds{ReasonKind::missing_component});
+  EXPECT_EQ(kinds(verify({}, unit, Boundary::open, GivenSum{{}, {}, {{1, 1}}})),
+            Kinds{ReasonKind::additional_isolated_vertex});
+}
+
+TEST(Verify, takes_chains_that_are_none) {
+  const Region lines{{{box(0, 0, 5, 5), {backwards(box(2, 2, 3, 3))}},
+                      {{{1, 1}}, {}},
+                      {{}, {}},
+                      {{{1, 1}, {1, 1}}, {}},
+                      {{{-1, -1}, {-2, -2}}, {{{7, 7}, {8, 8}, {9, 9}}}}}};
+  const Verdict verdict = of_frame(lines);
+  EXPECT_FALSE(verdict.is_sum());
+  for (const Reason& reason : verdict.reasons)
+    EXPECT_EQ(reason.kind, ReasonKind::unsimple_boundary) << reason.detail;
+}
+
+TEST(Verify, a_sum_by_its_chains_may_have_a_hole_in_nothing) {
+  MinkowskiSum sum = sum_by_definition(frame, unit, Boundary::closed);
+  EXPECT_TRUE(verify(frame, unit, Boundary::closed, sum).is_sum());
+  sum.outer.clear();
+  const Verdict verdict = verify(frame, unit, Boundary::closed, sum);
+  ASSERT_FALSE(verdict.is_sum());
+  EXPECT_EQ(verdict.reasons.front().kind, ReasonKind::missing_component);
+}
+
+TEST(Verify, of_huge_and_tiny_coordinates) {
+  Rational huge = 1;
+  for (int i = 0; i < 300; ++i) huge *= 10;
+  const Rational tiny = 1 / huge;
+  const Region p = polygon(box(0, 0, huge, tiny));
+  const MinkowskiSum sum = sum_by_definition(p, unit, Boundary::closed);
+  EXPECT_EQ(sum, canonical_sum(polygon(box(0, 0, huge + 1, tiny + 1))));
+  Region given = region_of(sum);
+  EXPECT_TRUE(verify(p, unit, Boundary::closed, {given, {}, {}}).is_sum());
+  given.components[0].outer[2].x += tiny;
+  EXPECT_FALSE(verify(p, unit, Boundary::closed, {given, {}, {}}).is_sum());
+}
+
+TEST(Verify, the_kind_of_boundary_matters) {
+  const Region plug = polygon(box(0, 0, 2, 2));
+  const MinkowskiSum open = sum_by_definition(frame, plug, Boundary::open);
+  const MinkowskiSum closed = sum_by_definition(frame, plug, Boundary::closed);
+  ASSERT_EQ(open.isolated_vertices, (std::vector<Point>{{3, 3}}));
+  EXPECT_EQ(kinds(verify(frame, plug, Boundary::open, closed)),
+            (Kinds{ReasonKind::missing_isolated_vertex, ReasonKind::wrong_boundary}));
+  EXPECT_EQ(kinds(verify(frame, plug, Boundary::closed, open)),
+            (Kinds{ReasonKind::additional_isolated_vertex, ReasonKind::wrong_boundary}));
+}
+
+TEST(Verify, features_that_lie_elsewhere_are_too_many) {
+  GivenSum given{sum_of_frame, {{{7, 7}, {8, 8}}}, {{9, 9}, {5, 5}}};
+  EXPECT_EQ(kinds(verify(frame, unit, Boundary::open, given)),
+            (Kinds{ReasonKind::additional_dangling_edge, ReasonKind::additional_isolated_vertex,
+                   ReasonKind::additional_isolated_vertex}));
+}
+
+}  // namespace
+}  // namespace oplus

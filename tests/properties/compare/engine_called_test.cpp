@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/compare/engine_called.hpp"
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include "properties/compare/corpus.hpp"
+#include "properties/compare/differential.hpp"
+#include "properties/compare/no_sum.hpp"
+#include "properties/compare/peers/peer_table.hpp"
+
+namespace oplus {
+namespace {
+
+using Kind = NoSum::Kind;
+
+const Region triangle = polygon({{0, 0}, {1, 0}, {0, 1}});
+const Region square = polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+const MinkowskiSum sum_of_both = canonical_sum(polygon({{0, 0}, {2, 0}, {2, 1}, {1, 2}, {0, 2}}));
+
+PeerLimits patient() {
+  PeerLimits limits;
+  limits.seconds = 100'000;
+  return limits;
+}
+
+MinkowskiSum sum(const std::string& engine, const PeerLimits& limits, Boundary boundary,
+                 const Region& p = triangle, const Region& q = square) {
+  Probes none;
+  return engine_called(engine, limits).value().sum(p, q, boundary, none);
+}
+
+NoSum no_sum(const std::string& engine, const PeerLimits& limits = patient(),
+             Boundary boundary = Boundary::closed) {
+  try {
+    sum(engine, limits, boundary);
+  } catch (const NoSum& e) {
+    return e;
+  }
+  return {Kind::not_taken, "it returned a sum", ""};
+}
+
+void expect_no_sum(const NoSum& found, Kind kind, const std::string& site,
+                   const std::string& what) {
+  EXPECT_EQ(name(found.kind()), name(kind)) << found.what();
+  EXPECT_EQ(found.site(), site) << found.what();
+  EXPECT_NE(std::string(found.what()).find(what), std::string::npos) << found.what();
+}
+
+TEST(EngineCalled, knows_peers_and_programs_and_nothing_else) {
+  const PeerLimits limits;
+  EXPECT_EQ(engine_called("cgal-full", limits).value().name, "cgal-full");
+  EXPECT_EQ(engine_called("exec:a b", limits).value().name, "exec:a b");
+  for (const char* other : {"", "slide", "exec:", "exec", "cgal"})
+    EXPECT_FALSE(engine_called(other, limits)) << other;
+}
+
+// The programs that stand in for others are the shell's scripts.
+
+class ProgramEngine : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = testing::TempDir() + "oplus peers 'quoted' XXXXXX";
+    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::filesystem::path folder_;
+};
+
+constexpr const char* right = "echo 'POLYGON ((0 0, 2 0, 2 1, 1 2, 0 2, 0 0))'; : ";
+
+TEST_F(ProgramEngine, that_is_right_has_its_sum_read_in_any_format) {
+  EXPECT_EQ(sum(std::string("exec:") + right, patient(), Boundary::closed), sum_of_both);
+  EXPECT_EQ(sum("exec:printf '5 0 0 2 0 2 1 1 2 0 2\\n' #", patient(), Boundary::closed),
+            sum_of_both);
+  EXPECT_EQ(
+      sum("exec:echo '{\"type\": \"Polygon\", \"coordinates\": [[[0,0],[2,0],[2,1],[1,2],[0,2],"
+          "[0,0]]]}' #",
+          patient(), Boundary::closed),
+      sum_of_both);
+}
+
+TEST_F(ProgramEngine, gets_both_files_appended_or_where_it_wants_them) {
+  const Region p = polygon({{0, 0}, {7, 0}, {0, 7}});
+  // What reads a file as the sum gets that summand.
+  EXPECT_EQ(sum("exec:cat {q} #", patient(), Boundary::closed), canonical_sum(square));
+  EXPECT_EQ(sum("exec:cat {p} # {p}", patient(), Boundary::closed, p), canonical_sum(p));
+  EXPECT_EQ(sum("exec:f() { cat \"$2\"; }; f", patient(), Boundary::closed), canonical_sum(square));
+  EXPECT_EQ(sum("exec:head -q -n 1 '{p}' \"{q}\" | tail -n 1", patient(), Boundary::closed),
+            canonical_sum(square));
+}
+
+TEST_F(ProgramEngine, may_have_spaces_and_quotes_in_its_name) {
+  const std::filesystem::path program = folder_ / "my \"sum\"";
+  std::ofstream(program) << "#!/bin/sh\ncat \"$1\"\n";
+  ::chmod(program.c_str(), 0700);
+  std::string quoted = program.string();
+  for (std::size_t at = quoted.find('\''); at != std::string::npos; at = quoted.find('\'', at + 4))
+    quoted.replace(at, 1, "'\\''");
+  EXPECT_EQ(sum("exec:'" + quoted + "'", patient(), Boundary::closed), canonical_sum(triangle));
+}
+
+TEST_F(ProgramEngine, computes_open_sums_where_it_says_so) {
+  expect_no_sum(no_sum(std::string("exec:") + right, patient(), Boundary::open), Kind::not_taken,
+                "open", "closed sums only");
+  const std::string both = "exec:test {boundary} = open && cat {p} || cat {q}";
+  EXPECT_EQ(sum(both, patient(), Boundary::open), canonical_sum(triangle));
+  EXPECT_EQ(sum(both, patient(), Boundary::closed), canonical_sum(square));
+}
+
+TEST_F(ProgramEngine, leaves_no_files) {
+  const NoSum said = no_sum("exec:echo {p} >&2; exit 77");
+  EXPECT_TRUE(said.site().ends_with("/p.wkt")) << said.site();
+  EXPECT_FALSE(std::filesystem::exists(said.site()));
+  EXPECT_FALSE(std::filesystem::exists(std::filesystem::path(said.site()).parent_path()));
+}
+
+TEST_F(ProgramEngine, that_is_wrong_disagrees_and_is_shrunk) {
+  const std::vector<Implementation> wrong = {*engine_called("exec:cat {p} #", patient())};
+  const DifferentialResult result = differential({triangle, square}, wrong, 1000);
+  ASSERT_EQ(result.kind, DifferentialResult::Kind::disagreed);
+  EXPECT_FALSE(result.disagreement->no_sum);
+  const Summands shrunk = shrink({triangle, square}, *result.disagreement, wrong, 100).summands;
+  EXPECT_EQ(vertex_count(shrunk.p) + vertex_count(shrunk.q), 6U);
+}
+
+TEST_F(ProgramEngine, that_crashes_is_shrunk_to_the_same_crash_in_so_many_tries) {
+  // Crashes on squares one way, on triangles another.
+  const std::string script =
+      "exec:test $(tr -cd , <{q} | wc -c) = 4 && kill -SEGV $$; kill -ABRT $$ # {p}";
+  const std::vector<Implementation> crashing = {*engine_called(script, patient())};
+  const Summands large{square, polygon({{0, 0}, {5, 0}, {5, 5}, {0, 5}})};
+  const DifferentialResult result = differential(large, crashing, 1000);
+  ASSERT_EQ(result.kind, DifferentialResult::Kind::disagreed);
+  EXPECT_EQ(result.disagreement->no_sum.value().site(), "SIGSEGV");
+  const ShrunkDisagreement shrunk = shrink(large, *result.disagreement, crashing, 200);
+  EXPECT_EQ(vertex_count(shrunk.summands.p), 3U);
+  EXPECT_EQ(vertex_count(shrunk.summands.q), 4U);
+  EXPECT_EQ(shrunk.disagreement.no_sum.value().site(), "SIGSEGV");
+  EXPECT_EQ(shrink(large, *result.disagreement, crashing, 0).summands, large);
+}
+
+TEST_F(ProgramEngine, that_says_nothing_or_garbage_or_half_an_answer_is_unreadable) {
+  expect_no_sum(no_sum("exec:true"), Kind::unreadable, "nothing", "wrote nothing");
+  expect_no_sum(no_sum("exec:echo oops >&2 #"), Kind::unreadable, "nothing", "wrote nothing");
+  expect_no_sum(no_sum("exec:echo garbage #"), Kind::unreadable, "no sum", "its output:1:1: ");
+  expect_no_sum(no_sum("exec:printf 'POLYGON ((0 0, 2 0, 2' #"), Kind::unreadable, "no sum",
+                "the end of the input");
+  expect_no_sum(no_sum("exec:printf '\\0\\377\\0' #"), Kind::unreadable, "no sum",
+                "its output:1:1");
+  expect_no_sum(no_sum("exec:echo 'POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))' #"), Kind::unreadable,
+                "no sum", "cross");
+}
+
+TEST_F(ProgramEngine, that_writes_without_end_is_stopped) {
+  PeerLimits limits = patient();
+  limits.output_mb = 1;
+  expect_no_sum(no_sum("exec:yes POLYGON #", limits), Kind::unreadable, "too much",
+                "more than 1 MB");
+  expect_no_sum(no_sum("exec:head -c 1000000000 /dev/zero #", limits), Kind::unreadable, "too much",
+                "more than 1 MB");
+}
+
+TEST_F(ProgramEngine, that_hangs_is_ended_with_its_children) {
+  PeerLimits limits;
+  limits.seconds = 0.2;
+  expect_no_sum(no_sum("exec:exec sleep 100000 #", limits), Kind::hung, "", "after 0.2 s");
+  expect_no_sum(no_sum("exec:sleep 100000 & sleep 100000; : ", limits), Kind::hung, "", "hung");
+  expect_no_sum(no_sum("exec:echo 'POLYGON EMPTY'; cat | sleep 100000 #", limits), Kind::hung, "",
+                "hung");
+  // It has ended and left a child that holds its output open.
+  EXPECT_EQ(sum(std::string("exec:sleep 100000 & ") + right, patient(), Boundary::closed),
+            sum_of_both);
+}
+
+TEST_F(ProgramEngine, that_wants_more_memory_than_it_has_is_out_of_memory) {
+  PeerLimits limits = patient();
+  limits.memory_mb = 500;
+  expect_no_sum(no_sum("exec:dd if=/dev/zero of=/dev/null count=1 bs=1000M #", limits),
+                Kind::out_of_memory, "", "exit code 1");
+}
+
+TEST_F(ProgramEngine, that_dies_has_crashed_and_says_where) {
+  expect_no_sum(no_sum("exec:kill -SEGV $$ #"), Kind::crashed, "SIGSEGV", "crashed: SIGSEGV");
+  // The shell says of a program that it has run to its end by a signal: 128 and the signal.
+  expect_no_sum(no_sum("exec:sh -c 'kill -FPE $$'; exit $? #"), Kind::crashed, "SIGFPE", "SIGFPE");
+  expect_no_sum(no_sum("exec:echo why not >&2; exit 3 #"), Kind::crashed, "exit code 3",
+                "exit code 3: why not");
+  expect_no_sum(
+      no_sum("exec:echo \"x: a.c:1: int f(): Assertion \\`y' failed.\" >&2; kill -ABRT $$"),
+      Kind::crashed, "a.c:1: y", "SIGABRT, a.c:1: y");
+  expect_no_sum(no_sum("exec:no-such-program"), Kind::crashed, "exit code 127", "not found");
+  // Even after a right answer.
+  expect_no_sum(no_sum(std::string("exec:") + right + "; kill -SEGV $$ #"), Kind::crashed,
+                "SIGSEGV", "");
+}
+
+TEST_F(ProgramEngine, that_does_not_take_a_pair_says_so_by_its_exit_code) {
+  expect_no_sum(no_sum("exec:echo triangles only >&2; exit 77 #"), Kind::not_taken,
+                "triangles only", "not taken: triangles only");
+  expect_no_sum(no_sum("exec:exit 77 #"), Kind::not_taken, "", "does not say why");
+}
+
+TEST(Peers, compute_sums_of_the_corpus_they_are_known_to_compute) {
+  std::map<std::string, std::size_t> right_sums;
+  const std::set<std::string> chosen = {"sum_with_a_hole", "decimals_and_fractions",
+                                        "equally_directed_overlapping_edges", "island_in_a_hole"};
+  for (const Row& row : corpus()) {
+    if (!chosen.contains(row.name)) continue;
+    for (const Peer& peer : peers()) {
+      try {
+        if (sum(peer.name, patient(), Boundary::closed, row.p, row.q) == row.closed)
+          ++right_sums[peer.name];
+        else
+          ADD_FAILURE() << peer.name << " is wrong on " << row.name;
+      } catch (const NoSum& e) {
+        EXPECT_EQ(e.kind(), Kind::not_taken) << peer.name << ' ' << row.name << ": " << e.what();
+      }
+    }
+  }
+  for (const Peer& peer : peers()) EXPECT_GE(right_sums[peer.name], 1U) << peer.name;
+}
+
+/// Where this fails a library has become better: docs/findings.md is to say so.
+TEST(Peers, are_as_wrong_as_the_findings_say) {
+  const auto by = [](const std::string& peer, const std::string& name) {
+    const std::vector<Row> rows = corpus();
+    const auto row =
+        std::find_if(rows.begin(), rows.end(), [&](const Row& r) { return r.name == name; });
+    if (row == rows.end()) throw std::runtime_error("no row " + name);
+    return std::pair(sum(peer, patient(), Boundary::closed, row->p, row->q), row->closed);
+  };
+  for (const char* row :
+       {"cgal_full_convolution_crash", "cgal_full_convolution_crash_of_nine_vertices"}) {
+    try {
+      by("cgal-full", row);
+      ADD_FAILURE() << row << ": no crash";
+    } catch (const NoSum& e) {
+      EXPECT_EQ(e.kind(), Kind::crashed) << e.what();
+    }
+    const auto [other, expected] = by("cgal-reduced", row);
+    EXPECT_EQ(other, expected);
+  }
+  const auto [by_reduced, with_hole] = by("cgal-reduced", "cgal_reduced_convolution_lost_hole");
+  EXPECT_EQ(with_hole.holes.size(), 1U);
+  EXPECT_EQ(by_reduced.holes.size(), 0U);
+  EXPECT_EQ(by_reduced.outer, with_hole.outer);
+  for (const char* peer : {"clipper", "boost-polygon"}) {
+    const auto [rounded, exact] = by(peer, "clipper_and_boost_polygon_round");
+    EXPECT_NE(rounded, exact) << peer;
+    EXPECT_EQ(rounded.outer.at(0).size(), exact.outer.at(0).size()) << peer;
+  }
+}
+
+TEST(Peers, do_not_take_what_they_have_no_interface_for) {
+  const Region frame{{{{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, {{{2, 2}, {2, 7}, {7, 7}, {7, 2}}}}}};
+  const Region two{{{{{0, 0}, {1, 0}, {0, 1}}, {}}, {{{5, 5}, {6, 5}, {5, 6}}, {}}}};
+  const std::set<std::string> take_holes = {"cgal-reduced", "cgal-vertical", "cgal-triangulation",
+                                            "clipper", "boost-polygon"};
+  const auto is_taken = [](const Peer& peer, const Region& p, Boundary boundary) {
+    try {
+      sum(peer.name, patient(), boundary, p, triangle);
+      return true;
+    } catch (const NoSum& e) {
+      EXPECT_EQ(e.kind(), Kind::not_taken) << peer.name << ": " << e.what();
+      return false;
+    }
+  };
+  for (const Peer& peer : peers()) {
+    EXPECT_TRUE(is_taken(peer, square, Boundary::closed)) << peer.name;
+    EXPECT_FALSE(is_taken(peer, square, Boundary::open)) << peer.name;
+    EXPECT_EQ(is_taken(peer, frame, Boundary::closed), take_holes.contains(peer.name)) << peer.name;
+    EXPECT_EQ(is_taken(peer, two, Boundary::closed), peer.name == "boost-polygon") << peer.name;
+  }
+}
+
+TEST(Peers, of_cgal_are_right_where_a_chain_touches_the_inside_of_an_edge) {
+  const Region q{{{{{0, -4}, {4, 0}, {0, 0}}, {{{0, 0}, {1, -1}, {1, -3}}}}}};
+  const Region p = polygon({{-1, -2}, {0, 0}, {0, 1}});
+  const MinkowskiSum right_sum =
+      canonical_sum(polygon({{-1, -6}, {3, -2}, {4, 0}, {4, 1}, {0, 1}, {-1, -2}}));
+  for (const char* peer : {"cgal-reduced", "cgal-vertical", "cgal-triangulation"})
+    EXPECT_EQ(sum(peer, patient(), Boundary::closed, p, q), right_sum) << peer;
+}
+
+TEST(Peers, that_are_not_taken_are_skipped_visibly_and_never_agree) {
+  const Region two{{{{{0, 0}, {1, 0}, {0, 1}}, {}}, {{{5, 5}, {6, 5}, {5, 6}}, {}}}};
+  const std::vector<Implementation> full = {*engine_called("cgal-full", patient())};
+  const DifferentialResult none = differential({two, square}, full, 1000);
+  EXPECT_EQ(none.kind, DifferentialResult::Kind::skipped);
+  EXPECT_EQ(none.not_taken.size(), 2U);
+  EXPECT_NE(none.why.find("cgal-full: not taken: takes one component"), std::string::npos)
+      << none.why;
+  const DifferentialResult closed = differential({triangle, square}, full, 1000);
+  EXPECT_EQ(closed.kind, DifferentialResult::Kind::agreed);
+  ASSERT_EQ(closed.not_taken.size(), 1U);
+  EXPECT_EQ(closed.not_taken[0].boundary, Boundary::open);
+}
+
+}  // namespace
+}  // namespace oplus

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/runner/child_process.hpp"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <array>
+
+#include <fstream>
+#include <iterator>
+#include <system_error>
+#include <thread>
+
+namespace oplus {
+namespace {
+
+using How = EndedProcess::How;
+
+ProcessLimits quiet(double seconds = 100'000) {
+  ProcessLimits limits;
+  limits.seconds = seconds;
+  limits.is_quiet = true;
+  return limits;
+}
+
+EndedProcess run_in_shell(const std::string& script, const ProcessLimits& limits = quiet()) {
+  return run_program({"/bin/sh", "-c", script}, limits);
+}
+
+/// Whether a process of this number is there and no zombie.
+bool is_running(const std::string& process) {
+  std::ifstream status("/proc/" + process + "/stat");
+  const std::string text{std::istreambuf_iterator<char>(status), {}};
+  return !text.empty() && text.find(") Z") == std::string::npos;
+}
+
+/// Killing takes effect in its own time.
+void expect_ends(std::string process) {
+  process.erase(process.find_last_not_of("\n") + 1);
+  ASSERT_FALSE(process.empty());
+  while (is_running(process)) std::this_thread::yield();
+}
+
+TEST(RunProgram, what_it_writes_and_its_exit_code_come_back) {
+  const EndedProcess ended = run_in_shell("echo first; echo why >&2; echo second; exit 3");
+  EXPECT_EQ(ended.how, How::exited);
+  EXPECT_EQ(ended.code, 3);
+  EXPECT_EQ(ended.output, "first\nsecond\n");
+  EXPECT_EQ(ended.errors, "why\n");
+  EXPECT_GT(ended.peak_mb, 0);
+}
+
+TEST(RunProgram, standard_input_is_empty) { EXPECT_EQ(run_in_shell("cat; echo $?").output, "0\n"); }
+
+TEST(RunProgram, arguments_arrive_as_they_are) {
+  const std::string argument = "two words, 'quotes', \"more\" and $HOME\n";
+  EXPECT_EQ(run_program({"/bin/sh", "-c", "printf %s \"$1\"", "sh", argument}, quiet()).output,
+            argument);
+}
+
+TEST(RunProgram, a_signal_is_told_from_an_exit_code) {
+  const EndedProcess ended = run_in_shell("kill -SEGV $$");
+  EXPECT_EQ(ended.how, How::killed_by_signal);
+  EXPECT_EQ(ended.code, SIGSEGV);
+}
+
+TEST(RunProgram, is_ended_where_it_takes_too_long_with_all_that_it_started) {
+  const EndedProcess ended = run_in_shell("sleep 100000 & echo $!; exec sleep 100000", quiet(0.3));
+  EXPECT_EQ(ended.how, How::over_time);
+  expect_ends(ended.output);
+}
+
+TEST(RunProgram, has_ended_when_what_it_left_behind_has_not) {
+  const EndedProcess ended = run_in_shell("sleep 100000 & echo $!");
+  EXPECT_EQ(ended.how, How::exited);
+  EXPECT_EQ(ended.code, 0);
+  expect_ends(ended.output);
+}
+
+TEST(RunProgram, each_line_may_start_the_clock_anew) {
+  ProcessLimits limits = quiet(0.3);
+  limits.a_line_at_a_time = true;
+  const EndedProcess ended = run_in_shell("echo begun; exec sleep 100000", limits);
+  EXPECT_EQ(ended.how, How::over_time);
+  EXPECT_EQ(ended.output, "begun\n");
+}
+
+TEST(RunProgram, is_ended_where_it_writes_too_much) {
+  ProcessLimits limits = quiet();
+  limits.output_mb = 2;
+  const EndedProcess ended = run_in_shell("exec cat /dev/zero", limits);
+  EXPECT_EQ(ended.how, How::over_output);
+  EXPECT_LT(ended.output.size(), 3'000'000U);
+  // The end of what it has written counts too, when it has ended already.
+  EXPECT_EQ(run_in_shell("head -c 3000000 /dev/zero", limits).how, How::over_output);
+}
+
+TEST(RunProgram, only_the_end_of_many_errors_is_kept) {
+  const EndedProcess ended = run_in_shell("head -c 5000000 /dev/zero >&2; echo the end >&2");
+  EXPECT_LT(ended.errors.size(), 1'000'000U);
+  EXPECT_TRUE(ended.errors.ends_with("the end\n"));
+}
+
+TEST(RunProgram, gets_no_more_address_space_than_the_limit) {
+  ProcessLimits limits = quiet();
+  limits.address_space_mb = 500;
+  const std::string wants = "dd if=/dev/zero of=/dev/null count=1 bs=";
+  EXPECT_EQ(run_in_shell(wants + "1M", limits).code, 0);
+  const EndedProcess ended = run_in_shell(wants + "1000M", limits);
+  EXPECT_NE(ended.code, 0);
+  EXPECT_NE(ended.errors, "");
+}
+
+TEST(RunProgram, one_that_is_not_there_cannot_be_started) {
+  EXPECT_THROW(run_program({"/not/there"}, quiet()), std::system_error);
+}
+
+TEST(RunProgram, many_threads_run_programs_at_a_time) {
+  std::vector<std::thread> threads;
+  std::array<int, 4> wrong{};
+  for (std::size_t t = 0; t < wrong.size(); ++t)
+    threads.emplace_back([&wrong, t] {
+      for (int i = 0; i < 25; ++i)
+        wrong[t] += run_in_shell("echo " + std::to_string(i)).output != std::to_string(i) + "\n";
+    });
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(wrong, (std::array<int, 4>{}));
+}
+
+TEST(OwnPeak, is_at_least_what_it_has) {
+  EXPECT_GT(own_peak_mb(), 0);
+  const std::vector<char> resident(100'000'000, 'x');
+  EXPECT_GE(own_peak_mb(), static_cast<double>(resident.size()) / 1e6);
+}
+
+TEST(ProgramBeside, is_in_the_same_folder) {
+  EXPECT_EQ(program_beside("oplus-check"), OPLUS_CHECK_PROGRAM);
+  EXPECT_EQ(program_beside("").find_last_of('/'), program_beside("oplus-peer").find_last_of('/'));
+}
+
+TEST(SignalName, is_as_in_signal_h) {
+  EXPECT_EQ(signal_name(SIGSEGV), "SIGSEGV");
+  EXPECT_EQ(signal_name(SIGABRT), "SIGABRT");
+  EXPECT_EQ(signal_name(99), "signal 99");
+}
+
+}  // namespace
+}  // namespace oplus

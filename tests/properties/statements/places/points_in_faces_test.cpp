@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/statements/places/points_in_faces.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "reference/definitions/region.hpp"
+#include "reference/definitions/winding_number.hpp"
+
+namespace oplus {
+namespace {
+
+/// Each face by its winding number in either chain.
+std::multiset<std::pair<int, int>> faces(const Chain& a, const Chain& b,
+                                         const std::vector<Segment>& avoided) {
+  std::vector<Segment> segments = edges(a);
+  for (const Segment& s : edges(b)) segments.push_back(s);
+  std::multiset<std::pair<int, int>> result;
+  for (const Point& x : points_in_faces(segments, avoided)) {
+    for (const Segment& s : segments) EXPECT_FALSE(lies_on(x, s));
+    for (const Segment& s : avoided) EXPECT_FALSE(lies_on(x, s));
+    result.emplace(winding_number(x, edges(a)), winding_number(x, edges(b)));
+  }
+  return result;
+}
+
+const Chain square = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+using Faces = std::multiset<std::pair<int, int>>;
+
+TEST(PointsInFaces, AreOneInEachFaceOfAConnectedArrangement) {
+  EXPECT_EQ(faces(square, translated(square, {1, 1}), {}), (Faces{{0, 0}, {0, 1}, {1, 0}, {1, 1}}));
+}
+
+TEST(PointsInFaces, AreOneForEachPartOfAFacesBoundary) {
+  EXPECT_EQ(faces(square, translated(square, {5, 0}), {}), (Faces{{0, 0}, {0, 0}, {0, 1}, {1, 0}}));
+}
+
+TEST(PointsInFaces, TakeEqualAndReversedSegmentsForOnePiece) {
+  EXPECT_EQ(faces(square, {square.rbegin(), square.rend()}, {}), (Faces{{0, 0}, {1, -1}}));
+}
+
+TEST(PointsInFaces, KeepOffOtherSegmentsThatCutAFace) {
+  // Lines through all that is half way: a point would be on one of them by chance.
+  std::vector<Segment> avoided;
+  for (int k = -8; k <= 16; ++k) {
+    const Rational at(k, 4);
+    avoided.push_back({{at, -4}, {at, 4}});
+    avoided.push_back({{-4, at}, {4, at}});
+    avoided.push_back({{at - 4, -4}, {at + 4, 4}});
+  }
+  EXPECT_EQ(faces(square, translated(square, {1, 1}), avoided),
+            (Faces{{0, 0}, {0, 1}, {1, 0}, {1, 1}}));
+}
+
+TEST(PointsInFaces, OfNothingAreNone) { EXPECT_TRUE(points_in_faces({}, {}).empty()); }
+
+}  // namespace
+}  // namespace oplus

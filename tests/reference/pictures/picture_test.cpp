@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/pictures/picture.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <sstream>
+
+#include "tests/reference/definitions/shapes.hpp"
+#include "tests/reference/pictures/parsed_picture.hpp"
+
+namespace oplus {
+namespace {
+
+using Kind = Layer::Kind;
+using boost::property_tree::ptree;
+
+std::vector<Kind> all_kinds() {
+  std::vector<Kind> kinds;
+  for (int kind = 0; kind <= static_cast<int>(Kind::touching); ++kind)
+    kinds.push_back(static_cast<Kind>(kind));
+  return kinds;
+}
+
+/// Something of the kind: a region, a segment or a point, as it suits.
+Layer some(Kind kind) {
+  switch (kind) {
+    case Kind::convolution:
+    case Kind::reduced_convolution:
+    case Kind::dangling_edges:
+    case Kind::cycle:
+    case Kind::flipped:
+    case Kind::on_no_loop:
+    case Kind::boundary_loop:
+    case Kind::not_nested_loop:
+    case Kind::not_boundary_loop:
+    case Kind::overlap:
+      return {kind, {}, {{{0, 0}, {1, 2}}, {{1, 2}, {3, 0}}}};
+    case Kind::isolated_vertices:
+    case Kind::difference:
+    case Kind::crossing:
+    case Kind::weak_intersection:
+    case Kind::touching:
+      return {kind, {}, {}, {{1, 1}}};
+    default:
+      return {kind, polygon(box(0, 0, 2, 2))};
+  }
+}
+
+/// Every number in the path data of a panel, as pairs.
+std::vector<std::pair<double, double>> drawn_points(const ptree& panel) {
+  std::vector<std::pair<double, double>> points;
+  for (const auto& [tag, layer] : panel) {
+    if (tag != "g") continue;
+    for (const auto& [shape, content] : layer) {
+      if (shape != "path") continue;
+      std::string data = content.get<std::string>("<xmlattr>.d");
+      for (char& c : data)
+        if (c == 'M' || c == 'L' || c == 'Z' || c == ',') c = ' ';
+      std::istringstream numbers(data);
+      for (double x = 0, y = 0; numbers >> x >> y;) points.emplace_back(x, y);
+    }
+  }
+  return points;
+}
+
+TEST(Picture, legend_names_each_kind_that_is_drawn_once) {
+  for (const Kind kind : all_kinds())
+    EXPECT_EQ(legend_of(parsed(svg({{"one", {some(kind), some(kind)}}, {"two", {some(kind)}}}))),
+              std::multiset<std::string>{label(kind)});
+  std::vector<Layer> layers;
+  std::multiset<std::string> labels;
+  for (const Kind kind : all_kinds()) {
+    layers.push_back(some(kind));
+    labels.insert(label(kind));
+  }
+  EXPECT_EQ(legend_of(parsed(svg({{"all", layers}}))), labels);
+  EXPECT_EQ(std::set<std::string>(labels.begin(), labels.end()).size(), all_kinds().size());
+}
+
+TEST(Picture, empty_layers_are_left_out) {
+  const ptree tree = parsed(svg({{"nothing", {{Kind::sum}, {Kind::holes}, {Kind::convolution}}}}));
+  EXPECT_TRUE(legend_of(tree).empty());
+  EXPECT_TRUE(groups(groups(tree, "panel").at(0), "sum").empty());
+}
+
+TEST(Picture, nothing_at_all_is_still_a_picture) {
+  EXPECT_TRUE(groups(parsed(svg({})), "panel").empty());
+  for (const Panel& panel : panels_of({}, {})) {
+    const ptree tree = parsed(svg({panel}));
+    EXPECT_EQ(groups(tree, "panel").size(), 1U);
+    EXPECT_NE(svg({panel}).find(">empty<"), std::string::npos);
+  }
+  EXPECT_TRUE(layers_of({}).empty());
+}
+
+TEST(Picture, same_panels_same_bytes) {
+  for (const Shape& a : shapes()) {
+    const std::vector<Panel> panels = panels_of(a.region, shapes().back().region);
+    EXPECT_EQ(svg(panels), svg(panels)) << a.name;
+    EXPECT_EQ(groups(parsed(svg(panels)), "panel").size(), 4U) << a.name;
+  }
+}
+
+TEST(Picture, y_axis_is_up) {
+  const auto points = drawn_points(
+      groups(parsed(svg({{"", {{Kind::dangling_edges, {}, {{{0, 0}, {1, 1}}}}}}})), "panel").at(0));
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_LT(points[0].first, points[1].first);
+  EXPECT_GT(points[0].second, points[1].second);
+}
+
+TEST(Picture, stays_on_the_page_however_large_or_small_the_coordinates) {
+  const Rational huge("1" + std::string(400, '0'));
+  for (const Rational& size : {Rational(1), huge, Rational(1 / huge)}) {
+    for (const Rational& offset : {Rational(0), huge, Rational(-huge)}) {
+      const Layer layer{Kind::sum, polygon(box(offset, offset, offset + size, offset + 3 * size))};
+      const ptree tree = parsed(svg({{"", {layer}}}));
+      const double width = std::stod(tree.get<std::string>("<xmlattr>.width"));
+      const double height = std::stod(tree.get<std::string>("<xmlattr>.height"));
+      const auto points = drawn_points(groups(tree, "panel").at(0));
+      EXPECT_GE(points.size(), 8U);
+      for (const auto& [x, y] : points) {
+        EXPECT_TRUE(x > 0 && x < width);
+        EXPECT_TRUE(y > 0 && y < height);
+      }
+      // One scale for both axes.
+      EXPECT_NEAR(points[2].second - points[1].second, 3 * (points[0].first - points[1].first),
+                  0.1);
+    }
+  }
+}
+
+TEST(Picture, one_point_can_be_drawn) {
+  const std::string document = svg({{"", {{Kind::isolated_vertices, {}, {}, {{7, 7}}}}}});
+  EXPECT_EQ(document.find("nan"), std::string::npos);
+  EXPECT_EQ(document.find("inf"), std::string::npos);
+  EXPECT_EQ(legend_of(parsed(document)).size(), 1U);
+}
+
+TEST(Picture, directed_segments_have_arrow_heads_and_others_none) {
+  const auto paths = [](Kind kind) {
+    const ptree panel =
+        groups(parsed(svg({{"", {{kind, {}, {{{0, 0}, {9, 0}}}}}}})), "panel").at(0);
+    for (const auto& [tag, layer] : panel)
+      if (tag == "g") return layer.count("path");
+    return std::size_t{0};
+  };
+  EXPECT_EQ(paths(Kind::convolution), 2U);
+  EXPECT_EQ(paths(Kind::reduced_convolution), 2U);
+  EXPECT_EQ(paths(Kind::dangling_edges), 1U);
+}
+
+TEST(Picture, titles_may_contain_anything) {
+  std::string title;
+  for (int c = 1; c < 256; ++c) title += static_cast<char>(c);
+  title += "\xe2\x8a\x95\xef\xbf\xbf\xf0\x9f";
+  const ptree tree = parsed(svg({{title, {some(Kind::sum)}}}));
+  const std::string drawn = groups(tree, "panel").at(0).get<std::string>("text");
+  for (const char c : drawn) EXPECT_TRUE(static_cast<unsigned char>(c) >= 0x20 && c != 0x7f);
+  EXPECT_NE(drawn.find("%&'()*+"), std::string::npos) << drawn;
+  EXPECT_NE(drawn.find(";<=>?"), std::string::npos) << drawn;
+  EXPECT_NE(drawn.find("\xe2\x8a\x95?"), std::string::npos) << drawn;
+}
+
+TEST(Picture, a_hole_inside_a_hole_is_filled_too) {
+  // By the even-odd rule the inner one would be left out of the outer one.
+  const MinkowskiSum nested =
+      canonical_sum(Region{{{box(0, 0, 9, 9), {backwards(box(1, 1, 8, 8))}},
+                            {box(2, 2, 7, 7), {backwards(box(3, 3, 6, 6))}}}});
+  const ptree panel = groups(parsed(svg({{"", layers_of(nested)}})), "panel").at(0);
+  const ptree fill = groups(panel, "holes").at(0).get_child("path");
+  EXPECT_EQ(fill.get<std::string>("<xmlattr>.fill-rule"), "nonzero");
+  const Region holes = layers_of(nested).at(0).region;
+  EXPECT_EQ(holes.components.size(), 2U);
+  for (const Component& hole : holes.components) EXPECT_GT(twice_area(hole.outer), 0);
+}
+
+TEST(Picture, layers_of_a_sum_are_its_parts) {
+  MinkowskiSum sum = canonical_sum(
+      Region{{{box(0, 0, 6, 6), {backwards(box(1, 1, 5, 5))}}, {box(2, 2, 4, 4), {}}}});
+  EXPECT_EQ(layers_of(sum).size(), 2U);
+  sum.dangling_edges = {{{0, 0}, {1, 1}}};
+  sum.isolated_vertices = {{3, 3}};
+  const std::vector<Layer> layers = layers_of(sum);
+  ASSERT_EQ(layers.size(), 4U);
+  EXPECT_EQ(layers[0].kind, Kind::holes);
+  EXPECT_EQ(canonical_sum(layers[0].region), canonical_sum(polygon(box(1, 1, 5, 5))));
+  EXPECT_EQ(layers[1].kind, Kind::sum);
+  EXPECT_EQ(area(layers[1].region), 36 - 16 + 4);
+  EXPECT_EQ(layers[2].segments, sum.dangling_edges);
+  EXPECT_EQ(layers[3].points, sum.isolated_vertices);
+}
+
+TEST(Picture, legend_tells_numbered_layers_apart) {
+  std::vector<Layer> layers;
+  for (int number = -2; number < 3; ++number) {
+    layers.push_back(some(Kind::winding_number));
+    layers.back().number = number;
+  }
+  EXPECT_EQ(
+      legend_of(parsed(svg({{"", layers}}))),
+      (std::multiset<std::string>{"winding number -2", "winding number -1", "winding number 0",
+                                  "winding number 1", "winding number 2"}));
+}
+
+TEST(Picture, numbered_layers_differ_in_their_look) {
+  std::set<std::string> looks;
+  const auto look = [](Kind kind, int number) {
+    Layer layer = some(kind);
+    layer.number = number;
+    layer.name = "same";
+    return svg({{"", {layer}}});
+  };
+  for (int number = 0; number < 28; ++number) looks.insert(look(Kind::cycle, number));
+  for (int number = -4; number <= 8; ++number) looks.insert(look(Kind::winding_number, number));
+  EXPECT_EQ(looks.size(), 28U + 13U);
+  EXPECT_EQ(look(Kind::winding_number, 9), look(Kind::winding_number, 8));
+  EXPECT_EQ(look(Kind::winding_number, -5), look(Kind::winding_number, -4));
+}
+
+TEST(Picture, a_layer_may_have_a_name_of_its_own) {
+  Layer named = some(Kind::crossing);
+  named.name = "3 crossings";
+  EXPECT_EQ(legend_of(parsed(svg({{"", {named, some(Kind::crossing)}}}))),
+            (std::multiset<std::string>{"3 crossings", label(Kind::crossing)}));
+}
+
+TEST(Picture, a_long_legend_says_how_much_it_leaves_out) {
+  std::vector<Layer> cycles(100, some(Kind::cycle));
+  for (int number = 0; number < 100; ++number)
+    cycles[static_cast<std::size_t>(number)].number = number;
+  const std::multiset<std::string> legend = legend_of(parsed(svg({{"", cycles}})));
+  EXPECT_EQ(legend.size(), 41U);
+  EXPECT_EQ(legend.count("and 60 more"), 1U);
+}
+
+/// The notes that are written into the first panel.
+std::multiset<std::string> notes_of(const std::string& document) {
+  std::multiset<std::string> notes;
+  const ptree panel = groups(parsed(document), "panel").at(0);
+  for (const auto& [tag, layer] : panel)
+    if (tag == "g")
+      for (const auto& [shape, content] : layer)
+        if (shape == "text") notes.insert(content.data());
+  return notes;
+}
+
+TEST(Picture, notes_are_written_where_they_fit_and_counted_where_not) {
+  Layer layer = some(Kind::winding_number);
+  layer.notes = {{"7", {1, 1}, Rational(1, 4)}, {"8", {1, 1}, Rational(1, 10000)}, {"9", {}, 0}};
+  const std::string document = svg({{"", {layer}}});
+  EXPECT_EQ(notes_of(document), std::multiset<std::string>{"7"});
+  EXPECT_EQ(legend_of(parsed(document)).count("no room for 2 numbers"), 1U);
+  // What fits depends on the size of the drawing and on the length of the text.
+  EXPECT_EQ(notes_of(svg({{"", {layer}, 3200}})), (std::multiset<std::string>{"7", "8"}));
+  layer.notes = {{"12345678901234567890123456789012345678901234", {1, 1}, Rational(1, 4)}};
+  EXPECT_TRUE(notes_of(svg({{"", {layer}}})).empty());
+}
+
+TEST(Picture, a_written_note_stays_in_its_disk) {
+  for (const Rational& radius : {Rational(1, 20), Rational(1, 10), Rational(1, 2)}) {
+    Layer layer = some(Kind::winding_number);
+    layer.notes = {{"12", {1, 1}, radius * radius}};
+    const ptree panel = groups(parsed(svg({{"", {layer}}})), "panel").at(0);
+    const ptree note = groups(panel, "winding-number").at(0).get_child("text");
+    const auto size = note.get<double>("<xmlattr>.font-size");
+    EXPECT_GT(size, 6);
+    EXPECT_LE(2 * 0.6 * size, 2 * 160 * radius.get_d());
+    // Its middle, not its foot, is at the point.
+    EXPECT_NEAR(note.get<double>("<xmlattr>.y") - 0.365 * size, 42 + 160, 0.1);
+  }
+}
+
+TEST(Picture, columns_stand_beside_each_other_and_their_panels_below) {
+  const Panel flat{"flat", {{Kind::sum, polygon(box(0, 0, 8, 1))}}, 100};
+  const Panel square{"square", {{Kind::sum, polygon(box(0, 0, 1, 1))}}, 300};
+  const std::vector<ptree> panels =
+      groups(parsed(svg_in_columns({{flat, flat}, {square}})), "panel");
+  ASSERT_EQ(panels.size(), 3U);
+  const auto range = [&](std::size_t panel, auto coordinate) {
+    std::set<double> values;
+    for (const auto& point : drawn_points(panels[panel])) values.insert(coordinate(point));
+    return std::pair{*values.begin(), *values.rbegin()};
+  };
+  const auto x = [](const auto& point) { return point.first; };
+  const auto y = [](const auto& point) { return point.second; };
+  EXPECT_EQ(range(0, x), range(1, x));
+  EXPECT_GT(range(1, y).first, range(0, y).second + 40);  // caption and title between
+  EXPECT_GT(range(2, x).first, range(0, x).second);
+  EXPECT_NEAR(range(0, x).second - range(0, x).first, 100, 0.01);
+  EXPECT_NEAR(range(2, y).second - range(2, y).first, 300, 0.01);
+}
+
+TEST(Picture, a_panel_a_column_is_the_picture_of_the_panels) {
+  const std::vector<Panel> panels = panels_of(shapes()[0].region, shapes()[1].region);
+  EXPECT_EQ(svg_in_columns({{panels[0]}, {panels[1]}, {panels[2]}, {panels[3]}}), svg(panels));
+}
+
+}  // namespace
+}  // namespace oplus
