@@ -24,11 +24,18 @@ inline IntervalPoint interval(const Point& p) { return {interval(p.x), interval(
 inline IntervalPoint operator+(const IntervalPoint& a, const IntervalPoint& b) {
   return {a.x + b.x, a.y + b.y};
 }
+inline IntervalPoint operator-(const IntervalPoint& a, const IntervalPoint& b) {
+  return {a.x - b.x, a.y - b.y};
+}
+
+inline Interval cross(const IntervalPoint& u, const IntervalPoint& v) {
+  return u.x * v.y - u.y * v.x;
+}
 
 /// A stage that may not know: the orientation of three points, or uncertain.
 inline CGAL::Uncertain<CGAL::Sign> orientation(const IntervalPoint& a, const IntervalPoint& b,
                                                const IntervalPoint& c) {
-  return CGAL::sign((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
+  return CGAL::sign(cross(b - a, c - a));
 }
 
 }  // namespace oplus

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/arrangement/isolated_touching_points.hpp"
 
-#include <algorithm>
-
+#include "reference/definitions/lies_on_one.hpp"
 #include "reference/definitions/mutant.hpp"
 
 namespace oplus {
@@ -18,10 +17,8 @@ std::vector<Point> isolated_touching_points(
   for (const Point& a : of_p) {
     for (const Point& b : of_q) {
       const Point x = a + b;
-      const bool on_dangling_edge =
-          std::any_of(found.dangling_edges.begin(), found.dangling_edges.end(),
-                      [&](const Segment& e) { return lies_on(x, e); });
-      if (!on_dangling_edge && locate(x, closed) == Location::inside && !interiors_meet_at(x))
+      if (!lies_on_one(x, found.dangling_edges) && locate(x, closed) == Location::inside &&
+          !interiors_meet_at(x))
         isolated.push_back(x);
     }
   }

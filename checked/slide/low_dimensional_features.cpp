@@ -7,6 +7,7 @@
 
 #include "checked/arrangement/isolated_touching_points.hpp"
 #include "checked/collision/hierarchy_collision.hpp"
+#include "reference/definitions/lies_on_one.hpp"
 
 namespace oplus::slide {
 
@@ -15,11 +16,6 @@ namespace {
 void sort_and_drop_copies(std::vector<Point>& points) {
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
-}
-
-bool is_on_one(const Point& x, const std::vector<Segment>& segments) {
-  return std::any_of(segments.begin(), segments.end(),
-                     [&](const Segment& s) { return lies_on(x, s); });
 }
 
 }  // namespace
@@ -47,7 +43,7 @@ void add_low_dimensional_features(const Candidates& candidates, const Region& p,
   sort_and_drop_copies(points);
   for (Point& x : points) {
     if (std::binary_search(corners.begin(), corners.end(), x) || collision->interiors_meet_at(x) ||
-        is_on_one(x, sum.dangling_edges) || is_on_one(x, boundary))
+        lies_on_one(x, sum.dangling_edges) || lies_on_one(x, boundary))
       continue;
     sum.isolated_vertices.push_back(std::move(x));
   }

@@ -8,6 +8,7 @@
 
 #include "checked/verify/closeness.hpp"
 #include "checked/verify/root_number.hpp"
+#include "reference/definitions/cut_at_intersections.hpp"
 
 namespace oplus {
 
@@ -80,14 +81,9 @@ void look_for_farther(const std::vector<Segment>& from, const std::vector<Segmen
   std::priority_queue<Part> parts;
   for (const Segment& s : from) {
     // Cut where the other set meets it, so that what runs along it is no distance from the pieces.
-    std::vector<Point> contacts;
     if (s.source != s.target) {
       if (part_of(s, to, farthest.least).most <= farthest.least) continue;
-      for (const Segment& t : to) {
-        const std::vector<Point> common = intersection(s, t);
-        contacts.insert(contacts.end(), common.begin(), common.end());
-      }
-      for (const Segment& piece : cut(s, std::move(contacts)))
+      for (const Segment& piece : cut_where_met(s, to))
         parts.push(part_of(piece, to, farthest.least));
     }
   }
@@ -104,26 +100,27 @@ void look_for_farther(const std::vector<Segment>& from, const std::vector<Segmen
   if (!parts.empty()) farthest.most = std::max(farthest.most, parts.top().most);
 }
 
-struct Interval {
+/// Of a segment: places along it, ends included.
+struct Stretch {
   RootNumber low;
   RootNumber high;
 };
 
-void extend(std::optional<Interval>& interval, const RootNumber& low, const RootNumber& high) {
-  if (!interval) {
-    interval = Interval{low, high};
+void extend(std::optional<Stretch>& stretch, const RootNumber& low, const RootNumber& high) {
+  if (!stretch) {
+    stretch = Stretch{low, high};
     return;
   }
-  if (low < interval->low) interval->low = low;
-  if (interval->high < high) interval->high = high;
+  if (low < stretch->low) stretch->low = low;
+  if (stretch->high < high) stretch->high = high;
 }
 
 /// Which t have s.source + t direction_of(s) at most so far from `to`. A convex set: that of the
 /// disks around both ends and of the rectangle between them.
-std::optional<Interval> near_part(const Segment& s, const Segment& to, const Rational& squared) {
+std::optional<Stretch> near_part(const Segment& s, const Segment& to, const Rational& squared) {
   const Vector along = direction_of(s);
   const Rational length = squared_length(along);
-  std::optional<Interval> result;
+  std::optional<Stretch> result;
   for (const Point& centre : {to.source, to.target}) {
     const Vector from = s.source - centre;
     const Rational half = dot(along, from);
@@ -139,14 +136,14 @@ std::optional<Interval> near_part(const Segment& s, const Segment& to, const Rat
   const Vector from = s.source - to.source;
 
   // Beside the other segment, from one of its ends to the other...
-  std::optional<Interval> beside;
+  std::optional<Stretch> beside;
   const Rational start = dot(other, from);
   const Rational slope = dot(other, along);
   if (slope != 0) {
     Rational first = -start / slope;
     Rational last = (other_length - start) / slope;
     if (last < first) std::swap(first, last);
-    beside = Interval{{first}, {last}};
+    beside = Stretch{{first}, {last}};
   } else if (start < 0 || start > other_length) {
     return result;
   }
@@ -159,7 +156,7 @@ std::optional<Interval> near_part(const Segment& s, const Segment& to, const Rat
     const RootNumber low{middle, -step, squared * other_length};
     const RootNumber high{middle, step, squared * other_length};
     if (!beside) {
-      beside = Interval{low, high};
+      beside = Stretch{low, high};
     } else {
       if (beside->low < low) beside->low = low;
       if (high < beside->high) beside->high = high;
@@ -174,14 +171,14 @@ std::optional<Interval> near_part(const Segment& s, const Segment& to, const Rat
 bool is_covered(const Segment& s, const std::vector<Segment>& to, const Rational& squared) {
   if (s.source == s.target) return squared_distance(s.source, to) <= squared;
   if (part_of(s, to, squared).most <= squared) return true;
-  std::vector<Interval> near;
+  std::vector<Stretch> near;
   for (const Segment& t : to)
-    if (std::optional<Interval> part = near_part(s, t, squared)) near.push_back(std::move(*part));
+    if (std::optional<Stretch> part = near_part(s, t, squared)) near.push_back(std::move(*part));
   std::sort(near.begin(), near.end(),
-            [](const Interval& a, const Interval& b) { return a.low < b.low; });
+            [](const Stretch& a, const Stretch& b) { return a.low < b.low; });
   RootNumber reached{0};
   bool started = false;
-  for (const Interval& part : near) {
+  for (const Stretch& part : near) {
     if (reached < part.low) return false;
     started = true;
     if (reached < part.high) reached = part.high;

@@ -4,43 +4,58 @@
 #include <utility>
 #include <vector>
 
-#include "checked/verify/certified.hpp"
+#include "checked/arithmetic/interval.hpp"
 #include "reference/definitions/cells.hpp"
 #include "reference/definitions/collision.hpp"
 
 namespace oplus {
 
+namespace {
+
+struct IntervalSegment {
+  IntervalPoint source;
+  IntervalPoint target;
+};
+
+/// Whether the ends of b are certainly on different sides of the line through a.
+bool certainly_between(const IntervalSegment& a, const IntervalSegment& b) {
+  const IntervalPoint along = a.target - a.source;
+  const Interval of_source = cross(along, b.source - a.source);
+  const Interval of_target = cross(along, b.target - a.source);
+  return (of_source.inf() > 0 && of_target.sup() < 0) ||
+         (of_source.sup() < 0 && of_target.inf() > 0);
+}
+
+/// Cut where chains touch, as in the definition: only inside such pieces does a crossing show
+/// common interior.
+std::vector<IntervalSegment> pieces(const Region& region) {
+  std::vector<IntervalSegment> result;
+  for (const std::vector<Segment>& of_chain : boundary_pieces(region))
+    for (const Segment& piece : of_chain)
+      result.push_back({interval(piece.source), interval(piece.target)});
+  return result;
+}
+
+}  // namespace
+
 struct Placements::Certified {
-  Certified(const Region& p, const Region& minus_q)
-      : of_p(pieces(p)), of_minus_q(pieces(minus_q)) {}
-
-  /// Cut where chains touch, as in the definition: only inside such pieces does a crossing show
-  /// common interior.
-  static std::vector<CertifiedSegment> pieces(const Region& region) {
-    std::vector<CertifiedSegment> result;
-    for (const std::vector<Segment>& of_chain : boundary_pieces(region))
-      for (const Segment& piece : of_chain)
-        result.push_back({certified(piece.source), certified(piece.target)});
-    return result;
-  }
-
   bool a_crossing_shows(const Point& x) const {
     const CGAL::Protect_FPU_rounding<true> protector;
-    const CertifiedPoint by = certified(x);
-    for (const CertifiedSegment& of_q : of_minus_q) {
-      const CertifiedSegment moved{of_q.source + by, of_q.target + by};
-      for (const CertifiedSegment& piece : of_p)
-        if (certainly_cross(piece, moved)) return true;
+    const IntervalPoint by = interval(x);
+    for (const IntervalSegment& of_q : of_minus_q) {
+      const IntervalSegment moved{of_q.source + by, of_q.target + by};
+      for (const IntervalSegment& piece : of_p)
+        if (certainly_between(piece, moved) && certainly_between(moved, piece)) return true;
     }
     return false;
   }
 
-  std::vector<CertifiedSegment> of_p;
-  std::vector<CertifiedSegment> of_minus_q;
+  std::vector<IntervalSegment> of_p;
+  std::vector<IntervalSegment> of_minus_q;
 };
 
 Placements::Placements(const Region& p, const Region& q)
-    : p_(p), minus_q_(reflected(q)), certified_(std::make_unique<const Certified>(p_, minus_q_)) {}
+    : p_(p), minus_q_(reflected(q)), certified_(new Certified{pieces(p_), pieces(minus_q_)}) {}
 
 Placements::~Placements() = default;
 

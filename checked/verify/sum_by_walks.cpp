@@ -8,9 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "checked/verify/certified.hpp"
+#include "checked/arithmetic/interval.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/definitions/difference.hpp"
+#include "reference/definitions/lies_on_one.hpp"
 #include "reference/definitions/mutant.hpp"
 
 namespace oplus {
@@ -62,7 +63,7 @@ class Walks {
       tracks_.push_back({number(s.source), number(s.target), true});
     for (const Segment& s : more) tracks_.push_back({number(s.source), number(s.target), false});
     const CGAL::Protect_FPU_rounding<true> protector;
-    for (const Point& p : points_) near_.push_back(certified(p));
+    for (const Point& p : points_) near_.push_back(interval(p));
     side_.resize(points_.size());
   }
 
@@ -88,24 +89,21 @@ class Walks {
 
   /// On which side of the track's line each point is: 1 on the left, -1 on the right, 0 on it.
   void find_sides() {
-    const CertifiedPoint& from = near_[walked_.source];
-    const CertifiedPoint along = near_[walked_.target] - from;
+    const IntervalPoint& from = near_[walked_.source];
+    const IntervalPoint along = near_[walked_.target] - from;
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      const CertifiedNumber turn = cross(along, near_[i] - from);
-      const int by_double = (turn.inf() > 0) - (turn.sup() < 0);
-      side_[i] = static_cast<std::int8_t>(by_double != 0 || (turn.inf() == 0 && turn.sup() == 0)
-                                              ? by_double
-                                              : orientation(source(), target(), points_[i]));
+      const auto side = CGAL::sign(cross(along, near_[i] - from));
+      side_[i] =
+          static_cast<std::int8_t>(side.is_certain() ? static_cast<int>(side.inf())
+                                                     : orientation(source(), target(), points_[i]));
     }
   }
 
   /// On which side of a track's line an end of the one that is walked along is.
   int side_of_track(std::size_t point, const Track& t) const {
-    const CertifiedNumber turn =
-        cross(near_[t.target] - near_[t.source], near_[point] - near_[t.source]);
-    const int by_double = (turn.inf() > 0) - (turn.sup() < 0);
-    if (by_double != 0 || (turn.inf() == 0 && turn.sup() == 0)) return by_double;
-    return orientation(points_[t.source], points_[t.target], points_[point]);
+    const auto side = orientation(near_[t.source], near_[t.target], near_[point]);
+    return side.is_certain() ? static_cast<int>(side.inf())
+                             : orientation(points_[t.source], points_[t.target], points_[point]);
   }
 
   /// How far along the track an event is, exactly.
@@ -125,16 +123,16 @@ class Walks {
   }
 
   void estimate(Event& e) const {
-    const CertifiedPoint& from = near_[walked_.source];
-    const CertifiedPoint along = near_[walked_.target] - from;
-    CertifiedNumber far;
+    const IntervalPoint& from = near_[walked_.source];
+    const IntervalPoint along = near_[walked_.target] - from;
+    Interval far;
     if (e.place >= 0) {
-      const CertifiedPoint to = near_[static_cast<std::size_t>(e.place)] - from;
+      const IntervalPoint to = near_[static_cast<std::size_t>(e.place)] - from;
       const bool steep = along.x.inf() <= 0 && along.x.sup() >= 0;
       far = steep ? to.y / along.y : to.x / along.x;
     } else {
       const Track& t = tracks_[e.track];
-      const CertifiedPoint across = near_[t.target] - near_[t.source];
+      const IntervalPoint across = near_[t.target] - near_[t.source];
       far = cross(near_[t.source] - from, across) / cross(along, across);
     }
     e.low = far.inf();
@@ -320,7 +318,7 @@ class Walks {
 
   bool open_;
   std::vector<Point> points_;  ///< sorted
-  std::vector<CertifiedPoint> near_;
+  std::vector<IntervalPoint> near_;
   std::vector<Track> tracks_;
   Found found_;
 
@@ -350,11 +348,6 @@ std::vector<Segment> contacts_of_touching_points(const Region& p, const Region& 
   for (const Point& v : touching_q)
     for (const Segment& e : edges(p)) result.push_back({v + e.source, v + e.target});
   return result;
-}
-
-bool lies_on_one(const Point& x, const std::vector<Segment>& segments) {
-  return std::any_of(segments.begin(), segments.end(),
-                     [&](const Segment& s) { return lies_on(x, s); });
 }
 
 }  // namespace

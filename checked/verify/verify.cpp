@@ -2,6 +2,7 @@
 #include "checked/verify/verify.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <tuple>
 #include <utility>
@@ -10,7 +11,9 @@
 #include "checked/verify/placements.hpp"
 #include "checked/verify/sum_by_walks.hpp"
 #include "checked/verify/witness.hpp"
+#include "reference/definitions/cut_at_intersections.hpp"
 #include "reference/definitions/difference.hpp"
+#include "reference/definitions/lies_on_one.hpp"
 #include "reference/definitions/mutant.hpp"
 #include "reference/definitions/verdicts_differ.hpp"
 #include "reference/definitions/winding_number.hpp"
@@ -108,13 +111,12 @@ class GivenSet {
 
   /// Chains that bound nothing make no boundary.
   bool is_inside(const Point& p, const std::vector<Segment>& boundary) const {
-    for (const Segment& e : boundary)
-      if (lies_on(p, e)) return false;
-    return std::any_of(components_.begin(), components_.end(), [&](const auto& chains) {
-      for (std::size_t c = 0; c < chains.size(); ++c)
-        if ((winding_number(p, chains[c]) != 0) != (c == 0)) return false;
-      return true;
-    });
+    return !lies_on_one(p, boundary) &&
+           std::any_of(components_.begin(), components_.end(), [&](const auto& chains) {
+             for (std::size_t c = 0; c < chains.size(); ++c)
+               if ((winding_number(p, chains[c]) != 0) != (c == 0)) return false;
+             return true;
+           });
   }
 
  private:
@@ -126,10 +128,13 @@ Rational squared_length(const Segment& s) {
   return dot(along, along);
 }
 
-bool lies_on_one(const Point& p, const std::vector<Segment>& segments) {
-  return std::any_of(segments.begin(), segments.end(),
-                     [&](const Segment& s) { return lies_on(p, s); });
+std::vector<Point> sorted_without_copies(std::vector<Point> points) {
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
 }
+
+MinkowskiSum regularized(const MinkowskiSum& sum) { return {sum.outer, sum.holes, {}, {}}; }
 
 std::string from_to(const Segment& s) {
   return "from " + to_string(s.source) + " to " + to_string(s.target);
@@ -142,16 +147,18 @@ class FeatureReasons {
                  Boundary boundary)
       : given_(given),
         right_(right),
+        regular_(regularized(right)),
         boundary_(boundary),
         set_(given),
-        chains_(overlay.boundary_of_given()) {
-    regular_.outer = right.outer;
-    regular_.holes = right.holes;
+        chains_(overlay.boundary_of_given()),
+        cutting_(given.dangling_edges) {
+    for (const std::vector<Segment>& more : {chains_, edges(right)})
+      cutting_.insert(cutting_.end(), more.begin(), more.end());
   }
 
   std::vector<Reason> find() {
     for (const Segment& e : right_.dangling_edges) {
-      for (const Segment& piece : pieces(e)) {
+      for (const Segment& piece : cut_where_met(e, cutting_)) {
         const Point middle = midpoint(piece.source, piece.target);
         if (!lies_on_one(middle, given_.dangling_edges) && is_inside_given(middle))
           add(ReasonKind::missing_dangling_edge, middle, false, true, squared_length(piece),
@@ -159,7 +166,7 @@ class FeatureReasons {
       }
     }
     for (const Segment& e : maximal_segments(given_.dangling_edges)) {
-      for (const Segment& piece : pieces(e)) {
+      for (const Segment& piece : cut_where_met(e, cutting_)) {
         const Point middle = midpoint(piece.source, piece.target);
         if (lies_on_one(middle, right_.dangling_edges)) continue;
         add(ReasonKind::additional_dangling_edge, middle, is_in_sum(middle), false,
@@ -174,10 +181,7 @@ class FeatureReasons {
         add(ReasonKind::missing_isolated_vertex, p, false, true, 0,
             "the isolated vertex " + to_string(p) + " is missing");
     }
-    std::vector<Point> points = given_.isolated_vertices;
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());
-    for (const Point& p : points) {
+    for (const Point& p : sorted_without_copies(given_.isolated_vertices)) {
       if (!is_one_of(p, right_.isolated_vertices))
         add(ReasonKind::additional_isolated_vertex, p, is_in_sum(p), false, 0,
             "the point " + to_string(p) + " is no isolated vertex of the sum");
@@ -188,21 +192,6 @@ class FeatureReasons {
  private:
   static bool is_one_of(const Point& p, const std::vector<Point>& points) {
     return std::find(points.begin(), points.end(), p) != points.end();
-  }
-
-  /// Membership in both sets is constant inside each.
-  std::vector<Segment> pieces(const Segment& e) const {
-    std::vector<Point> contacts;
-    const auto cut_by = [&](const std::vector<Segment>& segments) {
-      for (const Segment& s : segments) {
-        const std::vector<Point> common = intersection(e, s);
-        contacts.insert(contacts.end(), common.begin(), common.end());
-      }
-    };
-    cut_by(given_.dangling_edges);
-    cut_by(chains_);
-    cut_by(edges(right_));
-    return cut(e, std::move(contacts));
   }
 
   bool is_inside_given(const Point& p) const { return set_.is_inside(p, chains_); }
@@ -227,6 +216,7 @@ class FeatureReasons {
   Boundary boundary_;
   GivenSet set_;
   std::vector<Segment> chains_;
+  std::vector<Segment> cutting_;  ///< membership in both sets is constant between these
   std::vector<Reason> reasons_;
 };
 
@@ -271,9 +261,7 @@ std::vector<Reason> face_reasons(const Overlay& overlay, const Placements& place
 
 std::vector<Reason> orientation_reasons(const GivenSum& given, const MinkowskiSum& right) {
   std::vector<Reason> reasons;
-  MinkowskiSum regular;
-  regular.outer = right.outer;
-  regular.holes = right.holes;
+  const MinkowskiSum regular = regularized(right);
   for (const GivenChain& chain : given_chains(given)) {
     const Rational twice = twice_area(*chain.vertices);
     if (sign(twice) == 0 || (sign(twice) > 0) == (chain.hole == 0) ||
@@ -317,20 +305,14 @@ void append(std::vector<Reason>& all, std::vector<Reason> some) {
   std::move(some.begin(), some.end(), std::back_inserter(all));
 }
 
-bool has_features(const MinkowskiSum& sum) {
-  return !sum.dangling_edges.empty() || !sum.isolated_vertices.empty();
-}
-
-bool has_features(const GivenSum& sum) {
+template <typename Sum>
+bool has_features(const Sum& sum) {
   return !sum.dangling_edges.empty() || !sum.isolated_vertices.empty();
 }
 
 bool same_features(const GivenSum& given, const MinkowskiSum& right) {
-  std::vector<Point> points = given.isolated_vertices;
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
   return maximal_segments(given.dangling_edges) == right.dangling_edges &&
-         points == right.isolated_vertices;
+         sorted_without_copies(given.isolated_vertices) == right.isolated_vertices;
 }
 
 /// A second verdict: a point on either side of each chain of the sum, by the collision test.
@@ -341,7 +323,7 @@ void ask_collision_test(const MinkowskiSum& sum, const std::vector<Segment>& exc
     for (const Chain& chain : *of_sum) {
       for (const bool left : {true, false}) {
         const Segment first = left ? Segment{chain[0], chain[1]} : Segment{chain[1], chain[0]};
-        const Point x = point_beside(first, all, exceptional);
+        const Point x = point_left_of(first, all, exceptional);
         if (placements.interiors_meet_at(x) != left)
           throw VerdictsDiffer("winding numbers and the collision test differ at " + to_string(x));
       }
@@ -403,39 +385,22 @@ Verdict verdict(MinkowskiSum computed, const Region& p, const Region& q, Boundar
 }  // namespace
 
 std::string describe(ReasonKind kind) {
-  switch (kind) {
-    case ReasonKind::missing_hole:
-      return "missing hole";
-    case ReasonKind::additional_hole:
-      return "additional hole";
-    case ReasonKind::missing_component:
-      return "missing component";
-    case ReasonKind::additional_component:
-      return "additional component";
-    case ReasonKind::joined_components:
-      return "components joined";
-    case ReasonKind::split_component:
-      return "component split";
-    case ReasonKind::not_in_given:
-      return "in the sum but not given";
-    case ReasonKind::not_in_sum:
-      return "given but not in the sum";
-    case ReasonKind::wrong_orientation:
-      return "wrong orientation";
-    case ReasonKind::unsimple_boundary:
-      return "unsimple boundary";
-    case ReasonKind::wrong_boundary:
-      return "wrong kind of boundary";
-    case ReasonKind::missing_dangling_edge:
-      return "missing dangling edge";
-    case ReasonKind::additional_dangling_edge:
-      return "additional dangling edge";
-    case ReasonKind::missing_isolated_vertex:
-      return "missing isolated vertex";
-    case ReasonKind::additional_isolated_vertex:
-      return "additional isolated vertex";
-  }
-  return {};
+  constexpr std::array<const char*, 15> names = {"missing hole",
+                                                 "additional hole",
+                                                 "missing component",
+                                                 "additional component",
+                                                 "components joined",
+                                                 "component split",
+                                                 "in the sum but not given",
+                                                 "given but not in the sum",
+                                                 "wrong orientation",
+                                                 "unsimple boundary",
+                                                 "wrong kind of boundary",
+                                                 "missing dangling edge",
+                                                 "additional dangling edge",
+                                                 "missing isolated vertex",
+                                                 "additional isolated vertex"};
+  return names.at(static_cast<std::size_t>(kind));
 }
 
 Verdict verify(const Region& p, const Region& q, Boundary boundary, const GivenSum& sum) {

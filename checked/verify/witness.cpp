@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/verify/witness.hpp"
 
-#include <algorithm>
 #include <utility>
 
-#include "reference/definitions/cells.hpp"
+#include "reference/definitions/lies_on_one.hpp"
+#include "reference/definitions/ray.hpp"
 #include "reference/definitions/winding_number.hpp"
 
 namespace oplus {
 
 namespace {
-
-bool lies_on_one(const Point& p, const std::vector<Segment>& segments) {
-  return std::any_of(segments.begin(), segments.end(),
-                     [&](const Segment& s) { return lies_on(p, s); });
-}
 
 /// Rounded down to a multiple of 1/scale.
 Rational rounded(const Rational& value, const mpz_class& scale) {
@@ -25,30 +20,30 @@ Rational rounded(const Rational& value, const mpz_class& scale) {
 }
 
 /// Of the face of all the segments.
-Point point_of_small_face(const Segment& segment, const std::vector<Segment>& edges) {
+Point point_left_of(const Segment& segment, const std::vector<Segment>& edges) {
   std::vector<Point> ends;
   for (const Segment& e : edges)
     for (const Point* end : {&e.source, &e.target})
       if (lies_on(*end, segment)) ends.push_back(*end);
   // Between two of them, so that nothing starts where the way into the face does.
-  std::vector<Segment> around = {cut(segment, std::move(ends))[0]};
-  around.insert(around.end(), edges.begin(), edges.end());
-  return point_inside(around);
+  const Segment piece = cut(segment, std::move(ends))[0];
+  const Vector along = direction_of(piece);
+  return point_beside(midpoint(piece.source, piece.target), {-along.y, along.x}, edges);
 }
 
 }  // namespace
 
-Point point_beside(const Segment& segment, const std::vector<Segment>& edges,
-                   const std::vector<Segment>& avoided) {
-  Point inside = point_of_small_face(segment, edges);
+Point point_left_of(const Segment& segment, const std::vector<Segment>& edges,
+                    const std::vector<Segment>& avoided) {
+  Point inside = point_left_of(segment, edges);
   if (!lies_on_one(inside, avoided)) return inside;
   std::vector<Segment> all = edges;
   all.insert(all.end(), avoided.begin(), avoided.end());
-  return point_of_small_face(segment, all);
+  return point_left_of(segment, all);
 }
 
 Point point_of_face(const std::vector<Segment>& boundary, const std::vector<Segment>& avoided) {
-  const Point inside = point_beside(boundary[0], boundary, avoided);
+  const Point inside = point_left_of(boundary[0], boundary, avoided);
   mpz_class scale = 1;
   for (int digits = 0; digits <= 9; ++digits, scale *= 10) {
     const Rational x = rounded(inside.x, scale);

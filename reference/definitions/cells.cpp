@@ -10,6 +10,7 @@
 #include <set>
 
 #include "reference/definitions/cut_at_intersections.hpp"
+#include "reference/definitions/ray.hpp"
 
 namespace oplus {
 
@@ -86,25 +87,9 @@ Cells cells_of_pieces(const std::vector<std::vector<Segment>>& pieces) {
 }
 
 Point point_inside(const std::vector<Segment>& boundary) {
-  const Point start = midpoint(boundary[0].source, boundary[0].target);
   const Vector along = direction_of(boundary[0]);
-  const Vector left{-along.y, along.x};
-  Rational step = 2;  // in the unbounded face, where nothing may be met
-  const auto meet = [&](const Rational& at) {
-    if (at > 0 && at < step) step = at;
-  };
-  for (const Segment& e : boundary) {
-    const Vector v = direction_of(e);
-    const Rational across = cross(left, v);
-    if (sign(across) != 0) {
-      const Rational on_edge = cross(e.source - start, left) / across;
-      if (on_edge >= 0 && on_edge <= 1) meet(cross(e.source - start, v) / across);
-    } else if (sign(cross(e.source - start, left)) == 0) {
-      meet(dot(e.source - start, left) / dot(left, left));
-      meet(dot(e.target - start, left) / dot(left, left));
-    }
-  }
-  return start + step / 2 * left;
+  return point_beside(midpoint(boundary[0].source, boundary[0].target), {-along.y, along.x},
+                      boundary);
 }
 
 }  // namespace oplus

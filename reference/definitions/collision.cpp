@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "reference/definitions/cut_at_intersections.hpp"
 #include "reference/definitions/mutant.hpp"
 
 namespace oplus {
@@ -34,11 +35,7 @@ bool shows_common_interior(const Segment& piece, const Region& b,
 bool boundary_enters(const std::vector<Segment>& edges_of_a, const Region& b,
                      const std::vector<Segment>& edges_of_b) {
   for (const Segment& edge : edges_of_a) {
-    std::vector<Point> contacts;
-    for (const Segment& e : edges_of_b) {
-      for (const Point& contact : intersection(edge, e)) contacts.push_back(contact);
-    }
-    for (const Segment& piece : cut(edge, contacts)) {
+    for (const Segment& piece : cut_where_met(edge, edges_of_b)) {
       if (shows_common_interior(piece, b, edges_of_b)) return true;
     }
   }

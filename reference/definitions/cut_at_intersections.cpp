@@ -35,4 +35,13 @@ std::vector<std::vector<Segment>> cut_at_intersections(const std::vector<Segment
   return pieces;
 }
 
+std::vector<Segment> cut_where_met(const Segment& segment, const std::vector<Segment>& others) {
+  std::vector<Point> met;
+  for (const Segment& other : others) {
+    const std::vector<Point> common = intersection(segment, other);
+    met.insert(met.end(), common.begin(), common.end());
+  }
+  return cut(segment, std::move(met));
+}
+
 }  // namespace oplus

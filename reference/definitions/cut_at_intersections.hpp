@@ -13,4 +13,7 @@ namespace oplus {
 /// sum's boundary.
 std::vector<std::vector<Segment>> cut_at_intersections(const std::vector<Segment>& segments);
 
+/// Cuts one segment wherever one of the others meets it: its pieces in the order of its direction.
+std::vector<Segment> cut_where_met(const Segment& segment, const std::vector<Segment>& others);
+
 }  // namespace oplus

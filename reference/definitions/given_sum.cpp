@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "reference/definitions/lies_on_one.hpp"
 #include "reference/definitions/winding_number.hpp"
 
 namespace oplus {
@@ -15,9 +16,7 @@ bool is_around(const Chain& outer, const Chain& hole) {
   for (const Segment& edge : edges(hole)) {
     for (const Segment& piece : cut(edge, outer)) {
       const Point middle = midpoint(piece.source, piece.target);
-      bool on_outer = false;
-      for (const Segment& e : around) on_outer = on_outer || lies_on(middle, e);
-      if (!on_outer) return winding_number(middle, around) != 0;
+      if (!lies_on_one(middle, around)) return winding_number(middle, around) != 0;
     }
   }
   return false;

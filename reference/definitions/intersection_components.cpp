@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "reference/definitions/contract.hpp"
+#include "reference/definitions/lies_on_one.hpp"
 #include "reference/definitions/mutant.hpp"
 
 namespace oplus {
@@ -21,10 +22,8 @@ using Set = CGAL::Polygon_set_2<Kernel>;
 
 [[maybe_unused]] bool some_vertex_touches(const Region& a, const Region& b) {
   const std::vector<Segment> of_a = edges(a), of_b = edges(b);
-  return std::any_of(of_a.begin(), of_a.end(), [&](const Segment& at_vertex) {
-    return std::any_of(of_b.begin(), of_b.end(),
-                       [&](const Segment& e) { return lies_on(at_vertex.source, e); });
-  });
+  return std::any_of(of_a.begin(), of_a.end(),
+                     [&](const Segment& e) { return lies_on_one(e.source, of_b); });
 }
 
 /// The polygon a chain bounds, counterclockwise, whichever way the chain runs.

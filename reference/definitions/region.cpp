@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "reference/definitions/lies_on_one.hpp"
 #include "reference/definitions/mutant.hpp"
 #include "reference/definitions/winding_number.hpp"
 
@@ -91,10 +92,8 @@ std::vector<Point> touching_points(const Region& region) {
     for (std::size_t b = 0; b < all.size(); ++b) {
       if (a == b) continue;
       const std::vector<Segment> edges_of_b = edges(all[b]);
-      std::copy_if(all[a].begin(), all[a].end(), std::back_inserter(touching), [&](const Point& v) {
-        return std::any_of(edges_of_b.begin(), edges_of_b.end(),
-                           [&](const Segment& e) { return lies_on(v, e); });
-      });
+      std::copy_if(all[a].begin(), all[a].end(), std::back_inserter(touching),
+                   [&](const Point& v) { return lies_on_one(v, edges_of_b); });
     }
   }
   std::sort(touching.begin(), touching.end());
@@ -120,9 +119,7 @@ Region polygon(Chain outer) { return {{{std::move(outer), {}}}}; }
 
 Location locate(const Point& p, const Region& region) {
   const std::vector<Segment> boundary = edges(region);
-  const bool on_boundary = std::any_of(boundary.begin(), boundary.end(),
-                                       [&](const Segment& e) { return lies_on(p, e); });
-  if (on_boundary) return Location::boundary;
+  if (lies_on_one(p, boundary)) return Location::boundary;
   return winding_number(p, boundary) > 0 ? Location::inside : Location::outside;
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/oracle/oracle.hpp"
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
 #include "reference/definitions/cells.hpp"
 #include "reference/definitions/collision.hpp"
 #include "reference/definitions/convolution.hpp"
+#include "reference/definitions/lies_on_one.hpp"
 #include "reference/definitions/winding_number.hpp"
 
 namespace oplus {
@@ -76,9 +76,7 @@ std::vector<bool> surrounded(const Cells& cells, const CellVerdicts& in_sum) {
 
 /// The same for a point that need not be a vertex of the arrangement.
 bool surrounded(const Point& x, const MinkowskiSum& closed, const std::vector<Segment>& dangling) {
-  return locate(x, region_of(closed)) == Location::inside &&
-         std::none_of(dangling.begin(), dangling.end(),
-                      [&](const Segment& e) { return lies_on(x, e); });
+  return locate(x, region_of(closed)) == Location::inside && !lies_on_one(x, dangling);
 }
 
 std::vector<Point> vertex_sums(const Region& p, const Region& q) {

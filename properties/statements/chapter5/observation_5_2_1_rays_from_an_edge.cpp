@@ -5,9 +5,9 @@
 #include "checked/cycles/convolution_cycles.hpp"
 #include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
-#include "properties/statements/places/points_beside.hpp"
 #include "reference/definitions/collision.hpp"
 #include "reference/definitions/cut_at_intersections.hpp"
+#include "reference/definitions/ray.hpp"
 #include "reference/definitions/winding_number.hpp"
 #include "reference/io/writing.hpp"
 

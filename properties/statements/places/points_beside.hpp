@@ -12,8 +12,4 @@ namespace oplus {
 /// on a segment.
 std::vector<Point> points_beside(const std::vector<Segment>& segments);
 
-/// A point off x along a direction, before any of the segments, but for those through x, is met.
-/// Requires: the direction is not zero.
-Point point_beside(const Point& x, const Vector& along, const std::vector<Segment>& segments);
-
 }  // namespace oplus

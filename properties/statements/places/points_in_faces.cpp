@@ -6,6 +6,7 @@
 
 #include "reference/definitions/cut_at_intersections.hpp"
 #include "reference/definitions/direction.hpp"
+#include "reference/definitions/ray.hpp"
 
 namespace oplus {
 
@@ -64,20 +65,6 @@ Vector across(const std::vector<Segment>& segments) {
   return v;
 }
 
-/// Half way from x to the next of the segments along v, or x + v before.
-Point before_next(const Point& x, const Vector& v, const std::vector<Segment>& segments) {
-  Rational nearest = 2;
-  for (const Segment& s : segments) {
-    const Vector along = direction_of(s);
-    const Rational determinant = cross(v, along);
-    const Rational t = cross(s.source - x, along) / determinant;
-    if (t <= 0 || t >= nearest) continue;
-    const Rational on_segment = cross(s.source - x, v) / determinant;
-    if (on_segment >= 0 && on_segment <= 1) nearest = t;
-  }
-  return x + Rational(nearest / 2) * v;
-}
-
 }  // namespace
 
 std::vector<Point> points_in_faces(const std::vector<Segment>& segments,
@@ -88,7 +75,7 @@ std::vector<Point> points_in_faces(const std::vector<Segment>& segments,
   std::vector<Point> points;
   for (const Segment& e : Halfedges(segments).one_of_each_cycle()) {
     const bool leads_left = sign(cross(direction_of(e), v)) > 0;
-    points.push_back(before_next(midpoint(e.source, e.target), leads_left ? v : -v, all));
+    points.push_back(point_beside(midpoint(e.source, e.target), leads_left ? v : -v, all));
   }
   return points;
 }
