@@ -3,6 +3,7 @@
 
 #include "checked/cli/view.hpp"
 #include "checked/cycles/convolution_cycles.hpp"
+#include "reference/pictures/styles.hpp"
 
 namespace oplus {
 
@@ -36,10 +37,10 @@ std::string cycles_view(const Region& p, const Region& q) {
   std::vector<Layer> layers;
   std::size_t size = 0;
   for (const ConvolutionCycle& cycle : traced.cycles) {
-    Layer layer{Layer::Kind::cycle, {}, segments(cycle)};
-    layer.number = static_cast<int>(layers.size());
-    layer.name = described(cycle, chains_of_p, chains_of_q);
-    layers.push_back(std::move(layer));
+    layers.push_back({labelled(style::cycle(static_cast<int>(layers.size())),
+                               described(cycle, chains_of_p, chains_of_q)),
+                      {},
+                      segments(cycle)});
     size += cycle.size();
   }
   return beside_summands(p, q,

@@ -6,13 +6,13 @@
 #include <optional>
 
 #include "checked/cli/input.hpp"
+#include "checked/cli/layer_styles.hpp"
 #include "checked/cli/output.hpp"
 #include "checked/cli/subcommands.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "checked/cli/view.hpp"
 #include "reference/io/number.hpp"
 #include "reference/io/quoting.hpp"
-#include "reference/pictures/picture.hpp"
 
 namespace oplus {
 
@@ -81,29 +81,17 @@ std::string side_by_side(const std::vector<std::string>& files) {
 /// A file in a picture with others, told apart by what its place in the list gives it.
 std::vector<Layer> layers_in_common(std::size_t place, const std::string& name,
                                     const MinkowskiSum& sum) {
-  using Kind = Layer::Kind;
-  constexpr std::array<Kind, 4> kinds = {Kind::sum, Kind::summand_p, Kind::summand_q,
-                                         Kind::common_interior};
+  const std::array<const Style*, 4> styles = {&style::sum, &style::summand_p, &style::summand_q,
+                                              &style::common_interior};
   // Lines that are all of a file are its subject; beside a region they are what it lacks.
   const bool only_lines = sum.outer.empty();
-  const std::string of = only_lines ? name : " of " + name;
-  Layer lines{only_lines ? Kind::cycle : Kind::dangling_edges,
-              {},
-              sum.dangling_edges,
-              {},
-              static_cast<int>((place + 6) % 7),
-              {},
-              only_lines ? name : "dangling edges" + of};
-  Layer points{Kind::isolated_vertices,
-               {},
-               {},
-               sum.isolated_vertices,
-               0,
-               {},
-               only_lines ? name : "isolated vertices" + of};
-  return {{kinds[place % kinds.size()], region_of(sum), {}, {}, 0, {}, name},
-          std::move(lines),
-          std::move(points)};
+  const Style lines = only_lines ? labelled(style::cycle(static_cast<int>((place + 6) % 7)), name)
+                                 : labelled(style::dangling_edges, "dangling edges of " + name);
+  const Style points =
+      labelled(style::isolated_vertices, only_lines ? name : "isolated vertices of " + name);
+  return {{labelled(*styles[place % styles.size()], name), region_of(sum)},
+          {lines, {}, sum.dangling_edges},
+          {points, {}, {}, sum.isolated_vertices}};
 }
 
 std::string one_over_the_other(const std::vector<std::string>& files) {

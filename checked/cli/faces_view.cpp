@@ -3,20 +3,24 @@
 #include "checked/cli/face_drawing.hpp"
 #include "checked/cli/view.hpp"
 #include "checked/cycles/convolution_cycles.hpp"
+#include "reference/pictures/styles.hpp"
 
 namespace oplus {
 
 std::string faces_view(const Region& p, const Region& q) {
-  using Kind = Layer::Kind;
   using Halfedge = ConvolutionArrangement::Halfedge;
 
   const std::vector<ConvolutionSegment> reduced = traced_reduced_convolution(p, q);
   const ConvolutionArrangement arrangement(reduced);
   const FaceDrawing drawing(arrangement);
   const std::unique_ptr<HoleTest> test = hole_test(HoleTestMethod::hierarchy, p, q);
-  Layer no_candidates{Kind::no_candidate};
-  Layer fallen{Kind::candidate_in_sum};
-  Layer holes{Kind::holes};
+  Layer no_candidates{
+      {.name = "no-candidate", .label = "no candidate", .place = 12, .fill = "#e9ecee"}};
+  Layer fallen{{.name = "candidate-in-sum",
+                .label = "candidate in the sum",
+                .place = 13,
+                .fill = "#d9c3e6"}};
+  Layer holes{style::holes};
   for (ConvolutionArrangement::Face f = 0; f < arrangement.face_count(); ++f) {
     if (f == ConvolutionArrangement::unbounded) continue;
     const bool is_candidate =
@@ -37,7 +41,7 @@ std::string faces_view(const Region& p, const Region& q) {
                          {std::move(no_candidates),
                           std::move(fallen),
                           std::move(holes),
-                          {Kind::reduced_convolution, {}, segments(reduced)}});
+                          {style::reduced_convolution, {}, segments(reduced)}});
 }
 
 }  // namespace oplus

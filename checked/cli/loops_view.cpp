@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/arrangement/hole_test.hpp"
 #include "checked/arrangement/nesting.hpp"
+#include "checked/cli/layer_styles.hpp"
 #include "checked/cli/view.hpp"
 #include "checked/cycles/convolution_cycles.hpp"
 
@@ -8,7 +9,6 @@ namespace oplus {
 
 namespace {
 
-using Kind = Layer::Kind;
 using Halfedge = ConvolutionArrangement::Halfedge;
 
 /// The edges that no loop passes, in the directions of their segments.
@@ -17,7 +17,13 @@ Layer edges_on_no_loop(const ConvolutionArrangement& arrangement,
   std::vector<bool> is_on_loop(2 * arrangement.edge_count(), false);
   for (const OrientableLoop& loop : loops)
     for (const Halfedge h : loop) is_on_loop[h] = true;
-  Layer layer{Kind::on_no_loop};
+  Layer layer{{.name = "on-no-loop",
+               .label = "on no loop",
+               .place = 14,
+               .sample = Style::Sample::line,
+               .line = "#9a9a9a",
+               .width = 0.8,
+               .directed = true}};
   for (Halfedge h = 0; h < is_on_loop.size(); ++h) {
     if (!is_on_loop[h] && !arrangement.along(h).empty())
       layer.segments.push_back(arrangement.geometry(h));
@@ -35,9 +41,23 @@ std::string loops_view(const Region& p, const Region& q) {
     return test->is_hole_right_of(arrangement.geometry(h));
   });
 
-  Layer boundary{Kind::boundary_loop};
-  Layer not_nested{Kind::not_nested_loop};
-  Layer not_boundary{Kind::not_boundary_loop};
+  Layer boundary{style::boundary_loop};
+  Layer not_nested{{.name = "not-nested-loop",
+                    .label = "loop that is not nested",
+                    .place = 16,
+                    .sample = Style::Sample::line,
+                    .line = "#d58a00",
+                    .width = 2.2,
+                    .directed = true,
+                    .dash = "6 3"}};
+  Layer not_boundary{{.name = "not-boundary-loop",
+                      .label = "loop not of the boundary",
+                      .place = 17,
+                      .sample = Style::Sample::line,
+                      .line = "#c0267e",
+                      .width = 2.2,
+                      .directed = true,
+                      .dash = "2 3"}};
   std::size_t of_boundary = 0, of_not_nested = 0, of_not_boundary = 0;
   for (std::size_t i = 0; i < loops.size(); ++i) {
     const bool is_boundary = verdicts[i] == LoopVerdict::boundary;

@@ -4,6 +4,7 @@
 
 #include "checked/arrangement/winding_numbers.hpp"
 #include "checked/cli/face_drawing.hpp"
+#include "checked/cli/layer_styles.hpp"
 #include "checked/cli/view.hpp"
 #include "checked/collision/collision_test.hpp"
 #include "reference/io/writing.hpp"
@@ -12,7 +13,6 @@ namespace oplus {
 
 namespace {
 
-using Kind = Layer::Kind;
 using Face = ConvolutionArrangement::Face;
 using Halfedge = ConvolutionArrangement::Halfedge;
 using Vertex = ConvolutionArrangement::Vertex;
@@ -43,36 +43,47 @@ class Placement {
 
   Layer common_interior() const {
     const FaceDrawing drawing(arrangement_);
-    Layer layer{Kind::common_interior};
+    Layer layer{style::common_interior};
     for (Face f = 0; f < arrangement_.face_count(); ++f)
       if (is_common(f)) layer.region.components.push_back(drawing.outline(f));
     return layer;
   }
 
   Layer overlaps() const {
-    Layer layer{Kind::overlap};
+    Layer layer{{.name = "overlap",
+                 .label = "",
+                 .place = 20,
+                 .sample = Style::Sample::line,
+                 .line = "#c0267e",
+                 .width = 4}};
     for (Halfedge h = 0; h < 2 * arrangement_.edge_count(); h += 2)
       if (is_overlap(h)) layer.segments.push_back(arrangement_.geometry(h));
     layer.segments = maximal_segments(std::move(layer.segments));
-    layer.name = counted(layer.segments.size(), "overlap", "overlaps");
+    layer.style.label = counted(layer.segments.size(), "overlap", "overlaps");
     return layer;
   }
 
   /// Contacts in a point, by kind; those on overlaps are seen there.
   std::vector<Layer> contacts() const {
-    Layer crossings{Kind::crossing};
-    Layer weak{Kind::weak_intersection};
-    Layer touching{Kind::touching};
+    using Sample = Style::Sample;
+    Layer crossings{
+        {.name = "crossing", .label = "", .place = 21, .sample = Sample::dot, .fill = "#d55e00"}};
+    Layer weak{{.name = "weak-intersection",
+                .label = "",
+                .place = 22,
+                .sample = Sample::dot,
+                .fill = "#c0267e"}};
+    Layer touching{style::touching};
     for (Vertex v = 0; v < arrangement_.vertex_count(); ++v) {
       const Around around = look_around(v);
       if (!around.of_p || !around.of_q || around.overlap) continue;
       Layer& layer = !around.common ? touching : around.straight ? crossings : weak;
       layer.points.push_back(arrangement_.point(v));
     }
-    crossings.name = counted(crossings.points.size(), "crossing", "crossings");
-    weak.name = counted(weak.points.size(), "weak intersection", "weak intersections") +
-                " with common interior";
-    touching.name = counted(touching.points.size(), "contact", "contacts") + " without";
+    crossings.style.label = counted(crossings.points.size(), "crossing", "crossings");
+    weak.style.label = counted(weak.points.size(), "weak intersection", "weak intersections") +
+                       " with common interior";
+    touching.style.label = counted(touching.points.size(), "contact", "contacts") + " without";
     return {touching, weak, crossings};
   }
 
@@ -142,13 +153,13 @@ Panel placement_panel(const Region& p, const Region& q, const Point& x) {
   const Region placed_q = translated(reflected(q), x);
   const Placement placement(p, placed_q);
   const bool meet = collision_test(CollisionMethod::hierarchy, p, q)->interiors_meet_at(x);
+  Style of_q = labelled(style::summand_q, "\u2212Q + x");
+  of_q.name = "placed-q";
+  of_q.place = 18;
   // Their outlines once more, since fillings cover them.
-  std::vector<Layer> layers = {{Kind::summand_p, p},
-                               {Kind::placed_q, placed_q},
-                               placement.common_interior(),
-                               {Kind::summand_p, {}, edges(p)},
-                               {Kind::placed_q, {}, edges(placed_q)},
-                               placement.overlaps()};
+  std::vector<Layer> layers = {{style::summand_p, p},       {of_q, placed_q},
+                               placement.common_interior(), {style::summand_p, {}, edges(p)},
+                               {of_q, {}, edges(placed_q)}, placement.overlaps()};
   for (Layer& contacts : placement.contacts()) layers.push_back(std::move(contacts));
   return {named(x) + ": the interiors " + (meet ? "meet" : "do not meet"), std::move(layers)};
 }

@@ -2,15 +2,14 @@
 #include "checked/cli/view.hpp"
 #include "checked/cycles/convolution_cycles.hpp"
 #include "checked/slide/slide.hpp"
-#include "reference/pictures/picture.hpp"
+#include "reference/pictures/styles.hpp"
 
 namespace oplus {
 
 std::string slide_view(const Region& p, const Region& q) {
   const SlideResult result = slide_sum(p, q, Boundary::closed);
   std::vector<Layer> layers = layers_of(result.sum);
-  layers.push_back(
-      {Layer::Kind::reduced_convolution, {}, segments(traced_reduced_convolution(p, q))});
+  layers.push_back({style::reduced_convolution, {}, segments(traced_reduced_convolution(p, q))});
   return beside_summands(
       p, q,
       "Reduced convolution: " + counted(result.statistics.segments, "segment", "segments") + ", " +

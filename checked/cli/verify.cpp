@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "checked/cli/input.hpp"
+#include "checked/cli/layer_styles.hpp"
 #include "checked/cli/output.hpp"
 #include "checked/cli/subcommands.hpp"
 #include "checked/cli/usage_error.hpp"
@@ -18,7 +19,6 @@
 #include "reference/io/quoting.hpp"
 #include "reference/io/reading.hpp"
 #include "reference/io/writing.hpp"
-#include "reference/pictures/picture.hpp"
 
 namespace oplus {
 
@@ -156,7 +156,7 @@ Json json_of(const Closeness& close, const Rational& tolerance) {
 std::string picture(const Region& p, const Region& q, const GivenSum& given,
                     const MinkowskiSum& right, const std::optional<Point>& witness) {
   std::vector<Layer> layers = layers_of(right);
-  Layer chains{Layer::Kind::boundary_loop};
+  Layer chains{labelled(style::boundary_loop, "S")};
   for (const GivenChain& chain : given_chains(given)) {
     const std::vector<Segment> of_chain = edges(*chain.vertices);
     std::copy_if(of_chain.begin(), of_chain.end(), std::back_inserter(chains.segments),
@@ -164,16 +164,9 @@ std::string picture(const Region& p, const Region& q, const GivenSum& given,
   }
   chains.segments.insert(chains.segments.end(), given.dangling_edges.begin(),
                          given.dangling_edges.end());
-  chains.name = "S";
   layers.push_back(std::move(chains));
-  Layer points{Layer::Kind::touching, {}, {}, given.isolated_vertices};
-  points.name = "point of S";
-  layers.push_back(std::move(points));
-  if (witness) {
-    Layer mark{Layer::Kind::difference, {}, {}, {*witness}};
-    mark.name = "witness";
-    layers.push_back(std::move(mark));
-  }
+  layers.push_back({labelled(style::touching, "point of S"), {}, {}, given.isolated_vertices});
+  if (witness) layers.push_back({labelled(style::difference, "witness"), {}, {}, {*witness}});
   std::vector<Panel> summands = {panel_of(Summand::P, p), panel_of(Summand::Q, q)};
   for (Panel& summand : summands) summand.longest_side = 160;
   std::vector<std::vector<Panel>> columns = {summands, {{"S over P \u2295 Q", layers, 420}}};

@@ -10,7 +10,7 @@
 #include "properties/compare/sealed_report.hpp"
 #include "properties/runner/finding.hpp"
 #include "reference/io/written.hpp"
-#include "reference/pictures/picture.hpp"
+#include "reference/pictures/styles.hpp"
 
 namespace oplus {
 
@@ -83,7 +83,7 @@ std::string picture(const ShrunkDisagreement& shrunk) {
   std::vector<Panel> panels = panels_of(summands.p, summands.q);
   const auto add = [&](const std::string& title, const MinkowskiSum& sum) {
     std::vector<Layer> layers = layers_of(sum);
-    if (found.witness) layers.push_back({Layer::Kind::difference, {}, {}, {*found.witness}});
+    if (found.witness) layers.push_back({style::difference, {}, {}, {*found.witness}});
     panels.push_back({title, std::move(layers)});
   };
   add("oracle", found.by_oracle);

@@ -5,13 +5,11 @@
 #include <array>
 #include <cmath>
 
-#include "reference/pictures/layer_style.hpp"
-
 namespace oplus::picture {
 
 namespace {
 
-using Kind = Layer::Kind;
+using Sample = Style::Sample;
 
 std::string line_attributes(const Style& s, double width, const std::string& fill) {
   std::string result = attributes({{"fill", fill},
@@ -97,14 +95,13 @@ std::string drawn_contact(const Pixel& p, const Style& s, bool is_ring) {
                             {"stroke-width", is_ring ? "1.6" : "1"}}));
 }
 
-std::string drawn_point(const Pixel& p, Kind kind, const Style& s) {
-  switch (kind) {
-    case Kind::difference:
+std::string drawn_point(const Pixel& p, const Style& s) {
+  switch (s.sample) {
+    case Sample::cross:
       return drawn_cross(p, s);
-    case Kind::crossing:
-    case Kind::weak_intersection:
-    case Kind::touching:
-      return drawn_contact(p, s, kind == Kind::touching);
+    case Sample::dot:
+    case Sample::ring:
+      return drawn_contact(p, s, s.sample == Sample::ring);
     default:
       return drawn_disk(p, s);
   }
@@ -127,7 +124,7 @@ std::string drawn_note(const Layer::Note& note, const Frame& frame, const Style&
 }  // namespace
 
 DrawnLayer drawn(const Layer& layer, const Frame& frame) {
-  const Style s = style(layer.kind, layer.number);
+  const Style& s = layer.style;
   DrawnLayer result{"<g" + attributes({{"class", s.name}}) + ">\n", 0};
   if (!layer.region.components.empty()) {
     std::vector<std::vector<Pixel>> boundary;
@@ -142,7 +139,7 @@ DrawnLayer drawn(const Layer& layer, const Frame& frame) {
     for (const Segment& e : layer.segments) segments.push_back({frame(e.source), frame(e.target)});
     result.content += drawn_segments(segments, s);
   }
-  for (const Point& p : layer.points) result.content += drawn_point(frame(p), layer.kind, s);
+  for (const Point& p : layer.points) result.content += drawn_point(frame(p), s);
   for (const Layer::Note& note : layer.notes) {
     const std::string content = drawn_note(note, frame, s);
     result.content += content;
@@ -152,36 +149,17 @@ DrawnLayer drawn(const Layer& layer, const Frame& frame) {
   return result;
 }
 
-std::string swatch(Kind kind, int which, const Pixel& p) {
-  const Style s = style(kind, which);
-  switch (kind) {
-    case Kind::convolution:
-    case Kind::reduced_convolution:
-    case Kind::dangling_edges:
-    case Kind::cycle:
-    case Kind::flipped:
-    case Kind::on_no_loop:
-    case Kind::boundary_loop:
-    case Kind::not_nested_loop:
-    case Kind::not_boundary_loop:
-    case Kind::overlap:
-      return drawn_segments({{{{p.x - 11, p.y}, {p.x + 11, p.y}}}}, s);
-    case Kind::isolated_vertices:
-    case Kind::difference:
-    case Kind::crossing:
-    case Kind::weak_intersection:
-    case Kind::touching:
-      return drawn_point(p, kind, s);
-    default:
-      return "<rect" +
-             attributes({{"x", number(p.x - 10)},
-                         {"y", number(p.y - 6)},
-                         {"width", "20"},
-                         {"height", "12"},
-                         {"fill", s.fill},
-                         {"stroke", s.line}}) +
-             "/>\n";
-  }
+std::string swatch(const Style& s, const Pixel& p) {
+  if (s.sample == Sample::line) return drawn_segments({{{{p.x - 11, p.y}, {p.x + 11, p.y}}}}, s);
+  if (s.sample != Sample::area) return drawn_point(p, s);
+  return "<rect" +
+         attributes({{"x", number(p.x - 10)},
+                     {"y", number(p.y - 6)},
+                     {"width", "20"},
+                     {"height", "12"},
+                     {"fill", s.fill},
+                     {"stroke", s.line}}) +
+         "/>\n";
 }
 
 }  // namespace oplus::picture

@@ -17,7 +17,7 @@ struct DrawnLayer {
 
 DrawnLayer drawn(const Layer& layer, const Frame& frame);
 
-/// What a kind looks like, in the legend: centred at p.
-std::string swatch(Layer::Kind kind, int number, const Pixel& p);
+/// What a layer looks like, in the legend: centred at p.
+std::string swatch(const Style& style, const Pixel& p);
 
 }  // namespace oplus::picture

@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/definitions/convolution.hpp"
-#include "reference/pictures/picture.hpp"
+#include "reference/pictures/styles.hpp"
 
 namespace oplus {
-
-namespace {
-
-using Kind = Layer::Kind;
-
-}  // namespace
 
 Panel panel_of(Summand which, const Region& summand) {
   const bool is_p = which == Summand::P;
   return {(is_p ? "P: " : "Q: ") + counted(vertex_count(summand), "vertex", "vertices"),
-          {{is_p ? Kind::summand_p : Kind::summand_q, summand}}};
+          {{is_p ? style::summand_p : style::summand_q, summand}}};
 }
 
 std::vector<Panel> panels_of(const Region& p, const Region& q) {
@@ -22,20 +16,20 @@ std::vector<Panel> panels_of(const Region& p, const Region& q) {
   return {panel_of(Summand::P, p),
           panel_of(Summand::Q, q),
           {"Convolution: " + counted(full.size(), "segment", "segments"),
-           {{Kind::convolution, {}, full}}},
+           {{style::convolution, {}, full}}},
           {"Reduced convolution: " + counted(reduced.size(), "segment", "segments"),
-           {{Kind::reduced_convolution, {}, reduced}}}};
+           {{style::reduced_convolution, {}, reduced}}}};
 }
 
 std::vector<Layer> layers_of(const MinkowskiSum& sum) {
   // A hole may have a part of the sum inside it, so the sum is drawn over the holes.
-  Layer holes{Kind::holes};
+  Layer holes{style::holes};
   for (const Chain& hole : sum.holes)
     holes.region.components.push_back({Chain(hole.rbegin(), hole.rend()), {}});
   std::vector<Layer> layers = {holes,
-                               {Kind::sum, region_of(sum)},
-                               {Kind::dangling_edges, {}, sum.dangling_edges},
-                               {Kind::isolated_vertices, {}, {}, sum.isolated_vertices}};
+                               {style::sum, region_of(sum)},
+                               {style::dangling_edges, {}, sum.dangling_edges},
+                               {style::isolated_vertices, {}, {}, sum.isolated_vertices}};
   std::erase_if(layers, [](const Layer& layer) {
     return layer.region.components.empty() && layer.segments.empty() && layer.points.empty();
   });

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
-#include <set>
 #include <tuple>
+#include <utility>
 
 #include "reference/pictures/layer_drawing.hpp"
-#include "reference/pictures/layer_style.hpp"
 #include "reference/pictures/panel_frame.hpp"
 #include "reference/pictures/svg_elements.hpp"
 
@@ -17,7 +17,6 @@ namespace oplus {
 namespace {
 
 using namespace picture;
-using Kind = Layer::Kind;
 
 constexpr double margin = 14;  // around a drawing and between panels
 constexpr double title_size = 14;
@@ -39,7 +38,7 @@ struct Drawing {
 
 /// What the layers drawn have to say.
 struct Legend {
-  std::set<std::tuple<Kind, int, std::string>> entries;  ///< kind, number, name
+  std::map<std::tuple<int, int, std::string>, Style> entries;  ///< by place, number, label
   std::size_t notes_left_out = 0;
 };
 
@@ -64,12 +63,11 @@ Drawing drawn(const Legend& legend, double top, double page_width) {
     content += text(left, middle + 4.5, legend_size, "start", "#1a1a1a", what);
   };
   std::size_t drawn = 0;
-  for (const auto& [kind, number, name] : legend.entries) {
+  for (const auto& [order, style] : legend.entries) {
     if (drawn++ == most_entries) break;
-    const std::string what = name.empty() ? style(kind, number).label : name;
-    const Pixel at = place(34 + text_width(what, legend_size) + 10);
-    content += swatch(kind, number, {at.x + 12, at.y});
-    write(at.x + 30, at.y, what);
+    const Pixel at = place(34 + text_width(style.label, legend_size) + 10);
+    content += swatch(style, {at.x + 12, at.y});
+    write(at.x + 30, at.y, style.label);
   }
   const auto remark = [&](const std::string& what) {
     const Pixel at = place(text_width(what, legend_size) + 10);
@@ -97,7 +95,8 @@ std::string drawn(const Panel& panel, double centre, double top, double title, d
   content += text(centre, title, title_size, "middle", "#1a1a1a", panel.title);
   for (const Layer& layer : panel.layers) {
     if (is_empty(layer)) continue;
-    legend.entries.insert({layer.kind, layer.number, layer.name});
+    const Style& style = layer.style;
+    legend.entries.try_emplace({style.place, style.number, style.label}, style);
     const DrawnLayer of_layer = drawn(layer, frame);
     legend.notes_left_out += of_layer.notes_left_out;
     content += of_layer.content;
@@ -124,7 +123,10 @@ double width_of(const std::vector<Panel>& column) {
 
 }  // namespace
 
-std::string label(Layer::Kind kind, int number) { return style(kind, number).label; }
+Style labelled(Style style, std::string label) {
+  style.label = std::move(label);
+  return style;
+}
 
 std::string counted(std::size_t count, const std::string& one, const std::string& many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);

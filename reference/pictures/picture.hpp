@@ -10,36 +10,31 @@
 
 namespace oplus {
 
+/// How a layer is drawn, and what the legend says of it.
+struct Style {
+  /// What stands for the layer in the legend. The last four are points, and how points are drawn; in
+  /// layers of areas and lines they are disks.
+  enum class Sample { area, line, disk, cross, dot, ring };
+
+  std::string name;   ///< the class of the SVG group
+  std::string label;  ///< in the legend, where `place` decides the order, then `number`
+  int place = 0;
+  int number = 0;  ///< which one of several styles with one name
+  Sample sample = Sample::area;
+  std::string line = "none";    ///< a colour, or none
+  std::string fill = "none";    ///< likewise
+  double width = 0;             ///< of lines, in pixels
+  bool directed = false;        ///< with arrow heads
+  std::string dash = {};        ///< a stroke-dasharray, empty for a solid line
+  std::string ink = "#1a1a1a";  ///< of notes
+};
+
+/// The same with another label.
+Style labelled(Style style, std::string label);
+
 /// A drawing in panels side by side, each with a title, layers and its own scale, and a legend that
 /// names every layer drawn. Coordinates are rounded to doubles, for the eye only.
 struct Layer {
-  enum class Kind {
-    summand_p,
-    summand_q,
-    convolution,
-    reduced_convolution,
-    sum,
-    holes,  ///< faces of the complement inside the sum, filled
-    dangling_edges,
-    isolated_vertices,
-    difference,         ///< a point to look at
-    cycle,              ///< of the convolution; numbered
-    winding_number,     ///< the faces that have it, filled; numbered
-    flipped,            ///< segments of the original convolution that are not in the reduced one
-    no_candidate,       ///< faces that need no hole test
-    candidate_in_sum,   ///< faces that a hole test found to be no hole
-    on_no_loop,         ///< edges of an arrangement that are on no orientable loop
-    boundary_loop,      ///< an orientable loop, by what became of it
-    not_nested_loop,    ///< likewise
-    not_boundary_loop,  ///< likewise
-    placed_q,           ///< -Q+x
-    common_interior,
-    overlap,            ///< of two boundaries
-    crossing,           ///< of two boundaries, each of which goes straight on
-    weak_intersection,  ///< any other contact with common interior around it
-    touching,           ///< a contact without
-  };
-
   /// A short text for a place where a disk is free.
   struct Note {
     std::string text;
@@ -47,17 +42,12 @@ struct Layer {
     Rational squared_radius;  ///< of the disk
   };
 
-  Kind kind;
-  Region region = {};                  ///< filled, boundary drawn (not that of faces)
-  std::vector<Segment> segments = {};  ///< drawn with arrow heads where the kind is directed
-  std::vector<Point> points = {};      ///< drawn as dots with a halo
-  int number = 0;                      ///< which one, of a numbered kind
+  Style style;
+  Region region = {};                  ///< filled, boundary drawn if the style has a line
+  std::vector<Segment> segments = {};  ///< drawn with arrow heads where the style is directed
+  std::vector<Point> points = {};
   std::vector<Note> notes = {};  ///< left out, and counted in the legend, where they don't fit
-  std::string name = {};         ///< in the legend, instead of label(kind, number)
 };
-
-/// Returns what the legend calls a layer.
-std::string label(Layer::Kind kind, int number = 0);
 
 struct Panel {
   std::string title;

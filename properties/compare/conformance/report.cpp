@@ -13,7 +13,7 @@
 #include "properties/runner/finding.hpp"
 #include "properties/runner/property_run.hpp"
 #include "reference/io/written.hpp"
-#include "reference/pictures/picture.hpp"
+#include "reference/pictures/styles.hpp"
 
 namespace oplus {
 
@@ -38,7 +38,7 @@ std::string picture(const ShrunkFailure& counterexample, const std::string& engi
   const auto add = [&](const std::string& title, const MinkowskiSum& sum) {
     std::vector<Layer> layers = layers_of(sum);
     if (seen.failure.witness)
-      layers.push_back({Layer::Kind::difference, {}, {}, {*seen.failure.witness}});
+      layers.push_back({style::difference, {}, {}, {*seen.failure.witness}});
     panels.push_back({title, std::move(layers)});
   };
   if (seen.right) add("oracle", *seen.right);

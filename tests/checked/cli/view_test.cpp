@@ -10,6 +10,7 @@
 #include "checked/arrangement/nesting.hpp"
 #include "checked/arrangement/rca.hpp"
 #include "checked/cli/face_drawing.hpp"
+#include "checked/cli/layer_styles.hpp"
 #include "checked/cycles/convolution_cycles.hpp"
 #include "checked/cycles/fiber_grid_picture.hpp"
 #include "reference/definitions/collision.hpp"
@@ -236,6 +237,17 @@ TEST(View, winding_numbers_are_those_of_the_definition) {
   for_each_pair([](const Region& p, const Region& q) {
     expect_winding_numbers(winding_view(p, q), convolution(p, q));
   });
+}
+
+TEST(View, winding_numbers_differ_in_their_shade) {
+  std::set<std::string> shades;
+  for (int number = -4; number <= 8; ++number) {
+    EXPECT_EQ(style::winding_number(number).label, "winding number " + std::to_string(number));
+    shades.insert(style::winding_number(number).fill);
+  }
+  EXPECT_EQ(shades.size(), 13U);
+  EXPECT_EQ(style::winding_number(9).fill, style::winding_number(8).fill);
+  EXPECT_EQ(style::winding_number(-5).fill, style::winding_number(-4).fill);
 }
 
 TEST(View, original_has_its_own_winding_numbers_and_its_flipped_segments) {

@@ -26,5 +26,12 @@ TEST(CutAtIntersections, LeavesSegmentsThatShareEndsOnly) {
   EXPECT_EQ(pieces[1].size(), 1U);
 }
 
+TEST(CutAtIntersections, CutsOneSegmentWhereItMeetsOthers) {
+  const std::vector<Segment> others = {{{1, -1}, {1, 1}}, {{2, 0}, {2, 5}}, {{0, 0}, {0, 1}}};
+  EXPECT_EQ(cut_where_met({{3, 0}, {0, 0}}, others),
+            (std::vector<Segment>{{{3, 0}, {2, 0}}, {{2, 0}, {1, 0}}, {{1, 0}, {0, 0}}}));
+  EXPECT_EQ(cut_where_met({{3, 0}, {0, 0}}, {}), (std::vector<Segment>{{{3, 0}, {0, 0}}}));
+}
+
 }  // namespace
 }  // namespace oplus

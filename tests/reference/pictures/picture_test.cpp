@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/pictures/picture.hpp"
+#include "reference/pictures/styles.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,38 +12,38 @@
 namespace oplus {
 namespace {
 
-using Kind = Layer::Kind;
+using Sample = Style::Sample;
 using boost::property_tree::ptree;
 
-std::vector<Kind> all_kinds() {
-  std::vector<Kind> kinds;
-  for (int kind = 0; kind <= static_cast<int>(Kind::touching); ++kind)
-    kinds.push_back(static_cast<Kind>(kind));
-  return kinds;
+const Style area_style{.name = "area", .label = "an area", .place = 10, .fill = "#ffffff"};
+const Style dot_style{.name = "dot", .label = "a dot", .place = 12, .sample = Sample::dot};
+
+/// One of each kind of sample, and all that this folder defines.
+std::vector<Style> all_styles() {
+  return {style::summand_p,
+          style::summand_q,
+          style::convolution,
+          style::reduced_convolution,
+          style::sum,
+          style::holes,
+          style::dangling_edges,
+          style::isolated_vertices,
+          style::difference,
+          style::cycle(0),
+          area_style,
+          dot_style,
+          {.name = "ring", .label = "a ring", .place = 11, .sample = Sample::ring}};
 }
 
-/// Something of the kind: a region, a segment or a point, as it suits.
-Layer some(Kind kind) {
-  switch (kind) {
-    case Kind::convolution:
-    case Kind::reduced_convolution:
-    case Kind::dangling_edges:
-    case Kind::cycle:
-    case Kind::flipped:
-    case Kind::on_no_loop:
-    case Kind::boundary_loop:
-    case Kind::not_nested_loop:
-    case Kind::not_boundary_loop:
-    case Kind::overlap:
-      return {kind, {}, {{{0, 0}, {1, 2}}, {{1, 2}, {3, 0}}}};
-    case Kind::isolated_vertices:
-    case Kind::difference:
-    case Kind::crossing:
-    case Kind::weak_intersection:
-    case Kind::touching:
-      return {kind, {}, {}, {{1, 1}}};
+/// Something in a style: a region, a segment or a point, as it suits.
+Layer some(const Style& style) {
+  switch (style.sample) {
+    case Sample::line:
+      return {style, {}, {{{0, 0}, {1, 2}}, {{1, 2}, {3, 0}}}};
+    case Sample::area:
+      return {style, polygon(box(0, 0, 2, 2))};
     default:
-      return {kind, polygon(box(0, 0, 2, 2))};
+      return {style, {}, {}, {{1, 1}}};
   }
 }
 
@@ -64,22 +64,36 @@ std::vector<std::pair<double, double>> drawn_points(const ptree& panel) {
   return points;
 }
 
-TEST(Picture, legend_names_each_kind_that_is_drawn_once) {
-  for (const Kind kind : all_kinds())
-    EXPECT_EQ(legend_of(parsed(svg({{"one", {some(kind), some(kind)}}, {"two", {some(kind)}}}))),
-              std::multiset<std::string>{label(kind)});
+TEST(Picture, legend_names_each_style_that_is_drawn_once) {
   std::vector<Layer> layers;
   std::multiset<std::string> labels;
-  for (const Kind kind : all_kinds()) {
-    layers.push_back(some(kind));
-    labels.insert(label(kind));
+  for (const Style& one : all_styles()) {
+    EXPECT_EQ(legend_of(parsed(svg({{"one", {some(one), some(one)}}, {"two", {some(one)}}}))),
+              std::multiset<std::string>{one.label});
+    layers.push_back(some(one));
+    labels.insert(one.label);
   }
   EXPECT_EQ(legend_of(parsed(svg({{"all", layers}}))), labels);
-  EXPECT_EQ(std::set<std::string>(labels.begin(), labels.end()).size(), all_kinds().size());
+  EXPECT_EQ(std::set<std::string>(labels.begin(), labels.end()).size(), all_styles().size());
+}
+
+TEST(Picture, legend_is_in_the_order_of_places_numbers_and_labels) {
+  const std::vector<Style> styles = {{.name = "a", .label = "first", .place = 0},
+                                     {.name = "b", .label = "second", .place = 1, .number = -3},
+                                     {.name = "b", .label = "also second", .place = 1, .number = 2},
+                                     {.name = "b", .label = "in the end", .place = 1, .number = 2}};
+  const std::string document =
+      svg({{"", {some(styles[3]), some(styles[1])}}, {"", {some(styles[2]), some(styles[0])}}});
+  std::size_t at = document.find("class=\"legend\"");
+  for (const Style& one : styles) {
+    at = document.find(one.label, at);
+    EXPECT_NE(at, std::string::npos) << one.label;
+  }
 }
 
 TEST(Picture, empty_layers_are_left_out) {
-  const ptree tree = parsed(svg({{"nothing", {{Kind::sum}, {Kind::holes}, {Kind::convolution}}}}));
+  const ptree tree =
+      parsed(svg({{"nothing", {{style::sum}, {style::holes}, {style::convolution}}}}));
   EXPECT_TRUE(legend_of(tree).empty());
   EXPECT_TRUE(groups(groups(tree, "panel").at(0), "sum").empty());
 }
@@ -104,7 +118,8 @@ TEST(Picture, same_panels_same_bytes) {
 
 TEST(Picture, y_axis_is_up) {
   const auto points = drawn_points(
-      groups(parsed(svg({{"", {{Kind::dangling_edges, {}, {{{0, 0}, {1, 1}}}}}}})), "panel").at(0));
+      groups(parsed(svg({{"", {{style::dangling_edges, {}, {{{0, 0}, {1, 1}}}}}}})), "panel")
+          .at(0));
   ASSERT_EQ(points.size(), 2U);
   EXPECT_LT(points[0].first, points[1].first);
   EXPECT_GT(points[0].second, points[1].second);
@@ -114,7 +129,7 @@ TEST(Picture, stays_on_the_page_however_large_or_small_the_coordinates) {
   const Rational huge("1" + std::string(400, '0'));
   for (const Rational& size : {Rational(1), huge, Rational(1 / huge)}) {
     for (const Rational& offset : {Rational(0), huge, Rational(-huge)}) {
-      const Layer layer{Kind::sum, polygon(box(offset, offset, offset + size, offset + 3 * size))};
+      const Layer layer{style::sum, polygon(box(offset, offset, offset + size, offset + 3 * size))};
       const ptree tree = parsed(svg({{"", {layer}}}));
       const double width = std::stod(tree.get<std::string>("<xmlattr>.width"));
       const double height = std::stod(tree.get<std::string>("<xmlattr>.height"));
@@ -132,30 +147,30 @@ TEST(Picture, stays_on_the_page_however_large_or_small_the_coordinates) {
 }
 
 TEST(Picture, one_point_can_be_drawn) {
-  const std::string document = svg({{"", {{Kind::isolated_vertices, {}, {}, {{7, 7}}}}}});
+  const std::string document = svg({{"", {{style::isolated_vertices, {}, {}, {{7, 7}}}}}});
   EXPECT_EQ(document.find("nan"), std::string::npos);
   EXPECT_EQ(document.find("inf"), std::string::npos);
   EXPECT_EQ(legend_of(parsed(document)).size(), 1U);
 }
 
 TEST(Picture, directed_segments_have_arrow_heads_and_others_none) {
-  const auto paths = [](Kind kind) {
+  const auto paths = [](const Style& style) {
     const ptree panel =
-        groups(parsed(svg({{"", {{kind, {}, {{{0, 0}, {9, 0}}}}}}})), "panel").at(0);
+        groups(parsed(svg({{"", {{style, {}, {{{0, 0}, {9, 0}}}}}}})), "panel").at(0);
     for (const auto& [tag, layer] : panel)
       if (tag == "g") return layer.count("path");
     return std::size_t{0};
   };
-  EXPECT_EQ(paths(Kind::convolution), 2U);
-  EXPECT_EQ(paths(Kind::reduced_convolution), 2U);
-  EXPECT_EQ(paths(Kind::dangling_edges), 1U);
+  EXPECT_EQ(paths(style::convolution), 2U);
+  EXPECT_EQ(paths(style::reduced_convolution), 2U);
+  EXPECT_EQ(paths(style::dangling_edges), 1U);
 }
 
 TEST(Picture, titles_may_contain_anything) {
   std::string title;
   for (int c = 1; c < 256; ++c) title += static_cast<char>(c);
   title += "\xe2\x8a\x95\xef\xbf\xbf\xf0\x9f";
-  const ptree tree = parsed(svg({{title, {some(Kind::sum)}}}));
+  const ptree tree = parsed(svg({{title, {some(style::sum)}}}));
   const std::string drawn = groups(tree, "panel").at(0).get<std::string>("text");
   for (const char c : drawn) EXPECT_TRUE(static_cast<unsigned char>(c) >= 0x20 && c != 0x7f);
   EXPECT_NE(drawn.find("%&'()*+"), std::string::npos) << drawn;
@@ -184,52 +199,30 @@ TEST(Picture, layers_of_a_sum_are_its_parts) {
   sum.isolated_vertices = {{3, 3}};
   const std::vector<Layer> layers = layers_of(sum);
   ASSERT_EQ(layers.size(), 4U);
-  EXPECT_EQ(layers[0].kind, Kind::holes);
+  EXPECT_EQ(layers[0].style.name, style::holes.name);
   EXPECT_EQ(canonical_sum(layers[0].region), canonical_sum(polygon(box(1, 1, 5, 5))));
-  EXPECT_EQ(layers[1].kind, Kind::sum);
+  EXPECT_EQ(layers[1].style.name, style::sum.name);
   EXPECT_EQ(area(layers[1].region), 36 - 16 + 4);
   EXPECT_EQ(layers[2].segments, sum.dangling_edges);
   EXPECT_EQ(layers[3].points, sum.isolated_vertices);
 }
 
-TEST(Picture, legend_tells_numbered_layers_apart) {
-  std::vector<Layer> layers;
-  for (int number = -2; number < 3; ++number) {
-    layers.push_back(some(Kind::winding_number));
-    layers.back().number = number;
-  }
-  EXPECT_EQ(
-      legend_of(parsed(svg({{"", layers}}))),
-      (std::multiset<std::string>{"winding number -2", "winding number -1", "winding number 0",
-                                  "winding number 1", "winding number 2"}));
-}
-
 TEST(Picture, numbered_layers_differ_in_their_look) {
   std::set<std::string> looks;
-  const auto look = [](Kind kind, int number) {
-    Layer layer = some(kind);
-    layer.number = number;
-    layer.name = "same";
-    return svg({{"", {layer}}});
-  };
-  for (int number = 0; number < 28; ++number) looks.insert(look(Kind::cycle, number));
-  for (int number = -4; number <= 8; ++number) looks.insert(look(Kind::winding_number, number));
-  EXPECT_EQ(looks.size(), 28U + 13U);
-  EXPECT_EQ(look(Kind::winding_number, 9), look(Kind::winding_number, 8));
-  EXPECT_EQ(look(Kind::winding_number, -5), look(Kind::winding_number, -4));
+  for (int number = 0; number < 28; ++number)
+    looks.insert(svg({{"", {some(labelled(style::cycle(number), "same"))}}}));
+  EXPECT_EQ(looks.size(), 28U);
 }
 
-TEST(Picture, a_layer_may_have_a_name_of_its_own) {
-  Layer named = some(Kind::crossing);
-  named.name = "3 crossings";
-  EXPECT_EQ(legend_of(parsed(svg({{"", {named, some(Kind::crossing)}}}))),
-            (std::multiset<std::string>{"3 crossings", label(Kind::crossing)}));
+TEST(Picture, layers_of_one_style_may_have_labels_of_their_own) {
+  const Layer labelled_dot = some(labelled(dot_style, "3 dots"));
+  EXPECT_EQ(legend_of(parsed(svg({{"", {labelled_dot, some(dot_style)}}}))),
+            (std::multiset<std::string>{"3 dots", "a dot"}));
 }
 
 TEST(Picture, a_long_legend_says_how_much_it_leaves_out) {
-  std::vector<Layer> cycles(100, some(Kind::cycle));
-  for (int number = 0; number < 100; ++number)
-    cycles[static_cast<std::size_t>(number)].number = number;
+  std::vector<Layer> cycles;
+  for (int number = 0; number < 100; ++number) cycles.push_back(some(style::cycle(number)));
   const std::multiset<std::string> legend = legend_of(parsed(svg({{"", cycles}})));
   EXPECT_EQ(legend.size(), 41U);
   EXPECT_EQ(legend.count("and 60 more"), 1U);
@@ -247,7 +240,7 @@ std::multiset<std::string> notes_of(const std::string& document) {
 }
 
 TEST(Picture, notes_are_written_where_they_fit_and_counted_where_not) {
-  Layer layer = some(Kind::winding_number);
+  Layer layer = some(area_style);
   layer.notes = {{"7", {1, 1}, Rational(1, 4)}, {"8", {1, 1}, Rational(1, 10000)}, {"9", {}, 0}};
   const std::string document = svg({{"", {layer}}});
   EXPECT_EQ(notes_of(document), std::multiset<std::string>{"7"});
@@ -260,10 +253,10 @@ TEST(Picture, notes_are_written_where_they_fit_and_counted_where_not) {
 
 TEST(Picture, a_written_note_stays_in_its_disk) {
   for (const Rational& radius : {Rational(1, 20), Rational(1, 10), Rational(1, 2)}) {
-    Layer layer = some(Kind::winding_number);
+    Layer layer = some(area_style);
     layer.notes = {{"12", {1, 1}, radius * radius}};
     const ptree panel = groups(parsed(svg({{"", {layer}}})), "panel").at(0);
-    const ptree note = groups(panel, "winding-number").at(0).get_child("text");
+    const ptree note = groups(panel, "area").at(0).get_child("text");
     const auto size = note.get<double>("<xmlattr>.font-size");
     EXPECT_GT(size, 6);
     EXPECT_LE(2 * 0.6 * size, 2 * 160 * radius.get_d());
@@ -273,8 +266,8 @@ TEST(Picture, a_written_note_stays_in_its_disk) {
 }
 
 TEST(Picture, columns_stand_beside_each_other_and_their_panels_below) {
-  const Panel flat{"flat", {{Kind::sum, polygon(box(0, 0, 8, 1))}}, 100};
-  const Panel square{"square", {{Kind::sum, polygon(box(0, 0, 1, 1))}}, 300};
+  const Panel flat{"flat", {{style::sum, polygon(box(0, 0, 8, 1))}}, 100};
+  const Panel square{"square", {{style::sum, polygon(box(0, 0, 1, 1))}}, 300};
   const std::vector<ptree> panels =
       groups(parsed(svg_in_columns({{flat, flat}, {square}})), "panel");
   ASSERT_EQ(panels.size(), 3U);

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "reference/pictures/styles.hpp"
+
+/// How several of the views and pictures of `oplus` draw the same thing.
+namespace oplus::style {
+
+inline const Style boundary_loop{.name = "boundary-loop",
+                                 .label = "loop of the boundary",
+                                 .place = 15,
+                                 .sample = Style::Sample::line,
+                                 .line = "#0072b2",
+                                 .width = 2.2,
+                                 .directed = true};
+inline const Style common_interior{
+    .name = "common-interior", .label = "common interior", .place = 19, .fill = "#8fcfa0"};
+/// A contact of boundaries without common interior.
+inline const Style touching{.name = "touching",
+                            .label = "contact without common interior",
+                            .place = 23,
+                            .sample = Style::Sample::ring,
+                            .fill = "#1a1a1a"};
+
+/// Faces of a winding number, filled, or the number in them: the larger, the darker; zero and below
+/// in other hues.
+Style winding_number(int number);
+
+}  // namespace oplus::style
