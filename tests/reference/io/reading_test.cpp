@@ -28,7 +28,7 @@ TEST(Reading, turns_chains_and_says_so) {
   EXPECT_EQ(read.notes,
             std::vector<std::string>({"file: hole 3 of component 1 was counterclockwise; turned",
                                       "file: outer chain of component 2 was clockwise; turned"}));
-  const Region expected{{{rectangle(0, 0, 4, 4),
+  const Region expected{{{box(0, 0, 4, 4),
                           {{{1, 1}, {1, 2}, {2, 2}},
                            {{3, 3}, {3, 2}, {2, 3}},
                            {{3, 1}, {3, 2}, {Rational(7, 2), 1}}}},
@@ -40,18 +40,18 @@ TEST(Reading, of_a_sum_turns_chains_and_says_so) {
   const ReadSum read = sum_from("4 0 0 0 1 1 1 1 0");
   EXPECT_EQ(read.notes,
             std::vector<std::string>({"file: outer chain of component 1 was clockwise; turned"}));
-  EXPECT_EQ(read.sum, canonical_sum(polygon(rectangle(0, 0, 1, 1))));
+  EXPECT_EQ(read.sum, canonical_sum(polygon(box(0, 0, 1, 1))));
 }
 
 TEST(Reading, of_a_sum_is_canonical) {
-  EXPECT_EQ(sum_from("5 4 4 2 4 0 4 0 0 4 0").sum, canonical_sum(polygon(rectangle(0, 0, 4, 4))));
+  EXPECT_EQ(sum_from("5 4 4 2 4 0 4 0 0 4 0").sum, canonical_sum(polygon(box(0, 0, 4, 4))));
 }
 
 TEST(Reading, of_a_sum_makes_the_polygons_of_a_collection_one_region) {
   EXPECT_EQ(sum_from("GEOMETRYCOLLECTION (POLYGON ((2 0, 3 0, 3 1, 2 1, 2 0)),"
                      " MULTIPOLYGON (((0 0, 1 0, 1 1, 0 1, 0 0))))")
                 .sum,
-            canonical_sum(Region{{{rectangle(0, 0, 1, 1), {}}, {rectangle(2, 0, 3, 1), {}}}}));
+            canonical_sum(Region{{{box(0, 0, 1, 1), {}}, {box(2, 0, 3, 1), {}}}}));
   EXPECT_EQ(refusal([] {
               sum_from(
                   "GEOMETRYCOLLECTION (POLYGON ((0 0, 9 0, 0 9, 0 0)),\n"
@@ -65,52 +65,6 @@ TEST(Reading, of_a_sum_joins_collinear_dangling_edges) {
   EXPECT_EQ(sum_from("LINESTRING (0 0, 1 1, 3 3, 3 0)").sum.dangling_edges,
             std::vector<Segment>({{{0, 0}, {3, 3}}, {{3, 0}, {3, 3}}}));
 }
-
-class RefusedFeatures : public testing::TestWithParam<Refused> {};
-
-TEST_P(RefusedFeatures, says_why) {
-  EXPECT_EQ(refusal([&] { sum_from(GetParam().text); }), GetParam().message);
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    Sum, RefusedFeatures,
-    testing::Values(
-        Refused{"line_string_of_one_vertex", "MULTILINESTRING ((0 0, 1 1),\n (5 5))",
-                "file:2:2: line string 2 has 1 vertex; expected at least 2"},
-        Refused{"zero_length_dangling_edge", "LINESTRING (0 0, 1/2 1,\n0.5 1)",
-                "file:2:1: line string 1 has an edge of zero length: vertices 2 and 3 are both "
-                "(0.5, 1); expected consecutive vertices to differ"},
-        Refused{"point_twice", "MULTIPOINT (1 1, 2 2,\n1 1)",
-                "file:2:1: point 3, (1, 1), is also point 1; expected each isolated vertex once"},
-        Refused{"point_on_a_dangling_edge",
-                "GEOMETRYCOLLECTION (POINT (1 1),\nLINESTRING (2 2, 0 0))",
-                "file:1:28: point 1, (1, 1), lies on the dangling edge from (0, 0) to (2, 2); "
-                "expected an isolated vertex"}),
-    test_name);
-
-class RefusedText : public testing::TestWithParam<Refused> {};
-
-TEST_P(RefusedText, says_why) {
-  EXPECT_EQ(refusal([&] { region_from(GetParam().text); }), GetParam().message);
-  EXPECT_EQ(refusal([&] { sum_from(GetParam().text); }), GetParam().message);
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    Text, RefusedText,
-    testing::Values(
-        Refused{"empty", "",
-                "file:1:1: nothing but blanks or nothing at all; expected a region in "
-                ".dat, WKT or GeoJSON"},
-        Refused{"blank", " \n\t\r\n",
-                "file:1:1: nothing but blanks or nothing at all; expected a region in "
-                ".dat, WKT or GeoJSON"},
-        Refused{"binary", std::string("3 0 0\n1 \0 0 1", 13),
-                "file:2:3: the byte '\\x00' is not text; expected a region in .dat, WKT "
-                "or GeoJSON"},
-        Refused{"compressed", "\x1f\x8b\x08",
-                "file:1:1: the byte '\\x1f' is not text; expected a region in .dat, WKT "
-                "or GeoJSON"}),
-    test_name);
 
 TEST(Reading, where_says_file_line_and_column) {
   try {

@@ -17,8 +17,8 @@ std::string written(const Value& value, Format format, std::optional<int> digits
   return out.str();
 }
 
-const Region with_hole{{{rectangle(0, 0, 3, 3), {{{1, 1}, {1, 2}, {2, 1}}}}}};
-const Region of_two{{{rectangle(0, 0, 1, 1), {}}, {rectangle(2, 0, 3, 1), {}}}};
+const Region with_hole{{{box(0, 0, 3, 3), {{{1, 1}, {1, 2}, {2, 1}}}}}};
+const Region of_two{{{box(0, 0, 1, 1), {}}, {box(2, 0, 3, 1), {}}}};
 
 MinkowskiSum with_features(MinkowskiSum sum) {
   sum.dangling_edges = {{{1, 1}, {2, Rational(1, 3)}}, {{2, 2}, {3, 2}}};
@@ -106,7 +106,7 @@ TEST(Wkt, is_the_simplest_geometry) {
 }
 
 TEST(Wkt, of_a_sum_with_features_is_a_collection) {
-  EXPECT_EQ(written(with_features(canonical_sum(polygon(rectangle(0, 0, 3, 3)))), Format::wkt),
+  EXPECT_EQ(written(with_features(canonical_sum(polygon(box(0, 0, 3, 3)))), Format::wkt),
             "GEOMETRYCOLLECTION (POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0)), LINESTRING (1 1, 2 1/3), "
             "LINESTRING (2 2, 3 2), POINT (1 2), POINT (0.5 2))\n");
   EXPECT_EQ(written(MinkowskiSum{{}, {}, {}, {{1, 2}}}, Format::wkt),
@@ -136,7 +136,7 @@ TEST(GeoJson, of_a_sum_with_features_is_a_collection) {
   EXPECT_EQ(written(sum, Format::geojson),
             "{\"type\": \"GeometryCollection\", \"geometries\": [{\"type\": \"LineString\", "
             "\"coordinates\": [[0, 0], [1, 1]]}]}\n");
-  sum = canonical_sum(polygon(rectangle(0, 0, 3, 3)));
+  sum = canonical_sum(polygon(box(0, 0, 3, 3)));
   sum.isolated_vertices = {{1, 2}};
   EXPECT_EQ(written(sum, Format::geojson),
             "{\"type\": \"GeometryCollection\", \"geometries\": [{\"type\": \"Polygon\", "

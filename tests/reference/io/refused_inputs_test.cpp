@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/reference/io/from_text.hpp"
+
+namespace oplus {
+namespace {
+
+/// tests/corpus/refused_inputs.json: texts that are no region or no sum, and the whole line that must
+/// say where and why.
+TEST(RefusedInputs, are_refused_in_the_line_that_is_recorded) {
+  std::ifstream file(OPLUS_SOURCE_DIR "/tests/corpus/refused_inputs.json");
+  const nlohmann::json all = nlohmann::json::parse(file);
+  EXPECT_GE(all.size(), 122U);
+  for (const nlohmann::json& input : all) {
+    SCOPED_TRACE(input.at("name").get<std::string>());
+    const auto text = input.at("text").get<std::string>();
+    for (const std::string as : input.at("as")) {
+      const auto read = [&] { as == "sum" ? (void)sum_from(text) : (void)region_from(text); };
+      EXPECT_EQ(refusal(read), input.at("refusal").get<std::string>()) << "as a " << as;
+    }
+  }
+}
+
+// What JSON cannot hold, or nobody would read there.
+
+TEST(RefusedInputs, may_be_no_text) {
+  const std::string expected = "' is not text; expected a region in .dat, WKT or GeoJSON";
+  for (const auto& [text, place] :
+       {std::pair{std::string("3 0 0\n1 \0 0 1", 13), "file:2:3: the byte '\\x00"},
+        {std::string("\x1f\x8b\x08"), "file:1:1: the byte '\\x1f"}}) {
+    EXPECT_EQ(refusal([&] { region_from(text); }), place + expected);
+    EXPECT_EQ(refusal([&] { sum_from(text); }), place + expected);
+  }
+}
+
+TEST(RefusedInputs, are_quoted_as_far_as_anybody_would_read) {
+  EXPECT_EQ(refusal([] { region_from(std::string(50, '?')); }),
+            "file:1:1: '" + std::string(40, '?') +
+                "...' where the number of vertices of outer chain of component 1 should be; "
+                "expected an integer without a sign");
+  EXPECT_EQ(refusal([] { region_from("{\"a\": " + std::string(5000, '7') + "}"); }),
+            "file:1:7: '" + std::string(40, '7') +
+                "...' is too large for a JSON number; expected it as a string");
+}
+
+}  // namespace
+}  // namespace oplus
