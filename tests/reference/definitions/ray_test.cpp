@@ -16,11 +16,11 @@ const std::vector<Segment> segments = {
 
 TEST(Ray, meets_the_nearest_segment_first) {
   std::vector<Segment> left = segments;
-  for (const Rational& t : {3, 5, 6, 8}) {
+  for (const int t : {3, 5, 6, 8}) {
     const std::optional<Rational> first = first_met({0, 0}, {1, 0}, left);
     ASSERT_TRUE(first);
     EXPECT_EQ(*first, t);
-    EXPECT_EQ(first_met({0, 0}, {2, 0}, left), Rational(t / 2));
+    EXPECT_EQ(*first_met({0, 0}, {2, 0}, left), Rational(t) / 2);
     std::erase_if(left, [&](const Segment& s) { return lies_on({t, 0}, s); });
   }
   EXPECT_FALSE(first_met({0, 0}, {1, 0}, left));
