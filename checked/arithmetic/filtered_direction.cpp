@@ -38,7 +38,9 @@ std::optional<int> FilteredDirection::filtered_compare_slope(const FilteredDirec
 int FilteredDirection::compare_equal(Summand a, Summand b) {
   static const int p_and_q = compare(Direction{{1, 0}, Summand::P}, Direction{{1, 0}, Summand::Q});
   if (a == b) return 0;
-  if (OPLUS_MUTANT("filtered-ties-the-other-way")) return a == Summand::P ? -p_and_q : p_and_q;
+  if (OPLUS_MUTANT("filtered-ties-the-other-way",
+                   "where the filter sees that directions are equal, P's comes after Q's"))
+    return a == Summand::P ? -p_and_q : p_and_q;
   return a == Summand::P ? p_and_q : -p_and_q;
 }
 

@@ -49,7 +49,8 @@ class Scale {
     return {number(Rational(p.x >> shift_)), number(Rational(p.y >> shift_))};
   }
   Point original(const Kernel::Point_2& p) const {
-    if (shift_ == 0 || OPLUS_MUTANT("coordinates-stay-scaled"))
+    if (shift_ == 0 || OPLUS_MUTANT("coordinates-stay-scaled",
+                                    "coordinates beyond what a double holds are not scaled back"))
       return {number(p.x()), number(p.y())};
     return {Rational(number(p.x()) << shift_), Rational(number(p.y()) << shift_)};
   }

@@ -12,7 +12,10 @@ std::vector<Point> isolated_touching_points(
   const std::vector<Point> of_p = touching_points(p);
   const std::vector<Point> of_q = of_p.empty() ? of_p : touching_points(q);
   std::vector<Point> isolated;
-  if (of_q.empty() || OPLUS_MUTANT("touching-points-are-not-tested")) return isolated;
+  if (of_q.empty() ||
+      OPLUS_MUTANT("touching-points-are-not-tested",
+                   "isolated vertices are looked for on the reduced convolution only"))
+    return isolated;
   const Region closed = region_of(found);
   for (const Point& a : of_p) {
     for (const Point& b : of_q) {

@@ -76,11 +76,14 @@ std::vector<LoopVerdict> judge(const ConvolutionArrangement& arrangement,
       is_judged[i] = true;
       const bool seen_from_the_right = sides[i].right == region;
       // The sum is to the left of its boundary.
-      const bool is_nested =
-          seen_from_the_right != is_in_sum &&
-          !(OPLUS_MUTANT("islands-are-not-nested") && seen_from_the_right && region != outside);
+      const bool is_nested = seen_from_the_right != is_in_sum &&
+                             !(OPLUS_MUTANT("islands-are-not-nested",
+                                            "external loops are looked for on the outside only") &&
+                               seen_from_the_right && region != outside);
       const bool is_boundary =
-          is_nested && (region == outside || OPLUS_MUTANT("nested-loops-need-no-hole-test") ||
+          is_nested && (region == outside ||
+                        OPLUS_MUTANT("nested-loops-need-no-hole-test",
+                                     "every loop that is nested is taken for boundary") ||
                         is_hole_right_of(loops[i][0]));
       if (is_nested) verdicts[i] = is_boundary ? LoopVerdict::boundary : LoopVerdict::not_boundary;
       if (!seen_from_the_right) to_visit.push({sides[i].right, is_in_sum && !is_boundary});

@@ -26,9 +26,13 @@ std::optional<Halfedge> clockwise_most(const ConvolutionArrangement& arrangement
   for (Halfedge out = arrangement.clockwise(back); out != back; out = arrangement.clockwise(out)) {
     if (!is_directed(arrangement, out)) continue;
     best = out;
-    if (OPLUS_MUTANT("loops-go-straight-on") && arrangement.strand(out) == arrangement.strand(h))
+    if (OPLUS_MUTANT("loops-go-straight-on",
+                     "where loops meet, tracing goes on along the same segment") &&
+        arrangement.strand(out) == arrangement.strand(h))
       break;
-    if (OPLUS_MUTANT("loops-turn-counterclockwise-most")) break;
+    if (OPLUS_MUTANT("loops-turn-counterclockwise-most",
+                     "where loops meet, tracing takes the wrong way out of the vertex"))
+      break;
   }
   return best;
 }

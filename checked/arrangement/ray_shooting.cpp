@@ -89,7 +89,12 @@ struct RayShooting::Tree {
     const std::int64_t below = number_below(p.at.y);
     const bool at_a_height =
         below < std::ssize(heights) && heights[static_cast<std::size_t>(below)] == p.at.y;
-    return at_a_height && is_above(p) && !OPLUS_MUTANT("rays-shift-down") ? below : below - 1;
+    return at_a_height && is_above(p) &&
+                   !OPLUS_MUTANT(
+                       "rays-shift-down",
+                       "a ray at the height of a vertex passes below it, though it starts above")
+               ? below
+               : below - 1;
   }
 
   /// Positive if the point is to the left of a segment's line, negative if to the right.
@@ -103,7 +108,10 @@ struct RayShooting::Tree {
     const int by_first = sign(cross(d, p.first));
     if (by_first != 0) return by_first;
     const int by_second = sign(cross(d, p.second));
-    return OPLUS_MUTANT("rays-start-left-of-their-edge") ? -by_second : by_second;
+    return OPLUS_MUTANT("rays-start-left-of-their-edge",
+                        "a ray from an edge starts in the face to its left")
+               ? -by_second
+               : by_second;
   }
 
   std::vector<Segment> segments;

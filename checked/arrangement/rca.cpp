@@ -23,8 +23,11 @@ std::vector<Halfedge> boundary_of_faces(const ConvolutionArrangement& arrangemen
   const auto is_in_complement = [&](Face face) {
     if (face == ConvolutionArrangement::unbounded) return true;
     if (!may_be_in_complement(arrangement, face)) return false;
-    if (OPLUS_MUTANT("candidates-need-no-hole-test")) return true;
-    if (OPLUS_MUTANT("no-candidate-is-a-hole")) return false;
+    if (OPLUS_MUTANT("candidates-need-no-hole-test",
+                     "every face with an orientable boundary is taken for a hole"))
+      return true;
+    if (OPLUS_MUTANT("no-candidate-is-a-hole", "every face is taken for a part of the sum"))
+      return false;
     return is_hole_right_of(ConvolutionArrangement::twin(arrangement.boundaries(face)[0]));
   };
   std::vector<Halfedge> boundary;

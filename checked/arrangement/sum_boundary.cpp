@@ -53,7 +53,9 @@ bool has_three_directions(const ConvolutionArrangement& arrangement, Vertex v) {
     }
     h = arrangement.clockwise(h);
   } while (h != first && directions.size() < 3);
-  return directions.size() >= 3 && !OPLUS_MUTANT("three-directions-are-too-few");
+  return directions.size() >= 3 &&
+         !OPLUS_MUTANT("three-directions-are-too-few",
+                       "isolated vertices are not looked for where three directions meet");
 }
 
 }  // namespace
@@ -73,12 +75,17 @@ void add_low_dimensional_features(const ConvolutionArrangement& arrangement, con
     mark(h);
   }
   for (Halfedge h = 0; h < 2 * arrangement.edge_count(); h += 2) {
-    const bool opposite_segments = !arrangement.along(h).empty() &&
-                                   !arrangement.along(ConvolutionArrangement::twin(h)).empty() &&
-                                   !OPLUS_MUTANT("dangling-edges-run-one-way");
+    const bool opposite_segments =
+        !arrangement.along(h).empty() &&
+        !arrangement.along(ConvolutionArrangement::twin(h)).empty() &&
+        !OPLUS_MUTANT("dangling-edges-run-one-way",
+                      "dangling edges are not looked for where opposite segments overlap");
     if (edge_is_on_boundary[h / 2] || !opposite_segments) continue;
     const Segment edge = arrangement.geometry(h);
-    if (OPLUS_MUTANT("vertical-edges-never-dangle") && edge.source.x == edge.target.x) continue;
+    if (OPLUS_MUTANT("vertical-edges-never-dangle",
+                     "dangling edges are not looked for where they are parallel to the y-axis") &&
+        edge.source.x == edge.target.x)
+      continue;
     if (interiors_meet_at(midpoint(edge.source, edge.target))) continue;
     boundary.dangling.push_back(h);
     mark(h);

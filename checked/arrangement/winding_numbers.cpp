@@ -15,7 +15,9 @@ using Face = ConvolutionArrangement::Face;
 
 /// Left of a segment the winding number is one more than right of it.
 int left_minus_right(const ConvolutionArrangement& arrangement, Halfedge h) {
-  if (OPLUS_MUTANT("overlapping-segments-count-once")) return arrangement.along(h).empty() ? -1 : 1;
+  if (OPLUS_MUTANT("overlapping-segments-count-once",
+                   "crossing an edge of several segments changes the winding number by one"))
+    return arrangement.along(h).empty() ? -1 : 1;
   return static_cast<int>(arrangement.along(h).size()) -
          static_cast<int>(arrangement.along(ConvolutionArrangement::twin(h)).size());
 }

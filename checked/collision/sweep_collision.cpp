@@ -118,7 +118,10 @@ class Visitor : public CGAL::Surface_sweep_2::Default_visitor<Visitor, Traits> {
       add(*curve, false);
     if (!has_ray[0] || !has_ray[1]) return false;
     remember_chains(event);
-    return !OPLUS_MUTANT("sweep-ignores-weak-intersections") && is_sector_inside_both(rays_);
+    return !OPLUS_MUTANT(
+               "sweep-ignores-weak-intersections",
+               "boundaries that meet without a proper crossing are taken to touch only, by the sweep") &&
+           is_sector_inside_both(rays_);
   }
 
   void remember_chains(Event& event) {
@@ -223,7 +226,10 @@ class SweepCollision : public CollisionTest {
   bool some_overlap_shows_common_interior() const {
     return std::any_of(runs_along_strand_.begin(), runs_along_strand_.end(), [](const Runs& runs) {
       return runs[0] && runs[1] &&
-             (runs[0]->along == runs[1]->along || OPLUS_MUTANT("sweep-forgets-overlap-direction"));
+             (runs[0]->along == runs[1]->along ||
+              OPLUS_MUTANT(
+                  "sweep-forgets-overlap-direction",
+                  "edges that overlap in opposite directions are taken for common interior"));
     });
   }
 

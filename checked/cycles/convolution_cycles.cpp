@@ -49,7 +49,9 @@ class Tracing {
         traced_q_(traced(q_, Summand::Q)) {
     for (std::size_t a = 0; a < p_.size(); ++a)
       for (std::size_t b = 0; b < q_.size(); ++b)
-        if (!OPLUS_MUTANT("holes-of-q-are-left-out") || sign(twice_area(q_[b])) > 0)
+        if (!OPLUS_MUTANT("holes-of-q-are-left-out",
+                          "cycles are traced along the outer chains of Q only") ||
+            sign(twice_area(q_[b])) > 0)
           pairs_.push_back({a, b, trace_cycles(traced_p_[a], traced_q_[b])});
   }
 

@@ -22,9 +22,11 @@ TracedChain::TracedChain(const Chain& chain, Summand of) {
     const FilteredDirection& in = edges_[previous(i, size)];
     const FilteredDirection& out = edges_[i];
     const int turn = compare(in, out);
-    const bool is_reflex = OPLUS_MUTANT("reflex-where-angles-decrease")
-                               ? turn > 0
-                               : oplus::is_reflex({in.exact().vector, out.exact().vector});
+    const bool is_reflex =
+        OPLUS_MUTANT("reflex-where-angles-decrease",
+                     "a vertex is taken for reflex where its outgoing edge has the smaller angle")
+            ? turn > 0
+            : oplus::is_reflex({in.exact().vector, out.exact().vector});
     corners_.push_back({is_reflex, turn});
   }
 }
@@ -53,9 +55,14 @@ class Tracer {
 
   GridCycles run() {
     for (std::size_t i = 0; i < p_.size(); ++i) start_at({i, 0});
-    if (OPLUS_MUTANT("no-start-in-the-first-column")) return std::move(result_);
+    if (OPLUS_MUTANT("no-start-in-the-first-column",
+                     "tracing starts from the states of one row only"))
+      return std::move(result_);
     for (std::size_t j = 1; j < q_.size(); ++j) start_at({0, j});
-    for (std::size_t i = 1; OPLUS_MUTANT("every-state-is-a-start") && i < p_.size(); ++i)
+    for (std::size_t i = 1; OPLUS_MUTANT("every-state-is-a-start",
+                                         "tracing starts from every state of the fiber grid") &&
+                            i < p_.size();
+         ++i)
       for (std::size_t j = 1; j < q_.size(); ++j) start_at({i, j});
     return std::move(result_);
   }
@@ -83,7 +90,12 @@ class Tracer {
       OPLUS_ENSURES(steps.size() <= 2 * p_.size() * q_.size(), "Theorem 4.1.6");
       std::size_t& index = edge_of == Summand::P ? at.i : at.j;
       index = next(index, edge_of == Summand::P ? p_.size() : q_.size());
-      if (at == start || (OPLUS_MUTANT("cycle-ends-in-its-column") && at.i == start.i)) break;
+      if (at == start ||
+          (OPLUS_MUTANT(
+               "cycle-ends-in-its-column",
+               "a cycle ends when it is back in the column of its start, whatever the row") &&
+           at.i == start.i))
+        break;
       edge_of = summand_after(edge_of, at);
     }
     result_.cycles.push_back({start.i, start.j, std::move(steps)});
@@ -93,7 +105,9 @@ class Tracer {
   /// not ask whether it can turn, as little as Algorithm 2 does.
   Summand summand_after(Summand came_by, const State& at) {
     ++result_.states_looked_at;
-    if (OPLUS_MUTANT("edge-of-p-though-visited")) came_by = Summand::P;
+    if (OPLUS_MUTANT("edge-of-p-though-visited",
+                     "where both segments leave a state, tracing takes P's, visited or not"))
+      came_by = Summand::P;
     if (leaves_along(came_by, at)) return came_by;
     OPLUS_ENSURES(leaves_along(other(came_by), at), "Lemma 4.1.3");
     return other(came_by);

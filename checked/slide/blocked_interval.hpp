@@ -82,7 +82,10 @@ std::optional<BlockedInterval<Numbers>> blocked_interval(const IntegerSegment<Nu
   const auto nudge = [&](const IntegerVector<Numbers>& along, int which) {
     if (shift == Shift::none) return 0;
     const int inwards = which * sign_of(dot(d, along)) * (mirrored ? -1 : 1);
-    return OPLUS_MUTANT("slide-shifts-to-the-left") ? -inwards : inwards;
+    return OPLUS_MUTANT("slide-shifts-to-the-left",
+                        "the infinitesimal shift is to the left of the segment")
+               ? -inwards
+               : inwards;
   };
   detail::Strips<Numbers> strips;
   const Value slope_a = cross(d, w);

@@ -71,7 +71,8 @@ class BlockingSearch {
           continue;
         }
         if (!in_first) left_out_.push_back(halves->first);
-        if (!in_second && !OPLUS_MUTANT("slide-leaves-boxes-out"))
+        if (!in_second && !OPLUS_MUTANT("slide-leaves-boxes-out",
+                                        "some boxes that a probe leaves out are never looked into"))
           left_out_.push_back(halves->second);
         if (in_first || in_second) {
           boxes = in_first ? halves->first : halves->second;
@@ -160,7 +161,9 @@ class BlockingSearch {
     return beside(pair, from, to, 0, [](double low, double high, double a, double b) {
       // Along a side, the shift decides.
       const bool is_along =
-          a == b && (a == low || a == high) && !OPLUS_MUTANT("slide-passes-sides-by");
+          a == b && (a == low || a == high) &&
+          !OPLUS_MUTANT("slide-passes-sides-by",
+                        "doubles leave out parallelograms along whose sides a segment runs");
       return !is_along && (std::max(a, b) <= low || std::min(a, b) >= high);
     });
   }

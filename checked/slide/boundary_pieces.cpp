@@ -35,7 +35,10 @@ std::vector<BoundaryPiece> cut_at_points(const std::vector<BoundaryPiece>& piece
     const double off = 4 * margin * (std::abs(dx) + std::abs(dy) + 4 * margin);
     inside.clear();
     grid.each_near_segment(piece.from, piece.to, [&](std::uint32_t i) {
-      if (i == piece.from || i == piece.to || OPLUS_MUTANT("slide-pieces-stay-uncut")) return;
+      if (i == piece.from || i == piece.to ||
+          OPLUS_MUTANT("slide-pieces-stay-uncut",
+                       "free pieces are not cut where others end inside them"))
+        return;
       const double x = near_x[i] - ax, y = near_y[i] - ay;
       if (std::abs(dx * y - dy * x) > off) return;
       // Behind one end or the other.

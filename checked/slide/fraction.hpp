@@ -68,7 +68,8 @@ class Fraction {
     using Product = typename Numbers::Product;
     if constexpr (!is_small<Numbers>) {
       const double difference = b.near_ - a.near_;
-      if (OPLUS_MUTANT("slide-believes-doubles") ||
+      if (OPLUS_MUTANT("slide-believes-doubles",
+                       "of two fractions in large numbers, doubles always tell the smaller") ||
           std::abs(difference) > 0x1p-48 * (std::abs(a.near_) + std::abs(b.near_)) + 0x1p-900)
         return difference > 0;
     }

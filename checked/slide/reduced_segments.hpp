@@ -50,7 +50,9 @@ Ranks ranks(const IntegerSummand<Numbers>& p, const IntegerSummand<Numbers>& q) 
   const auto compared = [](const Edge& a, const Edge& b) {
     if (a.lower != b.lower) return a.lower ? 1 : -1;
     const int turn = sign_of(cross(b.direction, a.direction));
-    if (turn != 0 || a.of == b.of || OPLUS_MUTANT("slide-ranks-without-ties")) return turn;
+    if (turn != 0 || a.of == b.of ||
+        OPLUS_MUTANT("slide-ranks-without-ties", "equal directions of P and Q have one rank"))
+      return turn;
     return a.of == Summand::P ? p_and_q : -p_and_q;
   };
   std::sort(all.begin(), all.end(),

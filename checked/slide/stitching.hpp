@@ -52,7 +52,9 @@ int turning_number(const Directions& directions) {
   for (const Vector& out : directions) {
     const bool left = cross(*in, out) > 0;
     if (left && is_lower(*in) && !is_lower(out)) ++turns;
-    if (!left && !is_lower(*in) && is_lower(out) && !OPLUS_MUTANT("slide-sees-no-right-turn"))
+    if (!left && !is_lower(*in) && is_lower(out) &&
+        !OPLUS_MUTANT("slide-sees-no-right-turn",
+                      "the turning number of a chain counts left turns only"))
       --turns;
     in = &out;
   }
@@ -86,7 +88,11 @@ std::vector<StitchedChain> stitched(std::span<const BoundaryPiece> pieces, std::
       const bool is_better =
           detail::turns_more_clockwise(direction(piece(k).segment), direction(piece(other).segment),
                                        direction(piece(best).segment));
-      if (is_better != OPLUS_MUTANT("slide-turns-counterclockwise-most")) best = other;
+      if (is_better !=
+          OPLUS_MUTANT(
+              "slide-turns-counterclockwise-most",
+              "where the boundary touches itself, slide's chains go round faces of the sum"))
+        best = other;
     }
     return best;
   };

@@ -46,7 +46,10 @@ class UnblockedPlaces {
     search_.each_pair(track, gap, [&](const EdgePair& pair) {
       if (auto blocked = search_.interval_of(track, pair))
         intervals_.push_back(std::move(*blocked));
-      if (OPLUS_MUTANT("slide-forgets-changes-of-contact")) return;
+      if (OPLUS_MUTANT(
+              "slide-forgets-changes-of-contact",
+              "contact of edges does not begin or end inside what no pair of edges blocks"))
+        return;
       if (auto contact = contact_interval(track.exact, summands_.p.edges[pair.first],
                                           summands_.q.edges[pair.second])) {
         changes_.push_back(std::move(contact->from));

@@ -156,7 +156,10 @@ class Walks {
   /// the walk passes it: crossed by its part on the right, from its right side to its left or back.
   static int turn_by(int side_of_source, int side_of_target) {
     if (side_of_target < 0) return 1;
-    if (OPLUS_MUTANT("walks-count-what-is-on-the-left") && side_of_source > 0) return -1;
+    if (OPLUS_MUTANT("walks-count-what-is-on-the-left",
+                     "walks count segments whose part to the left ends on the line") &&
+        side_of_source > 0)
+      return -1;
     return side_of_source < 0 ? -1 : 0;
   }
 
@@ -276,7 +279,7 @@ class Walks {
   bool matters() const {
     const int left = right_ + same_ - against_;
     if (right_ <= 0) return walked_.counts && left > 0;
-    if (OPLUS_MUTANT("walks-see-no-dangling-edges")) return false;
+    if (OPLUS_MUTANT("walks-see-no-dangling-edges", "walks find no dangling edges")) return false;
     return open_ && left > 0 && ((same_ > 0 && against_ > 0) || !walked_.counts);
   }
 
@@ -306,7 +309,11 @@ class Walks {
         return sign(cross(u, d)) == 0 && sign(dot(u, d)) > 0;
       });
       if (is_new) directions.push_back(d);
-      if (directions.size() > (OPLUS_MUTANT("four-directions-do-not-isolate") ? 4U : 2U))
+      if (directions.size() >
+          (OPLUS_MUTANT("four-directions-do-not-isolate",
+                        "verify looks for isolated vertices where five directions meet")
+               ? 4U
+               : 2U))
         return true;
     }
     return false;

@@ -265,7 +265,8 @@ std::vector<Reason> orientation_reasons(const GivenSum& given, const MinkowskiSu
   for (const GivenChain& chain : given_chains(given)) {
     const Rational twice = twice_area(*chain.vertices);
     if (sign(twice) == 0 || (sign(twice) > 0) == (chain.hole == 0) ||
-        OPLUS_MUTANT("chains-may-run-either-way"))
+        OPLUS_MUTANT("chains-may-run-either-way",
+                     "verify accepts clockwise outer chains and counterclockwise holes"))
       continue;
     const Point witness = midpoint((*chain.vertices)[0], (*chain.vertices)[1]);
     reasons.push_back(

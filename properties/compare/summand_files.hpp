@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "properties/runner/temporary_folder.hpp"
 #include "reference/definitions/region.hpp"
 
 namespace oplus {
@@ -13,15 +14,12 @@ class SummandFiles {
  public:
   /// Throws std::system_error.
   SummandFiles(const Region& p, const Region& q);
-  SummandFiles(const SummandFiles&) = delete;
-  SummandFiles& operator=(const SummandFiles&) = delete;
-  ~SummandFiles();
 
-  std::string p() const { return folder_ + "/p.wkt"; }
-  std::string q() const { return folder_ + "/q.wkt"; }
+  std::string p() const { return folder_.path() / "p.wkt"; }
+  std::string q() const { return folder_.path() / "q.wkt"; }
 
  private:
-  std::string folder_;
+  TemporaryFolder folder_;
 };
 
 }  // namespace oplus

@@ -13,6 +13,7 @@ struct Mutant {
   std::string file;  ///< from the root
 };
 
+/// All that there are, by their names; list_mutants.py gathers them from the sources.
 const std::vector<Mutant>& mutants();
 
 }  // namespace oplus

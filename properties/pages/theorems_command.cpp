@@ -84,8 +84,7 @@ nlohmann::ordered_json json_of(const std::vector<Statement>& all) {
 
 bool check(const std::vector<Statement>& all, bool in_json) {
   std::vector<std::string> defects = defects_of_entries(all, mutants());
-  for (std::string& d : defects_of_files(all, mutants(), source_root()))
-    defects.push_back(std::move(d));
+  for (std::string& d : defects_of_files(all, source_root())) defects.push_back(std::move(d));
   for (std::string& d : defects_of_graph(all)) defects.push_back(std::move(d));
   if (in_json) {
     std::cout << nlohmann::ordered_json({{"statements", all.size()},

@@ -5,11 +5,9 @@
 #include <cctype>
 #include <regex>
 #include <set>
-#include <string_view>
 #include <utility>
 
 #include "properties/runner/classification.hpp"
-#include "reference/io/file_text.hpp"
 
 namespace oplus {
 
@@ -40,12 +38,6 @@ const std::set<std::string>& kinds() {
                                             "section", "table",   "equation",  "definition",
                                             "fact",    "law",     "step"};
   return all;
-}
-
-std::set<std::string> names_of(const std::vector<Mutant>& mutants) {
-  std::set<std::string> names;
-  for (const Mutant& m : mutants) names.insert(m.name);
-  return names;
 }
 
 void add_defects_of_entry(const Statement& s, const std::set<std::string>& mutants,
@@ -79,39 +71,17 @@ void add_defects_of_entry(const Statement& s, const std::set<std::string>& mutan
     if (!mutants.count(name)) defect("there is no mutant " + name);
 }
 
-void add_defects_of_fault_sites(const std::set<std::string>& mutants,
-                                const std::filesystem::path& root,
-                                std::vector<std::string>& defects) {
-  static const std::regex site("OPLUS_MUTANT\\(\"([^\"]*)\"\\)");
-  for (const char* folder : {"reference", "checked"}) {
-    if (!std::filesystem::is_directory(root / folder)) continue;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder)) {
-      if (entry.path().extension() != ".cpp" && entry.path().extension() != ".hpp") continue;
-      if (entry.path().filename() == "mutant.hpp") continue;  // says how to name one
-      const std::string text = text_of_file(entry.path(), "a source file");
-      for (std::sregex_iterator it(text.begin(), text.end(), site); it != std::sregex_iterator();
-           ++it)
-        if (!mutants.count((*it)[1]))
-          defects.push_back(entry.path().lexically_relative(root).string() + ": the fault " +
-                            (*it)[1].str() + " is not in the list of mutants");
-    }
-  }
-}
-
 void add_defects_of_unregistered_files(const std::vector<Statement>& all,
                                        const std::filesystem::path& root,
                                        std::vector<std::string>& defects) {
   std::set<std::string> files;
   for (const Statement& s : all) files.insert(relative_file(s));
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(root / "properties")) {
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(root / "properties/statements")) {
     const std::string file = entry.path().lexically_relative(root).string();
     const std::string name = entry.path().filename().string();
     const std::string kind = name.substr(0, name.find('_'));
-    const bool holds_statements = file.rfind("properties/statements/chapter", 0) == 0 ||
-                                  file.rfind("properties/statements/laws/", 0) == 0 ||
-                                  file.rfind("properties/statements/slide/", 0) == 0;
-    if (holds_statements && entry.path().extension() == ".cpp" && kinds().count(kind) &&
-        !files.count(file))
+    if (entry.path().extension() == ".cpp" && kinds().count(kind) && !files.count(file))
       defects.push_back(file + ": no statement is registered from it");
   }
 }
@@ -135,7 +105,7 @@ std::filesystem::path source_root() { return OPLUS_SOURCE_DIR; }
 
 namespace {
 
-/// ccache shortens __FILE__ to a path from the build folder, which is not where the program runs.
+/// ccache shortens the names of source files to paths from the build folder, which is not where the program runs.
 std::filesystem::path absolute_file(const std::filesystem::path& file) {
   if (file.is_absolute()) return file;
   std::filesystem::path absolute = source_root();
@@ -171,7 +141,6 @@ std::vector<std::string> defects_of_entries(const std::vector<Statement>& statem
 }
 
 std::vector<std::string> defects_of_files(const std::vector<Statement>& statements,
-                                          const std::vector<Mutant>& mutants,
                                           const std::filesystem::path& root) {
   if (!std::filesystem::is_directory(root / "properties"))
     return {root.string() + ": the source tree is not there"};
@@ -182,14 +151,6 @@ std::vector<std::string> defects_of_files(const std::vector<Statement>& statemen
     if (!std::filesystem::is_regular_file(root / "docs/theorems" / (s.id + ".md")))
       defects.push_back(s.id + ": there is no page docs/theorems/" + s.id + ".md");
   }
-  for (const Mutant& m : mutants) {
-    if (!std::filesystem::is_regular_file(root / m.file))
-      defects.push_back(m.name + ": there is no file " + m.file);
-    else if (text_of_file(root / m.file, "a source file")
-                 .find("OPLUS_MUTANT(\"" + m.name + "\")") == std::string::npos)
-      defects.push_back(m.name + ": " + m.file + " does not contain it");
-  }
-  add_defects_of_fault_sites(names_of(mutants), root, defects);
   add_defects_of_unregistered_files(statements, root, defects);
   return defects;
 }

@@ -13,7 +13,7 @@ namespace oplus {
 /// All statements, in the order of their numbers, facts and laws last.
 std::vector<Statement> statements();
 
-/// Registers a statement before main, from the file that holds it.
+/// Registers a statement before main.
 struct Registered {
   explicit Registered(Statement statement);
 };
@@ -21,7 +21,7 @@ struct Registered {
 /// The root of the source tree this was built from.
 std::filesystem::path source_root();
 
-/// A source file, named by its __FILE__, relative to the root.
+/// A source file, as the compiler names it, relative to the root.
 std::string relative_file(const std::string& file);
 
 /// The file of a statement, relative to the root.
@@ -37,13 +37,10 @@ std::vector<std::string> defects_of_entries(const std::vector<Statement>& statem
                                             const std::vector<Mutant>& mutants);
 
 /// What is wrong between entries and source files, a line each; none where:
-///  1. the file of each statement and of each mutant exists, and a mutant's contains its fault;
-///  2. each fault in reference/ and checked/ is a mutant of the list;
-///  3. each file properties/chapter*/KIND_*.cpp and properties/statements/laws/law_*.cpp is the file of a
-///  statement;
-///  4. each statement has its page docs/theorems/ID.md.
+///  1. the file of each statement exists;
+///  2. each KIND_*.cpp below properties/statements/ is the file of a statement;
+///  3. each statement has its page docs/theorems/ID.md.
 std::vector<std::string> defects_of_files(const std::vector<Statement>& statements,
-                                          const std::vector<Mutant>& mutants,
                                           const std::filesystem::path& root);
 
 }  // namespace oplus

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <source_location>
 #include <string>
 #include <vector>
 
@@ -52,7 +53,7 @@ struct Statement {
   std::vector<Promise> promises;
   std::vector<std::string> kills;  ///< mutants that the statement must find
   std::size_t cases = 0;           ///< how many a run tries unless told otherwise
-  std::string file;                ///< where it stands, __FILE__
+  std::string file = std::source_location::current().file_name();  ///< where it stands
   /// Tried on pairs. May be empty where `enumerate` is not; then there are no sources, no promises
   /// and no cases.
   std::function<Outcome(const Summands&)> check = {};

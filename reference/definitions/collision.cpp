@@ -20,9 +20,13 @@ bool shows_common_interior(const Segment& piece, const Region& b,
     case Location::outside:
       return false;
     case Location::inside:
-      return !OPLUS_MUTANT("containment-is-no-collision");
+      return !OPLUS_MUTANT(
+          "containment-is-no-collision",
+          "a piece of one boundary inside the other region shows no common interior");
     case Location::boundary:
-      if (OPLUS_MUTANT("parallel-edges-do-not-collide")) return false;
+      if (OPLUS_MUTANT("parallel-edges-do-not-collide",
+                       "interiors that meet along edges of equal direction only are missed"))
+        return false;
       return std::any_of(edges_of_b.begin(), edges_of_b.end(), [&](const Segment& e) {
         return lies_on(middle, e) && sign(dot(direction_of(e), direction_of(piece))) > 0;
       });

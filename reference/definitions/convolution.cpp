@@ -36,7 +36,10 @@ void add_sums(const Region& with_edges, const Region& with_vertices, Summand edg
         for (std::size_t j = 0; j < vertices.size(); ++j) {
           if (!is_kept(direction, chain_corners[j])) continue;
           const std::size_t named =
-              OPLUS_MUTANT("sums-name-the-vertex-before") ? previous(j, vertices.size()) : j;
+              OPLUS_MUTANT("sums-name-the-vertex-before",
+                           "the sum of an edge and a vertex names the vertex before as its origin")
+                  ? previous(j, vertices.size())
+                  : j;
           sums.push_back(
               {{chain_edges[i].source + vertices[j], chain_edges[i].target + vertices[j]},
                {edge_of, {a, i}, {b, named}},
@@ -56,7 +59,9 @@ std::vector<ConvolutionSegment> kept_sums(const Region& p, const Region& q, IsKe
 }
 
 bool in_convolution(const Direction& direction, const Corner& corner) {
-  if (OPLUS_MUTANT("tie-rule-depends-on-who-asks"))
+  if (OPLUS_MUTANT(
+          "tie-rule-depends-on-who-asks",
+          "whichever summand has the edge, its direction comes before an equal one of the vertex"))
     return in_tangent_set({direction.vector, Summand::P}, corner);
   return in_tangent_set(direction, corner);
 }
@@ -65,7 +70,9 @@ bool in_convolution(const Direction& direction, const Corner& corner) {
 
 std::vector<ConvolutionSegment> vertex_edge_sum(const Region& p, const Region& q) {
   return kept_sums(p, q, [](const Direction& d, const Corner&) {
-    return !(OPLUS_MUTANT("vertices-of-p-are-left-out") && d.of == Summand::Q);
+    return !(OPLUS_MUTANT("vertices-of-p-are-left-out",
+                          "the vertex-edge sum has the edges of P at the vertices of Q only") &&
+             d.of == Summand::Q);
   });
 }
 

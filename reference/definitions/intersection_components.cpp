@@ -56,7 +56,8 @@ ComponentsAndHoles intersection_components(const Region& p, const Region& q, con
   for (auto face = arrangement.faces_begin(); face != arrangement.faces_end(); ++face) {
     if (!face->contained()) continue;
     ++result.components;
-    if (!OPLUS_MUTANT("holes-of-an-intersection-are-not-seen"))
+    if (!OPLUS_MUTANT("holes-of-an-intersection-are-not-seen",
+                      "an intersection is taken for one without holes"))
       result.holes += face->number_of_inner_ccbs();
   }
   return result;

@@ -29,7 +29,10 @@ std::vector<Chain> stitch(std::vector<Segment> edges) {
     return std::max_element(leaving.first, leaving.second, [&](const Segment& a, const Segment& b) {
       const bool b_first =
           turns_more_clockwise(direction_of(edge), direction_of(b), direction_of(a));
-      return b_first != OPLUS_MUTANT("chains-turn-counterclockwise-most");
+      return b_first !=
+             OPLUS_MUTANT(
+                 "chains-turn-counterclockwise-most",
+                 "where the boundary touches itself, its chains go round faces of the sum");
     });
   };
   std::vector<Chain> stitched;
@@ -52,7 +55,9 @@ Chain without_collinear_vertices(const Chain& chain) {
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const Point& before = chain[previous(i, chain.size())];
     const Point& after = chain[next(i, chain.size())];
-    if (orientation(before, chain[i], after) != 0 || OPLUS_MUTANT("edges-in-line-stay-apart"))
+    if (orientation(before, chain[i], after) != 0 ||
+        OPLUS_MUTANT("edges-in-line-stay-apart",
+                     "chains of a sum keep vertices inside straight lines"))
       corners.push_back(chain[i]);
   }
   return corners;
@@ -168,7 +173,9 @@ Region region_of(const MinkowskiSum& sum) {
 Rational area(const MinkowskiSum& sum) {
   Rational twice = 0;
   for (const Chain& chain : sum.outer)
-    if (!OPLUS_MUTANT("area-is-of-the-first-chain") || &chain == &sum.outer[0])
+    if (!OPLUS_MUTANT("area-is-of-the-first-chain",
+                      "the area of a sum is that of one outer chain and the holes") ||
+        &chain == &sum.outer[0])
       twice += twice_area(chain);
   for (const Chain& hole : sum.holes) twice += twice_area(hole);
   return twice / 2;

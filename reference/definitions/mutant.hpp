@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// OPLUS_MUTANT("name") is true where the fault of that name is switched on. Only the preset
-/// `check` contains mutants; elsewhere the macro is the constant false and the name is not
-/// compiled.
+/// OPLUS_MUTANT("name", "what goes wrong") is true where the fault of that name is switched on. Only
+/// the preset `check` contains mutants; elsewhere the macro is the constant false and neither string
+/// is compiled. A fault that is in several places is described in one of them:
+/// properties/mutants/list_mutants.py makes the list.
 #ifdef OPLUS_MUTANTS
 #include <string>
 #include <string_view>
@@ -15,7 +16,7 @@ inline std::string active_mutant;
 
 }  // namespace oplus
 
-#define OPLUS_MUTANT(name) (::oplus::active_mutant == std::string_view(name))
+#define OPLUS_MUTANT(name, ...) (::oplus::active_mutant == std::string_view(name))
 #else
-#define OPLUS_MUTANT(name) false
+#define OPLUS_MUTANT(name, ...) false
 #endif

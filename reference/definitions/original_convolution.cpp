@@ -23,7 +23,9 @@ void add_reflex_vertices(const Region& region, Summand of, std::vector<ReflexVer
 }
 
 ConvolutionSegment flipped(ConvolutionSegment s) {
-  if (!OPLUS_MUTANT("flip-set-keeps-its-direction")) s.segment = reversed(s.segment);
+  if (!OPLUS_MUTANT("flip-set-keeps-its-direction",
+                    "the segments that replace those of a reflex vertex run along their edges"))
+    s.segment = reversed(s.segment);
   return s;
 }
 
@@ -61,7 +63,9 @@ std::vector<ConvolutionSegment> replaced_at(const ReflexVertex& vertex, const Re
 
 std::vector<ConvolutionSegment> original_convolution(const Region& p, const Region& q) {
   return replaced(p, q, [](const Origin& origin) {
-    return !OPLUS_MUTANT("reflex-vertices-of-q-are-not-replaced") || origin.edge_of == Summand::Q;
+    return !OPLUS_MUTANT("reflex-vertices-of-q-are-not-replaced",
+                         "flip sets are taken at the reflex vertices of P only") ||
+           origin.edge_of == Summand::Q;
   });
 }
 

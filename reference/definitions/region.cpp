@@ -103,7 +103,9 @@ std::vector<Point> touching_points(const Region& region) {
 
 std::vector<std::vector<Segment>> boundary_pieces(const Region& region) {
   std::vector<Point> touching = touching_points(region);
-  if (OPLUS_MUTANT("edges-are-not-cut-where-chains-touch")) touching.clear();
+  if (OPLUS_MUTANT("edges-are-not-cut-where-chains-touch",
+                   "an edge that another chain touches from within counts as one piece"))
+    touching.clear();
   std::vector<std::vector<Segment>> pieces;
   for (const Chain& chain : chains(region)) {
     pieces.emplace_back();

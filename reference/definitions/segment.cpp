@@ -28,7 +28,9 @@ bool between(const Rational& low_or_high, const Rational& value, const Rational&
 }  // namespace
 
 bool lies_on(const Point& p, const Segment& s) {
-  if (OPLUS_MUTANT("ends-are-not-on-their-segment") && (p == s.source || p == s.target))
+  if (OPLUS_MUTANT("ends-are-not-on-their-segment",
+                   "a segment is taken for one without its ends") &&
+      (p == s.source || p == s.target))
     return false;
   return between(s.source.x, p.x, s.target.x) && between(s.source.y, p.y, s.target.y) &&
          orientation(s.source, s.target, p) == 0;
@@ -83,7 +85,10 @@ std::vector<Segment> maximal_segments(std::vector<Segment> segments) {
   for (const Segment& s : segments) {
     // A segment seen later starts no further left, so it can only extend one to the right.
     const auto extended = std::find_if(maximal.begin(), maximal.end(), [&](const Segment& m) {
-      if (OPLUS_MUTANT("segments-end-to-end-stay-apart") && s.source == m.target) return false;
+      if (OPLUS_MUTANT("segments-end-to-end-stay-apart",
+                       "collinear segments that share only an end are not joined") &&
+          s.source == m.target)
+        return false;
       return s.source <= m.target && orientation(m.source, m.target, s.source) == 0 &&
              orientation(m.source, m.target, s.target) == 0;
     });

@@ -4,9 +4,10 @@ import shutil
 import compiled
 import formatted
 import licence_lines
-import mutant_names
+import mutant_names  # which finds list_mutants
 import public_headers
 from fixture import TreeTest
+from list_mutants import mutants, source
 from sources import ROOT, report
 
 SPDX = licence_lines.LINE
@@ -82,16 +83,33 @@ class Compiled(TreeTest):
 class MutantNames(TreeTest):
     def setUp(self):
         super().setUp()
-        self.write("checked/rca/a.cpp", 'if (OPLUS_MUTANT("one") || OPLUS_MUTANT("two")) return;')
-        self.write("reference/definitions/mutant.hpp", '/// OPLUS_MUTANT("name") is true where')
+        self.write("checked/rca/a.cpp", 'if (OPLUS_MUTANT("two", "is " "wrong")',
+                   '    || OPLUS_MUTANT("one",', '                    "is wrong, too")) return;')
+        self.write("reference/definitions/mutant.hpp", '#define OPLUS_MUTANT(name, ...) false')
         self.with_one = str(self.write("with", "\0one\0"))
         self.without = str(self.write("without", "\0"))
 
     def violations(self, expected, *binaries):
-        return mutant_names.violations(expected, mutant_names.names(self.root), list(binaries))
+        return mutant_names.violations(expected, ["one", "two"], list(binaries))
 
-    def test_names_come_from_code_not_from_comments(self):
-        self.assertEqual(mutant_names.names(self.root), ["one", "two"])
+    def test_list(self):
+        self.write("reference/io/b.hpp", '// OPLUS_MUTANT("none")', 'if (OPLUS_MUTANT("one")) return;')
+        listed = [("one", "is wrong, too", "checked/rca/a.cpp"),
+                  ("two", "is wrong", "checked/rca/a.cpp")]
+        self.assertEqual(mutants(self.root), listed)
+        self.assertIn('"two",\n       "is wrong",', source(listed))
+
+    def test_list_that_cannot_be_made(self):
+        for file, code, message in [
+                ("reference/b.cpp", 'OPLUS_MUTANT("three")', "does not say what goes wrong"),
+                ("reference/b.cpp", 'OPLUS_MUTANT("one", "is right")', "b.cpp and in checked/rca"),
+                ("reference/b.cpp", 'OPLUS_MUTANT(name, "is")', "is not a string"),
+                ("properties/b.cpp", 'OPLUS_MUTANT("three", "is")', "in reference/ and checked/ only")]:
+            with self.subTest(code=code):
+                path = self.write(file, code)
+                with self.assertRaisesRegex(ValueError, message):
+                    mutants(self.root)
+                path.unlink()
 
     def test_absent(self):
         self.assertEqual(self.violations("absent", self.without), [])

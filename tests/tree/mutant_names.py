@@ -1,26 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """mutant_names.py absent|present BINARY...: fails on a binary that contains the name of a mutant, or
-on a mutant whose name no binary contains. Names are those of OPLUS_MUTANT("name") in the sources."""
+on a mutant whose name no binary contains."""
 
-import re
 import sys
 from pathlib import Path
 
-from sources import ROOT, cpp, report
+from sources import ROOT, report
 
-MUTANT = re.compile(r'\bOPLUS_MUTANT\(\s*"([^"]+)"\s*\)')
-CODE = ("reference", "checked", "properties")
-
-
-def names(root):
-    """Comments don't count: mutant.hpp explains the macro with a name that is none."""
-    found = set()
-    for path in cpp(root):
-        if path.relative_to(root).parts[0] in CODE:
-            code = re.sub(r"//.*", "", path.read_text(encoding="utf-8"))
-            found.update(MUTANT.findall(code))
-    return sorted(found)
+sys.path.insert(0, str(ROOT / "properties/mutants"))
+from list_mutants import mutants
 
 
 def present(names, binaries):
@@ -41,4 +30,5 @@ if __name__ == "__main__":
     expected, binaries = sys.argv[1], sys.argv[2:]
     if expected not in ("absent", "present") or not binaries:
         sys.exit(__doc__)
-    report(f"mutants {expected}", len(names(ROOT)), violations(expected, names(ROOT), binaries))
+    names = [name for name, what, file in mutants(ROOT)]
+    report(f"mutants {expected}", len(names), violations(expected, names, binaries))

@@ -86,7 +86,6 @@ std::vector<std::string> defects_of_queries(const std::vector<Query>& all) {
     if (std::none_of(query.hypotheses.begin(), query.hypotheses.end(),
                      [&](const Hypothesis& h) { return h.name == query.dropped; }))
       found.push_back(query.id + ": no hypothesis " + query.dropped);
-    if (query.file.empty()) found.push_back(query.id + ": has no file");
     if (!query.is_false_by_definition) found.push_back(query.id + ": its models are not tested");
     Formula::Names names = names_in(query);
     for (const Unknown& unknown : query.unknowns) {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <source_location>
 #include <string>
 #include <vector>
 
@@ -38,7 +39,7 @@ struct Query {
   std::string dropped;  ///< the hypothesis without which the conclusion may be false
   /// More that is asked of the counterexample to that, so that it can be built.
   std::vector<Condition> of_twin = {};
-  std::string file;  ///< where it stands, __FILE__
+  std::string file = std::source_location::current().file_name();  ///< where it stands
   /// Whether the definitions (reference/) say, too, that in this model the conclusion is false: of
   /// regions that are built from it, or of the code itself on its rational numbers.
   std::function<bool(const Model&)> is_false_by_definition;
@@ -63,7 +64,7 @@ struct RegisteredQueries {
 };
 
 /// What a query is wrong about, a line each: a statement that is not registered, a hypothesis to drop
-/// that it has not, unknowns that its formulas do not have or do not declare, an id used twice, no file.
+/// that it has not, unknowns that its formulas do not have or do not declare, an id used twice.
 std::vector<std::string> defects_of_queries(const std::vector<Query>& all);
 
 /// What has to hold of a model, as one formula.

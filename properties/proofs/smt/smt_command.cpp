@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <set>
 
 #include "checked/cli/command_line/terminal.hpp"
-#include "properties/proofs/smt/question_folder.hpp"
 #include "properties/proofs/smt/report.hpp"
+#include "properties/runner/temporary_folder.hpp"
 #include "reference/definitions/mutant.hpp"
 #include "reference/io/writing.hpp"
 
@@ -56,15 +57,20 @@ int list(const Settings& settings, const std::vector<smt::Query>& queries) {
 int prove(const Settings& settings, const std::vector<smt::Query>& queries) {
   const std::vector<std::string> defects = smt::defects_of_queries(queries);
   for (const std::string& defect : defects) say_error("oplus-check", defect);
-  const smt::QuestionFolder folder(settings.folder);
-  for (const smt::Query& query : queries) write_questions(query, folder.path());
+  std::optional<TemporaryFolder> temporary;
+  std::filesystem::path folder = settings.folder;
+  if (folder.empty())
+    folder = temporary.emplace("oplus-smt").path();
+  else
+    std::filesystem::create_directories(folder);
+  for (const smt::Query& query : queries) write_questions(query, folder);
   if (settings.only_writes) return defects.empty() ? 0 : 1;
   std::ostream& out = text_output(settings.json);
   for (const smt::Solver& solver : smt::solvers()) out << version_of(solver) << '\n';
   std::vector<smt::QueryRun> runs;
   std::size_t failed = 0;
   for (const smt::Query& query : queries) {
-    runs.push_back(run(query, folder.path(), settings.seconds));
+    runs.push_back(run(query, folder, settings.seconds));
     out << line_of(runs.back()) << std::endl;
     for (const std::string& failure : runs.back().failures) out << "  " << failure << '\n';
     if (!runs.back().failures.empty()) ++failed;

@@ -54,7 +54,6 @@ const Registered registered({
     .promises = promises_of_mixture(),
     .kills = {"ends-are-not-on-their-segment"},
     .cases = 200,
-    .file = __FILE__,
     .check = check,
 });
 

@@ -73,7 +73,6 @@ const Registered registered({
     .promises = promises_of_mixture(),
     .kills = {"left-and-right-are-one-direction"},
     .cases = 1000,
-    .file = __FILE__,
     .check = check,
 });
 

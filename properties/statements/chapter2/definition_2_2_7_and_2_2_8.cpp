@@ -170,7 +170,6 @@ const Registered registered({
     .promises = promises_of_mixture(),
     .kills = {"reflex-turns-clockwise", "tangent-set-without-ties", "tie-rule-depends-on-who-asks"},
     .cases = 300,
-    .file = __FILE__,
     .check = check,
 });
 

@@ -98,7 +98,6 @@ const Registered registered({
     .promises = promises_of_mixture(),
     .kills = {"segments-end-to-end-stay-apart"},
     .cases = 300,
-    .file = __FILE__,
     .check = check,
 });
 

@@ -60,7 +60,6 @@ const Registered registered({
     .promises = promises_of_mixture(),
     .kills = {"containment-is-no-collision"},
     .cases = 200,
-    .file = __FILE__,
     .check = check,
 });
 

@@ -107,7 +107,6 @@ const Registered registered({
         {{"holes", 15}, {"several components", 5}, {"reflex vertices", 10}, {"parallel edges", 40}},
     .kills = {"edges-are-not-cut-where-chains-touch", "parallel-edges-do-not-collide"},
     .cases = 80,
-    .file = __FILE__,
     .check = check,
 });
 

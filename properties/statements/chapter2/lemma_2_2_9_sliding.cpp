@@ -108,7 +108,6 @@ const Registered registered({
     .promises = promises_of_mixture(),
     .kills = {"reflex-turns-clockwise"},
     .cases = 250,
-    .file = __FILE__,
     .check = check,
 });
 

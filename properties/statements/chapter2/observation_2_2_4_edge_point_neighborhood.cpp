@@ -98,7 +98,6 @@ const Registered registered({
         {{"holes", 15}, {"several components", 5}, {"reflex vertices", 10}, {"parallel edges", 40}},
     .kills = {"containment-is-no-collision"},
     .cases = 60,
-    .file = __FILE__,
     .check = check,
 });
 

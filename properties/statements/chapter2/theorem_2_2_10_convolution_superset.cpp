@@ -52,7 +52,6 @@ const Registered registered({
     .promises = promises_of_mixture(),
     .kills = {"parallel-edges-do-not-collide", "tangent-set-without-ties"},
     .cases = 400,
-    .file = __FILE__,
     .check = check,
     .of_implementation = of_one(law),
 });

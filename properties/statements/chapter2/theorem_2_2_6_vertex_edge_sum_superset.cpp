@@ -50,7 +50,6 @@ const Registered registered({
     .promises = promises_of_mixture(),
     .kills = {"vertices-of-p-are-left-out"},
     .cases = 200,
-    .file = __FILE__,
     .check = check,
 });
 

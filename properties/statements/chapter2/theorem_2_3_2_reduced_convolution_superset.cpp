@@ -105,7 +105,6 @@ const Registered registered({
     .promises = promises_of_mixture(),
     .kills = {"acute-vertex-is-reflex", "tangent-set-without-ties"},
     .cases = 200,
-    .file = __FILE__,
     .check = check,
     .of_implementation = of_one(law),
 });

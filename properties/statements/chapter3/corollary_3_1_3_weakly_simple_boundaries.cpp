@@ -91,7 +91,6 @@ const Registered registered({
     .promises = promises_of_mixture(),
     .kills = {"chains-turn-counterclockwise-most"},
     .cases = 500,
-    .file = __FILE__,
     .check = check,
 });
 

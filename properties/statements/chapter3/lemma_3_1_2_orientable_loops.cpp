@@ -57,7 +57,6 @@ const Registered registered({
     .promises = promises_of_mixture(),
     .kills = {"loops-turn-counterclockwise-most"},
     .cases = 200,
-    .file = __FILE__,
     .check = check,
 });
 

@@ -64,7 +64,6 @@ const Registered registered({
                  {"overlapping segments", 5}},
     .kills = {"islands-are-not-nested", "nested-loops-need-no-hole-test"},
     .cases = 300,
-    .file = __FILE__,
     .check = check,
 });
 

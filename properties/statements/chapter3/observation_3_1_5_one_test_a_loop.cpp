@@ -55,7 +55,6 @@ const Registered registered({
     .promises = promises_of_mixture(),
     .kills = {"rays-start-left-of-their-edge"},
     .cases = 300,
-    .file = __FILE__,
     .check = check,
 });
 

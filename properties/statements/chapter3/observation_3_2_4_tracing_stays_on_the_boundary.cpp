@@ -63,7 +63,6 @@ const Registered registered({
     .promises = promises_of_mixture(),
     .kills = {"loops-turn-counterclockwise-most"},
     .cases = 400,
-    .file = __FILE__,
     .check = check,
 });
 

@@ -79,7 +79,6 @@ const Registered registered({
     .promises = promises_of_mixture(),
     .kills = {"loops-go-straight-on"},
     .cases = 600,
-    .file = __FILE__,
     .check = check,
 });
 

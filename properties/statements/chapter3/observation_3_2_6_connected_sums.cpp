@@ -61,7 +61,6 @@ const Registered registered({
     .promises = {{"reflex vertices", 20}, {"parallel edges", 30}},
     .kills = {"loops-turn-counterclockwise-most"},
     .cases = 200,
-    .file = __FILE__,
     .check = check,
     .of_implementation = of_one(law),
 });

@@ -79,7 +79,6 @@ const Registered registered({
               "reflex-where-angles-decrease", "tie-rule-depends-on-who-asks",
               "tangent-set-without-ties", "reflex-turns-clockwise"},
     .cases = 1500,
-    .file = __FILE__,
     .check = check,
 });
 

@@ -83,7 +83,6 @@ const Registered registered({
     .kills = {"candidates-need-no-hole-test", "islands-are-not-nested",
               "loops-turn-counterclockwise-most"},
     .cases = 600,
-    .file = __FILE__,
     .check = check,
 });
 

@@ -52,7 +52,6 @@ const Registered registered({
     .kills = {"candidates-need-no-hole-test", "slide-turns-counterclockwise-most",
               "touching-points-are-not-tested", "weak-intersections-never-meet"},
     .cases = 300,
-    .file = __FILE__,
     .check = check,
 });
 

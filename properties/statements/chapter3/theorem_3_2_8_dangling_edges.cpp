@@ -62,7 +62,6 @@ const Registered registered({
     .promises = {{"reflex vertices", 10}, {"parallel edges", 40}, {"overlapping segments", 5}},
     .kills = {"dangling-edges-run-one-way"},
     .cases = 200,
-    .file = __FILE__,
     .check = check,
     .of_implementation = of_one(law),
 });

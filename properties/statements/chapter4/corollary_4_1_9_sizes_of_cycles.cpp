@@ -109,7 +109,6 @@ const Registered registered({
     .promises = promises_of_mixture(),
     .kills = {"cycle-ends-in-its-column"},
     .cases = 1500,
-    .file = __FILE__,
     .check = check,
 });
 

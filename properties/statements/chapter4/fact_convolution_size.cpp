@@ -80,7 +80,6 @@ const Registered registered({
     .promises = promises_of_mixture(),
     .kills = {"acute-vertex-is-reflex", "reflex-turns-clockwise", "tangent-set-without-ties"},
     .cases = 1500,
-    .file = __FILE__,
     .check = check,
 });
 

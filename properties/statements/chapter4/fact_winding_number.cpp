@@ -74,7 +74,6 @@ const Registered registered({
     .kills = {"holes-of-an-intersection-are-not-seen", "reflex-turns-clockwise",
               "acute-vertex-is-reflex", "tangent-set-without-ties"},
     .cases = 150,
-    .file = __FILE__,
     .check = check,
 });
 

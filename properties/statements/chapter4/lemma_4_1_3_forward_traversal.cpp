@@ -103,7 +103,6 @@ const Registered registered({
     .promises = promises_of_mixture(),
     .kills = {"tangent-set-without-ties", "tie-rule-depends-on-who-asks", "reflex-turns-clockwise"},
     .cases = 1000,
-    .file = __FILE__,
     .check = check,
     .enumerate = enumerate,
 });

@@ -56,7 +56,6 @@ const Registered registered({
     .promises = promises_of_mixture(),
     .kills = {"tangent-set-without-ties", "tie-rule-depends-on-who-asks", "reflex-turns-clockwise"},
     .cases = 1500,
-    .file = __FILE__,
     .check = check,
 });
 

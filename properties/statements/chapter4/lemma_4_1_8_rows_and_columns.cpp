@@ -110,7 +110,6 @@ const Registered registered({
     .kills = {"acute-vertex-is-reflex", "angles-grow-clockwise", "between-is-on-the-other-arc",
               "reflex-turns-clockwise", "tangent-set-without-ties", "ties-go-the-other-way"},
     .cases = 1000,
-    .file = __FILE__,
     .check = check,
     .enumerate = enumerate,
 });

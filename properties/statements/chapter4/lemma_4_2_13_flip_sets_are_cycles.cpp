@@ -62,7 +62,6 @@ const Registered registered({
     .kills = {"flip-set-keeps-its-direction", "tangent-set-without-ties",
               "tie-rule-depends-on-who-asks"},
     .cases = 1500,
-    .file = __FILE__,
     .check = check,
 });
 

@@ -62,7 +62,6 @@ const Registered registered({
     .promises = promises_of_mixture(),
     .kills = {"flip-set-keeps-its-direction", "ray-counts-both-ends"},
     .cases = 500,
-    .file = __FILE__,
     .check = check,
 });
 

@@ -111,7 +111,6 @@ const Registered registered({
     .promises = promises_of_mixture(),
     .kills = {"ray-counts-both-ends", "tangent-set-without-ties", "reflex-turns-clockwise"},
     .cases = 150,
-    .file = __FILE__,
     .check = check,
 });
 

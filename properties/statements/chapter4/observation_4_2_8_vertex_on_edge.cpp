@@ -93,7 +93,6 @@ const Registered registered({
     .promises = promises_of_mixture(),
     .kills = {"sums-name-the-vertex-before"},
     .cases = 100,
-    .file = __FILE__,
     .check = check,
 });
 

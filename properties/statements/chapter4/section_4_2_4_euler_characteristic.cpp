@@ -61,7 +61,6 @@ const Registered registered({
     .kills = {"flip-set-keeps-its-direction", "reflex-vertices-of-q-are-not-replaced",
               "holes-of-an-intersection-are-not-seen", "reflex-turns-clockwise"},
     .cases = 150,
-    .file = __FILE__,
     .check = check,
 });
 

@@ -268,7 +268,6 @@ const Registered registered({
     .kills = {"acute-vertex-is-reflex", "flip-set-keeps-its-direction", "reflex-turns-clockwise",
               "tangent-set-without-ties"},
     .cases = 100,
-    .file = __FILE__,
     .check = check,
     .enumerate = enumerate,
 });

@@ -67,7 +67,6 @@ const Registered registered({
     .promises = promises_of_mixture(),
     .kills = {"cycle-ends-in-its-column", "every-state-is-a-start"},
     .cases = 1500,
-    .file = __FILE__,
     .check = check,
 });
 

@@ -70,7 +70,6 @@ const Registered registered({
     .kills = {"cycle-ends-in-its-column", "edge-of-p-though-visited",
               "no-start-in-the-first-column"},
     .cases = 1500,
-    .file = __FILE__,
     .check = check,
 });
 

@@ -64,7 +64,6 @@ const Registered registered({
     .kills = {"flip-set-keeps-its-direction", "reflex-vertices-of-q-are-not-replaced",
               "reflex-turns-clockwise", "tangent-set-without-ties"},
     .cases = 1000,
-    .file = __FILE__,
     .check = check,
 });
 

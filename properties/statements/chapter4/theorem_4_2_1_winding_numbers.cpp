@@ -136,7 +136,6 @@ const Registered registered({
     .kills = {"ray-counts-both-ends", "reflex-turns-clockwise", "tangent-set-without-ties",
               "tie-rule-depends-on-who-asks"},
     .cases = 300,
-    .file = __FILE__,
     .check = [](const Summands& summands) { return Comparison(summands).run(); },
     .of_implementation = of_one(law),
 });

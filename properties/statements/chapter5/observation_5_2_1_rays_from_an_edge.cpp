@@ -113,7 +113,6 @@ const Registered registered({
     .promises = promises_of_mixture(),
     .kills = {"rays-start-left-of-their-edge", "rays-shift-down"},
     .cases = 100,
-    .file = __FILE__,
     .check = check,
 });
 

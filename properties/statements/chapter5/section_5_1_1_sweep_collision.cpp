@@ -23,7 +23,6 @@ const Registered registered({
     .promises = promises_of_mixture(),
     .kills = {"sweep-forgets-overlap-direction", "sweep-ignores-weak-intersections"},
     .cases = 100,
-    .file = __FILE__,
     .check =
         [](const Summands& summands) {
           return collision_outcome(CollisionMethod::sweep, summands);

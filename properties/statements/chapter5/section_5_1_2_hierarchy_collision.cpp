@@ -21,7 +21,6 @@ const Registered registered({
     .promises = promises_of_mixture(),
     .kills = {"parallel-edges-do-not-collide", "weak-intersections-never-meet"},
     .cases = 100,
-    .file = __FILE__,
     .check =
         [](const Summands& summands) {
           return collision_outcome(CollisionMethod::hierarchy, summands);

@@ -27,7 +27,6 @@ const Registered registered({
     .promises = promises_of_mixture(),
     .kills = {"weak-intersections-never-meet"},
     .cases = 100,
-    .file = __FILE__,
     .check =
         [](const Summands& summands) {
           return collision_outcome(CollisionMethod::naive, summands);

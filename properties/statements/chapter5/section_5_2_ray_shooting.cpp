@@ -56,7 +56,6 @@ const Registered registered({
     .kills = {"overlapping-segments-count-once", "rays-shift-down",
               "rays-start-left-of-their-edge"},
     .cases = 600,
-    .file = __FILE__,
     .check = check,
 });
 

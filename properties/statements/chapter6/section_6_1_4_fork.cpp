@@ -58,7 +58,6 @@ const Registered registered({
     .promises = {{"reflex vertices", 100}, {"parallel edges", 100}},
     .kills = {"no-candidate-is-a-hole"},
     .cases = 60,
-    .file = __FILE__,
     .check = check,
     .of_implementation = of_one(law),
 });

@@ -117,7 +117,6 @@ const Registered registered({
     .promises = {},
     .kills = {"dangling-edges-run-one-way"},
     .cases = 40,
-    .file = __FILE__,
     .check = check,
     .of_implementation = of_implementation,
 });

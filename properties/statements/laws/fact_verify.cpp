@@ -81,7 +81,6 @@ const Registered registered({
     .kills = {"chains-may-run-either-way", "four-directions-do-not-isolate",
               "walks-count-what-is-on-the-left", "walks-see-no-dangling-edges"},
     .cases = 100,
-    .file = __FILE__,
     .check = check,
 });
 

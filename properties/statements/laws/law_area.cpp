@@ -77,7 +77,6 @@ const Registered registered({
     .promises = {{"holes", 5}, {"several components", 5}, {"parallel edges", 40}},
     .kills = {"area-is-of-the-first-chain"},
     .cases = 100,
-    .file = __FILE__,
     .check = of_each_engine(law),
     .of_implementation = of_one(law),
 });

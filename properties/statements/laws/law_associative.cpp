@@ -42,7 +42,6 @@ const Registered registered({
     .promises = {{"holes", 15}, {"several components", 5}, {"parallel edges", 40}},
     .kills = {"candidates-need-no-hole-test"},
     .cases = 80,
-    .file = __FILE__,
     .check = of_each_engine(law),
     .of_implementation = of_one(law),
 });

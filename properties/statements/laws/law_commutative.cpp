@@ -37,7 +37,6 @@ const Registered registered({
                  {"overlapping segments", 5}},
     .kills = {"candidates-need-no-hole-test", "holes-of-q-are-left-out"},
     .cases = 250,
-    .file = __FILE__,
     .check = of_each_engine(law),
     .of_implementation = of_one(law),
 });

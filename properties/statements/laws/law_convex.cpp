@@ -74,7 +74,6 @@ const Registered registered({
     .promises = {{"reflex vertices", 10}, {"parallel edges", 40}},
     .kills = {"edges-in-line-stay-apart"},
     .cases = 200,
-    .file = __FILE__,
     .check = of_each_engine(law),
     .of_implementation = of_one(law),
 });

@@ -52,7 +52,6 @@ const Registered registered({
     .promises = {{"holes", 15}, {"several components", 5}, {"parallel edges", 40}},
     .kills = {"left-and-right-are-one-direction", "vertical-edges-never-dangle"},
     .cases = 80,
-    .file = __FILE__,
     .check = of_each_engine(law),
     .of_implementation = of_one(law),
 });

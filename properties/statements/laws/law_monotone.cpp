@@ -64,7 +64,6 @@ const Registered registered({
     .promises = {{"holes", 15}, {"several components", 15}, {"parallel edges", 40}},
     .kills = {"candidates-need-no-hole-test"},
     .cases = 60,
-    .file = __FILE__,
     .check = of_each_engine(law),
     .of_implementation = of_one(law),
 });

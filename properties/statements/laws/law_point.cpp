@@ -68,7 +68,6 @@ const Registered registered({
     .promises = {{"holes", 15}, {"several components", 5}, {"parallel edges", 40}},
     .kills = {"area-is-of-the-first-chain"},
     .cases = 60,
-    .file = __FILE__,
     .check = of_each_engine(law),
     .of_implementation = of_one(law),
 });

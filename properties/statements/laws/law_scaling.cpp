@@ -44,7 +44,6 @@ const Registered registered({
     .promises = {{"holes", 15}, {"several components", 5}, {"parallel edges", 40}},
     .kills = {"coordinates-stay-scaled"},
     .cases = 60,
-    .file = __FILE__,
     .check = of_each_engine(law),
     .of_implementation = of_one(law),
 });

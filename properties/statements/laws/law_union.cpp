@@ -92,7 +92,6 @@ const Registered registered({
     .promises = {{"several components", 15}, {"reflex vertices", 10}, {"parallel edges", 40}},
     .kills = {"candidates-need-no-hole-test", "dangling-edges-run-one-way"},
     .cases = 50,
-    .file = __FILE__,
     .check = of_each_engine(law),
     .of_implementation = of_one(law),
 });

@@ -87,7 +87,6 @@ const Registered registered({
     .promises = {{"holes", 10}, {"parallel edges", 40}},
     .kills = {"slide-shifts-to-the-left", "slide-components-never-overlap"},
     .cases = 250,
-    .file = __FILE__,
     .check = check,
 });
 

@@ -86,7 +86,6 @@ const Registered registered({
     .promises = {{"parallel edges", 40}, {"holes", 10}},
     .kills = {"slide-forgets-changes-of-contact"},
     .cases = 250,
-    .file = __FILE__,
     .check = check,
 });
 

@@ -71,7 +71,6 @@ const Registered registered({
     .promises = {{"several components", 30}, {"holes", 20}},
     .kills = {"slide-components-never-overlap"},
     .cases = 800,
-    .file = __FILE__,
     .check = check,
 });
 

@@ -69,7 +69,6 @@ const Registered registered({
     .promises = promises_of_mixture(),
     .kills = {"slide-pieces-stay-uncut"},
     .cases = 800,
-    .file = __FILE__,
     .check = check,
 });
 

@@ -69,7 +69,6 @@ const Registered registered({
     .promises = promises_of_mixture(),
     .kills = {"slide-shifts-to-the-left"},
     .cases = 500,
-    .file = __FILE__,
     .check = check,
 });
 

@@ -78,7 +78,6 @@ const Registered registered({
     .promises = promises_of_mixture(),
     .kills = {"slide-believes-doubles"},
     .cases = 300,
-    .file = __FILE__,
     .check = check,
 });
 

@@ -80,7 +80,6 @@ const Registered registered({
     .promises = promises_of_mixture(),
     .kills = {"slide-leaves-boxes-out", "slide-passes-sides-by"},
     .cases = 1000,
-    .file = __FILE__,
     .check = check,
 });
 

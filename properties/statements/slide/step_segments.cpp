@@ -42,7 +42,6 @@ const Registered registered({
     .promises = promises_of_mixture(),
     .kills = {"slide-ranks-without-ties"},
     .cases = 600,
-    .file = __FILE__,
     .check = check,
 });
 

@@ -46,7 +46,6 @@ const Registered registered({
     .promises = {{"holes", 15}},
     .kills = {"slide-sees-no-right-turn"},
     .cases = 1000,
-    .file = __FILE__,
     .check = check,
 });
 

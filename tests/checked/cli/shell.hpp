@@ -2,7 +2,6 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 #include <sys/wait.h>
 
 #include <algorithm>
@@ -12,6 +11,8 @@
 #include <iterator>
 #include <set>
 #include <string>
+
+#include "properties/runner/temporary_folder.hpp"
 
 namespace oplus {
 
@@ -26,13 +27,7 @@ struct Ran {
 /// Runs the built program in an empty folder of its own.
 class Shell : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = testing::TempDir() + "oplus_cli_XXXXXX";
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    place_ = pattern;
-    std::filesystem::create_directory(place_ / "folder");
-  }
-  void TearDown() override { std::filesystem::remove_all(place_); }
+  Shell() { std::filesystem::create_directory(place_ / "folder"); }
 
   /// Runs a bash script in which the program is called oplus. Nothing is on standard input.
   Ran run(const std::string& script) const {
@@ -75,7 +70,8 @@ class Shell : public testing::Test {
   }
 
  private:
-  std::filesystem::path place_;
+  const TemporaryFolder temporary_;
+  const std::filesystem::path place_ = temporary_.path();
 };
 
 }  // namespace oplus

@@ -2,7 +2,6 @@
 #include "properties/compare/differential.hpp"
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -12,6 +11,7 @@
 
 #include "properties/compare/differential_cases.hpp"
 #include "properties/compare/differential_report.hpp"
+#include "properties/runner/temporary_folder.hpp"
 #include "reference/families/fork.hpp"
 #include "reference/io/reading.hpp"
 #include "reference/oracle/oracle.hpp"
@@ -135,18 +135,12 @@ TEST(Differential, passes_on_what_a_case_throws) {
 
 class InFolder : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = testing::TempDir() + "oplus-differential-XXXXXX";
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   void put(const std::string& name, const std::string& content) {
     std::ofstream(folder_ / name) << content;
   }
 
-  std::filesystem::path folder_;
+  const TemporaryFolder temporary_;
+  const std::filesystem::path folder_ = temporary_.path();
 };
 
 class CasesOfFolder : public InFolder {};

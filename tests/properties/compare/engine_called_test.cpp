@@ -2,7 +2,6 @@
 #include "properties/compare/engine_called.hpp"
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -18,6 +17,7 @@
 #include "properties/compare/differential.hpp"
 #include "properties/compare/no_sum.hpp"
 #include "properties/compare/peers/peer_table.hpp"
+#include "properties/runner/temporary_folder.hpp"
 
 namespace oplus {
 namespace {
@@ -69,14 +69,8 @@ TEST(EngineCalled, knows_peers_and_programs_and_nothing_else) {
 
 class ProgramEngine : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = testing::TempDir() + "oplus peers 'quoted' XXXXXX";
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::filesystem::path folder_;
+  const TemporaryFolder temporary_{"oplus peers 'quoted' "};
+  const std::filesystem::path folder_ = temporary_.path();
 };
 
 constexpr const char* right = "echo 'POLYGON ((0 0, 2 0, 2 1, 1 2, 0 2, 0 0))'; : ";

@@ -2,12 +2,12 @@
 #include "properties/pages/page_files.hpp"
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <fstream>
 #include <regex>
 #include <sstream>
 
+#include "properties/runner/temporary_folder.hpp"
 #include "reference/io/invalid_input.hpp"
 
 namespace oplus {
@@ -62,14 +62,8 @@ Registry sound_registry() {
 
 class PageFiles : public testing::Test {
  protected:
-  PageFiles() {
-    std::string pattern = testing::TempDir() + "oplus-page-files-XXXXXX";
-    if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no folder to write to");
-    docs_ = pattern;
-  }
-  ~PageFiles() override { fs::remove_all(docs_); }
-
-  fs::path docs_;
+  const TemporaryFolder temporary_;
+  const fs::path docs_ = temporary_.path();
 };
 
 TEST_F(PageFiles, AreCurrentOnceWritten) {

@@ -2,10 +2,10 @@
 #include "properties/pages/proof_record.hpp"
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <fstream>
 
+#include "properties/runner/temporary_folder.hpp"
 #include "reference/io/invalid_input.hpp"
 
 namespace oplus {
@@ -16,14 +16,10 @@ namespace fs = std::filesystem;
 class ProofRecord : public testing::Test {
  protected:
   ProofRecord() {
-    std::string pattern = testing::TempDir() + "oplus-proof-record-XXXXXX";
-    if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no folder to write to");
-    folder_ = pattern;
     write("edges.v",
           "Lemma edges_are : True.\nProof. easy. Qed.\n\n"
           "Theorem edges (a : nat) :\n  a = a.\nProof. easy. Qed.\n");
   }
-  ~ProofRecord() override { fs::remove_all(folder_); }
 
   void write(const std::string& name, const std::string& text) const {
     std::ofstream(folder_ / name) << text;
@@ -52,7 +48,8 @@ class ProofRecord : public testing::Test {
     }
   }
 
-  fs::path folder_;
+  const TemporaryFolder temporary_;
+  const fs::path folder_ = temporary_.path();
 };
 
 TEST_F(ProofRecord, has_the_formal_statement_of_a_theorem) {

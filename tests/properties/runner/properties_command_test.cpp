@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <fstream>
@@ -11,6 +10,7 @@
 
 #include "properties/runner/finding.hpp"
 #include "properties/runner/registry.hpp"
+#include "properties/runner/temporary_folder.hpp"
 #include "reference/io/reading.hpp"
 
 namespace oplus {
@@ -33,16 +33,6 @@ Statement triangles_only() {
 
 class PropertiesCommand : public testing::Test {
  protected:
-  PropertiesCommand()
-      : folder_(std::filesystem::path(testing::TempDir()) /
-                (std::string("oplus-") +
-                 testing::UnitTest::GetInstance()->current_test_info()->name() + "-" +
-                 std::to_string(::getpid()))) {  // the same test of another build may run, too
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  ~PropertiesCommand() override { std::filesystem::remove_all(folder_); }
-
   /// Runs the program; returns its exit code and what it wrote to both streams.
   std::pair<int, std::string> oplus_check(const std::string& arguments) const {
     const std::filesystem::path log = folder_ / "log";
@@ -55,7 +45,8 @@ class PropertiesCommand : public testing::Test {
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text.str()};
   }
 
-  std::filesystem::path folder_;
+  const TemporaryFolder temporary_;
+  const std::filesystem::path folder_ = temporary_.path();
 };
 
 bool ends_with(const std::string& text, const std::string& ending) {

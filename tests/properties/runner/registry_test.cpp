@@ -2,11 +2,11 @@
 #include "properties/runner/registry.hpp"
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <algorithm>
 #include <fstream>
-#include <stdexcept>
+
+#include "properties/runner/temporary_folder.hpp"
 
 namespace oplus {
 namespace {
@@ -24,7 +24,6 @@ Statement sound_entry() {
   s.promises = {{"holes", 10}};
   s.kills = {"sign-flipped"};
   s.cases = 10;
-  s.file = __FILE__;
   s.check = [](const Summands&) { return Outcome{}; };
   return s;
 }
@@ -39,7 +38,7 @@ Defects defects_with(const std::function<void(Statement&)>& change) {
 
 TEST(Registry, HasNoDefects) {
   EXPECT_EQ(defects_of_entries(statements(), mutants()), Defects{});
-  EXPECT_EQ(defects_of_files(statements(), mutants(), source_root()), Defects{});
+  EXPECT_EQ(defects_of_files(statements(), source_root()), Defects{});
 }
 
 TEST(Registry, HoldsTheFirstStatementsInTheOrderOfTheirNumbers) {
@@ -52,6 +51,10 @@ TEST(Registry, HoldsTheFirstStatementsInTheOrderOfTheirNumbers) {
     from = std::find(from, ids.end(), id);
     EXPECT_NE(from, ids.end()) << id;
   }
+}
+
+TEST(Registry, KnowsTheFileThatHoldsAStatement) {
+  EXPECT_EQ(relative_file(Statement{}), "tests/properties/runner/registry_test.cpp");
 }
 
 TEST(RegistryDefects, NoneInASoundEntry) {
@@ -126,22 +129,18 @@ TEST(RegistryDefects, EnumerationInPlaceOfPairs) {
 class RegistryFiles : public testing::Test {
  protected:
   RegistryFiles() {
-    std::string pattern = testing::TempDir() + "oplus-registry-files-XXXXXX";
-    if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no folder to write to");
-    root_ = pattern;
-    write("reference/a.cpp", "if (OPLUS_MUTANT(\"sign-flipped\")) return;");
     write("docs/theorems/lemma-9.9.9.md", "");
     std::filesystem::create_directories(root_ / "properties/statements/chapter9");
   }
-  ~RegistryFiles() override { std::filesystem::remove_all(root_); }
 
   void write(const std::string& file, const std::string& text) const {
     std::filesystem::create_directories((root_ / file).parent_path());
     std::ofstream(root_ / file) << text;
   }
-  Defects defects() const { return defects_of_files({sound_entry()}, one_mutant, root_); }
+  Defects defects() const { return defects_of_files({sound_entry()}, root_); }
 
-  std::filesystem::path root_;
+  const TemporaryFolder temporary_;
+  const std::filesystem::path root_ = temporary_.path();
 };
 
 TEST_F(RegistryFiles, SoundTreeHasNoDefects) { EXPECT_EQ(defects(), Defects{}); }
@@ -149,27 +148,13 @@ TEST_F(RegistryFiles, SoundTreeHasNoDefects) { EXPECT_EQ(defects(), Defects{}); 
 TEST_F(RegistryFiles, FileOfAStatementMissing) {
   Statement s = sound_entry();
   s.file = "/nowhere/lemma_9_9_9.cpp";
-  EXPECT_EQ(defects_of_files({s}, one_mutant, root_),
+  EXPECT_EQ(defects_of_files({s}, root_),
             Defects{"lemma-9.9.9: there is no file /nowhere/lemma_9_9_9.cpp"});
 }
 
 TEST_F(RegistryFiles, PageOfAStatementMissing) {
   std::filesystem::remove(root_ / "docs/theorems/lemma-9.9.9.md");
   EXPECT_EQ(defects(), Defects{"lemma-9.9.9: there is no page docs/theorems/lemma-9.9.9.md"});
-}
-
-TEST_F(RegistryFiles, FileOfAMutantMissingOrWithoutIt) {
-  write("reference/a.cpp", "return;");
-  EXPECT_EQ(defects(), Defects{"sign-flipped: reference/a.cpp does not contain it"});
-  std::filesystem::remove(root_ / "reference/a.cpp");
-  EXPECT_EQ(defects(), Defects{"sign-flipped: there is no file reference/a.cpp"});
-}
-
-TEST_F(RegistryFiles, FaultThatIsNotInTheList) {
-  write("checked/arrangement/b.cpp", "if (OPLUS_MUTANT(\"forgotten\")) return;");
-  EXPECT_EQ(
-      defects(),
-      Defects{"checked/arrangement/b.cpp: the fault forgotten is not in the list of mutants"});
 }
 
 TEST_F(RegistryFiles, FileWithoutAStatement) {
@@ -189,8 +174,7 @@ TEST_F(RegistryFiles, LawWithoutAStatement) {
 }
 
 TEST_F(RegistryFiles, NoSourceTree) {
-  EXPECT_EQ(defects_of_files({}, {}, "/nowhere"),
-            Defects{"/nowhere: the source tree is not there"});
+  EXPECT_EQ(defects_of_files({}, "/nowhere"), Defects{"/nowhere: the source tree is not there"});
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <string>
 #include <system_error>
 
+#include "properties/runner/temporary_folder.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
@@ -18,13 +19,6 @@ namespace fs = std::filesystem;
 
 class WriteFile : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = testing::TempDir() + "oplus_write_file_XXXXXX";
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   static std::string content(const fs::path& path) {
     std::ifstream in(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
@@ -34,7 +28,8 @@ class WriteFile : public testing::Test {
     return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
   }
 
-  fs::path folder_;
+  const TemporaryFolder temporary_;
+  const fs::path folder_ = temporary_.path();
 };
 
 TEST_F(WriteFile, makes_a_file) {

@@ -55,7 +55,6 @@ Query tie_rule(Summand of) {
                                        is_in_tangent_set(direction(values, "f"), of, corner));
                          }},
           .dropped = "turned",
-          .file = __FILE__,
           .is_false_by_definition = [of](const Model& model) {
             const Corner corner{direction_in(model, "in"), direction_in(model, "out")};
             return in_tangent_set({direction_in(model, "e"), of}, corner) !=
@@ -99,7 +98,6 @@ Query scaling(int how) {
                                   !(u.x == 0 && u.y == 0);
                          });
                        }}},
-          .file = __FILE__,
           .is_false_by_definition = [](const Model& model) {
             const Vector u = vector_in(model, "u"), v = vector_in(model, "v");
             const Vector scaled = model.numbers.at("k") * u;

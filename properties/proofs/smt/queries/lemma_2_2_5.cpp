@@ -43,7 +43,6 @@ const RegisteredQueries registered({
                           [&](const Vectors& n) { return points_into_both(values, n); });
                     }},
      .dropped = "different",
-     .file = __FILE__,
      .is_false_by_definition = [](const Model& model) { return !interiors_meet_at_sum(model); }},
     {.id = "lemma-2.2.5.equal-directions",
      .statement = "lemma-2.2.5",
@@ -54,7 +53,6 @@ const RegisteredQueries registered({
                       return negation(points_into_both(values, direction(values, "n")));
                     }},
      .dropped = "equal",
-     .file = __FILE__,
      .is_false_by_definition = interiors_meet_at_sum},
 });
 

@@ -84,7 +84,6 @@ Query nothing_slides_what_is_kept(Summand of) {
           .conclusion = {"neither out nor the reverse of in points to the right of e",
                          [](const Values& values) { return negation(slides(values)); }},
           .dropped = "convex",
-          .file = __FILE__,
           .is_false_by_definition = [of](const Model& model) {
             const Corner corner = corner_in(model);
             const Vector e = direction_in(model, "e");
@@ -114,7 +113,6 @@ const RegisteredQueries registered({
                     }},
      .dropped = "slides",
      .of_twin = {not_sliding_either},
-     .file = __FILE__,
      .is_false_by_definition = [](const Model& model) { return !interiors_meet_at_vertex(model); }},
     {.id = "lemma-2.2.9.edge-that-enters",
      .statement = "lemma-2.2.9",
@@ -130,7 +128,6 @@ const RegisteredQueries registered({
                     }},
      .dropped = "slides",
      .of_twin = {not_sliding_either},
-     .file = __FILE__,
      .is_false_by_definition = [](const Model& model) { return !interiors_meet_at_vertex(model); }},
     {.id = "lemma-2.2.9.kept-where-nothing-slides",
      .statement = "lemma-2.2.9",
@@ -141,7 +138,6 @@ const RegisteredQueries registered({
                       [](const Values& values) { return negation(slides(values)); }}}},
      .conclusion = {"e is in the tangent set of the vertex", is_kept},
      .dropped = "still",
-     .file = __FILE__,
      .is_false_by_definition = [](const Model& model) { return !is_in_convolution(model); }},
     {.id = "lemma-2.2.9.not-kept-where-a-convex-vertex-slides",
      .statement = "lemma-2.2.9",
@@ -152,7 +148,6 @@ const RegisteredQueries registered({
      .conclusion = {"e is not in the tangent set of the vertex",
                     [](const Values& values) { return negation(is_kept(values)); }},
      .dropped = "convex",
-     .file = __FILE__,
      .is_false_by_definition = is_in_convolution},
     {.id = "lemma-2.2.9.kept-by-a-convex-vertex",
      .statement = "lemma-2.2.9",
@@ -166,7 +161,6 @@ const RegisteredQueries registered({
                       return negation(is_to_the_right_and_inside(values, direction(values, "m")));
                     }},
      .dropped = "kept",
-     .file = __FILE__,
      .is_false_by_definition = interiors_meet_at_vertex},
 });
 

@@ -140,7 +140,6 @@ const RegisteredQueries registered({
                       });
                     }},
      .dropped = "said",
-     .file = __FILE__,
      .is_false_by_definition = [](const Model& model) { return !corners_meet(model); }},
     {.id = "section-5.1.1.meet",
      .statement = "section-5.1.1",
@@ -159,7 +158,6 @@ const RegisteredQueries registered({
                       }}}},
      .conclusion = {"from the order of the rays the code says yes", are_said_to_meet},
      .dropped = "in-q",
-     .file = __FILE__,
      .is_false_by_definition = [](const Model& model) { return !corners_meet(model); }},
     {.id = "section-5.1.1.proper-crossing",
      .statement = "section-5.1.1",
@@ -183,7 +181,6 @@ const RegisteredQueries registered({
                   [](const Values& values) {
                     return negation(are_equal(direction(values, "e"), direction(values, "f")));
                   }}},
-     .file = __FILE__,
      .is_false_by_definition = [](const Model& model) { return !edges_meet(model); }},
     {.id = "section-5.1.1.overlap-one-way",
      .statement = "section-5.1.1",
@@ -202,7 +199,6 @@ const RegisteredQueries registered({
                   [](const Values& values) {
                     return are_parallel(direction(values, "e"), direction(values, "f"));
                   }}},
-     .file = __FILE__,
      .is_false_by_definition = [](const Model& model) { return !edges_meet(model); }},
     {.id = "section-5.1.1.overlap-both-ways",
      .statement = "section-5.1.1",
@@ -219,7 +215,6 @@ const RegisteredQueries registered({
                                               is_left(direction(values, "f"), d)}));
                     }},
      .dropped = "opposite",
-     .file = __FILE__,
      .is_false_by_definition = edges_meet},
 });
 

@@ -67,7 +67,6 @@ Query across(const Sides& sides, int way) {
                                    all_of({is_inside_unit(x.x), is_inside_unit(x.y)}));
                      }},
       .dropped = "across",
-      .file = __FILE__,
       .is_false_by_definition = [edges](const Model& model) {
         const Values values(model);
         const Term t = values.number("t");
@@ -111,7 +110,6 @@ Query pace(const Sides& sides, int x, int y) {
                          const TermVector d = values.vector("d");
                          return all_of({is_zero(d.x - x), is_zero(d.y - y)});
                        }}},
-          .file = __FILE__,
           .is_false_by_definition = [sides](const Model& model) {
             const Values values(model);
             const TermVector c = values.vector("c"), d = values.vector("d");
@@ -163,7 +161,6 @@ Query along(const Sides& sides, bool is_upright) {
                                     is_zero(x.x - (is_upright ? Rational(0) : half)),
                                     is_zero(x.y - (is_upright ? half : Rational(0)))});
                    }}},
-      .file = __FILE__,
       .is_false_by_definition = [sides, shifted](const Model& model) {
         const Values values(model);
         return blocks_in_integers(edges_of(values, sides), values.number("t")) !=
@@ -227,7 +224,6 @@ Query corner(const Sides& sides) {
                            return negation(blocks_somewhere(edges_of(values, sides)));
                          }},
           .dropped = "passes",
-          .file = __FILE__,
           .is_false_by_definition = [sides](const Model& model) {
             const Values values(model);
             // Where the line enters, it is inside on one side of the corner.
@@ -303,7 +299,6 @@ const Query crossing = {
             const TermVector u = values.vector("u"), w = values.vector("w");
             return all_of({is_zero(u.x - 2), is_zero(u.y - 1), is_zero(w.x - 1), is_zero(w.y - 3)});
           }}},
-    .file = __FILE__,
     .is_false_by_definition = [](const Model& model) { return !is_model_crossing(model); }};
 
 Query only_crossing() {
@@ -352,7 +347,6 @@ Query own_edge(Summand edge_of, bool leaves) {
                          const TermVector d = values.vector("d");
                          return all_of({is_zero(d.x - 2), is_zero(d.y - 1)});
                        }}},
-          .file = __FILE__,
           .is_false_by_definition = [edges](const Model& model) {
             const Values values(model);
             const SlidEdges own = edges(values);
@@ -385,7 +379,6 @@ const Query parallel = {
                    return all_of({is_zero(c.x), is_zero(c.y + 1), is_zero(d.x - 1),
                                   is_zero(d.y - 2), is_zero(u.x - 1), is_zero(u.y), is_zero(w.x)});
                  }}},
-    .file = __FILE__,
     .is_false_by_definition = [](const Model& model) {
       const Values values(model);
       const SlidEdges edges{values.vector("c"), values.vector("d"), values.vector("u"),
@@ -428,7 +421,6 @@ const Query shift = {
                    }},
     .dropped = "small",
     .of_twin = {{"k = 1", [](const Values& values) { return is_zero(values.number("k") - 1); }}},
-    .file = __FILE__,
     .is_false_by_definition = [](const Model& model) {
       const Rational &a = model.numbers.at("a"), &b = model.numbers.at("b");
       const Rational shifted = a + model.numbers.at("k") * b;

@@ -197,7 +197,6 @@ Query query_for(const TableRow& row) {
       .conclusion = {changes_in_words(row),
                      [&row](const Values& values) { return are_as_in_row(values, row); }},
       .dropped = "convolution",
-      .file = __FILE__,
       .is_false_by_definition = [&row](const Model& model) { return moves_otherwise(model, row); }};
 }
 

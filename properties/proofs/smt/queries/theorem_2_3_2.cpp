@@ -51,7 +51,6 @@ Query sector(bool is_reflex) {
                                        is_left_of_edges(values, !is_reflex));
                          }},
           .dropped = "vertex",
-          .file = __FILE__,
           .is_false_by_definition = [is_reflex](const Model& model) {
             const Corner corner{direction_in(model, "in"), direction_in(model, "out")};
             const Vector d = direction_in(model, "d");
@@ -97,7 +96,6 @@ const RegisteredQueries registered({
                   [](const Values& values) {
                     return is_in_tangent_set(direction(values, "e"), Summand::P, corner_of(values));
                   }}},
-     .file = __FILE__,
      .is_false_by_definition =
          [](const Model& model) {
            const Corner corner{direction_in(model, "in"), direction_in(model, "out")};

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "properties/proofs/smt/question_folder.hpp"
 #include "properties/proofs/smt/run.hpp"
+#include "properties/runner/temporary_folder.hpp"
 #include "reference/families/random.hpp"
 
 namespace oplus::smt {
@@ -27,12 +27,11 @@ Query true_query() {
                        return sign_of_x(v, {.zero = true, .positive = true});
                      }},
       .dropped = "positive",
-      .file = __FILE__,
       .is_false_by_definition = [](const Model& m) { return sign(m.numbers.at("x")) < 0; }};
 }
 
 std::vector<std::string> failures_of(const Query& query) {
-  const QuestionFolder folder("");
+  const TemporaryFolder folder;
   write_questions(query, folder.path());
   return run(query, folder.path(), 100).failures;
 }
@@ -56,7 +55,6 @@ TEST(Queries, EachDefectIsFound) {
   EXPECT_EQ(defects_if([](Query& q) { q.unknowns.clear(); }), 1U);
   EXPECT_EQ(defects_if([](Query& q) { q.unknowns.push_back({"y", Unknown::Kind::vector}); }), 1U);
   EXPECT_EQ(defects_if([](Query& q) { q.is_false_by_definition = nullptr; }), 1U);
-  EXPECT_EQ(defects_if([](Query& q) { q.file.clear(); }), 1U);
 }
 
 TEST(QueryRun, PassesWhatHolds) {
@@ -103,7 +101,7 @@ TEST(QueryRun, FailsWhereTheModelIsNoCounterexampleByDefinition) {
 }
 
 TEST(QueryRun, FailsWhereThereIsNoTime) {
-  const QuestionFolder folder("");
+  const TemporaryFolder folder;
   write_questions(true_query(), folder.path());
   EXPECT_EQ(run(true_query(), folder.path(), 1e-9).failures.size(), 6U);
 }

@@ -5,7 +5,7 @@
 
 #include <system_error>
 
-#include "properties/proofs/smt/question_folder.hpp"
+#include "properties/runner/temporary_folder.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus::smt {
@@ -13,7 +13,7 @@ namespace {
 
 /// The answer to a text, where 100 s are more than any test takes.
 Answer answer_to(const Solver& solver, const std::string& text, double seconds = 100) {
-  const QuestionFolder folder("");
+  const TemporaryFolder folder;
   const std::string file = (folder.path() / "question.smt2").string();
   write_file(file, text);
   return ask(solver, file, seconds);
