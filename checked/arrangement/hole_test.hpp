@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "checked/collision/collision_test.hpp"
+#include "checked/engine.hpp"
 #include "reference/definitions/segment.hpp"
 
 namespace oplus {
@@ -29,17 +28,18 @@ class HoleTest {
   virtual bool interiors_meet_at(const Point& x) = 0;
 };
 
-/// ray: shoots rays through the full convolution (Section 5.2). Winding numbers are numbers of
-/// faces, so it leaves the second question to the hierarchies.
-enum class HoleTestMethod { hierarchy, sweep, naive, ray };
+// Requires: p and q are valid (validity.hpp).
+
+/// By a collision test (Section 5.1).
+std::unique_ptr<HoleTest> hierarchy_hole_test(const Region& p, const Region& q);
+std::unique_ptr<HoleTest> sweep_hole_test(const Region& p, const Region& q);
+std::unique_ptr<HoleTest> naive_hole_test(const Region& p, const Region& q);
+
+/// Shoots rays through the full convolution (Section 5.2). Winding numbers are numbers of faces, so it
+/// leaves the second question to the hierarchies.
+std::unique_ptr<HoleTest> ray_hole_test(const Region& p, const Region& q);
 
 /// All methods and what the program calls them, the default first.
 const std::vector<std::pair<std::string, HoleTestMethod>>& hole_test_methods();
-
-/// The collision test that a method asks about points.
-CollisionMethod collision_method(HoleTestMethod method);
-
-/// Requires: p and q are valid (validity.hpp).
-std::unique_ptr<HoleTest> hole_test(HoleTestMethod method, const Region& p, const Region& q);
 
 }  // namespace oplus

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/arrangement/rca.hpp"
 
-#include "checked/arrangement/sum_on_reduced_convolution.hpp"
+#include "checked/arrangement/sum_on_arrangement.hpp"
+#include "checked/cycles/convolution_cycles.hpp"
 #include "reference/definitions/mutant.hpp"
 
 namespace oplus {
@@ -44,15 +45,11 @@ std::vector<Halfedge> boundary_of_faces(const ConvolutionArrangement& arrangemen
 
 }  // namespace
 
-ComputedSum rca(const Region& p, const Region& q, Boundary boundary, WithOrigins with_origins,
-                HoleTest& hole_test) {
-  return sum_on_reduced_convolution(p, q, boundary, with_origins, hole_test, boundary_of_faces);
-}
-
-ComputedSum rca(const Region& p, const Region& q, Boundary boundary, WithOrigins with_origins,
-                HoleTestMethod method) {
-  return with_hole_test(p, q, method,
-                        [&](HoleTest& test) { return rca(p, q, boundary, with_origins, test); });
+ComputedSum rca(const Region& p, const Region& q, Boundary boundary, const EngineOptions& options) {
+  return sum_on_arrangement(p, q, boundary, options,
+                            {.convolution = traced_reduced_convolution,
+                             .boundary = boundary_of_faces,
+                             .has_hole_test = true});
 }
 
 }  // namespace oplus

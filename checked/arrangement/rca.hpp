@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "checked/arrangement/hole_test.hpp"
-#include "checked/computed_sum.hpp"
+#include "checked/engine.hpp"
 
 namespace oplus {
 
@@ -11,11 +10,6 @@ namespace oplus {
 /// the face to its right are candidates for the complement (Lemma 3.1.2); a hole test each decides.
 /// Requires: p and q are valid (validity.hpp).
 ComputedSum rca(const Region& p, const Region& q, Boundary boundary,
-                WithOrigins with_origins = WithOrigins::no,
-                HoleTestMethod method = HoleTestMethod::hierarchy);
-
-/// The same with a hole test for p and q that the caller has.
-ComputedSum rca(const Region& p, const Region& q, Boundary boundary, WithOrigins with_origins,
-                HoleTest& hole_test);
+                const EngineOptions& options = {});
 
 }  // namespace oplus

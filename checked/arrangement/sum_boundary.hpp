@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "checked/arrangement/convolution_arrangement.hpp"
-#include "checked/computed_sum.hpp"
+#include "reference/definitions/minkowski_sum.hpp"
 
 namespace oplus {
 

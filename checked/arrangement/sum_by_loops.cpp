@@ -2,7 +2,8 @@
 #include "checked/arrangement/sum_by_loops.hpp"
 
 #include "checked/arrangement/nesting.hpp"
-#include "checked/arrangement/sum_on_reduced_convolution.hpp"
+#include "checked/arrangement/sum_on_arrangement.hpp"
+#include "checked/cycles/convolution_cycles.hpp"
 
 namespace oplus {
 
@@ -23,15 +24,11 @@ std::vector<ConvolutionArrangement::Halfedge> boundary_of_loops(
 }  // namespace
 
 ComputedSum sum_by_loops(const Region& p, const Region& q, Boundary boundary,
-                         WithOrigins with_origins, HoleTest& hole_test) {
-  return sum_on_reduced_convolution(p, q, boundary, with_origins, hole_test, boundary_of_loops);
-}
-
-ComputedSum sum_by_loops(const Region& p, const Region& q, Boundary boundary,
-                         WithOrigins with_origins, HoleTestMethod method) {
-  return with_hole_test(p, q, method, [&](HoleTest& test) {
-    return sum_by_loops(p, q, boundary, with_origins, test);
-  });
+                         const EngineOptions& options) {
+  return sum_on_arrangement(p, q, boundary, options,
+                            {.convolution = traced_reduced_convolution,
+                             .boundary = boundary_of_loops,
+                             .has_hole_test = true});
 }
 
 }  // namespace oplus

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "checked/collision/collision_test.hpp"
-#include "checked/computed_sum.hpp"
+#include "checked/engine.hpp"
 
 namespace oplus {
 
@@ -11,11 +10,6 @@ namespace oplus {
 /// the method of Wein). No face needs a hole test; low-dimensional features of the open sum do.
 /// Requires: p and q are valid (validity.hpp).
 ComputedSum sum_by_winding_numbers(const Region& p, const Region& q, Boundary boundary,
-                                   WithOrigins with_origins = WithOrigins::no,
-                                   CollisionMethod method = CollisionMethod::hierarchy);
-
-/// The same with a collision test for p and q that the caller has.
-ComputedSum sum_by_winding_numbers(const Region& p, const Region& q, Boundary boundary,
-                                   WithOrigins with_origins, CollisionTest& collision);
+                                   const EngineOptions& options = {});
 
 }  // namespace oplus

@@ -39,7 +39,7 @@ std::string word(Location location) {
 std::string line(const std::string& name, const MinkowskiSum& sum) {
   std::string result = name + ":";
   for (const auto& [what, value] : statistics_of(sum))
-    result += (result.back() == ':' ? " " : ", ") + what + " " + value;
+    result += (result.back() == ':' ? " " : ", ") + std::string(what) + " " + in_text(value);
   return result + "\n";
 }
 
@@ -60,8 +60,8 @@ std::string json_verdict(const std::optional<Difference>& found, const Minkowski
     object["witness"] = {
         {"at", json(found->witness)}, {"first", word(found->in_a)}, {"second", word(found->in_b)}};
   }
-  object["first"] = json_statistics_of(a);
-  object["second"] = json_statistics_of(b);
+  object["first"] = json(statistics_of(a));
+  object["second"] = json(statistics_of(b));
   return object.dump(2) + "\n";
 }
 

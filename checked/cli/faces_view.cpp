@@ -13,7 +13,7 @@ std::string faces_view(const Region& p, const Region& q) {
   const std::vector<ConvolutionSegment> reduced = traced_reduced_convolution(p, q);
   const ConvolutionArrangement arrangement(reduced);
   const FaceDrawing drawing(arrangement);
-  const std::unique_ptr<HoleTest> test = hole_test(HoleTestMethod::hierarchy, p, q);
+  const std::unique_ptr<HoleTest> test = hierarchy_hole_test(p, q);
   Layer no_candidates{
       {.name = "no-candidate", .label = "no candidate", .place = 12, .fill = "#e9ecee"}};
   Layer fallen{{.name = "candidate-in-sum",

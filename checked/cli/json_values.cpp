@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <variant>
 
 #include "reference/io/writing.hpp"
 
@@ -10,34 +12,29 @@ namespace oplus {
 
 namespace {
 
-std::string key_of(std::string name) {
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) {
+std::string key_of(std::string_view name) {
+  std::string key(name);
+  std::transform(key.begin(), key.end(), key.begin(), [](unsigned char c) {
     return std::isalnum(c) ? static_cast<char>(std::tolower(c)) : '_';
   });
-  return name;
+  return key;
 }
 
-Json value_of(const std::string& name, const std::string& value) {
-  if (name.starts_with("seconds")) return std::stod(value);
-  const bool is_count =
-      value.size() < 19 &&
-      std::all_of(value.begin(), value.end(), [](unsigned char c) { return std::isdigit(c); });
-  return is_count ? Json(std::stoull(value)) : Json(value);
-}
+Json value_of(std::size_t count) { return count; }
+Json value_of(Seconds seconds) { return std::round(seconds.count() * 1e6) / 1e6; }
+Json value_of(const Rational& value) { return to_string(value); }
 
 }  // namespace
 
 Json json(const Point& p) { return Json::array({to_string(p.x), to_string(p.y)}); }
 
-Json json(const Statistics& statistics) {
-  Json object = Json::object();
-  for (const auto& [name, value] : statistics) object[key_of(name)] = value_of(name, value);
-  return object;
+Json json(const Quantity& quantity) {
+  return std::visit([](const auto& value) { return value_of(value); }, quantity);
 }
 
-Json json_statistics_of(const MinkowskiSum& sum) {
-  Json object = json(statistics_of(sum));
-  object["area"] = to_string(area(sum));
+Json json(const Statistics& statistics) {
+  Json object = Json::object();
+  for (const auto& [name, quantity] : statistics) object[key_of(name)] = json(quantity);
   return object;
 }
 

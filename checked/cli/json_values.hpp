@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "checked/cli/statistics.hpp"
+#include "checked/statistics.hpp"
 #include "reference/definitions/point.hpp"
 
 namespace oplus {
@@ -14,10 +14,10 @@ using Json = nlohmann::ordered_json;
 /// ["1/3", "2.5"], exact.
 Json json(const Point& p);
 
-/// An object: "outer chains" is "outer_chains", a count an integer, seconds a number.
-Json json(const Statistics& statistics);
+/// A count is an integer, seconds a number of six decimals, a value the text of the exact one.
+Json json(const Quantity& quantity);
 
-/// The same of a sum, its area exact however long that is.
-Json json_statistics_of(const MinkowskiSum& sum);
+/// An object: "outer chains" is "outer_chains".
+Json json(const Statistics& statistics);
 
 }  // namespace oplus

@@ -36,7 +36,7 @@ Layer edges_on_no_loop(const ConvolutionArrangement& arrangement,
 std::string loops_view(const Region& p, const Region& q) {
   const ConvolutionArrangement arrangement(traced_reduced_convolution(p, q));
   const std::vector<OrientableLoop> loops = orientable_loops(arrangement);
-  const std::unique_ptr<HoleTest> test = hole_test(HoleTestMethod::hierarchy, p, q);
+  const std::unique_ptr<HoleTest> test = hierarchy_hole_test(p, q);
   const std::vector<LoopVerdict> verdicts = judge(arrangement, loops, [&](Halfedge h) {
     return test->is_hole_right_of(arrangement.geometry(h));
   });

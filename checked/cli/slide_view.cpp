@@ -7,13 +7,14 @@
 namespace oplus {
 
 std::string slide_view(const Region& p, const Region& q) {
-  const SlideResult result = slide_sum(p, q, Boundary::closed);
+  const ComputedSum result = slide_sum(p, q, Boundary::closed);
   std::vector<Layer> layers = layers_of(result.sum);
   layers.push_back({style::reduced_convolution, {}, segments(traced_reduced_convolution(p, q))});
   return beside_summands(
       p, q,
-      "Reduced convolution: " + counted(result.statistics.segments, "segment", "segments") + ", " +
-          counted(result.statistics.free_pieces, "free piece", "free pieces"),
+      "Reduced convolution: " +
+          counted(result.statistics.count("segments slid along"), "segment", "segments") + ", " +
+          counted(result.statistics.count("free pieces of segments"), "free piece", "free pieces"),
       std::move(layers));
 }
 

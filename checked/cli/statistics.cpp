@@ -7,7 +7,11 @@ namespace oplus {
 
 namespace {
 
-std::string legible(const Rational& value) {
+std::string text(std::size_t count) { return std::to_string(count); }
+
+std::string text(Seconds seconds) { return std::to_string(seconds.count()); }
+
+std::string text(const Rational& value) {
   const std::string exact = to_string(value);
   return exact.size() <= 60 ? exact : to_string(value, 6) + " (rounded)";
 }
@@ -15,11 +19,15 @@ std::string legible(const Rational& value) {
 }  // namespace
 
 Statistics statistics_of(const MinkowskiSum& sum) {
-  return {{"outer chains", std::to_string(sum.outer.size())},
-          {"holes", std::to_string(sum.holes.size())},
-          {"dangling edges", std::to_string(sum.dangling_edges.size())},
-          {"isolated vertices", std::to_string(sum.isolated_vertices.size())},
-          {"area", legible(area(sum))}};
+  return {{"outer chains", sum.outer.size()},
+          {"holes", sum.holes.size()},
+          {"dangling edges", sum.dangling_edges.size()},
+          {"isolated vertices", sum.isolated_vertices.size()},
+          {"area", area(sum)}};
+}
+
+std::string in_text(const Quantity& quantity) {
+  return std::visit([](const auto& value) { return text(value); }, quantity);
 }
 
 }  // namespace oplus

@@ -2,18 +2,17 @@
 #pragma once
 
 #include <string>
-#include <utility>
-#include <vector>
 
+#include "checked/statistics.hpp"
 #include "reference/definitions/minkowski_sum.hpp"
 
 namespace oplus {
 
-/// Names and values, in the order in which they are printed.
-using Statistics = std::vector<std::pair<std::string, std::string>>;
-
-/// How many parts of each kind the sum has, and its area: exact, but rounded, and said so, where
-/// that would take a line of its own.
+/// How many parts of each kind the sum has, and its area.
 Statistics statistics_of(const MinkowskiSum& sum);
+
+/// A count; seconds, to six decimals; a value exactly, but rounded, and said so, where that would take
+/// a line of its own.
+std::string in_text(const Quantity& quantity);
 
 }  // namespace oplus

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <chrono>
 #include <iostream>
 #include <memory>
 #include <sstream>
 #include <thread>
 
-#include "checked/cli/engine.hpp"
+#include "checked/arrangement/hole_test.hpp"
+#include "checked/cli/engines_and_oracle.hpp"
 #include "checked/cli/format_option.hpp"
 #include "checked/cli/input.hpp"
 #include "checked/cli/json_values.hpp"
@@ -17,6 +17,7 @@
 #include "checked/cli/subcommands.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "checked/cycles/convolution_cycles.hpp"
+#include "reference/io/boundary_name.hpp"
 #include "reference/pictures/picture.hpp"
 
 namespace oplus {
@@ -28,8 +29,8 @@ struct SumOptions {
   std::string q;
   std::string output = "-";
   std::optional<Format> format;
-  bool open = false;
-  std::string engine = engines().front().name;
+  Boundary boundary = Boundary::closed;
+  std::string engine = engines_and_oracle().front().name;
   std::string hole_test;            ///< empty: the default
   std::optional<unsigned> threads;  ///< none: as many as there are cores
   std::optional<int> digits;
@@ -47,11 +48,6 @@ std::vector<std::string> outputs(const SumOptions& options) {
   return paths;
 }
 
-std::string seconds_since(std::chrono::steady_clock::time_point start) {
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  return std::to_string(taken.count());
-}
-
 std::string picture(const Region& p, const Region& q, const MinkowskiSum& sum) {
   std::vector<Panel> panels = panels_of(p, q);
   panels.push_back({"P \u2295 Q", layers_of(sum)});
@@ -59,35 +55,34 @@ std::string picture(const Region& p, const Region& q, const MinkowskiSum& sum) {
 }
 
 void print(const Statistics& statistics) {
-  for (const auto& [name, value] : statistics) std::cerr << name + ": " + value + "\n";
+  for (const auto& [name, value] : statistics)
+    std::cerr << std::string(name) + ": " + in_text(value) + "\n";
 }
 
 /// Sizes of the summands and of their convolution.
 Statistics statistics_of(const Region& p, const Region& q) {
   const ConvolutionCycles cycles = convolution_cycles(p, q);
-  const std::size_t full = full_convolution(cycles).size();
-  return {
-      {"vertices of P", std::to_string(vertex_count(p))},
-      {"vertices of Q", std::to_string(vertex_count(q))},
-      {"segments of the convolution", std::to_string(full)},
-      {"segments of the reduced convolution", std::to_string(reduced_convolution(cycles).size())},
-      {"convolution cycles", std::to_string(cycles.cycles.size())},
-      {"steps to trace them", std::to_string(cycles.steps)}};
+  return {{"vertices of P", vertex_count(p)},
+          {"vertices of Q", vertex_count(q)},
+          {"segments of the convolution", full_convolution(cycles).size()},
+          {"segments of the reduced convolution", reduced_convolution(cycles).size()},
+          {"convolution cycles", cycles.cycles.size()},
+          {"steps to trace them", cycles.steps}};
 }
 
 std::string statistics_json(const SumOptions& options, const Region& p, const Region& q,
-                            const Computed& computed, const std::string& seconds) {
+                            const ComputedSum& computed, Seconds seconds) {
   const Json object = {{"engine", options.engine},
-                       {"boundary", options.open ? "open" : "closed"},
+                       {"boundary", name(options.boundary)},
                        {"summands", json(statistics_of(p, q))},
                        {"run", json(computed.statistics)},
-                       {"sum", json_statistics_of(computed.sum)},
-                       {"seconds", std::stod(seconds)}};
+                       {"sum", json(statistics_of(computed.sum))},
+                       {"seconds", json(Quantity(seconds))}};
   return object.dump(2) + "\n";
 }
 
 HoleTestMethod chosen_hole_test(const SumOptions& options, const Engine& engine) {
-  if (options.hole_test.empty()) return hole_test_methods().front().second;
+  if (options.hole_test.empty()) return {};
   if (!engine.has_hole_test)
     throw UsageError("--hole-test makes no difference to the engine " + engine.name +
                      ", which has none");
@@ -105,21 +100,19 @@ unsigned chosen_threads(const SumOptions& options, const Engine& engine) {
 }
 
 ExitCode sum(const SumOptions& options) {
-  const Engine& engine = *find_engine(options.engine);
-  const EngineOptions engine_options = {
-      .with_origins = options.origins ? WithOrigins::yes : WithOrigins::no,
-      .hole_test = chosen_hole_test(options, engine),
-      .threads = chosen_threads(options, engine)};
+  const Engine& engine = *find_engine(engines_and_oracle(), options.engine);
+  const EngineOptions engine_options = {.with_origins = options.origins.has_value(),
+                                        .threads = chosen_threads(options, engine),
+                                        .hole_test = chosen_hole_test(options, engine)};
   require_one_standard_input({options.p, options.q});
   require_writable(outputs(options));
   const Format format = output_format(options.format, options.output);
   const Region p = read_summand(options.p);
   const Region q = read_summand(options.q);
 
-  const auto start = std::chrono::steady_clock::now();
-  const Computed computed =
-      engine.compute(p, q, options.open ? Boundary::open : Boundary::closed, engine_options);
-  const std::string seconds = seconds_since(start);
+  Seconds seconds{};
+  const ComputedSum computed =
+      timed(seconds, [&] { return engine.compute(p, q, options.boundary, engine_options); });
 
   if (!can_hold(format, computed.sum))
     throw UsageError(
@@ -148,8 +141,9 @@ ExitCode sum(const SumOptions& options) {
 
 std::string engine_help() {
   std::string help = "how to compute:";
-  for (const Engine& engine : engines())
-    help += (&engine == &engines().front() ? " " : "; ") + engine.name + ", " + engine.what;
+  for (const Engine& engine : engines_and_oracle())
+    help +=
+        (&engine == &engines_and_oracle().front() ? " " : "; ") + engine.name + ", " + engine.what;
   return help;
 }
 
@@ -161,7 +155,7 @@ std::vector<std::string> hole_test_names() {
 
 std::vector<std::string> engine_names() {
   std::vector<std::string> names;
-  for (const Engine& engine : engines()) names.push_back(engine.name);
+  for (const Engine& engine : engines_and_oracle()) names.push_back(engine.name);
   return names;
 }
 
@@ -179,8 +173,9 @@ void add_sum(CLI::App& program, Action& chosen) {
   command.add_option("-o,--output", options->output, "write the sum there, not to standard output")
       ->type_name("FILE");
   add_format_option(command, options->format);
-  command.add_flag("--open", options->open,
-                   "sum the regions' interiors: keeps dangling edges and isolated vertices");
+  command.add_flag_callback(
+      "--open", [options] { options->boundary = Boundary::open; },
+      "sum the regions' interiors: keeps dangling edges and isolated vertices");
   command.add_option("--engine", options->engine, engine_help())
       ->check(CLI::IsMember(engine_names()))
       ->type_name("NAME");

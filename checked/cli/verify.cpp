@@ -15,6 +15,7 @@
 #include "checked/cli/usage_error.hpp"
 #include "checked/cli/view.hpp"
 #include "checked/verify/closeness.hpp"
+#include "reference/io/boundary_name.hpp"
 #include "reference/io/number.hpp"
 #include "reference/io/quoting.hpp"
 #include "reference/io/reading.hpp"
@@ -30,7 +31,7 @@ struct VerifyOptions {
   std::string p;
   std::string q;
   std::string sum;
-  bool open = false;
+  Boundary boundary = Boundary::closed;
   std::optional<std::string> tolerance;
   std::optional<std::string> svg;
   bool json = false;
@@ -180,7 +181,7 @@ std::string picture(const Region& p, const Region& q, const GivenSum& given,
 /// Printing, drawing and the exit code of an answer.
 ExitCode answer(const VerifyOptions& options, bool is_yes, Json json, std::string text,
                 const std::vector<std::string>& notes) {
-  json["boundary"] = options.open ? "open" : "closed";
+  json["boundary"] = name(options.boundary);
   json["notes"] = notes;
   for (const std::string& note : notes) text += "note: " + note + "\n";
   write_output("-", options.json ? json.dump(2) + "\n" : text);
@@ -195,20 +196,19 @@ ExitCode verify_files(const VerifyOptions& options) {
   const Region p = read_summand(options.p);
   const Region q = read_summand(options.q);
   const GivenSum given = read_unchecked_sum_file(options.sum);
-  const Boundary boundary = options.open ? Boundary::open : Boundary::closed;
   const auto draw = [&](const MinkowskiSum& right, const std::optional<Point>& witness) {
     if (options.svg) write_output(*options.svg, picture(p, q, given, right, witness));
   };
 
   if (tolerance) {
-    const MinkowskiSum right = sum_by_definition(p, q, boundary);
+    const MinkowskiSum right = sum_by_definition(p, q, options.boundary);
     const Closeness close = closeness(right, given, *tolerance);
     const bool differs = close.distance && sign(close.distance->most_squared) > 0;
     draw(right, differs ? std::optional(close.distance->farthest) : std::nullopt);
     return answer(options, close.is_close(), json_of(close, *tolerance),
                   text_of(close, *options.tolerance), close.notes);
   }
-  const Verdict verdict = verify(p, q, boundary, given);
+  const Verdict verdict = verify(p, q, options.boundary, given);
   draw(verdict.right,
        verdict.is_sum() ? std::nullopt : std::optional(verdict.reasons.front().witness));
   return answer(options, verdict.is_sum(), json_of(verdict), text_of(verdict), verdict.notes);
@@ -227,8 +227,8 @@ void add_verify(CLI::App& program, Action& chosen) {
   command.add_option("S", options->sum, "what somebody says their sum is, valid or not")
       ->required()
       ->type_name("FILE");
-  command.add_flag(
-      "--open", options->open,
+  command.add_flag_callback(
+      "--open", [options] { options->boundary = Boundary::open; },
       "it is to be the sum of the regions' interiors, with dangling edges and isolated "
       "vertices");
   command

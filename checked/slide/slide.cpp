@@ -59,17 +59,17 @@ struct ChainWithOrigins {
 /// `origins` of a chain's edge: whatever turns its segments into origins, or nothing.
 template <typename PutPoint, typename OriginsOf>
 ChainWithOrigins in_the_plane(const StitchedChain& stitched, const PutPoint& put_point,
-                              const OriginsOf& origins_of, WithOrigins with_origins) {
+                              const OriginsOf& origins_of, bool with_origins) {
   ChainWithOrigins result;
   result.chain.resize(stitched.edges.size());
   for (std::size_t i = 0; i < stitched.edges.size(); ++i)
     put_point(stitched.edges[i].from, result.chain[i]);
-  if (with_origins == WithOrigins::yes)
+  if (with_origins)
     for (const StitchedChain::Edge& edge : stitched.edges)
       result.origins.push_back(origins_of(stitched.segments_of(edge)));
   const auto start = static_cast<std::ptrdiff_t>(start_of_smallest_rotation(result.chain));
   std::rotate(result.chain.begin(), result.chain.begin() + start, result.chain.end());
-  if (with_origins == WithOrigins::yes)
+  if (with_origins)
     std::rotate(result.origins.begin(), result.origins.begin() + start, result.origins.end());
   return result;
 }
@@ -83,17 +83,35 @@ void add(std::vector<ChainWithOrigins> chains, std::vector<Chain>& to, Origins& 
   }
 }
 
-/// Which stage of arithmetic the pairs of edges are counted for.
+/// Which arithmetic the pairs of edges that took integers are counted for.
+enum class Integers { of_64_bits, of_256_bits, of_gmp };
+
 template <typename Numbers>
-std::size_t& decided_in(SlideStatistics& statistics) {
-  if constexpr (is_small<Numbers>) return statistics.in_64_bits;
-  if constexpr (std::is_same_v<Numbers, WideNumbers>) return statistics.in_256_bits;
-  return statistics.in_gmp;
+constexpr Integers integers_of() {
+  if constexpr (is_small<Numbers>) return Integers::of_64_bits;
+  if constexpr (std::is_same_v<Numbers, WideNumbers>) return Integers::of_256_bits;
+  return Integers::of_gmp;
+}
+
+Statistics statistics(std::size_t segments, std::size_t bits, std::size_t free_pieces,
+                      const SearchEffort& effort, Integers integers) {
+  const auto decided_in = [&](Integers these) {
+    return these == integers ? effort.by_integers : std::size_t{0};
+  };
+  return {{"segments slid along", segments},
+          {"bits of a coordinate", bits},
+          {"free pieces of segments", free_pieces},
+          {"probes", effort.probes},
+          {"pairs of boxes", effort.box_pairs},
+          {"pairs of edges decided by doubles", effort.by_doubles},
+          {"in integers of 64 bits", decided_in(Integers::of_64_bits)},
+          {"in integers of 256 bits", decided_in(Integers::of_256_bits)},
+          {"in integers of GMP", decided_in(Integers::of_gmp)}};
 }
 
 template <typename Numbers>
-SlideResult sum_in(const Region& p, const Region& q, const Scaling& scaling, Boundary boundary,
-                   const SlideOptions& options) {
+ComputedSum sum_in(const Region& p, const Region& q, const Scaling& scaling, Boundary boundary,
+                   const EngineOptions& options) {
   const Tracks<Numbers> tracks(p, q, scaling);
   const auto [pieces, effort] = find_free_pieces(tracks, options.threads);
 
@@ -107,7 +125,7 @@ SlideResult sum_in(const Region& p, const Region& q, const Scaling& scaling, Bou
   const std::vector<StitchedChain> chains = stitched(
       cut, ends.points.size(), [&](std::uint32_t segment) { return tracks.direction(segment); });
 
-  SlideResult result;
+  ComputedSum result;
   const auto origins_of = [&](std::span<const std::uint32_t> segments) {
     std::vector<Origin> origins;
     for (const std::uint32_t segment : segments) origins.push_back(tracks.origin(segment));
@@ -129,7 +147,7 @@ SlideResult sum_in(const Region& p, const Region& q, const Scaling& scaling, Bou
     add_low_dimensional_features(
         low_dimensional_candidates(tracks, pieces, scaling, options.threads), p, q,
         std::move(corners), result.sum);
-    if (options.with_origins == WithOrigins::yes)
+    if (options.with_origins)
       for (const Segment& edge : result.sum.dangling_edges) {
         std::vector<std::uint32_t> along;
         for (std::uint32_t i = 0; i < tracks.size(); ++i)
@@ -138,21 +156,17 @@ SlideResult sum_in(const Region& p, const Region& q, const Scaling& scaling, Bou
       }
   }
 
-  result.statistics = {.segments = tracks.size(),
-                       .bits = scaling.bits,
-                       .probes = effort.probes,
-                       .box_pairs = effort.box_pairs,
-                       .by_doubles = effort.by_doubles,
-                       .free_pieces = pieces.size()};
-  decided_in<Numbers>(result.statistics) = effort.by_integers;
+  result.statistics =
+      statistics(tracks.size(), scaling.bits, pieces.size(), effort, integers_of<Numbers>());
   return result;
 }
 
 }  // namespace
 
-SlideResult slide_sum(const Region& p, const Region& q, Boundary boundary,
-                      const SlideOptions& options) {
-  if (p.components.empty() || q.components.empty()) return {};
+ComputedSum slide_sum(const Region& p, const Region& q, Boundary boundary,
+                      const EngineOptions& options) {
+  if (p.components.empty() || q.components.empty())
+    return {{}, {}, statistics(0, 0, 0, {}, Integers::of_64_bits)};
   const Scaling scaling = scaling_of(p, q);
   if (options.numbers == SlideNumbers::as_needed && scaling.bits <= SmallNumbers::bits)
     return sum_in<SmallNumbers>(p, q, scaling, boundary, options);

@@ -8,13 +8,16 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "checked/arrangement/hole_test.hpp"
 #include "checked/cli/command_line/terminal.hpp"
+#include "checked/engines.hpp"
 #include "properties/compare/differential_cases.hpp"
 #include "properties/compare/differential_report.hpp"
 #include "properties/compare/engine_called.hpp"
 #include "properties/compare/limit_options.hpp"
 #include "properties/compare/peers/peer_table.hpp"
 #include "properties/compare/sealed_report.hpp"
+#include "properties/runner/checked_engines.hpp"
 #include "properties/runner/progress.hpp"
 #include "properties/runner/property_run.hpp"
 #include "reference/io/writing.hpp"
@@ -50,10 +53,10 @@ std::vector<std::string> names_of(const std::vector<Named>& table) {
   return names;
 }
 
-std::optional<HoleTestMethod> chosen_hole_test(const std::string& name) {
+HoleTestMethod chosen_hole_test(const std::string& name) {
   for (const auto& [known, method] : hole_test_methods())
     if (known == name) return method;
-  return std::nullopt;
+  return all_hole_tests();
 }
 
 std::vector<std::string> hole_test_names() {
@@ -64,11 +67,11 @@ std::vector<std::string> hole_test_names() {
 
 CLI::Validator engine_name() {
   std::string offered = "all";  // for completion, which is told nothing of exec:CMD
-  for (const Implementation& own : implementations()) offered += "," + own.name;
+  for (const Engine& own : engines()) offered += "," + own.name;
   for (const Peer& peer : peers()) offered += "," + peer.name;
   return CLI::Validator(
       [](const std::string& name) -> std::string {
-        std::vector<std::string> known = names_of(implementations());
+        std::vector<std::string> known = names_of(engines());
         known.emplace_back("all");
         if (std::find(known.begin(), known.end(), name) != known.end() ||
             engine_called(name, PeerLimits()))
@@ -88,11 +91,11 @@ std::string peer_list() {
   return lines;
 }
 
-std::vector<Implementation> chosen_implementations(const Settings& settings) {
+std::vector<Engine> chosen_engines(const Settings& settings) {
   const std::vector<std::string>& names = settings.engines;
-  std::vector<Implementation> chosen = implementations(chosen_hole_test(settings.hole_test));
+  std::vector<Engine> chosen = checked_engines(chosen_hole_test(settings.hole_test));
   if (names.empty() || std::find(names.begin(), names.end(), "all") != names.end()) return chosen;
-  std::erase_if(chosen, [&](const Implementation& implementation) {
+  std::erase_if(chosen, [&](const Engine& implementation) {
     return std::find(names.begin(), names.end(), implementation.name) == names.end();
   });
   for (const std::string& name : names)
@@ -147,7 +150,7 @@ DifferentialReport run(const Settings& settings, const Shard& shard,
   const std::vector<std::size_t> indices = shard.cases_of(all_cases.size());
   std::vector<DifferentialCase> cases;
   for (const std::size_t i : indices) cases.push_back(all_cases[i]);
-  const std::vector<Implementation> checked = chosen_implementations(settings);
+  const std::vector<Engine> checked = chosen_engines(settings);
   DifferentialReport report;
   report.shard = shard;
   report.seed = settings.seed;

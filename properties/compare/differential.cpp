@@ -28,11 +28,12 @@ Disagreement without_sum(const std::string& implementation, Boundary boundary,
 }
 
 /// Throws NoSum for what is not taken.
-std::optional<Disagreement> disagreement(const Summands& summands,
-                                         const Implementation& implementation, Boundary boundary,
-                                         const MinkowskiSum& expected, Probes& probes) {
+std::optional<Disagreement> disagreement(const Summands& summands, const Engine& implementation,
+                                         Boundary boundary, const MinkowskiSum& expected,
+                                         Probes& probes) {
   try {
-    MinkowskiSum sum = implementation.sum(summands.p, summands.q, boundary, probes);
+    auto [sum, origins, statistics] = implementation.compute(summands.p, summands.q, boundary, {});
+    probes += statistics;
     const std::optional<Difference> found = difference(expected, sum);
     if (!found) return std::nullopt;
     return Disagreement{.implementation = implementation.name,
@@ -70,9 +71,19 @@ std::string reasons(const std::vector<NotTakenSum>& not_taken) {
 
 }  // namespace
 
+Probes& Probes::operator+=(const Statistics& run) {
+  if (!run.contains("hole tests")) return *this;
+  return *this += Probes{run.count("hole tests"), run.count("tests of low-dimensional features")};
+}
+
+Probes& Probes::operator+=(const Probes& more) {
+  faces += more.faces;
+  points += more.points;
+  return *this;
+}
+
 DifferentialResult differential(const Summands& summands,
-                                const std::vector<Implementation>& implementations,
-                                std::size_t largest) {
+                                const std::vector<Engine>& implementations, std::size_t largest) {
   DifferentialResult result;
   const std::size_t size = convolution(summands.p, summands.q).size();
   if (size > largest) {
@@ -98,7 +109,7 @@ DifferentialResult differential(const Summands& summands,
   result.holes_in_sum = !sums.closed.holes.empty();
   result.low_dimensional_features =
       !sums.open.dangling_edges.empty() || !sums.open.isolated_vertices.empty();
-  for (const Implementation& implementation : implementations) {
+  for (const Engine& implementation : implementations) {
     for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
       const MinkowskiSum& expected = boundary == Boundary::closed ? sums.closed : sums.open;
       try {
@@ -121,12 +132,11 @@ DifferentialResult differential(const Summands& summands,
 }
 
 ShrunkDisagreement shrink(const Summands& summands, const Disagreement& found,
-                          const std::vector<Implementation>& implementations,
-                          std::size_t most_tries) {
-  std::vector<Implementation> tried = implementations;
+                          const std::vector<Engine>& implementations, std::size_t most_tries) {
+  std::vector<Engine> tried = implementations;
   // Where the oracle threw, it is none of them.
   if (found.implementation != "oracle")
-    std::erase_if(tried, [&](const Implementation& i) { return i.name != found.implementation; });
+    std::erase_if(tried, [&](const Engine& i) { return i.name != found.implementation; });
   const auto again = [&](const Summands& candidate) -> std::optional<Disagreement> {
     std::optional<Disagreement> seen =
         differential(candidate, tried, static_cast<std::size_t>(-1)).disagreement;
@@ -140,7 +150,7 @@ ShrunkDisagreement shrink(const Summands& summands, const Disagreement& found,
 }
 
 void run_differential(
-    const std::vector<DifferentialCase>& cases, const std::vector<Implementation>& implementations,
+    const std::vector<DifferentialCase>& cases, const std::vector<Engine>& implementations,
     std::size_t largest, unsigned threads,
     const std::function<void(std::size_t index, const DifferentialResult& result)>& done) {
   std::mutex reporting;

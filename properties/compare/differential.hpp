@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "checked/engine.hpp"
 #include "properties/compare/no_sum.hpp"
-#include "properties/runner/implementation.hpp"
 #include "reference/definitions/difference.hpp"
 #include "reference/families/family.hpp"
 #include "reference/oracle/oracle.hpp"
@@ -20,6 +20,16 @@ struct DifferentialCase {
   std::string name;   ///< says how to make it again
   std::string group;  ///< a family, or "files"
   std::function<Summands()> make;
+};
+
+/// How often hole tests were asked.
+struct Probes {
+  std::size_t faces = 0;
+  std::size_t points = 0;
+
+  /// Those of a run; engines without hole tests have none.
+  Probes& operator+=(const Statistics& run);
+  Probes& operator+=(const Probes& more);
 };
 
 /// An implementation and the oracle do not agree on a pair.
@@ -61,8 +71,7 @@ struct DifferentialResult {
 /// Compares closed and open sums. Pairs whose convolution has more segments than `largest` are
 /// skipped: the oracle's cost grows with the square of that number.
 DifferentialResult differential(const Summands& summands,
-                                const std::vector<Implementation>& implementations,
-                                std::size_t largest);
+                                const std::vector<Engine>& implementations, std::size_t largest);
 
 /// Returns a pair on which the same implementation still disagrees, for the same boundary and in the
 /// same way (wrong stays wrong, a crash the same crash), and no smaller one does (see shrinking.hpp);
@@ -73,13 +82,13 @@ struct ShrunkDisagreement {
   Disagreement disagreement;
 };
 ShrunkDisagreement shrink(const Summands& summands, const Disagreement& disagreement,
-                          const std::vector<Implementation>& implementations,
+                          const std::vector<Engine>& implementations,
                           std::size_t most_tries = static_cast<std::size_t>(-1));
 
 /// Runs all cases on so many threads. `done` is called once a case, in any order, never by two
 /// threads at once.
 void run_differential(
-    const std::vector<DifferentialCase>& cases, const std::vector<Implementation>& implementations,
+    const std::vector<DifferentialCase>& cases, const std::vector<Engine>& implementations,
     std::size_t largest, unsigned threads,
     const std::function<void(std::size_t index, const DifferentialResult& result)>& done);
 

@@ -7,16 +7,16 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "checked/engines.hpp"
 #include "properties/compare/sealed_report.hpp"
 #include "properties/runner/finding.hpp"
+#include "reference/io/boundary_name.hpp"
 #include "reference/io/written.hpp"
 #include "reference/pictures/styles.hpp"
 
 namespace oplus {
 
 namespace {
-
-std::string word(Boundary boundary) { return boundary == Boundary::closed ? "closed" : "open"; }
 
 std::string description(const MinkowskiSum& sum) {
   const auto count = [](std::size_t n, const std::string& one, const std::string& many) {
@@ -45,9 +45,7 @@ nlohmann::json to_json(const Tally& tally) {
 
 /// Engines that are not among the default ones must be named. In quotes for a shell.
 std::string engine_option(const std::string& name) {
-  for (const Implementation& own : implementations())
-    if (own.name == name) return "";
-  if (name == "oracle") return "";
+  if (name == "oracle" || find_engine(engines(), name) != nullptr) return "";
   std::string quoted;
   for (const char c : name) quoted += c == '\'' ? "'\\''" : std::string(1, c);
   return " --engine '" + quoted + "'";
@@ -95,7 +93,7 @@ std::string picture(const ShrunkDisagreement& shrunk) {
 
 void Tally::add(const DifferentialResult& result) {
   for (const NotTakenSum& sum : result.not_taken)
-    ++not_taken[sum.implementation + ", " + word(sum.boundary) + ": " + sum.why];
+    ++not_taken[sum.implementation + ", " + name(sum.boundary) + ": " + sum.why];
   if (result.kind == DifferentialResult::Kind::skipped) {
     ++skipped;
     return;
@@ -126,7 +124,7 @@ nlohmann::ordered_json to_json(const DifferentialReport& report) {
     nlohmann::json entry = {{"index", reported.index},
                             {"found_in", reported.found_in},
                             {"engine", found.implementation},
-                            {"boundary", word(found.boundary)},
+                            {"boundary", name(found.boundary)},
                             {"what", found.what},
                             {"p", without_folder(reported.p_file)},
                             {"q", without_folder(reported.q_file)},
@@ -194,7 +192,7 @@ ReportedDisagreement write_disagreement(const std::string& folder, const std::st
 std::string explanation(const ReportedDisagreement& reported) {
   const Disagreement& found = reported.shrunk.disagreement;
   std::ostringstream out;
-  out << "disagreement on the " << word(found.boundary) << " sum, found in " << reported.found_in
+  out << "disagreement on the " << name(found.boundary) << " sum, found in " << reported.found_in
       << ", shrunk to " << vertex_count(reported.shrunk.summands.p) << " and "
       << vertex_count(reported.shrunk.summands.q) << " vertices\n"
       << "  the first is the oracle: " << description(found.by_oracle) << '\n';

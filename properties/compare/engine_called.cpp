@@ -10,7 +10,9 @@
 #include "properties/compare/no_sum.hpp"
 #include "properties/compare/peers/peer_table.hpp"
 #include "properties/compare/summand_files.hpp"
+#include "properties/runner/checked_engines.hpp"
 #include "properties/runner/child_process.hpp"
+#include "reference/io/boundary_name.hpp"
 #include "reference/io/reading.hpp"
 
 namespace oplus {
@@ -104,37 +106,36 @@ NoSum open_not_taken() {
   return {Kind::not_taken, "open", "not taken: it computes closed sums only"};
 }
 
-Implementation peer_engine(const Peer& peer, PeerLimits limits) {
+Engine peer_engine(const Peer& peer, PeerLimits limits) {
 #ifdef __SANITIZE_ADDRESS__
   limits.memory_mb = 0;  // the sanitizer is linked with it and needs terabytes
 #endif
-  return without_probes(peer.name,
-                        [name = peer.name, limits, program = program_beside("oplus-peer")](
-                            const Region& p, const Region& q, Boundary boundary) {
-                          if (boundary == Boundary::open) throw open_not_taken();
-                          const SummandFiles files(p, q);
-                          return sum_by({program, name, files.p(), files.q()}, limits);
-                        });
+  return named_engine(peer.name, [name = peer.name, limits, program = program_beside("oplus-peer")](
+                                     const Region& p, const Region& q, Boundary boundary) {
+    if (boundary == Boundary::open) throw open_not_taken();
+    const SummandFiles files(p, q);
+    return sum_by({program, name, files.p(), files.q()}, limits);
+  });
 }
 
 }  // namespace
 
-Implementation program_engine(const std::string& command, const PeerLimits& limits) {
-  return without_probes(std::string(exec) + command,
-                        [command, limits](const Region& p, const Region& q, Boundary boundary) {
-                          std::string script = command;
-                          const bool takes_open = replace_all(
-                              script, "{boundary}", boundary == Boundary::open ? "open" : "closed");
-                          if (boundary == Boundary::open && !takes_open) throw open_not_taken();
-                          const SummandFiles files(p, q);
-                          const bool has_p = replace_all(script, "{p}", files.p());
-                          const bool has_q = replace_all(script, "{q}", files.q());
-                          if (!has_p && !has_q) script += ' ' + files.p() + ' ' + files.q();
-                          return sum_by({"/bin/sh", "-c", script}, limits);
-                        });
+Engine program_engine(const std::string& command, const PeerLimits& limits) {
+  return named_engine(std::string(exec) + command,
+                      [command, limits](const Region& p, const Region& q, Boundary boundary) {
+                        std::string script = command;
+                        const bool takes_open =
+                            replace_all(script, "{boundary}", oplus::name(boundary));
+                        if (boundary == Boundary::open && !takes_open) throw open_not_taken();
+                        const SummandFiles files(p, q);
+                        const bool has_p = replace_all(script, "{p}", files.p());
+                        const bool has_q = replace_all(script, "{q}", files.q());
+                        if (!has_p && !has_q) script += ' ' + files.p() + ' ' + files.q();
+                        return sum_by({"/bin/sh", "-c", script}, limits);
+                      });
 }
 
-std::optional<Implementation> engine_called(const std::string& engine, const PeerLimits& limits) {
+std::optional<Engine> engine_called(const std::string& engine, const PeerLimits& limits) {
   if (const Peer* peer = find_peer(engine)) return peer_engine(*peer, limits);
   if (engine.starts_with(exec) && engine.size() > exec.size())
     return program_engine(engine.substr(exec.size()), limits);

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "properties/runner/implementation.hpp"
+#include "checked/engine.hpp"
 
 namespace oplus {
 
@@ -20,7 +20,7 @@ struct PeerLimits {
 /// none where `engine` is neither the name of a peer (peer_table.hpp) nor "exec:" and a command.
 /// Its sum() throws NoSum, and std::system_error where no process or no file can be had; any number of
 /// threads may call it.
-std::optional<Implementation> engine_called(const std::string& engine, const PeerLimits& limits);
+std::optional<Engine> engine_called(const std::string& engine, const PeerLimits& limits);
 
 /// Any program as an implementation. The shell runs the command, in which
 ///  1. {p} and {q} are replaced by the names of two files, the summands in WKT: absolute, and of
@@ -31,6 +31,6 @@ std::optional<Implementation> engine_called(const std::string& engine, const Pee
 /// It writes the sum to its standard output, in any format that read_sum reads, and ends with the exit
 /// code 0; with 77 (exit_not_taken) where it does not take such a pair, the reason on standard error.
 /// Anything else is a fault.
-Implementation program_engine(const std::string& command, const PeerLimits& limits);
+Engine program_engine(const std::string& command, const PeerLimits& limits);
 
 }  // namespace oplus

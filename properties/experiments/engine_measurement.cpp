@@ -5,28 +5,16 @@
 #include <array>
 #include <boost/functional/hash.hpp>
 #include <ctime>
+#include <numeric>
 
-#include "checked/arrangement/rca.hpp"
-#include "checked/arrangement/sum_by_winding_numbers.hpp"
+#include "checked/engines.hpp"
 #include "properties/experiments/repetitions.hpp"
 
 namespace oplus {
 
 namespace {
 
-struct Engine {
-  std::string name;
-  ComputedSum (*compute)(const Summands& pair);
-};
-
-const std::array<Engine, 2>& engines() {
-  static const std::array<Engine, 2> both = {{
-      {"rca", [](const Summands& s) { return rca(s.p, s.q, Boundary::open); }},
-      {"winding",
-       [](const Summands& s) { return sum_by_winding_numbers(s.p, s.q, Boundary::open); }},
-  }};
-  return both;
-}
+const std::array<std::string, 2> measured = {"rca", "winding"};
 
 const std::vector<std::string> sizes = {"segments", "vertices",   "edges",
                                         "faces",    "hole_tests", "point_tests"};
@@ -36,8 +24,20 @@ const std::vector<std::string> of_pair = {"m", "n"};
 const std::vector<std::string> of_sum = {"sum_chains", "sum_holes", "sum_edges", "sum_dangling",
                                          "sum_isolated"};
 
-double without_output(const Stages& s) {
-  return (s.cycles + s.arrangement + s.hierarchy + s.hole_test + s.degenerate).count();
+/// In the order of `stages`; the output last.
+std::vector<double> seconds_of(const Statistics& run) {
+  std::vector<double> seconds;
+  for (const char* stage :
+       {"seconds for cycles", "seconds for the arrangement", "seconds to prepare hole tests",
+        "seconds for hole tests", "seconds for low-dimensional features",
+        "seconds for the canonical form"})
+    seconds.push_back(run.seconds(stage).count());
+  return seconds;
+}
+
+double without_output(const Statistics& run) {
+  const std::vector<double> seconds = seconds_of(run);
+  return std::accumulate(seconds.begin(), seconds.end() - 1, 0.0);
 }
 
 /// Tells sums apart. Not by what is written of them: that takes longer than to compute them.
@@ -61,44 +61,38 @@ std::string digest(const MinkowskiSum& sum) {
 }
 
 struct Run {
-  Stages stages;
+  Statistics statistics;
   double busy;  ///< processor time / time
 };
 
-Row measured(const Engine& engine, const Summands& pair) {
+Row measurement(const Engine& engine, const Summands& pair) {
   ComputedSum result;
   const auto run = [&] {
     result = {};  // before the next is computed: two sums are not what is measured
-    Stages::Duration duration{};
+    Seconds duration{};
     const std::clock_t start = std::clock();
-    timed(duration, [&] { result = engine.compute(pair); });
+    timed(duration, [&] { result = engine.compute(pair.p, pair.q, Boundary::open, {}); });
     const double worked = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    return Run{result.statistics.stages, worked / duration.count()};
+    return Run{result.statistics, worked / duration.count()};
   };
   std::vector<Run> runs = {run()};
-  const std::size_t times = repetitions(result.statistics.arrangement_edges);
+  const std::size_t times = repetitions(result.statistics.count("arrangement edges"));
   while (runs.size() < times) runs.push_back(run());
   const auto [middle, busy] =
-      median(std::move(runs), [](const Run& one) { return without_output(one.stages); });
-  const RunStatistics& statistics = result.statistics;
+      median(std::move(runs), [](const Run& one) { return without_output(one.statistics); });
+  const Statistics& statistics = result.statistics;
   const MinkowskiSum& sum = result.sum;
-  return {
+  Row row = {
       {"m", vertex_count(pair.p)},
       {"n", vertex_count(pair.q)},
       {"repetitions", times},
       {"busy", busy},
-      {"segments", statistics.segments},
-      {"vertices", statistics.arrangement_vertices},
-      {"edges", statistics.arrangement_edges},
-      {"faces", statistics.arrangement_faces},
-      {"hole_tests", statistics.hole_tests},
-      {"point_tests", statistics.point_tests},
-      {"cycles", middle.cycles.count()},
-      {"arrangement", middle.arrangement.count()},
-      {"hierarchy", middle.hierarchy.count()},
-      {"hole_test", middle.hole_test.count()},
-      {"degenerate", middle.degenerate.count()},
-      {"output", middle.output.count()},
+      {"segments", statistics.count("segments in the arrangement")},
+      {"vertices", statistics.count("arrangement vertices")},
+      {"edges", statistics.count("arrangement edges")},
+      {"faces", statistics.count("arrangement faces")},
+      {"hole_tests", statistics.count("hole tests")},
+      {"point_tests", statistics.count("tests of low-dimensional features")},
       {"time", without_output(middle)},
       {"sum_chains", sum.outer.size()},
       {"sum_holes", sum.holes.size()},
@@ -107,6 +101,9 @@ Row measured(const Engine& engine, const Summands& pair) {
       {"sum_isolated", sum.isolated_vertices.size()},
       {"digest", digest(sum)},
   };
+  const std::vector<double> seconds = seconds_of(middle);
+  for (std::size_t i = 0; i < stages.size(); ++i) row[stages[i]] = seconds[i];
+  return row;
 }
 
 void add_engine(Row& row, const std::string& name, const ProcessReport& report) {
@@ -132,11 +129,11 @@ std::vector<std::string> engine_columns() {
   };
   append("", of_sum);
   append("", {"same_sum", "ratio", "ratio_with_output"});
-  for (const Engine& engine : engines()) {
-    append(engine.name + '_', {"outcome", "repetitions", "busy"});
-    append(engine.name + '_', sizes);
-    append(engine.name + '_', stages);
-    append(engine.name + '_', {"time", "peak_mb"});
+  for (const std::string& engine : measured) {
+    append(engine + '_', {"outcome", "repetitions", "busy"});
+    append(engine + '_', sizes);
+    append(engine + '_', stages);
+    append(engine + '_', {"time", "peak_mb"});
   }
   return columns;
 }
@@ -156,18 +153,18 @@ Row row_of(const ProcessReport& rca, const ProcessReport& winding) {
 
 Row measured_engines(const std::function<Summands()>& make, std::size_t memory_limit_mb) {
   std::vector<ProcessReport> reports;
-  for (const Engine& engine : engines())
-    reports.push_back(
-        in_process_of_its_own([&] { return measured(engine, make()).dump(); }, memory_limit_mb));
+  for (const std::string& name : measured)
+    reports.push_back(in_process_of_its_own(
+        [&] { return measurement(*find_engine(engines(), name), make()).dump(); },
+        memory_limit_mb));
   return row_of(reports.at(0), reports.at(1));
 }
 
 std::string fault_of(const Row& row) {
   std::string fault;
-  for (const Engine& engine : engines()) {
-    const std::string outcome = row.at(engine.name + "_outcome");
-    if (outcome != "done" && outcome != "out of memory")
-      fault += engine.name + " " + outcome + "; ";
+  for (const std::string& engine : measured) {
+    const std::string outcome = row.at(engine + "_outcome");
+    if (outcome != "done" && outcome != "out of memory") fault += engine + " " + outcome + "; ";
   }
   if (row.contains("same_sum") && !row.at("same_sum").get<bool>()) fault += "the sums differ; ";
   if (!fault.empty()) fault.resize(fault.size() - 2);

@@ -16,8 +16,8 @@ namespace {
 /// Answers by the hierarchies and remembers what was asked.
 class Recording : public HoleTest {
  public:
-  explicit Recording(const Summands& pair)
-      : answers_(hole_test(HoleTestMethod::hierarchy, pair.p, pair.q)) {}
+  Recording(const Region& p, const Region& q, std::vector<Segment>& asked)
+      : answers_(hierarchy_hole_test(p, q)), asked_(asked) {}
 
   bool is_hole_right_of(const Segment& edge) override {
     asked_.push_back(edge);
@@ -25,19 +25,19 @@ class Recording : public HoleTest {
   }
   bool interiors_meet_at(const Point& x) override { return answers_->interiors_meet_at(x); }
 
-  const std::vector<Segment>& asked() const { return asked_; }
-
  private:
   std::unique_ptr<HoleTest> answers_;
-  std::vector<Segment> asked_;
+  std::vector<Segment>& asked_;
 };
 
 }  // namespace
 
 std::vector<Segment> questions_of_rca(const Summands& pair) {
-  Recording recording(pair);
-  rca(pair.p, pair.q, Boundary::closed, WithOrigins::no, recording);
-  return recording.asked();
+  std::vector<Segment> asked;
+  rca(pair.p, pair.q, Boundary::closed, {.hole_test = [&](const Region& p, const Region& q) {
+        return std::make_unique<Recording>(p, q, asked);
+      }});
+  return asked;
 }
 
 std::vector<Segment> questions_about_edges(const Summands& pair) {

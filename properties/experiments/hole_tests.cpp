@@ -58,18 +58,19 @@ std::vector<NamedPair> pairs_to_ask_about(const ExperimentSettings& settings) {
 
 /// One round of questions.
 struct Asked {
-  Stages::Duration preparing{};
-  Stages::Duration of_holes{};  ///< of the questions whose answer is that it is a hole
-  Stages::Duration of_others{};
+  Seconds preparing{};
+  Seconds of_holes{};  ///< of the questions whose answer is that it is a hole
+  Seconds of_others{};
   std::string answers;  ///< h and s, hole and sum
 };
 
-Asked ask(HoleTestMethod method, const Summands& pair, const std::vector<Segment>& questions) {
+Asked ask(const HoleTestMethod& method, const Summands& pair,
+          const std::vector<Segment>& questions) {
   Asked asked;
   const std::unique_ptr<HoleTest> test =
-      timed(asked.preparing, [&] { return hole_test(method, pair.p, pair.q); });
+      timed(asked.preparing, [&] { return method(pair.p, pair.q); });
   for (const Segment& question : questions) {
-    Stages::Duration one{};
+    Seconds one{};
     const bool is_hole = timed(one, [&] { return test->is_hole_right_of(question); });
     (is_hole ? asked.of_holes : asked.of_others) += one;
     asked.answers += is_hole ? 'h' : 's';
@@ -78,7 +79,8 @@ Asked ask(HoleTestMethod method, const Summands& pair, const std::vector<Segment
 }
 
 /// What a process reports of one method.
-Row measured(HoleTestMethod method, const Summands& pair, const std::vector<Segment>& all_of_them) {
+Row measured(const HoleTestMethod& method, const Summands& pair,
+             const std::vector<Segment>& all_of_them) {
   const std::vector<Segment> questions = thinned_out(all_of_them, most_questions);
   std::vector<Asked> all;
   while (all.size() < rounds) all.push_back(ask(method, pair, questions));

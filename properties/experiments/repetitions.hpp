@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "checked/computed_sum.hpp"
+#include "checked/statistics.hpp"
 
 namespace oplus {
 
@@ -28,7 +28,7 @@ template <typename Work>
 double median_seconds(std::size_t times, Work work) {
   std::vector<double> seconds;
   while (seconds.size() < times) {
-    Stages::Duration duration{};
+    Seconds duration{};
     const auto result = timed(duration, work);
     seconds.push_back(duration.count());
   }

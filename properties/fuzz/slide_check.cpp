@@ -9,6 +9,7 @@
 #include "checked/slide/slide.hpp"
 #include "reference/definitions/difference.hpp"
 #include "reference/definitions/validity.hpp"
+#include "reference/io/boundary_name.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
@@ -21,10 +22,6 @@ constexpr std::array<std::pair<SlideNumbers, const char*>, 3> stages{{
     {SlideNumbers::gmp, " in GMP"},
 }};
 
-std::string named(Boundary boundary) {
-  return boundary == Boundary::closed ? "closed sum: " : "open sum: ";
-}
-
 void require_same(const MinkowskiSum& sum, const MinkowskiSum& expected, const std::string& what) {
   if (sum == expected) return;
   const auto found = difference(sum, expected);
@@ -36,30 +33,32 @@ void require(bool holds, const std::string& what) {
   if (!holds) throw FuzzFinding(what);
 }
 
-bool is_in_right_stage(const SlideStatistics& s, SlideNumbers numbers) {
-  const bool may_be_small = numbers == SlideNumbers::as_needed && s.bits <= 29;
-  const bool may_be_wide = numbers != SlideNumbers::gmp && s.bits <= 124;
-  return (s.in_64_bits == 0 || may_be_small) &&
-         (s.in_256_bits == 0 || (may_be_wide && !may_be_small)) && (s.in_gmp == 0 || !may_be_wide);
+bool is_in_right_stage(const Statistics& s, SlideNumbers numbers) {
+  const std::size_t bits = s.count("bits of a coordinate");
+  const bool may_be_small = numbers == SlideNumbers::as_needed && bits <= 29;
+  const bool may_be_wide = numbers != SlideNumbers::gmp && bits <= 124;
+  return (s.count("in integers of 64 bits") == 0 || may_be_small) &&
+         (s.count("in integers of 256 bits") == 0 || (may_be_wide && !may_be_small)) &&
+         (s.count("in integers of GMP") == 0 || !may_be_wide);
 }
 
 void check(const Summands& summands, Boundary boundary) {
   const auto& [p, q] = summands;
-  const std::string which = named(boundary);
-  const ComputedSum expected = sum_by_winding_numbers(p, q, boundary, WithOrigins::yes);
-  SlideStatistics first;
+  const std::string which = name(boundary) + " sum: ";
+  const ComputedSum expected = sum_by_winding_numbers(p, q, boundary, {.with_origins = true});
+  Statistics first;
   for (const auto& [numbers, in_these] : stages) {
-    const SlideResult result =
-        slide_sum(p, q, boundary, {.with_origins = WithOrigins::yes, .numbers = numbers});
+    const ComputedSum result =
+        slide_sum(p, q, boundary, {.with_origins = true, .numbers = numbers});
     require_same(result.sum, expected.sum,
                  which + "slide" + in_these + ", the first, and winding numbers differ: ");
     require(result.origins == expected.origins, which + "other origins" + in_these);
-    const SlideStatistics& s = result.statistics;
+    const Statistics& s = result.statistics;
     require(is_in_right_stage(s, numbers), which + "decided in the wrong numbers" + in_these);
     if (numbers == SlideNumbers::as_needed) first = s;
-    require(
-        s.segments == first.segments && s.bits == first.bits && s.free_pieces == first.free_pieces,
-        which + "other pieces" + in_these);
+    for (const char* same :
+         {"segments slid along", "bits of a coordinate", "free pieces of segments"})
+      require(s.count(same) == first.count(same), which + "other pieces" + in_these);
   }
   require_same(slide_sum(q, p, boundary).sum, expected.sum,
                which + "slide, the first, with both summands exchanged differs: ");

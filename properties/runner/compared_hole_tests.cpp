@@ -24,22 +24,21 @@ bool common_answer(const std::vector<std::unique_ptr<HoleTest>>& tests, const st
   return answers.at(0);
 }
 
-std::vector<std::unique_ptr<HoleTest>> all_hole_tests(const Region& p, const Region& q) {
+std::vector<std::unique_ptr<HoleTest>> prepared(const Region& p, const Region& q) {
   std::vector<std::unique_ptr<HoleTest>> tests;
-  for (const auto& [name, method] : hole_test_methods()) tests.push_back(hole_test(method, p, q));
+  for (const auto& [name, method] : hole_test_methods()) tests.push_back(method(p, q));
   return tests;
 }
 
 }  // namespace
 
-ComparedHoleTests::ComparedHoleTests(const Region& p, const Region& q, Probes& probes)
-    : ComparedHoleTests(all_hole_tests(p, q), probes) {}
+ComparedHoleTests::ComparedHoleTests(const Region& p, const Region& q)
+    : ComparedHoleTests(prepared(p, q)) {}
 
-ComparedHoleTests::ComparedHoleTests(std::vector<std::unique_ptr<HoleTest>> tests, Probes& probes)
-    : tests_(std::move(tests)), probes_(probes) {}
+ComparedHoleTests::ComparedHoleTests(std::vector<std::unique_ptr<HoleTest>> tests)
+    : tests_(std::move(tests)) {}
 
 bool ComparedHoleTests::is_hole_right_of(const Segment& edge) {
-  ++probes_.faces;
   return common_answer(tests_,
                        "the face right of " + to_string(edge.source) + " to " +
                            to_string(edge.target) + " is a hole",
@@ -47,7 +46,6 @@ bool ComparedHoleTests::is_hole_right_of(const Segment& edge) {
 }
 
 bool ComparedHoleTests::interiors_meet_at(const Point& x) {
-  ++probes_.points;
   return common_answer(tests_, "the interiors meet at " + to_string(x),
                        [&](HoleTest& test) { return test.interiors_meet_at(x); });
 }

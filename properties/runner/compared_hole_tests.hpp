@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>
 #include <memory>
 #include <stdexcept>
 #include <vector>
@@ -9,18 +8,6 @@
 #include "checked/arrangement/hole_test.hpp"
 
 namespace oplus {
-
-/// How often hole tests were asked.
-struct Probes {
-  std::size_t faces = 0;
-  std::size_t points = 0;
-
-  Probes& operator+=(const Probes& more) {
-    faces += more.faces;
-    points += more.points;
-    return *this;
-  }
-};
 
 class HoleTestsDiffer : public std::logic_error {
  public:
@@ -32,10 +19,10 @@ class HoleTestsDiffer : public std::logic_error {
 /// three are compared.
 class ComparedHoleTests : public HoleTest {
  public:
-  ComparedHoleTests(const Region& p, const Region& q, Probes& probes);
+  ComparedHoleTests(const Region& p, const Region& q);
 
   /// The given ones, in the order of hole_test_methods().
-  ComparedHoleTests(std::vector<std::unique_ptr<HoleTest>> tests, Probes& probes);
+  explicit ComparedHoleTests(std::vector<std::unique_ptr<HoleTest>> tests);
 
   /// Throw HoleTestsDiffer, which says where and who says what.
   bool is_hole_right_of(const Segment& edge) override;
@@ -43,7 +30,6 @@ class ComparedHoleTests : public HoleTest {
 
  private:
   std::vector<std::unique_ptr<HoleTest>> tests_;  ///< in the order of hole_test_methods()
-  Probes& probes_;
 };
 
 }  // namespace oplus

@@ -4,7 +4,9 @@
 #include <exception>
 #include <utility>
 
+#include "properties/runner/checked_engines.hpp"
 #include "reference/definitions/difference.hpp"
+#include "reference/io/boundary_name.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
@@ -12,8 +14,7 @@ namespace oplus {
 namespace {
 
 /// An engine that throws is named, too.
-Outcome asked(const Law& law, const Implementation& engine, Boundary boundary,
-              const Summands& summands) {
+Outcome asked(const Law& law, const Engine& engine, Boundary boundary, const Summands& summands) {
   try {
     return law(Sum(engine, boundary), summands);
   } catch (const std::exception& e) {
@@ -34,13 +35,12 @@ Outcome unless_broken(std::string what) {
 std::function<Outcome(const Summands&)> of_each_engine(Law law) {
   return [law = std::move(law)](const Summands& summands) {
     Outcome outcome;
-    for (const Implementation& engine : implementations()) {
+    for (const Engine& engine : checked_engines()) {
       for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
         outcome = asked(law, engine, boundary, summands);
         if (outcome.kind == Outcome::Kind::holds) continue;
         if (outcome.kind == Outcome::Kind::fails)
-          outcome.why.insert(
-              0, engine.name + (boundary == Boundary::closed ? ", closed: " : ", open: "));
+          outcome.why.insert(0, engine.name + ", " + name(boundary) + ": ");
         return outcome;
       }
     }
@@ -48,8 +48,8 @@ std::function<Outcome(const Summands&)> of_each_engine(Law law) {
   };
 }
 
-std::function<Outcome(const Implementation&, Boundary, const Summands&)> of_one(Law law) {
-  return [law = std::move(law)](const Implementation& implementation, Boundary boundary,
+std::function<Outcome(const Engine&, Boundary, const Summands&)> of_one(Law law) {
+  return [law = std::move(law)](const Engine& implementation, Boundary boundary,
                                 const Summands& summands) {
     return law(Sum(implementation, boundary), summands);
   };

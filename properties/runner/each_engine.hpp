@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "properties/runner/implementation.hpp"
+#include "checked/engine.hpp"
 #include "properties/runner/statement.hpp"
 
 namespace oplus {
@@ -12,7 +12,7 @@ namespace oplus {
 /// P ⊕ Q by one implementation, for laws that are asked of closed sums or of open ones.
 class Sum {
  public:
-  Sum(const Implementation& by, Boundary boundary) : by_(by), boundary_(boundary) {}
+  Sum(const Engine& by, Boundary boundary) : by_(by), boundary_(boundary) {}
 
   /// The one asked about.
   MinkowskiSum operator()(const Region& p, const Region& q) const { return sum(p, q, boundary_); }
@@ -24,11 +24,10 @@ class Sum {
 
  private:
   MinkowskiSum sum(const Region& p, const Region& q, Boundary boundary) const {
-    Probes probes;
-    return by_.sum(p, q, boundary, probes);
+    return by_.compute(p, q, boundary, {}).sum;
   }
 
-  const Implementation& by_;
+  const Engine& by_;
   Boundary boundary_;
 };
 
@@ -43,7 +42,7 @@ Outcome unless_broken(std::string what);
 std::function<Outcome(const Summands&)> of_each_engine(Law law);
 
 /// Fits `Statement::of_implementation`.
-std::function<Outcome(const Implementation&, Boundary, const Summands&)> of_one(Law law);
+std::function<Outcome(const Engine&, Boundary, const Summands&)> of_one(Law law);
 
 /// How two sums differ, in words; empty where they are equal.
 std::string told_apart(const MinkowskiSum& first, const MinkowskiSum& second);

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "properties/runner/implementation.hpp"
+#include "checked/engine.hpp"
 #include "reference/families/family.hpp"
 
 namespace oplus {
@@ -62,7 +62,7 @@ struct Statement {
   std::function<Enumeration()> enumerate = {};
   /// The same asked of one implementation's sums, for statements that speak of sums only; throws what
   /// the implementation throws. Empty for others.
-  std::function<Outcome(const Implementation&, Boundary, const Summands&)> of_implementation = {};
+  std::function<Outcome(const Engine&, Boundary, const Summands&)> of_implementation = {};
 };
 
 /// What the statement says of a pair; an exception is a failure too. Discarded without `check`.

@@ -30,7 +30,7 @@ class PreparedPairs {
   virtual void describe(Measurement& measurement) const = 0;
 };
 
-struct Engine {
+struct BenchmarkedEngine {
   std::string name;
   std::string what;
   Arithmetic arithmetic;
@@ -42,11 +42,11 @@ struct Engine {
 
 /// All engines, in the order in which they are listed; with those that are at fault on purpose, by
 /// which the benchmark itself is tested, at the end.
-const std::vector<Engine>& engines();
+const std::vector<BenchmarkedEngine>& benchmarked_engines();
 inline constexpr std::size_t engines_at_fault = 3;
 
 /// Returns nullptr for an unknown name.
-const Engine* find_engine(const std::string& name);
+const BenchmarkedEngine* find_benchmarked_engine(const std::string& name);
 
 using Prepare = std::unique_ptr<PreparedPairs>(const std::vector<Summands>& pairs);
 

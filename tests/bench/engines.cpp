@@ -5,10 +5,10 @@
 
 namespace oplus {
 
-const std::vector<Engine>& engines() {
+const std::vector<BenchmarkedEngine>& benchmarked_engines() {
   constexpr Arithmetic exact = Arithmetic::exact;
   constexpr Arithmetic rounding = Arithmetic::rounding;
-  static const std::vector<Engine> all{
+  static const std::vector<BenchmarkedEngine> all{
       {"slide", "oplus: the reduced convolution, whose segments are covered by what blocks them",
        exact, true, prepare_slide},
       {"slide2", "oplus: slide on two threads", exact, true, prepare_slide_on_two_threads},
@@ -37,10 +37,10 @@ const std::vector<Engine>& engines() {
   return all;
 }
 
-const Engine* find_engine(const std::string& name) {
-  const std::vector<Engine>& all = engines();
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const Engine& e) { return e.name == name; });
+const BenchmarkedEngine* find_benchmarked_engine(const std::string& name) {
+  const std::vector<BenchmarkedEngine>& all = benchmarked_engines();
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const BenchmarkedEngine& e) { return e.name == name; });
   return found == all.end() ? nullptr : &*found;
 }
 

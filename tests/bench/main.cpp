@@ -33,23 +33,23 @@ struct Options {
 };
 
 /// Those that are not at fault, unless asked for.
-std::vector<Engine> offered_engines(const Options& options) {
-  std::vector<Engine> offered = engines();
+std::vector<BenchmarkedEngine> offered_engines(const Options& options) {
+  std::vector<BenchmarkedEngine> offered = benchmarked_engines();
   if (!options.engines_at_fault) offered.resize(offered.size() - engines_at_fault);
   return offered;
 }
 
-std::vector<Engine> chosen_engines(const Options& options) {
-  std::vector<Engine> offered = offered_engines(options);
+std::vector<BenchmarkedEngine> chosen_engines(const Options& options) {
+  std::vector<BenchmarkedEngine> offered = offered_engines(options);
   if (options.engines.empty()) {
     // Those at fault never come unasked.
-    offered.resize(std::min(offered.size(), engines().size() - engines_at_fault));
+    offered.resize(std::min(offered.size(), benchmarked_engines().size() - engines_at_fault));
     return offered;
   }
-  std::vector<Engine> chosen;
+  std::vector<BenchmarkedEngine> chosen;
   for (const std::string& name : options.engines) {
     const auto found = std::find_if(offered.begin(), offered.end(),
-                                    [&](const Engine& e) { return e.name == name; });
+                                    [&](const BenchmarkedEngine& e) { return e.name == name; });
     if (found == offered.end()) throw std::invalid_argument("no engine is called " + name);
     chosen.push_back(*found);
   }
@@ -70,12 +70,12 @@ void list(const Options& options) {
   for (const BenchRow& row : chosen_rows(options))
     std::cout << "  " << row.name << ": " << row.what << '\n';
   std::cout << "engines\n";
-  for (const Engine& engine : offered_engines(options))
+  for (const BenchmarkedEngine& engine : offered_engines(options))
     std::cout << "  " << engine.name << ": " << engine.what << '\n';
 }
 
 int work(const Options& options) {
-  const Engine* engine = find_engine(options.worker.at(0));
+  const BenchmarkedEngine* engine = find_benchmarked_engine(options.worker.at(0));
   const BenchRow* row = find_row(options.worker.at(1));
   if (engine == nullptr || row == nullptr)
     throw std::invalid_argument("no such engine or no such row");
@@ -96,14 +96,14 @@ std::string page_template() {
 
 Report measured(const Options& options, const std::string& command) {
   Report report{this_setting(command, options.limit), {}};
-  const std::vector<Engine> of_run = chosen_engines(options);
+  const std::vector<BenchmarkedEngine> of_run = chosen_engines(options);
   for (const BenchRow& row : chosen_rows(options)) {
     if (std::none_of(of_run.begin(), of_run.end(),
-                     [&](const Engine& engine) { return is_for(engine.name, row); }))
+                     [&](const BenchmarkedEngine& engine) { return is_for(engine.name, row); }))
       continue;
     write_head(std::cout, row);
     report.rows.push_back({row.name, row.group, row.what, row.subject, row.pairs, {}});
-    for (const Engine& engine : of_run) {
+    for (const BenchmarkedEngine& engine : of_run) {
       if (!is_for(engine.name, row)) continue;
       report.rows.back().measurements.push_back(
           measured_in_worker(engine, row, options.min_time, options.limit));
@@ -129,7 +129,7 @@ bool is_wrong(const Report& report) {
       wrong = true;
     }
     for (const Measurement& m : row.measurements) {
-      const Engine* engine = find_engine(m.engine);
+      const BenchmarkedEngine* engine = find_benchmarked_engine(m.engine);
       const bool lost = m.outcome == Outcome::crashed || m.outcome == Outcome::failed;
       if (!lost || engine == nullptr || !engine->is_ours) continue;
       std::cerr << "oplus-bench: " << row.name << ": " << m.engine << ' ' << in_words(m) << '\n';

@@ -48,7 +48,7 @@ const std::string baseline = "slide";
 std::vector<std::string> sum_engines(const Report& report) {
   const std::vector<const RowReport*> of_sums = rows_for(report, Subject::sums);
   std::vector<std::string> names;
-  for (const Engine& engine : engines()) {
+  for (const BenchmarkedEngine& engine : benchmarked_engines()) {
     const bool measured = std::any_of(of_sums.begin(), of_sums.end(), [&](const RowReport* row) {
       return row->of(engine.name) != nullptr;
     });
@@ -203,7 +203,7 @@ std::string throughput(const Report& report) {
 std::string errors(const Report& report) {
   std::vector<std::string> names;
   for (const std::string& name : others(report))
-    if (find_engine(name)->arithmetic == Arithmetic::rounding) names.push_back(name);
+    if (find_benchmarked_engine(name)->arithmetic == Arithmetic::rounding) names.push_back(name);
   Cells head{"sum", "holes"};
   for (const std::string& name : names) {
     head.push_back(name + ": area off by");
@@ -301,8 +301,8 @@ std::string agreement(const Report& report) {
   for (const RowReport& row : report.rows) {
     std::size_t exact = 0;
     for (const Measurement& m : row.measurements)
-      if (m.outcome == Outcome::done && find_engine(m.engine) != nullptr &&
-          find_engine(m.engine)->arithmetic == Arithmetic::exact)
+      if (m.outcome == Outcome::done && find_benchmarked_engine(m.engine) != nullptr &&
+          find_benchmarked_engine(m.engine)->arithmetic == Arithmetic::exact)
         ++exact;
     if (exact < 2) continue;
     ++compared;
@@ -325,7 +325,7 @@ std::string goals(const Report& report) {
 std::string engine_list(const Report& report) {
   std::string text;
   for (const std::string& name : sum_engines(report))
-    text += "- `" + name + "`: " + find_engine(name)->what + ".\n";
+    text += "- `" + name + "`: " + find_benchmarked_engine(name)->what + ".\n";
   return text;
 }
 

@@ -77,7 +77,7 @@ void from_json(const Json& json, Report& report) {
 namespace {
 
 bool is_exact(const Measurement& m) {
-  const Engine* engine = find_engine(m.engine);
+  const BenchmarkedEngine* engine = find_benchmarked_engine(m.engine);
   return engine != nullptr && engine->arithmetic == Arithmetic::exact && m.outcome == Outcome::done;
 }
 

@@ -6,18 +6,18 @@ namespace oplus {
 
 namespace {
 
-struct Slide : OwnSum<SlideResult> {
+struct Slide : OwnSum<ComputedSum> {
   unsigned threads;
 
   explicit Slide(unsigned number) : threads(number) {}
 
-  SlideResult sum(const Summands& s) const {
-    SlideOptions options;
-    options.threads = threads;
-    return slide_sum(s.p, s.q, Boundary::closed, options);
+  ComputedSum sum(const Summands& s) const {
+    return slide_sum(s.p, s.q, Boundary::closed, {.threads = threads});
   }
 
-  static std::size_t segments(const SlideResult& result) { return result.statistics.segments; }
+  static std::size_t segments(const ComputedSum& result) {
+    return result.statistics.count("segments slid along");
+  }
 };
 
 }  // namespace

@@ -59,7 +59,7 @@ void write_agreement(std::ostream& out, const RowReport& row) {
     out << "  DISAGREEMENT: " << agreement.disagreement << std::endl;
   if (agreement.exact == nullptr) return;
   for (const Measurement& m : row.measurements) {
-    const Engine* engine = find_engine(m.engine);
+    const BenchmarkedEngine* engine = find_benchmarked_engine(m.engine);
     if (m.outcome != Outcome::done || engine == nullptr || engine->arithmetic == Arithmetic::exact)
       continue;
     out << "  " << m.engine << ": area off by "

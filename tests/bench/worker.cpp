@@ -88,7 +88,7 @@ std::string format(double value) {
 
 }  // namespace
 
-void work(const Engine& engine, const BenchRow& row, double min_time) {
+void work(const BenchmarkedEngine& engine, const BenchRow& row, double min_time) {
   Measurement measurement;
   measurement.engine = engine.name;
   try {
@@ -112,8 +112,8 @@ void work(const Engine& engine, const BenchRow& row, double min_time) {
   std::_Exit(0);
 }
 
-Measurement measured_in_worker(const Engine& engine, const BenchRow& row, double min_time,
-                               double limit) {
+Measurement measured_in_worker(const BenchmarkedEngine& engine, const BenchRow& row,
+                               double min_time, double limit) {
   Measurement measurement;
   measurement.engine = engine.name;
   ProcessLimits limits;

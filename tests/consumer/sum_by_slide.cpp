@@ -6,7 +6,7 @@
 int main() {
   const oplus::Region square = oplus::polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
   const oplus::Region triangle = oplus::polygon({{0, 0}, {1, 0}, {0, 1}});
-  const oplus::SlideResult result =
+  const oplus::ComputedSum result =
       oplus::slide_sum(square, triangle, oplus::Boundary::closed, {.threads = 2});
   const std::vector<oplus::Chain> expected = {{{0, 0}, {2, 0}, {2, 1}, {1, 2}, {0, 2}}};
   const bool right = result.sum.outer == expected && result.sum.holes.empty() &&

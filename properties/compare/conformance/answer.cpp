@@ -23,12 +23,10 @@ std::string without_digits(std::string text) {
 
 }  // namespace
 
-Answer ask(const Implementation& implementation, const Region& p, const Region& q,
-           Boundary boundary) {
+Answer ask(const Engine& implementation, const Region& p, const Region& q, Boundary boundary) {
   Answer answer;
   try {
-    Probes probes;
-    answer.sum = implementation.sum(p, q, boundary, probes);
+    answer.sum = implementation.compute(p, q, boundary, {}).sum;
   } catch (const NoSum& e) {
     answer.no_sum = e.kind();
     answer.site = one_line(e.site());

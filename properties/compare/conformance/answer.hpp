@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "checked/engine.hpp"
 #include "properties/compare/no_sum.hpp"
-#include "properties/runner/implementation.hpp"
 #include "reference/families/family.hpp"
 
 namespace oplus {
@@ -20,7 +20,6 @@ struct Answer {
 
 /// An exception of an implementation is an answer, too. One that is no NoSum is a crash, its words
 /// without digits the site. Throws std::system_error where the implementation does: it was not asked.
-Answer ask(const Implementation& implementation, const Region& p, const Region& q,
-           Boundary boundary);
+Answer ask(const Engine& implementation, const Region& p, const Region& q, Boundary boundary);
 
 }  // namespace oplus

@@ -12,6 +12,7 @@
 #include "properties/compare/conformance/run.hpp"
 #include "properties/compare/engine_called.hpp"
 #include "properties/compare/limit_options.hpp"
+#include "properties/runner/checked_engines.hpp"
 #include "properties/runner/progress.hpp"
 #include "reference/io/reading.hpp"
 #include "reference/io/writing.hpp"
@@ -33,9 +34,9 @@ struct Settings {
 };
 
 /// One of our engines, a peer or a command.
-std::optional<Implementation> engine_named(const std::string& name, const PeerLimits& limits) {
-  for (const Implementation& engine : implementations())
-    if (engine.name == name) return engine;
+std::optional<Engine> engine_named(const std::string& name, const PeerLimits& limits) {
+  const std::vector<Engine> own = checked_engines();
+  if (const Engine* engine = find_engine(own, name)) return *engine;
   return engine_called(name, limits);
 }
 
@@ -94,7 +95,7 @@ int conformance(Settings settings) {
     if (!is_report_name(file))
       return refused("--report " + file + " ends in none of .md, .json and .xml");
   }
-  const std::optional<Implementation> engine = engine_named(settings.engine, settings.asked.limits);
+  const std::optional<Engine> engine = engine_named(settings.engine, settings.asked.limits);
   if (!engine) return refused("there is no engine " + settings.engine);
 
   const ConformancePlan planned = plan(settings);

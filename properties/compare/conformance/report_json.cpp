@@ -5,6 +5,7 @@
 
 #include "properties/compare/conformance/report.hpp"
 #include "properties/compare/sealed_report.hpp"
+#include "reference/io/boundary_name.hpp"
 #include "reference/io/invalid_input.hpp"
 #include "reference/io/reading.hpp"
 #include "reference/io/written.hpp"
@@ -89,12 +90,9 @@ Region region_of(const Json& json) {
 Json to_json(const ConformanceReport& report, const ShrunkFailure& counterexample) {
   const SeenFailure& seen = counterexample.seen;
   const CounterexampleFiles files = files_of(counterexample);
-  Json json = {{"kind", seen.failure.kind},
-               {"what", seen.failure.what},
-               {"boundary", seen.boundary == Boundary::closed ? "closed" : "open"},
-               {"vertices", size_of(seen.summands).vertices},
-               {"p", wkt(seen.summands.p)},
-               {"q", wkt(seen.summands.q)}};
+  Json json = {{"kind", seen.failure.kind},       {"what", seen.failure.what},
+               {"boundary", name(seen.boundary)}, {"vertices", size_of(seen.summands).vertices},
+               {"p", wkt(seen.summands.p)},       {"q", wkt(seen.summands.q)}};
   if (seen.right) json["right"] = to_json(*seen.right);
   if (seen.given) json["given"] = to_json(*seen.given);
   if (seen.failure.witness) json["witness"] = to_json(*seen.failure.witness);
@@ -120,7 +118,7 @@ ShrunkFailure counterexample_of(const Json& json) {
   SeenFailure& seen = result.seen;
   json.at("kind").get_to(seen.failure.kind);
   json.at("what").get_to(seen.failure.what);
-  seen.boundary = json.at("boundary") == "closed" ? Boundary::closed : Boundary::open;
+  seen.boundary = boundary_named(json.at("boundary"));
   seen.summands = {region_of(json.at("p")), region_of(json.at("q"))};
   if (json.contains("right")) seen.right = sum_of(json["right"]);
   if (json.contains("given")) seen.given = sum_of(json["given"]);

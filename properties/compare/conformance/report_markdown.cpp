@@ -4,6 +4,7 @@
 #include "checked/cli/version.hpp"
 #include "properties/compare/conformance/report.hpp"
 #include "properties/compare/sealed_report.hpp"
+#include "reference/io/boundary_name.hpp"
 #include "reference/io/written.hpp"
 #include "reference/pictures/picture.hpp"
 
@@ -62,8 +63,8 @@ void counterexample(std::ostream& out, const ConformanceReport& report, const Sh
           : of.is_shrunk    ? "shrunk to " + std::to_string(size_of(seen.summands).vertices)
                             : "at " + std::to_string(size_of(seen.summands).vertices) +
                                " where the tries were used up")
-      << " (" << counted(of.tries, "pair", "pairs") << " tried). The "
-      << (seen.boundary == Boundary::closed ? "closed" : "open") << " sum";
+      << " (" << counted(of.tries, "pair", "pairs") << " tried). The " << name(seen.boundary)
+      << " sum";
   if (!seen.failure.what.empty()) out << ": " << cell(seen.failure.what);
   if (seen.right && seen.given) out << ", the first being the oracle's";
   if (seen.failure.witness) out << ", at " << to_string(*seen.failure.witness);

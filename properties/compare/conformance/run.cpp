@@ -12,7 +12,7 @@ namespace {
 
 class Run {
  public:
-  Run(const Implementation& implementation, const ConformanceSettings& settings,
+  Run(const Engine& implementation, const ConformanceSettings& settings,
       const ConformancePlan& plan)
       : implementation_(implementation), plan_(plan) {
     report_.engine = implementation.name;
@@ -98,7 +98,7 @@ class Run {
     counterexample.is_shrunk = counterexample.tries <= most;
   }
 
-  const Implementation& implementation_;
+  const Engine& implementation_;
   const ConformancePlan& plan_;
   ConformanceReport report_;
   std::mutex reporting_;
@@ -106,9 +106,9 @@ class Run {
 
 }  // namespace
 
-ConformanceReport run_conformance(const Implementation& implementation,
-                                  const ConformanceSettings& settings, const ConformancePlan& plan,
-                                  unsigned threads, const std::function<void()>& done) {
+ConformanceReport run_conformance(const Engine& implementation, const ConformanceSettings& settings,
+                                  const ConformancePlan& plan, unsigned threads,
+                                  const std::function<void()>& done) {
   Run run(implementation, settings, plan);
   const std::vector<std::size_t> trials = settings.shard.cases_of(plan.trials.size());
   slide::for_each_number(trials.size(), threads,

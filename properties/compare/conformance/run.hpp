@@ -11,7 +11,7 @@ namespace oplus {
 /// smallest pair of each kind of failure. `done` is called after each trial, never by two threads at
 /// once. Same settings, same plan and an implementation that answers the same: same report.
 ConformanceReport run_conformance(
-    const Implementation& implementation, const ConformanceSettings& settings,
-    const ConformancePlan& plan, unsigned threads, const std::function<void()>& done = [] {});
+    const Engine& implementation, const ConformanceSettings& settings, const ConformancePlan& plan,
+    unsigned threads, const std::function<void()>& done = [] {});
 
 }  // namespace oplus

@@ -4,6 +4,7 @@
 #include <exception>
 #include <system_error>
 
+#include "properties/runner/checked_engines.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/io/quoting.hpp"
 #include "reference/oracle/oracle.hpp"
@@ -55,22 +56,22 @@ struct Asked {
 };
 
 /// The implementation, what it is asked kept. Answers that no statement could work with are thrown.
-Implementation recording(const Implementation& implementation, std::vector<Asked>& asked) {
-  return without_probes(implementation.name,
-                        [&](const Region& p, const Region& q, Boundary boundary) {
-                          asked.push_back({{p, q}, boundary, ask(implementation, p, q, boundary)});
-                          const Answer& answer = asked.back().answer;
-                          if (!answer.sum) throw NoSum(answer.no_sum, answer.site, answer.what);
-                          if (const std::optional<Failure> found = malformed(*answer.sum))
-                            throw std::runtime_error(found->what);
-                          return *answer.sum;
-                        });
+Engine recording(const Engine& implementation, std::vector<Asked>& asked) {
+  return named_engine(implementation.name,
+                      [&](const Region& p, const Region& q, Boundary boundary) {
+                        asked.push_back({{p, q}, boundary, ask(implementation, p, q, boundary)});
+                        const Answer& answer = asked.back().answer;
+                        if (!answer.sum) throw NoSum(answer.no_sum, answer.site, answer.what);
+                        if (const std::optional<Failure> found = malformed(*answer.sum))
+                          throw std::runtime_error(found->what);
+                        return *answer.sum;
+                      });
 }
 
 }  // namespace
 
 TrialResult against_oracle(const Summands& summands, Boundary boundary,
-                           const Implementation& implementation, std::size_t largest) {
+                           const Engine& implementation, std::size_t largest) {
   const Answer answer = ask(implementation, summands.p, summands.q, boundary);
   if (!answer.sum) return without_sum(answer, boundary, summands);
   if (is_too_large(summands, largest)) return {Ruling::skipped};
@@ -78,7 +79,7 @@ TrialResult against_oracle(const Summands& summands, Boundary boundary,
 }
 
 TrialResult against_statement(const Summands& summands, Boundary boundary,
-                              const Implementation& implementation, const Statement& statement,
+                              const Engine& implementation, const Statement& statement,
                               std::size_t largest) {
   std::vector<Asked> asked;
   Outcome outcome;
@@ -105,8 +106,7 @@ TrialResult against_statement(const Summands& summands, Boundary boundary,
   return {Ruling::wrong, std::move(broken)};
 }
 
-TrialResults try_out(const Trial& trial, const Implementation& implementation,
-                     std::size_t largest) {
+TrialResults try_out(const Trial& trial, const Engine& implementation, std::size_t largest) {
   const Summands summands = trial.make();
   if (trial.statement != nullptr) {
     const auto against = [&](Boundary boundary) {

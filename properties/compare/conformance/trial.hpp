@@ -57,16 +57,16 @@ struct TrialResults {
 
 /// Pairs whose convolution has more than `largest` segments are not given to the oracle: its cost
 /// grows with the square of that number.
-TrialResults try_out(const Trial& trial, const Implementation& implementation, std::size_t largest);
+TrialResults try_out(const Trial& trial, const Engine& implementation, std::size_t largest);
 
 /// What the oracle says of the implementation's sum of one pair.
 TrialResult against_oracle(const Summands& summands, Boundary boundary,
-                           const Implementation& implementation, std::size_t largest);
+                           const Engine& implementation, std::size_t largest);
 
 /// What a statement says of the sums of one pair; where it is broken by a sum that the oracle finds
 /// wrong, that is the failure, else its kind is "breaks ID".
 TrialResult against_statement(const Summands& summands, Boundary boundary,
-                              const Implementation& implementation, const Statement& statement,
+                              const Engine& implementation, const Statement& statement,
                               std::size_t largest);
 
 }  // namespace oplus

@@ -9,9 +9,11 @@
 #include <thread>
 
 #include "checked/cli/command_line/terminal.hpp"
+#include "checked/engines.hpp"
 #include "properties/compare/differential_report.hpp"
 #include "properties/compare/exhaustive/exhaustive_run.hpp"
 #include "properties/compare/shard.hpp"
+#include "properties/runner/checked_engines.hpp"
 #include "reference/io/file_text.hpp"
 #include "reference/io/writing.hpp"
 
@@ -33,18 +35,18 @@ struct Settings {
   std::string out = "oplus-findings";
 };
 
-std::vector<Implementation> chosen_implementations(const std::vector<std::string>& names) {
-  std::vector<Implementation> chosen = implementations();
-  std::erase_if(chosen, [&](const Implementation& implementation) {
+std::vector<Engine> chosen_engines(const std::vector<std::string>& names) {
+  std::vector<Engine> chosen = checked_engines();
+  std::erase_if(chosen, [&](const Engine& implementation) {
     return !names.empty() &&
            std::find(names.begin(), names.end(), implementation.name) == names.end();
   });
   return chosen;
 }
 
-std::vector<std::string> names_of(const std::vector<Implementation>& all) {
+std::vector<std::string> names_of(const std::vector<Engine>& all) {
   std::vector<std::string> names;
-  for (const Implementation& implementation : all) names.push_back(implementation.name);
+  for (const Engine& implementation : all) names.push_back(implementation.name);
   return names;
 }
 
@@ -114,7 +116,7 @@ int exhaustive(Settings settings) {
   }
   settings.scope.shard = shard->index;
   settings.scope.shards = shard->of;
-  const std::vector<Implementation> checked = chosen_implementations(settings.engines);
+  const std::vector<Engine> checked = chosen_engines(settings.engines);
   const std::optional<ExhaustiveState> first = first_state(settings, names_of(checked));
   if (!first) return 2;
   std::signal(SIGINT, [](int) { interrupted = 1; });
@@ -159,7 +161,7 @@ void add_exhaustive_command(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_option("--engine", settings->engines, "The engine to check; may be repeated")
       ->type_name("NAME")
-      ->check(CLI::IsMember(names_of(implementations())));
+      ->check(CLI::IsMember(names_of(engines())));
   command
       ->add_option("--resume", settings->resume,
                    "Keep the state in this file, and go on from it where it exists")

@@ -75,8 +75,7 @@ ExhaustiveState state_of_json(const std::string& text, const std::string& file) 
   }
 }
 
-ExhaustiveState run_exhaustively(ExhaustiveState state,
-                                 const std::vector<Implementation>& implementations,
+ExhaustiveState run_exhaustively(ExhaustiveState state, const std::vector<Engine>& implementations,
                                  unsigned threads, const ExhaustiveReports& reports) {
   const std::vector<GridPolygon> polygons =
       grid_polygons(state.scope.side, state.scope.most_vertices);

@@ -50,8 +50,7 @@ struct ExhaustiveReports {
 
 /// Goes on from a state, which has a scope, until all its pairs are done or it is enough: each engine
 /// against the oracle, closed and open.
-ExhaustiveState run_exhaustively(ExhaustiveState state,
-                                 const std::vector<Implementation>& implementations,
+ExhaustiveState run_exhaustively(ExhaustiveState state, const std::vector<Engine>& implementations,
                                  unsigned threads, const ExhaustiveReports& reports);
 
 }  // namespace oplus

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "checked/engine.hpp"
 #include "reference/families/family.hpp"
 
 namespace oplus {
@@ -17,12 +18,6 @@ namespace oplus {
 //   ReturnedChains chains(const Input& input, const Sum& sum) const;
 //   and, if it leaves coordinates unevaluated, static void evaluate(const Sum& sum);
 //   and, if it knows, static std::size_t segments(const Sum& sum);
-
-/// What a method's results are held against those of the others for.
-enum class Arithmetic {
-  exact,    ///< they must be equal
-  rounding  ///< they may be off, and by how much is reported
-};
 
 /// What a method is asked for cannot be asked of it, such as a sum of polygons with holes.
 class NotTaken : public std::runtime_error {

@@ -16,7 +16,7 @@ Outcome check(const Summands& summands) {
   const ConvolutionArrangement arrangement(reduced_convolution(summands.p, summands.q));
   const std::vector<OrientableLoop> loops = orientable_loops(arrangement);
   for (const auto& [name, method] : hole_test_methods()) {
-    const auto test = hole_test(method, summands.p, summands.q);
+    const auto test = method(summands.p, summands.q);
     for (const OrientableLoop& loop : loops) {
       const bool of_loop = test->is_hole_right_of(arrangement.geometry(loop[0]));
       outcome.counts[of_loop ? "edges of loops on the boundary" : "edges of other loops"] +=

@@ -17,7 +17,7 @@ using Halfedge = ConvolutionArrangement::Halfedge;
 void look_at_loops(const Summands& summands, Outcome& outcome) {
   const ConvolutionArrangement arrangement(
       reduced_convolution(convolution_cycles(summands.p, summands.q)));
-  const auto test = hole_test(HoleTestMethod::hierarchy, summands.p, summands.q);
+  const auto test = hierarchy_hole_test(summands.p, summands.q);
   const auto is_hole_right_of = [&](Halfedge h) {
     return test->is_hole_right_of(arrangement.geometry(h));
   };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "properties/compare/differential.hpp"
+#include "properties/runner/checked_engines.hpp"
 #include "properties/runner/registry.hpp"
 
 namespace oplus {
@@ -8,7 +9,7 @@ namespace {
 
 Outcome check(const Summands& summands) {
   const DifferentialResult result =
-      differential(summands, implementations(), static_cast<std::size_t>(-1));
+      differential(summands, checked_engines(), static_cast<std::size_t>(-1));
   Outcome outcome;
   outcome.counts["sums with holes"] = result.holes_in_sum;
   outcome.counts["open sums with low-dimensional features"] = result.low_dimensional_features;

@@ -2,9 +2,10 @@
 #include <string>
 #include <vector>
 
-#include "properties/runner/each_engine.hpp"
+#include "properties/runner/checked_engines.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/families/diamond_and_u.hpp"
+#include "reference/io/boundary_name.hpp"
 #include "reference/oracle/oracle.hpp"
 
 namespace oplus {
@@ -49,7 +50,7 @@ Rational power_of_two(int exponent) {
   return result;
 }
 
-Outcome shows(const Summands& summands, const std::vector<Implementation>& implementations,
+Outcome shows(const Summands& summands, const std::vector<Engine>& implementations,
               const std::vector<Boundary>& boundaries) {
   Outcome outcome;
   const auto discard = [&] {
@@ -72,15 +73,13 @@ Outcome shows(const Summands& summands, const std::vector<Implementation>& imple
     const Summands tiny = diamond_and_u(scale * given.eps1, scale * given.eps2);
     for (const Boundary boundary : boundaries) {
       const Shape right = shape_of(boundary == Boundary::closed ? expected.closed : expected.open);
-      for (const Implementation& implementation : implementations) {
-        Probes probes;
-        const Shape shape = shape_of(implementation.sum(tiny.p, tiny.q, boundary, probes));
+      for (const Engine& implementation : implementations) {
+        const Shape shape = shape_of(implementation.compute(tiny.p, tiny.q, boundary, {}).sum);
         ++outcome.counts["sums"];
         if (shape == right) continue;
         outcome.kind = Outcome::Kind::fails;
-        outcome.why = implementation.name + ", " +
-                      (boundary == Boundary::closed ? "closed" : "open") + ": shape " +
-                      in_words(shape) + " instead of " + in_words(right);
+        outcome.why = implementation.name + ", " + name(boundary) + ": shape " + in_words(shape) +
+                      " instead of " + in_words(right);
         return outcome;
       }
     }
@@ -89,10 +88,10 @@ Outcome shows(const Summands& summands, const std::vector<Implementation>& imple
 }
 
 Outcome check(const Summands& summands) {
-  return shows(summands, implementations(), {Boundary::closed, Boundary::open});
+  return shows(summands, checked_engines(), {Boundary::closed, Boundary::open});
 }
 
-Outcome of_implementation(const Implementation& implementation, Boundary boundary,
+Outcome of_implementation(const Engine& implementation, Boundary boundary,
                           const Summands& summands) {
   return shows(summands, {implementation}, {boundary});
 }

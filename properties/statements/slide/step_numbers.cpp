@@ -42,17 +42,18 @@ Outcome check(const Summands& summands) {
   if (!find_defect(bent_pair.p) && !find_defect(bent_pair.q)) large.push_back(std::move(bent_pair));
   outcome.counts["bent pairs"] += large.size() - 1;
   for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
-    SlideOptions options{.with_origins = WithOrigins::yes};
-    const SlideResult small = slide_sum(summands.p, summands.q, boundary, options);
-    outcome.counts["in 64-bit integers"] += small.statistics.in_64_bits > 0;
+    EngineOptions options{.with_origins = true};
+    const ComputedSum small = slide_sum(summands.p, summands.q, boundary, options);
+    outcome.counts["in 64-bit integers"] += small.statistics.count("in integers of 64 bits") > 0;
     for (const SlideNumbers numbers : {SlideNumbers::at_least_256_bits, SlideNumbers::gmp}) {
       options.numbers = numbers;
-      const SlideResult other = slide_sum(summands.p, summands.q, boundary, options);
+      const ComputedSum other = slide_sum(summands.p, summands.q, boundary, options);
       if (other.sum != small.sum || other.origins != small.origins)
         return fail("the same pair in larger numbers");
       for (const Summands& pair : large) {
-        const SlideResult of_large = slide_sum(pair.p, pair.q, boundary, options);
-        if (of_large.statistics.in_64_bits > 0) return fail("large coordinates in 64 bits");
+        const ComputedSum of_large = slide_sum(pair.p, pair.q, boundary, options);
+        if (of_large.statistics.count("in integers of 64 bits") > 0)
+          return fail("large coordinates in 64 bits");
         if (of_large.sum != rca(pair.p, pair.q, boundary).sum) return fail("a pair made large");
       }
     }

@@ -94,7 +94,7 @@ TEST(Nesting, what_is_inside_a_loop_of_the_wrong_kind_stays_in_the_sum) {
 TEST(Nesting, asks_once_a_loop) {
   const Summands fork = fork_and_l(4);
   const ConvolutionArrangement a(reduced_convolution(fork.p, fork.q));
-  const auto test = hole_test(HoleTestMethod::hierarchy, fork.p, fork.q);
+  const auto test = hierarchy_hole_test(fork.p, fork.q);
   std::size_t asked = 0;
   const std::vector<OrientableLoop> loops = orientable_loops(a);
   const std::vector<LoopVerdict> judged = judge(a, loops, [&](Halfedge h) {

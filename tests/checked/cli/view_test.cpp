@@ -145,13 +145,14 @@ TEST(View, faces_are_candidates_where_rca_asks_and_holes_where_the_sum_has_them)
     const std::string document = faces_view(p, q);
     const std::string of_faces = title(drawing_of(document));
     EXPECT_NE(
-        of_faces.find(", " + counted(computed.statistics.hole_tests, "candidate", "candidates") +
+        of_faces.find(", " +
+                      counted(computed.statistics.count("hole tests"), "candidate", "candidates") +
                       ", " + counted(holes, "hole", "holes")),
         std::string::npos)
         << of_faces;
     EXPECT_EQ(groups(drawing_of(document), "holes").empty(), holes == 0);
     EXPECT_EQ(groups(drawing_of(document), "candidate-in-sum").empty(),
-              computed.statistics.hole_tests == holes);
+              computed.statistics.count("hole tests") == holes);
     of_holes += holes;
   });
   EXPECT_GT(of_holes, 20U);
@@ -183,7 +184,7 @@ TEST(View, loops_draw_each_edge_and_those_of_the_boundary_as_such) {
 TEST(View, loops_count_their_verdicts) {
   for_each_pair([](const Region& p, const Region& q) {
     const ConvolutionArrangement arrangement(traced_reduced_convolution(p, q));
-    const std::unique_ptr<HoleTest> naive = hole_test(HoleTestMethod::naive, p, q);
+    const std::unique_ptr<HoleTest> naive = naive_hole_test(p, q);
     const std::vector<LoopVerdict> verdicts =
         judge(arrangement, orientable_loops(arrangement),
               [&](Halfedge h) { return naive->is_hole_right_of(arrangement.geometry(h)); });

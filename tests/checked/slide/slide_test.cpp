@@ -5,7 +5,6 @@
 #include <tbb/global_control.h>
 
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "checked/arrangement/rca.hpp"
@@ -13,6 +12,7 @@
 #include "reference/definitions/validity.hpp"
 #include "reference/families/family.hpp"
 #include "reference/families/polygons.hpp"
+#include "reference/io/boundary_name.hpp"
 #include "tests/checked/slide/exact_values.hpp"
 #include "tests/checked/slide/stretched.hpp"
 #include "tests/reference/definitions/print.hpp"
@@ -25,14 +25,12 @@ using slide::power_of_two;
 
 constexpr Boundary both[] = {Boundary::closed, Boundary::open};
 
-std::string name_of(Boundary boundary) { return boundary == Boundary::closed ? "closed" : "open"; }
-
 /// The stage that decided about pairs of edges, and none other did.
-std::string stage(const SlideStatistics& statistics) {
+std::string stage(const Statistics& statistics) {
   std::string stages;
-  if (statistics.in_64_bits > 0) stages += "64";
-  if (statistics.in_256_bits > 0) stages += "256";
-  if (statistics.in_gmp > 0) stages += "gmp";
+  if (statistics.count("in integers of 64 bits") > 0) stages += "64";
+  if (statistics.count("in integers of 256 bits") > 0) stages += "256";
+  if (statistics.count("in integers of GMP") > 0) stages += "gmp";
   return stages;
 }
 
@@ -44,10 +42,10 @@ void expect_as_rca(const Region& p, const Region& q, const std::string& what) {
   ASSERT_FALSE(find_defect(p)) << what;
   ASSERT_FALSE(find_defect(q)) << what;
   for (const Boundary boundary : both) {
-    const ComputedSum expected = rca(p, q, boundary, WithOrigins::yes);
-    const SlideResult result = slide_sum(p, q, boundary, {.with_origins = WithOrigins::yes});
-    EXPECT_EQ(result.sum, expected.sum) << what << ", " << name_of(boundary);
-    EXPECT_EQ(result.origins, expected.origins) << what << ", " << name_of(boundary);
+    const ComputedSum expected = rca(p, q, boundary, {.with_origins = true});
+    const ComputedSum result = slide_sum(p, q, boundary, {.with_origins = true});
+    EXPECT_EQ(result.sum, expected.sum) << what << ", " << name(boundary);
+    EXPECT_EQ(result.origins, expected.origins) << what << ", " << name(boundary);
   }
 }
 
@@ -68,7 +66,7 @@ TEST(Slide, of_nothing_is_nothing) {
 
 TEST(Slide, origins_are_empty_unless_asked_for) {
   EXPECT_TRUE(slide_sum(triangle, triangle, Boundary::closed).origins.empty());
-  const SlideOptions asked{.with_origins = WithOrigins::yes};
+  const EngineOptions asked{.with_origins = true};
   EXPECT_EQ(slide_sum(triangle, triangle, Boundary::closed, asked).origins.size(), 3u);
 }
 
@@ -76,7 +74,7 @@ TEST(Slide, is_what_the_corpus_says) {
   for (const Row& row : corpus()) {
     EXPECT_EQ(slide_sum(row.p, row.q, Boundary::closed).sum, row.closed) << row.name;
     EXPECT_EQ(slide_sum(row.p, row.q, Boundary::open).sum, row.open) << row.name;
-    EXPECT_EQ(slide_sum(row.p, row.q, Boundary::closed).statistics.segments,
+    EXPECT_EQ(slide_sum(row.p, row.q, Boundary::closed).statistics.count("segments slid along"),
               reduced_convolution(row.p, row.q).size())
         << row.name;
   }
@@ -84,24 +82,24 @@ TEST(Slide, is_what_the_corpus_says) {
 
 TEST(SlideStages, have_29_bits_at_most_in_64) {
   const Rational largest = power_of_two(29) - 1;
-  const SlideStatistics statistics =
+  const Statistics statistics =
       slide_sum(square_around_origin(largest), triangle, Boundary::closed).statistics;
-  EXPECT_EQ(statistics.bits, 29u);
+  EXPECT_EQ(statistics.count("bits of a coordinate"), 29u);
   EXPECT_EQ(stage(statistics), "64");
 }
 
 TEST(SlideStages, of_30_bits_are_256_bits_where_the_box_is_as_large) {
   const Region large = square_around_origin(power_of_two(29));
-  const SlideStatistics statistics = slide_sum(large, triangle, Boundary::closed).statistics;
-  EXPECT_EQ(statistics.bits, 30u);
+  const Statistics statistics = slide_sum(large, triangle, Boundary::closed).statistics;
+  EXPECT_EQ(statistics.count("bits of a coordinate"), 30u);
   EXPECT_EQ(stage(statistics), "256");
   EXPECT_EQ(stage(triangle, large), "256");
 }
 
 TEST(SlideStages, of_30_bits_are_64_bits_where_the_middle_of_the_box_can_be_taken_off) {
-  const SlideStatistics statistics =
+  const Statistics statistics =
       slide_sum(triangle_to(power_of_two(30) - 2), triangle, Boundary::closed).statistics;
-  EXPECT_EQ(statistics.bits, 29u);
+  EXPECT_EQ(statistics.count("bits of a coordinate"), 29u);
   EXPECT_EQ(stage(statistics), "64");
   EXPECT_EQ(stage(triangle_to(power_of_two(30)), triangle), "256");
 }
@@ -113,23 +111,23 @@ TEST(SlideStages, of_what_is_small_but_far_from_the_origin_are_64_bits) {
        {"536870912", "1000000000000000000000000000000000000000", "-99999999999"}) {
     const Vector by{Rational(far), -Rational(far) - 7};
     const Vector other{Rational(far) / 3, 5};
-    const SlideResult moved =
+    const ComputedSum moved =
         slide_sum(translated(square, by), translated(triangle, other), Boundary::closed);
     EXPECT_EQ(moved.sum.outer, (std::vector<Chain>{translated(sum.outer[0], by + other)}));
     EXPECT_EQ(stage(moved.statistics), "64");
-    EXPECT_LE(moved.statistics.bits, 4u + 2);
+    EXPECT_LE(moved.statistics.count("bits of a coordinate"), 4u + 2);
   }
 }
 
 TEST(SlideStages, have_124_bits_at_most_in_256) {
   const Rational limit = power_of_two(124);
-  const SlideStatistics below =
+  const Statistics below =
       slide_sum(square_around_origin(limit - 1), triangle, Boundary::closed).statistics;
-  EXPECT_EQ(below.bits, 124u);
+  EXPECT_EQ(below.count("bits of a coordinate"), 124u);
   EXPECT_EQ(stage(below), "256");
-  const SlideStatistics above =
+  const Statistics above =
       slide_sum(square_around_origin(limit), triangle, Boundary::closed).statistics;
-  EXPECT_EQ(above.bits, 125u);
+  EXPECT_EQ(above.count("bits of a coordinate"), 125u);
   EXPECT_EQ(stage(above), "gmp");
 }
 
@@ -139,7 +137,8 @@ TEST(SlideStages, count_the_common_denominator) {
   const auto tiny = [](int denominator) { return triangle_to(Rational(1, denominator)); };
   EXPECT_EQ(stage(large, tiny(511)), "64");
   EXPECT_EQ(stage(large, tiny(513)), "256");
-  EXPECT_EQ(slide_sum(large, tiny(3), Boundary::closed).statistics.bits, 22u);
+  EXPECT_EQ(slide_sum(large, tiny(3), Boundary::closed).statistics.count("bits of a coordinate"),
+            22u);
 }
 
 TEST(SlideStages, that_are_asked_for_are_taken) {
@@ -149,7 +148,7 @@ TEST(SlideStages, that_are_asked_for_are_taken) {
   EXPECT_EQ(with(SlideNumbers::as_needed), "64");
   EXPECT_EQ(with(SlideNumbers::at_least_256_bits), "256");
   EXPECT_EQ(with(SlideNumbers::gmp), "gmp");
-  const SlideOptions at_least{.numbers = SlideNumbers::at_least_256_bits};
+  const EngineOptions at_least{.numbers = SlideNumbers::at_least_256_bits};
   EXPECT_EQ(stage(slide_sum(triangle_to(power_of_two(200)), square_around_origin(1),
                             Boundary::closed, at_least)
                       .statistics),
@@ -257,23 +256,19 @@ TEST(SlideNumbers, do_not_change_the_result) {
       const auto [p, q] = generate(family, family.typical, seed);
       for (const Boundary boundary : both) {
         const auto with = [&, &p = p, &q = q](SlideNumbers numbers) {
-          return slide_sum(p, q, boundary, {.with_origins = WithOrigins::yes, .numbers = numbers});
+          return slide_sum(p, q, boundary, {.with_origins = true, .numbers = numbers});
         };
-        const SlideResult needed = with(SlideNumbers::as_needed);
+        const ComputedSum needed = with(SlideNumbers::as_needed);
         for (const SlideNumbers larger : {SlideNumbers::at_least_256_bits, SlideNumbers::gmp}) {
-          const SlideResult result = with(larger);
+          const ComputedSum result = with(larger);
           EXPECT_EQ(result.sum, needed.sum) << family.name << ' ' << seed;
           EXPECT_EQ(result.origins, needed.origins) << family.name << ' ' << seed;
-          EXPECT_EQ(result.statistics.free_pieces, needed.statistics.free_pieces);
+          EXPECT_EQ(result.statistics.count("free pieces of segments"),
+                    needed.statistics.count("free pieces of segments"));
         }
       }
     }
   }
-}
-
-auto all_of(const SlideStatistics& s) {
-  return std::make_tuple(s.segments, s.bits, s.probes, s.box_pairs, s.by_doubles, s.in_64_bits,
-                         s.in_256_bits, s.in_gmp, s.free_pieces);
 }
 
 TEST(SlideThreads, do_not_change_the_result) {
@@ -287,15 +282,16 @@ TEST(SlideThreads, do_not_change_the_result) {
   for (const auto& [p, q] : pairs) {
     for (const Boundary boundary : both) {
       const auto with = [&, &p = p, &q = q](unsigned threads) {
-        return slide_sum(p, q, boundary, {.with_origins = WithOrigins::yes, .threads = threads});
+        return slide_sum(p, q, boundary, {.with_origins = true, .threads = threads});
       };
-      const SlideResult one = with(1);
-      ASSERT_GE(one.statistics.segments, 1024u) << "fewer are not worth a thread";
+      const ComputedSum one = with(1);
+      ASSERT_GE(one.statistics.count("segments slid along"), 1024u)
+          << "fewer are not worth a thread";
       for (const unsigned threads : {2u, 3u, 8u}) {
-        const SlideResult result = with(threads);
+        const ComputedSum result = with(threads);
         EXPECT_EQ(result.sum, one.sum) << threads;
         EXPECT_EQ(result.origins, one.origins) << threads;
-        EXPECT_EQ(all_of(result.statistics), all_of(one.statistics)) << threads;
+        EXPECT_TRUE(result.statistics == one.statistics) << threads;
       }
     }
   }

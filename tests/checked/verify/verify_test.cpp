@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "checked/cli/engine.hpp"
+#include "checked/cli/engines_and_oracle.hpp"
 #include "checked/verify/sum_by_walks.hpp"
 #include "properties/compare/corpus.hpp"
 #include "reference/families/family.hpp"
@@ -39,7 +39,7 @@ TEST(Verify, accepts_every_sum_of_every_engine_in_the_corpus) {
       EXPECT_EQ(sum_by_definition(row.p, row.q, boundary),
                 boundary == Boundary::open ? row.open : row.closed)
           << row.name;
-      for (const Engine& engine : engines()) {
+      for (const Engine& engine : engines_and_oracle()) {
         const MinkowskiSum sum = engine.compute(row.p, row.q, boundary, {}).sum;
         const Verdict verdict = verify(row.p, row.q, boundary, sum);
         EXPECT_TRUE(verdict.is_sum()) << row.name << ", " << engine.name;

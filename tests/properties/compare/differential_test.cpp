@@ -11,6 +11,7 @@
 
 #include "properties/compare/differential_cases.hpp"
 #include "properties/compare/differential_report.hpp"
+#include "properties/runner/checked_engines.hpp"
 #include "properties/runner/temporary_folder.hpp"
 #include "reference/families/fork.hpp"
 #include "reference/io/reading.hpp"
@@ -45,8 +46,8 @@ MinkowskiSum throwing(const Region&, const Region&, Boundary) {
 }
 
 template <typename Sum>
-std::vector<Implementation> only(const std::string& name, Sum sum) {
-  return {without_probes(name, sum)};
+std::vector<Engine> only(const std::string& name, Sum sum) {
+  return {named_engine(name, sum)};
 }
 
 TEST(Differential, agrees_with_what_is_right_and_says_what_it_saw) {
@@ -96,15 +97,15 @@ TEST(Differential, skips_what_is_too_large_and_says_so) {
 }
 
 TEST(Differential, finds_a_second_implementation_wrong_after_a_right_one) {
-  const std::vector<Implementation> two = {without_probes("right", oracle_sum),
-                                           without_probes("careless", without_holes)};
+  const std::vector<Engine> two = {named_engine("right", oracle_sum),
+                                   named_engine("careless", without_holes)};
   const DifferentialResult result = differential(frame_and_square, two, any_size);
   ASSERT_EQ(result.kind, DifferentialResult::Kind::disagreed);
   EXPECT_EQ(result.disagreement->implementation, "careless");
 }
 
 TEST(Differential, shrinks_to_a_pair_that_still_shows_it) {
-  const std::vector<Implementation> careless = only("careless", without_holes);
+  const std::vector<Engine> careless = only("careless", without_holes);
   const DifferentialResult result = differential(frame_and_square, careless, any_size);
   const ShrunkDisagreement shrunk = shrink(frame_and_square, *result.disagreement, careless);
   EXPECT_LT(vertex_count(shrunk.summands.p) + vertex_count(shrunk.summands.q), 12U);
@@ -117,7 +118,7 @@ TEST(Differential, runs_every_case_once_on_any_number_of_threads) {
       cases_of_family(*find_family("grid"), 23, 5, std::nullopt);
   for (const unsigned threads : {1U, 2U, 5U}) {
     std::vector<int> seen(cases.size(), 0);
-    run_differential(cases, implementations(), any_size, threads,
+    run_differential(cases, checked_engines(), any_size, threads,
                      [&](std::size_t i, const DifferentialResult& result) {
                        ++seen[i];
                        EXPECT_EQ(result.kind, DifferentialResult::Kind::agreed);
@@ -129,7 +130,7 @@ TEST(Differential, runs_every_case_once_on_any_number_of_threads) {
 TEST(Differential, passes_on_what_a_case_throws) {
   const std::vector<DifferentialCase> cases = {
       {"bad", "test", []() -> Summands { throw std::runtime_error("cannot be made"); }}};
-  EXPECT_THROW(run_differential(cases, implementations(), any_size, 2, [](auto, const auto&) {}),
+  EXPECT_THROW(run_differential(cases, checked_engines(), any_size, 2, [](auto, const auto&) {}),
                std::runtime_error);
 }
 
@@ -160,7 +161,7 @@ TEST_F(CasesOfFolder, pair_parts_and_everything_else_with_each_other) {
 class WrittenDisagreement : public InFolder {};
 
 TEST_F(WrittenDisagreement, is_two_files_a_picture_an_explanation_and_a_report_that_say_the_same) {
-  const std::vector<Implementation> careless = only("careless", without_holes);
+  const std::vector<Engine> careless = only("careless", without_holes);
   const DifferentialResult result = differential(frame_and_square, careless, any_size);
   const ReportedDisagreement reported = write_disagreement(
       (folder_ / "made").string(), "a test", {frame_and_square, *result.disagreement});

@@ -36,8 +36,7 @@ PeerLimits patient() {
 
 MinkowskiSum sum(const std::string& engine, const PeerLimits& limits, Boundary boundary,
                  const Region& p = triangle, const Region& q = square) {
-  Probes none;
-  return engine_called(engine, limits).value().sum(p, q, boundary, none);
+  return engine_called(engine, limits).value().compute(p, q, boundary, {}).sum;
 }
 
 NoSum no_sum(const std::string& engine, const PeerLimits& limits = patient(),
@@ -122,7 +121,7 @@ TEST_F(ProgramEngine, leaves_no_files) {
 }
 
 TEST_F(ProgramEngine, that_is_wrong_disagrees_and_is_shrunk) {
-  const std::vector<Implementation> wrong = {*engine_called("exec:cat {p} #", patient())};
+  const std::vector<Engine> wrong = {*engine_called("exec:cat {p} #", patient())};
   const DifferentialResult result = differential({triangle, square}, wrong, 1000);
   ASSERT_EQ(result.kind, DifferentialResult::Kind::disagreed);
   EXPECT_FALSE(result.disagreement->no_sum);
@@ -134,7 +133,7 @@ TEST_F(ProgramEngine, that_crashes_is_shrunk_to_the_same_crash_in_so_many_tries)
   // Crashes on squares one way, on triangles another.
   const std::string script =
       "exec:test $(tr -cd , <{q} | wc -c) = 4 && kill -SEGV $$; kill -ABRT $$ # {p}";
-  const std::vector<Implementation> crashing = {*engine_called(script, patient())};
+  const std::vector<Engine> crashing = {*engine_called(script, patient())};
   const Summands large{square, polygon({{0, 0}, {5, 0}, {5, 5}, {0, 5}})};
   const DifferentialResult result = differential(large, crashing, 1000);
   ASSERT_EQ(result.kind, DifferentialResult::Kind::disagreed);
@@ -291,7 +290,7 @@ TEST(Peers, of_cgal_are_right_where_a_chain_touches_the_inside_of_an_edge) {
 
 TEST(Peers, that_are_not_taken_are_skipped_visibly_and_never_agree) {
   const Region two{{{{{0, 0}, {1, 0}, {0, 1}}, {}}, {{{5, 5}, {6, 5}, {5, 6}}, {}}}};
-  const std::vector<Implementation> full = {*engine_called("cgal-full", patient())};
+  const std::vector<Engine> full = {*engine_called("cgal-full", patient())};
   const DifferentialResult none = differential({two, square}, full, 1000);
   EXPECT_EQ(none.kind, DifferentialResult::Kind::skipped);
   EXPECT_EQ(none.not_taken.size(), 2U);

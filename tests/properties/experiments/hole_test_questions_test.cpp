@@ -21,7 +21,7 @@ TEST(HoleTestQuestions, about_edges_some_are_holes_and_some_not_and_all_methods_
   ASSERT_GT(questions.size(), 20U);
   std::vector<std::vector<bool>> answers;
   for (const auto& [name, method] : hole_test_methods()) {
-    const std::unique_ptr<HoleTest> test = hole_test(method, pair.p, pair.q);
+    const std::unique_ptr<HoleTest> test = method(pair.p, pair.q);
     std::vector<bool>& own = answers.emplace_back();
     for (const Segment& question : questions) own.push_back(test->is_hole_right_of(question));
     EXPECT_EQ(own, answers.front()) << name;

@@ -13,8 +13,8 @@ namespace oplus {
 namespace {
 
 /// Invents a vertex, and crashes now and then: several kinds, found by different shards.
-const Implementation& faulty() {
-  static const Implementation two = without_probes(
+const Engine& faulty() {
+  static const Engine two = named_engine(
       "two faults", [](const Region& p, const Region& q, Boundary boundary) -> MinkowskiSum {
         if (vertex_count(p) == 5) throw NoSum(NoSum::Kind::crashed, "f.hpp", "it died");
         MinkowskiSum sum = slide_sum(p, q, boundary).sum;

@@ -6,12 +6,13 @@
 
 #include "checked/slide/slide.hpp"
 #include "properties/compare/conformance/run.hpp"
+#include "properties/runner/checked_engines.hpp"
 
 namespace oplus {
 
 /// slide, its sum changed.
-inline Implementation changed(const std::function<void(MinkowskiSum& sum)>& change) {
-  return without_probes("changed", [change](const Region& p, const Region& q, Boundary boundary) {
+inline Engine changed(const std::function<void(MinkowskiSum& sum)>& change) {
+  return named_engine("changed", [change](const Region& p, const Region& q, Boundary boundary) {
     MinkowskiSum sum = slide_sum(p, q, boundary).sum;
     change(sum);
     return sum;
@@ -19,9 +20,9 @@ inline Implementation changed(const std::function<void(MinkowskiSum& sum)>& chan
 }
 
 /// slide, but for pairs of which something holds.
-inline Implementation failing(const std::function<bool(const Summands&)>& fails,
-                              const std::function<MinkowskiSum()>& failure) {
-  return without_probes("failing", [=](const Region& p, const Region& q, Boundary boundary) {
+inline Engine failing(const std::function<bool(const Summands&)>& fails,
+                      const std::function<MinkowskiSum()>& failure) {
+  return named_engine("failing", [=](const Region& p, const Region& q, Boundary boundary) {
     if (fails({p, q})) return failure();
     return slide_sum(p, q, boundary).sum;
   });
@@ -37,7 +38,7 @@ inline ConformanceSettings few(const std::vector<std::string>& parts = {"grids",
   return settings;
 }
 
-inline ConformanceReport conformance_of(const Implementation& implementation,
+inline ConformanceReport conformance_of(const Engine& implementation,
                                         const ConformanceSettings& settings = few()) {
   return run_conformance(implementation, settings, conformance_plan(settings), 2);
 }

@@ -18,7 +18,7 @@ namespace {
 
 /// Several kinds at once, with words that Markdown and XML must not take for their own.
 ConformanceReport report_of_many_kinds() {
-  Implementation faulty = without_probes(
+  Engine faulty = named_engine(
       "a|b <c> & \"d\"", [](const Region& p, const Region& q, Boundary boundary) -> MinkowskiSum {
         MinkowskiSum sum = slide_sum(p, q, boundary).sum;
         if (vertex_count(p) == 5) throw NoSum(NoSum::Kind::crashed, "x < y && z|w", "it <died>\n");

@@ -14,14 +14,13 @@ namespace {
 using Kinds = std::map<std::string, std::size_t>;
 
 /// How many sums of the plan an implementation gets wrong, counted without what is tested.
-std::size_t wrong_sums(const Implementation& implementation, const ConformancePlan& plan) {
+std::size_t wrong_sums(const Engine& implementation, const ConformancePlan& plan) {
   std::size_t count = 0;
   for (const Trial& trial : plan.trials) {
     const auto [p, q] = trial.make();
     for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
-      Probes probes;
       try {
-        count += implementation.sum(p, q, boundary, probes) != slide_sum(p, q, boundary).sum;
+        count += implementation.compute(p, q, boundary, {}).sum != slide_sum(p, q, boundary).sum;
       } catch (const std::exception&) {
         ++count;
       }
@@ -32,8 +31,8 @@ std::size_t wrong_sums(const Implementation& implementation, const ConformancePl
 
 /// The report has all failures there are, of this kind only, but for fewer of another kind where one is
 /// named, and one pair of the kind that shows it again.
-void expect_only(const std::string& kind, const std::string& part,
-                 const Implementation& implementation, const std::string& rarely = "") {
+void expect_only(const std::string& kind, const std::string& part, const Engine& implementation,
+                 const std::string& rarely = "") {
   ConformanceSettings settings = few({part});
   settings.cases = 2;
   settings.shrink_tries = 5;
@@ -75,8 +74,8 @@ TEST(Conformance, slide_conforms_in_every_part) {
   ConformanceSettings settings;
   settings.cases = 3;
   const ConformanceReport report = conformance_of(
-      without_probes("slide", [](const Region& p, const Region& q,
-                                 Boundary boundary) { return slide_sum(p, q, boundary).sum; }),
+      named_engine("slide", [](const Region& p, const Region& q,
+                               Boundary boundary) { return slide_sum(p, q, boundary).sum; }),
       settings);
   EXPECT_TRUE(report.conforms());
   std::set<std::string> parts;
@@ -158,7 +157,7 @@ TEST(Conformance, what_is_no_sum_is_a_kind_with_its_site) {
   expect_only("crashed: f.cpp", "grids", failing(large, no_sum(NoSum::Kind::crashed)));
   expect_only("unreadable: f.cpp", "grids", failing(large, no_sum(NoSum::Kind::unreadable)));
   expect_only("out of memory", "grids", failing(large, no_sum(NoSum::Kind::out_of_memory)));
-  const Implementation hangs = failing(large, no_sum(NoSum::Kind::hung));
+  const Engine hangs = failing(large, no_sum(NoSum::Kind::hung));
   const ConformanceReport report = conformance_of(hangs, few({"grids"}));
   EXPECT_EQ(report.all().kinds,
             (Kinds{{"hung", wrong_sums(hangs, conformance_plan(few({"grids"})))}}));
@@ -166,7 +165,7 @@ TEST(Conformance, what_is_no_sum_is_a_kind_with_its_site) {
 }
 
 TEST(Conformance, crashes_at_different_sites_are_different_kinds) {
-  const Implementation two = without_probes(
+  const Engine two = named_engine(
       "two sites", [](const Region& p, const Region& q, Boundary boundary) -> MinkowskiSum {
         if (vertex_count(p) > 3) throw NoSum(NoSum::Kind::crashed, "a.hpp", "one");
         if (vertex_count(q) > 3) throw NoSum(NoSum::Kind::crashed, "b.hpp", "two");
@@ -179,7 +178,7 @@ TEST(Conformance, crashes_at_different_sites_are_different_kinds) {
 }
 
 TEST(Conformance, what_is_not_taken_is_counted_and_no_fault) {
-  const Implementation closed_only = without_probes(
+  const Engine closed_only = named_engine(
       "closed only", [](const Region& p, const Region& q, Boundary boundary) -> MinkowskiSum {
         if (boundary == Boundary::open) throw NoSum(NoSum::Kind::not_taken, "", "no open sums");
         return slide_sum(p, q, boundary).sum;
@@ -197,8 +196,8 @@ TEST(Conformance, what_is_not_taken_is_counted_and_no_fault) {
 
 TEST(Conformance, laws_find_what_pairs_do_not_and_blame_the_sum_that_is_wrong) {
   const Rational far(mpz_class(1) << 300);
-  const Implementation careless =
-      without_probes("careless", [&](const Region& p, const Region& q, Boundary boundary) {
+  const Engine careless =
+      named_engine("careless", [&](const Region& p, const Region& q, Boundary boundary) {
         MinkowskiSum sum = slide_sum(p, q, boundary).sum;
         if (abs(p.components[0].outer[0].x) > far) sum.holes.clear();
         return sum;
@@ -236,8 +235,8 @@ TEST(Conformance, statements_judge_where_the_oracle_is_not_asked) {
 
 TEST(Conformance, an_answer_that_is_not_repeated_is_reported_and_not_shrunk) {
   std::size_t asked = 0;
-  const Implementation once =
-      without_probes("once", [&](const Region& p, const Region& q, Boundary boundary) {
+  const Engine once =
+      named_engine("once", [&](const Region& p, const Region& q, Boundary boundary) {
         if (++asked == 5) throw NoSum(NoSum::Kind::crashed, "once", "only once");
         return slide_sum(p, q, boundary).sum;
       });
@@ -248,7 +247,7 @@ TEST(Conformance, an_answer_that_is_not_repeated_is_reported_and_not_shrunk) {
 }
 
 TEST(Conformance, same_report_however_many_threads) {
-  const Implementation loses = changed([](MinkowskiSum& sum) { sum.holes.clear(); });
+  const Engine loses = changed([](MinkowskiSum& sum) { sum.holes.clear(); });
   ConformanceSettings settings = few();
   settings.cases = 1;
   settings.shrink_tries = 20;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "properties/compare/exhaustive/grid_polygons.hpp"
+#include "properties/runner/checked_engines.hpp"
 #include "reference/io/invalid_input.hpp"
 #include "reference/oracle/oracle.hpp"
 
@@ -11,11 +12,11 @@ namespace oplus {
 namespace {
 
 /// The oracle itself, for speed: what is tested here is the run.
-const std::vector<Implementation> right = {without_probes("right", oracle_sum)};
+const std::vector<Engine> right = {named_engine("right", oracle_sum)};
 
 /// Wrong where Q is not a triangle and P is one.
-const std::vector<Implementation> wrong = {
-    without_probes("wrong", [](const Region& p, const Region& q, Boundary boundary) {
+const std::vector<Engine> wrong = {
+    named_engine("wrong", [](const Region& p, const Region& q, Boundary boundary) {
       return oracle_sum(p, vertex_count(q) > 3 ? p : q, boundary);
     })};
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "checked/cli/engine.hpp"
+#include "checked/engines.hpp"
 
 #include <gtest/gtest.h>
 
+#include "checked/arrangement/hole_test.hpp"
 #include "checked/arrangement/rca.hpp"
+#include "checked/cli/engines_and_oracle.hpp"
 #include "properties/compare/corpus.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/oracle/oracle.hpp"
@@ -12,12 +14,6 @@
 
 namespace oplus {
 namespace {
-
-std::vector<Engine> checked_engines() {
-  std::vector<Engine> checked = engines();
-  std::erase_if(checked, [](const Engine& engine) { return engine.name == "oracle"; });
-  return checked;
-}
 
 TEST(Engines, are_the_oracle_on_pairs_of_shapes) {
   std::size_t with_features = 0;
@@ -29,7 +25,7 @@ TEST(Engines, are_the_oracle_on_pairs_of_shapes) {
       const auto& [p_name, p] = all[i];
       const auto& [q_name, q] = all[j];
       const OracleSums expected = oracle_sums(p, q);
-      for (const Engine& engine : checked_engines()) {
+      for (const Engine& engine : engines()) {
         ASSERT_EQ(engine.compute(p, q, Boundary::closed, {}).sum, expected.closed)
             << engine.name << ", " << p_name << " + " << q_name << ", closed";
         ASSERT_EQ(engine.compute(p, q, Boundary::open, {}).sum, expected.open)
@@ -45,13 +41,11 @@ TEST(Engines, are_the_oracle_on_pairs_of_shapes) {
 
 TEST(Engines, with_the_empty_region_are_empty) {
   const Region square = polygon(box(0, 0, 1, 1));
-  for (const Engine& engine : engines()) {
+  for (const Engine& engine : engines_and_oracle()) {
     for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
       for (const auto& [name, method] : hole_test_methods()) {
         const auto sum = [&, hole_test = method](const Region& p, const Region& q) {
-          return engine
-              .compute(p, q, boundary, {.with_origins = WithOrigins::yes, .hole_test = hole_test})
-              .sum;
+          return engine.compute(p, q, boundary, {.with_origins = true, .hole_test = hole_test}).sum;
         };
         EXPECT_EQ(sum(Region{}, square), MinkowskiSum{}) << engine.name << ", " << name;
         EXPECT_EQ(sum(square, Region{}), MinkowskiSum{}) << engine.name << ", " << name;
@@ -66,9 +60,8 @@ TEST(Engines, find_the_origins_of_the_definition) {
   std::size_t dangling = 0;
   for (const Row& row : corpus()) {
     for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
-      for (const Engine& engine : checked_engines()) {
-        const Computed result =
-            engine.compute(row.p, row.q, boundary, {.with_origins = WithOrigins::yes});
+      for (const Engine& engine : engines()) {
+        const ComputedSum result = engine.compute(row.p, row.q, boundary, {.with_origins = true});
         ASSERT_TRUE(result.origins == origins(result.sum, reduced_convolution(row.p, row.q)))
             << row.name << ", " << engine.name;
         for (const auto& of_edge : result.origins) {
@@ -122,7 +115,7 @@ TEST(Engines, scale_with_their_summands_beyond_what_doubles_can_hold) {
       const MinkowskiSum expected = scaled(sum, x, y);
       const Region large_p = scaled(p, x, y);
       const Region large_q = scaled(q, x, y);
-      for (const Engine& engine : checked_engines()) {
+      for (const Engine& engine : engines()) {
         for (const auto& [name, method] : hole_test_methods()) {
           EXPECT_TRUE(engine.compute(large_p, large_q, Boundary::open, {.hole_test = method}).sum ==
                       expected)
@@ -134,8 +127,9 @@ TEST(Engines, scale_with_their_summands_beyond_what_doubles_can_hold) {
 }
 
 TEST(Engines, are_found_by_their_names) {
-  for (const Engine& engine : engines()) EXPECT_EQ(find_engine(engine.name), &engine);
-  EXPECT_EQ(find_engine("none"), nullptr);
+  for (const Engine& engine : engines()) EXPECT_EQ(find_engine(engines(), engine.name), &engine);
+  EXPECT_EQ(find_engine(engines(), "oracle"), nullptr);
+  EXPECT_NE(find_engine(engines_and_oracle(), "oracle"), nullptr);
 }
 
 }  // namespace

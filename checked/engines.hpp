@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "checked/engine.hpp"
+
+namespace oplus {
+
+/// The algorithms under check, the default first. The table of the program `oplus` has the oracle
+/// besides (checked/cli/engines_and_oracle.hpp).
+const std::vector<Engine>& engines();
+
+}  // namespace oplus
