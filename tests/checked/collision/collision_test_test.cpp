@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "properties/statements/laws/linear_map.hpp"
 #include "reference/definitions/collision.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "tests/checked/collision/collision_methods.hpp"
@@ -53,15 +54,6 @@ int side(const Region& region) {
   Rational largest = 0;
   for (const Segment& e : edges(region)) largest = std::max({largest, e.source.x, e.source.y});
   return static_cast<int>(largest.get_num().get_si());
-}
-
-Region scaled(Region region, const Rational& factor) {
-  for (Component& component : region.components) {
-    for (Point& p : component.outer) p = factor * p;
-    for (Chain& hole : component.holes)
-      for (Point& p : hole) p = factor * p;
-  }
-  return region;
 }
 
 /// Each chain of such a region is slanted, so that its sums need thirds, fifths and sevenths.
@@ -159,7 +151,8 @@ TEST_P(Collision, is_right_where_coordinates_are_no_doubles) {
       const Region& q = all[(k + 5) % all.size()].region;
       const Vector away = factor * Vector{-3, 4};
       const auto plain = collision(p, q);
-      const auto other = collision(translated(scaled(p, factor), away), scaled(q, factor));
+      const auto other =
+          collision(translated(image(scaling(factor), p), away), image(scaling(factor), q));
       for (int i = 0; i <= 8; ++i) {
         for (int j = 0; j <= 8; ++j) {
           ASSERT_EQ(other->interiors_meet_at(factor * Point{i, j} + away),

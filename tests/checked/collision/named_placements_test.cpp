@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "properties/statements/chapter5/boundary_contact.hpp"
+#include "properties/statements/laws/linear_map.hpp"
 #include "reference/definitions/collision.hpp"
 #include "reference/definitions/validity.hpp"
 #include "tests/checked/collision/collision_methods.hpp"
@@ -281,21 +282,13 @@ TEST(NamedPlacements, are_decided_by_every_method_either_way_round) {
 }
 
 /// Shears and scales, so that nothing is horizontal, vertical or an integer.
-Point slanted(const Point& p) { return {p.x / 3 + p.y / 7, p.y / 11 - p.x / 13}; }
-
-Region slanted(Region region) {
-  for (Component& component : region.components) {
-    for (Point& p : component.outer) p = slanted(p);
-    for (Chain& hole : component.holes)
-      for (Point& p : hole) p = slanted(p);
-  }
-  return region;
-}
+const LinearMap slanted{Rational(1, 3), Rational(1, 7), Rational(-1, 13), Rational(1, 11)};
 
 TEST(NamedPlacements, are_decided_by_every_method_where_no_coordinate_is_a_double) {
   for (const CollisionMethod method : collision_methods) {
     for (const Pair& pair : pairs()) {
-      const auto test = collision_test(method, slanted(pair.a), reflected(slanted(pair.b)));
+      const auto test =
+          collision_test(method, image(slanted, pair.a), reflected(image(slanted, pair.b)));
       for (const Placement& placement : pair.placements) {
         EXPECT_EQ(test->interiors_meet_at(slanted(placement.x)), placement.meet)
             << where(pair, placement) << ", by " << name_of(method);

@@ -8,7 +8,6 @@
 #include "reference/definitions/collision.hpp"
 #include "reference/families/rich_regions.hpp"
 #include "tests/checked/slide/exact_values.hpp"
-#include "tests/checked/slide/stretched.hpp"
 #include "tests/reference/definitions/print.hpp"
 #include "tests/reference/definitions/shapes.hpp"
 
@@ -132,9 +131,9 @@ TYPED_TEST(ComponentTestIn, comes_apart_to_the_right_where_a_vertex_slides_along
   const Point on_the_right_side{10, 5}, on_the_left_side{0, 5};
   for (int times = 0; times < 4; ++times) {
     const auto overlap = [&](const Region& q, const Point& x, const Vector& along) {
-      const Chain segment = turned(Chain{x, x + along}, times);
-      const Region p = turned(square, times), of_q = turned(q, times);
-      const Segment slid{segment[0], segment[1]};
+      const LinearMap turned = quarter_turns(times);
+      const Region p = image(turned, square), of_q = image(turned, q);
+      const Segment slid{turned(x), turned(x + along)};
       const bool result = In::overlap_at(p, of_q, slid, 0, 1);
       EXPECT_EQ(In::overlap_at(of_q, p, slid, 0, 1), result) << times;
       return result;
@@ -164,7 +163,7 @@ TEST(ComponentTest, tells_whether_the_interiors_meet_where_no_edges_do) {
     const Region q = one_in(random, 2) ? scattered_region(random, 4) : plain_region(random, 4);
     // Large enough that the other finds room inside.
     const int factor = one_in(random, 2) ? 4 : 1;
-    const Region large = stretched(p, factor);
+    const Region large = image(scaling(factor), p);
     const int x = uniform(random, -2, 6 * factor), y = uniform(random, -2, 6 * factor);
     const Vector d = directions[uniform_index(random, std::size(directions))];
     const Segment segment{{x, y}, Point{x, y} + d};
@@ -205,7 +204,7 @@ void expect_that_of_gmp_at_the_limit() {
   std::size_t overlapping = 0;
   for (int turns_of_q = 0; turns_of_q < 4; ++turns_of_q) {
     for (const auto& [p, q] : {std::pair{halves, needle}, {needle, halves}, {needle, needle}}) {
-      const Region turned_q = turned(q, turns_of_q);
+      const Region turned_q = image(quarter_turns(turns_of_q), q);
       for (const Segment& edge : edges(p)) {
         for (const Point& vertex : turned_q.components[0].outer) {
           const Segment segment{edge.source + vertex, edge.target + vertex};

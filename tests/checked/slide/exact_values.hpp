@@ -3,9 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "checked/slide/fraction.hpp"
 #include "checked/slide/integer_vector.hpp"
+#include "properties/statements/laws/linear_map.hpp"
 #include "reference/definitions/segment.hpp"
+#include "reference/families/random.hpp"
 
 namespace oplus::slide {
 
@@ -49,6 +53,44 @@ IntegerSegment<Numbers> integer_segment(const Segment& s) {
 inline Rational power_of_two(int exponent) {
   const mpz_class power = mpz_class(1) << static_cast<unsigned>(std::abs(exponent));
   return exponent < 0 ? Rational(1, power) : Rational(power);
+}
+
+inline LinearMap quarter_turns(int times) {
+  constexpr int cosine[] = {1, 0, -1, 0};
+  const int sine = cosine[(times + 3) % 4];
+  return {cosine[times % 4], -sine, sine, cosine[times % 4]};
+}
+
+/// With integer coordinates from -most to most.
+inline Point random_point(Random& random, int most) {
+  const int x = uniform(random, -most, most);
+  const int y = uniform(random, -most, most);
+  return {x, y};
+}
+
+inline Segment random_segment(Random& random, int most) {
+  while (true) {
+    const Point a = random_point(random, most), b = random_point(random, most);
+    if (a != b) return {a, b};
+  }
+}
+
+/// Every combination of the largest and the smallest coordinates of a stage: an edge of each summand,
+/// and what is slid along one of them, or along another edge, at a vertex.
+template <typename Numbers, typename Visit>
+void for_each_slid_edge_at_the_limit(Visit visit) {
+  const Rational m = power_of_two(Numbers::bits) - 1;
+  const std::vector<Point> corners{{-m, -m}, {m, -m}, {m, m}, {-m, m}};
+  for (int k = 0; k < 1 << 10; ++k) {
+    const auto corner = [&](int which) {
+      return corners[static_cast<std::size_t>(k >> which) % 4];
+    };
+    const Segment of_p{corner(0), corner(2)}, of_q{corner(4), corner(6)};
+    if (of_p.source == of_p.target || of_q.source == of_q.target) continue;
+    for (const Segment& edge :
+         {of_p, of_q, Segment{corners[0], corners[2]}, Segment{corners[3], corners[1]}})
+      visit(Segment{edge.source + corner(8), edge.target + corner(8)}, of_p, of_q);
+  }
 }
 
 }  // namespace oplus::slide

@@ -14,7 +14,6 @@
 #include "reference/families/polygons.hpp"
 #include "reference/io/boundary_name.hpp"
 #include "tests/checked/slide/exact_values.hpp"
-#include "tests/checked/slide/stretched.hpp"
 #include "tests/reference/definitions/print.hpp"
 #include "tests/reference/definitions/shapes.hpp"
 
@@ -177,7 +176,7 @@ TEST_P(AtTheLimit, of_a_stage_every_combination_of_signs_is_exact) {
   for (const Shape& p : shapes) {
     for (const Shape& q : shapes) {
       for (int times = 0; times < 4; ++times) {
-        const Region of_q = turned(q.region, times);
+        const Region of_q = image(quarter_turns(times), q.region);
         EXPECT_EQ(stage(p.region, of_q), expected);
         expect_as_rca(p.region, of_q, p.name + " and " + q.name + ", " + std::to_string(times));
       }
@@ -242,8 +241,8 @@ TEST(Slide, of_stretched_summands_is_the_sum_stretched) {
         const MinkowskiSum sum = slide_sum(p, q, boundary).sum;
         for (const Rational& factor :
              {power_of_two(90), power_of_two(-90), power_of_two(2000), Rational(3, 7)})
-          EXPECT_EQ(slide_sum(stretched(p, factor), stretched(q, factor), boundary).sum,
-                    stretched(sum, factor))
+          EXPECT_EQ(slide_sum(image(scaling(factor), p), image(scaling(factor), q), boundary).sum,
+                    image(scaling(factor), sum))
               << name << ' ' << seed << ' ' << factor;
       }
     }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "properties/statements/laws/linear_map.hpp"
 #include "reference/definitions/difference.hpp"
 #include "reference/io/reading.hpp"
 #include "tests/reference/definitions/cells.hpp"
@@ -67,15 +68,6 @@ TEST(Oracle, boundary_says_which_of_the_two_sums) {
             (std::vector<Point>{{3, 3}}));
 }
 
-Region doubled(Region region) {
-  for (Component& component : region.components) {
-    for (Point& p : component.outer) p = p + p;
-    for (Chain& hole : component.holes)
-      for (Point& p : hole) p = p + p;
-  }
-  return region;
-}
-
 /// All edges of a sum of doubled shapes lie on x = 2i, y = 2i and x ± y = 2i, so each of its faces,
 /// edges and vertices contains a half-integer point, and at such points shared cells tell whether
 /// the interiors meet: no arrangement and no orientation is needed.
@@ -84,8 +76,8 @@ TEST(Oracle, of_doubled_shapes_is_where_their_interiors_share_a_cell) {
   const std::vector<Shape> all = shapes();
   for (std::size_t a = 0; a < all.size(); ++a) {
     for (std::size_t b = a; b < all.size(); b += 3) {
-      const Region p = doubled(all[a].region);
-      const Region q = doubled(all[b].region);
+      const Region p = image(scaling(2), all[a].region);
+      const Region q = image(scaling(2), all[b].region);
       Rational end = 1;
       for (const Region* region : {&p, &q})
         for (const Segment& e : edges(*region)) end = std::max({end, e.source.x, e.source.y});
