@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/io/placed_geometry.hpp"
 
+#include "reference/io/writing.hpp"
+
 namespace oplus {
 
 std::string describe(const ChainName& name) {
@@ -14,6 +16,19 @@ std::string coordinate_name(char axis, std::size_t vertex, const std::string& ch
 
 std::string vertices(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " vertex" : " vertices");
+}
+
+void remove_closing_vertex(const InputText& input, const ChainName& name, PlacedChain& ring) {
+  if (ring.vertices.size() < 2) return;
+  const Point& first = ring.vertices.front();
+  const Point& last = ring.vertices.back();
+  if (first != last)
+    input.refuse(ring.places.back(),
+                 describe(name) + " is not closed: it starts at " + to_string(first) +
+                     " and ends at " + to_string(last),
+                 "the first vertex again at its end");
+  ring.vertices.pop_back();
+  ring.places.pop_back();
 }
 
 void refuse_too_few_vertices(const InputText& input, const Position& at, const ChainName& name,

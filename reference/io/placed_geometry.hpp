@@ -63,7 +63,11 @@ Rational coordinate(const InputText& input, std::string_view text, const Positio
   return *value;
 }
 
-/// Throws InvalidInput: a chain of so many vertices is none.
+/// Removes the last vertex of a ring, which must be the first one again. A ring of one vertex or none
+/// stays as it is. Throws InvalidInput.
+void remove_closing_vertex(const InputText& input, const ChainName& name, PlacedChain& ring);
+
+/// Throws InvalidInput: a chain needs more vertices than these.
 [[noreturn]] void refuse_too_few_vertices(const InputText& input, const Position& at,
                                           const ChainName& name, std::size_t count);
 

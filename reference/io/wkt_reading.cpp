@@ -6,7 +6,6 @@
 
 #include "reference/io/placed_geometry.hpp"
 #include "reference/io/quoting.hpp"
-#include "reference/io/writing.hpp"
 
 namespace oplus {
 
@@ -111,16 +110,7 @@ class WktReader {
 
   PlacedChain ring(const ChainName& name) {
     PlacedChain chain = vertices_of(describe(name));
-    if (chain.vertices.size() == 1) return chain;
-    const Point& first = chain.vertices.front();
-    const Point& last = chain.vertices.back();
-    if (first != last)
-      input_.refuse(chain.places.back(),
-                    describe(name) + " is not closed: it starts at " + to_string(first) +
-                        " and ends at " + to_string(last),
-                    "the first vertex again at its end");
-    chain.vertices.pop_back();
-    chain.places.pop_back();
+    remove_closing_vertex(input_, name, chain);
     return chain;
   }
 

@@ -2,6 +2,8 @@
 #include "reference/io/writing.hpp"
 
 #include <algorithm>
+#include <cctype>
+#include <string>
 #include <vector>
 
 #include "reference/definitions/contract.hpp"
@@ -48,29 +50,6 @@ std::string rounded(const Rational& value, unsigned long digits) {
   return decimal(sign(value) < 0 ? mpz_class(-magnitude) : magnitude, digits);
 }
 
-/// Writes the geometries of a format piece by piece.
-class Writer {
- public:
-  Writer(std::ostream& out, std::optional<int> digits) : out_(out), digits_(digits) {}
-
- protected:
-  std::string number(const Rational& value) const { return to_string(value, digits_); }
-
-  /// Writes the items with ", " between them.
-  template <typename Items, typename Write>
-  void list(const Items& items, Write write) const {
-    bool is_first = true;
-    for (const auto& item : items) {
-      if (!is_first) out_ << ", ";
-      is_first = false;
-      write(item);
-    }
-  }
-
-  std::ostream& out_;
-  std::optional<int> digits_;
-};
-
 std::vector<Chain> chains_of(const Component& component) {
   std::vector<Chain> result{component.outer};
   result.insert(result.end(), component.holes.begin(), component.holes.end());
@@ -82,138 +61,87 @@ Chain closed(Chain chain) {
   return chain;
 }
 
-Chain ends(const Segment& s) { return {s.source, s.target}; }
+std::string dat(const Region& region, std::optional<int> digits) {
+  if (region.components.empty()) return "0\n";
+  std::string text;
+  const auto add = [&](const Chain& chain) {
+    text += std::to_string(chain.size()) + '\n';
+    for (const Point& p : chain)
+      text += to_string(p.x, digits) + ' ' + to_string(p.y, digits) + '\n';
+  };
+  for (const Component& component : region.components) {
+    add(component.outer);
+    if (region.components.size() == 1 && component.holes.empty()) break;
+    text += std::to_string(component.holes.size()) + '\n';
+    for (const Chain& hole : component.holes) add(hole);
+  }
+  return text;
+}
 
-class DatWriter : private Writer {
+/// WKT and GeoJSON nest the same lists in different brackets.
+class GeometryText {
  public:
-  using Writer::Writer;
+  GeometryText(Format format, std::optional<int> digits)
+      : is_json_(format == Format::geojson), digits_(digits) {}
 
-  void write(const Region& region) const {
-    if (region.components.empty()) out_ << "0\n";
-    const bool is_one = region.components.size() == 1;
-    for (const Component& component : region.components) {
-      write(component.outer);
-      if (is_one && component.holes.empty()) return;
-      out_ << component.holes.size() << '\n';
-      for (const Chain& hole : component.holes) write(hole);
-    }
+  std::string of(const Region& region) const {
+    const auto in_brackets = [&](const Component& c) {
+      return list(chains_of(c), [&](const Chain& chain) { return vertices(closed(chain)); });
+    };
+    if (region.components.size() == 1)
+      return tagged("Polygon", in_brackets(region.components.front()));
+    if (region.components.empty() && !is_json_) return "POLYGON EMPTY";
+    return tagged("MultiPolygon", list(region.components, in_brackets));
+  }
+
+  std::string of(const Region& region, const MinkowskiSum& features) const {
+    std::vector<std::string> geometries;
+    if (!region.components.empty()) geometries.push_back(of(region));
+    for (const Segment& s : features.dangling_edges)
+      geometries.push_back(tagged("LineString", vertices({s.source, s.target})));
+    for (const Point& p : features.isolated_vertices)
+      geometries.push_back(tagged("Point", is_json_ ? vertex(p) : vertices({p})));
+    return tagged("GeometryCollection",
+                  list(geometries, [](const std::string& geometry) { return geometry; }),
+                  "geometries");
   }
 
  private:
-  void write(const Chain& chain) const {
-    out_ << chain.size() << '\n';
-    for (const Point& p : chain) out_ << number(p.x) << ' ' << number(p.y) << '\n';
+  std::string tagged(std::string type, const std::string& content,
+                     const std::string& member = "coordinates") const {
+    if (is_json_) return R"({"type": ")" + type + R"(", ")" + member + "\": " + content + '}';
+    for (char& c : type) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    return type + ' ' + content;
   }
-};
 
-class WktWriter : private Writer {
- public:
-  using Writer::Writer;
-
-  void write(const Region& region) const {
-    if (region.components.empty()) {
-      out_ << "POLYGON EMPTY";
-    } else if (region.components.size() == 1) {
-      out_ << "POLYGON ";
-      write(region.components.front());
-    } else {
-      out_ << "MULTIPOLYGON (";
-      list(region.components, [&](const Component& c) { write(c); });
-      out_ << ')';
+  template <typename Items, typename Text>
+  std::string list(const Items& items, Text text) const {
+    std::string result(1, is_json_ ? '[' : '(');
+    for (const auto& item : items) {
+      if (result.size() > 1) result += ", ";
+      result += text(item);
     }
+    return result + (is_json_ ? ']' : ')');
   }
 
-  void write(const Region& region, const MinkowskiSum& features) const {
-    out_ << "GEOMETRYCOLLECTION (";
-    if (!region.components.empty()) {
-      write(region);
-      out_ << ", ";
-    }
-    list(features.dangling_edges, [&](const Segment& s) {
-      out_ << "LINESTRING ";
-      write(ends(s));
-    });
-    if (!features.dangling_edges.empty() && !features.isolated_vertices.empty()) out_ << ", ";
-    list(features.isolated_vertices, [&](const Point& p) {
-      out_ << "POINT ";
-      write(Chain{p});
-    });
-    out_ << ')';
+  std::string vertices(const Chain& chain) const {
+    return list(chain, [&](const Point& p) { return vertex(p); });
   }
 
- private:
-  void write(const Component& component) const {
-    out_ << '(';
-    list(chains_of(component), [&](const Chain& chain) { write(closed(chain)); });
-    out_ << ')';
-  }
-
-  void write(const Chain& vertices) const {
-    out_ << '(';
-    list(vertices, [&](const Point& p) { out_ << number(p.x) << ' ' << number(p.y); });
-    out_ << ')';
-  }
-};
-
-class GeoJsonWriter : private Writer {
- public:
-  using Writer::Writer;
-
-  void write(const Region& region) const {
-    if (region.components.size() == 1) {
-      out_ << R"({"type": "Polygon", "coordinates": )";
-      write(region.components.front());
-    } else {
-      out_ << R"({"type": "MultiPolygon", "coordinates": [)";
-      list(region.components, [&](const Component& c) { write(c); });
-      out_ << ']';
-    }
-    out_ << '}';
-  }
-
-  void write(const Region& region, const MinkowskiSum& features) const {
-    out_ << R"({"type": "GeometryCollection", "geometries": [)";
-    if (!region.components.empty()) {
-      write(region);
-      out_ << ", ";
-    }
-    list(features.dangling_edges, [&](const Segment& s) {
-      out_ << R"({"type": "LineString", "coordinates": )";
-      write(ends(s));
-      out_ << '}';
-    });
-    if (!features.dangling_edges.empty() && !features.isolated_vertices.empty()) out_ << ", ";
-    list(features.isolated_vertices, [&](const Point& p) {
-      out_ << R"({"type": "Point", "coordinates": )";
-      write(p);
-      out_ << '}';
-    });
-    out_ << "]}";
-  }
-
- private:
-  void write(const Component& component) const {
-    out_ << '[';
-    list(chains_of(component), [&](const Chain& chain) { write(closed(chain)); });
-    out_ << ']';
-  }
-
-  void write(const Chain& vertices) const {
-    out_ << '[';
-    list(vertices, [&](const Point& p) { write(p); });
-    out_ << ']';
-  }
-
-  void write(const Point& p) const {
-    out_ << '[' << json_number(p.x) << ", " << json_number(p.y) << ']';
+  std::string vertex(const Point& p) const {
+    if (is_json_) return '[' + json_number(p.x) + ", " + json_number(p.y) + ']';
+    return to_string(p.x, digits_) + ' ' + to_string(p.y, digits_);
   }
 
   std::string json_number(const Rational& value) const {
-    const std::string text = number(value);
+    const std::string text = to_string(value, digits_);
     const bool is_number =
         text.find('/') == std::string::npos && text.size() <= longest_json_number;
     return is_number ? text : '"' + text + '"';
   }
+
+  bool is_json_;
+  std::optional<int> digits_;
 };
 
 }  // namespace
@@ -237,30 +165,18 @@ bool can_hold(Format format, const MinkowskiSum& sum) {
 }
 
 void write(std::ostream& out, const Region& region, Format format, std::optional<int> digits) {
-  switch (format) {
-    case Format::dat:
-      DatWriter(out, digits).write(region);
-      return;
-    case Format::wkt:
-      WktWriter(out, digits).write(region);
-      break;
-    case Format::geojson:
-      GeoJsonWriter(out, digits).write(region);
-      break;
-  }
-  out << '\n';
+  if (format == Format::dat)
+    out << dat(region, digits);
+  else
+    out << GeometryText(format, digits).of(region) << '\n';
 }
 
 void write(std::ostream& out, const MinkowskiSum& sum, Format format, std::optional<int> digits) {
   OPLUS_REQUIRES(can_hold(format, sum), "write");
   const Region region = region_of(sum);
-  const bool is_region = sum.dangling_edges.empty() && sum.isolated_vertices.empty();
-  if (is_region || format == Format::dat) return write(out, region, format, digits);
-  if (format == Format::wkt)
-    WktWriter(out, digits).write(region, sum);
-  else
-    GeoJsonWriter(out, digits).write(region, sum);
-  out << '\n';
+  if (sum.dangling_edges.empty() && sum.isolated_vertices.empty())
+    return write(out, region, format, digits);
+  out << GeometryText(format, digits).of(region, sum) << '\n';
 }
 
 }  // namespace oplus

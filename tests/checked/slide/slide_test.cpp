@@ -21,6 +21,7 @@ namespace oplus {
 namespace {
 
 using slide::power_of_two;
+using slide::quarter_turns;
 
 constexpr Boundary both[] = {Boundary::closed, Boundary::open};
 

@@ -3,16 +3,16 @@
 
 #include <algorithm>
 #include <functional>
-#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "checked/verify/verify.hpp"
-#include "reference/definitions/cells.hpp"
 #include "reference/definitions/difference.hpp"
 #include "reference/definitions/given_sum.hpp"
+#include "reference/definitions/ray.hpp"
 #include "reference/definitions/winding_number.hpp"
+#include "tests/reference/definitions/shapes.hpp"
 
 namespace oplus {
 
@@ -20,8 +20,8 @@ namespace oplus {
 struct Damage {
   std::string name;
   std::set<ReasonKind> right_reasons;
-  /// None where the sum has nothing to be damaged in this way.
-  std::function<std::optional<GivenSum>(const MinkowskiSum& sum)> apply;
+  /// Damages what is given of a sum. Returns false where there is nothing to be damaged in this way.
+  std::function<bool(GivenSum& given, const MinkowskiSum& sum)> apply;
 };
 
 inline GivenSum undamaged(const MinkowskiSum& sum) {
@@ -46,9 +46,11 @@ inline Chain triangle_beside(const Segment& edge, const MinkowskiSum& sum) {
     ends.push_back(e.source);
     ends.push_back(e.target);
   }
-  around.insert(around.begin(), cut(edge, ends)[0]);
   for (const Point& p : sum.isolated_vertices) around.push_back({p, p});
-  const Point centre = point_inside(around);
+  const Segment piece = cut(edge, ends)[0];
+  const Vector along = direction_of(piece);
+  const Point centre =
+      point_beside(midpoint(piece.source, piece.target), {-along.y, along.x}, around);
   for (Rational size = 1;; size /= 2) {
     const Chain triangle = {{centre.x - size, centre.y - size},
                             {centre.x + size, centre.y - size / 3},
@@ -62,11 +64,6 @@ inline Chain triangle_beside(const Segment& edge, const MinkowskiSum& sum) {
   }
 }
 
-inline Chain backwards_from(Chain chain) {
-  std::reverse(chain.begin(), chain.end());
-  return chain;
-}
-
 /// The component whose outer chain is the smallest around the place, to put a hole into.
 inline Component* component_around(Region& region, const Point& place) {
   Component* best = nullptr;
@@ -77,10 +74,9 @@ inline Component* component_around(Region& region, const Point& place) {
   return best;
 }
 
-/// Two components as one, by a narrow bridge between two edges that see each other; none where no
-/// such edges are found among the first few.
-inline std::optional<GivenSum> bridged(const MinkowskiSum& sum) {
-  GivenSum given = undamaged(sum);
+/// Two components as one, by a narrow bridge between two edges that see each other; false
+/// where no such edges are found among the first few.
+inline bool bridged(GivenSum& given, const MinkowskiSum& sum) {
   std::vector<Component>& components = given.region.components;
   for (std::size_t c = 1; c < components.size(); ++c) {
     const Chain& a = components[0].outer;
@@ -123,223 +119,199 @@ inline std::optional<GivenSum> bridged(const MinkowskiSum& sum) {
                                    components[c].holes.end());
         components[0].outer = std::move(joined);
         components.erase(components.begin() + static_cast<std::ptrdiff_t>(c));
-        return given;
+        return true;
       }
     }
   }
-  return std::nullopt;
+  return false;
 }
+
+inline Component& first_with_holes(Region& region) {
+  return *std::find_if(region.components.begin(), region.components.end(),
+                       [](const Component& c) { return !c.holes.empty(); });
+}
+
+inline Segment first_edge(const Chain& chain) { return {chain[0], chain[1]}; }
 
 inline const std::vector<Damage>& damages() {
   using K = ReasonKind;
-  using Given = std::optional<GivenSum>;
-  const auto first_with_holes = [](Region& region) -> Component* {
-    for (Component& c : region.components)
-      if (!c.holes.empty()) return &c;
-    return nullptr;
+  using Sum = const MinkowskiSum&;
+  static constexpr auto always = [](Sum) { return true; };
+  static constexpr auto has_hole = [](Sum sum) { return !sum.holes.empty(); };
+  // Not one with a component in it, that would stay.
+  static constexpr auto has_empty_hole = [](Sum sum) {
+    return !sum.holes.empty() && sum.outer.size() == 1;
   };
-  const auto first_edge = [](const Chain& chain) { return Segment{chain[0], chain[1]}; };
+  static constexpr auto has_dangling_edge = [](Sum sum) { return !sum.dangling_edges.empty(); };
+  static constexpr auto has_isolated_vertex = [](Sum sum) {
+    return !sum.isolated_vertices.empty();
+  };
+  static constexpr auto has_features = [](Sum sum) {
+    return has_dangling_edge(sum) || has_isolated_vertex(sum);
+  };
+  static constexpr auto has_no_features = [](Sum sum) { return !has_features(sum); };
+  const auto where = [](auto possible, auto change) {
+    return [=](GivenSum& given, Sum sum) {
+      if (possible(sum)) change(given, sum);
+      return possible(sum);
+    };
+  };
   static const std::vector<Damage> all = {
       {"a hole removed",
        {K::missing_hole},
-       [=](const MinkowskiSum& sum) -> Given {
-         // Not one with a component in it, that would stay.
-         if (sum.holes.empty() || sum.outer.size() > 1) return std::nullopt;
-         GivenSum given = undamaged(sum);
-         first_with_holes(given.region)->holes.pop_back();
-         return given;
-       }},
+       where(has_empty_hole,
+             [](GivenSum& given, Sum) { first_with_holes(given.region).holes.pop_back(); })},
       {"a hole added",
        {K::additional_hole},
-       [=](const MinkowskiSum& sum) -> Given {
-         GivenSum given = undamaged(sum);
-         const Chain hole = triangle_beside(first_edge(sum.outer.back()), sum);
-         component_around(given.region, hole[0])->holes.push_back(backwards_from(hole));
-         return given;
-       }},
+       where(always,
+             [](GivenSum& given, Sum sum) {
+               const Chain hole = triangle_beside(first_edge(sum.outer.back()), sum);
+               component_around(given.region, hole[0])->holes.push_back(backwards(hole));
+             })},
       {"a vertex moved by 1/1000000",
        {K::not_in_sum, K::not_in_given},
-       [=](const MinkowskiSum& sum) -> Given {
-         GivenSum given = undamaged(sum);
-         Chain& chain = given.region.components.front().outer;
-         chain[chain.size() / 2].x += Rational(1, 1000000);
-         return given;
-       }},
+       where(always,
+             [](GivenSum& given, Sum) {
+               Chain& chain = given.region.components.front().outer;
+               chain[chain.size() / 2].x += Rational(1, 1000000);
+             })},
       {"an outer chain turned",
        {K::wrong_orientation},
-       [=](const MinkowskiSum& sum) -> Given {
-         GivenSum given = undamaged(sum);
-         Chain& chain = given.region.components.back().outer;
-         chain = backwards_from(chain);
-         return given;
-       }},
+       where(always,
+             [](GivenSum& given, Sum) {
+               Chain& chain = given.region.components.back().outer;
+               chain = backwards(chain);
+             })},
       {"a hole turned",
        {K::wrong_orientation},
-       [=](const MinkowskiSum& sum) -> Given {
-         if (sum.holes.empty()) return std::nullopt;
-         GivenSum given = undamaged(sum);
-         Chain& hole = first_with_holes(given.region)->holes.front();
-         hole = backwards_from(hole);
-         return given;
-       }},
+       where(has_hole,
+             [](GivenSum& given, Sum) {
+               Chain& hole = first_with_holes(given.region).holes.front();
+               hole = backwards(hole);
+             })},
       {"a dangling edge lost",
        {K::missing_dangling_edge},
-       [=](const MinkowskiSum& sum) -> Given {
-         if (sum.dangling_edges.empty()) return std::nullopt;
-         GivenSum given = undamaged(sum);
-         given.dangling_edges.pop_back();
-         return given;
-       }},
+       where(has_dangling_edge, [](GivenSum& given, Sum) { given.dangling_edges.pop_back(); })},
       {"half of a dangling edge lost",
        {K::missing_dangling_edge},
-       [=](const MinkowskiSum& sum) -> Given {
-         if (sum.dangling_edges.empty()) return std::nullopt;
-         GivenSum given = undamaged(sum);
-         Segment& e = given.dangling_edges.back();
-         e.target = midpoint(e.source, e.target);
-         return given;
-       }},
+       where(has_dangling_edge,
+             [](GivenSum& given, Sum) {
+               Segment& e = given.dangling_edges.back();
+               e.target = midpoint(e.source, e.target);
+             })},
       {"a dangling edge invented",
        {K::additional_dangling_edge},
-       [=](const MinkowskiSum& sum) -> Given {
-         GivenSum given = undamaged(sum);
-         const Chain inside = triangle_beside(first_edge(sum.outer.front()), sum);
-         given.dangling_edges.push_back({inside[0], inside[1]});
-         return given;
-       }},
+       where(always,
+             [](GivenSum& given, Sum sum) {
+               const Chain inside = triangle_beside(first_edge(sum.outer.front()), sum);
+               given.dangling_edges.push_back({inside[0], inside[1]});
+             })},
       {"an isolated vertex lost",
        {K::missing_isolated_vertex},
-       [=](const MinkowskiSum& sum) -> Given {
-         if (sum.isolated_vertices.empty()) return std::nullopt;
-         GivenSum given = undamaged(sum);
-         given.isolated_vertices.pop_back();
-         return given;
-       }},
+       where(has_isolated_vertex,
+             [](GivenSum& given, Sum) { given.isolated_vertices.pop_back(); })},
       {"an isolated vertex invented",
        {K::additional_isolated_vertex},
-       [=](const MinkowskiSum& sum) -> Given {
-         GivenSum given = undamaged(sum);
-         given.isolated_vertices.push_back(triangle_beside(first_edge(sum.outer.front()), sum)[2]);
-         return given;
-       }},
+       where(always,
+             [](GivenSum& given, Sum sum) {
+               given.isolated_vertices.push_back(
+                   triangle_beside(first_edge(sum.outer.front()), sum)[2]);
+             })},
       {"two components joined", {K::joined_components}, bridged},
+      // Features inside the component would stay outside.
       {"a component lost",
        {K::missing_component},
-       [=](const MinkowskiSum& sum) -> Given {
-         GivenSum given = undamaged(sum);
-         given.region.components.pop_back();
-         // Features inside it would stay outside.
-         if (!sum.dangling_edges.empty() || !sum.isolated_vertices.empty()) return std::nullopt;
-         return given;
-       }},
+       where(has_no_features, [](GivenSum& given, Sum) { given.region.components.pop_back(); })},
       {"a component twice",
        {K::unsimple_boundary},
-       [=](const MinkowskiSum& sum) -> Given {
-         GivenSum given = undamaged(sum);
-         const Component again = given.region.components.front();
-         given.region.components.push_back(again);
-         return given;
-       }},
+       where(always,
+             [](GivenSum& given, Sum) {
+               const Component again = given.region.components.front();
+               given.region.components.push_back(again);
+             })},
       {"a component put into a hole",
        {K::additional_component},
-       [=](const MinkowskiSum& sum) -> Given {
-         if (sum.holes.empty()) return std::nullopt;
-         GivenSum given = undamaged(sum);
-         const Chain& hole = sum.holes.back();
-         given.region.components.push_back({triangle_beside({hole[1], hole[0]}, sum), {}});
-         return given;
-       }},
+       where(has_hole,
+             [](GivenSum& given, Sum sum) {
+               const Chain& hole = sum.holes.back();
+               given.region.components.push_back({triangle_beside({hole[1], hole[0]}, sum), {}});
+             })},
       {"a component put outside",
        {K::additional_component},
-       [=](const MinkowskiSum& sum) -> Given {
-         GivenSum given = undamaged(sum);
-         const Segment e = first_edge(sum.outer.front());
-         given.region.components.push_back({triangle_beside(reversed(e), sum), {}});
-         return given;
-       }},
+       where(always,
+             [](GivenSum& given, Sum sum) {
+               const Segment e = first_edge(sum.outer.front());
+               given.region.components.push_back({triangle_beside(reversed(e), sum), {}});
+             })},
       {"a hole filled by a component",
        {K::missing_hole},
-       [=](const MinkowskiSum& sum) -> Given {
-         if (sum.holes.empty() || sum.outer.size() > 1) return std::nullopt;
-         GivenSum given = undamaged(sum);
-         const Chain hole = first_with_holes(given.region)->holes.front();
-         given.region.components.push_back({backwards_from(hole), {}});
-         return given;
-       }},
+       where(has_empty_hole,
+             [](GivenSum& given, Sum) {
+               const Chain hole = first_with_holes(given.region).holes.front();
+               given.region.components.push_back({backwards(hole), {}});
+             })},
       {"a spike outwards",
        {K::unsimple_boundary},
-       [=](const MinkowskiSum& sum) -> Given {
-         GivenSum given = undamaged(sum);
-         Chain& chain = given.region.components.front().outer;
-         const Segment e = first_edge(chain);
-         const Point middle = midpoint(e.source, e.target);
-         const Point tip = triangle_beside(reversed(e), sum)[0];
-         chain.insert(chain.begin() + 1, {middle, tip, middle});
-         return given;
-       }},
+       where(always,
+             [](GivenSum& given, Sum sum) {
+               Chain& chain = given.region.components.front().outer;
+               const Segment e = first_edge(chain);
+               const Point middle = midpoint(e.source, e.target);
+               const Point tip = triangle_beside(reversed(e), sum)[0];
+               chain.insert(chain.begin() + 1, {middle, tip, middle});
+             })},
       {"the other kind of boundary",
        {K::wrong_boundary},
-       [=](const MinkowskiSum& sum) -> Given {
-         if (sum.dangling_edges.empty() && sum.isolated_vertices.empty()) return std::nullopt;
-         GivenSum given = undamaged(sum);
-         given.dangling_edges.clear();
-         given.isolated_vertices.clear();
-         return given;
-       }},
+       where(has_features,
+             [](GivenSum& given, Sum) {
+               given.dangling_edges.clear();
+               given.isolated_vertices.clear();
+             })},
       {"translated",
        {K::not_in_sum, K::not_in_given},
-       [=](const MinkowskiSum& sum) -> Given {
-         if (!sum.dangling_edges.empty() || !sum.isolated_vertices.empty()) return std::nullopt;
-         GivenSum given = undamaged(sum);
-         given.region = translated(given.region, {Rational(1, 1000), Rational(1, 777)});
-         return given;
-       }},
+       where(has_no_features,
+             [](GivenSum& given, Sum) {
+               given.region = translated(given.region, {Rational(1, 1000), Rational(1, 777)});
+             })},
       {"a vertex rounded",
        {K::not_in_sum, K::not_in_given},
-       [=](const MinkowskiSum& sum) -> Given {
-         GivenSum given = undamaged(sum);
+       [](GivenSum& given, Sum) {
          for (Component& component : given.region.components) {
            for (Point& v : component.outer) {
              mpz_class whole = v.x.get_num() / v.x.get_den();
              if (v.x == whole) continue;
              v.x = whole;
-             return given;
+             return true;
            }
          }
-         return std::nullopt;
+         return false;
        }},
       {"a vertex left out",
        {K::not_in_sum, K::not_in_given},
-       [=](const MinkowskiSum& sum) -> Given {
-         GivenSum given = undamaged(sum);
+       [](GivenSum& given, Sum) {
          Chain& chain = given.region.components.front().outer;
-         if (chain.size() < 4) return std::nullopt;
          chain.erase(chain.begin() + 1);
-         return given;
+         return chain.size() >= 3;
        }},
       {"two vertices exchanged",
        {K::not_in_sum, K::not_in_given, K::split_component, K::additional_component},
-       [=](const MinkowskiSum& sum) -> Given {
-         GivenSum given = undamaged(sum);
+       [](GivenSum& given, Sum) {
          Chain& chain = given.region.components.front().outer;
          std::swap(chain[0], chain[1]);
-         if (chain.size() < 4) return std::nullopt;
-         return given;
+         return chain.size() >= 4;
        }},
       {"a hole given as a component",
        {K::missing_hole},
-       [=](const MinkowskiSum& sum) -> Given {
-         if (sum.holes.empty() || sum.outer.size() > 1) return std::nullopt;
-         GivenSum given = undamaged(sum);
-         Component* component = first_with_holes(given.region);
-         const Chain hole = component->holes.back();
-         component->holes.pop_back();
-         given.region.components.push_back({hole, {}});
-         return given;
-       }},
+       where(has_empty_hole,
+             [](GivenSum& given, Sum) {
+               Component& component = first_with_holes(given.region);
+               const Chain hole = component.holes.back();
+               component.holes.pop_back();
+               given.region.components.push_back({hole, {}});
+             })},
       {"nothing given",
        {K::missing_component},
-       [=](const MinkowskiSum&) -> Given { return GivenSum{}; }},
+       where(always, [](GivenSum& given, Sum) { given = {}; })},
   };
   return all;
 }
