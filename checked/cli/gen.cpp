@@ -63,7 +63,7 @@ ExitCode list() {
   return ExitCode::done;
 }
 
-/// For help and completion; a name that is none gets a message of its own.
+/// For help and completion; an unknown name gets its own message.
 std::string family_names() {
   std::string names;
   for (const Family& family : families()) names += (names.empty() ? "" : ",") + family.name;

@@ -18,7 +18,7 @@ std::vector<TracedChain> traced(const std::vector<Chain>& chains, Summand of) {
   return result;
 }
 
-/// result = a + b, without the work that fractions need where there are none.
+/// result = a + b, without the cost of fractions where both are integers.
 /// Requires: result is an integer.
 void add(const Rational& a, const Rational& b, Rational& result) {
   if (a.get_den() == 1 && b.get_den() == 1)

@@ -115,7 +115,7 @@ void extend(std::optional<Stretch>& stretch, const RootNumber& low, const RootNu
   if (stretch->high < high) stretch->high = high;
 }
 
-/// Which t have s.source + t direction_of(s) at most so far from `to`. A convex set: that of the
+/// The t for which s.source + t direction_of(s) is near enough to `to`. A convex set: that of the
 /// disks around both ends and of the rectangle between them.
 std::optional<Stretch> near_part(const Segment& s, const Segment& to, const Rational& squared) {
   const Vector along = direction_of(s);

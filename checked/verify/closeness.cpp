@@ -60,7 +60,7 @@ std::string described(const Chain& chain, bool is_hole) {
          to_string(*std::min_element(chain.begin(), chain.end()));
 }
 
-/// Pairs as many chains as can be, and names those that are left.
+/// Pairs as many chains as possible, and names the others.
 void find_partners(const std::vector<Chain>& right, const std::vector<Chain>& given,
                    const Rational& tolerance, bool are_holes, std::vector<std::string>& left_over) {
   using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;

@@ -291,7 +291,7 @@ class Walks {
   }
 
   /// Tracks in line with the one that is walked along; those that end elsewhere are taken too, since
-  /// one too many costs a collision test and no more.
+  /// one more than needed costs a collision test only.
   void add_running_along(std::vector<std::size_t>& through) const {
     through.push_back(number_);
     for (std::size_t i = 0; against_ > 0 && i < tracks_.size(); ++i) {

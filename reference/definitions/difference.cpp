@@ -21,7 +21,9 @@ struct Overlaid {
   }
 
   Location locate(const Point& p) const {
-    if (lies_on_one(p, features)) return Location::boundary;
+    const std::vector<Point>& isolated = sum.isolated_vertices;
+    if (lies_on_one(p, all) || std::find(isolated.begin(), isolated.end(), p) != isolated.end())
+      return Location::boundary;
     return winding_number(p, regular) > 0 ? Location::inside : Location::outside;
   }
 
@@ -151,8 +153,8 @@ std::optional<Difference> difference(const MinkowskiSum& a, const MinkowskiSum& 
       if (!found) continue;
       if (turned) std::swap(found->in_a, found->in_b);
       found->what = feature.empty() ? describe_regular(*found, a, b)
-                    : turned        ? feature + " of the second is none in the first"
-                                    : feature + " of the first is none in the second";
+                    : turned        ? feature + " of the second is not one of the first"
+                                    : feature + " of the first is not one of the second";
       return found;
     }
   }

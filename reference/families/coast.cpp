@@ -11,7 +11,7 @@ namespace oplus {
 
 namespace {
 
-/// Machine integers: each new vertex is held against all edges. Products stay below 2^43.
+/// Machine integers: each new vertex is compared with all edges. Products stay below 2^43.
 struct Place {
   std::int64_t x;
   std::int64_t y;

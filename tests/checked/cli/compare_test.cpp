@@ -48,11 +48,11 @@ TEST_F(Compare, a_hole_is_found) {
 
 TEST_F(Compare, low_dimensional_features_are_found) {
   expect_difference("slit.wkt full.wkt",
-                    "not equal: a dangling edge of the first is none in the second\n"
+                    "not equal: a dangling edge of the first is not one of the second\n"
                     "witness: (2, 2) is on the boundary of the first and inside the second\n");
   expect_difference("slit.wkt dot.wkt", "not equal: a dangling edge of the first");
   expect_difference("full.wkt dot.wkt",
-                    "not equal: an isolated vertex of the second is none in the first\n"
+                    "not equal: an isolated vertex of the second is not one of the first\n"
                     "witness: (1, 2) is inside the first and on the boundary of the second\n");
 }
 

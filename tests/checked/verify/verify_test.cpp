@@ -162,7 +162,7 @@ TEST(Verify, of_an_empty_sum) {
             Kinds{ReasonKind::additional_isolated_vertex});
 }
 
-TEST(Verify, takes_chains_that_are_none) {
+TEST(Verify, takes_chains_of_too_few_points) {
   const Region lines{{{box(0, 0, 5, 5), {backwards(box(2, 2, 3, 3))}},
                       {{{1, 1}}, {}},
                       {{}, {}},

@@ -107,8 +107,9 @@ TEST(Difference, of_dangling_edges_avoids_isolated_vertices) {
   b.isolated_vertices = {{2, 1}};  // the middle of the edge
   const auto d = checked_difference(a, b);
   ASSERT_TRUE(d);
-  EXPECT_EQ(d->what, "a dangling edge of the first is none in the second");
-  EXPECT_EQ(checked_difference(b, a)->what, "a dangling edge of the second is none in the first");
+  EXPECT_EQ(d->what, "a dangling edge of the first is not one of the second");
+  EXPECT_EQ(checked_difference(b, a)->what,
+            "a dangling edge of the second is not one of the first");
 }
 
 TEST(Difference, of_a_shorter_dangling_edge_is_in_the_rest) {

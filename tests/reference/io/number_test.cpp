@@ -54,7 +54,7 @@ TEST(Number, of_the_largest_exponents_is_exact) {
   EXPECT_EQ(*large * *small, 1);
 }
 
-TEST(Number, that_is_none_says_why) {
+TEST(Number, that_is_not_one_says_why) {
   const std::string shape = "an integer, a decimal or a fraction p/q";
   for (const std::string text :
        {"",      "-",     "+",     ".",   "e5", "1e",  "1e+",  "1.5.2", "1e5e5",
