@@ -21,7 +21,7 @@ struct ComponentsAndHoles {
 
 /// CCC(x) (thesis, Definition 4.2.9) with holes: the topology of the intersection of the interiors
 /// of P and -Q+x. Parts that touch in points only are several components; a hole that touches the
-/// outside does not count. By CGAL's Boolean operations on sets of simple polygons, chain by chain, since
+/// outside is none. By CGAL's Boolean operations on sets of simple polygons, chain by chain, since
 /// its polygons with holes know fewer touching chains than ours.
 /// Requires: P and Q are valid; x is on no segment of the vertex-edge sum, so that no vertex of
 /// either is on the other's boundary and edges cross properly or not at all.

@@ -11,7 +11,7 @@ namespace oplus {
 
 /// Random bits that are the same on every compiler: the engine is fixed by the standard, and
 /// numbers are drawn from it by Boost, not by the standard library, whose distributions differ.
-/// Draw one number per statement or within braces: the order of a call's arguments is up to the
+/// Draw one number a statement or within braces: the order of a call's arguments is up to the
 /// compiler.
 using Random = std::mt19937_64;
 
