@@ -232,7 +232,7 @@ std::string detail_of(const Reason& reason) {
     case ReasonKind::missing_hole:
       return "a hole" + place + " of the sum is filled";
     case ReasonKind::additional_hole:
-      return "a hole" + place + " is not in the sum";
+      return "a hole" + place + " is not a hole of the sum";
     case ReasonKind::missing_component:
       return "a component" + place + " of the sum is missing";
     case ReasonKind::additional_component:
