@@ -15,7 +15,6 @@
 #include "properties/compare/differential_report.hpp"
 #include "properties/compare/engine_called.hpp"
 #include "properties/compare/limit_options.hpp"
-#include "properties/compare/peers/peer_table.hpp"
 #include "properties/compare/sealed_report.hpp"
 #include "properties/runner/checked_engines.hpp"
 #include "properties/runner/progress.hpp"
@@ -68,7 +67,7 @@ std::vector<std::string> hole_test_names() {
 CLI::Validator engine_name() {
   std::string offered = "all";  // for completion, which is told nothing of exec:CMD
   for (const Engine& own : engines()) offered += "," + own.name;
-  for (const Peer& peer : peers()) offered += "," + peer.name;
+  for (const Engine& peer : peers()) offered += "," + peer.name;
   return CLI::Validator(
       [](const std::string& name) -> std::string {
         std::vector<std::string> known = names_of(engines());
@@ -78,7 +77,7 @@ CLI::Validator engine_name() {
           return "";
         std::string names;
         for (const std::string& own : known) names += own + ", ";
-        for (const Peer& peer : peers()) names += peer.name + ", ";
+        for (const Engine& peer : peers()) names += peer.name + ", ";
         return name + " is no engine; there are " + names + "exec:CMD";
       },
       "{" + offered + "}");
@@ -86,7 +85,7 @@ CLI::Validator engine_name() {
 
 std::string peer_list() {
   std::string lines;
-  for (const Peer& peer : peers())
+  for (const Engine& peer : peers())
     lines += "  " + peer.name + std::string(22 - peer.name.size(), ' ') + peer.what + '\n';
   return lines;
 }

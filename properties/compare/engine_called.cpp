@@ -106,19 +106,26 @@ NoSum open_not_taken() {
   return {Kind::not_taken, "open", "not taken: it computes closed sums only"};
 }
 
-Engine peer_engine(const Peer& peer, PeerLimits limits) {
+}  // namespace
+
+std::vector<Engine> peers(PeerLimits limits) {
 #ifdef __SANITIZE_ADDRESS__
   limits.memory_mb = 0;  // the sanitizer is linked with it and needs terabytes
 #endif
-  return named_engine(peer.name, [name = peer.name, limits, program = program_beside("oplus-peer")](
-                                     const Region& p, const Region& q, Boundary boundary) {
-    if (boundary == Boundary::open) throw open_not_taken();
-    const SummandFiles files(p, q);
-    return sum_by({program, name, files.p(), files.q()}, limits);
+  std::vector<Engine> all;
+  for_each_peer([&](const char* name, const char* what, Arithmetic arithmetic, auto /*there*/) {
+    Engine peer =
+        named_engine(name, [name, limits](const Region& p, const Region& q, Boundary boundary) {
+          if (boundary == Boundary::open) throw open_not_taken();
+          const SummandFiles files(p, q);
+          return sum_by({program_beside("oplus-peer"), name, files.p(), files.q()}, limits);
+        });
+    peer.what = what;
+    peer.arithmetic = arithmetic;
+    all.push_back(std::move(peer));
   });
+  return all;
 }
-
-}  // namespace
 
 Engine program_engine(const std::string& command, const PeerLimits& limits) {
   return named_engine(std::string(exec) + command,
@@ -136,7 +143,8 @@ Engine program_engine(const std::string& command, const PeerLimits& limits) {
 }
 
 std::optional<Engine> engine_called(const std::string& engine, const PeerLimits& limits) {
-  if (const Peer* peer = find_peer(engine)) return peer_engine(*peer, limits);
+  const std::vector<Engine> all = peers(limits);
+  if (const Engine* peer = find_engine(all, engine)) return *peer;
   if (engine.starts_with(exec) && engine.size() > exec.size())
     return program_engine(engine.substr(exec.size()), limits);
   return std::nullopt;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "checked/engine.hpp"
 
@@ -16,13 +17,17 @@ struct PeerLimits {
   std::size_t output_mb = 64;    ///< of the sum as written
 };
 
-/// Returns an implementation of somebody else's that runs in a process of its own for each sum, or
-/// none where `engine` is neither the name of a peer (peer_table.hpp) nor "exec:" and a command.
-/// Its sum() throws NoSum, and std::system_error where no process or no file can be had; any number of
+/// The methods of others' libraries (peers/peer_table.hpp), in the order in which they are listed. Each
+/// runs `oplus-peer` for each sum; see engine_called().
+std::vector<Engine> peers(PeerLimits limits = {});
+
+/// Returns an engine of somebody else's that runs in a process of its own for each sum, or
+/// none where `engine` is neither the name of a peer nor "exec:" and a command.
+/// Its compute() throws NoSum, and std::system_error where no process or no file can be had; any number of
 /// threads may call it.
 std::optional<Engine> engine_called(const std::string& engine, const PeerLimits& limits);
 
-/// Any program as an implementation. The shell runs the command, in which
+/// Any program as an engine. The shell runs the command, in which
 ///  1. {p} and {q} are replaced by the names of two files, the summands in WKT: absolute, and of
 ///     letters, digits and "/._-" only, so that they need no quotes and do no harm in any;
 ///     where neither is there, both are appended;

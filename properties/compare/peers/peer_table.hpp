@@ -1,25 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "properties/compare/peers/method.hpp"
+#include "properties/compare/peers/returned_chains.hpp"
 
 namespace oplus {
 
-/// A method of somebody's library that oplus has an adapter for. All compute closed sums only.
-struct Peer {
-  std::string name;
-  std::string what;
-  Arithmetic arithmetic;
-};
-
-/// All of them, in the order in which they are listed.
-const std::vector<Peer>& peers();
-
-/// Returns nullptr for an unknown name.
-const Peer* find_peer(const std::string& name);
+/// Lists the methods of others' libraries that oplus has an adapter for, all of them of closed sums
+/// only: calls `row(name, what, arithmetic, method)`. A method is linked only where it is called:
+/// `oplus-check` needs the names and not the libraries.
+template <typename Row>
+void for_each_peer(Row row) {
+  constexpr Arithmetic exact = Arithmetic::exact;
+  constexpr Arithmetic rounding = Arithmetic::rounding;
+  row("cgal-reduced", "CGAL's reduced convolution; one component, holes", exact,
+      [](const auto& pair) { return cgal_reduced(pair); });
+  row("cgal-full", "CGAL's full convolution; one component, no holes", exact,
+      [](const auto& pair) { return cgal_full(pair); });
+  row("cgal-vertical", "CGAL, by vertical decomposition; one component, holes", exact,
+      [](const auto& pair) { return cgal_vertical(pair); });
+  row("cgal-triangulation", "CGAL, by triangulation; one component, holes", exact,
+      [](const auto& pair) { return cgal_triangulation(pair); });
+  row("cgal-small-side", "CGAL, by small side angle bisectors; one component, no holes", exact,
+      [](const auto& pair) { return cgal_small_side(pair); });
+  row("cgal-optimal", "CGAL, by optimal convex decomposition; one component, no holes", exact,
+      [](const auto& pair) { return cgal_optimal(pair); });
+  row("cgal-hertel-mehlhorn",
+      "CGAL, by Hertel and Mehlhorn's decomposition; one component, no holes", exact,
+      [](const auto& pair) { return cgal_hertel_mehlhorn(pair); });
+  row("cgal-greene", "CGAL, by Greene's decomposition; one component, no holes", exact,
+      [](const auto& pair) { return cgal_greene(pair); });
+  row("clipper",
+      "Clipper 6, filled by the larger summand; one component, holes in the larger summand; rounds",
+      rounding, [](const auto& pair) { return clipper(pair); });
+  row("boost-polygon", "Boost.Polygon's convolution of polygon sets; any region; rounds", rounding,
+      [](const auto& pair) { return boost_polygon(pair); });
+}
 
 /// How `oplus-peer` and programs of others say by their exit code why they return no sum. For
 /// 77 see the manual of GNU Automake, for 65 sysexits.h.

@@ -16,7 +16,6 @@
 #include "properties/compare/corpus.hpp"
 #include "properties/compare/differential.hpp"
 #include "properties/compare/no_sum.hpp"
-#include "properties/compare/peers/peer_table.hpp"
 #include "properties/runner/temporary_folder.hpp"
 
 namespace oplus {
@@ -212,7 +211,7 @@ TEST(Peers, compute_sums_of_the_corpus_they_are_known_to_compute) {
                                         "equally_directed_overlapping_edges", "island_in_a_hole"};
   for (const Row& row : corpus()) {
     if (!chosen.contains(row.name)) continue;
-    for (const Peer& peer : peers()) {
+    for (const Engine& peer : peers()) {
       try {
         if (sum(peer.name, patient(), Boundary::closed, row.p, row.q) == row.closed)
           ++right_sums[peer.name];
@@ -223,7 +222,7 @@ TEST(Peers, compute_sums_of_the_corpus_they_are_known_to_compute) {
       }
     }
   }
-  for (const Peer& peer : peers()) EXPECT_GE(right_sums[peer.name], 1U) << peer.name;
+  for (const Engine& peer : peers()) EXPECT_GE(right_sums[peer.name], 1U) << peer.name;
 }
 
 /// Where this fails a library has become better: docs/findings.md is to say so.
@@ -262,7 +261,7 @@ TEST(Peers, do_not_take_what_they_have_no_interface_for) {
   const Region two{{{{{0, 0}, {1, 0}, {0, 1}}, {}}, {{{5, 5}, {6, 5}, {5, 6}}, {}}}};
   const std::set<std::string> take_holes = {"cgal-reduced", "cgal-vertical", "cgal-triangulation",
                                             "clipper", "boost-polygon"};
-  const auto is_taken = [](const Peer& peer, const Region& p, Boundary boundary) {
+  const auto is_taken = [](const Engine& peer, const Region& p, Boundary boundary) {
     try {
       sum(peer.name, patient(), boundary, p, triangle);
       return true;
@@ -271,7 +270,7 @@ TEST(Peers, do_not_take_what_they_have_no_interface_for) {
       return false;
     }
   };
-  for (const Peer& peer : peers()) {
+  for (const Engine& peer : peers()) {
     EXPECT_TRUE(is_taken(peer, square, Boundary::closed)) << peer.name;
     EXPECT_FALSE(is_taken(peer, square, Boundary::open)) << peer.name;
     EXPECT_EQ(is_taken(peer, frame, Boundary::closed), take_holes.contains(peer.name)) << peer.name;
