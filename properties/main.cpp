@@ -13,7 +13,6 @@
 #include "properties/compare/conformance/conformance_command.hpp"
 #include "properties/compare/diff_command.hpp"
 #include "properties/compare/exhaustive/exhaustive_command.hpp"
-#include "properties/experiments/experiments_command.hpp"
 #include "properties/fuzz/fuzz_command.hpp"
 #include "properties/pages/pages_command.hpp"
 #include "properties/pages/theorems_command.hpp"
@@ -44,7 +43,6 @@ int run(int argc, char** argv) {
       "  1  a disagreement, a statement that failed, a mutant that lives\n"
       "  2  invalid input or usage, or a file that cannot be read or written\n"
       "  3  a bug in oplus; please report it\n"
-      "  4  of experiments: gnuplot is missing or fails; all but the plots is written\n"
       "  5  of exhaustive: interrupted before the end");
   oplus::add_diff_command(app, exit_code);
   oplus::add_conformance_command(app, exit_code);
@@ -54,7 +52,6 @@ int run(int argc, char** argv) {
   oplus::add_theorems_command(app, exit_code);
   oplus::add_mutants_command(app, exit_code);
   oplus::add_pages_command(app, exit_code);
-  oplus::add_experiments_command(app, exit_code);
   oplus::add_fuzz_command(app, exit_code);
   oplus::add_smt_command(app, exit_code);
   const oplus::Choose choose = [&exit_code](const std::function<void()>& work) {

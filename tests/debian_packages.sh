@@ -3,7 +3,8 @@
 
 packages=(g++ clang libclang-rt-14-dev cmake ninja-build ccache git python3 clang-format
           libcgal-dev libgmp-dev libmpfr-dev libboost-dev libcli11-dev nlohmann-json3-dev
-          libtbb-dev libpolyclipping-dev librapidcheck-dev libgtest-dev gnuplot-nox
+          libtbb-dev libpolyclipping-dev librapidcheck-dev libgtest-dev libbenchmark-dev
+          libkainjow-mustache-dev gnuplot-nox
           parallel munge slurmctld slurmd slurm-client
           coq make ocaml-nox z3 cvc5 jq)
 

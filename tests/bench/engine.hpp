@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "properties/compare/peers/method.hpp"
-#include "tests/bench/measurement.hpp"
+#include "tests/bench/row.hpp"
 
 namespace oplus {
 
-/// Pairs in an engine's own form, ready to be computed again and again.
+/// A row's pairs in an engine's own form, ready to be computed again and again.
 class PreparedPairs {
  public:
   virtual ~PreparedPairs() = default;
@@ -22,51 +23,53 @@ class PreparedPairs {
   /// Forgets what compute() kept.
   virtual void forget() = 0;
 
-  /// Whether compute() leaves coordinates unevaluated, which evaluate() makes up for.
-  virtual bool is_lazy() const { return false; }
-  virtual void evaluate() {}
+  /// Evaluates coordinates that compute() left unevaluated; returns false where there are none.
+  virtual bool evaluate() { return false; }
 
-  /// Says what compute() kept.
+  /// Adds how long the stages of the last compute() took, by name.
+  virtual void add_stages(std::map<std::string, double>& seconds) const {
+    static_cast<void>(seconds);
+  }
+
+  /// Says what compute() kept. The measurement has its times already.
   virtual void describe(Measurement& measurement) const = 0;
 };
 
-struct BenchmarkedEngine {
+/// What can be measured on rows of one subject.
+struct BenchEngine {
   std::string name;
   std::string what;
-  Arithmetic arithmetic;
+  Subject subject;
+  bool rounds;
   bool is_ours;
 
   /// Throws NotTaken.
-  std::unique_ptr<PreparedPairs> (*prepare)(const std::vector<Summands>& pairs);
+  std::function<std::unique_ptr<PreparedPairs>(const Row& row, const std::vector<Summands>& pairs)>
+      prepare;
+  bool is_at_fault = false;  ///< on purpose
 };
 
-/// All engines, in the order in which they are listed; with those that are at fault on purpose, by
-/// which the benchmark itself is tested, at the end.
-const std::vector<BenchmarkedEngine>& benchmarked_engines();
-inline constexpr std::size_t engines_at_fault = 3;
+/// All engines, in the order in which they are listed.
+const std::vector<BenchEngine>& bench_engines();
 
-/// Returns nullptr for an unknown name.
-const BenchmarkedEngine* find_benchmarked_engine(const std::string& name);
+/// Returns nullptr for an unknown name. Rows of growth are for engines of sums.
+const BenchEngine* find_bench_engine(Subject subject, const std::string& name);
 
-using Prepare = std::unique_ptr<PreparedPairs>(const std::vector<Summands>& pairs);
+// What the list is made of.
 
-Prepare prepare_slide;
-Prepare prepare_slide_on_two_threads;
-Prepare prepare_rca;
-Prepare prepare_winding;
-Prepare prepare_cgal_reduced;
-Prepare prepare_cgal_full;
-Prepare prepare_cgal_vertical;
-Prepare prepare_clipper;
-Prepare prepare_boost_polygon;
+/// Engines of sums: of oplus, also slide on two threads, and of others.
+std::vector<BenchEngine> own_engines();
+std::vector<BenchEngine> peer_engines();
 
-/// The convolution itself, not a sum: by cycle tracing, and by all pairs.
-Prepare prepare_traced_convolution;
-Prepare prepare_naive_convolution;
+/// The convolution itself, not a sum: by cycle tracing, the same but which segments there are and not
+/// where, and by all pairs (thesis, Section 3.2.1).
+std::vector<BenchEngine> convolution_engines();
 
-/// At fault on purpose: aborts, never ends, returns a sum with one vertex moved.
-Prepare prepare_crash;
-Prepare prepare_hang;
-Prepare prepare_wrong;
+/// Each prepares a hole test and asks it questions about the row's pair: rca's or, as the row's word
+/// `about` says, one about each edge of the arrangement.
+std::vector<BenchEngine> hole_test_engines();
+
+/// By which the benchmark itself is tested: one crashes, one never ends, one moves a vertex of the sum.
+std::vector<BenchEngine> engines_at_fault();
 
 }  // namespace oplus

@@ -11,21 +11,19 @@ namespace {
 Measurement of(const std::string& engine, double seconds) {
   Measurement m;
   m.engine = engine;
-  m.seconds = seconds;
-  m.peak_mb = 1;
+  m.numbers = {{"seconds", seconds}, {"peak_mb", 1}, {"segments", 1'000'000}};
   m.area = "1";
-  m.segments = 1'000'000;
   return m;
 }
 
 Report report_of(const std::string& row, const std::string& group,
                  std::vector<Measurement> measurements) {
-  RowReport report;
+  Row report;
   report.name = row;
   report.group = group;
   report.what = row;
   report.measurements = std::move(measurements);
-  return {{"", 1, "", "", "", 60, {}}, {report}};
+  return {{"", 1, "", "", "", "", 60, {}}, {report}};
 }
 
 Goal goal(const Report& report, const std::string& part_of_text) {
@@ -54,7 +52,7 @@ TEST(Goals, are_reached_from_the_number_on) {
 
 TEST(Goals, a_lower_bound_below_the_number_tells_nothing) {
   Measurement ended = of("cgal-reduced", 0);
-  ended.outcome = Outcome::over_limit;
+  ended.outcome = Measurement::Outcome::over_limit;
   const auto stars = [&](double slide) {
     return goal(report_of("star_300_star_100", "stars", {of("slide", slide), ended}),
                 "stars of 300 and 100: at least");
@@ -73,9 +71,9 @@ TEST(Goals, name_the_row_on_which_an_engine_is_faster) {
 }
 
 TEST(Goals, the_time_a_segment_counts_where_there_are_no_holes) {
-  const auto row = [](double seconds, std::size_t holes) {
+  const auto row = [](double seconds, double holes) {
     Measurement slide = of("slide", seconds);
-    slide.holes = holes;
+    slide.numbers["sum_holes"] = holes;
     return goal(report_of("comb_20", "combs", {slide}), "µs a segment");
   };
   EXPECT_EQ(row(3, 0).reached, true);

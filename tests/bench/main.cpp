@@ -1,154 +1,126 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <filesystem>
+#include <csignal>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <regex>
-#include <sstream>
 
+#include "checked/cli/command_line/program_frame.hpp"
+#include "checked/cli/command_line/terminal.hpp"
+#include "checked/cli/usage_error.hpp"
 #include "reference/io/writing.hpp"
+#include "tests/bench/experiment.hpp"
+#include "tests/bench/measuring.hpp"
 #include "tests/bench/page.hpp"
-#include "tests/bench/terminal.hpp"
-#include "tests/bench/worker.hpp"
+#include "tests/bench/rows.hpp"
 
 namespace oplus {
 
 namespace {
 
+const std::string program = "oplus-bench";
 constexpr int exit_wrong = 1;
 constexpr int exit_usage = 2;
 
 struct Options {
   std::string rows = ".*";
   std::vector<std::string> engines;
-  double limit = 60;
+  MeasuringLimits limits{60, 0};
   double min_time = 0.5;
   bool list = false;
   bool engines_at_fault = false;
   std::string json;
   std::string markdown;
   std::string from;
-  std::vector<std::string> worker;
 };
 
-/// Those that are not at fault, unless asked for.
-std::vector<BenchmarkedEngine> offered_engines(const Options& options) {
-  std::vector<BenchmarkedEngine> offered = benchmarked_engines();
-  if (!options.engines_at_fault) offered.resize(offered.size() - engines_at_fault);
+/// Those of the benchmark's rows; those at fault only where they are asked for.
+std::vector<BenchEngine> offered_engines(const Options& options) {
+  std::vector<BenchEngine> offered = bench_engines();
+  const std::vector<Row>& rows = benchmark_rows();
+  std::erase_if(offered, [&](const BenchEngine& engine) {
+    return (engine.is_at_fault && !options.engines_at_fault) ||
+           engine.subject == Subject::hole_tests ||
+           std::none_of(rows.begin(), rows.end(), [&](const Row& row) {
+             return std::count(row.engines.begin(), row.engines.end(), engine.name) > 0;
+           });
+  });
   return offered;
 }
 
-std::vector<BenchmarkedEngine> chosen_engines(const Options& options) {
-  std::vector<BenchmarkedEngine> offered = offered_engines(options);
-  if (options.engines.empty()) {
+std::vector<std::string> chosen_engines(const Options& options) {
+  std::vector<std::string> offered;
+  for (const BenchEngine& engine : offered_engines(options))
     // Those at fault never come unasked.
-    offered.resize(std::min(offered.size(), benchmarked_engines().size() - engines_at_fault));
-    return offered;
-  }
-  std::vector<BenchmarkedEngine> chosen;
-  for (const std::string& name : options.engines) {
-    const auto found = std::find_if(offered.begin(), offered.end(),
-                                    [&](const BenchmarkedEngine& e) { return e.name == name; });
-    if (found == offered.end()) throw std::invalid_argument("no engine is called " + name);
-    chosen.push_back(*found);
-  }
-  return chosen;
+    if (!engine.is_at_fault || !options.engines.empty()) offered.push_back(engine.name);
+  if (options.engines.empty()) return offered;
+  for (const std::string& name : options.engines)
+    if (std::find(offered.begin(), offered.end(), name) == offered.end())
+      throw UsageError("no engine is called " + name);
+  return options.engines;
 }
 
-std::vector<BenchRow> chosen_rows(const Options& options) {
+std::vector<Row> chosen_rows(const Options& options) {
   const std::regex pattern(options.rows);
-  std::vector<BenchRow> chosen;
-  std::copy_if(rows().begin(), rows().end(), std::back_inserter(chosen),
-               [&](const BenchRow& row) { return std::regex_match(row.name, pattern); });
-  if (chosen.empty()) throw std::invalid_argument("no row matches " + options.rows);
+  std::vector<Row> chosen;
+  std::copy_if(benchmark_rows().begin(), benchmark_rows().end(), std::back_inserter(chosen),
+               [&](const Row& row) { return std::regex_match(row.name, pattern); });
+  if (chosen.empty()) throw UsageError("no row matches " + options.rows);
   return chosen;
 }
 
 void list(const Options& options) {
   std::cout << "rows\n";
-  for (const BenchRow& row : chosen_rows(options))
+  for (const Row& row : chosen_rows(options))
     std::cout << "  " << row.name << ": " << row.what << '\n';
   std::cout << "engines\n";
-  for (const BenchmarkedEngine& engine : offered_engines(options))
+  for (const BenchEngine& engine : offered_engines(options))
     std::cout << "  " << engine.name << ": " << engine.what << '\n';
-}
-
-int work(const Options& options) {
-  const BenchmarkedEngine* engine = find_benchmarked_engine(options.worker.at(0));
-  const BenchRow* row = find_row(options.worker.at(1));
-  if (engine == nullptr || row == nullptr)
-    throw std::invalid_argument("no such engine or no such row");
-  work(*engine, *row, options.min_time);
 }
 
 Report read_report(const std::string& path) {
   std::ifstream file(path);
-  if (!file) throw std::invalid_argument("cannot open " + path);
-  return nlohmann::ordered_json::parse(file).get<Report>();
+  if (!file) throw UsageError("cannot open " + path);
+  return report_of({std::istreambuf_iterator<char>(file), {}});
 }
 
-std::string page_template() {
-  std::ifstream file(OPLUS_BENCH_PAGE);
-  if (!file) throw std::invalid_argument("cannot open " OPLUS_BENCH_PAGE);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-Report measured(const Options& options, const std::string& command) {
-  Report report{this_setting(command, options.limit), {}};
-  const std::vector<BenchmarkedEngine> of_run = chosen_engines(options);
-  for (const BenchRow& row : chosen_rows(options)) {
-    if (std::none_of(of_run.begin(), of_run.end(),
-                     [&](const BenchmarkedEngine& engine) { return is_for(engine.name, row); }))
+Report measured_report(const Options& options, const std::string& command) {
+  Report report{this_setting(command, options.limits.seconds), {}};
+  report.setting.missing = missing_published_pairs();
+  const std::vector<std::string> of_run = chosen_engines(options);
+  for (Row& row : chosen_rows(options)) {
+    if (std::find_first_of(row.engines.begin(), row.engines.end(), of_run.begin(), of_run.end()) ==
+        row.engines.end())
       continue;
-    write_head(std::cout, row);
-    report.rows.push_back({row.name, row.group, row.what, row.subject, row.pairs, {}});
-    for (const BenchmarkedEngine& engine : of_run) {
-      if (!is_for(engine.name, row)) continue;
-      report.rows.back().measurements.push_back(
-          measured_in_worker(engine, row, options.min_time, options.limit));
-      write_line(std::cout, report.rows.back().measurements.back());
-    }
-    write_agreement(std::cout, report.rows.back());
+    measure(row, of_run, options.min_time, options.limits, std::cout);
+    report.rows.push_back(std::move(row));
     // What has been measured is not lost where the run is ended.
-    if (!options.json.empty())
-      write_file(options.json, nlohmann::ordered_json(report).dump(1) + '\n');
+    if (!options.json.empty()) write_file(options.json, to_json(report));
   }
   for (const std::string& name : report.setting.missing)
     std::cout << "skipped, not in " OPLUS_DATA_DIR ": published_" << name << '\n';
   return report;
 }
 
-/// Whether exact engines disagree, or one of ours was lost on the way.
-bool is_wrong(const Report& report) {
-  bool wrong = false;
-  for (const RowReport& row : report.rows) {
-    const std::string disagreement = agreement_of(row).disagreement;
-    if (!disagreement.empty()) {
-      std::cerr << "oplus-bench: " << row.name << ": " << disagreement << " disagree\n";
-      wrong = true;
-    }
-    for (const Measurement& m : row.measurements) {
-      const BenchmarkedEngine* engine = find_benchmarked_engine(m.engine);
-      const bool lost = m.outcome == Outcome::crashed || m.outcome == Outcome::failed;
-      if (!lost || engine == nullptr || !engine->is_ours) continue;
-      std::cerr << "oplus-bench: " << row.name << ": " << m.engine << ' ' << in_words(m) << '\n';
-      wrong = true;
-    }
-  }
-  return wrong;
-}
-
 int run(const Options& options, const std::string& command) {
-  if (!options.worker.empty()) return work(options);
   if (options.list) {
     list(options);
     return 0;
   }
   const Report report =
-      options.from.empty() ? measured(options, command) : read_report(options.from);
-  if (!options.markdown.empty()) write_file(options.markdown, page_of(report, page_template()));
-  return is_wrong(report) ? exit_wrong : 0;
+      options.from.empty() ? measured_report(options, command) : read_report(options.from);
+  if (!options.markdown.empty())
+    write_file(options.markdown, rendered("benchmarks.md.mustache", benchmarks_data(report)));
+  bool is_wrong = false;
+  for (const Row& row : report.rows) {
+    for (const std::string& fault : faults_of(row)) {
+      say_error(program, fault);
+      is_wrong = true;
+    }
+  }
+  return is_wrong ? exit_wrong : 0;
 }
 
 /// In quotes where a shell would see more than a word.
@@ -163,22 +135,20 @@ std::string command_of(int argc, char** argv) {
   return command;
 }
 
-}  // namespace
-
-}  // namespace oplus
-
-int main(int argc, char** argv) {
-  using namespace oplus;
+int run(int argc, char** argv) {
   Options options;
+  int exit_code = 0;
   CLI::App app{
       "Measures Minkowski sums: oplus's engines beside CGAL, Clipper and Boost.Polygon, each in a "
-      "process of its own, and holds their results against each other"};
+      "process of its own, and compares their results",
+      program};
   app.add_option("--rows", options.rows, "Only the rows whose whole name matches")
       ->type_name("REGEX");
   app.add_option("--engines", options.engines, "Only these, separated by commas")
       ->type_name("LIST")
       ->delimiter(',');
-  app.add_option("--limit", options.limit, "Seconds that a run may take before the engine is ended")
+  app.add_option("--limit", options.limits.seconds,
+                 "Seconds that a run may take before the engine is ended")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   app.add_option("--min-time", options.min_time,
@@ -194,17 +164,31 @@ int main(int argc, char** argv) {
   app.add_flag("--engines-at-fault", options.engines_at_fault,
                "Also offers engines that crash, hang and are wrong: a test of the benchmark")
       ->group("");
-  app.add_option("--worker", options.worker, "ENGINE ROW: measures in this process")
-      ->expected(2)
-      ->group("");
   app.footer(
       "Exit code: 0 all exact results are equal, 1 they are not or an engine of oplus was lost, 2 "
       "a request that makes no sense. A peer that crashes or is too slow is a result.");
-  CLI11_PARSE(app, argc, argv);
+  add_experiments_command(app, exit_code);
   try {
-    return run(options, command_of(argc, argv));
+    app.parse(argc, argv);
+  } catch (const CLI::Success& asked) {
+    return app.exit(asked);
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(complaint(app, error));
+  }
+  return app.get_subcommands().empty() ? run(options, command_of(argc, argv)) : exit_code;
+}
+
+}  // namespace
+
+}  // namespace oplus
+
+int main(int argc, char** argv) {
+  // A reader that closes its pipe is an output that cannot be written, not a death.
+  std::signal(SIGPIPE, [](int) {});
+  try {
+    return oplus::run(argc, argv);
   } catch (const std::exception& e) {
-    std::cerr << "oplus-bench: " << e.what() << '\n';
-    return exit_usage;
+    oplus::say_error(oplus::program, e.what());
+    return oplus::exit_usage;
   }
 }

@@ -4,11 +4,11 @@
 #include <string>
 
 #include "tests/bench/report.hpp"
+#include "tests/bench/templates.hpp"
 
 namespace oplus {
 
-/// docs/benchmarks.md: the template with its @MARKS@ replaced by what a run found.
-/// Throws std::invalid_argument for a mark it does not know.
-std::string page_of(const Report& report, const std::string& page_template);
+/// What the template benchmarks.md.mustache is filled with: what a run found.
+PageData benchmarks_data(const Report& report);
 
 }  // namespace oplus

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 namespace oplus {
@@ -12,8 +10,9 @@ namespace {
 
 Report report_with_two_engines() {
   Report report;
-  report.setting = {"a processor", 2, "a compiler", "libraries", "oplus-bench", 60, {"fork"}};
-  RowReport row;
+  report.setting = {"a processor", 2,  "a compiler", "libraries", "a commit",
+                    "oplus-bench", 60, {"fork"}};
+  Row row;
   row.name = "row";
   row.what = "two squares";
   for (const auto& [engine, digest, area] :
@@ -23,50 +22,66 @@ Report report_with_two_engines() {
     m.engine = engine;
     m.digest = digest;
     m.area = area;
-    m.seconds = 0.5;
-    m.peak_mb = 1;
+    m.numbers = {{"seconds", 0.5}, {"peak_mb", 1}, {"sum_holes", 0}};
     row.measurements.push_back(m);
   }
   Measurement crashed;
   crashed.engine = "cgal-full";
-  crashed.outcome = Outcome::crashed;
+  crashed.outcome = Measurement::Outcome::crashed;
   crashed.note = "signal 11";
   row.measurements.push_back(crashed);
   report.rows = {row};
   return report;
 }
 
-std::string page(const std::string& page_template) {
-  return page_of(report_with_two_engines(), page_template);
+std::string page(const std::string& text) {
+  return rendered_text(text, benchmarks_data(report_with_two_engines()));
 }
 
-TEST(Page, replaces_its_marks) { EXPECT_EQ(page("on @MACHINE@."), "on a processor, 2 cores."); }
-
-TEST(Page, refuses_marks_it_does_not_know) {
-  EXPECT_THROW(page("@NOTHING@"), std::invalid_argument);
-  EXPECT_THROW(page("an @ alone"), std::invalid_argument);
+TEST(Page, replaces_names) {
+  EXPECT_EQ(page("on {{processor}}, {{cores}} cores."), "on a processor, 2 cores.");
 }
+
+TEST(Page, refuses_names_it_does_not_know_and_templates_that_are_invalid) {
+  EXPECT_THROW(page("{{nothing}}"), std::invalid_argument);
+  EXPECT_THROW(page("{{#nothing}}{{/nothing}}"), std::invalid_argument);
+  EXPECT_THROW(page("{{>nothing}}"), std::invalid_argument);
+  EXPECT_THROW(page("{{#rows}}"), std::invalid_argument);
+  EXPECT_THROW(rendered("nothing", {}), std::invalid_argument);
+}
+
+TEST(Page, escapes_nothing) { EXPECT_EQ(rendered_text("{{x}}", PageData("x", "<&\">")), "<&\">"); }
 
 TEST(Page, says_what_went_wrong) {
-  EXPECT_EQ(page("@AGREEMENT@"),
-            "On 0 of 1 rows with two exact engines or more, all exact results are equal");
-  EXPECT_EQ(page("@REMARKS@"),
+  EXPECT_EQ(page("{{equal}} of {{compared}}"), "0 of 1");
+  EXPECT_EQ(page("{{#remarks}}\n- {{.}}.\n{{/remarks}}\n"),
             "- two squares: **slide against rca disagree**.\n"
             "- two squares: cgal-full crashed: signal 11.\n"
             "- The published pair fork was not there.\n");
 }
 
-TEST(Page, shows_errors_of_rounding_beside_the_exact_result) {
-  EXPECT_NE(page("@ERRORS@").find("| two squares | 0 | 1.0e+00 | 5.0e-01 | 0 |"), std::string::npos)
-      << page("@ERRORS@");
+TEST(Page, shows_tables) {
+  EXPECT_EQ(
+      page("{{#sums}}\nsum, ms = what\nholes = sum_holes\n* = 1000 *.seconds\n{{/sums}}\nend\n"),
+      "| sum, ms | holes | slide | rca | cgal-full | clipper |\n"
+      "|---|---|---|---|---|---|\n"
+      "| two squares | 0 | 500 | 500 | crashed: signal 11 | 500 |\n"
+      "end\n");
 }
 
-TEST(Page, knows_every_mark_of_its_template) {
-  std::ifstream file(OPLUS_BENCH_PAGE);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  ASSERT_FALSE(text.empty());
-  EXPECT_EQ(page(text).find('@'), std::string::npos);
-  EXPECT_EQ(page_of({}, text).find('@'), std::string::npos);
+TEST(Page, shows_errors_of_rounding_beside_the_exact_result) {
+  const std::string errors = page(
+      "{{#rounding_engines}}\nsum = what\n* = e *.area_error; relative = e *.relative_area_error\n"
+      "{{/rounding_engines}}\n");
+  EXPECT_NE(errors.find("| two squares | 1.0e+00 | 5.0e-01 |"), std::string::npos) << errors;
+}
+
+TEST(Page, has_every_name_of_its_template) {
+  const std::string of_run =
+      rendered("benchmarks.md.mustache", benchmarks_data(report_with_two_engines()));
+  EXPECT_EQ(of_run.find("{{"), std::string::npos);
+  EXPECT_EQ(of_run.find("\n\n\n"), std::string::npos);
+  EXPECT_NE(rendered("benchmarks.md.mustache", benchmarks_data({})), "");
 }
 
 }  // namespace

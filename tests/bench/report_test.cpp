@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/bench/ratio.hpp"
+#include <stdexcept>
 
 namespace oplus {
 namespace {
@@ -12,8 +12,7 @@ Measurement done(const std::string& engine, double seconds, const std::string& d
                  const std::string& area = "1") {
   Measurement m;
   m.engine = engine;
-  m.seconds = seconds;
-  m.peak_mb = 10;
+  m.numbers = {{"seconds", seconds}, {"peak_mb", 10}};
   m.digest = digest;
   m.area = area;
   return m;
@@ -22,55 +21,56 @@ Measurement done(const std::string& engine, double seconds, const std::string& d
 Measurement ended(const std::string& engine) {
   Measurement m;
   m.engine = engine;
-  m.outcome = Outcome::over_limit;
-  m.peak_mb = 30;
+  m.outcome = Measurement::Outcome::over_limit;
+  m.numbers = {{"peak_mb", 30}};
   return m;
 }
 
-RowReport row_of(std::vector<Measurement> measurements) {
-  RowReport row;
+Row row_of(std::vector<Measurement> measurements) {
+  Row row;
   row.name = "row";
   row.measurements = std::move(measurements);
   return row;
 }
 
 TEST(Agreement, of_equal_digests) {
-  const RowReport row = row_of({done("slide", 1, "a"), done("rca", 1, "a")});
+  const Row row = row_of({done("slide", 1, "a"), done("rca", 1, "a")});
   EXPECT_EQ(agreement_of(row).disagreement, "");
   ASSERT_NE(agreement_of(row).exact, nullptr);
   EXPECT_EQ(agreement_of(row).exact->engine, "slide");
 }
 
 TEST(Agreement, names_who_differs) {
-  const RowReport row =
+  const Row row =
       row_of({done("slide", 1, "a"), done("rca", 1, "b"), done("cgal-reduced", 1, "a")});
   EXPECT_EQ(agreement_of(row).disagreement, "slide, cgal-reduced against rca");
 }
 
 TEST(Agreement, rounded_results_and_those_that_are_missing_do_not_count) {
-  const RowReport row =
-      row_of({ended("slide"), done("rca", 1, "a"), done("clipper", 1, "", "1.5")});
+  const Row row = row_of({ended("slide"), done("rca", 1, "a"), done("clipper", 1, "", "1.5")});
   EXPECT_EQ(agreement_of(row).disagreement, "");
   EXPECT_EQ(agreement_of(row).exact->engine, "rca");
   EXPECT_EQ(agreement_of(row_of({ended("slide")})).exact, nullptr);
 }
 
 TEST(AreaError, is_signed_absolute_and_relative) {
-  const Measurement exact = done("slide", 1, "a", "10/4");
-  EXPECT_EQ(absolute_area_error(done("clipper", 1, "", "2"), exact), -0.5);
-  EXPECT_DOUBLE_EQ(relative_area_error(done("clipper", 1, "", "3"), exact), 0.2);
-  EXPECT_EQ(relative_area_error(done("clipper", 1, "", "2.5"), exact), 0);
+  const auto error = [](const std::string& area, const std::string& name) {
+    return row_of({done("slide", 1, "a", "10/4"), done("clipper", 1, "", area)})
+        .number("clipper." + name);
+  };
+  EXPECT_EQ(error("2", "area_error"), -0.5);
+  EXPECT_DOUBLE_EQ(*error("3", "relative_area_error"), 0.2);
+  EXPECT_EQ(error("2.5", "relative_area_error"), 0);
+  EXPECT_EQ(row_of({done("clipper", 1, "", "2")}).number("clipper.area_error"), std::nullopt);
 }
 
 TEST(Ratio, is_a_lower_bound_where_an_engine_was_ended) {
-  Report report;
-  report.setting.limit = 8;
-  const RowReport row = row_of({done("slide", 2, "a"), done("rca", 6, "a"), ended("winding")});
-  EXPECT_EQ(ratio_text(*time_ratio(report, row, "rca", "slide")), "3.00");
-  EXPECT_EQ(ratio_text(*time_ratio(report, row, "winding", "slide")), "> 4.00");
-  EXPECT_EQ(ratio_text(*memory_ratio(report, row, "winding", "slide")), "> 3.00");
-  EXPECT_FALSE(time_ratio(report, row, "slide", "winding"));
-  EXPECT_FALSE(time_ratio(report, row, "clipper", "slide"));
+  const Row row = row_of({done("slide", 2, "a"), done("rca", 6, "a"), ended("winding")});
+  EXPECT_EQ(ratio_text(*time_ratio(row, "rca", "slide", 8)), "3.00");
+  EXPECT_EQ(ratio_text(*time_ratio(row, "winding", "slide", 8)), "> 4.00");
+  EXPECT_EQ(ratio_text(*memory_ratio(row, "winding", "slide", 8)), "> 3.00");
+  EXPECT_FALSE(time_ratio(row, "slide", "winding", 8));
+  EXPECT_FALSE(time_ratio(row, "clipper", "slide", 8));
 }
 
 TEST(Ratio, geometric_mean) {
@@ -79,32 +79,39 @@ TEST(Ratio, geometric_mean) {
   EXPECT_TRUE(geometric_mean({{2, false}, {8, true}}).is_lower_bound);
 }
 
+TEST(Faults, are_disagreements_and_losses_of_ours) {
+  Measurement lost = ended("winding");
+  EXPECT_TRUE(faults_of(row_of({done("slide", 1, "a"), lost})).empty());
+  lost.outcome = Measurement::Outcome::out_of_memory;
+  EXPECT_TRUE(faults_of(row_of({lost})).empty());
+  lost.outcome = Measurement::Outcome::crashed;
+  lost.note = "signal 6";
+  EXPECT_EQ(faults_of(row_of({done("slide", 1, "a"), done("rca", 1, "b"), lost})),
+            std::vector<std::string>(
+                {"row: slide against rca disagree", "row: winding crashed: signal 6"}));
+  lost.engine = "cgal-full";
+  EXPECT_TRUE(faults_of(row_of({lost})).empty());
+}
+
 TEST(Report, is_read_as_it_was_written) {
   Report report;
-  report.setting = {"processor", 2, "compiler", "libraries", "command", 60, {"fork"}};
-  Measurement m = done("cgal-reduced", 0.25, "abc", "1/3");
-  m.seconds_evaluated = 0.5;
-  m.segments = 12;
-  m.runs = 3;
-  m.busy = 0.99;
-  m.outer = 1;
-  m.holes = 2;
-  m.vertices = 20;
+  report.setting = {"processor", 2, "compiler", "libraries", "commit", "command", 60, {"fork"}};
   Measurement crashed;
   crashed.engine = "cgal-full";
-  crashed.outcome = Outcome::crashed;
+  crashed.outcome = Measurement::Outcome::crashed;
   crashed.note = "signal 11";
-  report.rows = {row_of({m, crashed, ended("winding")})};
+  report.rows = {row_of({done("cgal-reduced", 0.25, "abc", "1/3"), crashed, ended("winding")})};
   report.rows[0].subject = Subject::growth;
-  const nlohmann::ordered_json written = report;
-  const Report read = nlohmann::ordered_json::parse(written.dump()).get<Report>();
-  EXPECT_EQ(nlohmann::ordered_json(read), written);
+  const std::string written = to_json(report);
+  const Report read = report_of(written);
+  EXPECT_EQ(to_json(read), written);
   EXPECT_EQ(read.rows[0].subject, Subject::growth);
-  ASSERT_NE(read.rows[0].done("cgal-reduced"), nullptr);
-  EXPECT_EQ(read.rows[0].done("cgal-reduced")->seconds_evaluated, 0.5);
+  EXPECT_EQ(read.rows[0].number("cgal-reduced.seconds"), 0.25);
   EXPECT_EQ(read.rows[0].of("cgal-full")->note, "signal 11");
   EXPECT_EQ(read.rows[0].done("cgal-full"), nullptr);
   EXPECT_EQ(read.setting.missing, report.setting.missing);
+  EXPECT_THROW(report_of("{}"), std::invalid_argument);
+  EXPECT_THROW(report_of("no JSON"), std::invalid_argument);
 }
 
 }  // namespace

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/bench/rows.hpp"
 
-#include <algorithm>
-#include <filesystem>
+#include <utility>
 
 #include "reference/families/coast.hpp"
 #include "reference/families/fork.hpp"
 #include "reference/families/pairs.hpp"
 #include "reference/families/polygons.hpp"
-#include "reference/io/reading.hpp"
+#include "tests/bench/engine.hpp"
+#include "tests/bench/published_pairs.hpp"
 
 namespace oplus {
 
@@ -38,83 +38,56 @@ Region large_coast(Random& random, std::size_t n) {
 
 const Kind coast{"coast", "coastline", large_coast};
 
-BenchRow pair_of(const std::string& group, const Kind& p, std::size_t n, const Kind& q,
-                 std::size_t m, Subject subject = Subject::sums) {
+Row row_of(const std::string& name, const std::string& group, const std::string& what,
+           std::function<std::vector<Summands>()> make, Subject subject = Subject::sums) {
+  Row row;
+  row.name = name;
+  row.group = group;
+  row.what = what;
+  row.subject = subject;
+  row.make = std::move(make);
+  return row;
+}
+
+Row pair_of(const std::string& group, const Kind& p, std::size_t n, const Kind& q, std::size_t m,
+            Subject subject = Subject::sums) {
   const std::string name =
       p.name + '_' + std::to_string(n) + "_" + q.name + '_' + std::to_string(m);
-  const std::string what = p.words + " of " + std::to_string(n) + " vertices and " + q.words +
-                           " of " + std::to_string(m);
-  return {(subject == Subject::sums ? "" : "growth_") + name,
-          group,
-          what,
-          subject,
-          1,
-          [p = p.make, n, q = q.make, m] {
-            Random random(1);
-            Region first = p(random, n);
-            return std::vector<Summands>{{std::move(first), q(random, m)}};
-          }};
-}
-
-/// Files of the folder of published polygons, without their ending.
-struct PublishedFiles {
-  std::string name;
-  std::string what;
-  std::string p;
-  std::string q;
-};
-
-const std::vector<PublishedFiles>& published() {
-  static const std::vector<PublishedFiles> all{
-      {"fork", "published fork", "fork_part1", "fork_part2"},
-      {"comb", "published comb", "comb_part1", "comb_part2"},
-      {"stars", "published stars", "stars_part1", "stars_part2"},
-      {"isolated_vertex", "published pair with an isolated vertex", "isolated_vertex_part1",
-       "isolated_vertex_part2"},
-      {"e_and_g", "published E and G", "E", "G"},
-      {"l_and_square", "published L and square", "l_shape", "deg_square"},
-      {"holes", "published pair with holes", "pwh1", "pwh2"},
+  const auto make = [p = p.make, n, q = q.make, m] {
+    Random random(1);
+    Region first = p(random, n);
+    return std::vector<Summands>{{std::move(first), q(random, m)}};
   };
-  return all;
+  return row_of((subject == Subject::sums ? "" : "growth_") + name, group,
+                p.words + " of " + std::to_string(n) + " vertices and " + q.words + " of " +
+                    std::to_string(m),
+                make, subject);
 }
 
-std::string path_of(const std::string& file) {
-  return std::string(OPLUS_DATA_DIR) + '/' + file + ".dat";
-}
-
-bool is_there(const PublishedFiles& files) {
-  return std::filesystem::exists(path_of(files.p)) && std::filesystem::exists(path_of(files.q));
-}
-
-Summands read(const PublishedFiles& files) {
-  Region p = read_region_file(path_of(files.p)).region;
-  return {std::move(p), read_region_file(path_of(files.q)).region};
-}
-
-void add_published(std::vector<BenchRow>& all) {
-  for (const PublishedFiles& files : published()) {
-    if (!is_there(files)) continue;
-    const Summands pair = read(files);
-    const std::string group = files.name == "holes" ? "with holes" : "published";
-    all.push_back({"published_" + files.name, group,
-                   files.what + ", " + std::to_string(vertex_count(pair.p)) + " and " +
-                       std::to_string(vertex_count(pair.q)) + " vertices",
-                   Subject::sums, 1, [files] { return std::vector<Summands>{read(files)}; }});
+void add_published(std::vector<Row>& all) {
+  for (const PublishedPair& published : published_pairs()) {
+    if (published.what.empty() || !published.is_there()) continue;
+    const Summands pair = published.read();
+    const std::string group = published.name == "holes" ? "with holes" : "published";
+    all.push_back(row_of("published_" + published.name, group,
+                         published.what + ", " + std::to_string(vertex_count(pair.p)) + " and " +
+                             std::to_string(vertex_count(pair.q)) + " vertices",
+                         [published] { return std::vector<Summands>{published.read()}; }));
   }
 }
 
-void add_forks_and_combs(std::vector<BenchRow>& all) {
+void add_forks_and_combs(std::vector<Row>& all) {
   for (const std::size_t teeth : {10, 20, 50, 100})
-    all.push_back({"fork_" + std::to_string(teeth), "fork and L",
-                   "fork of " + std::to_string(teeth) + " teeth an arm, and L", Subject::sums, 1,
-                   [teeth] { return std::vector<Summands>{fork_and_l(teeth)}; }});
+    all.push_back(row_of("fork_" + std::to_string(teeth), "fork and L",
+                         "fork of " + std::to_string(teeth) + " teeth an arm, and L",
+                         [teeth] { return std::vector<Summands>{fork_and_l(teeth)}; }));
   for (const std::size_t teeth : {20, 100, 500})
-    all.push_back({"comb_" + std::to_string(teeth), "combs",
-                   "comb of " + std::to_string(teeth) + " teeth and a small convex polygon",
-                   Subject::sums, 1, [teeth] {
-                     Random random(1);
-                     return std::vector<Summands>{comb_pair(random, teeth)};
-                   }});
+    all.push_back(row_of("comb_" + std::to_string(teeth), "combs",
+                         "comb of " + std::to_string(teeth) + " teeth and a small convex polygon",
+                         [teeth] {
+                           Random random(1);
+                           return std::vector<Summands>{comb_pair(random, teeth)};
+                         }));
 }
 
 /// Of 4 to 8 vertices each.
@@ -128,7 +101,7 @@ std::vector<Summands> make_small_pairs() {
   return pairs;
 }
 
-void add_convolutions(std::vector<BenchRow>& all) {
+void add_convolutions(std::vector<Row>& all) {
   for (const Kind& kind : {convex, star}) {
     for (const std::size_t n : {50, 100, 200, 400}) {
       all.push_back(pair_of("convolution", kind, n, kind, n, Subject::convolution));
@@ -137,11 +110,25 @@ void add_convolutions(std::vector<BenchRow>& all) {
   }
 }
 
+/// The engines for a row.
+std::vector<std::string> engines_for(const Row& row) {
+  if (row.subject == Subject::convolution) return {"traced", "naive"};
+  if (row.subject == Subject::growth) return {"slide", "slide2"};
+  std::vector<std::string> names;
+  for (const BenchEngine& engine : bench_engines()) {
+    // Where one thread takes so short, starting the second is what would be measured.
+    const bool is_for_row =
+        engine.name != "slide2" || row.group == "stars" || row.group == "coastlines";
+    if (engine.subject == Subject::sums && is_for_row) names.push_back(engine.name);
+  }
+  return names;
+}
+
 }  // namespace
 
-const std::vector<BenchRow>& rows() {
-  static const std::vector<BenchRow> all = [] {
-    std::vector<BenchRow> made;
+const std::vector<Row>& benchmark_rows() {
+  static const std::vector<Row> all = [] {
+    std::vector<Row> made;
     add_published(made);
     for (const std::size_t n : {50, 100, 200, 300})
       made.push_back(pair_of("stars", star, n, star, 100));
@@ -154,37 +141,23 @@ const std::vector<BenchRow>& rows() {
       made.push_back(pair_of("coastlines", coast, n, convex, 20));
       made.push_back(pair_of("coastlines", coast, n, star, 100));
     }
-    made.push_back({"small_pairs", "small pairs",
-                    std::to_string(small_pairs) + " pairs of polygons of 4 to 8 vertices",
-                    Subject::sums, small_pairs, make_small_pairs});
+    made.push_back(row_of("small_pairs", "small pairs",
+                          std::to_string(small_pairs) + " pairs of polygons of 4 to 8 vertices",
+                          make_small_pairs));
+    made.back().pairs = small_pairs;
     for (const std::size_t n : {55, 95, 175, 300, 388})
       made.push_back(pair_of("growth", star, n, star, n, Subject::growth));
     add_convolutions(made);
+    for (Row& row : made) row.engines = engines_for(row);
     return made;
   }();
   return all;
 }
 
-const BenchRow* find_row(const std::string& name) {
-  const std::vector<BenchRow>& all = rows();
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const BenchRow& row) { return row.name == name; });
-  return found == all.end() ? nullptr : &*found;
-}
-
-bool is_for(const std::string& engine, const BenchRow& row) {
-  if (engine == "traced" || engine == "naive") return row.subject == Subject::convolution;
-  if (engine == "slide") return row.subject != Subject::convolution;
-  // Where one thread takes so short, starting the second is what would be measured.
-  if (engine == "slide2")
-    return row.subject == Subject::growth || row.group == "stars" || row.group == "coastlines";
-  return row.subject == Subject::sums;
-}
-
 std::vector<std::string> missing_published_pairs() {
   std::vector<std::string> missing;
-  for (const PublishedFiles& files : published())
-    if (!is_there(files)) missing.push_back(files.name);
+  for (const PublishedPair& pair : published_pairs())
+    if (!pair.what.empty() && !pair.is_there()) missing.push_back(pair.name);
   return missing;
 }
 

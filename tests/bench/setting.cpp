@@ -33,9 +33,10 @@ Setting this_setting(const std::string& command, double limit) {
           std::thread::hardware_concurrency(),
           "GCC " __VERSION__ ", " OPLUS_BENCH_FLAGS,
           "CGAL " CGAL_VERSION_STR ", Clipper " CLIPPER_VERSION ", Boost " + boost_version(),
+          OPLUS_BENCH_COMMIT,
           command,
           limit,
-          missing_published_pairs()};
+          {}};
 }
 
 }  // namespace oplus

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tests/bench/fit.hpp"
+#include "tests/bench/table.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace oplus {
+
+struct ExperimentSettings {
+  std::uint64_t seed = 1;
+  double scale = 1;                    ///< of the largest size of each family
+  std::size_t memory_limit_mb = 8000;  ///< of one measurement; 0: none
+};
+
+/// A picture that gnuplot draws of an experiment's CSV: its script is pages/NAME.gp.mustache.
+struct Plot {
+  std::string name;
+  std::string needs;   ///< it is drawn if a row has this number
+  std::string family;  ///< and is of this `family`; empty: any
+};
+
+/// One of the experiments of chapter 6; its page is pages/NAME.md.mustache.
+struct Experiment {
+  std::string name;
+  std::string what;  ///< a line
+  std::function<std::vector<Row>(const ExperimentSettings& settings)> rows;
+  void (*compare)(Row& row);                              ///< adds what compares engines
+  std::vector<std::string> first_columns;                 ///< of its CSV
+  std::vector<std::string> (*summary)(const Rows& rows);  ///< the index's lines about it
+  std::vector<Plot> plots;
+
+  /// The curve that plots show through the times of rca and winding, if any.
+  Fitting* fitting = nullptr;
+  std::string fitted_over = "";  ///< what is its x
+};
+
+/// All experiments, in the order of the thesis.
+const std::vector<Experiment>& experiments();
+
+/// Those about engines of sums, about hole tests, and about cycle tracing.
+std::vector<Experiment> sum_experiments();
+Experiment hole_test_experiment();
+Experiment cycle_experiment();
+
+/// Adds the command `experiments`: chapter 6 of the thesis measured again. Sets the exit code when run:
+/// 0 all is written, 1 engines disagree or a measurement died, 4 all but the plots is written, as
+/// gnuplot is missing or fails. Throws UsageError; std::system_error where a file cannot be written.
+void add_experiments_command(CLI::App& app, int& exit_code);
+
+}  // namespace oplus

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/bench/families.hpp"
+
+#include <gtest/gtest.h>
+
+namespace oplus {
+namespace {
+
+using Sizes = std::vector<std::size_t>;
+
+TEST(GrowingFamilies, the_scale_cuts_and_extends_a_range_at_its_top) {
+  const SizeRange range{10, 40, 10};
+  EXPECT_EQ(sizes(range, 1), Sizes({10, 20, 30, 40}));
+  EXPECT_EQ(sizes(range, 0.5), Sizes({10, 20}));
+  EXPECT_EQ(sizes(range, 0.99), Sizes({10, 20, 30}));
+  EXPECT_EQ(sizes(range, 1.5), Sizes({10, 20, 30, 40, 50, 60}));
+  EXPECT_EQ(sizes(range, 0), Sizes({10}));
+  EXPECT_EQ(sizes({50, 980, 30}, 1).back(), 980U);
+}
+
+TEST(GrowingFamilies, doubling_sizes) {
+  EXPECT_EQ(doubling_sizes(25, 200, 1), Sizes({25, 50, 100, 200}));
+  EXPECT_EQ(doubling_sizes(25, 200, 0.9), Sizes({25, 50, 100}));
+  EXPECT_EQ(doubling_sizes(25, 200, 0), Sizes({25}));
+}
+
+TEST(GrowingFamilies, each_pair_has_bits_of_its_own) {
+  const auto first = [](const std::string& experiment, std::uint64_t seed, std::size_t size,
+                        std::size_t index) { return random_of(experiment, seed, size, index)(); };
+  const std::uint64_t one = first("a", 1, 30, 1);
+  EXPECT_EQ(one, first("a", 1, 30, 1));
+  EXPECT_NE(one, first("b", 1, 30, 1));
+  EXPECT_NE(one, first("a", 2, 30, 1));
+  EXPECT_NE(one, first("a", 1 + (1ULL << 32), 30, 1));
+  EXPECT_NE(one, first("a", 1, 31, 1));
+  EXPECT_NE(one, first("a", 1, 30, 2));
+}
+
+}  // namespace
+}  // namespace oplus

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reference/families/family.hpp"
+
+namespace oplus {
+
+/// A pair that somebody published, in files of the folder `data/`.
+struct PublishedPair {
+  std::string name;
+  std::string what;  ///< in words; empty where the benchmark has no row of it
+  std::string p;     ///< its file, without the ending .dat
+  std::string q;
+
+  /// Its row in the thesis's Table 6.1: times in seconds, edges of the arrangements.
+  struct Measured {
+    double t_w;
+    double t_rc;
+    double a_w;
+    double a_rc;
+  };
+  std::optional<Measured> in_thesis;
+
+  bool is_there() const;
+
+  /// Throws InvalidInput.
+  Summands read() const;
+};
+
+/// All of them, those of Table 6.1 first, in its order.
+const std::vector<PublishedPair>& published_pairs();
+
+}  // namespace oplus

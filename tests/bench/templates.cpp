@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/bench/templates.hpp"
+
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <regex>
+#include <sstream>
+#include <stdexcept>
+
+namespace oplus {
+
+namespace {
+
+using Text = kainjow::mustache::mustache::string_type;
+
+std::string template_named(const std::string& name) {
+  std::ifstream file(OPLUS_BENCH_PAGES "/" + name);
+  if (!file) throw std::invalid_argument("cannot open " OPLUS_BENCH_PAGES "/" + name);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Of itself the library leaves out what it does not know.
+class Known : public kainjow::mustache::context<Text> {
+ public:
+  using context::context;
+
+  const PageData* get(const Text& name) const override {
+    const PageData* found = context::get(name);
+    if (found == nullptr) throw std::invalid_argument("unknown name {{" + name + "}}");
+    return found;
+  }
+
+  const PageData* get_partial(const Text& name) const override {
+    std::string text = template_named(name + ".mustache");
+    text.pop_back();  // the line that includes it has an end of its own
+    return &partials_.try_emplace(name, text).first->second;
+  }
+
+ private:
+  mutable std::map<Text, PageData> partials_;
+};
+
+}  // namespace
+
+PageData page_data(const std::vector<std::string>& texts) {
+  PageData list(PageData::type::list);
+  for (const std::string& text : texts) list << text;
+  return list;
+}
+
+PageData page_data(const Table& table) {
+  PageData rows(PageData::type::list);
+  for (const auto& cells : table.rows) rows << PageData("cells", page_data(cells));
+  PageData data("head", page_data(table.head));
+  data.set("rows", rows);
+  return data;
+}
+
+PageData table_section(const Rows& rows, const std::vector<std::string>& names) {
+  return PageData([=](const Text& text) {
+    std::vector<Column> columns;
+    const auto add = [&](const std::string& words) {
+      for (const Column& column : columns_of(words)) columns.push_back(column);
+    };
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+      if (line.find('*') == std::string::npos)
+        add(line);
+      else
+        for (const std::string& name : names)
+          add(std::regex_replace(line, std::regex("\\*"), name));
+    }
+    std::string table = rendered("markdown_table.mustache", page_data(table_of(rows, columns)));
+    table.pop_back();  // the line of the section's end has its own
+    return table;
+  });
+}
+
+std::string rendered_text(const std::string& text, const PageData& data) {
+  kainjow::mustache::mustache page(text);
+  page.set_custom_escape([](const Text& any) { return any; });
+  Known context(&data);
+  std::string result = page.render(context);
+  if (!page.is_valid()) throw std::invalid_argument(page.error_message());
+  return result;
+}
+
+std::string rendered(const std::string& name, const PageData& data) {
+  return rendered_text(template_named(name), data);
+}
+
+}  // namespace oplus
