@@ -50,8 +50,8 @@ Page theorems_page(const Registry& registry) {
               "\n| statement | what it says | how it is backed | faults found |\n" +
               "|---|---|---|---:|\n";
     }
-    const RecordedRun& run = registry.runs.at(s.id);
-    enumerated += run.enumerated.value_or(0);
+    const PropertyRun& run = registry.runs.at(s.id);
+    enumerated += run.enumeration.value_or(Enumeration{}).cases;
     pairs += run.run;
     text += "| " + link(s) + " | " + s.title + " | " + backing(registry, s) + " | " +
             std::to_string(s.kills.size()) + " |\n";

@@ -14,7 +14,7 @@ Registry registry_with_records(const RecordFolders& folders) {
   Registry registry{statements(), mutants(), {}, {}};
   const fs::path runs = folders.docs / "theorems/runs.json",
                  kills = folders.docs / "theorems/kills.json";
-  for (RecordedRun& run : runs_of_json(text_of_file(runs, "a record of runs"), runs.string()))
+  for (PropertyRun& run : runs_of_json(text_of_file(runs, "a record of runs"), runs.string()))
     registry.runs[run.statement] = std::move(run);
   registry.kills = kills_of_json(text_of_file(kills, "a record of kills"), kills.string());
   registry.theorems = proved_theorems(folders.proofs);
@@ -39,9 +39,11 @@ std::vector<std::string> defects_of_records(const Registry& registry) {
         defects.push_back(s.id + ": no kill of " + mutant + " is recorded");
     }
   }
-  for (const auto& [id, run] : registry.runs)
+  for (const auto& [id, run] : registry.runs) {
     if (!ids.contains(id))
       defects.push_back(id + ": a run is recorded, but there is no such statement");
+    if (!run.passed()) defects.push_back(id + ": the recorded run has not passed");
+  }
   for (const auto& [id, mutant] : recorded)
     if (!named.contains({id, mutant}))
       defects.push_back(id + ": a kill of " + mutant + " is recorded, which it does not name");

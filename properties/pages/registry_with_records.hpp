@@ -16,7 +16,7 @@ namespace oplus {
 struct Registry {
   std::vector<Statement> statements;
   std::vector<Mutant> mutants;
-  std::map<std::string, RecordedRun> runs;  ///< by statement
+  std::map<std::string, PropertyRun> runs;  ///< by statement
   std::vector<Kill> kills;
   std::vector<ProvedTheorem> theorems = {};
   std::vector<AnsweredQuery> queries = {};
@@ -33,7 +33,7 @@ struct RecordFolders {
 Registry registry_with_records(const RecordFolders& folders);
 
 /// What is missing in the records or no longer true of the registry, a line each: a statement without
-/// a run, a mutant that a statement names without a kill, a record, theorem or query of no statement.
+/// a run that passed, a mutant that a statement names without a kill, a record, theorem or query of no statement.
 std::vector<std::string> defects_of_records(const Registry& registry);
 
 }  // namespace oplus

@@ -57,8 +57,8 @@ std::string amount(Strength strength, const Registry& registry, const std::strin
       return amount_of(theorems_of(registry, id, strength == Strength::machine_checked), "theorem",
                        "theorems");
     case Strength::enumerated:
-      return has_run && run->second.enumerated
-                 ? ", " + std::to_string(*run->second.enumerated) + " cases"
+      return has_run && run->second.enumeration
+                 ? ", " + std::to_string(run->second.enumeration->cases) + " cases"
                  : "";
     case Strength::solved:
       return amount_of(queries_of(registry, id), "query", "queries");

@@ -61,11 +61,11 @@ std::string tally(const std::string& title, const std::map<std::string, std::siz
   return text;
 }
 
-std::string recorded_run(const Statement& s, const RecordedRun& run) {
+std::string recorded_run(const Statement& s, const PropertyRun& run) {
   std::string text = "\n## A recorded run\n";
   text += "    oplus-check properties --theorem " + s.id + "\n";
-  if (run.enumerated)
-    text += "\nProved by enumeration, " + std::to_string(*run.enumerated) + " cases.\n";
+  if (run.enumeration)
+    text += "\nProved by enumeration, " + std::to_string(run.enumeration->cases) + " cases.\n";
   if (!s.check) return text;
   text += "\n" + std::to_string(run.run) + " pairs held, " + std::to_string(run.discarded) +
           " were discarded, none failed.\n";
@@ -140,7 +140,7 @@ const Mutant& mutant_of(const Registry& registry, const std::string& name) {
 }
 
 std::vector<Page> theorem_pages(const Registry& registry, const Statement& s) {
-  const RecordedRun& run = registry.runs.at(s.id);
+  const PropertyRun& run = registry.runs.at(s.id);
   std::vector<const Kill*> kills;
   for (const Kill& kill : registry.kills)
     if (kill.statement == s.id) kills.push_back(&kill);

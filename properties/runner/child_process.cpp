@@ -84,7 +84,7 @@ void become(char* const* command, const ProcessLimits& limits, int output, int e
   if (nothing != STDIN_FILENO) ::close(nothing);
   ::dup2(output, STDOUT_FILENO);
   if (errors >= 0) ::dup2(errors, STDERR_FILENO);
-  ::execv(command[0], command);
+  ::execvp(command[0], command);
 }
 
 /// A process that was started and is not yet waited for.

@@ -28,7 +28,7 @@ struct EndedProcess {
   double peak_mb = 0;  ///< resident at most (wait4, ru_maxrss), in units of 10^6 bytes
 };
 
-/// Runs a program, its standard input empty, and waits for it.
+/// Runs a program, found as a shell finds it, its standard input empty, and waits for it.
 ///  1. It has ended when the process that was started has. What that process started and left behind
 ///     is killed then, unless it has made itself leader of a group; so is all of it where a limit is
 ///     passed, and where the thread that called this ends.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "checked/cli/command_line/terminal.hpp"
 #include "properties/runner/record.hpp"
@@ -20,17 +19,6 @@ struct Settings {
   std::string record;
   bool json = false;
 };
-
-#ifdef OPLUS_MUTANTS
-nlohmann::ordered_json report_of(const std::vector<Kill>& kills) {
-  const auto killed =
-      std::count_if(kills.begin(), kills.end(), [](const Kill& k) { return k.killed; });
-  return {{"kills", nlohmann::ordered_json::parse(to_json(kills))},
-          {"killed", killed},
-          {"not_killed", static_cast<std::ptrdiff_t>(kills.size()) - killed},
-          {"defects", defects_of_entries(statements(), mutants())}};
-}
-#endif
 
 bool names(const Statement& statement, const std::string& mutant) {
   return std::find(statement.kills.begin(), statement.kills.end(), mutant) != statement.kills.end();
@@ -75,7 +63,7 @@ void add_mutants_command(CLI::App& app, int& exit_code) {
                    "Cases after which a mutant is called alive; default: the statement's number")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000000}));
   command->add_option("--seed", settings->seed, "Same seed, same pairs")->capture_default_str();
-  command->add_option("--record", settings->record, "Write the kills and shrunk pairs as JSON")
+  command->add_option("--record", settings->record, "Write what --json prints to this file")
       ->type_name("FILE");
   command->add_flag("--json", settings->json, "Answer in JSON (docs/json.md)");
   command->footer(
@@ -93,8 +81,9 @@ void add_mutants_command(CLI::App& app, int& exit_code) {
     std::vector<Kill> kills;
     const bool all_died = run_mutants(statements(), mutants(), settings->cases, settings->seed,
                                       text_output(settings->json), &kills);
-    if (settings->json) std::cout << report_of(kills).dump(2) << '\n';
-    if (!settings->record.empty()) write_file(settings->record, to_json(kills));
+    const std::string json = to_json(kills, defects_of_entries(statements(), mutants()));
+    if (settings->json) std::cout << json;
+    if (!settings->record.empty()) write_file(settings->record, json);
     exit_code = all_died ? 0 : 1;
 #else
     say_error("oplus-check",

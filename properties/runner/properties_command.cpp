@@ -4,13 +4,11 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "checked/cli/command_line/terminal.hpp"
 #include "properties/runner/finding.hpp"
 #include "properties/runner/registry.hpp"
-#include "properties/runner/run_report.hpp"
 #include "reference/io/reading.hpp"
 #include "reference/io/writing.hpp"
 
@@ -82,52 +80,41 @@ void print_last_line(std::ostream& out, std::size_t passed, std::size_t failed) 
   out << painted(failed == 0 ? Paint::good : Paint::bad, line.str(), out) << '\n';
 }
 
-nlohmann::ordered_json empty_report() { return {{"statements", nlohmann::ordered_json::array()}}; }
-
 }  // namespace
 
 bool run_statements(const std::vector<Statement>& statements, std::optional<std::size_t> cases,
                     std::uint64_t seed, const std::filesystem::path& findings, std::ostream& out,
-                    std::vector<RecordedRun>* records, nlohmann::ordered_json* report) {
-  if (report != nullptr) *report = empty_report();
+                    std::vector<PropertyRun>* runs) {
   std::size_t passed = 0;
   for (const Statement& statement : statements) {
     RunOptions options;
     options.cases = cases.value_or(statement.cases);
     options.seed = seed;
-    const PropertyRun run = run_property(statement, options);
+    PropertyRun run = run_property(statement, options);
     if (!speech().quiet || !run.passed()) print_run(out, statement, run);
     for (const std::string& complaint : run.complaints)
       out << "  " << painted(Paint::bad, "FAILED", out) << ": " << complaint << '\n';
-    std::optional<Finding> files;
     if (run.counterexample) {
-      files = write_finding(findings, statement.id, run.counterexample->summands);
+      run.counterexample->files =
+          write_finding(findings, statement.id, run.counterexample->summands);
       out << "  shrunk in " << run.counterexample->shrinks << " steps; replay with\n    "
-          << replay_line(statement.id, *files) << '\n';
+          << replay_line(statement.id, *run.counterexample->files) << '\n';
     }
-    if (report != nullptr) (*report)["statements"].push_back(run_report(statement, run, files));
-    if (run.passed()) {
-      ++passed;
-      if (records != nullptr) records->push_back(recorded(statement, run));
-    }
+    if (run.passed()) ++passed;
+    if (runs != nullptr) runs->push_back(std::move(run));
     out << std::flush;
   }
   print_last_line(out, passed, statements.size() - passed);
-  if (report != nullptr) {
-    (*report)["passed"] = passed;
-    (*report)["failed"] = statements.size() - passed;
-  }
   return !statements.empty() && passed == statements.size();
 }
 
 bool replay_statements(const std::vector<Statement>& statements, const Summands& summands,
-                       std::ostream& out, nlohmann::ordered_json* report) {
-  if (report != nullptr) *report = empty_report();
+                       std::ostream& out, std::vector<Outcome>* outcomes) {
   std::size_t passed = 0;
   std::size_t failed = 0;
   for (const Statement& statement : statements) {
     const Outcome outcome = evaluate(statement, summands);
-    if (report != nullptr) (*report)["statements"].push_back(run_report(statement, outcome));
+    if (outcomes != nullptr) outcomes->push_back(outcome);
     out << statement.id << ": ";
     switch (outcome.kind) {
       case Outcome::Kind::holds:
@@ -147,11 +134,6 @@ bool replay_statements(const std::vector<Statement>& statements, const Summands&
   const std::size_t not_applicable = statements.size() - passed - failed;
   if (not_applicable > 0) out << not_applicable << " do not apply to this pair\n";
   print_last_line(out, passed, failed);
-  if (report != nullptr) {
-    (*report)["passed"] = passed;
-    (*report)["failed"] = failed;
-    (*report)["not_applicable"] = not_applicable;
-  }
   return passed > 0 && failed == 0;
 }
 
@@ -177,11 +159,8 @@ void add_properties_command(CLI::App& app, int& exit_code) {
   command->add_option("--out", settings->findings, "Folder for shrunk counterexamples")
       ->type_name("DIR")
       ->capture_default_str();
-  command
-      ->add_option("--record", settings->record,
-                   "Write what the run did as JSON, as docs/theorems/ keeps it")
-      ->type_name("FILE")
-      ->excludes("--pair");
+  command->add_option("--record", settings->record, "Write what --json prints to this file")
+      ->type_name("FILE");
   command->add_flag("--json", settings->json, "Answer in JSON (docs/json.md)");
   command->footer(
       "Example:\n"
@@ -194,17 +173,20 @@ void add_properties_command(CLI::App& app, int& exit_code) {
   command->callback([settings, &exit_code] {
     const std::vector<Statement> to_run = chosen(settings->ids);
     std::ostream& out = text_output(settings->json);
-    nlohmann::ordered_json report;
     bool passed = false;
+    std::string json;
     if (settings->pair.empty()) {
-      std::vector<RecordedRun> records;
-      passed = run_statements(to_run, settings->cases, settings->seed, settings->findings, out,
-                              &records, &report);
-      if (!settings->record.empty()) write_file(settings->record, to_json(records));
+      std::vector<PropertyRun> runs;
+      passed =
+          run_statements(to_run, settings->cases, settings->seed, settings->findings, out, &runs);
+      json = to_json(runs);
     } else {
-      passed = replay_statements(to_run, read_pair(settings->pair), out, &report);
+      std::vector<Outcome> outcomes;
+      passed = replay_statements(to_run, read_pair(settings->pair), out, &outcomes);
+      json = to_json(to_run, outcomes);
     }
-    if (settings->json) std::cout << report.dump(2) << '\n';
+    if (settings->json) std::cout << json;
+    if (!settings->record.empty()) write_file(settings->record, json);
     exit_code = passed ? 0 : 1;
   });
 }

@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <nlohmann/json_fwd.hpp>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -16,16 +15,16 @@ namespace oplus {
 void add_properties_command(CLI::App& app, int& exit_code);
 
 /// Runs statements, says of each what it did, and how many passed in a last line. Shrunk
-/// counterexamples go to the folder `findings`, what passed, where wanted, to `records`. Returns whether all passed.
-/// cases: none for each statement's own number. With --quiet only failures and the last line are
-/// said. `report`, where wanted, receives the same as JSON.
+/// counterexamples go to the folder `findings`, what each run did, where wanted, to `runs`. Returns
+/// whether all passed. cases: none for each statement's own number. With --quiet only failures and the
+/// last line are said.
 bool run_statements(const std::vector<Statement>& statements, std::optional<std::size_t> cases,
                     std::uint64_t seed, const std::filesystem::path& findings, std::ostream& out,
-                    std::vector<RecordedRun>* records = nullptr,
-                    nlohmann::ordered_json* report = nullptr);
+                    std::vector<PropertyRun>* runs = nullptr);
 
-/// Tries statements on one pair. Returns whether some hold and none fails.
+/// Tries statements on one pair. Returns whether some hold and none fails. What they say goes, where
+/// wanted, to `outcomes`.
 bool replay_statements(const std::vector<Statement>& statements, const Summands& summands,
-                       std::ostream& out, nlohmann::ordered_json* report = nullptr);
+                       std::ostream& out, std::vector<Outcome>* outcomes = nullptr);
 
 }  // namespace oplus

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "properties/runner/finding.hpp"
 #include "properties/runner/statement.hpp"
 
 namespace oplus {
@@ -25,21 +26,24 @@ struct Counterexample {
   /// No smaller pair (see `smaller`) fails; with a mutant, fails with the fault and holds without.
   Summands summands;
   std::string why;
-  std::size_t shrinks;  ///< how many steps it took
+  std::size_t shrinks;                ///< how many steps it took
+  std::optional<Finding> files = {};  ///< where it was written, if it was
 };
 
 /// What a run did. It has passed only if `complaints` is empty.
 struct PropertyRun {
-  std::optional<Enumeration> enumeration;  ///< where the statement has one
-  std::size_t run = 0;                     ///< cases that held or failed
+  std::string statement;  ///< its id
+  std::string title = {};
+  std::optional<Enumeration> enumeration = {};  ///< where the statement has one
+  std::size_t run = 0;                          ///< cases that held or failed
   std::size_t discarded = 0;
-  std::map<std::string, std::size_t> classes;   ///< how many of `run`, by class; absent: none
-  std::map<std::string, std::size_t> families;  ///< the same by family
-  std::map<std::string, std::size_t> counts;    ///< as the statement counts
-  std::vector<std::string> complaints;
-  std::optional<Counterexample> counterexample;
-  std::optional<Summands> typical;  ///< of the cases that held, one of middle size
-  bool shares_judged = false;       ///< whether there were enough cases for that
+  std::map<std::string, std::size_t> classes = {};   ///< how many of `run`, by class; absent: none
+  std::map<std::string, std::size_t> families = {};  ///< the same by family
+  std::map<std::string, std::size_t> counts = {};    ///< as the statement counts
+  std::vector<std::string> complaints = {};
+  std::optional<Counterexample> counterexample = {};
+  std::optional<Summands> typical = {};  ///< of the cases that held, one of middle size
+  bool shares_judged = false;            ///< whether there were enough cases for that
 
   bool passed() const { return complaints.empty(); }
 };

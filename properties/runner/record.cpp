@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// nlohmann's macros would sort the keys: in its version 3.11 they know no ordered_json.
 #include "properties/runner/record.hpp"
 
-#include <functional>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -11,21 +12,87 @@
 
 namespace oplus {
 
-namespace {
-
 using Json = nlohmann::ordered_json;
 
-Json to_json(const Summands& pair) { return {{"p", wkt(pair.p)}, {"q", wkt(pair.q)}}; }
+namespace {
 
-Region region_of_wkt(const Json& text, const std::string& file) {
-  std::istringstream in(text.get<std::string>());
-  return read_region(in, file).region;
+/// The report with its objects in a line each.
+std::string one_a_line(const Json& report) {
+  std::string text;
+  for (const auto& [key, value] : report.items()) {
+    text += (text.empty() ? "{" : ",\n") + Json(key).dump() + ": ";
+    if (value.empty() || !value.front().is_object()) {
+      text += value.dump();
+      continue;
+    }
+    for (const Json& object : value)
+      text += (&object == &value.front() ? "[\n" : ",\n") + object.dump();
+    text += "\n]";
+  }
+  return text + "}\n";
 }
 
-std::optional<Summands> pair_of_json(const Json& object, const char* key, const std::string& file) {
-  if (!object.contains(key)) return std::nullopt;
-  const Json& pair = object.at(key);
-  return Summands{region_of_wkt(pair.at("p"), file), region_of_wkt(pair.at("q"), file)};
+Json json_of(const Summands& pair) { return {{"p", wkt(pair.p)}, {"q", wkt(pair.q)}}; }
+
+Summands pair_of_json(const Json& json) {
+  const auto region = [&](const char* key) {
+    std::istringstream in(json.at(key).get<std::string>());
+    return read_region(in, key).region;
+  };
+  return {region("p"), region("q")};
+}
+
+Json json_of(const std::string& statement, const Counterexample& found) {
+  Json json = {{"why", found.why}};
+  json.update(json_of(found.summands));
+  json["shrinks"] = found.shrinks;
+  if (found.files) {
+    json["p_file"] = found.files->p;
+    json["q_file"] = found.files->q;
+    json["replay"] = replay_line(statement, *found.files);
+  }
+  return json;
+}
+
+Json json_of(const PropertyRun& run) {
+  Json json = {{"statement", run.statement}, {"title", run.title}, {"passed", run.passed()}};
+  if (run.enumeration) json["enumerated"] = run.enumeration->cases;
+  json["run"] = run.run;
+  json["discarded"] = run.discarded;
+  json["families"] = run.families;
+  json["classes"] = run.classes;
+  json["counts"] = run.counts;
+  json["shares_judged"] = run.shares_judged;
+  json["complaints"] = run.complaints;
+  if (run.counterexample) json["counterexample"] = json_of(run.statement, *run.counterexample);
+  if (run.typical) json["typical"] = json_of(*run.typical);
+  return json;
+}
+
+PropertyRun run_of_json(const Json& json) {
+  PropertyRun run;
+  json.at("statement").get_to(run.statement);
+  json.at("title").get_to(run.title);
+  if (json.contains("enumerated")) run.enumeration = {json.at("enumerated").get<std::size_t>(), ""};
+  json.at("run").get_to(run.run);
+  json.at("discarded").get_to(run.discarded);
+  json.at("families").get_to(run.families);
+  json.at("classes").get_to(run.classes);
+  json.at("counts").get_to(run.counts);
+  json.at("shares_judged").get_to(run.shares_judged);
+  json.at("complaints").get_to(run.complaints);
+  if (json.contains("typical")) run.typical = pair_of_json(json.at("typical"));
+  return run;
+}
+
+Json json_of(const Statement& statement, const Outcome& outcome) {
+  constexpr const char* words[] = {"holds", "fails", "does not apply"};
+  Json json = {{"statement", statement.id},
+               {"title", statement.title},
+               {"outcome", words[static_cast<std::size_t>(outcome.kind)]}};
+  if (!outcome.why.empty()) json["why"] = outcome.why;
+  json["counts"] = outcome.counts;
+  return json;
 }
 
 /// A broken contract says where it stands; that moves with every edit of the file.
@@ -33,19 +100,33 @@ std::string without_place(const std::string& why) {
   return why.starts_with("threw: ") ? why.substr(0, why.find(" at ")) : why;
 }
 
-std::string lines(const std::vector<Json>& objects) {
-  std::string text = "[\n";
-  for (const Json& object : objects)
-    text += object.dump() + (&object == &objects.back() ? "\n" : ",\n");
-  return text + "]\n";
+Json json_of(const Kill& kill) {
+  Json json = {{"mutant", kill.mutant}, {"statement", kill.statement},
+               {"killed", kill.killed}, {"by_enumeration", kill.by_enumeration},
+               {"cases", kill.cases},   {"why", without_place(kill.why)}};
+  if (kill.shrunk) json["shrunk"] = json_of(*kill.shrunk);
+  return json;
+}
+
+Kill kill_of_json(const Json& json) {
+  Kill kill;
+  json.at("mutant").get_to(kill.mutant);
+  json.at("statement").get_to(kill.statement);
+  json.at("killed").get_to(kill.killed);
+  json.at("by_enumeration").get_to(kill.by_enumeration);
+  json.at("cases").get_to(kill.cases);
+  json.at("why").get_to(kill.why);
+  if (json.contains("shrunk")) kill.shrunk = pair_of_json(json.at("shrunk"));
+  return kill;
 }
 
 template <typename Value>
-std::vector<Value> all_of_json(const std::string& text, const std::string& file,
-                               const std::function<Value(const Json&)>& value_of) {
+std::vector<Value> list_in(const std::string& text, const char* key, const std::string& file,
+                           Value (*value_of)(const Json&)) {
   try {
+    const Json all = Json::parse(text);
     std::vector<Value> values;
-    for (const Json& object : Json::parse(text)) values.push_back(value_of(object));
+    for (const Json& json : all.at(key)) values.push_back(value_of(json));
     return values;
   } catch (const nlohmann::json::exception& e) {
     throw InvalidInput({file, 1, 0}, e.what(), "a record that oplus-check wrote");
@@ -54,73 +135,47 @@ std::vector<Value> all_of_json(const std::string& text, const std::string& file,
 
 }  // namespace
 
-RecordedRun recorded(const Statement& statement, const PropertyRun& run) {
-  RecordedRun record{.statement = statement.id,
-                     .run = run.run,
-                     .discarded = run.discarded,
-                     .families = run.families,
-                     .classes = run.classes,
-                     .counts = run.counts,
-                     .typical = run.typical};
-  if (run.enumeration) record.enumerated = run.enumeration->cases;
-  return record;
+std::string to_json(const std::vector<PropertyRun>& runs) {
+  Json all = Json::array();
+  for (const PropertyRun& run : runs) all.push_back(json_of(run));
+  const auto passed =
+      std::count_if(runs.begin(), runs.end(), [](const PropertyRun& run) { return run.passed(); });
+  return one_a_line({{"statements", all},
+                     {"passed", passed},
+                     {"failed", static_cast<std::ptrdiff_t>(runs.size()) - passed}});
 }
 
-std::string to_json(const std::vector<RecordedRun>& runs) {
-  std::vector<Json> objects;
-  for (const RecordedRun& run : runs) {
-    Json object = {{"statement", run.statement}};
-    if (run.enumerated) object["enumerated"] = *run.enumerated;
-    object["run"] = run.run;
-    object["discarded"] = run.discarded;
-    object["families"] = run.families;
-    object["classes"] = run.classes;
-    object["counts"] = run.counts;
-    if (run.typical) object["typical"] = to_json(*run.typical);
-    objects.push_back(std::move(object));
+std::string to_json(const std::vector<Statement>& statements,
+                    const std::vector<Outcome>& outcomes) {
+  Json all = Json::array();
+  std::size_t numbers[3] = {};
+  for (std::size_t i = 0; i < statements.size(); ++i) {
+    all.push_back(json_of(statements[i], outcomes[i]));
+    ++numbers[static_cast<std::size_t>(outcomes[i].kind)];
   }
-  return lines(objects);
+  return one_a_line({{"statements", all},
+                     {"passed", numbers[0]},
+                     {"failed", numbers[1]},
+                     {"not_applicable", numbers[2]}});
 }
 
-std::string to_json(const std::vector<Kill>& kills) {
-  std::vector<Json> objects;
-  for (const Kill& kill : kills) {
-    Json object = {{"mutant", kill.mutant}, {"statement", kill.statement},
-                   {"killed", kill.killed}, {"by_enumeration", kill.by_enumeration},
-                   {"cases", kill.cases},   {"why", without_place(kill.why)}};
-    if (kill.shrunk) object["shrunk"] = to_json(*kill.shrunk);
-    objects.push_back(std::move(object));
-  }
-  return lines(objects);
+std::string to_json(const std::vector<Kill>& kills, const std::vector<std::string>& defects) {
+  Json all = Json::array();
+  for (const Kill& kill : kills) all.push_back(json_of(kill));
+  const auto killed =
+      std::count_if(kills.begin(), kills.end(), [](const Kill& kill) { return kill.killed; });
+  return one_a_line({{"kills", all},
+                     {"killed", killed},
+                     {"not_killed", static_cast<std::ptrdiff_t>(kills.size()) - killed},
+                     {"defects", defects}});
 }
 
-std::vector<RecordedRun> runs_of_json(const std::string& text, const std::string& file) {
-  return all_of_json<RecordedRun>(text, file, [&](const Json& object) {
-    RecordedRun run;
-    object.at("statement").get_to(run.statement);
-    if (object.contains("enumerated")) run.enumerated = object.at("enumerated").get<std::size_t>();
-    object.at("run").get_to(run.run);
-    object.at("discarded").get_to(run.discarded);
-    object.at("families").get_to(run.families);
-    object.at("classes").get_to(run.classes);
-    object.at("counts").get_to(run.counts);
-    run.typical = pair_of_json(object, "typical", file);
-    return run;
-  });
+std::vector<PropertyRun> runs_of_json(const std::string& text, const std::string& file) {
+  return list_in(text, "statements", file, run_of_json);
 }
 
 std::vector<Kill> kills_of_json(const std::string& text, const std::string& file) {
-  return all_of_json<Kill>(text, file, [&](const Json& object) {
-    Kill kill;
-    object.at("mutant").get_to(kill.mutant);
-    object.at("statement").get_to(kill.statement);
-    object.at("killed").get_to(kill.killed);
-    object.at("by_enumeration").get_to(kill.by_enumeration);
-    object.at("cases").get_to(kill.cases);
-    object.at("why").get_to(kill.why);
-    kill.shrunk = pair_of_json(object, "shrunk", file);
-    return kill;
-  });
+  return list_in(text, "kills", file, kill_of_json);
 }
 
 }  // namespace oplus

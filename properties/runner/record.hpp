@@ -8,27 +8,22 @@
 
 namespace oplus {
 
-/// What a run of `properties` did, as docs/theorems/ keeps it: same seed, same program, same record.
-struct RecordedRun {
-  std::string statement;
-  std::optional<std::size_t> enumerated = {};  ///< cases of the enumeration, all of which hold
-  std::size_t run = 0;
-  std::size_t discarded = 0;
-  std::map<std::string, std::size_t> families = {};
-  std::map<std::string, std::size_t> classes = {};
-  std::map<std::string, std::size_t> counts = {};
-  std::optional<Summands> typical = {};
-};
+// JSON as docs/json.md describes it: what --json prints, --record writes, and docs/theorems/ keeps. Same
+// seed, same program, same text. An object per line, regions as WKT.
 
-/// Requires: the run has passed.
-RecordedRun recorded(const Statement& statement, const PropertyRun& run);
+/// Of `oplus-check properties`.
+std::string to_json(const std::vector<PropertyRun>& runs);
 
-/// JSON, an object a line, pairs as WKT.
-std::string to_json(const std::vector<RecordedRun>& runs);
-std::string to_json(const std::vector<Kill>& kills);
+/// Of `oplus-check properties --pair`: what each statement says of the pair.
+/// Requires: as many outcomes as statements.
+std::string to_json(const std::vector<Statement>& statements, const std::vector<Outcome>& outcomes);
 
-/// Throw InvalidInput; `file` is what messages call the text.
-std::vector<RecordedRun> runs_of_json(const std::string& text, const std::string& file);
+/// Of `oplus-check mutants`. `defects`: of the list of mutants.
+std::string to_json(const std::vector<Kill>& kills, const std::vector<std::string>& defects);
+
+/// Read runs and kills back, without counterexamples. Throw InvalidInput; `file` is what messages call
+/// the text.
+std::vector<PropertyRun> runs_of_json(const std::string& text, const std::string& file);
 std::vector<Kill> kills_of_json(const std::string& text, const std::string& file);
 
 }  // namespace oplus

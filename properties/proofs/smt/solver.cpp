@@ -2,8 +2,6 @@
 #include "properties/proofs/smt/solver.hpp"
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
 #include <stdexcept>
 
 #include "properties/runner/child_process.hpp"
@@ -75,22 +73,8 @@ std::optional<Rational> rational(const Expression& e) {
   return std::nullopt;
 }
 
-/// Where the shell would find it.
-std::string found_in_path(const std::string& program) {
-  const char* const path = std::getenv("PATH");
-  std::string rest = path == nullptr ? "/usr/bin" : path;
-  for (rest += ':'; !rest.empty(); rest.erase(0, rest.find(':') + 1)) {
-    const std::filesystem::path file =
-        std::filesystem::path(rest.substr(0, rest.find(':'))) / program;
-    std::error_code ignored;
-    if (std::filesystem::is_regular_file(file, ignored)) return file.string();
-  }
-  return "/usr/bin/" + program;
-}
-
 std::vector<std::string> with(const Solver& solver, const std::string& argument) {
   std::vector<std::string> command = solver.command;
-  command[0] = found_in_path(command[0]);
   command.push_back(argument);
   return command;
 }

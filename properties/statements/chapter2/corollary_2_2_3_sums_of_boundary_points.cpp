@@ -3,8 +3,8 @@
 
 #include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
-#include "properties/statements/places/boundary_points.hpp"
-#include "properties/statements/places/overlay_points.hpp"
+#include "properties/statements/chapter2/boundary_points.hpp"
+#include "properties/statements/chapter2/overlay_points.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {

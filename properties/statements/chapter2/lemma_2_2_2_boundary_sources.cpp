@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
+#include "properties/statements/chapter2/overlay_points.hpp"
 #include "properties/statements/chapter2/paths_across.hpp"
 #include "properties/statements/places/open_sum.hpp"
-#include "properties/statements/places/overlay_points.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {

@@ -3,7 +3,7 @@
 #include <set>
 
 #include "properties/runner/registry.hpp"
-#include "properties/statements/places/overlay_points.hpp"
+#include "properties/statements/chapter2/overlay_points.hpp"
 #include "reference/definitions/collision.hpp"
 #include "reference/io/writing.hpp"
 

@@ -3,8 +3,8 @@
 #include <set>
 
 #include "properties/runner/registry.hpp"
+#include "properties/statements/chapter2/points_around.hpp"
 #include "properties/statements/places/open_sum.hpp"
-#include "properties/statements/places/points_around.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/definitions/cut_at_intersections.hpp"
 #include "reference/io/writing.hpp"

@@ -3,7 +3,7 @@
 
 #include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
-#include "properties/statements/places/points_in_faces.hpp"
+#include "properties/statements/chapter4/points_in_faces.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/definitions/winding_number.hpp"
 #include "reference/io/writing.hpp"

@@ -2,7 +2,7 @@
 #include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/chapter4/euler_characteristic.hpp"
-#include "properties/statements/places/generic_placements.hpp"
+#include "properties/statements/chapter4/generic_placements.hpp"
 #include "reference/definitions/original_convolution.hpp"
 #include "reference/definitions/winding_number.hpp"
 #include "reference/io/writing.hpp"

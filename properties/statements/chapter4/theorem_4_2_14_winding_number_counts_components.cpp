@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "properties/runner/registry.hpp"
-#include "properties/statements/places/generic_placements.hpp"
+#include "properties/statements/chapter4/generic_placements.hpp"
 #include "reference/definitions/intersection_components.hpp"
 #include "reference/definitions/original_convolution.hpp"
 #include "reference/definitions/winding_number.hpp"

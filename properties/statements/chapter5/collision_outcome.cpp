@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "properties/statements/chapter5/boundary_contact.hpp"
-#include "properties/statements/places/placements.hpp"
+#include "properties/statements/chapter5/placements.hpp"
 #include "reference/definitions/collision.hpp"
 #include "reference/io/writing.hpp"
 

@@ -134,7 +134,8 @@ TEST_F(JsonAnswers, of_oplus_check_exhaustive_are_its_report) {
 
 TEST_F(JsonAnswers, of_oplus_check_properties) {
   const std::string command = "oplus-check properties --theorem lemma-4.1.4 --cases 20";
-  const Json all = answer(command + " --json");
+  const Json all = answer(command + " --json --record record.json");
+  EXPECT_EQ(all, Json::parse(content("record.json")));
   EXPECT_EQ(all.at("passed"), 1);
   EXPECT_EQ(all.at("failed"), 0);
   const Json& one = all.at("statements").at(0);

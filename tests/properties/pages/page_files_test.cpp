@@ -41,11 +41,11 @@ Registry sound_registry() {
           {{"sign-flipped", "a sign is wrong", "reference/a.cpp"}},
           {{s.id,
             {.statement = s.id,
-             .enumerated = 12,
+             .enumeration = Enumeration{12, ""},
              .run = 40,
              .discarded = 3,
-             .families = {{"grid", 40}},
              .classes = {{"holes", 10}},
+             .families = {{"grid", 40}},
              .counts = {{"edges", 99}},
              .typical = pair}}},
           {{"sign-flipped", s.id, true, false, 5, "it has none", pair}},
@@ -139,6 +139,9 @@ TEST(Records, MustFitTheRegistry) {
   registry = sound_registry();
   registry.kills[0].killed = false;
   EXPECT_EQ(defects_of_records(registry), Lines{"lemma-9.9.9: has not killed sign-flipped"});
+  registry = sound_registry();
+  registry.runs.begin()->second.complaints = {"no case was run"};
+  EXPECT_EQ(defects_of_records(registry), Lines{"lemma-9.9.9: the recorded run has not passed"});
 }
 
 TEST(Records, ThatAreMissingAreBadInput) {

@@ -25,7 +25,7 @@ TEST(Strength, is_the_strongest_of_what_backs_a_statement) {
   expect(
       Strength::machine_checked_in_part,
       "machine-checked in part, 1 theorem; proved by SMT in local form, 1 query; sampled, 40 pairs");
-  registry.runs["a"].enumerated = 7;
+  registry.runs["a"].enumeration = {7, ""};
   registry.queries.clear();
   expect(Strength::enumerated,
          "proved by enumeration, 7 cases; machine-checked in part, 1 theorem; sampled, 40 pairs");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/statements/places/overlay_points.hpp"
+#include "properties/statements/chapter2/overlay_points.hpp"
 
 #include <algorithm>
 #include <set>

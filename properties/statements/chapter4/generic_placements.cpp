@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/statements/places/generic_placements.hpp"
+#include "properties/statements/chapter4/generic_placements.hpp"
 
-#include "properties/statements/places/points_in_faces.hpp"
+#include "properties/statements/chapter4/points_in_faces.hpp"
 #include "reference/definitions/original_convolution.hpp"
 
 namespace oplus {

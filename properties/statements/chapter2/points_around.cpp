@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/statements/places/points_around.hpp"
+#include "properties/statements/chapter2/points_around.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/statements/places/boundary_points.hpp"
+#include "properties/statements/chapter2/boundary_points.hpp"
 
 #include "properties/statements/chapter2/paths_across.hpp"
 #include "properties/statements/places/open_sum.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/statements/places/points_in_faces.hpp"
+#include "properties/statements/chapter4/points_in_faces.hpp"
 
 #include <algorithm>
 #include <set>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/statements/places/placements.hpp"
+#include "properties/statements/chapter5/placements.hpp"
 
 #include <vector>
 
