@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "checked/cli/message.hpp"
+#include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "reference/io/reading.hpp"
 

@@ -6,11 +6,11 @@
 #include <thread>
 
 #include "checked/arrangement/hole_test.hpp"
+#include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/engines_and_oracle.hpp"
 #include "checked/cli/format_option.hpp"
 #include "checked/cli/input.hpp"
 #include "checked/cli/json_values.hpp"
-#include "checked/cli/message.hpp"
 #include "checked/cli/origins_json.hpp"
 #include "checked/cli/output.hpp"
 #include "checked/cli/statistics.hpp"

@@ -186,12 +186,12 @@ DifferentialReport run(const Settings& settings, const Shard& shard,
 int diff(const Settings& settings) {
   const std::optional<Shard> shard = shard_of(settings.shard);
   if (!shard) {
-    say_error("oplus-check", no_shard(settings.shard));
+    say_error(no_shard(settings.shard));
     return 2;
   }
   const std::vector<DifferentialCase> cases = chosen_cases(settings);
   if (cases.empty()) {
-    say_error("oplus-check", "diff found no pair to compare");
+    say_error("diff found no pair to compare");
     return 2;
   }
   const DifferentialReport report = run(settings, *shard, cases);
@@ -208,7 +208,7 @@ int diff(const Settings& settings) {
                              << "report: " << file << '\n';
   if (settings.json) std::cout << json;
   if (report.all.ran == 0 && shard->of == 1) {
-    say_error("oplus-check", "diff compared nothing: every pair was skipped");
+    say_error("diff compared nothing: every pair was skipped");
     return 2;
   }
   return report.all.disagreed == 0 ? 0 : 1;

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "checked/cli/usage_error.hpp"
 #include "properties/fuzz/all_targets.hpp"
 #include "properties/fuzz/fuzz_program.hpp"
 #include "properties/fuzz/shown_input.hpp"
@@ -62,10 +63,8 @@ int list(const Settings& settings) {
 }
 
 int show(const Settings& settings) {
-  if (settings.targets.size() != 1) {
-    std::cerr << "oplus-check: --show wants one target, whose input the file is\n";
-    return 2;
-  }
+  if (settings.targets.size() != 1)
+    throw UsageError("--show wants one target, whose input the file is");
   const ShownInput found =
       shown(*find_fuzz_target(settings.targets[0]),
             text_of_file(settings.show, "an input of the target"), settings.out);
@@ -77,11 +76,10 @@ int encode(const Settings& settings) {
   const Summands summands{read_region_file(settings.encode.at(0)).region,
                           read_region_file(settings.encode.at(1)).region};
   const auto input = input_of_pair(summands);
-  if (!input) {
-    std::cerr << "oplus-check: such a pair is no input of slide; expected integer coordinates from "
-                 "-128 to 127, at most 16 vertices a chain and 24 a summand\n";
-    return 2;
-  }
+  if (!input)
+    throw UsageError(
+        "such a pair is no input of slide; expected integer coordinates from -128 to 127, at most 16 "
+        "vertices a chain and 24 a summand");
   write_file(settings.encode.at(2), *input);
   return 0;
 }
@@ -94,11 +92,9 @@ int fuzz(Settings settings) {
   const fs::path binaries = folder_of_binaries(settings);
   const fs::path inputs = fs::path(OPLUS_SOURCE_DIR) / "properties" / "fuzz";
   for (const std::string& target : settings.targets)
-    if (!fs::exists(binaries / ("oplus-fuzz-" + target))) {
-      std::cerr << "oplus-check: there is no " << (binaries / ("oplus-fuzz-" + target)).string()
-                << "; to build it: cmake --preset fuzz && cmake --build --preset fuzz\n";
-      return 2;
-    }
+    if (!fs::exists(binaries / ("oplus-fuzz-" + target)))
+      throw UsageError("there is no " + (binaries / ("oplus-fuzz-" + target)).string() +
+                       "; to build it: cmake --preset fuzz && cmake --build --preset fuzz");
   nlohmann::json json = nlohmann::json::array();
   bool found = false;
   for (const std::string& name : settings.targets) {
@@ -170,7 +166,7 @@ void add_fuzz_command(CLI::App& app, int& exit_code) {
       ->expected(1);
   command->footer(
       "Example:\n"
-      "  oplus-check fuzz slide --seconds 600 --corpus slide-corpus\n"
+      "  oplus-maintain fuzz slide --seconds 600 --corpus slide-corpus\n"
       "\n"
       "Exit codes:\n"
       "  0  no finding\n"

@@ -5,7 +5,7 @@
 
 namespace oplus {
 
-/// Adds `oplus-check fuzz`.
+/// Adds `oplus-maintain fuzz`.
 void add_fuzz_command(CLI::App& app, int& exit_code);
 
 }  // namespace oplus

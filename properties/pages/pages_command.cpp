@@ -56,7 +56,7 @@ void add_pages_command(CLI::App& app, int& exit_code) {
       "Records come from properties --record and, in the preset check, mutants --record.\n"
       "\n"
       "Example:\n"
-      "  oplus-check pages --check\n"
+      "  oplus-maintain pages --check\n"
       "\n"
       "Exit codes:\n"
       "  0  written or up to date\n"

@@ -148,7 +148,7 @@ std::vector<Page> theorem_pages(const Registry& registry, const Statement& s) {
   for (const Kill* kill : kills) protects.insert(mutant_of(registry, kill->mutant).file);
 
   std::string text = "# " + s.title + "\n" + source_of_theory(s) + ", `" + s.id +
-                     "`. Generated from the registry by `oplus-check pages`.\n\n## Statement\n" +
+                     "`. Generated from the registry by `oplus-maintain pages`.\n\n## Statement\n" +
                      s.statement + "\n\n## Why it holds\n" + s.why + "\n\n## Hypotheses\n";
   for (const std::string& hypothesis : s.hypotheses) text += "- " + hypothesis + '\n';
   text += "\nRests on: " + list_of_statements(s.rests_on, "nothing but definitions") + ".\n";

@@ -122,8 +122,8 @@ void add_theorems_command(CLI::App& app, int& exit_code) {
       "  oplus-check theorems theorem-4.2.1\n"
       "\n"
       "Exit codes:\n"
-      "  0  listed; of --check: the list fits the sources\n"
-      "  1  of --check: it does not\n"
+      "  0  listed; of oplus-maintain theorems --check: the list fits the sources\n"
+      "  1  of that: it does not\n"
       "  2  the request makes no sense");
   command->callback([settings, &exit_code] {
     const std::vector<Statement> all = statements();

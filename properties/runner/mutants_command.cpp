@@ -70,7 +70,7 @@ void add_mutants_command(CLI::App& app, int& exit_code) {
       "Needs a build that contains the faults: the preset check.\n"
       "\n"
       "Example:\n"
-      "  build/check/bin/oplus-check mutants\n"
+      "  build/check/bin/oplus-maintain mutants\n"
       "\n"
       "Exit codes:\n"
       "  0  every statement killed its mutants\n"
@@ -86,9 +86,9 @@ void add_mutants_command(CLI::App& app, int& exit_code) {
     if (!settings->record.empty()) write_file(settings->record, json);
     exit_code = all_died ? 0 : 1;
 #else
-    say_error("oplus-check",
-              "this build contains no mutants; use the preset check: "
-              "build/check/bin/oplus-check mutants");
+    say_error(
+        "this build contains no mutants; use the preset check: "
+        "build/check/bin/oplus-maintain mutants");
     exit_code = 2;
 #endif
   });

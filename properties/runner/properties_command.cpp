@@ -44,7 +44,7 @@ Summands read_pair(const std::vector<std::string>& files) {
   Region regions[2];
   for (std::size_t i = 0; i < 2; ++i) {
     ReadRegion read = read_region_file(files.at(i));
-    for (const std::string& note : read.notes) say_note("oplus-check", note);
+    for (const std::string& note : read.notes) say_note(note);
     regions[i] = std::move(read.region);
   }
   return {std::move(regions[0]), std::move(regions[1])};

@@ -11,7 +11,7 @@
 
 namespace oplus {
 
-/// The one mutant that is switched on, or empty. Set before a run, by `oplus-check mutants` only.
+/// The one mutant that is switched on, or empty. Set before a run, by `oplus-maintain mutants` only.
 inline std::string active_mutant;
 
 }  // namespace oplus

@@ -2,22 +2,22 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
-#include "checked/cli/command_line/description.hpp"
+namespace CLI {
+class App;
+}
 
 namespace oplus {
 
-// Each returns a script that completes the program's commands, options, and their values: names
-// where only some are taken, else files or folders. None needs more than its shell.
+/// What may stand where the last of these words stands, by the definitions by which the program
+/// parses: a line each, of the word and, behind a tab, what it is. Where the name of a file or a
+/// folder is due, the one line ":files" or ":folders": the shell knows better.
+/// Requires: words are those behind the program's name, with at least one, which may be empty.
+std::string completions(const CLI::App& program, const std::vector<std::string>& words);
 
-std::string bash_completion(const DescribedProgram& program);
-std::string zsh_completion(const DescribedProgram& program);
-std::string fish_completion(const DescribedProgram& program);
-
-/// The name of a shell function for a program: "oplus-check" as "_oplus_check".
-std::string function_name(const std::string& program);
-
-/// The text in single quotes of a POSIX shell.
-std::string in_quotes(const std::string& text);
+/// Adds the command `completion`, which prints a script for a shell that asks the program for
+/// completions: `PROGRAM --complete WORD...`. Its work throws UsageError where it cannot write.
+void add_completion_command(CLI::App& program);
 
 }  // namespace oplus

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <CLI/CLI.hpp>
 #include <map>
 #include <memory>
 
@@ -9,13 +10,56 @@ namespace oplus {
 
 namespace {
 
-using Generator = std::string (*)(const DescribedProgram&);
+// In each script PROGRAM is replaced by the name of the program.
 
-const std::map<std::string, Generator>& generators() {
-  static const std::map<std::string, Generator> table = {
-      {"bash", bash_completion}, {"fish", fish_completion}, {"zsh", zsh_completion}};
-  return table;
+constexpr const char* bash = R"sh(_PROGRAM() {
+  local IFS=$'\n' current=${COMP_WORDS[COMP_CWORD]} found files=
+  mapfile -t found < <(PROGRAM --complete "${COMP_WORDS[@]:1:COMP_CWORD}" 2>/dev/null)
+  [[ $current == = ]] && current=
+  case ${found[0]-} in
+    :files) files=-f ;;
+    :folders) files=-d ;;
+  esac
+  COMPREPLY=("${found[@]%%$'\t'*}")
+  if [[ -n $files ]]; then
+    mapfile -t COMPREPLY < <(compgen $files -- "$current")
+    compopt -o filenames 2>/dev/null
+  fi
 }
+complete -F _PROGRAM PROGRAM
+)sh";
+
+constexpr const char* fish = R"sh(function _PROGRAM
+  set -l word (commandline -ct)
+  set -l found (PROGRAM --complete (commandline -opc)[2..] "$word" 2>/dev/null)
+  set -l before (string match -r -- '^--[^=]*=' "$word")
+  set -l rest (string replace -r -- '^--[^=]*=' '' "$word")
+  switch "$found[1]"
+    case :files
+      __fish_complete_path "$rest" | string replace -r -- '^' "$before"
+    case :folders
+      __fish_complete_directories "$rest" | string replace -r -- '^' "$before"
+    case '*'
+      printf '%s\n' $found
+  end
+end
+complete -c PROGRAM -f -a '(_PROGRAM)'
+)sh";
+
+constexpr const char* zsh = R"sh(#compdef PROGRAM
+_PROGRAM() {
+  local -a found
+  found=(${(f)"$(PROGRAM --complete "${(@Q)words[2,CURRENT]}" 2>/dev/null)"})
+  case ${found[1]-} in
+    :files) compset -P '--*='; _files ;;
+    :folders) compset -P '--*='; _files -/ ;;
+    ?*) found=("${(@)found//:/\\:}"); found=("${(@)found/$'\t'/:}"); _describe PROGRAM found ;;
+  esac
+}
+if [[ $funcstack[1] == _PROGRAM ]]; then _PROGRAM "$@"; else compdef _PROGRAM PROGRAM; fi
+)sh";
+
+const std::map<std::string, std::string> scripts = {{"bash", bash}, {"fish", fish}, {"zsh", zsh}};
 
 struct CompletionOptions {
   std::string shell;
@@ -24,13 +68,13 @@ struct CompletionOptions {
 
 }  // namespace
 
-void add_completion_command(CLI::App& program, const Choose& choose) {
+void add_completion_command(CLI::App& program) {
   const auto options = std::make_shared<CompletionOptions>();
   CLI::App& command = *program.add_subcommand(
       "completion", "Print the completion of this program for bash, zsh or fish");
   command.add_option("SHELL", options->shell, "bash, zsh or fish")
       ->required()
-      ->check(CLI::IsMember(generators()))
+      ->check(CLI::IsMember(scripts))
       ->type_name("NAME");
   command.add_option("-o,--output", options->output, "write it there, not to standard output")
       ->type_name("FILE");
@@ -43,10 +87,10 @@ void add_completion_command(CLI::App& program, const Choose& choose) {
                  name + ", or source it;\nzsh: as _" + name +
                  " into a folder of $fpath; fish: into ~/.config/fish/completions.\n"
                  "An installed oplus has brought all three along.");
-  command.callback([options, &program, choose] {
-    choose([options, &program] {
-      write_text(options->output, generators().at(options->shell)(described(program)));
-    });
+  command.callback([options, name] {
+    write_text(options->output,
+               CLI::detail::find_and_replace(scripts.at(options->shell), "PROGRAM", name));
+    throw CLI::Success();  // nothing else is to be done, as with --help
   });
 }
 

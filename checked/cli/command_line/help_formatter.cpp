@@ -3,45 +3,25 @@
 
 #include <sstream>
 
-#include "checked/cli/command_line/description.hpp"
-
 namespace oplus {
 
 namespace {
 
 constexpr std::size_t left_column = 28;
-constexpr std::size_t longest_line = 100;
+constexpr std::size_t right_column = 72;
 
-/// "  left    right", the right side broken into lines; beneath a left side that is too long.
-std::string entry(const std::string& left, const std::string& right) {
-  std::string text = "  " + left;
-  std::size_t column = text.size();
-  if (column + 1 > left_column) {
-    text += "\n";
-    column = 0;
+/// The same words in lines of the right column.
+std::string in_lines(const std::string& text) {
+  std::string lines;
+  std::size_t column = 0;
+  std::istringstream words(text);
+  for (std::string word; words >> word; column += word.size()) {
+    const bool fits = column + 1 + word.size() <= right_column;
+    if (!lines.empty()) lines += fits ? ' ' : '\n';
+    column = fits ? column + 1 : 0;
+    lines += word;
   }
-  text += std::string(left_column - column, ' ');
-  column = left_column;
-  std::istringstream words(right);
-  for (std::string word; words >> word;) {
-    if (column > left_column && column + 1 + word.size() > longest_line) {
-      text += "\n" + std::string(left_column, ' ');
-      column = left_column;
-    }
-    if (column > left_column) {
-      text += " ";
-      ++column;
-    }
-    text += word;
-    column += word.size();
-  }
-  return text + "\n";
-}
-
-std::string left_side(const DescribedOption& option) {
-  std::string text;
-  for (const std::string& name : option.names) text += (text.empty() ? "" : ", ") + name;
-  return option.value.empty() ? text : text + " " + option.value;
+  return lines;
 }
 
 }  // namespace
@@ -52,26 +32,33 @@ HelpFormatter::HelpFormatter() {
   label("SUBCOMMAND", "COMMAND");
 }
 
-std::string HelpFormatter::make_option(const CLI::Option* option, bool is_positional) const {
-  const DescribedOption shown = described(*option);
-  return entry(is_positional ? shown.names.front() : left_side(shown), full_description(shown));
-}
-
-std::string HelpFormatter::make_subcommands(const CLI::App* app, CLI::AppFormatMode mode) const {
-  std::string text = CLI::Formatter::make_subcommands(app, mode);
-  const std::string title = "\nSubcommands:\n";  // CLI11's own, which no label replaces
-  if (const std::size_t at = text.find(title); at != std::string::npos)
-    text.replace(at, title.size(), "\nCommands:\n");
-  if (app->get_parent() == nullptr) return text;
-  text += "\nOptions of every command:\n";
-  for (const CLI::Option* option : app->get_parent()->get_options(
-           [](const CLI::Option* o) { return is_for_every_command(*o); }))
-    text += make_option(option, false);
+std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
+  std::string text = Formatter::make_option_opts(option);
+  // More names than a line holds are for completion, and for the command that lists them.
+  const std::size_t names = text.find(":{");
+  if (names != std::string::npos && text.size() > left_column + right_column)
+    text.erase(names, text.rfind('}') + 1 - names);
   return text;
 }
 
+std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {
+  return in_lines(option->get_description());
+}
+
 std::string HelpFormatter::make_subcommand(const CLI::App* command) const {
-  return entry(command->get_name(), command->get_description());
+  std::ostringstream text;
+  CLI::detail::format_help(text, command->get_name(), in_lines(command->get_description()),
+                           left_column);
+  return text.str();
+}
+
+std::string HelpFormatter::make_subcommands(const CLI::App* app, CLI::AppFormatMode mode) const {
+  const CLI::App* const program = app->get_parent();
+  if (program == nullptr) return Formatter::make_subcommands(app, mode);
+  return make_group(
+      "Options of every command", false, program->get_options([&](const CLI::Option* option) {
+        return option != program->get_help_ptr() && option != program->get_version_ptr();
+      }));
 }
 
 }  // namespace oplus

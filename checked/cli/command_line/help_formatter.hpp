@@ -6,14 +6,15 @@
 
 namespace oplus {
 
-/// Help for people: a value has one name, a long text breaks into lines, and a command lists the
-/// options that every command takes.
+/// CLI11's help, with lines that fit a terminal, and with the options that every command takes in
+/// the help of each.
 class HelpFormatter : public CLI::Formatter {
  public:
   HelpFormatter();
-  std::string make_option(const CLI::Option* option, bool is_positional) const override;
-  std::string make_subcommands(const CLI::App* app, CLI::AppFormatMode mode) const override;
+  std::string make_option_opts(const CLI::Option* option) const override;
+  std::string make_option_desc(const CLI::Option* option) const override;
   std::string make_subcommand(const CLI::App* command) const override;
+  std::string make_subcommands(const CLI::App* app, CLI::AppFormatMode mode) const override;
 };
 
 }  // namespace oplus

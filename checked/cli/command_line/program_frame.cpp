@@ -4,18 +4,30 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <exception>
+#include <iostream>
 #include <map>
 #include <memory>
+#include <new>
+#include <sstream>
 #include <system_error>
 
+#include "checked/cli/command_line/completion.hpp"
 #include "checked/cli/command_line/help_formatter.hpp"
 #include "checked/cli/command_line/terminal.hpp"
+#include "checked/cli/exit_code.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "checked/cli/version.hpp"
+#include "reference/io/invalid_input.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
 
+namespace {
+
+/// Requires: the program has no command yet, since commands inherit.
 void set_up(CLI::App& program) {
   program.formatter(std::make_shared<HelpFormatter>());
   program.set_help_flag("-h,--help", "show this help");
@@ -39,6 +51,7 @@ void set_up(CLI::App& program) {
       ->type_name("WHEN");
 }
 
+/// What is wrong with a command line, and which help to read.
 std::string complaint(const CLI::App& program, const CLI::ParseError& error) {
   const auto used = program.get_subcommands();
   const std::string name = error.get_name();
@@ -55,10 +68,80 @@ std::string complaint(const CLI::App& program, const CLI::ParseError& error) {
          "; see " + program.get_name() + " --help";
 }
 
+/// Opens standard streams that were closed before the start, the wrong way round, so that their use
+/// fails: the first file opened would otherwise take their place.
 void occupy_closed_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (fcntl(stream, F_GETFD) == -1)
       open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+  }
+}
+
+int parse_and_do(const ProgramFrame& frame, const AddCommands& add_commands, int argc,
+                 const char* const* argv) {
+  CLI::App program(frame.what, frame.name);
+  set_up(program);
+  program.footer(frame.footer);
+  const std::function<int()> work = add_commands(program);
+  add_completion_command(program);
+  if (argc > 2 && argv[1] == std::string("--complete")) {
+    write_text("-", completions(program, {argv + 2, argv + argc}));
+    return 0;
+  }
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::Success& asked) {
+    std::ostringstream text;
+    program.exit(asked, text, text);
+    write_text("-", text.str());
+    return 0;
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(complaint(program, error));
+  }
+  const int exit_code = work();
+  // Results that nobody received are no success.
+  if (!std::cout.flush()) throw UsageError("cannot write standard output");
+  return exit_code;
+}
+
+int fail(ExitCode code, const std::string& why) {
+  say_error(why);
+  return static_cast<int>(code);
+}
+
+int fail_with_bug(const std::string& what) {
+  return fail(ExitCode::bug, "a bug in oplus: " + what + "; please report it with the input");
+}
+
+}  // namespace
+
+int run_program(const ProgramFrame& frame, const AddCommands& add_commands, int argc,
+                const char* const* argv) noexcept {
+  occupy_closed_streams();
+  // A reader that closes its pipe is an output that cannot be written, not a death.
+  // Handled, not ignored: the programs that it starts would ignore it, too.
+  std::signal(SIGPIPE, [](int) {});
+  return exit_code_of([&] {
+    speech().program = frame.name;
+    return parse_and_do(frame, add_commands, argc, argv);
+  });
+}
+
+int exit_code_of(const std::function<int()>& work) noexcept {
+  try {
+    return work();
+  } catch (const InvalidInput& error) {
+    return fail(ExitCode::invalid, error.what());
+  } catch (const UsageError& error) {
+    return fail(ExitCode::invalid, error.what());
+  } catch (const std::system_error& error) {
+    return fail(ExitCode::invalid, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(ExitCode::invalid, "there is not enough memory for this input");
+  } catch (const std::exception& error) {
+    return fail_with_bug(error.what());
+  } catch (...) {
+    return fail_with_bug("an unknown exception");
   }
 }
 

@@ -1,31 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
 
+namespace CLI {
+class App;
+}
+
 namespace oplus {
 
-/// What both programs have in common: help and its form, --version, --quiet and --color, which may
-/// stand before a command or behind it.
-/// Requires: the program has no command yet.
-void set_up(CLI::App& program);
+/// What a program says of itself in its help.
+struct ProgramFrame {
+  std::string name;
+  std::string what;
+  std::string footer;
+};
 
-/// Takes work that is to be done if the command line is understood.
-using Choose = std::function<void(std::function<void()>)>;
+/// Adds the commands of a program. Returns what is left to do, and to return as the exit code, when
+/// all of the command line was understood.
+using AddCommands = std::function<std::function<int()>(CLI::App&)>;
 
-/// Adds the commands `completion` and `man`, which describe the program they are added to. Their
-/// work throws UsageError where it cannot write.
-void add_completion_command(CLI::App& program, const Choose& choose);
-void add_man_command(CLI::App& program, const Choose& choose);
+/// A whole program: its commands and `completion`; --help, --version, --quiet and --color, which may
+/// stand before a command or behind it. Returns the exit code; writes what went wrong to standard
+/// error, in one line.
+int run_program(const ProgramFrame& frame, const AddCommands& add_commands, int argc,
+                const char* const* argv) noexcept;
 
-/// What is wrong with a command line, and which help to read.
-std::string complaint(const CLI::App& program, const CLI::ParseError& error);
-
-/// Opens standard streams that were closed before the start, the wrong way round, so that their use
-/// fails: the first file opened would otherwise take their place.
-void occupy_closed_streams();
+/// Does the work. Returns its exit code, or that of what it throws (exit_code.hpp), after saying in
+/// one line on standard error what that was.
+int exit_code_of(const std::function<int()>& work) noexcept;
 
 /// Writes a file or standard output (-). Throws UsageError.
 void write_text(const std::string& path, const std::string& text);

@@ -62,16 +62,14 @@ std::string with_painted_verdict(const std::string& text, Paint paint, const std
          text.substr(end + 1);
 }
 
-void say(const std::string& program, const std::string& message) {
-  write_line(program + ":", message);
+void say(const std::string& message) { write_line(speech().program + ":", message); }
+
+void say_error(const std::string& message) {
+  write_line(painted(Paint::bad, speech().program + ":", std::cerr), message);
 }
 
-void say_error(const std::string& program, const std::string& message) {
-  write_line(painted(Paint::bad, program + ":", std::cerr), message);
-}
-
-void say_note(const std::string& program, const std::string& message) {
-  if (!speech().quiet) say(program, message);
+void say_note(const std::string& message) {
+  if (!speech().quiet) say(message);
 }
 
 }  // namespace oplus

@@ -8,8 +8,9 @@ namespace oplus {
 
 enum class ColourUse { automatic, always, never };
 
-/// How the program speaks, the same for all of it: --quiet and --color.
+/// How the program speaks, the same for all of it: its name, --quiet and --color.
 struct Speech {
+  std::string program = "oplus";
   bool quiet = false;
   ColourUse colours = ColourUse::automatic;
 };
@@ -29,10 +30,10 @@ std::ostream& text_output(bool in_json);
 std::string with_painted_verdict(const std::string& text, Paint paint, const std::ostream& where);
 
 /// Writes "program: message" to standard error, as one line whatever the message contains.
-void say(const std::string& program, const std::string& message);
+void say(const std::string& message);
 
 /// The same for what went wrong, with colour; and for what one can do without, unless --quiet.
-void say_error(const std::string& program, const std::string& message);
-void say_note(const std::string& program, const std::string& message);
+void say_error(const std::string& message);
+void say_note(const std::string& message);
 
 }  // namespace oplus

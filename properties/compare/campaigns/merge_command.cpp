@@ -34,8 +34,8 @@ int merge(const Settings& settings) {
   const nlohmann::ordered_json merged = merged_report(reports);
   const bool is_conformance = merged.at("report") == "conformance";
   if (!is_conformance && (settings.into.ends_with(".md") || settings.into.ends_with(".xml"))) {
-    say_error("oplus-check", settings.into + ": reports of " +
-                                 merged.at("report").get<std::string>() + " are JSON only");
+    say_error(settings.into + ": reports of " + merged.at("report").get<std::string>() +
+              " are JSON only");
     return 2;
   }
   std::string text = sealed(merged);

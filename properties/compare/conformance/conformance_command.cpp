@@ -83,7 +83,7 @@ void print(std::ostream& out, const ConformanceReport& report, const std::string
 }
 
 int refused(const std::string& why) {
-  say_error("oplus-check", why);
+  say_error(why);
   return 2;
 }
 

@@ -111,7 +111,7 @@ class Estimate {
 int exhaustive(Settings settings) {
   const std::optional<Shard> shard = shard_of(settings.shard);
   if (!shard) {
-    say_error("oplus-check", no_shard(settings.shard));
+    say_error(no_shard(settings.shard));
     return 2;
   }
   settings.scope.shard = shard->index;

@@ -56,7 +56,7 @@ int list(const Settings& settings, const std::vector<smt::Query>& queries) {
 
 int prove(const Settings& settings, const std::vector<smt::Query>& queries) {
   const std::vector<std::string> defects = smt::defects_of_queries(queries);
-  for (const std::string& defect : defects) say_error("oplus-check", defect);
+  for (const std::string& defect : defects) say_error(defect);
   std::optional<TemporaryFolder> temporary;
   std::filesystem::path folder = settings.folder;
   if (folder.empty())
@@ -90,7 +90,7 @@ int smt_work(const Settings& settings) {
 #ifdef OPLUS_MUTANTS
     active_mutant = settings.mutant;
 #else
-    say_error("oplus-check", "faults are in the preset check only");
+    say_error("faults are in the preset check only");
     return 2;
 #endif
   }

@@ -16,7 +16,7 @@ class FuzzCommand : public Shell {
     put("program", "#!/bin/sh\n" + script + "\n");
     return run(
         "mkdir bin && mv program bin/oplus-fuzz-dat && chmod +x bin/oplus-fuzz-dat\n"
-        "oplus-check fuzz dat --binaries bin " +
+        "oplus-maintain fuzz dat --binaries bin " +
         options);
   }
 };
@@ -26,7 +26,7 @@ constexpr const char* good =
     "echo 'oplus: reached 4, rejected 5' >&2";
 
 TEST_F(FuzzCommand, lists_its_targets) {
-  const Ran ran = run("oplus-check fuzz --list");
+  const Ran ran = run("oplus-maintain fuzz --list");
   EXPECT_EQ(ran.exit_code, 0);
   for (const std::string target : {"dat", "wkt", "geojson", "sums", "slide"})
     EXPECT_NE(("\n" + ran.out).find("\n" + target + " "), std::string::npos) << target;
@@ -55,7 +55,7 @@ TEST_F(FuzzCommand, has_exit_code_one_for_a_finding) {
 }
 
 TEST_F(FuzzCommand, says_how_to_build_what_is_missing) {
-  const Ran ran = run("mkdir none && oplus-check fuzz dat --binaries none");
+  const Ran ran = run("mkdir none && oplus-maintain fuzz dat --binaries none");
   EXPECT_EQ(ran.exit_code, 2);
   EXPECT_EQ(ran.lines_of_err(), 1);
   EXPECT_NE(ran.err.find("cmake --preset fuzz && cmake --build --preset fuzz"), std::string::npos);
@@ -65,8 +65,8 @@ TEST_F(FuzzCommand, shows_an_input_as_the_pair_it_is) {
   put("p.wkt", "POLYGON ((0 0, 4 0, 0 4, 0 0))");
   put("q.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 0))");
   const Ran ran =
-      run("oplus-check fuzz --encode p.wkt q.wkt input && "
-          "oplus-check fuzz slide --show input --out shown");
+      run("oplus-maintain fuzz --encode p.wkt q.wkt input && "
+          "oplus-maintain fuzz slide --show input --out shown");
   EXPECT_EQ(ran.exit_code, 0) << ran.err;
   EXPECT_NE(ran.out.find("P: POLYGON ((0 0, 4 0, 0 4, 0 0))"), std::string::npos) << ran.out;
   EXPECT_NE(ran.out.find("no finding"), std::string::npos) << ran.out;
@@ -75,7 +75,7 @@ TEST_F(FuzzCommand, shows_an_input_as_the_pair_it_is) {
 
 TEST_F(FuzzCommand, refuses_a_pair_that_is_no_input) {
   put("p.wkt", "POLYGON ((0 0, 400 0, 0 4, 0 0))");
-  const Ran ran = run("oplus-check fuzz --encode p.wkt p.wkt input");
+  const Ran ran = run("oplus-maintain fuzz --encode p.wkt p.wkt input");
   EXPECT_EQ(ran.exit_code, 2);
   EXPECT_EQ(ran.lines_of_err(), 1);
 }

@@ -34,10 +34,10 @@ Statement triangles_only() {
 class PropertiesCommand : public testing::Test {
  protected:
   /// Runs the program; returns its exit code and what it wrote to both streams.
-  std::pair<int, std::string> oplus_check(const std::string& arguments) const {
+  std::pair<int, std::string> oplus_check(const std::string& arguments,
+                                          const std::string& program = OPLUS_CHECK_PROGRAM) const {
     const std::filesystem::path log = folder_ / "log";
-    const std::string command =
-        std::string(OPLUS_CHECK_PROGRAM) + " " + arguments + " >" + log.string() + " 2>&1";
+    const std::string command = program + " " + arguments + " >" + log.string() + " 2>&1";
     const int status = std::system(command.c_str());
     std::ifstream in(log);
     std::ostringstream text;
@@ -242,7 +242,7 @@ TEST_F(PropertiesCommand, ProgramListsStatements) {
     EXPECT_NE(text.find(s.id), std::string::npos) << text;
     EXPECT_NE(text.find(relative_file(s)), std::string::npos) << text;
   }
-  const auto [check_code, checked] = oplus_check("theorems --check");
+  const auto [check_code, checked] = oplus_check("theorems --check", OPLUS_MAINTAIN_PROGRAM);
   EXPECT_EQ(check_code, 0) << checked;
   const auto [entry_code, entry] = oplus_check("theorems theorem-2.3.2");
   EXPECT_EQ(entry_code, 0);
@@ -251,7 +251,7 @@ TEST_F(PropertiesCommand, ProgramListsStatements) {
 
 #ifndef OPLUS_MUTANTS
 TEST_F(PropertiesCommand, ProgramSaysWhichBuildHasMutants) {
-  const auto [code, text] = oplus_check("mutants");
+  const auto [code, text] = oplus_check("mutants", OPLUS_MAINTAIN_PROGRAM);
   EXPECT_EQ(code, 2);
   EXPECT_NE(text.find("preset check"), std::string::npos) << text;
 }

@@ -19,16 +19,15 @@ class HelpPages : public Shell {
 
   std::vector<std::string> commands(const std::string& program) const {
     const std::string text = help(program);
-    const std::size_t start = text.find("\nCommands:\n") + 9;
+    const std::size_t start = text.find("\nSubcommands:\n") + 12;
     return found(text.substr(start, text.find("\n\n", start) - start), "\n  ([a-z-]+)");
   }
 
   /// Of a command, or of a program: -o, --output, ....
   std::vector<std::string> options(const std::string& command) const {
     std::vector<std::string> names;
-    for (const std::string& line : found(help(command), "\n  (-[^\n]*)"))
-      for (const std::string& name : found(line.substr(0, line.find("   ")), "(--?[a-z-]+)"))
-        names.push_back(name);
+    for (const std::string& both : found(help(command), "\n  (-[^ \n]*)"))
+      for (const std::string& name : found(both, "(--?[a-z-]+)")) names.push_back(name);
     return names;
   }
 

@@ -99,8 +99,8 @@ TEST_F(Terminal, the_last_line_is_the_verdict) {
 TEST_F(Terminal, usage_errors_are_a_line) {
   for (const std::string program : {"oplus", "oplus-check"}) {
     for (const std::string rest :
-         {"", "nonsense", "--nonsense", "--color", "--color sometimes", "man --nonsense",
-          "man --quiet=maybe", "completion bash too much"}) {
+         {"", "nonsense", "--nonsense", "--color", "--color sometimes", "completion --nonsense",
+          "completion bash --quiet=maybe", "completion bash too much"}) {
       const Ran ran = run(program + " " + rest);
       EXPECT_EQ(ran.exit_code, 2) << program << ' ' << rest;
       EXPECT_EQ(ran.out, "") << program << ' ' << rest;
@@ -114,9 +114,10 @@ TEST_F(Terminal, usage_errors_are_a_line) {
 
 TEST_F(Terminal, results_that_nobody_receives_are_no_success) {
   for (const std::string command :
-       {"oplus --help", "oplus gen --list", "oplus man", "oplus compare square.wkt square.wkt",
-        "oplus-check --help", "oplus-check theorems", "oplus-check theorems --json",
-        "oplus-check man", "oplus-check diff --pair square.wkt square.wkt"}) {
+       {"oplus --help", "oplus gen --list", "oplus completion bash",
+        "oplus compare square.wkt square.wkt", "oplus-check --help", "oplus-check theorems",
+        "oplus-check theorems --json", "oplus-check completion fish",
+        "oplus-check diff --pair square.wkt square.wkt"}) {
     for (const std::string output : {">/dev/full", ">&-"}) {
       const Ran ran = run(command + " " + output);
       EXPECT_EQ(ran.exit_code, 2) << command << output;
