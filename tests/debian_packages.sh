@@ -2,7 +2,7 @@
 # Sourced by tests/run and properties/run: what they need of Debian 12, and how they get it.
 
 packages=(g++ clang libclang-rt-14-dev cmake ninja-build ccache git python3 clang-format
-          libcgal-dev libgmp-dev libmpfr-dev libboost-dev libcli11-dev nlohmann-json3-dev
+          libcgal-dev libgmp-dev libmpfr-dev libboost-dev libcli11-dev nlohmann-json3-dev rapidjson-dev
           libtbb-dev libpolyclipping-dev librapidcheck-dev libgtest-dev libbenchmark-dev
           libkainjow-mustache-dev gnuplot-nox
           parallel munge slurmctld slurmd slurm-client

@@ -1,198 +1,125 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/io/json_tree.hpp"
 
+#include <rapidjson/error/en.h>
+#include <rapidjson/reader.h>
+
 #include <algorithm>
-#include <cstdint>
-#include <iterator>
-#include <map>
-#include <nlohmann/json.hpp>
 #include <set>
+#include <string_view>
 #include <utility>
 
-#include "reference/io/number.hpp"
 #include "reference/io/quoting.hpp"
 
 namespace oplus {
 
 namespace {
 
-/// The parser converts each number even where only its text is wanted, and refuses one that
-/// overflows; a long double overflows last.
-using Json = nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t,
-                                  std::uint64_t, long double>;
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// Where the tokens start that the parser has taken. The parser takes at most one character more
-/// than the token it reports, and only after a number or a literal.
-class TokenPlaces {
+/// The text as RapidJSON reads it. It refuses a number that no double holds, though asked for no
+/// doubles; so it sees but two digits of a row of digits, which is enough to know a number by.
+class JsonStream {
  public:
-  explicit TokenPlaces(const std::string& text) : text_(text) {}
+  using Ch = char;
 
-  void pass(char c) {
-    last_ = position_;
-    if (in_string_) {
-      in_string_ = escaped_ || c != '"';
-      escaped_ = !escaped_ && c == '\\';
-    } else {
-      const bool in_word = in_word_;
-      in_word_ = false;
-      if (c == '"') {
-        in_string_ = true;
-        string_ = position_;
-      } else if (c == '[' || c == '{') {
-        bracket_ = position_;
-      } else if (!is_blank(c) && c != ']' && c != '}' && c != ',' && c != ':') {
-        in_word_ = true;
-        if (!in_word) {
-          word_ = position_;
-          word_offset_ = offset_;
-        }
-      }
-    }
-    ++offset_;
-    position_.pass(c);
+  explicit JsonStream(std::string_view text) : text_(text) {}
+
+  char Peek() const { return at_ < text_.size() ? text_[at_] : '\0'; }
+  char Take() {
+    const char taken = Peek();
+    if (is_digit(taken) && is_digit(before_))
+      while (is_digit(Peek())) ++at_;
+    else
+      ++at_;
+    before_ = in_string ? '"' : taken;
+    return taken;
   }
+  std::size_t Tell() const { return at_; }
 
-  const Position& string() const { return string_; }
-  const Position& bracket() const { return bracket_; }
-  const Position& word() const { return word_; }
-  const Position& last() const { return last_; }
-  const Position& next() const { return position_; }
+  // Nothing is written; RapidJSON wants them all the same.
+  char* PutBegin() { return nullptr; }
+  void Put(char) {}
+  void Flush() {}
+  std::size_t PutEnd(char*) { return 0; }
 
-  /// The text of the last number or literal.
-  std::string_view word_text() const {
-    const std::string_view from = std::string_view(text_).substr(word_offset_);
-    const auto end = std::find_if(from.begin(), from.end(), [](char c) {
-      return is_blank(c) || std::string_view("[]{},:\"").find(c) != std::string_view::npos;
-    });
-    return from.substr(0, static_cast<std::size_t>(end - from.begin()));
-  }
+  bool in_string = false;  ///< whether all digits count
 
  private:
-  const std::string& text_;
-  Position position_, last_, string_, bracket_, word_;
-  std::size_t offset_ = 0, word_offset_ = 0;
-  bool in_string_ = false, escaped_ = false, in_word_ = false;
+  std::string_view text_;
+  std::size_t at_ = 0;
+  char before_ = '"';
 };
 
-/// Reads characters and tells the places.
-class WatchedCharacter {
+/// Builds the tree from RapidJSON's events.
+class TreeBuilder : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, TreeBuilder> {
  public:
-  using iterator_category = std::input_iterator_tag;
-  using value_type = char;
-  using difference_type = std::ptrdiff_t;
-  using pointer = const char*;
-  using reference = const char&;
+  explicit TreeBuilder(const InputText& input) : input_(input), stream_(input.text) {}
 
-  WatchedCharacter(const char* at, TokenPlaces* places) : at_(at), places_(places) {}
-  reference operator*() const { return *at_; }
-  WatchedCharacter& operator++() {
-    places_->pass(*at_);
-    ++at_;
-    return *this;
-  }
-  WatchedCharacter operator++(int) {
-    const WatchedCharacter before = *this;
-    ++*this;
-    return before;
-  }
-  friend bool operator==(const WatchedCharacter& a, const WatchedCharacter& b) {
-    return a.at_ == b.at_;
+  JsonValue tree() {
+    rapidjson::Reader reader;
+    go_on(0);
+    const rapidjson::ParseResult result =
+        reader.Parse<rapidjson::kParseIterativeFlag | rapidjson::kParseNumbersAsStringsFlag |
+                     rapidjson::kParseValidateEncodingFlag>(stream_, *this);
+    if (result.IsError()) refuse(result.Code(), result.Offset());
+    // RapidJSON takes a zero byte for the end.
+    if (stream_.Tell() < input_.text.size())
+      refuse(rapidjson::kParseErrorDocumentRootNotSingular, stream_.Tell());
+    return std::move(root_);
   }
 
- private:
-  const char* at_;
-  TokenPlaces* places_;
-};
-
-/// Builds the tree from the parser's events.
-class TreeBuilder : public nlohmann::json_sax<Json> {
- public:
-  TreeBuilder(const InputText& input, const TokenPlaces& places) : input_(input), places_(places) {}
-
-  JsonValue result() { return std::move(root_); }
-
-  bool null() override { return add(JsonValue::Kind::null, places_.word(), "null"); }
-  bool boolean(bool) override { return add(JsonValue::Kind::boolean, places_.word()); }
-  bool number_integer(number_integer_t) override { return number(); }
-  bool number_unsigned(number_unsigned_t) override { return number(); }
-  bool number_float(number_float_t, const string_t&) override { return number(); }
-  bool string(string_t& text) override {
-    return add(JsonValue::Kind::string, places_.string(), text);
+  bool Null() { return add(JsonValue::Kind::null, "null"); }
+  bool Bool(bool) { return add(JsonValue::Kind::boolean); }
+  bool RawNumber(const char*, rapidjson::SizeType, bool) {
+    return add(JsonValue::Kind::number, std::string(rest().substr(0, stream_.Tell() - offset_)));
   }
-  bool binary(binary_t&) override { return false; }  // not in text
-  bool start_object(std::size_t) override { return open(JsonValue::Kind::object); }
-  bool start_array(std::size_t) override { return open(JsonValue::Kind::array); }
-  bool end_object() override { return close(); }
-  bool end_array() override { return close(); }
-
-  bool key(string_t& key) override {
-    std::vector<std::string>& keys = open_.back()->keys;
+  bool String(const char* text, rapidjson::SizeType size, bool) {
+    return add(JsonValue::Kind::string, {text, size});
+  }
+  bool StartObject() { return open(JsonValue::Kind::object); }
+  bool StartArray() { return open(JsonValue::Kind::array); }
+  bool EndObject(rapidjson::SizeType) { return close(); }
+  bool EndArray(rapidjson::SizeType) { return close(); }
+  bool Key(const char* text, rapidjson::SizeType size, bool) {
+    const std::string key(text, size);
     if (!seen_.back().insert(key).second)
-      input_.refuse(places_.string(), "the member " + quote(key) + " is said twice", "it once");
-    keys.push_back(key);
-    return true;
-  }
-
-  /// Gives the parser's message our form: "syntax error while parsing <context> - <wrong>; last
-  /// read: '<text>'; expected <expected>".
-  bool parse_error(std::size_t, const std::string& last,
-                   const nlohmann::detail::exception& e) override {
-    constexpr int number_overflow = 406;
-    if (e.id == number_overflow) refuse_overflow();
-    std::string wrong = e.what();
-    std::string expected = "JSON";
-    if (const auto at = wrong.find("syntax error"); at != std::string::npos) wrong.erase(0, at);
-    if (const auto at = wrong.rfind("; expected "); at != std::string::npos) {
-      expected = wrong.substr(at + 11);
-      wrong.erase(at);
-    }
-    if (const auto at = wrong.find("; last read: "); at != std::string::npos) wrong.erase(at);
-    const bool at_end =
-        last.empty() || wrong.ends_with("end of input") || wrong.ends_with("missing closing quote");
-    Position at = at_end ? places_.next() : places_.last();
-    if (wrong.ends_with("string literal")) at = places_.string();
-    if (wrong.ends_with("number literal") || wrong.ends_with("true literal") ||
-        wrong.ends_with("false literal") || wrong.ends_with("null literal"))
-      at = places_.word();
-    input_.refuse(at, "JSON " + one_line(wrong), one_line(expected));
+      input_.refuse(position_, "the member " + quote(key) + " is said twice", "it once");
+    open_.back()->keys.push_back(key);
+    return go_on(stream_.Tell());
   }
 
  private:
-  bool number() {
-    return add(JsonValue::Kind::number, places_.word(), std::string(places_.word_text()));
-  }
-
-  [[noreturn]] void refuse_overflow() {
-    NumberFault fault;
-    if (!parse_number(places_.word_text(), fault))
-      input_.refuse(places_.word(), fault.wrong, fault.expected);
-    input_.refuse(places_.word(), quote(places_.word_text()) + " is too large for a JSON number",
-                  "it as a string");
-  }
-
-  JsonValue& place_for_value() {
-    if (open_.empty()) return root_;
-    return open_.back()->items.emplace_back();
-  }
-
-  bool add(JsonValue::Kind kind, const Position& at, std::string text = {}) {
-    JsonValue& value = place_for_value();
-    value.kind = kind;
-    value.at = at;
-    value.text = std::move(text);
+  /// Passes to where the first value or key behind an offset starts, if there is one.
+  bool go_on(std::size_t from) {
+    const std::size_t start = input_.text.find_first_not_of(" \t\r\n,:]}", from);
+    for (; offset_ < std::min(start, input_.text.size()); ++offset_)
+      position_.pass(input_.text[offset_]);
+    stream_.in_string = rest().starts_with('"');
     return true;
+  }
+
+  std::string_view rest() const { return std::string_view(input_.text).substr(offset_); }
+
+  [[noreturn]] void refuse(rapidjson::ParseErrorCode code, std::size_t offset);
+
+  bool add(JsonValue::Kind kind, std::string text = {}) {
+    JsonValue& value = open_.empty() ? root_ : open_.back()->items.emplace_back();
+    value.kind = kind;
+    value.at = position_;
+    value.text = std::move(text);
+    // RapidJSON has taken a value, but not an opening bracket.
+    return go_on(std::max(stream_.Tell(), offset_ + 1));
   }
 
   bool open(JsonValue::Kind kind) {
     if (open_.size() == deepest_json)
-      input_.refuse(places_.bracket(),
+      input_.refuse(position_,
                     "JSON nested deeper than " + std::to_string(deepest_json) + " levels",
                     "a geometry");
-    JsonValue& value = place_for_value();
-    value.kind = kind;
-    value.at = places_.bracket();
+    add(kind);
     // Stays valid: its siblings come only after it is closed.
-    open_.push_back(&value);
+    open_.push_back(open_.empty() ? &root_ : &open_.back()->items.back());
     seen_.emplace_back();
     return true;
   }
@@ -200,15 +127,54 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
   bool close() {
     open_.pop_back();
     seen_.pop_back();
-    return true;
+    return go_on(stream_.Tell());
   }
 
   const InputText& input_;
-  const TokenPlaces& places_;
+  JsonStream stream_;
+  std::size_t offset_ = 0;  ///< of the value or key that is read, and its place
+  Position position_;
   JsonValue root_;
   std::vector<JsonValue*> open_;
   std::vector<std::set<std::string>> seen_;
 };
+
+/// What RapidJSON expects where it found something else; empty where that something is broken.
+std::string expected_at(rapidjson::ParseErrorCode code) {
+  switch (code) {
+    case rapidjson::kParseErrorDocumentRootNotSingular:
+      return "the end of the input";
+    case rapidjson::kParseErrorValueInvalid:
+      return "a value";
+    case rapidjson::kParseErrorObjectMissName:
+      return "the name of a member, in double quotes";
+    case rapidjson::kParseErrorObjectMissColon:
+      return "':'";
+    case rapidjson::kParseErrorObjectMissCommaOrCurlyBracket:
+      return "',' or '}'";
+    case rapidjson::kParseErrorArrayMissCommaOrSquareBracket:
+      return "',' or ']'";
+    default:
+      return "";
+  }
+}
+
+void TreeBuilder::refuse(rapidjson::ParseErrorCode code, std::size_t offset) {
+  // A literal is wrong as a whole.
+  if (code == rapidjson::kParseErrorValueInvalid) offset = std::min(offset, offset_);
+  Position at;
+  for (const char c : input_.text.substr(0, offset)) at.pass(c);
+  const std::string expected = expected_at(code);
+  if (expected.empty()) {
+    const std::string_view wrong = rapidjson::GetParseError_En(code);
+    input_.refuse(at, "JSON: " + std::string(wrong.substr(0, wrong.find('.'))), "JSON");
+  }
+  constexpr std::string_view between = " \t\r\n[]{},:\"";
+  const std::string_view here = std::string_view(input_.text).substr(offset);
+  const bool is_word = !here.empty() && between.find(here[0]) == std::string_view::npos;
+  const std::size_t size = is_word ? here.find_first_of(between) : 1;
+  input_.refuse(at, describe(Token{here.substr(0, size), at}) + " in JSON", expected);
+}
 
 }  // namespace
 
@@ -235,13 +201,6 @@ std::string describe(JsonValue::Kind kind) {
   return {};
 }
 
-JsonValue parse_json(const InputText& input) {
-  TokenPlaces places(input.text);
-  TreeBuilder builder(input, places);
-  const char* const first = input.text.data();
-  const char* const last = first + input.text.size();
-  Json::sax_parse(WatchedCharacter(first, &places), WatchedCharacter(last, &places), &builder);
-  return builder.result();
-}
+JsonValue parse_json(const InputText& input) { return TreeBuilder(input).tree(); }
 
 }  // namespace oplus

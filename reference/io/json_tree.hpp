@@ -8,7 +8,7 @@
 
 namespace oplus {
 
-/// A JSON value with its place. nlohmann's own tree has neither places nor exact numbers.
+/// A JSON value with its place. RapidJSON's own tree has neither places nor exact numbers.
 struct JsonValue {
   enum class Kind { null, boolean, number, string, array, object };
   Kind kind = Kind::null;
