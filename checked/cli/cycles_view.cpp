@@ -3,6 +3,7 @@
 
 #include "checked/cli/view.hpp"
 #include "checked/cycles/convolution_cycles.hpp"
+#include "reference/io/counted.hpp"
 #include "reference/pictures/styles.hpp"
 
 namespace oplus {

@@ -7,6 +7,7 @@
 #include "checked/cli/layer_styles.hpp"
 #include "checked/cli/view.hpp"
 #include "checked/collision/collision_test.hpp"
+#include "reference/io/counted.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {

@@ -2,6 +2,7 @@
 #include "checked/cli/view.hpp"
 #include "checked/cycles/convolution_cycles.hpp"
 #include "checked/slide/slide.hpp"
+#include "reference/io/counted.hpp"
 #include "reference/pictures/styles.hpp"
 
 namespace oplus {

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <utility>
 
 #include "checked/cli/input.hpp"
+#include "checked/cli/json_values.hpp"
 #include "checked/cli/layer_styles.hpp"
 #include "checked/cli/output.hpp"
 #include "checked/cli/subcommands.hpp"
@@ -24,8 +24,6 @@
 namespace oplus {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct VerifyOptions {
   std::string p;
@@ -115,21 +113,19 @@ std::string text_of(const Closeness& close, const std::string& tolerance) {
   return text;
 }
 
-Json json_of(const Point& p) { return Json::array({to_string(p.x), to_string(p.y)}); }
-
 Json json_of(const Verdict& verdict) {
   Json reasons = Json::array();
   for (const Reason& reason : verdict.reasons)
     reasons.push_back({{"kind", describe(reason.kind)},
                        {"detail", reason.detail},
-                       {"witness", json_of(reason.witness)},
+                       {"witness", json(reason.witness)},
                        {"in_sum", reason.in_sum},
                        {"given", reason.in_given}});
   Json result = {{"answer", verdict.is_sum() ? "yes" : "no"}, {"reasons", std::move(reasons)}};
-  if (!verdict.is_sum()) result["witness"] = json_of(verdict.reasons.front().witness);
+  if (!verdict.is_sum()) result["witness"] = json(verdict.reasons.front().witness);
   if (verdict.addends) {
-    result["p"] = json_of(verdict.addends->p);
-    result["q"] = json_of(verdict.addends->q);
+    result["p"] = json(verdict.addends->p);
+    result["q"] = json(verdict.addends->q);
   }
   return result;
 }
@@ -148,7 +144,7 @@ Json json_of(const Closeness& close, const Rational& tolerance) {
                         {"at_most", root(d.most_squared, true)},
                         {"squared_at_least", to_string(d.least_squared)},
                         {"squared_at_most", to_string(d.most_squared)},
-                        {"at", json_of(d.farthest)},
+                        {"at", json(d.farthest)},
                         {"of", d.farthest_is_given ? "given" : "sum"}};
   return result;
 }

@@ -10,6 +10,7 @@
 #include "checked/cli/view.hpp"
 #include "checked/cycles/convolution_cycles.hpp"
 #include "reference/definitions/original_convolution.hpp"
+#include "reference/io/counted.hpp"
 
 namespace oplus {
 

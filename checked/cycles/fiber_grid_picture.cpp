@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "reference/io/counted.hpp"
+
 namespace oplus {
 
 namespace {
@@ -66,10 +68,6 @@ std::string arrow(const Pixel& source, const Pixel& target, int dot, int head) {
   return "<path d=\"M" + pair(at(source, dot, 0)) + "L" + pair(at(tip, -head, 0)) + "\"/>" +
          "<path d=\"M" + pair(tip) + "L" + pair(at(tip, -2 * head, head)) + "L" +
          pair(at(tip, -2 * head, -head)) + "Z\" stroke=\"none\"/>\n";
-}
-
-std::string counted(std::size_t count, const std::string& one, const std::string& many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
 /// Where nodes are on the page.

@@ -6,6 +6,7 @@
 #include <boost/graph/max_cardinality_matching.hpp>
 
 #include "checked/verify/overlay.hpp"
+#include "reference/io/counted.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
@@ -129,8 +130,8 @@ Closeness closeness(const MinkowskiSum& right, const GivenSum& sum, const Ration
   find_partners(holes(right_region), holes(given_region), tolerance, true, result.no_partners);
   const std::size_t unsimple = overlay.unsimple_pieces().size();
   if (unsimple > 0)
-    result.notes.push_back("chains cross, overlap or bound nothing in " + std::to_string(unsimple) +
-                           (unsimple == 1 ? " place" : " places"));
+    result.notes.push_back("chains cross, overlap or bound nothing in " +
+                           counted(unsimple, "place", "places"));
   return result;
 }
 

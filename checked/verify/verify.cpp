@@ -17,6 +17,7 @@
 #include "reference/definitions/mutant.hpp"
 #include "reference/definitions/verdicts_differ.hpp"
 #include "reference/definitions/winding_number.hpp"
+#include "reference/io/counted.hpp"
 #include "reference/io/writing.hpp"
 #include "reference/pictures/picture.hpp"
 
@@ -72,10 +73,6 @@ void to_normal_form(Region& region, Oddities& oddities) {
             [](const Component& a, const Component& b) {
               return std::tie(a.outer, a.holes) < std::tie(b.outer, b.holes);
             });
-}
-
-std::string counted(std::size_t count, const std::string& one, const std::string& many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
 std::vector<std::string> notes_of(const GivenSum& sum, const Oddities& oddities) {

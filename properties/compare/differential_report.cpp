@@ -11,6 +11,7 @@
 #include "properties/compare/sealed_report.hpp"
 #include "properties/runner/finding.hpp"
 #include "reference/io/boundary_name.hpp"
+#include "reference/io/counted.hpp"
 #include "reference/io/written.hpp"
 #include "reference/pictures/styles.hpp"
 
@@ -168,12 +169,11 @@ std::string summary(const DifferentialReport& report) {
         << " times about a face, " << probes.points << " times about a point\n";
   std::size_t not_taken = 0;
   for (const auto& [what, times] : report.all.not_taken) {
-    out << times << (times == 1 ? " sum" : " sums") << " not taken by " << what << '\n';
+    out << counted(times, "sum", "sums") << " not taken by " << what << '\n';
     not_taken += times;
   }
   out << report.all.ran << " cases run, each closed and open";
-  if (not_taken > 0)
-    out << " but for " << not_taken << (not_taken == 1 ? " sum" : " sums") << " not taken";
+  if (not_taken > 0) out << " but for " << counted(not_taken, "sum", "sums") << " not taken";
   out << ", " << report.all.skipped << " skipped, " << report.all.disagreed
       << " with a disagreement\n";
   return out.str();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "reference/io/counted.hpp"
 #include "reference/pictures/picture.hpp"
 
 namespace oplus {

@@ -2,6 +2,7 @@
 #include <string>
 #include <utility>
 
+#include "reference/io/counted.hpp"
 #include "reference/io/json_tree.hpp"
 #include "reference/io/placed_geometry.hpp"
 #include "reference/io/quoting.hpp"
@@ -123,8 +124,7 @@ class GeoJsonReader {
       input_.refuse(position.at, name() + " is " + describe(position.kind), "an array [x, y]");
     if (position.items.size() != 2)
       input_.refuse(position.at,
-                    name() + " has " + std::to_string(position.items.size()) +
-                        (position.items.size() == 1 ? " coordinate" : " coordinates"),
+                    name() + " has " + counted(position.items.size(), "coordinate", "coordinates"),
                     "an array [x, y]");
     Rational x = number(position.items[0], [&] { return "x of " + name(); });
     Rational y = number(position.items[1], [&] { return "y of " + name(); });

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "reference/io/power_of_ten.hpp"
 #include "reference/io/quoting.hpp"
 
 namespace oplus {
@@ -35,12 +36,6 @@ bool take_letter(std::string_view& text, std::string_view letters) {
 }
 
 mpz_class integer(std::string_view digits) { return mpz_class(std::string(digits), 10); }
-
-mpz_class power_of_ten(unsigned long exponent) {
-  mpz_class power;
-  mpz_ui_pow_ui(power.get_mpz_t(), 10, exponent);
-  return power;
-}
 
 /// The value of an exponent's digits, or none if it is beyond the largest.
 std::optional<int> exponent_value(std::string_view digits) {

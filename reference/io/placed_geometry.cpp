@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/io/placed_geometry.hpp"
 
+#include "reference/io/counted.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
@@ -14,9 +15,7 @@ std::string coordinate_name(char axis, std::size_t vertex, const std::string& ch
   return std::string(1, axis) + " of vertex " + std::to_string(vertex) + " of " + chain;
 }
 
-std::string vertices(std::size_t count) {
-  return std::to_string(count) + (count == 1 ? " vertex" : " vertices");
-}
+std::string vertices(std::size_t count) { return counted(count, "vertex", "vertices"); }
 
 void remove_closing_vertex(const InputText& input, const ChainName& name, PlacedChain& ring) {
   if (ring.vertices.size() < 2) return;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "reference/definitions/contract.hpp"
+#include "reference/io/power_of_ten.hpp"
 
 namespace oplus {
 
@@ -18,12 +19,6 @@ constexpr std::size_t longest_json_number = 4000;
 /// How often the factor divides the number; divides it out.
 unsigned long take_out(mpz_class& number, unsigned long factor) {
   return mpz_remove(number.get_mpz_t(), number.get_mpz_t(), mpz_class(factor).get_mpz_t());
-}
-
-mpz_class power_of_ten(unsigned long exponent) {
-  mpz_class power;
-  mpz_ui_pow_ui(power.get_mpz_t(), 10, exponent);
-  return power;
 }
 
 /// The decimal that is `scaled` divided by 10^decimals, without zeros at its end.

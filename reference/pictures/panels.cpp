@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/definitions/convolution.hpp"
+#include "reference/io/counted.hpp"
 #include "reference/pictures/styles.hpp"
 
 namespace oplus {

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "reference/io/counted.hpp"
 #include "reference/pictures/layer_drawing.hpp"
 #include "reference/pictures/panel_frame.hpp"
 #include "reference/pictures/svg_elements.hpp"
@@ -126,10 +127,6 @@ double width_of(const std::vector<Panel>& column) {
 Style labelled(Style style, std::string label) {
   style.label = std::move(label);
   return style;
-}
-
-std::string counted(std::size_t count, const std::string& one, const std::string& many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
 // GMP's floats have room for every exponent.

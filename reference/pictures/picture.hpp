@@ -64,9 +64,6 @@ std::vector<Panel> panels_of(const Region& p, const Region& q);
 /// The layers of a sum: its holes, its region, its low-dimensional features; empty ones left out.
 std::vector<Layer> layers_of(const MinkowskiSum& sum);
 
-/// Returns "1 segment", "2 segments".
-std::string counted(std::size_t count, const std::string& one, const std::string& many);
-
 /// Returns about five digits of a number, for the eye.
 std::string approximate(const Rational& value);
 

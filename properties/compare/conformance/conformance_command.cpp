@@ -14,6 +14,7 @@
 #include "properties/compare/limit_options.hpp"
 #include "properties/runner/checked_engines.hpp"
 #include "properties/runner/progress.hpp"
+#include "reference/io/counted.hpp"
 #include "reference/io/reading.hpp"
 #include "reference/io/writing.hpp"
 #include "reference/pictures/picture.hpp"

@@ -5,6 +5,7 @@
 #include "properties/compare/conformance/report.hpp"
 #include "properties/compare/sealed_report.hpp"
 #include "reference/io/boundary_name.hpp"
+#include "reference/io/counted.hpp"
 #include "reference/io/written.hpp"
 #include "reference/pictures/picture.hpp"
 

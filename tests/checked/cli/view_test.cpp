@@ -17,6 +17,7 @@
 #include "reference/definitions/difference.hpp"
 #include "reference/definitions/original_convolution.hpp"
 #include "reference/definitions/winding_number.hpp"
+#include "reference/io/counted.hpp"
 #include "reference/io/writing.hpp"
 #include "tests/reference/definitions/shapes.hpp"
 #include "tests/reference/pictures/parsed_picture.hpp"
