@@ -63,9 +63,6 @@ class TreeBuilder : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, TreeB
         reader.Parse<rapidjson::kParseIterativeFlag | rapidjson::kParseNumbersAsStringsFlag |
                      rapidjson::kParseValidateEncodingFlag>(stream_, *this);
     if (result.IsError()) refuse(result.Code(), result.Offset());
-    // RapidJSON takes a zero byte for the end.
-    if (stream_.Tell() < input_.text.size())
-      refuse(rapidjson::kParseErrorDocumentRootNotSingular, stream_.Tell());
     return std::move(root_);
   }
 

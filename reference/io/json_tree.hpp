@@ -29,6 +29,7 @@ inline constexpr std::size_t deepest_json = 64;
 
 /// Throws InvalidInput where the input is not one JSON value, an object says a key twice, or is
 /// nested too deep.
+/// Requires: the input contains no zero byte, which RapidJSON takes for the end.
 JsonValue parse_json(const InputText& input);
 
 }  // namespace oplus

@@ -40,6 +40,13 @@ TEST(GeoJson, numbers_beyond_a_double_are_exact) {
       "coordinates": [[[0, 0], [1e4000, 0], [1e-4000, 1], [0, 0]]]})")
                             .region;
   EXPECT_EQ(region.components.at(0).outer.at(1).x * region.components.at(0).outer.at(2).x, 1);
+  const std::string long_number(5000, '7');
+  EXPECT_EQ(region_from("{\"type\": \"Polygon\", \"coordinates\": [[[0, 0], [" + long_number +
+                        ", 0], [0, 1], [0, 0]]]}")
+                .region.components.at(0)
+                .outer.at(1)
+                .x,
+            Rational(long_number));
 }
 
 TEST(GeoJson, multipolygon_has_components) {
