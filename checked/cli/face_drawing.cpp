@@ -5,6 +5,8 @@
 #include <set>
 #include <utility>
 
+#include "reference/definitions/squared_distance.hpp"
+
 namespace oplus {
 
 namespace {
@@ -29,14 +31,6 @@ Range range(const Points& points, Coordinate coordinate) {
 const Rational& x_of(const Point& p) { return p.x; }
 const Rational& y_of(const Point& p) { return p.y; }
 const Rational& x_of_source(const Segment& s) { return s.source.x; }
-
-Rational squared_distance(const Point& p, const Segment& s) {
-  const Vector along = direction_of(s);
-  const Vector to_p = p - s.source;
-  const Rational t = dot(to_p, along) / dot(along, along);
-  const Vector away = p - (t <= 0 ? s.source : t >= 1 ? s.target : s.source + t * along);
-  return dot(away, away);
-}
 
 /// A height inside the range, at about the given part of it, that is no height of a vertex.
 Rational height_between(const std::set<Rational>& heights, const Rational& part) {

@@ -24,8 +24,6 @@ IntervalEnds interval_ends(const std::vector<Segment>& pieces) {
   return ends;
 }
 
-Segment translated(const Segment& s, const Vector& by) { return {s.source + by, s.target + by}; }
-
 enum class Meeting { none, crossing, contact };
 
 }  // namespace

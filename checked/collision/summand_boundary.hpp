@@ -21,6 +21,10 @@ struct SummandBoundary {
   std::vector<Point> vertex_of_chain;  ///< one vertex each
 };
 
+inline Segment translated(const Segment& s, const Vector& by) {
+  return {s.source + by, s.target + by};
+}
+
 /// For each summand, which of its chains have a point in common with the other's boundary.
 using TouchedChains = std::array<std::vector<bool>, 2>;
 

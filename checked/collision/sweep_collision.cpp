@@ -58,8 +58,6 @@ class Traits : public NonCrossingTraits<Kernel> {
   Intersect_2 intersect_2_object() const { return {}; }
 };
 
-Segment translated(const Segment& s, const Vector& by) { return {s.source + by, s.target + by}; }
-
 /// How the boundary of a summand runs along a strand: whether in its direction, and which chain.
 struct Run {
   bool along;

@@ -9,23 +9,11 @@
 #include "checked/verify/closeness.hpp"
 #include "checked/verify/root_number.hpp"
 #include "reference/definitions/cut_at_intersections.hpp"
+#include "reference/definitions/squared_distance.hpp"
 
 namespace oplus {
 
 namespace {
-
-Rational squared_length(const Vector& v) { return dot(v, v); }
-
-Rational squared_distance(const Point& x, const Segment& s) {
-  const Vector along = direction_of(s);
-  const Vector to = x - s.source;
-  const Rational at = dot(along, to);
-  if (at <= 0) return squared_length(to);
-  const Rational length = squared_length(along);
-  if (at >= length) return squared_length(x - s.target);
-  const Rational across = cross(along, to);
-  return across * across / length;
-}
 
 Rational squared_distance(const Point& x, const std::vector<Segment>& to) {
   Rational least = squared_distance(x, to[0]);

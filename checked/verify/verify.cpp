@@ -15,6 +15,7 @@
 #include "reference/definitions/difference.hpp"
 #include "reference/definitions/lies_on_one.hpp"
 #include "reference/definitions/mutant.hpp"
+#include "reference/definitions/squared_distance.hpp"
 #include "reference/definitions/verdicts_differ.hpp"
 #include "reference/definitions/winding_number.hpp"
 #include "reference/io/counted.hpp"
@@ -120,11 +121,6 @@ class GivenSet {
   std::vector<std::vector<std::vector<Segment>>> components_;
 };
 
-Rational squared_length(const Segment& s) {
-  const Vector along = direction_of(s);
-  return dot(along, along);
-}
-
 std::vector<Point> sorted_without_copies(std::vector<Point> points) {
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
@@ -158,7 +154,8 @@ class FeatureReasons {
       for (const Segment& piece : cut_where_met(e, cutting_)) {
         const Point middle = midpoint(piece.source, piece.target);
         if (!lies_on_one(middle, given_.dangling_edges) && is_inside_given(middle))
-          add(ReasonKind::missing_dangling_edge, middle, false, true, squared_length(piece),
+          add(ReasonKind::missing_dangling_edge, middle, false, true,
+              squared_length(direction_of(piece)),
               "the dangling edge " + from_to(e) + " is missing" + part_of(piece, e));
       }
     }
@@ -167,7 +164,7 @@ class FeatureReasons {
         const Point middle = midpoint(piece.source, piece.target);
         if (lies_on_one(middle, right_.dangling_edges)) continue;
         add(ReasonKind::additional_dangling_edge, middle, is_in_sum(middle), false,
-            squared_length(piece),
+            squared_length(direction_of(piece)),
             "the line string " + from_to(e) + " is no dangling edge of the sum" +
                 part_of(piece, e));
       }
@@ -199,7 +196,9 @@ class FeatureReasons {
   }
 
   static std::string part_of(const Segment& piece, const Segment& whole) {
-    return squared_length(piece) == squared_length(whole) ? "" : ", " + from_to(piece);
+    return squared_length(direction_of(piece)) == squared_length(direction_of(whole))
+               ? ""
+               : ", " + from_to(piece);
   }
 
   void add(ReasonKind kind, const Point& witness, bool in_sum, bool in_given, Rational size,
@@ -290,7 +289,7 @@ std::vector<Reason> unsimple_reasons(const Overlay& overlay, const MinkowskiSum&
       detail = chain + " the wrong way: it crosses itself or another";
     reasons.push_back({ReasonKind::unsimple_boundary, middle,
                        locate(middle, right) != Location::outside, u.in_given || u.is_boundary,
-                       squared_length(u.piece), std::move(detail)});
+                       squared_length(direction_of(u.piece)), std::move(detail)});
   }
   return reasons;
 }

@@ -7,6 +7,8 @@
 #include <list>
 #include <queue>
 
+#include "reference/families/integer_segments.hpp"
+
 namespace oplus {
 
 namespace {
@@ -19,27 +21,8 @@ struct Place {
 
 constexpr std::int64_t side = std::int64_t{1} << 20;
 
-std::int64_t orientation(const Place& a, const Place& b, const Place& c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
 std::int64_t squared_length(const Place& a, const Place& b) {
   return (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
-}
-
-bool boxes_meet(const Place& a, const Place& b, const Place& c, const Place& d) {
-  return std::max(a.x, b.x) >= std::min(c.x, d.x) && std::max(c.x, d.x) >= std::min(a.x, b.x) &&
-         std::max(a.y, b.y) >= std::min(c.y, d.y) && std::max(c.y, d.y) >= std::min(a.y, b.y);
-}
-
-/// Whether the closed segments have a point in common. Also true for collinear ones whose boxes meet.
-bool meet(const Place& a, const Place& b, const Place& c, const Place& d) {
-  if (!boxes_meet(a, b, c, d)) return false;
-  const auto separates = [](std::int64_t u, std::int64_t v) {
-    return (u > 0 && v > 0) || (u < 0 && v < 0);
-  };
-  return !separates(orientation(a, b, c), orientation(a, b, d)) &&
-         !separates(orientation(c, d, a), orientation(c, d, b));
 }
 
 bool inside_square(const Place& a) { return a.x >= 0 && a.x <= side && a.y >= 0 && a.y <= side; }
@@ -107,19 +90,19 @@ class Coast {
   /// meet no other, but their neighbours at a and b, and those there only.
   bool fits(const Place& m, Vertex a) {
     const Vertex b = after(a);
-    if (!inside_square(m) || orientation(*a, *b, m) == 0) return false;
+    if (!inside_square(m) || turn(*a, *b, m) == 0) return false;
     for (Vertex c = vertices_.begin(); c != vertices_.end(); ++c) {
       const Vertex d = after(c);
       if (c == a) continue;
-      if (d == a ? runs_into(*c, *a, m) : meet(*a, m, *c, *d)) return false;
-      if (c == b ? runs_into(*d, *b, m) : meet(m, *b, *c, *d)) return false;
+      if (d == a ? runs_into(*c, *a, m) : segments_meet(*a, m, *c, *d)) return false;
+      if (c == b ? runs_into(*d, *b, m) : segments_meet(m, *b, *c, *d)) return false;
     }
     return true;
   }
 
   /// Whether the segments from `end` to u and to v overlap.
   static bool runs_into(const Place& u, const Place& end, const Place& v) {
-    return orientation(u, end, v) == 0 &&
+    return turn(u, end, v) == 0 &&
            (u.x - end.x) * (v.x - end.x) + (u.y - end.y) * (v.y - end.y) > 0;
   }
 

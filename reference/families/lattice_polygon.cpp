@@ -6,32 +6,18 @@
 #include <numeric>
 #include <utility>
 
+#include "reference/families/integer_segments.hpp"
+
 namespace oplus {
 
 namespace {
 
 using Polygon = std::vector<LatticePoint>;
 
-int turn(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c) {
-  const int skew = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-  return (skew > 0) - (skew < 0);
-}
-
 /// Whether p, known to be on the line through a and b, is on the segment between them.
 bool between(const LatticePoint& a, const LatticePoint& p, const LatticePoint& b) {
   return std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= p.y &&
          p.y <= std::max(a.y, b.y);
-}
-
-bool meet(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c,
-          const LatticePoint& d) {
-  const int c_side = turn(a, b, c);
-  const int d_side = turn(a, b, d);
-  const int a_side = turn(c, d, a);
-  const int b_side = turn(c, d, b);
-  if (c_side * d_side < 0 && a_side * b_side < 0) return true;
-  return (c_side == 0 && between(a, c, b)) || (d_side == 0 && between(a, d, b)) ||
-         (a_side == 0 && between(c, a, d)) || (b_side == 0 && between(c, b, d));
 }
 
 /// Two edges, by the index of their first vertex, i < j, that share more than they should.
@@ -47,7 +33,7 @@ std::optional<std::pair<std::size_t, std::size_t>> find_conflict(const Polygon& 
       const bool conflict =
           j == i + 1        ? turn(a, b, d) == 0 && (between(a, d, b) || between(b, a, d))
           : next(j, n) == i ? turn(c, a, b) == 0 && (between(c, b, a) || between(a, c, b))
-                            : meet(a, b, c, d);
+                            : segments_meet(a, b, c, d);
       if (conflict) return std::pair{i, j};
     }
   }

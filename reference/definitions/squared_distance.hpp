@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "reference/definitions/segment.hpp"
+
+namespace oplus {
+
+inline Rational squared_length(const Vector& v) { return dot(v, v); }
+
+/// The square of the distance of x from a closed segment, which may be a point.
+inline Rational squared_distance(const Point& x, const Segment& s) {
+  const Vector along = direction_of(s);
+  const Vector to = x - s.source;
+  const Rational at = dot(along, to);
+  if (at <= 0) return squared_length(to);
+  const Rational length = squared_length(along);
+  if (at >= length) return squared_length(x - s.target);
+  const Rational across = cross(along, to);
+  return across * across / length;
+}
+
+}  // namespace oplus
