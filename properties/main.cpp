@@ -6,10 +6,7 @@
 #include <string>
 
 #include "checked/cli/command_line/program_frame.hpp"
-#include "properties/compare/campaigns/merge_command.hpp"
-#include "properties/compare/conformance/conformance_command.hpp"
-#include "properties/compare/diff_command.hpp"
-#include "properties/compare/exhaustive/exhaustive_command.hpp"
+#include "properties/compare/compare_commands.hpp"
 #include "properties/fuzz/fuzz_command.hpp"
 #include "properties/pages/pages_command.hpp"
 #include "properties/pages/theorems_command.hpp"
@@ -40,7 +37,7 @@ const oplus::ProgramFrame frame = {
     "  1  a disagreement, a statement that failed; of oplus-maintain: a mutant that lives\n"
     "  2  invalid input or usage, or a file that cannot be read or written\n"
     "  3  a bug in oplus; please report it\n"
-    "  5  of exhaustive: interrupted before the end"};
+    "  5  of diff, exhaustive and conformance: interrupted before the end"};
 
 void remove_option(CLI::App& command, const std::string& option) {
   command.remove_option(command.get_option(option));

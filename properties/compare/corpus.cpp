@@ -10,7 +10,7 @@
 
 namespace oplus {
 
-std::vector<Row> corpus() {
+std::vector<CorpusPair> corpus() {
   std::ifstream in(OPLUS_SOURCE_DIR "/tests/corpus/pairs.txt");
   if (!in) throw std::runtime_error("cannot open tests/corpus/pairs.txt");
   std::vector<std::vector<std::string>> blocks(1);
@@ -25,14 +25,14 @@ std::vector<Row> corpus() {
   }
   std::erase_if(blocks, [](const auto& block) { return block.empty(); });
 
-  std::vector<Row> rows;
+  std::vector<CorpusPair> pairs;
   for (const std::vector<std::string>& block : blocks) {
     const auto field = [&](std::size_t i, const std::string& key) {
       if (i >= block.size() || !block[i].starts_with(key + ": "))
         throw std::runtime_error("row '" + block[0] + "': no field '" + key + "' in its place");
       return block[i].substr(key.size() + 2);
     };
-    Row row;
+    CorpusPair row;
     row.name = field(0, "name");
     row.story = field(1, "story");
     const auto stream = [&](std::size_t i, const std::string& key) {
@@ -47,9 +47,9 @@ std::vector<Row> corpus() {
     row.closed = read_sum(closed, row.name + ", closed").sum;
     row.open = field(5, "open") == "same" ? row.closed : read_sum(open, row.name + ", open").sum;
     if (block.size() > 6) throw std::runtime_error("row '" + row.name + "': more than six fields");
-    rows.push_back(std::move(row));
+    pairs.push_back(std::move(row));
   }
-  return rows;
+  return pairs;
 }
 
 }  // namespace oplus

@@ -9,7 +9,7 @@
 namespace oplus {
 
 /// A named pair with its sums. What is written where: tests/corpus/pairs.txt.
-struct Row {
+struct CorpusPair {
   std::string name;
   std::string story;
   Region p;
@@ -18,8 +18,8 @@ struct Row {
   MinkowskiSum open;
 };
 
-/// Returns the rows in the order of the file. Throws InvalidInput or std::runtime_error, naming the
+/// Returns the pairs in the order of the file. Throws InvalidInput or std::runtime_error, naming the
 /// row, where one is wrong.
-std::vector<Row> corpus();
+std::vector<CorpusPair> corpus();
 
 }  // namespace oplus

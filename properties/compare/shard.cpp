@@ -3,15 +3,7 @@
 
 #include <charconv>
 
-#include "reference/io/quoting.hpp"
-
 namespace oplus {
-
-std::vector<std::size_t> Shard::cases_of(std::size_t count) const {
-  std::vector<std::size_t> result;
-  for (std::size_t i = index - 1; i < count; i += of) result.push_back(i);
-  return result;
-}
 
 std::optional<Shard> shard_of(const std::string& text) {
   Shard shard;
@@ -22,10 +14,6 @@ std::optional<Shard> shard_of(const std::string& text) {
   if (of.ec != std::errc() || of.ptr != end) return std::nullopt;
   if (shard.index < 1 || shard.index > shard.of) return std::nullopt;
   return shard;
-}
-
-std::string no_shard(const std::string& text) {
-  return "--shard " + one_line(text) + " names no shard; expected I/N, 1 <= I <= N";
 }
 
 }  // namespace oplus

@@ -58,7 +58,7 @@ TEST(Engines, with_the_empty_region_are_empty) {
 TEST(Engines, find_the_origins_of_the_definition) {
   std::size_t several = 0;
   std::size_t dangling = 0;
-  for (const Row& row : corpus()) {
+  for (const CorpusPair& row : corpus()) {
     for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
       for (const Engine& engine : engines()) {
         const ComputedSum result = engine.compute(row.p, row.q, boundary, {.with_origins = true});
@@ -108,7 +108,7 @@ TEST(Engines, scale_with_their_summands_beyond_what_doubles_can_hold) {
   const Rational huge("1" + std::string(400, '0'));
   const Rational tiny = 1 / huge;
   std::vector<std::pair<Region, Region>> pairs = {{star(), star()}};
-  for (const Row& row : corpus()) pairs.emplace_back(row.p, row.q);
+  for (const CorpusPair& row : corpus()) pairs.emplace_back(row.p, row.q);
   for (const auto& [p, q] : pairs) {
     const MinkowskiSum sum = rca(p, q, Boundary::open).sum;
     for (const auto& [x, y] : {std::pair{huge, huge}, {tiny, tiny}, {huge, tiny}, {tiny, huge}}) {

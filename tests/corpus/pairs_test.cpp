@@ -14,9 +14,9 @@ namespace oplus {
 namespace {
 
 TEST(Corpus, rows_have_distinct_names_and_stories) {
-  const std::vector<Row> rows = corpus();
+  const std::vector<CorpusPair> rows = corpus();
   std::set<std::string> names;
-  for (const Row& row : rows) {
+  for (const CorpusPair& row : rows) {
     EXPECT_TRUE(names.insert(row.name).second) << row.name << " is there twice";
     for (const char c : row.name)
       EXPECT_TRUE(std::islower(c) || std::isdigit(c) || c == '_') << row.name;
@@ -27,7 +27,7 @@ TEST(Corpus, rows_have_distinct_names_and_stories) {
 }
 
 TEST(Corpus, oracle_gives_the_sums_of_every_row) {
-  for (const Row& row : corpus()) {
+  for (const CorpusPair& row : corpus()) {
     const OracleSums sums = oracle_sums(row.p, row.q);
     EXPECT_EQ(sums.closed, row.closed) << row.name;
     EXPECT_EQ(sums.open, row.open) << row.name;
@@ -38,7 +38,7 @@ TEST(Corpus, oracle_gives_the_sums_of_every_row) {
 }
 
 TEST(Corpus, every_engine_gives_the_sums_of_every_row) {
-  const auto same = [](const Region& p, const Region& q, const Row& row, const std::string& how) {
+  const auto same = [](const Region& p, const Region& q, const CorpusPair& row, const std::string& how) {
     for (const Engine& engine : engines()) {
       for (const auto& [name, method] : hole_test_methods()) {
         const auto sum = [&](Boundary boundary) {
@@ -50,7 +50,7 @@ TEST(Corpus, every_engine_gives_the_sums_of_every_row) {
       }
     }
   };
-  for (const Row& row : corpus()) {
+  for (const CorpusPair& row : corpus()) {
     same(row.p, row.q, row, ", " + row.name);
     same(row.q, row.p, row, ", " + row.name + ", swapped");
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/compare/differential.hpp"
+#include "properties/compare/judge.hpp"
 #include "properties/runner/checked_engines.hpp"
 #include "properties/runner/registry.hpp"
 
@@ -8,14 +8,19 @@ namespace oplus {
 namespace {
 
 Outcome check(const Summands& summands) {
-  const DifferentialResult result =
-      differential(summands, checked_engines(), static_cast<std::size_t>(-1));
+  const JudgedPair result = judged({"", summands}, {.engines = checked_engines()});
   Outcome outcome;
-  outcome.counts["sums with holes"] = result.holes_in_sum;
-  outcome.counts["open sums with low-dimensional features"] = result.low_dimensional_features;
-  if (result.disagreement) {
+  if (result.right) {
+    const MinkowskiSum& open = result.right->open;
+    outcome.counts["sums with holes"] = !result.right->closed.holes.empty();
+    outcome.counts["open sums with low-dimensional features"] =
+        !open.dangling_edges.empty() || !open.isolated_vertices.empty();
+  }
+  for (const JudgedSum& sum : result.sums) {
+    if (!sum.wrong) continue;
     outcome.kind = Outcome::Kind::fails;
-    outcome.why = result.disagreement->implementation + ": " + result.disagreement->what;
+    outcome.why = sum.engine + ": " + sum.wrong->failure.what;
+    break;
   }
   return outcome;
 }

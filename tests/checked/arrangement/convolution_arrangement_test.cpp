@@ -37,7 +37,7 @@ TEST(ConvolutionArrangement, of_nothing_is_the_unbounded_face) {
 }
 
 TEST(ConvolutionArrangement, is_a_doubly_connected_edge_list) {
-  for (const Row& row : corpus()) {
+  for (const CorpusPair& row : corpus()) {
     const ConvolutionArrangement a(convolution(row.p, row.q));
     std::size_t around_faces = 0;
     for (ConvolutionArrangement::Face f = 0; f < a.face_count(); ++f) {
@@ -58,7 +58,7 @@ TEST(ConvolutionArrangement, is_a_doubly_connected_edge_list) {
 }
 
 TEST(ConvolutionArrangement, edges_know_exactly_the_segments_they_are_parts_of) {
-  for (const Row& row : corpus()) {
+  for (const CorpusPair& row : corpus()) {
     const std::vector<ConvolutionSegment> segments = reduced_convolution(row.p, row.q);
     const ConvolutionArrangement a(segments);
     for (Halfedge h = 0; h < 2 * a.edge_count(); ++h) {

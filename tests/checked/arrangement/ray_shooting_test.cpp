@@ -61,7 +61,7 @@ TEST(RayShooting, of_nothing_is_zero) {
 
 TEST(RayShooting, beside_every_edge_of_every_row_is_the_winding_number_of_the_face) {
   std::size_t positive = 0;
-  for (const Row& row : corpus()) {
+  for (const CorpusPair& row : corpus()) {
     const std::vector<ConvolutionSegment> full = convolution(row.p, row.q);
     const RayShooting rays(segments(full));
     const ConvolutionArrangement a(full);

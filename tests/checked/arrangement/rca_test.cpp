@@ -35,7 +35,7 @@ TEST(Rca, origins_are_empty_unless_asked_for) {
 }
 
 TEST(Rca, statistics_are_those_of_an_arrangement) {
-  for (const Row& row : corpus()) {
+  for (const CorpusPair& row : corpus()) {
     const Statistics closed = rca(row.p, row.q, Boundary::closed).statistics;
     EXPECT_EQ(closed.count("segments in the arrangement"), reduced_convolution(row.p, row.q).size())
         << row.name;

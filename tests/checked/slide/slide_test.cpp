@@ -71,7 +71,7 @@ TEST(Slide, origins_are_empty_unless_asked_for) {
 }
 
 TEST(Slide, is_what_the_corpus_says) {
-  for (const Row& row : corpus()) {
+  for (const CorpusPair& row : corpus()) {
     EXPECT_EQ(slide_sum(row.p, row.q, Boundary::closed).sum, row.closed) << row.name;
     EXPECT_EQ(slide_sum(row.p, row.q, Boundary::open).sum, row.open) << row.name;
     EXPECT_EQ(slide_sum(row.p, row.q, Boundary::closed).statistics.count("segments slid along"),

@@ -34,7 +34,7 @@ std::vector<ReasonKind> kinds(const Verdict& verdict) {
 using Kinds = std::vector<ReasonKind>;
 
 TEST(Verify, accepts_every_sum_of_every_engine_in_the_corpus) {
-  for (const Row& row : corpus()) {
+  for (const CorpusPair& row : corpus()) {
     for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
       EXPECT_EQ(sum_by_definition(row.p, row.q, boundary),
                 boundary == Boundary::open ? row.open : row.closed)

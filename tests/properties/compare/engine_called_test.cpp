@@ -14,8 +14,11 @@
 #include <utility>
 
 #include "properties/compare/corpus.hpp"
-#include "properties/compare/differential.hpp"
-#include "properties/compare/no_sum.hpp"
+#include "properties/compare/judge.hpp"
+#include "properties/compare/peers/peer_table.hpp"
+#include "properties/compare/run_campaign.hpp"
+#include "properties/compare/sources.hpp"
+#include "properties/runner/finding.hpp"
 #include "properties/runner/temporary_folder.hpp"
 
 namespace oplus {
@@ -98,10 +101,8 @@ TEST_F(ProgramEngine, may_have_spaces_and_quotes_in_its_name) {
   const std::filesystem::path program = folder_ / "my \"sum\"";
   std::ofstream(program) << "#!/bin/sh\ncat \"$1\"\n";
   ::chmod(program.c_str(), 0700);
-  std::string quoted = program.string();
-  for (std::size_t at = quoted.find('\''); at != std::string::npos; at = quoted.find('\'', at + 4))
-    quoted.replace(at, 1, "'\\''");
-  EXPECT_EQ(sum("exec:'" + quoted + "'", patient(), Boundary::closed), canonical_sum(triangle));
+  EXPECT_EQ(sum("exec:" + for_shell(program.string()), patient(), Boundary::closed),
+            canonical_sum(triangle));
 }
 
 TEST_F(ProgramEngine, computes_open_sums_where_it_says_so) {
@@ -119,29 +120,34 @@ TEST_F(ProgramEngine, leaves_no_files) {
   EXPECT_FALSE(std::filesystem::exists(std::filesystem::path(said.site()).parent_path()));
 }
 
+/// What a run of one pair finds.
+ShrunkFailure only_failure(const std::string& engine, const Summands& pair, std::size_t tries) {
+  Campaign campaign;
+  campaign.engines = {engine};
+  campaign.shrink_tries = tries;
+  const std::vector<TaskSource> sources = {given_source({{"", pair}})};
+  const CampaignReport report = run_campaign(begun_report("diff", campaign, {}, sources), sources,
+                                             {.engines = {*engine_called(engine, patient())}}, 1);
+  EXPECT_EQ(report.counterexamples.size(), 1U);
+  return report.counterexamples.begin()->second;
+}
+
 TEST_F(ProgramEngine, that_is_wrong_disagrees_and_is_shrunk) {
-  const std::vector<Engine> wrong = {*engine_called("exec:cat {p} #", patient())};
-  const DifferentialResult result = differential({triangle, square}, wrong, 1000);
-  ASSERT_EQ(result.kind, DifferentialResult::Kind::disagreed);
-  EXPECT_FALSE(result.disagreement->no_sum);
-  const Summands shrunk = shrink({triangle, square}, *result.disagreement, wrong, 100).summands;
-  EXPECT_EQ(vertex_count(shrunk.p) + vertex_count(shrunk.q), 6U);
+  const ShrunkFailure found = only_failure("exec:cat {p} #", {triangle, square}, 100);
+  EXPECT_TRUE(found.sum.given);
+  EXPECT_EQ(size_of(found.sum.pair).vertices, 6U);
 }
 
 TEST_F(ProgramEngine, that_crashes_is_shrunk_to_the_same_crash_in_so_many_tries) {
   // Crashes on squares one way, on triangles another.
   const std::string script =
       "exec:test $(tr -cd , <{q} | wc -c) = 4 && kill -SEGV $$; kill -ABRT $$ # {p}";
-  const std::vector<Engine> crashing = {*engine_called(script, patient())};
   const Summands large{square, polygon({{0, 0}, {5, 0}, {5, 5}, {0, 5}})};
-  const DifferentialResult result = differential(large, crashing, 1000);
-  ASSERT_EQ(result.kind, DifferentialResult::Kind::disagreed);
-  EXPECT_EQ(result.disagreement->no_sum.value().site(), "SIGSEGV");
-  const ShrunkDisagreement shrunk = shrink(large, *result.disagreement, crashing, 200);
-  EXPECT_EQ(vertex_count(shrunk.summands.p), 3U);
-  EXPECT_EQ(vertex_count(shrunk.summands.q), 4U);
-  EXPECT_EQ(shrunk.disagreement.no_sum.value().site(), "SIGSEGV");
-  EXPECT_EQ(shrink(large, *result.disagreement, crashing, 0).summands, large);
+  const ShrunkFailure shrunk = only_failure(script, large, 200);
+  EXPECT_EQ(shrunk.sum.failure.kind, "crashed: SIGSEGV");
+  EXPECT_EQ(vertex_count(shrunk.sum.pair.p), 3U);
+  EXPECT_EQ(vertex_count(shrunk.sum.pair.q), 4U);
+  EXPECT_EQ(only_failure(script, large, 0).sum.pair, large);
 }
 
 TEST_F(ProgramEngine, that_says_nothing_or_garbage_or_half_an_answer_is_unreadable) {
@@ -209,7 +215,7 @@ TEST(Peers, compute_sums_of_the_corpus_they_are_known_to_compute) {
   std::map<std::string, std::size_t> right_sums;
   const std::set<std::string> chosen = {"sum_with_a_hole", "decimals_and_fractions",
                                         "equally_directed_overlapping_edges", "island_in_a_hole"};
-  for (const Row& row : corpus()) {
+  for (const CorpusPair& row : corpus()) {
     if (!chosen.contains(row.name)) continue;
     for (const Engine& peer : peers()) {
       try {
@@ -228,9 +234,9 @@ TEST(Peers, compute_sums_of_the_corpus_they_are_known_to_compute) {
 /// Where this fails a library has become better: docs/findings.md is to say so.
 TEST(Peers, are_as_wrong_as_the_findings_say) {
   const auto by = [](const std::string& peer, const std::string& name) {
-    const std::vector<Row> rows = corpus();
+    const std::vector<CorpusPair> rows = corpus();
     const auto row =
-        std::find_if(rows.begin(), rows.end(), [&](const Row& r) { return r.name == name; });
+        std::find_if(rows.begin(), rows.end(), [&](const CorpusPair& r) { return r.name == name; });
     if (row == rows.end()) throw std::runtime_error("no row " + name);
     return std::pair(sum(peer, patient(), Boundary::closed, row->p, row->q), row->closed);
   };
@@ -289,16 +295,15 @@ TEST(Peers, of_cgal_are_right_where_a_chain_touches_the_inside_of_an_edge) {
 
 TEST(Peers, that_are_not_taken_are_skipped_visibly_and_never_agree) {
   const Region two{{{{{0, 0}, {1, 0}, {0, 1}}, {}}, {{{5, 5}, {6, 5}, {5, 6}}, {}}}};
-  const std::vector<Engine> full = {*engine_called("cgal-full", patient())};
-  const DifferentialResult none = differential({two, square}, full, 1000);
-  EXPECT_EQ(none.kind, DifferentialResult::Kind::skipped);
-  EXPECT_EQ(none.not_taken.size(), 2U);
-  EXPECT_NE(none.why.find("cgal-full: not taken: takes one component"), std::string::npos)
-      << none.why;
-  const DifferentialResult closed = differential({triangle, square}, full, 1000);
-  EXPECT_EQ(closed.kind, DifferentialResult::Kind::agreed);
-  ASSERT_EQ(closed.not_taken.size(), 1U);
-  EXPECT_EQ(closed.not_taken[0].boundary, Boundary::open);
+  const Rules full{.engines = {*engine_called("cgal-full", patient())}};
+  for (const JudgedSum& sum : judged({"", {two, square}}, full).sums)
+    EXPECT_EQ(sum.ruling, "not taken");
+  EXPECT_EQ(judged({"", {two, square}}, full).sums[0].why.find("not taken: takes one component"),
+            0U);
+  const std::vector<JudgedSum> taken = judged({"", {triangle, square}}, full).sums;
+  EXPECT_EQ(taken[0].ruling, "passed");
+  EXPECT_EQ(taken[1].ruling, "not taken");
+  EXPECT_EQ(taken[1].boundary, Boundary::open);
 }
 
 }  // namespace

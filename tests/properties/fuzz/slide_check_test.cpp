@@ -10,7 +10,7 @@ namespace oplus {
 namespace {
 
 TEST(SlideCheck, finds_nothing_in_the_corpus) {
-  for (const Row& row : corpus()) EXPECT_NO_THROW(check_slide({row.p, row.q})) << row.name;
+  for (const CorpusPair& row : corpus()) EXPECT_NO_THROW(check_slide({row.p, row.q})) << row.name;
 }
 
 /// It requires valid summands; of invalid ones both engines make something, and not the same.
@@ -22,7 +22,7 @@ TEST(SlideCheck, finds_what_an_invalid_region_does) {
 
 TEST(ShownInput, of_slide_is_a_pair_and_back) {
   std::size_t held = 0;
-  for (const Row& row : corpus()) {
+  for (const CorpusPair& row : corpus()) {
     const auto input = input_of_pair({row.p, row.q});
     if (!input) continue;
     ++held;

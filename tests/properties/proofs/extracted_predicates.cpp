@@ -18,7 +18,7 @@
 #include "checked/arrangement/ray_shooting.hpp"
 #include "checked/cycles/convolution_cycles.hpp"
 #include "checked/cycles/cycle_tracing.hpp"
-#include "properties/compare/exhaustive/grid_polygons.hpp"
+#include "properties/compare/grid_polygons.hpp"
 #include "properties/runner/child_process.hpp"
 #include "reference/definitions/contract.hpp"
 #include "reference/definitions/convolution.hpp"

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "properties/compare/judge.hpp"
+#include "properties/compare/shard.hpp"
+#include "properties/compare/sum_digest.hpp"
+#include "properties/runner/shrinking.hpp"
+
+namespace oplus {
+
+/// All that decides what is asked and what is reported: the same for all shards.
+struct Campaign {
+  std::vector<std::string> engines;
+  std::string hole_test = "all";
+  std::uint64_t seed = 1;
+  std::optional<std::size_t> n = {};       ///< largest size of generated pairs; none: the family's
+  std::size_t largest = 1300;              ///< see Rules
+  std::optional<std::size_t> shrink = {};  ///< keep at most so many counterexamples; none: all
+  std::size_t shrink_tries = 5000;         ///< for one; a twentieth for one that hangs
+  double time_limit = 10;                  ///< of others' engines, in seconds
+  std::size_t memory_limit = 4000;         ///< likewise, in MB
+  std::vector<std::string> pairs = {};     ///< given ones, by name
+  std::vector<std::string> sources = {};   ///< each in a line
+};
+
+/// Counts of pairs, and below of their sums, closed and open, by each engine.
+struct Tally {
+  std::size_t pairs = 0;
+  std::size_t ran = 0;      ///< an engine's sum was judged
+  std::size_t skipped = 0;  ///< none was
+  std::size_t disagreed = 0;
+  std::size_t holes_in_sum = 0;
+  std::size_t holes_in_summand = 0;
+  std::size_t low_dimensional_features = 0;  ///< of the open sum
+  std::size_t overlapping_segments = 0;      ///< of the reduced convolution
+  std::size_t several_components = 0;
+  std::size_t face_probes = 0;  ///< how often hole tests were asked
+  std::size_t point_probes = 0;
+  std::map<std::string, std::size_t> sums;       ///< by ruling
+  std::map<std::string, std::size_t> kinds;      ///< of failure, as `counterexamples` below
+  std::map<std::string, std::size_t> not_taken;  ///< by engine, boundary and reason
+
+  std::size_t count(const std::string& ruling) const;
+  std::size_t failures() const;
+  Tally& operator+=(const Tally& more);
+};
+
+/// One of a kind of failure, the smallest pair that was found, shrunk.
+struct ShrunkFailure {
+  WrongSum sum;
+  std::string found_in;       ///< the task's name
+  std::string source;         ///< its part and its name
+  std::size_t index = 0;      ///< of the task
+  Size found_size = {};       ///< before shrinking
+  std::size_t tries = 0;      ///< pairs tried for that
+  bool is_shrunk = false;     ///< no pair a step smaller shows it; else the tries were used up
+  bool is_repeatable = true;  ///< seen when asked again
+};
+
+/// Pairs that were skipped for one reason.
+struct SkippedPairs {
+  std::size_t times = 0;
+  std::size_t index = 0;  ///< of the first task
+  std::string first;      ///< its name
+};
+
+struct CountedSource {
+  std::string part;
+  std::string name;
+  Tally counts = {};
+};
+
+/// What a command that compares engines has found, or one shard of it. Counts and findings, nothing of
+/// time and place: same campaign and engines that answer the same, same report, however many threads.
+struct CampaignReport {
+  std::string report;   ///< the command
+  std::string version;  ///< of oplus
+  Campaign campaign;
+  Shard shard;
+  std::size_t pairs = 0;  ///< of the shard
+  std::size_t done = 0;   ///< the first so many of them
+  std::vector<CountedSource> sources;
+  std::map<std::string, SkippedPairs> skipped;  ///< by reason
+  std::map<std::string, ShrunkFailure>
+      counterexamples;  ///< by kind, of several engines also by name
+  SumDigest digest;     ///< of the oracle's sums
+
+  Tally all() const;
+  bool conforms() const { return all().disagreed == 0; }
+};
+
+/// A report before the first pair.
+CampaignReport begun_report(const std::string& command, Campaign campaign, const Shard& shard,
+                            const std::vector<TaskSource>& sources);
+
+/// Adds what became of a task, of which only the name and the pair are looked at.
+void add(CampaignReport& report, std::size_t source, std::size_t index, const Task& task,
+         const JudgedPair& judged);
+
+/// Leaves as many counterexamples as the campaign wants: those found with the smallest pairs, so that the
+/// ones of a campaign are among those of its shards.
+void keep_smallest(CampaignReport& report);
+
+/// Returns the report that one run without shards would have written, of the reports of all shards of
+/// one campaign, each with the name of its file; a shard may be there more than once with the same
+/// content. Throws InvalidInput where shards are missing, one is there twice with different content or
+/// is not finished, or they are not of one campaign, command and version.
+CampaignReport merged(const std::vector<std::pair<std::string, CampaignReport>>& reports);
+
+}  // namespace oplus

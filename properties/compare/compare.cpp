@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/compare/compare.hpp"
+
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <thread>
+
+#include "checked/arrangement/hole_test.hpp"
+#include "checked/cli/command_line/terminal.hpp"
+#include "checked/cli/usage_error.hpp"
+#include "checked/engines.hpp"
+#include "properties/compare/counterexample_files.hpp"
+#include "properties/compare/engine_called.hpp"
+#include "properties/compare/peers/peer_table.hpp"
+#include "properties/compare/report_json.hpp"
+#include "properties/compare/report_text.hpp"
+#include "properties/compare/run_campaign.hpp"
+#include "properties/compare/sources.hpp"
+#include "properties/runner/checked_engines.hpp"
+#include "properties/runner/progress.hpp"
+#include "reference/io/file_text.hpp"
+#include "reference/io/quoting.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+CLI::Validator engine_name() {
+  std::string offered = "all",
+              known = "all, ";  // for completion, which is told nothing of exec:CMD
+  const auto add = [&](const std::string& name) {
+    offered += "," + name;
+    known += name + ", ";
+  };
+  for (const Engine& own : engines()) add(own.name);
+  for (const Peer& peer : peers()) add(peer.name);
+  return CLI::Validator(
+      [known](const std::string& name) -> std::string {
+        if (name == "all" || find_engine(engines(), name) != nullptr ||
+            engine_called(name, PeerLimits()))
+          return "";
+        return name + " is no engine; there are " + known + "exec:CMD";
+      },
+      "{" + offered + "}");
+}
+
+HoleTestMethod hole_test_named(const std::string& name) {
+  for (const auto& [known, method] : hole_test_methods())
+    if (known == name) return method;
+  return all_hole_tests();
+}
+
+/// The engines that were named; all of oplus where none was.
+std::vector<Engine> chosen_engines(const Campaign& campaign) {
+  std::vector<Engine> chosen = checked_engines(hole_test_named(campaign.hole_test));
+  const std::vector<std::string>& names = campaign.engines;
+  if (names.empty() || std::find(names.begin(), names.end(), "all") != names.end()) return chosen;
+  std::erase_if(chosen, [&](const Engine& engine) {
+    return std::find(names.begin(), names.end(), engine.name) == names.end();
+  });
+  PeerLimits limits;
+  limits.seconds = campaign.time_limit;
+  limits.memory_mb = campaign.memory_limit;
+  for (const std::string& name : names)
+    if (auto other = engine_called(name, limits)) chosen.push_back(std::move(*other));
+  return chosen;
+}
+
+/// The report to go on from: that of the file where there is one.
+CampaignReport first_report(CampaignReport begun, const std::string& resume) {
+  if (resume.empty() || !std::filesystem::exists(resume)) return begun;
+  CampaignReport kept = opened(text_of_file(resume, "the state of a run"), resume);
+  std::string other = other_campaign(begun, kept);
+  if (other.empty() && begun.shard.index != kept.shard.index) other = "it is of another shard";
+  if (!other.empty()) throw UsageError(resume + " is the state of another run: " + other);
+  say_note("oplus-check", "going on after " + std::to_string(kept.done) + " of " +
+                              std::to_string(kept.pairs) + " pairs");
+  return kept;
+}
+
+CampaignReport run(const CompareOptions& options, CampaignReport report,
+                   const std::vector<TaskSource>& sources, const Rules& rules) {
+  Progress progress(report.report, report.pairs - report.done);
+  RunWatch watch;
+  watch.after_pair = [&] { progress.advance(); };
+  watch.before_shrinking = [&](const ShrunkFailure& found) {
+    text_output(options.json || speech().quiet)
+        << "shrinking a disagreement found in " << found.found_in << std::endl;
+  };
+  if (!options.resume.empty() || report.report == "exhaustive") {
+    std::signal(SIGINT, [](int) { interrupted = 1; });
+    std::signal(SIGTERM, [](int) { interrupted = 1; });
+    watch.is_enough = [&](const CampaignReport& now) {
+      if (!options.resume.empty()) write_file(options.resume, sealed(now));
+      return interrupted != 0;
+    };
+  }
+  const unsigned cores = std::max(std::thread::hardware_concurrency(), 1U);
+  return run_campaign(std::move(report), sources, rules,
+                      options.threads == 0 ? cores : options.threads, watch);
+}
+
+}  // namespace
+
+void add_run_options(CLI::App& command, CompareOptions& options) {
+  command.add_option("--shard", options.shard, "Only pairs of the I-th of N parts")
+      ->type_name("I/N")
+      ->capture_default_str();
+  command
+      .add_option("--resume", options.resume,
+                  "Keep the state in this file, and go on from it where it exists")
+      ->type_name("FILE");
+  command.add_option("--threads", options.threads, "Pairs at a time; default: one a core")
+      ->check(CLI::Range(1, 1024));
+  command.add_option("--out", options.out, "Folder for disagreements")
+      ->type_name("DIR")
+      ->capture_default_str();
+  command
+      .add_option("--report", options.reports,
+                  "A report: .md for people, .json, .xml for a CI (JUnit); may be repeated")
+      ->type_name("FILE");
+  command.add_flag("--json", options.json, "Print the JSON report, not a table (docs/json.md)");
+}
+
+void add_engine_option(CLI::App& command, CompareOptions& options, const std::string& what) {
+  command.add_option("--engine", options.campaign.engines, what)
+      ->type_name("NAME")
+      ->check(engine_name());
+}
+
+void add_limit_options(CLI::App& command, Campaign& campaign) {
+  command
+      .add_option("--largest", campaign.largest,
+                  "Skip, and count, pairs whose convolution has more segments")
+      ->capture_default_str();
+  command
+      .add_option("--time-limit", campaign.time_limit,
+                  "Seconds that another's engine has for a sum")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command
+      .add_option("--memory-limit", campaign.memory_limit,
+                  "Address space that it has, in MB; 0: any")
+      ->capture_default_str();
+}
+
+void add_pair_option(CLI::App& command, CompareOptions& options) {
+  command.add_option("--pair", options.pairs, "Only this pair of files; may be repeated")
+      ->type_name("P Q")
+      ->type_size(2);
+}
+
+std::vector<Task> given_pairs(CompareOptions& options) {
+  std::vector<Task> pairs;
+  for (const auto& files : options.pairs) pairs.push_back(pair_of_files(files.at(0), files.at(1)));
+  for (const Task& pair : pairs) options.campaign.pairs.push_back(pair.name);
+  return pairs;
+}
+
+int compare(const std::string& command, CompareOptions options,
+            const std::vector<TaskSource>& sources) {
+  const std::optional<Shard> shard = shard_of(options.shard);
+  if (!shard)
+    throw UsageError("--shard " + one_line(options.shard) +
+                     " names no shard; expected I/N, 1 <= I <= N");
+  for (const std::string& file : options.reports)
+    if (!is_report_name(file))
+      throw UsageError("--report " + file + " ends in none of .md, .json and .xml");
+  const Rules rules{.engines = chosen_engines(options.campaign),
+                    .largest = options.campaign.largest,
+                    .asks_beyond = command == "conformance"};
+  options.campaign.engines.clear();
+  for (const Engine& engine : rules.engines) options.campaign.engines.push_back(engine.name);
+
+  const CampaignReport begun = begun_report(command, options.campaign, *shard, sources);
+  const CampaignReport report = run(options, first_report(begun, options.resume), sources, rules);
+  write_counterexamples(report, options.out);
+  std::ostream& text = text_output(options.json);
+  for (const auto& [kind, found] : report.counterexamples)
+    text << explanation(report, found, options.out);
+  text << with_painted_verdict(summary(report), report.conforms() ? Paint::good : Paint::bad,
+                               std::cout);
+  for (const std::string& file : options.reports) {
+    const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+    if (!folder.empty()) std::filesystem::create_directories(folder);
+    write_file(file, report_text(report, file));
+    if (command == "diff") text << "report: " << file << '\n';
+  }
+  if (options.json) std::cout << sealed(report);
+  if (!report.conforms()) return 1;
+  if (report.done < report.pairs) return 5;
+  // A shard may be too small to have asked anything that is taken; the campaign is judged as a whole.
+  if (report.all().ran == 0 && shard->of == 1)
+    throw UsageError(command + " compared nothing: every pair was skipped");
+  return 0;
+}
+
+}  // namespace oplus

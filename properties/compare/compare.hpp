@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "properties/compare/campaign_report.hpp"
+
+namespace oplus {
+
+/// What every command that compares is told; the campaign's engines as named on the command line.
+struct CompareOptions {
+  Campaign campaign;
+  std::vector<std::vector<std::string>> pairs;  ///< of files
+  std::string shard = "1/1";
+  unsigned threads = 0;  ///< 0: one a core
+  std::string out = "oplus-findings";
+  std::vector<std::string> reports;
+  std::string resume;
+  bool json = false;
+};
+
+/// Add options; the target must live as long as the command.
+void add_run_options(CLI::App& command, CompareOptions& options);
+void add_engine_option(CLI::App& command, CompareOptions& options, const std::string& what);
+void add_limit_options(CLI::App& command, Campaign& campaign);
+void add_pair_option(CLI::App& command, CompareOptions& options);
+
+/// Reads the pairs of files and notes their names. Throws InvalidInput.
+std::vector<Task> given_pairs(CompareOptions& options);
+
+/// Compares: runs the shard, writes the reports, the counterexamples and the text. Returns the exit code,
+/// see compare_commands.hpp. Engines are asked beyond what the oracle takes by `conformance` alone.
+int compare(const std::string& command, CompareOptions options,
+            const std::vector<TaskSource>& sources);
+
+}  // namespace oplus

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+
+#include "properties/compare/compare.hpp"
+#include "properties/compare/compare_commands.hpp"
+#include "properties/compare/conformance_sources.hpp"
+
+namespace oplus {
+
+namespace {
+
+struct Settings {
+  CompareOptions options;
+  ConformanceChoice choice;
+};
+
+}  // namespace
+
+void add_conformance_command(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand(
+      "conformance", "Check all that must hold of sums against one implementation");
+  const auto settings = std::make_shared<Settings>();
+  Campaign& campaign = settings->options.campaign;
+  ConformanceChoice& choice = settings->choice;
+  campaign.shrink_tries = 1000;
+  add_engine_option(
+      *command, settings->options,
+      "The implementation: an engine of oplus, a peer, or exec:CMD, as diff takes them");
+  command->get_option("--engine")->required();
+  add_pair_option(*command, settings->options);
+  command->add_option("--part", choice.parts, "Only this part; may be repeated")
+      ->type_name("NAME")
+      ->check(CLI::IsMember(conformance_parts()));
+  command->add_option("--seed", campaign.seed, "Same seed, same pairs")->capture_default_str();
+  command->add_option("--budget", choice.budget, "Pairs in all, the corpus not counted")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1000000000}))
+      ->capture_default_str();
+  command->add_option("--cases", choice.cases, "Pairs a grid, family, statement or law, instead")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1000000000}));
+  command
+      ->add_option("--shrink", campaign.shrink_tries,
+                   "Try at most so many pairs to shrink a counterexample; of hangs a twentieth")
+      ->capture_default_str();
+  add_limit_options(*command, campaign);
+  add_run_options(*command, settings->options);
+  command->footer(
+      "Parts, in the order of the run: grids (all pairs of small polygons on small grids, or an even\n"
+      "selection), corpus, families (random pairs against the oracle), statements (of the thesis),\n"
+      "laws (of the sum).\n"
+      "\n"
+      "Example:\n"
+      "  oplus-check conformance --engine slide --report conformance.md\n"
+      "  oplus-check conformance --engine 'exec:my-sum {p} {q}' --report conformance.xml\n"
+      "\n"
+      "Exit codes:\n"
+      "  0  it conforms\n"
+      "  1  it does not\n"
+      "  2  bad input, a request that makes no sense, or nothing compared\n"
+      "  5  interrupted; the same command goes on where --resume was given");
+  command->callback([settings, &exit_code] {
+    CompareOptions& options = settings->options;
+    settings->choice.seed = options.campaign.seed;
+    const std::vector<Task> given = given_pairs(options);
+    exit_code =
+        compare("conformance", options,
+                given.empty() ? conformance_sources(settings->choice) : conformance_sources(given));
+  });
+}
+
+}  // namespace oplus

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+
+#include "properties/compare/compare.hpp"
+#include "properties/compare/compare_commands.hpp"
+#include "properties/compare/sources.hpp"
+
+namespace oplus {
+
+namespace {
+
+struct Settings {
+  CompareOptions options;
+  int side = 3;
+  std::size_t most_vertices = 4;
+};
+
+}  // namespace
+
+void add_exhaustive_command(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand(
+      "exhaustive", "Compare engines with the oracle on every pair of small grid polygons");
+  const auto settings = std::make_shared<Settings>();
+  Campaign& campaign = settings->options.campaign;
+  campaign.shrink = 3;
+  command->add_option("--grid", settings->side, "Points along a side of the grid")
+      ->check(CLI::Range(2, 16))
+      ->capture_default_str();
+  command->add_option("--vertices", settings->most_vertices, "The most vertices of a polygon")
+      ->check(CLI::Range(3, 16))
+      ->capture_default_str();
+  add_engine_option(*command, settings->options, "The engine to check; may be repeated");
+  command
+      ->add_option("--shrink", campaign.shrink,
+                   "Shrink at most so many disagreements, the smallest of a kind each")
+      ->default_str("3");
+  add_run_options(*command, settings->options);
+  command->footer(
+      "Pairs are taken up to what keeps a sum: exchange, translations, the square's symmetries.\n"
+      "\n"
+      "Example:\n"
+      "  oplus-check exhaustive --grid 3 --vertices 5 --shard 1/4 --resume part1.json\n"
+      "\n"
+      "Exit codes:\n"
+      "  0  all agree\n"
+      "  1  a disagreement\n"
+      "  2  bad input or a request that makes no sense\n"
+      "  5  interrupted; the same command goes on where --resume was given");
+  command->callback([settings, &exit_code] {
+    exit_code = compare("exhaustive", settings->options,
+                        {grid_source(settings->side, settings->most_vertices)});
+  });
+}
+
+}  // namespace oplus

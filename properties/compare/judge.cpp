@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/compare/judge.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <exception>
+#include <system_error>
+
+#include "properties/runner/checked_engines.hpp"
+#include "reference/definitions/convolution.hpp"
+#include "reference/io/quoting.hpp"
+
+namespace oplus {
+
+namespace {
+
+/// Digits are coordinates or addresses, which change from pair to pair.
+NoSum of_exception(const std::string& what) {
+  std::string site = one_line(what);
+  std::erase_if(site, [](unsigned char c) { return std::isdigit(c) != 0; });
+  return {NoSum::Kind::crashed, "exception: " + site.substr(0, 120), "it threw: " + one_line(what)};
+}
+
+/// Says what became of a sum; without a right one it is skipped.
+void rule(JudgedSum& sum, const Answer& answer, const MinkowskiSum* right, const Summands& pair) {
+  if (const NoSum* const none = std::get_if<NoSum>(&answer)) {
+    sum.ruling = name(none->kind());
+    if (sum.ruling == "not taken")
+      sum.why = one_line(none->what());
+    else
+      sum.wrong = WrongSum{sum.engine, sum.boundary, failure_without_sum(*none), pair};
+    return;
+  }
+  const MinkowskiSum& given = std::get<MinkowskiSum>(answer);
+  if (right == nullptr) {
+    sum.ruling = "skipped";
+  } else if (std::optional<Failure> found = failure(*right, given)) {
+    sum.ruling = "wrong";
+    sum.wrong = WrongSum{sum.engine, sum.boundary, std::move(*found), pair, *right, given};
+  }
+}
+
+std::string too_large(const Summands& pair, std::size_t largest) {
+  const std::size_t size = convolution(pair.p, pair.q).size();
+  if (size <= largest) return "";
+  return "its convolution has " + std::to_string(size) + " segments, the oracle takes at most " +
+         std::to_string(largest);
+}
+
+/// A question that a statement asked.
+struct Question {
+  Summands pair;
+  Boundary boundary;
+  Answer answer;
+};
+
+JudgedSum by_statement(const Task& task, const Engine& engine, Boundary boundary,
+                       std::size_t largest, Probes& probes) {
+  JudgedSum sum{engine.name, boundary};
+  std::vector<Question> asked;
+  // Answers that no statement could work with are thrown.
+  const Engine recording =
+      named_engine(engine.name, [&](const Region& p, const Region& q, Boundary of) {
+        asked.push_back({{p, q}, of, ask(engine, {p, q}, of, probes)});
+        const Answer& answer = asked.back().answer;
+        if (const NoSum* const none = std::get_if<NoSum>(&answer)) throw NoSum(*none);
+        const auto& given = std::get<MinkowskiSum>(answer);
+        if (const std::optional<Failure> found = malformed(given))
+          throw std::runtime_error(found->what);
+        return given;
+      });
+  Outcome outcome;
+  try {
+    outcome = task.statement->of_implementation(recording, boundary, task.pair);
+  } catch (const std::system_error&) {
+    throw;
+  } catch (const std::exception& e) {
+    outcome = {Outcome::Kind::fails, one_line(e.what()), {}};
+  }
+  if (outcome.kind == Outcome::Kind::holds) return sum;
+  if (outcome.kind == Outcome::Kind::discarded) {
+    sum.ruling = "skipped";
+    sum.why = task.statement->id + " says nothing about it";
+    return sum;
+  }
+  for (const Question& question : asked) {
+    JudgedSum blamed{engine.name, question.boundary};
+    std::optional<MinkowskiSum> right;
+    if (std::holds_alternative<MinkowskiSum>(question.answer) &&
+        too_large(question.pair, largest).empty())
+      right = oracle_sum(question.pair.p, question.pair.q, question.boundary);
+    rule(blamed, question.answer, right ? &*right : nullptr, question.pair);
+    if (blamed.ruling == "passed" || blamed.ruling == "skipped") continue;
+    blamed.boundary = boundary;
+    return blamed;
+  }
+  sum.ruling = "wrong";
+  sum.wrong = WrongSum{
+      engine.name, boundary, {"breaks " + task.statement->id, outcome.why, {}, {}}, task.pair};
+  return sum;
+}
+
+}  // namespace
+
+const std::vector<std::string>& rulings() {
+  static const std::vector<std::string> all = {
+      "passed", "wrong", "crashed", "hung", "out of memory", "unreadable", "not taken", "skipped"};
+  return all;
+}
+
+Answer ask(const Engine& engine, const Summands& pair, Boundary boundary, Probes& probes) {
+  try {
+    ComputedSum computed = engine.compute(pair.p, pair.q, boundary, {});
+    if (computed.statistics.contains("hole tests")) {
+      probes.faces += computed.statistics.count("hole tests");
+      probes.points += computed.statistics.count("tests of low-dimensional features");
+    }
+    return std::move(computed.sum);
+  } catch (const NoSum& e) {
+    return e;
+  } catch (const std::system_error&) {
+    throw;  // there is no process to be had, which is no fault of who was asked
+  } catch (const std::exception& e) {
+    return of_exception(e.what());
+  } catch (...) {
+    return of_exception("what is no std::exception");
+  }
+}
+
+JudgedPair judged(const Task& task, const Rules& rules) {
+  JudgedPair result{{}, classify(task.pair), {}, {}};
+  const auto each = [&](const auto& judge) {
+    for (const Engine& engine : rules.engines)
+      for (const Boundary boundary : rules.boundaries)
+        result.sums.push_back(judge(engine, boundary));
+  };
+  if (task.statement != nullptr) {
+    each([&](const Engine& engine, Boundary boundary) {
+      return by_statement(task, engine, boundary, rules.largest, result.probes);
+    });
+    return result;
+  }
+  const std::string why_skipped = task.known ? "" : too_large(task.pair, rules.largest);
+  if (!why_skipped.empty() && !rules.asks_beyond) {
+    each([&](const Engine& engine, Boundary boundary) {
+      return JudgedSum{engine.name, boundary, "skipped", why_skipped};
+    });
+    return result;
+  }
+  std::vector<Answer> answers;
+  each([&](const Engine& engine, Boundary boundary) {
+    answers.push_back(ask(engine, task.pair, boundary, result.probes));
+    return JudgedSum{engine.name, boundary};
+  });
+  const auto is_taken = [](const Answer& answer) {
+    const NoSum* const none = std::get_if<NoSum>(&answer);
+    return none == nullptr || none->kind() != NoSum::Kind::not_taken;
+  };
+  // One arrangement for both, and none where there is nothing to compare.
+  if (task.known) {
+    result.right = OracleSums{task.known->closed, task.known->open, {}};
+  } else if (why_skipped.empty() &&
+             (answers.empty() || std::any_of(answers.begin(), answers.end(), is_taken))) {
+    try {
+      result.right = oracle_sums(task.pair.p, task.pair.q);
+    } catch (const std::exception& e) {
+      JudgedSum oracle{"oracle", Boundary::closed};
+      rule(oracle, of_exception(e.what()), nullptr, task.pair);
+      result.sums.push_back(std::move(oracle));
+    }
+  }
+  for (std::size_t i = 0; i < result.sums.size(); ++i) {
+    JudgedSum& sum = result.sums[i];
+    if (sum.wrong) continue;
+    const MinkowskiSum* const right = !result.right                      ? nullptr
+                                      : sum.boundary == Boundary::closed ? &result.right->closed
+                                                                         : &result.right->open;
+    rule(sum, answers[i], right, task.pair);
+    if (sum.ruling == "skipped") sum.why = why_skipped.empty() ? "the oracle threw" : why_skipped;
+  }
+  return result;
+}
+
+}  // namespace oplus

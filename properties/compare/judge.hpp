@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "checked/engine.hpp"
+#include "properties/compare/failure_kind.hpp"
+#include "properties/compare/task.hpp"
+#include "properties/runner/classification.hpp"
+#include "reference/oracle/oracle.hpp"
+
+namespace oplus {
+
+/// What becomes of the closed sum or the open one, in the order of tables: "passed", "wrong"; where there
+/// is none, why (NoSum), of which only "not taken" is no fault; "skipped": it is too large for the oracle,
+/// or the statement says nothing about it.
+const std::vector<std::string>& rulings();
+
+/// A sum that is wrong or missing, with all that shows it again. The pair is the task's own, or, where a
+/// statement is broken, that of the first of its sums which the oracle finds wrong.
+struct WrongSum {
+  std::string engine;  ///< "oracle" where that threw
+  Boundary boundary = Boundary::closed;
+  Failure failure;
+  Summands pair;
+  std::optional<MinkowskiSum> right = {};  ///< none where no oracle was asked
+  std::optional<MinkowskiSum> given = {};
+};
+
+struct JudgedSum {
+  std::string engine;
+  Boundary boundary = Boundary::closed;
+  std::string ruling = "passed";
+  std::string why = {};                ///< it was not taken or skipped
+  std::optional<WrongSum> wrong = {};  ///< where it is a fault
+};
+
+/// How often hole tests were asked.
+struct Probes {
+  std::size_t faces = 0;
+  std::size_t points = 0;
+};
+
+struct JudgedPair {
+  std::vector<JudgedSum> sums;
+  Classification classes;
+  Probes probes;                         ///< of all engines
+  std::optional<OracleSums> right = {};  ///< where the oracle or the corpus was asked
+};
+
+/// Who is asked for which sums.
+struct Rules {
+  std::vector<Engine> engines;
+  std::vector<Boundary> boundaries = {Boundary::closed, Boundary::open};
+  /// Pairs whose convolution has more segments are not given to the oracle: its cost grows with the
+  /// square of that number.
+  std::size_t largest = static_cast<std::size_t>(-1);
+  /// Whether engines are asked about such pairs nevertheless: they may crash.
+  bool asks_beyond = false;
+};
+
+/// Asks each engine for each sum of a task's pair and judges what it answers. Where a statement is broken
+/// by a sum that the oracle finds wrong, that is the failure, else its kind is "breaks ID". Throws
+/// std::system_error where an engine does: it was not asked.
+JudgedPair judged(const Task& task, const Rules& rules);
+
+/// A sum, or why there is none. An exception that is no NoSum is a crash, its words without digits the
+/// site. Throws std::system_error as above.
+using Answer = std::variant<MinkowskiSum, NoSum>;
+Answer ask(const Engine& engine, const Summands& pair, Boundary boundary, Probes& probes);
+
+}  // namespace oplus

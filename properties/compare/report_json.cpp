@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/compare/report_json.hpp"
+
+#include <boost/uuid/name_generator_sha1.hpp>
+#include <boost/uuid/uuid_io.hpp>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "properties/compare/counterexample_files.hpp"
+#include "reference/io/invalid_input.hpp"
+#include "reference/io/reading.hpp"
+#include "reference/io/written.hpp"
+
+using Json = nlohmann::json;
+
+template <>
+struct nlohmann::adl_serializer<oplus::Rational> {
+  static void to_json(Json& json, const oplus::Rational& value) { json = value.get_str(); }
+  static void from_json(const Json& json, oplus::Rational& value) {
+    value = oplus::Rational(json.get<std::string>());
+  }
+};
+
+template <typename Value>
+struct nlohmann::adl_serializer<std::optional<Value>> {
+  static void to_json(Json& json, const std::optional<Value>& value) {
+    json = value ? Json(*value) : Json();
+  }
+  static void from_json(const Json& json, std::optional<Value>& value) {
+    value.reset();
+    if (!json.is_null()) value = json.get<Value>();
+  }
+};
+
+namespace oplus {
+
+namespace {
+
+/// A name that is no UTF-8 does not keep a report from being written.
+std::string text_of(const Json& json, int indent) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string checksum(const Json& json) {
+  return to_string(boost::uuids::name_generator_sha1(boost::uuids::ns::oid())(text_of(json, -1)));
+}
+
+}  // namespace
+
+void to_json(Json& json, const Point& p) { json = {p.x, p.y}; }
+void from_json(const Json& json, Point& p) {
+  p = {json.at(0).get<Rational>(), json.at(1).get<Rational>()};
+}
+void to_json(Json& json, const Segment& s) { json = {s.source, s.target}; }
+void from_json(const Json& json, Segment& s) {
+  s = {json.at(0).get<Point>(), json.at(1).get<Point>()};
+}
+void to_json(Json& json, const Region& region) { json = wkt(region); }
+void from_json(const Json& json, Region& region) {
+  std::istringstream in(json.get<std::string>());
+  region = read_region(in, "a counterexample").region;
+}
+void to_json(Json& json, const SumDigest& digest) { json = digest.to_string(); }
+void from_json(const Json& json, SumDigest& digest) { digest = SumDigest(json.get<std::string>()); }
+
+NLOHMANN_JSON_SERIALIZE_ENUM(Boundary, {{Boundary::closed, "closed"}, {Boundary::open, "open"}})
+// Chain by chain, since a wrong sum need not be a region, which WKT could hold.
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MinkowskiSum, outer, holes, dangling_edges, isolated_vertices)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Summands, p, q)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Size, vertices, coordinates)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Failure, kind, what, witness, squared_distance)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WrongSum, engine, boundary, failure, pair, right, given)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ShrunkFailure, sum, found_in, source, index, found_size, tries,
+                                   is_shrunk, is_repeatable)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SkippedPairs, times, index, first)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Tally, pairs, ran, skipped, disagreed, holes_in_sum,
+                                   holes_in_summand, low_dimensional_features, overlapping_segments,
+                                   several_components, face_probes, point_probes, sums, kinds,
+                                   not_taken)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CountedSource, part, name, counts)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Campaign, engines, hole_test, seed, n, largest, shrink,
+                                   shrink_tries, time_limit, memory_limit, pairs, sources)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Shard, index, of)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CampaignReport, report, version, campaign, shard, pairs, done,
+                                   sources, skipped, counterexamples, digest)
+
+std::string sealed(const CampaignReport& report) {
+  Json json = report;
+  // Not read again: they follow from the rest.
+  json["all"] = report.all();
+  for (const auto& [kind, found] : report.counterexamples) {
+    Json& entry = json["counterexamples"][kind];
+    entry["files"] = files_of(found).all();
+    entry["replay"] = replay_line(report, found, "");
+  }
+  json["checksum"] = checksum(json);
+  return text_of(json, 2) + "\n";
+}
+
+CampaignReport opened(const std::string& text, const std::string& file) {
+  const auto refuse = [&](const std::string& wrong) {
+    return InvalidInput({file, 1, 0}, wrong, "a report that oplus-check wrote with --report");
+  };
+  Json json = Json::parse(text, nullptr, false);
+  if (json.is_discarded()) throw refuse("no JSON, or truncated");
+  if (!json.is_object() || !json.contains("checksum")) throw refuse("no report of a shard");
+  const Json said = json["checksum"];
+  json.erase("checksum");
+  if (said != checksum(json))
+    throw refuse("its checksum is that of another report: it was changed");
+  try {
+    auto report = json.get<CampaignReport>();
+    if (report.done > report.pairs || report.sources.size() != report.campaign.sources.size())
+      throw refuse("its counts contradict each other");
+    return report;
+  } catch (const nlohmann::json::exception& e) {
+    throw refuse(e.what());
+  } catch (const std::invalid_argument& e) {
+    throw refuse(e.what());
+  }
+}
+
+std::string other_campaign(const CampaignReport& expected, const CampaignReport& found) {
+  const auto difference = [](const Json& one, const Json& other) -> std::string {
+    for (const auto& [key, value] : one.items()) {
+      const auto shown = [&](const Json& of) {
+        const std::string all = text_of(of.at(key), -1);
+        return all.size() <= 60 ? all : all.substr(0, 57) + "...";
+      };
+      if (other.at(key) != value) return key + " is " + shown(other) + ", not " + shown(one);
+    }
+    return "";
+  };
+  const auto command = [](const CampaignReport& of) -> Json {
+    return {{"report", of.report}, {"version", of.version}, {"shards", of.shard.of}};
+  };
+  const std::string other = difference(command(expected), command(found));
+  return !other.empty() ? other : difference(expected.campaign, found.campaign);
+}
+
+}  // namespace oplus

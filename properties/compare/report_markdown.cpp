@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+#include "properties/compare/counterexample_files.hpp"
+#include "properties/compare/report_text.hpp"
+#include "reference/io/boundary_name.hpp"
+#include "reference/io/written.hpp"
+#include "reference/pictures/picture.hpp"
+
+namespace oplus {
+
+namespace {
+
+/// Text as a cell of a table: no bar ends it, no name is taken for markup.
+std::string cell(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '|' || c == '\\' || c == '<' || c == '*' || c == '`') result += '\\';
+    result += c == '\n' ? ' ' : c;
+  }
+  return result;
+}
+
+void head(std::ostream& out, const std::vector<std::string>& first) {
+  for (const std::string& column : first) out << "| " << column << ' ';
+  out << "| pairs ";
+  for (const std::string& ruling : rulings()) out << "| " << ruling << ' ';
+  out << "|\n";
+  for (std::size_t i = 0; i < first.size(); ++i) out << "|---";
+  for (std::size_t i = 0; i < rulings().size() + 1; ++i) out << "|--:";
+  out << "|\n";
+}
+
+void row(std::ostream& out, const std::vector<std::string>& first, const Tally& tally) {
+  for (const std::string& column : first) out << "| " << cell(column) << ' ';
+  out << "| " << tally.pairs << ' ';
+  for (const std::string& ruling : rulings()) out << "| " << tally.count(ruling) << ' ';
+  out << "|\n";
+}
+
+std::string in_words(const MinkowskiSum& sum) {
+  if (!malformed(sum)) return written(sum, Format::wkt);
+  std::string text;
+  for (const std::vector<Chain>* chains : {&sum.outer, &sum.holes}) {
+    for (const Chain& chain : *chains) {
+      text += chains == &sum.outer ? "outer chain" : "hole";
+      for (const Point& p : chain) text += " " + to_string(p);
+      text += "\n";
+    }
+  }
+  return text;
+}
+
+std::string distance_in_words(const Rational& squared) {
+  std::ostringstream out;
+  out << "about " << std::setprecision(3) << std::sqrt(squared.get_d());
+  return out.str();
+}
+
+void counterexample(std::ostream& out, const CampaignReport& report, const std::string& kind,
+                    const ShrunkFailure& found) {
+  const auto& [engine, boundary, failure, pair, right, given] = found.sum;
+  const std::string vertices = std::to_string(size_of(pair).vertices);
+  out << "\n### " << cell(kind) << "\n\n"
+      << counted(report.all().kinds.at(kind), "sum", "sums") << ". The smallest pair was found in "
+      << cell(found.source) << ", " << cell(found.found_in) << ", with "
+      << found.found_size.vertices << " vertices; it is "
+      << (!found.is_repeatable ? "not shrunk, since it was not seen when asked again"
+          : found.is_shrunk    ? "shrunk to " + vertices
+                               : "at " + vertices + " where the tries were used up")
+      << " (" << counted(found.tries, "pair", "pairs") << " tried). The " << name(boundary)
+      << " sum";
+  if (!failure.what.empty()) out << ": " << cell(failure.what);
+  if (right && given) out << ", the first being the oracle's";
+  if (failure.witness) out << ", at " << to_string(*failure.witness);
+  if (failure.squared_distance)
+    out << "; the boundaries differ by " << distance_in_words(*failure.squared_distance);
+  out << ".\n\n```text\nP      " << written(pair.p, Format::wkt) << "Q      "
+      << written(pair.q, Format::wkt);
+  if (right) out << "oracle " << in_words(*right);
+  if (given) out << "engine " << in_words(*given);
+  out << "```\n\n![both summands, their convolution, and the sums](" << files_of(found).picture
+      << ")\n\n```sh\n"
+      << replay_line(report, found, "") << "\n```\n";
+}
+
+}  // namespace
+
+std::string to_markdown(const CampaignReport& report) {
+  const Tally all = report.all();
+  const Campaign& campaign = report.campaign;
+  std::ostringstream out;
+  out << "# Conformance of " << cell(engines_in_words(report)) << "\n\n"
+      << (report.conforms() ? "**It conforms**: " : "**It does not conform**: ")
+      << counted(all.count("passed"), "sum", "sums") << " passed, "
+      << counted(all.failures(), "failure", "failures") << " of "
+      << counted(all.kinds.size(), "kind", "kinds") << ", " << all.count("not taken")
+      << " not taken, " << all.count("skipped") << " skipped.\n\nOplus " << report.version << ", ";
+  if (campaign.pairs.empty())
+    out << "seed " << campaign.seed << ", " << counted(report.pairs, "pair", "pairs");
+  else
+    out << counted(campaign.pairs.size(), "given pair", "given pairs");
+  if (report.shard.of > 1) out << ", shard " << report.shard.index << " of " << report.shard.of;
+  out << ". Sums are counted, a closed and an open one for each pair.\n\n## Parts\n\n";
+  head(out, {"part"});
+  for (const CountedPart& part : parts_of(report)) row(out, {part.part}, part.all);
+  row(out, {"all"}, all);
+  if (!report.counterexamples.empty()) {
+    out << "\n## Kinds of failure\n\n| kind | sums | vertices of the smallest pair |\n|---|--:|--:|\n";
+    for (const auto& [kind, found] : report.counterexamples)
+      out << "| " << cell(kind) << " | " << all.kinds.at(kind) << " | "
+          << size_of(found.sum.pair).vertices << " |\n";
+    for (const auto& [kind, found] : report.counterexamples)
+      counterexample(out, report, kind, found);
+  }
+  out << "\n## Sources\n\n";
+  head(out, {"part", "source"});
+  for (const CountedSource& source : report.sources)
+    row(out, {source.part, source.name}, source.counts);
+  return out.str();
+}
+
+}  // namespace oplus

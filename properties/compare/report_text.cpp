@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/compare/report_text.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <iomanip>
+#include <sstream>
+
+#include "properties/compare/counterexample_files.hpp"
+#include "properties/compare/report_json.hpp"
+#include "reference/io/boundary_name.hpp"
+#include "reference/io/writing.hpp"
+#include "reference/pictures/picture.hpp"
+
+namespace oplus {
+
+namespace {
+
+std::string description(const MinkowskiSum& sum) {
+  return counted(sum.outer.size(), "outer chain", "outer chains") + ", " +
+         counted(sum.holes.size(), "hole", "holes") + ", " +
+         counted(sum.dangling_edges.size(), "dangling edge", "dangling edges") + ", " +
+         counted(sum.isolated_vertices.size(), "isolated vertex", "isolated vertices") + ", area " +
+         to_string(area(sum));
+}
+
+/// What the pairs of `diff` had, by family.
+void write_classes(std::ostream& out, const CampaignReport& report) {
+  const auto row = [&](const std::string& name, const auto&... values) {
+    out << std::left << std::setw(12) << name << std::right;
+    ((out << std::setw(12) << values), ...);
+    out << '\n';
+  };
+  row("", "cases", "holes in", "holes in", "low-dim.", "overlapping", "several", "disagree");
+  row("", "run", "the sum", "a summand", "features", "segments", "components", "");
+  const auto tally_row = [&](const std::string& name, const Tally& t) {
+    row(name, t.ran, t.holes_in_sum, t.holes_in_summand, t.low_dimensional_features,
+        t.overlapping_segments, t.several_components, t.disagreed);
+  };
+  std::map<std::string, Tally> by_name;
+  for (const CountedSource& source : report.sources) by_name[source.name] += source.counts;
+  for (const auto& [name, tally] : by_name) tally_row(name, tally);
+  tally_row("all", report.all());
+}
+
+/// A line for each reason and the first case that has it.
+void write_skipped(std::ostream& out, const CampaignReport& report) {
+  std::map<std::size_t, std::pair<std::string, const SkippedPairs*>> in_order;
+  for (const auto& [why, pairs] : report.skipped) in_order[pairs.index] = {why, &pairs};
+  for (const auto& [index, skipped] : in_order) {
+    const auto& [why, pairs] = skipped;
+    out << "skipped: " << pairs->first;
+    if (pairs->times > 1) out << " and " << pairs->times - 1 << " more";
+    out << ": " << why << '\n';
+  }
+}
+
+std::string summary_of_diff(const CampaignReport& report) {
+  std::ostringstream out;
+  write_classes(out, report);
+  write_skipped(out, report);
+  const Tally all = report.all();
+  if (report.campaign.hole_test == "all")
+    out << "all hole tests gave the same answer " << all.face_probes << " times about a face, "
+        << all.point_probes << " times about a point\n";
+  else
+    out << "the hole test " << report.campaign.hole_test << " was asked " << all.face_probes
+        << " times about a face, " << all.point_probes << " times about a point\n";
+  for (const auto& [what, times] : all.not_taken)
+    out << counted(times, "sum", "sums") << " not taken by " << what << '\n';
+  out << all.ran << " cases run, each closed and open";
+  if (const std::size_t not_taken = all.count("not taken"); not_taken > 0)
+    out << " but for " << counted(not_taken, "sum", "sums") << " not taken";
+  out << ", " << all.skipped << " skipped, " << all.disagreed << " with a disagreement\n";
+  return out.str();
+}
+
+std::string summary_of_exhaustive(const CampaignReport& report) {
+  std::ostringstream out;
+  const Tally all = report.all();
+  out << report.sources.at(0).name << "; shard " << report.shard.index << " of " << report.shard.of
+      << ": " << report.done << " of " << report.pairs << " pairs\n"
+      << "with holes in the sum " << all.holes_in_sum << ", with low-dimensional features "
+      << all.low_dimensional_features << ", with overlapping segments " << all.overlapping_segments
+      << '\n'
+      << "digest of all sums " << report.digest.to_string() << '\n'
+      << report.done << " pairs compared, closed and open, " << all.disagreed
+      << " with a disagreement\n";
+  return out.str();
+}
+
+std::string summary_of_conformance(const CampaignReport& report) {
+  std::ostringstream out;
+  const auto cell = [&](const std::string& word, const auto& value) {
+    out << std::setw(static_cast<int>(std::max<std::size_t>(word.size(), 6)) + 2) << value;
+  };
+  out << std::setw(20) << "pairs";
+  for (const std::string& ruling : rulings()) cell(ruling, ruling);
+  out << '\n';
+  const auto row = [&](const std::string& name, const Tally& tally) {
+    out << std::left << std::setw(12) << name << std::right << std::setw(8) << tally.pairs;
+    for (const std::string& ruling : rulings()) cell(ruling, tally.count(ruling));
+    out << '\n';
+  };
+  for (const CountedPart& part : parts_of(report)) row(part.part, part.all);
+  const Tally all = report.all();
+  row("all", all);
+  out << engines_in_words(report) << (report.conforms() ? " conforms" : " does not conform") << ": "
+      << all.count("passed") << " sums passed, " << all.failures() << " failures of "
+      << counted(all.kinds.size(), "kind", "kinds") << '\n';
+  return out.str();
+}
+
+}  // namespace
+
+std::string summary(const CampaignReport& report) {
+  if (report.report == "exhaustive") return summary_of_exhaustive(report);
+  return report.report == "conformance" ? summary_of_conformance(report) : summary_of_diff(report);
+}
+
+std::string explanation(const CampaignReport& report, const ShrunkFailure& found,
+                        const std::string& folder) {
+  const WrongSum& sum = found.sum;
+  std::ostringstream out;
+  out << "disagreement on the " << name(sum.boundary) << " sum, found in " << found.found_in
+      << ", shrunk to " << vertex_count(sum.pair.p) << " and " << vertex_count(sum.pair.q)
+      << " vertices: " << sum.failure.kind << '\n';
+  if (!found.is_repeatable) out << "  it was not seen when asked again, and is not shrunk\n";
+  if (sum.right) out << "  the first is the oracle: " << description(*sum.right) << '\n';
+  out << "  the second is " << sum.engine << ": "
+      << (sum.given ? description(*sum.given) : "no sum") << '\n';
+  if (!sum.failure.what.empty()) out << "  " << sum.failure.what << '\n';
+  if (sum.failure.witness) out << "  they differ at " << to_string(*sum.failure.witness) << '\n';
+  out << "  picture: " << (std::filesystem::path(folder) / files_of(found).picture).string() << '\n'
+      << "  see it again: " << replay_line(report, found, folder) << '\n';
+  return out.str();
+}
+
+std::string report_text(const CampaignReport& report, const std::string& file) {
+  if (file.ends_with(".md")) return to_markdown(report);
+  return file.ends_with(".xml") ? to_junit(report) : sealed(report);
+}
+
+bool is_report_name(const std::string& file) {
+  return file == "-" || file.ends_with(".md") || file.ends_with(".xml") || file.ends_with(".json");
+}
+
+std::vector<CountedPart> parts_of(const CampaignReport& report) {
+  std::vector<CountedPart> parts;
+  for (const CountedSource& source : report.sources) {
+    if (parts.empty() || parts.back().part != source.part) parts.push_back({source.part, {}});
+    parts.back().sources.push_back(source);
+    parts.back().all += source.counts;
+  }
+  return parts;
+}
+
+std::string engines_in_words(const CampaignReport& report) {
+  std::string words;
+  for (const std::string& name : report.campaign.engines)
+    words += (words.empty() ? "" : ", ") + name;
+  return words;
+}
+
+}  // namespace oplus

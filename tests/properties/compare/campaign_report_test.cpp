@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <sstream>
+
+#include "properties/compare/counterexample_files.hpp"
+#include "properties/compare/report_json.hpp"
+#include "properties/compare/report_text.hpp"
+#include "reference/io/invalid_input.hpp"
+#include "reference/io/reading.hpp"
+#include "tests/checked/cli/shell.hpp"
+#include "tests/properties/compare/faulty_implementations.hpp"
+
+namespace oplus {
+namespace {
+
+/// Several kinds at once, with words that Markdown and XML must not take for their own.
+CampaignReport report_of_many_kinds() {
+  const SmallRun run{.parts = {"grids"}, .cases = 40, .shrink_tries = 20};
+  return run.of(of_many_kinds("a|b <c> & \"d\""));
+}
+
+class ReportFiles : public Shell {};
+
+TEST_F(ReportFiles, are_valid) {
+  const CampaignReport report = report_of_many_kinds();
+  EXPECT_GE(report.all().kinds.size(), 3U);
+  put("r.json", report_text(report, "r.json"));
+  put("r.xml", report_text(report, "r.xml"));
+  const Ran ran =
+      run("python3 -c 'import json, xml.etree.ElementTree as tree\n"
+          "all = json.load(open(\"r.json\"))\n"
+          "root = tree.parse(\"r.xml\").getroot()\n"
+          "cases = list(root.iter(\"testcase\"))\n"
+          "assert len(cases) == int(root.get(\"tests\")) == len(all[\"sources\"])\n"
+          "assert len(list(root.iter(\"failure\"))) == int(root.get(\"failures\"))\n"
+          "assert root.get(\"name\").endswith(all[\"campaign\"][\"engines\"][0])\n"
+          "print(sorted(all[\"counterexamples\"]))'");
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_NE(ran.out.find("isolated vertex invented"), std::string::npos) << ran.out;
+}
+
+TEST_F(ReportFiles, tables_have_as_many_cells_in_each_row) {
+  std::istringstream in(to_markdown(report_of_many_kinds()));
+  std::size_t expected = 0, rows = 0;
+  for (std::string line; std::getline(in, line);) {
+    if (!line.starts_with('|')) {
+      expected = 0;
+      continue;
+    }
+    std::size_t bars = 0;
+    for (std::size_t i = 0; i < line.size(); ++i)
+      bars += line[i] == '|' && (i == 0 || line[i - 1] != '\\');
+    if (expected == 0) expected = bars;
+    EXPECT_EQ(bars, expected) << line;
+    ++rows;
+  }
+  EXPECT_GT(rows, 10U);
+}
+
+TEST_F(ReportFiles, counterexamples_are_written_and_read_again) {
+  const CampaignReport report = report_of_many_kinds();
+  const std::string here = run("pwd").out;
+  const std::filesystem::path folder =
+      std::filesystem::path(here.substr(0, here.size() - 1)) / "found";
+  write_counterexamples(report, folder.string());
+  for (const auto& [kind, shrunk] : report.counterexamples) {
+    const CounterexampleFiles files = files_of(shrunk);
+    EXPECT_EQ(read_region_file((folder / files.p).string()).region, shrunk.sum.pair.p);
+    EXPECT_EQ(read_region_file((folder / files.q).string()).region, shrunk.sum.pair.q);
+    if (shrunk.sum.right) {
+      EXPECT_EQ(read_sum_file((folder / files.right).string()).sum, *shrunk.sum.right);
+    }
+    EXPECT_TRUE(content("found/" + files.picture).starts_with("<svg")) << kind;
+  }
+}
+
+TEST(Explanation, says_how_they_differ_and_how_to_see_it_again) {
+  const CampaignReport report = report_of_many_kinds();
+  const ShrunkFailure& found = report.counterexamples.at("isolated vertex invented");
+  const std::string text = explanation(report, found, "folder");
+  for (const std::string& part :
+       {std::string(
+            "the first is the oracle: 1 outer chain, 0 holes, 0 dangling edges, 0 isolated"),
+        std::string(
+            "the second is a|b <c> & \"d\": 1 outer chain, 0 holes, 0 dangling edges, 1 iso"),
+        std::string("they differ at (1000, 1000)"), "picture: folder/" + files_of(found).picture,
+        "--engine 'a|b <c> & \"d\"' --pair folder/" + files_of(found).p + " folder/"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
+}
+
+TEST(ReportJson, survives_reading) {
+  const CampaignReport report = report_of_many_kinds();
+  const CampaignReport read = opened(sealed(report), "r.json");
+  EXPECT_EQ(sealed(read), sealed(report));
+  EXPECT_EQ(to_markdown(read), to_markdown(report));
+  EXPECT_EQ(to_junit(read), to_junit(report));
+  EXPECT_EQ(other_campaign(report, read), "");
+}
+
+TEST(ReportJson, sees_what_was_changed) {
+  const std::string text = sealed(report_of_many_kinds());
+  EXPECT_NO_THROW(opened(text, "r.json"));
+  for (const std::string& wrong :
+       {text.substr(0, text.size() / 2), std::string(), std::string("[]"), std::string("{}")})
+    EXPECT_THROW(opened(wrong, "r.json"), InvalidInput) << wrong;
+  std::string changed = text;
+  char& digit = changed[changed.find("\"pairs\": ") + 9];
+  digit = digit == '2' ? '3' : '2';
+  EXPECT_THROW(opened(changed, "r.json"), InvalidInput);
+  // What is sealed may still make no sense.
+  CampaignReport odd = report_of_many_kinds();
+  odd.done = odd.pairs + 1;
+  EXPECT_THROW(opened(sealed(odd), "r.json"), InvalidInput);
+}
+
+}  // namespace
+}  // namespace oplus

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/compare/failure_kind.hpp"
+
+#include <gtest/gtest.h>
+
+namespace oplus {
+namespace {
+
+Chain square(int low, int high) { return {{low, low}, {high, low}, {high, high}, {low, high}}; }
+Chain hole(int low, int high) { return {{low, low}, {low, high}, {high, high}, {high, low}}; }
+
+const MinkowskiSum frame{{square(0, 9)}, {hole(3, 6)}, {}, {}};
+
+std::string kind(const MinkowskiSum& right, const MinkowskiSum& given) {
+  const auto found = failure(right, given);
+  return found ? found->kind : "";
+}
+
+TEST(FailureKind, none_for_the_right_sum) { EXPECT_EQ(kind(frame, frame), ""); }
+
+TEST(FailureKind, holes) {
+  EXPECT_EQ(kind(frame, {{square(0, 9)}, {}, {}, {}}), "hole lost");
+  EXPECT_EQ(kind({{square(0, 9)}, {}, {}, {}}, frame), "hole invented");
+  // As many as there were, but elsewhere.
+  EXPECT_EQ(kind(frame, {{square(0, 9)}, {hole(1, 2)}, {}, {}}), "hole lost");
+  const MinkowskiSum two{
+      {square(0, 9)}, {{{1, 1}, {1, 2}, {8, 2}, {8, 1}}, {{1, 3}, {1, 4}, {8, 4}, {8, 3}}}, {}, {}};
+  const MinkowskiSum one{{square(0, 9)}, {{{1, 1}, {1, 4}, {8, 4}, {8, 1}}}, {}, {}};
+  EXPECT_EQ(kind(two, one), "holes joined");
+  EXPECT_EQ(kind(one, two), "hole split");
+}
+
+TEST(FailureKind, components) {
+  const MinkowskiSum two{{square(0, 2), square(4, 6)}, {}, {}, {}};
+  EXPECT_EQ(kind(two, {{square(0, 2)}, {}, {}, {}}), "component lost");
+  EXPECT_EQ(kind({{square(0, 2)}, {}, {}, {}}, two), "component invented");
+  EXPECT_EQ(kind(two, {{square(0, 6)}, {}, {}, {}}), "components joined");
+  EXPECT_EQ(kind({{square(0, 6)}, {}, {}, {}}, two), "component split");
+  EXPECT_EQ(kind(two, {}), "component lost");
+}
+
+TEST(FailureKind, area) {
+  const MinkowskiSum right{{square(0, 4)}, {}, {}, {}};
+  EXPECT_EQ(kind(right, {{square(0, 3)}, {}, {}, {}}), "area smaller");
+  EXPECT_EQ(kind(right, {{square(0, 5)}, {}, {}, {}}), "area larger");
+  EXPECT_EQ(kind(right, {{{{0, 0}, {8, 0}, {8, 2}, {0, 2}}}, {}, {}, {}}),
+            "other shape of equal area");
+}
+
+TEST(FailureKind, rounded_is_a_step_of_the_grid_and_moves_nothing_that_is_on_it) {
+  const MinkowskiSum right{
+      {{{0, 0}, {9, 0}, {Rational(20, 3), Rational(20, 3)}, {0, 9}}}, {}, {}, {}};
+  const MinkowskiSum rounded{{{{0, 0}, {9, 0}, {7, 7}, {0, 9}}}, {}, {}, {}};
+  EXPECT_EQ(kind(right, rounded), "rounded");
+  const auto found = failure(right, rounded);
+  EXPECT_GT(*found->squared_distance, 0);
+  EXPECT_LE(*found->squared_distance, Rational(2, 9));
+  EXPECT_EQ(kind(right, {{{{0, 0}, {8, 0}, {7, 7}, {0, 9}}}, {}, {}, {}}), "area smaller");
+  // A millionth counts as rounding on any grid.
+  MinkowskiSum nearly = right;
+  nearly.outer[0][1].x += Rational(1, 1000000);
+  EXPECT_EQ(kind(right, nearly), "rounded");
+}
+
+TEST(FailureKind, low_dimensional_features) {
+  MinkowskiSum right = frame;
+  right.dangling_edges = {{{3, 4}, {6, 4}}};
+  right.isolated_vertices = {{4, 5}};
+  MinkowskiSum given = right;
+  given.dangling_edges.clear();
+  EXPECT_EQ(kind(right, given), "dangling edge lost");
+  EXPECT_EQ(kind(given, right), "dangling edge invented");
+  given = right;
+  given.isolated_vertices.clear();
+  EXPECT_EQ(kind(right, given), "isolated vertex lost");
+  EXPECT_EQ(kind(given, right), "isolated vertex invented");
+}
+
+TEST(FailureKind, chains_that_are_no_boundary) {
+  EXPECT_EQ(kind(frame, {{{{0, 0}, {1, 0}}}, {}, {}, {}}), "not simple");
+  EXPECT_EQ(kind(frame, {{{}}, {}, {}, {}}), "not simple");
+  EXPECT_EQ(kind(frame, {{{{0, 0}, {1, 0}, {2, 0}}}, {}, {}, {}}), "not simple");
+  EXPECT_EQ(kind(frame, {{{{0, 0}, {4, 4}, {4, 0}, {0, 3}}}, {}, {}, {}}), "not simple");
+  EXPECT_EQ(kind(frame, {{square(0, 9)}, {hole(20, 22)}, {}, {}}), "not simple");
+  EXPECT_EQ(kind(frame, {{}, {hole(3, 6)}, {}, {}}), "not simple");
+  EXPECT_EQ(kind(frame, {{hole(0, 9)}, {hole(3, 6)}, {}, {}}), "orientation");
+  EXPECT_EQ(kind(frame, {{square(0, 9)}, {square(3, 6)}, {}, {}}), "orientation");
+}
+
+TEST(FailureKind, the_same_points_written_otherwise) {
+  MinkowskiSum given = frame;
+  given.outer[0].insert(given.outer[0].begin() + 1, Point{5, 0});
+  EXPECT_EQ(kind(frame, given), "not canonical");
+}
+
+}  // namespace
+}  // namespace oplus

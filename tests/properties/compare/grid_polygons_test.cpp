@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/compare/grid_polygons.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "reference/definitions/validity.hpp"
+
+namespace oplus {
+namespace {
+
+std::size_t of_size(const std::vector<GridPolygon>& all, std::size_t vertices) {
+  return static_cast<std::size_t>(std::count_if(
+      all.begin(), all.end(), [&](const GridPolygon& p) { return p.size() == vertices; }));
+}
+
+/// All C(9, 3) choices of points but the 8 lines, each counted once for each of its places.
+TEST(GridPolygons, are_all_triangles_of_the_grid) {
+  std::size_t placed = 0;
+  for (const GridPolygon& triangle : grid_polygons(3, 3)) {
+    int width = 0, height = 0;
+    for (const LatticePoint& p : triangle) {
+      width = std::max(width, p.x);
+      height = std::max(height, p.y);
+    }
+    placed += static_cast<std::size_t>((3 - width) * (3 - height));
+  }
+  EXPECT_EQ(placed, 84U - 8U);
+}
+
+TEST(GridPolygons, of_two_by_two_points_are_four_triangles_and_a_square) {
+  const std::vector<GridPolygon> all = grid_polygons(2, 4);
+  EXPECT_EQ(of_size(all, 3), 4U);
+  EXPECT_EQ(of_size(all, 4), 1U);
+  EXPECT_EQ(all.size(), 5U);
+}
+
+TEST(GridPolygons, are_valid_distinct_and_closed_under_symmetries) {
+  const std::vector<GridPolygon> all = grid_polygons(3, 4);
+  for (std::size_t i = 0; i + 1 < all.size(); ++i) EXPECT_NE(all[i], all[i + 1]);
+  for (const GridPolygon& polygon : all) {
+    EXPECT_EQ(find_defect(region_of(polygon)), std::nullopt);
+    EXPECT_EQ(image(polygon, 0), polygon);
+    for (std::size_t s = 0; s < square_symmetries; ++s)
+      EXPECT_NE(std::find(all.begin(), all.end(), image(polygon, s)), all.end());
+  }
+}
+
+TEST(GridPolygons, may_have_a_vertex_inside_a_straight_line) {
+  const GridPolygon straight = {{0, 0}, {1, 0}, {2, 0}, {0, 1}};
+  const std::vector<GridPolygon> all = grid_polygons(3, 4);
+  EXPECT_NE(std::find(all.begin(), all.end(), straight), all.end());
+}
+
+/// Burnside: the number of orbits is the mean number of pairs that a symmetry, with or without
+/// exchange, leaves as they are.
+TEST(PairOrbits, are_as_many_as_burnside_counts) {
+  for (const auto& [side, most] : {std::pair(2, 4), {3, 3}, {3, 4}}) {
+    const std::vector<GridPolygon> all = grid_polygons(side, static_cast<std::size_t>(most));
+    std::size_t fixed = 0;
+    for (std::size_t s = 0; s < square_symmetries; ++s) {
+      std::size_t by_one = 0, by_twice = 0;
+      for (const GridPolygon& polygon : all) {
+        by_one += image(polygon, s) == polygon;
+        by_twice += image(image(polygon, s), s) == polygon;
+      }
+      fixed += by_one * by_one + by_twice;
+    }
+    EXPECT_EQ(fixed % (2 * square_symmetries), 0U);
+    EXPECT_EQ(pair_orbits(all).size(), fixed / (2 * square_symmetries)) << side << most;
+  }
+}
+
+TEST(PairOrbits, hold_one_pair_each) {
+  const std::vector<GridPolygon> all = grid_polygons(3, 3);
+  const auto less = [](const auto& a, const auto& b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(),
+                                        [](const LatticePoint& p, const LatticePoint& q) {
+                                          return p.x != q.x ? p.x < q.x : p.y < q.y;
+                                        });
+  };
+  std::size_t members = 0;
+  for (const auto& [i, j] : pair_orbits(all)) {
+    std::vector<std::pair<GridPolygon, GridPolygon>> orbit;
+    for (std::size_t s = 0; s < square_symmetries; ++s) {
+      orbit.emplace_back(image(all[i], s), image(all[j], s));
+      orbit.emplace_back(image(all[j], s), image(all[i], s));
+    }
+    std::sort(orbit.begin(), orbit.end(), [&](const auto& a, const auto& b) {
+      if (a.first != b.first) return less(a.first, b.first);
+      return less(a.second, b.second);
+    });
+    members += static_cast<std::size_t>(std::unique(orbit.begin(), orbit.end()) - orbit.begin());
+  }
+  EXPECT_EQ(members, all.size() * all.size());
+}
+
+}  // namespace
+}  // namespace oplus
