@@ -5,6 +5,7 @@
 #include <cctype>
 #include <exception>
 #include <system_error>
+#include <variant>
 
 #include "properties/runner/checked_engines.hpp"
 #include "reference/definitions/convolution.hpp"
@@ -21,8 +22,31 @@ NoSum of_exception(const std::string& what) {
   return {NoSum::Kind::crashed, "exception: " + site.substr(0, 120), "it threw: " + one_line(what)};
 }
 
+/// A sum, or why there is none.
+using EngineAnswer = std::variant<MinkowskiSum, NoSum>;
+
+EngineAnswer ask(const Engine& engine, const Summands& pair, Boundary boundary, Probes& probes) {
+  try {
+    ComputedSum computed = engine.compute(pair.p, pair.q, boundary, {});
+    if (computed.statistics.contains("hole tests")) {
+      probes.faces += computed.statistics.count("hole tests");
+      probes.points += computed.statistics.count("tests of low-dimensional features");
+    }
+    return std::move(computed.sum);
+  } catch (const NoSum& e) {
+    return e;
+  } catch (const std::system_error&) {
+    throw;  // there is no process to be had, which is no fault of who was asked
+  } catch (const std::exception& e) {
+    return of_exception(e.what());
+  } catch (...) {
+    return of_exception("what is no std::exception");
+  }
+}
+
 /// Says what became of a sum; without a right one it is skipped.
-void rule(JudgedSum& sum, const Answer& answer, const MinkowskiSum* right, const Summands& pair) {
+void rule(JudgedSum& sum, const EngineAnswer& answer, const MinkowskiSum* right,
+          const Summands& pair) {
   if (const NoSum* const none = std::get_if<NoSum>(&answer)) {
     sum.ruling = name(none->kind());
     if (sum.ruling == "not taken")
@@ -51,7 +75,7 @@ std::string too_large(const Summands& pair, std::size_t largest) {
 struct Question {
   Summands pair;
   Boundary boundary;
-  Answer answer;
+  EngineAnswer answer;
 };
 
 JudgedSum by_statement(const Task& task, const Engine& engine, Boundary boundary,
@@ -62,7 +86,7 @@ JudgedSum by_statement(const Task& task, const Engine& engine, Boundary boundary
   const Engine recording =
       named_engine(engine.name, [&](const Region& p, const Region& q, Boundary of) {
         asked.push_back({{p, q}, of, ask(engine, {p, q}, of, probes)});
-        const Answer& answer = asked.back().answer;
+        const EngineAnswer& answer = asked.back().answer;
         if (const NoSum* const none = std::get_if<NoSum>(&answer)) throw NoSum(*none);
         const auto& given = std::get<MinkowskiSum>(answer);
         if (const std::optional<Failure> found = malformed(given))
@@ -108,25 +132,6 @@ const std::vector<std::string>& rulings() {
   return all;
 }
 
-Answer ask(const Engine& engine, const Summands& pair, Boundary boundary, Probes& probes) {
-  try {
-    ComputedSum computed = engine.compute(pair.p, pair.q, boundary, {});
-    if (computed.statistics.contains("hole tests")) {
-      probes.faces += computed.statistics.count("hole tests");
-      probes.points += computed.statistics.count("tests of low-dimensional features");
-    }
-    return std::move(computed.sum);
-  } catch (const NoSum& e) {
-    return e;
-  } catch (const std::system_error&) {
-    throw;  // there is no process to be had, which is no fault of who was asked
-  } catch (const std::exception& e) {
-    return of_exception(e.what());
-  } catch (...) {
-    return of_exception("what is no std::exception");
-  }
-}
-
 JudgedPair judged(const Task& task, const Rules& rules) {
   JudgedPair result{{}, classify(task.pair), {}, {}};
   const auto each = [&](const auto& judge) {
@@ -147,12 +152,12 @@ JudgedPair judged(const Task& task, const Rules& rules) {
     });
     return result;
   }
-  std::vector<Answer> answers;
+  std::vector<EngineAnswer> answers;
   each([&](const Engine& engine, Boundary boundary) {
     answers.push_back(ask(engine, task.pair, boundary, result.probes));
     return JudgedSum{engine.name, boundary};
   });
-  const auto is_taken = [](const Answer& answer) {
+  const auto is_taken = [](const EngineAnswer& answer) {
     const NoSum* const none = std::get_if<NoSum>(&answer);
     return none == nullptr || none->kind() != NoSum::Kind::not_taken;
   };

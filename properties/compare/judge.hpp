@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "checked/engine.hpp"
@@ -64,13 +63,9 @@ struct Rules {
 };
 
 /// Asks each engine for each sum of a task's pair and judges what it answers. Where a statement is broken
-/// by a sum that the oracle finds wrong, that is the failure, else its kind is "breaks ID". Throws
-/// std::system_error where an engine does: it was not asked.
+/// by a sum that the oracle finds wrong, that is the failure, else its kind is "breaks ID". An engine's
+/// exception that is no NoSum is a crash, its words without digits the site. Throws std::system_error
+/// where an engine does: it was not asked.
 JudgedPair judged(const Task& task, const Rules& rules);
-
-/// A sum, or why there is none. An exception that is no NoSum is a crash, its words without digits the
-/// site. Throws std::system_error as above.
-using Answer = std::variant<MinkowskiSum, NoSum>;
-Answer ask(const Engine& engine, const Summands& pair, Boundary boundary, Probes& probes);
 
 }  // namespace oplus

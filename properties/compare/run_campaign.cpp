@@ -13,15 +13,16 @@ namespace {
 constexpr std::size_t pairs_at_a_time = 256;
 
 /// Which source a task is of, and its number there.
-struct Place {
+struct TaskNumber {
   std::size_t source;
   std::size_t task;
 };
 
-Place place_of(std::size_t index, const std::vector<TaskSource>& sources) {
-  Place place{0, index};
-  while (place.task >= sources.at(place.source).tasks) place.task -= sources[place.source++].tasks;
-  return place;
+TaskNumber number_of(std::size_t index, const std::vector<TaskSource>& sources) {
+  TaskNumber number{0, index};
+  while (number.task >= sources.at(number.source).tasks)
+    number.task -= sources[number.source++].tasks;
+  return number;
 }
 
 /// Shrinks the pair as long as the failure stays of its kind.
@@ -74,11 +75,11 @@ CampaignReport run_campaign(CampaignReport report, const std::vector<TaskSource>
     const std::size_t some = watch.is_enough ? std::min(left, pairs_at_a_time) : left;
     slide::for_each_number(some, threads, [&](std::size_t k) {
       const std::size_t index = report.shard.task(report.done + k);
-      const Place place = place_of(index, sources);
-      const Task task = sources[place.source].task(place.task);
+      const TaskNumber number = number_of(index, sources);
+      const Task task = sources[number.source].task(number.task);
       const JudgedPair judgement = judged(task, rules);
       const std::lock_guard lock(adding);
-      add(report, place.source, index, task, judgement);
+      add(report, number.source, index, task, judgement);
       watch.after_pair();
     });
     report.done += some;
@@ -87,8 +88,8 @@ CampaignReport run_campaign(CampaignReport report, const std::vector<TaskSource>
   }
   for (auto& [kind, found] : report.counterexamples) {
     watch.before_shrinking(found);
-    const Place place = place_of(found.index, sources);
-    shrink(found, sources[place.source].task(place.task).statement, report.campaign, rules);
+    const TaskNumber number = number_of(found.index, sources);
+    shrink(found, sources[number.source].task(number.task).statement, report.campaign, rules);
   }
   return report;
 }
