@@ -6,6 +6,7 @@
 #include "properties/compare/counterexample_files.hpp"
 #include "properties/compare/report_text.hpp"
 #include "reference/io/boundary_name.hpp"
+#include "reference/io/counted.hpp"
 #include "reference/io/written.hpp"
 #include "reference/pictures/picture.hpp"
 

@@ -9,6 +9,7 @@
 #include "properties/compare/counterexample_files.hpp"
 #include "properties/compare/report_json.hpp"
 #include "reference/io/boundary_name.hpp"
+#include "reference/io/counted.hpp"
 #include "reference/io/writing.hpp"
 #include "reference/pictures/picture.hpp"
 
