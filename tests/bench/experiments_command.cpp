@@ -46,14 +46,13 @@ bool draw_all(const std::filesystem::path& folder, const std::vector<std::string
   for (const std::string& plot : plots) {
     const Drawn drawn = draw(folder, plot);
     if (drawn == Drawn::no_gnuplot) {
-      say_error("oplus-bench",
-                "gnuplot is missing (package gnuplot-nox), so " + std::to_string(plots.size()) +
-                    " plots are not drawn; tables and scripts are in " + folder.string());
+      say_error("gnuplot is missing (package gnuplot-nox), so " + std::to_string(plots.size()) +
+                " plots are not drawn; tables and scripts are in " + folder.string());
       return false;
     }
     if (drawn == Drawn::failed) failed += ' ' + plot;
   }
-  if (!failed.empty()) say_error("oplus-bench", "gnuplot fails on" + failed);
+  if (!failed.empty()) say_error("gnuplot fails on" + failed);
   return failed.empty();
 }
 
@@ -87,7 +86,7 @@ int run(const Settings& settings) {
     std::vector<std::string> wrong;
     const std::vector<Row> measured = measured_rows(experiment, settings.of_each, wrong);
     entries << write_experiment(folder, experiment, pointers(measured), wrong, plots);
-    for (const std::string& line : wrong) say_error("oplus-bench", line);
+    for (const std::string& line : wrong) say_error(line);
     is_wrong = is_wrong || !wrong.empty();
   }
   write_index(folder, settings.of_each, entries);

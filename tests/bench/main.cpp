@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <csignal>
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <memory>
 #include <regex>
 
 #include "checked/cli/command_line/program_frame.hpp"
@@ -20,9 +20,7 @@ namespace oplus {
 
 namespace {
 
-const std::string program = "oplus-bench";
 constexpr int exit_wrong = 1;
-constexpr int exit_usage = 2;
 
 struct Options {
   std::string rows = ".*";
@@ -63,7 +61,12 @@ std::vector<std::string> chosen_engines(const Options& options) {
 }
 
 std::vector<Row> chosen_rows(const Options& options) {
-  const std::regex pattern(options.rows);
+  std::regex pattern;
+  try {
+    pattern = options.rows;
+  } catch (const std::regex_error& e) {
+    throw UsageError("--rows: " + std::string(e.what()));
+  }
   std::vector<Row> chosen;
   std::copy_if(benchmark_rows().begin(), benchmark_rows().end(), std::back_inserter(chosen),
                [&](const Row& row) { return std::regex_match(row.name, pattern); });
@@ -83,7 +86,11 @@ void list(const Options& options) {
 Report read_report(const std::string& path) {
   std::ifstream file(path);
   if (!file) throw UsageError("cannot open " + path);
-  return report_of({std::istreambuf_iterator<char>(file), {}});
+  try {
+    return report_of({std::istreambuf_iterator<char>(file), {}});
+  } catch (const std::invalid_argument& e) {
+    throw UsageError(path + ": " + e.what());
+  }
 }
 
 Report measured_report(const Options& options, const std::string& command) {
@@ -116,7 +123,7 @@ int run(const Options& options, const std::string& command) {
   bool is_wrong = false;
   for (const Row& row : report.rows) {
     for (const std::string& fault : faults_of(row)) {
-      say_error(program, fault);
+      say_error(fault);
       is_wrong = true;
     }
   }
@@ -135,60 +142,50 @@ std::string command_of(int argc, char** argv) {
   return command;
 }
 
-int run(int argc, char** argv) {
-  Options options;
-  int exit_code = 0;
-  CLI::App app{
-      "Measures Minkowski sums: oplus's engines beside CGAL, Clipper and Boost.Polygon, each in a "
-      "process of its own, and compares their results",
-      program};
-  app.add_option("--rows", options.rows, "Only the rows whose whole name matches")
+std::function<int()> add_options(CLI::App& app, const std::string& command) {
+  const auto options = std::make_shared<Options>();
+  const auto exit_code = std::make_shared<int>(0);
+  app.require_subcommand(0, 1);
+  app.add_option("--rows", options->rows, "Only the rows whose whole name matches")
       ->type_name("REGEX");
-  app.add_option("--engines", options.engines, "Only these, separated by commas")
+  app.add_option("--engines", options->engines, "Only these, separated by commas")
       ->type_name("LIST")
       ->delimiter(',');
-  app.add_option("--limit", options.limits.seconds,
+  app.add_option("--limit", options->limits.seconds,
                  "Seconds that a run may take before the engine is ended")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  app.add_option("--min-time", options.min_time,
+  app.add_option("--min-time", options->min_time,
                  "Seconds that the runs of an engine take at least, unless one takes a second")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  app.add_flag("--list", options.list, "Says which rows and engines there are");
-  app.add_option("--json", options.json, "Writes what was measured")->type_name("FILE");
-  app.add_option("--markdown", options.markdown, "Writes the page docs/benchmarks.md")
+  app.add_flag("--list", options->list, "Says which rows and engines there are");
+  app.add_option("--json", options->json, "Writes what was measured")->type_name("FILE");
+  app.add_option("--markdown", options->markdown, "Writes the page docs/benchmarks.md")
       ->type_name("FILE");
-  app.add_option("--from", options.from, "Measures nothing, takes what --json wrote")
+  app.add_option("--from", options->from, "Measures nothing, takes what --json wrote")
       ->type_name("FILE");
-  app.add_flag("--engines-at-fault", options.engines_at_fault,
+  app.add_flag("--engines-at-fault", options->engines_at_fault,
                "Also offers engines that crash, hang and are wrong: a test of the benchmark")
       ->group("");
-  app.footer(
-      "Exit code: 0 all exact results are equal, 1 they are not or an engine of oplus was lost, 2 "
-      "a request that makes no sense. A peer that crashes or is too slow is a result.");
-  add_experiments_command(app, exit_code);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& asked) {
-    return app.exit(asked);
-  } catch (const CLI::ParseError& error) {
-    throw UsageError(complaint(app, error));
-  }
-  return app.get_subcommands().empty() ? run(options, command_of(argc, argv)) : exit_code;
+  add_experiments_command(app, *exit_code);
+  return [=, &app] { return app.get_subcommands().empty() ? run(*options, command) : *exit_code; };
 }
+
+const ProgramFrame frame{
+    "oplus-bench",
+    "Measures Minkowski sums: oplus's engines beside CGAL, Clipper and Boost.Polygon, each in a "
+    "process of its own, and compares their results",
+    "Exit code: 0 all exact results are equal, 1 they are not or an engine of oplus was lost, 2 a "
+    "request that makes no sense. A peer that crashes or is too slow is a result."};
 
 }  // namespace
 
 }  // namespace oplus
 
 int main(int argc, char** argv) {
-  // A reader that closes its pipe is an output that cannot be written, not a death.
-  std::signal(SIGPIPE, [](int) {});
-  try {
-    return oplus::run(argc, argv);
-  } catch (const std::exception& e) {
-    oplus::say_error(oplus::program, e.what());
-    return oplus::exit_usage;
-  }
+  return oplus::run_program(
+      oplus::frame,
+      [&](CLI::App& app) { return oplus::add_options(app, oplus::command_of(argc, argv)); }, argc,
+      argv);
 }
