@@ -259,6 +259,8 @@ EndedProcess run_fork(const std::function<int(int output)>& work, const ProcessL
   if (process < 0) fail(errno, "fork");
   if (process == 0) {
     output.to_read.close();
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    limit_resource(RLIMIT_CORE, 0);
     limit_memory(limits.address_space_mb);
     ::_exit(work(output.to_write.get()));
   }

@@ -38,7 +38,8 @@ EndedProcess run_program(const std::vector<std::string>& command, const ProcessL
 
 /// The same for work of this program, which is forked: `work` writes to the file descriptor, which is
 /// the output, and returns the exit code. What this process would do at its end, such as writing what
-/// is buffered, is not done. Its limit is memory alone. Requires: no other thread runs.
+/// is buffered, is not done. It is killed where this process ends; its standard error is not kept.
+/// Requires: no other thread runs.
 EndedProcess run_fork(const std::function<int(int output)>& work, const ProcessLimits& limits);
 
 /// The program of this name beside the one that is running, which "" is.

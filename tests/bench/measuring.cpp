@@ -7,10 +7,12 @@
 #include <chrono>
 #include <ctime>
 #include <iomanip>
+#include <regex>
 
 #include "properties/compare/peers/method.hpp"
 #include "properties/runner/child_process.hpp"
 #include "tests/bench/numbers.hpp"
+#include "tests/bench/table.hpp"
 
 namespace oplus {
 
@@ -107,31 +109,17 @@ class Timing {
   std::map<std::string, double>& numbers_;
 };
 
-/// Less than that, and other programs were in the way.
-constexpr double well_busy = 0.95;
-
-void write_line(std::ostream& out, const Measurement& m) {
+void write_line(std::ostream& out, const Row& row, const Measurement& m) {
   out << "  " << std::left << std::setw(14) << m.engine << std::right;
-  if (!m.is_done()) {
-    out << "  " << in_words(m) << std::endl;
-    return;
-  }
-  const auto write_number = [&](const std::string& name, double factor, int width,
-                                const std::string& unit) {
-    if (const auto value = m.number(name))
-      out << std::setw(width) << three_digits(factor * *value) << ' ' << unit;
-  };
-  const auto write_count = [&](const std::string& name, int width, const std::string& unit) {
-    const auto count = static_cast<std::size_t>(m.number(name).value_or(0));
-    if (count > 0) out << std::setw(width) << with_thousands(count) << ' ' << unit;
-  };
-  write_number("seconds", 1000, 10, "ms");
-  write_number("peak_mb", 1, 10, "MB");
-  write_count("sum_vertices", 9, "vertices");
-  write_count("sum_holes", 8, "holes");
-  write_count("segments", 9, "segments");
-  write_number("seconds_evaluated", 1000, 10, "ms evaluated");
-  if (m.number("busy") < well_busy) write_number("busy", 100, 10, "% of a processor");
+  if (!m.is_done()) out << "  " << in_words(m);
+  const std::string columns =
+      "ms = 1000 *.seconds; MB = 1 *.peak_mb; vertices = *.sum_vertices; holes = *.sum_holes; "
+      "segments = *.segments; ms evaluated = 1000 *.seconds_evaluated; % busy = 100 *.busy";
+  if (m.is_done())
+    for (const Column& column :
+         columns_of(std::regex_replace(columns, std::regex("\\*"), m.engine)))
+      if (const std::string cell = column.cell(row); !cell.empty())
+        out << std::setw(9) << cell << ' ' << column.heading;
   out << std::endl;
 }
 
@@ -175,7 +163,7 @@ void measure(Row& row, const std::vector<std::string>& engines, double min_time,
     if (std::find(row.engines.begin(), row.engines.end(), name) == row.engines.end()) continue;
     row.measurements.push_back(
         measured(*find_bench_engine(row.subject, name), row, min_time, limits));
-    write_line(out, row.measurements.back());
+    write_line(out, row, row.measurements.back());
   }
   write_agreement(out, row);
 }

@@ -34,6 +34,12 @@ std::string three_digits(double value) {
   return thousands_apart(printed("%.*f", std::max(0, 2 - digits), rounded));
 }
 
+std::string plain(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
+  return text;
+}
+
 std::string power_of_ten(double value) { return value == 0 ? "0" : printed("%.*e", 1, value); }
 
 std::string with_thousands(std::size_t value) { return thousands_apart(std::to_string(value)); }

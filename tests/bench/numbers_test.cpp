@@ -21,6 +21,11 @@ TEST(BenchNumbers, have_three_digits_and_thousands_apart) {
   EXPECT_EQ(three_digits(-123), "-123");
 }
 
+TEST(BenchNumbers, as_they_were_asked_for) {
+  EXPECT_EQ(plain(60), "60");
+  EXPECT_EQ(plain(0.25), "0.25");
+}
+
 TEST(BenchNumbers, as_powers_of_ten) {
   EXPECT_EQ(power_of_ten(0), "0");
   EXPECT_EQ(power_of_ten(-0.0000123), "-1.2e-05");

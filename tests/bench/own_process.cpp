@@ -9,11 +9,11 @@
 #include <cstdlib>
 #include <exception>
 #include <new>
-#include <sstream>
 #include <stdexcept>
 
 #include "properties/compare/peers/method.hpp"
 #include "properties/runner/child_process.hpp"
+#include "tests/bench/numbers.hpp"
 #include "tests/bench/report.hpp"
 
 namespace oplus {
@@ -93,12 +93,6 @@ int measure(const Measuring& work, int output) {
   }
   write_line(output, to_json(measurement));
   return 0;
-}
-
-std::string plain(double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
 }
 
 Measurement measurement_from(const EndedProcess& ended, const MeasuringLimits& limits) {

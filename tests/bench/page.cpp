@@ -2,7 +2,6 @@
 #include "tests/bench/page.hpp"
 
 #include <algorithm>
-#include <sstream>
 
 #include "tests/bench/engine.hpp"
 #include "tests/bench/goals.hpp"
@@ -122,13 +121,6 @@ PageData engine_list(const Rows& rows) {
     list << engine;
   }
   return list;
-}
-
-/// As it was asked for: "60", "0.25".
-std::string plain(double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
 }
 
 }  // namespace
