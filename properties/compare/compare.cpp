@@ -39,7 +39,7 @@ CLI::Validator engine_name() {
     known += name + ", ";
   };
   for (const Engine& own : engines()) add(own.name);
-  for (const Peer& peer : peers()) add(peer.name);
+  for (const Engine& peer : peers()) add(peer.name);
   return CLI::Validator(
       [known](const std::string& name) -> std::string {
         if (name == "all" || find_engine(engines(), name) != nullptr ||
@@ -79,8 +79,8 @@ CampaignReport first_report(CampaignReport begun, const std::string& resume) {
   std::string other = other_campaign(begun, kept);
   if (other.empty() && begun.shard.index != kept.shard.index) other = "it is of another shard";
   if (!other.empty()) throw UsageError(resume + " is the state of another run: " + other);
-  say_note("oplus-check", "going on after " + std::to_string(kept.done) + " of " +
-                              std::to_string(kept.pairs) + " pairs");
+  say_note("going on after " + std::to_string(kept.done) + " of " + std::to_string(kept.pairs) +
+           " pairs");
   return kept;
 }
 
