@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Sourced by tests/run and properties/run: what they need of Debian 12, and how they get it.
 
-packages=(g++ clang libclang-rt-14-dev cmake ninja-build ccache git python3 clang-format
+# The main job: the programs `oplus`, `oplus-check` and `oplus-peer`.
+packages=(g++ cmake ninja-build ccache python3
           libcgal-dev libgmp-dev libmpfr-dev libboost-dev libcli11-dev nlohmann-json3-dev rapidjson-dev
-          libtbb-dev libpolyclipping-dev librapidcheck-dev libgtest-dev libbenchmark-dev
-          libkainjow-mustache-dev gnuplot-nox
-          parallel munge slurmctld slurmd slurm-client
-          coq make ocaml-nox z3 cvc5 jq)
+          libtbb-dev libpolyclipping-dev librapidcheck-dev)
+# What tests/run needs besides.
+packages_of_tests=(clang libclang-rt-14-dev git clang-format libgtest-dev libbenchmark-dev
+                   libkainjow-mustache-dev gnuplot-nox help2man
+                   parallel munge slurmctld slurmd slurm-client
+                   coq make ocaml-nox z3 cvc5 jq)
 
 # Installs what is missing. Asks nothing; says what it installs.
 install_missing_packages() {

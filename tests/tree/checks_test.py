@@ -6,6 +6,7 @@ import formatted
 import licence_lines
 import mutant_names  # which finds list_mutants
 import public_headers
+import tests_by_file
 from fixture import TreeTest
 from list_mutants import mutants, source
 from sources import ROOT, report
@@ -78,6 +79,32 @@ class Compiled(TreeTest):
                     {"directory": str(self.root / "build"), "file": "../reference/io/relative.cpp"}]
         self.assertEqual(compiled.violations(self.root, commands),
                          ["properties/chapter9/out.cpp: no target compiles it"])
+
+
+class TestsByFile(TreeTest):
+    def setUp(self):
+        super().setUp()
+        suite = lambda name, *cases: {"name": name, "testsuite": [
+            {"name": case, "file": f"../tests/{file}"} for case, file in cases]}
+        self.filters = tests_by_file.filters(
+            [suite("Wkt", ("reads", "read_test.cpp"), ("writes", "write_test.cpp")),
+             suite("Pairs/Sum", ("is/0", "sum_test.cpp"), ("is/1", "sum_test.cpp")),
+             suite("Dat", ("reads", "read_test.cpp"))], self.root / "build")
+
+    def test_each_case_is_in_one_file(self):
+        tests = self.root.resolve() / "tests"
+        self.assertEqual(self.filters, {tests / "read_test.cpp": {"Wkt.reads", "Dat.*"},
+                                        tests / "write_test.cpp": {"Wkt.writes"},
+                                        tests / "sum_test.cpp": {"Pairs/Sum.*"}})
+        lines = list(tests_by_file.entries(self.filters, tests, "debug.", "/bin/tests", "/build"))
+        self.assertEqual(lines[0], "add_test([=[debug.read_test]=] [=[/bin/tests]=] "
+                                   "[=[--gtest_filter=Dat.*:Wkt.reads]=])")
+        self.assertEqual(len(lines), 6)
+
+    def test_a_file_without_cases(self):
+        sources = [self.write("tests/read_test.cpp"), self.write("tests/empty_test.cpp")]
+        self.assertEqual(tests_by_file.without_cases(self.filters, sources),
+                         [f"{sources[1]}: no case of it is in the program"])
 
 
 class MutantNames(TreeTest):
