@@ -26,10 +26,7 @@ Outcome asked(const Law& law, const Engine& engine, Boundary boundary, const Sum
 
 Outcome unless_broken(std::string what) {
   Outcome outcome;
-  if (what.empty()) return outcome;
-  outcome.kind = Outcome::Kind::fails;
-  outcome.why = std::move(what);
-  return outcome;
+  return what.empty() ? outcome : outcome.fail(std::move(what));
 }
 
 std::function<Outcome(const Summands&)> of_each_engine(Law law) {

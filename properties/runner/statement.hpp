@@ -6,6 +6,7 @@
 #include <map>
 #include <source_location>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "checked/engine.hpp"
@@ -19,6 +20,13 @@ struct Outcome {
   Kind kind = Kind::holds;
   std::string why;                            ///< what was seen, where it fails
   std::map<std::string, std::size_t> counts;  ///< how much was looked at, summed over a run
+
+  /// Makes it a failure, for what was seen. Returns it.
+  Outcome& fail(std::string what) {
+    kind = Kind::fails;
+    why = std::move(what);
+    return *this;
+  }
 };
 
 /// A finite domain, gone through completely.

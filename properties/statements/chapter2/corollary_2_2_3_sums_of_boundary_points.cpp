@@ -29,11 +29,9 @@ Outcome check(const Summands& summands) {
     ++outcome.counts["boundary points"];
     outcome.counts["their sources"] += sources;
     if (sources > 0 && sources == on_boundaries) continue;
-    outcome.kind = Outcome::Kind::fails;
-    outcome.why = "the boundary point " + to_string(x) + " has " + std::to_string(sources) +
-                  " sources, of which " + std::to_string(on_boundaries) +
-                  " are sums of boundary points";
-    return outcome;
+    return outcome.fail("the boundary point " + to_string(x) + " has " + std::to_string(sources) +
+                        " sources, of which " + std::to_string(on_boundaries) +
+                        " are sums of boundary points");
   }
   return outcome;
 }

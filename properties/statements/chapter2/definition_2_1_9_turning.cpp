@@ -43,11 +43,9 @@ Outcome check(const Summands& summands) {
                           direction_of(of_chain[next(i, of_chain.size())]));
         ++outcome.counts["directions"];
         if (turns == expected) continue;
-        outcome.kind = Outcome::Kind::fails;
-        outcome.why = "the chain from " + to_string(chain[0]) + " passes the direction " +
-                      to_string(d) + " " + std::to_string(turns) + " times, and should " +
-                      std::to_string(expected) + " times";
-        return outcome;
+        return outcome.fail("the chain from " + to_string(chain[0]) + " passes the direction " +
+                            to_string(d) + " " + std::to_string(turns) + " times, and should " +
+                            std::to_string(expected) + " times");
       }
     }
   }

@@ -69,11 +69,9 @@ Outcome check(const Summands& summands) {
       const std::string defect =
           are_parallel ? defect_of_collinear_sum(s, t) : defect_of_parallelogram(s, t, outcome);
       if (defect.empty()) continue;
-      outcome.kind = Outcome::Kind::fails;
-      outcome.why = "edges from " + to_string(s.source) + " to " + to_string(s.target) +
-                    " and from " + to_string(t.source) + " to " + to_string(t.target) + ": " +
-                    defect;
-      return outcome;
+      return outcome.fail("edges from " + to_string(s.source) + " to " + to_string(s.target) +
+                          " and from " + to_string(t.source) + " to " + to_string(t.target) + ": " +
+                          defect);
     }
   }
   return outcome;

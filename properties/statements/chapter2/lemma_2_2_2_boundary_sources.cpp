@@ -32,11 +32,10 @@ Outcome check(const Summands& summands) {
       if (a.in_a == Location::boundary && a.in_b == Location::boundary)
         ++outcome.counts["sources on both boundaries"];
       if (is_in_sum || !is_interior_source(a)) continue;
-      outcome.kind = Outcome::Kind::fails;
-      outcome.why = to_string(x) + " is said not to be in the open sum, but it is the sum of " +
-                    to_string(a.point) + " and " + to_string(x - a.point) +
-                    ", one inside its region, the other in the other";
-      return outcome;
+      return outcome.fail(to_string(x) +
+                          " is said not to be in the open sum, but it is the sum of " +
+                          to_string(a.point) + " and " + to_string(x - a.point) +
+                          ", one inside its region, the other in the other");
     }
   }
   return outcome;

@@ -69,14 +69,12 @@ Outcome check(const Summands& summands) {
     const bool is_in_sum = have_common_interior(overlay_points(summands.p, placed));
     if (!is_in_sum) ++outcome.counts["of them, not in the open sum"];
     if (sums.different && !is_in_sum) {
-      outcome.kind = Outcome::Kind::fails;
-      outcome.why = to_string(x) +
-                    " is a sum of points inside edges of different directions, but "
-                    "not in the open sum";
+      outcome.fail(to_string(x) +
+                   " is a sum of points inside edges of different directions, but "
+                   "not in the open sum");
     } else if (interiors_meet(summands.p, placed) != is_in_sum) {
-      outcome.kind = Outcome::Kind::fails;
-      outcome.why = "the interiors are said " + std::string(is_in_sum ? "not " : "") +
-                    "to meet at " + to_string(x);
+      outcome.fail("the interiors are said " + std::string(is_in_sum ? "not " : "") +
+                   "to meet at " + to_string(x));
     }
     if (outcome.kind == Outcome::Kind::fails) break;
   }

@@ -31,9 +31,8 @@ class HalfDisks {
     ++outcome.counts["half disks"];
     for (const Point& y : points_to_the_left(x, along, sum_)) {
       if (outcome.kind == Outcome::Kind::fails || open_sum_.contains(y)) continue;
-      outcome.kind = Outcome::Kind::fails;
-      outcome.why = "the half disk around " + to_string(x) + " contains " + to_string(y) +
-                    ", which is not in the open sum";
+      outcome.fail("the half disk around " + to_string(x) + " contains " + to_string(y) +
+                   ", which is not in the open sum");
     }
   }
 

@@ -18,9 +18,8 @@ Outcome check(const Summands& summands) {
                     {"pieces off the convolution", c.pieces_left_out},
                     {"points off the convolution", c.points_left_out}};
   if (c.bare_boundary) {
-    outcome.kind = Outcome::Kind::fails;
-    outcome.why = "the boundary point " + to_string(*c.bare_boundary) +
-                  " is on no equally directed segment of the convolution";
+    outcome.fail("the boundary point " + to_string(*c.bare_boundary) +
+                 " is on no equally directed segment of the convolution");
   }
   return outcome;
 }

@@ -21,10 +21,9 @@ Outcome check(const Summands& summands) {
       for (const Rational& at : {Rational(1, 16), Rational(1, 3), Rational(15, 16)}) {
         const Point x = piece.source + at * direction_of(piece);
         if (open_sum.contains(x) == is_inside) continue;
-        outcome.kind = Outcome::Kind::fails;
-        outcome.why = "between " + to_string(middle) + " and " + to_string(x) +
-                      " is a boundary of the open sum, and no segment of the vertex-edge sum";
-        return outcome;
+        return outcome.fail(
+            "between " + to_string(middle) + " and " + to_string(x) +
+            " is a boundary of the open sum, and no segment of the vertex-edge sum");
       }
     }
   }

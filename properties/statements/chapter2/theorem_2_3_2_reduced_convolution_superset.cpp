@@ -30,8 +30,7 @@ Outcome check_reflex_segments(const Summands& summands, OpenSum& open_sum) {
   const auto look_at = [&](const Point& x) {
     ++outcome.counts["points inside segments of reflex vertices"];
     if (outcome.kind == Outcome::Kind::fails || open_sum.contains(x)) return;
-    outcome.kind = Outcome::Kind::fails;
-    outcome.why = "the boundary point " + to_string(x) + " is inside a segment of a reflex vertex";
+    outcome.fail("the boundary point " + to_string(x) + " is inside a segment of a reflex vertex");
   };
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (!all[i].vertex_is_reflex) continue;
@@ -66,9 +65,8 @@ Outcome check(const Summands& summands) {
   outcome.counts["pieces off the reduced convolution"] = c.pieces_left_out;
   outcome.counts["points off the reduced convolution"] = c.points_left_out;
   if (c.bare_boundary && outcome.kind == Outcome::Kind::holds) {
-    outcome.kind = Outcome::Kind::fails;
-    outcome.why = "the boundary point " + to_string(*c.bare_boundary) +
-                  " is on no equally directed segment of the reduced convolution";
+    outcome.fail("the boundary point " + to_string(*c.bare_boundary) +
+                 " is on no equally directed segment of the reduced convolution");
   }
   return outcome;
 }

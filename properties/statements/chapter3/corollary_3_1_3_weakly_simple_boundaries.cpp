@@ -65,9 +65,7 @@ Outcome check(const Summands& summands) {
                                        : "other vertices"];
     const std::string defect = defect_of(at, passes);
     if (defect.empty()) continue;
-    outcome.kind = Outcome::Kind::fails;
-    outcome.why = defect;
-    return outcome;
+    return outcome.fail(defect);
   }
   return outcome;
 }

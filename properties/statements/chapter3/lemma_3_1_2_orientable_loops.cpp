@@ -22,20 +22,17 @@ Outcome check(const Summands& summands) {
         along.push_back(s.segment);
         continue;
       }
-      outcome.kind = Outcome::Kind::fails;
-      outcome.why = "a segment runs against the edge from " + to_string(edge.source) + " to " +
-                    to_string(edge.target);
+      outcome.fail("a segment runs against the edge from " + to_string(edge.source) + " to " +
+                   to_string(edge.target));
     }
     const std::vector<Segment> joined = maximal_segments(along);
     if (joined.size() == 1 && lies_on(edge.source, joined[0]) && lies_on(edge.target, joined[0]))
       continue;
-    outcome.kind = Outcome::Kind::fails;
-    outcome.why = "no segments run along all of the edge from " + to_string(edge.source) + " to " +
-                  to_string(edge.target);
+    outcome.fail("no segments run along all of the edge from " + to_string(edge.source) + " to " +
+                 to_string(edge.target));
   }
   if (sum_by_loops(summands.p, summands.q, Boundary::closed).sum != sum) {
-    outcome.kind = Outcome::Kind::fails;
-    outcome.why = "the loops on the boundary are other chains";
+    outcome.fail("the loops on the boundary are other chains");
   }
   return outcome;
 }

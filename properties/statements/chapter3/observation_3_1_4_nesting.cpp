@@ -28,10 +28,9 @@ Outcome check(const Summands& summands) {
     outcome.counts["other loops"] += !expected;
     outcome.counts["loops that are not nested"] += verdicts[i] == LoopVerdict::not_nested;
     if ((verdicts[i] == LoopVerdict::boundary) == expected) continue;
-    outcome.kind = Outcome::Kind::fails;
-    outcome.why =
+    outcome.fail(
         "the loop through " + to_string(arrangement.point(arrangement.source(loops[i][0]))) +
-        (expected ? " is on the boundary, and falls" : " is not on the boundary, and stays");
+        (expected ? " is on the boundary, and falls" : " is not on the boundary, and stays"));
   }
   return outcome;
 }

@@ -25,10 +25,9 @@ Outcome check(const Summands& summands) {
         const Segment edge = arrangement.geometry(h);
         const bool collides = open_sum.contains(midpoint(edge.source, edge.target));
         if (collides != of_loop && test->is_hole_right_of(edge) == of_loop) continue;
-        outcome.kind = Outcome::Kind::fails;
-        outcome.why = name + " on one edge of a loop says other than the definition does from " +
-                      to_string(edge.source) + " to " + to_string(edge.target);
-        return outcome;
+        return outcome.fail(name +
+                            " on one edge of a loop says other than the definition does from " +
+                            to_string(edge.source) + " to " + to_string(edge.target));
       }
     }
   }

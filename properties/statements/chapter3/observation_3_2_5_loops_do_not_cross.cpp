@@ -38,8 +38,7 @@ Outcome check(const Summands& summands) {
   std::set<Arrangement::Halfedge> edges_of_loops;
   std::map<Arrangement::Vertex, std::vector<Passage>> passages;
   const auto fail = [&](Arrangement::Vertex v, const std::string& what) {
-    outcome.kind = Outcome::Kind::fails;
-    outcome.why = "at " + to_string(arrangement.point(v)) + " " + what;
+    outcome.fail("at " + to_string(arrangement.point(v)) + " " + what);
   };
   for (const OrientableLoop& loop : orientable_loops(arrangement)) {
     ++outcome.counts["loops"];

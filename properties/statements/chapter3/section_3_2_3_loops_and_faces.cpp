@@ -30,8 +30,7 @@ void look_at_loops(const Summands& summands, Outcome& outcome) {
     if (verdicts[i] != LoopVerdict::not_nested) continue;
     ++outcome.counts["loops that fell to the nesting filter"];
     if (!is_hole_right_of(loops[i][0])) continue;
-    outcome.kind = Outcome::Kind::fails;
-    outcome.why = "a loop on the boundary falls to the nesting filter";
+    outcome.fail("a loop on the boundary falls to the nesting filter");
   }
 }
 
@@ -41,9 +40,7 @@ Outcome check(const Summands& summands) {
     if (rca(summands.p, summands.q, boundary).sum ==
         sum_by_loops(summands.p, summands.q, boundary).sum)
       continue;
-    outcome.kind = Outcome::Kind::fails;
-    outcome.why = "faces and loops give different sums";
-    return outcome;
+    return outcome.fail("faces and loops give different sums");
   }
   look_at_loops(summands, outcome);
   return outcome;

@@ -42,9 +42,7 @@ Outcome where_three_meet(const std::vector<Point>& isolated, const Summands& sum
       continue;
     }
     if (directions_through(x, reduced) >= 3) continue;
-    outcome.kind = Outcome::Kind::fails;
-    outcome.why = "fewer than three directions meet in the isolated vertex " + to_string(x);
-    return outcome;
+    return outcome.fail("fewer than three directions meet in the isolated vertex " + to_string(x));
   }
   return outcome;
 }
@@ -59,8 +57,7 @@ Outcome check(const Summands& summands) {
   Outcome outcome = where_three_meet(isolated, summands);
   if (outcome.kind == Outcome::Kind::holds &&
       rca(summands.p, summands.q, Boundary::open).sum.isolated_vertices != isolated) {
-    outcome.kind = Outcome::Kind::fails;
-    outcome.why = "the filter finds other isolated vertices";
+    outcome.fail("the filter finds other isolated vertices");
   }
   return outcome;
 }

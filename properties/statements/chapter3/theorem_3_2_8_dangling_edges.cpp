@@ -17,10 +17,8 @@ Outcome covered(const std::vector<Segment>& dangling, const Summands& summands) 
   for (const Segment& edge : dangling) {
     const Vector d = direction_of(edge);
     if (cover(reduced, d, edge) && cover(reduced, -d, edge)) continue;
-    outcome.kind = Outcome::Kind::fails;
-    outcome.why = "no opposite segments cover the dangling edge from " + to_string(edge.source) +
-                  " to " + to_string(edge.target);
-    return outcome;
+    return outcome.fail("no opposite segments cover the dangling edge from " +
+                        to_string(edge.source) + " to " + to_string(edge.target));
   }
   return outcome;
 }
@@ -35,8 +33,7 @@ Outcome check(const Summands& summands) {
   Outcome outcome = covered(dangling, summands);
   if (outcome.kind == Outcome::Kind::holds &&
       rca(summands.p, summands.q, Boundary::open).sum.dangling_edges != dangling) {
-    outcome.kind = Outcome::Kind::fails;
-    outcome.why = "the filter finds other dangling edges";
+    outcome.fail("the filter finds other dangling edges");
   }
   return outcome;
 }

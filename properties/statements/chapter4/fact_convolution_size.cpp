@@ -49,11 +49,10 @@ Outcome check(const Summands& summands) {
       std::find_if(missing.begin(), missing.end(), [](const auto& m) { return m.second != 0; });
   if (wrong != missing.end()) {
     const auto& [edge_of, edge, chain] = wrong->first;
-    outcome.kind = Outcome::Kind::fails;
-    outcome.why = "edge " + std::to_string(edge.vertex) + " of chain " +
-                  std::to_string(edge.chain) + " of " + (edge_of == Summand::P ? "P" : "Q") +
-                  " is in the wrong number of tangent sets of chain " + std::to_string(chain) +
-                  " of the other summand, off by " + std::to_string(wrong->second);
+    outcome.fail("edge " + std::to_string(edge.vertex) + " of chain " + std::to_string(edge.chain) +
+                 " of " + (edge_of == Summand::P ? "P" : "Q") +
+                 " is in the wrong number of tangent sets of chain " + std::to_string(chain) +
+                 " of the other summand, off by " + std::to_string(wrong->second));
   }
   return outcome;
 }

@@ -34,10 +34,9 @@ void check_pair(const Summands& summands, Outcome& outcome) {
     count(counted, outcome);
     if (inside > 0) ++outcome.counts["placements with a reflex vertex inside"];
     if (winding == counted.euler_characteristic() + inside) continue;
-    outcome.kind = Outcome::Kind::fails;
-    outcome.why = "at " + to_string(x) + " the winding number is " + std::to_string(winding) +
-                  ", " + std::to_string(inside) +
-                  " reflex vertices are inside, and the intersection has " + in_words(counted);
+    outcome.fail("at " + to_string(x) + " the winding number is " + std::to_string(winding) + ", " +
+                 std::to_string(inside) + " reflex vertices are inside, and the intersection has " +
+                 in_words(counted));
     return;
   }
 }

@@ -76,11 +76,10 @@ Outcome check(const Summands& summands) {
     const bool is_hole = sign(twice_area(along)) < 0;
     ++outcome.counts[is_hole ? "rows and columns along holes" : "along outer chains"];
     if (edges >= (is_hole ? 2U : 1U)) continue;
-    outcome.kind = Outcome::Kind::fails;
-    outcome.why = "only " + std::to_string(edges) + " edges leave the line of vertex " +
-                  std::to_string(line.at.vertex) + " of chain " + std::to_string(line.at.chain) +
-                  " of " + (line.of == Summand::P ? "P" : "Q") + " along chain " +
-                  std::to_string(line.along) + " of the other summand";
+    outcome.fail("only " + std::to_string(edges) + " edges leave the line of vertex " +
+                 std::to_string(line.at.vertex) + " of chain " + std::to_string(line.at.chain) +
+                 " of " + (line.of == Summand::P ? "P" : "Q") + " along chain " +
+                 std::to_string(line.along) + " of the other summand");
     break;
   }
   return outcome;

@@ -21,9 +21,8 @@ void expect_cycles(const std::vector<ConvolutionSegment>& convolution, Outcome& 
   outcome.counts["points"] += surplus.size();
   for (const auto& [point, leaving_less_entering] : surplus) {
     if (leaving_less_entering == 0) continue;
-    outcome.kind = Outcome::Kind::fails;
-    outcome.why = to_string(point) + " is left " + std::to_string(leaving_less_entering) +
-                  " times more often than it is entered";
+    outcome.fail(to_string(point) + " is left " + std::to_string(leaving_less_entering) +
+                 " times more often than it is entered");
     return;
   }
 }

@@ -31,12 +31,10 @@ Outcome check(const Summands& summands) {
       const int now = winding_number(points[i], after);
       ++outcome.counts[inside ? "comparisons inside" : "comparisons outside"];
       if (now == winding[i] - (inside ? 1 : 0)) continue;
-      outcome.kind = Outcome::Kind::fails;
-      outcome.why = "the replacement at " + to_string(point_at(vertex.vertex, of_p ? p : q)) +
-                    " of " + (of_p ? "P" : "Q") + " changes the winding number at " +
-                    to_string(points[i]) + (inside ? ", inside," : ", outside,") + " from " +
-                    std::to_string(winding[i]) + " to " + std::to_string(now);
-      return outcome;
+      return outcome.fail("the replacement at " + to_string(point_at(vertex.vertex, of_p ? p : q)) +
+                          " of " + (of_p ? "P" : "Q") + " changes the winding number at " +
+                          to_string(points[i]) + (inside ? ", inside," : ", outside,") + " from " +
+                          std::to_string(winding[i]) + " to " + std::to_string(now));
     }
   }
   return outcome;

@@ -65,10 +65,9 @@ void expect(const std::vector<Point>& path, const std::vector<Segment>& all, Out
   outcome.counts["crossings"] += seen.number;
   if (before != after) ++outcome.counts["paths that change the winding number"];
   if (seen.sum == after - before) return;
-  outcome.kind = Outcome::Kind::fails;
-  outcome.why = "from " + in_words(path) + " the winding number goes from " +
-                std::to_string(before) + " to " + std::to_string(after) +
-                ", and signed crossings add up to " + std::to_string(seen.sum);
+  outcome.fail("from " + in_words(path) + " the winding number goes from " +
+               std::to_string(before) + " to " + std::to_string(after) +
+               ", and signed crossings add up to " + std::to_string(seen.sum));
 }
 
 Outcome check(const Summands& summands) {

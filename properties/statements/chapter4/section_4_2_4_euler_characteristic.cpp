@@ -21,9 +21,8 @@ void check_pair(const Summands& summands, Outcome& outcome) {
     if (winding != static_cast<int>(counted.of_interiors.components))
       ++outcome.counts["placements at which the printed count is wrong"];
     if (winding == counted.euler_characteristic()) continue;
-    outcome.kind = Outcome::Kind::fails;
-    outcome.why = "at " + to_string(x) + " the winding number is " + std::to_string(winding) +
-                  " and the intersection has " + in_words(counted);
+    outcome.fail("at " + to_string(x) + " the winding number is " + std::to_string(winding) +
+                 " and the intersection has " + in_words(counted));
     return;
   }
 }

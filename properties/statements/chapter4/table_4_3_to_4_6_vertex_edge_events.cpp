@@ -226,11 +226,10 @@ Outcome check(const Summands& summands) {
     ++outcome.counts["events"];
     if (placement->events.size() > 1) ++outcome.counts["of these several at once"];
     if (seen == printed) continue;
-    outcome.kind = Outcome::Kind::fails;
-    outcome.why = "moving left through " + to_string(placement->x) +
-                  " changes winding number, components and winding number with flip sets by " +
-                  in_words(seen) + ", and the tables say " + in_words(printed);
-    return outcome;
+    return outcome.fail(
+        "moving left through " + to_string(placement->x) +
+        " changes winding number, components and winding number with flip sets by " +
+        in_words(seen) + ", and the tables say " + in_words(printed));
   }
   return outcome;
 }

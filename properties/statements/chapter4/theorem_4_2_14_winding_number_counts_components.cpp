@@ -27,11 +27,9 @@ Outcome check(const Summands& summands) {
     ++outcome.counts[seen.components < 2 ? std::to_string(seen.components) + " components"
                                          : "two components or more"];
     if (winding == static_cast<int>(seen.components) && seen.holes == 0) continue;
-    outcome.kind = Outcome::Kind::fails;
-    outcome.why = "at " + to_string(x) + " the winding number is " + std::to_string(winding) +
-                  " and the intersection has " + std::to_string(seen.components) +
-                  " components and " + std::to_string(seen.holes) + " holes";
-    return outcome;
+    return outcome.fail("at " + to_string(x) + " the winding number is " + std::to_string(winding) +
+                        " and the intersection has " + std::to_string(seen.components) +
+                        " components and " + std::to_string(seen.holes) + " holes");
   }
   return outcome;
 }

@@ -78,9 +78,8 @@ class Comparison {
     const bool meet = open_sum_.contains(x);
     ++outcome_.counts[meet ? "points in the sum" : "points outside"];
     if (winding >= 0 && (winding > 0) == meet) return;
-    outcome_.kind = Outcome::Kind::fails;
-    outcome_.why = "at " + to_string(x) + " the winding number is " + std::to_string(winding) +
-                   " and the interiors of P and -Q+x " + (meet ? "meet" : "do not meet");
+    outcome_.fail("at " + to_string(x) + " the winding number is " + std::to_string(winding) +
+                  " and the interiors of P and -Q+x " + (meet ? "meet" : "do not meet"));
   }
 
   std::vector<Segment> convolution_;
@@ -103,10 +102,9 @@ Outcome law(const Sum& sum, const Summands& summands) {
     const int winding = winding_number(x, all);
     const Location location = locate(x, result);
     if (location == Location::boundary || (location == Location::inside) == (winding > 0)) continue;
-    outcome.kind = Outcome::Kind::fails;
-    outcome.why = "at " + to_string(x) + " the winding number is " + std::to_string(winding) +
-                  ", which is " + (location == Location::inside ? "in" : "not in") + " the sum";
-    return outcome;
+    return outcome.fail("at " + to_string(x) + " the winding number is " + std::to_string(winding) +
+                        ", which is " + (location == Location::inside ? "in" : "not in") +
+                        " the sum");
   }
   return outcome;
 }

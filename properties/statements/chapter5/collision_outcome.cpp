@@ -20,9 +20,8 @@ Outcome collision_outcome(CollisionMethod method, const Summands& summands) {
     const std::string contact = describe(strongest_contact(summands.p, placed));
     ++outcome.counts["placements " + contact + (meet ? " that collide" : " that do not")];
     if (test->interiors_meet_at(x) == meet) continue;
-    outcome.kind = Outcome::Kind::fails;
-    outcome.why = "at " + to_string(x) + ", " + contact + ", the interiors of P and -Q+x " +
-                  (meet ? "meet" : "do not meet") + ", but the method says the opposite";
+    outcome.fail("at " + to_string(x) + ", " + contact + ", the interiors of P and -Q+x " +
+                 (meet ? "meet" : "do not meet") + ", but the method says the opposite");
     break;
   }
   return outcome;

@@ -68,10 +68,9 @@ Outcome check(const Summands& summands) {
     const int winding = winding_number(beside, all);
     const auto expect = [&](bool is_so, const std::string& what) {
       if (is_so || outcome.kind == Outcome::Kind::fails) return;
-      outcome.kind = Outcome::Kind::fails;
-      outcome.why = "right of the middle of " + to_string(edge.source) + " to " +
-                    to_string(edge.target) + " the winding number is " + std::to_string(winding) +
-                    ", " + what;
+      outcome.fail("right of the middle of " + to_string(edge.source) + " to " +
+                   to_string(edge.target) + " the winding number is " + std::to_string(winding) +
+                   ", " + what);
     };
     expect(rays.winding_number_right_of(edge) == winding,
            "the ray counts " + std::to_string(rays.winding_number_right_of(edge)));

@@ -27,11 +27,9 @@ Outcome check(const Summands& summands) {
     const int by_faces = of_faces[arrangement.face(ConvolutionArrangement::twin(h))];
     ++outcome.counts[by_ray == 0 ? "faces outside the sum" : "faces inside the sum"];
     if (by_ray == by_faces) continue;
-    outcome.kind = Outcome::Kind::fails;
-    outcome.why = "right of " + to_string(edge.source) + " to " + to_string(edge.target) +
-                  " the ray counts " + std::to_string(by_ray) + ", the faces " +
-                  std::to_string(by_faces);
-    return outcome;
+    return outcome.fail("right of " + to_string(edge.source) + " to " + to_string(edge.target) +
+                        " the ray counts " + std::to_string(by_ray) + ", the faces " +
+                        std::to_string(by_faces));
   }
   return outcome;
 }

@@ -21,10 +21,8 @@ Outcome has_square_holes(const Summands& summands, const std::function<Minkowski
   const MinkowskiSum sum = computed();
   outcome.counts["holes"] += sum.holes.size();
   if (sum.outer.size() == 1 && sum.holes.size() == n * n) return outcome;
-  outcome.kind = Outcome::Kind::fails;
-  outcome.why = std::to_string(n) + " teeth an arm, " + std::to_string(sum.outer.size()) +
-                " outer chains and " + std::to_string(sum.holes.size()) + " holes";
-  return outcome;
+  return outcome.fail(std::to_string(n) + " teeth an arm, " + std::to_string(sum.outer.size()) +
+                      " outer chains and " + std::to_string(sum.holes.size()) + " holes");
 }
 
 Outcome law(const Sum& sum, const Summands& summands) {

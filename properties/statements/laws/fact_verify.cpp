@@ -9,12 +9,6 @@ namespace oplus {
 
 namespace {
 
-Outcome failed(Outcome outcome, const std::string& why) {
-  outcome.kind = Outcome::Kind::fails;
-  outcome.why = why;
-  return outcome;
-}
-
 Outcome check(const Summands& summands) {
   Outcome outcome;
   const auto& [p, q] = summands;
@@ -23,7 +17,7 @@ Outcome check(const Summands& summands) {
     const MinkowskiSum& sum = boundary == Boundary::open ? sums.open : sums.closed;
     const Verdict verdict = verify(p, q, boundary, sum);
     if (!verdict.is_sum())
-      return failed(outcome, "refuses the oracle's sum: " + verdict.reasons.front().detail);
+      return outcome.fail("refuses the oracle's sum: " + verdict.reasons.front().detail);
     const auto accepts = [&](const GivenSum& given) {
       ++outcome.counts["wrong sums"];
       return verify(p, q, boundary, given).is_sum();
@@ -32,13 +26,13 @@ Outcome check(const Summands& summands) {
     GivenSum turned = given(sum);
     for (Component& component : turned.region.components) {
       std::reverse(component.outer.begin(), component.outer.end());
-      if (accepts(turned)) return failed(outcome, "accepts a clockwise outer chain");
+      if (accepts(turned)) return outcome.fail("accepts a clockwise outer chain");
       std::reverse(component.outer.begin(), component.outer.end());
     }
     for (std::size_t i = 0; i < sum.holes.size(); ++i) {
       MinkowskiSum filled = sum;
       filled.holes.erase(filled.holes.begin() + static_cast<std::ptrdiff_t>(i));
-      if (accepts(given(filled))) return failed(outcome, "accepts a sum without one of its holes");
+      if (accepts(given(filled))) return outcome.fail("accepts a sum without one of its holes");
     }
   }
   if (sums.open != sums.closed) {
@@ -46,7 +40,7 @@ Outcome check(const Summands& summands) {
     ++outcome.counts["wrong sums"];
     if (verify(p, q, Boundary::open, sums.closed).is_sum() ||
         verify(p, q, Boundary::closed, sums.open).is_sum())
-      return failed(outcome, "accepts the sum of the other kind of boundary");
+      return outcome.fail("accepts the sum of the other kind of boundary");
   }
   return outcome;
 }

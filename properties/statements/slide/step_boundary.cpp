@@ -35,10 +35,9 @@ Outcome check(const Summands& summands) {
           });
       ++outcome.counts[is_free ? "places in free pieces" : "places elsewhere"];
       if (is_free == is_boundary) continue;
-      outcome.kind = Outcome::Kind::fails;
-      outcome.why = std::string(is_free ? "a free place is not on" : "a blocked place is on") +
-                    " the boundary, on segment " + std::to_string(i);
-      return outcome;
+      return outcome.fail(
+          std::string(is_free ? "a free place is not on" : "a blocked place is on") +
+          " the boundary, on segment " + std::to_string(i));
     }
   }
   for (const Segment& edge : boundary) {
@@ -52,9 +51,7 @@ Outcome check(const Summands& summands) {
     });
     ++outcome.counts["edges of the boundary"];
     if (is_covered) continue;
-    outcome.kind = Outcome::Kind::fails;
-    outcome.why = "an edge of the boundary is not covered by free pieces";
-    return outcome;
+    return outcome.fail("an edge of the boundary is not covered by free pieces");
   }
   return outcome;
 }

@@ -23,11 +23,7 @@ Outcome check(const Summands& summands) {
   outcome.counts["candidate points"] = candidates.points.size();
   outcome.counts["dangling edges"] = open.dangling_edges.size();
   outcome.counts["isolated vertices"] = open.isolated_vertices.size();
-  const auto fail = [&](const std::string& what) {
-    outcome.kind = Outcome::Kind::fails;
-    outcome.why = what;
-    return outcome;
-  };
+  const auto fail = [&](const std::string& what) { return outcome.fail(what); };
   std::vector<Segment> segments;
   for (const auto& piece : candidates.pieces) {
     segments.push_back(piece.segment);

@@ -16,9 +16,7 @@ Outcome check(const Summands& summands) {
   slide::BlockingSearch<SlidPair::Numbers> search(integers, slide::Shift::to_the_right);
   Outcome outcome;
   const auto fail = [&](std::uint32_t segment, const std::string& what) {
-    outcome.kind = Outcome::Kind::fails;
-    outcome.why = "segment " + std::to_string(segment) + ": " + what;
-    return outcome;
+    return outcome.fail("segment " + std::to_string(segment) + ": " + what);
   };
   const std::uint32_t step = 1 + static_cast<std::uint32_t>(pair.tracks.size() / 8);
   for (std::uint32_t i = 0; i < pair.tracks.size(); i += step) {

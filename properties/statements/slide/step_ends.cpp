@@ -28,11 +28,7 @@ Outcome check(const Summands& summands) {
   Outcome outcome;
   outcome.counts["free pieces"] = pieces.size();
   outcome.counts["pieces after cutting"] = cut.size();
-  const auto fail = [&](const std::string& what) {
-    outcome.kind = Outcome::Kind::fails;
-    outcome.why = what;
-    return outcome;
-  };
+  const auto fail = [&](const std::string& what) { return outcome.fail(what); };
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (points[i] == points[j]) return fail("a point has two numbers");

@@ -36,10 +36,8 @@ Outcome check(const Summands& summands) {
           const Point x = pair.shifted(i, t);
           const Segment moved{of_q[b].source + x, of_q[b].target + x};
           if (cross_properly(of_p[a], moved) == is_blocked) continue;
-          outcome.kind = Outcome::Kind::fails;
-          outcome.why = "edge " + std::to_string(a) + " of P and " + std::to_string(b) +
-                        " of Q, on segment " + std::to_string(i);
-          return outcome;
+          return outcome.fail("edge " + std::to_string(a) + " of P and " + std::to_string(b) +
+                              " of Q, on segment " + std::to_string(i));
         }
       }
     }

@@ -32,11 +32,7 @@ Region mapped(Region region, Point (*map)(const Point&)) {
 
 Outcome check(const Summands& summands) {
   Outcome outcome;
-  const auto fail = [&](const std::string& what) {
-    outcome.kind = Outcome::Kind::fails;
-    outcome.why = what;
-    return outcome;
-  };
+  const auto fail = [&](const std::string& what) { return outcome.fail(what); };
   std::vector<Summands> large = {{mapped(summands.p, stretched), mapped(summands.q, stretched)}};
   Summands bent_pair = {mapped(summands.p, bent), mapped(summands.q, bent)};
   if (!find_defect(bent_pair.p) && !find_defect(bent_pair.q)) large.push_back(std::move(bent_pair));

@@ -47,10 +47,9 @@ Outcome check(const Summands& summands) {
       return !(a.from < b.from) && !(b.from < a.from) && !(a.to < b.to) && !(b.to < a.to);
     };
     if (std::equal(found.begin(), found.end(), defined.begin(), defined.end(), same)) continue;
-    outcome.kind = Outcome::Kind::fails;
-    outcome.why = "segment " + std::to_string(i) + " has " + std::to_string(found.size()) +
-                  " free pieces by search, " + std::to_string(defined.size()) + " by all pairs";
-    return outcome;
+    return outcome.fail("segment " + std::to_string(i) + " has " + std::to_string(found.size()) +
+                        " free pieces by search, " + std::to_string(defined.size()) +
+                        " by all pairs");
   }
   return outcome;
 }

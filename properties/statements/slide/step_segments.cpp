@@ -18,9 +18,8 @@ Outcome check(const Summands& summands) {
   Outcome outcome;
   outcome.counts["segments"] = found.size();
   if (found != defined) {
-    outcome.kind = Outcome::Kind::fails;
-    outcome.why = std::to_string(found.size()) + " segments are found, " +
-                  std::to_string(defined.size()) + " are in the reduced convolution";
+    outcome.fail(std::to_string(found.size()) + " segments are found, " +
+                 std::to_string(defined.size()) + " are in the reduced convolution");
   }
   return outcome;
 }

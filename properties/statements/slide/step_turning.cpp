@@ -15,9 +15,8 @@ Outcome check(const Summands& summands) {
       const bool is_outer = of_kind == &sum.outer;
       ++outcome.counts[is_outer ? "outer chains" : "holes"];
       if ((sign(twice_area(chain)) > 0) == is_outer) continue;
-      outcome.kind = Outcome::Kind::fails;
-      outcome.why = is_outer ? "an outer chain runs clockwise" : "a hole runs counterclockwise";
-      return outcome;
+      return outcome.fail(is_outer ? "an outer chain runs clockwise"
+                                   : "a hole runs counterclockwise");
     }
   }
   return outcome;
