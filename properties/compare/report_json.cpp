@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "properties/compare/counterexample_files.hpp"
+#include "reference/io/boundary_name.hpp"
 #include "reference/io/invalid_input.hpp"
 #include "reference/io/reading.hpp"
 #include "reference/io/written.hpp"
@@ -60,10 +61,13 @@ void from_json(const Json& json, Region& region) {
   std::istringstream in(json.get<std::string>());
   region = read_region(in, "a counterexample").region;
 }
+void to_json(Json& json, Boundary boundary) { json = name(boundary); }
+void from_json(const Json& json, Boundary& boundary) {
+  boundary = boundary_named(json.get<std::string>());
+}
 void to_json(Json& json, const SumDigest& digest) { json = digest.to_string(); }
 void from_json(const Json& json, SumDigest& digest) { digest = SumDigest(json.get<std::string>()); }
 
-NLOHMANN_JSON_SERIALIZE_ENUM(Boundary, {{Boundary::closed, "closed"}, {Boundary::open, "open"}})
 // Chain by chain, since a wrong sum need not be a region, which WKT could hold.
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MinkowskiSum, outer, holes, dangling_edges, isolated_vertices)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Summands, p, q)
