@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
-#include <iomanip>
 #include <sstream>
 
 #include "properties/compare/counterexample_files.hpp"
 #include "properties/compare/report_text.hpp"
-#include "reference/io/boundary_name.hpp"
 #include "reference/io/counted.hpp"
 #include "reference/io/written.hpp"
-#include "reference/pictures/picture.hpp"
 
 namespace oplus {
 
@@ -54,37 +50,18 @@ std::string in_words(const MinkowskiSum& sum) {
   return text;
 }
 
-std::string distance_in_words(const Rational& squared) {
-  std::ostringstream out;
-  out << "about " << std::setprecision(3) << std::sqrt(squared.get_d());
-  return out.str();
-}
-
 void counterexample(std::ostream& out, const CampaignReport& report, const std::string& kind,
                     const ShrunkFailure& found) {
-  const auto& [engine, boundary, failure, pair, right, given] = found.sum;
-  const std::string vertices = std::to_string(size_of(pair).vertices);
+  const WrongSum& sum = found.sum;
   out << "\n### " << cell(kind) << "\n\n"
       << counted(report.all().kinds.at(kind), "sum", "sums") << ". The smallest pair was found in "
-      << cell(found.source) << ", " << cell(found.found_in) << ", with "
-      << found.found_size.vertices << " vertices; it is "
-      << (!found.is_repeatable ? "not shrunk, since it was not seen when asked again"
-          : found.is_shrunk    ? "shrunk to " + vertices
-                               : "at " + vertices + " where the tries were used up")
-      << " (" << counted(found.tries, "pair", "pairs") << " tried). The " << name(boundary)
-      << " sum";
-  if (!failure.what.empty()) out << ": " << cell(failure.what);
-  if (right && given) out << ", the first being the oracle's";
-  if (failure.witness) out << ", at " << to_string(*failure.witness);
-  if (failure.squared_distance)
-    out << "; the boundaries differ by " << distance_in_words(*failure.squared_distance);
-  out << ".\n\n```text\nP      " << written(pair.p, Format::wkt) << "Q      "
-      << written(pair.q, Format::wkt);
-  if (right) out << "oracle " << in_words(*right);
-  if (given) out << "engine " << in_words(*given);
+      << cell(found.source) << ", with " << found.found_size.vertices << " vertices.\n\n```text\n"
+      << explanation(report, found, "") << "P      " << written(sum.pair.p, Format::wkt)
+      << "Q      " << written(sum.pair.q, Format::wkt);
+  if (sum.right) out << "oracle " << in_words(*sum.right);
+  if (sum.given) out << "engine " << in_words(*sum.given);
   out << "```\n\n![both summands, their convolution, and the sums](" << files_of(found).picture
-      << ")\n\n```sh\n"
-      << replay_line(report, found, "") << "\n```\n";
+      << ")\n";
 }
 
 }  // namespace

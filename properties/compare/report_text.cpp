@@ -2,6 +2,7 @@
 #include "properties/compare/report_text.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iomanip>
 #include <sstream>
@@ -11,7 +12,6 @@
 #include "reference/io/boundary_name.hpp"
 #include "reference/io/counted.hpp"
 #include "reference/io/writing.hpp"
-#include "reference/pictures/picture.hpp"
 
 namespace oplus {
 
@@ -121,17 +121,22 @@ std::string summary(const CampaignReport& report) {
 
 std::string explanation(const CampaignReport& report, const ShrunkFailure& found,
                         const std::string& folder) {
-  const WrongSum& sum = found.sum;
+  const auto& [engine, boundary, failure, pair, right, given] = found.sum;
   std::ostringstream out;
-  out << "disagreement on the " << name(sum.boundary) << " sum, found in " << found.found_in
-      << ", shrunk to " << vertex_count(sum.pair.p) << " and " << vertex_count(sum.pair.q)
-      << " vertices: " << sum.failure.kind << '\n';
-  if (!found.is_repeatable) out << "  it was not seen when asked again, and is not shrunk\n";
-  if (sum.right) out << "  the first is the oracle: " << description(*sum.right) << '\n';
-  out << "  the second is " << sum.engine << ": "
-      << (sum.given ? description(*sum.given) : "no sum") << '\n';
-  if (!sum.failure.what.empty()) out << "  " << sum.failure.what << '\n';
-  if (sum.failure.witness) out << "  they differ at " << to_string(*sum.failure.witness) << '\n';
+  out << "disagreement on the " << name(boundary) << " sum, found in " << found.found_in
+      << ", shrunk to " << vertex_count(pair.p) << " and " << vertex_count(pair.q)
+      << " vertices: " << failure.kind << '\n';
+  if (!found.is_repeatable)
+    out << "  it was not seen when asked again, and is not shrunk\n";
+  else if (!found.is_shrunk)
+    out << "  there may be a smaller pair: " << found.tries << " were tried\n";
+  if (right) out << "  the first is the oracle: " << description(*right) << '\n';
+  out << "  the second is " << engine << ": " << (given ? description(*given) : "no sum") << '\n';
+  if (!failure.what.empty()) out << "  " << failure.what << '\n';
+  if (failure.witness) out << "  they differ at " << to_string(*failure.witness) << '\n';
+  if (failure.squared_distance)
+    out << "  their boundaries are about " << std::setprecision(3)
+        << std::sqrt(failure.squared_distance->get_d()) << " apart\n";
   out << "  picture: " << (std::filesystem::path(folder) / files_of(found).picture).string() << '\n'
       << "  see it again: " << replay_line(report, found, folder) << '\n';
   return out.str();

@@ -38,7 +38,8 @@ TEST(Corpus, oracle_gives_the_sums_of_every_row) {
 }
 
 TEST(Corpus, every_engine_gives_the_sums_of_every_row) {
-  const auto same = [](const Region& p, const Region& q, const CorpusPair& row, const std::string& how) {
+  const auto same = [](const Region& p, const Region& q, const CorpusPair& row,
+                       const std::string& how) {
     for (const Engine& engine : engines()) {
       for (const auto& [name, method] : hole_test_methods()) {
         const auto sum = [&](Boundary boundary) {
