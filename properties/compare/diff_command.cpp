@@ -8,7 +8,7 @@
 #include "checked/cli/usage_error.hpp"
 #include "properties/compare/compare.hpp"
 #include "properties/compare/compare_commands.hpp"
-#include "properties/compare/peers/peer_table.hpp"
+#include "properties/compare/engine_called.hpp"
 #include "properties/compare/sources.hpp"
 
 namespace oplus {
