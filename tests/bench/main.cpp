@@ -37,13 +37,9 @@ struct Options {
 /// Those of the benchmark's rows; those at fault only where they are asked for.
 std::vector<BenchEngine> offered_engines(const Options& options) {
   std::vector<BenchEngine> offered = bench_engines();
-  const std::vector<Row>& rows = benchmark_rows();
   std::erase_if(offered, [&](const BenchEngine& engine) {
-    return (engine.is_at_fault && !options.engines_at_fault) ||
-           engine.subject == Subject::hole_tests ||
-           std::none_of(rows.begin(), rows.end(), [&](const Row& row) {
-             return std::count(row.engines.begin(), row.engines.end(), engine.name) > 0;
-           });
+    return engine.subject == Subject::hole_tests ||
+           (engine.is_at_fault && !options.engines_at_fault);
   });
   return offered;
 }

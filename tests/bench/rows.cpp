@@ -112,7 +112,7 @@ void add_convolutions(std::vector<Row>& all) {
 
 /// The engines for a row.
 std::vector<std::string> engines_for(const Row& row) {
-  if (row.subject == Subject::convolution) return {"traced", "naive"};
+  if (row.subject == Subject::convolution) return {"traced", "without-points", "naive"};
   if (row.subject == Subject::growth) return {"slide", "slide2"};
   std::vector<std::string> names;
   for (const BenchEngine& engine : bench_engines()) {
