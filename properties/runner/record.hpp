@@ -18,7 +18,7 @@ std::string to_json(const std::vector<PropertyRun>& runs);
 /// Requires: as many outcomes as statements.
 std::string to_json(const std::vector<Statement>& statements, const std::vector<Outcome>& outcomes);
 
-/// Of `oplus-check mutants`. `defects`: of the list of mutants.
+/// Of `oplus-maintain mutants`. `defects`: of the list of mutants.
 std::string to_json(const std::vector<Kill>& kills, const std::vector<std::string>& defects);
 
 /// Read runs and kills back, without counterexamples. Throw InvalidInput; `file` is what messages call
