@@ -36,7 +36,7 @@ struct EngineOptions {
   SlideNumbers numbers = SlideNumbers::as_needed;
 };
 
-/// What an engine's sums are held against those of the others for.
+/// How the sums of an engine compare with those of the others.
 enum class Arithmetic {
   exact,    ///< they must be equal
   rounding  ///< they may be off, and by how much is reported

@@ -26,7 +26,7 @@ auto read_json(const fs::path& file, const std::string& expected, Read read) {
   } catch (const nlohmann::json::exception& e) {
     throw InvalidInput({file.string(), 1, 0}, e.what(), expected);
   } catch (const std::invalid_argument&) {
-    throw InvalidInput({file.string(), 1, 0}, "a number that is none", expected);
+    throw InvalidInput({file.string(), 1, 0}, "not a number", expected);
   }
 }
 

@@ -54,7 +54,7 @@ const Registered registered({
     .kind = "law",
     .title = "Adding a point translates: as a part, and in the limit",
     .statement =
-        "P ⊕ {x} = P + x. A region is never a point, so this is held against what it says of "
+        "P ⊕ {x} = P + x. A region is never a point, so this is compared with what it says of "
         "regions: the closed sum contains P + x for a vertex x of each chain of Q; and as λ goes "
         "to zero, the area of P ⊕ λQ is a quadratic function of λ whose value at zero is P's area.",
     .why =

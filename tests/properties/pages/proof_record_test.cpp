@@ -88,7 +88,7 @@ TEST_F(ProofRecord, refuses_what_is_not_proved) {
   expect_refused("lemma-9.a: cvc5 answers \"unsat\" to twin");
   std::string text = query("unsat", "sat");
   write("results.json", text.replace(text.find("\"1/2\""), 5, "\"one\""));
-  expect_refused("results.json:1: a number that is none");
+  expect_refused("results.json:1: not a number");
   write("results.json", "{");
   expect_refused("results.json:1: ");
 }
