@@ -6,12 +6,13 @@
 #include <stdexcept>
 #include <utility>
 
+#include "properties/runner/source_tree.hpp"
 #include "reference/io/reading.hpp"
 
 namespace oplus {
 
 std::vector<CorpusPair> corpus() {
-  std::ifstream in(OPLUS_SOURCE_DIR "/tests/corpus/pairs.txt");
+  std::ifstream in(source_root() / "tests/corpus/pairs.txt");
   if (!in) throw std::runtime_error("cannot open tests/corpus/pairs.txt");
   std::vector<std::vector<std::string>> blocks(1);
   for (std::string line; std::getline(in, line);) {

@@ -10,6 +10,7 @@
 #include "properties/compare/compare_commands.hpp"
 #include "properties/compare/engine_called.hpp"
 #include "properties/compare/sources.hpp"
+#include "properties/runner/source_tree.hpp"
 
 namespace oplus {
 
@@ -57,11 +58,12 @@ std::vector<TaskSource> chosen_sources(Settings& settings) {
   Campaign& campaign = options.campaign;
   if (options.pairs.empty() && settings.folders.empty() && settings.families.empty()) {
     settings.families = family_names();
-    if (std::filesystem::is_directory(OPLUS_DATA_DIR))
-      settings.folders = {OPLUS_DATA_DIR};
+    if (std::filesystem::is_directory(data_folder()))
+      settings.folders = {data_folder()};
     else
       text_output(options.json || speech().quiet)
-          << "the published pairs are left out: there is no folder " << OPLUS_DATA_DIR << '\n';
+          << "the published pairs are left out: there is no folder " << data_folder().string()
+          << '\n';
   }
   std::vector<Task> given = given_pairs(options);
   for (const std::string& folder : settings.folders) {

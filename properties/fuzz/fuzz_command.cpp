@@ -10,6 +10,7 @@
 #include "properties/fuzz/all_targets.hpp"
 #include "properties/fuzz/fuzz_program.hpp"
 #include "properties/fuzz/shown_input.hpp"
+#include "properties/runner/source_tree.hpp"
 #include "reference/io/file_text.hpp"
 #include "reference/io/reading.hpp"
 #include "reference/io/writing.hpp"
@@ -90,7 +91,7 @@ int fuzz(Settings settings) {
   if (!settings.encode.empty()) return encode(settings);
   if (settings.targets.empty()) settings.targets = names();
   const fs::path binaries = folder_of_binaries(settings);
-  const fs::path inputs = fs::path(OPLUS_SOURCE_DIR) / "properties" / "fuzz";
+  const fs::path inputs = source_root() / "properties" / "fuzz";
   for (const std::string& target : settings.targets)
     if (!fs::exists(binaries / ("oplus-fuzz-" + target)))
       throw UsageError("there is no " + (binaries / ("oplus-fuzz-" + target)).string() +

@@ -6,6 +6,7 @@
 
 #include "properties/pages/page_files.hpp"
 #include "properties/runner/registry.hpp"
+#include "properties/runner/source_tree.hpp"
 
 namespace oplus {
 

@@ -9,6 +9,7 @@
 
 #include "properties/pages/statement_graph.hpp"
 #include "properties/runner/registry.hpp"
+#include "properties/runner/source_tree.hpp"
 
 namespace oplus {
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "properties/runner/classification.hpp"
+#include "properties/runner/source_tree.hpp"
 
 namespace oplus {
 
@@ -100,8 +101,6 @@ std::vector<Statement> statements() {
 Registered::Registered(Statement statement) {
   registered_statements().push_back(std::move(statement));
 }
-
-std::filesystem::path source_root() { return OPLUS_SOURCE_DIR; }
 
 namespace {
 

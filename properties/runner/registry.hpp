@@ -18,9 +18,6 @@ struct Registered {
   explicit Registered(Statement statement);
 };
 
-/// The root of the source tree this was built from.
-std::filesystem::path source_root();
-
 /// A source file, as the compiler names it, relative to the root.
 std::string relative_file(const std::string& file);
 

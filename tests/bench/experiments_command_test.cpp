@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "properties/runner/child_process.hpp"
+#include "properties/runner/source_tree.hpp"
 #include "tests/checked/cli/shell.hpp"
 
 namespace oplus {
@@ -42,7 +44,7 @@ Cells column(const std::string& csv, const std::string& name) {
 class ExperimentsCommand : public Shell {
  protected:
   Ran experiments(const std::string& options, const std::string& before = "") {
-    return run(before + "'" + OPLUS_PROGRAM + "' experiments " + options);
+    return run(before + "'" + program_beside("oplus-bench") + "' experiments " + options);
   }
 
   std::string out(const std::string& file) const { return content("oplus-experiments/" + file); }
@@ -105,7 +107,7 @@ TEST_F(ExperimentsCommand, table_6_1_measures_what_is_there_and_counts_what_is_n
   std::size_t there = 0;
   for (const std::string name :
        {"cavity", "chain", "comb", "conc_chain", "fork", "knife", "rand3015", "random", "stars"})
-    there += std::filesystem::exists(std::filesystem::path(OPLUS_DATA_DIR) / (name + "_part1.dat"));
+    there += std::filesystem::exists(data_folder() / (name + "_part1.dat"));
   EXPECT_NE(out("index.md")
                 .find(std::to_string(there) + " pairs measured, " + std::to_string(9 - there) +
                       " skipped"),

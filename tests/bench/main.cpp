@@ -10,6 +10,7 @@
 #include "checked/cli/command_line/program_frame.hpp"
 #include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/usage_error.hpp"
+#include "properties/runner/source_tree.hpp"
 #include "reference/io/writing.hpp"
 #include "tests/bench/experiment.hpp"
 #include "tests/bench/measuring.hpp"
@@ -103,7 +104,7 @@ Report measured_report(const Options& options, const std::string& command) {
     if (!options.json.empty()) write_file(options.json, to_json(report));
   }
   for (const std::string& name : report.setting.missing)
-    std::cout << "skipped, not in " OPLUS_DATA_DIR ": published_" << name << '\n';
+    std::cout << "skipped, not in " << data_folder().string() << ": published_" << name << '\n';
   return report;
 }
 

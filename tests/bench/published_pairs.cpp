@@ -3,15 +3,14 @@
 
 #include <filesystem>
 
+#include "properties/runner/source_tree.hpp"
 #include "reference/io/reading.hpp"
 
 namespace oplus {
 
 namespace {
 
-std::string path_of(const std::string& file) {
-  return std::string(OPLUS_DATA_DIR) + '/' + file + ".dat";
-}
+std::string path_of(const std::string& file) { return data_folder() / (file + ".dat"); }
 
 PublishedPair of_table_6_1(const std::string& name, const PublishedPair::Measured& measured,
                            const std::string& what = "") {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/bench/templates.hpp"
+#include "properties/runner/source_tree.hpp"
 
 #include <fstream>
 #include <iterator>
@@ -15,8 +16,9 @@ namespace {
 using Text = kainjow::mustache::mustache::string_type;
 
 std::string template_named(const std::string& name) {
-  std::ifstream file(OPLUS_BENCH_PAGES "/" + name);
-  if (!file) throw std::invalid_argument("cannot open " OPLUS_BENCH_PAGES "/" + name);
+  const std::string path = source_root() / "tests/bench/pages" / name;
+  std::ifstream file(path);
+  if (!file) throw std::invalid_argument("cannot open " + path);
   return {std::istreambuf_iterator<char>(file), {}};
 }
 

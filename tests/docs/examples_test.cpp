@@ -5,6 +5,7 @@
 #include <regex>
 #include <sstream>
 
+#include "properties/runner/source_tree.hpp"
 #include "reference/definitions/collision.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/definitions/cut_at_intersections.hpp"
@@ -16,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path examples = fs::path(OPLUS_SOURCE_DIR) / "docs/examples";
+const fs::path examples = source_root() / "docs/examples";
 
 std::string text_of(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);

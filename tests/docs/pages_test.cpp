@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 
+#include "properties/runner/source_tree.hpp"
 #include "tests/checked/cli/shell.hpp"
 
 namespace oplus {
@@ -15,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path top = OPLUS_SOURCE_DIR;
+const fs::path top = source_root();
 
 std::string text_of(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "properties/compare/corpus.hpp"
+#include "properties/runner/source_tree.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/families/fork.hpp"
 #include "reference/io/reading.hpp"
@@ -15,7 +16,7 @@
 namespace oplus {
 namespace {
 
-const std::string data_dir = OPLUS_DATA_DIR;
+const std::string data_dir = data_folder();
 
 #define NEEDS_PUBLISHED_DATA() \
   if (!std::filesystem::exists(data_dir)) GTEST_SKIP() << data_dir << " is not there"

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "checked/cli/version.hpp"
+#include "properties/runner/source_tree.hpp"
 #include "tests/checked/cli/shell.hpp"
 
 namespace oplus {
@@ -42,7 +43,7 @@ TEST_F(Help, of_the_program_explains_the_exit_codes) {
 }
 
 TEST_F(Help, version_is_that_of_the_build) {
-  std::ifstream in(std::string(OPLUS_SOURCE_DIR) + "/CMakeLists.txt");
+  std::ifstream in(source_root() / "CMakeLists.txt");
   const std::string cmake{std::istreambuf_iterator<char>(in), {}};
   EXPECT_NE(cmake.find("project(oplus VERSION " + std::string(version) + " "), std::string::npos);
   EXPECT_EQ(run("oplus --version").out, "oplus " + std::string(version) + "\n");

@@ -4,13 +4,14 @@
 #include <fstream>
 #include <sstream>
 
+#include "properties/runner/source_tree.hpp"
 #include "tests/checked/cli/shell.hpp"
 
 namespace oplus {
 namespace {
 
 std::string text_of(const std::string& path) {
-  std::ifstream file(std::string(OPLUS_SOURCE_DIR) + "/" + path);
+  std::ifstream file(source_root() / path);
   std::ostringstream text;
   text << file.rdbuf();
   return text.str();

@@ -23,6 +23,7 @@
 
 #include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/program.hpp"
+#include "properties/runner/child_process.hpp"
 #include "properties/runner/temporary_folder.hpp"
 
 namespace oplus {
@@ -112,7 +113,7 @@ class Shell : public testing::Test {
 
  private:
   Ran run_by_bash(const std::string& script) const {
-    const std::filesystem::path program = OPLUS_PROGRAM;
+    const std::filesystem::path program = program_beside("oplus");
     put("../script", "cd '" + (place_ / "folder").string() + "'\nPATH='" +
                          program.parent_path().string() + "':$PATH\n" + script + "\n");
     const std::string at = "'" + place_.string() + "/";

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "properties/runner/source_tree.hpp"
 #include "tests/checked/cli/shell.hpp"
 
 namespace oplus {
@@ -165,7 +166,7 @@ TEST_F(Sum, stats_are_lines_of_name_and_value) {
 }
 
 TEST_F(Sum, stats_show_the_published_arrangement_sizes) {
-  const std::string data = OPLUS_DATA_DIR;
+  const std::string data = data_folder();
   if (data.empty() || !std::filesystem::exists(data + "/fork_part1.dat"))
     GTEST_SKIP() << "the published data is not here";
   for (const auto& [name, edges] :

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "properties/runner/source_tree.hpp"
 #include "properties/statements/chapter5/boundary_contact.hpp"
 #include "properties/statements/laws/linear_map.hpp"
 #include "reference/definitions/collision.hpp"
@@ -32,7 +33,7 @@ struct Pair {
 };
 
 std::vector<Pair> pairs() {
-  std::ifstream file(OPLUS_SOURCE_DIR "/tests/corpus/named_placements.json");
+  std::ifstream file(source_root() / "tests/corpus/named_placements.json");
   std::vector<Pair> result;
   for (const nlohmann::json& pair : nlohmann::json::parse(file)) {
     const auto region = [&](const char* which) { return region_from(pair.at(which)).region; };

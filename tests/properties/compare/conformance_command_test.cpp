@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "properties/runner/child_process.hpp"
 #include "tests/checked/cli/shell.hpp"
 
 namespace oplus {
@@ -11,7 +12,7 @@ namespace {
 class ConformanceCommand : public Shell {
  protected:
   Ran conformance(const std::string& options) {
-    return run(std::string("'") + OPLUS_CHECK_PROGRAM + "' conformance " + options);
+    return run("'" + program_beside("oplus-check") + "' conformance " + options);
   }
 };
 

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "properties/runner/child_process.hpp"
 #include "tests/checked/cli/shell.hpp"
 
 namespace oplus {
@@ -17,7 +18,7 @@ class DiffCommand : public Shell {
   }
 
   Ran diff(const std::string& options) {
-    return run(std::string("'") + OPLUS_CHECK_PROGRAM + "' diff " + options);
+    return run("'" + program_beside("oplus-check") + "' diff " + options);
   }
 };
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "properties/compare/report_json.hpp"
+#include "properties/runner/child_process.hpp"
 #include "tests/checked/cli/shell.hpp"
 #include "tests/properties/compare/faulty_implementations.hpp"
 
@@ -24,7 +25,7 @@ TEST(MergedReport, is_that_of_one_run) {
 class Merge : public Shell {
  protected:
   Ran check(const std::string& options) {
-    return run(std::string("'") + OPLUS_CHECK_PROGRAM + "' " + options);
+    return run("'" + program_beside("oplus-check") + "' " + options);
   }
 
   /// Runs a command in three shards and in one, and merges.

@@ -7,6 +7,7 @@
 #include <regex>
 #include <sstream>
 
+#include "properties/runner/source_tree.hpp"
 #include "properties/runner/temporary_folder.hpp"
 #include "reference/io/invalid_input.hpp"
 
@@ -150,7 +151,7 @@ TEST(Records, ThatAreMissingAreBadInput) {
 
 /// Each node and each arrow of graph.dot is drawn, and nothing else.
 TEST(GraphOfStatements, IsDrawnAsItIs) {
-  const fs::path theorems = fs::path(OPLUS_SOURCE_DIR) / "docs/theorems";
+  const fs::path theorems = source_root() / "docs/theorems";
   const std::string dot = text_of(theorems / "graph.dot"), svg = text_of(theorems / "graph.svg");
   std::istringstream lines(dot);
   std::size_t nodes = 0, arrows = 0;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <array>
+#include <filesystem>
 
 #include <fstream>
 #include <iterator>
@@ -133,7 +134,7 @@ TEST(OwnPeak, is_at_least_what_it_has) {
 }
 
 TEST(ProgramBeside, is_in_the_same_folder) {
-  EXPECT_EQ(program_beside("oplus-check"), OPLUS_CHECK_PROGRAM);
+  EXPECT_TRUE(std::filesystem::is_regular_file(program_beside("oplus-check")));
   EXPECT_EQ(program_beside("").find_last_of('/'), program_beside("oplus-peer").find_last_of('/'));
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "properties/runner/properties_command.hpp"
+#include "properties/runner/child_process.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -34,8 +35,9 @@ Statement triangles_only() {
 class PropertiesCommand : public testing::Test {
  protected:
   /// Runs the program; returns its exit code and what it wrote to both streams.
-  std::pair<int, std::string> oplus_check(const std::string& arguments,
-                                          const std::string& program = OPLUS_CHECK_PROGRAM) const {
+  std::pair<int, std::string> oplus_check(
+      const std::string& arguments,
+      const std::string& program = program_beside("oplus-check")) const {
     const std::filesystem::path log = folder_ / "log";
     const std::string command = program + " " + arguments + " >" + log.string() + " 2>&1";
     const int status = std::system(command.c_str());
@@ -242,7 +244,8 @@ TEST_F(PropertiesCommand, ProgramListsStatements) {
     EXPECT_NE(text.find(s.id), std::string::npos) << text;
     EXPECT_NE(text.find(relative_file(s)), std::string::npos) << text;
   }
-  const auto [check_code, checked] = oplus_check("theorems --check", OPLUS_MAINTAIN_PROGRAM);
+  const auto [check_code, checked] =
+      oplus_check("theorems --check", program_beside("oplus-maintain"));
   EXPECT_EQ(check_code, 0) << checked;
   const auto [entry_code, entry] = oplus_check("theorems theorem-2.3.2");
   EXPECT_EQ(entry_code, 0);
@@ -251,7 +254,7 @@ TEST_F(PropertiesCommand, ProgramListsStatements) {
 
 #ifndef OPLUS_MUTANTS
 TEST_F(PropertiesCommand, ProgramSaysWhichBuildHasMutants) {
-  const auto [code, text] = oplus_check("mutants", OPLUS_MAINTAIN_PROGRAM);
+  const auto [code, text] = oplus_check("mutants", program_beside("oplus-maintain"));
   EXPECT_EQ(code, 2);
   EXPECT_NE(text.find("preset check"), std::string::npos) << text;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include "properties/runner/source_tree.hpp"
 #include "properties/runner/temporary_folder.hpp"
 
 namespace oplus {

@@ -2,6 +2,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "properties/runner/source_tree.hpp"
 #include "tests/reference/io/from_text.hpp"
 
 namespace oplus {
@@ -10,7 +11,7 @@ namespace {
 /// tests/corpus/refused_inputs.json: texts that are no region or no sum, and the whole line that must
 /// say where and why.
 TEST(RefusedInputs, are_refused_in_the_line_that_is_recorded) {
-  std::ifstream file(OPLUS_SOURCE_DIR "/tests/corpus/refused_inputs.json");
+  std::ifstream file(source_root() / "tests/corpus/refused_inputs.json");
   const nlohmann::json all = nlohmann::json::parse(file);
   EXPECT_GE(all.size(), 122U);
   for (const nlohmann::json& input : all) {

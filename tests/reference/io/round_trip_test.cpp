@@ -5,6 +5,7 @@
 #include <sstream>
 #include <string>
 
+#include "properties/runner/source_tree.hpp"
 #include "reference/io/writing.hpp"
 #include "tests/reference/io/from_text.hpp"
 
@@ -90,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(
 class PublishedFile : public testing::TestWithParam<std::string> {};
 
 TEST_P(PublishedFile, is_valid_and_round_trips) {
-  const std::filesystem::path path = std::filesystem::path(OPLUS_DATA_DIR) / GetParam();
+  const std::filesystem::path path = data_folder() / GetParam();
   if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is absent";
   const ReadRegion published = read_region_file(path);
   EXPECT_FALSE(published.region.components.empty());

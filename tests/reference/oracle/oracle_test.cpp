@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/oracle/oracle.hpp"
+#include "properties/runner/source_tree.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +17,7 @@
 namespace oplus {
 namespace {
 
-const std::string data_dir = OPLUS_DATA_DIR;
+const std::string data_dir = data_folder();
 
 #define NEEDS_PUBLISHED_DATA() \
   if (!std::filesystem::exists(data_dir)) GTEST_SKIP() << data_dir << " is not there"

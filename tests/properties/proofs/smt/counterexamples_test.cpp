@@ -7,6 +7,7 @@
 
 #include "properties/proofs/smt/report.hpp"
 #include "properties/runner/registry.hpp"
+#include "properties/runner/source_tree.hpp"
 
 namespace oplus::smt {
 namespace {
