@@ -15,6 +15,7 @@
 #include "tests/bench/experiment.hpp"
 #include "tests/bench/measuring.hpp"
 #include "tests/bench/page.hpp"
+#include "tests/bench/published_pairs.hpp"
 #include "tests/bench/rows.hpp"
 
 namespace oplus {
@@ -26,7 +27,7 @@ constexpr int exit_wrong = 1;
 struct Options {
   std::string rows = ".*";
   std::vector<std::string> engines;
-  MeasuringLimits limits{60, 0};
+  ProcessLimits limits{.seconds = 60};
   double min_time = 0.5;
   bool list = false;
   bool engines_at_fault = false;
@@ -57,18 +58,16 @@ std::vector<std::string> chosen_engines(const Options& options) {
   return options.engines;
 }
 
-std::vector<Row> chosen_rows(const Options& options) {
-  std::regex pattern;
+Rows chosen_rows(const Options& options) {
   try {
-    pattern = options.rows;
+    const std::regex pattern(options.rows);
+    Rows chosen = rows_where(benchmark_rows(),
+                             [&](const Row& row) { return std::regex_match(row.name, pattern); });
+    if (chosen.empty()) throw UsageError("no row matches " + options.rows);
+    return chosen;
   } catch (const std::regex_error& e) {
     throw UsageError("--rows: " + std::string(e.what()));
   }
-  std::vector<Row> chosen;
-  std::copy_if(benchmark_rows().begin(), benchmark_rows().end(), std::back_inserter(chosen),
-               [&](const Row& row) { return std::regex_match(row.name, pattern); });
-  if (chosen.empty()) throw UsageError("no row matches " + options.rows);
-  return chosen;
 }
 
 void list(const Options& options) {
@@ -92,7 +91,8 @@ Report read_report(const std::string& path) {
 
 Report measured_report(const Options& options, const std::string& command) {
   Report report{this_setting(command, options.limits.seconds), {}};
-  report.setting.missing = missing_published_pairs();
+  for (const PublishedPair& pair : published_pairs())
+    if (!pair.what.empty() && !pair.is_there()) report.setting.missing.push_back(pair.name);
   const std::vector<std::string> of_run = chosen_engines(options);
   for (Row& row : chosen_rows(options)) {
     if (std::find_first_of(row.engines.begin(), row.engines.end(), of_run.begin(), of_run.end()) ==

@@ -10,7 +10,6 @@
 #include <regex>
 
 #include "properties/compare/peers/method.hpp"
-#include "properties/runner/child_process.hpp"
 #include "tests/bench/numbers.hpp"
 #include "tests/bench/table.hpp"
 
@@ -136,7 +135,7 @@ void write_agreement(std::ostream& out, const Row& row) {
 }  // namespace
 
 Measurement measured(const BenchEngine& engine, const Row& row, double min_time,
-                     const MeasuringLimits& limits) {
+                     const ProcessLimits& limits) {
   const auto work = [&](const std::function<void()>& beat) {
     if (!row.make) throw NotTaken("missing");
     const std::vector<Summands> made = row.make();
@@ -148,7 +147,9 @@ Measurement measured(const BenchEngine& engine, const Row& row, double min_time,
       measurement.numbers["m"] = static_cast<double>(vertex_count(made[0].p));
       measurement.numbers["n"] = static_cast<double>(vertex_count(made[0].q));
     }
-    pairs->describe(measurement);
+    Description description;
+    pairs->describe(description);
+    description.write_to(measurement);
     return measurement;
   };
   Measurement measurement = measured_in_own_process(work, limits);
@@ -157,7 +158,7 @@ Measurement measured(const BenchEngine& engine, const Row& row, double min_time,
 }
 
 void measure(Row& row, const std::vector<std::string>& engines, double min_time,
-             const MeasuringLimits& limits, std::ostream& out) {
+             const ProcessLimits& limits, std::ostream& out) {
   out << row.name << ": " << row.what << std::endl;
   for (const std::string& name : engines) {
     if (std::find(row.engines.begin(), row.engines.end(), name) == row.engines.end()) continue;
