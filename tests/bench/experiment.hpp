@@ -53,9 +53,10 @@ std::vector<Experiment> sum_experiments();
 Experiment hole_test_experiment();
 Experiment cycle_experiment();
 
-/// Adds the command `experiments`: chapter 6 of the thesis measured again. Sets the exit code when run:
-/// 0 all is written, 1 engines disagree or a measurement died, 4 all but the plots is written, as
-/// gnuplot is missing or fails. Throws UsageError; std::system_error where a file cannot be written.
-void add_experiments_command(CLI::App& app, int& exit_code);
+/// Adds the command `experiments`: chapter 6 of the thesis measured again. Returns what runs it, whose
+/// exit code is 0 where all is written, 1 where engines disagree or a measurement died, 4 where all but
+/// the plots is written, as gnuplot is missing or fails. That throws UsageError; std::system_error where
+/// a file cannot be written.
+std::function<int()> add_experiments_command(CLI::App& app);
 
 }  // namespace oplus

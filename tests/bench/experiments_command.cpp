@@ -150,7 +150,7 @@ int run_all(const ExperimentSettings& settings) {
 
 }  // namespace
 
-void add_experiments_command(CLI::App& app, int& exit_code) {
+std::function<int()> add_experiments_command(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("experiments", "Measure chapter 6 of the thesis again: tables and plots");
   const auto settings = std::make_shared<ExperimentSettings>();
@@ -189,7 +189,7 @@ void add_experiments_command(CLI::App& app, int& exit_code) {
                   "  1  engines disagree or a measurement died\n"
                   "  2  a request that makes no sense or a file that cannot be written\n"
                   "  4  tables are written but gnuplot is missing or fails");
-  command->callback([settings, &exit_code] { exit_code = run_all(*settings); });
+  return [settings] { return run_all(*settings); };
 }
 
 }  // namespace oplus

@@ -141,7 +141,6 @@ std::string command_of(int argc, char** argv) {
 
 std::function<int()> add_options(CLI::App& app, const std::string& command) {
   const auto options = std::make_shared<Options>();
-  const auto exit_code = std::make_shared<int>(0);
   app.require_subcommand(0, 1);
   app.add_option("--rows", options->rows, "Only the rows whose whole name matches")
       ->type_name("REGEX");
@@ -165,8 +164,10 @@ std::function<int()> add_options(CLI::App& app, const std::string& command) {
   app.add_flag("--engines-at-fault", options->engines_at_fault,
                "Also offers engines that crash, hang and are wrong: a test of the benchmark")
       ->group("");
-  add_experiments_command(app, *exit_code);
-  return [=, &app] { return app.get_subcommands().empty() ? run(*options, command) : *exit_code; };
+  const std::function<int()> run_experiments = add_experiments_command(app);
+  return [=, &app] {
+    return app.get_subcommands().empty() ? run(*options, command) : run_experiments();
+  };
 }
 
 const ProgramFrame frame{
