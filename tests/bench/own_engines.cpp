@@ -2,8 +2,8 @@
 #include <unistd.h>
 
 #include <cstdlib>
-#include <stdexcept>
 
+#include "checked/arrangement/rca.hpp"
 #include "checked/engines.hpp"
 #include "tests/bench/engine.hpp"
 
@@ -28,18 +28,18 @@ const std::map<std::string, std::string, std::less<>> short_names{
     {"seconds for the canonical form", "output"},
 };
 
+using Computing = decltype(Engine::compute);
+
 struct OwnSums {
   using Input = Summands;
   using Sum = ComputedSum;
 
-  Engine engine;
+  Computing compute;
   Boundary boundary;
   EngineOptions options;
 
   const Summands& converted(const Summands& pair) const { return pair; }
-  ComputedSum sum(const Summands& pair) const {
-    return engine.compute(pair.p, pair.q, boundary, options);
-  }
+  ComputedSum sum(const Summands& pair) const { return compute(pair.p, pair.q, boundary, options); }
 
   /// `time` is that of all stages but the output, as in the thesis.
   void add_stages(const Summands&, const ComputedSum& computed,
@@ -66,51 +66,46 @@ struct OwnSums {
   }
 };
 
-BenchEngine bench_engine(const std::string& name, const std::string& what, const Engine& engine,
+BenchEngine bench_engine(const std::string& name, const std::string& what, const Computing& compute,
                          unsigned threads = 1) {
   return {.name = name, .what = what, .prepare = each_pair([=](const Row& row) {
-                                        return OwnSums{engine, row.boundary, {.threads = threads}};
+                                        return OwnSums{compute, row.boundary, {.threads = threads}};
                                       })};
 }
 
-const Engine& engine_named(const std::string& name) {
-  const Engine* engine = find_engine(engines(), name);
-  if (engine == nullptr) throw std::logic_error("no engine is called " + name);
-  return *engine;
+BenchEngine at_fault(const std::string& name, const std::string& what, const Computing& compute) {
+  BenchEngine engine = bench_engine(name, what, compute);
+  engine.is_ours = false;
+  engine.is_at_fault = true;
+  return engine;
 }
 
 }  // namespace
 
 std::vector<BenchEngine> own_engines() {
-  const auto own = [](const std::string& name) {
-    const Engine& engine = engine_named(name);
-    return bench_engine(name, "oplus: " + engine.what, engine);
-  };
-  return {own("slide"),
-          bench_engine("slide2", "oplus: slide on two threads", engine_named("slide"), 2),
-          own("rca"), own("winding")};
+  std::vector<BenchEngine> own;
+  for (const Engine& engine : engines()) {
+    if (engine.name == "loops") continue;  // rca's arrangement again, with more to do on it
+    own.push_back(bench_engine(engine.name, "oplus: " + engine.what, engine.compute));
+    if (engine.has_threads)
+      own.push_back(bench_engine(engine.name + '2', "oplus: " + engine.name + " on two threads",
+                                 engine.compute, 2));
+  }
+  return own;
 }
 
 std::vector<BenchEngine> engines_at_fault() {
-  const auto at_fault = [](const std::string& name, const std::string& what, auto compute) {
-    BenchEngine engine = bench_engine(name, what, {.name = name, .compute = compute});
-    engine.is_ours = false;
-    engine.is_at_fault = true;
-    return engine;
-  };
-  const auto crash = [](const Region&, const Region&, Boundary,
-                        const EngineOptions&) -> ComputedSum { std::abort(); };
-  const auto hang = [](const Region&, const Region&, Boundary,
-                       const EngineOptions&) -> ComputedSum {
-    while (true) ::pause();
-  };
   const auto wrong = [](const Region& p, const Region& q, Boundary boundary,
                         const EngineOptions& options) {
-    ComputedSum computed = engine_named("rca").compute(p, q, boundary, options);
+    ComputedSum computed = rca(p, q, boundary, options);
     computed.sum.outer.at(0).at(0).x -= 1;
     return computed;
   };
-  return {at_fault("crash", "aborts", crash), at_fault("hang", "never ends", hang),
+  return {at_fault("crash", "aborts", [](auto&&...) -> ComputedSum { std::abort(); }),
+          at_fault("hang", "never ends",
+                   [](auto&&...) -> ComputedSum {
+                     while (true) ::pause();
+                   }),
           at_fault("wrong", "moves a vertex of the sum", wrong)};
 }
 
