@@ -69,11 +69,13 @@ PageData run(const Experiment& experiment, const ExperimentSettings& settings,
   std::vector<std::string> drawn;
   for (const Plot& plot : experiment.plots) {
     if (!is_drawn(plot, rows)) continue;
-    write(plot.name + ".gp",
-          rendered(plot.name + ".gp.mustache",
-                   object{{"name", plot.name},
-                          {"rca_curve", curve(experiment, rows, "rca.time")},
-                          {"winding_curve", curve(experiment, rows, "winding.time")}}));
+    const PageData script = object{{"name", plot.name},
+                                   {"experiment", experiment.name},
+                                   {"needs", plot.needs},
+                                   {"family", plot.family},
+                                   {"rca_curve", curve(experiment, rows, "rca.time")},
+                                   {"winding_curve", curve(experiment, rows, "winding.time")}};
+    write(plot.name + ".gp", rendered(plot.name + ".gp.mustache", script));
     drawn.push_back(plot.name);
   }
   plots.insert(plots.end(), drawn.begin(), drawn.end());
