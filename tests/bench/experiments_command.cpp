@@ -135,8 +135,7 @@ int run_all(const ExperimentSettings& settings) {
   std::vector<std::string> plots;
   bool is_wrong = false;
   for (const Experiment& experiment : experiments()) {
-    if (!only.empty() && std::find(only.begin(), only.end(), experiment.name) == only.end())
-      continue;
+    if (!only.empty() && std::ranges::find(only, experiment.name) == only.end()) continue;
     std::vector<std::string> wrong;
     entries.push_back(run(experiment, settings, wrong, plots));
     for (const std::string& line : wrong) say_error(line);

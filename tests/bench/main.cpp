@@ -53,7 +53,7 @@ std::vector<std::string> chosen_engines(const Options& options) {
     if (!engine.is_at_fault || !options.engines.empty()) offered.push_back(engine.name);
   if (options.engines.empty()) return offered;
   for (const std::string& name : options.engines)
-    if (std::find(offered.begin(), offered.end(), name) == offered.end())
+    if (std::ranges::find(offered, name) == offered.end())
       throw UsageError("no engine is called " + name);
   return options.engines;
 }
@@ -95,9 +95,7 @@ Report measured_report(const Options& options, const std::string& command) {
     if (!pair.what.empty() && !pair.is_there()) report.setting.missing.push_back(pair.name);
   const std::vector<std::string> of_run = chosen_engines(options);
   for (Row& row : chosen_rows(options)) {
-    if (std::find_first_of(row.engines.begin(), row.engines.end(), of_run.begin(), of_run.end()) ==
-        row.engines.end())
-      continue;
+    if (std::ranges::find_first_of(row.engines, of_run) == row.engines.end()) continue;
     measure(row, of_run, options.min_time, options.limits, std::cout);
     report.rows.push_back(std::move(row));
     // What has been measured is not lost where the run is ended.

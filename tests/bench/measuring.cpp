@@ -31,9 +31,8 @@ class Repetitions : public benchmark::BenchmarkReporter {
   /// The one whose time is in the middle. Requires: there is one.
   const Run& middle() {
     const auto middle = runs_.begin() + static_cast<std::ptrdiff_t>(runs_.size() / 2);
-    std::nth_element(runs_.begin(), middle, runs_.end(), [](const Run& a, const Run& b) {
-      return a.counters.at("seconds").value < b.counters.at("seconds").value;
-    });
+    std::ranges::nth_element(runs_, middle, {},
+                             [](const Run& run) { return run.counters.at("seconds").value; });
     return *middle;
   }
 
@@ -145,7 +144,7 @@ void measure(Row& row, const std::vector<std::string>& engines, double min_time,
              const ProcessLimits& limits, std::ostream& out) {
   out << row.name << ": " << row.what << std::endl;
   for (const std::string& name : engines) {
-    if (std::find(row.engines.begin(), row.engines.end(), name) == row.engines.end()) continue;
+    if (std::ranges::find(row.engines, name) == row.engines.end()) continue;
     row.measurements.push_back(
         measured(*find_bench_engine(row.subject, name), row, min_time, limits));
     write_line(out, row, row.measurements.back());

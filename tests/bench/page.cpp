@@ -17,9 +17,8 @@ using Names = std::vector<std::string>;
 Names sum_engines(const Rows& rows) {
   Names names;
   for (const BenchEngine& engine : bench_engines())
-    if (engine.name != "slide2" && std::any_of(rows.begin(), rows.end(), [&](const Row& row) {
-          return row.of(engine.name) != nullptr;
-        }))
+    if (engine.name != "slide2" &&
+        std::ranges::any_of(rows, [&](const Row& row) { return row.of(engine.name); }))
       names.push_back(engine.name);
   return names;
 }
@@ -79,8 +78,7 @@ Table throughput(const Rows& rows) {
 /// Those on which these engines got to the end.
 Rows where_done(const Rows& rows, const Names& engines) {
   return rows_where(rows, [&](const Row& row) {
-    return std::all_of(engines.begin(), engines.end(),
-                       [&](const std::string& name) { return row.done(name) != nullptr; });
+    return std::ranges::all_of(engines, [&](const std::string& name) { return row.done(name); });
   });
 }
 

@@ -30,8 +30,7 @@ std::string in_words(const Measurement& m) {
 }
 
 const Measurement* Row::of(const std::string& engine) const {
-  const auto found = std::find_if(measurements.begin(), measurements.end(),
-                                  [&](const Measurement& m) { return m.engine == engine; });
+  const auto found = std::ranges::find(measurements, engine, &Measurement::engine);
   return found == measurements.end() ? nullptr : &*found;
 }
 
