@@ -3,8 +3,6 @@
 #include <algorithm>
 
 #include "checked/cycles/convolution_cycles.hpp"
-#include "reference/io/writing.hpp"
-#include "tests/bench/described_sums.hpp"
 #include "tests/bench/engine.hpp"
 
 namespace oplus {
@@ -35,50 +33,34 @@ std::vector<Segment> segments_of(const Summands& pair, const std::vector<TracedO
 }
 
 template <typename Found>
-class Convolutions : public PreparedPairs {
- public:
-  Convolutions(const std::vector<Summands>& pairs, Found (*find)(const Region&, const Region&))
-      : pairs_(pairs), find_(find) {}
+struct Convolution {
+  using Input = Summands;
+  using Sum = Found;
 
-  void compute() override {
-    for (const Summands& pair : pairs_) found_.push_back(find_(pair.p, pair.q));
-  }
+  Found (*find)(const Region&, const Region&);
 
-  void forget() override { found_.clear(); }
+  const Summands& converted(const Summands& pair) const { return pair; }
+  Found sum(const Summands& pair) const { return find(pair.p, pair.q); }
 
-  void describe(Measurement& measurement) const override {
-    std::string said;
-    std::map<std::string, double>& numbers = measurement.numbers;
-    for (std::size_t i = 0; i < found_.size(); ++i) {
-      std::vector<Segment> segments = segments_of(pairs_[i], found_[i]);
-      numbers["segments"] += static_cast<double>(segments.size());
-      if constexpr (requires { found_[i].steps; }) {
-        numbers["steps"] += static_cast<double>(found_[i].steps);
-        numbers["cycles"] += static_cast<double>(found_[i].cycles.size());
-      }
-      std::sort(segments.begin(), segments.end());
-      for (const Segment& s : segments) said += to_string(s.source) + to_string(s.target);
+  void describe(const Summands& pair, const Found& found, Description& description) const {
+    std::vector<Segment> segments = segments_of(pair, found);
+    description.count("segments", segments.size());
+    if constexpr (requires { found.steps; }) {
+      description.count("steps", found.steps);
+      description.count("cycles", found.cycles.size());
     }
-    measurement.digest = digest_of(said);
+    std::sort(segments.begin(), segments.end());
+    description.say(segments);
   }
-
- private:
-  std::vector<Summands> pairs_;
-  Found (*find_)(const Region&, const Region&);
-  std::vector<Found> found_;
 };
 
 template <typename Found>
 BenchEngine engine_of(const std::string& name, const std::string& what,
                       Found (*find)(const Region&, const Region&)) {
-  return {name,
-          what,
-          Subject::convolution,
-          false,
-          true,
-          [find](const Row&, const std::vector<Summands>& pairs) {
-            return std::make_unique<Convolutions<Found>>(pairs, find);
-          }};
+  return {.name = name,
+          .what = what,
+          .prepare = each_pair([find](const Row&) { return Convolution<Found>{find}; }),
+          .subject = Subject::convolution};
 }
 
 }  // namespace

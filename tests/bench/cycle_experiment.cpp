@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "reference/families/fork.hpp"
-#include "reference/families/polygons.hpp"
+#include "reference/families/pairs.hpp"
 #include "tests/bench/experiment.hpp"
 #include "tests/bench/families.hpp"
 #include "tests/bench/numbers.hpp"
@@ -14,31 +14,20 @@ namespace {
 /// Pairs in which both grow, but the L, and the convolution from n + m to a part of nm.
 struct PairFamily {
   std::string name;
-  std::size_t smallest;
-  std::size_t largest;
+  SizeRange range;
   Summands (*make)(Random& random, std::size_t size);
 };
 
-template <Region (*polygon)(Random&, std::size_t)>
-Summands two(Random& random, std::size_t size) {
-  Region p = polygon(random, size);
-  return {std::move(p), polygon(random, size)};
-}
-
-const std::vector<PairFamily>& pair_families() {
-  static const std::vector<PairFamily> families = {
-      {"convex", 25, 1600, two<convex_polygon>},
-      {"simple", 25, 400, two<simple_polygon>},
-      {"star", 25, 400, two<star_polygon>},
-      {"fork", 5, 160, [](Random&, std::size_t teeth) { return fork_and_l(teeth); }},
-  };
-  return families;
-}
-
 std::vector<Row> rows(const ExperimentSettings& settings) {
+  const std::vector<PairFamily> families = {
+      {"convex", {25, 1600}, convex_pair},
+      {"simple", {25, 400}, simple_pair},
+      {"star", {25, 400}, star_pair},
+      {"fork", {5, 160}, [](Random&, std::size_t teeth) { return fork_and_l(teeth); }},
+  };
   std::vector<Row> all;
-  for (const PairFamily& family : pair_families()) {
-    for (const std::size_t size : doubling_sizes(family.smallest, family.largest, settings.scale)) {
+  for (const PairFamily& family : families) {
+    for (const std::size_t size : sizes(family.range, settings.scale)) {
       Row row = random_row("cycles " + family.name, settings.seed, size, family.make);
       row.words["family"] = family.name;
       row.subject = Subject::convolution;
@@ -75,14 +64,15 @@ std::vector<std::string> summary(const Rows& rows) {
 }  // namespace
 
 Experiment cycle_experiment() {
-  return {"cycles",
-          "Tracing cycles beside every edge against every vertex (Theorem 4.1.10)",
-          rows,
-          compare,
-          {"family", "size", "m", "n", "segments", "cycles", "steps", "pairs", "steps_by_bound",
-           "pairs_by_steps", "factor", "no_points_factor", "same_segments"},
-          summary,
-          {{"cycles-factor", "factor", ""}, {"cycles-steps", "pairs_by_steps", ""}}};
+  return {.name = "cycles",
+          .what = "Tracing cycles beside every edge against every vertex (Theorem 4.1.10)",
+          .rows = rows,
+          .compare = compare,
+          .first_columns = {"family", "size", "m", "n", "segments", "cycles", "steps", "pairs",
+                            "steps_by_bound", "pairs_by_steps", "factor", "no_points_factor",
+                            "same_segments"},
+          .summary = summary,
+          .plots = {{"cycles-factor", "factor"}, {"cycles-steps", "pairs_by_steps"}}};
 }
 
 }  // namespace oplus

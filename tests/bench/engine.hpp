@@ -5,8 +5,10 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "tests/bench/description.hpp"
 #include "tests/bench/row.hpp"
 
 namespace oplus {
@@ -24,28 +26,80 @@ class PreparedPairs {
   virtual void forget() = 0;
 
   /// Evaluates coordinates that compute() left unevaluated; returns false where there are none.
-  virtual bool evaluate() { return false; }
+  virtual bool evaluate() = 0;
 
   /// Adds how long the stages of the last compute() took, by name.
-  virtual void add_stages(std::map<std::string, double>& seconds) const {
-    static_cast<void>(seconds);
+  virtual void add_stages(std::map<std::string, double>& seconds) const = 0;
+
+  /// Says what compute() kept.
+  virtual void describe(Description& description) const = 0;
+};
+
+/// Pairs that a method computes one after another. Of what makes a method (method.hpp) it has Input,
+/// Sum, its result whatever that is, converted() and sum(); evaluate(), where that does something; and
+///   void describe(const Input& input, const Sum& sum, Description& description) const;
+///   and, if it knows, void add_stages(const Input&, const Sum&, std::map<…>& seconds) const;
+template <typename Method>
+class EachPair : public PreparedPairs {
+ public:
+  EachPair(Method method, const std::vector<Summands>& pairs) : method_(std::move(method)) {
+    for (const Summands& pair : pairs) inputs_.push_back(method_.converted(pair));
+    sums_.reserve(pairs.size());
   }
 
-  /// Says what compute() kept. The measurement has its times already.
-  virtual void describe(Measurement& measurement) const = 0;
+  void compute() override {
+    for (const Input& input : inputs_) sums_.push_back(method_.sum(input));
+  }
+
+  void forget() override { sums_.clear(); }
+
+  bool evaluate() override {
+    constexpr bool is_lazy = requires(const Sum& sum) { Method::evaluate(sum); };
+    if constexpr (is_lazy)
+      for (const Sum& sum : sums_) Method::evaluate(sum);
+    return is_lazy;
+  }
+
+  void add_stages(std::map<std::string, double>& seconds) const override {
+    if constexpr (requires { method_.add_stages(inputs_[0], sums_[0], seconds); })
+      for (std::size_t i = 0; i < sums_.size(); ++i)
+        method_.add_stages(inputs_[i], sums_[i], seconds);
+  }
+
+  void describe(Description& description) const override {
+    for (std::size_t i = 0; i < sums_.size(); ++i)
+      method_.describe(inputs_[i], sums_[i], description);
+  }
+
+ private:
+  using Input = typename Method::Input;
+  using Sum = typename Method::Sum;
+
+  Method method_;
+  std::vector<Input> inputs_;
+  std::vector<Sum> sums_;
 };
+
+/// Throws NotTaken.
+using Preparing = std::function<std::unique_ptr<PreparedPairs>(const Row& row,
+                                                               const std::vector<Summands>& pairs)>;
+
+/// `method_for` returns the method for a row.
+template <typename MethodFor>
+Preparing each_pair(MethodFor method_for) {
+  return [=](const Row& row, const std::vector<Summands>& pairs) {
+    return std::make_unique<EachPair<decltype(method_for(row))>>(method_for(row), pairs);
+  };
+}
 
 /// What can be measured on rows of one subject.
 struct BenchEngine {
   std::string name;
   std::string what;
-  Subject subject;
-  bool rounds;
-  bool is_ours;
-
-  /// Throws NotTaken.
-  std::function<std::unique_ptr<PreparedPairs>(const Row& row, const std::vector<Summands>& pairs)>
-      prepare;
+  Preparing prepare;
+  Subject subject = Subject::sums;
+  bool rounds = false;
+  bool is_ours = true;
   bool is_at_fault = false;  ///< on purpose
 };
 

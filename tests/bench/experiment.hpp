@@ -19,28 +19,30 @@ struct ExperimentSettings {
   std::uint64_t seed = 1;
   double scale = 1;                    ///< of the largest size of each family
   std::size_t memory_limit_mb = 8000;  ///< of one measurement; 0: none
+  std::vector<std::string> only = {};  ///< experiments; empty: all
+  std::string out = "oplus-experiments";
 };
 
 /// A picture that gnuplot draws of an experiment's CSV: its script is pages/NAME.gp.mustache.
 struct Plot {
   std::string name;
-  std::string needs;   ///< it is drawn if a row has this number
-  std::string family;  ///< and is of this `family`; empty: any
+  std::string needs;        ///< it is drawn if a row has this number
+  std::string family = "";  ///< and is of this `family`; empty: any
 };
 
 /// One of the experiments of chapter 6; its page is pages/NAME.md.mustache.
 struct Experiment {
   std::string name;
   std::string what;  ///< a line
-  std::function<std::vector<Row>(const ExperimentSettings& settings)> rows;
-  void (*compare)(Row& row);                              ///< adds what compares engines
-  std::vector<std::string> first_columns;                 ///< of its CSV
-  std::vector<std::string> (*summary)(const Rows& rows);  ///< the index's lines about it
-  std::vector<Plot> plots;
+  std::function<std::vector<Row>(const ExperimentSettings& settings)> rows = {};
+  void (*compare)(Row& row) = nullptr;                              ///< adds what compares engines
+  std::vector<std::string> first_columns = {};                      ///< of its CSV
+  std::vector<std::string> (*summary)(const Rows& rows) = nullptr;  ///< the index's lines about it
+  std::vector<Plot> plots = {};
 
-  /// The curve that plots show through the times of rca and winding, if any.
-  Fitting* fitting = nullptr;
-  std::string fitted_over = "";  ///< what is its x
+  /// The curve that plots show through the times of rca and winding: a line (1), a parabola (2).
+  std::size_t fitted_degree = 0;
+  std::string fitted_over = "";  ///< what is its x; empty: there is no curve
 };
 
 /// All experiments, in the order of the thesis.
@@ -51,9 +53,10 @@ std::vector<Experiment> sum_experiments();
 Experiment hole_test_experiment();
 Experiment cycle_experiment();
 
-/// Adds the command `experiments`: chapter 6 of the thesis measured again. Sets the exit code when run:
-/// 0 all is written, 1 engines disagree or a measurement died, 4 all but the plots is written, as
-/// gnuplot is missing or fails. Throws UsageError; std::system_error where a file cannot be written.
-void add_experiments_command(CLI::App& app, int& exit_code);
+/// Adds the command `experiments`: chapter 6 of the thesis measured again. Returns what runs it, whose
+/// exit code is 0 where all is written, 1 where engines disagree or a measurement died, 4 where all but
+/// the plots is written, as gnuplot is missing or fails. That throws UsageError; std::system_error where
+/// a file cannot be written.
+std::function<int()> add_experiments_command(CLI::App& app);
 
 }  // namespace oplus

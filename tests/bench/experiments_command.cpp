@@ -2,14 +2,19 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 
 #include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/usage_error.hpp"
-#include "tests/bench/experiment_files.hpp"
+#include "reference/io/writing.hpp"
+#include "tests/bench/experiment.hpp"
 #include "tests/bench/measuring.hpp"
+#include "tests/bench/numbers.hpp"
+#include "tests/bench/report.hpp"
+#include "tests/bench/templates.hpp"
 
 namespace oplus {
 
@@ -25,106 +30,156 @@ const std::vector<Experiment>& experiments() {
 
 namespace {
 
+using kainjow::mustache::object;
+
 constexpr int exit_wrong = 1;
 constexpr int exit_no_plots = 4;
 
-struct Settings {
-  ExperimentSettings of_each;
-  std::vector<std::string> only;
-  std::string out = "oplus-experiments";
-};
-
-std::vector<std::string> names() {
-  std::vector<std::string> result;
-  for (const Experiment& experiment : experiments()) result.push_back(experiment.name);
-  return result;
+bool is_drawn(const Plot& plot, const Rows& rows) {
+  return std::any_of(rows.begin(), rows.end(), [&](const Row& row) {
+    return row.number(plot.needs) && (plot.family.empty() || row.words.at("family") == plot.family);
+  });
 }
 
-/// Draws all plots; says what is missing in one line. Returns whether all are drawn.
-bool draw_all(const std::filesystem::path& folder, const std::vector<std::string>& plots) {
+/// As gnuplot reads it; NaN draws nothing.
+std::string curve(const Experiment& experiment, const Rows& rows, const std::string& y) {
+  if (experiment.fitted_over.empty()) return "NaN";
+  const std::optional<Fit> fit =
+      fitted_curve(experiment.fitted_degree, points(rows, experiment.fitted_over, y));
+  return fit ? formula(*fit) : "NaN";
+}
+
+/// Measures and compares the rows of an experiment; writes NAME.csv, NAME.md and NAME.gp of each plot
+/// that can be drawn. Returns what the index says of it; says what is `wrong`; appends the plots' names.
+PageData run(const Experiment& experiment, const ExperimentSettings& settings,
+             std::vector<std::string>& wrong, std::vector<std::string>& plots) {
+  Rows rows = experiment.rows(settings);
+  for (Row& row : rows) {
+    measure(row, row.engines, 0, {.address_space_mb = settings.memory_limit_mb}, std::cout);
+    const std::vector<std::string> faults = faults_of(row);
+    wrong.insert(wrong.end(), faults.begin(), faults.end());
+    experiment.compare(row);
+  }
+  const auto write = [&](const std::string& name, const std::string& text) {
+    write_file((std::filesystem::path(settings.out) / name).string(), text);
+  };
+  write(experiment.name + ".csv", to_csv(rows, experiment.first_columns));
+  write(experiment.name + ".md",
+        rendered(experiment.name + ".md.mustache", object{{"table", table_section(rows)}}));
+  std::vector<std::string> drawn;
+  for (const Plot& plot : experiment.plots) {
+    if (!is_drawn(plot, rows)) continue;
+    const PageData script = object{{"name", plot.name},
+                                   {"experiment", experiment.name},
+                                   {"needs", plot.needs},
+                                   {"family", plot.family},
+                                   {"rca_curve", curve(experiment, rows, "rca.time")},
+                                   {"winding_curve", curve(experiment, rows, "winding.time")}};
+    write(plot.name + ".gp", rendered(plot.name + ".gp.mustache", script));
+    drawn.push_back(plot.name);
+  }
+  plots.insert(plots.end(), drawn.begin(), drawn.end());
+  return object{{"name", experiment.name},
+                {"what", experiment.what},
+                {"summary", page_data(experiment.summary(rows))},
+                {"wrong", page_data(wrong)},
+                {"plots", page_data(drawn)}};
+}
+
+/// Of these experiments; also says on what machine, and what a process needs that measures nothing.
+std::string index_page(const ExperimentSettings& settings, const PageData& experiments) {
+  const Measurement nothing =
+      measured_in_own_process([](const auto&) { return Measurement{}; }, {});
+  double load[1] = {0};
+  const bool has_load = ::getloadavg(load, 1) == 1;
+  const Setting setting = this_setting("", 0);
+  return rendered("experiments.md.mustache",
+                  object{{"seed", std::to_string(settings.seed)},
+                         {"scale", three_digits(settings.scale)},
+                         {"commit", setting.commit},
+                         {"processor", setting.processor},
+                         {"cores", std::to_string(setting.cores)},
+                         {"load", has_load ? three_digits(load[0]) : "unknown"},
+                         {"peak_mb", three_digits(nothing.numbers.at("peak_mb"))},
+                         {"experiments", experiments}});
+}
+
+/// Runs gnuplot on each NAME.gp in its folder, which writes NAME.svg; says what is missing in one
+/// line. Returns whether all are drawn.
+bool draw_all(const std::string& folder, const std::vector<std::string>& plots) {
+  constexpr int exit_not_found = 127;
   std::string failed;
   for (const std::string& plot : plots) {
-    const Drawn drawn = draw(folder, plot);
-    if (drawn == Drawn::no_gnuplot) {
+    const std::string script =
+        "command -v gnuplot >/dev/null || exit 127; cd \"$1\" && exec gnuplot \"$2\"";
+    const EndedProcess ended =
+        run_program({"/bin/sh", "-c", script, "sh", folder, plot + ".gp"}, {});
+    if (ended.how == EndedProcess::How::exited && ended.code == 0) continue;
+    if (ended.code == exit_not_found) {
       say_error("gnuplot is missing (package gnuplot-nox), so " + std::to_string(plots.size()) +
-                " plots are not drawn; tables and scripts are in " + folder.string());
+                " plots are not drawn; tables and scripts are in " + folder);
       return false;
     }
-    if (drawn == Drawn::failed) failed += ' ' + plot;
+    failed += ' ' + plot;
   }
   if (!failed.empty()) say_error("gnuplot fails on" + failed);
   return failed.empty();
 }
 
-/// The rows of an experiment, measured and compared. Appends what is wrong.
-std::vector<Row> measured_rows(const Experiment& experiment, const ExperimentSettings& settings,
-                               std::vector<std::string>& wrong) {
-  MeasuringLimits limits;
-  limits.memory_mb = settings.memory_limit_mb;
-  std::vector<Row> rows = experiment.rows(settings);
-  for (Row& row : rows) {
-    measure(row, row.engines, 0, limits, std::cout);
-    const std::vector<std::string> faults = faults_of(row);
-    wrong.insert(wrong.end(), faults.begin(), faults.end());
-    experiment.compare(row);
-  }
-  return rows;
-}
-
-int run(const Settings& settings) {
+int run_all(const ExperimentSettings& settings) {
   // It passes every range.
-  if (std::isnan(settings.of_each.scale)) throw UsageError("--scale: not a number");
-  const std::filesystem::path folder = settings.out;
-  std::filesystem::create_directories(folder);
-  PageData entries(PageData::type::list);
+  if (std::isnan(settings.scale)) throw UsageError("--scale: not a number");
+  std::filesystem::create_directories(settings.out);
+  const std::vector<std::string>& only = settings.only;
+  kainjow::mustache::list entries;
   std::vector<std::string> plots;
   bool is_wrong = false;
   for (const Experiment& experiment : experiments()) {
-    const auto& only = settings.only;
-    if (!only.empty() && std::find(only.begin(), only.end(), experiment.name) == only.end())
-      continue;
+    if (!only.empty() && std::ranges::find(only, experiment.name) == only.end()) continue;
     std::vector<std::string> wrong;
-    const std::vector<Row> measured = measured_rows(experiment, settings.of_each, wrong);
-    entries << write_experiment(folder, experiment, pointers(measured), wrong, plots);
+    entries.push_back(run(experiment, settings, wrong, plots));
     for (const std::string& line : wrong) say_error(line);
     is_wrong = is_wrong || !wrong.empty();
   }
-  write_index(folder, settings.of_each, entries);
-  const bool all_drawn = draw_all(folder, plots);
-  std::cout << "index: " << (folder / "index.md").string() << '\n';
+  const std::string index = (std::filesystem::path(settings.out) / "index.md").string();
+  write_file(index, index_page(settings, entries));
+  const bool all_drawn = draw_all(settings.out, plots);
+  std::cout << "index: " << index << '\n';
   if (is_wrong) return exit_wrong;
   return all_drawn ? 0 : exit_no_plots;
 }
 
 }  // namespace
 
-void add_experiments_command(CLI::App& app, int& exit_code) {
+std::function<int()> add_experiments_command(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("experiments", "Measure chapter 6 of the thesis again: tables and plots");
-  const auto settings = std::make_shared<Settings>();
+  const auto settings = std::make_shared<ExperimentSettings>();
+  std::vector<std::string> names;
+  std::string what = "Experiments:\n";
+  for (const Experiment& experiment : experiments()) {
+    names.push_back(experiment.name);
+    what += "  " + experiment.name + std::string(16 - experiment.name.size(), ' ') +
+            experiment.what + '\n';
+  }
   command->add_option("--out", settings->out, "Folder for tables, plots and index.md")
       ->type_name("DIR")
       ->capture_default_str();
   command->add_option("--only", settings->only, "One experiment; may be repeated; default: all")
       ->type_name("NAME")
-      ->check(CLI::IsMember(names()));
+      ->check(CLI::IsMember(names));
   command
-      ->add_option("--scale", settings->of_each.scale,
+      ->add_option("--scale", settings->scale,
                    "Multiplies the largest size of each family; 0: only the smallest")
       ->check(CLI::Range(0.0, 1000.0))
       ->capture_default_str();
-  command->add_option("--seed", settings->of_each.seed, "Same seed, same pairs")
-      ->capture_default_str();
+  command->add_option("--seed", settings->seed, "Same seed, same pairs")->capture_default_str();
   command
-      ->add_option("--memory", settings->of_each.memory_limit_mb,
+      ->add_option("--memory", settings->memory_limit_mb,
                    "Most memory of a measurement, in MB; one that needs more is a row that says "
                    "so; 0: no limit")
       ->check(CLI::Range(std::size_t{0}, std::size_t{1'000'000'000}))
       ->capture_default_str();
-  std::string what = "Experiments:\n";
-  for (const Experiment& experiment : experiments())
-    what += "  " + experiment.name + std::string(16 - experiment.name.size(), ' ') +
-            experiment.what + '\n';
   command->footer(what +
                   "\n"
                   "Example:\n"
@@ -135,7 +190,7 @@ void add_experiments_command(CLI::App& app, int& exit_code) {
                   "  1  engines disagree or a measurement died\n"
                   "  2  a request that makes no sense or a file that cannot be written\n"
                   "  4  tables are written but gnuplot is missing or fails");
-  command->callback([settings, &exit_code] { exit_code = run(*settings); });
+  return [settings] { return run_all(*settings); };
 }
 
 }  // namespace oplus

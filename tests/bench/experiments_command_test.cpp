@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <boost/algorithm/string.hpp>
 #include <iterator>
 #include <sstream>
 #include <string>
@@ -19,14 +20,8 @@ using Cells = std::vector<std::string>;
 std::vector<Cells> cells(const std::string& csv) {
   std::vector<Cells> rows;
   std::istringstream lines(csv);
-  for (std::string line; std::getline(lines, line);) {
-    Cells& row = rows.emplace_back();
-    for (std::size_t begin = 0; begin <= line.size();) {
-      const std::size_t end = std::min(line.find(',', begin), line.size());
-      row.push_back(line.substr(begin, end - begin));
-      begin = end + 1;
-    }
-  }
+  for (std::string line; std::getline(lines, line);)
+    boost::split(rows.emplace_back(), line, boost::is_any_of(","));
   return rows;
 }
 
@@ -36,9 +31,8 @@ Cells column(const std::string& csv, const std::string& name) {
   const Cells& header = rows.at(0);
   const auto at = std::find(header.begin(), header.end(), name) - header.begin();
   Cells result;
-  for (std::size_t i = 1; i < rows.size(); ++i)
-    result.push_back(rows[i].at(static_cast<std::size_t>(at)));
-  return result;
+  for (const Cells& row : rows) result.push_back(row.at(static_cast<std::size_t>(at)));
+  return {result.begin() + 1, result.end()};
 }
 
 class ExperimentsCommand : public Shell {
@@ -112,11 +106,12 @@ TEST_F(ExperimentsCommand, table_6_1_measures_what_is_there_and_counts_what_is_n
                 .find(std::to_string(there) + " pairs measured, " + std::to_string(9 - there) +
                       " skipped"),
             std::string::npos);
-  const Cells same = column(out("table-6.1.csv"), "same_rca_edges");
-  EXPECT_EQ(static_cast<std::size_t>(std::count(same.begin(), same.end(), "true")), there);
-  const Cells outcomes = column(out("table-6.1.csv"), "rca_outcome");
-  EXPECT_EQ(static_cast<std::size_t>(std::count(outcomes.begin(), outcomes.end(), "missing")),
-            9 - there);
+  const auto count = [&](const std::string& name, const std::string& cell) {
+    const Cells all = column(out("table-6.1.csv"), name);
+    return static_cast<std::size_t>(std::count(all.begin(), all.end(), cell));
+  };
+  EXPECT_EQ(count("same_rca_edges", "true"), there);
+  EXPECT_EQ(count("rca_outcome", "missing"), 9 - there);
 }
 
 TEST_F(ExperimentsCommand, hole_tests) {

@@ -5,31 +5,21 @@
 
 namespace oplus {
 
-namespace {
-
-std::size_t scaled(std::size_t largest, double scale) {
-  return static_cast<std::size_t>(static_cast<double>(largest) * scale);
-}
-
-}  // namespace
-
 std::vector<std::size_t> sizes(const SizeRange& range, double scale) {
-  std::vector<std::size_t> result = {range.smallest};
-  const std::size_t largest = scaled(range.largest, scale);
-  while (result.back() + range.step <= largest) result.push_back(result.back() + range.step);
+  const auto largest = static_cast<std::size_t>(static_cast<double>(range.largest) * scale);
+  std::vector<std::size_t> result;
+  std::size_t size = range.smallest;
+  do {
+    result.push_back(size);
+    size += range.step == 0 ? size : range.step;
+  } while (size <= largest);
   return result;
 }
 
-std::vector<std::size_t> doubling_sizes(std::size_t smallest, std::size_t largest, double scale) {
-  std::vector<std::size_t> result = {smallest};
-  while (2 * result.back() <= scaled(largest, scale)) result.push_back(2 * result.back());
-  return result;
-}
-
-Random random_of(const std::string& experiment, std::uint64_t seed, std::size_t size,
-                 std::size_t index) {
+Random random_of(const std::string& experiment, std::uint64_t seed, std::size_t size) {
+  constexpr std::uint64_t index = 1;  // of one pair of each size, where the thesis has 5 or 20
   std::vector<std::uint32_t> material(experiment.begin(), experiment.end());
-  for (const std::uint64_t number : {seed, std::uint64_t{size}, std::uint64_t{index}}) {
+  for (const std::uint64_t number : {seed, std::uint64_t{size}, index}) {
     material.push_back(static_cast<std::uint32_t>(number));
     material.push_back(static_cast<std::uint32_t>(number >> 32));
   }
@@ -39,17 +29,15 @@ Random random_of(const std::string& experiment, std::uint64_t seed, std::size_t 
 
 Row random_row(const std::string& experiment, std::uint64_t seed, std::size_t size,
                const std::function<Summands(Random& random, std::size_t size)>& make) {
-  constexpr std::size_t only_one = 1;  // of each size, where the thesis has 5 or 20
-  Row row;
-  row.name = experiment + " " + std::to_string(size);
-  row.group = experiment;
-  row.what = "size " + std::to_string(size);
-  row.numbers = {{"size", static_cast<double>(size)}, {"pair", 1}};
-  row.make = [=] {
-    Random random = random_of(experiment, seed, size, only_one);
+  const auto make_it = [=] {
+    Random random = random_of(experiment, seed, size);
     return std::vector<Summands>{make(random, size)};
   };
-  return row;
+  return {.name = experiment + " " + std::to_string(size),
+          .group = experiment,
+          .what = "size " + std::to_string(size),
+          .make = make_it,
+          .numbers = {{"size", static_cast<double>(size)}, {"pair", 1}}};
 }
 
 }  // namespace oplus

@@ -14,21 +14,23 @@ namespace oplus {
 struct SizeRange {
   std::size_t smallest;
   std::size_t largest;
-  std::size_t step;
+  std::size_t step = 0;  ///< 0: each is twice the one before it
 };
 
 /// The sizes of a range whose largest is scaled; always the smallest.
 std::vector<std::size_t> sizes(const SizeRange& range, double scale);
 
-/// Doubles from the smallest to the largest, which is scaled; always the smallest.
-std::vector<std::size_t> doubling_sizes(std::size_t smallest, std::size_t largest, double scale);
-
-/// Random bits of their own for each pair of each experiment: a pair is the same whatever else runs.
-Random random_of(const std::string& experiment, std::uint64_t seed, std::size_t size,
-                 std::size_t index);
+/// Random bits of their own for each size of each experiment: a pair is the same whatever else runs.
+Random random_of(const std::string& experiment, std::uint64_t seed, std::size_t size);
 
 /// The row of a pair, made from bits of its own; its columns `size` and `pair`.
 Row random_row(const std::string& experiment, std::uint64_t seed, std::size_t size,
                const std::function<Summands(Random& random, std::size_t size)>& make);
+
+/// A pair of a polygon of this size, and one of 100 vertices.
+template <Region (*p_of)(Random&, std::size_t), Region (*q_of)(Random&, std::size_t)>
+Summands with_100(Random& random, std::size_t size) {
+  return {p_of(random, size), q_of(random, 100)};  // in this order
+}
 
 }  // namespace oplus

@@ -7,6 +7,12 @@
 
 namespace oplus {
 
+/// What a curve is fitted to: as many x as y.
+struct Points {
+  std::vector<double> x;
+  std::vector<double> y;
+};
+
 /// A polynomial fitted by least squares, as the thesis fits its measurements (Section 6.2.4).
 struct Fit {
   double constant = 0;
@@ -15,11 +21,9 @@ struct Fit {
   double r_squared = 0;  ///< 1 - residual sum of squares / total sum of squares; 1 of constant y
 };
 
-/// Require: as many x as y. Return nothing unless there is a different x more than the curve has
-/// coefficients: without, R² is 1 and says nothing.
-using Fitting = std::optional<Fit>(const std::vector<double>& x, const std::vector<double>& y);
-Fitting fit_line;
-Fitting fit_parabola;
+/// The line (degree 1) or parabola (degree 2); nothing unless there is a different x more than the
+/// curve has coefficients: without, R² is 1 and says nothing.
+std::optional<Fit> fitted_curve(std::size_t degree, const Points& points);
 
 /// As gnuplot reads it, in x.
 std::string formula(const Fit& fit);

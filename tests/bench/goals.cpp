@@ -1,115 +1,116 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/bench/goals.hpp"
-
-#include <algorithm>
 #include <utility>
 
 #include "tests/bench/numbers.hpp"
+#include "tests/bench/page.hpp"
 
 namespace oplus {
 
 namespace {
 
-/// A lower bound that is below the goal tells nothing.
-Goal at_least(double goal, std::string text, const std::optional<Ratio>& ratio) {
-  if (!ratio) return {std::move(text), "", std::nullopt};
-  const bool is_unknown = ratio->is_lower_bound && ratio->value < goal;
-  return {std::move(text), ratio_text(*ratio),
-          is_unknown ? std::nullopt : std::optional(ratio->value >= goal)};
+using Goal = std::vector<std::string>;  ///< a row of the table
+
+Goal goal(const std::string& text, const std::string& measured, std::optional<bool> reached) {
+  return {text, measured, !reached ? "not measured" : *reached ? "yes" : "**no**"};
+}
+
+/// A ratio of which more is better, and the row that has it. A lower bound that is below the goal
+/// tells nothing.
+Goal at_least(double least, const std::string& text, const std::optional<Ratio>& ratio,
+              const std::string& row = "") {
+  if (!ratio) return goal(text, "", std::nullopt);
+  const bool is_unknown = ratio->is_lower_bound && ratio->value < least;
+  return goal(text, ratio_text(*ratio) + (row.empty() ? "" : ", " + row),
+              is_unknown ? std::nullopt : std::optional(ratio->value >= least));
 }
 
 /// The other rows on which an engine of others, or of ours, takes less time than slide.
-Goal none_is_faster(std::string text, const Rows& rows, double limit) {
+Goal none_is_faster(const std::string& text, const Rows& rows, double limit) {
   std::string faster;
   bool measured = false;
-  for (const Row* row : rows) {
-    for (const Measurement& m : row->measurements) {
-      const auto ratio = time_ratio(*row, m.engine, "slide", limit);
-      if (m.engine == "slide" || m.engine == "slide2" || !ratio) continue;
+  for (const Row& row : rows) {
+    for (const Measurement& m : row.measurements) {
+      const auto of_m = ratio(row, "seconds", m.engine, "slide", limit);
+      if (m.engine == "slide" || m.engine == "slide2" || !of_m) continue;
       measured = true;
-      if (!ratio->is_lower_bound && ratio->value < 1)
-        faster += (faster.empty() ? "" : "; ") + row->what + ": " + m.engine + ", " +
-                  three_digits(ratio->value);
+      if (!of_m->is_lower_bound && of_m->value < 1)
+        faster += (faster.empty() ? "" : "; ") + row.what + ": " + m.engine + ", " +
+                  three_digits(of_m->value);
     }
   }
-  if (!measured) return {std::move(text), "", std::nullopt};
-  return {std::move(text), faster.empty() ? "none" : faster, faster.empty()};
+  if (!measured) return goal(text, "", std::nullopt);
+  return goal(text, faster.empty() ? "none" : faster, faster.empty());
 }
 
 /// The largest number of microseconds a segment on rows without holes.
-Goal time_a_segment(const Report& report) {
-  Goal goal{
-      "where the sum has no holes: at most 3 µs a segment of the reduced convolution", "", {}};
+Goal time_a_segment(const std::string& text, const Rows& rows, double most) {
   double largest = 0;
-  for (const Row& row : report.rows) {
+  std::string measured;
+  for (const Row& row : rows) {
     const double of_row = 1e6 * row.number("slide.seconds/slide.segments").value_or(0);
     if (of_row <= largest || row.number("slide.sum_holes") > 0) continue;
     largest = of_row;
-    goal.measured = "at most " + three_digits(of_row) + ", " + row.what;
-    goal.reached = of_row <= 3;
+    measured = "at most " + three_digits(of_row) + ", " + row.what;
   }
-  return goal;
+  return goal(text, measured, measured.empty() ? std::nullopt : std::optional(largest <= most));
 }
 
 }  // namespace
 
-std::vector<Goal> goals_of(const Report& report) {
+Table goals_of(const Report& report) {
   const double limit = report.setting.limit;
-  const auto rows_of = [&](auto is_one) {
-    Rows rows = pointers(report.rows);
-    std::erase_if(rows, [&](const Row* row) { return !is_one(*row); });
-    return rows;
-  };
   const auto named = [&](const std::string& name) {
-    return rows_of([&](const Row& row) { return row.name == name; });
+    return rows_where(report.rows, [&](const Row& row) { return row.name == name; });
   };
-  const auto beside_cgal = [&](RatioOf ratio_of, const std::string& row) {
-    const Rows rows = named(row);
-    return rows.empty() ? std::nullopt : ratio_of(*rows[0], "cgal-reduced", "slide", limit);
+  const auto beside_cgal = [&](const std::string& number, const std::string& name) {
+    const Rows rows = named(name);
+    return rows.empty() ? std::nullopt : ratio(rows[0], number, "cgal-reduced", "slide", limit);
   };
-  const auto as_fast = [&](int goal, const std::string& what, const std::string& row) {
-    return at_least(goal,
-                    what + ": at least " + std::to_string(goal) +
+  const auto as_fast = [&](int least, const std::string& what, const std::string& row) {
+    return at_least(least,
+                    what + ": at least " + std::to_string(least) +
                         " times as fast as CGAL's reduced convolution",
-                    beside_cgal(time_ratio, row));
+                    beside_cgal("seconds", row));
   };
   const auto little_memory = [&](const std::string& what, const std::string& row) {
-    return at_least(10, what + ": at most a tenth of CGAL's memory",
-                    beside_cgal(memory_ratio, row));
+    return at_least(10, what + ": at most a tenth of CGAL's memory", beside_cgal("peak_mb", row));
   };
 
   std::vector<Ratio> published;
   std::pair<std::optional<Ratio>, std::string> least;
-  for (const Row* row : rows_of([](const Row& row) { return row.group == "published"; })) {
-    const auto ratio = time_ratio(*row, "cgal-reduced", "slide", limit);
-    if (!ratio) continue;
-    published.push_back(*ratio);
-    if (!least.first || ratio->value < least.first->value) least = {ratio, ", " + row->what};
+  for (const Row& row :
+       rows_where(report.rows, [](const Row& r) { return r.group == "published"; })) {
+    const auto of_row = ratio(row, "seconds", "cgal-reduced", "slide", limit);
+    if (!of_row) continue;
+    published.push_back(*of_row);
+    if (!least.first || of_row->value < least.first->value) least = {of_row, row.what};
   }
-  Goal least_published = at_least(3, "published pairs: none less than 3 times", least.first);
-  least_published.measured += least.second;
   std::optional<Ratio> two_threads;
-  for (const Row* row : rows_for(report, Subject::growth))
-    if (const auto ratio = time_ratio(*row, "slide", "slide2", limit)) two_threads = ratio;
+  for (const Row& row : rows_for(report.rows, Subject::growth))
+    if (const auto of_row = ratio(row, "seconds", "slide", "slide2", limit)) two_threads = of_row;
 
   return {
-      as_fast(50, "stars of 300 and 100", "star_300_star_100"),
-      as_fast(25, "stars of 100 and 100", "star_100_star_100"),
-      little_memory("stars of 300 and 100", "star_300_star_100"),
-      little_memory("stars of 100 and 100", "star_100_star_100"),
-      as_fast(25, "simple polygons of 200 and 100", "simple_200_simple_100"),
-      as_fast(8, "fork of 50 teeth and L", "fork_50"),
-      none_is_faster("fork of 50 teeth and L: no engine is faster", named("fork_50"), limit),
-      at_least(8, "published pairs: at least 8 times, geometric mean",
-               published.empty() ? std::nullopt : std::optional(geometric_mean(published))),
-      least_published,
-      as_fast(20, "small pairs", "small_pairs"),
-      none_is_faster("no row on which any engine is faster", rows_for(report, Subject::sums),
-                     limit),
-      time_a_segment(report),
-      at_least(1.7, "two threads: at least 1.7 times one, on the largest sum of the growth",
-               two_threads),
-  };
+      {"goal", "measured", "reached"},
+      {
+          as_fast(50, "stars of 300 and 100", "star_300_star_100"),
+          as_fast(25, "stars of 100 and 100", "star_100_star_100"),
+          little_memory("stars of 300 and 100", "star_300_star_100"),
+          little_memory("stars of 100 and 100", "star_100_star_100"),
+          as_fast(25, "simple polygons of 200 and 100", "simple_200_simple_100"),
+          as_fast(8, "fork of 50 teeth and L", "fork_50"),
+          none_is_faster("fork of 50 teeth and L: no engine is faster", named("fork_50"), limit),
+          at_least(8, "published pairs: at least 8 times, geometric mean",
+                   published.empty() ? std::nullopt : std::optional(geometric_mean(published))),
+          at_least(3, "published pairs: none less than 3 times", least.first, least.second),
+          as_fast(20, "small pairs", "small_pairs"),
+          none_is_faster("no row on which any engine is faster",
+                         rows_for(report.rows, Subject::sums), limit),
+          time_a_segment(
+              "where the sum has no holes: at most 3 µs a segment of the reduced convolution",
+              report.rows, 3),
+          at_least(1.7, "two threads: at least 1.7 times one, on the largest sum of the growth",
+                   two_threads),
+      }};
 }
 
 }  // namespace oplus

@@ -14,70 +14,68 @@ namespace {
 /// More are thinned out evenly: the slowest method takes milliseconds for each.
 constexpr std::size_t most_questions = 100;
 
-class Asking : public PreparedPairs {
- public:
-  Asking(HoleTestMethod method, const Row& row, const Summands& pair)
-      : method_(method), pair_(pair) {
+struct Asking {
+  struct Input {
+    Summands pair;
+    std::size_t questions;       ///< all of them
+    std::vector<Segment> asked;  ///< some
+  };
+  struct Sum {
+    Seconds preparing{};
+    Seconds of_holes{};
+    Seconds of_others{};
+    std::string answers;
+
+    std::size_t holes() const {
+      return static_cast<std::size_t>(std::count(answers.begin(), answers.end(), 'h'));
+    }
+  };
+
+  HoleTestMethod method;
+  bool about_edges;
+
+  Input converted(const Summands& pair) const {
     const std::vector<Segment> all =
-        row.words.at("about") == "edges" ? questions_about_edges(pair) : questions_of_rca(pair);
-    all_of_them_ = static_cast<double>(all.size());
-    questions_ = thinned_out(all, most_questions);
+        about_edges ? questions_about_edges(pair) : questions_of_rca(pair);
+    return {pair, all.size(), thinned_out(all, most_questions)};
   }
 
-  void compute() override {
+  Sum sum(const Input& input) const {
+    Sum result;
     const std::unique_ptr<HoleTest> test =
-        timed(preparing_, [&] { return method_(pair_.p, pair_.q); });
-    for (const Segment& question : questions_) {
+        timed(result.preparing, [&] { return method(input.pair.p, input.pair.q); });
+    for (const Segment& question : input.asked) {
       Seconds one{};
       const bool is_hole = timed(one, [&] { return test->is_hole_right_of(question); });
-      (is_hole ? of_holes_ : of_others_) += one;
-      answers_ += is_hole ? 'h' : 's';
+      (is_hole ? result.of_holes : result.of_others) += one;
+      result.answers += is_hole ? 'h' : 's';
     }
+    return result;
   }
 
-  void forget() override {
-    preparing_ = of_holes_ = of_others_ = Seconds{};
-    answers_.clear();
-  }
-
-  void add_stages(std::map<std::string, double>& seconds) const override {
-    seconds["prepare"] += preparing_.count();
-    seconds["question"] += (of_holes_ + of_others_).count();
-    seconds["hole"] += of_holes_.count();
-    seconds["other"] += of_others_.count();
-  }
-
-  /// Of all questions the times are of one of them.
-  void describe(Measurement& measurement) const override {
-    std::map<std::string, double>& numbers = measurement.numbers;
-    const auto asked = static_cast<double>(questions_.size());
-    const auto holes = static_cast<double>(std::count(answers_.begin(), answers_.end(), 'h'));
-    numbers["questions"] = all_of_them_;
-    numbers["asked"] = asked;
-    numbers["holes"] = holes;
-    numbers["others"] = asked - holes;
-    const auto per_question = [&](const std::string& name, double count) {
-      if (count > 0)
-        numbers[name] /= count;
-      else
-        numbers.erase(name);
+  /// Of questions the times are of one of them; of `all`, as if all of them had been asked.
+  void add_stages(const Input& input, const Sum& sum,
+                  std::map<std::string, double>& seconds) const {
+    const auto per_question = [&](const std::string& name, Seconds time, std::size_t count) {
+      if (count > 0) seconds[name] += time.count() / static_cast<double>(count);
     };
-    per_question("hole", holes);
-    per_question("other", asked - holes);
-    per_question("question", asked);
-    if (asked > 0) numbers["all"] = numbers.at("prepare") + numbers.at("question") * all_of_them_;
-    measurement.digest = "answers " + answers_;
+    const std::size_t asked = input.asked.size();
+    seconds["prepare"] += sum.preparing.count();
+    per_question("hole", sum.of_holes, sum.holes());
+    per_question("other", sum.of_others, asked - sum.holes());
+    per_question("question", sum.of_holes + sum.of_others, asked);
+    const auto all_by_asked = static_cast<double>(input.questions) / static_cast<double>(asked);
+    if (asked > 0)
+      seconds["all"] += (sum.preparing + all_by_asked * (sum.of_holes + sum.of_others)).count();
   }
 
- private:
-  HoleTestMethod method_;
-  Summands pair_;
-  double all_of_them_;
-  std::vector<Segment> questions_;
-  Seconds preparing_{};
-  Seconds of_holes_{};
-  Seconds of_others_{};
-  std::string answers_;
+  void describe(const Input& input, const Sum& sum, Description& description) const {
+    description.count("questions", input.questions);
+    description.count("asked", input.asked.size());
+    description.count("holes", sum.holes());
+    description.count("others", input.asked.size() - sum.holes());
+    description.say("answers " + sum.answers);
+  }
 };
 
 }  // namespace
@@ -85,10 +83,12 @@ class Asking : public PreparedPairs {
 std::vector<BenchEngine> hole_test_engines() {
   std::vector<BenchEngine> engines;
   for (const auto& [name, method] : hole_test_methods())
-    engines.push_back({name, "oplus: a hole test", Subject::hole_tests, false, true,
-                       [method = method](const Row& row, const std::vector<Summands>& pairs) {
-                         return std::make_unique<Asking>(method, row, pairs.at(0));
-                       }});
+    engines.push_back({.name = name,
+                       .what = "oplus: a hole test",
+                       .prepare = each_pair([method = method](const Row& row) {
+                         return Asking{method, row.words.at("about") == "edges"};
+                       }),
+                       .subject = Subject::hole_tests});
   return engines;
 }
 

@@ -12,41 +12,32 @@ namespace oplus {
 
 namespace {
 
-Row named(const std::string& name, const std::string& family, std::size_t size,
-          std::function<Summands()> make) {
-  Row row;
-  row.words = {{"name", name}, {"family", family}};
-  row.numbers = {{"size", static_cast<double>(size)}};
-  row.subject = Subject::hole_tests;
-  row.make = [make = std::move(make)] { return std::vector<Summands>{make()}; };
-  for (const auto& [method, of] : hole_test_methods()) row.engines.push_back(method);
-  return row;
-}
-
 /// Each pair twice: candidates, what rca asks; and edges, a question about each.
 std::vector<Row> rows(const ExperimentSettings& settings) {
-  std::vector<Row> pairs;
+  std::vector<Row> all;
+  const auto add = [&](const std::string& name, const std::string& family, std::size_t size,
+                       const std::function<Summands()>& make) {
+    for (const std::string about : {"candidates", "edges"}) {
+      Row row{.name = "hole-tests " + name + ", " + about,
+              .what = name,
+              .subject = Subject::hole_tests,
+              .make = [=] { return std::vector<Summands>{make()}; },
+              .words = {{"name", name}, {"family", family}, {"about", about}},
+              .numbers = {{"size", static_cast<double>(size)}}};
+      for (const auto& [method, of] : hole_test_methods()) row.engines.push_back(method);
+      all.push_back(std::move(row));
+    }
+  };
   for (const PublishedPair& pair : published_pairs())
     if (pair.in_thesis && pair.is_there())
-      pairs.push_back(named(pair.name, "published", 0, [pair] { return pair.read(); }));
-  for (const std::size_t m : doubling_sizes(25, 200, settings.scale))
-    pairs.push_back(named("simple " + std::to_string(m), "simple", m, [m, seed = settings.seed] {
-      Random random = random_of("hole-tests", seed, m, 1);
-      Region p = simple_polygon(random, m);
-      return Summands{std::move(p), simple_polygon(random, 100)};
-    }));
-  for (const std::size_t teeth : doubling_sizes(5, 80, settings.scale))
-    pairs.push_back(named("fork-l " + std::to_string(teeth), "fork", teeth,
-                          [teeth] { return fork_and_l(teeth); }));
-  std::vector<Row> all;
-  for (Row& pair : pairs) {
-    for (const std::string about : {"candidates", "edges"}) {
-      pair.words["about"] = about;
-      pair.what = pair.words.at("name");
-      pair.name = "hole-tests " + pair.what + ", " + about;
-      all.push_back(pair);
-    }
-  }
+      add(pair.name, "published", 0, [=] { return pair.read(); });
+  for (const std::size_t m : sizes({25, 200}, settings.scale))
+    add("simple " + std::to_string(m), "simple", m, [m, seed = settings.seed] {
+      Random random = random_of("hole-tests", seed, m);
+      return with_100<simple_polygon, simple_polygon>(random, m);
+    });
+  for (const std::size_t teeth : sizes({5, 80}, settings.scale))
+    add("fork-l " + std::to_string(teeth), "fork", teeth, [=] { return fork_and_l(teeth); });
   return all;
 }
 
@@ -68,9 +59,9 @@ void compare(Row& row) {
 
 std::vector<std::string> summary(const Rows& rows) {
   std::map<std::string, std::size_t> orders;
-  for (const Row* row : rows)
-    if (!row->words.at("order").empty())
-      ++orders[row->words.at("about") + ": " + row->words.at("order")];
+  for (const Row& row : rows)
+    if (!row.words.at("order").empty())
+      ++orders[row.words.at("about") + ": " + row.words.at("order")];
   std::vector<std::string> lines;
   for (const auto& [order, count] : orders)
     lines.push_back("by a question about " + order + ", " + std::to_string(count) +
@@ -81,15 +72,15 @@ std::vector<std::string> summary(const Rows& rows) {
 }  // namespace
 
 Experiment hole_test_experiment() {
-  return {"hole-tests",
-          "The four hole tests on what rca asks (Section 5.3)",
-          rows,
-          compare,
-          {"name", "family", "size", "about", "m", "n", "questions", "asked", "holes", "others",
-           "order", "order_of_all"},
-          summary,
-          {{"hole-tests-simple", "bvh.question", "simple"},
-           {"hole-tests-fork", "bvh.question", "fork"}}};
+  return {.name = "hole-tests",
+          .what = "The four hole tests on what rca asks (Section 5.3)",
+          .rows = rows,
+          .compare = compare,
+          .first_columns = {"name", "family", "size", "about", "m", "n", "questions", "asked",
+                            "holes", "others", "order", "order_of_all"},
+          .summary = summary,
+          .plots = {{"hole-tests-simple", "bvh.question", "simple"},
+                    {"hole-tests-fork", "bvh.question", "fork"}}};
 }
 
 }  // namespace oplus

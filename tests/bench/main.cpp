@@ -15,6 +15,7 @@
 #include "tests/bench/experiment.hpp"
 #include "tests/bench/measuring.hpp"
 #include "tests/bench/page.hpp"
+#include "tests/bench/published_pairs.hpp"
 #include "tests/bench/rows.hpp"
 
 namespace oplus {
@@ -26,7 +27,7 @@ constexpr int exit_wrong = 1;
 struct Options {
   std::string rows = ".*";
   std::vector<std::string> engines;
-  MeasuringLimits limits{60, 0};
+  ProcessLimits limits{.seconds = 60};
   double min_time = 0.5;
   bool list = false;
   bool engines_at_fault = false;
@@ -52,23 +53,21 @@ std::vector<std::string> chosen_engines(const Options& options) {
     if (!engine.is_at_fault || !options.engines.empty()) offered.push_back(engine.name);
   if (options.engines.empty()) return offered;
   for (const std::string& name : options.engines)
-    if (std::find(offered.begin(), offered.end(), name) == offered.end())
+    if (std::ranges::find(offered, name) == offered.end())
       throw UsageError("no engine is called " + name);
   return options.engines;
 }
 
-std::vector<Row> chosen_rows(const Options& options) {
-  std::regex pattern;
+Rows chosen_rows(const Options& options) {
   try {
-    pattern = options.rows;
+    const std::regex pattern(options.rows);
+    Rows chosen = rows_where(benchmark_rows(),
+                             [&](const Row& row) { return std::regex_match(row.name, pattern); });
+    if (chosen.empty()) throw UsageError("no row matches " + options.rows);
+    return chosen;
   } catch (const std::regex_error& e) {
     throw UsageError("--rows: " + std::string(e.what()));
   }
-  std::vector<Row> chosen;
-  std::copy_if(benchmark_rows().begin(), benchmark_rows().end(), std::back_inserter(chosen),
-               [&](const Row& row) { return std::regex_match(row.name, pattern); });
-  if (chosen.empty()) throw UsageError("no row matches " + options.rows);
-  return chosen;
 }
 
 void list(const Options& options) {
@@ -92,12 +91,11 @@ Report read_report(const std::string& path) {
 
 Report measured_report(const Options& options, const std::string& command) {
   Report report{this_setting(command, options.limits.seconds), {}};
-  report.setting.missing = missing_published_pairs();
+  for (const PublishedPair& pair : published_pairs())
+    if (!pair.what.empty() && !pair.is_there()) report.setting.missing.push_back(pair.name);
   const std::vector<std::string> of_run = chosen_engines(options);
   for (Row& row : chosen_rows(options)) {
-    if (std::find_first_of(row.engines.begin(), row.engines.end(), of_run.begin(), of_run.end()) ==
-        row.engines.end())
-      continue;
+    if (std::ranges::find_first_of(row.engines, of_run) == row.engines.end()) continue;
     measure(row, of_run, options.min_time, options.limits, std::cout);
     report.rows.push_back(std::move(row));
     // What has been measured is not lost where the run is ended.
@@ -141,7 +139,6 @@ std::string command_of(int argc, char** argv) {
 
 std::function<int()> add_options(CLI::App& app, const std::string& command) {
   const auto options = std::make_shared<Options>();
-  const auto exit_code = std::make_shared<int>(0);
   app.require_subcommand(0, 1);
   app.add_option("--rows", options->rows, "Only the rows whose whole name matches")
       ->type_name("REGEX");
@@ -165,8 +162,10 @@ std::function<int()> add_options(CLI::App& app, const std::string& command) {
   app.add_flag("--engines-at-fault", options->engines_at_fault,
                "Also offers engines that crash, hang and are wrong: a test of the benchmark")
       ->group("");
-  add_experiments_command(app, *exit_code);
-  return [=, &app] { return app.get_subcommands().empty() ? run(*options, command) : *exit_code; };
+  const std::function<int()> run_experiments = add_experiments_command(app);
+  return [=, &app] {
+    return app.get_subcommands().empty() ? run(*options, command) : run_experiments();
+  };
 }
 
 const ProgramFrame frame{

@@ -10,7 +10,7 @@ namespace oplus {
 /// One engine on one row. Of a row of many pairs all numbers are totals.
 struct Measurement {
   /// What became of the engine.
-  enum class Outcome {
+  enum class Ending {
     done,
     over_limit,     ///< it was ended after `limit` seconds
     out_of_memory,  ///< it asked for more than the limit
@@ -19,11 +19,11 @@ struct Measurement {
     not_taken       ///< the engine does not take such input, or the input is missing: see `note`
   };
 
-  std::string engine;
-  Outcome outcome = Outcome::done;
-  std::string note;
-  std::string digest;  ///< of an exact result in canonical form; empty where an engine rounds
-  std::string area;    ///< of a sum, exactly; to 30 decimals where that is too long
+  std::string engine = {};
+  Ending outcome = Ending::done;
+  std::string note = {};
+  std::string digest = {};  ///< of an exact result in canonical form; empty where an engine rounds
+  std::string area = {};    ///< of a sum, exactly; to 30 decimals where that is too long
 
   /// By name, what is not known is absent:
   ///  - `seconds`: of the result's computation; `seconds_evaluated`: with the coordinates of the
@@ -35,9 +35,9 @@ struct Measurement {
   ///    ended, or, where it did not come that far, until it ended;
   ///  - `m` and `n`: the vertices of P and Q; `sum_outer`, `sum_holes`, `sum_vertices`: of the result;
   ///  - what else an engine says of its work, such as `segments` of the convolution.
-  std::map<std::string, double> numbers;
+  std::map<std::string, double> numbers = {};
 
-  bool is_done() const { return outcome == Outcome::done; }
+  bool is_done() const { return outcome == Ending::done; }
   std::optional<double> number(const std::string& name) const {
     const auto found = numbers.find(name);
     return found == numbers.end() ? std::nullopt : std::optional(found->second);

@@ -4,13 +4,12 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <chrono>
 #include <ctime>
 #include <iomanip>
 #include <regex>
 
+#include "checked/statistics.hpp"
 #include "properties/compare/peers/method.hpp"
-#include "properties/runner/child_process.hpp"
 #include "tests/bench/numbers.hpp"
 #include "tests/bench/table.hpp"
 
@@ -32,9 +31,8 @@ class Repetitions : public benchmark::BenchmarkReporter {
   /// The one whose time is in the middle. Requires: there is one.
   const Run& middle() {
     const auto middle = runs_.begin() + static_cast<std::ptrdiff_t>(runs_.size() / 2);
-    std::nth_element(runs_.begin(), middle, runs_.end(), [](const Run& a, const Run& b) {
-      return a.counters.at("seconds").value < b.counters.at("seconds").value;
-    });
+    std::ranges::nth_element(runs_, middle, {},
+                             [](const Run& run) { return run.counters.at("seconds").value; });
     return *middle;
   }
 
@@ -42,72 +40,56 @@ class Repetitions : public benchmark::BenchmarkReporter {
   std::vector<Run> runs_;
 };
 
-template <typename Work>
-double seconds_of(Work work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 /// Of all threads of this process.
 double processor_seconds() {
   return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
 }
 
-class Timing {
- public:
-  Timing(PreparedPairs& pairs, const std::function<void()>& beat,
-         std::map<std::string, double>& numbers)
-      : pairs_(pairs), beat_(beat), numbers_(numbers) {}
-
-  void measure(double min_time) {
-    Repetitions first;
-    benchmark::RegisterBenchmark("first", *this)->UseManualTime()->Iterations(1);
-    benchmark::RunSpecifiedBenchmarks(&first, "first");
-    const bool is_long = first.middle().counters.at("seconds") > long_run;
+/// How long the pairs take, and the most memory until they have been computed once.
+std::map<std::string, double> timings(PreparedPairs& pairs, const std::function<void()>& beat,
+                                      double min_time) {
+  std::map<std::string, double> numbers;
+  // What forgets and what evaluates is outside of the clock.
+  const auto run = [&](std::map<std::string, double>& total) {
+    pairs.forget();
+    const double worked = processor_seconds();
+    Seconds seconds{};
+    timed(seconds, [&] { pairs.compute(); });
+    total["busy"] += processor_seconds() - worked;
+    total["seconds"] += seconds.count();
+    const double computing = seconds.count();
+    if (!numbers.contains("peak_mb")) numbers["peak_mb"] = own_peak_mb();
+    pairs.add_stages(total);
+    beat();
+    if (timed(seconds, [&] { return pairs.evaluate(); }))
+      total["seconds_evaluated"] += seconds.count();
+    beat();
+    return computing;
+  };
+  std::map<std::string, double> counted;
+  numbers["repetitions"] = 1;
+  if (run(counted) <= long_run) {
+    const auto run_often = [&](benchmark::State& state) {
+      std::map<std::string, double> total;
+      for (auto _ : state) state.SetIterationTime(run(total));
+      for (const auto& [name, seconds] : total)
+        state.counters[name] = benchmark::Counter(seconds, benchmark::Counter::kAvgIterations);
+    };
+    auto* const again = benchmark::RegisterBenchmark("again", run_often)->UseManualTime();
+    again->Repetitions(repetitions);
+    if (min_time > 0)
+      again->MinTime(min_time / repetitions);
+    else
+      again->Iterations(1);
     Repetitions repeated;
-    if (!is_long) {
-      auto* const again = benchmark::RegisterBenchmark("again", *this)->UseManualTime();
-      again->Repetitions(repetitions);
-      if (min_time > 0)
-        again->MinTime(min_time / repetitions);
-      else
-        again->Iterations(1);
-      benchmark::RunSpecifiedBenchmarks(&repeated, "again");
-    }
-    Repetitions& counted = is_long ? first : repeated;
-    numbers_["repetitions"] = static_cast<double>(counted.size());
-    for (const auto& [name, counter] : counted.middle().counters) numbers_[name] = counter.value;
-    numbers_["busy"] /= numbers_.at("seconds");
+    benchmark::RunSpecifiedBenchmarks(&repeated, "again");
+    numbers["repetitions"] = static_cast<double>(repeated.size());
+    for (const auto& [name, counter] : repeated.middle().counters) counted[name] = counter.value;
   }
-
-  /// What forgets and what evaluates is outside of the clock.
-  void operator()(benchmark::State& state) const {
-    std::map<std::string, double> total;
-    for (auto _ : state) {
-      pairs_.forget();
-      const double worked = processor_seconds();
-      const double seconds = seconds_of([&] { pairs_.compute(); });
-      total["busy"] += processor_seconds() - worked;
-      total["seconds"] += seconds;
-      state.SetIterationTime(seconds);
-      if (!numbers_.contains("peak_mb")) numbers_["peak_mb"] = own_peak_mb();
-      pairs_.add_stages(total);
-      beat_();
-      bool is_lazy = false;
-      const double evaluating = seconds_of([&] { is_lazy = pairs_.evaluate(); });
-      if (is_lazy) total["seconds_evaluated"] += seconds + evaluating;
-      beat_();
-    }
-    for (const auto& [name, seconds] : total)
-      state.counters[name] = benchmark::Counter(seconds, benchmark::Counter::kAvgIterations);
-  }
-
- private:
-  PreparedPairs& pairs_;
-  const std::function<void()>& beat_;
-  std::map<std::string, double>& numbers_;
-};
+  counted["busy"] /= counted.at("seconds");
+  numbers.merge(counted);
+  return numbers;
+}
 
 void write_line(std::ostream& out, const Row& row, const Measurement& m) {
   out << "  " << std::left << std::setw(14) << m.engine << std::right;
@@ -136,19 +118,21 @@ void write_agreement(std::ostream& out, const Row& row) {
 }  // namespace
 
 Measurement measured(const BenchEngine& engine, const Row& row, double min_time,
-                     const MeasuringLimits& limits) {
+                     const ProcessLimits& limits) {
   const auto work = [&](const std::function<void()>& beat) {
     if (!row.make) throw NotTaken("missing");
     const std::vector<Summands> made = row.make();
     const std::unique_ptr<PreparedPairs> pairs = engine.prepare(row, made);
     beat();
     Measurement measurement;
-    Timing(*pairs, beat, measurement.numbers).measure(min_time);
+    measurement.numbers = timings(*pairs, beat, min_time);
     if (made.size() == 1) {
       measurement.numbers["m"] = static_cast<double>(vertex_count(made[0].p));
       measurement.numbers["n"] = static_cast<double>(vertex_count(made[0].q));
     }
-    pairs->describe(measurement);
+    Description description;
+    pairs->describe(description);
+    description.write_to(measurement);
     return measurement;
   };
   Measurement measurement = measured_in_own_process(work, limits);
@@ -157,10 +141,10 @@ Measurement measured(const BenchEngine& engine, const Row& row, double min_time,
 }
 
 void measure(Row& row, const std::vector<std::string>& engines, double min_time,
-             const MeasuringLimits& limits, std::ostream& out) {
+             const ProcessLimits& limits, std::ostream& out) {
   out << row.name << ": " << row.what << std::endl;
   for (const std::string& name : engines) {
-    if (std::find(row.engines.begin(), row.engines.end(), name) == row.engines.end()) continue;
+    if (std::ranges::find(row.engines, name) == row.engines.end()) continue;
     row.measurements.push_back(
         measured(*find_bench_engine(row.subject, name), row, min_time, limits));
     write_line(out, row, row.measurements.back());

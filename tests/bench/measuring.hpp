@@ -17,11 +17,11 @@ inline constexpr int repetitions = 5;
 /// In a process of its own, in which the row is made; each thing it does, from preparing the pairs to a
 /// run to describing the results, may take `limits.seconds`.
 Measurement measured(const BenchEngine& engine, const Row& row, double min_time,
-                     const MeasuringLimits& limits);
+                     const ProcessLimits& limits);
 
 /// Measures these of the row's engines, one after another, and writes a table of them while it does:
 /// a head, a line for each engine, and how the results compare.
 void measure(Row& row, const std::vector<std::string>& engines, double min_time,
-             const MeasuringLimits& limits, std::ostream& out);
+             const ProcessLimits& limits, std::ostream& out);
 
 }  // namespace oplus

@@ -11,13 +11,12 @@ namespace oplus {
 namespace {
 
 Row fork_row(const std::vector<std::string>& engines, double min_time = 0) {
-  Row row;
-  row.name = "fork";
-  row.engines = engines;
-  row.boundary = Boundary::open;
-  row.make = [] { return std::vector<Summands>{fork_and_l(3)}; };
+  Row row{.name = "fork",
+          .engines = engines,
+          .make = [] { return std::vector<Summands>{fork_and_l(3)}; },
+          .boundary = Boundary::open};
   std::ostringstream said;
-  measure(row, engines, min_time, {10, 0}, said);
+  measure(row, engines, min_time, {.seconds = 10}, said);
   EXPECT_TRUE(said.str().starts_with("fork: "));
   return row;
 }
@@ -60,8 +59,7 @@ TEST(Measuring, an_engine_of_others_that_crashes_is_a_result_and_one_that_is_wro
 }
 
 TEST(Measuring, a_pair_that_is_missing_is_not_taken) {
-  Row row;
-  EXPECT_EQ(in_words(measured(*find_bench_engine(Subject::sums, "rca"), row, 0, {})), "missing");
+  EXPECT_EQ(in_words(measured(*find_bench_engine(Subject::sums, "rca"), {}, 0, {})), "missing");
 }
 
 }  // namespace

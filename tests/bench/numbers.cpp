@@ -25,19 +25,14 @@ std::string thousands_apart(std::string digits) {
 }  // namespace
 
 std::string three_digits(double value) {
-  if (value == 0) return "0";
-  const int magnitude = static_cast<int>(std::floor(std::log10(std::abs(value))));
-  const double unit = std::pow(10, magnitude - 2);
-  // Rounding may add a digit: 9.996 is 10.0.
-  const double rounded = std::round(value / unit) * unit;
-  const int digits = static_cast<int>(std::floor(std::log10(std::abs(rounded) * (1 + 1e-12))));
-  return thousands_apart(printed("%.*f", std::max(0, 2 - digits), rounded));
+  if (value == 0 || !std::isfinite(value)) return plain(value);
+  const std::string rounded = printed("%.*e", 2, value);  // may have a digit more: 9.996 is 10.0
+  const int magnitude = std::stoi(rounded.substr(rounded.find('e') + 1));
+  return thousands_apart(printed("%.*f", std::max(0, 2 - magnitude), std::stod(rounded)));
 }
 
 std::string plain(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", value);
-  return text;
+  return printed("%.*g", value == std::floor(value) ? 15 : 6, value);
 }
 
 std::string power_of_ten(double value) { return value == 0 ? "0" : printed("%.*e", 1, value); }

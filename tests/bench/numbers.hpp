@@ -8,7 +8,7 @@ namespace oplus {
 /// Three significant digits, thousands apart: "0.0123", "1.20", "4,560".
 std::string three_digits(double value);
 
-/// As it was asked for: "60", "0.25".
+/// Whole numbers exactly, others with six digits: "60", "0.25".
 std::string plain(double value);
 
 /// "-1.2e-06"; "0" is exactly zero.

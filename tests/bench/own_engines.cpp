@@ -2,10 +2,9 @@
 #include <unistd.h>
 
 #include <cstdlib>
-#include <stdexcept>
 
+#include "checked/arrangement/rca.hpp"
 #include "checked/engines.hpp"
-#include "tests/bench/described_sums.hpp"
 #include "tests/bench/engine.hpp"
 
 namespace oplus {
@@ -29,103 +28,84 @@ const std::map<std::string, std::string, std::less<>> short_names{
     {"seconds for the canonical form", "output"},
 };
 
-class OwnSums : public PreparedPairs {
- public:
-  OwnSums(const Engine& engine, unsigned threads, const Row& row,
-          const std::vector<Summands>& pairs)
-      : engine_(engine), boundary_(row.boundary), pairs_(pairs) {
-    options_.threads = threads;
-    sums_.reserve(pairs.size());
-  }
+using Computing = decltype(Engine::compute);
 
-  void compute() override {
-    for (const Summands& pair : pairs_)
-      sums_.push_back(engine_.compute(pair.p, pair.q, boundary_, options_));
-  }
+struct OwnSums {
+  using Input = Summands;
+  using Sum = ComputedSum;
 
-  void forget() override { sums_.clear(); }
+  Computing compute;
+  Boundary boundary;
+  EngineOptions options;
+
+  const Summands& converted(const Summands& pair) const { return pair; }
+  ComputedSum sum(const Summands& pair) const { return compute(pair.p, pair.q, boundary, options); }
 
   /// `time` is that of all stages but the output, as in the thesis.
-  void add_stages(std::map<std::string, double>& seconds) const override {
-    each_statistic<Seconds>([&](const std::string& name, const Seconds& duration) {
+  void add_stages(const Summands&, const ComputedSum& computed,
+                  std::map<std::string, double>& seconds) const {
+    each_statistic<Seconds>(computed, [&](const std::string& name, const Seconds& duration) {
       seconds[name] += duration.count();
       if (name != "output") seconds["time"] += duration.count();
     });
   }
 
-  void describe(Measurement& measurement) const override {
-    each_statistic<std::size_t>([&](const std::string& name, std::size_t count) {
-      measurement.numbers[name] += static_cast<double>(count);
+  void describe(const Summands&, const ComputedSum& computed, Description& description) const {
+    each_statistic<std::size_t>(computed, [&](const std::string& name, std::size_t count) {
+      description.count(name, count);
     });
-    std::vector<MinkowskiSum> sums;
-    for (const ComputedSum& computed : sums_) sums.push_back(computed.sum);
-    describe_sums(sums, false, measurement);
+    description.add(computed.sum, Arithmetic::exact);
   }
 
  private:
   template <typename Unit, typename Use>
-  void each_statistic(Use use) const {
-    for (const ComputedSum& computed : sums_)
-      for (const Statistic& statistic : computed.statistics)
-        if (const auto name = short_names.find(statistic.name); name != short_names.end())
-          if (const Unit* value = std::get_if<Unit>(&statistic.value)) use(name->second, *value);
+  static void each_statistic(const ComputedSum& computed, Use use) {
+    for (const Statistic& statistic : computed.statistics)
+      if (const auto name = short_names.find(statistic.name); name != short_names.end())
+        if (const Unit* value = std::get_if<Unit>(&statistic.value)) use(name->second, *value);
   }
-
-  Engine engine_;
-  Boundary boundary_;
-  EngineOptions options_;
-  std::vector<Summands> pairs_;
-  std::vector<ComputedSum> sums_;
 };
 
-BenchEngine bench_engine(const std::string& name, const std::string& what, const Engine& engine,
-                         unsigned threads = 1, bool is_at_fault = false) {
-  return {name,
-          what,
-          Subject::sums,
-          false,
-          !is_at_fault,
-          [=](const Row& row, const std::vector<Summands>& pairs) {
-            return std::make_unique<OwnSums>(engine, threads, row, pairs);
-          },
-          is_at_fault};
+BenchEngine bench_engine(const std::string& name, const std::string& what, const Computing& compute,
+                         unsigned threads = 1) {
+  return {.name = name, .what = what, .prepare = each_pair([=](const Row& row) {
+                                        return OwnSums{compute, row.boundary, {.threads = threads}};
+                                      })};
 }
 
-const Engine& engine_named(const std::string& name) {
-  const Engine* engine = find_engine(engines(), name);
-  if (engine == nullptr) throw std::logic_error("no engine is called " + name);
-  return *engine;
+BenchEngine at_fault(const std::string& name, const std::string& what, const Computing& compute) {
+  BenchEngine engine = bench_engine(name, what, compute);
+  engine.is_ours = false;
+  engine.is_at_fault = true;
+  return engine;
 }
 
 }  // namespace
 
 std::vector<BenchEngine> own_engines() {
-  const auto own = [](const std::string& name) {
-    const Engine& engine = engine_named(name);
-    return bench_engine(name, "oplus: " + engine.what, engine);
-  };
-  return {own("slide"),
-          bench_engine("slide2", "oplus: slide on two threads", engine_named("slide"), 2),
-          own("rca"), own("winding")};
+  std::vector<BenchEngine> own;
+  for (const Engine& engine : engines()) {
+    if (engine.name == "loops") continue;  // rca's arrangement again, with more to do on it
+    own.push_back(bench_engine(engine.name, "oplus: " + engine.what, engine.compute));
+    if (engine.has_threads)
+      own.push_back(bench_engine(engine.name + '2', "oplus: " + engine.name + " on two threads",
+                                 engine.compute, 2));
+  }
+  return own;
 }
 
 std::vector<BenchEngine> engines_at_fault() {
-  const auto at_fault = [](const std::string& name, const std::string& what, auto compute) {
-    return bench_engine(name, what, {.name = name, .compute = compute}, 1, true);
-  };
-  const auto crash = [](const Region&, const Region&, Boundary,
-                        const EngineOptions&) -> ComputedSum { std::abort(); };
-  const auto hang = [](const Region&, const Region&, Boundary,
-                       const EngineOptions&) -> ComputedSum {
-    while (true) ::pause();
-  };
   const auto wrong = [](const Region& p, const Region& q, Boundary boundary,
                         const EngineOptions& options) {
-    ComputedSum computed = engine_named("rca").compute(p, q, boundary, options);
+    ComputedSum computed = rca(p, q, boundary, options);
     computed.sum.outer.at(0).at(0).x -= 1;
     return computed;
   };
-  return {at_fault("crash", "aborts", crash), at_fault("hang", "never ends", hang),
+  return {at_fault("crash", "aborts", [](auto&&...) -> ComputedSum { std::abort(); }),
+          at_fault("hang", "never ends",
+                   [](auto&&...) -> ComputedSum {
+                     while (true) ::pause();
+                   }),
           at_fault("wrong", "moves a vertex of the sum", wrong)};
 }
 

@@ -2,16 +2,11 @@
 #pragma once
 
 #include <functional>
-#include <limits>
 
+#include "properties/runner/child_process.hpp"
 #include "tests/bench/measurement.hpp"
 
 namespace oplus {
-
-struct MeasuringLimits {
-  double seconds = std::numeric_limits<double>::infinity();  ///< from one sign of life to the next
-  std::size_t memory_mb = 0;                                 ///< of address space; 0: none
-};
 
 /// Work that measures; it calls its argument as a sign of life.
 using Measuring = std::function<Measurement(const std::function<void()>& beat)>;
@@ -20,7 +15,8 @@ using Measuring = std::function<Measurement(const std::function<void()>& beat)>;
 ///  1. Work that throws, crashes, is killed, or runs into a limit is a measurement that says so, with
 ///     the most that was resident (wait4, ru_maxrss); it leaves this process alone.
 ///  2. Work that throws NotTaken has not been taken.
+///  3. Of the limits, the time is that from one sign of life to the next.
 /// Requires: no other thread runs. Throws std::system_error where no process can be had.
-Measurement measured_in_own_process(const Measuring& work, const MeasuringLimits& limits);
+Measurement measured_in_own_process(const Measuring& work, ProcessLimits limits);
 
 }  // namespace oplus

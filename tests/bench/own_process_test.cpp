@@ -15,23 +15,17 @@
 namespace oplus {
 namespace {
 
-using Outcome = Measurement::Outcome;
+using Ending = Measurement::Ending;
 
 /// What becomes of work that writes its result as a note.
-Measurement measured(const std::function<std::string()>& work, const MeasuringLimits& limits = {}) {
-  return measured_in_own_process(
-      [&](const auto&) {
-        Measurement m;
-        m.note = work();
-        return m;
-      },
-      limits);
+Measurement measured(const std::function<std::string()>& work, const ProcessLimits& limits = {}) {
+  return measured_in_own_process([&](const auto&) { return Measurement{.note = work()}; }, limits);
 }
 
 TEST(OwnProcess, returns_what_the_work_returns_however_long) {
   const std::string text(1'000'000, 'x');
   const Measurement m = measured([&] { return text; });
-  EXPECT_EQ(m.outcome, Outcome::done);
+  EXPECT_EQ(m.outcome, Ending::done);
   EXPECT_EQ(m.note, text);
 }
 
@@ -53,14 +47,14 @@ TEST(OwnProcess, work_that_is_killed_or_throws_is_reported) {
   EXPECT_EQ(in_words(measured(dies)), "crashed: signal 9");
   EXPECT_EQ(in_words(measured([]() -> std::string { throw std::logic_error("why, then"); })),
             "failed: why, then");
-  EXPECT_EQ(measured([]() -> std::string { throw 1; }).outcome, Outcome::failed);
-  EXPECT_EQ(measured([]() -> std::string { ::_exit(1); }).outcome, Outcome::failed);
+  EXPECT_EQ(measured([]() -> std::string { throw 1; }).outcome, Ending::failed);
+  EXPECT_EQ(measured([]() -> std::string { ::_exit(1); }).outcome, Ending::failed);
   EXPECT_EQ(measured([]() -> std::string { throw NotTaken("no holes"); }).outcome,
-            Outcome::not_taken);
+            Ending::not_taken);
 }
 
 TEST(OwnProcess, a_sign_of_life_starts_the_clock_anew) {
-  const MeasuringLimits limits{0.2, 0};
+  const ProcessLimits limits{.seconds = 0.2};
   const auto naps = [](int count) {
     return [count](const std::function<void()>& beat) {
       for (int i = 0; i < count; ++i) {
@@ -71,7 +65,7 @@ TEST(OwnProcess, a_sign_of_life_starts_the_clock_anew) {
       return Measurement{};
     };
   };
-  EXPECT_EQ(measured_in_own_process(naps(5), limits).outcome, Outcome::done);
+  EXPECT_EQ(measured_in_own_process(naps(5), limits).outcome, Ending::done);
   EXPECT_EQ(in_words(measured_in_own_process(naps(0), limits)), "> 0.2 s");
 }
 
@@ -85,16 +79,12 @@ std::string bits(unsigned count) {
 }
 
 TEST(OwnProcess, work_that_needs_more_than_the_limit_is_out_of_memory) {
-  const auto with_mb = [](std::size_t memory_mb) {
-    MeasuringLimits limits;
-    limits.memory_mb = memory_mb;
-    return limits;
-  };
-  EXPECT_EQ(measured([] { return bytes(2'000'000'000); }, with_mb(1000)).outcome,
-            Outcome::out_of_memory);
-  EXPECT_EQ(measured([] { return bits(4'000'000'000); }, with_mb(400)).outcome,
-            Outcome::out_of_memory);
-  EXPECT_EQ(measured([] { return bytes(2'000'000); }, with_mb(1000)).outcome, Outcome::done);
+  EXPECT_EQ(measured([] { return bytes(2'000'000'000); }, {.address_space_mb = 1000}).outcome,
+            Ending::out_of_memory);
+  EXPECT_EQ(measured([] { return bits(4'000'000'000); }, {.address_space_mb = 400}).outcome,
+            Ending::out_of_memory);
+  EXPECT_EQ(measured([] { return bytes(2'000'000); }, {.address_space_mb = 1000}).outcome,
+            Ending::done);
   EXPECT_EQ(in_words(measured([]() -> std::string { throw std::bad_alloc(); })), "out of memory");
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "tests/bench/engine.hpp"
-#include "tests/bench/goals.hpp"
 #include "tests/bench/measuring.hpp"
 #include "tests/bench/numbers.hpp"
 
@@ -12,49 +11,46 @@ namespace oplus {
 
 namespace {
 
+using Names = std::vector<std::string>;
+
 /// The engines of sums that the run has, in the order in which they are listed.
-std::vector<std::string> sum_engines(const Rows& rows) {
-  std::vector<std::string> names;
+Names sum_engines(const Rows& rows) {
+  Names names;
   for (const BenchEngine& engine : bench_engines())
-    if (engine.name != "slide2" && std::any_of(rows.begin(), rows.end(), [&](const Row* row) {
-          return row->of(engine.name) != nullptr;
-        }))
+    if (engine.name != "slide2" &&
+        std::ranges::any_of(rows, [&](const Row& row) { return row.of(engine.name); }))
       names.push_back(engine.name);
   return names;
 }
 
-/// All are compared with slide.
-std::vector<std::string> others(const Rows& rows) {
-  std::vector<std::string> names = sum_engines(rows);
-  std::erase(names, "slide");
-  return names;
-}
-
 /// A row for each row, and one for the geometric means of a group that has several; where there is no
-/// ratio the row is left out of them.
-Table ratios(const Rows& rows, double limit, const std::string& first, RatioOf ratio_of) {
+/// ratio to slide the row is left out of them.
+Table ratios(const Rows& rows, const Names& engines, double limit, const std::string& first,
+             const std::string& number) {
+  const auto ratio_of = [=](const Row& row, const std::string& engine) {
+    return ratio(row, number, engine, "slide", limit);
+  };
   std::vector<Column> columns = columns_of(first);
   const std::size_t first_columns = columns.size();
-  for (const std::string& name : others(rows))
+  for (const std::string& name : engines)
     columns.push_back({name, [=](const Row& row) {
-                         const std::optional<Ratio> ratio = ratio_of(row, name, "slide", limit);
-                         return ratio ? ratio_text(*ratio) : instead_of_number(row.of(name));
+                         const std::optional<Ratio> found = ratio_of(row, name);
+                         return found ? ratio_text(*found) : instead_of_number(row.of(name));
                        }});
   Table table = table_of({}, columns);
   for (auto begin = rows.begin(), end = begin; begin != rows.end(); begin = end) {
-    const std::string name_of_group = (*begin)->group;
-    end = std::find_if(begin, rows.end(),
-                       [&](const Row* row) { return row->group != name_of_group; });
+    end =
+        std::find_if(begin, rows.end(), [&](const Row& row) { return row.group != begin->group; });
     const Rows group(begin, end);
     const Table of_group = table_of(group, columns);
     table.rows.insert(table.rows.end(), of_group.rows.begin(), of_group.rows.end());
     if (group.size() < 2) continue;
-    std::vector<std::string> means(first_columns);
-    means[0] = "*" + name_of_group + ", geometric mean*";
-    for (const std::string& name : others(rows)) {
+    Names means(first_columns);
+    means[0] = "*" + begin->group + ", geometric mean*";
+    for (const std::string& name : engines) {
       std::vector<Ratio> found;
-      for (const Row* row : group)
-        if (const auto ratio = ratio_of(*row, name, "slide", limit)) found.push_back(*ratio);
+      for (const Row& row : group)
+        if (const auto of_row = ratio_of(row, name)) found.push_back(*of_row);
       means.push_back(found.empty() ? "" : '*' + ratio_text(geometric_mean(found)) + '*');
     }
     table.rows.push_back(means);
@@ -64,63 +60,41 @@ Table ratios(const Rows& rows, double limit, const std::string& first, RatioOf r
 
 Table throughput(const Rows& rows) {
   Table table{{"engine", "pairs a second", "with coordinates evaluated"}, {}};
-  for (const Row* row : rows) {
-    if (row->pairs == 1) continue;
+  for (const Row& row : rows) {
+    if (row.pairs == 1) continue;
     const auto rate = [&](const std::optional<double>& seconds) {
-      return seconds ? three_digits(static_cast<double>(row->pairs) / *seconds) : "";
+      return seconds ? three_digits(static_cast<double>(row.pairs) / *seconds) : "";
     };
     for (const std::string& name : sum_engines(rows)) {
-      const Measurement* m = row->done(name);
+      const Measurement* m = row.done(name);
       table.rows.push_back(
-          {name, m == nullptr ? instead_of_number(row->of(name)) : rate(m->number("seconds")),
-           rate(row->number(name + ".seconds_evaluated"))});
+          {name, m == nullptr ? instead_of_number(row.of(name)) : rate(m->number("seconds")),
+           rate(row.number(name + ".seconds_evaluated"))});
     }
   }
   return table;
 }
 
 /// Those on which these engines got to the end.
-Rows where_done(Rows rows, const std::vector<std::string>& engines) {
-  std::erase_if(rows, [&](const Row* row) {
-    return std::any_of(engines.begin(), engines.end(),
-                       [&](const std::string& name) { return row->done(name) == nullptr; });
+Rows where_done(const Rows& rows, const Names& engines) {
+  return rows_where(rows, [&](const Row& row) {
+    return std::ranges::all_of(engines, [&](const std::string& name) { return row.done(name); });
   });
-  return rows;
 }
 
 /// What is not a number in the tables, and why.
-std::vector<std::string> remarks(const Report& report) {
-  std::vector<std::string> found;
+Names remarks(const Report& report) {
+  Names found;
   for (const Row& row : report.rows) {
     const std::string disagreement = agreement_of(row).disagreement;
     if (!disagreement.empty()) found.push_back(row.what + ": **" + disagreement + " disagree**");
     for (const Measurement& m : row.measurements)
-      if (!m.is_done() && m.outcome != Measurement::Outcome::over_limit)
+      if (!m.is_done() && m.outcome != Measurement::Ending::over_limit)
         found.push_back(row.what + ": " + m.engine + ' ' + in_words(m));
   }
   for (const std::string& name : report.setting.missing)
     found.push_back("The published pair " + name + " was not there");
   return found;
-}
-
-Table goals(const Report& report) {
-  Table table{{"goal", "measured", "reached"}, {}};
-  for (const Goal& goal : goals_of(report))
-    table.rows.push_back({goal.text, goal.measured,
-                          !goal.reached   ? "not measured"
-                          : *goal.reached ? "yes"
-                                          : "**no**"});
-  return table;
-}
-
-PageData engine_list(const Rows& rows) {
-  PageData list(PageData::type::list);
-  for (const std::string& name : sum_engines(rows)) {
-    PageData engine("name", name);
-    engine.set("what", find_bench_engine(Subject::sums, name)->what);
-    list << engine;
-  }
-  return list;
 }
 
 }  // namespace
@@ -140,48 +114,52 @@ PageData benchmarks_data(const Report& report) {
     ++compared;
     if (agreement.disagreement.empty()) ++equal;
   }
-  const Setting& setting = report.setting;
-  PageData data("processor", setting.processor);
-  data.set("cores", std::to_string(setting.cores));
-  data.set("compiler", setting.compiler);
-  data.set("libraries", setting.libraries);
-  data.set("commit", setting.commit);
-  data.set("command", setting.command);
-  data.set("limit", plain(setting.limit));
-  data.set("repetitions", std::to_string(repetitions));
-  data.set("busy", std::to_string(busy));
-  data.set("measured", std::to_string(measured));
-  data.set("equal", std::to_string(equal));
-  data.set("compared", std::to_string(compared));
-  data.set("remarks", page_data(remarks(report)));
 
-  const Rows all = pointers(report.rows);
-  const Rows sums = rows_for(report, Subject::sums);
-  std::vector<std::string> lazy = others(sums);
-  std::erase_if(lazy, [&](const std::string& name) {
+  const Rows sums = rows_for(report.rows, Subject::sums);
+  const Names engines = sum_engines(sums);
+  // All are compared with slide.
+  Names others = engines;
+  std::erase(others, "slide");
+  kainjow::mustache::list listed;
+  Names lazy;
+  Names rounding;
+  for (const std::string& name : engines)
+    listed.push_back(kainjow::mustache::object{
+        {"name", name}, {"what", find_bench_engine(Subject::sums, name)->what}});
+  for (const std::string& name : others) {
     const std::string evaluated = name + ".seconds_evaluated";
-    return points(sums, evaluated, evaluated).x.empty();
-  });
-  std::vector<std::string> rounding = others(sums);
-  std::erase_if(rounding, [](const std::string& name) {
-    return !find_bench_engine(Subject::sums, name)->rounds;
-  });
-  data.set("engines", engine_list(sums));
-  data.set("sums", table_section(sums, sum_engines(sums)));
-  data.set("lazy_engines", table_section(sums, lazy));
-  data.set("rounding_engines", table_section(sums, rounding));
-  data.set("growth", table_section(where_done(rows_for(report, Subject::growth), {"slide"})));
-  data.set("threads", table_section(where_done(all, {"slide", "slide2"})));
-  data.set("convolutions", table_section(where_done(all, {"traced", "naive"})));
+    if (!points(sums, evaluated, evaluated).x.empty()) lazy.push_back(name);
+    if (find_bench_engine(Subject::sums, name)->rounds) rounding.push_back(name);
+  }
 
-  const double limit = report.setting.limit;
-  data.set("goals", page_data(goals(report)));
-  data.set("throughput", page_data(throughput(sums)));
-  data.set("ratios", page_data(ratios(sums, limit, "time / slide = what", time_ratio)));
-  data.set("memory",
-           page_data(ratios(sums, limit, "memory / slide = what; slide, MB = 1 slide.peak_mb",
-                            memory_ratio)));
-  return data;
+  const Setting& setting = report.setting;
+  return kainjow::mustache::object{
+      {"processor", setting.processor},
+      {"cores", std::to_string(setting.cores)},
+      {"compiler", setting.compiler},
+      {"libraries", setting.libraries},
+      {"commit", setting.commit},
+      {"command", setting.command},
+      {"limit", plain(setting.limit)},
+      {"repetitions", std::to_string(repetitions)},
+      {"busy", std::to_string(busy)},
+      {"measured", std::to_string(measured)},
+      {"equal", std::to_string(equal)},
+      {"compared", std::to_string(compared)},
+      {"remarks", page_data(remarks(report))},
+      {"engines", listed},
+      {"sums", table_section(sums, engines)},
+      {"lazy_engines", table_section(sums, lazy)},
+      {"rounding_engines", table_section(sums, rounding)},
+      {"growth", table_section(where_done(rows_for(report.rows, Subject::growth), {"slide"}))},
+      {"threads", table_section(where_done(report.rows, {"slide", "slide2"}))},
+      {"convolutions", table_section(where_done(report.rows, {"traced", "naive"}))},
+      {"goals", page_data(goals_of(report))},
+      {"throughput", page_data(throughput(sums))},
+      {"ratios", page_data(ratios(sums, others, setting.limit, "time / slide = what", "seconds"))},
+      {"memory",
+       page_data(ratios(sums, others, setting.limit,
+                        "memory / slide = what; slide, MB = 1 slide.peak_mb", "peak_mb"))}};
 }
 
 }  // namespace oplus

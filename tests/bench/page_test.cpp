@@ -9,29 +9,20 @@ namespace oplus {
 namespace {
 
 Report report_with_two_engines() {
-  Report report;
-  report.setting = {"a processor", 2,  "a compiler", "libraries", "a commit",
-                    "oplus-bench", 60, {"fork"}};
-  Row row;
-  row.name = "row";
-  row.what = "two squares";
-  for (const auto& [engine, digest, area] :
-       {std::tuple("slide", "a", "2"), std::tuple("rca", "b", "2"),
-        std::tuple("clipper", "", "3")}) {
-    Measurement m;
-    m.engine = engine;
-    m.digest = digest;
-    m.area = area;
-    m.numbers = {{"seconds", 0.5}, {"peak_mb", 1}, {"sum_holes", 0}};
-    row.measurements.push_back(m);
-  }
-  Measurement crashed;
-  crashed.engine = "cgal-full";
-  crashed.outcome = Measurement::Outcome::crashed;
-  crashed.note = "signal 11";
-  row.measurements.push_back(crashed);
-  report.rows = {row};
-  return report;
+  const auto done = [](const std::string& engine, const std::string& digest,
+                       const std::string& area) {
+    return Measurement{.engine = engine,
+                       .digest = digest,
+                       .area = area,
+                       .numbers = {{"seconds", 0.5}, {"peak_mb", 1}, {"sum_holes", 0}}};
+  };
+  const Measurement crashed{
+      .engine = "cgal-full", .outcome = Measurement::Ending::crashed, .note = "signal 11"};
+  return {.setting = {.processor = "a processor", .cores = 2, .limit = 60, .missing = {"fork"}},
+          .rows = {{.name = "row",
+                    .what = "two squares",
+                    .measurements = {done("slide", "a", "2"), done("rca", "b", "2"),
+                                     done("clipper", "", "3"), crashed}}}};
 }
 
 std::string page(const std::string& text) {

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <utility>
-
 #include "properties/compare/peers/boost_polygon_method.hpp"
 #include "properties/compare/peers/cgal_methods.hpp"
 #include "properties/compare/peers/clipper_method.hpp"
-#include "tests/bench/described_sums.hpp"
 #include "tests/bench/engine.hpp"
 
 namespace oplus {
@@ -12,70 +9,32 @@ namespace oplus {
 namespace {
 
 /// Exact sums in canonical form; of rounded ones the chains as they are.
-MinkowskiSum sum_of(const ReturnedChains& chains, bool rounded) {
-  if (rounded) {
-    MinkowskiSum sum;
-    for (const Chain& chain : chains)
-      (twice_area(chain) > 0 ? sum.outer : sum.holes).push_back(chain);
-    return sum;
-  }
+MinkowskiSum sum_of(const ReturnedChains& chains, Arithmetic arithmetic) {
+  MinkowskiSum as_they_are;
   BoundaryFeatures features;
   for (const Chain& chain : chains) {
+    (twice_area(chain) > 0 ? as_they_are.outer : as_they_are.holes).push_back(chain);
     const std::vector<Segment> of_chain = edges(chain);
     features.edges.insert(features.edges.end(), of_chain.begin(), of_chain.end());
   }
-  return canonical_sum(features);
+  return arithmetic == Arithmetic::rounding ? as_they_are : canonical_sum(features);
 }
 
-/// What a `Method` has: method.hpp.
 template <typename Method>
-class PeerSums : public PreparedPairs {
- public:
-  explicit PeerSums(const std::vector<Summands>& pairs) {
-    for (const Summands& pair : pairs) inputs_.push_back(method_.converted(pair));
-    sums_.reserve(pairs.size());
+struct Peer : Method {
+  void describe(const typename Method::Input& input, const typename Method::Sum& sum,
+                Description& description) const {
+    description.add(sum_of(this->chains(input, sum), Method::arithmetic), Method::arithmetic);
   }
-
-  void compute() override {
-    for (const Input& input : inputs_) sums_.push_back(method_.sum(input));
-  }
-
-  void forget() override { sums_.clear(); }
-
-  bool evaluate() override {
-    constexpr bool is_lazy = requires(const Sum& sum) { Method::evaluate(sum); };
-    if constexpr (is_lazy)
-      for (const Sum& sum : sums_) Method::evaluate(sum);
-    return is_lazy;
-  }
-
-  void describe(Measurement& measurement) const override {
-    constexpr bool rounds = Method::arithmetic == Arithmetic::rounding;
-    std::vector<MinkowskiSum> sums;
-    for (std::size_t i = 0; i < sums_.size(); ++i)
-      sums.push_back(sum_of(method_.chains(inputs_[i], sums_[i]), rounds));
-    describe_sums(sums, rounds, measurement);
-  }
-
- private:
-  using Input = typename Method::Input;
-  using Sum = typename Method::Sum;
-
-  Method method_;
-  std::vector<Input> inputs_;
-  std::vector<Sum> sums_;
 };
 
 template <typename Method>
 BenchEngine engine_of(const std::string& name, const std::string& what) {
-  return {name,
-          what,
-          Subject::sums,
-          Method::arithmetic == Arithmetic::rounding,
-          false,
-          [](const Row&, const std::vector<Summands>& pairs) {
-            return std::make_unique<PeerSums<Method>>(pairs);
-          }};
+  return {.name = name,
+          .what = what,
+          .prepare = each_pair([](const Row&) { return Peer<Method>(); }),
+          .rounds = Method::arithmetic == Arithmetic::rounding,
+          .is_ours = false};
 }
 
 }  // namespace

@@ -12,9 +12,6 @@ namespace oplus {
 /// A pair that somebody published, in files of the folder `data/`.
 struct PublishedPair {
   std::string name;
-  std::string what;  ///< in words; empty where the benchmark has no row of it
-  std::string p;     ///< its file, without the ending .dat
-  std::string q;
 
   /// Its row in the thesis's Table 6.1: times in seconds, edges of the arrangements.
   struct Measured {
@@ -23,7 +20,11 @@ struct PublishedPair {
     double a_w;
     double a_rc;
   };
-  std::optional<Measured> in_thesis;
+  std::optional<Measured> in_thesis = {};
+
+  std::string what = "";            ///< in words; empty where the benchmark has no row of it
+  std::string p = name + "_part1";  ///< its file, without the ending .dat
+  std::string q = name + "_part2";
 
   bool is_there() const;
 

@@ -10,13 +10,13 @@ NLOHMANN_JSON_SERIALIZE_ENUM(Subject, {{Subject::sums, "sums"},
                                        {Subject::growth, "growth"},
                                        {Subject::convolution, "convolution"},
                                        {Subject::hole_tests, "hole tests"}})
-NLOHMANN_JSON_SERIALIZE_ENUM(Measurement::Outcome,
-                             {{Measurement::Outcome::failed, "failed"},
-                              {Measurement::Outcome::done, "done"},
-                              {Measurement::Outcome::over_limit, "over the limit"},
-                              {Measurement::Outcome::out_of_memory, "out of memory"},
-                              {Measurement::Outcome::crashed, "crashed"},
-                              {Measurement::Outcome::not_taken, "not taken"}})
+NLOHMANN_JSON_SERIALIZE_ENUM(Measurement::Ending,
+                             {{Measurement::Ending::failed, "failed"},
+                              {Measurement::Ending::done, "done"},
+                              {Measurement::Ending::over_limit, "over the limit"},
+                              {Measurement::Ending::out_of_memory, "out of memory"},
+                              {Measurement::Ending::crashed, "crashed"},
+                              {Measurement::Ending::not_taken, "not taken"}})
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Measurement, engine, outcome, note, digest, area, numbers)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Row, name, group, what, subject, pairs, measurements)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Setting, processor, cores, compiler, libraries, commit, command,
@@ -47,12 +47,5 @@ std::string to_json(const Measurement& measurement) {
 
 Report report_of(const std::string& json) { return read<Report>(json); }
 Measurement measurement_of(const std::string& json) { return read<Measurement>(json); }
-
-Rows rows_for(const Report& report, Subject subject) {
-  Rows found;
-  for (const Row& row : report.rows)
-    if (row.subject == subject) found.push_back(&row);
-  return found;
-}
 
 }  // namespace oplus

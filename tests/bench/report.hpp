@@ -4,33 +4,30 @@
 #include <string>
 #include <vector>
 
-#include "tests/bench/table.hpp"
+#include "tests/bench/row.hpp"
 
 namespace oplus {
 
 /// Where and how a run was made.
 struct Setting {
-  std::string processor;
+  std::string processor = {};
   unsigned cores = 0;
-  std::string compiler;
-  std::string libraries;
-  std::string commit;  ///< of the sources, as far as git knew it when the build was configured
-  std::string command;
+  std::string compiler = {};
+  std::string libraries = {};
+  std::string commit = {};  ///< of the sources, as far as git knew it when the build was configured
+  std::string command = {};
   double limit = 0;
-  std::vector<std::string> missing;  ///< published pairs that were not there
+  std::vector<std::string> missing = {};  ///< published pairs that were not there
 };
 
 /// A run.
 struct Report {
-  Setting setting;
-  std::vector<Row> rows;
+  Setting setting = {};
+  Rows rows = {};
 };
 
 /// That of this program on this machine.
 Setting this_setting(const std::string& command, double limit);
-
-/// The rows of a run that are for this.
-Rows rows_for(const Report& report, Subject subject);
 
 /// JSON: what --json writes and --from reads, and what a measuring process says.
 /// The readers throw std::invalid_argument where the text says something else.

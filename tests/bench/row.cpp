@@ -12,26 +12,25 @@
 namespace oplus {
 
 std::string in_words(const Measurement& m) {
-  using Outcome = Measurement::Outcome;
+  using Ending = Measurement::Ending;
   switch (m.outcome) {
-    case Outcome::done:
+    case Ending::done:
       return "done";
-    case Outcome::out_of_memory:
+    case Ending::out_of_memory:
       return "out of memory";
-    case Outcome::crashed:
+    case Ending::crashed:
       return "crashed: " + m.note;
-    case Outcome::failed:
+    case Ending::failed:
       return "failed: " + m.note;
-    case Outcome::over_limit:
-    case Outcome::not_taken:
+    case Ending::over_limit:
+    case Ending::not_taken:
       return m.note;
   }
   return "";
 }
 
 const Measurement* Row::of(const std::string& engine) const {
-  const auto found = std::find_if(measurements.begin(), measurements.end(),
-                                  [&](const Measurement& m) { return m.engine == engine; });
+  const auto found = std::ranges::find(measurements, engine, &Measurement::engine);
   return found == measurements.end() ? nullptr : &*found;
 }
 
@@ -71,6 +70,15 @@ std::optional<double> Row::number(const std::string& path) const {
   return path.ends_with(".area_error") ? error.get_d() : Rational(error / area).get_d();
 }
 
+Rows rows_where(Rows rows, const std::function<bool(const Row&)>& is_one) {
+  std::erase_if(rows, std::not_fn(is_one));
+  return rows;
+}
+
+Rows rows_for(const Rows& rows, Subject subject) {
+  return rows_where(rows, [=](const Row& row) { return row.subject == subject; });
+}
+
 Agreement agreement_of(const Row& row) {
   Agreement agreement;
   std::map<std::string, std::string> engines_by_digest;
@@ -94,7 +102,7 @@ std::vector<std::string> faults_of(const Row& row) {
   if (!disagreement.empty()) faults.push_back(row.name + ": " + disagreement + " disagree");
   for (const Measurement& m : row.measurements) {
     const bool lost =
-        m.outcome == Measurement::Outcome::crashed || m.outcome == Measurement::Outcome::failed;
+        m.outcome == Measurement::Ending::crashed || m.outcome == Measurement::Ending::failed;
     const BenchEngine* engine = find_bench_engine(row.subject, m.engine);
     if (lost && engine != nullptr && engine->is_ours)
       faults.push_back(row.name + ": " + m.engine + ' ' + in_words(m));
@@ -106,24 +114,15 @@ std::string ratio_text(const Ratio& ratio) {
   return (ratio.is_lower_bound ? "> " : "") + three_digits(ratio.value);
 }
 
-std::optional<Ratio> time_ratio(const Row& row, const std::string& engine, const std::string& base,
-                                double limit) {
+std::optional<Ratio> ratio(const Row& row, const std::string& number, const std::string& engine,
+                           const std::string& base, double limit) {
   const Measurement* m = row.of(engine);
-  const std::optional<double> of_base = row.number(base + ".seconds");
+  const std::optional<double> of_base = row.number(base + '.' + number);
   if (m == nullptr || !of_base) return std::nullopt;
-  if (m->is_done()) return Ratio{m->numbers.at("seconds") / *of_base, false};
-  if (m->outcome == Measurement::Outcome::over_limit) return Ratio{limit / *of_base, true};
-  return std::nullopt;
-}
-
-std::optional<Ratio> memory_ratio(const Row& row, const std::string& engine,
-                                  const std::string& base, double) {
-  const Measurement* m = row.of(engine);
-  const std::optional<double> of_base = row.number(base + ".peak_mb");
-  if (m == nullptr || !of_base) return std::nullopt;
-  const bool ended = m->outcome == Measurement::Outcome::over_limit;
+  const bool ended = m->outcome == Measurement::Ending::over_limit;
   if (!m->is_done() && !ended) return std::nullopt;
-  return Ratio{m->numbers.at("peak_mb") / *of_base, ended};
+  const double of_engine = ended && number == "seconds" ? limit : m->numbers.at(number);
+  return Ratio{of_engine / *of_base, ended};
 }
 
 Ratio geometric_mean(const std::vector<Ratio>& ratios) {

@@ -23,20 +23,21 @@ enum class Subject {
 
 /// The same input for several engines, and what was measured of them.
 struct Row {
-  std::string name;
-  std::string group;  ///< rows of one group are neighbours
-  std::string what;
+  std::string name = {};
+  std::string group = {};  ///< rows of one group are neighbours
+  std::string what = {};
   Subject subject = Subject::sums;
   std::size_t pairs = 1;
-  std::vector<std::string> engines;             ///< that are for it
-  std::function<std::vector<Summands>()> make;  ///< the same each time; empty: the input is missing
-  Boundary boundary = Boundary::closed;         ///< of which sums
+  std::vector<std::string> engines = {};  ///< that are for it
+  std::function<std::vector<Summands>()> make =
+      {};                                ///< the same each time; empty: the input is missing
+  Boundary boundary = Boundary::closed;  ///< of which sums
 
   /// Besides the engines' own: what tells the row from others, and what compares its engines.
-  std::map<std::string, std::string> words;
-  std::map<std::string, double> numbers;
+  std::map<std::string, std::string> words = {};
+  std::map<std::string, double> numbers = {};
 
-  std::vector<Measurement> measurements;
+  std::vector<Measurement> measurements = {};
 
   /// Returns nullptr where the engine was not asked, or, for `done`, did not get to the end.
   const Measurement* of(const std::string& engine) const;
@@ -47,6 +48,11 @@ struct Row {
   /// one, "clipper.relative_area_error"); or a quotient of two ("rca.seconds/winding.seconds").
   std::optional<double> number(const std::string& name) const;
 };
+
+using Rows = std::vector<Row>;
+
+Rows rows_where(Rows rows, const std::function<bool(const Row&)>& is_one);
+Rows rows_for(const Rows& rows, Subject subject);
 
 /// What results say about each other.
 struct Agreement {
@@ -72,12 +78,10 @@ struct Ratio {
 /// "12.3", "> 971".
 std::string ratio_text(const Ratio& ratio);
 
-/// How many times as long as `base`, or as much memory, an engine takes; none where one of them has
-/// no such number. An engine that was ended took at least `limit` seconds.
-using RatioOf = std::optional<Ratio>(const Row& row, const std::string& engine,
-                                     const std::string& base, double limit);
-RatioOf time_ratio;
-RatioOf memory_ratio;
+/// How many times as long as `base` an engine takes ("seconds"), or as much memory ("peak_mb"); none
+/// where one of them has no such number. An engine that was ended took at least `limit` seconds.
+std::optional<Ratio> ratio(const Row& row, const std::string& number, const std::string& engine,
+                           const std::string& base, double limit);
 
 /// A lower bound as soon as one of them is. Requires: at least one.
 Ratio geometric_mean(const std::vector<Ratio>& ratios);

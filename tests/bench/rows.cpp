@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/bench/rows.hpp"
 
-#include <utility>
-
 #include "reference/families/coast.hpp"
 #include "reference/families/fork.hpp"
 #include "reference/families/pairs.hpp"
@@ -16,13 +14,11 @@ namespace {
 
 constexpr std::size_t small_pairs = 2000;
 
-using MakePolygon = Region (*)(Random& random, std::size_t n);
-
 /// One kind of polygon: its name in a row's name, and in words.
 struct Kind {
   std::string name;
   std::string words;
-  MakePolygon make;
+  Region (*make)(Random& random, std::size_t n);
 };
 
 const Kind star{"star", "star", star_polygon};
@@ -38,56 +34,49 @@ Region large_coast(Random& random, std::size_t n) {
 
 const Kind coast{"coast", "coastline", large_coast};
 
-Row row_of(const std::string& name, const std::string& group, const std::string& what,
-           std::function<std::vector<Summands>()> make, Subject subject = Subject::sums) {
-  Row row;
-  row.name = name;
-  row.group = group;
-  row.what = what;
-  row.subject = subject;
-  row.make = std::move(make);
-  return row;
+Row pair_of(const std::string& group, const Kind& p, std::size_t n, const Kind& q, std::size_t m) {
+  const std::string of_n = std::to_string(n);
+  const std::string of_m = std::to_string(m);
+  return {.name = p.name + '_' + of_n + "_" + q.name + '_' + of_m,
+          .group = group,
+          .what = p.words + " of " + of_n + " vertices and " + q.words + " of " + of_m,
+          .make = [p = p.make, n, q = q.make, m] {
+            Random random(1);
+            return std::vector<Summands>{{p(random, n), q(random, m)}};  // in this order
+          }};
 }
 
-Row pair_of(const std::string& group, const Kind& p, std::size_t n, const Kind& q, std::size_t m,
-            Subject subject = Subject::sums) {
-  const std::string name =
-      p.name + '_' + std::to_string(n) + "_" + q.name + '_' + std::to_string(m);
-  const auto make = [p = p.make, n, q = q.make, m] {
-    Random random(1);
-    Region first = p(random, n);
-    return std::vector<Summands>{{std::move(first), q(random, m)}};
-  };
-  return row_of((subject == Subject::sums ? "" : "growth_") + name, group,
-                p.words + " of " + std::to_string(n) + " vertices and " + q.words + " of " +
-                    std::to_string(m),
-                make, subject);
-}
-
-void add_published(std::vector<Row>& all) {
+Rows published_rows() {
+  Rows rows;
   for (const PublishedPair& published : published_pairs()) {
     if (published.what.empty() || !published.is_there()) continue;
     const Summands pair = published.read();
-    const std::string group = published.name == "holes" ? "with holes" : "published";
-    all.push_back(row_of("published_" + published.name, group,
-                         published.what + ", " + std::to_string(vertex_count(pair.p)) + " and " +
-                             std::to_string(vertex_count(pair.q)) + " vertices",
-                         [published] { return std::vector<Summands>{published.read()}; }));
+    rows.push_back({.name = "published_" + published.name,
+                    .group = published.name == "holes" ? "with holes" : "published",
+                    .what = published.what + ", " + std::to_string(vertex_count(pair.p)) + " and " +
+                            std::to_string(vertex_count(pair.q)) + " vertices",
+                    .make = [published] { return std::vector<Summands>{published.read()}; }});
   }
+  return rows;
 }
 
-void add_forks_and_combs(std::vector<Row>& all) {
-  for (const std::size_t teeth : {10, 20, 50, 100})
-    all.push_back(row_of("fork_" + std::to_string(teeth), "fork and L",
-                         "fork of " + std::to_string(teeth) + " teeth an arm, and L",
-                         [teeth] { return std::vector<Summands>{fork_and_l(teeth)}; }));
-  for (const std::size_t teeth : {20, 100, 500})
-    all.push_back(row_of("comb_" + std::to_string(teeth), "combs",
-                         "comb of " + std::to_string(teeth) + " teeth and a small convex polygon",
-                         [teeth] {
-                           Random random(1);
-                           return std::vector<Summands>{comb_pair(random, teeth)};
-                         }));
+Row fork_and_l_row(std::size_t teeth) {
+  const std::string count = std::to_string(teeth);
+  return {.name = "fork_" + count,
+          .group = "fork and L",
+          .what = "fork of " + count + " teeth an arm, and L",
+          .make = [teeth] { return std::vector<Summands>{fork_and_l(teeth)}; }};
+}
+
+Row comb_row(std::size_t teeth) {
+  const std::string count = std::to_string(teeth);
+  return {.name = "comb_" + count,
+          .group = "combs",
+          .what = "comb of " + count + " teeth and a small convex polygon",
+          .make = [teeth] {
+            Random random(1);
+            return std::vector<Summands>{comb_pair(random, teeth)};
+          }};
 }
 
 /// Of 4 to 8 vertices each.
@@ -101,13 +90,18 @@ std::vector<Summands> make_small_pairs() {
   return pairs;
 }
 
-void add_convolutions(std::vector<Row>& all) {
-  for (const Kind& kind : {convex, star}) {
-    for (const std::size_t n : {50, 100, 200, 400}) {
-      all.push_back(pair_of("convolution", kind, n, kind, n, Subject::convolution));
-      all.back().name = "convolution_of_" + kind.name + '_' + std::to_string(n);
-    }
-  }
+Row growth_row(std::size_t n) {
+  Row row = pair_of("growth", star, n, star, n);
+  row.name = "growth_" + row.name;
+  row.subject = Subject::growth;
+  return row;
+}
+
+Row convolution_row(const Kind& kind, std::size_t n) {
+  Row row = pair_of("convolution", kind, n, kind, n);
+  row.name = "convolution_of_" + kind.name + '_' + std::to_string(n);
+  row.subject = Subject::convolution;
+  return row;
 }
 
 /// The engines for a row.
@@ -126,39 +120,37 @@ std::vector<std::string> engines_for(const Row& row) {
 
 }  // namespace
 
-const std::vector<Row>& benchmark_rows() {
-  static const std::vector<Row> all = [] {
-    std::vector<Row> made;
-    add_published(made);
-    for (const std::size_t n : {50, 100, 200, 300})
-      made.push_back(pair_of("stars", star, n, star, 100));
-    for (const std::size_t n : {50, 100, 150, 200})
-      made.push_back(pair_of("simple polygons", simple, n, simple, 100));
-    for (const std::size_t n : {50, 200, 500, 980})
-      made.push_back(pair_of("convex and star", convex, n, star, 100));
-    add_forks_and_combs(made);
+const Rows& benchmark_rows() {
+  static const Rows all = [] {
+    Rows made = published_rows();
+    const auto add = [&](std::initializer_list<std::size_t> sizes, auto row_of) {
+      for (const std::size_t n : sizes) made.push_back(row_of(n));
+    };
+    const auto add_pairs = [&](const std::string& group, std::initializer_list<std::size_t> sizes,
+                               const Kind& p, const Kind& q) {
+      add(sizes, [&](std::size_t n) { return pair_of(group, p, n, q, 100); });
+    };
+    add_pairs("stars", {50, 100, 200, 300}, star, star);
+    add_pairs("simple polygons", {50, 100, 150, 200}, simple, simple);
+    add_pairs("convex and star", {50, 200, 500, 980}, convex, star);
+    add({10, 20, 50, 100}, fork_and_l_row);
+    add({20, 100, 500}, comb_row);
     for (const std::size_t n : {1000, 5000}) {
       made.push_back(pair_of("coastlines", coast, n, convex, 20));
       made.push_back(pair_of("coastlines", coast, n, star, 100));
     }
-    made.push_back(row_of("small_pairs", "small pairs",
-                          std::to_string(small_pairs) + " pairs of polygons of 4 to 8 vertices",
-                          make_small_pairs));
-    made.back().pairs = small_pairs;
-    for (const std::size_t n : {55, 95, 175, 300, 388})
-      made.push_back(pair_of("growth", star, n, star, n, Subject::growth));
-    add_convolutions(made);
+    made.push_back({.name = "small_pairs",
+                    .group = "small pairs",
+                    .what = std::to_string(small_pairs) + " pairs of polygons of 4 to 8 vertices",
+                    .pairs = small_pairs,
+                    .make = make_small_pairs});
+    add({55, 95, 175, 300, 388}, growth_row);
+    for (const Kind& kind : {convex, star})
+      add({50, 100, 200, 400}, [&](std::size_t n) { return convolution_row(kind, n); });
     for (Row& row : made) row.engines = engines_for(row);
     return made;
   }();
   return all;
-}
-
-std::vector<std::string> missing_published_pairs() {
-  std::vector<std::string> missing;
-  for (const PublishedPair& pair : published_pairs())
-    if (!pair.what.empty() && !pair.is_there()) missing.push_back(pair.name);
-  return missing;
 }
 
 }  // namespace oplus

@@ -20,37 +20,18 @@ Row for_both_engines(Row row) {
   return row;
 }
 
-/// Pairs in which P grows and Q does not.
-std::function<std::vector<Row>(const ExperimentSettings&)> growing(
-    const std::string& name, const SizeRange& range,
-    Summands (*make)(Random& random, std::size_t size)) {
-  return [=](const ExperimentSettings& settings) {
-    std::vector<Row> rows;
-    for (const std::size_t size : sizes(range, settings.scale))
-      rows.push_back(for_both_engines(random_row(name, settings.seed, size, make)));
-    return rows;
-  };
-}
-
-template <Region (*p_of)(Random&, std::size_t), Region (*q_of)(Random&, std::size_t)>
-Summands with_100(Random& random, std::size_t m) {
-  Region p = p_of(random, m);
-  return {std::move(p), q_of(random, 100)};
-}
-
 std::vector<Row> table_6_1(const ExperimentSettings&) {
   std::vector<Row> rows;
   for (const PublishedPair& pair : published_pairs()) {
     if (!pair.in_thesis) continue;
-    Row row;
-    row.name = "table-6.1 " + pair.name;
-    row.what = pair.name;
-    row.words = {{"name", pair.name}};
-    row.numbers = {{"thesis_rca_edges", pair.in_thesis->a_rc},
-                   {"thesis_winding_edges", pair.in_thesis->a_w},
-                   {"thesis_rca_time", pair.in_thesis->t_rc},
-                   {"thesis_winding_time", pair.in_thesis->t_w},
-                   {"thesis_ratio", pair.in_thesis->t_rc / pair.in_thesis->t_w}};
+    Row row{.name = "table-6.1 " + pair.name,
+            .what = pair.name,
+            .words = {{"name", pair.name}},
+            .numbers = {{"thesis_rca_edges", pair.in_thesis->a_rc},
+                        {"thesis_winding_edges", pair.in_thesis->a_w},
+                        {"thesis_rca_time", pair.in_thesis->t_rc},
+                        {"thesis_winding_time", pair.in_thesis->t_w},
+                        {"thesis_ratio", pair.in_thesis->t_rc / pair.in_thesis->t_w}}};
     if (pair.is_there()) row.make = [pair] { return std::vector<Summands>{pair.read()}; };
     rows.push_back(for_both_engines(row));
   }
@@ -101,17 +82,10 @@ std::vector<std::string> ratio_lines(const Rows& rows) {
   return lines;
 }
 
-/// The curve through what an engine has, as far as there are points enough.
-std::optional<Fit> fitted(const Rows& rows, const std::string& x, const std::string& y,
-                          Fitting* fit) {
-  const auto [xs, ys] = points(rows, x, y);
-  return fit(xs, ys);
-}
-
-std::string r_squared_line(const std::string& curve, const Rows& rows, const std::string& x,
-                           const std::string& of, Fitting* fit) {
+std::string r_squared_line(const std::string& curve, std::size_t degree, const Rows& rows,
+                           const std::string& x, const std::string& of) {
   const auto r_squared = [&](const std::string& engine) {
-    const std::optional<Fit> found = fitted(rows, x, engine + '.' + of, fit);
+    const std::optional<Fit> found = fitted_curve(degree, points(rows, x, engine + '.' + of));
     return found ? three_digits(found->r_squared) : "too few sizes";
   };
   return "R² of " + curve + ": rca " + r_squared("rca") + ", winding " + r_squared("winding");
@@ -120,19 +94,17 @@ std::string r_squared_line(const std::string& curve, const Rows& rows, const std
 /// The arrangements' sizes say without any clock whether the work is quadratic.
 std::vector<std::string> parabola_lines(const Rows& rows) {
   std::vector<std::string> lines = ratio_lines(rows);
-  lines.push_back(
-      r_squared_line("a parabola in m through the times", rows, "m", "time", fit_parabola));
-  lines.push_back(
-      r_squared_line("one through the arrangements' edges", rows, "m", "edges", fit_parabola));
+  lines.push_back(r_squared_line("a parabola in m through the times", 2, rows, "m", "time"));
+  lines.push_back(r_squared_line("one through the arrangements' edges", 2, rows, "m", "edges"));
   return lines;
 }
 
 std::vector<std::string> line_lines(const Rows& rows) {
   std::vector<std::string> lines = ratio_lines(rows);
   lines.push_back(
-      r_squared_line("a line in A_W through the times", rows, "winding.edges", "time", fit_line));
-  const auto rca = fitted(rows, "winding.edges", "rca.time", fit_line);
-  const auto winding = fitted(rows, "winding.edges", "winding.time", fit_line);
+      r_squared_line("a line in A_W through the times", 1, rows, "winding.edges", "time"));
+  const auto rca = fitted_curve(1, points(rows, "winding.edges", "rca.time"));
+  const auto winding = fitted_curve(1, points(rows, "winding.edges", "winding.time"));
   if (rca && winding)
     lines.push_back("slope, microseconds an edge of A_W: rca " + three_digits(1e6 * rca->linear) +
                     ", winding " + three_digits(1e6 * winding->linear) + "; winding / rca " +
@@ -141,62 +113,85 @@ std::vector<std::string> line_lines(const Rows& rows) {
 }
 
 std::vector<std::string> thesis_lines(const Rows& rows) {
-  const auto count = [&](const std::string& column) {
-    return std::to_string(std::count_if(rows.begin(), rows.end(), [&](const Row* row) {
-      const auto found = row->words.find(column);
-      return found != row->words.end() && found->second == "true";
-    }));
+  const auto count = [&](const auto& is_one) {
+    return std::to_string(std::count_if(rows.begin(), rows.end(), is_one));
   };
-  const auto measured =
-      std::count_if(rows.begin(), rows.end(), [](const Row* row) { return bool(row->make); });
-  const auto missing = static_cast<std::ptrdiff_t>(rows.size()) - measured;
-  return {std::to_string(measured) + " pairs measured, " + std::to_string(missing) +
-              " skipped: not in data/",
-          "A_RC is the thesis's in " + count("same_rca_edges") + " of them, A_W in " +
-              count("same_winding_edges")};
+  const auto count_true = [&](const std::string& column) {
+    return count([&](const Row& row) {
+      const auto found = row.words.find(column);
+      return found != row.words.end() && found->second == "true";
+    });
+  };
+  return {count([](const Row& row) { return row.make != nullptr; }) + " pairs measured, " +
+              count([](const Row& row) { return row.make == nullptr; }) + " skipped: not in data/",
+          "A_RC is the thesis's in " + count_true("same_rca_edges") + " of them, A_W in " +
+              count_true("same_winding_edges")};
 }
 
 std::vector<Plot> plots(const std::vector<std::string>& names) {
   std::vector<Plot> all;
-  for (const std::string& name : names) all.push_back({name, "ratio", ""});
+  for (const std::string& name : names) all.push_back({name, "ratio"});
   return all;
+}
+
+/// Completes an experiment in which P grows and Q does not.
+Experiment growing(Experiment experiment, const SizeRange& range,
+                   Summands (*make)(Random& random, std::size_t size)) {
+  experiment.rows = [=, name = experiment.name](const ExperimentSettings& settings) {
+    std::vector<Row> rows;
+    for (const std::size_t size : sizes(range, settings.scale))
+      rows.push_back(for_both_engines(random_row(name, settings.seed, size, make)));
+    return rows;
+  };
+  experiment.compare = compare;
+  experiment.first_columns = columns_after({"size", "pair"});
+  return experiment;
 }
 
 }  // namespace
 
 std::vector<Experiment> sum_experiments() {
-  const std::vector<std::string> size_columns = columns_after({"size", "pair"});
   return {
-      {"table-6.1",
-       "Wein's pairs, as far as they are at hand (Table 6.1)",
-       table_6_1,
-       compare_with_thesis,
-       columns_after({"name", "thesis_rca_edges", "thesis_winding_edges", "thesis_rca_time",
-                      "thesis_winding_time", "thesis_ratio", "same_rca_edges",
-                      "same_winding_edges"}),
-       thesis_lines,
-       {}},
-      {"convex-star", "Convex P grows, Q a star of 100 vertices (Figures 6.9 and 6.20a)",
-       // The thesis's range (Section 6.2.4), but one pair a size instead of 20.
-       growing("convex-star", {50, 980, 30}, with_100<convex_polygon, star_polygon>), compare,
-       size_columns, line_lines, plots({"figure-6.9", "figure-6.20a"}), fit_line, "winding.edges"},
-      {"star-star", "Star-shaped P grows, Q a star of 100 vertices (Figure 6.10)",
-       // In the thesis to 340 in steps of 3, which takes winding minutes and more than 10 GB a pair.
-       growing("star-star", {25, 160, 15}, with_100<star_polygon, star_polygon>), compare,
-       size_columns, parabola_lines, plots({"figure-6.10"}), fit_parabola, "m"},
-      {"simple-simple",
-       "Simple P grows, Q is simple with 100 vertices (Figures 6.11 to 6.13 and 6.20b)",
-       // In the thesis in steps of 5, five pairs a size.
-       growing("simple-simple", {30, 200, 10}, with_100<simple_polygon, simple_polygon>), compare,
-       size_columns, parabola_lines,
-       plots({"figure-6.11", "figure-6.12", "figure-6.13", "figure-6.20b"}), fit_parabola, "m"},
-      {"fork-l", "A fork grows, Q is an L (Figures 6.14 to 6.16)",
-       // The thesis has 50 to 250 teeth, "about four times" as many vertices, and says n² holes. Ours
-       // have n teeth an arm, 8n + 4 vertices, n² holes: its numbers of vertices and of holes.
-       growing("fork-l", {10, 250, 30},
-               [](Random&, std::size_t teeth) { return fork_and_l(teeth); }),
-       compare, size_columns, ratio_lines,
-       plots({"figure-6.14", "figure-6.15", "figure-6.16", "fork-ratio"})},
+      {.name = "table-6.1",
+       .what = "Wein's pairs, as far as they are at hand (Table 6.1)",
+       .rows = table_6_1,
+       .compare = compare_with_thesis,
+       .first_columns = columns_after({"name", "thesis_rca_edges", "thesis_winding_edges",
+                                       "thesis_rca_time", "thesis_winding_time", "thesis_ratio",
+                                       "same_rca_edges", "same_winding_edges"}),
+       .summary = thesis_lines},
+      // The thesis's range (Section 6.2.4), but one pair a size instead of 20.
+      growing({.name = "convex-star",
+               .what = "Convex P grows, Q a star of 100 vertices (Figures 6.9 and 6.20a)",
+               .summary = line_lines,
+               .plots = plots({"figure-6.9", "figure-6.20a"}),
+               .fitted_degree = 1,
+               .fitted_over = "winding.edges"},
+              {50, 980, 30}, with_100<convex_polygon, star_polygon>),
+      // In the thesis to 340 in steps of 3, which takes winding minutes and more than 10 GB a pair.
+      growing({.name = "star-star",
+               .what = "Star-shaped P grows, Q a star of 100 vertices (Figure 6.10)",
+               .summary = parabola_lines,
+               .plots = plots({"figure-6.10"}),
+               .fitted_degree = 2,
+               .fitted_over = "m"},
+              {25, 160, 15}, with_100<star_polygon, star_polygon>),
+      // In the thesis in steps of 5, five pairs a size.
+      growing({.name = "simple-simple",
+               .what = "Simple P grows, Q is simple with 100 vertices (Figures 6.11 to 6.13 and "
+                       "6.20b)",
+               .summary = parabola_lines,
+               .plots = plots({"figure-6.11", "figure-6.12", "figure-6.13", "figure-6.20b"}),
+               .fitted_degree = 2,
+               .fitted_over = "m"},
+              {30, 200, 10}, with_100<simple_polygon, simple_polygon>),
+      // The thesis has 50 to 250 teeth, "about four times" as many vertices, and says n² holes. Ours
+      // have n teeth an arm, 8n + 4 vertices, n² holes: its numbers of vertices and of holes.
+      growing({.name = "fork-l",
+               .what = "A fork grows, Q is an L (Figures 6.14 to 6.16)",
+               .summary = ratio_lines,
+               .plots = plots({"figure-6.14", "figure-6.15", "figure-6.16", "fork-ratio"})},
+              {10, 250, 30}, [](Random&, std::size_t teeth) { return fork_and_l(teeth); }),
   };
 }
 

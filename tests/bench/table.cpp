@@ -2,7 +2,6 @@
 #include "tests/bench/table.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iomanip>
 #include <set>
 #include <sstream>
@@ -14,18 +13,11 @@ namespace oplus {
 
 namespace {
 
-/// Whole numbers exactly, others with six digits.
-std::string written(double value) {
-  std::ostringstream text;
-  text << std::setprecision(value == std::floor(value) ? 15 : 6) << value;
-  return text.str();
-}
-
 std::string csv_cell(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string result = "\"";
-  for (const char c : text) result.append(c == '"' ? 2 : 1, c);
-  return result + '"';
+  std::ostringstream quoted;
+  quoted << std::quoted(text, '"', '"');
+  return quoted.str();
 }
 
 /// The cells of a row by their columns.
@@ -37,10 +29,10 @@ std::map<std::string, std::string> csv_cells(const Row& row) {
     if (!m.is_done()) continue;
     for (const auto& [name, value] : m.numbers) {
       const bool is_common = of_pair.contains(name) || name.starts_with("sum_");
-      cells[is_common ? name : m.engine + '_' + name] = written(value);
+      cells[is_common ? name : m.engine + '_' + name] = plain(value);
     }
   }
-  for (const auto& [name, value] : row.numbers) cells[name] = written(value);
+  for (const auto& [name, value] : row.numbers) cells[name] = plain(value);
   return cells;
 }
 
@@ -63,19 +55,13 @@ std::string shown(const Row& row, const std::string& format, const std::string& 
 
 }  // namespace
 
-Rows pointers(const std::vector<Row>& rows) {
-  Rows all;
-  for (const Row& row : rows) all.push_back(&row);
-  return all;
-}
-
 Table table_of(const Rows& rows, const std::vector<Column>& columns) {
   Table table;
   for (const Column& column : columns) table.head.push_back(column.heading);
-  for (const Row* row : rows) {
+  for (const Row& row : rows) {
     table.rows.emplace_back();
     for (const Column& column : columns) {
-      std::string cell = column.cell(*row);
+      std::string cell = column.cell(row);
       std::replace(cell.begin(), cell.end(), '|', '/');
       std::replace(cell.begin(), cell.end(), '\n', ' ');
       table.rows.back().push_back(std::move(cell));
@@ -104,33 +90,33 @@ std::vector<Column> columns_of(const std::string& words) {
 
 std::string instead_of_number(const Measurement* m) {
   if (m == nullptr || m->is_done()) return "";
-  if (m->outcome == Measurement::Outcome::not_taken) return "–";
-  return m->outcome == Measurement::Outcome::failed ? "failed" : in_words(*m);
+  if (m->outcome == Measurement::Ending::not_taken) return "–";
+  return m->outcome == Measurement::Ending::failed ? "failed" : in_words(*m);
 }
 
 std::string to_csv(const Rows& rows, std::vector<std::string> columns) {
   std::set<std::string> others;
-  for (const Row* row : rows)
-    for (const auto& [name, cell] : csv_cells(*row)) others.insert(name);
+  for (const Row& row : rows)
+    for (const auto& [name, cell] : csv_cells(row)) others.insert(name);
   for (const std::string& name : columns) others.erase(name);
   columns.insert(columns.end(), others.begin(), others.end());
   std::string text;
-  for (const std::string& column : columns) text += (text.empty() ? "" : ",") + csv_cell(column);
-  text += '\n';
-  for (const Row* row : rows) {
-    std::map<std::string, std::string> cells = csv_cells(*row);
+  const auto add_line = [&](auto cell_of) {
     for (const std::string& column : columns)
-      text += (column == columns.front() ? "" : ",") + csv_cell(cells[column]);
+      text += (column == columns.front() ? "" : ",") + csv_cell(cell_of(column));
     text += '\n';
-  }
+  };
+  add_line([](const std::string& column) { return column; });
+  for (const Row& row : rows)
+    add_line([cells = csv_cells(row)](const std::string& column) mutable { return cells[column]; });
   return text;
 }
 
 Points points(const Rows& rows, const std::string& x, const std::string& y) {
   Points result;
-  for (const Row* row : rows) {
-    const std::optional<double> of_x = row->number(x);
-    const std::optional<double> of_y = row->number(y);
+  for (const Row& row : rows) {
+    const std::optional<double> of_x = row.number(x);
+    const std::optional<double> of_y = row.number(y);
     if (!of_x || !of_y) continue;
     result.x.push_back(*of_x);
     result.y.push_back(*of_y);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/bench/fit.hpp"
 #include "tests/bench/row.hpp"
 
 namespace oplus {
@@ -19,9 +20,6 @@ struct Column {
   std::string heading;
   std::function<std::string(const Row&)> cell;
 };
-
-using Rows = std::vector<const Row*>;
-Rows pointers(const std::vector<Row>& rows);
 
 Table table_of(const Rows& rows, const std::vector<Column>& columns);
 
@@ -43,10 +41,6 @@ std::string instead_of_number(const Measurement* measurement);
 std::string to_csv(const Rows& rows, std::vector<std::string> first_columns);
 
 /// The numbers of two names, of the rows that have both.
-struct Points {
-  std::vector<double> x;
-  std::vector<double> y;
-};
 Points points(const Rows& rows, const std::string& x, const std::string& y);
 
 }  // namespace oplus

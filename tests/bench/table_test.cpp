@@ -8,38 +8,31 @@
 namespace oplus {
 namespace {
 
-std::vector<Row> rows() {
-  Row first;
-  first.words = {{"name", "a, \"b\""}, {"same", "true"}};
-  first.numbers = {{"count", 3}, {"seconds", 0.00123456789}};
-  Measurement rca;
-  rca.engine = "rca";
-  rca.digest = "a";
-  rca.numbers = {{"time", 0.5}, {"sum_holes", 2}, {"m", 4}};
-  first.measurements = {rca};
-  Row second;
-  second.words = {{"name", "c|d\ne"}, {"same", "false"}};
-  second.numbers = {{"seconds", 12}};
+Rows rows() {
+  const Measurement rca{
+      .engine = "rca", .digest = "a", .numbers = {{"time", 0.5}, {"sum_holes", 2}, {"m", 4}}};
   Measurement lost = rca;
-  lost.outcome = Measurement::Outcome::out_of_memory;
-  second.measurements = {lost};
-  return {first, second};
+  lost.outcome = Measurement::Ending::out_of_memory;
+  return {{.words = {{"name", "a, \"b\""}, {"same", "true"}},
+           .numbers = {{"count", 3}, {"seconds", 0.00123456789}},
+           .measurements = {rca}},
+          {.words = {{"name", "c|d\ne"}, {"same", "false"}},
+           .numbers = {{"seconds", 12}},
+           .measurements = {lost}}};
 }
 
 TEST(Table, csv_quotes_and_leaves_cells_empty) {
-  const std::vector<Row> both = rows();
-  EXPECT_EQ(to_csv(pointers(both), {"name", "nothing", "same"}),
+  EXPECT_EQ(to_csv(rows(), {"name", "nothing", "same"}),
             "name,nothing,same,count,m,rca_outcome,rca_time,seconds,sum_holes\n"
             "\"a, \"\"b\"\"\",,true,3,4,done,0.5,0.00123457,2\n"
             "\"c|d\ne\",,false,,,out of memory,,12,\n");
 }
 
 TEST(Table, shows_words_numbers_and_what_became_of_engines) {
-  const std::vector<Row> both = rows();
-  const Table table = table_of(
-      pointers(both), columns_of("pair = name; n = count; ms = 1000 seconds; equal = same; "
-                                 "RC = rca.outcome; T = 1000 rca.time; by = 1 rca.time/seconds; "
-                                 "power = e seconds; holes = sum_holes; W = winding.time"));
+  const Table table =
+      table_of(rows(), columns_of("pair = name; n = count; ms = 1000 seconds; equal = same; "
+                                  "RC = rca.outcome; T = 1000 rca.time; by = 1 rca.time/seconds; "
+                                  "power = e seconds; holes = sum_holes; W = winding.time"));
   using Cells = std::vector<std::string>;
   EXPECT_EQ(table.head,
             Cells({"pair", "n", "ms", "equal", "RC", "T", "by", "power", "holes", "W"}));
@@ -52,18 +45,16 @@ TEST(Table, shows_words_numbers_and_what_became_of_engines) {
 }
 
 TEST(Table, the_first_column_says_why_there_is_no_number) {
-  const std::vector<Row> both = rows();
-  EXPECT_EQ(table_of(pointers(both), columns_of("T = 1 rca.time; again = 1 rca.time")).rows[1],
+  EXPECT_EQ(table_of(rows(), columns_of("T = 1 rca.time; again = 1 rca.time")).rows[1],
             std::vector<std::string>({"out of memory", ""}));
   EXPECT_THROW(columns_of("T: rca.time"), std::invalid_argument);
 }
 
 TEST(Table, points_are_of_rows_that_have_both) {
-  const std::vector<Row> both = rows();
-  const Points found = points(pointers(both), "count", "seconds");
+  const Points found = points(rows(), "count", "seconds");
   EXPECT_EQ(found.x, std::vector<double>({3}));
   EXPECT_EQ(found.y, std::vector<double>({0.00123456789}));
-  EXPECT_TRUE(points(pointers(both), "name", "seconds").x.empty());
+  EXPECT_TRUE(points(rows(), "name", "seconds").x.empty());
 }
 
 }  // namespace

@@ -46,32 +46,24 @@ class Known : public kainjow::mustache::context<Text> {
 }  // namespace
 
 PageData page_data(const std::vector<std::string>& texts) {
-  PageData list(PageData::type::list);
-  for (const std::string& text : texts) list << text;
-  return list;
+  return kainjow::mustache::list(texts.begin(), texts.end());
 }
 
 PageData page_data(const Table& table) {
-  PageData rows(PageData::type::list);
-  for (const auto& cells : table.rows) rows << PageData("cells", page_data(cells));
-  PageData data("head", page_data(table.head));
-  data.set("rows", rows);
-  return data;
+  kainjow::mustache::list rows;
+  for (const auto& cells : table.rows) rows.emplace_back("cells", page_data(cells));
+  return kainjow::mustache::object{{"head", page_data(table.head)}, {"rows", rows}};
 }
 
 PageData table_section(const Rows& rows, const std::vector<std::string>& names) {
   return PageData([=](const Text& text) {
     std::vector<Column> columns;
-    const auto add = [&](const std::string& words) {
-      for (const Column& column : columns_of(words)) columns.push_back(column);
-    };
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
-      if (line.find('*') == std::string::npos)
-        add(line);
-      else
-        for (const std::string& name : names)
-          add(std::regex_replace(line, std::regex("\\*"), name));
+      const std::vector<std::string> once{""};
+      for (const std::string& name : line.find('*') == std::string::npos ? once : names)
+        for (const Column& column : columns_of(std::regex_replace(line, std::regex("\\*"), name)))
+          columns.push_back(column);
     }
     std::string table = rendered("markdown_table.mustache", page_data(table_of(rows, columns)));
     table.pop_back();  // the line of the section's end has its own

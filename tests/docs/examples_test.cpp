@@ -2,14 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
-#include <regex>
-#include <sstream>
 
-#include "properties/runner/source_tree.hpp"
 #include "reference/definitions/collision.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/definitions/cut_at_intersections.hpp"
 #include "reference/io/reading.hpp"
+#include "tests/checked/cli/page_text.hpp"
 #include "tests/checked/cli/shell.hpp"
 
 namespace oplus {
@@ -18,11 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path examples = source_root() / "docs/examples";
-
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 class Examples : public Shell {
  protected:
@@ -59,18 +52,12 @@ TEST_F(Examples, are_what_their_page_says) {
   std::string scripts;
   for (const std::string name : {"robot", "nesting", "offset"})
     scripts += text_of(examples / name / "run");
-  std::size_t commands = 0;
-  std::istringstream lines(page);
-  for (std::string line; std::getline(lines, line);) {
-    if (!line.starts_with("    oplus ")) continue;
-    ++commands;
-    EXPECT_NE(scripts.find("\n" + line.substr(4) + "\n"), std::string::npos) << line;
-  }
-  EXPECT_EQ(commands, 6U);
-  const std::regex link("\\]\\(([^)]+)\\)");
-  for (auto at = std::sregex_iterator(page.begin(), page.end(), link); at != std::sregex_iterator();
-       ++at)
-    EXPECT_TRUE(fs::exists(examples / (*at)[1].str())) << (*at)[1];
+  const std::vector<std::string> commands = commands_of(page);
+  EXPECT_EQ(commands.size(), 6U);
+  for (const std::string& command : commands)
+    EXPECT_NE(scripts.find("\n" + command + "\n"), std::string::npos) << command;
+  for (const std::string& link : found(page, "\\]\\(([^)]+)\\)"))
+    EXPECT_TRUE(fs::exists(examples / link)) << link;
 }
 
 /// By the definition: P and -Q + x have no common inner point, x anywhere on the path. Between two

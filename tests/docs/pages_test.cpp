@@ -2,13 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <map>
-#include <regex>
 #include <set>
-#include <sstream>
 
-#include "properties/runner/source_tree.hpp"
+#include "tests/checked/cli/page_text.hpp"
 #include "tests/checked/cli/shell.hpp"
 
 namespace oplus {
@@ -17,13 +14,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path top = source_root();
-
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 /// Those below docs/, by their names.
 std::map<std::string, std::string> pages() {
@@ -34,25 +24,6 @@ std::map<std::string, std::string> pages() {
   return result;
 }
 
-/// The commands of a page that call `oplus`, in their order.
-std::vector<std::string> commands(const std::string& page) {
-  std::vector<std::string> result;
-  std::istringstream lines(page);
-  for (std::string line; std::getline(lines, line);)
-    if (line.starts_with("    oplus ")) result.push_back(line.substr(4));
-  return result;
-}
-
-/// All matches of the first group.
-std::vector<std::string> found(const std::string& text, const std::string& pattern) {
-  const std::regex expression(pattern);
-  std::vector<std::string> result;
-  for (auto at = std::sregex_iterator(text.begin(), text.end(), expression);
-       at != std::sregex_iterator(); ++at)
-    result.push_back((*at)[1]);
-  return result;
-}
-
 class Pages : public Shell {};
 
 TEST_F(Pages, draw_their_pictures) {
@@ -60,7 +31,7 @@ TEST_F(Pages, draw_their_pictures) {
   for (const auto& [name, page] : pages()) {
     SCOPED_TRACE(name);
     ASSERT_EQ(run("mkdir -p docs/pictures").exit_code, 0);
-    for (const std::string& command : commands(page)) {
+    for (const std::string& command : commands_of(page)) {
       const Ran ran = run(command);
       ASSERT_EQ(ran.exit_code, 0) << command << '\n' << ran.err;
       // At the head of a pipe its exit code is not that of the command.
@@ -127,13 +98,13 @@ TEST(AllPages, name_files_that_exist) {
 TEST(AllPages, name_statements_by_their_ids) {
   std::size_t statements = 0;
   for (const auto& [name, page] : pages()) {
-    const std::regex link("\\[([a-z]+-[0-9a-z.-]+)\\]\\((\\.\\./properties/[^)]+)\\)");
-    for (auto at = std::sregex_iterator(page.begin(), page.end(), link);
-         at != std::sregex_iterator(); ++at) {
+    for (const std::string& link :
+         found(page, "\\[([a-z]+-[0-9a-z.-]+\\]\\(\\.\\./properties/[^)]+)\\)")) {
       ++statements;
-      const std::string file = text_of(top / "docs" / (*at)[2].str());
-      EXPECT_NE(file.find(".id = \"" + (*at)[1].str() + "\""), std::string::npos)
-          << name << ": " << (*at)[1] << " is not the id of " << (*at)[2];
+      const std::string id = link.substr(0, link.find(']'));
+      const std::string file = link.substr(id.size() + 2);
+      EXPECT_NE(text_of(top / "docs" / file).find(".id = \"" + id + "\""), std::string::npos)
+          << name << ": " << id << " is not the id of " << file;
     }
   }
   EXPECT_GT(statements, 20U);

@@ -1,36 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <sstream>
-
-#include "properties/runner/source_tree.hpp"
+#include "tests/checked/cli/page_text.hpp"
 #include "tests/checked/cli/shell.hpp"
 
 namespace oplus {
 namespace {
 
-std::string text_of(const std::string& path) {
-  std::ifstream file(source_root() / path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 class Readme : public Shell {};
 
-/// The lines of "Five minutes" that call `oplus`, in their order.
-std::vector<std::string> commands_of_readme() {
-  std::vector<std::string> commands;
-  std::istringstream readme(text_of("README.md"));
-  for (std::string line; std::getline(readme, line);) {
-    if (line.starts_with("    oplus ")) commands.push_back(line.substr(4, line.find(" #") - 4));
-  }
-  return commands;
-}
-
 TEST_F(Readme, commands_do_what_it_says_and_draw_its_picture) {
-  const std::vector<std::string> commands = commands_of_readme();
+  const std::vector<std::string> commands = commands_of(text_of("README.md"));
   ASSERT_EQ(commands.size(), 11U);
   for (const std::string& command : commands) {
     const Ran ran = run(command);

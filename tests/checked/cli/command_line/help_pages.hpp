@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <regex>
-#include <sstream>
 #include <string>
 #include <vector>
 
+#include "tests/checked/cli/page_text.hpp"
 #include "tests/checked/cli/shell.hpp"
 
 namespace oplus {
@@ -29,15 +28,6 @@ class HelpPages : public Shell {
     for (const std::string& both : found(help(command), "\n  (-[^ \n]*)"))
       for (const std::string& name : found(both, "(--?[a-z-]+)")) names.push_back(name);
     return names;
-  }
-
-  static std::vector<std::string> found(const std::string& text, const std::string& pattern) {
-    const std::regex expression(pattern);
-    std::vector<std::string> result;
-    for (auto at = std::sregex_iterator(text.begin(), text.end(), expression);
-         at != std::sregex_iterator(); ++at)
-      result.push_back((*at)[1]);
-    return result;
   }
 };
 

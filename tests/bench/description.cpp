@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/bench/description.hpp"
+
+#include <functional>
+#include <sstream>
+
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+/// An exact area of a large sum has thousands of digits.
+std::string area_text(const Rational& area) {
+  constexpr std::size_t long_text = 100;
+  constexpr int decimals = 30;
+  std::string exact = to_string(area);
+  return exact.size() <= long_text ? exact : to_string(area, decimals);
+}
+
+}  // namespace
+
+void Description::count(const std::string& name, std::size_t number) {
+  numbers_[name] += static_cast<double>(number);
+}
+
+void Description::say(const std::vector<Segment>& segments) {
+  for (const Segment& s : segments) said_ += to_string(s.source) + to_string(s.target);
+  said_ += '\n';
+}
+
+void Description::add(const MinkowskiSum& sum, Arithmetic arithmetic) {
+  const std::vector<Segment> all = edges(sum);
+  count("sum_chains", sum.outer.size());
+  count("sum_holes", sum.holes.size());
+  count("sum_edges", all.size());
+  count("sum_vertices", all.size() - sum.dangling_edges.size());
+  count("sum_dangling", sum.dangling_edges.size());
+  count("sum_isolated", sum.isolated_vertices.size());
+  area_ = area_.value_or(0) + area(sum);
+  if (arithmetic == Arithmetic::rounding) return;
+  say(all);
+  for (const Point& p : sum.isolated_vertices) say(to_string(p));
+  say("\n");
+}
+
+void Description::write_to(Measurement& measurement) const {
+  measurement.numbers.insert(numbers_.begin(), numbers_.end());
+  if (area_) measurement.area = area_text(*area_);
+  if (said_.empty()) return;
+  std::ostringstream digits;
+  digits << std::hex << std::hash<std::string>()(said_);
+  measurement.digest = digits.str();
+}
+
+}  // namespace oplus
