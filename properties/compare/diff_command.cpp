@@ -91,7 +91,6 @@ void add_diff_command(CLI::App& app, int& exit_code) {
   const auto settings = std::make_shared<Settings>();
   CompareOptions& options = settings->options;
   Campaign& campaign = options.campaign;
-  campaign.shrink = 3;
   add_engine_option(*command, options,
                     "The engine to check; may be repeated; default: all of oplus; below, those of "
                     "others");
@@ -117,10 +116,7 @@ void add_diff_command(CLI::App& app, int& exit_code) {
   command->add_option("--n", campaign.n,
                       "The largest size of a generated pair, as the family understands it");
   command->add_option("--seed", campaign.seed, "Same seed, same pairs")->capture_default_str();
-  command
-      ->add_option("--shrink", campaign.shrink,
-                   "Shrink at most so many disagreements, the smallest of a kind each")
-      ->default_str("3");
+  add_shrink_option(*command, campaign);
   command->add_option("--shrink-tries", campaign.shrink_tries, "Pairs tried to shrink one")
       ->capture_default_str();
   add_limit_options(*command, campaign);

@@ -21,8 +21,6 @@ void add_exhaustive_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "exhaustive", "Compare engines with the oracle on every pair of small grid polygons");
   const auto settings = std::make_shared<Settings>();
-  Campaign& campaign = settings->options.campaign;
-  campaign.shrink = 3;
   command->add_option("--grid", settings->side, "Points along a side of the grid")
       ->check(CLI::Range(2, 16))
       ->capture_default_str();
@@ -30,10 +28,7 @@ void add_exhaustive_command(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(3, 16))
       ->capture_default_str();
   add_engine_option(*command, settings->options, "The engine to check; may be repeated");
-  command
-      ->add_option("--shrink", campaign.shrink,
-                   "Shrink at most so many disagreements, the smallest of a kind each")
-      ->default_str("3");
+  add_shrink_option(*command, settings->options.campaign);
   add_run_options(*command, settings->options);
   command->footer(
       "Pairs are taken up to what keeps a sum: exchange, translations, the square's symmetries.\n"

@@ -2,6 +2,7 @@
 #include "properties/compare/report_text.hpp"
 
 #include <algorithm>
+#include <boost/algorithm/string/join.hpp>
 #include <cmath>
 #include <filesystem>
 #include <iomanip>
@@ -162,10 +163,7 @@ std::vector<CountedPart> parts_of(const CampaignReport& report) {
 }
 
 std::string engines_in_words(const CampaignReport& report) {
-  std::string words;
-  for (const std::string& name : report.campaign.engines)
-    words += (words.empty() ? "" : ", ") + name;
-  return words;
+  return boost::join(report.campaign.engines, ", ");
 }
 
 }  // namespace oplus
