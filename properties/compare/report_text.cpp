@@ -62,12 +62,10 @@ std::string summary_of_diff(const CampaignReport& report) {
   write_classes(out, report);
   write_skipped(out, report);
   const Tally all = report.all();
-  if (report.campaign.hole_test == "all")
-    out << "all hole tests gave the same answer " << all.face_probes << " times about a face, "
-        << all.point_probes << " times about a point\n";
-  else
-    out << "the hole test " << report.campaign.hole_test << " was asked " << all.face_probes
-        << " times about a face, " << all.point_probes << " times about a point\n";
+  const std::string& hole_test = report.campaign.hole_test;
+  out << (hole_test == "all" ? "all hole tests gave the same answer "
+                             : "the hole test " + hole_test + " was asked ")
+      << all.face_probes << " times about a face, " << all.point_probes << " times about a point\n";
   for (const auto& [what, times] : all.not_taken)
     out << counted(times, "sum", "sums") << " not taken by " << what << '\n';
   out << all.ran << " cases run, each closed and open";

@@ -27,8 +27,8 @@ struct ClipperMethod {
   ClipperPair converted(const Summands& pair) const {
     if (pair.p.components.size() != 1 || pair.q.components.size() != 1)
       throw NotTaken("takes one component");
-    const Width p = width(pair.p);
-    const Width q = width(pair.q);
+    const Vector p = extent(pair.p);
+    const Vector q = extent(pair.q);
     const bool p_may_fit_into_q = p.x < q.x && p.y < q.y;
     const Region& outer = p_may_fit_into_q ? pair.q : pair.p;
     const Region& inner = p_may_fit_into_q ? pair.p : pair.q;
@@ -56,17 +56,11 @@ struct ClipperMethod {
   }
 
  private:
-  struct Width {
-    Rational x;
-    Rational y;
-  };
-
-  static Width width(const Region& region) {
+  static Vector extent(const Region& region) {
     const Chain& chain = region.components.at(0).outer;
-    const auto by_x = std::minmax_element(chain.begin(), chain.end());
-    const auto by_y = std::minmax_element(chain.begin(), chain.end(),
-                                          [](const Point& a, const Point& b) { return a.y < b.y; });
-    return {by_x.second->x - by_x.first->x, by_y.second->y - by_y.first->y};
+    const auto [left, right] = std::ranges::minmax_element(chain, {}, &Point::x);
+    const auto [low, high] = std::ranges::minmax_element(chain, {}, &Point::y);
+    return {right->x - left->x, high->y - low->y};
   }
 
   static ClipperLib::Path path_of(const Chain& chain, const IntegerScale& scale) {
