@@ -8,23 +8,21 @@
 
 namespace oplus {
 
-struct ClipperPair {
-  IntegerScale scale;
-  ClipperLib::Path pattern;
-  ClipperLib::Paths paths;
-};
-
 /// Clipper sums the boundaries and fills what they leave with the paths, moved to the pattern's first
 /// vertex. So the sum is complete unless the paths fit into the pattern: the larger one is the paths.
 struct ClipperMethod {
-  using Input = ClipperPair;
+  struct Input {
+    IntegerScale scale;
+    ClipperLib::Path pattern;
+    ClipperLib::Paths paths;
+  };
   using Sum = ClipperLib::Paths;
   static constexpr Arithmetic arithmetic = Arithmetic::rounding;
 
   /// Up to here Clipper computes with 64 bits, above with 128, which takes longer.
   static constexpr long most = 0x3FFFFFFF;
 
-  ClipperPair converted(const Summands& pair) const {
+  Input converted(const Summands& pair) const {
     if (pair.p.components.size() != 1 || pair.q.components.size() != 1)
       throw NotTaken("takes one component");
     const Vector p = extent(pair.p);
@@ -34,18 +32,18 @@ struct ClipperMethod {
     const Region& inner = p_may_fit_into_q ? pair.p : pair.q;
     if (!inner.components[0].holes.empty()) throw NotTaken("takes no holes in the smaller summand");
     const IntegerScale scale = IntegerScale::of(pair, most);
-    ClipperPair result{scale, path_of(inner.components[0].outer, scale), {}};
+    Input result{scale, path_of(inner.components[0].outer, scale), {}};
     for (const Chain& chain : oplus::chains(outer)) result.paths.push_back(path_of(chain, scale));
     return result;
   }
 
-  ClipperLib::Paths sum(const ClipperPair& pair) const {
+  ClipperLib::Paths sum(const Input& pair) const {
     ClipperLib::Paths solution;
     ClipperLib::MinkowskiSum(pair.pattern, pair.paths, solution, true);
     return solution;
   }
 
-  ReturnedChains chains(const ClipperPair& pair, const ClipperLib::Paths& sum) const {
+  ReturnedChains chains(const Input& pair, const ClipperLib::Paths& sum) const {
     ReturnedChains chains;
     for (const ClipperLib::Path& path : sum) {
       chains.emplace_back();
