@@ -2,7 +2,6 @@
 #include "properties/compare/campaign_report.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <tuple>
 
 #include "checked/cli/version.hpp"
@@ -16,8 +15,7 @@ namespace {
 
 /// Of one kind the smaller pair is kept, of equal ones that of the earlier task.
 bool is_smaller(const ShrunkFailure& a, const ShrunkFailure& b) {
-  if (a.found_size < b.found_size) return true;
-  return !(b.found_size < a.found_size) && a.index < b.index;
+  return std::tie(a.found_size, a.index) < std::tie(b.found_size, b.index);
 }
 
 void offer(CampaignReport& report, const std::string& kind, const ShrunkFailure& found) {
@@ -53,8 +51,9 @@ std::size_t Tally::count(const std::string& ruling) const {
 }
 
 std::size_t Tally::failures() const {
-  return std::accumulate(kinds.begin(), kinds.end(), std::size_t{0},
-                         [](std::size_t sum, const auto& kind) { return sum + kind.second; });
+  std::size_t sum = 0;
+  for (const auto& [kind, times] : kinds) sum += times;
+  return sum;
 }
 
 Tally& Tally::operator+=(const Tally& more) {

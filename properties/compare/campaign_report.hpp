@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "properties/compare/judge.hpp"
-#include "properties/compare/shard.hpp"
 #include "properties/compare/sum_digest.hpp"
 #include "properties/runner/shrinking.hpp"
 
@@ -28,6 +27,18 @@ struct Campaign {
   std::size_t memory_limit = 4000;         ///< likewise, in MB
   std::vector<std::string> pairs = {};     ///< given ones, by name
   std::vector<std::string> sources = {};   ///< each in a line
+};
+
+/// A part of a campaign that is run on several machines: task i, from 0, is of shard i mod `of` + 1,
+/// however many threads there are.
+struct Shard {
+  std::size_t index = 1;  ///< 1 <= index <= of
+  std::size_t of = 1;
+
+  /// How many of `all` tasks are of the shard.
+  std::size_t count_of(std::size_t all) const { return (all + of - index) / of; }
+  /// The number, among all, of the shard's k-th task, from 0.
+  std::size_t task(std::size_t k) const { return index - 1 + k * of; }
 };
 
 /// Counts of pairs, and below of their sums, closed and open, by each engine.

@@ -2,6 +2,8 @@
 #include "properties/compare/compare.hpp"
 
 #include <algorithm>
+#include <boost/algorithm/string/join.hpp>
+#include <charconv>
 #include <csignal>
 #include <filesystem>
 #include <iostream>
@@ -14,7 +16,6 @@
 #include "checked/engines.hpp"
 #include "properties/compare/counterexample_files.hpp"
 #include "properties/compare/engine_called.hpp"
-#include "properties/compare/peers/peer_table.hpp"
 #include "properties/compare/report_json.hpp"
 #include "properties/compare/report_text.hpp"
 #include "properties/compare/run_campaign.hpp"
@@ -32,22 +33,27 @@ namespace {
 volatile std::sig_atomic_t interrupted = 0;
 
 CLI::Validator engine_name() {
-  std::string offered = "all",
-              known = "all, ";  // for completion, which is told nothing of exec:CMD
-  const auto add = [&](const std::string& name) {
-    offered += "," + name;
-    known += name + ", ";
-  };
-  for (const Engine& own : engines()) add(own.name);
-  for (const Engine& peer : peers()) add(peer.name);
+  std::vector<std::string> names = {"all"};  // for completion, which is told nothing of exec:CMD
+  for (const std::vector<Engine>& some : {engines(), peers()})
+    for (const Engine& engine : some) names.push_back(engine.name);
   return CLI::Validator(
-      [known](const std::string& name) -> std::string {
-        if (name == "all" || find_engine(engines(), name) != nullptr ||
-            engine_called(name, PeerLimits()))
-          return "";
-        return name + " is no engine; there are " + known + "exec:CMD";
+      [names](const std::string& name) -> std::string {
+        if (std::ranges::count(names, name) > 0 || engine_called(name, {})) return "";
+        return name + " is no engine; there are " + boost::join(names, ", ") + ", exec:CMD";
       },
-      "{" + offered + "}");
+      "{" + boost::join(names, ",") + "}");
+}
+
+/// Reads "2/8"; none where it names no shard.
+std::optional<Shard> shard_of(const std::string& text) {
+  Shard shard;
+  const char* const end = text.data() + text.size();
+  const auto index = std::from_chars(text.data(), end, shard.index);
+  if (index.ec != std::errc() || index.ptr == end || *index.ptr != '/') return std::nullopt;
+  const auto of = std::from_chars(index.ptr + 1, end, shard.of);
+  if (of.ec != std::errc() || of.ptr != end) return std::nullopt;
+  if (shard.index < 1 || shard.index > shard.of) return std::nullopt;
+  return shard;
 }
 
 HoleTestMethod hole_test_named(const std::string& name) {
@@ -60,13 +66,11 @@ HoleTestMethod hole_test_named(const std::string& name) {
 std::vector<Engine> chosen_engines(const Campaign& campaign) {
   std::vector<Engine> chosen = checked_engines(hole_test_named(campaign.hole_test));
   const std::vector<std::string>& names = campaign.engines;
-  if (names.empty() || std::find(names.begin(), names.end(), "all") != names.end()) return chosen;
-  std::erase_if(chosen, [&](const Engine& engine) {
-    return std::find(names.begin(), names.end(), engine.name) == names.end();
-  });
-  PeerLimits limits;
-  limits.seconds = campaign.time_limit;
-  limits.memory_mb = campaign.memory_limit;
+  if (names.empty() || std::ranges::count(names, "all") > 0) return chosen;
+  std::erase_if(chosen,
+                [&](const Engine& engine) { return std::ranges::count(names, engine.name) == 0; });
+  const ProcessLimits limits{
+      .seconds = campaign.time_limit, .address_space_mb = campaign.memory_limit, .output_mb = 64};
   for (const std::string& name : names)
     if (auto other = engine_called(name, limits)) chosen.push_back(std::move(*other));
   return chosen;
@@ -148,6 +152,14 @@ void add_limit_options(CLI::App& command, Campaign& campaign) {
       .add_option("--memory-limit", campaign.memory_limit,
                   "Address space that it has, in MB; 0: any")
       ->capture_default_str();
+}
+
+void add_shrink_option(CLI::App& command, Campaign& campaign) {
+  campaign.shrink = 3;
+  command
+      .add_option("--shrink", campaign.shrink,
+                  "Shrink at most so many disagreements, the smallest of a kind each")
+      ->default_str("3");
 }
 
 void add_pair_option(CLI::App& command, CompareOptions& options) {

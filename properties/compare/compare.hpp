@@ -25,6 +25,7 @@ struct CompareOptions {
 void add_run_options(CLI::App& command, CompareOptions& options);
 void add_engine_option(CLI::App& command, CompareOptions& options, const std::string& what);
 void add_limit_options(CLI::App& command, Campaign& campaign);
+void add_shrink_option(CLI::App& command, Campaign& campaign);
 void add_pair_option(CLI::App& command, CompareOptions& options);
 
 /// Reads the pairs of files and notes their names. Throws InvalidInput.

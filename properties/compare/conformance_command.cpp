@@ -9,8 +9,7 @@ namespace oplus {
 
 namespace {
 
-struct Settings {
-  CompareOptions options;
+struct Settings : CompareOptions {
   ConformanceChoice choice;
 };
 
@@ -20,14 +19,14 @@ void add_conformance_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "conformance", "Check all that must hold of sums against one implementation");
   const auto settings = std::make_shared<Settings>();
-  Campaign& campaign = settings->options.campaign;
+  Campaign& campaign = settings->campaign;
   ConformanceChoice& choice = settings->choice;
   campaign.shrink_tries = 1000;
   add_engine_option(
-      *command, settings->options,
+      *command, *settings,
       "The implementation: an engine of oplus, a peer, or exec:CMD, as diff takes them");
   command->get_option("--engine")->required();
-  add_pair_option(*command, settings->options);
+  add_pair_option(*command, *settings);
   command->add_option("--part", choice.parts, "Only this part; may be repeated")
       ->type_name("NAME")
       ->check(CLI::IsMember(conformance_parts()));
@@ -42,7 +41,7 @@ void add_conformance_command(CLI::App& app, int& exit_code) {
                    "Try at most so many pairs to shrink a counterexample; of hangs a twentieth")
       ->capture_default_str();
   add_limit_options(*command, campaign);
-  add_run_options(*command, settings->options);
+  add_run_options(*command, *settings);
   command->footer(
       "Parts, in the order of the run: grids (all pairs of small polygons on small grids, or an even\n"
       "selection), corpus, families (random pairs against the oracle), statements (of the thesis),\n"
@@ -58,11 +57,10 @@ void add_conformance_command(CLI::App& app, int& exit_code) {
       "  2  bad input, a request that makes no sense, or nothing compared\n"
       "  5  interrupted; the same command goes on where --resume was given");
   command->callback([settings, &exit_code] {
-    CompareOptions& options = settings->options;
-    settings->choice.seed = options.campaign.seed;
-    const std::vector<Task> given = given_pairs(options);
+    settings->choice.seed = settings->campaign.seed;
+    const std::vector<Task> given = given_pairs(*settings);
     exit_code =
-        compare("conformance", options,
+        compare("conformance", *settings,
                 given.empty() ? conformance_sources(settings->choice) : conformance_sources(given));
   });
 }

@@ -28,16 +28,15 @@ TaskSource statement_source(const std::string& part, const Statement& statement,
   std::vector<const Source*> in_turn;
   for (const Source& source : statement.sources)
     in_turn.insert(in_turn.end(), static_cast<std::size_t>(source.weight), &source);
-  return {part, statement.id, count, [in_turn, &statement, seed](std::size_t i) -> Task {
+  return {part, statement.id, count, [in_turn, &statement, seed](std::size_t i) {
             const Source& source = *in_turn[i % in_turn.size()];
             const Family& family = *find_family(source.family);
             const std::size_t largest = std::max(source.largest, family.smallest);
             const std::size_t n =
                 family.smallest + i / in_turn.size() % (largest - family.smallest + 1);
-            const std::uint64_t own_seed = seed_of(statement.id, seed) + i;
-            return {"gen " + family.name + " --n " + std::to_string(n) + " --seed " +
-                        std::to_string(own_seed),
-                    generate(family, n, own_seed), nullptr, &statement};
+            Task task = generated_pair(family, n, seed_of(statement.id, seed) + i);
+            task.statement = &statement;
+            return task;
           }};
 }
 
@@ -51,8 +50,7 @@ const std::vector<std::string>& conformance_parts() {
 
 std::vector<TaskSource> conformance_sources(const ConformanceChoice& choice) {
   const auto is_chosen = [&](const std::string& part) {
-    return choice.parts.empty() ||
-           std::find(choice.parts.begin(), choice.parts.end(), part) != choice.parts.end();
+    return choice.parts.empty() || std::ranges::count(choice.parts, part) > 0;
   };
   // How many pairs a source gets that has `weight` of a part's `weights`, the part having so many
   // percent of the budget.

@@ -12,10 +12,10 @@
 namespace oplus {
 
 std::vector<CorpusPair> corpus() {
-  std::ifstream in(source_root() / "tests/corpus/pairs.txt");
-  if (!in) throw std::runtime_error("cannot open tests/corpus/pairs.txt");
+  std::ifstream file(source_root() / "tests/corpus/pairs.txt");
+  if (!file) throw std::runtime_error("cannot open tests/corpus/pairs.txt");
   std::vector<std::vector<std::string>> blocks(1);
-  for (std::string line; std::getline(in, line);) {
+  for (std::string line; std::getline(file, line);) {
     if (line.starts_with('#')) continue;
     if (line.empty())
       blocks.emplace_back();
@@ -33,21 +33,18 @@ std::vector<CorpusPair> corpus() {
         throw std::runtime_error("row '" + block[0] + "': no field '" + key + "' in its place");
       return block[i].substr(key.size() + 2);
     };
-    CorpusPair row;
-    row.name = field(0, "name");
-    row.story = field(1, "story");
-    const auto stream = [&](std::size_t i, const std::string& key) {
-      return std::istringstream(field(i, key));
+    const std::string name = field(0, "name");
+    const auto region = [&](std::size_t i, const std::string& key) {
+      std::istringstream in(field(i, key));
+      return read_region(in, name + ", " + key).region;
     };
-    auto p = stream(2, "P");
-    auto q = stream(3, "Q");
-    auto closed = stream(4, "closed");
-    auto open = stream(5, "open");
-    row.p = read_region(p, row.name + ", P").region;
-    row.q = read_region(q, row.name + ", Q").region;
-    row.closed = read_sum(closed, row.name + ", closed").sum;
-    row.open = field(5, "open") == "same" ? row.closed : read_sum(open, row.name + ", open").sum;
-    if (block.size() > 6) throw std::runtime_error("row '" + row.name + "': more than six fields");
+    const auto sum = [&](std::size_t i, const std::string& key) {
+      std::istringstream in(field(i, key));
+      return read_sum(in, name + ", " + key).sum;
+    };
+    CorpusPair row{name, field(1, "story"), region(2, "P"), region(3, "Q"), sum(4, "closed"), {}};
+    row.open = field(5, "open") == "same" ? row.closed : sum(5, "open");
+    if (block.size() > 6) throw std::runtime_error("row '" + name + "': more than six fields");
     pairs.push_back(std::move(row));
   }
   return pairs;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "properties/compare/crash_site.hpp"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string_view>
@@ -14,7 +15,7 @@ std::optional<std::string> rest_of_line(const std::string& text, std::string_vie
   const std::size_t at = text.rfind(start);
   if (at == std::string::npos) return std::nullopt;
   const std::size_t first = text.find_first_not_of(" :\t", at + start.size());
-  const std::size_t end = text.find('\n', at);
+  const std::size_t end = text.find('\n', at + start.size());
   if (first == std::string::npos || first >= end) return std::string();
   return text.substr(first, end == std::string::npos ? end : end - first);
 }
@@ -27,15 +28,10 @@ std::string below(const std::string& path, std::string_view folder) {
 
 /// CGAL: "Expression : …", "File : …", "Line : …".
 std::optional<std::string> cgal_site(const std::string& errors) {
-  const auto colon_after = [&](const std::string& word) -> std::optional<std::string> {
-    const std::size_t at = errors.rfind("\n" + word);
-    if (at == std::string::npos) return std::nullopt;
-    return rest_of_line(errors.substr(at + 1), word);
-  };
   if (errors.find("CGAL error") == std::string::npos) return std::nullopt;
-  const auto expression = colon_after("Expression");
-  const auto file = colon_after("File");
-  const auto line = colon_after("Line");
+  const auto expression = rest_of_line(errors, "\nExpression");
+  const auto file = rest_of_line(errors, "\nFile");
+  const auto line = rest_of_line(errors, "\nLine");
   if (!file || !line) return std::nullopt;
   return below(*file, "include/") + ":" + *line + (expression ? ": " + *expression : "");
 }
@@ -69,12 +65,11 @@ std::string crash_site(const std::string& errors, const std::string& how_it_ende
 }
 
 bool says_out_of_memory(const std::string& errors) {
-  constexpr std::array<std::string_view, 7> words{
+  constexpr std::array words{
       "bad_alloc",    "annot allocate memory", "emory exhausted",         "MemoryError",
       "ut of memory", "OutOfMemory",           "ould not allocate memory"};
-  for (const std::string_view word : words)
-    if (errors.find(word) != std::string::npos) return true;
-  return false;
+  return std::ranges::any_of(
+      words, [&](const char* word) { return errors.find(word) != std::string::npos; });
 }
 
 }  // namespace oplus

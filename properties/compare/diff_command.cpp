@@ -16,8 +16,7 @@ namespace oplus {
 
 namespace {
 
-struct Settings {
-  CompareOptions options;
+struct Settings : CompareOptions {
   std::vector<std::string> folders;
   std::vector<std::string> families;
   std::optional<std::size_t> cases;
@@ -54,21 +53,19 @@ std::string peer_list() {
 /// The pairs that were asked for; where none was, those of the main job: the published pairs, where
 /// they are present, and all families.
 std::vector<TaskSource> chosen_sources(Settings& settings) {
-  CompareOptions& options = settings.options;
-  Campaign& campaign = options.campaign;
-  if (options.pairs.empty() && settings.folders.empty() && settings.families.empty()) {
+  if (settings.pairs.empty() && settings.folders.empty() && settings.families.empty()) {
     settings.families = family_names();
     if (std::filesystem::is_directory(data_folder()))
       settings.folders = {data_folder()};
     else
-      text_output(options.json || speech().quiet)
+      text_output(settings.json || speech().quiet)
           << "the published pairs are left out: there is no folder " << data_folder().string()
           << '\n';
   }
-  std::vector<Task> given = given_pairs(options);
+  std::vector<Task> given = given_pairs(settings);
   for (const std::string& folder : settings.folders) {
     for (Task& pair : pairs_of_folder(folder)) {
-      campaign.pairs.push_back(pair.name);
+      settings.campaign.pairs.push_back(pair.name);
       given.push_back(std::move(pair));
     }
   }
@@ -76,8 +73,8 @@ std::vector<TaskSource> chosen_sources(Settings& settings) {
   if (!given.empty()) sources.push_back(given_source(std::move(given)));
   for (const std::string& name : settings.families)
     sources.push_back(family_source(*find_family(name),
-                                    settings.cases.value_or(main_job_cases(name)), campaign.seed,
-                                    campaign.n));
+                                    settings.cases.value_or(main_job_cases(name)),
+                                    settings.campaign.seed, settings.campaign.n));
   if (sources.empty()) throw UsageError("diff found no pair to compare");
   return sources;
 }
@@ -89,10 +86,8 @@ void add_diff_command(CLI::App& app, int& exit_code) {
       "diff",
       "Compare engines with the oracle, on pairs that are named or on those of the main job");
   const auto settings = std::make_shared<Settings>();
-  CompareOptions& options = settings->options;
-  Campaign& campaign = options.campaign;
-  campaign.shrink = 3;
-  add_engine_option(*command, options,
+  Campaign& campaign = settings->campaign;
+  add_engine_option(*command, *settings,
                     "The engine to check; may be repeated; default: all of oplus; below, those of "
                     "others");
   command
@@ -101,7 +96,7 @@ void add_diff_command(CLI::App& app, int& exit_code) {
       ->type_name("NAME")
       ->check(CLI::IsMember(hole_test_names()))
       ->capture_default_str();
-  add_pair_option(*command, options);
+  add_pair_option(*command, *settings);
   command
       ->add_option("--folder", settings->folders,
                    "The files of a folder: NAME_part1 with NAME_part2, all others with each other")
@@ -117,14 +112,11 @@ void add_diff_command(CLI::App& app, int& exit_code) {
   command->add_option("--n", campaign.n,
                       "The largest size of a generated pair, as the family understands it");
   command->add_option("--seed", campaign.seed, "Same seed, same pairs")->capture_default_str();
-  command
-      ->add_option("--shrink", campaign.shrink,
-                   "Shrink at most so many disagreements, the smallest of a kind each")
-      ->default_str("3");
+  add_shrink_option(*command, campaign);
   command->add_option("--shrink-tries", campaign.shrink_tries, "Pairs tried to shrink one")
       ->capture_default_str();
   add_limit_options(*command, campaign);
-  add_run_options(*command, options);
+  add_run_options(*command, *settings);
   command->footer(
       "The report is also written to diff.json in --out where no --report is given.\n"
       "\n"
@@ -146,11 +138,10 @@ void add_diff_command(CLI::App& app, int& exit_code) {
       "  2  bad input, a request that makes no sense, or nothing compared\n"
       "  5  interrupted; the same command goes on where --resume was given");
   command->callback([settings, &exit_code] {
-    CompareOptions& chosen = settings->options;
-    if (chosen.reports.empty())
-      chosen.reports = {(std::filesystem::path(chosen.out) / "diff.json").string()};
+    if (settings->reports.empty())
+      settings->reports = {(std::filesystem::path(settings->out) / "diff.json").string()};
     const std::vector<TaskSource> sources = chosen_sources(*settings);
-    exit_code = compare("diff", chosen, sources);
+    exit_code = compare("diff", *settings, sources);
   });
 }
 

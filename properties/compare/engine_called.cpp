@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "properties/compare/engine_called.hpp"
 
-#include <iomanip>
+#include <boost/algorithm/string/replace.hpp>
+#include <filesystem>
 #include <sstream>
-#include <utility>
-#include <vector>
+#include <system_error>
 
 #include "properties/compare/crash_site.hpp"
 #include "properties/compare/no_sum.hpp"
 #include "properties/compare/peers/peer_table.hpp"
-#include "properties/compare/summand_files.hpp"
 #include "properties/runner/checked_engines.hpp"
-#include "properties/runner/child_process.hpp"
+#include "properties/runner/finding.hpp"
+#include "properties/runner/temporary_folder.hpp"
 #include "reference/io/boundary_name.hpp"
 #include "reference/io/reading.hpp"
+#include "reference/io/written.hpp"
 
 namespace oplus {
 
@@ -49,13 +50,10 @@ std::string how_it_ended(const EndedProcess& ended) {
     if (ended.code == exit_not_taken)
       throw NoSum(Kind::not_taken, first_line(ended.errors),
                   "not taken" + (said.empty() ? ", it does not say why" : said));
-    if (ended.code == exit_no_region) {
-      const std::size_t second = ended.errors.find('\n');
+    if (ended.code == exit_no_region)
       throw NoSum(Kind::unreadable, first_line(ended.errors),
                   "its result bounds no region: " +
-                      first_line(second == std::string::npos ? ended.errors
-                                                             : ended.errors.substr(second + 1)));
-    }
+                      first_line(ended.errors.substr(ended.errors.find('\n') + 1)));
   }
   if (says_out_of_memory(ended.errors))
     throw NoSum(Kind::out_of_memory, "", "out of memory: it ended by " + how + said);
@@ -75,13 +73,9 @@ MinkowskiSum sum_in(const std::string& output) {
   }
 }
 
-MinkowskiSum sum_by(const std::vector<std::string>& command, const PeerLimits& limits) {
-  ProcessLimits of_process;
-  of_process.seconds = limits.seconds;
-  of_process.address_space_mb = limits.memory_mb;
-  of_process.output_mb = limits.output_mb;
-  of_process.is_quiet = true;
-  const EndedProcess ended = run_program(command, of_process);
+MinkowskiSum sum_by(const std::vector<std::string>& command, ProcessLimits limits) {
+  limits.is_quiet = true;
+  const EndedProcess ended = run_program(command, limits);
   if (ended.how == EndedProcess::How::over_time)
     throw NoSum(Kind::hung, "", "hung: no sum after " + format(limits.seconds) + " s");
   if (ended.how == EndedProcess::How::over_output)
@@ -91,16 +85,24 @@ MinkowskiSum sum_by(const std::vector<std::string>& command, const PeerLimits& l
   return sum_in(ended.output);
 }
 
-/// Returns whether it was there.
-bool replace_all(std::string& text, std::string_view what, const std::string& by) {
-  bool found = false;
-  for (std::size_t at = text.find(what); at != std::string::npos;
-       at = text.find(what, at + by.size())) {
-    text.replace(at, what.size(), by);
-    found = true;
-  }
-  return found;
+std::filesystem::path folder_that_needs_no_quotes() {
+  std::error_code none;
+  const std::filesystem::path wanted = std::filesystem::temp_directory_path(none);
+  return wanted.is_absolute() && for_shell(wanted) == wanted ? wanted : "/tmp";
 }
+
+/// A pair in two files of a folder of its own, all of which goes with it. Their names need no quotes in
+/// a shell.
+struct SummandFiles {
+  SummandFiles(const Region& first, const Region& second) {
+    write_file(p, written(first, Format::wkt));
+    write_file(q, written(second, Format::wkt));
+  }
+
+  const TemporaryFolder folder{"oplus-pair", folder_that_needs_no_quotes()};
+  const std::string p = folder.path() / "p.wkt";
+  const std::string q = folder.path() / "q.wkt";
+};
 
 NoSum open_not_taken() {
   return {Kind::not_taken, "open", "not taken: it computes closed sums only"};
@@ -108,9 +110,9 @@ NoSum open_not_taken() {
 
 }  // namespace
 
-std::vector<Engine> peers(PeerLimits limits) {
+std::vector<Engine> peers(ProcessLimits limits) {
 #ifdef __SANITIZE_ADDRESS__
-  limits.memory_mb = 0;  // the sanitizer is linked with it and needs terabytes
+  limits.address_space_mb = 0;  // the sanitizer is linked with it and needs terabytes
 #endif
   std::vector<Engine> all;
   for_each_peer([&](const char* name, const char* what, Arithmetic arithmetic, auto /*there*/) {
@@ -118,7 +120,7 @@ std::vector<Engine> peers(PeerLimits limits) {
         named_engine(name, [name, limits](const Region& p, const Region& q, Boundary boundary) {
           if (boundary == Boundary::open) throw open_not_taken();
           const SummandFiles files(p, q);
-          return sum_by({program_beside("oplus-peer"), name, files.p(), files.q()}, limits);
+          return sum_by({program_beside("oplus-peer"), name, files.p, files.q}, limits);
         });
     peer.what = what;
     peer.arithmetic = arithmetic;
@@ -127,22 +129,23 @@ std::vector<Engine> peers(PeerLimits limits) {
   return all;
 }
 
-Engine program_engine(const std::string& command, const PeerLimits& limits) {
+Engine program_engine(const std::string& command, const ProcessLimits& limits) {
+  const auto has = [&](const char* word) { return command.find(word) != std::string::npos; };
+  const bool takes_open = has("{boundary}");
+  const std::string whole = has("{p}") || has("{q}") ? command : command + " {p} {q}";
   return named_engine(std::string(exec) + command,
-                      [command, limits](const Region& p, const Region& q, Boundary boundary) {
-                        std::string script = command;
-                        const bool takes_open =
-                            replace_all(script, "{boundary}", oplus::name(boundary));
+                      [=](const Region& p, const Region& q, Boundary boundary) {
                         if (boundary == Boundary::open && !takes_open) throw open_not_taken();
                         const SummandFiles files(p, q);
-                        const bool has_p = replace_all(script, "{p}", files.p());
-                        const bool has_q = replace_all(script, "{q}", files.q());
-                        if (!has_p && !has_q) script += ' ' + files.p() + ' ' + files.q();
+                        std::string script = whole;
+                        boost::replace_all(script, "{boundary}", oplus::name(boundary));
+                        boost::replace_all(script, "{p}", files.p);
+                        boost::replace_all(script, "{q}", files.q);
                         return sum_by({"/bin/sh", "-c", script}, limits);
                       });
 }
 
-std::optional<Engine> engine_called(const std::string& engine, const PeerLimits& limits) {
+std::optional<Engine> engine_called(const std::string& engine, const ProcessLimits& limits) {
   const std::vector<Engine> all = peers(limits);
   if (const Engine* peer = find_engine(all, engine)) return *peer;
   if (engine.starts_with(exec) && engine.size() > exec.size())

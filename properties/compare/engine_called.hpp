@@ -1,31 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "checked/engine.hpp"
+#include "properties/runner/child_process.hpp"
 
 namespace oplus {
 
-/// What one sum may take.
-struct PeerLimits {
-  double seconds = 10;
-  std::size_t memory_mb = 4000;  ///< address space (RLIMIT_AS) of each process; 0: any
-  std::size_t output_mb = 64;    ///< of the sum as written
-};
-
 /// The methods of others' libraries (peers/peer_table.hpp), in the order in which they are listed. Each
-/// runs `oplus-peer` for each sum; see engine_called().
-std::vector<Engine> peers(PeerLimits limits = {});
+/// runs `oplus-peer` for each sum, with these limits; see engine_called().
+std::vector<Engine> peers(ProcessLimits limits = {});
 
 /// Returns an engine of somebody else's that runs in a process of its own for each sum, or
 /// none where `engine` is neither the name of a peer nor "exec:" and a command.
 /// Its compute() throws NoSum, and std::system_error where no process or no file can be had; any number of
 /// threads may call it.
-std::optional<Engine> engine_called(const std::string& engine, const PeerLimits& limits);
+std::optional<Engine> engine_called(const std::string& engine, const ProcessLimits& limits);
 
 /// Any program as an engine. The shell runs the command, in which
 ///  1. {p} and {q} are replaced by the names of two files, the summands in WKT: absolute, and of
@@ -36,6 +29,6 @@ std::optional<Engine> engine_called(const std::string& engine, const PeerLimits&
 /// It writes the sum to its standard output, in any format that read_sum reads, and ends with the exit
 /// code 0; with 77 (exit_not_taken) where it does not take such a pair, the reason on standard error.
 /// Anything else is a fault.
-Engine program_engine(const std::string& command, const PeerLimits& limits);
+Engine program_engine(const std::string& command, const ProcessLimits& limits);
 
 }  // namespace oplus

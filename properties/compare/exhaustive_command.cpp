@@ -9,8 +9,7 @@ namespace oplus {
 
 namespace {
 
-struct Settings {
-  CompareOptions options;
+struct Settings : CompareOptions {
   int side = 3;
   std::size_t most_vertices = 4;
 };
@@ -21,20 +20,15 @@ void add_exhaustive_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "exhaustive", "Compare engines with the oracle on every pair of small grid polygons");
   const auto settings = std::make_shared<Settings>();
-  Campaign& campaign = settings->options.campaign;
-  campaign.shrink = 3;
   command->add_option("--grid", settings->side, "Points along a side of the grid")
       ->check(CLI::Range(2, 16))
       ->capture_default_str();
   command->add_option("--vertices", settings->most_vertices, "The most vertices of a polygon")
       ->check(CLI::Range(3, 16))
       ->capture_default_str();
-  add_engine_option(*command, settings->options, "The engine to check; may be repeated");
-  command
-      ->add_option("--shrink", campaign.shrink,
-                   "Shrink at most so many disagreements, the smallest of a kind each")
-      ->default_str("3");
-  add_run_options(*command, settings->options);
+  add_engine_option(*command, *settings, "The engine to check; may be repeated");
+  add_shrink_option(*command, settings->campaign);
+  add_run_options(*command, *settings);
   command->footer(
       "Pairs are taken up to what keeps a sum: exchange, translations, the square's symmetries.\n"
       "\n"
@@ -47,8 +41,8 @@ void add_exhaustive_command(CLI::App& app, int& exit_code) {
       "  2  bad input or a request that makes no sense\n"
       "  5  interrupted; the same command goes on where --resume was given");
   command->callback([settings, &exit_code] {
-    exit_code = compare("exhaustive", settings->options,
-                        {grid_source(settings->side, settings->most_vertices)});
+    exit_code =
+        compare("exhaustive", *settings, {grid_source(settings->side, settings->most_vertices)});
   });
 }
 

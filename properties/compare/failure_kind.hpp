@@ -11,10 +11,10 @@ namespace oplus {
 
 /// What is wrong with a sum that was given, or that there is none.
 struct Failure {
-  std::string kind;  ///< what tells it apart from others, with the site where there is one
-  std::string what;  ///< a line on this very sum; calls the right sum "the first"
-  std::optional<Point> witness;              ///< a point at which the two sums differ
-  std::optional<Rational> squared_distance;  ///< of the boundaries, where it is "rounded"
+  std::string kind;       ///< what tells it apart from others, with the site where there is one
+  std::string what = {};  ///< a line on this very sum; calls the right sum "the first"
+  std::optional<Point> witness = {};              ///< a point at which the two sums differ
+  std::optional<Rational> squared_distance = {};  ///< of the boundaries, where it is "rounded"
 };
 
 /// "crashed: SITE", "hung", "out of memory", "unreadable: SITE", "not taken".

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <tuple>
 
 #include "reference/definitions/validity.hpp"
 
@@ -11,13 +10,8 @@ namespace oplus {
 
 namespace {
 
-bool less(const LatticePoint& a, const LatticePoint& b) {
-  return std::tie(a.x, a.y) < std::tie(b.x, b.y);
-}
-
-bool less_polygon(const GridPolygon& a, const GridPolygon& b) {
-  if (a.size() != b.size()) return a.size() < b.size();
-  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), less);
+bool is_less(const GridPolygon& a, const GridPolygon& b) {
+  return a.size() != b.size() ? a.size() < b.size() : a < b;
 }
 
 int twice_area(const GridPolygon& polygon) {
@@ -31,8 +25,8 @@ int twice_area(const GridPolygon& polygon) {
 }
 
 bool touches_axes(const GridPolygon& polygon) {
-  return std::any_of(polygon.begin(), polygon.end(), [](const auto& p) { return p.x == 0; }) &&
-         std::any_of(polygon.begin(), polygon.end(), [](const auto& p) { return p.y == 0; });
+  return std::ranges::count(polygon, 0, &LatticePoint::x) > 0 &&
+         std::ranges::count(polygon, 0, &LatticePoint::y) > 0;
 }
 
 /// Adds all polygons that begin with the given vertices, the first of which is the smallest.
@@ -44,7 +38,7 @@ void extend(GridPolygon& begun, int side, std::size_t most, std::vector<GridPoly
   for (int x = 0; x < side; ++x) {
     for (int y = 0; y < side; ++y) {
       const LatticePoint p{x, y};
-      if (!less(begun[0], p) || std::find(begun.begin(), begun.end(), p) != begun.end()) continue;
+      if (p <= begun[0] || std::ranges::count(begun, p) > 0) continue;
       begun.push_back(p);
       extend(begun, side, most, all);
       begun.pop_back();
@@ -66,7 +60,7 @@ std::vector<GridPolygon> grid_polygons(int side, std::size_t most) {
     GridPolygon begun = {{0, y}};  // the smallest vertex has the least x
     extend(begun, side, most, all);
   }
-  std::sort(all.begin(), all.end(), less_polygon);
+  std::ranges::sort(all, is_less);
   return all;
 }
 
@@ -82,7 +76,7 @@ GridPolygon image(const GridPolygon& polygon, std::size_t symmetry) {
   LatticePoint low = result[0];
   for (const LatticePoint& p : result) low = {std::min(low.x, p.x), std::min(low.y, p.y)};
   for (LatticePoint& p : result) p = {p.x - low.x, p.y - low.y};
-  std::rotate(result.begin(), std::min_element(result.begin(), result.end(), less), result.end());
+  std::ranges::rotate(result, std::ranges::min_element(result));
   return result;
 }
 
@@ -94,8 +88,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> pair_orbits(
   for (std::uint32_t i = 0; i < count; ++i) {
     for (std::size_t s = 0; s < square_symmetries; ++s)
       images[i][s] = static_cast<std::uint32_t>(
-          std::lower_bound(polygons.begin(), polygons.end(), image(polygons[i], s), less_polygon) -
-          polygons.begin());
+          std::ranges::lower_bound(polygons, image(polygons[i], s), is_less) - polygons.begin());
   }
   for (std::uint32_t i = 0; i < count; ++i) {
     for (std::uint32_t j = i; j < count; ++j) {

@@ -119,8 +119,8 @@ JudgedSum by_statement(const Task& task, const Engine& engine, Boundary boundary
     return blamed;
   }
   sum.ruling = "wrong";
-  sum.wrong = WrongSum{
-      engine.name, boundary, {"breaks " + task.statement->id, outcome.why, {}, {}}, task.pair};
+  sum.wrong =
+      WrongSum{engine.name, boundary, {"breaks " + task.statement->id, outcome.why}, task.pair};
   return sum;
 }
 

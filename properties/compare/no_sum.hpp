@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -33,19 +35,8 @@ class NoSum : public std::runtime_error {
 
 /// "crashed", "hung", …
 inline std::string name(NoSum::Kind kind) {
-  switch (kind) {
-    case NoSum::Kind::crashed:
-      return "crashed";
-    case NoSum::Kind::hung:
-      return "hung";
-    case NoSum::Kind::out_of_memory:
-      return "out of memory";
-    case NoSum::Kind::unreadable:
-      return "unreadable";
-    case NoSum::Kind::not_taken:
-      break;
-  }
-  return "not taken";
+  constexpr std::array names = {"crashed", "hung", "out of memory", "unreadable", "not taken"};
+  return names.at(static_cast<std::size_t>(kind));
 }
 
 }  // namespace oplus

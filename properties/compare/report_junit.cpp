@@ -14,8 +14,8 @@ using Element = boost::property_tree::ptree;
 
 /// XML 1.0 has no form at all for most control characters.
 void put(Element& element, const std::string& attribute, std::string value) {
-  std::replace_if(
-      value.begin(), value.end(), [](unsigned char c) { return c < 0x20; }, '?');
+  std::ranges::replace_if(
+      value, [](unsigned char c) { return c < 0x20; }, '?');
   element.put("<xmlattr>." + attribute, value);
 }
 
@@ -23,13 +23,12 @@ void put(Element& element, const std::string& attribute, std::string value) {
 Element suite(const std::string& name, const std::vector<CountedSource>& sources) {
   Element element;
   const auto put_count = [&](const std::string& attribute, const auto& is_counted) {
-    put(element, attribute,
-        std::to_string(std::count_if(sources.begin(), sources.end(), is_counted)));
+    put(element, attribute, std::to_string(std::ranges::count_if(sources, is_counted)));
   };
   put(element, "name", name);
-  put_count("tests", [](const CountedSource&) { return true; });
+  put(element, "tests", std::to_string(sources.size()));
   put_count("failures", [](const CountedSource& s) { return s.counts.disagreed > 0; });
-  put_count("errors", [](const CountedSource&) { return false; });
+  put(element, "errors", "0");
   put_count("skipped", [](const CountedSource& s) { return s.counts.ran == 0; });
   return element;
 }

@@ -2,6 +2,7 @@
 #include "properties/compare/report_text.hpp"
 
 #include <algorithm>
+#include <boost/algorithm/string/join.hpp>
 #include <cmath>
 #include <filesystem>
 #include <iomanip>
@@ -61,12 +62,10 @@ std::string summary_of_diff(const CampaignReport& report) {
   write_classes(out, report);
   write_skipped(out, report);
   const Tally all = report.all();
-  if (report.campaign.hole_test == "all")
-    out << "all hole tests gave the same answer " << all.face_probes << " times about a face, "
-        << all.point_probes << " times about a point\n";
-  else
-    out << "the hole test " << report.campaign.hole_test << " was asked " << all.face_probes
-        << " times about a face, " << all.point_probes << " times about a point\n";
+  const std::string& hole_test = report.campaign.hole_test;
+  out << (hole_test == "all" ? "all hole tests gave the same answer "
+                             : "the hole test " + hole_test + " was asked ")
+      << all.face_probes << " times about a face, " << all.point_probes << " times about a point\n";
   for (const auto& [what, times] : all.not_taken)
     out << counted(times, "sum", "sums") << " not taken by " << what << '\n';
   out << all.ran << " cases run, each closed and open";
@@ -162,10 +161,7 @@ std::vector<CountedPart> parts_of(const CampaignReport& report) {
 }
 
 std::string engines_in_words(const CampaignReport& report) {
-  std::string words;
-  for (const std::string& name : report.campaign.engines)
-    words += (words.empty() ? "" : ", ") + name;
-  return words;
+  return boost::join(report.campaign.engines, ", ");
 }
 
 }  // namespace oplus

@@ -55,16 +55,18 @@ TaskSource given_source(std::vector<Task> tasks) {
           [tasks = std::move(tasks)](std::size_t i) { return tasks.at(i); }};
 }
 
+Task generated_pair(const Family& family, std::size_t n, std::uint64_t seed) {
+  return {"gen " + family.name + " --n " + std::to_string(n) + " --seed " + std::to_string(seed),
+          generate(family, n, seed)};
+}
+
 TaskSource family_source(const Family& family, std::size_t count, std::uint64_t seed,
                          std::optional<std::size_t> largest) {
   const std::size_t end = std::max(largest.value_or(family.typical), family.smallest);
-  return {"families", family.name, count, [&family, seed, end](std::size_t i) -> Task {
+  return {"families", family.name, count, [&family, seed, end](std::size_t i) {
             const std::size_t n = family.smallest + i % (end - family.smallest + 1);
             // Neighbouring seeds of the engine give unrelated sequences: it mixes its seed.
-            const std::uint64_t own_seed = seed * 1000003 + i;
-            return {"gen " + family.name + " --n " + std::to_string(n) + " --seed " +
-                        std::to_string(own_seed),
-                    generate(family, n, own_seed)};
+            return generated_pair(family, n, seed * 1000003 + i);
           }};
 }
 

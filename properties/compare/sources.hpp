@@ -23,6 +23,9 @@ std::vector<Task> pairs_of_folder(const std::filesystem::path& folder);
 /// The part "files".
 TaskSource given_source(std::vector<Task> tasks);
 
+/// The pair that `oplus gen` makes of a family. Requires: n >= family.smallest.
+Task generated_pair(const Family& family, std::size_t n, std::uint64_t seed);
+
 /// Generated pairs, the part "families". Task i has its own seed, derived from `seed` and i, and a size
 /// between the family's smallest and `largest`, by default its typical size.
 TaskSource family_source(const Family& family, std::size_t count, std::uint64_t seed,

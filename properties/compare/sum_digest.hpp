@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <gmpxx.h>
+
 #include <cstddef>
 #include <string>
 
@@ -27,7 +29,7 @@ class SumDigest {
   friend bool operator==(const SumDigest&, const SumDigest&) = default;
 
  private:
-  __extension__ unsigned __int128 sum_ = 0;  ///< of hashes
+  mpz_class sum_;  ///< of hashes, modulo 2^128
 };
 
 }  // namespace oplus

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -15,7 +16,7 @@ struct LatticePoint {
   int x;
   int y;
 
-  friend bool operator==(const LatticePoint&, const LatticePoint&) = default;
+  friend auto operator<=>(const LatticePoint&, const LatticePoint&) = default;
 };
 
 /// Returns a simple polygon, counterclockwise, with exactly these vertices: in a random order, in

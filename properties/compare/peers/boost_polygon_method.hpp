@@ -9,12 +9,6 @@
 
 namespace oplus {
 
-struct BoostPolygonPair {
-  IntegerScale scale;
-  boost::polygon::polygon_set_data<int> p;
-  boost::polygon::polygon_set_data<int> q;
-};
-
 /// The library's own version of its Minkowski example: a parallelogram for each pair of edges, and
 /// each summand at a vertex of the other; the polygon set's union is the sum.
 struct BoostPolygonMethod {
@@ -22,19 +16,23 @@ struct BoostPolygonMethod {
   using Polygon = boost::polygon::polygon_with_holes_data<int>;
   using PolygonSet = boost::polygon::polygon_set_data<int>;
 
-  using Input = BoostPolygonPair;
+  struct Input {
+    IntegerScale scale;
+    PolygonSet p;
+    PolygonSet q;
+  };
   using Sum = std::vector<Polygon>;
   static constexpr Arithmetic arithmetic = Arithmetic::rounding;
 
   /// Differences of two such coordinates are still an int.
   static constexpr long most = 0x3FFFFFFF;
 
-  BoostPolygonPair converted(const Summands& pair) const {
+  Input converted(const Summands& pair) const {
     const IntegerScale scale = IntegerScale::of(pair, most);
     return {scale, set_of(pair.p, scale), set_of(pair.q, scale)};
   }
 
-  std::vector<Polygon> sum(const BoostPolygonPair& pair) const {
+  std::vector<Polygon> sum(const Input& pair) const {
     PolygonSet set;
     boost::polygon::detail::minkowski_offset<int>::convolve_two_polygon_sets(set, pair.p, pair.q);
     std::vector<Polygon> polygons;
@@ -42,7 +40,7 @@ struct BoostPolygonMethod {
     return polygons;
   }
 
-  ReturnedChains chains(const BoostPolygonPair& pair, const std::vector<Polygon>& sum) const {
+  ReturnedChains chains(const Input& pair, const std::vector<Polygon>& sum) const {
     ReturnedChains chains;
     for (const Polygon& polygon : sum) {
       chains.push_back(oriented(chain_of(polygon, pair.scale), 1));

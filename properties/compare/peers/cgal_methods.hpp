@@ -3,7 +3,9 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_2.h>
+#include <CGAL/Polygon_vertical_decomposition_2.h>
 #include <CGAL/Polygon_with_holes_2.h>
+#include <CGAL/minkowski_sum_2.h>
 
 #include <cmath>
 #include <sstream>
@@ -105,36 +107,41 @@ struct CgalWithoutHoles : CgalMethod {
 };
 
 struct CgalReduced : CgalMethod {
-  PolygonWithHoles sum(const Input& pair) const;
+  Sum sum(const Input& pair) const {
+    if (pair.is_simple())
+      return CGAL::minkowski_sum_by_reduced_convolution_2(pair.p.outer_boundary(),
+                                                          pair.q.outer_boundary());
+    return CGAL::minkowski_sum_by_reduced_convolution_2(pair.p, pair.q);
+  }
 };
 
 struct CgalFull : CgalWithoutHoles {
-  PolygonWithHoles sum(const Input& pair) const;
+  Sum sum(const Input& pair) const {
+    return CGAL::minkowski_sum_by_full_convolution_2(pair.p.outer_boundary(),
+                                                     pair.q.outer_boundary());
+  }
 };
 
-// By decomposition into convex polygons. Two of CGAL's decompositions take holes.
-struct CgalVertical : CgalMethod {
-  PolygonWithHoles sum(const Input& pair) const;
+/// By decomposition into convex polygons.
+template <typename Decomposition>
+struct CgalDecomposing : CgalWithoutHoles {
+  Sum sum(const Input& pair) const {
+    return CGAL::minkowski_sum_by_decomposition_2(pair.p.outer_boundary(), pair.q.outer_boundary(),
+                                                  Decomposition());
+  }
 };
 
-struct CgalTriangulation : CgalMethod {
-  PolygonWithHoles sum(const Input& pair) const;
+/// Two of CGAL's decompositions take holes.
+template <typename Decomposition>
+struct CgalDecomposingHoles : CgalMethod {
+  Sum sum(const Input& pair) const {
+    if (pair.is_simple()) return CgalDecomposing<Decomposition>().sum(pair);
+    const Decomposition decomposition;
+    return CGAL::minkowski_sum_by_decomposition_2(pair.p, pair.q, decomposition, decomposition);
+  }
 };
 
-struct CgalSmallSide : CgalWithoutHoles {
-  PolygonWithHoles sum(const Input& pair) const;
-};
-
-struct CgalOptimal : CgalWithoutHoles {
-  PolygonWithHoles sum(const Input& pair) const;
-};
-
-struct CgalHertelMehlhorn : CgalWithoutHoles {
-  PolygonWithHoles sum(const Input& pair) const;
-};
-
-struct CgalGreene : CgalWithoutHoles {
-  PolygonWithHoles sum(const Input& pair) const;
-};
+using CgalVertical =
+    CgalDecomposingHoles<CGAL::Polygon_vertical_decomposition_2<CgalMethod::Kernel>>;
 
 }  // namespace oplus

@@ -8,44 +8,42 @@
 
 namespace oplus {
 
-struct ClipperPair {
-  IntegerScale scale;
-  ClipperLib::Path pattern;
-  ClipperLib::Paths paths;
-};
-
 /// Clipper sums the boundaries and fills what they leave with the paths, moved to the pattern's first
 /// vertex. So the sum is complete unless the paths fit into the pattern: the larger one is the paths.
 struct ClipperMethod {
-  using Input = ClipperPair;
+  struct Input {
+    IntegerScale scale;
+    ClipperLib::Path pattern;
+    ClipperLib::Paths paths;
+  };
   using Sum = ClipperLib::Paths;
   static constexpr Arithmetic arithmetic = Arithmetic::rounding;
 
   /// Up to here Clipper computes with 64 bits, above with 128, which takes longer.
   static constexpr long most = 0x3FFFFFFF;
 
-  ClipperPair converted(const Summands& pair) const {
+  Input converted(const Summands& pair) const {
     if (pair.p.components.size() != 1 || pair.q.components.size() != 1)
       throw NotTaken("takes one component");
-    const Width p = width(pair.p);
-    const Width q = width(pair.q);
+    const Vector p = extent(pair.p);
+    const Vector q = extent(pair.q);
     const bool p_may_fit_into_q = p.x < q.x && p.y < q.y;
     const Region& outer = p_may_fit_into_q ? pair.q : pair.p;
     const Region& inner = p_may_fit_into_q ? pair.p : pair.q;
     if (!inner.components[0].holes.empty()) throw NotTaken("takes no holes in the smaller summand");
     const IntegerScale scale = IntegerScale::of(pair, most);
-    ClipperPair result{scale, path_of(inner.components[0].outer, scale), {}};
+    Input result{scale, path_of(inner.components[0].outer, scale), {}};
     for (const Chain& chain : oplus::chains(outer)) result.paths.push_back(path_of(chain, scale));
     return result;
   }
 
-  ClipperLib::Paths sum(const ClipperPair& pair) const {
+  ClipperLib::Paths sum(const Input& pair) const {
     ClipperLib::Paths solution;
     ClipperLib::MinkowskiSum(pair.pattern, pair.paths, solution, true);
     return solution;
   }
 
-  ReturnedChains chains(const ClipperPair& pair, const ClipperLib::Paths& sum) const {
+  ReturnedChains chains(const Input& pair, const ClipperLib::Paths& sum) const {
     ReturnedChains chains;
     for (const ClipperLib::Path& path : sum) {
       chains.emplace_back();
@@ -56,17 +54,11 @@ struct ClipperMethod {
   }
 
  private:
-  struct Width {
-    Rational x;
-    Rational y;
-  };
-
-  static Width width(const Region& region) {
+  static Vector extent(const Region& region) {
     const Chain& chain = region.components.at(0).outer;
-    const auto by_x = std::minmax_element(chain.begin(), chain.end());
-    const auto by_y = std::minmax_element(chain.begin(), chain.end(),
-                                          [](const Point& a, const Point& b) { return a.y < b.y; });
-    return {by_x.second->x - by_x.first->x, by_y.second->y - by_y.first->y};
+    const auto [left, right] = std::ranges::minmax_element(chain, {}, &Point::x);
+    const auto [low, high] = std::ranges::minmax_element(chain, {}, &Point::y);
+    return {right->x - left->x, high->y - low->y};
   }
 
   static ClipperLib::Path path_of(const Chain& chain, const IntegerScale& scale) {

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "properties/compare/peers/returned_chains.hpp"
+#include "properties/compare/peers/method.hpp"
 
 namespace oplus {
+
+/// Methods as functions: what each returns for a pair. They throw NotTaken; and may do anything else
+/// that somebody else's code does.
+using MethodFunction = ReturnedChains(const Summands& pair);
+MethodFunction cgal_reduced, cgal_full, cgal_vertical, cgal_triangulation, cgal_small_side,
+    cgal_optimal, cgal_hertel_mehlhorn, cgal_greene, clipper, boost_polygon;
 
 /// Lists the methods of others' libraries that oplus has an adapter for, all of them of closed sums
 /// only: calls `row(name, what, arithmetic, method)`. A method is linked only where it is called:

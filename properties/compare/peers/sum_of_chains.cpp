@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "properties/compare/peers/sum_of_chains.hpp"
 
-#include <optional>
-#include <utility>
+#include <algorithm>
+#include <iterator>
 
 #include "reference/definitions/cut_at_intersections.hpp"
+#include "reference/definitions/ray.hpp"
 #include "reference/definitions/winding_number.hpp"
 #include "reference/io/writing.hpp"
 
@@ -14,60 +15,39 @@ namespace {
 
 std::string text(const Segment& s) { return to_string(s.source) + " to " + to_string(s.target); }
 
+/// The defect tells kinds apart.
+[[noreturn]] void refuse(const std::string& defect, const std::string& where = "") {
+  throw NoSum(NoSum::Kind::unreadable, defect, defect + where);
+}
+
 void check_lengths(const ReturnedChains& chains) {
   for (const Chain& chain : chains) {
-    if (chain.size() < 3) {
-      const std::string defect = "a chain of " + std::to_string(chain.size()) + " vertices";
-      throw NoRegion(defect, defect);
-    }
+    if (chain.size() < 3) refuse("a chain of " + std::to_string(chain.size()) + " vertices");
     for (const Segment& edge : edges(chain))
       if (edge.source == edge.target)
-        throw NoRegion("an edge of length zero",
-                       "an edge of length zero at " + to_string(edge.source));
+        refuse("an edge of length zero", " at " + to_string(edge.source));
   }
 }
 
 void check_pair(const Segment& a, const Segment& b) {
-  const auto refuse = [&](const std::string& defect) {
-    throw NoRegion(defect, defect + ": " + text(a) + " and " + text(b));
+  const auto refuse_both = [&](const std::string& defect) {
+    refuse(defect, ": " + text(a) + " and " + text(b));
   };
-  if (cross_properly(a, b)) refuse("edges cross");
+  if (cross_properly(a, b)) refuse_both("edges cross");
   if (!overlap(a, b)) return;
-  refuse(sign(dot(direction_of(a), direction_of(b))) < 0 ? "an edge goes back along another"
-                                                         : "edges overlap");
-}
-
-/// The winding number just beside the middle of a piece, where `normal` points from it. Nothing else
-/// meets the middle, as the pieces have no point but ends in common.
-int winding_number_beside(const Segment& piece, const Vector& normal,
-                          const std::vector<Segment>& pieces) {
-  const Point middle = midpoint(piece.source, piece.target);
-  // The ray meets a piece first at t, or ends of a piece in line with it.
-  std::optional<Rational> first;
-  const auto at = [&](const Rational& t) {
-    if (sign(t) > 0 && (!first || t < *first)) first = t;
-  };
-  for (const Segment& e : pieces) {
-    const Vector d = direction_of(e);
-    const Rational turn = cross(normal, d);
-    if (turn == 0) {
-      for (const Point& end : {e.source, e.target})
-        if (cross(normal, end - middle) == 0) at(dot(normal, end - middle) / dot(normal, normal));
-      continue;
-    }
-    const Rational along = cross(e.source - middle, normal) / turn;
-    if (sign(along) >= 0 && along <= 1) at(cross(e.source - middle, d) / turn);
-  }
-  return winding_number(middle + (first ? Rational(*first / 2) : Rational(1)) * normal, pieces);
+  refuse_both(sign(dot(direction_of(a), direction_of(b))) < 0 ? "an edge goes back along another"
+                                                              : "edges overlap");
 }
 
 void check_sides(const std::vector<Segment>& pieces) {
   for (const Segment& piece : pieces) {
     const Vector d = direction_of(piece);
-    const int left = winding_number_beside(piece, {-d.y, d.x}, pieces);
+    // Nothing else meets the middle, as the pieces have no point but ends in common.
+    const Point middle = midpoint(piece.source, piece.target);
+    const int left = winding_number(point_beside(middle, {-d.y, d.x}, pieces), pieces);
     if (left == 1) continue;  // and 0 to the right, as no other piece runs along it
-    const std::string defect = "winding number " + std::to_string(left) + " to the left of an edge";
-    throw NoRegion(defect, defect + ", not 1: " + text(piece));
+    refuse("winding number " + std::to_string(left) + " to the left of an edge",
+           ", not 1: " + text(piece));
   }
 }
 
@@ -76,15 +56,12 @@ void check_sides(const std::vector<Segment>& pieces) {
 MinkowskiSum sum_of_chains(const ReturnedChains& chains) {
   check_lengths(chains);
   std::vector<Segment> all;
-  for (const Chain& chain : chains) {
-    const std::vector<Segment> of_chain = edges(chain);
-    all.insert(all.end(), of_chain.begin(), of_chain.end());
-  }
+  for (const Chain& chain : chains) std::ranges::copy(edges(chain), std::back_inserter(all));
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t j = i + 1; j < all.size(); ++j) check_pair(all[i], all[j]);
   BoundaryFeatures features;
   for (const std::vector<Segment>& pieces : cut_at_intersections(all))
-    features.edges.insert(features.edges.end(), pieces.begin(), pieces.end());
+    std::ranges::copy(pieces, std::back_inserter(features.edges));
   check_sides(features.edges);
   return canonical_sum(features);
 }

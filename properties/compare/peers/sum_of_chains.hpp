@@ -1,31 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <stdexcept>
-#include <string>
-
+#include "properties/compare/no_sum.hpp"
 #include "properties/compare/peers/method.hpp"
 #include "reference/definitions/minkowski_sum.hpp"
 
 namespace oplus {
 
-/// Chains that bound no region.
-class NoRegion : public std::runtime_error {
- public:
-  /// `defect` tells kinds apart; what() says where besides.
-  NoRegion(std::string defect, const std::string& what)
-      : std::runtime_error(what), defect_(std::move(defect)) {}
-  const std::string& defect() const { return defect_; }
-
- private:
-  std::string defect_;
-};
-
 /// The regularized sum that is to the left of closed chains. Where they touch themselves or each
 /// other in points, and where vertices lie inside straight lines, is as good as any other way to
 /// say the same region. Nothing is repaired: chains of fewer than three vertices, edges of length
 /// zero, edges that cross, overlap or go back along one another, and chains that have the sum on
-/// both sides or on the wrong one bound no region. O(n²). Throws NoRegion.
+/// both sides or on the wrong one bound no region. O(n²). Throws NoSum: unreadable.
 MinkowskiSum sum_of_chains(const ReturnedChains& chains);
 
 }  // namespace oplus

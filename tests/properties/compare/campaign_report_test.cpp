@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -14,6 +15,8 @@
 
 namespace oplus {
 namespace {
+
+using testing::HasSubstr;
 
 /// Several kinds at once, with words that Markdown and XML must not take for their own.
 CampaignReport report_of_many_kinds() {
@@ -38,7 +41,7 @@ TEST_F(ReportFiles, are_valid) {
           "assert root.get(\"name\").endswith(all[\"campaign\"][\"engines\"][0])\n"
           "print(sorted(all[\"counterexamples\"]))'");
   EXPECT_EQ(ran.exit_code, 0) << ran.err;
-  EXPECT_NE(ran.out.find("isolated vertex invented"), std::string::npos) << ran.out;
+  EXPECT_THAT(ran.out, HasSubstr("isolated vertex invented"));
 }
 
 TEST_F(ReportFiles, tables_have_as_many_cells_in_each_row) {
@@ -80,14 +83,14 @@ TEST(Explanation, says_how_they_differ_and_how_to_see_it_again) {
   const CampaignReport report = report_of_many_kinds();
   const ShrunkFailure& found = report.counterexamples.at("isolated vertex invented");
   const std::string text = explanation(report, found, "folder");
-  for (const std::string& part :
-       {std::string(
-            "the first is the oracle: 1 outer chain, 0 holes, 0 dangling edges, 0 isolated"),
-        std::string(
-            "the second is a|b <c> & \"d\": 1 outer chain, 0 holes, 0 dangling edges, 1 iso"),
-        std::string("they differ at (1000, 1000)"), "picture: folder/" + files_of(found).picture,
-        "--engine 'a|b <c> & \"d\"' --pair folder/" + files_of(found).p + " folder/"})
-    EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
+  for (const char* part :
+       {"the first is the oracle: 1 outer chain, 0 holes, 0 dangling edges, 0 isolated",
+        "the second is a|b <c> & \"d\": 1 outer chain, 0 holes, 0 dangling edges, 1 iso",
+        "they differ at (1000, 1000)"})
+    EXPECT_THAT(text, HasSubstr(part));
+  const CounterexampleFiles files = files_of(found);
+  EXPECT_THAT(text, HasSubstr("picture: folder/" + files.picture));
+  EXPECT_THAT(text, HasSubstr("--engine 'a|b <c> & \"d\"' --pair folder/" + files.p + " folder/"));
 }
 
 TEST(ReportJson, survives_reading) {

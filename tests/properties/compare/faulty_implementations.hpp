@@ -11,35 +11,29 @@
 
 namespace oplus {
 
-/// slide, its sum changed.
-inline Engine changed(const std::function<void(MinkowskiSum& sum)>& change) {
-  return named_engine("changed", [change](const Region& p, const Region& q, Boundary boundary) {
+/// slide, with a fault that changes its sum or throws.
+inline Engine faulty(
+    const std::string& name,
+    const std::function<void(MinkowskiSum& sum, const Summands& pair, Boundary boundary)>& fault) {
+  return named_engine(name, [fault](const Region& p, const Region& q, Boundary boundary) {
     MinkowskiSum sum = slide_sum(p, q, boundary).sum;
-    change(sum);
+    fault(sum, {p, q}, boundary);
     return sum;
   });
 }
 
-/// slide, but for pairs of which something holds.
-inline Engine failing(const std::function<bool(const Summands&)>& fails,
-                      const std::function<MinkowskiSum()>& failure) {
-  return named_engine("failing", [=](const Region& p, const Region& q, Boundary boundary) {
-    if (fails({p, q})) return failure();
-    return slide_sum(p, q, boundary).sum;
-  });
+/// slide, each sum changed.
+inline Engine changed(const std::function<void(MinkowskiSum& sum)>& change) {
+  return faulty("changed", [change](MinkowskiSum& sum, const Summands&, Boundary) { change(sum); });
 }
 
 /// Tries what it is asked with several faults: invents a vertex, and crashes now and then.
 inline Engine of_many_kinds(const std::string& name) {
-  return named_engine(name,
-                      [](const Region& p, const Region& q, Boundary boundary) -> MinkowskiSum {
-                        MinkowskiSum sum = slide_sum(p, q, boundary).sum;
-                        if (vertex_count(p) == 5)
-                          throw NoSum(NoSum::Kind::crashed, "x < y && z|w", "it <died>\n");
-                        if (vertex_count(p) == 6) std::swap(sum.outer[0][0], sum.outer[0][1]);
-                        if (vertex_count(q) == 4) sum.isolated_vertices.push_back({1000, 1000});
-                        return sum;
-                      });
+  return faulty(name, [](MinkowskiSum& sum, const Summands& pair, Boundary) {
+    if (vertex_count(pair.p) == 5) throw NoSum(NoSum::Kind::crashed, "x < y && z|w", "it <died>\n");
+    if (vertex_count(pair.p) == 6) std::swap(sum.outer[0][0], sum.outer[0][1]);
+    if (vertex_count(pair.q) == 4) sum.isolated_vertices.push_back({1000, 1000});
+  });
 }
 
 /// A run of so many pairs of each source of some parts; by default of those that need nothing but the

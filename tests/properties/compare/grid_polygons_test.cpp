@@ -4,16 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 #include "reference/definitions/validity.hpp"
 
 namespace oplus {
 namespace {
-
-std::size_t of_size(const std::vector<GridPolygon>& all, std::size_t vertices) {
-  return static_cast<std::size_t>(std::count_if(
-      all.begin(), all.end(), [&](const GridPolygon& p) { return p.size() == vertices; }));
-}
 
 /// All C(9, 3) choices of points but the 8 lines, each counted once for each of its places.
 TEST(GridPolygons, are_all_triangles_of_the_grid) {
@@ -31,8 +27,8 @@ TEST(GridPolygons, are_all_triangles_of_the_grid) {
 
 TEST(GridPolygons, of_two_by_two_points_are_four_triangles_and_a_square) {
   const std::vector<GridPolygon> all = grid_polygons(2, 4);
-  EXPECT_EQ(of_size(all, 3), 4U);
-  EXPECT_EQ(of_size(all, 4), 1U);
+  EXPECT_EQ(std::ranges::count(all, 3U, &GridPolygon::size), 4);
+  EXPECT_EQ(std::ranges::count(all, 4U, &GridPolygon::size), 1);
   EXPECT_EQ(all.size(), 5U);
 }
 
@@ -43,14 +39,13 @@ TEST(GridPolygons, are_valid_distinct_and_closed_under_symmetries) {
     EXPECT_EQ(find_defect(region_of(polygon)), std::nullopt);
     EXPECT_EQ(image(polygon, 0), polygon);
     for (std::size_t s = 0; s < square_symmetries; ++s)
-      EXPECT_NE(std::find(all.begin(), all.end(), image(polygon, s)), all.end());
+      EXPECT_EQ(std::ranges::count(all, image(polygon, s)), 1);
   }
 }
 
 TEST(GridPolygons, may_have_a_vertex_inside_a_straight_line) {
   const GridPolygon straight = {{0, 0}, {1, 0}, {2, 0}, {0, 1}};
-  const std::vector<GridPolygon> all = grid_polygons(3, 4);
-  EXPECT_NE(std::find(all.begin(), all.end(), straight), all.end());
+  EXPECT_EQ(std::ranges::count(grid_polygons(3, 4), straight), 1);
 }
 
 /// Burnside: the number of orbits is the mean number of pairs that a symmetry, with or without
@@ -74,24 +69,14 @@ TEST(PairOrbits, are_as_many_as_burnside_counts) {
 
 TEST(PairOrbits, hold_one_pair_each) {
   const std::vector<GridPolygon> all = grid_polygons(3, 3);
-  const auto less = [](const auto& a, const auto& b) {
-    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(),
-                                        [](const LatticePoint& p, const LatticePoint& q) {
-                                          return p.x != q.x ? p.x < q.x : p.y < q.y;
-                                        });
-  };
   std::size_t members = 0;
   for (const auto& [i, j] : pair_orbits(all)) {
-    std::vector<std::pair<GridPolygon, GridPolygon>> orbit;
+    std::set<std::pair<GridPolygon, GridPolygon>> orbit;
     for (std::size_t s = 0; s < square_symmetries; ++s) {
-      orbit.emplace_back(image(all[i], s), image(all[j], s));
-      orbit.emplace_back(image(all[j], s), image(all[i], s));
+      orbit.emplace(image(all[i], s), image(all[j], s));
+      orbit.emplace(image(all[j], s), image(all[i], s));
     }
-    std::sort(orbit.begin(), orbit.end(), [&](const auto& a, const auto& b) {
-      if (a.first != b.first) return less(a.first, b.first);
-      return less(a.second, b.second);
-    });
-    members += static_cast<std::size_t>(std::unique(orbit.begin(), orbit.end()) - orbit.begin());
+    members += orbit.size();
   }
   EXPECT_EQ(members, all.size() * all.size());
 }

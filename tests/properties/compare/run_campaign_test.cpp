@@ -21,7 +21,6 @@ std::size_t wrong_sums(const Engine& implementation, const SmallRun& run) {
     for (std::size_t i = 0; i < source.tasks; ++i) {
       const auto [p, q] = source.task(i).pair;
       for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
-        Probes probes;
         try {
           count += implementation.compute(p, q, boundary, {}).sum != slide_sum(p, q, boundary).sum;
         } catch (const std::exception&) {
@@ -138,18 +137,17 @@ TEST(Conformance, sees_one_vertex_too_far_out_and_all_of_them_rounded) {
 }
 
 TEST(Conformance, what_is_no_sum_is_a_kind_with_its_site) {
-  const auto always = [](const Summands&) { return true; };
-  expect_only(
-      "crashed: exception: bad luck,  times", "grids",
-      failing(always, []() -> MinkowskiSum { throw std::runtime_error("bad luck, 13 times"); }));
-  const auto no_sum = [](NoSum::Kind kind) {
-    return [kind]() -> MinkowskiSum { throw NoSum(kind, "f.cpp", "a line"); };
+  expect_only("crashed: exception: bad luck,  times", "grids",
+              changed([](MinkowskiSum&) { throw std::runtime_error("bad luck, 13 times"); }));
+  const auto failing = [](NoSum::Kind kind) {
+    return faulty("failing", [kind](MinkowskiSum&, const Summands& pair, Boundary) {
+      if (vertex_count(pair.p) > 3) throw NoSum(kind, "f.cpp", "a line");
+    });
   };
-  const auto large = [](const Summands& s) { return vertex_count(s.p) > 3; };
-  expect_only("crashed: f.cpp", "grids", failing(large, no_sum(NoSum::Kind::crashed)));
-  expect_only("unreadable: f.cpp", "grids", failing(large, no_sum(NoSum::Kind::unreadable)));
-  expect_only("out of memory", "grids", failing(large, no_sum(NoSum::Kind::out_of_memory)));
-  const Engine hangs = failing(large, no_sum(NoSum::Kind::hung));
+  expect_only("crashed: f.cpp", "grids", failing(NoSum::Kind::crashed));
+  expect_only("unreadable: f.cpp", "grids", failing(NoSum::Kind::unreadable));
+  expect_only("out of memory", "grids", failing(NoSum::Kind::out_of_memory));
+  const Engine hangs = failing(NoSum::Kind::hung);
   const SmallRun grids{.parts = {"grids"}};
   const CampaignReport report = grids.of(hangs);
   EXPECT_EQ(report.all().kinds, (Kinds{{"hung", wrong_sums(hangs, grids)}}));
@@ -157,12 +155,10 @@ TEST(Conformance, what_is_no_sum_is_a_kind_with_its_site) {
 }
 
 TEST(Conformance, crashes_at_different_sites_are_different_kinds) {
-  const Engine two = named_engine(
-      "two sites", [](const Region& p, const Region& q, Boundary boundary) -> MinkowskiSum {
-        if (vertex_count(p) > 3) throw NoSum(NoSum::Kind::crashed, "a.hpp", "one");
-        if (vertex_count(q) > 3) throw NoSum(NoSum::Kind::crashed, "b.hpp", "two");
-        return slide_sum(p, q, boundary).sum;
-      });
+  const Engine two = faulty("two sites", [](MinkowskiSum&, const Summands& pair, Boundary) {
+    if (vertex_count(pair.p) > 3) throw NoSum(NoSum::Kind::crashed, "a.hpp", "one");
+    if (vertex_count(pair.q) > 3) throw NoSum(NoSum::Kind::crashed, "b.hpp", "two");
+  });
   const CampaignReport report = SmallRun{.parts = {"grids"}}.of(two);
   EXPECT_EQ(vertex_count(shrunk_pair(report, "crashed: a.hpp").p), 4U);
   EXPECT_EQ(vertex_count(shrunk_pair(report, "crashed: b.hpp").p), 3U);
@@ -170,10 +166,9 @@ TEST(Conformance, crashes_at_different_sites_are_different_kinds) {
 }
 
 TEST(Conformance, what_is_not_taken_is_counted_and_no_fault) {
-  const Engine closed_only = named_engine(
-      "closed only", [](const Region& p, const Region& q, Boundary boundary) -> MinkowskiSum {
+  const Engine closed_only =
+      faulty("closed only", [](MinkowskiSum&, const Summands&, Boundary boundary) {
         if (boundary == Boundary::open) throw NoSum(NoSum::Kind::not_taken, "", "no open sums");
-        return slide_sum(p, q, boundary).sum;
       });
   const CampaignReport report = SmallRun{.parts = {}, .cases = 2}.of(closed_only);
   const Tally all = report.all();
@@ -186,10 +181,8 @@ TEST(Conformance, what_is_not_taken_is_counted_and_no_fault) {
 TEST(Conformance, laws_find_what_pairs_do_not_and_blame_the_sum_that_is_wrong) {
   const Rational far(mpz_class(1) << 300);
   const Engine careless =
-      named_engine("careless", [&](const Region& p, const Region& q, Boundary boundary) {
-        MinkowskiSum sum = slide_sum(p, q, boundary).sum;
-        if (abs(p.components[0].outer[0].x) > far) sum.holes.clear();
-        return sum;
+      faulty("careless", [&](MinkowskiSum& sum, const Summands& pair, Boundary) {
+        if (abs(pair.p.components[0].outer[0].x) > far) sum.holes.clear();
       });
   EXPECT_TRUE(SmallRun{}.of(careless).conforms());
   const SmallRun laws{.parts = {"laws"}, .cases = 12, .shrink_tries = 60};
@@ -218,11 +211,9 @@ TEST(Conformance, statements_judge_where_the_oracle_is_not_asked) {
 
 TEST(Conformance, an_answer_that_is_not_repeated_is_reported_and_not_shrunk) {
   std::size_t asked = 0;
-  const Engine once =
-      named_engine("once", [&](const Region& p, const Region& q, Boundary boundary) {
-        if (++asked == 5) throw NoSum(NoSum::Kind::crashed, "once", "only once");
-        return slide_sum(p, q, boundary).sum;
-      });
+  const Engine once = changed([&](MinkowskiSum&) {
+    if (++asked == 5) throw NoSum(NoSum::Kind::crashed, "once", "only once");
+  });
   const CampaignReport report = SmallRun{.parts = {"grids"}, .threads = 1}.of(once);
   EXPECT_EQ(report.all().kinds, (Kinds{{"crashed: once", 1}}));
   EXPECT_FALSE(report.counterexamples.at("crashed: once").is_repeatable);

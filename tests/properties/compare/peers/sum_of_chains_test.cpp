@@ -11,8 +11,8 @@ const Chain square{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
 std::string defect_of(const ReturnedChains& chains) {
   try {
     sum_of_chains(chains);
-  } catch (const NoRegion& e) {
-    return e.defect();
+  } catch (const NoSum& e) {
+    return e.site();
   }
   return "none";
 }
