@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/families/coast.hpp"
-
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
@@ -8,6 +6,7 @@
 #include <queue>
 
 #include "reference/families/integer_segments.hpp"
+#include "reference/families/polygons.hpp"
 
 namespace oplus {
 

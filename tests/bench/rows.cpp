@@ -3,7 +3,6 @@
 
 #include <utility>
 
-#include "reference/families/coast.hpp"
 #include "reference/families/fork.hpp"
 #include "reference/families/pairs.hpp"
 #include "reference/families/polygons.hpp"
