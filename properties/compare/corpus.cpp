@@ -2,7 +2,6 @@
 #include "properties/compare/corpus.hpp"
 
 #include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -36,17 +35,11 @@ std::vector<CorpusPair> corpus() {
     CorpusPair row;
     row.name = field(0, "name");
     row.story = field(1, "story");
-    const auto stream = [&](std::size_t i, const std::string& key) {
-      return std::istringstream(field(i, key));
-    };
-    auto p = stream(2, "P");
-    auto q = stream(3, "Q");
-    auto closed = stream(4, "closed");
-    auto open = stream(5, "open");
-    row.p = read_region(p, row.name + ", P").region;
-    row.q = read_region(q, row.name + ", Q").region;
-    row.closed = read_sum(closed, row.name + ", closed").sum;
-    row.open = field(5, "open") == "same" ? row.closed : read_sum(open, row.name + ", open").sum;
+    const std::string open = field(5, "open");
+    row.p = read_region(field(2, "P"), row.name + ", P").region;
+    row.q = read_region(field(3, "Q"), row.name + ", Q").region;
+    row.closed = read_sum(field(4, "closed"), row.name + ", closed").sum;
+    row.open = open == "same" ? row.closed : read_sum(open, row.name + ", open").sum;
     if (block.size() > 6) throw std::runtime_error("row '" + row.name + "': more than six fields");
     pairs.push_back(std::move(row));
   }

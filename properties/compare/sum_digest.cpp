@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "reference/io/written.hpp"
+#include "reference/io/writing.hpp"
 
 namespace oplus {
 

@@ -4,7 +4,7 @@
 #include <system_error>
 
 #include "properties/runner/finding.hpp"
-#include "reference/io/written.hpp"
+#include "reference/io/writing.hpp"
 
 namespace oplus {
 

@@ -50,7 +50,7 @@ int sum(const Engine& engine, const std::string& p, const std::string& q) {
     return 2;
   }
   try {
-    write(std::cout, engine.compute(pair.p, pair.q, Boundary::closed, {}).sum, Format::wkt);
+    std::cout << written(engine.compute(pair.p, pair.q, Boundary::closed, {}).sum, Format::wkt);
   } catch (const NotTaken& e) {
     std::cerr << e.what() << '\n';
     return exit_not_taken;

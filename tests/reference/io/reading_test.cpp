@@ -12,15 +12,6 @@
 namespace oplus {
 namespace {
 
-TEST(Reading, tells_the_formats_apart) {
-  const Region expected = polygon({{0, 0}, {1, 0}, {0, 1}});
-  EXPECT_EQ(region_from("\n 3 0 0 1 0 0 1").region, expected);
-  EXPECT_EQ(region_from("\n Polygon ((0 0, 1 0, 0 1, 0 0))").region, expected);
-  EXPECT_EQ(region_from("\n {\"type\": \"Polygon\", \"coordinates\": [[[0,0],[1,0],[0,1],[0,0]]]}")
-                .region,
-            expected);
-}
-
 TEST(Reading, turns_chains_and_says_so) {
   const ReadRegion read = region_from(
       "MULTIPOLYGON (((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 2, 2 2, 1 1), (3 3, 3 2, 2 3, 3 3),"
@@ -43,15 +34,7 @@ TEST(Reading, of_a_sum_turns_chains_and_says_so) {
   EXPECT_EQ(read.sum, canonical_sum(polygon(box(0, 0, 1, 1))));
 }
 
-TEST(Reading, of_a_sum_is_canonical) {
-  EXPECT_EQ(sum_from("5 4 4 2 4 0 4 0 0 4 0").sum, canonical_sum(polygon(box(0, 0, 4, 4))));
-}
-
 TEST(Reading, of_a_sum_makes_the_polygons_of_a_collection_one_region) {
-  EXPECT_EQ(sum_from("GEOMETRYCOLLECTION (POLYGON ((2 0, 3 0, 3 1, 2 1, 2 0)),"
-                     " MULTIPOLYGON (((0 0, 1 0, 1 1, 0 1, 0 0))))")
-                .sum,
-            canonical_sum(Region{{{box(0, 0, 1, 1), {}}, {box(2, 0, 3, 1), {}}}}));
   EXPECT_EQ(refusal([] {
               sum_from(
                   "GEOMETRYCOLLECTION (POLYGON ((0 0, 9 0, 0 9, 0 0)),\n"
@@ -59,11 +42,6 @@ TEST(Reading, of_a_sum_makes_the_polygons_of_a_collection_one_region) {
             }),
             "file:2:12: outer chain of component 2 at (1, 1) is inside outer chain of component 1 "
             "and in none of its holes; expected components that at most touch");
-}
-
-TEST(Reading, of_a_sum_joins_collinear_dangling_edges) {
-  EXPECT_EQ(sum_from("LINESTRING (0 0, 1 1, 3 3, 3 0)").sum.dangling_edges,
-            std::vector<Segment>({{{0, 0}, {3, 3}}, {{3, 0}, {3, 3}}}));
 }
 
 TEST(Reading, where_says_file_line_and_column) {
