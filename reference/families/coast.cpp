@@ -99,12 +99,6 @@ class Coast {
     return true;
   }
 
-  /// Whether the segments from `end` to u and to v overlap.
-  static bool runs_into(const Place& u, const Place& end, const Place& v) {
-    return turn(u, end, v) == 0 &&
-           (u.x - end.x) * (v.x - end.x) + (u.y - end.y) * (v.y - end.y) > 0;
-  }
-
   std::list<Place> vertices_;
   std::priority_queue<Edge> edges_;
   std::size_t pushed_ = 0;

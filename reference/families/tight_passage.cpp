@@ -14,6 +14,8 @@ namespace {
 
 using Cell = std::pair<int, int>;
 
+bool is_lower(const Cell& a, const Cell& b) { return a.second < b.second; }
+
 Cells moved(const Cells& cells, const Cell& by) {
   Cells result;
   for (const auto& [x, y] : cells) result.emplace(x + by.first, y + by.second);
@@ -22,9 +24,8 @@ Cells moved(const Cells& cells, const Cell& by) {
 
 /// The cells of the smallest box around the given ones with a margin of one cell.
 Cells block_around(const Cells& cells) {
-  const auto by_y = [](const Cell& a, const Cell& b) { return a.second < b.second; };
   const auto [left, right] = std::minmax_element(cells.begin(), cells.end());
-  const auto [low, high] = std::minmax_element(cells.begin(), cells.end(), by_y);
+  const auto [low, high] = std::minmax_element(cells.begin(), cells.end(), is_lower);
   Cells block;
   for (int x = left->first - 1; x <= right->first + 1; ++x)
     for (int y = low->second - 1; y <= high->second + 1; ++y) block.emplace(x, y);
@@ -73,8 +74,7 @@ Summands passage(Random& random, std::size_t longest_leg) {
       break;
     case 2: {  // one cell through the margin above the last, or beside it
       const Cells last = moved(shape, at);
-      const auto by_y = [](const Cell& a, const Cell& b) { return a.second < b.second; };
-      Cell door = upwards ? *std::max_element(last.begin(), last.end(), by_y) : *last.rbegin();
+      Cell door = upwards ? *std::max_element(last.begin(), last.end(), is_lower) : *last.rbegin();
       (upwards ? door.second : door.first) += 1;
       cut_out.insert(door);
       break;

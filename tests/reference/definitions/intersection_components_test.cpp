@@ -63,8 +63,8 @@ TEST(IntersectionComponents, of_a_frame) {
 }
 
 TEST(IntersectionComponents, of_two_frames) {
-  const Region wide{{{box(0, 0, 8, 8), {backwards(box(1, 1, 7, 7))}}}};
-  const Region narrow{{{box(0, 0, 4, 4), {backwards(box(1, 1, 3, 3))}}}};
+  const Region wide = holed(box(0, 0, 8, 8), {box(1, 1, 7, 7)});
+  const Region narrow = holed(box(0, 0, 4, 4), {box(1, 1, 3, 3)});
   EXPECT_EQ(intersection_components(wide, narrow, {6, 6}), none) << "in its hole";
   EXPECT_EQ(intersection_components(wide, narrow, {9.5, 6}), two)
       << "its right side outside, upper and lower side through";
@@ -93,7 +93,7 @@ TEST(IntersectionComponents, do_not_add_up_over_pairs_of_chains) {
   // Section 4.2.4 says they do. The bar reaches into the hole from one side: 1 for the frame's
   // outer chain, 1 for its hole, and the intersection has one component, neither 1 + 1 nor 1 - 1.
   const Chain outer = box(0, 0, 6, 6), hole = box(2, 2, 4, 4);
-  const Region frame{{{outer, {backwards(hole)}}}};
+  const Region frame = holed(outer, {hole});
   for (const Region& p : {polygon(outer), polygon(hole), frame})
     EXPECT_EQ(with_box(p, 3, 2.5, 5, 3.5), one);
   // Across the whole hole: 1, 1 and 2.

@@ -45,7 +45,7 @@ TEST(MinkowskiSum, holes_are_clockwise_and_chains_are_sorted) {
 }
 
 TEST(MinkowskiSum, two_squares_touching_in_a_corner_are_one_outer_chain) {
-  const Region region{{{box(0, 0, 1, 1), {}}, {box(1, 1, 2, 2), {}}}};
+  const Region region = shape("two squares touching in a corner");
   // Both bound the same face of the complement: clockwise most, so from one into the other.
   EXPECT_EQ(canonical_sum(region).outer,
             (Chains{{{0, 0}, {1, 0}, {1, 1}, {2, 1}, {2, 2}, {1, 2}, {1, 1}, {0, 1}}}));
@@ -58,24 +58,22 @@ TEST(MinkowskiSum, chain_that_starts_where_it_touches_itself_is_the_smaller_rota
 }
 
 TEST(MinkowskiSum, hole_touching_the_outer_chain_stays_a_chain_of_its_own) {
-  const Chain hole{{2, 0}, {1, 1}, {2, 2}, {3, 1}};
-  const MinkowskiSum sum = canonical_sum(Region{{{square, {hole}}}});
+  const MinkowskiSum sum = canonical_sum(shape("hole touching the outer chain"));
   EXPECT_EQ(sum.outer, Chains{square});
   EXPECT_EQ(sum.holes, (Chains{{{1, 1}, {2, 2}, {3, 1}, {2, 0}}}));
 }
 
 TEST(MinkowskiSum, two_holes_touching_in_a_corner_are_two_chains) {
-  const Region region{
-      {{box(0, 0, 5, 5), {backwards(box(1, 1, 2, 2)), backwards(box(2, 2, 3, 3))}}}};
+  const Region region = holed(box(0, 0, 5, 5), {box(1, 1, 2, 2), box(2, 2, 3, 3)});
   EXPECT_EQ(canonical_sum(region).holes.size(), 2u);
 }
 
 TEST(MinkowskiSum, island_touching_its_hole_is_traced_with_it) {
-  const Region region{
-      {{box(0, 0, 4, 4), {backwards(box(1, 1, 3, 3))}}, {{{1, 1}, {2, 1}, {2, 2}}, {}}}};
+  const Region region =
+      together({holed(box(0, 0, 4, 4), {box(1, 1, 3, 3)}), polygon({{1, 1}, {2, 1}, {2, 2}})});
   // The island's lower edge would overlap; one vertex in the hole's corner does not.
-  const Region touching{
-      {{box(0, 0, 5, 5), {backwards(box(1, 1, 4, 4))}}, {{{1, 1}, {3, 2}, {2, 3}}, {}}}};
+  const Region touching =
+      together({holed(box(0, 0, 5, 5), {box(1, 1, 4, 4)}), polygon({{1, 1}, {3, 2}, {2, 3}})});
   EXPECT_TRUE(find_defect(region));
   EXPECT_FALSE(find_defect(touching));
   EXPECT_EQ(canonical_sum(touching).holes,

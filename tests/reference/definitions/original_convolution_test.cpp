@@ -103,7 +103,7 @@ TEST(OriginalConvolution, counts_both_arms_of_a_u_that_a_bar_crosses) {
 }
 
 TEST(OriginalConvolution, does_not_count_a_component_with_a_hole) {
-  const Region frame{{{box(0, 0, 6, 6), {backwards(box(2, 2, 4, 4))}}}};
+  const Region frame = holed(box(0, 0, 6, 6), {box(2, 2, 4, 4)});
   const Point covering{Rational(9, 2), Rational(9, 2)};
   EXPECT_EQ(winding_of_original(covering, frame, polygon(box(0, 0, 3, 3))), 0);
   EXPECT_EQ(winding_number(covering, segments(convolution(frame, polygon(box(0, 0, 3, 3))))), 4)

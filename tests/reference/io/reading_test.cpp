@@ -2,11 +2,10 @@
 #include "reference/io/reading.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
 #include <fstream>
 
+#include "properties/runner/temporary_folder.hpp"
 #include "tests/reference/io/from_text.hpp"
 
 namespace oplus {
@@ -56,8 +55,8 @@ TEST(Reading, where_says_file_line_and_column) {
 }
 
 TEST(Reading, of_a_file_names_it) {
-  const std::string path =
-      testing::TempDir() + "oplus_reading_test_" + std::to_string(::getpid()) + ".wkt";
+  const TemporaryFolder folder;
+  const std::string path = folder.path() / "file.wkt";
   std::ofstream(path) << "POLYGON ((0 0, 0 1, 1 0, 0 0))";
   EXPECT_EQ(
       read_region_file(path).notes,
@@ -65,7 +64,6 @@ TEST(Reading, of_a_file_names_it) {
   std::ofstream(path) << "POLYGON (0 0)";
   EXPECT_EQ(refusal([&] { read_sum_file(path); }),
             path + ":1:10: '0' in outer chain of component 1; expected '(' or EMPTY");
-  std::filesystem::remove(path);
 }
 
 TEST(Reading, of_a_file_that_is_not_there_says_so) {

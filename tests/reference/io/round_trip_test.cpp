@@ -48,16 +48,13 @@ TEST(RoundTrip, of_regions_and_sums_is_the_identity) {
       {"decimals", polygon({{Rational(-1, 10), 0}, {Rational(1, 1024), 0}, {0, 5}})},
       {"large numbers", polygon({{-large, 0}, {large / 3, -large / 8}, {0, 1}})},
       {"huge numbers", polygon({{0, 0}, {huge, -1 / huge}, {-huge / 3, huge}})},
-      {"holes",
-       {{{box(0, 0, 9, 9), {backwards(box(1, 1, 2, 2)), backwards(box(3, third, 5, 5))}}}}},
+      {"holes", holed(box(0, 0, 9, 9), {box(1, 1, 2, 2), box(3, third, 5, 5)})},
       {"components, the second with a hole",
-       {{{box(0, 0, 1, 1), {}},
-         {box(2, 0, 5, 5), {backwards(box(3, 3, 4, 4))}},
-         {box(7, 0, 8, 1), {}}}}},
+       together({polygon(box(0, 0, 1, 1)), holed(box(2, 0, 5, 5), {box(3, 3, 4, 4)}),
+                 polygon(box(7, 0, 8, 1))})},
       {"hole that touches vertices", {{{box(0, 0, 4, 4), {{{0, 0}, {1, 2}, {4, 4}, {2, 1}}}}}}},
       {"hole that touches edges", {{{box(0, 0, 4, 4), {{{0, 2}, {2, 4}, {4, 2}, {2, 0}}}}}}},
-      {"holes that touch",
-       {{{box(0, 0, 9, 9), {backwards(box(1, 1, 2, 2)), backwards(box(2, 2, 3, 3))}}}}}};
+      {"holes that touch", holed(box(0, 0, 9, 9), {box(1, 1, 2, 2), box(2, 2, 3, 3)})}};
   all.insert(all.end(), more.begin(), more.end());
   for (const Shape& shape : all) {
     SCOPED_TRACE(shape.name);
