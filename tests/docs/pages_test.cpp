@@ -2,13 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <regex>
 #include <set>
 #include <sstream>
 
 #include "properties/runner/source_tree.hpp"
+#include "reference/io/file_text.hpp"
 #include "tests/checked/cli/shell.hpp"
 
 namespace oplus {
@@ -18,19 +18,12 @@ namespace fs = std::filesystem;
 
 const fs::path top = source_root();
 
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 /// Those below docs/, by their names.
 std::map<std::string, std::string> pages() {
   std::map<std::string, std::string> result;
   for (const auto& entry : fs::directory_iterator(top / "docs"))
     if (entry.path().extension() == ".md")
-      result[entry.path().filename().string()] = text_of(entry.path());
+      result[entry.path().filename().string()] = text_of_file(entry.path());
   return result;
 }
 
@@ -66,7 +59,7 @@ TEST_F(Pages, draw_their_pictures) {
       // At the head of a pipe its exit code is not that of the command.
       EXPECT_EQ(ran.err.find("oplus: "), std::string::npos) << command << '\n' << ran.err;
       for (const std::string& picture : found(command, "(docs/pictures/\\S+\\.svg)")) {
-        EXPECT_EQ(content(picture), text_of(top / picture))
+        EXPECT_EQ(content(picture), text_of_file(top / picture))
             << picture << " is out of date: " << command;
         drawn.insert(picture);
       }
@@ -96,10 +89,10 @@ TEST(AlgorithmPages, show_a_picture_and_what_they_rest_on) {
 }
 
 TEST(AllPages, link_to_what_exists) {
-  std::map<fs::path, std::string> texts = {{top / "README.md", text_of(top / "README.md")}};
+  std::map<fs::path, std::string> texts = {{top / "README.md", text_of_file(top / "README.md")}};
   for (const auto& [name, page] : pages()) texts[top / "docs" / name] = page;
   for (const auto& entry : fs::directory_iterator(top / "docs/theorems"))
-    if (entry.path().extension() == ".md") texts[entry.path()] = text_of(entry.path());
+    if (entry.path().extension() == ".md") texts[entry.path()] = text_of_file(entry.path());
   std::size_t links = 0;
   for (const auto& [path, text] : texts) {
     for (const std::string& link : found(text, "\\]\\(([^)#]+)\\)")) {
@@ -131,7 +124,7 @@ TEST(AllPages, name_statements_by_their_ids) {
     for (auto at = std::sregex_iterator(page.begin(), page.end(), link);
          at != std::sregex_iterator(); ++at) {
       ++statements;
-      const std::string file = text_of(top / "docs" / (*at)[2].str());
+      const std::string file = text_of_file(top / "docs" / (*at)[2].str());
       EXPECT_NE(file.find(".id = \"" + (*at)[1].str() + "\""), std::string::npos)
           << name << ": " << (*at)[1] << " is not the id of " << (*at)[2];
     }
@@ -140,7 +133,7 @@ TEST(AllPages, name_statements_by_their_ids) {
 }
 
 TEST(AllPages, are_linked_from_the_readme) {
-  const std::string readme = text_of(top / "README.md");
+  const std::string readme = text_of_file(top / "README.md");
   for (const auto& [name, page] : pages())
     EXPECT_NE(readme.find("](docs/" + name + ")"), std::string::npos) << name;
 }

@@ -1,28 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <sstream>
 
 #include "properties/runner/source_tree.hpp"
+#include "reference/io/file_text.hpp"
 #include "tests/checked/cli/shell.hpp"
 
 namespace oplus {
 namespace {
-
-std::string text_of(const std::string& path) {
-  std::ifstream file(source_root() / path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 class Readme : public Shell {};
 
 /// The lines of "Five minutes" that call `oplus`, in their order.
 std::vector<std::string> commands_of_readme() {
   std::vector<std::string> commands;
-  std::istringstream readme(text_of("README.md"));
+  std::istringstream readme(text_of_file(source_root() / "README.md"));
   for (std::string line; std::getline(readme, line);) {
     if (line.starts_with("    oplus ")) commands.push_back(line.substr(4, line.find(" #") - 4));
   }
@@ -38,7 +31,8 @@ TEST_F(Readme, commands_do_what_it_says_and_draw_its_picture) {
     EXPECT_EQ(ran.exit_code, unequal ? 1 : 0) << command << '\n' << ran.err;
   }
   EXPECT_EQ(content("same.wkt"), content("sum.wkt"));
-  EXPECT_EQ(content("picture.svg"), text_of("docs/pictures/room_and_diamond.svg"))
+  EXPECT_EQ(content("picture.svg"),
+            text_of_file(source_root() / "docs/pictures/room_and_diamond.svg"))
       << "docs/pictures/room_and_diamond.svg is out of date";
 }
 
