@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/arrangement/isolated_touching_points.hpp"
 
-#include "reference/definitions/lies_on_one.hpp"
 #include "reference/definitions/mutant.hpp"
 
 namespace oplus {

@@ -4,7 +4,6 @@
 #include <charconv>
 #include <cstdint>
 #include <memory>
-#include <sstream>
 
 #include "checked/cli/format_option.hpp"
 #include "checked/cli/json_values.hpp"
@@ -84,9 +83,7 @@ ExitCode gen(const GenOptions& options) {
   require_writable({options.output});
   const Format format = output_format(options.format, options.output);
   const Summands pair = generate(*family, n, seed);
-  std::ostringstream content;
-  write(content, options.summand == "P" ? pair.p : pair.q, format);
-  write_output(options.output, content.str());
+  write_output(options.output, written(options.summand == "P" ? pair.p : pair.q, format));
   return ExitCode::done;
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <memory>
-#include <sstream>
 
 #include "checked/cli/format_option.hpp"
 #include "checked/cli/input.hpp"
@@ -20,9 +19,7 @@ struct ReflectOptions {
 ExitCode reflect(const ReflectOptions& options) {
   require_writable({options.output});
   const Format format = output_format(options.format, options.output);
-  std::ostringstream content;
-  write(content, reflected(read_summand(options.file)), format);
-  write_output(options.output, content.str());
+  write_output(options.output, written(reflected(read_summand(options.file)), format));
   return ExitCode::done;
 }
 

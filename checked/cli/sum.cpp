@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
-#include <sstream>
 #include <thread>
 
 #include "checked/arrangement/hole_test.hpp"
@@ -118,14 +117,13 @@ ExitCode sum(const SumOptions& options) {
     throw UsageError(
         ".dat cannot hold the dangling edges and isolated vertices of this sum; write .wkt or "
         ".geojson");
-  std::ostringstream content;
-  write(content, computed.sum, format, options.digits);
+  const std::string content = written(computed.sum, format, options.digits);
   if (options.svg) write_output(*options.svg, picture(p, q, computed.sum));
   if (options.origins)
     write_output(*options.origins, origins_json(computed.sum, computed.origins, p, q));
   if (options.stats_json)
     write_output(*options.stats_json, statistics_json(options, p, q, computed, seconds));
-  write_output(options.output, content.str());
+  write_output(options.output, content);
 
   if (options.digits)
     say_note("the output is rounded to " + std::to_string(*options.digits) +

@@ -6,7 +6,7 @@
 namespace oplus {
 
 SummandBoundary::SummandBoundary(Region of) : region(std::move(of)) {
-  for (const std::vector<Segment>& of_chain : boundary_pieces(region)) {
+  for (const std::vector<Segment>& of_chain : pieces_by_chain(region)) {
     chain_of.insert(chain_of.end(), of_chain.size(), vertex_of_chain.size());
     vertex_of_chain.push_back(of_chain.front().source);
     pieces.insert(pieces.end(), of_chain.begin(), of_chain.end());

@@ -11,7 +11,7 @@
 namespace oplus {
 
 /// A summand and the pieces of its boundary, which meet at common ends only and have its interior
-/// to their left (boundary_pieces).
+/// to their left (pieces_by_chain).
 struct SummandBoundary {
   explicit SummandBoundary(Region of);
 

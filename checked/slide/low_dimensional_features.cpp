@@ -7,7 +7,6 @@
 
 #include "checked/arrangement/isolated_touching_points.hpp"
 #include "checked/collision/hierarchy_collision.hpp"
-#include "reference/definitions/lies_on_one.hpp"
 
 namespace oplus::slide {
 

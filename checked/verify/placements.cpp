@@ -30,9 +30,8 @@ bool certainly_between(const IntervalSegment& a, const IntervalSegment& b) {
 /// common interior.
 std::vector<IntervalSegment> pieces(const Region& region) {
   std::vector<IntervalSegment> result;
-  for (const std::vector<Segment>& of_chain : boundary_pieces(region))
-    for (const Segment& piece : of_chain)
-      result.push_back({interval(piece.source), interval(piece.target)});
+  for (const Segment& piece : boundary_pieces(region))
+    result.push_back({interval(piece.source), interval(piece.target)});
   return result;
 }
 

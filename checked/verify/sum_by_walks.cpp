@@ -11,7 +11,6 @@
 #include "checked/arithmetic/interval.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/definitions/difference.hpp"
-#include "reference/definitions/lies_on_one.hpp"
 #include "reference/definitions/mutant.hpp"
 
 namespace oplus {

@@ -13,7 +13,6 @@
 #include "checked/verify/witness.hpp"
 #include "reference/definitions/cut_at_intersections.hpp"
 #include "reference/definitions/difference.hpp"
-#include "reference/definitions/lies_on_one.hpp"
 #include "reference/definitions/mutant.hpp"
 #include "reference/definitions/squared_distance.hpp"
 #include "reference/definitions/verdicts_differ.hpp"

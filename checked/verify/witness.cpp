@@ -3,7 +3,6 @@
 
 #include <utility>
 
-#include "reference/definitions/lies_on_one.hpp"
 #include "reference/definitions/ray.hpp"
 #include "reference/definitions/winding_number.hpp"
 

@@ -2,7 +2,6 @@
 #include "properties/compare/corpus.hpp"
 
 #include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -35,12 +34,10 @@ std::vector<CorpusPair> corpus() {
     };
     const std::string name = field(0, "name");
     const auto region = [&](std::size_t i, const std::string& key) {
-      std::istringstream in(field(i, key));
-      return read_region(in, name + ", " + key).region;
+      return read_region(field(i, key), name + ", " + key).region;
     };
     const auto sum = [&](std::size_t i, const std::string& key) {
-      std::istringstream in(field(i, key));
-      return read_sum(in, name + ", " + key).sum;
+      return read_sum(field(i, key), name + ", " + key).sum;
     };
     CorpusPair row{name, field(1, "story"), region(2, "P"), region(3, "Q"), sum(4, "closed"), {}};
     row.open = field(5, "open") == "same" ? row.closed : sum(5, "open");

@@ -9,7 +9,7 @@
 
 #include "properties/runner/finding.hpp"
 #include "properties/runner/property_run.hpp"
-#include "reference/io/written.hpp"
+#include "reference/io/writing.hpp"
 #include "reference/pictures/styles.hpp"
 
 namespace oplus {

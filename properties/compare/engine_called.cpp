@@ -14,7 +14,7 @@
 #include "properties/runner/temporary_folder.hpp"
 #include "reference/io/boundary_name.hpp"
 #include "reference/io/reading.hpp"
-#include "reference/io/written.hpp"
+#include "reference/io/writing.hpp"
 
 namespace oplus {
 
@@ -65,9 +65,8 @@ std::string how_it_ended(const EndedProcess& ended) {
 MinkowskiSum sum_in(const std::string& output) {
   if (output.find_first_not_of(" \t\r\n\v\f") == std::string::npos)
     throw NoSum(Kind::unreadable, "nothing", "it wrote nothing");
-  std::istringstream in(output);
   try {
-    return read_sum(in, "its output").sum;
+    return read_sum(output, "its output").sum;
   } catch (const InvalidInput& e) {
     throw NoSum(Kind::unreadable, "no sum", std::string("unreadable: ") + e.what());
   }

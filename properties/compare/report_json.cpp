@@ -4,13 +4,12 @@
 #include <boost/uuid/name_generator_sha1.hpp>
 #include <boost/uuid/uuid_io.hpp>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "properties/compare/counterexample_files.hpp"
 #include "reference/io/boundary_name.hpp"
 #include "reference/io/invalid_input.hpp"
 #include "reference/io/reading.hpp"
-#include "reference/io/written.hpp"
+#include "reference/io/writing.hpp"
 
 using Json = nlohmann::json;
 
@@ -58,8 +57,7 @@ void from_json(const Json& json, Segment& s) {
 }
 void to_json(Json& json, const Region& region) { json = wkt(region); }
 void from_json(const Json& json, Region& region) {
-  std::istringstream in(json.get<std::string>());
-  region = read_region(in, "a counterexample").region;
+  region = read_region(json.get<std::string>(), "a counterexample").region;
 }
 void to_json(Json& json, Boundary boundary) { json = name(boundary); }
 void from_json(const Json& json, Boundary& boundary) {

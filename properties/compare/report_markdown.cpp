@@ -4,7 +4,7 @@
 #include "properties/compare/counterexample_files.hpp"
 #include "properties/compare/report_text.hpp"
 #include "reference/io/counted.hpp"
-#include "reference/io/written.hpp"
+#include "reference/io/writing.hpp"
 
 namespace oplus {
 

@@ -4,7 +4,7 @@
 #include <boost/uuid/name_generator_sha1.hpp>
 #include <stdexcept>
 
-#include "reference/io/written.hpp"
+#include "reference/io/writing.hpp"
 
 namespace oplus {
 

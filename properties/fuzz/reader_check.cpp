@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -46,15 +45,8 @@ void require_good_refusal(const InvalidInput& refused, std::string_view text) {
           "a refusal at a column that is not there: " + what);
 }
 
-ReadRegion region_from(const std::string& text) {
-  std::istringstream in(text);
-  return read_region(in, file);
-}
-
-ReadSum sum_from(const std::string& text) {
-  std::istringstream in(text);
-  return read_sum(in, file);
-}
+ReadRegion region_from(const std::string& text) { return read_region(text, file); }
+ReadSum sum_from(const std::string& text) { return read_sum(text, file); }
 
 /// What `read` returns, or none where it refuses as it should.
 template <typename Read>
@@ -67,13 +59,6 @@ auto read_or_refused(Read read, const std::string& text) -> std::optional<declty
     require_good_refusal(refused, text);
     return std::nullopt;
   }
-}
-
-template <typename Written>
-std::string written(const Written& value, Format format, std::optional<int> digits = std::nullopt) {
-  std::ostringstream out;
-  write(out, value, format, digits);
-  return out.str();
 }
 
 /// Law 3: `read` refuses nothing that was written, and repairs nothing.

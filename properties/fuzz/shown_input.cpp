@@ -7,7 +7,7 @@
 #include "properties/fuzz/slide_check.hpp"
 #include "properties/runner/finding.hpp"
 #include "properties/runner/shrinking.hpp"
-#include "reference/io/written.hpp"
+#include "reference/io/writing.hpp"
 
 namespace oplus {
 

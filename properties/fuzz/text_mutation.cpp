@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "reference/families/rich_regions.hpp"
-#include "reference/io/written.hpp"
+#include "reference/io/writing.hpp"
 
 namespace oplus {
 

@@ -17,9 +17,7 @@ namespace {
 std::vector<Corner> corners(const Region& region) {
   std::vector<Corner> result;
   for (const Chain& chain : chains(region)) {
-    for (std::size_t i = 0; i < chain.size(); ++i)
-      result.push_back(
-          {chain[i] - chain[previous(i, chain.size())], chain[next(i, chain.size())] - chain[i]});
+    for (std::size_t i = 0; i < chain.size(); ++i) result.push_back(corner_at(chain, i));
   }
   return result;
 }

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "properties/runner/property_run.hpp"
-#include "reference/io/written.hpp"
+#include "reference/io/writing.hpp"
 
 namespace oplus {
 

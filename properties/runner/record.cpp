@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "reference/io/invalid_input.hpp"
 #include "reference/io/reading.hpp"
-#include "reference/io/written.hpp"
+#include "reference/io/writing.hpp"
 
 namespace oplus {
 
@@ -35,10 +34,7 @@ std::string one_a_line(const Json& report) {
 Json json_of(const Summands& pair) { return {{"p", wkt(pair.p)}, {"q", wkt(pair.q)}}; }
 
 Summands pair_of_json(const Json& json) {
-  const auto region = [&](const char* key) {
-    std::istringstream in(json.at(key).get<std::string>());
-    return read_region(in, key).region;
-  };
+  const auto region = [&](const char* key) { return read_region(json.at(key), key).region; };
   return {region("p"), region("q")};
 }
 

@@ -46,19 +46,12 @@ bool boundary_enters(const std::vector<Segment>& edges_of_a, const Region& b,
   return false;
 }
 
-/// Cut where chains touch: only inside such pieces does a crossing show common interior.
-std::vector<Segment> pieces_of(const Region& region) {
-  std::vector<Segment> all;
-  for (const std::vector<Segment>& of_chain : boundary_pieces(region))
-    all.insert(all.end(), of_chain.begin(), of_chain.end());
-  return all;
-}
-
 }  // namespace
 
 bool interiors_meet(const Region& a, const Region& b) {
-  const std::vector<Segment> edges_of_a = pieces_of(a);
-  const std::vector<Segment> edges_of_b = pieces_of(b);
+  // Cut where chains touch: only inside such pieces does a crossing show common interior.
+  const std::vector<Segment> edges_of_a = boundary_pieces(a);
+  const std::vector<Segment> edges_of_b = boundary_pieces(b);
   for (const Segment& s : edges_of_a) {
     for (const Segment& t : edges_of_b) {
       if (cross_properly(s, t)) return true;

@@ -13,9 +13,7 @@ namespace {
 
 std::vector<Corner> corners(const Chain& chain) {
   std::vector<Corner> result;
-  for (std::size_t j = 0; j < chain.size(); ++j)
-    result.push_back(
-        {chain[j] - chain[previous(j, chain.size())], chain[next(j, chain.size())] - chain[j]});
+  for (std::size_t j = 0; j < chain.size(); ++j) result.push_back(corner_at(chain, j));
   return result;
 }
 

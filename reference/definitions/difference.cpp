@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "reference/definitions/lies_on_one.hpp"
 #include "reference/definitions/ray.hpp"
 #include "reference/definitions/winding_number.hpp"
 

@@ -3,7 +3,6 @@
 
 #include <optional>
 
-#include "reference/definitions/lies_on_one.hpp"
 #include "reference/definitions/winding_number.hpp"
 
 namespace oplus {
@@ -13,11 +12,9 @@ namespace {
 /// Whether a chain winds around another, which may touch it: one of the other's pieces decides.
 bool is_around(const Chain& outer, const Chain& hole) {
   const std::vector<Segment> around = edges(outer);
-  for (const Segment& edge : edges(hole)) {
-    for (const Segment& piece : cut(edge, outer)) {
-      const Point middle = midpoint(piece.source, piece.target);
-      if (!lies_on_one(middle, around)) return winding_number(middle, around) != 0;
-    }
+  for (const Segment& piece : cut_edges(hole, outer)) {
+    const Point middle = midpoint(piece.source, piece.target);
+    if (!lies_on_one(middle, around)) return winding_number(middle, around) != 0;
   }
   return false;
 }

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "reference/definitions/contract.hpp"
-#include "reference/definitions/lies_on_one.hpp"
 #include "reference/definitions/mutant.hpp"
 
 namespace oplus {

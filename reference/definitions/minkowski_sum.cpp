@@ -63,16 +63,6 @@ Chain without_collinear_vertices(const Chain& chain) {
   return corners;
 }
 
-/// The edges of a chain, cut at the vertices of another, or of its own, that lie inside them.
-std::vector<Segment> cut_edges(const Chain& chain, const Chain& at) {
-  std::vector<Segment> pieces;
-  for (const Segment& edge : edges(chain)) {
-    const std::vector<Segment> of_edge = cut(edge, at);
-    pieces.insert(pieces.end(), of_edge.begin(), of_edge.end());
-  }
-  return pieces;
-}
-
 /// Takes a chain that touches itself apart into chains that do not.
 std::vector<Chain> simple_chains(const Chain& chain) {
   std::vector<Chain> simple;
@@ -137,10 +127,7 @@ MinkowskiSum canonical_sum(const BoundaryFeatures& features) {
 }
 
 MinkowskiSum canonical_sum(const Region& region) {
-  BoundaryFeatures features;
-  for (const std::vector<Segment>& pieces : boundary_pieces(region))
-    features.edges.insert(features.edges.end(), pieces.begin(), pieces.end());
-  return canonical_sum(features);
+  return canonical_sum(BoundaryFeatures{boundary_pieces(region), {}, {}});
 }
 
 Region region_of(const MinkowskiSum& sum) {

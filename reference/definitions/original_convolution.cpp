@@ -14,11 +14,8 @@ void add_reflex_vertices(const Region& region, Summand of, std::vector<ReflexVer
   const std::vector<Chain> of_region = chains(region);
   for (std::size_t c = 0; c < of_region.size(); ++c) {
     const Chain& chain = of_region[c];
-    for (std::size_t i = 0; i < chain.size(); ++i) {
-      const Point& v = chain[i];
-      if (is_reflex({v - chain[previous(i, chain.size())], chain[next(i, chain.size())] - v}))
-        all.push_back({of, {c, i}});
-    }
+    for (std::size_t i = 0; i < chain.size(); ++i)
+      if (is_reflex(corner_at(chain, i))) all.push_back({of, {c, i}});
   }
 }
 

@@ -5,7 +5,6 @@
 #include <iterator>
 #include <utility>
 
-#include "reference/definitions/lies_on_one.hpp"
 #include "reference/definitions/mutant.hpp"
 #include "reference/definitions/winding_number.hpp"
 
@@ -26,6 +25,15 @@ std::vector<Segment> edges(const Chain& chain) {
   for (std::size_t i = 0; i < chain.size(); ++i)
     result.push_back({chain[i], chain[next(i, chain.size())]});
   return result;
+}
+
+std::vector<Segment> cut_edges(const Chain& chain, const std::vector<Point>& at) {
+  std::vector<Segment> pieces;
+  for (const Segment& edge : edges(chain)) {
+    const std::vector<Segment> of_edge = cut(edge, at);
+    pieces.insert(pieces.end(), of_edge.begin(), of_edge.end());
+  }
+  return pieces;
 }
 
 std::vector<Segment> edges(const Region& region) {
@@ -58,24 +66,15 @@ Rational area(const Region& region) {
   return twice / 2;
 }
 
+bool has_hole(const Region& region) {
+  return std::any_of(region.components.begin(), region.components.end(),
+                     [](const Component& c) { return !c.holes.empty(); });
+}
+
 Chain translated(Chain chain, const Vector& by) {
   for (Point& p : chain) p = p + by;
   return chain;
 }
-
-namespace {
-
-template <typename Map>
-Region mapped(Region region, Map map) {
-  for (Component& component : region.components) {
-    for (Point& p : component.outer) p = map(p);
-    for (Chain& hole : component.holes)
-      for (Point& p : hole) p = map(p);
-  }
-  return region;
-}
-
-}  // namespace
 
 Region translated(Region region, const Vector& by) {
   return mapped(std::move(region), [&](const Point& p) { return p + by; });
@@ -101,20 +100,21 @@ std::vector<Point> touching_points(const Region& region) {
   return touching;
 }
 
-std::vector<std::vector<Segment>> boundary_pieces(const Region& region) {
+std::vector<std::vector<Segment>> pieces_by_chain(const Region& region) {
   std::vector<Point> touching = touching_points(region);
   if (OPLUS_MUTANT("edges-are-not-cut-where-chains-touch",
                    "an edge that another chain touches from within counts as one piece"))
     touching.clear();
   std::vector<std::vector<Segment>> pieces;
-  for (const Chain& chain : chains(region)) {
-    pieces.emplace_back();
-    for (const Segment& edge : edges(chain)) {
-      const std::vector<Segment> of_edge = cut(edge, touching);
-      pieces.back().insert(pieces.back().end(), of_edge.begin(), of_edge.end());
-    }
-  }
+  for (const Chain& chain : chains(region)) pieces.push_back(cut_edges(chain, touching));
   return pieces;
+}
+
+std::vector<Segment> boundary_pieces(const Region& region) {
+  std::vector<Segment> all;
+  for (const std::vector<Segment>& of_chain : pieces_by_chain(region))
+    all.insert(all.end(), of_chain.begin(), of_chain.end());
+  return all;
 }
 
 Region polygon(Chain outer) { return {{{std::move(outer), {}}}}; }

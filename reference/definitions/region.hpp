@@ -45,6 +45,9 @@ std::vector<Chain> chains(const Region& region);
 /// Returns the edges of a chain, edge i leaving vertex i.
 std::vector<Segment> edges(const Chain& chain);
 
+/// Returns the edges of a chain, cut at those of the points that lie inside them.
+std::vector<Segment> cut_edges(const Chain& chain, const std::vector<Point>& at);
+
 /// Returns the edges of all chains of a region, in the order of `chains`.
 std::vector<Segment> edges(const Region& region);
 
@@ -60,6 +63,20 @@ Rational twice_area(const Chain& chain);
 /// The area of a region, holes not counted.
 Rational area(const Region& region);
 
+/// Whether some component has a hole.
+bool has_hole(const Region& region);
+
+/// Returns the region with `map(p)` in the place of each vertex p.
+template <typename Map>
+Region mapped(Region region, Map map) {
+  for (Component& component : region.components) {
+    for (Point& p : component.outer) p = map(p);
+    for (Chain& hole : component.holes)
+      for (Point& p : hole) p = map(p);
+  }
+  return region;
+}
+
 Chain translated(Chain chain, const Vector& by);
 Region translated(Region region, const Vector& by);
 
@@ -71,7 +88,10 @@ std::vector<Point> touching_points(const Region& region);
 
 /// Returns the edges of each chain, cut where another chain touches it: around each point inside
 /// such a piece, the region fills exactly the half disk to its left.
-std::vector<std::vector<Segment>> boundary_pieces(const Region& region);
+std::vector<std::vector<Segment>> pieces_by_chain(const Region& region);
+
+/// The same of all chains together.
+std::vector<Segment> boundary_pieces(const Region& region);
 
 /// A region of one component without holes.
 Region polygon(Chain outer);

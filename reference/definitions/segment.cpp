@@ -36,6 +36,11 @@ bool lies_on(const Point& p, const Segment& s) {
          orientation(s.source, s.target, p) == 0;
 }
 
+bool lies_on_one(const Point& p, const std::vector<Segment>& segments) {
+  return std::any_of(segments.begin(), segments.end(),
+                     [&](const Segment& s) { return lies_on(p, s); });
+}
+
 bool cross_properly(const Segment& a, const Segment& b) {
   if (boxes_apart(a, b)) return false;
   return orientation(a.source, a.target, b.source) * orientation(a.source, a.target, b.target) <

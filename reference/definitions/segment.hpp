@@ -23,6 +23,9 @@ inline Segment reversed(const Segment& s) { return {s.target, s.source}; }
 /// Whether p lies on the closed segment s.
 bool lies_on(const Point& p, const Segment& s);
 
+/// Whether p lies on one of the closed segments.
+bool lies_on_one(const Point& p, const std::vector<Segment>& segments);
+
 /// Whether the interiors of a and b meet in one point and neither contains an end of the other.
 bool cross_properly(const Segment& a, const Segment& b);
 

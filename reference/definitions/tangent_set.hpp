@@ -2,6 +2,7 @@
 #pragma once
 
 #include "reference/definitions/direction.hpp"
+#include "reference/definitions/region.hpp"
 
 namespace oplus {
 
@@ -10,6 +11,11 @@ struct Corner {
   Vector in;
   Vector out;
 };
+
+/// Returns the edges at vertex i of a chain.
+inline Corner corner_at(const Chain& chain, std::size_t i) {
+  return {chain[i] - chain[previous(i, chain.size())], chain[next(i, chain.size())] - chain[i]};
+}
 
 /// Whether the interior angle is greater than π. A vertex inside a straight line is not reflex.
 bool is_reflex(const Corner& corner);

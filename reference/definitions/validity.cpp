@@ -2,6 +2,7 @@
 #include "reference/definitions/validity.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <utility>
 
@@ -144,31 +145,18 @@ VertexIndex edge_through(const Point& p, const Chain& chain, std::size_t index) 
 }  // namespace
 
 std::string describe(DefectKind kind) {
-  switch (kind) {
-    case DefectKind::too_few_vertices:
-      return "a chain has fewer than three vertices";
-    case DefectKind::zero_length_edge:
-      return "an edge has zero length";
-    case DefectKind::repeated_vertex:
-      return "a vertex is repeated";
-    case DefectKind::self_crossing:
-      return "two edges of a chain cross";
-    case DefectKind::self_overlap:
-      return "two edges of a chain overlap";
-    case DefectKind::self_touching:
-      return "a chain touches itself";
-    case DefectKind::chains_cross:
-      return "two chains cross";
-    case DefectKind::chains_overlap:
-      return "edges of two chains overlap";
-    case DefectKind::hole_outside:
-      return "a hole is outside its outer chain";
-    case DefectKind::holes_nested:
-      return "a hole is inside another hole";
-    case DefectKind::components_overlap:
-      return "two components overlap";
-  }
-  return {};
+  static constexpr std::array phrases{"a chain has fewer than three vertices",
+                                      "an edge has zero length",
+                                      "a vertex is repeated",
+                                      "two edges of a chain cross",
+                                      "two edges of a chain overlap",
+                                      "a chain touches itself",
+                                      "two chains cross",
+                                      "edges of two chains overlap",
+                                      "a hole is outside its outer chain",
+                                      "a hole is inside another hole",
+                                      "two components overlap"};
+  return phrases.at(static_cast<std::size_t>(kind));
 }
 
 std::optional<Defect> find_defect(const Region& region) {

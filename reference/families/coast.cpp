@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/families/coast.hpp"
-
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
@@ -8,6 +6,7 @@
 #include <queue>
 
 #include "reference/families/integer_segments.hpp"
+#include "reference/families/polygons.hpp"
 
 namespace oplus {
 
@@ -98,12 +97,6 @@ class Coast {
       if (c == b ? runs_into(*d, *b, m) : segments_meet(m, *b, *c, *d)) return false;
     }
     return true;
-  }
-
-  /// Whether the segments from `end` to u and to v overlap.
-  static bool runs_into(const Place& u, const Place& end, const Place& v) {
-    return turn(u, end, v) == 0 &&
-           (u.x - end.x) * (v.x - end.x) + (u.y - end.y) * (v.y - end.y) > 0;
   }
 
   std::list<Place> vertices_;

@@ -6,7 +6,6 @@
 #include <iterator>
 
 #include "reference/families/circle_point.hpp"
-#include "reference/families/pairs.hpp"
 #include "reference/families/polygons.hpp"
 
 namespace oplus {
@@ -56,10 +55,6 @@ Region convex_grid_polygon(Random& random, std::size_t points, int side) {
     hull = convex_hull(drawn);
   }
   return polygon(hull);
-}
-
-Summands convex_pair(Random& random, std::size_t n) {
-  return {convex_polygon(random, n), convex_polygon(random, n)};
 }
 
 }  // namespace oplus

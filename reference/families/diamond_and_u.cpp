@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "reference/families/pairs.hpp"
+#include "reference/io/power_of_ten.hpp"
 
 namespace oplus {
 
@@ -16,25 +17,12 @@ Summands diamond_and_u(const Rational& eps1, const Rational& eps2) {
   return {polygon(std::move(u)), polygon(std::move(diamond))};
 }
 
-namespace {
-
-/// digit / 10^exponent
-Rational decimal(int digit, unsigned exponent) {
-  mpz_class power;
-  mpz_ui_pow_ui(power.get_mpz_t(), 10, exponent);
-  Rational result(mpz_class(digit), power);
-  result.canonicalize();
-  return result;
-}
-
-}  // namespace
-
 Summands diamond_and_u_pair(Random& random, std::size_t) {
   const int size = uniform(random, 0, 2);
   if (size == 0) return diamond_and_u(0, 0);
   const unsigned exponent =
       static_cast<unsigned>(size == 1 ? uniform(random, 9, 15) : uniform(random, 1, 3));
-  const Rational eps1 = decimal(uniform(random, 2, 9), exponent);
+  const Rational eps1 = Rational(uniform(random, 2, 9)) / power_of_ten(exponent);
   // The thesis has 0 < eps2 < eps1; none, equal and larger ones are the cases next to it.
   const Rational share[] = {Rational(0),     Rational(1, 3), Rational(1, 2),
                             Rational(9, 10), Rational(1),    Rational(3, 2)};

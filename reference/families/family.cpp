@@ -5,8 +5,18 @@
 #include <stdexcept>
 
 #include "reference/families/pairs.hpp"
+#include "reference/families/polygons.hpp"
 
 namespace oplus {
+
+namespace {
+
+template <Region (*polygon)(Random&, std::size_t)>
+Summands two(Random& random, std::size_t n) {
+  return {polygon(random, n), polygon(random, n)};
+}
+
+}  // namespace
 
 const std::vector<Family>& families() {
   static const std::vector<Family> all{
@@ -19,10 +29,10 @@ const std::vector<Family>& families() {
        components_pair, 3, 5},
       {"islands", "up to n islands in each other's moats, and a small convex polygon that may fit",
        islands_pair, 1, 3},
-      {"convex", "two convex polygons of n vertices on circles", convex_pair, 3, 8},
-      {"star", "two star-shaped polygons of n vertices", star_pair, 3, 8},
-      {"simple", "two simple polygons of n vertices, from Delaunay triangulations", simple_pair, 3,
-       8},
+      {"convex", "two convex polygons of n vertices on circles", two<convex_polygon>, 3, 8},
+      {"star", "two star-shaped polygons of n vertices", two<star_polygon>, 3, 8},
+      {"simple", "two simple polygons of n vertices, from Delaunay triangulations",
+       two<simple_polygon>, 3, 8},
       {"comb", "a comb of n teeth, and a small convex polygon", comb_pair, 1, 4},
       {"fork", "a fork with n teeth on each arm, and an L: their sum has n^2 holes", fork_pair, 1,
        3},

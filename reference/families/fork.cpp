@@ -10,22 +10,12 @@ namespace oplus {
 
 namespace {
 
-/// A tooth of one of the arms: where it begins and ends along its arm.
+/// A tooth of one of the arms: where it begins and ends along its arm. The L has arms of width 1, so
+/// a gap of 1 between two closes in the sum and one of 2 or more stays open.
 struct Tooth {
   int from;
   int to;
 };
-
-/// The L has arms of width 1, so a gap of 1 closes in the sum and one of 2 or more stays open.
-std::vector<Tooth> teeth_of(const std::vector<int>& widths, const std::vector<int>& gaps) {
-  std::vector<Tooth> teeth;
-  int at = 0;
-  for (std::size_t i = 0; i < widths.size(); ++i) {
-    teeth.push_back({at + gaps[i], at + gaps[i] + widths[i]});
-    at = teeth.back().to;
-  }
-  return teeth;
-}
 
 /// A square block below and to the left of the origin, an arm along the bottom with teeth up to the
 /// x-axis, an arm along the left with teeth to the right, up to the y-axis. The L's horizontal arm
@@ -57,19 +47,22 @@ Summands fork_and_l(const std::vector<Tooth>& right, const std::vector<Tooth>& u
 }
 
 std::vector<Tooth> random_teeth(Random& random, std::size_t count) {
-  std::vector<int> widths;
-  std::vector<int> gaps;
-  for (std::size_t i = 0; i < count; ++i) {
-    widths.push_back(uniform(random, 1, 3));
-    gaps.push_back(uniform(random, 2, 4));
+  std::vector<Tooth> teeth;
+  int end = 0;
+  while (teeth.size() < count) {
+    const int width = uniform(random, 1, 3);
+    const int from = end + uniform(random, 2, 4);
+    end = from + width;
+    teeth.push_back({from, end});
   }
-  return teeth_of(widths, gaps);
+  return teeth;
 }
 
 }  // namespace
 
 Summands fork_and_l(std::size_t teeth) {
-  const std::vector<Tooth> equal = teeth_of(std::vector<int>(teeth, 1), std::vector<int>(teeth, 2));
+  std::vector<Tooth> equal;
+  for (int i = 0; equal.size() < teeth; ++i) equal.push_back({3 * i + 2, 3 * i + 3});
   return fork_and_l(equal, equal);
 }
 

@@ -13,6 +13,12 @@ auto turn(const IntegerPoint& a, const IntegerPoint& b, const IntegerPoint& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
+/// Whether the segments from `end` to u and to v overlap. Requires: u and v differ from `end`.
+template <typename IntegerPoint>
+bool runs_into(const IntegerPoint& u, const IntegerPoint& end, const IntegerPoint& v) {
+  return turn(u, end, v) == 0 && (u.x - end.x) * (v.x - end.x) + (u.y - end.y) * (v.y - end.y) > 0;
+}
+
 /// Whether the closed segments from a to b and from c to d have a point in common.
 template <typename IntegerPoint>
 bool segments_meet(const IntegerPoint& a, const IntegerPoint& b, const IntegerPoint& c,

@@ -14,12 +14,6 @@ namespace {
 
 using Polygon = std::vector<LatticePoint>;
 
-/// Whether p, known to be on the line through a and b, is on the segment between them.
-bool between(const LatticePoint& a, const LatticePoint& p, const LatticePoint& b) {
-  return std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= p.y &&
-         p.y <= std::max(a.y, b.y);
-}
-
 /// Two edges, by the index of their first vertex, i < j, that share more than they should.
 std::optional<std::pair<std::size_t, std::size_t>> find_conflict(const Polygon& p) {
   const std::size_t n = p.size();
@@ -29,11 +23,9 @@ std::optional<std::pair<std::size_t, std::size_t>> find_conflict(const Polygon& 
       const LatticePoint& b = p[i + 1];
       const LatticePoint& c = p[j];
       const LatticePoint& d = p[next(j, n)];
-      // Edges with a common vertex overlap iff the far end of one is on the other.
-      const bool conflict =
-          j == i + 1        ? turn(a, b, d) == 0 && (between(a, d, b) || between(b, a, d))
-          : next(j, n) == i ? turn(c, a, b) == 0 && (between(c, b, a) || between(a, c, b))
-                            : segments_meet(a, b, c, d);
+      const bool conflict = j == i + 1        ? runs_into(a, b, d)
+                            : next(j, n) == i ? runs_into(c, a, b)
+                                              : segments_meet(a, b, c, d);
       if (conflict) return std::pair{i, j};
     }
   }

@@ -5,10 +5,8 @@
 
 namespace oplus {
 
-/// The `make` of each family; what it makes and what n is stands in the table in family.cpp.
-Summands convex_pair(Random& random, std::size_t n);
-Summands star_pair(Random& random, std::size_t n);
-Summands simple_pair(Random& random, std::size_t n);
+/// The `make` of each family but those of two polygons of one kind; what it makes and what n is
+/// stands in the table in family.cpp.
 Summands grid_pair(Random& random, std::size_t n);
 Summands comb_pair(Random& random, std::size_t n);
 Summands fork_pair(Random& random, std::size_t n);

@@ -22,6 +22,11 @@ Region star_polygon(Random& random, std::size_t n);
 /// whose boundary triangles are taken away until it has n vertices.
 Region simple_polygon(Random& random, std::size_t n);
 
+/// Not of the thesis, a polygon like a coastline: a triangle whose longest edge gets a vertex to
+/// either side of its middle, again and again, wherever the boundary stays simple. Bays in bays, on
+/// integers from 0 to 2^20.
+Region coast_polygon(Random& random, std::size_t n);
+
 /// The convex hull of `points` random points with coordinates 0 to side - 1. Vertices at most
 /// `points`. Requires: points >= 3, side >= 2.
 Region convex_grid_polygon(Random& random, std::size_t points, int side);

@@ -9,38 +9,36 @@
 #include "reference/definitions/validity.hpp"
 #include "reference/families/cells.hpp"
 #include "reference/families/lattice_polygon.hpp"
+#include "reference/families/pairs.hpp"
 
 namespace oplus {
 
 namespace {
 
 /// Makes room for integer points between.
-Region doubled(Region region) {
-  for (Component& component : region.components) {
-    for (Point& p : component.outer) p = Rational(2) * p;
-    for (Chain& hole : component.holes)
-      for (Point& p : hole) p = Rational(2) * p;
+Region doubled(const Region& region) {
+  return mapped(region, [](const Point& p) { return 2 * p; });
+}
+
+/// In one of four draws a random set of cells of a small square, if it is as wanted before long.
+template <typename IsWanted>
+std::optional<Region> region_of_random_cells(Random& random, std::size_t most, int full_of_four,
+                                             IsWanted is_wanted) {
+  if (most < 4 || !one_in(random, 4)) return std::nullopt;
+  for (int tries = 0; tries < 20; ++tries) {
+    const int side = uniform(random, 3, 4);
+    Cells cells;
+    for (int x = 0; x < side; ++x)
+      for (int y = 0; y < side; ++y)
+        if (uniform(random, 1, 4) <= full_of_four) cells.emplace(x, y);
+    Region region = region_of_cells(cells);
+    const std::vector<Chain> all = chains(region);
+    const bool chains_are_short = std::all_of(all.begin(), all.end(), [&](const Chain& chain) {
+      return chain.size() <= std::max<std::size_t>(most, 8);
+    });
+    if (is_wanted(region) && chains_are_short) return region;
   }
-  return region;
-}
-
-bool has_hole(const Region& region) {
-  return std::any_of(region.components.begin(), region.components.end(),
-                     [](const Component& c) { return !c.holes.empty(); });
-}
-
-bool chains_within(const Region& region, std::size_t most) {
-  const std::vector<Chain> all = chains(region);
-  return std::all_of(all.begin(), all.end(), [&](const Chain& c) { return c.size() <= most; });
-}
-
-/// A random set of cells of a small square.
-Region random_cells(Random& random, int side, int full_of_four) {
-  Cells cells;
-  for (int x = 0; x < side; ++x)
-    for (int y = 0; y < side; ++y)
-      if (uniform(random, 1, 4) <= full_of_four) cells.emplace(x, y);
-  return region_of_cells(cells);
+  return std::nullopt;
 }
 
 /// Cuts up to `wanted` random holes into the first component, where they leave the region valid.
@@ -80,34 +78,26 @@ Region plain_region(Random& random, std::size_t most) {
 }
 
 Region holed_region(Random& random, std::size_t most) {
-  if (most >= 4 && one_in(random, 4)) {
-    for (int tries = 0; tries < 20; ++tries) {
-      const Region region = random_cells(random, uniform(random, 3, 4), 3);
-      if (region.components.size() == 1 && has_hole(region) &&
-          chains_within(region, std::max<std::size_t>(most, 8)))
-        return region;
-    }
-  }
+  const auto is_wanted = [](const Region& region) {
+    return region.components.size() == 1 && has_hole(region);
+  };
+  if (const auto region = region_of_random_cells(random, most, 3, is_wanted)) return *region;
   while (true) {
     Region region = polygon(lattice_polygon(random, uniform(random, 3, 5), most));
-    if (one_in(random, 2)) region = doubled(std::move(region));
+    if (one_in(random, 2)) region = doubled(region);
     cut_holes(random, region, most, uniform(random, 1, 3));
     if (has_hole(region)) return region;
   }
 }
 
 Region scattered_region(Random& random, std::size_t most) {
-  if (most >= 4 && one_in(random, 4)) {
-    for (int tries = 0; tries < 20; ++tries) {
-      const Region region = random_cells(random, uniform(random, 3, 4), 2);
-      if (region.components.size() > 1 && region.components.size() <= 4 &&
-          chains_within(region, std::max<std::size_t>(most, 8)))
-        return region;
-    }
-  }
+  const auto is_wanted = [](const Region& region) {
+    return region.components.size() > 1 && region.components.size() <= 4;
+  };
+  if (const auto region = region_of_random_cells(random, most, 2, is_wanted)) return *region;
   while (true) {
     Region region = one_in(random, 2) ? holed_region(random, most) : plain_region(random, most);
-    if (one_in(random, 2)) region = doubled(std::move(region));
+    if (one_in(random, 2)) region = doubled(region);
     const std::size_t wanted = 2 + uniform_index(random, 3);
     for (int tries = 12; tries > 0 && region.components.size() < wanted; --tries) {
       const std::vector<Chain>& holes = region.components.front().holes;
@@ -121,6 +111,21 @@ Region scattered_region(Random& random, std::size_t most) {
     }
     if (region.components.size() > 1) return region;
   }
+}
+
+Summands holes_pair(Random& random, std::size_t n) {
+  Region p = holed_region(random, n);
+  Region q = one_in(random, 2) ? holed_region(random, n) : plain_region(random, n);
+  return {std::move(p), std::move(q)};
+}
+
+Summands components_pair(Random& random, std::size_t n) {
+  Region p = scattered_region(random, n);
+  const int kind = uniform(random, 0, 3);
+  Region q = kind == 0   ? scattered_region(random, n)
+             : kind == 1 ? holed_region(random, n)
+                         : plain_region(random, n);
+  return {std::move(p), std::move(q)};
 }
 
 }  // namespace oplus

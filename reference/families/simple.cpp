@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "reference/families/pairs.hpp"
 #include "reference/families/polygons.hpp"
 
 namespace oplus {
@@ -130,10 +129,6 @@ Region simple_polygon(Random& random, std::size_t n) {
   while (true) {
     if (const std::optional<Chain> chain = eroded(random, n)) return polygon(*chain);
   }
-}
-
-Summands simple_pair(Random& random, std::size_t n) {
-  return {simple_polygon(random, n), simple_polygon(random, n)};
 }
 
 }  // namespace oplus

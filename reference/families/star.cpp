@@ -4,7 +4,6 @@
 
 #include "reference/definitions/direction.hpp"
 #include "reference/families/circle_point.hpp"
-#include "reference/families/pairs.hpp"
 #include "reference/families/polygons.hpp"
 
 namespace oplus {
@@ -37,10 +36,6 @@ Region star_polygon(Random& random, std::size_t n) {
     const Chain chain(rays.begin(), rays.end());
     if (winds_around_origin(chain)) return polygon(chain);
   }
-}
-
-Summands star_pair(Random& random, std::size_t n) {
-  return {star_polygon(random, n), star_polygon(random, n)};
 }
 
 }  // namespace oplus

@@ -14,6 +14,8 @@ namespace {
 
 using Cell = std::pair<int, int>;
 
+bool is_lower(const Cell& a, const Cell& b) { return a.second < b.second; }
+
 Cells moved(const Cells& cells, const Cell& by) {
   Cells result;
   for (const auto& [x, y] : cells) result.emplace(x + by.first, y + by.second);
@@ -22,9 +24,8 @@ Cells moved(const Cells& cells, const Cell& by) {
 
 /// The cells of the smallest box around the given ones with a margin of one cell.
 Cells block_around(const Cells& cells) {
-  const auto by_y = [](const Cell& a, const Cell& b) { return a.second < b.second; };
   const auto [left, right] = std::minmax_element(cells.begin(), cells.end());
-  const auto [low, high] = std::minmax_element(cells.begin(), cells.end(), by_y);
+  const auto [low, high] = std::minmax_element(cells.begin(), cells.end(), is_lower);
   Cells block;
   for (int x = left->first - 1; x <= right->first + 1; ++x)
     for (int y = low->second - 1; y <= high->second + 1; ++y) block.emplace(x, y);
@@ -73,8 +74,7 @@ Summands passage(Random& random, std::size_t longest_leg) {
       break;
     case 2: {  // one cell through the margin above the last, or beside it
       const Cells last = moved(shape, at);
-      const auto by_y = [](const Cell& a, const Cell& b) { return a.second < b.second; };
-      Cell door = upwards ? *std::max_element(last.begin(), last.end(), by_y) : *last.rbegin();
+      Cell door = upwards ? *std::max_element(last.begin(), last.end(), is_lower) : *last.rbegin();
       (upwards ? door.second : door.first) += 1;
       cut_out.insert(door);
       break;
@@ -107,22 +107,14 @@ Summands interlocked() {
   return {corners, corners};
 }
 
-struct LinearMap {
+struct Shear {
   Rational xx, xy, yx, yy;
 
-  void apply(Region& region) const {
-    const auto apply_to = [&](Chain& chain) {
-      for (Point& p : chain) p = {xx * p.x + xy * p.y, yx * p.x + yy * p.y};
-    };
-    for (Component& component : region.components) {
-      apply_to(component.outer);
-      for (Chain& hole : component.holes) apply_to(hole);
-    }
-  }
+  Point operator()(const Point& p) const { return {xx * p.x + xy * p.y, yx * p.x + yy * p.y}; }
 };
 
 /// Small integers, determinant positive, so that it keeps orientations.
-LinearMap random_shear(Random& random) {
+Shear random_shear(Random& random) {
   while (true) {
     const int xx = uniform(random, -2, 2);
     const int xy = uniform(random, -1, 1);
@@ -143,13 +135,12 @@ Summands tight_pair(Random& random, std::size_t n) {
     const Rational factors[] = {Rational(7, 8), Rational(1), Rational(9, 8)};
     const Rational& x = factors[uniform_index(random, 3)];
     const Rational& y = factors[uniform_index(random, 3)];
-    LinearMap{x, 0, 0, y}.apply(pair.q);
+    pair.q = mapped(pair.q, [&](const Point& p) { return Point{x * p.x, y * p.y}; });
   }
   // The sum of the images is the image of the sum.
   if (one_in(random, 2)) {
-    const LinearMap shear = random_shear(random);
-    shear.apply(pair.p);
-    shear.apply(pair.q);
+    const Shear shear = random_shear(random);
+    pair = {mapped(pair.p, shear), mapped(pair.q, shear)};
   }
   return pair;
 }

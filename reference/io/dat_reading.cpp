@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
+#include <charconv>
 #include <cstddef>
 #include <limits>
 #include <string>
@@ -17,13 +17,8 @@ bool is_count(std::string_view text) {
 
 /// The value of a count, or the largest one: as much input cannot follow.
 std::size_t count_value(std::string_view digits) {
-  constexpr std::size_t largest = std::numeric_limits<std::size_t>::max();
-  std::size_t value = 0;
-  for (const char c : digits) {
-    const auto digit = static_cast<std::size_t>(c - '0');
-    if (value > (largest - digit) / 10) return largest;
-    value = 10 * value + digit;
-  }
+  std::size_t value = std::numeric_limits<std::size_t>::max();
+  std::from_chars(digits.data(), digits.data() + digits.size(), value);
   return value;
 }
 
@@ -43,17 +38,17 @@ class DatReader {
       return geometry;
     }
     do {
-      geometry.components.push_back(component(geometry.components.size() + 1));
+      read_component(geometry);
     } while (!tokens_.peek().is_end());
     return geometry;
   }
 
  private:
-  PlacedComponent component(std::size_t number) {
-    PlacedComponent result;
-    result.outer = chain({number, 0});
+  void read_component(PlacedGeometry& geometry) {
+    const std::size_t number = geometry.next_component();
+    geometry.chains.push_back(chain({number, 0}));
     const bool is_whole_input = number == 1 && tokens_.peek().is_end();
-    if (is_whole_input) return result;
+    if (is_whole_input) return;
     const std::string holes = "the number of holes of component " + std::to_string(number);
     const Token token = tokens_.peek();
     const std::size_t count = take_count(holes, number == 1 ? " or the end of the input" : "");
@@ -63,15 +58,13 @@ class DatReader {
                       "the end of the input after " + std::to_string(hole - 1) + " of " +
                           quote(token.text) + " holes of component " + std::to_string(number),
                       "the number of vertices of " + describe(ChainName{number, hole}));
-      result.holes.push_back(chain({number, hole}));
+      geometry.chains.push_back(chain({number, hole}));
     }
-    return result;
   }
 
   PlacedChain chain(const ChainName& name) {
-    PlacedChain result;
     const Token token = tokens_.peek();
-    result.start = token.at;
+    PlacedChain result{.name = name, .start = token.at};
     const std::size_t count = take_count("the number of vertices of " + describe(name), "");
     if (count < 3) refuse_too_few_vertices(input_, token.at, name, count);
     // Nothing is reserved: the count may be a lie.

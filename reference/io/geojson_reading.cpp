@@ -73,26 +73,21 @@ class GeoJsonReader {
   }
 
   void polygon(const JsonValue& rings) {
-    ChainName name{result_.components.size() + 1, 0};
+    ChainName name{result_.next_component(), 0};
     require(rings, Kind::array, "component " + std::to_string(name.component));
     if (rings.items.empty())
       input_.refuse(rings.at, "component " + std::to_string(name.component) + " has no chain",
                     "an outer chain");
-    PlacedComponent component;
     for (const JsonValue& item : rings.items) {
-      PlacedChain chain = ring(item, name);
-      if (name.hole == 0)
-        component.outer = std::move(chain);
-      else
-        component.holes.push_back(std::move(chain));
+      result_.chains.push_back(ring(item, name));
       ++name.hole;
     }
-    result_.components.push_back(std::move(component));
   }
 
   PlacedChain ring(const JsonValue& positions, const ChainName& name) {
     PlacedChain chain = vertices_of(positions, describe(name));
-    remove_closing_vertex(input_, name, chain);
+    chain.name = name;
+    remove_closing_vertex(input_, chain);
     return chain;
   }
 
@@ -108,8 +103,7 @@ class GeoJsonReader {
 
   PlacedChain vertices_of(const JsonValue& positions, const std::string& name) {
     require(positions, Kind::array, name);
-    PlacedChain chain;
-    chain.start = positions.at;
+    PlacedChain chain{.start = positions.at};
     for (const JsonValue& position : positions.items) {
       add_vertex(chain, position, [&] {
         return "vertex " + std::to_string(chain.vertices.size() + 1) + " of " + name;

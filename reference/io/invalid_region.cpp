@@ -13,23 +13,6 @@ namespace oplus {
 
 namespace {
 
-struct NamedChain {
-  ChainName name;
-  const PlacedChain* chain;
-};
-
-/// In the order of chains(region), which a defect counts in.
-std::vector<NamedChain> named_chains(const PlacedGeometry& geometry) {
-  std::vector<NamedChain> named;
-  for (std::size_t c = 0; c < geometry.components.size(); ++c) {
-    const PlacedComponent& component = geometry.components[c];
-    named.push_back({{c + 1, 0}, &component.outer});
-    for (std::size_t h = 0; h < component.holes.size(); ++h)
-      named.push_back({{c + 1, h + 1}, &component.holes[h]});
-  }
-  return named;
-}
-
 /// The number of a vertex in the input.
 std::size_t number_of(const PlacedChain& chain, std::size_t vertex) {
   return 1 + (chain.is_turned && vertex != 0 ? chain.vertices.size() - vertex : vertex);
@@ -63,17 +46,15 @@ class DefectMessage {
   DefectMessage(const InputText& input, const PlacedGeometry& geometry, const Defect& defect)
       : input_(input),
         defect_(defect),
-        chains_(named_chains(geometry)),
-        first_(chains_[defect.first.chain]),
-        second_(chains_[defect.second.chain]) {}
+        first_(geometry.chains[defect.first.chain]),
+        second_(geometry.chains[defect.second.chain]) {}
 
   [[noreturn]] void refuse() const {
     const std::string first = describe(first_.name);
     const std::string second = describe(second_.name);
     switch (defect_.kind) {
       case DefectKind::too_few_vertices:
-        refuse_too_few_vertices(input_, first_.chain->start, first_.name,
-                                first_.chain->vertices.size());
+        refuse_too_few_vertices(input_, first_.start, first_.name, first_.vertices.size());
       case DefectKind::zero_length_edge:
         refuse_vertices(first + " has an edge of zero length: " + two_vertices(),
                         "consecutive vertices to differ");
@@ -106,41 +87,35 @@ class DefectMessage {
   std::string at() const { return " at " + to_string(defect_.where); }
 
   [[noreturn]] void refuse_vertices(const std::string& wrong, const std::string& expected) const {
-    input_.refuse(std::max(first_.chain->places[defect_.first.vertex],
-                           second_.chain->places[defect_.second.vertex]),
-                  wrong, expected);
+    input_.refuse(
+        std::max(first_.places[defect_.first.vertex], second_.places[defect_.second.vertex]), wrong,
+        expected);
   }
 
   /// "vertices 1 and 3 are both (2, 3)"
   std::string two_vertices() const {
-    const auto [low, high] = std::minmax({number_of(*first_.chain, defect_.first.vertex),
-                                          number_of(*second_.chain, defect_.second.vertex)});
+    const auto [low, high] = std::minmax(
+        {number_of(first_, defect_.first.vertex), number_of(second_, defect_.second.vertex)});
     return "vertices " + std::to_string(low) + " and " + std::to_string(high) + " are both " +
            to_string(defect_.where);
   }
 
   [[noreturn]] void refuse_edges(const std::string& wrong, const std::string& expected) const {
-    struct Named {
-      Position place;
-      std::string name;
-    };
     const auto named = [](const PlacedChain& chain, std::size_t edge) {
-      return Named{chain.places[source_of(chain, edge)], edge_name(chain, edge)};
+      return std::pair(chain.places[source_of(chain, edge)], edge_name(chain, edge));
     };
-    const auto a = edge_at(*first_.chain, defect_.first.vertex, defect_.where);
-    const auto b = edge_at(*second_.chain, defect_.second.vertex, defect_.where);
+    const auto a = edge_at(first_, defect_.first.vertex, defect_.where);
+    const auto b = edge_at(second_, defect_.second.vertex, defect_.where);
     if (!a || !b) refuse_vertices(wrong, expected);
-    Named earlier = named(*first_.chain, *a);
-    Named later = named(*second_.chain, *b);
-    if (later.place < earlier.place) std::swap(earlier, later);
-    input_.refuse(later.place, wrong + at() + ": " + earlier.name + " and " + later.name, expected);
+    const auto [earlier, later] = std::minmax({named(first_, *a), named(second_, *b)});
+    input_.refuse(later.first, wrong + at() + ": " + earlier.second + " and " + later.second,
+                  expected);
   }
 
   const InputText& input_;
   const Defect& defect_;
-  std::vector<NamedChain> chains_;
-  NamedChain first_;
-  NamedChain second_;
+  const PlacedChain& first_;
+  const PlacedChain& second_;
 };
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <rapidjson/reader.h>
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -138,22 +140,15 @@ class TreeBuilder : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, TreeB
 
 /// What RapidJSON expects where it found something else; empty where that something is broken.
 std::string expected_at(rapidjson::ParseErrorCode code) {
-  switch (code) {
-    case rapidjson::kParseErrorDocumentRootNotSingular:
-      return "the end of the input";
-    case rapidjson::kParseErrorValueInvalid:
-      return "a value";
-    case rapidjson::kParseErrorObjectMissName:
-      return "the name of a member, in double quotes";
-    case rapidjson::kParseErrorObjectMissColon:
-      return "':'";
-    case rapidjson::kParseErrorObjectMissCommaOrCurlyBracket:
-      return "',' or '}'";
-    case rapidjson::kParseErrorArrayMissCommaOrSquareBracket:
-      return "',' or ']'";
-    default:
-      return "";
-  }
+  static const std::map<rapidjson::ParseErrorCode, std::string> expected{
+      {rapidjson::kParseErrorDocumentRootNotSingular, "the end of the input"},
+      {rapidjson::kParseErrorValueInvalid, "a value"},
+      {rapidjson::kParseErrorObjectMissName, "the name of a member, in double quotes"},
+      {rapidjson::kParseErrorObjectMissColon, "':'"},
+      {rapidjson::kParseErrorObjectMissCommaOrCurlyBracket, "',' or '}'"},
+      {rapidjson::kParseErrorArrayMissCommaOrSquareBracket, "',' or ']'"}};
+  const auto found = expected.find(code);
+  return found == expected.end() ? "" : found->second;
 }
 
 void TreeBuilder::refuse(rapidjson::ParseErrorCode code, std::size_t offset) {
@@ -181,21 +176,8 @@ const JsonValue* JsonValue::member(const std::string& key) const {
 }
 
 std::string describe(JsonValue::Kind kind) {
-  switch (kind) {
-    case JsonValue::Kind::null:
-      return "null";
-    case JsonValue::Kind::boolean:
-      return "a boolean";
-    case JsonValue::Kind::number:
-      return "a number";
-    case JsonValue::Kind::string:
-      return "a string";
-    case JsonValue::Kind::array:
-      return "an array";
-    case JsonValue::Kind::object:
-      return "an object";
-  }
-  return {};
+  constexpr std::array names{"null", "a boolean", "a number", "a string", "an array", "an object"};
+  return names.at(static_cast<std::size_t>(kind));
 }
 
 JsonValue parse_json(const InputText& input) { return TreeBuilder(input).tree(); }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 
 #include "reference/io/power_of_ten.hpp"
 #include "reference/io/quoting.hpp"
@@ -39,12 +40,9 @@ mpz_class integer(std::string_view digits) { return mpz_class(std::string(digits
 
 /// The value of an exponent's digits, or none if it is beyond the largest.
 std::optional<int> exponent_value(std::string_view digits) {
-  digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size()));
   int value = 0;
-  for (const char c : digits) {
-    value = 10 * value + (c - '0');
-    if (value > largest_exponent) return std::nullopt;
-  }
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc() || value > largest_exponent) return std::nullopt;
   return value;
 }
 

@@ -17,13 +17,13 @@ std::string coordinate_name(char axis, std::size_t vertex, const std::string& ch
 
 std::string vertices(std::size_t count) { return counted(count, "vertex", "vertices"); }
 
-void remove_closing_vertex(const InputText& input, const ChainName& name, PlacedChain& ring) {
+void remove_closing_vertex(const InputText& input, PlacedChain& ring) {
   if (ring.vertices.size() < 2) return;
   const Point& first = ring.vertices.front();
   const Point& last = ring.vertices.back();
   if (first != last)
     input.refuse(ring.places.back(),
-                 describe(name) + " is not closed: it starts at " + to_string(first) +
+                 describe(ring.name) + " is not closed: it starts at " + to_string(first) +
                      " and ends at " + to_string(last),
                  "the first vertex again at its end");
   ring.vertices.pop_back();

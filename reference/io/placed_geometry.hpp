@@ -13,31 +13,6 @@
 
 namespace oplus {
 
-/// Vertices and where the input has them, so that what is wrong with a chain is reported there.
-struct PlacedChain {
-  Chain vertices;
-  std::vector<Position> places;  ///< of each vertex
-  Position start;
-  bool is_turned =
-      false;  ///< whether the order is the reverse of the input's, the first kept first
-};
-
-struct PlacedComponent {
-  PlacedChain outer;
-  std::vector<PlacedChain> holes;
-};
-
-/// What an input says, in its own order, nothing checked but syntax. Rings are without the closing
-/// vertex.
-struct PlacedGeometry {
-  std::vector<PlacedComponent> components;
-  std::vector<PlacedChain> line_strings;
-  PlacedChain points;
-};
-
-/// What the reader wants: line strings and points are for sums only.
-enum class Wanted { region, sum };
-
 /// How messages name a chain; both from one, hole 0 being the outer chain.
 struct ChainName {
   std::size_t component = 1;
@@ -46,6 +21,32 @@ struct ChainName {
 
 /// Returns "outer chain of component 1" or "hole 2 of component 1".
 std::string describe(const ChainName& name);
+
+/// Vertices and where the input has them, so that what is wrong with a chain is reported there.
+struct PlacedChain {
+  ChainName name = {};  ///< of a region's chain
+  Chain vertices = {};
+  std::vector<Position> places = {};  ///< of each vertex
+  Position start = {};
+  bool is_turned =
+      false;  ///< whether the order is the reverse of the input's, the first kept first
+};
+
+/// What an input says, in its own order, nothing checked but syntax. Rings are without the closing
+/// vertex.
+struct PlacedGeometry {
+  std::vector<PlacedChain> chains;  ///< as chains(region) has them
+  std::vector<PlacedChain> line_strings;
+  PlacedChain points;
+
+  /// The number that the next component gets.
+  std::size_t next_component() const {
+    return chains.empty() ? 1 : chains.back().name.component + 1;
+  }
+};
+
+/// What the reader wants: line strings and points are for sums only.
+enum class Wanted { region, sum };
 
 /// Returns "x of vertex 3 of hole 2 of component 1".
 std::string coordinate_name(char axis, std::size_t vertex, const std::string& chain);
@@ -65,7 +66,7 @@ Rational coordinate(const InputText& input, std::string_view text, const Positio
 
 /// Removes the last vertex of a ring, which must be the first one again. A ring of one vertex or none
 /// stays as it is. Throws InvalidInput.
-void remove_closing_vertex(const InputText& input, const ChainName& name, PlacedChain& ring);
+void remove_closing_vertex(const InputText& input, PlacedChain& ring);
 
 /// Throws InvalidInput: a chain needs more vertices than these.
 [[noreturn]] void refuse_too_few_vertices(const InputText& input, const Position& at,

@@ -24,7 +24,7 @@ namespace {
 
 constexpr const char* formats = "a region in .dat, WKT or GeoJSON";
 
-InputText input_text(std::istream& in, const std::string& name) {
+std::string whole_text(std::istream& in, const std::string& name) {
   errno = 0;
   std::string text;
   try {
@@ -37,9 +37,12 @@ InputText input_text(std::istream& in, const std::string& name) {
         {name, 0, 0},
         "cannot be read" + (errno != 0 ? " (" + std::string(std::strerror(errno)) + ")" : ""),
         formats);
+  return text;
+}
+
+InputText input_text(const std::string& text, const std::string& name) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
-  return {name, std::move(text)};
+  return {name, text.substr(text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0)};
 }
 
 /// Control characters are in no text; what they would break is the terminal the message goes to.
@@ -61,32 +64,26 @@ PlacedGeometry parse(const InputText& input, Wanted wanted) {
   return parse_dat(input);
 }
 
-/// Turns a chain where its orientation is not the wanted one, and says so.
-void orient(PlacedChain& chain, int wanted, const ChainName& name, const std::string& input,
-            std::vector<std::string>& notes) {
-  if (sign(twice_area(chain.vertices)) != -wanted) return;
-  std::reverse(std::next(chain.vertices.begin()), chain.vertices.end());
-  std::reverse(std::next(chain.places.begin()), chain.places.end());
-  chain.is_turned = true;
-  notes.push_back(one_line(input) + ": " + describe(name) + " was " +
-                  (wanted > 0 ? "clockwise" : "counterclockwise") + "; turned");
-}
-
+/// Turns the chains that are turned the wrong way, and says so.
 void orient(PlacedGeometry& geometry, const std::string& input, std::vector<std::string>& notes) {
-  for (std::size_t c = 0; c < geometry.components.size(); ++c) {
-    PlacedComponent& component = geometry.components[c];
-    orient(component.outer, 1, {c + 1, 0}, input, notes);
-    for (std::size_t h = 0; h < component.holes.size(); ++h)
-      orient(component.holes[h], -1, {c + 1, h + 1}, input, notes);
+  for (PlacedChain& chain : geometry.chains) {
+    const int wanted = chain.name.hole == 0 ? 1 : -1;
+    if (sign(twice_area(chain.vertices)) != -wanted) continue;
+    std::reverse(std::next(chain.vertices.begin()), chain.vertices.end());
+    std::reverse(std::next(chain.places.begin()), chain.places.end());
+    chain.is_turned = true;
+    notes.push_back(one_line(input) + ": " + describe(chain.name) + " was " +
+                    (wanted > 0 ? "clockwise" : "counterclockwise") + "; turned");
   }
 }
 
 Region region_in(const PlacedGeometry& geometry) {
   Region region;
-  for (const PlacedComponent& placed : geometry.components) {
-    Component component{placed.outer.vertices, {}};
-    for (const PlacedChain& hole : placed.holes) component.holes.push_back(hole.vertices);
-    region.components.push_back(std::move(component));
+  for (const PlacedChain& chain : geometry.chains) {
+    if (chain.name.hole == 0)
+      region.components.push_back({chain.vertices, {}});
+    else
+      region.components.back().holes.push_back(chain.vertices);
   }
   return region;
 }
@@ -147,39 +144,39 @@ std::vector<Point> isolated_vertices(const InputText& input, const PlacedGeometr
 
 template <typename Read>
 auto read_file(const std::string& path, Read read) {
-  if (path == "-") return read(std::cin, "standard input");
+  if (path == "-") return read(whole_text(std::cin, "standard input"), "standard input");
   errno = 0;
   std::ifstream in(path, std::ios::binary);
   if (!in)
     throw InvalidInput({path, 0, 0}, std::string("cannot be opened (") + std::strerror(errno) + ")",
                        "a file that can be read");
-  return read(in, path);
+  return read(whole_text(in, path), path);
+}
+
+GivenSum read_unchecked_sum(const std::string& text, const std::string& name) {
+  const InputText input = input_text(text, name);
+  const PlacedGeometry geometry = parse(input, Wanted::sum);
+  return {region_in(geometry), edges_of_line_strings(input, geometry), geometry.points.vertices};
 }
 
 }  // namespace
 
-ReadRegion read_region(std::istream& in, const std::string& name) {
-  const InputText input = input_text(in, name);
+ReadRegion read_region(const std::string& text, const std::string& name) {
+  const InputText input = input_text(text, name);
   PlacedGeometry geometry = parse(input, Wanted::region);
   ReadRegion result;
   result.region = valid_region(input, geometry, result.notes);
   return result;
 }
 
-ReadSum read_sum(std::istream& in, const std::string& name) {
-  const InputText input = input_text(in, name);
+ReadSum read_sum(const std::string& text, const std::string& name) {
+  const InputText input = input_text(text, name);
   PlacedGeometry geometry = parse(input, Wanted::sum);
   ReadSum result;
   result.sum = canonical_sum(valid_region(input, geometry, result.notes));
   result.sum.dangling_edges = maximal_segments(edges_of_line_strings(input, geometry));
   result.sum.isolated_vertices = isolated_vertices(input, geometry, result.sum.dangling_edges);
   return result;
-}
-
-GivenSum read_unchecked_sum(std::istream& in, const std::string& name) {
-  const InputText input = input_text(in, name);
-  const PlacedGeometry geometry = parse(input, Wanted::sum);
-  return {region_in(geometry), edges_of_line_strings(input, geometry), geometry.points.vertices};
 }
 
 ReadRegion read_region_file(const std::string& path) { return read_file(path, read_region); }

@@ -36,28 +36,20 @@ class WktReader {
   void geometry(bool may_be_collection) {
     const Token token = tokens_.take();
     const std::string keyword = upper(token.text);
+    const bool is_multi = keyword.starts_with("MULTI");
+    const std::string of_parts = keyword.substr(is_multi ? 5 : 0);
     const bool sum = wanted_ == Wanted::sum;
-    if (keyword == "POLYGON") {
-      if (has_content(keyword)) polygon();
-    } else if (keyword == "MULTIPOLYGON") {
-      if (has_content(keyword))
-        list(keyword, [&] {
-          if (!take_empty()) polygon();
-        });
-    } else if (sum && keyword == "LINESTRING") {
-      if (has_content(keyword)) line_string();
-    } else if (sum && keyword == "MULTILINESTRING") {
-      if (has_content(keyword))
-        list(keyword, [&] {
-          if (!take_empty()) line_string();
-        });
-    } else if (sum && keyword == "POINT") {
-      if (has_content(keyword)) parenthesized_point();
-    } else if (sum && keyword == "MULTIPOINT") {
-      if (has_content(keyword))
-        list(keyword, [&] {
-          if (!take_empty()) point_with_or_without();
-        });
+    void (WktReader::*part)() = nullptr;
+    if (of_parts == "POLYGON") part = &WktReader::polygon;
+    if (sum && of_parts == "LINESTRING") part = &WktReader::line_string;
+    if (sum && of_parts == "POINT")
+      part = is_multi ? &WktReader::point_with_or_without : &WktReader::parenthesized_point;
+    if (part != nullptr) {
+      if (!has_content(keyword)) return;
+      if (!is_multi) return (this->*part)();
+      list(keyword, [&] {
+        if (!take_empty()) (this->*part)();
+      });
     } else if (may_be_collection && keyword == "GEOMETRYCOLLECTION") {
       if (has_content(keyword)) list(keyword, [&] { geometry(false); });
     } else {
@@ -95,22 +87,17 @@ class WktReader {
   }
 
   void polygon() {
-    result_.components.emplace_back();
-    PlacedComponent& component = result_.components.back();
-    ChainName name{result_.components.size(), 0};
+    ChainName name{result_.next_component(), 0};
     list("component " + std::to_string(name.component), [&] {
-      PlacedChain chain = ring(name);
-      if (name.hole == 0)
-        component.outer = std::move(chain);
-      else
-        component.holes.push_back(std::move(chain));
+      result_.chains.push_back(ring(name));
       ++name.hole;
     });
   }
 
   PlacedChain ring(const ChainName& name) {
     PlacedChain chain = vertices_of(describe(name));
-    remove_closing_vertex(input_, name, chain);
+    chain.name = name;
+    remove_closing_vertex(input_, chain);
     return chain;
   }
 
@@ -139,8 +126,7 @@ class WktReader {
   }
 
   PlacedChain vertices_of(const std::string& name) {
-    PlacedChain chain;
-    chain.start = tokens_.peek().at;
+    PlacedChain chain{.start = tokens_.peek().at};
     list(name, [&] {
       add_vertex(chain,
                  [&](char axis) { return coordinate_name(axis, chain.vertices.size() + 1, name); });

@@ -45,12 +45,6 @@ std::string rounded(const Rational& value, unsigned long digits) {
   return decimal(sign(value) < 0 ? mpz_class(-magnitude) : magnitude, digits);
 }
 
-std::vector<Chain> chains_of(const Component& component) {
-  std::vector<Chain> result{component.outer};
-  result.insert(result.end(), component.holes.begin(), component.holes.end());
-  return result;
-}
-
 Chain closed(Chain chain) {
   chain.push_back(chain.front());
   return chain;
@@ -81,7 +75,7 @@ class GeometryText {
 
   std::string of(const Region& region) const {
     const auto in_brackets = [&](const Component& c) {
-      return list(chains_of(c), [&](const Chain& chain) { return vertices(closed(chain)); });
+      return list(chains({{c}}), [&](const Chain& chain) { return vertices(closed(chain)); });
     };
     if (region.components.size() == 1)
       return tagged("Polygon", in_brackets(region.components.front()));
@@ -139,6 +133,11 @@ class GeometryText {
   std::optional<int> digits_;
 };
 
+std::string without_line_end(std::string text) {
+  text.pop_back();
+  return text;
+}
+
 }  // namespace
 
 std::optional<Format> format_of(const std::string& path) {
@@ -159,19 +158,20 @@ bool can_hold(Format format, const MinkowskiSum& sum) {
   return format != Format::dat || (sum.dangling_edges.empty() && sum.isolated_vertices.empty());
 }
 
-void write(std::ostream& out, const Region& region, Format format, std::optional<int> digits) {
-  if (format == Format::dat)
-    out << dat(region, digits);
-  else
-    out << GeometryText(format, digits).of(region) << '\n';
+std::string written(const Region& region, Format format, std::optional<int> digits) {
+  if (format == Format::dat) return dat(region, digits);
+  return GeometryText(format, digits).of(region) + '\n';
 }
 
-void write(std::ostream& out, const MinkowskiSum& sum, Format format, std::optional<int> digits) {
-  OPLUS_REQUIRES(can_hold(format, sum), "write");
+std::string written(const MinkowskiSum& sum, Format format, std::optional<int> digits) {
+  OPLUS_REQUIRES(can_hold(format, sum), "written");
   const Region region = region_of(sum);
   if (sum.dangling_edges.empty() && sum.isolated_vertices.empty())
-    return write(out, region, format, digits);
-  out << GeometryText(format, digits).of(region, sum) << '\n';
+    return written(region, format, digits);
+  return GeometryText(format, digits).of(region, sum) + '\n';
 }
+
+std::string wkt(const Region& region) { return without_line_end(written(region, Format::wkt)); }
+std::string wkt(const MinkowskiSum& sum) { return without_line_end(written(sum, Format::wkt)); }
 
 }  // namespace oplus

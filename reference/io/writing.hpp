@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <ostream>
 #include <string>
 
 #include "reference/definitions/minkowski_sum.hpp"
@@ -29,15 +28,18 @@ std::string to_string(const Point& p);
 /// Whether a format can hold the sum: .dat has no form for dangling edges and isolated vertices.
 bool can_hold(Format format, const MinkowskiSum& sum);
 
-/// Writes exactly; with `digits`, rounded, which WKT and GeoJSON readers may find invalid. In
-/// GeoJSON a number that is no finite decimal, or has thousands of digits, is a string.
-/// A sum is written as region_of(sum), so that each ring is simple, its dangling edges as line
-/// strings and its isolated vertices as points.
+/// Returns the text of a value, exactly; with `digits`, rounded, which WKT and GeoJSON readers may
+/// find invalid. In GeoJSON a number that is no finite decimal, or has thousands of digits, is a
+/// string. A sum is written as region_of(sum), so that each ring is simple, its dangling edges as
+/// line strings and its isolated vertices as points.
 /// Requires: can_hold(format, sum).
-void write(std::ostream& out, const Region& region, Format format,
-           std::optional<int> digits = std::nullopt);
-void write(std::ostream& out, const MinkowskiSum& sum, Format format,
-           std::optional<int> digits = std::nullopt);
+std::string written(const Region& region, Format format, std::optional<int> digits = std::nullopt);
+std::string written(const MinkowskiSum& sum, Format format,
+                    std::optional<int> digits = std::nullopt);
+
+/// The same in WKT, exactly, without the end of the line.
+std::string wkt(const Region& region);
+std::string wkt(const MinkowskiSum& sum);
 
 /// Writes a file as a whole or not at all: to a temporary one beside it, then renamed. "-" is
 /// standard output. What exists and is no file, such as a device, is written to and not replaced.

@@ -7,7 +7,6 @@
 #include "reference/definitions/cells.hpp"
 #include "reference/definitions/collision.hpp"
 #include "reference/definitions/convolution.hpp"
-#include "reference/definitions/lies_on_one.hpp"
 #include "reference/definitions/winding_number.hpp"
 
 namespace oplus {

@@ -171,18 +171,12 @@ std::string svg_in_columns(const std::vector<std::vector<Panel>>& columns) {
   const double legend_top = top + height + below + caption_size;
   const Drawing key = drawn(legend, legend_top, page_width);
   const double page_height = legend_top + key.height + margin;
-
-  const std::string size = number(page_width) + " " + number(page_height);
-  return "<svg xmlns=\"http://www.w3.org/2000/svg\"" +
-         attributes({{"viewBox", "0 0 " + size},
-                     {"width", number(page_width)},
-                     {"height", number(page_height)},
-                     {"font-family", "DejaVu Sans, Helvetica, Arial, sans-serif"}}) +
-         ">\n<defs><pattern id=\"holes\" width=\"5\" height=\"5\" patternUnits=\"userSpaceOnUse\" "
-         "patternTransform=\"rotate(45)\"><rect width=\"5\" height=\"5\" fill=\"#f8c9a8\"/>"
-         "<path d=\"M0,0V5\" stroke=\"#d55e00\" stroke-width=\"2.4\"/></pattern></defs>\n"
-         "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n" +
-         content + key.content + "</svg>\n";
+  return document(page_width, page_height,
+                  "<defs><pattern id=\"holes\" width=\"5\" height=\"5\" "
+                  "patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\">"
+                  "<rect width=\"5\" height=\"5\" fill=\"#f8c9a8\"/>"
+                  "<path d=\"M0,0V5\" stroke=\"#d55e00\" stroke-width=\"2.4\"/></pattern></defs>\n",
+                  content + key.content);
 }
 
 }  // namespace oplus

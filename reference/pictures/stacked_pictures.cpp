@@ -44,13 +44,7 @@ std::string stacked(const std::vector<TitledPicture>& pictures) {
     content += std::string(start) + attributes({{"y", number(y)}}) + svg.substr(start.size());
     y += height;
   }
-  const std::string extent = number(width) + " " + number(y + margin);
-  return std::string(start) + " xmlns=\"http://www.w3.org/2000/svg\"" +
-         attributes({{"viewBox", "0 0 " + extent},
-                     {"width", number(width)},
-                     {"height", number(y + margin)},
-                     {"font-family", "DejaVu Sans, Helvetica, Arial, sans-serif"}}) +
-         ">\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n" + content + "</svg>\n";
+  return document(width, y + margin, "", content);
 }
 
 }  // namespace oplus

@@ -80,6 +80,17 @@ std::string circle(const Pixel& centre, double radius, const std::string& more) 
          more + "/>\n";
 }
 
+std::string document(double width, double height, const std::string& definitions,
+                     const std::string& content) {
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\"" +
+         attributes({{"viewBox", "0 0 " + number(width) + " " + number(height)},
+                     {"width", number(width)},
+                     {"height", number(height)},
+                     {"font-family", "DejaVu Sans, Helvetica, Arial, sans-serif"}}) +
+         ">\n" + definitions + "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n" +
+         content + "</svg>\n";
+}
+
 std::string arrow_head(const Pixel& source, const Pixel& target, double largest) {
   const double length = distance(source, target);
   if (length < 5) return "";

@@ -40,6 +40,10 @@ std::string path(const std::string& data, const std::string& more);
 
 std::string circle(const Pixel& centre, double radius, const std::string& more);
 
+/// A document with a width and a height in pixels, its content on white.
+std::string document(double width, double height, const std::string& definitions,
+                     const std::string& content);
+
 /// The path of a small triangle in the middle of a segment, none where it would hide the segment.
 std::string arrow_head(const Pixel& source, const Pixel& target, double largest);
 

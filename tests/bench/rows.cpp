@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/bench/rows.hpp"
 
-#include "reference/families/coast.hpp"
+#include <utility>
+
 #include "reference/families/fork.hpp"
 #include "reference/families/pairs.hpp"
 #include "reference/families/polygons.hpp"

@@ -3,9 +3,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "properties/runner/source_tree.hpp"
 #include "reference/definitions/collision.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/definitions/cut_at_intersections.hpp"
+#include "reference/io/file_text.hpp"
 #include "reference/io/reading.hpp"
 #include "tests/checked/cli/page_text.hpp"
 #include "tests/checked/cli/shell.hpp"
@@ -25,7 +27,7 @@ class Examples : public Shell {
 };
 
 TEST_F(Examples, draw_their_pictures) {
-  const std::string page = text_of(examples / "README.md");
+  const std::string page = text_of_file(examples / "README.md");
   std::size_t pictures = 0, folders = 0;
   for (const auto& folder : fs::directory_iterator(examples)) {
     if (!folder.is_directory()) continue;
@@ -38,7 +40,8 @@ TEST_F(Examples, draw_their_pictures) {
       if (file.path().extension() != ".svg") continue;
       ++pictures;
       const std::string picture = file.path().filename().string();
-      EXPECT_TRUE(content(picture) == text_of(file.path())) << file.path() << " is out of date";
+      EXPECT_TRUE(content(picture) == text_of_file(file.path()))
+          << file.path() << " is out of date";
       EXPECT_NE(page.find("](" + name + "/" + picture + ")"), std::string::npos) << picture;
     }
   }
@@ -48,10 +51,10 @@ TEST_F(Examples, draw_their_pictures) {
 
 /// The page shows no command that no script runs, and links to nothing that is not there.
 TEST_F(Examples, are_what_their_page_says) {
-  const std::string page = text_of(examples / "README.md");
+  const std::string page = text_of_file(examples / "README.md");
   std::string scripts;
   for (const std::string name : {"robot", "nesting", "offset"})
-    scripts += text_of(examples / name / "run");
+    scripts += text_of_file(examples / name / "run");
   const std::vector<std::string> commands = commands_of(page);
   EXPECT_EQ(commands.size(), 6U);
   for (const std::string& command : commands)

@@ -5,6 +5,8 @@
 #include <map>
 #include <set>
 
+#include "properties/runner/source_tree.hpp"
+#include "reference/io/file_text.hpp"
 #include "tests/checked/cli/page_text.hpp"
 #include "tests/checked/cli/shell.hpp"
 
@@ -20,7 +22,7 @@ std::map<std::string, std::string> pages() {
   std::map<std::string, std::string> result;
   for (const auto& entry : fs::directory_iterator(top / "docs"))
     if (entry.path().extension() == ".md")
-      result[entry.path().filename().string()] = text_of(entry.path());
+      result[entry.path().filename().string()] = text_of_file(entry.path());
   return result;
 }
 
@@ -37,7 +39,7 @@ TEST_F(Pages, draw_their_pictures) {
       // At the head of a pipe its exit code is not that of the command.
       EXPECT_EQ(ran.err.find("oplus: "), std::string::npos) << command << '\n' << ran.err;
       for (const std::string& picture : found(command, "(docs/pictures/\\S+\\.svg)")) {
-        EXPECT_EQ(content(picture), text_of(top / picture))
+        EXPECT_EQ(content(picture), text_of_file(top / picture))
             << picture << " is out of date: " << command;
         drawn.insert(picture);
       }
@@ -67,10 +69,10 @@ TEST(AlgorithmPages, show_a_picture_and_what_they_rest_on) {
 }
 
 TEST(AllPages, link_to_what_exists) {
-  std::map<fs::path, std::string> texts = {{top / "README.md", text_of(top / "README.md")}};
+  std::map<fs::path, std::string> texts = {{top / "README.md", text_of_file(top / "README.md")}};
   for (const auto& [name, page] : pages()) texts[top / "docs" / name] = page;
   for (const auto& entry : fs::directory_iterator(top / "docs/theorems"))
-    if (entry.path().extension() == ".md") texts[entry.path()] = text_of(entry.path());
+    if (entry.path().extension() == ".md") texts[entry.path()] = text_of_file(entry.path());
   std::size_t links = 0;
   for (const auto& [path, text] : texts) {
     for (const std::string& link : found(text, "\\]\\(([^)#]+)\\)")) {
@@ -103,7 +105,7 @@ TEST(AllPages, name_statements_by_their_ids) {
       ++statements;
       const std::string id = link.substr(0, link.find(']'));
       const std::string file = link.substr(id.size() + 2);
-      EXPECT_NE(text_of(top / "docs" / file).find(".id = \"" + id + "\""), std::string::npos)
+      EXPECT_NE(text_of_file(top / "docs" / file).find(".id = \"" + id + "\""), std::string::npos)
           << name << ": " << id << " is not the id of " << file;
     }
   }
@@ -111,7 +113,7 @@ TEST(AllPages, name_statements_by_their_ids) {
 }
 
 TEST(AllPages, are_linked_from_the_readme) {
-  const std::string readme = text_of(top / "README.md");
+  const std::string readme = text_of_file(top / "README.md");
   for (const auto& [name, page] : pages())
     EXPECT_NE(readme.find("](docs/" + name + ")"), std::string::npos) << name;
 }

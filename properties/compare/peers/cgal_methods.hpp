@@ -82,7 +82,7 @@ struct CgalMethod {
   static PolygonWithHoles polygon_of(const Region& region) {
     if (region.components.size() != 1) throw NotTaken("takes one component");
     PolygonWithHoles polygon;
-    for (const std::vector<Segment>& pieces : boundary_pieces(region)) {
+    for (const std::vector<Segment>& pieces : pieces_by_chain(region)) {
       Chain chain;
       for (const Segment& piece : pieces) chain.push_back(piece.source);
       if (polygon.outer_boundary().is_empty())

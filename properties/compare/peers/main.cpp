@@ -36,7 +36,7 @@ int sum(const std::function<MethodFunction>& method, const std::string& p, const
     return 2;
   }
   try {
-    write(std::cout, sum_of_chains(method(pair)), Format::wkt);
+    std::cout << written(sum_of_chains(method(pair)), Format::wkt);
   } catch (const NotTaken& e) {
     std::cerr << e.what() << '\n';
     return exit_not_taken;

@@ -53,9 +53,7 @@ std::vector<std::vector<TangentSet>> tangent_sets(const Region& region) {
   std::vector<std::vector<TangentSet>> all;
   for (const Chain& chain : chains(region)) {
     all.emplace_back();
-    for (std::size_t i = 0; i < chain.size(); ++i)
-      all.back().emplace_back(Corner{chain[i] - chain[previous(i, chain.size())],
-                                     chain[next(i, chain.size())] - chain[i]});
+    for (std::size_t i = 0; i < chain.size(); ++i) all.back().emplace_back(corner_at(chain, i));
   }
   return all;
 }

@@ -20,16 +20,13 @@ struct SumsOfInsidePoints {
 
 SumsOfInsidePoints sums_of_inside_points(const Region& p, const Region& placed) {
   SumsOfInsidePoints found;
-  for (const std::vector<Segment>& of_p : boundary_pieces(p)) {
-    for (const Segment& s : of_p) {
-      for (const std::vector<Segment>& of_q : boundary_pieces(placed)) {
-        for (const Segment& t : of_q) {
-          if (cross_properly(s, t)) found.different = true;
-          if (!overlap(s, t)) continue;
-          const bool is_same = sign(dot(direction_of(s), direction_of(t))) > 0;
-          (is_same ? found.different : found.equal) = true;
-        }
-      }
+  const std::vector<Segment> of_q = boundary_pieces(placed);
+  for (const Segment& s : boundary_pieces(p)) {
+    for (const Segment& t : of_q) {
+      if (cross_properly(s, t)) found.different = true;
+      if (!overlap(s, t)) continue;
+      const bool is_same = sign(dot(direction_of(s), direction_of(t))) > 0;
+      (is_same ? found.different : found.equal) = true;
     }
   }
   return found;
@@ -39,15 +36,12 @@ SumsOfInsidePoints sums_of_inside_points(const Region& p, const Region& placed) 
 /// these two pieces meet.
 std::set<Point> sums_of_some_inside_points(const Summands& summands) {
   std::set<Point> sums;
-  for (const std::vector<Segment>& of_p : boundary_pieces(summands.p)) {
-    for (const Segment& s : of_p) {
-      const Point middle = midpoint(s.source, s.target);
-      for (const std::vector<Segment>& of_q : boundary_pieces(summands.q)) {
-        for (const Segment& t : of_q) {
-          const Point middle_of_t = midpoint(t.source, t.target);
-          sums.insert({middle + middle_of_t, midpoint(s.source, middle) + middle_of_t});
-        }
-      }
+  const std::vector<Segment> of_q = boundary_pieces(summands.q);
+  for (const Segment& s : boundary_pieces(summands.p)) {
+    const Point middle = midpoint(s.source, s.target);
+    for (const Segment& t : of_q) {
+      const Point middle_of_t = midpoint(t.source, t.target);
+      sums.insert({middle + middle_of_t, midpoint(s.source, middle) + middle_of_t});
     }
   }
   return sums;

@@ -13,13 +13,6 @@ namespace oplus {
 
 namespace {
 
-Corner corner_at(const std::vector<Chain>& all, const VertexIndex& index) {
-  const Chain& chain = all[index.chain];
-  const Point& v = chain[index.vertex];
-  return {v - chain[previous(index.vertex, chain.size())],
-          chain[next(index.vertex, chain.size())] - v};
-}
-
 /// Whether an edge at the vertex, seen from it, points to the right of d.
 bool slides(const Vector& d, const Corner& corner) {
   return sign(cross(d, corner.out)) < 0 || sign(cross(d, -corner.in)) < 0;
@@ -54,7 +47,7 @@ Outcome check(const Summands& summands) {
     const bool is_edge_of_p = all[i].origin.edge_of == Summand::P;
     const VertexIndex& index = all[i].origin.vertex;
     const std::vector<Chain>& with_vertex = is_edge_of_p ? of_q : of_p;
-    const Corner corner = corner_at(with_vertex, index);
+    const Corner corner = corner_at(with_vertex[index.chain], index.vertex);
     const Vector d = direction_of(all[i].segment);
     const bool is_slid = slides(d, corner);
     if (!is_parallel(d, corner)) {

@@ -13,13 +13,6 @@ namespace oplus {
 
 namespace {
 
-std::vector<Segment> pieces_of(const Region& region) {
-  std::vector<Segment> all;
-  for (const std::vector<Segment>& of_chain : boundary_pieces(region))
-    all.insert(all.end(), of_chain.begin(), of_chain.end());
-  return all;
-}
-
 /// Looks at half disks, as far as it is constant in the cells of the vertex-edge sum's arrangement
 /// whether a point is in the open sum. It is: only there a vertex of P meets an edge of -Q+x.
 class HalfDisks {
@@ -53,10 +46,10 @@ struct HalfDisk {
 /// The middle of an edge, at a vertex and at the middle of an edge of the other summand.
 void add_half_disks(const Region& with_edges, const Region& other_region,
                     std::vector<HalfDisk>& all) {
-  for (const Segment& piece : pieces_of(with_edges)) {
+  for (const Segment& piece : boundary_pieces(with_edges)) {
     const Vector along = direction_of(piece);
     const Point middle = midpoint(piece.source, piece.target);
-    for (const Segment& of_other : pieces_of(other_region)) {
+    for (const Segment& of_other : boundary_pieces(other_region)) {
       all.push_back({middle + of_other.source, along});
       all.push_back({middle + midpoint(of_other.source, of_other.target), along});
     }

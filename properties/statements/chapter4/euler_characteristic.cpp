@@ -7,18 +7,8 @@ namespace oplus {
 
 namespace {
 
-bool has_hole(const Region& region) {
-  return std::any_of(region.components.begin(), region.components.end(),
-                     [](const Component& c) { return !c.holes.empty(); });
-}
-
-Region enlarged(Region region) {
-  for (Component& component : region.components) {
-    for (Point& p : component.outer) p = 4 * p;
-    for (Chain& hole : component.holes)
-      for (Point& p : hole) p = 4 * p;
-  }
-  return region;
+Region enlarged(const Region& region) {
+  return mapped(region, [](const Point& p) { return 4 * p; });
 }
 
 }  // namespace

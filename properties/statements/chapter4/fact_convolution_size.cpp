@@ -16,11 +16,7 @@ namespace {
 /// set goes round the other way, one full turn more.
 std::ptrdiff_t times_covered(const Chain& chain) {
   std::ptrdiff_t reflex = 0;
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    const Point& v = chain[i];
-    if (is_reflex({v - chain[previous(i, chain.size())], chain[next(i, chain.size())] - v}))
-      ++reflex;
-  }
+  for (std::size_t i = 0; i < chain.size(); ++i) reflex += is_reflex(corner_at(chain, i)) ? 1 : 0;
   return sign(twice_area(chain)) + reflex;
 }
 

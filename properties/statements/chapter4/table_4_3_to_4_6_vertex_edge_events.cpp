@@ -138,12 +138,6 @@ Enumeration enumerate() {
   return result;
 }
 
-Corner corner_at(const std::vector<Chain>& all, const VertexIndex& v) {
-  const Chain& chain = all[v.chain];
-  const Point& at = chain[v.vertex];
-  return {at - chain[previous(v.vertex, chain.size())], chain[next(v.vertex, chain.size())] - at};
-}
-
 /// A placement at which events happen that all lie on one line, and how far to its right and left
 /// there is no other.
 struct Placement {
@@ -194,8 +188,8 @@ Change printed_for(const Placement& placement, const std::vector<Chain>& of_p,
   Change sum;
   for (const auto& [segment, origin, corner] : placement.events) {
     const std::vector<Chain>& of_vertex = origin.edge_of == Summand::P ? of_q : of_p;
-    sum += row_of(
-        event_of(direction_of(segment), origin.edge_of, corner_at(of_vertex, origin.vertex)));
+    sum += row_of(event_of(direction_of(segment), origin.edge_of,
+                           corner_at(of_vertex[origin.vertex.chain], origin.vertex.vertex)));
   }
   return sum;
 }

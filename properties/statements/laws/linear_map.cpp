@@ -38,11 +38,9 @@ MinkowskiSum image(const LinearMap& map, const MinkowskiSum& sum, const Vector& 
   BoundaryFeatures features;
   for (const std::vector<Chain>* chains : {&sum.outer, &sum.holes}) {
     for (const Chain& chain : *chains) {
-      for (const Segment& edge : edges(chain)) {
-        for (const Segment& piece : cut(edge, vertices)) {
-          const Segment mapped = of_segment(piece);
-          features.edges.push_back(sign(map.determinant()) < 0 ? reversed(mapped) : mapped);
-        }
+      for (const Segment& piece : cut_edges(chain, vertices)) {
+        const Segment mapped = of_segment(piece);
+        features.edges.push_back(sign(map.determinant()) < 0 ? reversed(mapped) : mapped);
       }
     }
   }

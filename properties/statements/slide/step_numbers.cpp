@@ -21,15 +21,6 @@ Point stretched(const Point& x) {
 /// less than doubles see.
 Point bent(const Point& x) { return stretched(x) + Point{x.y * x.y, x.x * x.y}; }
 
-Region mapped(Region region, Point (*map)(const Point&)) {
-  for (Component& component : region.components) {
-    for (Point& x : component.outer) x = map(x);
-    for (Chain& hole : component.holes)
-      for (Point& x : hole) x = map(x);
-  }
-  return region;
-}
-
 Outcome check(const Summands& summands) {
   Outcome outcome;
   const auto fail = [&](const std::string& what) { return outcome.fail(what); };

@@ -3,27 +3,15 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "properties/compare/corpus.hpp"
-#include "properties/runner/source_tree.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/families/fork.hpp"
-#include "reference/io/reading.hpp"
 #include "tests/reference/definitions/print.hpp"
 #include "tests/reference/definitions/shapes.hpp"
+#include "tests/reference/io/published_data.hpp"
 
 namespace oplus {
 namespace {
-
-const std::string data_dir = data_folder();
-
-#define NEEDS_PUBLISHED_DATA() \
-  if (!std::filesystem::exists(data_dir)) GTEST_SKIP() << data_dir << " is not there"
-
-Region published(const std::string& name) {
-  return read_region_file(data_dir + "/" + name + ".dat").region;
-}
 
 ComputedSum of_published(const std::string& p, const std::string& q, Boundary boundary) {
   return rca(published(p), published(q), boundary);

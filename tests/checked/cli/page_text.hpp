@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <filesystem>
 #include <regex>
 #include <string>
 #include <vector>
 
-#include "properties/runner/source_tree.hpp"
-#include "reference/io/file_text.hpp"
-
 namespace oplus {
-
-/// A file of the source tree. Throws InvalidInput where it cannot be read.
-inline std::string text_of(const std::filesystem::path& path) {
-  return text_of_file(source_root() / path, "a file of the source tree");
-}
 
 /// What matches the first group of the pattern, all of it.
 inline std::vector<std::string> found(const std::string& text, const std::string& pattern) {

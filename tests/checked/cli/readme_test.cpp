@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include "properties/runner/source_tree.hpp"
+#include "reference/io/file_text.hpp"
 #include "tests/checked/cli/page_text.hpp"
 #include "tests/checked/cli/shell.hpp"
 
@@ -10,7 +12,7 @@ namespace {
 class Readme : public Shell {};
 
 TEST_F(Readme, commands_do_what_it_says_and_draw_its_picture) {
-  const std::vector<std::string> commands = commands_of(text_of("README.md"));
+  const std::vector<std::string> commands = commands_of(text_of_file(source_root() / "README.md"));
   ASSERT_EQ(commands.size(), 11U);
   for (const std::string& command : commands) {
     const Ran ran = run(command);
@@ -18,7 +20,8 @@ TEST_F(Readme, commands_do_what_it_says_and_draw_its_picture) {
     EXPECT_EQ(ran.exit_code, unequal ? 1 : 0) << command << '\n' << ran.err;
   }
   EXPECT_EQ(content("same.wkt"), content("sum.wkt"));
-  EXPECT_EQ(content("picture.svg"), text_of("docs/pictures/room_and_diamond.svg"))
+  EXPECT_EQ(content("picture.svg"),
+            text_of_file(source_root() / "docs/pictures/room_and_diamond.svg"))
       << "docs/pictures/room_and_diamond.svg is out of date";
 }
 

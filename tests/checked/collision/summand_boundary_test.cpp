@@ -15,7 +15,7 @@ const Region small = polygon(box(0, 0, 1, 1));
 TEST(SummandBoundary, keeps_the_pieces_of_each_chain_together) {
   for (const Shape& shape : shapes()) {
     const SummandBoundary boundary(shape.region);
-    const auto pieces = boundary_pieces(shape.region);
+    const auto pieces = pieces_by_chain(shape.region);
     ASSERT_EQ(boundary.vertex_of_chain.size(), pieces.size()) << shape.name;
     ASSERT_EQ(boundary.chain_of.size(), boundary.pieces.size()) << shape.name;
     std::size_t next_piece = 0;

@@ -11,10 +11,6 @@
 namespace oplus {
 namespace {
 
-Corner corner(const Chain& chain, std::size_t i) {
-  return {chain[i] - chain[previous(i, chain.size())], chain[next(i, chain.size())] - chain[i]};
-}
-
 TEST(TracedChain, tangent_sets_are_those_of_the_definition) {
   const CGAL::Protect_FPU_rounding<true> rounding;
   for (const Shape& shape : shapes()) {
@@ -23,13 +19,13 @@ TEST(TracedChain, tangent_sets_are_those_of_the_definition) {
         const TracedChain traced(chain, of);
         ASSERT_EQ(traced.size(), chain.size());
         for (std::size_t i = 0; i < chain.size(); ++i) {
-          ASSERT_EQ(traced.is_reflex(i), is_reflex(corner(chain, i)));
+          ASSERT_EQ(traced.is_reflex(i), is_reflex(corner_at(chain, i)));
           for (int x = -2; x <= 2; ++x) {
             for (int y = -2; y <= 2; ++y) {
               if (x == 0 && y == 0) continue;
               const Direction d{{x, y}, other(of)};
               ASSERT_EQ(traced.has_in_tangent_set(i, FilteredDirection(d)),
-                        in_tangent_set(d, corner(chain, i)))
+                        in_tangent_set(d, corner_at(chain, i)))
                   << shape.name << ", vertex " << i << ", " << testing::PrintToString(d.vector);
             }
           }

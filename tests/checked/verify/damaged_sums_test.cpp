@@ -5,7 +5,6 @@
 
 #include "checked/slide/slide.hpp"
 #include "reference/definitions/collision.hpp"
-#include "reference/definitions/lies_on_one.hpp"
 #include "reference/families/family.hpp"
 #include "tests/checked/verify/damage.hpp"
 #include "tests/reference/definitions/print.hpp"

@@ -9,6 +9,7 @@
 
 #include "properties/runner/source_tree.hpp"
 #include "properties/runner/temporary_folder.hpp"
+#include "reference/io/file_text.hpp"
 #include "reference/io/invalid_input.hpp"
 
 namespace oplus {
@@ -16,12 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Lines = std::vector<std::string>;
-
-std::string text_of(const fs::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
 
 /// One statement that kills one mutant.
 Registry sound_registry() {
@@ -152,7 +147,8 @@ TEST(Records, ThatAreMissingAreBadInput) {
 /// Each node and each arrow of graph.dot is drawn, and nothing else.
 TEST(GraphOfStatements, IsDrawnAsItIs) {
   const fs::path theorems = source_root() / "docs/theorems";
-  const std::string dot = text_of(theorems / "graph.dot"), svg = text_of(theorems / "graph.svg");
+  const std::string dot = text_of_file(theorems / "graph.dot"),
+                    svg = text_of_file(theorems / "graph.svg");
   std::istringstream lines(dot);
   std::size_t nodes = 0, arrows = 0;
   for (std::string line; std::getline(lines, line);) {

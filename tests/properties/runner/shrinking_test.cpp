@@ -15,11 +15,8 @@ namespace {
 
 bool has_reflex_vertex(const Region& region) {
   for (const Chain& chain : chains(region)) {
-    for (std::size_t i = 0; i < chain.size(); ++i) {
-      if (is_reflex({chain[i] - chain[previous(i, chain.size())],
-                     chain[next(i, chain.size())] - chain[i]}))
-        return true;
-    }
+    for (std::size_t i = 0; i < chain.size(); ++i)
+      if (is_reflex(corner_at(chain, i))) return true;
   }
   return false;
 }

@@ -19,8 +19,8 @@ struct Placement {
 std::vector<Placement> placements() {
   const Region square = polygon(box(0, 0, 4, 4));
   const Region notched = polygon({{0, 0}, {4, 0}, {4, 4}, {2, 2}, {0, 4}});
-  const Region frame{{{box(0, 0, 6, 6), {backwards(box(2, 2, 4, 4))}}}};
-  const Region pinched{{{box(0, 0, 1, 1), {}}, {box(1, 1, 2, 2), {}}}};
+  const Region frame = holed(box(0, 0, 6, 6), {box(2, 2, 4, 4)});
+  const Region pinched = shape("two squares touching in a corner");
   const Region pinched_the_other_way{{{box(0, 1, 1, 2), {}}, {box(1, 0, 2, 1), {}}}};
   const auto at = [](const Region& region, int x, int y) { return translated(region, {x, y}); };
   const auto triangle = [](const Point& a, const Point& b, const Point& c) {
@@ -52,14 +52,14 @@ std::vector<Placement> placements() {
       {"larger than a hole", frame, polygon(box(1, 1, 5, 5)), true},
       {"the frame without its hole", frame, polygon(box(0, 0, 6, 6)), true},
       {"frame in frame: each in the other's hole or outside", frame,
-       Region{{{box(-1, -1, 7, 7), {backwards(box(0, 0, 6, 6))}}}}, false},
+       holed(box(-1, -1, 7, 7), {box(0, 0, 6, 6)}), false},
       {"pinched chains through each other's pinch", pinched, pinched_the_other_way, false},
       {"pinched chains, equal", pinched, pinched, true},
       {"square over a pinch", pinched, translated(polygon(box(0, 0, 1, 1)), {Rational(1, 2), 1}),
        true},
       {"square beside a pinch", pinched, polygon(box(0, 1, 1, 2)), false},
       {"two components, the second one inside",
-       Region{{{box(9, 9, 10, 10), {}}, {box(1, 1, 2, 2), {}}}}, square, true},
+       together({polygon(box(9, 9, 10, 10)), polygon(box(1, 1, 2, 2))}), square, true},
       {"empty", Region{}, square, false},
   };
 }

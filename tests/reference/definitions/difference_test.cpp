@@ -35,7 +35,10 @@ std::optional<Difference> checked_difference(const MinkowskiSum& a, const Minkow
   return d;
 }
 
-MinkowskiSum square() { return canonical_sum(polygon(box(0, 0, 4, 4))); }
+MinkowskiSum square(std::vector<Segment> dangling_edges = {},
+                    std::vector<Point> isolated_vertices = {}) {
+  return {{box(0, 0, 4, 4)}, {}, std::move(dangling_edges), std::move(isolated_vertices)};
+}
 
 TEST(Difference, of_any_two_shapes_has_a_true_witness) {
   for (const Shape& a : shapes()) {
@@ -63,11 +66,10 @@ TEST(Difference, of_generated_regions_has_a_true_witness) {
 
 TEST(Difference, a_chain_that_touches_an_edge_in_its_middle) {
   // The diamond's corner is the middle of the square's edge, and its normal runs into the diamond.
-  const Region diamond = polygon({{2, 0}, {3, 1}, {2, 2}, {1, 1}});
-  Region touched = polygon(box(0, 0, 4, 4));
-  touched.components[0].holes = {backwards(diamond.components[0].outer)};
-  checked_difference(canonical_sum(touched), MinkowskiSum{});
-  checked_difference(canonical_sum(touched), canonical_sum(diamond));
+  const Chain diamond{{2, 0}, {3, 1}, {2, 2}, {1, 1}};
+  const MinkowskiSum touched = canonical_sum(holed(box(0, 0, 4, 4), {diamond}));
+  checked_difference(touched, MinkowskiSum{});
+  checked_difference(touched, canonical_sum(polygon(diamond)));
 }
 
 TEST(Difference, a_missing_hole_has_a_witness_in_it) {
@@ -93,18 +95,14 @@ TEST(Difference, a_component_more_has_a_witness_in_it) {
 
 TEST(Difference, equal_outlines_with_the_same_edges_filled_differently) {
   // The same segments, but what is a hole here is covered there and the other way round.
-  const MinkowskiSum a = canonical_sum(
-      Region{{{box(0, 0, 6, 6), {backwards(box(1, 1, 5, 5))}}, {box(2, 2, 4, 4), {}}}});
-  const MinkowskiSum b = canonical_sum(Region{{{box(0, 0, 6, 6), {backwards(box(2, 2, 4, 4))}}}});
-  const auto d = checked_difference(a, b);
-  ASSERT_TRUE(d);
+  const Region a = together({holed(box(0, 0, 6, 6), {box(1, 1, 5, 5)}), polygon(box(2, 2, 4, 4))});
+  const Region b = holed(box(0, 0, 6, 6), {box(2, 2, 4, 4)});
+  ASSERT_TRUE(checked_difference(canonical_sum(a), canonical_sum(b)));
 }
 
 TEST(Difference, of_dangling_edges_avoids_isolated_vertices) {
-  MinkowskiSum a = square();
-  a.dangling_edges = {{{1, 1}, {3, 1}}};
-  MinkowskiSum b = square();
-  b.isolated_vertices = {{2, 1}};  // the middle of the edge
+  const MinkowskiSum a = square({{{1, 1}, {3, 1}}});
+  const MinkowskiSum b = square({}, {{2, 1}});  // the middle of the edge
   const auto d = checked_difference(a, b);
   ASSERT_TRUE(d);
   EXPECT_EQ(d->what, "a dangling edge of the first is not one of the second");
@@ -113,32 +111,23 @@ TEST(Difference, of_dangling_edges_avoids_isolated_vertices) {
 }
 
 TEST(Difference, of_a_shorter_dangling_edge_is_in_the_rest) {
-  MinkowskiSum a = square();
-  a.dangling_edges = {{{1, 1}, {3, 1}}};
-  MinkowskiSum b = square();
-  b.dangling_edges = {{{1, 1}, {2, 1}}};
-  const auto d = checked_difference(b, a);
+  const auto d = checked_difference(square({{{1, 1}, {2, 1}}}), square({{{1, 1}, {3, 1}}}));
   ASSERT_TRUE(d);
   EXPECT_EQ(d->witness, (Point{Rational(5, 2), 1}));
 }
 
 TEST(Difference, of_isolated_vertices_is_one_of_them) {
-  MinkowskiSum a = square();
-  a.isolated_vertices = {{1, 1}, {2, 1}};
-  MinkowskiSum b = square();
-  b.isolated_vertices = {{1, 1}};
-  EXPECT_EQ(checked_difference(a, b)->witness, (Point{2, 1}));
-  EXPECT_EQ(checked_difference(a, b)->in_b, Location::inside);
+  const auto d = checked_difference(square({}, {{1, 1}, {2, 1}}), square({}, {{1, 1}}));
+  ASSERT_TRUE(d);
+  EXPECT_EQ(d->witness, (Point{2, 1}));
+  EXPECT_EQ(d->in_b, Location::inside);
 }
 
 TEST(Difference, steps_past_low_dimensional_features) {
   // Half way from the bottom's middle to the top.
-  MinkowskiSum dot = square();
-  dot.isolated_vertices = {{2, 2}};
-  MinkowskiSum across = square();
-  across.dangling_edges = {{{1, 2}, {3, 2}}};
-  MinkowskiSum along = square();
-  along.dangling_edges = {{{2, 1}, {2, 3}}};
+  const MinkowskiSum dot = square({}, {{2, 2}});
+  const MinkowskiSum across = square({{{1, 2}, {3, 2}}});
+  const MinkowskiSum along = square({{{2, 1}, {2, 3}}});
   for (const MinkowskiSum& a : {dot, across, along})
     EXPECT_EQ(checked_difference(a, MinkowskiSum{})->in_a, Location::inside);
 }

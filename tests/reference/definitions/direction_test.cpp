@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -13,22 +12,9 @@ namespace oplus {
 namespace {
 
 /// All directions of a 5x5 grid, counterclockwise from the positive x-axis, listed by hand.
-const std::array<Vector, 16> circle{{{1, 0},
-                                     {2, 1},
-                                     {1, 1},
-                                     {1, 2},
-                                     {0, 1},
-                                     {-1, 2},
-                                     {-1, 1},
-                                     {-2, 1},
-                                     {-1, 0},
-                                     {-2, -1},
-                                     {-1, -1},
-                                     {-1, -2},
-                                     {0, -1},
-                                     {1, -2},
-                                     {1, -1},
-                                     {2, -1}}};
+const std::vector<Vector> circle = {{1, 0},  {2, 1},  {1, 1},  {1, 2},   {0, 1},   {-1, 2},
+                                    {-1, 1}, {-2, 1}, {-1, 0}, {-2, -1}, {-1, -1}, {-1, -2},
+                                    {0, -1}, {1, -2}, {1, -1}, {2, -1}};
 
 /// A vector of the grid and its place on the circle.
 struct Placed {

@@ -45,7 +45,7 @@ TEST(MinkowskiSum, holes_are_clockwise_and_chains_are_sorted) {
 }
 
 TEST(MinkowskiSum, two_squares_touching_in_a_corner_are_one_outer_chain) {
-  const Region region{{{box(0, 0, 1, 1), {}}, {box(1, 1, 2, 2), {}}}};
+  const Region region = shape("two squares touching in a corner");
   // Both bound the same face of the complement: clockwise most, so from one into the other.
   EXPECT_EQ(canonical_sum(region).outer,
             (Chains{{{0, 0}, {1, 0}, {1, 1}, {2, 1}, {2, 2}, {1, 2}, {1, 1}, {0, 1}}}));
@@ -58,24 +58,22 @@ TEST(MinkowskiSum, chain_that_starts_where_it_touches_itself_is_the_smaller_rota
 }
 
 TEST(MinkowskiSum, hole_touching_the_outer_chain_stays_a_chain_of_its_own) {
-  const Chain hole{{2, 0}, {1, 1}, {2, 2}, {3, 1}};
-  const MinkowskiSum sum = canonical_sum(Region{{{square, {hole}}}});
+  const MinkowskiSum sum = canonical_sum(shape("hole touching the outer chain"));
   EXPECT_EQ(sum.outer, Chains{square});
   EXPECT_EQ(sum.holes, (Chains{{{1, 1}, {2, 2}, {3, 1}, {2, 0}}}));
 }
 
 TEST(MinkowskiSum, two_holes_touching_in_a_corner_are_two_chains) {
-  const Region region{
-      {{box(0, 0, 5, 5), {backwards(box(1, 1, 2, 2)), backwards(box(2, 2, 3, 3))}}}};
+  const Region region = holed(box(0, 0, 5, 5), {box(1, 1, 2, 2), box(2, 2, 3, 3)});
   EXPECT_EQ(canonical_sum(region).holes.size(), 2u);
 }
 
 TEST(MinkowskiSum, island_touching_its_hole_is_traced_with_it) {
-  const Region region{
-      {{box(0, 0, 4, 4), {backwards(box(1, 1, 3, 3))}}, {{{1, 1}, {2, 1}, {2, 2}}, {}}}};
+  const Region region =
+      together({holed(box(0, 0, 4, 4), {box(1, 1, 3, 3)}), polygon({{1, 1}, {2, 1}, {2, 2}})});
   // The island's lower edge would overlap; one vertex in the hole's corner does not.
-  const Region touching{
-      {{box(0, 0, 5, 5), {backwards(box(1, 1, 4, 4))}}, {{{1, 1}, {3, 2}, {2, 3}}, {}}}};
+  const Region touching =
+      together({holed(box(0, 0, 5, 5), {box(1, 1, 4, 4)}), polygon({{1, 1}, {3, 2}, {2, 3}})});
   EXPECT_TRUE(find_defect(region));
   EXPECT_FALSE(find_defect(touching));
   EXPECT_EQ(canonical_sum(touching).holes,
@@ -118,25 +116,22 @@ std::vector<Shape> touching_shapes() {
   std::vector<Shape> all = shapes();
   const std::vector<Shape> more{
       {"two holes touching in a corner",
-       {{{box(0, 0, 5, 5), {backwards(box(1, 1, 2, 2)), backwards(box(2, 2, 3, 3))}}}}},
+       holed(box(0, 0, 5, 5), {box(1, 1, 2, 2), box(2, 2, 3, 3)})},
       {"island touching its hole in a corner",
-       {{{box(0, 0, 5, 5), {backwards(box(1, 1, 4, 4))}}, {{{1, 1}, {3, 2}, {2, 3}}, {}}}}},
-      {"frame in a frame",
-       {{{box(0, 0, 9, 9), {backwards(box(1, 1, 8, 8))}},
-         {box(2, 2, 7, 7), {backwards(box(3, 3, 6, 6))}}}}},
+       together({holed(box(0, 0, 5, 5), {box(1, 1, 4, 4)}), polygon({{1, 1}, {3, 2}, {2, 3}})})},
+      {"frame in a frame", together({holed(box(0, 0, 9, 9), {box(1, 1, 8, 8)}),
+                                     holed(box(2, 2, 7, 7), {box(3, 3, 6, 6)})})},
       {"three triangles in a ring",
-       {{{{{0, 0}, {2, 0}, {1, 2}}, {}},
-         {{{2, 0}, {4, 0}, {3, 2}}, {}},
-         {{{1, 2}, {3, 2}, {2, 4}}, {}}}}},
+       together({polygon({{0, 0}, {2, 0}, {1, 2}}), polygon({{2, 0}, {4, 0}, {3, 2}}),
+                 polygon({{1, 2}, {3, 2}, {2, 4}})})},
       {"two triangles on a line touching in a vertex of both",
-       {{{{{0, 0}, {2, 0}, {0, 2}}, {}}, {{{2, 0}, {4, 0}, {4, 2}}, {}}}}},
+       together({polygon({{0, 0}, {2, 0}, {0, 2}}), polygon({{2, 0}, {4, 0}, {4, 2}})})},
       {"two holes on a line touching in a vertex of both",
-       {{{box(-1, -1, 5, 5),
-          {backwards({{0, 0}, {2, 0}, {0, 2}}), backwards({{2, 0}, {4, 0}, {4, 2}})}}}}},
+       holed(box(-1, -1, 5, 5), {{{0, 0}, {2, 0}, {0, 2}}, {{2, 0}, {4, 0}, {4, 2}}})},
       {"island with its tip inside an edge of its hole",
-       {{{box(0, 0, 5, 5), {backwards(box(1, 1, 4, 4))}}, {{{2, 1}, {3, 2}, {2, 3}}, {}}}}},
+       together({holed(box(0, 0, 5, 5), {box(1, 1, 4, 4)}), polygon({{2, 1}, {3, 2}, {2, 3}})})},
       {"hole whose edges' middles touch the outer chain",
-       {{{{{-2, -2}, {4, 0}, {10, -2}, {6, 4}, {4, 12}, {2, 4}}, {{{0, 0}, {4, 8}, {8, 0}}}}}}},
+       holed({{-2, -2}, {4, 0}, {10, -2}, {6, 4}, {4, 12}, {2, 4}}, {{{8, 0}, {4, 8}, {0, 0}}})},
   };
   all.insert(all.end(), more.begin(), more.end());
   return all;

@@ -15,6 +15,7 @@ namespace oplus {
 namespace {
 
 const Region l = polygon({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}});
+const Region u = shape("U");
 const Region square = polygon(box(0, 0, 1, 1));
 
 /// The segments of a vertex, sorted.
@@ -77,7 +78,6 @@ TEST(OriginalConvolution, flips_every_segment_that_a_reflex_vertex_leaves_out_an
 }
 
 TEST(OriginalConvolution, replaces_at_one_vertex_only) {
-  const Region u = polygon({{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}});
   const std::vector<ReflexVertex> reflex = reflex_vertices(u, l);
   ASSERT_EQ(reflex.size(), 3U);
   EXPECT_EQ(reflex[0].vertex, (VertexIndex{0, 4}));
@@ -95,7 +95,6 @@ TEST(OriginalConvolution, replaces_at_one_vertex_only) {
 }
 
 TEST(OriginalConvolution, counts_both_arms_of_a_u_that_a_bar_crosses) {
-  const Region u = polygon({{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}});
   const Region bar = polygon(box(0, 0, 5, 1));
   EXPECT_EQ(winding_of_original({4, Rational(5, 2)}, u, bar), 2) << "through both arms";
   EXPECT_EQ(winding_of_original({4, Rational(1, 2)}, u, bar), 1) << "through the base";
@@ -104,7 +103,7 @@ TEST(OriginalConvolution, counts_both_arms_of_a_u_that_a_bar_crosses) {
 }
 
 TEST(OriginalConvolution, does_not_count_a_component_with_a_hole) {
-  const Region frame{{{box(0, 0, 6, 6), {backwards(box(2, 2, 4, 4))}}}};
+  const Region frame = holed(box(0, 0, 6, 6), {box(2, 2, 4, 4)});
   const Point covering{Rational(9, 2), Rational(9, 2)};
   EXPECT_EQ(winding_of_original(covering, frame, polygon(box(0, 0, 3, 3))), 0);
   EXPECT_EQ(winding_number(covering, segments(convolution(frame, polygon(box(0, 0, 3, 3))))), 4)

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "reference/definitions/lies_on_one.hpp"
 #include "tests/reference/definitions/print.hpp"
 
 namespace oplus {

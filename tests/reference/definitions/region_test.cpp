@@ -34,6 +34,12 @@ TEST(Region, edges_are_in_the_order_of_chains) {
   EXPECT_EQ(vertex_count(two_holes_and_an_island), 16u);
 }
 
+TEST(Region, cut_edges_end_at_the_points_inside_them) {
+  EXPECT_EQ(cut_edges({{0, 0}, {3, 0}, {0, 3}}, {{1, 0}, {0, 0}, {5, 5}}),
+            (std::vector<Segment>{
+                {{0, 0}, {1, 0}}, {{1, 0}, {3, 0}}, {{3, 0}, {0, 3}}, {{0, 3}, {0, 0}}}));
+}
+
 TEST(Region, previous_and_next_go_around) {
   EXPECT_EQ(previous(0, 3), 2u);
   EXPECT_EQ(previous(2, 3), 1u);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +17,21 @@ inline Chain box(const Rational& x0, const Rational& y0, const Rational& x1, con
 /// The same chain the other way round: an outer chain as a hole.
 inline Chain backwards(const Chain& chain) { return {chain.rbegin(), chain.rend()}; }
 
+/// One component; its holes are given counterclockwise.
+inline Region holed(const Chain& outer, const std::vector<Chain>& holes) {
+  Region region = polygon(outer);
+  for (const Chain& hole : holes) region.components[0].holes.push_back(backwards(hole));
+  return region;
+}
+
+/// The components of all.
+inline Region together(const std::vector<Region>& regions) {
+  Region all;
+  for (const Region& region : regions)
+    all.components.insert(all.components.end(), region.components.begin(), region.components.end());
+  return all;
+}
+
 struct Shape {
   std::string name;
   Region region;
@@ -25,7 +41,6 @@ struct Shape {
 /// vertical or diagonal: so half-integer lines cut the plane into cells that lie inside or outside
 /// as a whole (cells.hpp).
 inline std::vector<Shape> shapes() {
-  const Chain diamond{{4, 0}, {8, 4}, {4, 8}, {0, 4}};
   return {
       {"unit square", polygon(box(0, 0, 1, 1))},
       {"bar", polygon(box(0, 0, 3, 1))},
@@ -35,19 +50,25 @@ inline std::vector<Shape> shapes() {
       {"L", polygon({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}})},
       {"U", polygon({{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}})},
       {"square with a notch", polygon({{0, 0}, {4, 0}, {4, 4}, {3, 4}, {2, 3}, {1, 4}, {0, 4}})},
-      {"frame", {{{box(0, 0, 3, 3), {backwards(box(1, 1, 2, 2))}}}}},
-      {"two squares apart", {{{box(0, 0, 1, 1), {}}, {box(2, 0, 3, 1), {}}}}},
-      {"two squares touching in a corner", {{{box(0, 0, 1, 1), {}}, {box(1, 1, 2, 2), {}}}}},
-      {"hole touching the outer chain",
-       {{{box(0, 0, 4, 4), {backwards({{2, 0}, {3, 1}, {2, 2}, {1, 1}})}}}}},
+      {"frame", holed(box(0, 0, 3, 3), {box(1, 1, 2, 2)})},
+      {"two squares apart", together({polygon(box(0, 0, 1, 1)), polygon(box(2, 0, 3, 1))})},
+      {"two squares touching in a corner",
+       together({polygon(box(0, 0, 1, 1)), polygon(box(1, 1, 2, 2))})},
+      {"hole touching the outer chain", holed(box(0, 0, 4, 4), {{{2, 0}, {3, 1}, {2, 2}, {1, 1}}})},
       {"island in a hole",
-       {{{box(0, 0, 5, 5), {backwards(box(1, 1, 4, 4))}}, {box(2, 2, 3, 3), {}}}}},
+       together({holed(box(0, 0, 5, 5), {box(1, 1, 4, 4)}), polygon(box(2, 2, 3, 3))})},
       {"island touching its hole",
-       {{{box(0, 0, 4, 4), {backwards(box(1, 1, 3, 3))}}, {{{1, 2}, {2, 1}, {2, 2}}, {}}}}},
+       together({holed(box(0, 0, 4, 4), {box(1, 1, 3, 3)}), polygon({{1, 2}, {2, 1}, {2, 2}})})},
       {"square with a diamond hole that touches each side",
-       {{{{{0, 0}, {4, 0}, {8, 0}, {8, 4}, {8, 8}, {4, 8}, {0, 8}, {0, 4}},
-          {backwards(diamond)}}}}},
+       holed({{0, 0}, {4, 0}, {8, 0}, {8, 4}, {8, 8}, {4, 8}, {0, 8}, {0, 4}},
+             {{{4, 0}, {8, 4}, {4, 8}, {0, 4}}})},
   };
+}
+
+inline Region shape(const std::string& name) {
+  for (const Shape& one : shapes())
+    if (one.name == name) return one.region;
+  throw std::invalid_argument("no shape " + name);
 }
 
 }  // namespace oplus

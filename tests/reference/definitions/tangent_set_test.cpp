@@ -5,14 +5,19 @@
 
 #include <vector>
 
-#include "reference/definitions/region.hpp"
+#include "tests/reference/definitions/print.hpp"
 #include "tests/reference/definitions/shapes.hpp"
 
 namespace oplus {
 namespace {
 
-Corner corner(const Chain& chain, std::size_t i) {
-  return {chain[i] - chain[previous(i, chain.size())], chain[next(i, chain.size())] - chain[i]};
+TEST(TangentSet, corner_has_the_edges_to_and_from_the_vertex) {
+  const Chain chain{{0, 0}, {4, 1}, {2, 5}};
+  const Corner first = corner_at(chain, 0), last = corner_at(chain, 2);
+  EXPECT_EQ(first.in, (Vector{-2, -5}));
+  EXPECT_EQ(first.out, (Vector{4, 1}));
+  EXPECT_EQ(last.in, (Vector{-2, 4}));
+  EXPECT_EQ(last.out, (Vector{-2, -5}));
 }
 
 TEST(TangentSet, reflex_vertices_are_those_that_turn_right) {
@@ -59,14 +64,14 @@ TEST(TangentSet, of_a_simple_chain_cover_each_direction_once_and_once_more_per_r
     for (const Chain& chain : chains(shape.region)) {
       int expected = sign(twice_area(chain));
       for (std::size_t i = 0; i < chain.size(); ++i)
-        if (is_reflex(corner(chain, i))) ++expected;
+        if (is_reflex(corner_at(chain, i))) ++expected;
       for (int x = -2; x <= 2; ++x) {
         for (int y = -2; y <= 2; ++y) {
           if (x == 0 && y == 0) continue;
           for (const Summand of : {Summand::P, Summand::Q}) {
             int covered = 0;
             for (std::size_t i = 0; i < chain.size(); ++i)
-              if (in_tangent_set({{x, y}, of}, corner(chain, i))) ++covered;
+              if (in_tangent_set({{x, y}, of}, corner_at(chain, i))) ++covered;
             ASSERT_EQ(covered, expected) << shape.name << ' ' << x << ' ' << y;
           }
         }

@@ -16,94 +16,53 @@ const Chain big = box(0, 0, 8, 8);
 
 struct Invalid {
   std::string name;
-  Region region;
   DefectKind kind;
   VertexIndex first;
   VertexIndex second;
+  Region region;
 };
+
+VertexIndex at(std::size_t chain, std::size_t vertex) { return {chain, vertex}; }
 
 /// Each has one kind of defect only. Where several pairs of edges show it, any may be named.
 std::vector<Invalid> invalid_regions() {
   using enum DefectKind;
+  const auto with_big = [](const Chain& other) { return together({polygon(big), polygon(other)}); };
   return {
-      {"two vertices", polygon({{0, 0}, {1, 0}}), too_few_vertices, {0, 0}, {0, 0}},
-      {"empty hole", {{{big, {{}}}}}, too_few_vertices, {1, 0}, {1, 0}},
-      {"vertex twice in a row",
-       polygon({{0, 0}, {2, 0}, {2, 0}, {0, 2}}),
-       zero_length_edge,
-       {0, 1},
-       {0, 2}},
-      {"last vertex equal to the first",
-       polygon({{0, 0}, {2, 0}, {0, 2}, {0, 0}}),
-       zero_length_edge,
-       {0, 3},
-       {0, 0}},
-      {"two loops in one vertex",
-       polygon({{2, 2}, {0, 1}, {0, 0}, {2, 2}, {3, 0}, {3, 3}}),
-       repeated_vertex,
-       {0, 0},
-       {0, 3}},
-      {"bow tie", polygon({{0, 2}, {4, 0}, {4, 4}, {0, 0}}), self_crossing, {0, 0}, {0, 2}},
-      {"flat triangle", polygon({{0, 0}, {1, 0}, {2, 0}}), self_overlap, {0, 0}, {0, 2}},
-      {"vertex inside an edge",
-       polygon({{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}),
-       self_touching,
-       {0, 0},
-       {0, 2}},
-      {"hole through the outer chain",
-       {{{big, {backwards(box(6, 2, 10, 4))}}}},
-       chains_cross,
-       {0, 1},
-       {1, 0}},
-      {"components that cross",
-       {{{big, {}}, {box(6, 6, 10, 10), {}}}},
-       chains_cross,
-       {0, 1},
-       {1, 0}},
-      {"through a vertex",
-       {{{big, {}}, {{{6, 8}, {8, 6}, {10, 10}}, {}}}},
-       chains_cross,
-       {0, 1},
-       {1, 0}},
-      {"in and out through common vertices",
-       {{{{{0, 0}, {4, 4}, {0, 8}, {0, 4}}, {}},
-         {{{0, 4}, {2, 3}, {4, 4}, {4, 10}, {-4, 10}}, {}}}},
-       chains_cross,
-       {0, 0},
-       {1, 0}},
-      {"hole along the outer chain",
-       {{{big, {backwards(box(0, 2, 4, 4))}}}},
-       chains_overlap,
-       {0, 3},
-       {1, 2}},
-      {"equal components", {{{big, {}}, {big, {}}}}, chains_overlap, {0, 0}, {1, 0}},
-      {"hole beside", {{{big, {backwards(box(10, 0, 12, 2))}}}}, hole_outside, {1, 0}, {0, 0}},
-      {"hole around", {{{box(2, 2, 4, 4), {backwards(big)}}}}, hole_outside, {1, 0}, {0, 0}},
-      {"hole touching from outside",
-       {{{big, {backwards({{8, 4}, {9, 3}, {9, 5}})}}}},
-       hole_outside,
-       {1, 0},
-       {0, 0}},
-      {"hole in a hole",
-       {{{big, {backwards(box(1, 1, 7, 7)), backwards(box(2, 2, 3, 3))}}}},
-       holes_nested,
-       {2, 0},
-       {1, 0}},
-      {"component in a component",
-       {{{big, {}}, {box(2, 2, 3, 3), {}}}},
-       components_overlap,
-       {1, 0},
-       {0, 0}},
-      {"component around another's hole",
-       {{{big, {backwards(box(3, 3, 4, 4))}}, {box(2, 2, 5, 5), {}}}},
-       components_overlap,
-       {2, 0},
-       {0, 0}},
-      {"component in a component, touching it in two vertices",
-       {{{big, {}}, {{{0, 0}, {4, 1}, {8, 8}, {1, 4}}, {}}}},
-       components_overlap,
-       {1, 0},
-       {0, 0}},
+      {"two vertices", too_few_vertices, at(0, 0), at(0, 0), polygon({{0, 0}, {1, 0}})},
+      {"empty hole", too_few_vertices, at(1, 0), at(1, 0), holed(big, {Chain{}})},
+      {"vertex twice in a row", zero_length_edge, at(0, 1), at(0, 2),
+       polygon({{0, 0}, {2, 0}, {2, 0}, {0, 2}})},
+      {"last vertex equal to the first", zero_length_edge, at(0, 3), at(0, 0),
+       polygon({{0, 0}, {2, 0}, {0, 2}, {0, 0}})},
+      {"two loops in one vertex", repeated_vertex, at(0, 0), at(0, 3),
+       polygon({{2, 2}, {0, 1}, {0, 0}, {2, 2}, {3, 0}, {3, 3}})},
+      {"bow tie", self_crossing, at(0, 0), at(0, 2), polygon({{0, 2}, {4, 0}, {4, 4}, {0, 0}})},
+      {"flat triangle", self_overlap, at(0, 0), at(0, 2), polygon({{0, 0}, {1, 0}, {2, 0}})},
+      {"vertex inside an edge", self_touching, at(0, 0), at(0, 2),
+       polygon({{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}})},
+      {"hole through the outer chain", chains_cross, at(0, 1), at(1, 0),
+       holed(big, {box(6, 2, 10, 4)})},
+      {"components that cross", chains_cross, at(0, 1), at(1, 0), with_big(box(6, 6, 10, 10))},
+      {"through a vertex", chains_cross, at(0, 1), at(1, 0), with_big({{6, 8}, {8, 6}, {10, 10}})},
+      {"in and out through common vertices", chains_cross, at(0, 0), at(1, 0),
+       together({polygon({{0, 0}, {4, 4}, {0, 8}, {0, 4}}),
+                 polygon({{0, 4}, {2, 3}, {4, 4}, {4, 10}, {-4, 10}})})},
+      {"hole along the outer chain", chains_overlap, at(0, 3), at(1, 2),
+       holed(big, {box(0, 2, 4, 4)})},
+      {"equal components", chains_overlap, at(0, 0), at(1, 0), with_big(big)},
+      {"hole beside", hole_outside, at(1, 0), at(0, 0), holed(big, {box(10, 0, 12, 2)})},
+      {"hole around", hole_outside, at(1, 0), at(0, 0), holed(box(2, 2, 4, 4), {big})},
+      {"hole touching from outside", hole_outside, at(1, 0), at(0, 0),
+       holed(big, {{{8, 4}, {9, 3}, {9, 5}}})},
+      {"hole in a hole", holes_nested, at(2, 0), at(1, 0),
+       holed(big, {box(1, 1, 7, 7), box(2, 2, 3, 3)})},
+      {"component in a component", components_overlap, at(1, 0), at(0, 0),
+       with_big(box(2, 2, 3, 3))},
+      {"component around another's hole", components_overlap, at(2, 0), at(0, 0),
+       together({holed(big, {box(3, 3, 4, 4)}), polygon(box(2, 2, 5, 5))})},
+      {"component in a component, touching it in two vertices", components_overlap, at(1, 0),
+       at(0, 0), with_big({{0, 0}, {4, 1}, {8, 8}, {1, 4}})},
   };
 }
 
@@ -169,19 +128,17 @@ TEST(Validity, of_what_touches_in_points_is_not_in_doubt) {
   const std::vector<Shape> valid{
       {"empty", {}},
       {"two components touching in an edge's middle",
-       {{{big, {}}, {{{8, 4}, {9, 3}, {9, 5}}, {}}}}},
-      {"three holes touching in one point",
-       {{{big,
-          {backwards({{4, 4}, {5, 3}, {5, 5}}), backwards({{4, 4}, {3, 5}, {3, 3}}),
-           backwards({{4, 4}, {4, 6}, {Rational(7, 2), 6}})}}}}},
+       together({polygon(big), polygon({{8, 4}, {9, 3}, {9, 5}})})},
+      {"three holes touching in one point", holed(big, {{{4, 4}, {5, 3}, {5, 5}},
+                                                        {{4, 4}, {3, 5}, {3, 3}},
+                                                        {{4, 4}, {4, 6}, {Rational(7, 2), 6}}})},
       {"component that fills a hole but for touching points",
-       {{{big, {backwards(box(2, 2, 6, 6))}}, {{{4, 2}, {6, 4}, {4, 6}, {2, 4}}, {}}}}},
+       together({holed(big, {box(2, 2, 6, 6)}), polygon({{4, 2}, {6, 4}, {4, 6}, {2, 4}})})},
       {"island in the hole of an island",
-       {{{box(0, 0, 9, 9), {backwards(box(1, 1, 8, 8))}},
-         {box(2, 2, 7, 7), {backwards(box(3, 3, 6, 6))}},
-         {box(4, 4, 5, 5), {}}}}},
+       together({holed(box(0, 0, 9, 9), {box(1, 1, 8, 8)}),
+                 holed(box(2, 2, 7, 7), {box(3, 3, 6, 6)}), polygon(box(4, 4, 5, 5))})},
       {"the island before what is around it",
-       {{{box(2, 2, 3, 3), {}}, {box(0, 0, 5, 5), {backwards(box(1, 1, 4, 4))}}}}},
+       together({polygon(box(2, 2, 3, 3)), holed(box(0, 0, 5, 5), {box(1, 1, 4, 4)})})},
   };
   for (const Shape& shape : valid) EXPECT_FALSE(find_defect(shape.region)) << shape.name;
   for (const Shape& shape : shapes()) EXPECT_FALSE(find_defect(shape.region)) << shape.name;
@@ -190,17 +147,15 @@ TEST(Validity, of_what_touches_in_points_is_not_in_doubt) {
 TEST(Validity, does_not_depend_on_where_a_chain_starts) {
   for (const Shape& shape : shapes()) {
     Region region = shape.region;
-    for (Component& component : region.components) {
-      for (std::size_t i = 0; i < component.outer.size(); ++i) {
-        std::rotate(component.outer.begin(), component.outer.begin() + 1, component.outer.end());
+    const auto find_from_each_start = [&](Chain& chain) {
+      for (std::size_t i = 0; i < chain.size(); ++i) {
+        std::rotate(chain.begin(), chain.begin() + 1, chain.end());
         EXPECT_FALSE(find_defect(region)) << shape.name;
       }
-      for (Chain& hole : component.holes) {
-        for (std::size_t i = 0; i < hole.size(); ++i) {
-          std::rotate(hole.begin(), hole.begin() + 1, hole.end());
-          EXPECT_FALSE(find_defect(region)) << shape.name;
-        }
-      }
+    };
+    for (Component& component : region.components) {
+      find_from_each_start(component.outer);
+      for (Chain& hole : component.holes) find_from_each_start(hole);
     }
   }
 }
@@ -208,9 +163,12 @@ TEST(Validity, does_not_depend_on_where_a_chain_starts) {
 TEST(Validity, sees_a_crossing_by_less_than_a_double_can_hold) {
   const Rational tiny = 1 / Rational("1" + std::string(400, '0'));
   const Chain outside{{8, 4}, {9, 3}, {9, 5}};
-  EXPECT_FALSE(find_defect(Region{{{big, {}}, {outside, {}}}}));
-  EXPECT_FALSE(find_defect(Region{{{big, {}}, {translated(outside, {tiny, 0}), {}}}}));
-  const auto defect = find_defect(Region{{{big, {}}, {translated(outside, {-tiny, 0}), {}}}});
+  const auto defect_beside = [](const Chain& other) {
+    return find_defect(together({polygon(big), polygon(other)}));
+  };
+  EXPECT_FALSE(defect_beside(outside));
+  EXPECT_FALSE(defect_beside(translated(outside, {tiny, 0})));
+  const auto defect = defect_beside(translated(outside, {-tiny, 0}));
   ASSERT_TRUE(defect);
   EXPECT_EQ(defect->kind, DefectKind::chains_cross);
 }

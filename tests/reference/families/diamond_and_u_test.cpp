@@ -43,24 +43,5 @@ TEST(DiamondAndU, a_hatch_that_narrows_to_the_width_keeps_the_room_closed) {
   EXPECT_TRUE(sums_of(Rational(1, 10), 0).open.dangling_edges.empty());
 }
 
-TEST(DiamondAndUFamily, draws_none_small_and_larger_perturbations) {
-  const Family& family = *find_family("diamond-u");
-  int none = 0;
-  int small = 0;
-  int larger = 0;
-  for (std::uint64_t seed = 0; seed < 150; ++seed) {
-    const Summands summands = generate(family, 1, seed);
-    const Rational eps1 = 3 - summands.p.components[0].outer[10].x;
-    none += eps1 == 0 ? 1 : 0;
-    small += eps1 > 0 && eps1 < Rational(1, 1'000'000) ? 1 : 0;
-    larger += eps1 > Rational(1, 10'000) ? 1 : 0;
-    EXPECT_LT(eps1, 3);
-  }
-  EXPECT_GE(none, 30);
-  EXPECT_GE(small, 30);
-  EXPECT_GE(larger, 30);
-  EXPECT_EQ(none + small + larger, 150);
-}
-
 }  // namespace
 }  // namespace oplus

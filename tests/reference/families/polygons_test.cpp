@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "reference/definitions/original_convolution.hpp"
 #include "reference/definitions/validity.hpp"
 #include "reference/families/family.hpp"
 
@@ -85,6 +86,32 @@ TEST(SimplePolygon, is_not_convex) {
   for (int i = 0; i < 50; ++i)
     not_convex += strictly_convex(simple_polygon(random, 12).components[0].outer) ? 0 : 1;
   EXPECT_EQ(not_convex, 50);
+}
+
+TEST(CoastPolygon, has_n_vertices) {
+  for (const std::size_t n : {3, 4, 5, 6, 10, 50, 1000}) {
+    for (const std::uint64_t seed : {1, 2, 3, 4}) {
+      SCOPED_TRACE(std::to_string(n) + " vertices, seed " + std::to_string(seed));
+      Random random(seed);
+      const Region region = coast_polygon(random, n);
+      expect_one_chain_of(n, region);
+      EXPECT_TRUE(within(region, 0, 1 << 20));
+    }
+  }
+}
+
+TEST(CoastPolygon, has_bays) {
+  Random random(1);
+  EXPECT_GT(reflex_vertices(coast_polygon(random, 1000), {}).size(), 300u);
+}
+
+TEST(CoastPolygon, is_the_same_for_the_same_seed) {
+  const auto coast = [](std::uint64_t seed) {
+    Random random(seed);
+    return coast_polygon(random, 100);
+  };
+  EXPECT_EQ(coast(7), coast(7));
+  EXPECT_NE(coast(7), coast(8));
 }
 
 TEST(ConvexGridPolygon, is_strictly_convex_on_its_grid) {

@@ -7,15 +7,9 @@
 #include <cstdint>
 
 #include "reference/definitions/validity.hpp"
-#include "reference/families/family.hpp"
 
 namespace oplus {
 namespace {
-
-bool has_hole(const Region& region) {
-  return std::any_of(region.components.begin(), region.components.end(),
-                     [](const Component& c) { return !c.holes.empty(); });
-}
 
 bool touch(const Chain& a, const Chain& b) {
   for (const Segment& s : edges(a))
@@ -96,29 +90,6 @@ TEST(PlainRegion, is_one_chain) {
     EXPECT_EQ(chains(region).size(), 1u);
     EXPECT_LE(vertex_count(region), 7u);
   }
-}
-
-TEST(HolesFamily, every_first_summand_has_a_hole_and_some_second) {
-  const Family& family = *find_family("holes");
-  int second = 0;
-  for (std::uint64_t seed = 0; seed < 150; ++seed) {
-    const Summands summands = generate(family, family.typical, seed);
-    EXPECT_TRUE(has_hole(summands.p));
-    second += has_hole(summands.q) ? 1 : 0;
-  }
-  EXPECT_GE(second, 45);
-  EXPECT_LE(second, 105);
-}
-
-TEST(ComponentsFamily, every_first_summand_has_several_components) {
-  const Family& family = *find_family("components");
-  int second = 0;
-  for (std::uint64_t seed = 0; seed < 150; ++seed) {
-    const Summands summands = generate(family, family.typical, seed);
-    EXPECT_GT(summands.p.components.size(), 1u);
-    second += summands.q.components.size() > 1 ? 1 : 0;
-  }
-  EXPECT_GE(second, 20);
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <sstream>
 #include <string>
 
 #include "reference/io/reading.hpp"
@@ -11,15 +10,9 @@
 
 namespace oplus {
 
-inline ReadRegion region_from(const std::string& text) {
-  std::istringstream in(text);
-  return read_region(in, "file");
-}
+inline ReadRegion region_from(const std::string& text) { return read_region(text, "file"); }
 
-inline ReadSum sum_from(const std::string& text) {
-  std::istringstream in(text);
-  return read_sum(in, "file");
-}
+inline ReadSum sum_from(const std::string& text) { return read_sum(text, "file"); }
 
 /// The whole message with which `read` refuses, or "accepted".
 template <typename Read>

@@ -54,43 +54,33 @@ TEST(Number, of_the_largest_exponents_is_exact) {
   EXPECT_EQ(*large * *small, 1);
 }
 
+/// Texts that are no number, each refused as "'text' " + wrong.
+struct Refused {
+  std::string wrong;
+  std::string expected;
+  std::vector<std::string> texts;
+};
+
 TEST(Number, that_is_not_one_says_why) {
-  const std::string shape = "an integer, a decimal or a fraction p/q";
-  for (const std::string text :
+  const std::vector<Refused> all{
+      {"is not a number",
+       "an integer, a decimal or a fraction p/q",
        {"",      "-",     "+",     ".",   "e5", "1e",  "1e+",  "1.5.2", "1e5e5",
         "1,5",   "0x10",  "1_000", "--1", "1/", "/2",  "1/-2", "1/2/3", "1.5/2",
-        "1/2.5", "1e1/2", "1 2",   " 1",  "1 ", "abc", "nano"}) {
-    NumberFault fault;
-    EXPECT_FALSE(parse_number(text, fault)) << text;
-    EXPECT_EQ(fault.wrong, "'" + text + "' is not a number");
-    EXPECT_EQ(fault.expected, shape);
-  }
-}
-
-TEST(Number, that_is_not_finite_says_so) {
-  for (const std::string text : {"nan", "-NaN", "inf", "+inf", "-Infinity"}) {
-    NumberFault fault;
-    EXPECT_FALSE(parse_number(text, fault)) << text;
-    EXPECT_EQ(fault.wrong, "'" + text + "' is not finite");
-    EXPECT_EQ(fault.expected, "a finite number");
-  }
-}
-
-TEST(Number, with_denominator_zero_says_so) {
-  for (const std::string text : {"1/0", "0/0", "-7/000"}) {
-    NumberFault fault;
-    EXPECT_FALSE(parse_number(text, fault)) << text;
-    EXPECT_EQ(fault.wrong, "'" + text + "' has the denominator 0");
-    EXPECT_EQ(fault.expected, "a fraction p/q with q > 0");
-  }
-}
-
-TEST(Number, with_a_huge_exponent_says_so) {
-  for (const std::string text : {"1e4097", "1e-4097", "0e99999999999999999999"}) {
-    NumberFault fault;
-    EXPECT_FALSE(parse_number(text, fault)) << text;
-    EXPECT_EQ(fault.wrong, "'" + text + "' has too large an exponent");
-    EXPECT_EQ(fault.expected, "an exponent from -4096 to 4096");
+        "1/2.5", "1e1/2", "1 2",   " 1",  "1 ", "abc", "nano"}},
+      {"is not finite", "a finite number", {"nan", "-NaN", "inf", "+inf", "-Infinity"}},
+      {"has the denominator 0", "a fraction p/q with q > 0", {"1/0", "0/0", "-7/000"}},
+      {"has too large an exponent",
+       "an exponent from -4096 to 4096",
+       {"1e4097", "1e-4097", "0e99999999999999999999"}},
+  };
+  for (const Refused& refused : all) {
+    for (const std::string& text : refused.texts) {
+      NumberFault fault;
+      EXPECT_FALSE(parse_number(text, fault)) << text;
+      EXPECT_EQ(fault.wrong, "'" + text + "' " + refused.wrong);
+      EXPECT_EQ(fault.expected, refused.expected);
+    }
   }
 }
 

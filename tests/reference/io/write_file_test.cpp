@@ -4,12 +4,12 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <string>
 #include <system_error>
 
 #include "properties/runner/temporary_folder.hpp"
+#include "reference/io/file_text.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
@@ -20,8 +20,7 @@ namespace fs = std::filesystem;
 class WriteFile : public testing::Test {
  protected:
   static std::string content(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
+    return text_of_file(path, "what was written");
   }
 
   std::ptrdiff_t entries() const {

@@ -3,19 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <sstream>
-
 #include "tests/reference/io/from_text.hpp"
 
 namespace oplus {
 namespace {
-
-template <typename Value>
-std::string written(const Value& value, Format format, std::optional<int> digits = std::nullopt) {
-  std::ostringstream out;
-  write(out, value, format, digits);
-  return out.str();
-}
 
 const Region with_hole{{{box(0, 0, 3, 3), {{{1, 1}, {1, 2}, {2, 1}}}}}};
 const Region of_two{{{box(0, 0, 1, 1), {}}, {box(2, 0, 3, 1), {}}}};

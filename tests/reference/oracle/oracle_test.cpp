@@ -1,30 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/oracle/oracle.hpp"
-#include "properties/runner/source_tree.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "properties/statements/laws/linear_map.hpp"
 #include "reference/definitions/difference.hpp"
-#include "reference/io/reading.hpp"
 #include "tests/reference/definitions/cells.hpp"
 #include "tests/reference/definitions/print.hpp"
 #include "tests/reference/definitions/shapes.hpp"
+#include "tests/reference/io/published_data.hpp"
 
 namespace oplus {
 namespace {
-
-const std::string data_dir = data_folder();
-
-#define NEEDS_PUBLISHED_DATA() \
-  if (!std::filesystem::exists(data_dir)) GTEST_SKIP() << data_dir << " is not there"
-
-Region published(const std::string& name) {
-  return read_region_file(data_dir + "/" + name + ".dat").region;
-}
 
 TEST(Oracle, of_two_squares_is_the_square) {
   const OracleSums sums = oracle_sums(polygon(box(0, 0, 1, 1)), polygon(box(-1, 0, 1, 2)));

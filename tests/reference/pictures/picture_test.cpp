@@ -47,6 +47,12 @@ Layer some(const Style& style) {
   }
 }
 
+/// The first panel of a document.
+ptree first_panel(const std::string& document) { return groups(parsed(document), "panel").at(0); }
+
+/// The panel of a picture of one layer.
+ptree panel_of(const Layer& layer) { return first_panel(svg({{"", {layer}}})); }
+
 /// Every number in the path data of a panel, as pairs.
 std::vector<std::pair<double, double>> drawn_points(const ptree& panel) {
   std::vector<std::pair<double, double>> points;
@@ -117,9 +123,7 @@ TEST(Picture, same_panels_same_bytes) {
 }
 
 TEST(Picture, y_axis_is_up) {
-  const auto points = drawn_points(
-      groups(parsed(svg({{"", {{style::dangling_edges, {}, {{{0, 0}, {1, 1}}}}}}})), "panel")
-          .at(0));
+  const auto points = drawn_points(panel_of({style::dangling_edges, {}, {{{0, 0}, {1, 1}}}}));
   ASSERT_EQ(points.size(), 2U);
   EXPECT_LT(points[0].first, points[1].first);
   EXPECT_GT(points[0].second, points[1].second);
@@ -155,11 +159,7 @@ TEST(Picture, one_point_can_be_drawn) {
 
 TEST(Picture, directed_segments_have_arrow_heads_and_others_none) {
   const auto paths = [](const Style& style) {
-    const ptree panel =
-        groups(parsed(svg({{"", {{style, {}, {{{0, 0}, {9, 0}}}}}}})), "panel").at(0);
-    for (const auto& [tag, layer] : panel)
-      if (tag == "g") return layer.count("path");
-    return std::size_t{0};
+    return groups(panel_of({style, {}, {{{0, 0}, {9, 0}}}}), style.name).at(0).count("path");
   };
   EXPECT_EQ(paths(style::convolution), 2U);
   EXPECT_EQ(paths(style::reduced_convolution), 2U);
@@ -170,8 +170,8 @@ TEST(Picture, titles_may_contain_anything) {
   std::string title;
   for (int c = 1; c < 256; ++c) title += static_cast<char>(c);
   title += "\xe2\x8a\x95\xef\xbf\xbf\xf0\x9f";
-  const ptree tree = parsed(svg({{title, {some(style::sum)}}}));
-  const std::string drawn = groups(tree, "panel").at(0).get<std::string>("text");
+  const std::string drawn =
+      first_panel(svg({{title, {some(style::sum)}}})).get<std::string>("text");
   for (const char c : drawn) EXPECT_TRUE(static_cast<unsigned char>(c) >= 0x20 && c != 0x7f);
   EXPECT_NE(drawn.find("%&'()*+"), std::string::npos) << drawn;
   EXPECT_NE(drawn.find(";<=>?"), std::string::npos) << drawn;
@@ -180,10 +180,9 @@ TEST(Picture, titles_may_contain_anything) {
 
 TEST(Picture, a_hole_inside_a_hole_is_filled_too) {
   // By the even-odd rule the inner one would be left out of the outer one.
-  const MinkowskiSum nested =
-      canonical_sum(Region{{{box(0, 0, 9, 9), {backwards(box(1, 1, 8, 8))}},
-                            {box(2, 2, 7, 7), {backwards(box(3, 3, 6, 6))}}}});
-  const ptree panel = groups(parsed(svg({{"", layers_of(nested)}})), "panel").at(0);
+  const MinkowskiSum nested = canonical_sum(together(
+      {holed(box(0, 0, 9, 9), {box(1, 1, 8, 8)}), holed(box(2, 2, 7, 7), {box(3, 3, 6, 6)})}));
+  const ptree panel = first_panel(svg({{"", layers_of(nested)}}));
   const ptree fill = groups(panel, "holes").at(0).get_child("path");
   EXPECT_EQ(fill.get<std::string>("<xmlattr>.fill-rule"), "nonzero");
   const Region holes = layers_of(nested).at(0).region;
@@ -193,7 +192,7 @@ TEST(Picture, a_hole_inside_a_hole_is_filled_too) {
 
 TEST(Picture, layers_of_a_sum_are_its_parts) {
   MinkowskiSum sum = canonical_sum(
-      Region{{{box(0, 0, 6, 6), {backwards(box(1, 1, 5, 5))}}, {box(2, 2, 4, 4), {}}}});
+      together({holed(box(0, 0, 6, 6), {box(1, 1, 5, 5)}), polygon(box(2, 2, 4, 4))}));
   EXPECT_EQ(layers_of(sum).size(), 2U);
   sum.dangling_edges = {{{0, 0}, {1, 1}}};
   sum.isolated_vertices = {{3, 3}};
@@ -231,7 +230,7 @@ TEST(Picture, a_long_legend_says_how_much_it_leaves_out) {
 /// The notes that are written into the first panel.
 std::multiset<std::string> notes_of(const std::string& document) {
   std::multiset<std::string> notes;
-  const ptree panel = groups(parsed(document), "panel").at(0);
+  const ptree panel = first_panel(document);
   for (const auto& [tag, layer] : panel)
     if (tag == "g")
       for (const auto& [shape, content] : layer)
@@ -255,8 +254,7 @@ TEST(Picture, a_written_note_stays_in_its_disk) {
   for (const Rational& radius : {Rational(1, 20), Rational(1, 10), Rational(1, 2)}) {
     Layer layer = some(area_style);
     layer.notes = {{"12", {1, 1}, radius * radius}};
-    const ptree panel = groups(parsed(svg({{"", {layer}}})), "panel").at(0);
-    const ptree note = groups(panel, "area").at(0).get_child("text");
+    const ptree note = groups(panel_of(layer), "area").at(0).get_child("text");
     const auto size = note.get<double>("<xmlattr>.font-size");
     EXPECT_GT(size, 6);
     EXPECT_LE(2 * 0.6 * size, 2 * 160 * radius.get_d());
