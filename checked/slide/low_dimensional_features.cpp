@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "checked/arrangement/isolated_touching_points.hpp"
-#include "checked/collision/hierarchy_collision.hpp"
+#include "checked/collision/collision_test.hpp"
 #include "reference/definitions/lies_on_one.hpp"
 
 namespace oplus::slide {
