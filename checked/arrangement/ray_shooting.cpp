@@ -11,6 +11,7 @@
 #include "checked/arithmetic/interval.hpp"
 #include "reference/definitions/contract.hpp"
 #include "reference/definitions/mutant.hpp"
+#include "reference/definitions/sorted_without_copies.hpp"
 
 namespace oplus {
 
@@ -68,8 +69,7 @@ struct RayShooting::Tree {
       heights.push_back(s.source.y);
       heights.push_back(s.target.y);
     }
-    std::sort(heights.begin(), heights.end());
-    heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
+    heights = sorted_without_copies(std::move(heights));
     std::vector<Slabs> intervals;
     for (std::size_t i = 0; i < segments.size(); ++i) {
       const auto [low, high] =
