@@ -154,11 +154,8 @@ std::string picture(const Region& p, const Region& q, const GivenSum& given,
                     const MinkowskiSum& right, const std::optional<Point>& witness) {
   std::vector<Layer> layers = layers_of(right);
   Layer chains{labelled(style::boundary_loop, "S")};
-  for (const GivenChain& chain : given_chains(given)) {
-    const std::vector<Segment> of_chain = edges(*chain.vertices);
-    std::copy_if(of_chain.begin(), of_chain.end(), std::back_inserter(chains.segments),
-                 [](const Segment& e) { return e.source != e.target; });
-  }
+  chains.segments = edges(given.region);
+  std::erase_if(chains.segments, [](const Segment& e) { return e.source == e.target; });
   chains.segments.insert(chains.segments.end(), given.dangling_edges.begin(),
                          given.dangling_edges.end());
   layers.push_back(std::move(chains));
