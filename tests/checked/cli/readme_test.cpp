@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <gtest/gtest.h>
-
-#include <fstream>
 #include <sstream>
 
 #include "properties/runner/source_tree.hpp"
+#include "reference/io/file_text.hpp"
 #include "tests/checked/cli/shell.hpp"
 
 namespace oplus {
 namespace {
 
 std::string text_of(const std::string& path) {
-  std::ifstream file(source_root() / path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
+  return text_of_file(source_root() / path, "a file of ours");
 }
 
 class Readme : public Shell {};
