@@ -33,7 +33,7 @@ bool overlap_at(const Region& p, const Region& q, const Segment& segment, const 
   const auto both = integer_summands<Numbers>(p, q, scaling);
   const IntegerSegment<Numbers> exact = integer_segment<Numbers>(segment);
   return ComponentTest<Numbers>(both).overlap_at({exact, near(exact, scaling)},
-                                                 {value<Numbers>(n), value<Numbers>(d)});
+                                                 fraction<Numbers>(n, d));
 }
 
 /// Either way round.
@@ -145,8 +145,7 @@ TEST(ComponentTest, tells_whether_the_interiors_meet_where_no_edges_do) {
     const Vector d = directions[uniform_index(random, std::size(directions))];
     const Segment segment{{x, y}, Point{x, y} + d};
     const int denominator = uniform(random, 1, 3), numerator = uniform(random, 0, denominator);
-    Rational t(numerator, denominator);
-    t.canonicalize();
+    const Rational t = Rational(numerator) / denominator;
     // Infinitesimals that small integers can't tell from real ones.
     const Point exact = segment.source + t * d;
     const Rational little(1, 1000000);

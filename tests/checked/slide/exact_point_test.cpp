@@ -20,7 +20,7 @@ TYPED_TEST_SUITE(ExactPointIn, AllNumbers);
 /// x(n / d) on the segment from one point to another.
 template <typename Numbers>
 ExactPoint<Numbers> at(const Segment& s, const mpz_class& n, const mpz_class& d) {
-  return {integer_segment<Numbers>(s), {value<Numbers>(n), value<Numbers>(d)}};
+  return {integer_segment<Numbers>(s), fraction<Numbers>(n, d)};
 }
 
 template <typename Numbers>
@@ -59,8 +59,7 @@ TYPED_TEST(ExactPointIn, is_the_point_in_the_plane) {
     const int ax = number(), ay = number(), bx = number(), by = number();
     const int d = uniform(random, 1, 8), n = uniform(random, 1, d), by_all = uniform(random, 1, 5);
     const Point a{ax, ay}, b{bx, by};
-    Rational t(n, d);
-    t.canonicalize();
+    const Rational t = Rational(n) / d;
     const Point expected = a + t * (b - a);
     all.emplace_back(at<TypeParam>({a, b}, n * by_all, d * by_all), expected);
     EXPECT_EQ(all.back().first.in_the_plane({}), expected);
@@ -104,8 +103,7 @@ TYPED_TEST(ExactPointIn, is_exact_at_the_limits) {
     for (const int sy : {1, -1}) {
       const Point a{2 * sx * m, 2 * sy * m}, b{0, 0};
       for (const mpz_class& n : {mpz_class(1), mpz_class(d - 1), mpz_class(d / 3)}) {
-        Rational t(n, d);
-        t.canonicalize();
+        const Rational t = Rational(n) / d;
         const Point expected = a + t * (b - a);
         EXPECT_EQ(at<TypeParam>({a, b}, n, d).in_the_plane({}), expected);
         expect_equal(at<TypeParam>({a, b}, n, d), at<TypeParam>({b, a}, d - n, d));

@@ -37,10 +37,13 @@ typename Numbers::Value value(const mpz_class& integer) {
 }
 
 template <typename Numbers>
+Fraction<Numbers> fraction(const mpz_class& n, const mpz_class& d) {
+  return {value<Numbers>(n), value<Numbers>(d)};
+}
+
+template <typename Numbers>
 Rational rational(const Fraction<Numbers>& fraction) {
-  Rational result(integer(fraction.numerator()), integer(fraction.denominator()));
-  result.canonicalize();
-  return result;
+  return Rational(integer(fraction.numerator())) / integer(fraction.denominator());
 }
 
 /// Of a segment's line, open or closed.
