@@ -38,4 +38,17 @@ inline CGAL::Uncertain<CGAL::Sign> orientation(const IntervalPoint& a, const Int
   return CGAL::sign(cross(b - a, c - a));
 }
 
+struct IntervalSegment {
+  IntervalPoint source;
+  IntervalPoint target;
+};
+
+inline IntervalSegment interval(const Segment& s) {
+  return {interval(s.source), interval(s.target)};
+}
+
+inline IntervalSegment translated(const IntervalSegment& s, const IntervalPoint& by) {
+  return {s.source + by, s.target + by};
+}
+
 }  // namespace oplus

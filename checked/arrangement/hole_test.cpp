@@ -10,26 +10,52 @@ namespace oplus {
 
 namespace {
 
+/// An edge all of whose segments run in one direction is not dangling (thesis, Theorem 3.2.8): to
+/// its left is the sum, so its middle is in the open sum iff the face to its right is.
+class HoleTestByCollision : public HoleTest {
+ public:
+  HoleTestByCollision(CollisionMethod method, const Region& p, const Region& q)
+      : collision_(collision_test(method, p, q)) {}
+
+  bool is_hole_right_of(const Segment& edge) override {
+    return !interiors_meet_at(midpoint(edge.source, edge.target));
+  }
+  bool interiors_meet_at(const Point& x) final { return collision_->interiors_meet_at(x); }
+
+ private:
+  std::unique_ptr<CollisionTest> collision_;
+};
+
 /// A face is in the complement iff its winding number is zero (thesis, Theorem 4.2.1).
-class HoleTestByRays : public HoleTest {
+class HoleTestByRays : public HoleTestByCollision {
  public:
   HoleTestByRays(const Region& p, const Region& q)
-      : rays_(segments(traced_convolution(p, q))),
-        collision_(collision_test(CollisionMethod::hierarchy, p, q)) {}
+      : HoleTestByCollision(CollisionMethod::hierarchy, p, q),
+        rays_(segments(traced_convolution(p, q))) {}
 
   bool is_hole_right_of(const Segment& edge) override {
     const int winding_number = rays_.winding_number_right_of(edge);
     OPLUS_ENSURES(winding_number >= 0, "Theorem 4.2.1");
     return winding_number == 0;
   }
-  bool interiors_meet_at(const Point& x) override { return collision_->interiors_meet_at(x); }
 
  private:
   RayShooting rays_;
-  std::unique_ptr<CollisionTest> collision_;
 };
 
 }  // namespace
+
+std::unique_ptr<HoleTest> hierarchy_hole_test(const Region& p, const Region& q) {
+  return std::make_unique<HoleTestByCollision>(CollisionMethod::hierarchy, p, q);
+}
+
+std::unique_ptr<HoleTest> sweep_hole_test(const Region& p, const Region& q) {
+  return std::make_unique<HoleTestByCollision>(CollisionMethod::sweep, p, q);
+}
+
+std::unique_ptr<HoleTest> naive_hole_test(const Region& p, const Region& q) {
+  return std::make_unique<HoleTestByCollision>(CollisionMethod::naive, p, q);
+}
 
 std::unique_ptr<HoleTest> ray_hole_test(const Region& p, const Region& q) {
   return std::make_unique<HoleTestByRays>(p, q);

@@ -11,6 +11,7 @@
 #include "checked/arithmetic/interval.hpp"
 #include "reference/definitions/contract.hpp"
 #include "reference/definitions/mutant.hpp"
+#include "reference/definitions/sorted_without_copies.hpp"
 
 namespace oplus {
 
@@ -68,14 +69,13 @@ struct RayShooting::Tree {
       heights.push_back(s.source.y);
       heights.push_back(s.target.y);
     }
-    std::sort(heights.begin(), heights.end());
-    heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
+    heights = sorted_without_copies(std::move(heights));
     std::vector<Slabs> intervals;
     for (std::size_t i = 0; i < segments.size(); ++i) {
       const auto [low, high] =
           std::minmax({number_below(segments[i].source.y), number_below(segments[i].target.y)});
       if (low < high) intervals.emplace_back(low, high - 1, i);
-      ends.emplace_back(interval(segments[i].source), interval(segments[i].target));
+      ends.push_back(interval(segments[i]));
     }
     slabs.insert(intervals.begin(), intervals.end());
   }
@@ -99,7 +99,7 @@ struct RayShooting::Tree {
 
   /// Positive if the point is to the left of a segment's line, negative if to the right.
   int side(const ShiftedPoint& p, const IntervalPoint& at, std::size_t i) const {
-    const auto filtered = orientation(ends[i].first, ends[i].second, at);
+    const auto filtered = orientation(ends[i].source, ends[i].target, at);
     if (CGAL::is_certain(filtered) && filtered.inf() != CGAL::ZERO) return filtered.inf();
     const Segment& s = segments[i];
     const int exact = orientation(s.source, s.target, p.at);
@@ -115,7 +115,7 @@ struct RayShooting::Tree {
   }
 
   std::vector<Segment> segments;
-  std::vector<std::pair<IntervalPoint, IntervalPoint>> ends;
+  std::vector<IntervalSegment> ends;
   std::vector<Rational> heights;
   CGAL::Interval_skip_list<Slabs> slabs;
 };

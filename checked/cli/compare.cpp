@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <iostream>
-#include <memory>
 
+#include "checked/cli/command_line/program_frame.hpp"
 #include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/input.hpp"
 #include "checked/cli/json_values.hpp"
-#include "checked/cli/output.hpp"
+#include "checked/cli/shared_options.hpp"
 #include "checked/cli/statistics.hpp"
-#include "checked/cli/subcommands.hpp"
 #include "reference/definitions/difference.hpp"
 
 namespace oplus {
@@ -70,24 +69,20 @@ ExitCode compare(const CompareOptions& options) {
   const MinkowskiSum a = read_given_sum(options.a);
   const MinkowskiSum b = read_given_sum(options.b);
   const std::optional<Difference> found = difference(a, b);
-  write_output("-", (options.json ? json_verdict : verdict)(found, a, b));
+  write_text("-", (options.json ? json_verdict : verdict)(found, a, b));
   return found ? ExitCode::not_equal : ExitCode::done;
 }
 
 }  // namespace
 
 void add_compare(CLI::App& program, Action& chosen) {
-  const auto options = std::make_shared<CompareOptions>();
-  CLI::App& command = *program.add_subcommand(
-      "compare", "Say whether two sums are equal, with a point that tells them apart if not");
-  command
-      .add_option("A", options->a, "a sum or a region: .dat, WKT or GeoJSON; - is standard input")
-      ->required()
-      ->type_name("FILE");
-  command.add_option("B", options->b, "the other, in any of these formats")
-      ->required()
-      ->type_name("FILE");
-  command.add_flag("--json", options->json, "answer in JSON (docs/json.md)");
+  const auto& [command, options] = add_subcommand(
+      program, chosen, "compare",
+      "Say whether two sums are equal, with a point that tells them apart if not", compare);
+  add_file(command, "A", options.a, "a sum or a region: .dat, WKT or GeoJSON; - is standard input")
+      ->required();
+  add_file(command, "B", options.b, "the other, in any of these formats")->required();
+  command.add_flag("--json", options.json, "answer in JSON (docs/json.md)");
   command.footer(
       "Example:\n"
       "  oplus gen star --n 8 --summand P -o p.wkt\n"
@@ -100,7 +95,6 @@ void add_compare(CLI::App& program, Action& chosen) {
       "  0  equal\n"
       "  1  not equal\n"
       "  2  invalid input or usage, or a file that cannot be read or written");
-  command.callback([options, &chosen] { chosen = [options] { return compare(*options); }; });
 }
 
 }  // namespace oplus

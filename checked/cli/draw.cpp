@@ -2,13 +2,13 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <memory>
 #include <optional>
 
+#include "checked/cli/command_line/program_frame.hpp"
 #include "checked/cli/input.hpp"
 #include "checked/cli/layer_styles.hpp"
 #include "checked/cli/output.hpp"
-#include "checked/cli/subcommands.hpp"
+#include "checked/cli/shared_options.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "checked/cli/view.hpp"
 #include "reference/io/number.hpp"
@@ -26,10 +26,9 @@ struct DrawOptions {
   std::string output;
 };
 
-std::string view_names(const std::string& separator = ", ") {
-  std::string names;
-  for (const View& view : views()) names += (names.empty() ? "" : separator) + view.name;
-  return names;
+std::string view_names(const std::string& separator) {
+  return CLI::detail::join(
+      views(), [](const View& view) { return view.name; }, separator);
 }
 
 Rational coordinate_at(const std::string& text, const std::string& number) {
@@ -61,7 +60,8 @@ std::optional<ChosenView> chosen_view(const DrawOptions& options) {
   }
   const View* view = find_view(*options.view);
   if (view == nullptr)
-    throw UsageError("there is no view " + quote(*options.view) + "; there are " + view_names());
+    throw UsageError("there is no view " + quote(*options.view) + "; there are " +
+                     view_names(", "));
   if (options.files.size() != 2)
     throw UsageError("--view takes two files, P and Q, not " +
                      std::to_string(options.files.size()));
@@ -110,45 +110,42 @@ ExitCode draw(const DrawOptions& options) {
   require_one_standard_input(options.files);
   require_writable({options.output});
   if (!chosen) {
-    write_output(options.output,
-                 (options.together ? one_over_the_other : side_by_side)(options.files));
+    write_text(options.output,
+               (options.together ? one_over_the_other : side_by_side)(options.files));
     return ExitCode::done;
   }
   const Region p = read_summand(options.files[0]);
   const Region q = read_summand(options.files[1]);
-  write_output(options.output, chosen->view.draw(p, q, chosen->x));
+  write_text(options.output, chosen->view.draw(p, q, chosen->x));
   return ExitCode::done;
 }
 
 std::string view_help() {
-  std::string help = "draw what an algorithm sees of two regions P and Q:";
-  for (const View& view : views())
-    help += (&view == &views().front() ? " " : "; ") + view.name + ", " + view.what;
-  return help;
+  return "draw what an algorithm sees of two regions P and Q: " +
+         CLI::detail::join(
+             views(), [](const View& view) { return view.name + ", " + view.what; }, "; ");
 }
 
 }  // namespace
 
 void add_draw(CLI::App& program, Action& chosen) {
-  const auto options = std::make_shared<DrawOptions>();
-  CLI::App& command = *program.add_subcommand(
-      "draw", "Draw regions and sums, or what an algorithm sees of two regions");
-  command
-      .add_option("FILE", options->files,
-                  "regions or sums: .dat, WKT or GeoJSON; - is standard input")
-      ->required()
-      ->type_name("FILE");
-  CLI::Option* view = command.add_option("--view", options->view, view_help());
+  const auto& [command, options] =
+      add_subcommand(program, chosen, "draw",
+                     "Draw regions and sums, or what an algorithm sees of two regions", draw);
+  add_file(command, "FILE", options.files,
+           "regions or sums: .dat, WKT or GeoJSON; - is standard input")
+      ->required();
+  CLI::Option* view = command.add_option("--view", options.view, view_help());
   view->type_name_fn([] { return "NAME:{" + view_names(",") + "}"; });
   command
-      .add_flag("--together", options->together,
+      .add_flag("--together", options.together,
                 "draw all in one picture, the first lowest, not side by side")
       ->excludes(view);
   command
-      .add_option("--at", options->at,
+      .add_option("--at", options.at,
                   "where --view placement puts -Q: integers, decimals or fractions p/q")
       ->type_name("X,Y");
-  command.add_option("-o,--output", options->output, "the picture, SVG; - is standard output")
+  command.add_option("-o,--output", options.output, "the picture, SVG; - is standard output")
       ->required()
       ->type_name("FILE.svg");
   command.footer(
@@ -159,7 +156,6 @@ void add_draw(CLI::App& program, Action& chosen) {
       "  oplus draw p.wkt q.wkt --together -o one_over_the_other.svg\n"
       "  oplus draw p.wkt q.wkt --view winding -o winding.svg\n"
       "  oplus draw p.wkt q.wkt --view placement --at 1/3,-2.5 -o placement.svg");
-  command.callback([options, &chosen] { chosen = [options] { return draw(*options); }; });
 }
 
 }  // namespace oplus

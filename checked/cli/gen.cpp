@@ -5,12 +5,13 @@
 #include <cstdint>
 #include <memory>
 
-#include "checked/cli/format_option.hpp"
+#include "checked/cli/command_line/program_frame.hpp"
 #include "checked/cli/json_values.hpp"
 #include "checked/cli/output.hpp"
-#include "checked/cli/subcommands.hpp"
+#include "checked/cli/shared_options.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "reference/families/family.hpp"
+#include "reference/io/writing.hpp"
 
 namespace oplus {
 
@@ -48,7 +49,7 @@ ExitCode list_as_json() {
                     {"what", family.what},
                     {"smallest", family.smallest},
                     {"typical", family.typical}});
-  write_output("-", Json{{"families", list}}.dump(2) + "\n");
+  write_text("-", Json{{"families", list}}.dump(2) + "\n");
   return ExitCode::done;
 }
 
@@ -58,15 +59,14 @@ ExitCode list() {
   std::string lines;
   for (const Family& family : families())
     lines += family.name + std::string(longest + 2 - family.name.size(), ' ') + family.what + "\n";
-  write_output("-", lines);
+  write_text("-", lines);
   return ExitCode::done;
 }
 
 /// For help and completion; an unknown name gets its own message.
 std::string family_names() {
-  std::string names;
-  for (const Family& family : families()) names += (names.empty() ? "" : ",") + family.name;
-  return names;
+  return CLI::detail::join(
+      families(), [](const Family& family) { return family.name; }, ",");
 }
 
 ExitCode gen(const GenOptions& options) {
@@ -83,39 +83,37 @@ ExitCode gen(const GenOptions& options) {
   require_writable({options.output});
   const Format format = output_format(options.format, options.output);
   const Summands pair = generate(*family, n, seed);
-  write_output(options.output, written(options.summand == "P" ? pair.p : pair.q, format));
+  write_text(options.output, written(options.summand == "P" ? pair.p : pair.q, format));
   return ExitCode::done;
 }
 
 }  // namespace
 
 void add_gen(CLI::App& program, Action& chosen) {
-  const auto options = std::make_shared<GenOptions>();
-  CLI::App& command = *program.add_subcommand("gen", "Write a region of a family of test pairs");
+  const auto& [command, options] =
+      add_subcommand(program, chosen, "gen", "Write a region of a family of test pairs", gen);
   command
-      .add_option("FAMILY", options->family, "the name of a family; 'oplus gen --list' lists them")
+      .add_option("FAMILY", options.family, "the name of a family; 'oplus gen --list' lists them")
       ->type_name_fn([] { return "NAME:{" + family_names() + "}"; });
   CLI::Option* listing =
-      command.add_flag("--list", options->list, "list the families, and what n is in each");
-  command.add_flag("--json", options->json, "list them in JSON (docs/json.md)")->needs(listing);
+      command.add_flag("--list", options.list, "list the families, and what n is in each");
+  command.add_flag("--json", options.json, "list them in JSON (docs/json.md)")->needs(listing);
   command
-      .add_option("--n", options->n,
+      .add_option("--n", options.n,
                   "the size, as the family understands it; a typical one without it")
       ->type_name("N");
-  command.add_option("--seed", options->seed, "same seed, same pair, everywhere; 1 without it")
+  command.add_option("--seed", options.seed, "same seed, same pair, everywhere; 1 without it")
       ->type_name("S");
-  command.add_option("--summand", options->summand, "which of the pair, P without it")
+  command.add_option("--summand", options.summand, "which of the pair, P without it")
       ->check(CLI::IsMember({"P", "Q"}))
       ->type_name("NAME");
-  command.add_option("-o,--output", options->output, "write there, not to standard output")
-      ->type_name("FILE");
-  add_format_option(command, options->format);
+  add_file(command, "-o,--output", options.output, "write there, not to standard output");
+  add_format(command, options.format);
   command.footer(
       "Example:\n"
       "  oplus gen --list\n"
       "  oplus gen star --n 20 --seed 7 -o p.wkt\n"
       "  oplus gen star --n 20 --seed 7 --summand Q -o q.wkt");
-  command.callback([options, &chosen] { chosen = [options] { return gen(*options); }; });
 }
 
 }  // namespace oplus

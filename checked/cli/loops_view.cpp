@@ -17,13 +17,7 @@ Layer edges_on_no_loop(const ConvolutionArrangement& arrangement,
   std::vector<bool> is_on_loop(2 * arrangement.edge_count(), false);
   for (const OrientableLoop& loop : loops)
     for (const Halfedge h : loop) is_on_loop[h] = true;
-  Layer layer{{.name = "on-no-loop",
-               .label = "on no loop",
-               .place = 14,
-               .sample = Style::Sample::line,
-               .line = "#9a9a9a",
-               .width = 0.8,
-               .directed = true}};
+  Layer layer{style::directed_lines("on-no-loop", "on no loop", 14, "#9a9a9a", 0.8)};
   for (Halfedge h = 0; h < is_on_loop.size(); ++h) {
     if (!is_on_loop[h] && !arrangement.along(h).empty())
       layer.segments.push_back(arrangement.geometry(h));
@@ -42,22 +36,10 @@ std::string loops_view(const Region& p, const Region& q) {
   });
 
   Layer boundary{style::boundary_loop};
-  Layer not_nested{{.name = "not-nested-loop",
-                    .label = "loop that is not nested",
-                    .place = 16,
-                    .sample = Style::Sample::line,
-                    .line = "#d58a00",
-                    .width = 2.2,
-                    .directed = true,
-                    .dash = "6 3"}};
-  Layer not_boundary{{.name = "not-boundary-loop",
-                      .label = "loop not of the boundary",
-                      .place = 17,
-                      .sample = Style::Sample::line,
-                      .line = "#c0267e",
-                      .width = 2.2,
-                      .directed = true,
-                      .dash = "2 3"}};
+  Layer not_nested{style::directed_lines("not-nested-loop", "loop that is not nested", 16,
+                                         "#d58a00", 2.2, "6 3")};
+  Layer not_boundary{style::directed_lines("not-boundary-loop", "loop not of the boundary", 17,
+                                           "#c0267e", 2.2, "2 3")};
   std::size_t of_boundary = 0, of_not_nested = 0, of_not_boundary = 0;
   for (std::size_t i = 0; i < loops.size(); ++i) {
     const bool is_boundary = verdicts[i] == LoopVerdict::boundary;

@@ -8,7 +8,6 @@
 #include <set>
 #include <system_error>
 
-#include "checked/cli/command_line/program_frame.hpp"
 #include "checked/cli/usage_error.hpp"
 
 namespace oplus {
@@ -66,10 +65,6 @@ void require_writable(const std::vector<std::string>& paths) {
     if (!seen.insert(place).second && !is_special(path))
       throw UsageError("two outputs would go to " + name_of(path));
   }
-}
-
-void write_output(const std::string& path, const std::string& content) {
-  write_text(path, content);
 }
 
 }  // namespace oplus

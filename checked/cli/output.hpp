@@ -17,7 +17,4 @@ Format output_format(const std::optional<Format>& asked_for, const std::string& 
 /// that it is known before anything is computed or written. "-" is standard output.
 void require_writable(const std::vector<std::string>& paths);
 
-/// Writes all of the content or nothing. Throws UsageError.
-void write_output(const std::string& path, const std::string& content);
-
 }  // namespace oplus

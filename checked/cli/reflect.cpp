@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <memory>
 
-#include "checked/cli/format_option.hpp"
+#include "checked/cli/command_line/program_frame.hpp"
 #include "checked/cli/input.hpp"
 #include "checked/cli/output.hpp"
-#include "checked/cli/subcommands.hpp"
+#include "checked/cli/shared_options.hpp"
+#include "reference/io/writing.hpp"
 
 namespace oplus {
 
@@ -19,22 +20,19 @@ struct ReflectOptions {
 ExitCode reflect(const ReflectOptions& options) {
   require_writable({options.output});
   const Format format = output_format(options.format, options.output);
-  write_output(options.output, written(reflected(read_summand(options.file)), format));
+  write_text(options.output, written(reflected(read_summand(options.file)), format));
   return ExitCode::done;
 }
 
 }  // namespace
 
 void add_reflect(CLI::App& program, Action& chosen) {
-  const auto options = std::make_shared<ReflectOptions>();
-  CLI::App& command =
-      *program.add_subcommand("reflect", "Write -R, each point p of a region R taken to -p");
-  command.add_option("R", options->file, "a region: .dat, WKT or GeoJSON; - is standard input")
-      ->required()
-      ->type_name("FILE");
-  command.add_option("-o,--output", options->output, "write it there, not to standard output")
-      ->type_name("FILE");
-  add_format_option(command, options->format);
+  const auto& [command, options] = add_subcommand(
+      program, chosen, "reflect", "Write -R, each point p of a region R taken to -p", reflect);
+  add_file(command, "R", options.file, "a region: .dat, WKT or GeoJSON; - is standard input")
+      ->required();
+  add_file(command, "-o,--output", options.output, "write it there, not to standard output");
+  add_format(command, options.format);
   command.footer(
       "Where R, moved by x, overlaps P: that are the x inside the sum of P and -R, the no-fit polygon\n"
       "of P and R.\n"
@@ -43,7 +41,6 @@ void add_reflect(CLI::App& program, Action& chosen) {
       "  oplus gen tight --n 6 --summand P -o part.wkt\n"
       "  oplus gen tight --n 6 --summand Q -o other.wkt\n"
       "  oplus reflect other.wkt | oplus sum part.wkt - --open -o no_fit.wkt");
-  command.callback([options, &chosen] { chosen = [options] { return reflect(*options); }; });
 }
 
 }  // namespace oplus

@@ -5,15 +5,15 @@
 #include <thread>
 
 #include "checked/arrangement/hole_test.hpp"
+#include "checked/cli/command_line/program_frame.hpp"
 #include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/engines_and_oracle.hpp"
-#include "checked/cli/format_option.hpp"
 #include "checked/cli/input.hpp"
 #include "checked/cli/json_values.hpp"
 #include "checked/cli/origins_json.hpp"
 #include "checked/cli/output.hpp"
+#include "checked/cli/shared_options.hpp"
 #include "checked/cli/statistics.hpp"
-#include "checked/cli/subcommands.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "checked/cycles/convolution_cycles.hpp"
 #include "reference/io/boundary_name.hpp"
@@ -118,12 +118,12 @@ ExitCode sum(const SumOptions& options) {
         ".dat cannot hold the dangling edges and isolated vertices of this sum; write .wkt or "
         ".geojson");
   const std::string content = written(computed.sum, format, options.digits);
-  if (options.svg) write_output(*options.svg, picture(p, q, computed.sum));
+  if (options.svg) write_text(*options.svg, picture(p, q, computed.sum));
   if (options.origins)
-    write_output(*options.origins, origins_json(computed.sum, computed.origins, p, q));
+    write_text(*options.origins, origins_json(computed.sum, computed.origins, p, q));
   if (options.stats_json)
-    write_output(*options.stats_json, statistics_json(options, p, q, computed, seconds));
-  write_output(options.output, content);
+    write_text(*options.stats_json, statistics_json(options, p, q, computed, seconds));
+  write_text(options.output, content);
 
   if (options.digits)
     say_note("the output is rounded to " + std::to_string(*options.digits) +
@@ -138,17 +138,10 @@ ExitCode sum(const SumOptions& options) {
 }
 
 std::string engine_help() {
-  std::string help = "how to compute:";
-  for (const Engine& engine : engines_and_oracle())
-    help +=
-        (&engine == &engines_and_oracle().front() ? " " : "; ") + engine.name + ", " + engine.what;
-  return help;
-}
-
-std::vector<std::string> hole_test_names() {
-  std::vector<std::string> names;
-  for (const auto& [name, method] : hole_test_methods()) names.push_back(name);
-  return names;
+  return "how to compute: " +
+         CLI::detail::join(
+             engines_and_oracle(),
+             [](const Engine& engine) { return engine.name + ", " + engine.what; }, "; ");
 }
 
 std::vector<std::string> engine_names() {
@@ -160,57 +153,45 @@ std::vector<std::string> engine_names() {
 }  // namespace
 
 void add_sum(CLI::App& program, Action& chosen) {
-  const auto options = std::make_shared<SumOptions>();
-  CLI::App& command = *program.add_subcommand("sum", "Compute the Minkowski sum of two regions");
-  command.add_option("P", options->p, "a region: .dat, WKT or GeoJSON; - is standard input")
-      ->required()
-      ->type_name("FILE");
-  command.add_option("Q", options->q, "the other region, in any of these formats")
-      ->required()
-      ->type_name("FILE");
-  command.add_option("-o,--output", options->output, "write the sum there, not to standard output")
-      ->type_name("FILE");
-  add_format_option(command, options->format);
-  command.add_flag_callback(
-      "--open", [options] { options->boundary = Boundary::open; },
-      "sum the regions' interiors: keeps dangling edges and isolated vertices");
-  command.add_option("--engine", options->engine, engine_help())
+  const auto& [command, options] =
+      add_subcommand(program, chosen, "sum", "Compute the Minkowski sum of two regions", sum);
+  add_file(command, "P", options.p, "a region: .dat, WKT or GeoJSON; - is standard input")
+      ->required();
+  add_file(command, "Q", options.q, "the other region, in any of these formats")->required();
+  add_file(command, "-o,--output", options.output, "write the sum there, not to standard output");
+  add_format(command, options.format);
+  add_open(command, options.boundary,
+           "sum the regions' interiors: keeps dangling edges and isolated vertices");
+  command.add_option("--engine", options.engine, engine_help())
       ->check(CLI::IsMember(engine_names()))
       ->type_name("NAME");
   command
-      .add_option("--hole-test", options->hole_test,
+      .add_option("--hole-test", options.hole_test,
                   "how to decide what the filters leave open: bvh (the default), hierarchies of "
                   "bounding volumes; sweep, a sweep line; naive, all pairs of edges; ray, rays "
                   "through the full convolution. The sum is the same. The engine winding asks only "
                   "about low-dimensional features, slide and oracle ask none")
-      ->check(CLI::IsMember(hole_test_names()))
+      ->check(CLI::IsMember(hole_test_methods()))
       ->type_name("NAME");
   command
-      .add_option("--threads", options->threads,
+      .add_option("--threads", options.threads,
                   "on how many threads, by default one a core; slide only. The output is the same")
       ->check(CLI::Range(1, 1024))
       ->type_name("N");
-  command
-      .add_option("--digits", options->digits, "round to N decimals; output is exact without it")
+  command.add_option("--digits", options.digits, "round to N decimals; output is exact without it")
       ->check(CLI::Range(0, most_digits))
       ->type_name("N");
-  command.add_option("--svg", options->svg, "draw summands, convolutions and sum there, as SVG")
-      ->type_name("FILE");
-  command
-      .add_option("--origins", options->origins,
-                  "write there, as JSON, which vertex and edge each edge of the sum came from")
-      ->type_name("FILE");
-  command.add_flag("--stats", options->stats, "print sizes and times to standard error");
-  command
-      .add_option("--stats-json", options->stats_json,
-                  "write the same there, as JSON (docs/json.md); - is standard output")
-      ->type_name("FILE");
+  add_file(command, "--svg", options.svg, "draw summands, convolutions and sum there, as SVG");
+  add_file(command, "--origins", options.origins,
+           "write there, as JSON, which vertex and edge each edge of the sum came from");
+  command.add_flag("--stats", options.stats, "print sizes and times to standard error");
+  add_file(command, "--stats-json", options.stats_json,
+           "write the same there, as JSON (docs/json.md); - is standard output");
   command.footer(
       "Example:\n"
       "  oplus gen comb --n 5 --summand P -o p.wkt\n"
       "  oplus gen comb --n 5 --summand Q -o q.wkt\n"
       "  oplus sum p.wkt q.wkt -o sum.wkt --svg sum.svg --stats");
-  command.callback([options, &chosen] { chosen = [options] { return sum(*options); }; });
 }
 
 }  // namespace oplus

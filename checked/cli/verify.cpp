@@ -2,16 +2,16 @@
 #include "checked/verify/verify.hpp"
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 #include <set>
 #include <utility>
 
+#include "checked/cli/command_line/program_frame.hpp"
 #include "checked/cli/input.hpp"
 #include "checked/cli/json_values.hpp"
 #include "checked/cli/layer_styles.hpp"
 #include "checked/cli/output.hpp"
-#include "checked/cli/subcommands.hpp"
+#include "checked/cli/shared_options.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "checked/cli/view.hpp"
 #include "checked/verify/closeness.hpp"
@@ -154,11 +154,8 @@ std::string picture(const Region& p, const Region& q, const GivenSum& given,
                     const MinkowskiSum& right, const std::optional<Point>& witness) {
   std::vector<Layer> layers = layers_of(right);
   Layer chains{labelled(style::boundary_loop, "S")};
-  for (const GivenChain& chain : given_chains(given)) {
-    const std::vector<Segment> of_chain = edges(*chain.vertices);
-    std::copy_if(of_chain.begin(), of_chain.end(), std::back_inserter(chains.segments),
-                 [](const Segment& e) { return e.source != e.target; });
-  }
+  chains.segments = edges(given.region);
+  std::erase_if(chains.segments, [](const Segment& e) { return e.source == e.target; });
   chains.segments.insert(chains.segments.end(), given.dangling_edges.begin(),
                          given.dangling_edges.end());
   layers.push_back(std::move(chains));
@@ -180,7 +177,7 @@ ExitCode answer(const VerifyOptions& options, bool is_yes, Json json, std::strin
   json["boundary"] = name(options.boundary);
   json["notes"] = notes;
   for (const std::string& note : notes) text += "note: " + note + "\n";
-  write_output("-", options.json ? json.dump(2) + "\n" : text);
+  write_text("-", options.json ? json.dump(2) + "\n" : text);
   return is_yes ? ExitCode::done : ExitCode::not_equal;
 }
 
@@ -193,7 +190,7 @@ ExitCode verify_files(const VerifyOptions& options) {
   const Region q = read_summand(options.q);
   const GivenSum given = read_unchecked_sum_file(options.sum);
   const auto draw = [&](const MinkowskiSum& right, const std::optional<Point>& witness) {
-    if (options.svg) write_output(*options.svg, picture(p, q, given, right, witness));
+    if (options.svg) write_text(*options.svg, picture(p, q, given, right, witness));
   };
 
   if (tolerance) {
@@ -213,30 +210,25 @@ ExitCode verify_files(const VerifyOptions& options) {
 }  // namespace
 
 void add_verify(CLI::App& program, Action& chosen) {
-  const auto options = std::make_shared<VerifyOptions>();
-  CLI::App& command = *program.add_subcommand(
-      "verify", "Say whether a sum is that of two regions, with a witness and the reason if not");
-  command.add_option("P", options->p, "a region: .dat, WKT or GeoJSON; - is standard input")
-      ->required()
-      ->type_name("FILE");
-  command.add_option("Q", options->q, "the other region")->required()->type_name("FILE");
-  command.add_option("S", options->sum, "what somebody says their sum is, valid or not")
-      ->required()
-      ->type_name("FILE");
-  command.add_flag_callback(
-      "--open", [options] { options->boundary = Boundary::open; },
-      "it is to be the sum of the regions' interiors, with dangling edges and isolated "
-      "vertices");
+  const auto& [command, options] = add_subcommand(
+      program, chosen, "verify",
+      "Say whether a sum is that of two regions, with a witness and the reason if not",
+      verify_files);
+  add_file(command, "P", options.p, "a region: .dat, WKT or GeoJSON; - is standard input")
+      ->required();
+  add_file(command, "Q", options.q, "the other region")->required();
+  add_file(command, "S", options.sum, "what somebody says their sum is, valid or not")->required();
+  add_open(command, options.boundary,
+           "it is to be the sum of the regions' interiors, with dangling edges and isolated "
+           "vertices");
   command
       .add_option(
-          "--tolerance", options->tolerance,
+          "--tolerance", options.tolerance,
           "for a sum that was rounded: ask whether the boundaries are nowhere farther than D "
           "from each other, and components and holes correspond")
       ->type_name("D");
-  command
-      .add_option("--svg", options->svg, "draw S over the sum, and P and -Q + x at the witness x")
-      ->type_name("FILE");
-  command.add_flag("--json", options->json, "answer in JSON");
+  add_file(command, "--svg", options.svg, "draw S over the sum, and P and -Q + x at the witness x");
+  command.add_flag("--json", options.json, "answer in JSON");
   command.footer(
       "Example:\n"
       "  oplus gen tight --n 6 --summand P -o p.wkt\n"
@@ -249,7 +241,6 @@ void add_verify(CLI::App& program, Action& chosen) {
       "Exit codes:\n"
       "  0  it is their sum\n"
       "  1  it is not");
-  command.callback([options, &chosen] { chosen = [options] { return verify_files(*options); }; });
 }
 
 }  // namespace oplus

@@ -76,13 +76,7 @@ std::string winding_view(const Region& p, const Region& q) {
 std::string original_view(const Region& p, const Region& q) {
   std::vector<ConvolutionSegment> all = original_convolution(p, q);
   Layer kept{style::reduced_convolution};
-  Layer flipped{{.name = "flipped",
-                 .label = "flipped segment",
-                 .place = 11,
-                 .sample = Style::Sample::line,
-                 .line = "#d55e00",
-                 .width = 0.9,
-                 .directed = true}};
+  Layer flipped{style::directed_lines("flipped", "flipped segment", 11, "#d55e00", 0.9)};
   for (const ConvolutionSegment& s : all)
     (s.vertex_is_reflex ? flipped : kept).segments.push_back(s.segment);
   const std::size_t of_reflex = flipped.segments.size();

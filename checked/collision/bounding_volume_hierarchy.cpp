@@ -45,8 +45,7 @@ BoundingVolumeHierarchy::BoundingVolumeHierarchy(const std::vector<Segment>& seg
   std::vector<Leaf> leaves;
   leaves.reserve(segments.size());
   for (std::size_t i = 0; i < segments.size(); ++i) {
-    const IntervalPoint source = interval(segments[i].source);
-    const IntervalPoint target = interval(segments[i].target);
+    const auto [source, target] = interval(segments[i]);
     leaves.push_back({{hull(source.x, target.x), hull(source.y, target.y)}, i});
   }
   nodes_.reserve(2 * segments.size());

@@ -3,10 +3,6 @@
 
 #include <stdexcept>
 
-#include "checked/collision/hierarchy_collision.hpp"
-#include "checked/collision/naive_collision.hpp"
-#include "checked/collision/sweep_collision.hpp"
-
 namespace oplus {
 
 std::unique_ptr<CollisionTest> collision_test(CollisionMethod method, const Region& p,

@@ -1,51 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "checked/collision/pairwise_collision.hpp"
-
 #include <algorithm>
+#include <functional>
 #include <set>
 #include <utility>
 #include <vector>
 
 #include "checked/arithmetic/interval.hpp"
+#include "checked/collision/bounding_volume_hierarchy.hpp"
+#include "checked/collision/collision_test.hpp"
 #include "checked/collision/contact.hpp"
+#include "checked/collision/summand_boundary.hpp"
 #include "reference/definitions/mutant.hpp"
 
 namespace oplus {
 
 namespace {
 
-using IntervalEnds = std::vector<std::pair<IntervalPoint, IntervalPoint>>;
+/// A summand's boundary, and its pieces as certified intervals.
+struct CertifiedBoundary : SummandBoundary {
+  explicit CertifiedBoundary(const Region& of) : SummandBoundary(of) {
+    certified.reserve(pieces.size());
+    for (const Segment& piece : pieces) certified.push_back(interval(piece));
+  }
 
-IntervalEnds interval_ends(const std::vector<Segment>& pieces) {
-  IntervalEnds ends;
-  ends.reserve(pieces.size());
-  for (const Segment& piece : pieces)
-    ends.emplace_back(interval(piece.source), interval(piece.target));
-  return ends;
-}
+  std::vector<IntervalSegment> certified;
+};
 
 enum class Meeting { none, crossing, contact };
 
-}  // namespace
-
-struct PairwiseCollision::CertifiedEnds {
-  IntervalEnds of_p;
-  IntervalEnds of_minus_q;
-};
-
-PairwiseCollision::PairwiseCollision(const Region& p, const Region& q)
-    : p_(p),
-      minus_q_(reflected(q)),
-      ends_(std::make_unique<CertifiedEnds>(
-          CertifiedEnds{interval_ends(p_.pieces), interval_ends(minus_q_.pieces)})) {}
-
-PairwiseCollision::~PairwiseCollision() = default;
-
 /// One placement, and the contacts seen so far.
-class PairwiseCollision::Query {
+class Query {
  public:
-  Query(const PairwiseCollision& test, const Point& x)
-      : p_(test.p_), minus_q_(test.minus_q_), ends_(*test.ends_), x_(x), by_(interval(x)) {}
+  Query(const CertifiedBoundary& p, const CertifiedBoundary& minus_q, const Point& x)
+      : p_(p), minus_q_(minus_q), x_(x), by_(interval(x)) {}
 
   /// Returns whether the pair crosses; remembers it where it touches.
   bool visit(std::size_t i, std::size_t j) {
@@ -61,9 +48,8 @@ class PairwiseCollision::Query {
 
  private:
   Meeting meeting_of(std::size_t i, std::size_t j) const {
-    const auto& [a, b] = ends_.of_p[i];
-    const IntervalPoint c = ends_.of_minus_q[j].first + by_;
-    const IntervalPoint d = ends_.of_minus_q[j].second + by_;
+    const auto& [a, b] = p_.certified[i];
+    const auto [c, d] = translated(minus_q_.certified[j], by_);
     const auto ab_c = orientation(a, b, c);
     const auto ab_d = orientation(a, b, d);
     if (CGAL::is_certain(ab_c) && CGAL::is_certain(ab_d)) {
@@ -120,19 +106,79 @@ class PairwiseCollision::Query {
     return touched;
   }
 
-  const SummandBoundary& p_;
-  const SummandBoundary& minus_q_;
-  const CertifiedEnds& ends_;
+  const CertifiedBoundary& p_;
+  const CertifiedBoundary& minus_q_;
   const Point& x_;
   const IntervalPoint by_;
   std::vector<std::pair<std::size_t, std::size_t>> contacts_;
 };
 
-bool PairwiseCollision::interiors_meet_at(const Point& x) {
-  const CGAL::Protect_FPU_rounding<true> rounding;
-  Query query(*this, x);
-  const auto visit = [&](std::size_t i, std::size_t j) { return query.visit(i, j); };
-  return visit_pairs(x, visit) || query.meet_without_crossing();
+/// The collision test by pairs of boundary pieces (thesis, Section 5.1): a proper crossing of two
+/// decides; else the points in which pairs have contact, then chains without contact. Which pairs
+/// are looked at is up to the implementation.
+class PairwiseCollision : public CollisionTest {
+ public:
+  PairwiseCollision(const Region& p, const Region& q) : p_(p), minus_q_(reflected(q)) {}
+
+  bool interiors_meet_at(const Point& x) final {
+    const CGAL::Protect_FPU_rounding<true> rounding;
+    Query query(p_, minus_q_, x);
+    const auto visit = [&](std::size_t i, std::size_t j) { return query.visit(i, j); };
+    return visit_pairs(x, visit) || query.meet_without_crossing();
+  }
+
+ protected:
+  /// Whether piece i of P and piece j of -Q+x settle that the interiors meet.
+  using Visit = std::function<bool(std::size_t i, std::size_t j)>;
+
+  const std::vector<Segment>& pieces_of_p() const { return p_.pieces; }
+  const std::vector<Segment>& pieces_of_minus_q() const { return minus_q_.pieces; }
+
+ private:
+  /// Calls `visit` for each pair that has a point in common, and for as many others as it likes,
+  /// each once, until a call returns true. Returns whether one did.
+  virtual bool visit_pairs(const Point& x, const Visit& visit) const = 0;
+
+  const CertifiedBoundary p_;
+  const CertifiedBoundary minus_q_;
+};
+
+class HierarchyCollision : public PairwiseCollision {
+ public:
+  using PairwiseCollision::PairwiseCollision;
+
+ private:
+  bool visit_pairs(const Point& x, const Visit& visit) const override {
+    return of_p_.visit_meeting(of_minus_q_, x, visit);
+  }
+
+  BoundingVolumeHierarchy of_p_{pieces_of_p()};
+  BoundingVolumeHierarchy of_minus_q_{pieces_of_minus_q()};
+};
+
+class NaiveCollision : public PairwiseCollision {
+ public:
+  using PairwiseCollision::PairwiseCollision;
+
+ private:
+  bool visit_pairs(const Point&, const Visit& visit) const override {
+    for (std::size_t i = 0; i < pieces_of_p().size(); ++i) {
+      for (std::size_t j = 0; j < pieces_of_minus_q().size(); ++j) {
+        if (visit(i, j)) return true;
+      }
+    }
+    return false;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<CollisionTest> hierarchy_collision(const Region& p, const Region& q) {
+  return std::make_unique<HierarchyCollision>(p, q);
+}
+
+std::unique_ptr<CollisionTest> naive_collision(const Region& p, const Region& q) {
+  return std::make_unique<NaiveCollision>(p, q);
 }
 
 }  // namespace oplus

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "checked/collision/sweep_collision.hpp"
-
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Surface_sweep_2.h>
 #include <CGAL/Surface_sweep_2/Default_visitor.h>
@@ -14,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "checked/collision/collision_test.hpp"
 #include "checked/collision/contact.hpp"
 #include "checked/collision/non_crossing_traits.hpp"
 #include "checked/collision/strands.hpp"

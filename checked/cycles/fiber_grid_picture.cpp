@@ -2,13 +2,13 @@
 #include "checked/cycles/fiber_grid_picture.hpp"
 
 #include <algorithm>
-#include <array>
 #include <set>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "reference/io/counted.hpp"
+#include "reference/pictures/styles.hpp"
 
 namespace oplus {
 
@@ -26,16 +26,10 @@ constexpr std::size_t most_drawn_states = 10000;
 constexpr std::string_view ink = "#1a1a1a";
 constexpr std::string_view pale = "#b4b4b4";
 
-/// The colours of Okabe and Ito; when they are used up, again with dashes.
 std::string stroke_of(std::size_t cycle) {
-  constexpr std::array<std::string_view, 7> colours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                                       "#e69f00", "#56b4e9", "#5a5a5a"};
-  constexpr std::array<std::string_view, 4> dashes = {"", "7 3", "2 3", "7 3 2 3"};
-  std::string result = " stroke=\"" + std::string(colours[cycle % colours.size()]) + "\" fill=\"" +
-                       std::string(colours[cycle % colours.size()]) + "\"";
-  const std::string_view dash = dashes[cycle / colours.size() % dashes.size()];
-  if (!dash.empty()) result += " stroke-dasharray=\"" + std::string(dash) + "\"";
-  return result;
+  const Style style = style::cycle(static_cast<int>(cycle));
+  return " stroke=\"" + style.line + "\" fill=\"" + style.line + "\"" +
+         (style.dash.empty() ? "" : " stroke-dasharray=\"" + style.dash + "\"");
 }
 
 std::string attribute(std::string_view name, int value) {

@@ -19,6 +19,16 @@ struct IntegerSummands {
   Margins margins;
 };
 
+template <typename Numbers>
+IntegerSummands<Numbers> integer_summands(const Region& p, const Region& q,
+                                          const Scaling& scaling) {
+  auto of_p = integer_summand<Numbers>(p, scaling, scaling.of_p);
+  auto of_q = integer_summand<Numbers>(q, scaling, scaling.of_q);
+  BoxTree tree_of_p = box_tree(of_p), tree_of_q = box_tree(of_q);
+  return {std::move(of_p), std::move(of_q), std::move(tree_of_p), std::move(tree_of_q),
+          margins(scaling)};
+}
+
 /// The numbers of an edge of P and one of Q.
 using EdgePair = std::pair<std::uint32_t, std::uint32_t>;
 

@@ -6,18 +6,10 @@
 #include <memory>
 
 #include "checked/arrangement/isolated_touching_points.hpp"
-#include "checked/collision/hierarchy_collision.hpp"
+#include "checked/collision/collision_test.hpp"
+#include "reference/definitions/sorted_without_copies.hpp"
 
 namespace oplus::slide {
-
-namespace {
-
-void sort_and_drop_copies(std::vector<Point>& points) {
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-}
-
-}  // namespace
 
 void Candidates::take(Candidates&& more) {
   pieces.insert(pieces.end(), std::make_move_iterator(more.pieces.begin()),
@@ -37,10 +29,8 @@ void add_low_dimensional_features(const Candidates& candidates, const Region& p,
     corners.push_back(piece.segment.target);
   }
   sum.dangling_edges = maximal_segments(std::move(sum.dangling_edges));
-  sort_and_drop_copies(corners);
-  std::vector<Point> points = candidates.points;
-  sort_and_drop_copies(points);
-  for (Point& x : points) {
+  corners = sorted_without_copies(std::move(corners));
+  for (Point& x : sorted_without_copies(candidates.points)) {
     if (std::binary_search(corners.begin(), corners.end(), x) || collision->interiors_meet_at(x) ||
         lies_on_one(x, sum.dangling_edges) || lies_on_one(x, boundary))
       continue;
@@ -49,7 +39,7 @@ void add_low_dimensional_features(const Candidates& candidates, const Region& p,
   for (Point& x : isolated_touching_points(
            p, q, [&](const Point& y) { return collision->interiors_meet_at(y); }, sum))
     sum.isolated_vertices.push_back(std::move(x));
-  sort_and_drop_copies(sum.isolated_vertices);
+  sum.isolated_vertices = sorted_without_copies(std::move(sum.isolated_vertices));
 }
 
 }  // namespace oplus::slide

@@ -15,7 +15,7 @@ template <typename Numbers>
 class Tracks {
  public:
   Tracks(const Region& p, const Region& q, const Scaling& scaling)
-      : summands_(summands_of(p, q, scaling)),
+      : summands_(integer_summands<Numbers>(p, q, scaling)),
         segments_(reduced_segments(summands_.p, summands_.q)) {}
 
   const IntegerSummands<Numbers>& summands() const { return summands_; }
@@ -45,15 +45,6 @@ class Tracks {
   }
 
  private:
-  static IntegerSummands<Numbers> summands_of(const Region& p, const Region& q,
-                                              const Scaling& scaling) {
-    auto of_p = integer_summand<Numbers>(p, scaling, scaling.of_p);
-    auto of_q = integer_summand<Numbers>(q, scaling, scaling.of_q);
-    BoxTree tree_of_p = box_tree(of_p), tree_of_q = box_tree(of_q);
-    return {std::move(of_p), std::move(of_q), std::move(tree_of_p), std::move(tree_of_q),
-            margins(scaling)};
-  }
-
   const IntegerSummand<Numbers>& with_edge(const ReducedSegment& s) const {
     return s.edge_of == Summand::P ? summands_.p : summands_.q;
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/max_cardinality_matching.hpp>
+#include <utility>
 
 #include "checked/verify/overlay.hpp"
 #include "reference/io/counted.hpp"
@@ -13,27 +14,19 @@ namespace oplus {
 
 namespace {
 
-void add_edges(std::vector<Segment>& all, const Chain& chain) {
-  const std::vector<Segment> of_chain = edges(chain);
-  all.insert(all.end(), of_chain.begin(), of_chain.end());
-}
-
-void add_points(std::vector<Segment>& all, const std::vector<Point>& points) {
+std::vector<Segment> with_points(std::vector<Segment> all, const std::vector<Point>& points) {
   for (const Point& p : points) all.push_back({p, p});
+  return all;
 }
 
 std::vector<Segment> boundary_of(const MinkowskiSum& sum) {
-  std::vector<Segment> all = edges(sum);
-  add_points(all, sum.isolated_vertices);
-  return all;
+  return with_points(edges(sum), sum.isolated_vertices);
 }
 
 std::vector<Segment> boundary_of(const GivenSum& sum) {
-  std::vector<Segment> all;
-  for (const GivenChain& chain : given_chains(sum)) add_edges(all, *chain.vertices);
+  std::vector<Segment> all = edges(sum.region);
   all.insert(all.end(), sum.dangling_edges.begin(), sum.dangling_edges.end());
-  add_points(all, sum.isolated_vertices);
-  return all;
+  return with_points(std::move(all), sum.isolated_vertices);
 }
 
 struct Box {
@@ -89,18 +82,17 @@ void find_partners(const std::vector<Chain>& right, const std::vector<Chain>& gi
   }
 }
 
-std::vector<Chain> outer_chains(const Region& region) {
-  std::vector<Chain> result;
-  for (const Component& component : region.components) result.push_back(component.outer);
-  return result;
-}
+struct ChainsByKind {
+  explicit ChainsByKind(const Region& region) {
+    for (const Component& component : region.components) {
+      outer.push_back(component.outer);
+      holes.insert(holes.end(), component.holes.begin(), component.holes.end());
+    }
+  }
 
-std::vector<Chain> holes(const Region& region) {
-  std::vector<Chain> result;
-  for (const Component& component : region.components)
-    result.insert(result.end(), component.holes.begin(), component.holes.end());
-  return result;
-}
+  std::vector<Chain> outer;
+  std::vector<Chain> holes;
+};
 
 }  // namespace
 
@@ -122,12 +114,11 @@ Closeness closeness(const MinkowskiSum& right, const GivenSum& sum, const Ration
   }
 
   const Overlay overlay(sum, {});
-  const Region given_region =
-      region_of(canonical_sum(BoundaryFeatures{overlay.boundary_of_given(), {}, {}}));
-  const Region right_region = region_of(right);
-  find_partners(outer_chains(right_region), outer_chains(given_region), tolerance, false,
-                result.no_partners);
-  find_partners(holes(right_region), holes(given_region), tolerance, true, result.no_partners);
+  const ChainsByKind of_right_region(region_of(right));
+  const ChainsByKind of_given_region(
+      region_of(canonical_sum(BoundaryFeatures{overlay.boundary_of_given(), {}, {}})));
+  find_partners(of_right_region.outer, of_given_region.outer, tolerance, false, result.no_partners);
+  find_partners(of_right_region.holes, of_given_region.holes, tolerance, true, result.no_partners);
   const std::size_t unsimple = overlay.unsimple_pieces().size();
   if (unsimple > 0)
     result.notes.push_back("chains cross, overlap or bound nothing in " +

@@ -31,7 +31,6 @@ template <typename Connected>
 std::vector<std::size_t> parts(std::size_t nodes, const std::vector<Cells::Edge>& edges,
                                Connected connected) {
   boost::disjoint_sets_with_storage<> sets(nodes);
-  for (std::size_t i = 0; i < nodes; ++i) sets.make_set(i);
   for (const Cells::Edge& e : edges)
     if (connected(e.left_face, e.right_face)) sets.union_set(e.left_face, e.right_face);
   std::vector<std::size_t> result(nodes);

@@ -12,11 +12,6 @@ namespace oplus {
 
 namespace {
 
-struct IntervalSegment {
-  IntervalPoint source;
-  IntervalPoint target;
-};
-
 /// Whether the ends of b are certainly on different sides of the line through a.
 bool certainly_between(const IntervalSegment& a, const IntervalSegment& b) {
   const IntervalPoint along = a.target - a.source;
@@ -30,8 +25,7 @@ bool certainly_between(const IntervalSegment& a, const IntervalSegment& b) {
 /// common interior.
 std::vector<IntervalSegment> pieces(const Region& region) {
   std::vector<IntervalSegment> result;
-  for (const Segment& piece : boundary_pieces(region))
-    result.push_back({interval(piece.source), interval(piece.target)});
+  for (const Segment& piece : boundary_pieces(region)) result.push_back(interval(piece));
   return result;
 }
 
@@ -42,7 +36,7 @@ struct Placements::Certified {
     const CGAL::Protect_FPU_rounding<true> protector;
     const IntervalPoint by = interval(x);
     for (const IntervalSegment& of_q : of_minus_q) {
-      const IntervalSegment moved{of_q.source + by, of_q.target + by};
+      const IntervalSegment moved = translated(of_q, by);
       for (const IntervalSegment& piece : of_p)
         if (certainly_between(piece, moved) && certainly_between(moved, piece)) return true;
     }

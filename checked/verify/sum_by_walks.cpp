@@ -12,6 +12,7 @@
 #include "reference/definitions/convolution.hpp"
 #include "reference/definitions/difference.hpp"
 #include "reference/definitions/mutant.hpp"
+#include "reference/definitions/sorted_without_copies.hpp"
 
 namespace oplus {
 
@@ -52,8 +53,7 @@ class Walks {
         points_.push_back(s.target);
       }
     }
-    std::sort(points_.begin(), points_.end());
-    points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
+    points_ = sorted_without_copies(std::move(points_));
     const auto number = [&](const Point& p) {
       return static_cast<std::size_t>(std::lower_bound(points_.begin(), points_.end(), p) -
                                       points_.begin());
@@ -69,9 +69,7 @@ class Walks {
   Found walk_all() {
     const CGAL::Protect_FPU_rounding<true> protector;
     for (std::size_t i = 0; i < tracks_.size(); ++i) walk(i);
-    std::sort(found_.boundary.begin(), found_.boundary.end());
-    found_.boundary.erase(std::unique(found_.boundary.begin(), found_.boundary.end()),
-                          found_.boundary.end());
+    found_.boundary = sorted_without_copies(std::move(found_.boundary));
     return std::move(found_);
   }
 
@@ -378,11 +376,7 @@ MinkowskiSum sum_by_walks(const Region& p, const Region& q, Boundary boundary,
   MinkowskiSum closed = canonical_sum(features);
   if (!open) return closed;
 
-  std::sort(found.may_be_dangling.begin(), found.may_be_dangling.end());
-  found.may_be_dangling.erase(
-      std::unique(found.may_be_dangling.begin(), found.may_be_dangling.end()),
-      found.may_be_dangling.end());
-  for (const Segment& s : found.may_be_dangling)
+  for (const Segment& s : sorted_without_copies(std::move(found.may_be_dangling)))
     if (!placements.interiors_meet_at(midpoint(s.source, s.target)))
       features.dangling_edges.push_back(s);
 

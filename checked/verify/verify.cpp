@@ -14,6 +14,7 @@
 #include "reference/definitions/cut_at_intersections.hpp"
 #include "reference/definitions/difference.hpp"
 #include "reference/definitions/mutant.hpp"
+#include "reference/definitions/sorted_without_copies.hpp"
 #include "reference/definitions/squared_distance.hpp"
 #include "reference/definitions/verdicts_differ.hpp"
 #include "reference/definitions/winding_number.hpp"
@@ -120,12 +121,6 @@ class GivenSet {
   std::vector<std::vector<std::vector<Segment>>> components_;
 };
 
-std::vector<Point> sorted_without_copies(std::vector<Point> points) {
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  return points;
-}
-
 MinkowskiSum regularized(const MinkowskiSum& sum) { return {sum.outer, sum.holes, {}, {}}; }
 
 std::string from_to(const Segment& s) {
@@ -221,26 +216,32 @@ std::string legible(const Rational& value) {
   return exact.size() <= 24 ? exact : "about " + approximate(value);
 }
 
-std::string detail_of(const Reason& reason) {
-  const std::string place = " of area " + legible(reason.size / 2);
-  switch (reason.kind) {
-    case ReasonKind::missing_hole:
-      return "a hole" + place + " of the sum is filled";
-    case ReasonKind::additional_hole:
-      return "a hole" + place + " is not a hole of the sum";
-    case ReasonKind::missing_component:
-      return "a component" + place + " of the sum is missing";
-    case ReasonKind::additional_component:
-      return "a component" + place + " is outside the sum";
-    case ReasonKind::joined_components:
-      return "a place" + place + " outside the sum joins components of it";
-    case ReasonKind::split_component:
-      return "a place" + place + " is left out, which splits a component of the sum";
-    case ReasonKind::not_in_given:
-      return "a place" + place + " of the sum is left out";
-    default:
-      return "a place" + place + " is outside the sum";
-  }
+/// What a reason is called, and, of those of faces, what the face is and how the sums differ there.
+struct Words {
+  const char* name;
+  const char* face = "";
+  const char* difference = "";
+};
+
+const Words& words_for(ReasonKind kind) {
+  static constexpr std::array<Words, 15> words = {{
+      {"missing hole", "a hole", " of the sum is filled"},
+      {"additional hole", "a hole", " is not a hole of the sum"},
+      {"missing component", "a component", " of the sum is missing"},
+      {"additional component", "a component", " is outside the sum"},
+      {"components joined", "a place", " outside the sum joins components of it"},
+      {"component split", "a place", " is left out, which splits a component of the sum"},
+      {"in the sum but not given", "a place", " of the sum is left out"},
+      {"given but not in the sum", "a place", " is outside the sum"},
+      {"wrong orientation"},
+      {"unsimple boundary"},
+      {"wrong kind of boundary"},
+      {"missing dangling edge"},
+      {"additional dangling edge"},
+      {"missing isolated vertex"},
+      {"additional isolated vertex"},
+  }};
+  return words.at(static_cast<std::size_t>(kind));
 }
 
 std::vector<Reason> face_reasons(const Overlay& overlay, const Placements& placements) {
@@ -249,7 +250,8 @@ std::vector<Reason> face_reasons(const Overlay& overlay, const Placements& place
     if (placements.interiors_meet_at(reason.witness) != reason.in_sum)
       throw VerdictsDiffer("winding numbers and the collision test differ at " +
                            to_string(reason.witness));
-    reason.detail = detail_of(reason);
+    const Words& words = words_for(reason.kind);
+    reason.detail = words.face + (" of area " + legible(reason.size / 2)) + words.difference;
   }
   return reasons;
 }
@@ -380,24 +382,7 @@ Verdict verdict(MinkowskiSum computed, const Region& p, const Region& q, Boundar
 
 }  // namespace
 
-std::string describe(ReasonKind kind) {
-  constexpr std::array<const char*, 15> names = {"missing hole",
-                                                 "additional hole",
-                                                 "missing component",
-                                                 "additional component",
-                                                 "components joined",
-                                                 "component split",
-                                                 "in the sum but not given",
-                                                 "given but not in the sum",
-                                                 "wrong orientation",
-                                                 "unsimple boundary",
-                                                 "wrong kind of boundary",
-                                                 "missing dangling edge",
-                                                 "additional dangling edge",
-                                                 "missing isolated vertex",
-                                                 "additional isolated vertex"};
-  return names.at(static_cast<std::size_t>(kind));
-}
+std::string describe(ReasonKind kind) { return words_for(kind).name; }
 
 Verdict verify(const Region& p, const Region& q, Boundary boundary, const GivenSum& sum) {
   const Placements placements(p, q);

@@ -19,6 +19,8 @@ struct GivenSum {
   Region region;
   std::vector<Segment> dangling_edges;
   std::vector<Point> isolated_vertices;
+
+  friend bool operator==(const GivenSum&, const GivenSum&) = default;
 };
 
 /// A sum by its chains. A hole goes to the smallest outer chain around it; one around which there is

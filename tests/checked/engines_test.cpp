@@ -7,6 +7,7 @@
 #include "checked/arrangement/rca.hpp"
 #include "checked/cli/engines_and_oracle.hpp"
 #include "properties/compare/corpus.hpp"
+#include "properties/statements/laws/linear_map.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/oracle/oracle.hpp"
 #include "tests/reference/definitions/print.hpp"
@@ -37,6 +38,17 @@ TEST(Engines, are_the_oracle_on_pairs_of_shapes) {
   }
   EXPECT_GT(with_features, 10u);
   EXPECT_GT(with_holes, 5u);
+}
+
+TEST(Engines, give_origins_only_where_they_are_asked_for) {
+  const Region square = polygon(box(0, 0, 1, 1));
+  for (const Engine& engine : engines()) {
+    const auto origins = [&](const EngineOptions& options) {
+      return engine.compute(square, square, Boundary::closed, options).origins;
+    };
+    EXPECT_TRUE(origins({}).empty()) << engine.name;
+    EXPECT_EQ(origins({.with_origins = true}).size(), 4u) << engine.name;
+  }
 }
 
 TEST(Engines, with_the_empty_region_are_empty) {
@@ -76,29 +88,6 @@ TEST(Engines, find_the_origins_of_the_definition) {
   EXPECT_GT(dangling, 6u) << "no dangling edge was seen";
 }
 
-Point scaled(const Point& p, const Rational& x, const Rational& y) { return {x * p.x, y * p.y}; }
-
-Chain scaled(Chain chain, const Rational& x, const Rational& y) {
-  for (Point& p : chain) p = scaled(p, x, y);
-  return chain;
-}
-
-Region scaled(Region region, const Rational& x, const Rational& y) {
-  for (Component& component : region.components) {
-    component.outer = scaled(component.outer, x, y);
-    for (Chain& hole : component.holes) hole = scaled(hole, x, y);
-  }
-  return region;
-}
-
-MinkowskiSum scaled(MinkowskiSum sum, const Rational& x, const Rational& y) {
-  for (Chain& chain : sum.outer) chain = scaled(chain, x, y);
-  for (Chain& chain : sum.holes) chain = scaled(chain, x, y);
-  for (Segment& e : sum.dangling_edges) e = {scaled(e.source, x, y), scaled(e.target, x, y)};
-  for (Point& p : sum.isolated_vertices) p = scaled(p, x, y);
-  return sum;
-}
-
 /// A shape without horizontal and vertical edges: its intersections need divisions.
 Region star() {
   return polygon({{0, 0}, {7, 2}, {9, -3}, {8, 4}, {13, 9}, {6, 5}, {1, 8}, {3, 4}});
@@ -112,9 +101,9 @@ TEST(Engines, scale_with_their_summands_beyond_what_doubles_can_hold) {
   for (const auto& [p, q] : pairs) {
     const MinkowskiSum sum = rca(p, q, Boundary::open).sum;
     for (const auto& [x, y] : {std::pair{huge, huge}, {tiny, tiny}, {huge, tiny}, {tiny, huge}}) {
-      const MinkowskiSum expected = scaled(sum, x, y);
-      const Region large_p = scaled(p, x, y);
-      const Region large_q = scaled(q, x, y);
+      const LinearMap scaled{x, 0, 0, y};
+      const MinkowskiSum expected = image(scaled, sum);
+      const Region large_p = image(scaled, p), large_q = image(scaled, q);
       for (const Engine& engine : engines()) {
         for (const auto& [name, method] : hole_test_methods()) {
           EXPECT_TRUE(engine.compute(large_p, large_q, Boundary::open, {.hole_test = method}).sum ==

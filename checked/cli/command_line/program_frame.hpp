@@ -31,7 +31,7 @@ int run_program(const ProgramFrame& frame, const AddCommands& add_commands, int 
 /// one line on standard error what that was.
 int exit_code_of(const std::function<int()>& work) noexcept;
 
-/// Writes a file or standard output (-). Throws UsageError.
+/// Writes all of the text or nothing to a file or standard output (-). Throws UsageError.
 void write_text(const std::string& path, const std::string& text);
 
 }  // namespace oplus

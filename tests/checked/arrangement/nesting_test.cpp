@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
+#include <string>
 
 #include "checked/arrangement/hole_test.hpp"
 #include "reference/families/fork.hpp"
@@ -25,70 +25,51 @@ std::vector<ConvolutionSegment> along(const std::vector<Chain>& chains) {
   return segments;
 }
 
-/// The verdicts of loops, by the smallest vertex of each; the hole test knows the holes' smallest
-/// vertices.
-std::map<Point, LoopVerdict> verdicts(const std::vector<Chain>& chains,
-                                      const std::vector<Point>& boundary,
-                                      std::vector<Point>* asked = nullptr) {
+/// What becomes of boxes one in another, the outermost first, and of which the hole test is asked.
+struct Judged {
+  std::string verdicts;  ///< b: of the boundary, n: not nested, x: not of the boundary
+  std::string asked;     ///< the numbers of boxes, from zero
+};
+
+/// The boxes are external loops (e) or holes (h); the hole test finds those numbered in `boundary`.
+Judged judged(const std::string& boxes, const std::string& boundary) {
+  std::vector<Chain> chains;
+  for (const char kind : boxes) {
+    const auto number = static_cast<int>(chains.size());
+    const Chain chain = box(number, number, 9 - number, 9 - number);
+    chains.push_back(kind == 'h' ? backwards(chain) : chain);
+  }
   const ConvolutionArrangement a(along(chains));
+  const auto number_of = [&](Halfedge h) {
+    const Point p = a.point(a.source(h));
+    return std::min({p.x, p.y, Rational(9 - p.x), Rational(9 - p.y)}).get_num().get_ui();
+  };
   const std::vector<OrientableLoop> loops = orientable_loops(a);
-  const auto smallest = [&](const OrientableLoop& loop) {
-    std::vector<Point> points;
-    for (const Halfedge h : loop) points.push_back(a.point(a.source(h)));
-    return *std::min_element(points.begin(), points.end());
-  };
-  const auto is_hole_right_of = [&](Halfedge h) {
-    const auto loop = std::find_if(loops.begin(), loops.end(), [&](const OrientableLoop& one) {
-      return std::find(one.begin(), one.end(), h) != one.end();
-    });
-    if (asked) asked->push_back(smallest(*loop));
-    return std::find(boundary.begin(), boundary.end(), smallest(*loop)) != boundary.end();
-  };
-  const std::vector<LoopVerdict> judged = judge(a, loops, is_hole_right_of);
-  std::map<Point, LoopVerdict> result;
-  for (std::size_t i = 0; i < loops.size(); ++i) result[smallest(loops[i])] = judged[i];
+  Judged result{std::string(boxes.size(), ' '), ""};
+  const std::vector<LoopVerdict> verdicts = judge(a, loops, [&](Halfedge h) {
+    result.asked += std::to_string(number_of(h));
+    return boundary.find(result.asked.back()) != std::string::npos;
+  });
+  for (std::size_t i = 0; i < loops.size(); ++i)
+    result.verdicts.at(number_of(loops[i][0])) = "bnx"[static_cast<std::size_t>(verdicts[i])];
   return result;
 }
 
-TEST(Nesting, an_external_loop_holds_holes_that_hold_external_loops) {
-  const auto found =
-      verdicts({box(0, 0, 9, 9), backwards(box(1, 1, 8, 8)), box(2, 2, 7, 7)}, {{1, 1}, {2, 2}});
-  const std::map<Point, LoopVerdict> expected = {{{0, 0}, LoopVerdict::boundary},
-                                                 {{1, 1}, LoopVerdict::boundary},
-                                                 {{2, 2}, LoopVerdict::boundary}};
-  EXPECT_TRUE(found == expected);
-}
-
-TEST(Nesting, drops_an_external_loop_in_an_external_one_unasked) {
-  std::vector<Point> asked;
-  const auto found = verdicts({box(0, 0, 9, 9), box(1, 1, 8, 8)}, {{1, 1}}, &asked);
-  EXPECT_EQ(found.at({1, 1}), LoopVerdict::not_nested);
-  EXPECT_TRUE(asked.empty());
-}
-
-TEST(Nesting, drops_a_hole_in_a_hole_unasked) {
-  std::vector<Point> asked;
-  const auto found = verdicts(
-      {box(0, 0, 9, 9), backwards(box(1, 1, 8, 8)), backwards(box(2, 2, 7, 7))}, {{1, 1}}, &asked);
-  EXPECT_EQ(found.at({1, 1}), LoopVerdict::boundary);
-  EXPECT_EQ(found.at({2, 2}), LoopVerdict::not_nested);
-  EXPECT_EQ(asked, (std::vector<Point>{{1, 1}}));
-}
-
-TEST(Nesting, judges_what_is_in_a_fallen_loop_as_its_sibling) {
-  const std::vector<Chain> chains = {box(0, 0, 9, 9), backwards(box(1, 1, 8, 8)),
-                                     backwards(box(2, 2, 7, 7)), box(3, 3, 6, 6)};
-  const auto found = verdicts(chains, {{2, 2}, {3, 3}});
-  EXPECT_EQ(found.at({1, 1}), LoopVerdict::not_boundary);
-  EXPECT_EQ(found.at({2, 2}), LoopVerdict::boundary);
-  EXPECT_EQ(found.at({3, 3}), LoopVerdict::boundary);
-}
-
-TEST(Nesting, what_is_inside_a_loop_of_the_wrong_kind_stays_in_the_sum) {
-  const auto found =
-      verdicts({box(0, 0, 9, 9), box(1, 1, 8, 8), backwards(box(2, 2, 7, 7))}, {{2, 2}});
-  EXPECT_EQ(found.at({1, 1}), LoopVerdict::not_nested);
-  EXPECT_EQ(found.at({2, 2}), LoopVerdict::boundary);
+TEST(Nesting, of_boxes_in_each_other) {
+  struct Row {
+    std::string name, boxes, boundary, verdicts, asked;
+  };
+  for (const Row& row : {
+           Row{"an external loop holds holes that hold external loops", "ehe", "12", "bbb", "12"},
+           {"an external loop in an external one is dropped unasked", "ee", "1", "bn", ""},
+           {"a hole in a hole is dropped unasked", "ehh", "1", "bbn", "1"},
+           {"what is in a fallen loop is judged as its sibling", "ehhe", "23", "bxbb", "123"},
+           {"what is in a loop of the wrong kind stays in the sum", "eeh", "2", "bnb", "2"},
+       }) {
+    const auto [verdicts, asked] = judged(row.boxes, row.boundary);
+    EXPECT_EQ(verdicts, row.verdicts) << row.name;
+    EXPECT_EQ(asked, row.asked) << row.name;
+  }
 }
 
 TEST(Nesting, asks_once_a_loop) {

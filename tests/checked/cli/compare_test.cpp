@@ -6,12 +6,9 @@
 namespace oplus {
 namespace {
 
-class Compare : public Shell {
+class Compare : public ShellWithRegions {
  protected:
-  void SetUp() override {
-    Shell::SetUp();
-    put("full.wkt", "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))");
-    put("frame.wkt", "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 3, 3 3, 3 1, 1 1))");
+  Compare() {
     put("slit.wkt",
         "GEOMETRYCOLLECTION (POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0)), LINESTRING (1 2, 3 2))");
     put("dot.wkt", "GEOMETRYCOLLECTION (POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0)), POINT (1 2))");
@@ -27,12 +24,9 @@ class Compare : public Shell {
 
 TEST_F(Compare, equal_however_it_is_written) {
   put("other.dat", "5\n4 4\n0 4\n0 0\n2 0\n4 0\n");
-  for (const std::string files : {"full.wkt other.dat", "full.wkt - <other.dat",
-                                  "- full.wkt <full.wkt", "slit.wkt slit.wkt"}) {
-    const Ran ran = run("oplus compare " + files);
-    EXPECT_EQ(ran.exit_code, 0) << files << ran.err;
-    EXPECT_EQ(ran.out, "equal\n");
-  }
+  for (const std::string files :
+       {"full.wkt other.dat", "full.wkt - <other.dat", "- full.wkt <full.wkt", "slit.wkt slit.wkt"})
+    expect_output("oplus compare " + files, "equal\n");
 }
 
 TEST_F(Compare, a_hole_is_found) {
@@ -57,8 +51,7 @@ TEST_F(Compare, low_dimensional_features_are_found) {
 }
 
 TEST_F(Compare, the_empty_sum) {
-  put("empty.wkt", "POLYGON EMPTY");
-  EXPECT_EQ(run("oplus compare empty.wkt empty.wkt").out, "equal\n");
+  expect_output("oplus compare empty.wkt empty.wkt", "equal\n");
   expect_difference("empty.wkt full.wkt",
                     "not equal: the second covers a place outside the first\n");
 }

@@ -1,37 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <gtest/gtest.h>
-
-#include <boost/property_tree/ptree.hpp>
-#include <boost/property_tree/xml_parser.hpp>
-#include <sstream>
-
 #include "tests/checked/cli/shell.hpp"
+#include "tests/reference/pictures/parsed_picture.hpp"
 
 namespace oplus {
 namespace {
 
-class Draw : public Shell {
+class Draw : public ShellWithRegions {
  protected:
-  void SetUp() override {
-    Shell::SetUp();
-    put("frame.wkt", "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 3, 3 3, 3 1, 1 1))");
-    put("triangle.dat", "3\n0 0\n1 0\n0 1/3\n");
-    put("<odd> & \xff name.wkt", "POLYGON EMPTY");
-  }
+  Draw() { put("<odd> & \xff name.wkt", "POLYGON EMPTY"); }
 };
 
 TEST_F(Draw, has_a_panel_a_file) {
-  const Ran ran = run("oplus draw frame.wkt triangle.dat *odd* - -o all.svg <triangle.dat");
-  EXPECT_EQ(ran.exit_code, 0);
-  EXPECT_EQ(ran.out + ran.err, "");
-  std::istringstream in(content("all.svg"));
-  boost::property_tree::ptree document;
-  boost::property_tree::read_xml(in, document);
+  expect_output("oplus draw frame.wkt triangle.dat *odd* - -o all.svg <triangle.dat", "");
   std::set<std::string> titles;
-  for (const auto& [tag, child] : document.get_child("svg")) {
-    if (tag == "g" && child.get<std::string>("<xmlattr>.class") == "panel")
-      titles.insert(child.get<std::string>("text"));
-  }
+  for (const auto& panel : groups(parsed(content("all.svg")), "panel"))
+    titles.insert(panel.get<std::string>("text"));
   EXPECT_EQ(titles, (std::set<std::string>{"frame.wkt", "triangle.dat", "<odd> & ? name.wkt",
                                            "standard input"}));
 }
@@ -40,17 +23,12 @@ TEST_F(Draw, draws_together_what_is_told_apart_by_its_name) {
   put("slit.wkt",
       "GEOMETRYCOLLECTION (POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0)), LINESTRING (1 2, 3 2), POINT (2 3))");
   put("way.wkt", "GEOMETRYCOLLECTION (LINESTRING (5 0, 5 4))");
-  const Ran ran = run("oplus draw slit.wkt frame.wkt triangle.dat way.wkt --together -o all.svg");
-  EXPECT_EQ(ran.exit_code, 0);
-  EXPECT_EQ(ran.out + ran.err, "");
+  expect_output("oplus draw slit.wkt frame.wkt triangle.dat way.wkt --together -o all.svg", "");
   const std::string svg = content("all.svg");
-  std::size_t panels = 0;
-  for (std::size_t at = 0; (at = svg.find("class=\"panel\"", at)) != std::string::npos; ++at)
-    ++panels;
-  EXPECT_EQ(panels, 1U);
+  EXPECT_EQ(groups(parsed(svg), "panel").size(), 1U);
   for (const std::string name : {">slit<", ">dangling edges of slit<",
                                  ">isolated vertices of slit<", ">frame<", ">triangle<", ">way<"})
-    EXPECT_NE(svg.find(name), std::string::npos) << name;
+    EXPECT_TRUE(has(svg, name));
   EXPECT_EQ(svg.find("edges of frame"), std::string::npos);
   // Of the first, "sum" is a layer's kind, and lies lowest.
   EXPECT_LT(svg.find("class=\"sum\""), svg.find("class=\"summand-p\""));

@@ -9,7 +9,7 @@
 #include "checked/cycles/convolution_cycles.hpp"
 #include "reference/definitions/winding_number.hpp"
 #include "reference/io/writing.hpp"
-#include "tests/reference/definitions/shapes.hpp"
+#include "tests/reference/definitions/pairs_of_shapes.hpp"
 
 namespace oplus {
 namespace {
@@ -40,30 +40,25 @@ bool is_in_face(const Point& p, const Component& outline) {
 
 TEST(FaceDrawing, free_disks_are_in_their_faces_where_the_winding_number_is_that_of_the_face) {
   std::size_t disks = 0;
-  for (const Shape& p : shapes()) {
-    for (const Shape& q : shapes()) {
-      const std::vector<ConvolutionSegment> all = traced_convolution(p.region, q.region);
-      const ConvolutionArrangement arrangement(all);
-      const std::vector<int> numbers = winding_numbers(arrangement);
-      const FaceDrawing drawing(arrangement);
-      for (Face f = 1; f < arrangement.face_count(); ++f) {
-        const std::optional<FreeDisk> disk = drawing.free_disk(f);
-        if (!disk) continue;
-        ++disks;
-        ASSERT_GT(disk->squared_radius, 0);
-        EXPECT_EQ(winding_number(disk->centre, segments(all)), numbers[f])
-            << p.name << " and " << q.name << " at " << to_string(disk->centre);
-        const Component outline = drawing.outline(f);
-        const Rational r(0.999 * std::sqrt(disk->squared_radius.get_d()));
-        const Rational s = r * 7 / 10;
-        for (const Vector& v :
-             {Vector{0, 0}, Vector{r, 0}, Vector{-r, 0}, Vector{0, r}, Vector{0, -r}, Vector{s, s},
-              Vector{s, -s}, Vector{-s, s}, Vector{-s, -s}})
-          EXPECT_TRUE(is_in_face(disk->centre + v, outline))
-              << p.name << " and " << q.name << " at " << to_string(disk->centre + v);
-      }
+  for_each_pair_of_shapes([&](const Region& p, const Region& q) {
+    const std::vector<ConvolutionSegment> all = traced_convolution(p, q);
+    const ConvolutionArrangement arrangement(all);
+    const std::vector<int> numbers = winding_numbers(arrangement);
+    const FaceDrawing drawing(arrangement);
+    for (Face f = 1; f < arrangement.face_count(); ++f) {
+      const std::optional<FreeDisk> disk = drawing.free_disk(f);
+      if (!disk) continue;
+      ++disks;
+      ASSERT_GT(disk->squared_radius, 0);
+      EXPECT_EQ(winding_number(disk->centre, segments(all)), numbers[f]) << to_string(disk->centre);
+      const Component outline = drawing.outline(f);
+      const Rational r(0.999 * std::sqrt(disk->squared_radius.get_d()));
+      const Rational s = r * 7 / 10;
+      for (const Vector& v :
+           {Vector{0, 0}, {r, 0}, {-r, 0}, {0, r}, {0, -r}, {s, s}, {s, -s}, {-s, s}, {-s, -s}})
+        EXPECT_TRUE(is_in_face(disk->centre + v, outline)) << to_string(disk->centre + v);
     }
-  }
+  });
   EXPECT_GT(disks, 3000U);
 }
 

@@ -15,8 +15,8 @@ TEST_F(Gen, lists_every_family) {
   EXPECT_EQ(static_cast<std::size_t>(std::count(ran.out.begin(), ran.out.end(), '\n')),
             families().size());
   for (const Family& family : families()) {
-    EXPECT_NE(("\n" + ran.out).find("\n" + family.name + " "), std::string::npos) << family.name;
-    EXPECT_NE(ran.out.find(" " + family.what + "\n"), std::string::npos) << family.name;
+    EXPECT_TRUE(has("\n" + ran.out, "\n" + family.name + " "));
+    EXPECT_TRUE(has(ran.out, " " + family.what + "\n"));
   }
 }
 
@@ -24,11 +24,10 @@ TEST_F(Gen, writes_both_summands_of_every_family_in_every_format) {
   for (const Family& family : families()) {
     for (const std::string format : {"dat", "wkt", "geojson"}) {
       const std::string gen = "oplus gen " + family.name + " --seed 5 ";
-      const Ran ran = run("set -e\n" + gen + "-o p." + format + "\n" + gen + "--summand Q -o q." +
-                          format + "\noplus compare p." + format + " <(" + gen +
-                          "--summand P)\noplus compare q." + format + " <(" + gen + "--summand Q)");
-      EXPECT_EQ(ran.out, "equal\nequal\n") << family.name << " " << format << ran.err;
-      EXPECT_EQ(ran.err, "") << family.name << " " << format;
+      expect_output("set -e\n" + gen + "-o p." + format + "\n" + gen + "--summand Q -o q." +
+                        format + "\noplus compare p." + format + " <(" + gen +
+                        "--summand P)\noplus compare q." + format + " <(" + gen + "--summand Q)",
+                    "equal\nequal\n");
     }
   }
 }

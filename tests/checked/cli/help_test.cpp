@@ -6,6 +6,7 @@
 
 #include "checked/cli/version.hpp"
 #include "properties/runner/source_tree.hpp"
+#include "reference/io/file_text.hpp"
 #include "tests/checked/cli/shell.hpp"
 
 namespace oplus {
@@ -39,14 +40,13 @@ TEST_F(Help, every_example_works_when_copied) {
 TEST_F(Help, of_the_program_explains_the_exit_codes) {
   const std::string help = run("oplus --help").out;
   for (const std::string line : {"\n  0  done", "\n  1  ", "\n  2  invalid", "\n  3  a bug"})
-    EXPECT_NE(help.find(line), std::string::npos) << line;
+    EXPECT_TRUE(has(help, line));
 }
 
 TEST_F(Help, version_is_that_of_the_build) {
-  std::ifstream in(source_root() / "CMakeLists.txt");
-  const std::string cmake{std::istreambuf_iterator<char>(in), {}};
-  EXPECT_NE(cmake.find("project(oplus VERSION " + std::string(version) + " "), std::string::npos);
-  EXPECT_EQ(run("oplus --version").out, "oplus " + std::string(version) + "\n");
+  EXPECT_TRUE(has(text_of_file(source_root() / "CMakeLists.txt", "a project"),
+                  "project(oplus VERSION " + std::string(version) + " "));
+  expect_output("oplus --version", "oplus " + std::string(version) + "\n");
 }
 
 }  // namespace

@@ -12,14 +12,9 @@ namespace {
 using Json = nlohmann::json;
 
 /// docs/json.md: what it says, and that it is what the text says.
-class JsonAnswers : public Shell {
+class JsonAnswers : public ShellWithRegions {
  protected:
-  void SetUp() override {
-    Shell::SetUp();
-    put("full.wkt", "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))");
-    put("frame.wkt", "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 3, 3 3, 3 1, 1 1))");
-    put("third.wkt", "POLYGON ((0 0, 1/3 0, 0 1/3, 0 0))");
-  }
+  JsonAnswers() { put("third.wkt", "POLYGON ((0 0, 1/3 0, 0 1/3, 0 0))"); }
 
   /// Lines "name: value", names as keys are written.
   static std::map<std::string, std::string> values(const std::string& text) {
@@ -58,9 +53,8 @@ TEST_F(JsonAnswers, compare) {
                                        {"dangling_edges", 0},
                                        {"isolated_vertices", 0},
                                        {"area", "12"}}));
-  EXPECT_NE(run("oplus compare frame.wkt full.wkt")
-                .out.find("not equal: " + unequal.at("what").get<std::string>() + "\n"),
-            std::string::npos);
+  EXPECT_TRUE(has(run("oplus compare frame.wkt full.wkt").out,
+                  "not equal: " + unequal.at("what").get<std::string>() + "\n"));
 }
 
 TEST_F(JsonAnswers, gen_list) {
@@ -68,8 +62,8 @@ TEST_F(JsonAnswers, gen_list) {
   const std::string text = run("oplus gen --list").out;
   EXPECT_EQ(static_cast<long>(families.size()), std::count(text.begin(), text.end(), '\n'));
   for (const Json& family : families) {
-    EXPECT_NE(text.find(family.at("name").get<std::string>() + " "), std::string::npos);
-    EXPECT_NE(text.find(" " + family.at("what").get<std::string>() + "\n"), std::string::npos);
+    EXPECT_TRUE(has(text, family.at("name").get<std::string>() + " "));
+    EXPECT_TRUE(has(text, " " + family.at("what").get<std::string>() + "\n"));
     EXPECT_GE(family.at("typical"), family.at("smallest"));
   }
   expect_refusal("oplus gen star --json", "--list");
@@ -145,11 +139,10 @@ TEST_F(JsonAnswers, of_oplus_check_properties) {
   EXPECT_EQ(one.at("passed"), true);
   EXPECT_EQ(one.at("complaints"), Json::array());
   const std::string text = run(command).out;
-  EXPECT_NE(text.find("  " + one.at("run").dump() + " cases run, " + one.at("discarded").dump() +
-                      " discarded\n"),
-            std::string::npos);
+  EXPECT_TRUE(has(text, "  " + one.at("run").dump() + " cases run, " + one.at("discarded").dump() +
+                            " discarded\n"));
   for (const auto& [family, cases] : one.at("families").items())
-    EXPECT_NE(text.find(family + " " + cases.dump()), std::string::npos) << family;
+    EXPECT_TRUE(has(text, family + " " + cases.dump()));
 
   const Json pair =
       answer("oplus-check properties --theorem lemma-4.1.4 --pair full.wkt frame.wkt --json");
@@ -160,15 +153,14 @@ TEST_F(JsonAnswers, of_oplus_check_properties) {
 TEST_F(JsonAnswers, of_oplus_check_theorems) {
   const Json all = answer("oplus-check theorems --json");
   const std::string text = run("oplus-check theorems").out;
-  EXPECT_NE(text.find("\n" + std::to_string(all.at("statements").size()) + " statements, " +
-                      std::to_string(all.at("mutants").size()) + " mutants\n"),
-            std::string::npos);
+  EXPECT_TRUE(has(text, "\n" + std::to_string(all.at("statements").size()) + " statements, " +
+                            std::to_string(all.at("mutants").size()) + " mutants\n"));
   const std::string entry = run("oplus-check theorems lemma-4.1.4").out;
   const Json one = answer("oplus-check theorems lemma-4.1.4 --json");
   EXPECT_NE(std::find(all.at("statements").begin(), all.at("statements").end(), one),
             all.at("statements").end());
   for (const std::string key : {"statement", "title", "says", "why", "file"})
-    EXPECT_NE(entry.find(one.at(key).get<std::string>()), std::string::npos) << key;
+    EXPECT_TRUE(has(entry, one.at(key).get<std::string>())) << key;
   EXPECT_EQ(answer("oplus-maintain theorems --check --json").at("defects"), Json::array());
 }
 

@@ -6,34 +6,28 @@ namespace {
 
 class Reflect : public Shell {
  protected:
-  void SetUp() override {
-    Shell::SetUp();
-    put("l.wkt", "POLYGON ((0 0, 3 0, 3 1, 1 1, 1 1/3, 0 2.5, 0 0))");
-  }
+  Reflect() { put("l.wkt", "POLYGON ((0 0, 3 0, 3 1, 1 1, 1 1/3, 0 2.5, 0 0))"); }
 };
 
 TEST_F(Reflect, takes_each_point_to_its_opposite) {
-  EXPECT_EQ(run("oplus reflect l.wkt").out,
-            "POLYGON ((0 0, -3 0, -3 -1, -1 -1, -1 -1/3, 0 -2.5, 0 0))\n");
+  expect_output("oplus reflect l.wkt",
+                "POLYGON ((0 0, -3 0, -3 -1, -1 -1, -1 -1/3, 0 -2.5, 0 0))\n");
   put("turned.wkt", "POLYGON ((0 0, -3 0, -3 -1, -1 -1, -1 -1/3, 0 -2.5, 0 0))");
   EXPECT_EQ(run("oplus reflect l.wkt | oplus compare - turned.wkt").exit_code, 0);
 }
 
 TEST_F(Reflect, twice_is_nothing_in_every_format) {
   for (const std::string format : {"wkt", "dat", "geojson"})
-    EXPECT_EQ(run("oplus reflect l.wkt --format " + format + " | oplus reflect - -o twice." +
-                  format + " && oplus compare twice." + format + " l.wkt")
-                  .out,
-              "equal\n")
-        << format;
+    expect_output("oplus reflect l.wkt --format " + format + " | oplus reflect - -o twice." +
+                      format + " && oplus compare twice." + format + " l.wkt",
+                  "equal\n");
 }
 
 TEST_F(Reflect, gives_the_no_fit_polygon) {
   put("square.wkt", "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))");
   put("no_fit.wkt", "POLYGON ((-2 -2, 2 -2, 2 2, -2 2, -2 -2))");
-  EXPECT_EQ(
-      run("oplus reflect square.wkt | oplus sum square.wkt - | oplus compare - no_fit.wkt").out,
-      "equal\n");
+  expect_output("oplus reflect square.wkt | oplus sum square.wkt - | oplus compare - no_fit.wkt",
+                "equal\n");
 }
 
 TEST_F(Reflect, refuses_what_it_cannot_do) {

@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
 #include <csignal>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
 #include <iterator>
 #include <set>
 #include <sstream>
@@ -36,34 +32,13 @@ struct Ran {
   long lines_of_err() const { return std::count(err.begin(), err.end(), '\n'); }
 };
 
-/// While it lives, a standard stream is a file.
-class Redirected {
- public:
-  Redirected(int stream, const std::string& file, int flags) : stream_(stream) {
-    flush();
-    saved_ = ::dup(stream);
-    const int opened = ::open(file.c_str(), flags, 0600);
-    ::dup2(opened, stream);
-    ::close(opened);
-  }
-  ~Redirected() {
-    flush();
-    ::dup2(saved_, stream_);
-    ::close(saved_);
-  }
-  Redirected(const Redirected&) = delete;
-  Redirected& operator=(const Redirected&) = delete;
-
- private:
-  static void flush() {
-    std::cout.flush();
-    std::cerr.flush();
-    std::fflush(nullptr);
-  }
-
-  int stream_;
-  int saved_;
-};
+/// Whether a text has a part; a failure shows the text.
+inline testing::AssertionResult has(const std::string& text, const std::string& part) {
+  return (text.find(part) == std::string::npos ? testing::AssertionFailure()
+                                               : testing::AssertionSuccess())
+         << '"' << part << "\" in\n"
+         << text;
+}
 
 /// Runs the program in an empty folder of its own.
 class Shell : public testing::Test {
@@ -71,15 +46,18 @@ class Shell : public testing::Test {
   Shell() { std::filesystem::create_directory(place_ / "folder"); }
 
   /// Runs a bash script in which the program is called oplus. Nothing is on standard input. Where the
-  /// script is one plain command of oplus, the program's function is called instead, without bash
-  /// and without a process: that takes a tenth of the time.
+  /// script is one plain command of oplus that does not ask for that, the program's function is called
+  /// instead, without bash and without a process: that takes a tenth of the time.
   Ran run(const std::string& script) const {
     std::istringstream blanks_apart(script);
     const std::vector<std::string> words{std::istream_iterator<std::string>(blanks_apart), {}};
     const bool is_plain = std::all_of(script.begin(), script.end(), [](unsigned char c) {
       return std::isalnum(c) != 0 || std::string_view(" -_./,=+").find(c) != std::string_view::npos;
     });
-    return is_plain && !words.empty() && words[0] == "oplus" ? called(words) : run_by_bash(script);
+    return is_plain && !words.empty() && words[0] == "oplus" &&
+                   std::find(words.begin(), words.end(), "-") == words.end()
+               ? called(words)
+               : run_by_bash(script);
   }
 
   void put(const std::string& file, const std::string& text) const {
@@ -98,6 +76,14 @@ class Shell : public testing::Test {
     return names;
   }
 
+  /// Expects this on standard output, nothing on standard error, and the exit code.
+  void expect_output(const std::string& script, const std::string& out, int exit_code = 0) const {
+    const Ran ran = run(script);
+    EXPECT_EQ(ran.exit_code, exit_code) << script;
+    EXPECT_EQ(ran.out, out) << script;
+    EXPECT_EQ(ran.err, "") << script;
+  }
+
   /// Expects one line on standard error that contains `part`, nothing on standard output, exit code
   /// 2, and no file left behind.
   void expect_refusal(const std::string& script, const std::string& part) const {
@@ -107,7 +93,7 @@ class Shell : public testing::Test {
     EXPECT_EQ(ran.out, "") << script;
     EXPECT_EQ(ran.lines_of_err(), 1) << script << "\n" << ran.err;
     EXPECT_EQ(ran.err.substr(0, 7), "oplus: ") << script;
-    EXPECT_NE(ran.err.find(part), std::string::npos) << script << "\n" << ran.err;
+    EXPECT_TRUE(has(ran.err, part)) << script;
     EXPECT_EQ(files(), before) << script;
   }
 
@@ -127,22 +113,31 @@ class Shell : public testing::Test {
     for (const std::string& word : words) arguments.push_back(word.c_str());
     const std::filesystem::path before = std::filesystem::current_path();
     std::filesystem::current_path(place_ / "folder");
-    int exit_code = -1;
-    {
-      const Redirected in(STDIN_FILENO, "/dev/null", O_RDONLY);
-      const Redirected out(STDOUT_FILENO, place_ / "out", O_WRONLY | O_CREAT | O_TRUNC);
-      const Redirected err(STDERR_FILENO, place_ / "err", O_WRONLY | O_CREAT | O_TRUNC);
-      exit_code = oplus::run(static_cast<int>(arguments.size()), arguments.data());
-    }
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    const int exit_code = oplus::run(static_cast<int>(arguments.size()), arguments.data());
     // What a process would take with it.
     speech() = {};
     std::signal(SIGPIPE, SIG_DFL);
     std::filesystem::current_path(before);
-    return {exit_code, content("../out"), content("../err")};
+    return {exit_code, testing::internal::GetCapturedStdout(),
+            testing::internal::GetCapturedStderr()};
   }
 
   const TemporaryFolder temporary_;
   const std::filesystem::path place_ = temporary_.path();
+};
+
+/// The same with regions in the folder.
+class ShellWithRegions : public Shell {
+ protected:
+  ShellWithRegions() {
+    put("square.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))");
+    put("triangle.dat", "3\n0 0\n1 0\n0 1/3\n");
+    put("frame.wkt", "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 3, 3 3, 3 1, 1 1))");
+    put("full.wkt", "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))");
+    put("empty.wkt", "POLYGON EMPTY");
+  }
 };
 
 }  // namespace oplus

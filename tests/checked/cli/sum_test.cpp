@@ -1,89 +1,78 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <gtest/gtest.h>
-
-#include <boost/property_tree/ptree.hpp>
-#include <boost/property_tree/xml_parser.hpp>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "properties/runner/source_tree.hpp"
 #include "tests/checked/cli/shell.hpp"
+#include "tests/reference/pictures/parsed_picture.hpp"
 
 namespace oplus {
 namespace {
 
-class Sum : public Shell {
+const std::string doubled_square = "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))\n";
+
+class Sum : public ShellWithRegions {
  protected:
-  void SetUp() override {
-    Shell::SetUp();
-    put("square.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))");
-    put("triangle.dat", "3\n0 0\n1 0\n0 1/3\n");
-    // A square of side 2 fits into the hole in one place, and a bar of side 1 along a segment.
-    put("frame.wkt", "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 3, 3 3, 3 1, 1 1))");
+  Sum() {
+    // A square of side 2 fits into the frame's hole in one place, and a bar of side 1 along a segment.
     put("plug.wkt", "POLYGON ((-1 -1, 1 -1, 1 1, -1 1, -1 -1))");
     put("slider.wkt", "POLYGON ((-1 0, 1 0, 1 1, -1 1, -1 0))");
   }
 };
 
 TEST_F(Sum, is_wkt_on_standard_output) {
-  const Ran ran = run("oplus sum square.wkt square.wkt");
-  EXPECT_EQ(ran.exit_code, 0);
-  EXPECT_EQ(ran.out, "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))\n");
-  EXPECT_EQ(ran.err, "");
+  expect_output("oplus sum square.wkt square.wkt", doubled_square);
 }
 
 TEST_F(Sum, is_exact) {
-  EXPECT_EQ(run("oplus sum square.wkt triangle.dat").out,
-            "POLYGON ((0 0, 2 0, 2 1, 1 4/3, 0 4/3, 0 0))\n");
+  expect_output("oplus sum square.wkt triangle.dat",
+                "POLYGON ((0 0, 2 0, 2 1, 1 4/3, 0 4/3, 0 0))\n");
 }
 
 TEST_F(Sum, is_rounded_with_digits_and_says_so) {
   const Ran ran = run("oplus sum square.wkt triangle.dat --digits 2");
   EXPECT_EQ(ran.out, "POLYGON ((0 0, 2 0, 2 1, 1 1.33, 0 1.33, 0 0))\n");
   EXPECT_EQ(ran.exit_code, 0);
-  EXPECT_NE(ran.err.find("rounded to 2 decimals"), std::string::npos) << ran.err;
+  EXPECT_TRUE(has(ran.err, "rounded to 2 decimals"));
 }
 
 TEST_F(Sum, takes_the_format_from_the_ending) {
-  const Ran ran =
-      run("oplus sum square.wkt square.wkt -o s.dat; oplus sum square.wkt square.wkt -o s.wkt\n"
-          "oplus sum square.wkt square.wkt -o s.geojson");
-  EXPECT_EQ(ran.out + ran.err, "");
+  for (const std::string file : {"s.dat", "s.wkt", "s.geojson"})
+    expect_output("oplus sum square.wkt square.wkt -o " + file, "");
   EXPECT_EQ(content("s.dat"), "4\n0 0\n2 0\n2 2\n0 2\n");
-  EXPECT_EQ(content("s.wkt"), "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))\n");
+  EXPECT_EQ(content("s.wkt"), doubled_square);
   const auto json = nlohmann::json::parse(content("s.geojson"));
   EXPECT_EQ(json.at("type"), "Polygon");
   EXPECT_EQ(json.at("coordinates").at(0).size(), 5U);
 }
 
 TEST_F(Sum, takes_the_format_that_is_asked_for) {
-  EXPECT_EQ(run("oplus sum square.wkt square.wkt --format dat").out, "4\n0 0\n2 0\n2 2\n0 2\n");
-  EXPECT_EQ(run("oplus sum square.wkt square.wkt --format dat -o any.name").exit_code, 0);
+  expect_output("oplus sum square.wkt square.wkt --format dat", "4\n0 0\n2 0\n2 2\n0 2\n");
+  expect_output("oplus sum square.wkt square.wkt --format dat -o any.name", "");
   EXPECT_EQ(content("any.name"), "4\n0 0\n2 0\n2 2\n0 2\n");
 }
 
 TEST_F(Sum, reads_standard_input) {
   const std::string expected = run("oplus sum square.wkt triangle.dat").out;
-  EXPECT_EQ(run("oplus sum - triangle.dat <square.wkt").out, expected);
-  EXPECT_EQ(run("oplus sum square.wkt - <triangle.dat").out, expected);
+  expect_output("oplus sum - triangle.dat <square.wkt", expected);
+  expect_output("oplus sum square.wkt - <triangle.dat", expected);
   expect_refusal("oplus sum - - <square.wkt", "standard input");
 }
 
 TEST_F(Sum, says_that_orientation_was_repaired) {
   put("clockwise.wkt", "POLYGON ((0 0, 0 1, 1 1, 1 0, 0 0))");
   const Ran ran = run("oplus sum clockwise.wkt square.wkt");
-  EXPECT_EQ(ran.out, "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))\n");
+  EXPECT_EQ(ran.out, doubled_square);
   EXPECT_EQ(ran.exit_code, 0);
-  EXPECT_NE(ran.err.find("clockwise.wkt"), std::string::npos) << ran.err;
+  EXPECT_TRUE(has(ran.err, "clockwise.wkt"));
 }
 
 TEST_F(Sum, closed_has_no_low_dimensional_features_and_open_has) {
-  EXPECT_EQ(run("oplus sum frame.wkt plug.wkt").out, "POLYGON ((-1 -1, 5 -1, 5 5, -1 5, -1 -1))\n");
-  EXPECT_EQ(run("oplus sum frame.wkt plug.wkt --open").out,
-            "GEOMETRYCOLLECTION (POLYGON ((-1 -1, 5 -1, 5 5, -1 5, -1 -1)), POINT (2 2))\n");
-  EXPECT_EQ(run("oplus sum frame.wkt slider.wkt --open").out,
-            "GEOMETRYCOLLECTION (POLYGON ((-1 0, 5 0, 5 5, -1 5, -1 0)), "
-            "LINESTRING (2 2, 2 3))\n");
+  expect_output("oplus sum frame.wkt plug.wkt", "POLYGON ((-1 -1, 5 -1, 5 5, -1 5, -1 -1))\n");
+  expect_output("oplus sum frame.wkt plug.wkt --open",
+                "GEOMETRYCOLLECTION (POLYGON ((-1 -1, 5 -1, 5 5, -1 5, -1 -1)), POINT (2 2))\n");
+  expect_output("oplus sum frame.wkt slider.wkt --open",
+                "GEOMETRYCOLLECTION (POLYGON ((-1 0, 5 0, 5 5, -1 5, -1 0)), "
+                "LINESTRING (2 2, 2 3))\n");
 }
 
 TEST_F(Sum, dat_cannot_hold_low_dimensional_features) {
@@ -99,17 +88,15 @@ TEST_F(Sum, every_engine_finds_the_same) {
       const std::string command = "oplus sum frame.wkt " + other + open;
       const Ran ran = run(command + " --origins default.json");
       EXPECT_EQ(ran.exit_code, 0) << ran.err;
-      for (const std::string engine : {"slide", "rca", "loops", "winding", "oracle"}) {
-        EXPECT_EQ(run(command + " --origins o.json --engine " + engine).out, ran.out) << command;
-        EXPECT_EQ(content("default.json"), content("o.json")) << command << engine;
+      for (const std::string how :
+           {"--engine slide", "--engine rca", "--engine loops", "--engine winding",
+            "--engine oracle", "--threads 1", "--threads 2", "--threads 7"}) {
+        EXPECT_EQ(run(command + " --origins o.json " + how).out, ran.out) << command << how;
+        EXPECT_EQ(content("default.json"), content("o.json")) << command << how;
       }
       for (const std::string hole_test : {"bvh", "sweep", "naive", "ray"})
         EXPECT_EQ(run(command + " --engine rca --hole-test " + hole_test).out, ran.out)
             << command << hole_test;
-      for (const std::string threads : {"1", "2", "7"}) {
-        EXPECT_EQ(run(command + " --origins o.json --threads " + threads).out, ran.out) << command;
-        EXPECT_EQ(content("default.json"), content("o.json")) << command << threads;
-      }
     }
   }
   expect_refusal("oplus sum square.wkt square.wkt --engine none", "--engine");
@@ -155,14 +142,14 @@ TEST_F(Sum, stats_are_lines_of_name_and_value) {
         "steps to trace them: ", "arrangement edges: ", "arrangement faces: ", "hole tests: ",
         "tests of low-dimensional features: ", "seconds for cycles: ", "outer chains: 1\n",
         "holes: 0\n", "dangling edges: 0\n", "isolated vertices: 1\n", "area: 36\n", "seconds: "})
-    EXPECT_NE(("\n" + ran.err).find("\n" + line), std::string::npos) << line << ran.err;
+    EXPECT_TRUE(has("\n" + ran.err, "\n" + line));
 
   const Ran by_default = run("oplus sum frame.wkt plug.wkt --open --stats");
   for (const std::string line :
        {"bits of a coordinate: 3\n", "free pieces of segments: ", "probes: ", "pairs of boxes: ",
         "pairs of edges decided by doubles: ", "in integers of 64 bits: ",
         "in integers of 256 bits: 0\n", "in integers of GMP: 0\n", "isolated vertices: 1\n"})
-    EXPECT_NE(("\n" + by_default.err).find("\n" + line), std::string::npos) << by_default.err;
+    EXPECT_TRUE(has("\n" + by_default.err, "\n" + line));
 }
 
 TEST_F(Sum, stats_show_the_published_arrangement_sizes) {
@@ -174,25 +161,19 @@ TEST_F(Sum, stats_show_the_published_arrangement_sizes) {
     const std::string pair = data + "/" + name;
     const Ran ran = run("oplus sum '" + pair + "_part1.dat' '" + pair +
                         "_part2.dat' --engine rca --stats -o s.wkt");
-    EXPECT_NE(ran.err.find("arrangement edges: " + std::string(edges) + "\n"), std::string::npos)
-        << ran.err;
+    EXPECT_TRUE(has(ran.err, "arrangement edges: " + std::string(edges) + "\n"));
   }
 }
 
 TEST_F(Sum, svg_is_a_picture_of_everything) {
-  const Ran ran = run("oplus sum frame.wkt plug.wkt --open --svg s.svg -o s.wkt");
-  EXPECT_EQ(ran.out + ran.err, "");
-  std::istringstream in(content("s.svg"));
-  boost::property_tree::ptree document;
-  boost::property_tree::read_xml(in, document);
-  EXPECT_EQ(document.front().first, "svg");
+  expect_output("oplus sum frame.wkt plug.wkt --open --svg s.svg -o s.wkt", "");
+  EXPECT_NO_THROW(parsed(content("s.svg")));
   for (const std::string kind :
        {"summand-p", "summand-q", "convolution", "reduced-convolution", "sum", "isolated-vertices"})
-    EXPECT_NE(content("s.svg").find("class=\"" + kind + "\""), std::string::npos) << kind;
+    EXPECT_TRUE(has(content("s.svg"), "class=\"" + kind + "\""));
 }
 
 TEST_F(Sum, empty_summand) {
-  put("empty.wkt", "POLYGON EMPTY");
   for (const std::string engine : {"rca", "loops", "winding", "oracle"}) {
     const Ran ran =
         run("oplus sum empty.wkt square.wkt --open --svg s.svg --origins o.json --stats --engine " +
@@ -254,9 +235,8 @@ TEST_F(Sum, says_that_standard_output_cannot_be_written) {
 }
 
 TEST_F(Sum, a_closed_standard_output_is_not_mistaken_for_a_file) {
-  const Ran ran = run("oplus sum square.wkt square.wkt -o s.wkt >&- <&-");
-  EXPECT_EQ(ran.exit_code, 0) << ran.err;
-  EXPECT_EQ(content("s.wkt"), "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))\n");
+  expect_output("oplus sum square.wkt square.wkt -o s.wkt >&- <&-", "");
+  EXPECT_EQ(content("s.wkt"), doubled_square);
 }
 
 TEST_F(Sum, writes_to_a_device_and_leaves_it_one) {
@@ -266,13 +246,12 @@ TEST_F(Sum, writes_to_a_device_and_leaves_it_one) {
 
 TEST_F(Sum, replaces_a_file) {
   EXPECT_EQ(run("oplus sum square.wkt square.wkt -o square.wkt").exit_code, 0);
-  EXPECT_EQ(content("square.wkt"), "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))\n");
+  EXPECT_EQ(content("square.wkt"), doubled_square);
 }
 
 TEST_F(Sum, files_may_be_named_as_subcommands) {
-  put("sum", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))");
-  put("draw", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))");
-  EXPECT_EQ(run("oplus sum sum draw").out, "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))\n");
+  for (const std::string name : {"sum", "draw"}) put(name, content("square.wkt"));
+  expect_output("oplus sum sum draw", doubled_square);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@
 #include "reference/definitions/winding_number.hpp"
 #include "reference/io/counted.hpp"
 #include "reference/io/writing.hpp"
-#include "tests/reference/definitions/shapes.hpp"
+#include "tests/reference/definitions/pairs_of_shapes.hpp"
 #include "tests/reference/pictures/parsed_picture.hpp"
 
 namespace oplus {
@@ -27,16 +27,6 @@ namespace {
 
 using boost::property_tree::ptree;
 using Halfedge = ConvolutionArrangement::Halfedge;
-
-template <typename Check>
-void for_each_pair(Check check) {
-  for (const Shape& p : shapes()) {
-    for (const Shape& q : shapes()) {
-      SCOPED_TRACE(p.name + " and " + q.name);
-      check(p.region, q.region);
-    }
-  }
-}
 
 /// The panel beside those of the summands.
 ptree drawing_of(const std::string& document) {
@@ -95,7 +85,7 @@ TEST(View, draws_any_regions_the_same_way_twice) {
 }
 
 TEST(View, fiber_grid_has_a_grid_for_each_pair_of_chains) {
-  for_each_pair([](const Region& p, const Region& q) {
+  for_each_pair_of_shapes([](const Region& p, const Region& q) {
     const std::string document = fiber_grid_view(p, q);
     std::size_t pairs = 0;
     for (const Chain& of_p : chains(p)) {
@@ -110,7 +100,7 @@ TEST(View, fiber_grid_has_a_grid_for_each_pair_of_chains) {
 }
 
 TEST(View, cycles_are_layers_of_all_segments) {
-  for_each_pair([](const Region& p, const Region& q) {
+  for_each_pair_of_shapes([](const Region& p, const Region& q) {
     const ConvolutionCycles traced = convolution_cycles(p, q);
     const std::size_t size = convolution(p, q).size();
     const ptree drawing = drawing_of(cycles_view(p, q));
@@ -133,7 +123,7 @@ TEST(View, cycles_say_how_often_they_go_round) {
 
 TEST(View, faces_are_candidates_where_rca_asks_and_holes_where_the_sum_has_them) {
   std::size_t of_holes = 0;
-  for_each_pair([&](const Region& p, const Region& q) {
+  for_each_pair_of_shapes([&](const Region& p, const Region& q) {
     const ComputedSum computed = rca(p, q, Boundary::closed);
     const ConvolutionArrangement arrangement(traced_reduced_convolution(p, q));
     const FaceDrawing drawing(arrangement);
@@ -160,7 +150,7 @@ TEST(View, faces_are_candidates_where_rca_asks_and_holes_where_the_sum_has_them)
 }
 
 TEST(View, loops_draw_each_edge_and_those_of_the_boundary_as_such) {
-  for_each_pair([](const Region& p, const Region& q) {
+  for_each_pair_of_shapes([](const Region& p, const Region& q) {
     const ConvolutionArrangement arrangement(traced_reduced_convolution(p, q));
     const MinkowskiSum sum = rca(p, q, Boundary::closed).sum;
     std::size_t directed = 0;
@@ -183,7 +173,7 @@ TEST(View, loops_draw_each_edge_and_those_of_the_boundary_as_such) {
 }
 
 TEST(View, loops_count_their_verdicts) {
-  for_each_pair([](const Region& p, const Region& q) {
+  for_each_pair_of_shapes([](const Region& p, const Region& q) {
     const ConvolutionArrangement arrangement(traced_reduced_convolution(p, q));
     const std::unique_ptr<HoleTest> naive = naive_hole_test(p, q);
     const std::vector<LoopVerdict> verdicts =
@@ -236,7 +226,7 @@ void expect_winding_numbers(const std::string& document,
 }
 
 TEST(View, winding_numbers_are_those_of_the_definition) {
-  for_each_pair([](const Region& p, const Region& q) {
+  for_each_pair_of_shapes([](const Region& p, const Region& q) {
     expect_winding_numbers(winding_view(p, q), convolution(p, q));
   });
 }
@@ -253,7 +243,7 @@ TEST(View, winding_numbers_differ_in_their_shade) {
 }
 
 TEST(View, original_has_its_own_winding_numbers_and_its_flipped_segments) {
-  for_each_pair([](const Region& p, const Region& q) {
+  for_each_pair_of_shapes([](const Region& p, const Region& q) {
     const std::vector<ConvolutionSegment> all = original_convolution(p, q);
     const std::string document = original_view(p, q);
     expect_winding_numbers(document, all);
@@ -298,7 +288,7 @@ bool boundaries_meet(const Region& a, const Region& b) {
 TEST(View, placement_tells_whether_interiors_and_boundaries_meet) {
   std::size_t meeting = 0;
   std::size_t touching_only = 0;
-  for_each_pair([&](const Region& p, const Region& q) {
+  for_each_pair_of_shapes([&](const Region& p, const Region& q) {
     for (const Point& x : {Point{1, 1}, Point{Rational(5, 2), 3}, Point{4, 2}}) {
       const Region other = translated(reflected(q), x);
       const bool meet = interiors_meet(p, other);

@@ -4,50 +4,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <memory>
-#include <string>
-#include <utility>
 
 #include "properties/statements/laws/linear_map.hpp"
 #include "reference/definitions/collision.hpp"
 #include "reference/definitions/convolution.hpp"
-#include "tests/checked/collision/collision_methods.hpp"
+#include "tests/checked/collision/each_method.hpp"
 #include "tests/reference/definitions/cells.hpp"
+#include "tests/reference/definitions/pairs_of_shapes.hpp"
 #include "tests/reference/definitions/print.hpp"
-#include "tests/reference/definitions/shapes.hpp"
 
 namespace oplus {
 namespace {
-
-class Collision : public testing::TestWithParam<CollisionMethod> {
- protected:
-  static std::unique_ptr<CollisionTest> collision(const Region& p, const Region& q) {
-    return collision_test(GetParam(), p, q);
-  }
-};
-
-INSTANTIATE_TEST_SUITE_P(By, Collision, testing::ValuesIn(collision_methods),
-                         testing::PrintToStringParamName());
-
-/// The test by each method, for what takes time to know the answer of.
-class EachMethod {
- public:
-  EachMethod(const Region& p, const Region& q) {
-    for (const CollisionMethod method : collision_methods)
-      tests_.emplace_back(method, collision_test(method, p, q));
-  }
-
-  /// Returns the names of the methods that do not give the answer.
-  std::string wrong_at(const Point& x, bool answer) const {
-    std::string wrong;
-    for (const auto& [method, test] : tests_)
-      if (test->interiors_meet_at(x) != answer) wrong += std::string(" ") + name_of(method);
-    return wrong;
-  }
-
- private:
-  std::vector<std::pair<CollisionMethod, std::unique_ptr<CollisionTest>>> tests_;
-};
 
 /// The largest coordinate of one of the `shapes()`.
 int side(const Region& region) {
@@ -96,53 +63,51 @@ TEST(EachCollision, holds_where_the_summands_share_a_cell) {
   EXPECT_GT(apart, 5000u);
 }
 
-void expect_definition(const EachMethod& each, const Shape& p, const Shape& q, const Point& x) {
-  const bool meet = interiors_meet(p.region, translated(reflected(q.region), x));
-  EXPECT_EQ(each.wrong_at(x, meet), "")
-      << p.name << " + " << q.name << " at " << testing::PrintToString(x);
+void expect_definition(const EachMethod& each, const Region& p, const Region& q, const Point& x) {
+  const bool meet = interiors_meet(p, translated(reflected(q), x));
+  EXPECT_EQ(each.wrong_at(x, meet), "") << testing::PrintToString(x);
 }
 
 TEST(EachCollision, is_the_definition_on_every_vertex_edge_sum) {
   for (const Shape& p : slanted_shapes()) {
     for (const Shape& q : slanted_shapes()) {
+      SCOPED_TRACE(p.name + " and " + q.name);
       const EachMethod each(p.region, q.region);
       for (const Segment& s : segments(vertex_edge_sum(p.region, q.region))) {
         for (const Rational& t : {Rational(0), Rational(1, 2), Rational(1, 3)})
-          expect_definition(each, p, q, s.source + t * direction_of(s));
+          expect_definition(each, p.region, q.region, s.source + t * direction_of(s));
       }
     }
   }
 }
 
 TEST(EachCollision, is_the_definition_at_a_third_of_vertex_edge_sums) {
-  for (const Shape& p : shapes()) {
-    for (const Shape& q : shapes()) {
-      const EachMethod each(p.region, q.region);
-      const std::vector<Segment> sums = segments(vertex_edge_sum(p.region, q.region));
-      for (std::size_t i = 0; i < sums.size(); i += 11)
-        expect_definition(each, p, q, sums[i].source + Rational(1, 3) * direction_of(sums[i]));
-    }
-  }
+  for_each_pair_of_shapes([](const Region& p, const Region& q) {
+    const EachMethod each(p, q);
+    const std::vector<Segment> sums = segments(vertex_edge_sum(p, q));
+    for (std::size_t i = 0; i < sums.size(); i += 11)
+      expect_definition(each, p, q, sums[i].source + Rational(1, 3) * direction_of(sums[i]));
+  });
 }
 
-TEST_P(Collision, does_not_depend_on_what_was_asked_before) {
+TEST(EachCollision, does_not_depend_on_what_was_asked_before) {
   const Region square = polygon(box(0, 0, 2, 2));
-  const auto test = collision(square, square);
+  const EachMethod each(square, square);
   for (int turn = 0; turn < 2; ++turn) {
-    EXPECT_TRUE(test->interiors_meet_at({2, 2})) << "equal";
-    EXPECT_FALSE(test->interiors_meet_at({4, 2})) << "side by side";
-    EXPECT_TRUE(test->interiors_meet_at({3, 3})) << "crossing";
-    EXPECT_FALSE(test->interiors_meet_at({9, 9})) << "apart";
+    EXPECT_EQ(each.wrong_at({2, 2}, true), "") << "equal";
+    EXPECT_EQ(each.wrong_at({4, 2}, false), "") << "side by side";
+    EXPECT_EQ(each.wrong_at({3, 3}, true), "") << "crossing";
+    EXPECT_EQ(each.wrong_at({9, 9}, false), "") << "apart";
   }
 }
 
-TEST_P(Collision, with_the_empty_region_never_holds) {
+TEST(EachCollision, with_the_empty_region_never_holds) {
   const Region square = polygon(box(-1, -1, 1, 1));
-  EXPECT_FALSE(collision(Region{}, square)->interiors_meet_at({0, 0}));
-  EXPECT_FALSE(collision(square, Region{})->interiors_meet_at({0, 0}));
+  EXPECT_EQ(EachMethod(Region{}, square).wrong_at({0, 0}, false), "");
+  EXPECT_EQ(EachMethod(square, Region{}).wrong_at({0, 0}, false), "");
 }
 
-TEST_P(Collision, is_right_where_coordinates_are_no_doubles) {
+TEST(EachCollision, is_right_where_coordinates_are_no_doubles) {
   const Rational huge("1" + std::string(400, '0'));
   const std::vector<Shape> all = shapes();
   for (const Rational& factor : {huge, Rational(1 / huge)}) {
@@ -150,13 +115,12 @@ TEST_P(Collision, is_right_where_coordinates_are_no_doubles) {
       const Region& p = all[k].region;
       const Region& q = all[(k + 5) % all.size()].region;
       const Vector away = factor * Vector{-3, 4};
-      const auto plain = collision(p, q);
-      const auto other =
-          collision(translated(image(scaling(factor), p), away), image(scaling(factor), q));
+      const auto plain = collision_test(CollisionMethod::hierarchy, p, q);
+      const EachMethod each(translated(image(scaling(factor), p), away), image(scaling(factor), q));
       for (int i = 0; i <= 8; ++i) {
         for (int j = 0; j <= 8; ++j) {
-          ASSERT_EQ(other->interiors_meet_at(factor * Point{i, j} + away),
-                    plain->interiors_meet_at({i, j}))
+          ASSERT_EQ(each.wrong_at(factor * Point{i, j} + away, plain->interiors_meet_at({i, j})),
+                    "")
               << all[k].name << ' ' << i << ' ' << j;
         }
       }
@@ -164,13 +128,13 @@ TEST_P(Collision, is_right_where_coordinates_are_no_doubles) {
   }
 }
 
-TEST_P(Collision, sees_less_than_a_double_can_hold) {
+TEST(EachCollision, sees_less_than_a_double_can_hold) {
   const Rational tiny = 1 / Rational("1" + std::string(400, '0'));
   const Region square = polygon(box(0, 0, 1, 1));
-  const auto test = collision(square, square);
-  EXPECT_TRUE(test->interiors_meet_at({2 - tiny, 1}));
-  EXPECT_FALSE(test->interiors_meet_at({2 + tiny, 1}));
-  EXPECT_TRUE(test->interiors_meet_at({1 + tiny, 1 - tiny}));
+  const EachMethod each(square, square);
+  EXPECT_EQ(each.wrong_at({2 - tiny, 1}, true), "");
+  EXPECT_EQ(each.wrong_at({2 + tiny, 1}, false), "");
+  EXPECT_EQ(each.wrong_at({1 + tiny, 1 - tiny}, true), "");
 }
 
 }  // namespace

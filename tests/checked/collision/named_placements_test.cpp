@@ -10,7 +10,7 @@
 #include "properties/statements/chapter5/boundary_contact.hpp"
 #include "properties/statements/laws/linear_map.hpp"
 #include "reference/definitions/collision.hpp"
-#include "tests/checked/collision/collision_methods.hpp"
+#include "tests/checked/collision/each_method.hpp"
 #include "tests/reference/io/from_text.hpp"
 
 namespace oplus {
@@ -68,16 +68,13 @@ TEST(NamedPlacements, are_what_their_names_say) {
 }
 
 TEST(NamedPlacements, are_decided_by_every_method_either_way_round) {
-  for (const CollisionMethod method : collision_methods) {
-    for (const Pair& pair : pairs()) {
-      const auto test = collision_test(method, pair.a, reflected(pair.b));
-      const auto exchanged = collision_test(method, pair.b, reflected(pair.a));
-      for (const Placement& placement : pair.placements) {
-        EXPECT_EQ(test->interiors_meet_at(placement.x), placement.meet)
-            << where(pair, placement) << ", by " << name_of(method);
-        EXPECT_EQ(exchanged->interiors_meet_at(-placement.x), placement.meet)
-            << where(pair, placement) << ", exchanged, by " << name_of(method);
-      }
+  for (const Pair& pair : pairs()) {
+    const EachMethod each(pair.a, reflected(pair.b));
+    const EachMethod exchanged(pair.b, reflected(pair.a));
+    for (const Placement& placement : pair.placements) {
+      EXPECT_EQ(each.wrong_at(placement.x, placement.meet), "") << where(pair, placement);
+      EXPECT_EQ(exchanged.wrong_at(-placement.x, placement.meet), "")
+          << where(pair, placement) << ", exchanged";
     }
   }
 }
@@ -86,15 +83,10 @@ TEST(NamedPlacements, are_decided_by_every_method_either_way_round) {
 const LinearMap slanted{Rational(1, 3), Rational(1, 7), Rational(-1, 13), Rational(1, 11)};
 
 TEST(NamedPlacements, are_decided_by_every_method_where_no_coordinate_is_a_double) {
-  for (const CollisionMethod method : collision_methods) {
-    for (const Pair& pair : pairs()) {
-      const auto test =
-          collision_test(method, image(slanted, pair.a), reflected(image(slanted, pair.b)));
-      for (const Placement& placement : pair.placements) {
-        EXPECT_EQ(test->interiors_meet_at(slanted(placement.x)), placement.meet)
-            << where(pair, placement) << ", by " << name_of(method);
-      }
-    }
+  for (const Pair& pair : pairs()) {
+    const EachMethod each(image(slanted, pair.a), reflected(image(slanted, pair.b)));
+    for (const Placement& placement : pair.placements)
+      EXPECT_EQ(each.wrong_at(slanted(placement.x), placement.meet), "") << where(pair, placement);
   }
 }
 

@@ -8,8 +8,8 @@
 
 #include "reference/families/family.hpp"
 #include "reference/families/polygons.hpp"
+#include "tests/reference/definitions/pairs_of_shapes.hpp"
 #include "tests/reference/definitions/print.hpp"
-#include "tests/reference/definitions/shapes.hpp"
 
 namespace oplus {
 namespace {
@@ -25,30 +25,28 @@ std::multiset<std::size_t> sizes(const ConvolutionCycles& traced) {
 
 using Sizes = std::multiset<std::size_t>;
 
-void expect_equal(std::vector<ConvolutionSegment> traced, std::vector<ConvolutionSegment> defined,
-                  const std::string& what) {
+void expect_equal(std::vector<ConvolutionSegment> traced, std::vector<ConvolutionSegment> defined) {
   const auto by_origin = [](const auto& a, const auto& b) { return a.origin < b.origin; };
   std::sort(traced.begin(), traced.end(), by_origin);
   std::sort(defined.begin(), defined.end(), by_origin);
-  ASSERT_EQ(traced.size(), defined.size()) << what;
+  ASSERT_EQ(traced.size(), defined.size());
   for (std::size_t k = 0; k < traced.size(); ++k) {
-    ASSERT_EQ(traced[k].origin, defined[k].origin) << what;
-    ASSERT_EQ(traced[k].segment, defined[k].segment) << what;
-    ASSERT_EQ(traced[k].vertex_is_reflex, defined[k].vertex_is_reflex) << what;
+    ASSERT_EQ(traced[k].origin, defined[k].origin);
+    ASSERT_EQ(traced[k].segment, defined[k].segment);
+    ASSERT_EQ(traced[k].vertex_is_reflex, defined[k].vertex_is_reflex);
   }
 }
 
-void expect_as_defined(const Region& p, const Region& q, const std::string& what) {
+void expect_as_defined(const Region& p, const Region& q) {
   const ConvolutionCycles cycles = convolution_cycles(p, q);
-  expect_equal(full_convolution(cycles), convolution(p, q), what);
-  expect_equal(reduced_convolution(cycles), reduced_convolution(p, q), what);
-  expect_equal(traced_convolution(p, q), convolution(p, q), what);
-  expect_equal(traced_reduced_convolution(p, q), reduced_convolution(p, q), what);
+  expect_equal(full_convolution(cycles), convolution(p, q));
+  expect_equal(reduced_convolution(cycles), reduced_convolution(p, q));
+  expect_equal(traced_convolution(p, q), convolution(p, q));
+  expect_equal(traced_reduced_convolution(p, q), reduced_convolution(p, q));
 }
 
 TEST(ConvolutionCycles, are_the_convolution_for_shapes_of_every_kind) {
-  for (const Shape& p : shapes())
-    for (const Shape& q : shapes()) expect_as_defined(p.region, q.region, p.name + " + " + q.name);
+  for_each_pair_of_shapes(expect_as_defined);
 }
 
 TEST(ConvolutionCycles, are_the_convolution_beyond_doubles) {
@@ -56,9 +54,11 @@ TEST(ConvolutionCycles, are_the_convolution_beyond_doubles) {
   const Rational third(1, 3);
   const Region p = polygon({{0, 0}, {huge, third}, {huge + 1, huge}, {third, huge + third}});
   const Region q = polygon({{0, 0}, {3 * huge, 1}, {1 / huge, 1 / huge}, {-1, 3 * huge}});
-  expect_as_defined(p, q, "huge + huge");
-  expect_as_defined(p, p, "equal directions");
-  expect_as_defined(p, reflected(p), "opposite directions");
+  for (const Shape& other :
+       {Shape{"huge + huge", q}, {"equal directions", p}, {"opposite directions", reflected(p)}}) {
+    SCOPED_TRACE(other.name);
+    expect_as_defined(p, other.region);
+  }
 }
 
 TEST(ConvolutionCycles, two_convex_polygons_have_one_cycle_of_all_edges) {

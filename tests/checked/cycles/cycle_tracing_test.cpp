@@ -5,8 +5,8 @@
 
 #include "checked/arithmetic/interval.hpp"
 #include "reference/definitions/tangent_set.hpp"
+#include "tests/reference/definitions/pairs_of_shapes.hpp"
 #include "tests/reference/definitions/print.hpp"
-#include "tests/reference/definitions/shapes.hpp"
 
 namespace oplus {
 namespace {
@@ -62,18 +62,14 @@ TEST(CycleTracing, opposite_directions_are_no_ties) {
 }
 
 TEST(CycleTracing, looks_at_the_starts_and_at_what_is_between_the_ends_of_cycles) {
-  for (const Shape& p : shapes()) {
-    for (const Shape& q : shapes()) {
-      const Chain& of_p = p.region.components[0].outer;
-      const Chain& of_q = q.region.components[0].outer;
-      const GridCycles grid = traced(of_p, of_q);
-      std::size_t segments = 0;
-      for (const GridCycle& cycle : grid.cycles) segments += cycle.steps.size();
-      ASSERT_EQ(grid.states_looked_at + grid.cycles.size(),
-                of_p.size() + of_q.size() - 1 + segments)
-          << p.name << " + " << q.name;
-    }
-  }
+  for_each_pair_of_shapes([](const Region& p, const Region& q) {
+    const Chain& of_p = p.components[0].outer;
+    const Chain& of_q = q.components[0].outer;
+    const GridCycles grid = traced(of_p, of_q);
+    std::size_t segments = 0;
+    for (const GridCycle& cycle : grid.cycles) segments += cycle.steps.size();
+    ASSERT_EQ(grid.states_looked_at + grid.cycles.size(), of_p.size() + of_q.size() - 1 + segments);
+  });
 }
 
 TEST(CycleTracing, goes_round_a_reflex_vertex_in_a_cycle_of_its_own) {

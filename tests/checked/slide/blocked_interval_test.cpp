@@ -14,38 +14,26 @@
 namespace oplus::slide {
 namespace {
 
-struct Interval {
-  Rational from, to;
-
-  friend bool operator==(const Interval&, const Interval&) = default;
-  friend void PrintTo(const Interval& i, std::ostream* out) {
-    *out << '(' << i.from << ", " << i.to << ')';
-  }
-};
-
 struct Case {
   Segment segment, of_p, of_q;
 };
 
 template <typename Numbers = SmallNumbers>
-std::optional<Interval> blocked(const Case& c, Shift shift) {
-  const auto interval =
-      blocked_interval(integer_segment<Numbers>(c.segment), integer_segment<Numbers>(c.of_p),
-                       integer_segment<Numbers>(c.of_q), shift);
-  if (!interval) return std::nullopt;
-  return Interval{rational(interval->from), rational(interval->to)};
+std::optional<Places> blocked(const Case& c, Shift shift) {
+  return places(blocked_interval(integer_segment<Numbers>(c.segment),
+                                 integer_segment<Numbers>(c.of_p), integer_segment<Numbers>(c.of_q),
+                                 shift));
 }
 
 const LinearMap mirror{-1, 0, 0, 1};
 
 Case mapped(const Case& c, const LinearMap& map) {
-  const auto segment = [&](const Segment& s) { return Segment{map(s.source), map(s.target)}; };
-  return {segment(c.segment), segment(c.of_p), segment(c.of_q)};
+  return {image(map, c.segment), image(map, c.of_p), image(map, c.of_q)};
 }
 
 /// The answer for a case must be that for all it looks like: rotated, mirrored (the segment the other
 /// way round, so that its right stays), the edges exchanged or directed the other way.
-void expect_blocked(const Case& hand, Shift shift, const std::optional<Interval>& expected) {
+void expect_blocked(const Case& hand, Shift shift, const std::optional<Places>& expected) {
   Case c = hand;
   for (int turn = 0; turn < 4; ++turn) {
     for (const bool exchanged : {false, true}) {
@@ -61,9 +49,7 @@ void expect_blocked(const Case& hand, Shift shift, const std::optional<Interval>
           EXPECT_EQ(blocked(variant, shift), expected) << what;
           Case mirrored = mapped(variant, mirror);
           mirrored.segment = reversed(mirrored.segment);
-          std::optional<Interval> other_way;
-          if (expected) other_way = {1 - expected->to, 1 - expected->from};
-          EXPECT_EQ(blocked(mirrored, shift), other_way) << what << ", mirrored";
+          EXPECT_EQ(blocked(mirrored, shift), from_the_end(expected)) << what << ", mirrored";
         }
       }
     }
@@ -80,17 +66,17 @@ const Segment slanted{{0, 0}, {2, 2}};
 
 TEST(BlockedInterval, is_where_the_segment_is_inside) {
   for (const Shift shift : both) {
-    expect_blocked({{{-1, 1}, {9, 1}}, across, up}, shift, Interval{{1, 10}, {1, 2}});
-    expect_blocked({{{-1, 1}, {9, 1}}, far_across, far_up}, shift, Interval{{1, 10}, {1, 2}});
+    expect_blocked({{{-1, 1}, {9, 1}}, across, up}, shift, Places{{1, 10}, {1, 2}});
+    expect_blocked({{{-1, 1}, {9, 1}}, far_across, far_up}, shift, Places{{1, 10}, {1, 2}});
     // The line counts, not only the segment.
-    expect_blocked({{{1, 1}, {2, 1}}, across, up}, shift, Interval{-1, 3});
-    expect_blocked({{{-2, 1}, {-1, 1}}, across, up}, shift, Interval{2, 6});
+    expect_blocked({{{1, 1}, {2, 1}}, across, up}, shift, Places{-1, 3});
+    expect_blocked({{{-2, 1}, {-1, 1}}, across, up}, shift, Places{2, 6});
     // In at a side and out at the one beside it; from corner to corner.
-    expect_blocked({{{-1, 0}, {3, 4}}, across, up}, shift, Interval{{1, 4}, {1, 2}});
-    expect_blocked({{{0, 0}, {4, 2}}, across, up}, shift, Interval{0, 1});
+    expect_blocked({{{-1, 0}, {3, 4}}, across, up}, shift, Places{{1, 4}, {1, 2}});
+    expect_blocked({{{0, 0}, {4, 2}}, across, up}, shift, Places{0, 1});
     // The parallelogram (0, 0), (4, 0), (6, 2), (2, 2).
-    expect_blocked({{{0, 1}, {8, 1}}, across, slanted}, shift, Interval{{1, 8}, {5, 8}});
-    expect_blocked({{{2, -1}, {2, 3}}, across, slanted}, shift, Interval{{1, 4}, {3, 4}});
+    expect_blocked({{{0, 1}, {8, 1}}, across, slanted}, shift, Places{{1, 8}, {5, 8}});
+    expect_blocked({{{2, -1}, {2, 3}}, across, slanted}, shift, Places{{1, 4}, {3, 4}});
   }
 }
 
@@ -106,17 +92,17 @@ TEST(BlockedInterval, along_a_side_is_blocked_where_the_inside_is_to_the_right) 
   // Along the lower side: to the right as the segment goes to the left.
   const Segment rightwards{{-2, 0}, {6, 0}}, leftwards = reversed(rightwards);
   expect_blocked({rightwards, across, up}, Shift::to_the_right, std::nullopt);
-  expect_blocked({leftwards, across, up}, Shift::to_the_right, Interval{{1, 4}, {3, 4}});
+  expect_blocked({leftwards, across, up}, Shift::to_the_right, Places{{1, 4}, {3, 4}});
   // Along the upper one.
   const Segment above{{-2, 2}, {6, 2}};
-  expect_blocked({above, across, up}, Shift::to_the_right, Interval{{1, 4}, {3, 4}});
+  expect_blocked({above, across, up}, Shift::to_the_right, Places{{1, 4}, {3, 4}});
   expect_blocked({reversed(above), across, up}, Shift::to_the_right, std::nullopt);
   // Along the slanted sides.
   const Segment left{{-1, -1}, {3, 3}}, right{{3, -1}, {7, 3}};
-  expect_blocked({left, across, slanted}, Shift::to_the_right, Interval{{1, 4}, {3, 4}});
+  expect_blocked({left, across, slanted}, Shift::to_the_right, Places{{1, 4}, {3, 4}});
   expect_blocked({reversed(left), across, slanted}, Shift::to_the_right, std::nullopt);
   expect_blocked({right, across, slanted}, Shift::to_the_right, std::nullopt);
-  expect_blocked({reversed(right), across, slanted}, Shift::to_the_right, Interval{{1, 4}, {3, 4}});
+  expect_blocked({reversed(right), across, slanted}, Shift::to_the_right, Places{{1, 4}, {3, 4}});
 }
 
 TEST(BlockedInterval, along_a_side_is_empty_without_a_shift) {
@@ -185,7 +171,7 @@ TEST(BlockedInterval, is_that_of_the_definition) {
     if (one_in(random, 2)) along = -along;
     const Case c{{x, x + along}, of_p, of_q};
     for (const Shift shift : both) {
-      const std::optional<Interval> interval = blocked(c, shift);
+      const std::optional<Places> interval = blocked(c, shift);
       if (interval) {
         ++found;
         ASSERT_LT(interval->from, interval->to);
@@ -206,7 +192,6 @@ TEST(BlockedInterval, is_that_of_the_definition) {
 
 template <typename Numbers>
 class BlockedIntervalAtTheLimit : public testing::Test {};
-using LimitedNumbers = testing::Types<SmallNumbers, WideNumbers>;
 TYPED_TEST_SUITE(BlockedIntervalAtTheLimit, LimitedNumbers);
 
 TYPED_TEST(BlockedIntervalAtTheLimit, is_that_of_gmp) {

@@ -75,11 +75,7 @@ TEST(CutAtPoints, cuts_at_all_points_and_no_others) {
     const int side = uniform(random, 2, 6);
     for (int x = 0; x < side; ++x)
       for (int y = 0; y < side; ++y)
-        if (!one_in(random, 3)) points.emplace_back(Point{Rational(x, 3), Rational(y, 7)});
-    for (Point& p : points) {
-      p.x.canonicalize();
-      p.y.canonicalize();
-    }
+        if (!one_in(random, 3)) points.push_back({Rational(x) / 3, Rational(y) / 7});
     if (points.size() < 2) continue;
     Pieces pieces, expected;
     for (std::uint32_t segment = 0; segment < 10; ++segment) {

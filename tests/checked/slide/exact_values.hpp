@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <vector>
 
 #include "checked/slide/fraction.hpp"
@@ -16,6 +17,7 @@ namespace oplus::slide {
 // What the stages of arithmetic compute, as rationals that know nothing of stages.
 
 using AllNumbers = testing::Types<SmallNumbers, WideNumbers, AnyNumbers>;
+using LimitedNumbers = testing::Types<SmallNumbers, WideNumbers>;
 
 template <typename Value>
 mpz_class integer(const Value& value) {
@@ -35,10 +37,33 @@ typename Numbers::Value value(const mpz_class& integer) {
 }
 
 template <typename Numbers>
+Fraction<Numbers> fraction(const mpz_class& n, const mpz_class& d) {
+  return {value<Numbers>(n), value<Numbers>(d)};
+}
+
+template <typename Numbers>
 Rational rational(const Fraction<Numbers>& fraction) {
-  Rational result(integer(fraction.numerator()), integer(fraction.denominator()));
-  result.canonicalize();
-  return result;
+  return Rational(integer(fraction.numerator())) / integer(fraction.denominator());
+}
+
+/// Of a segment's line, open or closed.
+struct Places {
+  Rational from, to;
+
+  friend bool operator==(const Places&, const Places&) = default;
+  friend void PrintTo(const Places& p, std::ostream* out) { *out << p.from << " to " << p.to; }
+};
+
+template <typename Found>
+std::optional<Places> places(const std::optional<Found>& found) {
+  if (!found) return std::nullopt;
+  return Places{rational(found->from), rational(found->to)};
+}
+
+/// Of the same segment the other way round.
+inline std::optional<Places> from_the_end(const std::optional<Places>& places) {
+  if (!places) return std::nullopt;
+  return Places{1 - places->to, 1 - places->from};
 }
 
 /// From one point to another. Requires: integer coordinates.
@@ -53,6 +78,10 @@ IntegerSegment<Numbers> integer_segment(const Segment& s) {
 inline Rational power_of_two(int exponent) {
   const mpz_class power = mpz_class(1) << static_cast<unsigned>(std::abs(exponent));
   return exponent < 0 ? Rational(1, power) : Rational(power);
+}
+
+inline Segment image(const LinearMap& map, const Segment& s) {
+  return {map(s.source), map(s.target)};
 }
 
 inline LinearMap quarter_turns(int times) {

@@ -15,11 +15,6 @@ template <typename Numbers>
 class FractionIn : public testing::Test {};
 TYPED_TEST_SUITE(FractionIn, AllNumbers);
 
-template <typename Numbers>
-Fraction<Numbers> fraction(const mpz_class& n, const mpz_class& d) {
-  return {value<Numbers>(n), value<Numbers>(d)};
-}
-
 /// A fraction's numbers have less than so many bits, here.
 template <typename Numbers>
 constexpr unsigned bits = is_small<Numbers>                      ? 62

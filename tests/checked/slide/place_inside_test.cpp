@@ -17,10 +17,8 @@ TYPED_TEST_SUITE(PlaceInside, AllNumbers);
 
 template <typename Numbers>
 Piece<Numbers> piece(const Rational& from, const Rational& to) {
-  const auto fraction = [](const Rational& r) {
-    return Fraction<Numbers>{value<Numbers>(r.get_num()), value<Numbers>(r.get_den())};
-  };
-  return {fraction(from), fraction(to)};
+  return {fraction<Numbers>(from.get_num(), from.get_den()),
+          fraction<Numbers>(to.get_num(), to.get_den())};
 }
 
 /// A place strictly inside. Returns its denominator.
@@ -63,9 +61,8 @@ TYPED_TEST(PlaceInside, of_gaps_as_narrow_as_doubles_can_barely_tell) {
       mpz_class wide = d >> static_cast<unsigned>(exponent);
       wide += uniform(random, 0, 3) * (wide / 4);
       const mpz_class low = (d - wide) * uniform(random, 0, 1000) / 1000;
-      Rational from(low, d), to(mpz_class(low + std::max<mpz_class>(wide, 1)), d);
-      from.canonicalize();
-      to.canonicalize();
+      const Rational from = Rational(low) / d;
+      const Rational to = Rational(low + std::max<mpz_class>(wide, 1)) / d;
       const mpz_class denominator = expect_inside<TypeParam>(from, to);
       if (exponent < 38) {
         EXPECT_LE(denominator, mpz_class(1) << 42) << "in short numbers";

@@ -57,51 +57,40 @@ Region triangle_to(const Rational& c) { return polygon({{0, 0}, {c, 0}, {0, c}})
 /// A square with coordinates -c and c.
 Region square_around_origin(const Rational& c) { return polygon(box(-c, -c, c, c)); }
 
-TEST(Slide, of_nothing_is_nothing) {
-  for (const Boundary boundary : both) {
-    EXPECT_EQ(slide_sum({}, triangle, boundary).sum, MinkowskiSum{});
-    EXPECT_EQ(slide_sum(triangle, {}, boundary).sum, MinkowskiSum{});
-  }
-}
-
-TEST(Slide, origins_are_empty_unless_asked_for) {
-  EXPECT_TRUE(slide_sum(triangle, triangle, Boundary::closed).origins.empty());
-  const EngineOptions asked{.with_origins = true};
-  EXPECT_EQ(slide_sum(triangle, triangle, Boundary::closed, asked).origins.size(), 3u);
-}
-
-TEST(Slide, is_what_the_corpus_says) {
-  for (const CorpusPair& row : corpus()) {
-    EXPECT_EQ(slide_sum(row.p, row.q, Boundary::closed).sum, row.closed) << row.name;
-    EXPECT_EQ(slide_sum(row.p, row.q, Boundary::open).sum, row.open) << row.name;
+TEST(Slide, slides_along_the_reduced_convolution) {
+  for (const CorpusPair& row : corpus())
     EXPECT_EQ(slide_sum(row.p, row.q, Boundary::closed).statistics.count("segments slid along"),
               reduced_convolution(row.p, row.q).size())
         << row.name;
+}
+
+TEST(SlideStages, are_the_first_that_hold_the_bits_of_a_coordinate) {
+  const auto power = power_of_two;
+  const auto tiny = [](int denominator) { return triangle_to(Rational(1, denominator)); };
+  const Region of_20_bits = square_around_origin(power(20) - 1);
+  struct Row {
+    std::string name;
+    Region p, q;
+    std::size_t bits;
+    std::string stage;
+  };
+  for (const Row& row : {
+           Row{"29 bits", square_around_origin(power(29) - 1), triangle, 29, "64"},
+           {"30 bits", square_around_origin(power(29)), triangle, 30, "256"},
+           {"30 bits, exchanged", triangle, square_around_origin(power(29)), 30, "256"},
+           {"30 bits, of which the middle of the box takes one", triangle_to(power(30) - 2),
+            triangle, 29, "64"},
+           {"31 bits, of which it takes one", triangle_to(power(30)), triangle, 30, "256"},
+           {"124 bits", square_around_origin(power(124) - 1), triangle, 124, "256"},
+           {"125 bits", square_around_origin(power(124)), triangle, 125, "gmp"},
+           {"a common denominator of 2 bits", of_20_bits, tiny(3), 22, "64"},
+           {"a common denominator of 9 bits", of_20_bits, tiny(511), 29, "64"},
+           {"a common denominator of 10 bits", of_20_bits, tiny(513), 30, "256"},
+       }) {
+    const Statistics statistics = slide_sum(row.p, row.q, Boundary::closed).statistics;
+    EXPECT_EQ(statistics.count("bits of a coordinate"), row.bits) << row.name;
+    EXPECT_EQ(stage(statistics), row.stage) << row.name;
   }
-}
-
-TEST(SlideStages, have_29_bits_at_most_in_64) {
-  const Rational largest = power_of_two(29) - 1;
-  const Statistics statistics =
-      slide_sum(square_around_origin(largest), triangle, Boundary::closed).statistics;
-  EXPECT_EQ(statistics.count("bits of a coordinate"), 29u);
-  EXPECT_EQ(stage(statistics), "64");
-}
-
-TEST(SlideStages, of_30_bits_are_256_bits_where_the_box_is_as_large) {
-  const Region large = square_around_origin(power_of_two(29));
-  const Statistics statistics = slide_sum(large, triangle, Boundary::closed).statistics;
-  EXPECT_EQ(statistics.count("bits of a coordinate"), 30u);
-  EXPECT_EQ(stage(statistics), "256");
-  EXPECT_EQ(stage(triangle, large), "256");
-}
-
-TEST(SlideStages, of_30_bits_are_64_bits_where_the_middle_of_the_box_can_be_taken_off) {
-  const Statistics statistics =
-      slide_sum(triangle_to(power_of_two(30) - 2), triangle, Boundary::closed).statistics;
-  EXPECT_EQ(statistics.count("bits of a coordinate"), 29u);
-  EXPECT_EQ(stage(statistics), "64");
-  EXPECT_EQ(stage(triangle_to(power_of_two(30)), triangle), "256");
 }
 
 TEST(SlideStages, of_what_is_small_but_far_from_the_origin_are_64_bits) {
@@ -117,28 +106,6 @@ TEST(SlideStages, of_what_is_small_but_far_from_the_origin_are_64_bits) {
     EXPECT_EQ(stage(moved.statistics), "64");
     EXPECT_LE(moved.statistics.count("bits of a coordinate"), 4u + 2);
   }
-}
-
-TEST(SlideStages, have_124_bits_at_most_in_256) {
-  const Rational limit = power_of_two(124);
-  const Statistics below =
-      slide_sum(square_around_origin(limit - 1), triangle, Boundary::closed).statistics;
-  EXPECT_EQ(below.count("bits of a coordinate"), 124u);
-  EXPECT_EQ(stage(below), "256");
-  const Statistics above =
-      slide_sum(square_around_origin(limit), triangle, Boundary::closed).statistics;
-  EXPECT_EQ(above.count("bits of a coordinate"), 125u);
-  EXPECT_EQ(stage(above), "gmp");
-}
-
-TEST(SlideStages, count_the_common_denominator) {
-  // 2^20 and a denominator of 9 bits have 29 bits, and of 10 bits 30 bits and more.
-  const Region large = square_around_origin(power_of_two(20) - 1);
-  const auto tiny = [](int denominator) { return triangle_to(Rational(1, denominator)); };
-  EXPECT_EQ(stage(large, tiny(511)), "64");
-  EXPECT_EQ(stage(large, tiny(513)), "256");
-  EXPECT_EQ(slide_sum(large, tiny(3), Boundary::closed).statistics.count("bits of a coordinate"),
-            22u);
 }
 
 TEST(SlideStages, that_are_asked_for_are_taken) {

@@ -8,6 +8,7 @@
 
 #include "checked/slide/numbers.hpp"
 #include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/sorted_without_copies.hpp"
 #include "reference/families/polygons.hpp"
 #include "reference/families/rich_regions.hpp"
 #include "tests/checked/slide/exact_values.hpp"
@@ -24,8 +25,7 @@ class Stitched {
  public:
   explicit Stitched(const std::vector<Segment>& edges) {
     for (const Segment& e : edges) points_.insert(points_.end(), {e.source, e.target});
-    std::sort(points_.begin(), points_.end());
-    points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
+    points_ = sorted_without_copies(std::move(points_));
     std::vector<BoundaryPiece> pieces;
     for (std::uint32_t i = 0; i < edges.size(); ++i)
       pieces.push_back({number_of(edges[i].source), number_of(edges[i].target), i});

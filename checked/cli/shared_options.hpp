@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "checked/cli/subcommands.hpp"
+#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+/// A subcommand and what its options are read into, which lives as long as the program.
+template <typename Options>
+struct Subcommand {
+  CLI::App& command;
+  Options& options;
+};
+
+/// Adds a subcommand, which sets `chosen` to its work where it is the one asked for.
+template <typename Options>
+Subcommand<Options> add_subcommand(CLI::App& program, Action& chosen, const std::string& name,
+                                   const std::string& what, ExitCode (*work)(const Options&)) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = *program.add_subcommand(name, what);
+  command.callback([=, &chosen] { chosen = [=] { return work(*options); }; });
+  return {command, *options};
+}
+
+/// Adds an option or an argument that is the name of a file.
+template <typename Path>
+CLI::Option* add_file(CLI::App& command, const std::string& name, Path& path,
+                      const std::string& what) {
+  return command.add_option(name, path, what)->type_name("FILE");
+}
+
+/// Adds `--format wkt|dat|geojson`.
+void add_format(CLI::App& command, std::optional<Format>& format);
+
+/// Adds `--open`.
+void add_open(CLI::App& command, Boundary& boundary, const std::string& what);
+
+}  // namespace oplus
