@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <ranges>
 #include <set>
 
 #include "properties/runner/registry.hpp"
-#include "properties/statements/chapter2/overlay_points.hpp"
+#include "properties/statements/places/overlay.hpp"
 #include "reference/definitions/collision.hpp"
 #include "reference/io/writing.hpp"
 
@@ -20,16 +21,13 @@ struct SumsOfInsidePoints {
 
 SumsOfInsidePoints sums_of_inside_points(const Region& p, const Region& placed) {
   SumsOfInsidePoints found;
-  for (const std::vector<Segment>& of_p : boundary_pieces(p)) {
-    for (const Segment& s : of_p) {
-      for (const std::vector<Segment>& of_q : boundary_pieces(placed)) {
-        for (const Segment& t : of_q) {
-          if (cross_properly(s, t)) found.different = true;
-          if (!overlap(s, t)) continue;
-          const bool is_same = sign(dot(direction_of(s), direction_of(t))) > 0;
-          (is_same ? found.different : found.equal) = true;
-        }
-      }
+  const std::vector<std::vector<Segment>> of_placed = boundary_pieces(placed);
+  for (const Segment& s : boundary_pieces(p) | std::views::join) {
+    for (const Segment& t : of_placed | std::views::join) {
+      if (cross_properly(s, t)) found.different = true;
+      if (!overlap(s, t)) continue;
+      const bool is_same = sign(dot(direction_of(s), direction_of(t))) > 0;
+      (is_same ? found.different : found.equal) = true;
     }
   }
   return found;
@@ -39,15 +37,12 @@ SumsOfInsidePoints sums_of_inside_points(const Region& p, const Region& placed) 
 /// these two pieces meet.
 std::set<Point> sums_of_some_inside_points(const Summands& summands) {
   std::set<Point> sums;
-  for (const std::vector<Segment>& of_p : boundary_pieces(summands.p)) {
-    for (const Segment& s : of_p) {
-      const Point middle = midpoint(s.source, s.target);
-      for (const std::vector<Segment>& of_q : boundary_pieces(summands.q)) {
-        for (const Segment& t : of_q) {
-          const Point middle_of_t = midpoint(t.source, t.target);
-          sums.insert({middle + middle_of_t, midpoint(s.source, middle) + middle_of_t});
-        }
-      }
+  const std::vector<std::vector<Segment>> of_q = boundary_pieces(summands.q);
+  for (const Segment& s : boundary_pieces(summands.p) | std::views::join) {
+    const Point middle = midpoint(s.source, s.target);
+    for (const Segment& t : of_q | std::views::join) {
+      const Point middle_of_t = midpoint(t.source, t.target);
+      sums.insert({middle + middle_of_t, midpoint(s.source, middle) + middle_of_t});
     }
   }
   return sums;
@@ -66,7 +61,9 @@ Outcome check(const Summands& summands) {
     const Region placed = translated(reflected_q, x);
     const SumsOfInsidePoints sums = sums_of_inside_points(summands.p, placed);
     ++outcome.counts["sums of points inside edges"];
-    const bool is_in_sum = have_common_interior(overlay_points(summands.p, placed));
+    const bool is_in_sum = std::ranges::any_of(
+        overlaid({summands.p, placed}),
+        [](const OverlaidPoint& a) { return a.is_in(0, true) && a.is_in(1, true); });
     if (!is_in_sum) ++outcome.counts["of them, not in the open sum"];
     if (sums.different && !is_in_sum) {
       outcome.fail(to_string(x) +
@@ -83,7 +80,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "lemma-2.2.5",
-    .kind = "lemma",
     .title = "Points inside edges sum up to boundary for equal directions only",
     .statement =
         "Let p be inside an edge of P and q inside an edge of Q, in no points where other chains "

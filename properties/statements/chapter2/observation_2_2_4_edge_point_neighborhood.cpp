@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <set>
+#include <ranges>
 
 #include "properties/runner/registry.hpp"
-#include "properties/statements/chapter2/points_around.hpp"
 #include "properties/statements/places/open_sum.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/definitions/cut_at_intersections.hpp"
@@ -13,11 +12,39 @@ namespace oplus {
 
 namespace {
 
-std::vector<Segment> pieces_of(const Region& region) {
-  std::vector<Segment> all;
-  for (const std::vector<Segment>& of_chain : boundary_pieces(region))
-    all.insert(all.end(), of_chain.begin(), of_chain.end());
-  return all;
+/// A point on the ray from x before it meets a segment.
+Point before_first_hit(const Point& x, const Vector& along, const std::vector<Segment>& segments) {
+  const Segment first = cut_where_met({x, x + along}, segments).front();
+  return midpoint(first.source, first.target);
+}
+
+/// Returns a point near x in every cell, edge or face, of the segments' arrangement that x touches
+/// from strictly to the left of a line through x along the given direction: whatever is constant in
+/// cells holds in a small half disk iff it holds in these points.
+/// Requires: along is not zero.
+std::vector<Point> points_to_the_left(const Point& x, const Vector& along,
+                                      const std::vector<Segment>& segments) {
+  std::vector<Vector> rays{along, -along};
+  for (const Segment& s : segments) {
+    if (!lies_on(x, s)) continue;
+    for (const Vector& ray : {s.source - x, s.target - x})
+      if (sign(cross(along, ray)) > 0) rays.push_back(ray);
+  }
+  const auto turns_left = [](const Vector& u, const Vector& v) { return sign(cross(u, v)) > 0; };
+  const auto is_same = [](const Vector& u, const Vector& v) { return sign(cross(u, v)) == 0; };
+  // From along to -along, which are the ends of this order but parallel.
+  std::sort(rays.begin() + 2, rays.end(), turns_left);
+  rays.erase(std::unique(rays.begin() + 2, rays.end(), is_same), rays.end());
+  std::rotate(rays.begin() + 1, rays.begin() + 2, rays.end());
+
+  std::vector<Point> points;
+  for (std::size_t i = 1; i < rays.size(); ++i) {
+    const bool is_half_plane = rays.size() == 2;
+    const Vector between = is_half_plane ? Vector{-along.y, along.x} : rays[i - 1] + rays[i];
+    points.push_back(before_first_hit(x, between, segments));
+    if (i + 1 < rays.size()) points.push_back(before_first_hit(x, rays[i], segments));
+  }
+  return points;
 }
 
 /// Looks at half disks, as far as it is constant in the cells of the vertex-edge sum's arrangement
@@ -53,10 +80,10 @@ struct HalfDisk {
 /// The middle of an edge, at a vertex and at the middle of an edge of the other summand.
 void add_half_disks(const Region& with_edges, const Region& other_region,
                     std::vector<HalfDisk>& all) {
-  for (const Segment& piece : pieces_of(with_edges)) {
+  for (const Segment& piece : boundary_pieces(with_edges) | std::views::join) {
     const Vector along = direction_of(piece);
     const Point middle = midpoint(piece.source, piece.target);
-    for (const Segment& of_other : pieces_of(other_region)) {
+    for (const Segment& of_other : boundary_pieces(other_region) | std::views::join) {
       all.push_back({middle + of_other.source, along});
       all.push_back({middle + midpoint(of_other.source, of_other.target), along});
     }
@@ -78,7 +105,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "observation-2.2.4",
-    .kind = "observation",
     .title = "Around a point of an edge the sum fills a half disk",
     .statement =
         "Let p be inside an edge of one summand, in no point where another chain touches that edge, "

@@ -59,7 +59,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "section-3.2.1",
-    .kind = "section",
     .title = "Tracing cycles finds the convolution",
     .statement =
         "The segments of all traced cycles are the convolution, each once, and those whose vertex "

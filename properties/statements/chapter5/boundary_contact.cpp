@@ -2,6 +2,7 @@
 #include "properties/statements/chapter5/boundary_contact.hpp"
 
 #include <algorithm>
+#include <ranges>
 #include <stdexcept>
 
 namespace oplus {
@@ -17,22 +18,15 @@ BoundaryContact contact_of(const Segment& s, const Segment& t) {
   return intersection(s, t).empty() ? BoundaryContact::none : BoundaryContact::weak;
 }
 
-/// A point inside an edge in which another chain of the same region touches it is an end, too.
-std::vector<Segment> edges_cut_where_chains_touch(const Region& region) {
-  std::vector<Segment> all;
-  for (const std::vector<Segment>& of_chain : boundary_pieces(region))
-    all.insert(all.end(), of_chain.begin(), of_chain.end());
-  return all;
-}
-
 }  // namespace
 
 BoundaryContact strongest_contact(const Region& a, const Region& b) {
-  const std::vector<Segment> edges_of_b = edges_cut_where_chains_touch(b);
+  // A point inside an edge in which another chain of the same region touches it is an end, too.
+  const std::vector<std::vector<Segment>> of_b = boundary_pieces(b);
   BoundaryContact strongest = BoundaryContact::none;
-  for (const Segment& s : edges_cut_where_chains_touch(a)) {
-    for (const Segment& t : edges_of_b) strongest = std::max(strongest, contact_of(s, t));
-  }
+  for (const Segment& s : boundary_pieces(a) | std::views::join)
+    for (const Segment& t : of_b | std::views::join)
+      strongest = std::max(strongest, contact_of(s, t));
   return strongest;
 }
 

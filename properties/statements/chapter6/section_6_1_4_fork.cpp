@@ -11,12 +11,10 @@ namespace {
 std::size_t teeth(const Region& fork) { return (vertex_count(fork) - 4) / 8; }
 
 Outcome has_square_holes(const Summands& summands, const std::function<MinkowskiSum()>& computed) {
-  Outcome outcome;
   // A pair that is shrunk or given may be none of the family.
-  if (vertex_count(summands.q) != 6 || vertex_count(summands.p) % 8 != 4) {
-    outcome.kind = Outcome::Kind::discarded;
-    return outcome;
-  }
+  if (vertex_count(summands.q) != 6 || vertex_count(summands.p) % 8 != 4)
+    return {Outcome::Kind::discarded, {}, {}};
+  Outcome outcome;
   const std::size_t n = teeth(summands.p);
   const MinkowskiSum sum = computed();
   outcome.counts["holes"] += sum.holes.size();
@@ -42,7 +40,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "section-6.1.4",
-    .kind = "section",
     .title = "The fork's sum has n² holes",
     .statement =
         "The sum of a fork with n teeth on each of its two arms, of whatever widths and gaps, and "
