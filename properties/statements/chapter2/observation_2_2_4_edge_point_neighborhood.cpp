@@ -47,29 +47,6 @@ std::vector<Point> points_to_the_left(const Point& x, const Vector& along,
   return points;
 }
 
-/// Looks at half disks, as far as it is constant in the cells of the vertex-edge sum's arrangement
-/// whether a point is in the open sum. It is: only there a vertex of P meets an edge of -Q+x.
-class HalfDisks {
- public:
-  explicit HalfDisks(const Summands& summands)
-      : sum_(segments(vertex_edge_sum(summands.p, summands.q))), open_sum_(summands) {}
-
-  void look_at(const Point& x, const Vector& along) {
-    ++outcome.counts["half disks"];
-    for (const Point& y : points_to_the_left(x, along, sum_)) {
-      if (outcome.kind == Outcome::Kind::fails || open_sum_.contains(y)) continue;
-      outcome.fail("the half disk around " + to_string(x) + " contains " + to_string(y) +
-                   ", which is not in the open sum");
-    }
-  }
-
-  Outcome outcome;
-
- private:
-  std::vector<Segment> sum_;
-  OpenSum open_sum_;
-};
-
 constexpr std::size_t most_half_disks = 60;  // a pair
 
 struct HalfDisk {
@@ -90,17 +67,26 @@ void add_half_disks(const Region& with_edges, const Region& other_region,
   }
 }
 
+/// Looks at half disks, as far as it is constant in the cells of the vertex-edge sum's arrangement
+/// whether a point is in the open sum. It is: only there a vertex of P meets an edge of -Q+x.
 Outcome check(const Summands& summands) {
   std::vector<HalfDisk> all;
   add_half_disks(summands.p, summands.q, all);
   add_half_disks(summands.q, summands.p, all);
-  HalfDisks half_disks(summands);
+  const std::vector<Segment> sums = segments(vertex_edge_sum(summands.p, summands.q));
+  OpenSum open_sum(summands);
+  Outcome outcome;
   const std::size_t looked_at = std::min(all.size(), most_half_disks);
   for (std::size_t k = 0; k < looked_at; ++k) {
     const auto& [centre, along] = all[k * all.size() / looked_at];
-    half_disks.look_at(centre, along);
+    ++outcome.counts["half disks"];
+    for (const Point& y : points_to_the_left(centre, along, sums)) {
+      if (outcome.kind == Outcome::Kind::fails || open_sum.contains(y)) continue;
+      outcome.fail("the half disk around " + to_string(centre) + " contains " + to_string(y) +
+                   ", which is not in the open sum");
+    }
   }
-  return half_disks.outcome;
+  return outcome;
 }
 
 const Registered registered({
