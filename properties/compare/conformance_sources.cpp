@@ -78,7 +78,7 @@ std::vector<TaskSource> conformance_sources(const ConformanceChoice& choice) {
     if (!is_chosen(part)) continue;
     std::vector<const Statement*> of_part;
     for (const Statement& statement : statements_on_results())
-      if ((statement.kind == "law") == (part == "laws")) of_part.push_back(&statement);
+      if ((statement.kind() == "law") == (part == "laws")) of_part.push_back(&statement);
     for (const Statement* const statement : of_part)
       sources.push_back(statement_source(
           part, *statement, share(part == "laws" ? 20 : 10, 1, of_part.size()), choice.seed));

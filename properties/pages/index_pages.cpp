@@ -11,9 +11,9 @@ namespace {
 
 /// "Chapter 4" of lemma-4.1.3; facts, laws and steps have a part of their own.
 std::string part_of(const Statement& s) {
-  if (s.kind == "fact") return "Facts of our own";
-  if (s.kind == "law") return "Laws of the sum";
-  if (s.kind == "step") return "Steps of slide";
+  if (s.kind() == "fact") return "Facts of our own";
+  if (s.kind() == "law") return "Laws of the sum";
+  if (s.kind() == "step") return "Steps of slide";
   const std::size_t number = s.id.find_first_of("0123456789");
   return std::string("Chapter ") + s.id[number];
 }

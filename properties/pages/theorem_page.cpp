@@ -35,10 +35,11 @@ std::vector<std::string> resting_on(const Registry& registry, const std::string&
 }
 
 std::string source_of_theory(const Statement& s) {
-  if (s.kind == "fact") return "A fact of our own";
-  if (s.kind == "step") return "A step of [slide](../slide.md), our own";
-  if (s.kind == "law") return "A law of the sum, for every engine, not in the thesis";
-  std::string number = s.id.substr(s.kind.size() + 1), kind = s.kind;
+  std::string kind = s.kind();
+  if (kind == "fact") return "A fact of our own";
+  if (kind == "step") return "A step of [slide](../slide.md), our own";
+  if (kind == "law") return "A law of the sum, for every engine, not in the thesis";
+  const std::string number = s.id.substr(kind.size() + 1);
   kind[0] = static_cast<char>(kind[0] - 'a' + 'A');
   return kind + " " + number + " of the thesis";
 }

@@ -67,7 +67,7 @@ nlohmann::ordered_json json_of(const Statement& s) {
         {{"family", source.family}, {"largest", source.largest}, {"weight", source.weight}});
   nlohmann::ordered_json promises = nlohmann::ordered_json::object();
   for (const Promise& promise : s.promises) promises[promise.classification] = promise.percent;
-  return {{"statement", s.id},       {"title", s.title},   {"kind", s.kind},
+  return {{"statement", s.id},       {"title", s.title},   {"kind", s.kind()},
           {"says", s.statement},     {"why", s.why},       {"hypotheses", s.hypotheses},
           {"rests_on", s.rests_on},  {"kills", s.kills},   {"enumerated", s.enumerate != nullptr},
           {"cases", s.cases},        {"sources", sources}, {"promised_percent", promises},

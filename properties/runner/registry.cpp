@@ -44,8 +44,7 @@ const std::set<std::string>& kinds() {
 void add_defects_of_entry(const Statement& s, const std::set<std::string>& mutants,
                           std::vector<std::string>& defects) {
   const auto defect = [&](const std::string& what) { defects.push_back(s.id + ": " + what); };
-  if (!kinds().count(s.kind) || s.id.rfind(s.kind + "-", 0) != 0)
-    defect("the id does not start with a kind, here " + s.kind);
+  if (!kinds().count(s.kind()) || s.id == s.kind()) defect("the id does not start with a kind");
   if (s.title.empty() || s.statement.empty() || s.why.empty())
     defect("title, statement or why is missing");
   if (!s.check && !s.enumerate)

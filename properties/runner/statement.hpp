@@ -50,9 +50,8 @@ struct Promise {
 
 /// A statement of the thesis or a fact of our own, as something that can be found false.
 struct Statement {
-  std::string id;     ///< kind and number: "lemma-4.1.4"
-  std::string kind;   ///< as kinds() in registry.cpp has them: lemma, theorem, ..., fact, law, step
-  std::string title;  ///< a line
+  std::string id;         ///< kind and number: "lemma-4.1.4"
+  std::string title;      ///< a line
   std::string statement;  ///< in our own words
   std::string why;        ///< why it holds, in a few lines
   std::vector<std::string> hypotheses;
@@ -71,6 +70,9 @@ struct Statement {
   /// The same asked of one implementation's sums, for statements that speak of sums only; throws what
   /// the implementation throws. Empty for others.
   std::function<Outcome(const Engine&, Boundary, const Summands&)> of_implementation = {};
+
+  /// As kinds() in registry.cpp has them: lemma, theorem, ..., fact, law, step.
+  std::string kind() const { return id.substr(0, id.find('-')); }
 };
 
 /// What the statement says of a pair; an exception is a failure too. Discarded without `check`.

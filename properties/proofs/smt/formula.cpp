@@ -39,6 +39,11 @@ Formula Formula::flag(const std::string& name) {
   return Formula(std::make_shared<const Node>(Node{.kind = Node::Kind::flag, .word = name}));
 }
 
+Formula Formula::join(const std::string& word, const std::vector<Formula>& parts) {
+  return Formula(
+      std::make_shared<const Node>(Node{.kind = Node::Kind::join, .word = word, .parts = parts}));
+}
+
 std::optional<bool> Formula::value() const {
   if (node_->kind != Node::Kind::known) return std::nullopt;
   return node_->known;
@@ -95,32 +100,27 @@ std::string Formula::to_smt() const {
   return text + ")";
 }
 
-Formula all_of(const std::vector<Formula>& parts) {
-  Formula::Node node{.kind = Formula::Node::Kind::join, .word = "and"};
+namespace {
+
+/// A known part settles it, or says nothing.
+Formula joined(const std::string& word, bool settles, const std::vector<Formula>& parts) {
+  std::vector<Formula> unknown;
   for (const Formula& part : parts) {
-    if (part.value() == false) return false;
-    if (!part.value()) node.parts.push_back(part);
+    if (part.value() == settles) return settles;
+    if (!part.value()) unknown.push_back(part);
   }
-  if (node.parts.empty()) return true;
-  if (node.parts.size() == 1) return node.parts.front();
-  return Formula(std::make_shared<const Formula::Node>(std::move(node)));
+  if (unknown.empty()) return !settles;
+  return unknown.size() == 1 ? unknown.front() : Formula::join(word, unknown);
 }
 
-Formula any_of(const std::vector<Formula>& parts) {
-  Formula::Node node{.kind = Formula::Node::Kind::join, .word = "or"};
-  for (const Formula& part : parts) {
-    if (part.value() == true) return true;
-    if (!part.value()) node.parts.push_back(part);
-  }
-  if (node.parts.empty()) return false;
-  if (node.parts.size() == 1) return node.parts.front();
-  return Formula(std::make_shared<const Formula::Node>(std::move(node)));
-}
+}  // namespace
+
+Formula all_of(const std::vector<Formula>& parts) { return joined("and", false, parts); }
+Formula any_of(const std::vector<Formula>& parts) { return joined("or", true, parts); }
 
 Formula negation(const Formula& formula) {
   if (const auto value = formula.value()) return !*value;
-  return Formula(std::make_shared<const Formula::Node>(
-      Formula::Node{.kind = Formula::Node::Kind::join, .word = "not", .parts = {formula}}));
+  return Formula::join("not", {formula});
 }
 
 Formula if_then_else(const Formula& condition, const Formula& then, const Formula& otherwise) {
@@ -130,11 +130,9 @@ Formula if_then_else(const Formula& condition, const Formula& then, const Formul
   if (then.value() == false) return all_of({negation(condition), otherwise});
   if (otherwise.value() == true) return any_of({negation(condition), then});
   if (otherwise.value() == false) return all_of({condition, then});
-  return Formula(std::make_shared<const Formula::Node>(Formula::Node{
-      .kind = Formula::Node::Kind::join, .word = "ite", .parts = {condition, then, otherwise}}));
+  return Formula::join("ite", {condition, then, otherwise});
 }
 
 Formula same(const Formula& a, const Formula& b) { return if_then_else(a, b, negation(b)); }
-Formula implies(const Formula& a, const Formula& b) { return any_of({negation(a), b}); }
 
 }  // namespace oplus::smt

@@ -47,6 +47,8 @@ class Formula {
   Formula(bool value);
   static Formula sign_of(const Term& term, const Signs& signs);
   static Formula flag(const std::string& name);
+  /// By a word of SMT-LIB: "and", "or", "not" or "ite". Requires: no part is known.
+  static Formula join(const std::string& word, const std::vector<Formula>& parts);
 
   std::optional<bool> value() const;
 
@@ -61,24 +63,19 @@ class Formula {
   std::size_t degree() const;
   std::string to_smt() const;
 
-  friend Formula all_of(const std::vector<Formula>& parts);
-  friend Formula any_of(const std::vector<Formula>& parts);
-  friend Formula negation(const Formula& formula);
-  friend Formula if_then_else(const Formula& condition, const Formula& then,
-                              const Formula& otherwise);
-
  private:
   struct Node;
   explicit Formula(std::shared_ptr<const Node> node);
   std::shared_ptr<const Node> node_;
 };
 
-/// Declared again for those whose arguments do not name them.
 Formula all_of(const std::vector<Formula>& parts);
 Formula any_of(const std::vector<Formula>& parts);
 Formula negation(const Formula& formula);
 Formula if_then_else(const Formula& condition, const Formula& then, const Formula& otherwise);
 Formula same(const Formula& a, const Formula& b);
-Formula implies(const Formula& a, const Formula& b);
+
+inline Formula is_positive(const Term& term) { return Formula::sign_of(term, {.positive = true}); }
+inline Formula is_zero(const Term& term) { return Formula::sign_of(term, {.zero = true}); }
 
 }  // namespace oplus::smt

@@ -40,8 +40,8 @@ Formula::Names names_in(const Query& query) {
 }  // namespace
 
 Formula Condition::in(const Values& values) const {
-  if (values.are_known()) return formula(values);
-  if (!*of_unknowns) *of_unknowns = formula(values);
+  if (values.are_known()) return claim(values);
+  if (!*of_unknowns) *of_unknowns = claim(values);
   return **of_unknowns;
 }
 
@@ -79,10 +79,8 @@ std::vector<std::string> defects_of_queries(const std::vector<Query>& all) {
   for (const Statement& statement : statements()) statement_ids.insert(statement.id);
   for (const Query& query : all) {
     if (!ids.insert(query.id).second) found.push_back(query.id + ": used twice");
-    if (!query.id.starts_with(query.statement + "."))
-      found.push_back(query.id + ": does not start with its statement");
-    if (statement_ids.count(query.statement) == 0)
-      found.push_back(query.id + ": no statement " + query.statement);
+    if (statement_ids.count(query.statement()) == 0)
+      found.push_back(query.id + ": no statement " + query.statement());
     if (std::none_of(query.hypotheses.begin(), query.hypotheses.end(),
                      [&](const Hypothesis& h) { return h.name == query.dropped; }))
       found.push_back(query.id + ": no hypothesis " + query.dropped);

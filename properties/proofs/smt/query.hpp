@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
-#include "properties/proofs/smt/values.hpp"
+#include "properties/proofs/smt/claim.hpp"
 
 namespace oplus::smt {
 
 /// A condition on unknowns, in words and as a formula.
 struct Condition {
   std::string says;
-  std::function<Formula(const Values&)> formula;
+  Claim claim;
 
   /// The same, made only once of the unknowns themselves.
   Formula in(const Values& values) const;
@@ -31,8 +31,7 @@ struct Hypothesis {
 
 /// "For all real numbers: if the hypotheses hold, so does the conclusion."
 struct Query {
-  std::string id;         ///< that of the statement, a dot, what it is about
-  std::string statement;  ///< the id of the registered statement that it backs
+  std::string id;  ///< that of the registered statement that it backs, a dot, what it is about
   std::vector<Unknown> unknowns;
   std::vector<Hypothesis> hypotheses;
   Condition conclusion;
@@ -43,6 +42,8 @@ struct Query {
   /// Whether the definitions (reference/) say, too, that in this model the conclusion is false: of
   /// regions that are built from it, or of the code itself on its rational numbers.
   std::function<bool(const Model&)> is_false_by_definition;
+
+  std::string statement() const { return id.substr(0, id.rfind('.')); }
 };
 
 /// What is asked of a solver about a query.

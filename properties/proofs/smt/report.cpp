@@ -14,7 +14,7 @@ nlohmann::ordered_json to_json(const Query& query) {
   nlohmann::ordered_json of_twin = nlohmann::ordered_json::array();
   for (const Condition& condition : query.of_twin) of_twin.push_back(condition.says);
   return {{"id", query.id},
-          {"statement", query.statement},
+          {"statement", query.statement()},
           {"file", relative_file(query.file)},
           {"hypotheses", hypotheses},
           {"conclusion", query.conclusion.says},

@@ -52,7 +52,7 @@ void write_questions(const Query& query, const std::filesystem::path& folder) {
 }
 
 QueryRun run(const Query& query, const std::filesystem::path& folder, double seconds) {
-  QueryRun result{query.id, query.statement, {}, {}};
+  QueryRun result{query.id, {}, {}};
   for (const Asked asked : all_questions) {
     for (const Solver& solver : solvers()) {
       const std::string file = file_of(query, asked, folder).string();

@@ -21,7 +21,6 @@ struct Asking {
 
 struct QueryRun {
   std::string id;
-  std::string statement;
   std::vector<Asking> askings;
   std::vector<std::string> failures;  ///< in words; none where all is as expected
 };

@@ -5,14 +5,15 @@
 #include <vector>
 
 #include "properties/proofs/smt/query.hpp"
+#include "reference/definitions/tangent_set.hpp"
 
 namespace oplus::smt {
 
-/// A vector that is looked up inside `executed`.
-using Vectors = std::function<TermVector()>;
+/// A vector of the unknowns, looked up inside `executed`.
+using Vectors = std::function<TermVector(const Values&)>;
 
 /// NAME as a direction; turned by π; their sum.
-Vectors direction(const Values& values, const std::string& name);
+Vectors direction(const std::string& name);
 Vectors opposite(const Vectors& v);
 Vectors sum(const Vectors& u, const Vectors& v);
 
@@ -26,20 +27,24 @@ struct Corners {
   Vectors out;
 };
 
-Formula is_left(const Vectors& of, const Vectors& d);
-Formula is_right(const Vectors& of, const Vectors& d);
-Formula are_equal(const Vectors& u, const Vectors& v);
-Formula are_parallel(const Vectors& u, const Vectors& v);
+/// The corner of the directions PREFIXin and PREFIXout, and what it is in a model.
+Corners corner(const std::string& prefix = "");
+Corner corner_in(const Model& model, const std::string& prefix = "");
+
+Claim is_left(const Vectors& of, const Vectors& d);
+Claim is_right(const Vectors& of, const Vectors& d);
+Claim are_equal(const Vectors& u, const Vectors& v);
+Claim are_parallel(const Vectors& u, const Vectors& v);
 
 /// The code of the contracts (cyclic_order.hpp), executed.
-Formula is_in_tangent_set(const Vectors& d, Summand of, const Corners& corner);
-Formula is_a_reflex_vertex(const Corners& corner);
+Claim is_in_tangent_set(const Vectors& d, Summand of, const Corners& corner);
+Claim is_a_reflex_vertex(const Corners& corner);
 
-Formula is_in_sector(const Vectors& d, const Corners& corner);
-Formula turns_back(const Corners& corner);
+Claim is_in_sector(const Vectors& d, const Corners& corner);
+Claim turns_back(const Corners& corner);
 
 /// Whether one of the vectors points into both: of them, one does if any does at all.
-Formula one_is_in(const std::vector<Vectors>& candidates,
-                  const std::function<Formula(const Vectors&)>& is_in_both);
+Claim one_is_in(const std::vector<Vectors>& candidates,
+                const std::function<Claim(const Vectors&)>& is_in_both);
 
 }  // namespace oplus::smt

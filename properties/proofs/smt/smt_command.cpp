@@ -32,7 +32,7 @@ std::vector<smt::Query> chosen(const std::vector<std::string>& names) {
   std::vector<smt::Query> all = smt::queries();
   std::erase_if(all, [&](const smt::Query& query) {
     return !names.empty() && std::none_of(names.begin(), names.end(), [&](const std::string& name) {
-      return name == query.id || name == query.statement;
+      return name == query.id || name == query.statement();
     });
   });
   return all;
@@ -40,7 +40,7 @@ std::vector<smt::Query> chosen(const std::vector<std::string>& names) {
 
 std::set<std::string> names_to_choose() {
   std::set<std::string> names;
-  for (const smt::Query& query : smt::queries()) names.insert({query.id, query.statement});
+  for (const smt::Query& query : smt::queries()) names.insert({query.id, query.statement()});
   return names;
 }
 

@@ -48,6 +48,10 @@ struct Unknown {
   Kind kind;
 };
 
+inline Unknown any_number(const std::string& name) { return {name, Unknown::Kind::number}; }
+inline Unknown any_vector(const std::string& name) { return {name, Unknown::Kind::vector}; }
+inline Unknown any_direction(const std::string& name) { return {name, Unknown::Kind::direction}; }
+
 std::vector<std::string> numbers_of(const Unknown& unknown);
 std::vector<std::string> flags_of(const Unknown& unknown);
 

@@ -3,8 +3,9 @@
 
 #include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
-#include "properties/statements/chapter2/boundary_points.hpp"
-#include "properties/statements/chapter2/overlay_points.hpp"
+#include "properties/statements/chapter2/paths_across.hpp"
+#include "properties/statements/places/open_sum.hpp"
+#include "properties/statements/places/overlay.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
@@ -12,6 +13,22 @@ namespace oplus {
 namespace {
 
 constexpr std::size_t most_points = 8;  // a pair
+
+/// Some points on the boundary of the closed sum: where a straight path enters or leaves the open
+/// one, which is decided by collision tests.
+std::vector<Point> some_boundary_points(const Summands& summands) {
+  std::vector<Point> points;
+  OpenSum open_sum(summands);
+  for (const std::vector<Segment>& path : paths_across(summands)) {
+    bool was_inside = false;
+    for (const Segment& piece : path) {
+      const bool is_inside = open_sum.contains(midpoint(piece.source, piece.target));
+      if (is_inside != was_inside) points.push_back(piece.source);
+      was_inside = is_inside;
+    }
+  }
+  return points;
+}
 
 Outcome check(const Summands& summands) {
   Outcome outcome;
@@ -21,10 +38,10 @@ Outcome check(const Summands& summands) {
   for (std::size_t k = 0; k < looked_at; ++k) {
     const Point& x = all[k * all.size() / looked_at];
     std::size_t sources = 0, on_boundaries = 0;
-    for (const OverlayPoint& a : overlay_points(summands.p, translated(reflected_q, x))) {
-      if (a.in_a == Location::outside || a.in_b == Location::outside) continue;
+    for (const auto& [a, in] : overlaid({summands.p, translated(reflected_q, x)})) {
+      if (in[0] == Location::outside || in[1] == Location::outside) continue;
       ++sources;
-      if (a.in_a == Location::boundary && a.in_b == Location::boundary) ++on_boundaries;
+      if (in[0] == Location::boundary && in[1] == Location::boundary) ++on_boundaries;
     }
     ++outcome.counts["boundary points"];
     outcome.counts["their sources"] += sources;
@@ -38,7 +55,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "corollary-2.2.3",
-    .kind = "corollary",
     .title = "Boundary points are sums of boundary points",
     .statement =
         "Every point on the boundary of the sum of two closed regions is the sum of a point on the "

@@ -54,7 +54,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "definition-2.1.9",
-    .kind = "definition",
     .title = "A chain turns once",
     .statement =
         "The signed angles at the vertices of an outer chain add up to a full turn "

@@ -146,7 +146,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "definition-2.2.7-and-2.2.8",
-    .kind = "definition",
     .title = "Both definitions of the convolution have the same points",
     .statement =
         "The segments of an edge and a vertex in whose tangent set its direction is, ties told "

@@ -79,7 +79,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "equation-2.1",
-    .kind = "equation",
     .title = "The sum of two segments is a parallelogram or a segment",
     .statement =
         "The sum of two segments that are not parallel is a parallelogram, whose sides are the sums "

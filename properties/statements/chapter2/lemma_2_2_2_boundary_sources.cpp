@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
-#include "properties/statements/chapter2/overlay_points.hpp"
 #include "properties/statements/chapter2/paths_across.hpp"
 #include "properties/statements/places/open_sum.hpp"
+#include "properties/statements/places/overlay.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
@@ -11,9 +11,8 @@ namespace oplus {
 namespace {
 
 /// Whether a is in the one region's interior and a point of the other, closed.
-bool is_interior_source(const OverlayPoint& a) {
-  return (a.in_a == Location::inside && a.in_b != Location::outside) ||
-         (a.in_b == Location::inside && a.in_a != Location::outside);
+bool is_interior_source(const OverlaidPoint& a) {
+  return (a.is_in(0, true) && a.is_in(1, false)) || (a.is_in(1, true) && a.is_in(0, false));
 }
 
 Outcome check(const Summands& summands) {
@@ -28,8 +27,8 @@ Outcome check(const Summands& summands) {
     const Point x = meets_the_sum ? piece.source : midpoint(piece.source, piece.target);
     const bool is_in_sum = open_sum.contains(x);
     ++outcome.counts[is_in_sum ? "points of the open sum" : "other points"];
-    for (const OverlayPoint& a : overlay_points(summands.p, translated(reflected_q, x))) {
-      if (a.in_a == Location::boundary && a.in_b == Location::boundary)
+    for (const OverlaidPoint& a : overlaid({summands.p, translated(reflected_q, x)})) {
+      if (a.in[0] == Location::boundary && a.in[1] == Location::boundary)
         ++outcome.counts["sources on both boundaries"];
       if (is_in_sum || !is_interior_source(a)) continue;
       return outcome.fail(to_string(x) +
@@ -43,7 +42,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "lemma-2.2.2",
-    .kind = "lemma",
     .title = "Sources of a boundary point are boundary points",
     .statement =
         "If x is on the boundary of the sum of two closed regions, or on a dangling edge or an "

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <ranges>
 #include <set>
 
 #include "properties/runner/registry.hpp"
-#include "properties/statements/chapter2/overlay_points.hpp"
+#include "properties/statements/places/overlay.hpp"
 #include "reference/definitions/collision.hpp"
 #include "reference/io/writing.hpp"
 
@@ -60,7 +61,9 @@ Outcome check(const Summands& summands) {
     const Region placed = translated(reflected_q, x);
     const SumsOfInsidePoints sums = sums_of_inside_points(summands.p, placed);
     ++outcome.counts["sums of points inside edges"];
-    const bool is_in_sum = have_common_interior(overlay_points(summands.p, placed));
+    const bool is_in_sum = std::ranges::any_of(
+        overlaid({summands.p, placed}),
+        [](const OverlaidPoint& a) { return a.is_in(0, true) && a.is_in(1, true); });
     if (!is_in_sum) ++outcome.counts["of them, not in the open sum"];
     if (sums.different && !is_in_sum) {
       outcome.fail(to_string(x) +
@@ -77,7 +80,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "lemma-2.2.5",
-    .kind = "lemma",
     .title = "Points inside edges sum up to boundary for equal directions only",
     .statement =
         "Let p be inside an edge of P and q inside an edge of Q, in no points where other chains "

@@ -78,7 +78,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "lemma-2.2.9",
-    .kind = "lemma",
     .title = "A segment that slides is interior",
     .statement =
         "Let e be an edge of one summand and q a vertex of the other. If the edge that leaves q, or "

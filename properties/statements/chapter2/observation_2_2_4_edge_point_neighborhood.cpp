@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <set>
 
 #include "properties/runner/registry.hpp"
-#include "properties/statements/chapter2/points_around.hpp"
 #include "properties/statements/places/open_sum.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/definitions/cut_at_intersections.hpp"
@@ -13,28 +11,40 @@ namespace oplus {
 
 namespace {
 
-/// Looks at half disks, as far as it is constant in the cells of the vertex-edge sum's arrangement
-/// whether a point is in the open sum. It is: only there a vertex of P meets an edge of -Q+x.
-class HalfDisks {
- public:
-  explicit HalfDisks(const Summands& summands)
-      : sum_(segments(vertex_edge_sum(summands.p, summands.q))), open_sum_(summands) {}
+/// A point on the ray from x before it meets a segment.
+Point before_first_hit(const Point& x, const Vector& along, const std::vector<Segment>& segments) {
+  const Segment first = cut_where_met({x, x + along}, segments).front();
+  return midpoint(first.source, first.target);
+}
 
-  void look_at(const Point& x, const Vector& along) {
-    ++outcome.counts["half disks"];
-    for (const Point& y : points_to_the_left(x, along, sum_)) {
-      if (outcome.kind == Outcome::Kind::fails || open_sum_.contains(y)) continue;
-      outcome.fail("the half disk around " + to_string(x) + " contains " + to_string(y) +
-                   ", which is not in the open sum");
-    }
+/// Returns a point near x in every cell, edge or face, of the segments' arrangement that x touches
+/// from strictly to the left of a line through x along the given direction: whatever is constant in
+/// cells holds in a small half disk iff it holds in these points.
+/// Requires: along is not zero.
+std::vector<Point> points_to_the_left(const Point& x, const Vector& along,
+                                      const std::vector<Segment>& segments) {
+  std::vector<Vector> rays{along, -along};
+  for (const Segment& s : segments) {
+    if (!lies_on(x, s)) continue;
+    for (const Vector& ray : {s.source - x, s.target - x})
+      if (sign(cross(along, ray)) > 0) rays.push_back(ray);
   }
+  const auto turns_left = [](const Vector& u, const Vector& v) { return sign(cross(u, v)) > 0; };
+  const auto is_same = [](const Vector& u, const Vector& v) { return sign(cross(u, v)) == 0; };
+  // From along to -along, which are the ends of this order but parallel.
+  std::sort(rays.begin() + 2, rays.end(), turns_left);
+  rays.erase(std::unique(rays.begin() + 2, rays.end(), is_same), rays.end());
+  std::rotate(rays.begin() + 1, rays.begin() + 2, rays.end());
 
-  Outcome outcome;
-
- private:
-  std::vector<Segment> sum_;
-  OpenSum open_sum_;
-};
+  std::vector<Point> points;
+  for (std::size_t i = 1; i < rays.size(); ++i) {
+    const bool is_half_plane = rays.size() == 2;
+    const Vector between = is_half_plane ? Vector{-along.y, along.x} : rays[i - 1] + rays[i];
+    points.push_back(before_first_hit(x, between, segments));
+    if (i + 1 < rays.size()) points.push_back(before_first_hit(x, rays[i], segments));
+  }
+  return points;
+}
 
 constexpr std::size_t most_half_disks = 60;  // a pair
 
@@ -56,22 +66,30 @@ void add_half_disks(const Region& with_edges, const Region& other_region,
   }
 }
 
+/// Looks at half disks, as far as it is constant in the cells of the vertex-edge sum's arrangement
+/// whether a point is in the open sum. It is: only there a vertex of P meets an edge of -Q+x.
 Outcome check(const Summands& summands) {
   std::vector<HalfDisk> all;
   add_half_disks(summands.p, summands.q, all);
   add_half_disks(summands.q, summands.p, all);
-  HalfDisks half_disks(summands);
+  const std::vector<Segment> sums = segments(vertex_edge_sum(summands.p, summands.q));
+  OpenSum open_sum(summands);
+  Outcome outcome;
   const std::size_t looked_at = std::min(all.size(), most_half_disks);
   for (std::size_t k = 0; k < looked_at; ++k) {
     const auto& [centre, along] = all[k * all.size() / looked_at];
-    half_disks.look_at(centre, along);
+    ++outcome.counts["half disks"];
+    for (const Point& y : points_to_the_left(centre, along, sums)) {
+      if (outcome.kind == Outcome::Kind::fails || open_sum.contains(y)) continue;
+      outcome.fail("the half disk around " + to_string(centre) + " contains " + to_string(y) +
+                   ", which is not in the open sum");
+    }
   }
-  return half_disks.outcome;
+  return outcome;
 }
 
 const Registered registered({
     .id = "observation-2.2.4",
-    .kind = "observation",
     .title = "Around a point of an edge the sum fills a half disk",
     .statement =
         "Let p be inside an edge of one summand, in no point where another chain touches that edge, "

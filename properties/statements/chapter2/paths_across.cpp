@@ -4,19 +4,9 @@
 #include <algorithm>
 
 #include "reference/definitions/convolution.hpp"
+#include "reference/definitions/cut_at_intersections.hpp"
 
 namespace oplus {
-
-namespace {
-
-std::vector<Segment> cut_where_it_meets(const Segment& path, const std::vector<Segment>& others) {
-  std::vector<Point> at;
-  for (const Segment& other : others)
-    for (const Point& x : intersection(path, other)) at.push_back(x);
-  return cut(path, at);
-}
-
-}  // namespace
 
 std::vector<std::vector<Segment>> paths_across(const Summands& summands) {
   const std::vector<Segment> all = segments(vertex_edge_sum(summands.p, summands.q));
@@ -37,7 +27,7 @@ std::vector<std::vector<Segment>> paths_across(const Summands& summands) {
     paths.push_back({{through.x, low.y}, {through.x, high.y}});
   }
   std::vector<std::vector<Segment>> result;
-  for (const Segment& path : paths) result.push_back(cut_where_it_meets(path, all));
+  for (const Segment& path : paths) result.push_back(cut_where_met(path, all));
   return result;
 }
 

@@ -31,7 +31,6 @@ Outcome law(const Sum& sum, const Summands& summands) {
 
 const Registered registered({
     .id = "theorem-2.2.10",
-    .kind = "theorem",
     .title = "The convolution contains the boundary of the sum",
     .statement =
         "Every point on the boundary of the sum of the open regions, dangling edges and isolated "

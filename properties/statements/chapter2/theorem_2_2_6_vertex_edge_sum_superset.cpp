@@ -32,7 +32,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "theorem-2.2.6",
-    .kind = "theorem",
     .title = "The vertex-edge sum contains the boundary of the sum",
     .statement =
         "Every point on the boundary of the sum of the open regions, dangling edges and isolated "

@@ -72,7 +72,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "corollary-3.1.3",
-    .kind = "corollary",
     .title = "Chains of the boundary are weakly simple",
     .statement =
         "Each chain of the closed sum's boundary is weakly simple: it may touch itself and others "

@@ -2,6 +2,7 @@
 #include "checked/arrangement/sum_by_loops.hpp"
 #include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
+#include "properties/statements/places/covered_sum.hpp"
 #include "reference/io/writing.hpp"
 #include "reference/oracle/oracle.hpp"
 
@@ -25,9 +26,7 @@ Outcome check(const Summands& summands) {
       outcome.fail("a segment runs against the edge from " + to_string(edge.source) + " to " +
                    to_string(edge.target));
     }
-    const std::vector<Segment> joined = maximal_segments(along);
-    if (joined.size() == 1 && lies_on(edge.source, joined[0]) && lies_on(edge.target, joined[0]))
-      continue;
+    if (cover(along, edge)) continue;
     outcome.fail("no segments run along all of the edge from " + to_string(edge.source) + " to " +
                  to_string(edge.target));
   }
@@ -39,7 +38,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "lemma-3.1.2",
-    .kind = "lemma",
     .title = "The boundary is a union of orientable loops",
     .statement =
         "With the sum to its left, each edge of the regularized boundary is the direction of all "

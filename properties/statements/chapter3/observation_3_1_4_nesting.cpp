@@ -37,7 +37,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "observation-3.1.4",
-    .kind = "observation",
     .title = "External loops and holes of the boundary are nested in turn",
     .statement =
         "Of the loops that are on the boundary by the definition of the sum, those that touch the "

@@ -36,7 +36,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "observation-3.1.5",
-    .kind = "observation",
     .title = "One hole test a loop is enough",
     .statement =
         "If P and -Q collide at one point inside an edge of a traced loop, they do inside every "

@@ -24,9 +24,8 @@ Outcome check(const Summands& summands) {
     return !open_sum.contains(midpoint(edge.source, edge.target));
   };
   const auto fail = [&](Arrangement::Halfedge h, const std::string& what) {
-    outcome.kind = Outcome::Kind::fails;
     const Segment edge = arrangement.geometry(h);
-    outcome.why = "from " + to_string(edge.source) + " to " + to_string(edge.target) + " " + what;
+    outcome.fail("from " + to_string(edge.source) + " to " + to_string(edge.target) + " " + what);
   };
   std::set<Arrangement::Halfedge> on_loops;
   for (const OrientableLoop& loop : orientable_loops(arrangement)) {
@@ -47,7 +46,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "observation-3.2.4",
-    .kind = "observation",
     .title = "Turning clockwise most, tracing stays on the boundary",
     .statement =
         "On the arrangement of the reduced convolution, every edge of the regularized boundary is "

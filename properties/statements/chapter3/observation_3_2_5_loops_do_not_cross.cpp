@@ -63,7 +63,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "observation-3.2.5",
-    .kind = "observation",
     .title = "Traced loops share no edge and do not cross",
     .statement =
         "Each traced loop is closed; no edge is on two loops, or twice on one, or on loops in both "

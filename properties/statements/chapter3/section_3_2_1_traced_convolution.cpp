@@ -9,20 +9,14 @@ namespace oplus {
 
 namespace {
 
-/// Origins are distinct, so this order is the only one.
-std::vector<ConvolutionSegment> by_origin(std::vector<ConvolutionSegment> segments) {
-  std::sort(segments.begin(), segments.end(),
-            [](const auto& a, const auto& b) { return a.origin < b.origin; });
-  return segments;
-}
-
 bool equal(const ConvolutionSegment& a, const ConvolutionSegment& b) {
   return a.origin == b.origin && a.segment == b.segment && a.vertex_is_reflex == b.vertex_is_reflex;
 }
 
 bool equal_as_multisets(std::vector<ConvolutionSegment> a, std::vector<ConvolutionSegment> b) {
-  a = by_origin(std::move(a));
-  b = by_origin(std::move(b));
+  // Origins are distinct, so this order is the only one.
+  for (std::vector<ConvolutionSegment>* segments : {&a, &b})
+    std::ranges::sort(*segments, {}, &ConvolutionSegment::origin);
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), equal);
 }
 
@@ -59,7 +53,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "section-3.2.1",
-    .kind = "section",
     .title = "Tracing cycles finds the convolution",
     .statement =
         "The segments of all traced cycles are the convolution, each once, and those whose vertex "

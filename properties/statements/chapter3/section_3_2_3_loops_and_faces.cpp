@@ -48,7 +48,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "section-3.2.3",
-    .kind = "section",
     .title = "Faces and loops give the same sum",
     .statement =
         "Tracing orientable loops, turning clockwise most, then the nesting filter and one hole "

@@ -18,16 +18,13 @@ Outcome check(const Summands& summands) {
   }
   for (const JudgedSum& sum : result.sums) {
     if (!sum.wrong) continue;
-    outcome.kind = Outcome::Kind::fails;
-    outcome.why = sum.engine + ": " + sum.wrong->failure.what;
-    break;
+    return outcome.fail(sum.engine + ": " + sum.wrong->failure.what);
   }
   return outcome;
 }
 
 const Registered registered({
     .id = "section-3.2",
-    .kind = "section",
     .title = "The algorithms compute the sum",
     .statement =
         "Closed and open, each algorithm returns the sum that the definitions give, holes, "

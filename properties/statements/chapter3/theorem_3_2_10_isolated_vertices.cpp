@@ -4,6 +4,7 @@
 #include "checked/arrangement/rca.hpp"
 #include "properties/runner/each_engine.hpp"
 #include "properties/runner/registry.hpp"
+#include "properties/statements/places/covered_sum.hpp"
 #include "reference/io/writing.hpp"
 #include "reference/oracle/oracle.hpp"
 
@@ -23,21 +24,13 @@ std::size_t directions_through(const Point& x, const std::vector<ConvolutionSegm
   return directions.size();
 }
 
-bool is_sum_of_touching_points(const Point& x, const Summands& summands) {
-  const std::vector<Point> of_q = touching_points(summands.q);
-  for (const Point& p : touching_points(summands.p)) {
-    for (const Point& q : of_q)
-      if (p + q == x) return true;
-  }
-  return false;
-}
-
 Outcome where_three_meet(const std::vector<Point>& isolated, const Summands& summands) {
   Outcome outcome;
   const std::vector<ConvolutionSegment> reduced = reduced_convolution(summands.p, summands.q);
+  const std::set<Point> excepted = sums_of_touching_points(summands);
   for (const Point& x : isolated) {
     ++outcome.counts["isolated vertices"];
-    if (is_sum_of_touching_points(x, summands)) {
+    if (excepted.contains(x)) {
       ++outcome.counts["isolated vertices where chains of both summands touch"];
       continue;
     }
@@ -64,7 +57,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "theorem-3.2.10",
-    .kind = "theorem",
     .title = "In isolated vertices three directions meet",
     .statement =
         "Segments of the reduced convolution of three directions or more pass through or end in "

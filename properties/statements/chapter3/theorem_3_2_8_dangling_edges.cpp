@@ -40,7 +40,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "theorem-3.2.8",
-    .kind = "theorem",
     .title = "Dangling edges lie on opposite segments",
     .statement =
         "The segments of the reduced convolution in either direction along a dangling edge of the "

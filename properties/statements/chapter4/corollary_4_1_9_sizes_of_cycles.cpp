@@ -84,7 +84,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "corollary-4.1.9",
-    .kind = "corollary",
     .title = "Sizes of convolution cycles",
     .statement =
         "As printed, that there is a cycle of size n + m, this is false (docs/findings.md). What "

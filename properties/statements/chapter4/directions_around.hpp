@@ -20,7 +20,12 @@ namespace oplus {
 class DirectionsAround {
  public:
   /// Requires: lines >= 1.
-  explicit DirectionsAround(std::size_t lines);
+  explicit DirectionsAround(std::size_t lines) {
+    const auto count = static_cast<long>(lines);
+    directions_.push_back({1, 0});
+    for (long i = 1; i < count; ++i) directions_.push_back({count - 2 * i, i});
+    for (std::size_t i = 0; i < lines; ++i) directions_.push_back(-directions_[i]);
+  }
 
   std::size_t size() const { return directions_.size(); }
   const Vector& operator[](std::size_t i) const { return directions_[i]; }

@@ -3,22 +3,45 @@
 
 #include <algorithm>
 
+#include "properties/statements/chapter4/points_in_faces.hpp"
+#include "properties/statements/laws/linear_map.hpp"
+#include "reference/io/writing.hpp"
+
 namespace oplus {
 
 namespace {
 
-Region enlarged(const Region& region) {
-  return mapped(region, [](const Point& p) { return 4 * p; });
+std::vector<Summands> with_covered_holes(const Summands& summands) {
+  const auto& [p, q] = summands;
+  std::vector<Summands> all{summands};
+  if (has_hole(p) && !has_hole(q)) all.push_back({p, image(scaling(4), q)});
+  if (has_hole(q) && !has_hole(p)) all.push_back({image(scaling(4), p), q});
+  return all;
+}
+
+void count(const CountedIntersection& counted, Outcome& outcome) {
+  ++outcome.counts["placements"];
+  if (counted.of_interiors.components > 1) ++outcome.counts["intersections of several components"];
+  if (counted.of_interiors.holes > 0) ++outcome.counts["intersections with holes"];
+  if (counted.parted_exteriors > 0) ++outcome.counts["intersections with parted exteriors"];
 }
 
 }  // namespace
 
-std::vector<Summands> with_covered_holes(const Summands& summands) {
-  const auto& [p, q] = summands;
-  std::vector<Summands> all{summands};
-  if (has_hole(p) && !has_hole(q)) all.push_back({p, enlarged(q)});
-  if (has_hole(q) && !has_hole(p)) all.push_back({enlarged(p), q});
-  return all;
+Outcome at_generic_placements(const Summands& summands,
+                              const std::function<AtPlacement(const Summands& pair)>& of_pair) {
+  Outcome outcome;
+  for (const Summands& pair : with_covered_holes(summands)) {
+    const IntersectionCounter counter(pair);
+    const AtPlacement defect = of_pair(pair);
+    for (const Point& x : generic_placements(pair)) {
+      const CountedIntersection counted = counter.at(x);
+      count(counted, outcome);
+      const std::string what = defect(x, counted, outcome);
+      if (!what.empty()) return outcome.fail("at " + to_string(x) + " " + what);
+    }
+  }
+  return outcome;
 }
 
 std::vector<Source> pairs_with_holes() {
@@ -47,13 +70,6 @@ std::string in_words(const CountedIntersection& counted) {
   if (counted.parted_exteriors != 0)
     words += " and touching chains part " + std::to_string(counted.parted_exteriors) + " exteriors";
   return words;
-}
-
-void count(const CountedIntersection& counted, Outcome& outcome) {
-  ++outcome.counts["placements"];
-  if (counted.of_interiors.components > 1) ++outcome.counts["intersections of several components"];
-  if (counted.of_interiors.holes > 0) ++outcome.counts["intersections with holes"];
-  if (counted.parted_exteriors > 0) ++outcome.counts["intersections with parted exteriors"];
 }
 
 }  // namespace oplus

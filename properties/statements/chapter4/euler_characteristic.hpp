@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -41,14 +42,17 @@ class IntersectionCounter {
   std::vector<TouchingExteriors> touching_in_q_;
 };
 
-/// The pair; and where one summand alone has holes, the pair with the other four times as large, so
-/// that it covers holes and the intersection has them.
-std::vector<Summands> with_covered_holes(const Summands& summands);
+/// What is wrong with the intersection at a placement, in words, or empty; may count what it saw.
+using AtPlacement = std::function<std::string(const Point& x, const CountedIntersection& counted,
+                                              Outcome& outcome)>;
+
+/// Asks, by what `of_pair` makes of a pair, about all its generic placements, and counts what kinds of
+/// intersections they have. Where one summand alone has holes, so of the pair with the other four times
+/// as large, so that it covers holes and the intersection has them.
+Outcome at_generic_placements(const Summands& summands,
+                              const std::function<AtPlacement(const Summands& pair)>& of_pair);
 
 /// Pairs for statements about these intersections: many have holes that touch nothing.
 std::vector<Source> pairs_with_holes();
-
-/// Adds what kind of intersection was looked at.
-void count(const CountedIntersection& counted, Outcome& outcome);
 
 }  // namespace oplus

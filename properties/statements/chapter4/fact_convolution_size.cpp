@@ -55,7 +55,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "fact-convolution-size",
-    .kind = "fact",
     .title = "The number of segments of the convolution",
     .statement =
         "|P ⊗ Q| = n_P (χ_Q + r_Q) + n_Q (χ_P + r_P): n vertices, r reflex ones (of a hole, those "

@@ -2,10 +2,8 @@
 #include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/chapter4/euler_characteristic.hpp"
-#include "properties/statements/chapter4/generic_placements.hpp"
 #include "reference/definitions/original_convolution.hpp"
 #include "reference/definitions/winding_number.hpp"
-#include "reference/io/writing.hpp"
 
 namespace oplus {
 
@@ -23,36 +21,23 @@ int reflex_vertices_inside(const Point& x, const Summands& summands,
   return inside;
 }
 
-void check_pair(const Summands& summands, Outcome& outcome) {
-  const std::vector<Segment> all = segments(convolution(summands.p, summands.q));
-  const std::vector<ReflexVertex> reflex = reflex_vertices(summands.p, summands.q);
-  const IntersectionCounter counter(summands);
-  for (const Point& x : generic_placements(summands)) {
-    const CountedIntersection counted = counter.at(x);
-    const int inside = reflex_vertices_inside(x, summands, reflex);
-    const int winding = winding_number(x, all);
-    count(counted, outcome);
-    if (inside > 0) ++outcome.counts["placements with a reflex vertex inside"];
-    if (winding == counted.euler_characteristic() + inside) continue;
-    outcome.fail("at " + to_string(x) + " the winding number is " + std::to_string(winding) + ", " +
-                 std::to_string(inside) + " reflex vertices are inside, and the intersection has " +
-                 in_words(counted));
-    return;
-  }
-}
-
 Outcome check(const Summands& summands) {
-  Outcome outcome;
-  for (const Summands& pair : with_covered_holes(summands)) {
-    check_pair(pair, outcome);
-    if (outcome.kind == Outcome::Kind::fails) break;
-  }
-  return outcome;
+  return at_generic_placements(summands, [](const Summands& pair) -> AtPlacement {
+    return [pair, all = segments(convolution(pair.p, pair.q)),
+            reflex = reflex_vertices(pair.p, pair.q)](
+               const Point& x, const CountedIntersection& counted, Outcome& outcome) {
+      const int inside = reflex_vertices_inside(x, pair, reflex);
+      const int winding = winding_number(x, all);
+      if (inside > 0) ++outcome.counts["placements with a reflex vertex inside"];
+      if (winding == counted.euler_characteristic() + inside) return std::string();
+      return "the winding number is " + std::to_string(winding) + ", " + std::to_string(inside) +
+             " reflex vertices are inside, and the intersection has " + in_words(counted);
+    };
+  });
 }
 
 const Registered registered({
     .id = "fact-winding-number",
-    .kind = "fact",
     .title = "What the winding number of the convolution counts",
     .statement =
         "The winding number of x with respect to the convolution is the Euler characteristic of "

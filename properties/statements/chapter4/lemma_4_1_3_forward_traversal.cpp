@@ -81,7 +81,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "lemma-4.1.3",
-    .kind = "lemma",
     .title = "Forward traversal: tracing can always go on",
     .statement =
         "At each state that tracing a cycle comes to: a convolution segment leaves it; and two "

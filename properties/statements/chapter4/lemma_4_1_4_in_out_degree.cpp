@@ -38,7 +38,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "lemma-4.1.4",
-    .kind = "lemma",
     .title = "In-degree equals out-degree in the convolution graph",
     .statement =
         "At each node of the convolution graph as many segments end as start. The same holds at "

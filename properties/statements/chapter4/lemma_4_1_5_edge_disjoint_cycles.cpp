@@ -1,14 +1,104 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <boost/graph/strong_components.hpp>
+#include <boost/range/iterator_range.hpp>
+#include <iterator>
 #include <set>
 
 #include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
-#include "properties/statements/chapter4/euler_circuits.hpp"
+#include "properties/statements/chapter4/convolution_graph.hpp"
 
 namespace oplus {
 
 namespace {
+
+/// An edge of a graph, by its place in the order of `boost::edges`, so that parallel ones differ.
+struct NumberedEdge {
+  std::size_t number;
+  ConvolutionGraph::vertex_descriptor source;
+  ConvolutionGraph::vertex_descriptor target;
+};
+
+/// Each edge starts where the one before ends; closed if the first starts where the last ends.
+using Walk = std::vector<NumberedEdge>;
+
+/// The edges that leave each node and have not been taken.
+class Untaken {
+ public:
+  explicit Untaken(const ConvolutionGraph& graph) : leaving_(boost::num_vertices(graph)) {
+    std::size_t number = 0;
+    for (const auto edge : boost::make_iterator_range(boost::edges(graph))) {
+      const auto source = boost::source(edge, graph);
+      leaving_[source].push_back({number++, source, boost::target(edge, graph)});
+    }
+  }
+  std::size_t nodes() const { return leaving_.size(); }
+  bool any_from(std::size_t node) const { return !leaving_[node].empty(); }
+  NumberedEdge take_from(std::size_t node) {
+    const NumberedEdge edge = leaving_[node].back();
+    leaving_[node].pop_back();
+    return edge;
+  }
+
+ private:
+  std::vector<Walk> leaving_;
+};
+
+/// Goes on while it can; where it cannot, the last edge is the last of the circuit not yet known.
+Walk circuit_from(std::size_t start, Untaken& untaken) {
+  Walk path = {untaken.take_from(start)}, circuit;
+  while (!path.empty()) {
+    if (const std::size_t end = path.back().target; untaken.any_from(end)) {
+      path.push_back(untaken.take_from(end));
+    } else {
+      circuit.push_back(path.back());
+      path.pop_back();
+    }
+  }
+  std::reverse(circuit.begin(), circuit.end());
+  return circuit;
+}
+
+/// Returns sequences of edges that together are all edges of the graph, each exactly once
+/// (Hierholzer's algorithm). Where every node is entered as often as left, they are closed walks,
+/// one for each connected part: Euler circuits. Elsewhere one of them is no closed walk.
+std::vector<Walk> euler_circuits(const ConvolutionGraph& graph) {
+  Untaken untaken(graph);
+  std::vector<Walk> circuits;
+  for (std::size_t node = 0; node < untaken.nodes(); ++node)
+    while (untaken.any_from(node)) circuits.push_back(circuit_from(node, untaken));
+  return circuits;
+}
+
+/// Cuts a closed walk where it comes back to a node: closed walks that pass no node twice, of the
+/// same edges.
+std::vector<Walk> simple_cycles(const Walk& closed) {
+  std::vector<Walk> cycles;
+  Walk path;
+  std::set<std::size_t> on_path;  // where its edges start
+  for (const NumberedEdge& edge : closed) {
+    path.push_back(edge);
+    on_path.insert(edge.source);
+    if (!on_path.count(edge.target)) continue;
+    const auto first = std::find_if(path.begin(), path.end(),
+                                    [&](const NumberedEdge& e) { return e.source == edge.target; });
+    for (auto it = first; it != path.end(); ++it) on_path.erase(it->source);
+    cycles.emplace_back(first, path.end());
+    path.erase(first, path.end());
+  }
+  return cycles;
+}
+
+/// What keeps this from being a closed walk, in words, or empty.
+std::string defect_of_closed_walk(const Walk& walk) {
+  if (walk.empty()) return "a walk has no edge";
+  for (std::size_t k = 0; k < walk.size(); ++k)
+    if (walk[k].target != walk[(k + 1) % walk.size()].source)
+      return "edge " + std::to_string(k) + " of " + std::to_string(walk.size()) +
+             " does not end where the next one starts";
+  return {};
+}
 
 std::size_t strong_components(const ConvolutionGraph& graph) {
   std::vector<std::size_t> component(boost::num_vertices(graph));
@@ -71,7 +161,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "lemma-4.1.5",
-    .kind = "lemma",
     .title = "The convolution graph decomposes into edge-disjoint cycles",
     .statement =
         "The edges of the convolution graph are those of directed cycles that share no edge, each "

@@ -87,7 +87,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "lemma-4.1.8",
-    .kind = "lemma",
     .title = "Every row and every column of the fiber grid is left",
     .statement =
         "In the fiber grid of a chain of P and a chain of Q, an edge leaves each row, to the next "

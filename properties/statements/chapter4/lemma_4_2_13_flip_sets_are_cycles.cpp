@@ -41,7 +41,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "lemma-4.2.13",
-    .kind = "lemma",
     .title = "With flip sets the convolution still consists of cycles",
     .statement =
         "Take the convolution and at a reflex vertex, instead of its segments, the vertex's other "

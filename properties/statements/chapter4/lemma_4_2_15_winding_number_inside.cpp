@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
-#include "properties/statements/chapter4/generic_placements.hpp"
+#include "properties/statements/chapter4/points_in_faces.hpp"
 #include "reference/definitions/original_convolution.hpp"
 #include "reference/definitions/winding_number.hpp"
 #include "reference/io/writing.hpp"
@@ -42,7 +42,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "lemma-4.2.15",
-    .kind = "lemma",
     .title = "A flip set lowers the winding number by one where the other summand sweeps",
     .statement =
         "Replacing the segments of a reflex vertex p of P by its flip set lowers the winding number "

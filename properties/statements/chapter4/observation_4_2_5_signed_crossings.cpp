@@ -89,7 +89,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "observation-4.2.5",
-    .kind = "observation",
     .title = "Signed crossings along a path add up to the change of the winding number",
     .statement =
         "Along a path between two points off the convolution, the crossings, 1 where the path "

@@ -75,7 +75,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "observation-4.2.8",
-    .kind = "observation",
     .title = "Points inside convolution segments: a vertex meets an edge",
     .statement =
         "If x is inside a convolution segment, the sum of an edge of one summand and a vertex of "

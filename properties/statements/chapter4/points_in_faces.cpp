@@ -6,6 +6,7 @@
 
 #include "reference/definitions/cut_at_intersections.hpp"
 #include "reference/definitions/direction.hpp"
+#include "reference/definitions/original_convolution.hpp"
 #include "reference/definitions/ray.hpp"
 
 namespace oplus {
@@ -78,6 +79,13 @@ std::vector<Point> points_in_faces(const std::vector<Segment>& segments,
     points.push_back(point_beside(midpoint(e.source, e.target), leads_left ? v : -v, all));
   }
   return points;
+}
+
+std::vector<Point> generic_placements(const Summands& summands) {
+  const auto& [p, q] = summands;
+  std::vector<Segment> both = segments(convolution(p, q));
+  for (const Segment& s : segments(original_convolution(p, q))) both.push_back(s);
+  return points_in_faces(both, segments(vertex_edge_sum(p, q)));
 }
 
 }  // namespace oplus

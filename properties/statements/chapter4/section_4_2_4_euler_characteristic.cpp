@@ -2,43 +2,29 @@
 #include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/chapter4/euler_characteristic.hpp"
-#include "properties/statements/chapter4/generic_placements.hpp"
 #include "reference/definitions/original_convolution.hpp"
 #include "reference/definitions/winding_number.hpp"
-#include "reference/io/writing.hpp"
 
 namespace oplus {
 
 namespace {
 
-void check_pair(const Summands& summands, Outcome& outcome) {
-  const std::vector<Segment> original = segments(original_convolution(summands.p, summands.q));
-  const IntersectionCounter counter(summands);
-  for (const Point& x : generic_placements(summands)) {
-    const CountedIntersection counted = counter.at(x);
-    const int winding = winding_number(x, original);
-    count(counted, outcome);
-    if (winding != static_cast<int>(counted.of_interiors.components))
-      ++outcome.counts["placements at which the printed count is wrong"];
-    if (winding == counted.euler_characteristic()) continue;
-    outcome.fail("at " + to_string(x) + " the winding number is " + std::to_string(winding) +
-                 " and the intersection has " + in_words(counted));
-    return;
-  }
-}
-
 Outcome check(const Summands& summands) {
-  Outcome outcome;
-  for (const Summands& pair : with_covered_holes(summands)) {
-    check_pair(pair, outcome);
-    if (outcome.kind == Outcome::Kind::fails) break;
-  }
-  return outcome;
+  return at_generic_placements(summands, [](const Summands& pair) -> AtPlacement {
+    return [original = segments(original_convolution(pair.p, pair.q))](
+               const Point& x, const CountedIntersection& counted, Outcome& outcome) {
+      const int winding = winding_number(x, original);
+      if (winding != static_cast<int>(counted.of_interiors.components))
+        ++outcome.counts["placements at which the printed count is wrong"];
+      if (winding == counted.euler_characteristic()) return std::string();
+      return "the winding number is " + std::to_string(winding) + " and the intersection has " +
+             in_words(counted);
+    };
+  });
 }
 
 const Registered registered({
     .id = "section-4.2.4",
-    .kind = "section",
     .title = "With holes the winding number with flip sets is an Euler characteristic",
     .statement =
         "For regions with holes and several components, the winding number of x with respect to 𝒞′ "

@@ -230,7 +230,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "table-4.3-to-4.6",
-    .kind = "table",
     .title = "The 16 events of a vertex and an edge",
     .statement =
         "As -Q moves to the left and a vertex of P or of -Q passes inside an edge of the other, "

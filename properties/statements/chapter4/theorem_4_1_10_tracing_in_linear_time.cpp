@@ -46,7 +46,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "theorem-4.1.10",
-    .kind = "theorem",
     .title = "All cycles are traced in O(n + m + K)",
     .statement =
         "A cycle crosses all rows or all columns of its fiber grid, so it is enough to start from "

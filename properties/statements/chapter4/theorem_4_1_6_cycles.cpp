@@ -46,7 +46,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "theorem-4.1.6",
-    .kind = "theorem",
     .title = "Algorithm 2 traces cycles",
     .statement =
         "From an unvisited convolution segment, Algorithm 2 returns to the state that this segment "

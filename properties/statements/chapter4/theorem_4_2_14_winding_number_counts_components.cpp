@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "properties/runner/registry.hpp"
-#include "properties/statements/chapter4/generic_placements.hpp"
+#include "properties/statements/chapter4/points_in_faces.hpp"
 #include "reference/definitions/intersection_components.hpp"
 #include "reference/definitions/original_convolution.hpp"
 #include "reference/definitions/winding_number.hpp"
@@ -14,12 +14,9 @@ bool is_simple_polygon(const Region& region) { return chains(region).size() == 1
 
 Outcome check(const Summands& summands) {
   const auto& [p, q] = summands;
+  if (!is_simple_polygon(p) || !is_simple_polygon(q))
+    return {Outcome::Kind::discarded, "not two simple polygons", {}};
   Outcome outcome;
-  if (!is_simple_polygon(p) || !is_simple_polygon(q)) {
-    outcome.kind = Outcome::Kind::discarded;
-    outcome.why = "not two simple polygons";
-    return outcome;
-  }
   const std::vector<Segment> original = segments(original_convolution(p, q));
   for (const Point& x : generic_placements(summands)) {
     const ComponentsAndHoles seen = intersection_components(p, q, x);
@@ -36,7 +33,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "theorem-4.2.14",
-    .kind = "theorem",
     .title = "The winding number with flip sets counts components of the intersection",
     .statement =
         "For two simple polygons, the winding number of x with respect to 𝒞′ is the number of "

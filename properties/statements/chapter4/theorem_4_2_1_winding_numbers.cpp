@@ -111,7 +111,6 @@ Outcome law(const Sum& sum, const Summands& summands) {
 
 const Registered registered({
     .id = "theorem-4.2.1",
-    .kind = "theorem",
     .title = "Positive winding number is membership in the sum",
     .statement =
         "Off the convolution, its winding number at x is positive iff the interiors of P and -Q+x "

@@ -2,13 +2,34 @@
 #include "properties/statements/chapter5/collision_outcome.hpp"
 
 #include <memory>
+#include <ranges>
+#include <set>
 
 #include "properties/statements/chapter5/boundary_contact.hpp"
-#include "properties/statements/chapter5/placements.hpp"
+#include "properties/statements/places/points_beside.hpp"
 #include "reference/definitions/collision.hpp"
+#include "reference/definitions/convolution.hpp"
+#include "reference/definitions/cut_at_intersections.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
+
+namespace {
+
+/// Every kind of placement of -Q that there is: one in each face of the convolution's arrangement,
+/// one inside each piece of the vertex-edge sum, where a vertex is on an edge, and each end of a
+/// piece, where vertices meet or several vertices are on edges.
+std::set<Point> placements(const Summands& summands) {
+  const auto& [p, q] = summands;
+  const std::vector<Point> beside = points_beside(segments(convolution(p, q)));
+  std::set<Point> result(beside.begin(), beside.end());
+  for (const Segment& piece :
+       cut_at_intersections(segments(vertex_edge_sum(p, q))) | std::views::join)
+    result.insert({piece.source, piece.target, midpoint(piece.source, piece.target)});
+  return result;
+}
+
+}  // namespace
 
 Outcome collision_outcome(CollisionMethod method, const Summands& summands) {
   const std::unique_ptr<CollisionTest> test = collision_test(method, summands.p, summands.q);

@@ -93,7 +93,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "observation-5.2.1",
-    .kind = "observation",
     .title = "A ray from an edge counts the face beside it",
     .statement =
         "A ray to the right, shot from a point of an edge of the full convolution, has the winding "

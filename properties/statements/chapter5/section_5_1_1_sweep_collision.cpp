@@ -9,7 +9,6 @@ namespace {
 
 const Registered registered({
     .id = "section-5.1.1",
-    .kind = "section",
     .title = "A sweep that stops at the first common interior decides collision",
     .statement = "A line swept over the boundaries of P and -Q+x, stopped by the first proper "
                  "crossing, the first event around which a sector is inside both, or before it "

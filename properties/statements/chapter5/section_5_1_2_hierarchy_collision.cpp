@@ -9,7 +9,6 @@ namespace {
 
 const Registered registered({
     .id = "section-5.1.2",
-    .kind = "section",
     .title = "Hierarchies of bounding volumes decide collision",
     .statement = "Two hierarchies built once, that of -Q translated by x, give the same answer as "
                  "the definition: whether the interiors of P and -Q+x meet.",

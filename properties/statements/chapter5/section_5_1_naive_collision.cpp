@@ -9,7 +9,6 @@ namespace {
 
 const Registered registered({
     .id = "section-5.1",
-    .kind = "section",
     .title = "Crossings, contacts and containment decide collision",
     .statement = "The interiors of P and -Q+x meet iff an edge of one crosses an edge of the other "
                  "properly, or around a point that both boundaries share a sector is inside both, "

@@ -36,7 +36,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "section-5.2",
-    .kind = "section",
     .title = "Rays and faces give the same winding numbers",
     .statement =
         "Shooting a ray from directly right of an edge through the full convolution counts the "

@@ -10,30 +10,24 @@ namespace {
 /// The fork of n teeth on each arm has 8n + 4 vertices.
 std::size_t teeth(const Region& fork) { return (vertex_count(fork) - 4) / 8; }
 
-Outcome has_square_holes(const Summands& summands, const std::function<MinkowskiSum()>& computed) {
-  Outcome outcome;
+Outcome law(const Sum& computed, const Summands& summands) {
   // A pair that is shrunk or given may be none of the family.
-  if (vertex_count(summands.q) != 6 || vertex_count(summands.p) % 8 != 4) {
-    outcome.kind = Outcome::Kind::discarded;
-    return outcome;
-  }
+  if (vertex_count(summands.q) != 6 || vertex_count(summands.p) % 8 != 4)
+    return {Outcome::Kind::discarded, {}, {}};
+  Outcome outcome;
   const std::size_t n = teeth(summands.p);
-  const MinkowskiSum sum = computed();
+  const MinkowskiSum sum = computed(summands.p, summands.q);
   outcome.counts["holes"] += sum.holes.size();
   if (sum.outer.size() == 1 && sum.holes.size() == n * n) return outcome;
   return outcome.fail(std::to_string(n) + " teeth an arm, " + std::to_string(sum.outer.size()) +
                       " outer chains and " + std::to_string(sum.holes.size()) + " holes");
 }
 
-Outcome law(const Sum& sum, const Summands& summands) {
-  return has_square_holes(summands, [&] { return sum(summands.p, summands.q); });
-}
-
 Outcome check(const Summands& summands) {
+  const Engine by_rca{.name = "rca", .compute = rca};
   Outcome both;
   for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
-    const Outcome outcome =
-        has_square_holes(summands, [&] { return rca(summands.p, summands.q, boundary).sum; });
+    const Outcome outcome = law(Sum(by_rca, boundary), summands);
     if (outcome.kind != Outcome::Kind::holds) return outcome;
     for (const auto& [what, count] : outcome.counts) both.counts[what] += count;
   }
@@ -42,7 +36,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "section-6.1.4",
-    .kind = "section",
     .title = "The fork's sum has n² holes",
     .statement =
         "The sum of a fork with n teeth on each of its two arms, of whatever widths and gaps, and "

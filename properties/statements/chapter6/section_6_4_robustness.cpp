@@ -52,22 +52,18 @@ Rational power_of_two(int exponent) {
 
 Outcome shows(const Summands& summands, const std::vector<Engine>& implementations,
               const std::vector<Boundary>& boundaries) {
-  Outcome outcome;
-  const auto discard = [&] {
-    outcome.kind = Outcome::Kind::discarded;
-    outcome.why = "no diamond and room";
-    return outcome;
-  };
-  if (vertex_count(summands.p) != 12 || vertex_count(summands.q) != 4) return discard();
+  const Outcome discarded{Outcome::Kind::discarded, "no diamond and room", {}};
+  if (vertex_count(summands.p) != 12 || vertex_count(summands.q) != 4) return discarded;
   const Perturbation given{3 - summands.p.components[0].outer[10].x,
                            -summands.q.components[0].outer[0].x};
   if (given.eps1 < 0 || given.eps1 >= 3 || given.eps2 < 0 ||
       summands != diamond_and_u(given.eps1, given.eps2))
-    return discard();
+    return discarded;
 
   const Perturbation visible = given.visible();
   const Summands seen = diamond_and_u(visible.eps1, visible.eps2);
   const OracleSums expected = oracle_sums(seen.p, seen.q);
+  Outcome outcome;
   // From what a double can tell from zero next to one, to what it cannot tell from zero at all.
   for (const Rational& scale : {power_of_two(-10), power_of_two(-60), power_of_two(-1100)}) {
     const Summands tiny = diamond_and_u(scale * given.eps1, scale * given.eps2);
@@ -77,10 +73,8 @@ Outcome shows(const Summands& summands, const std::vector<Engine>& implementatio
         const Shape shape = shape_of(implementation.compute(tiny.p, tiny.q, boundary, {}).sum);
         ++outcome.counts["sums"];
         if (shape == right) continue;
-        outcome.kind = Outcome::Kind::fails;
-        outcome.why = implementation.name + ", " + name(boundary) + ": shape " + in_words(shape) +
-                      " instead of " + in_words(right);
-        return outcome;
+        return outcome.fail(implementation.name + ", " + name(boundary) + ": shape " +
+                            in_words(shape) + " instead of " + in_words(right));
       }
     }
   }
@@ -98,7 +92,6 @@ Outcome of_implementation(const Engine& implementation, Boundary boundary,
 
 const Registered registered({
     .id = "section-6.4",
-    .kind = "section",
     .title = "However small a perturbation is, the sum shows it",
     .statement =
         "A diamond just fits through the hatch of a room. If the hatch is widened at its top by "

@@ -6,24 +6,22 @@
 #include <CGAL/mpq_class.h>
 
 #include <iterator>
+#include <ranges>
 
 namespace oplus {
 
-Chain convex_hull(const std::vector<Point>& points) {
+Chain convex_hull(const std::vector<Chain>& chains) {
   using Kernel = CGAL::Simple_cartesian<Rational>;
   std::vector<Kernel::Point_2> all, hull;
-  for (const Point& p : points) all.emplace_back(p.x, p.y);
+  for (const Point& p : chains | std::views::join) all.emplace_back(p.x, p.y);
   CGAL::convex_hull_2(all.begin(), all.end(), std::back_inserter(hull));
-  Chain chain;
-  for (const Kernel::Point_2& p : hull) chain.push_back({p.x(), p.y()});
-  return chain;
+  Chain corners;
+  for (const Kernel::Point_2& p : hull) corners.push_back({p.x(), p.y()});
+  return corners;
 }
 
 bool is_convex(const Region& region) {
-  std::vector<Point> vertices;
-  for (const Chain& chain : chains(region))
-    vertices.insert(vertices.end(), chain.begin(), chain.end());
-  return area(polygon(convex_hull(vertices))) == area(region);
+  return area(polygon(convex_hull(chains(region)))) == area(region);
 }
 
 }  // namespace oplus

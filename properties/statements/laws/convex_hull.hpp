@@ -5,9 +5,9 @@
 
 namespace oplus {
 
-/// The convex hull of the points, counterclockwise from the smallest, no vertex inside a straight
-/// line. Requires: the points are not on one line.
-Chain convex_hull(const std::vector<Point>& points);
+/// The convex hull of some chains, counterclockwise from the smallest vertex, none inside a straight
+/// line. Requires: the vertices are not on one line.
+Chain convex_hull(const std::vector<Chain>& chains);
 
 /// Whether a region is convex.
 bool is_convex(const Region& region);

@@ -47,7 +47,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "fact-verify",
-    .kind = "fact",
     .title = "What oplus verify accepts",
     .statement =
         "Walks along the segments of the convolution, and a collision test where segments run "

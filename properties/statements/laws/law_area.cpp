@@ -22,12 +22,7 @@ std::string in_words(int compared) {
 /// Whether one is the other scaled by a positive factor and translated, both convex.
 bool are_homothetic(const Region& p, const Region& q) {
   if (!is_convex(p) || !is_convex(q)) return false;
-  const auto corners = [](const Region& region) {
-    std::vector<Point> all;
-    for (const Chain& chain : chains(region)) all.insert(all.end(), chain.begin(), chain.end());
-    return convex_hull(all);
-  };
-  const Chain of_p = corners(p), of_q = corners(q);
+  const Chain of_p = convex_hull(chains(p)), of_q = convex_hull(chains(q));
   if (of_p.size() != of_q.size()) return false;
   // Both start at their smallest vertex; all edges must be in the proportion of the first.
   const Vector first_p = of_p[1] - of_p[0], first_q = of_q[1] - of_q[0];
@@ -59,7 +54,6 @@ Outcome law(const Sum& sum, const Summands& summands) {
 
 const Registered registered({
     .id = "law-area",
-    .kind = "law",
     .title = "Brunn and Minkowski's inequality, with its cases of equality",
     .statement = "√|P ⊕ Q| ≥ √|P| + √|Q|, closed and open, and the two are equal exactly where P "
                  "and Q are convex and homothetic. Tried on P and Q, and on P and ⅔P moved.",

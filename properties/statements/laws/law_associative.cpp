@@ -24,7 +24,6 @@ Outcome law(const Sum& sum, const Summands& summands) {
 
 const Registered registered({
     .id = "law-associative",
-    .kind = "law",
     .title = "Three summands may be bracketed either way",
     .statement = "(P ⊕ Q) ⊕ R = P ⊕ (Q ⊕ R): the outer sums closed or open, the inner ones the "
                  "closed sums, as regions.",

@@ -13,7 +13,6 @@ Outcome law(const Sum& sum, const Summands& summands) {
 
 const Registered registered({
     .id = "law-commutative",
-    .kind = "law",
     .title = "The sum does not depend on the order of the summands",
     .statement = "Closed and open, P ⊕ Q = Q ⊕ P, the same value for each engine.",
     .why =

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-
 #include "properties/runner/each_engine.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/laws/convex_hull.hpp"
@@ -8,14 +6,6 @@
 namespace oplus {
 
 namespace {
-
-std::vector<Point> vertices(const std::vector<Chain>& chains) {
-  std::vector<Point> all;
-  for (const Chain& chain : chains) all.insert(all.end(), chain.begin(), chain.end());
-  return all;
-}
-
-Region hull(const Region& region) { return polygon(convex_hull(vertices(chains(region)))); }
 
 /// Two convex chains merged by the angles of their edges, O(n + m); equal directions become one
 /// edge. Each chain starts at its smallest vertex, so its first edge is the first after -y.
@@ -40,19 +30,17 @@ Chain merged(const Chain& p, const Chain& q) {
 }
 
 Outcome law(const Sum& sum, const Summands& summands) {
-  const Region p = hull(summands.p), q = hull(summands.q);
-  const MinkowskiSum expected{{merged(p.components[0].outer, q.components[0].outer)}, {}, {}, {}};
-  const std::string what = told_apart(sum(p, q), expected);
+  const Chain p = convex_hull(chains(summands.p)), q = convex_hull(chains(summands.q));
+  const MinkowskiSum expected{{merged(p, q)}, {}, {}, {}};
+  const std::string what = told_apart(sum(polygon(p), polygon(q)), expected);
   if (!what.empty()) return unless_broken("of the hulls, " + what);
-  const MinkowskiSum whole = sum(summands.p, summands.q);
-  if (convex_hull(vertices(whole.outer)) != expected.outer[0])
+  if (convex_hull(sum(summands.p, summands.q).outer) != expected.outer[0])
     return unless_broken("the hull of the sum is not the sum of the hulls");
   return {};
 }
 
 const Registered registered({
     .id = "law-convex",
-    .kind = "law",
     .title = "Convex sums are merges of edges, and hulls add",
     .statement =
         "For convex P and Q, closed and open, P ⊕ Q has the edges of both in the order of "

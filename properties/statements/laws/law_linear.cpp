@@ -32,7 +32,6 @@ Outcome law(const Sum& sum, const Summands& summands) {
 
 const Registered registered({
     .id = "law-linear",
-    .kind = "law",
     .title = "A linear map of both summands maps the sum",
     .statement = "Closed and open, AP ⊕ AQ = A(P ⊕ Q) for an invertible matrix A: quarter turns, "
                  "reflections in axes, which reverse all chains, shears and a general map.",

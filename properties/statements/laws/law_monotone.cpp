@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-
 #include "properties/runner/each_engine.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/laws/convex_hull.hpp"
-#include "properties/statements/laws/overlaid_sums.hpp"
+#include "properties/statements/places/overlay.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
@@ -16,9 +14,7 @@ namespace {
 std::vector<std::pair<Region, Region>> nested(const Region& p) {
   const Region component{{p.components[0]}};
   const Region without_holes = polygon(p.components[0].outer);
-  std::vector<Point> all;
-  for (const Chain& chain : chains(p)) all.insert(all.end(), chain.begin(), chain.end());
-  std::vector<std::pair<Region, Region>> pairs = {{p, polygon(convex_hull(all))}};
+  std::vector<std::pair<Region, Region>> pairs = {{p, polygon(convex_hull(chains(p)))}};
   if (component != p) pairs.emplace_back(component, p);
   if (without_holes != component) pairs.emplace_back(component, without_holes);
   return pairs;
@@ -26,11 +22,7 @@ std::vector<std::pair<Region, Region>> nested(const Region& p) {
 
 std::string broken(const Sum& sum, const Region& smaller, const Region& larger, const Region& q) {
   for (const OverlaidPoint& x : overlaid({sum(smaller, q), sum(larger, q)})) {
-    const bool in_smaller =
-        sum.is_open() ? x.in[0] == Location::inside : x.in[0] != Location::outside;
-    const bool in_larger =
-        sum.is_open() ? x.in[1] == Location::inside : x.in[1] != Location::outside;
-    if (in_smaller && !in_larger)
+    if (x.is_in(0, sum.is_open()) && !x.is_in(1, sum.is_open()))
       return to_string(x.point) + " is in the sum of the smaller region only";
   }
   return "";
@@ -49,7 +41,6 @@ Outcome law(const Sum& sum, const Summands& summands) {
 
 const Registered registered({
     .id = "law-monotone",
-    .kind = "law",
     .title = "A larger summand has a larger sum",
     .statement =
         "If P ⊆ P′, then P ⊕ Q ⊆ P′ ⊕ Q, closed and open, points of dangling edges and "

@@ -2,7 +2,7 @@
 #include "properties/runner/each_engine.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/laws/linear_map.hpp"
-#include "properties/statements/laws/overlaid_sums.hpp"
+#include "properties/statements/places/overlay.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
@@ -15,7 +15,7 @@ std::string contains_translates(const Sum& sum, const Region& p, const Region& q
   for (const Chain& chain : chains(q)) {
     const MinkowskiSum part = canonical_sum(translated(p, chain[0]));
     for (const OverlaidPoint& at : overlaid({whole, part})) {
-      if (at.in[1] != Location::outside && at.in[0] == Location::outside)
+      if (at.is_in(1, false) && !at.is_in(0, false))
         return "P + " + to_string(chain[0]) + " contains " + to_string(at.point) + ", the sum not";
     }
   }
@@ -51,7 +51,6 @@ Outcome law(const Sum& sum, const Summands& summands) {
 
 const Registered registered({
     .id = "law-point",
-    .kind = "law",
     .title = "Adding a point translates: as a part, and in the limit",
     .statement =
         "P ⊕ {x} = P + x. A region is never a point, so this is compared with what it says of "

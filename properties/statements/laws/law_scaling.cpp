@@ -25,7 +25,6 @@ Outcome law(const Sum& sum, const Summands& summands) {
 
 const Registered registered({
     .id = "law-scaling",
-    .kind = "law",
     .title = "Scaling or reflecting both summands does so to the sum",
     .statement = "Closed and open, λP ⊕ λQ = λ(P ⊕ Q), for λ = -1, a fraction, and powers of two "
                  "far beyond and far below what a double holds.",

@@ -28,7 +28,6 @@ Outcome law(const Sum& sum, const Summands& summands) {
 
 const Registered registered({
     .id = "law-translation",
-    .kind = "law",
     .title = "Translating a summand translates the sum",
     .statement = "Closed and open, (P + s) ⊕ (Q + t) = (P ⊕ Q) + s + t, for vectors s and t of "
                  "integers, of other rationals, and of numbers beyond the range of a double.",

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
 #include <optional>
 
 #include "properties/runner/each_engine.hpp"
 #include "properties/runner/registry.hpp"
-#include "properties/statements/laws/overlaid_sums.hpp"
+#include "properties/statements/places/overlay.hpp"
 #include "reference/definitions/validity.hpp"
 #include "reference/io/writing.hpp"
 
@@ -40,20 +39,15 @@ std::optional<std::vector<Region>> parts(const Region& region) {
   return only.holes.empty() ? halves(only.outer) : std::nullopt;
 }
 
-/// Whether a point is in one of the sums, as the closed or as the open set.
-bool in_one_of(const OverlaidPoint& x, std::size_t from, bool open) {
-  return std::any_of(x.in.begin() + static_cast<std::ptrdiff_t>(from), x.in.end(), [&](Location l) {
-    return open ? l == Location::inside : l != Location::outside;
-  });
-}
-
 std::string broken(const Sum& sum, const Summands& summands, const std::vector<Region>& parts) {
   std::vector<MinkowskiSum> sums = {sum(summands.p, summands.q)};
   for (const Region& part : parts) sums.push_back(sum(part, summands.q));
   for (const OverlaidPoint& x : overlaid(sums)) {
-    const bool in_whole =
-        sum.is_open() ? x.in[0] == Location::inside : x.in[0] != Location::outside;
-    if (in_whole == in_one_of(x, 1, sum.is_open())) continue;
+    const bool in_whole = x.is_in(0, sum.is_open());
+    bool in_a_part = false;
+    for (std::size_t i = 1; i < sums.size(); ++i)
+      in_a_part = in_a_part || x.is_in(i, sum.is_open());
+    if (in_whole == in_a_part) continue;
     return to_string(x.point) + " is in the sum of " +
            (in_whole ? "the union and of no part" : "a part and not of the union");
   }
@@ -62,12 +56,10 @@ std::string broken(const Sum& sum, const Summands& summands, const std::vector<R
 
 Outcome law(const Sum& sum, const Summands& summands) {
   const std::optional<std::vector<Region>> of_p = parts(summands.p);
-  if (!of_p) {
-    Outcome outcome;
-    outcome.kind = Outcome::Kind::discarded;
-    outcome.why = "P is neither several components nor a polygon with a diagonal";
-    return outcome;
-  }
+  if (!of_p)
+    return {Outcome::Kind::discarded,
+            "P is neither several components nor a polygon with a diagonal",
+            {}};
   Outcome outcome = unless_broken(broken(sum, summands, *of_p));
   ++outcome
         .counts[summands.p.components.size() > 1 ? "unions of components" : "polygons cut in two"];
@@ -76,7 +68,6 @@ Outcome law(const Sum& sum, const Summands& summands) {
 
 const Registered registered({
     .id = "law-union",
-    .kind = "law",
     .title = "The sum distributes over unions",
     .statement = "Closed and open, as sets of points, (P₁ ∪ P₂) ⊕ Q = (P₁ ⊕ Q) ∪ (P₂ ⊕ Q): for "
                  "components, which may touch, and for a polygon cut along a diagonal.",

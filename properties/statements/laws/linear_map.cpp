@@ -32,16 +32,14 @@ MinkowskiSum image(const LinearMap& map, const MinkowskiSum& sum, const Vector& 
     return Segment{map(s.source) + by, map(s.target) + by};
   };
   // Chains may touch edges in their middle; features meet at ends only.
+  const std::vector<Segment> boundary = edges(MinkowskiSum{sum.outer, sum.holes, {}, {}});
   std::vector<Point> vertices;
-  for (const std::vector<Chain>* chains : {&sum.outer, &sum.holes})
-    for (const Chain& chain : *chains) vertices.insert(vertices.end(), chain.begin(), chain.end());
+  for (const Segment& edge : boundary) vertices.push_back(edge.source);
   BoundaryFeatures features;
-  for (const std::vector<Chain>* chains : {&sum.outer, &sum.holes}) {
-    for (const Chain& chain : *chains) {
-      for (const Segment& piece : cut_edges(chain, vertices)) {
-        const Segment mapped = of_segment(piece);
-        features.edges.push_back(sign(map.determinant()) < 0 ? reversed(mapped) : mapped);
-      }
+  for (const Segment& edge : boundary) {
+    for (const Segment& piece : cut(edge, vertices)) {
+      const Segment mapped = of_segment(piece);
+      features.edges.push_back(sign(map.determinant()) < 0 ? reversed(mapped) : mapped);
     }
   }
   for (const Segment& s : sum.dangling_edges) features.dangling_edges.push_back(of_segment(s));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -9,14 +10,19 @@
 
 namespace oplus {
 
-/// Whether the segments of one direction along an edge cover all of it.
+/// Whether the segments that run along an edge cover all of it.
+bool cover(const std::vector<Segment>& segments, const Segment& edge);
+
+/// Whether those of one direction do.
 bool cover(const std::vector<ConvolutionSegment>& segments, const Vector& direction,
            const Segment& edge);
 
 /// What of a sum the segments do not cover, in words, or nothing: edges want segments of their
-/// direction, dangling ones of both; isolated vertices any segment, but for the `excepted` ones,
-/// sorted.
+/// direction, dangling ones of both; isolated vertices any segment, but for the `excepted` ones.
 std::string bare(const MinkowskiSum& sum, const std::vector<ConvolutionSegment>& segments,
-                 const std::vector<Point>& excepted);
+                 const std::set<Point>& excepted);
+
+/// Where isolated vertices may be on no reduced segment (docs/findings.md).
+std::set<Point> sums_of_touching_points(const Summands& summands);
 
 }  // namespace oplus

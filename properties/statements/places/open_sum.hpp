@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "reference/definitions/collision.hpp"
 #include "reference/families/family.hpp"
 
 namespace oplus {
@@ -11,9 +12,14 @@ namespace oplus {
 /// in it iff the interiors of P and -Q+x meet.
 class OpenSum {
  public:
-  explicit OpenSum(const Summands& summands);
+  explicit OpenSum(const Summands& summands)
+      : p_(summands.p), reflected_q_(reflected(summands.q)) {}
 
-  bool contains(const Point& x);
+  bool contains(const Point& x) {
+    const auto known = known_.find(x);
+    if (known != known_.end()) return known->second;
+    return known_[x] = interiors_meet(p_, translated(reflected_q_, x));
+  }
 
  private:
   Region p_;

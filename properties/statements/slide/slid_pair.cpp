@@ -50,8 +50,16 @@ std::vector<SlidPair::Place> SlidPair::between(std::vector<Place> places) const 
   std::vector<Place> inside;
   for (std::size_t i = 1; i < places.size(); ++i)
     if (places[i - 1] < places[i])
-      inside.push_back(slide::place_inside(slide::Piece<Numbers>{places[i - 1], places[i]}));
+      inside.push_back(slide::place_inside(Piece{places[i - 1], places[i]}));
   return inside;
+}
+
+std::vector<slide::FreePiece<SlidPair::Numbers>> SlidPair::free_pieces() const {
+  slide::FreePieces<Numbers> search(tracks.summands());
+  std::vector<slide::FreePiece<Numbers>> pieces;
+  for (std::uint32_t i = 0; i < tracks.size(); ++i)
+    search.find(tracks[i], [&](Piece piece) { pieces.push_back({i, std::move(piece)}); });
+  return pieces;
 }
 
 }  // namespace oplus

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "checked/slide/exact_point.hpp"
+#include "checked/slide/free_pieces.hpp"
+#include "checked/slide/named_ends.hpp"
 #include "checked/slide/tracks.hpp"
 #include "reference/families/family.hpp"
 
@@ -12,6 +14,7 @@ struct SlidPair {
   using Numbers = slide::SmallNumbers;
   using Place = slide::Fraction<Numbers>;
   using Track = slide::Track<Numbers>;
+  using Piece = slide::Piece<Numbers>;
 
   /// Requires: coordinates of at most 29 bits.
   explicit SlidPair(const Summands& pair);
@@ -30,6 +33,9 @@ struct SlidPair {
   /// A place of each part into which the given places cut the segment, between two of them; the places
   /// need be neither sorted nor different.
   std::vector<Place> between(std::vector<Place> places) const;
+
+  /// What slide finds free, segment by segment.
+  std::vector<slide::FreePiece<Numbers>> free_pieces() const;
 
   const Summands& summands;
   slide::Scaling scaling;

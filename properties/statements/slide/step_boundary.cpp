@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "checked/slide/free_pieces.hpp"
 #include "properties/runner/registry.hpp"
+#include "properties/statements/places/covered_sum.hpp"
 #include "properties/statements/slide/slid_pair.hpp"
 #include "reference/oracle/oracle.hpp"
 
@@ -16,7 +16,7 @@ Outcome check(const Summands& summands) {
   Outcome outcome;
   std::vector<Segment> free;
   for (std::uint32_t i = 0; i < pair.tracks.size(); ++i) {
-    std::vector<slide::Piece<SlidPair::Numbers>> pieces;
+    std::vector<SlidPair::Piece> pieces;
     search.find(pair.tracks[i], [&](auto piece) { pieces.push_back(std::move(piece)); });
     std::vector<SlidPair::Place> ends;
     for (const auto& piece : pieces) {
@@ -41,16 +41,11 @@ Outcome check(const Summands& summands) {
     }
   }
   for (const Segment& edge : boundary) {
-    std::vector<Segment> along;
+    std::vector<Segment> equally_directed;
     for (const Segment& piece : free)
-      if (overlap(piece, edge) && sign(dot(direction_of(piece), direction_of(edge))) > 0)
-        along.push_back(piece);
-    const std::vector<Segment> joined = maximal_segments(along);
-    const bool is_covered = std::any_of(joined.begin(), joined.end(), [&](const Segment& whole) {
-      return lies_on(edge.source, whole) && lies_on(edge.target, whole);
-    });
+      if (sign(dot(direction_of(piece), direction_of(edge))) > 0) equally_directed.push_back(piece);
     ++outcome.counts["edges of the boundary"];
-    if (is_covered) continue;
+    if (cover(equally_directed, edge)) continue;
     return outcome.fail("an edge of the boundary is not covered by free pieces");
   }
   return outcome;
@@ -58,7 +53,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "step-boundary",
-    .kind = "step",
     .title = "The free pieces are the boundary",
     .statement =
         "A place on a segment of the reduced convolution, no end of a free piece, is on the "
@@ -72,15 +66,12 @@ const Registered registered({
            "left of each of its edges, as of the segment.",
     .hypotheses = {"P and Q are valid regions"},
     .rests_on = {"step-search", "step-components", "theorem-2.3.2"},
-    .sources =
-        {
-            {"grid", 6, 4},
-            {"tight", 6, 3},
-            {"holes", 4, 2},
-            {"components", 4, 2},
-            {"islands", 2, 1},
-            {"fork", 2, 1},
-        },
+    .sources = {{"grid", 6, 4},
+                {"tight", 6, 3},
+                {"holes", 4, 2},
+                {"components", 4, 2},
+                {"islands", 2, 1},
+                {"fork", 2, 1}},
     .promises = {{"holes", 10}, {"parallel edges", 40}},
     .kills = {"slide-shifts-to-the-left", "slide-components-never-overlap"},
     .cases = 250,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "checked/slide/free_pieces.hpp"
 #include "checked/slide/low_dimensional_candidates.hpp"
 #include "properties/runner/registry.hpp"
+#include "properties/statements/places/covered_sum.hpp"
 #include "properties/statements/slide/slid_pair.hpp"
 #include "reference/oracle/oracle.hpp"
 
@@ -11,19 +11,14 @@ namespace {
 
 Outcome check(const Summands& summands) {
   const SlidPair pair(summands);
-  slide::FreePieces<SlidPair::Numbers> search(pair.tracks.summands());
-  std::vector<slide::FreePiece<SlidPair::Numbers>> pieces;
-  for (std::uint32_t i = 0; i < pair.tracks.size(); ++i)
-    search.find(pair.tracks[i], [&](auto piece) { pieces.push_back({i, std::move(piece)}); });
   const slide::Candidates candidates =
-      slide::low_dimensional_candidates(pair.tracks, pieces, pair.scaling, 1);
+      slide::low_dimensional_candidates(pair.tracks, pair.free_pieces(), pair.scaling, 1);
   const MinkowskiSum open = oracle_sums(summands.p, summands.q).open;
   Outcome outcome;
   outcome.counts["candidate pieces"] = candidates.pieces.size();
   outcome.counts["candidate points"] = candidates.points.size();
   outcome.counts["dangling edges"] = open.dangling_edges.size();
   outcome.counts["isolated vertices"] = open.isolated_vertices.size();
-  const auto fail = [&](const std::string& what) { return outcome.fail(what); };
   std::vector<Segment> segments;
   for (const auto& piece : candidates.pieces) {
     segments.push_back(piece.segment);
@@ -31,32 +26,19 @@ Outcome check(const Summands& summands) {
     const bool is_in_sum = pair.interiors_meet_at(piece.inside);
     for (const Point& end : {piece.segment.source, piece.segment.target})
       if (pair.interiors_meet_at(midpoint(piece.inside, end)) != is_in_sum)
-        return fail("a part of a candidate piece is in the open sum");
+        return outcome.fail("a part of a candidate piece is in the open sum");
   }
-  segments = maximal_segments(segments);
   for (const Segment& edge : open.dangling_edges)
-    if (std::none_of(segments.begin(), segments.end(), [&](const Segment& s) {
-          return lies_on(edge.source, s) && lies_on(edge.target, s);
-        }))
-      return fail("a dangling edge is not covered");
-  for (const Point& x : open.isolated_vertices) {
-    const auto is_sum_of_touching_points = [&] {
-      for (const Point& a : touching_points(summands.p))
-        for (const Point& b : touching_points(summands.q))
-          if (a + b == x) return true;
-      return false;
-    };
-    if (std::find(candidates.points.begin(), candidates.points.end(), x) ==
-            candidates.points.end() &&
-        !is_sum_of_touching_points())
-      return fail("an isolated vertex is no candidate");
-  }
+    if (!cover(segments, edge)) return outcome.fail("a dangling edge is not covered");
+  std::set<Point> points = sums_of_touching_points(summands);
+  points.insert(candidates.points.begin(), candidates.points.end());
+  for (const Point& x : open.isolated_vertices)
+    if (!points.contains(x)) return outcome.fail("an isolated vertex is no candidate");
   return outcome;
 }
 
 const Registered registered({
     .id = "step-candidates",
-    .kind = "step",
     .title = "What the open sum lacks inside is among the candidates",
     .statement =
         "Every dangling edge of the open sum is covered by candidate pieces of slide, every "
@@ -72,13 +54,7 @@ const Registered registered({
     .hypotheses = {"P and Q are valid regions"},
     .rests_on = {"step-interval", "theorem-3.2.8", "theorem-3.2.10"},
     .sources =
-        {
-            {"tight", 6, 4},
-            {"grid", 6, 2},
-            {"holes", 4, 2},
-            {"components", 4, 1},
-            {"islands", 2, 1},
-        },
+        {{"tight", 6, 4}, {"grid", 6, 2}, {"holes", 4, 2}, {"components", 4, 1}, {"islands", 2, 1}},
     .promises = {{"parallel edges", 40}, {"holes", 10}},
     .kills = {"slide-forgets-changes-of-contact"},
     .cases = 250,

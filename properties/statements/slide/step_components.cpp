@@ -41,7 +41,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "step-components",
-    .kind = "step",
     .title = "Where no edges cross, components overlap only one inside the other",
     .statement =
         "At a place on a segment that no pair of edges blocks, the interiors of P and -Q + "
@@ -59,13 +58,7 @@ const Registered registered({
     .hypotheses = {"P and Q are valid regions"},
     .rests_on = {"step-search", "observation-2.2.4"},
     .sources =
-        {
-            {"components", 5, 4},
-            {"islands", 2, 2},
-            {"holes", 5, 2},
-            {"grid", 8, 2},
-            {"tight", 6, 2},
-        },
+        {{"components", 5, 4}, {"islands", 2, 2}, {"holes", 5, 2}, {"grid", 8, 2}, {"tight", 6, 2}},
     .promises = {{"several components", 30}, {"holes", 20}},
     .kills = {"slide-components-never-overlap"},
     .cases = 800,

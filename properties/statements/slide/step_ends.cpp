@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "checked/slide/free_pieces.hpp"
-#include "checked/slide/named_ends.hpp"
 #include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/slide/slid_pair.hpp"
@@ -11,10 +9,7 @@ namespace {
 
 Outcome check(const Summands& summands) {
   const SlidPair pair(summands);
-  slide::FreePieces<SlidPair::Numbers> search(pair.tracks.summands());
-  std::vector<slide::FreePiece<SlidPair::Numbers>> pieces;
-  for (std::uint32_t i = 0; i < pair.tracks.size(); ++i)
-    search.find(pair.tracks[i], [&](auto piece) { pieces.push_back({i, std::move(piece)}); });
+  std::vector<slide::FreePiece<SlidPair::Numbers>> pieces = pair.free_pieces();
   const auto ends = slide::named_ends(pieces, pair.tracks, pair.scaling);
   std::vector<Point> points;
   for (const auto& x : ends.points) points.push_back(x.in_the_plane(pair.scaling));
@@ -28,28 +23,26 @@ Outcome check(const Summands& summands) {
   Outcome outcome;
   outcome.counts["free pieces"] = pieces.size();
   outcome.counts["pieces after cutting"] = cut.size();
-  const auto fail = [&](const std::string& what) { return outcome.fail(what); };
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      if (points[i] == points[j]) return fail("a point has two numbers");
+      if (points[i] == points[j]) return outcome.fail("a point has two numbers");
   std::vector<Segment> before, after;
   for (const auto& piece : pieces)
     before.push_back(
         {pair.point(piece.segment, piece.piece.from), pair.point(piece.segment, piece.piece.to)});
   for (const auto& piece : cut) after.push_back({points[piece.from], points[piece.to]});
   if (maximal_segments(before) != maximal_segments(after))
-    return fail("the pieces do not cover what they did");
+    return outcome.fail("the pieces do not cover what they did");
   for (const Segment& a : after)
     for (const Segment& b : after)
       for (const Point& x : {b.source, b.target})
         if (lies_on(x, a) && x != a.source && x != a.target)
-          return fail("a piece ends inside another one");
+          return outcome.fail("a piece ends inside another one");
   return outcome;
 }
 
 const Registered registered({
     .id = "step-ends",
-    .kind = "step",
     .title = "Pieces are cut where they meet, and equal points are one",
     .statement =
         "After naming and cutting, two pieces of the boundary have at most ends in common, or "

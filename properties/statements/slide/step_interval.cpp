@@ -47,7 +47,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "step-interval",
-    .kind = "step",
     .title = "A pair of edges blocks one open interval of a segment",
     .statement =
         "Let x(t) run along a segment of the reduced convolution, shifted to its right by an "

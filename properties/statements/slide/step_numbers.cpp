@@ -3,7 +3,6 @@
 #include "checked/slide/slide.hpp"
 #include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
-#include "properties/statements/slide/slid_pair.hpp"
 #include "reference/definitions/validity.hpp"
 
 namespace oplus {
@@ -23,7 +22,6 @@ Point bent(const Point& x) { return stretched(x) + Point{x.y * x.y, x.x * x.y}; 
 
 Outcome check(const Summands& summands) {
   Outcome outcome;
-  const auto fail = [&](const std::string& what) { return outcome.fail(what); };
   std::vector<Summands> large = {{mapped(summands.p, stretched), mapped(summands.q, stretched)}};
   Summands bent_pair = {mapped(summands.p, bent), mapped(summands.q, bent)};
   if (!find_defect(bent_pair.p) && !find_defect(bent_pair.q)) large.push_back(std::move(bent_pair));
@@ -36,12 +34,13 @@ Outcome check(const Summands& summands) {
       options.numbers = numbers;
       const ComputedSum other = slide_sum(summands.p, summands.q, boundary, options);
       if (other.sum != small.sum || other.origins != small.origins)
-        return fail("the same pair in larger numbers");
+        return outcome.fail("the same pair in larger numbers");
       for (const Summands& pair : large) {
         const ComputedSum of_large = slide_sum(pair.p, pair.q, boundary, options);
         if (of_large.statistics.count("in integers of 64 bits") > 0)
-          return fail("large coordinates in 64 bits");
-        if (of_large.sum != rca(pair.p, pair.q, boundary).sum) return fail("a pair made large");
+          return outcome.fail("large coordinates in 64 bits");
+        if (of_large.sum != rca(pair.p, pair.q, boundary).sum)
+          return outcome.fail("a pair made large");
       }
     }
   }
@@ -50,7 +49,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "step-numbers",
-    .kind = "step",
     .title = "The size of the numbers does not matter",
     .statement =
         "In 64-bit integers, in 256-bit integers and in GMP, slide finds the same sum, "

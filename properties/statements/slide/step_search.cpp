@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "checked/slide/free_pieces.hpp"
 #include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/slide/slid_pair.hpp"
@@ -16,9 +15,8 @@ Outcome check(const Summands& summands) {
   Outcome outcome;
   for (std::uint32_t i = 0; i < pair.tracks.size(); ++i) {
     const SlidPair::Track track = pair.tracks[i];
-    using Piece = slide::Piece<SlidPair::Numbers>;
-    std::vector<Piece> found, defined;
-    search.find(track, [&](Piece piece) { found.push_back(std::move(piece)); });
+    std::vector<SlidPair::Piece> found, defined;
+    search.find(track, [&](SlidPair::Piece piece) { found.push_back(std::move(piece)); });
     std::vector<slide::BlockedInterval<SlidPair::Numbers>> intervals;
     for (const auto& e : integers.p.edges)
       for (const auto& f : integers.q.edges)
@@ -31,7 +29,7 @@ Outcome check(const Summands& summands) {
       if (!(ends[k - 1] < ends[k]) || ends[k - 1] < SlidPair::Place{0, 1} ||
           SlidPair::Place{1, 1} < ends[k])
         continue;
-      const Piece piece{ends[k - 1], ends[k]};
+      const SlidPair::Piece piece{ends[k - 1], ends[k]};
       const SlidPair::Place t = slide::place_inside(piece);
       const bool is_blocked =
           std::any_of(intervals.begin(), intervals.end(),
@@ -40,10 +38,10 @@ Outcome check(const Summands& summands) {
       defined.push_back(piece);
     }
     std::sort(found.begin(), found.end(),
-              [](const Piece& a, const Piece& b) { return a.from < b.from; });
+              [](const SlidPair::Piece& a, const SlidPair::Piece& b) { return a.from < b.from; });
     outcome.counts["segments"] += 1;
     outcome.counts["free pieces"] += found.size();
-    const auto same = [](const Piece& a, const Piece& b) {
+    const auto same = [](const SlidPair::Piece& a, const SlidPair::Piece& b) {
       return !(a.from < b.from) && !(b.from < a.from) && !(a.to < b.to) && !(b.to < a.to);
     };
     if (std::equal(found.begin(), found.end(), defined.begin(), defined.end(), same)) continue;
@@ -56,7 +54,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "step-search",
-    .kind = "step",
     .title = "The search finds what all pairs of edges leave uncovered",
     .statement =
         "The free pieces that probes and traversals of boxes find, doubles first, are what "

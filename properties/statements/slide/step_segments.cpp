@@ -26,7 +26,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "step-segments",
-    .kind = "step",
     .title = "The segments are those of the reduced convolution",
     .statement = "slide takes exactly the segments of the reduced convolution, each once: found by "
                  "ranks of directions, they are what the definition finds by comparing all pairs.",

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/slide/slide.hpp"
 #include "properties/runner/registry.hpp"
-#include "properties/statements/slide/slid_pair.hpp"
 
 namespace oplus {
 
@@ -24,7 +23,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "step-turning",
-    .kind = "step",
     .title = "The turning number of a chain says whether it is an outer one",
     .statement =
         "Every chain that slide stitches turns once to the left if it is an outer chain of "

@@ -32,7 +32,6 @@ TEST(Mutants, NoneRunIsNoSuccess) {
 Statement enumerated_with(const std::string& failure_with, const std::string& failure_without) {
   Statement s;
   s.id = "fact-of-a-test";
-  s.kind = "fact";
   s.title = s.statement = s.why = "as the test wants";
   s.kills = {"some-fault"};
   s.enumerate = [=] {

@@ -24,7 +24,6 @@ Registry sound_registry() {
                          Region{{{{{0, 0}, {2, 0}, {0, 3}}, {}}}}};
   Statement s;
   s.id = "lemma-9.9.9";
-  s.kind = "lemma";
   s.title = "Edges exist";
   s.statement = "There are edges.";
   s.why = "See the definition.";

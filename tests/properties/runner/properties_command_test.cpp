@@ -21,7 +21,6 @@ namespace {
 Statement triangles_only() {
   Statement s;
   s.id = "fact-triangles-only";
-  s.kind = "fact";
   s.title = "P is a triangle";
   s.sources = {{"grid", 6, 1}};
   s.cases = 40;

@@ -15,7 +15,6 @@ namespace {
 Statement statement_that(std::function<Outcome(const Summands&)> check) {
   Statement s;
   s.id = "fact-of-a-test";
-  s.kind = "fact";
   s.sources = {{"grid", 6, 2}, {"components", 4, 1}};
   s.check = std::move(check);
   return s;

@@ -17,7 +17,6 @@ const std::vector<Mutant> one_mutant = {{"sign-flipped", "a sign is flipped", "r
 Statement sound_entry() {
   Statement s;
   s.id = "lemma-9.9.9";
-  s.kind = "lemma";
   s.title = "A title";
   s.statement = "Something holds.";
   s.why = "It must.";
@@ -84,8 +83,8 @@ TEST(RegistryDefects, DuplicateMutant) {
 }
 
 TEST(RegistryDefects, IdWithoutItsKind) {
-  EXPECT_EQ(defects_with([](Statement& s) { s.kind = "theorem"; }).size(), 1U);
-  EXPECT_EQ(defects_with([](Statement& s) { s.kind = "guess"; }).size(), 1U);
+  EXPECT_EQ(defects_with([](Statement& s) { s.id = "lemma"; }).size(), 1U);
+  EXPECT_EQ(defects_with([](Statement& s) { s.id = "guess-9.9.9"; }).size(), 1U);
 }
 
 TEST(RegistryDefects, UnknownFamilyOrClassOrNothingToRun) {

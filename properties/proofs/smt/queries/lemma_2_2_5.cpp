@@ -9,8 +9,10 @@ namespace oplus::smt {
 
 namespace {
 
-Formula points_into_both(const Values& values, const Vectors& n) {
-  return all_of({is_left(direction(values, "e"), n), is_left(direction(values, "f"), opposite(n))});
+const Vectors e = direction("e"), f = direction("f");
+
+Claim points_into_both(const Vectors& n) {
+  return all_of({is_left(e, n), is_left(f, opposite(n))});
 }
 
 bool interiors_meet_at_sum(const Model& model) {
@@ -18,40 +20,20 @@ bool interiors_meet_at_sum(const Model& model) {
                         reflected(region_with_edge(direction_in(model, "f"), 1)));
 }
 
-const std::vector<Unknown> two_edges = {{"e", Unknown::Kind::direction},
-                                        {"f", Unknown::Kind::direction}};
-
-Formula have_equal_directions(const Values& values) {
-  return are_equal(direction(values, "e"), direction(values, "f"));
-}
-
 const RegisteredQueries registered({
     {.id = "lemma-2.2.5.half-disks",
-     .statement = "lemma-2.2.5",
-     .unknowns = two_edges,
-     .hypotheses = {{"different",
-                     {"the directions of e and f differ",
-                      [](const Values& values) {
-                        return negation(have_equal_directions(values));
-                      }}}},
+     .unknowns = {any_direction("e"), any_direction("f")},
+     .hypotheses = {{"different", {"the directions of e and f differ", negation(are_equal(e, f))}}},
      .conclusion = {"e + f, its opposite, or a vector to the left of e points left of e and its "
                     "opposite left of f",
-                    [](const Values& values) {
-                      const Vectors e = direction(values, "e"), f = direction(values, "f");
-                      return one_is_in(
-                          {sum(e, f), opposite(sum(e, f)), leftwards(e)},
-                          [&](const Vectors& n) { return points_into_both(values, n); });
-                    }},
+                    one_is_in({sum(e, f), opposite(sum(e, f)), leftwards(e)}, points_into_both)},
      .dropped = "different",
-     .is_false_by_definition = [](const Model& model) { return !interiors_meet_at_sum(model); }},
+     .is_false_by_definition = std::not_fn(interiors_meet_at_sum)},
     {.id = "lemma-2.2.5.equal-directions",
-     .statement = "lemma-2.2.5",
-     .unknowns = {two_edges[0], two_edges[1], {"n", Unknown::Kind::direction}},
-     .hypotheses = {{"equal", {"the directions of e and f are equal", have_equal_directions}}},
+     .unknowns = {any_direction("e"), any_direction("f"), any_direction("n")},
+     .hypotheses = {{"equal", {"the directions of e and f are equal", are_equal(e, f)}}},
      .conclusion = {"n does not point left of e, or its opposite not left of f",
-                    [](const Values& values) {
-                      return negation(points_into_both(values, direction(values, "n")));
-                    }},
+                    negation(points_into_both(direction("n")))},
      .dropped = "equal",
      .is_false_by_definition = interiors_meet_at_sum},
 });

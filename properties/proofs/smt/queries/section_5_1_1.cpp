@@ -25,8 +25,8 @@ const std::array<Ray, 4> rays = {{{"p.out", false, Summand::P},
                                   {"q.out", false, Summand::Q},
                                   {"q.in", true, Summand::Q}}};
 
-Vectors vector_of(const Values& values, const Ray& ray) {
-  const Vectors edge = direction(values, ray.edge);
+Vectors vector_of(const Ray& ray) {
+  const Vectors edge = direction(ray.edge);
   return ray.is_reverse ? opposite(edge) : edge;
 }
 
@@ -55,14 +55,14 @@ bool interiors_are_said_to_meet(const Order& order) {
   return is_sector_inside_both(sides);
 }
 
-Formula are_in_order(const Values& values, const Order& order) {
-  std::vector<Formula> parts;
+Claim are_in_order(const Order& order) {
+  std::vector<Claim> parts;
   for (std::size_t i = 0; i < rays.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      const Vectors u = vector_of(values, rays[i]), v = vector_of(values, rays[j]);
+      const Vectors u = vector_of(rays[i]), v = vector_of(rays[j]);
       const int expected = order[i] < order[j] ? -1 : order[i] > order[j] ? 1 : 0;
-      parts.push_back(executed([&] {
-        const int compared = cyclic_order::compare_angle(u(), v());
+      parts.push_back(executed([=](const Values& values) {
+        const int compared = cyclic_order::compare_angle(u(values), v(values));
         return (compared > 0) - (compared < 0) == expected;
       }));
     }
@@ -70,55 +70,36 @@ Formula are_in_order(const Values& values, const Order& order) {
   return all_of(parts);
 }
 
-Formula are_said_to_meet(const Values& values) {
-  std::vector<Formula> any;
+Claim are_said_to_meet() {
+  std::vector<Claim> any;
   for (const Order& order : orders())
-    if (interiors_are_said_to_meet(order)) any.push_back(are_in_order(values, order));
+    if (interiors_are_said_to_meet(order)) any.push_back(are_in_order(order));
   return any_of(any);
 }
 
-Corners corner(const Values& values, const std::string& of) {
-  return {direction(values, of + ".in"), direction(values, of + ".out")};
-}
-
-Formula is_in_both_sectors(const Values& values, const Vectors& d) {
-  return all_of({is_in_sector(d, corner(values, "p")), is_in_sector(d, corner(values, "q"))});
+Claim is_in_both_sectors(const Vectors& d) {
+  return all_of({is_in_sector(d, corner("p.")), is_in_sector(d, corner("q."))});
 }
 
 /// What both sectors have in common ends at rays: between two of them, less than π apart, is their sum;
 /// where they are π apart, a vector to the left of one.
-std::vector<Vectors> candidates(const Values& values) {
+std::vector<Vectors> candidates() {
   std::vector<Vectors> all;
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    const Vectors u = vector_of(values, rays[i]);
-    all.push_back(leftwards(u));
-    for (std::size_t j = 0; j < rays.size(); ++j) {
-      const Vectors v = vector_of(values, rays[j]);
-      if (j < i) all.push_back(sum(u, v));
-    }
+    all.push_back(leftwards(vector_of(rays[i])));
+    for (std::size_t j = 0; j < i; ++j) all.push_back(sum(vector_of(rays[i]), vector_of(rays[j])));
   }
   return all;
 }
 
-Corner corner_in(const Model& model, const std::string& of) {
-  return {direction_in(model, of + ".in"), direction_in(model, of + ".out")};
-}
-
 bool corners_meet(const Model& model) {
-  return interiors_meet(region_with_corner(corner_in(model, "p")),
-                        region_with_corner(corner_in(model, "q")));
-}
-
-std::vector<Unknown> unknowns(const std::vector<std::string>& names) {
-  std::vector<Unknown> all;
-  for (const std::string& name : names) all.push_back({name, Unknown::Kind::direction});
-  return all;
+  return interiors_meet(region_with_corner(corner_in(model, "p.")),
+                        region_with_corner(corner_in(model, "q.")));
 }
 
 Hypothesis turns(const std::string& of) {
   return {"turns-" + of,
-          {"the corner of " + of + " does not turn back",
-           [of](const Values& values) { return negation(turns_back(corner(values, of))); }}};
+          {"the corner of " + of + " does not turn back", negation(turns_back(corner(of + ".")))}};
 }
 
 bool edges_meet(const Model& model) {
@@ -126,94 +107,52 @@ bool edges_meet(const Model& model) {
                         region_with_edge(direction_in(model, "f"), 1));
 }
 
+const Vectors e = direction("e"), f = direction("f"), d = direction("d");
+
 const RegisteredQueries registered({
     {.id = "section-5.1.1.said-to-meet",
-     .statement = "section-5.1.1",
-     .unknowns = unknowns({"p.in", "p.out", "q.in", "q.out"}),
+     .unknowns = {any_direction("p.in"), any_direction("p.out"), any_direction("q.in"),
+                  any_direction("q.out")},
      .hypotheses = {turns("p"),
                     turns("q"),
-                    {"said", {"from the order of the rays the code says yes", are_said_to_meet}}},
+                    {"said", {"from the order of the rays the code says yes", are_said_to_meet()}}},
      .conclusion = {"the sum of two rays or a vector to the left of one is in both sectors",
-                    [](const Values& values) {
-                      return one_is_in(candidates(values), [&](const Vectors& d) {
-                        return is_in_both_sectors(values, d);
-                      });
-                    }},
+                    one_is_in(candidates(), is_in_both_sectors)},
      .dropped = "said",
-     .is_false_by_definition = [](const Model& model) { return !corners_meet(model); }},
+     .is_false_by_definition = std::not_fn(corners_meet)},
     {.id = "section-5.1.1.meet",
-     .statement = "section-5.1.1",
-     .unknowns = unknowns({"p.in", "p.out", "q.in", "q.out", "d"}),
+     .unknowns = {any_direction("p.in"), any_direction("p.out"), any_direction("q.in"),
+                  any_direction("q.out"), any_direction("d")},
      .hypotheses = {turns("p"),
                     turns("q"),
-                    {"in-p",
-                     {"d is in the sector of p",
-                      [](const Values& values) {
-                        return is_in_sector(direction(values, "d"), corner(values, "p"));
-                      }}},
-                    {"in-q",
-                     {"d is in the sector of q",
-                      [](const Values& values) {
-                        return is_in_sector(direction(values, "d"), corner(values, "q"));
-                      }}}},
-     .conclusion = {"from the order of the rays the code says yes", are_said_to_meet},
+                    {"in-p", {"d is in the sector of p", is_in_sector(d, corner("p."))}},
+                    {"in-q", {"d is in the sector of q", is_in_sector(d, corner("q."))}}},
+     .conclusion = {"from the order of the rays the code says yes", are_said_to_meet()},
      .dropped = "in-q",
-     .is_false_by_definition = [](const Model& model) { return !corners_meet(model); }},
+     .is_false_by_definition = std::not_fn(corners_meet)},
     {.id = "section-5.1.1.proper-crossing",
-     .statement = "section-5.1.1",
-     .unknowns = unknowns({"e", "f"}),
-     .hypotheses = {{"cross",
-                     {"e and f are not parallel",
-                      [](const Values& values) {
-                        return negation(
-                            are_parallel(direction(values, "e"), direction(values, "f")));
-                      }}}},
+     .unknowns = {any_direction("e"), any_direction("f")},
+     .hypotheses = {{"cross", {"e and f are not parallel", negation(are_parallel(e, f))}}},
      .conclusion = {"e - f or f - e points to the left of both",
-                    [](const Values& values) {
-                      const Vectors e = direction(values, "e"), f = direction(values, "f");
-                      return one_is_in({sum(e, opposite(f)), sum(f, opposite(e))},
-                                       [&](const Vectors& d) {
-                                         return all_of({is_left(e, d), is_left(f, d)});
-                                       });
-                    }},
+                    one_is_in({sum(e, opposite(f)), sum(f, opposite(e))},
+                              [](const Vectors& n) {
+                                return all_of({is_left(e, n), is_left(f, n)});
+                              })},
      .dropped = "cross",
-     .of_twin = {{"e and f are not equal",
-                  [](const Values& values) {
-                    return negation(are_equal(direction(values, "e"), direction(values, "f")));
-                  }}},
-     .is_false_by_definition = [](const Model& model) { return !edges_meet(model); }},
+     .of_twin = {{"e and f are not equal", negation(are_equal(e, f))}},
+     .is_false_by_definition = std::not_fn(edges_meet)},
     {.id = "section-5.1.1.overlap-one-way",
-     .statement = "section-5.1.1",
-     .unknowns = unknowns({"e", "f"}),
-     .hypotheses = {{"equal",
-                     {"e and f have equal directions",
-                      [](const Values& values) {
-                        return are_equal(direction(values, "e"), direction(values, "f"));
-                      }}}},
-     .conclusion = {"a vector to the left of e points to the left of f",
-                    [](const Values& values) {
-                      return is_left(direction(values, "f"), leftwards(direction(values, "e")));
-                    }},
+     .unknowns = {any_direction("e"), any_direction("f")},
+     .hypotheses = {{"equal", {"e and f have equal directions", are_equal(e, f)}}},
+     .conclusion = {"a vector to the left of e points to the left of f", is_left(f, leftwards(e))},
      .dropped = "equal",
-     .of_twin = {{"e and f are parallel",
-                  [](const Values& values) {
-                    return are_parallel(direction(values, "e"), direction(values, "f"));
-                  }}},
-     .is_false_by_definition = [](const Model& model) { return !edges_meet(model); }},
+     .of_twin = {{"e and f are parallel", are_parallel(e, f)}},
+     .is_false_by_definition = std::not_fn(edges_meet)},
     {.id = "section-5.1.1.overlap-both-ways",
-     .statement = "section-5.1.1",
-     .unknowns = unknowns({"e", "f", "d"}),
-     .hypotheses = {{"opposite",
-                     {"e and f have opposite directions",
-                      [](const Values& values) {
-                        return are_equal(direction(values, "e"), opposite(direction(values, "f")));
-                      }}}},
+     .unknowns = {any_direction("e"), any_direction("f"), any_direction("d")},
+     .hypotheses = {{"opposite", {"e and f have opposite directions", are_equal(e, opposite(f))}}},
      .conclusion = {"d does not point to the left of both",
-                    [](const Values& values) {
-                      const Vectors d = direction(values, "d");
-                      return negation(all_of({is_left(direction(values, "e"), d),
-                                              is_left(direction(values, "f"), d)}));
-                    }},
+                    negation(all_of({is_left(e, d), is_left(f, d)}))},
      .dropped = "opposite",
      .is_false_by_definition = edges_meet},
 });

@@ -26,8 +26,7 @@ Formula is_in_strip_when_shifted(const Term& at, const TermVector& d, const Term
                  all_of({Formula::sign_of(at - 1, {.zero = true}), is_on_the_right(-inwards)})});
 }
 
-const std::vector<Unknown> line_and_place = {
-    {"c", Unknown::Kind::vector}, {"d", Unknown::Kind::vector}, {"t", Unknown::Kind::number}};
+const std::vector<Unknown> line_and_place = {any_vector("c"), any_vector("d"), any_number("t")};
 
 TermVector place(const Values& values) {
   return values.vector("c") + values.number("t") * values.vector("d");
@@ -37,10 +36,22 @@ Formula is_not_zero(const Term& term) {
   return Formula::sign_of(term, {.negative = true, .positive = true});
 }
 
-Formula is_zero(const Term& term) { return Formula::sign_of(term, {.zero = true}); }
+Formula are_equal(const TermVector& v, const TermVector& w) {
+  return all_of({is_zero(v.x - w.x), is_zero(v.y - w.y)});
+}
+
+Formula is_inside_unit_square(const TermVector& x) {
+  return all_of({is_inside_unit(x.x), is_inside_unit(x.y)});
+}
 
 SlidEdges edges_of(const Values& values, const Sides& sides) {
   return {values.vector("c"), values.vector("d"), sides.u, sides.w};
+}
+
+/// Whether they cross properly a little after t or a little before.
+bool cross_beside(const SlidEdges& edges, const Rational& t, const Rational& little, Shift shift) {
+  const auto at = [&](const Rational& place) { return edges.c + Term(place) * edges.d; };
+  return cross_at(edges, at(t + little), shift) || cross_at(edges, at(t - little), shift);
 }
 
 /// d goes one to the right, or to the left, in the first coordinate: how fast x(t) runs does not matter,
@@ -51,10 +62,7 @@ Query across(const Sides& sides, int way) {
   };
   return {
       .id = "step-interval.across" + std::string(way > 0 ? "" : "-back") + sides.suffix,
-      .statement = "step-interval",
-      .unknowns = {{"c", Unknown::Kind::vector},
-                   {"rise", Unknown::Kind::number},
-                   {"t", Unknown::Kind::number}},
+      .unknowns = {any_vector("c"), any_number("rise"), any_number("t")},
       .hypotheses = {{"across",
                       {"d, which is (" + std::to_string(way) +
                            ", rise), is parallel to neither edge",
@@ -63,8 +71,7 @@ Query across(const Sides& sides, int way) {
                      [edges](const Values& values) {
                        const Term t = values.number("t");
                        const TermVector x = edges(values).c + t * edges(values).d;
-                       return same(blocks(edges(values), t),
-                                   all_of({is_inside_unit(x.x), is_inside_unit(x.y)}));
+                       return same(blocks(edges(values), t), is_inside_unit_square(x));
                      }},
       .dropped = "across",
       .is_false_by_definition = [edges](const Model& model) {
@@ -79,24 +86,16 @@ Query across(const Sides& sides, int way) {
 Query pace(const Sides& sides, int x, int y) {
   return {.id = std::string("step-interval.pace") + (x > 0 ? "-right" : "-left") +
                 (y > 0 ? "-up" : "-down") + sides.suffix,
-          .statement = "step-interval",
-          .unknowns = {{"c", Unknown::Kind::vector},
-                       {"d", Unknown::Kind::vector},
-                       {"k", Unknown::Kind::number},
-                       {"t", Unknown::Kind::number}},
-          .hypotheses = {{"positive",
-                          {"k > 0",
-                           [](const Values& values) {
-                             return Formula::sign_of(values.number("k"), {.positive = true});
-                           }}},
-                         {"quadrant",
-                          {"d is in the quadrant of (" + std::to_string(x) + ", " +
-                               std::to_string(y) + ")",
-                           [x, y](const Values& values) {
-                             const TermVector d = values.vector("d");
-                             return all_of({Formula::sign_of(x * d.x, {.positive = true}),
-                                            Formula::sign_of(y * d.y, {.positive = true})});
-                           }}}},
+          .unknowns = {any_vector("c"), any_vector("d"), any_number("k"), any_number("t")},
+          .hypotheses =
+              {{"positive",
+                {"k > 0", [](const Values& values) { return is_positive(values.number("k")); }}},
+               {"quadrant",
+                {"d is in the quadrant of (" + std::to_string(x) + ", " + std::to_string(y) + ")",
+                 [x, y](const Values& values) {
+                   const TermVector d = values.vector("d");
+                   return all_of({is_positive(x * d.x), is_positive(y * d.y)});
+                 }}}},
           .conclusion = {"t is in the interval for k d iff k t is in that for d",
                          [sides](const Values& values) {
                            const TermVector c = values.vector("c"), d = values.vector("d");
@@ -107,8 +106,7 @@ Query pace(const Sides& sides, int x, int y) {
           .dropped = "positive",
           .of_twin = {{"d is (" + std::to_string(x) + ", " + std::to_string(y) + ")",
                        [x, y](const Values& values) {
-                         const TermVector d = values.vector("d");
-                         return all_of({is_zero(d.x - x), is_zero(d.y - y)});
+                         return are_equal(values.vector("d"), {x, y});
                        }}},
           .is_false_by_definition = [sides](const Model& model) {
             const Values values(model);
@@ -129,7 +127,6 @@ Query along(const Sides& sides, bool is_upright) {
   const bool is_along_p = is_upright != (sides.suffix.empty());
   return {
       .id = std::string("step-interval.along-") + (is_along_p ? "p" : "q") + sides.suffix,
-      .statement = "step-interval",
       .unknowns = line_and_place,
       .hypotheses = {{"along",
                       {std::string("d is parallel to the edge of ") + (is_along_p ? "P" : "Q"),
@@ -176,15 +173,13 @@ Query along_unshifted(const Sides& sides, bool is_upright) {
     all.shift = Shift::none;
     return all;
   };
-  query.id = "step-candidates" + query.id.substr(query.statement.size());
-  query.statement = "step-candidates";
+  query.id = "step-candidates" + query.id.substr(query.statement().size());
   query.conclusion = {
       "without the shift, t is in the interval of the code iff x(t) is inside the "
       "parallelogram",
       [edges](const Values& values) {
         const TermVector x = place(values);
-        return same(blocks(edges(values), values.number("t")),
-                    all_of({is_inside_unit(x.x), is_inside_unit(x.y)}));
+        return same(blocks(edges(values), values.number("t")), is_inside_unit_square(x));
       }};
   query.dropped = "moves";
   query.of_twin = {{"t is 0", [](const Values& values) { return is_zero(values.number("t")); }}};
@@ -199,8 +194,7 @@ Query along_unshifted(const Sides& sides, bool is_upright) {
 /// One of the four, as flags of c: that is 0 or 1 in each coordinate.
 Query corner(const Sides& sides) {
   return {.id = "step-interval.corner" + sides.suffix,
-          .statement = "step-interval",
-          .unknowns = {{"c", Unknown::Kind::vector}, {"d", Unknown::Kind::vector}},
+          .unknowns = {any_vector("c"), any_vector("d")},
           .hypotheses =
               {{"corner",
                 {"c is a corner of the parallelogram",
@@ -212,13 +206,11 @@ Query corner(const Sides& sides) {
                {"passes",
                 {"neither d nor its opposite points into the parallelogram from there, or along a "
                  "side",
-                 [](const Values& values) {
+                 executed([](const Values& values) {
                    const TermVector c = values.vector("c"), d = values.vector("d");
-                   return executed([&] {
-                     const int to_x = c.x == 0 ? 1 : -1, to_y = c.y == 0 ? 1 : -1;
-                     return sign(d.x) * to_x * sign(d.y) * to_y < 0;
-                   });
-                 }}}},
+                   const int to_x = c.x == 0 ? 1 : -1, to_y = c.y == 0 ? 1 : -1;
+                   return sign(d.x) * to_x * sign(d.y) * to_y < 0;
+                 })}}},
           .conclusion = {"the code finds no interval",
                          [sides](const Values& values) {
                            return negation(blocks_somewhere(edges_of(values, sides)));
@@ -231,9 +223,7 @@ Query corner(const Sides& sides) {
             const Rational little(1, 1'000'000'007);
             const Rational most =
                 abs(edges.d.x.value().value()) + abs(edges.d.y.value().value()) + 1;
-            const Term step = Rational(little / most);
-            return cross_at(edges, edges.c + step * edges.d, Shift::to_the_right) ||
-                   cross_at(edges, edges.c - step * edges.d, Shift::to_the_right);
+            return cross_beside(edges, 0, little / most, Shift::to_the_right);
           }};
 }
 
@@ -269,10 +259,7 @@ Formula is_in_parallelogram(const TermVector& u, const TermVector& w, const Term
 
 const Query crossing = {
     .id = "step-interval.crossing",
-    .statement = "step-interval",
-    .unknowns = {{"u", Unknown::Kind::vector},
-                 {"w", Unknown::Kind::vector},
-                 {"x", Unknown::Kind::vector}},
+    .unknowns = {any_vector("u"), any_vector("w"), any_vector("x")},
     .hypotheses =
         {{"apart",
           {"u and w are not parallel",
@@ -299,19 +286,14 @@ const Query crossing = {
             const TermVector u = values.vector("u"), w = values.vector("w");
             return all_of({is_zero(u.x - 2), is_zero(u.y - 1), is_zero(w.x - 1), is_zero(w.y - 3)});
           }}},
-    .is_false_by_definition = [](const Model& model) { return !is_model_crossing(model); }};
+    .is_false_by_definition = std::not_fn(is_model_crossing)};
 
 Query only_crossing() {
   Query query = crossing;
   query.id = "step-interval.only-crossing";
-  query.hypotheses = {
-      {"crossing",
-       {"the segments from 0 to u and from x to x - w cross properly", query.conclusion.formula}}};
-  query.conclusion = {"x is inside the parallelogram of u and w", [](const Values& values) {
-                        return crossing.hypotheses[1].condition.formula(values);
-                      }};
+  query.hypotheses = {{"crossing", crossing.conclusion}};
+  query.conclusion = crossing.hypotheses[1].condition;
   query.dropped = "crossing";
-  query.is_false_by_definition = [](const Model& model) { return !is_model_crossing(model); };
   return query;
 }
 
@@ -327,8 +309,7 @@ Query own_edge(Summand edge_of, bool leaves) {
     return edge_of == Summand::P ? SlidEdges{c, d, d, side} : SlidEdges{c, d, side, d};
   };
   return {.id = "step-interval.own-edge-of-" + name,
-          .statement = "step-interval",
-          .unknowns = {{"d", Unknown::Kind::vector}, {"side", Unknown::Kind::vector}},
+          .unknowns = {any_vector("d"), any_vector("side")},
           .hypotheses = {{"kept",
                           {std::string("the edge at the vertex, seen from there, does not point ") +
                                "to the right of d, as at each segment of the reduced convolution",
@@ -344,8 +325,7 @@ Query own_edge(Summand edge_of, bool leaves) {
           .dropped = "kept",
           .of_twin = {{"d is (2, 1)",
                        [](const Values& values) {
-                         const TermVector d = values.vector("d");
-                         return all_of({is_zero(d.x - 2), is_zero(d.y - 1)});
+                         return are_equal(values.vector("d"), {2, 1});
                        }}},
           .is_false_by_definition = [edges](const Model& model) {
             const Values values(model);
@@ -356,11 +336,7 @@ Query own_edge(Summand edge_of, bool leaves) {
 
 const Query parallel = {
     .id = "step-interval.parallel",
-    .statement = "step-interval",
-    .unknowns = {{"c", Unknown::Kind::vector},
-                 {"d", Unknown::Kind::vector},
-                 {"u", Unknown::Kind::vector},
-                 {"w", Unknown::Kind::vector}},
+    .unknowns = {any_vector("c"), any_vector("d"), any_vector("u"), any_vector("w")},
     .hypotheses = {{"parallel",
                     {"u and w are parallel",
                      [](const Values& values) {
@@ -384,41 +360,29 @@ const Query parallel = {
       const SlidEdges edges{values.vector("c"), values.vector("d"), values.vector("u"),
                             values.vector("w")};
       // The line enters the parallelogram at t = 1/2, or leaves it there.
-      const Rational little(1, 1'000'000'007);
-      return cross_at(edges, edges.c + Term(Rational(Rational(1, 2) + little)) * edges.d,
-                      Shift::none) ||
-             cross_at(edges, edges.c + Term(Rational(Rational(1, 2) - little)) * edges.d,
-                      Shift::none);
+      return cross_beside(edges, {1, 2}, {1, 1'000'000'007}, Shift::none);
     }};
 
 /// The sign of a + k b, for small k > 0: that of a, or of b where a is zero.
 const Query shift = {
     .id = "step-interval.shift",
-    .statement = "step-interval",
-    .unknowns = {{"a", Unknown::Kind::number},
-                 {"b", Unknown::Kind::number},
-                 {"k", Unknown::Kind::number}},
-    .hypotheses = {{"positive",
-                    {"k > 0",
-                     [](const Values& values) {
-                       return Formula::sign_of(values.number("k"), {.positive = true});
-                     }}},
-                   {"small",
-                    {"a is zero, or k b is smaller than a in size",
-                     [](const Values& values) {
-                       const Term a = values.number("a");
-                       const Term by = values.number("k") * values.number("b");
-                       return executed([&] {
-                         if (a == 0) return true;
-                         return a > 0 ? -a < by && by < a : a < by && by < -a;
-                       });
-                     }}}},
+    .unknowns = {any_number("a"), any_number("b"), any_number("k")},
+    .hypotheses =
+        {{"positive",
+          {"k > 0", [](const Values& values) { return is_positive(values.number("k")); }}},
+         {"small",
+          {"a is zero, or k b is smaller than a in size", executed([](const Values& values) {
+             const Term a = values.number("a");
+             const Term by = values.number("k") * values.number("b");
+             if (a == 0) return true;
+             return a > 0 ? -a < by && by < a : a < by && by < -a;
+           })}}},
     .conclusion = {"a + k b has the sign of a, or, where a is zero, that of b",
-                   [](const Values& values) {
+                   executed([](const Values& values) {
                      const Term a = values.number("a"), b = values.number("b");
                      const Term shifted = a + values.number("k") * b;
-                     return executed([&] { return sign(shifted) == (a == 0 ? sign(b) : sign(a)); });
-                   }},
+                     return sign(shifted) == (a == 0 ? sign(b) : sign(a));
+                   })},
     .dropped = "small",
     .of_twin = {{"k = 1", [](const Values& values) { return is_zero(values.number("k") - 1); }}},
     .is_false_by_definition = [](const Model& model) {

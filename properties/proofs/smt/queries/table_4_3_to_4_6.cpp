@@ -19,10 +19,8 @@ namespace {
 
 Summand edge_of(const TableRow& row) { return other(row.event.vertex_of); }
 
-/// As their own summands have them.
-Corners given_corner(const Values& values) {
-  return {direction(values, "in"), direction(values, "out")};
-}
+/// As its own summand has it.
+const Vectors e = direction("e");
 
 /// As P or -Q has it.
 Vectors placed(const Vectors& v, Summand of) { return of == Summand::P ? v : opposite(v); }
@@ -30,16 +28,16 @@ Vectors placed(const Vectors& v, Summand of) { return of == Summand::P ? v : opp
 /// Unknown directions and arcs of those in the sector and to the left of the edge.
 class Arcs {
  public:
-  Arcs(const Values& values, const TableRow& row)
-      : edge_(placed(direction(values, "e"), edge_of(row))),
-        corner_{placed(direction(values, "in"), row.event.vertex_of),
-                placed(direction(values, "out"), row.event.vertex_of)} {
+  explicit Arcs(const TableRow& row)
+      : edge_(placed(e, edge_of(row))),
+        corner_{placed(direction("in"), row.event.vertex_of),
+                placed(direction("out"), row.event.vertex_of)} {
     for (const std::string name : {"d1", "d2", "d3", "d4", "d5"})
-      unknown_.push_back(direction(values, name));
+      unknown_.push_back(direction(name));
   }
 
   /// That there are so many; of "none" and "no more" as no unknown directions show the contrary.
-  Formula are(int count) const {
+  Claim are(int count) const {
     switch (count) {
       case 0:
         return negation(has(unknown_[0]));
@@ -52,22 +50,22 @@ class Arcs {
                        negation(alternate(5, unknown_))});
       }
       default:
-        return false;
+        return fact(false);
     }
   }
 
  private:
-  Formula has(const Vectors& d) const {
+  Claim has(const Vectors& d) const {
     return all_of({is_left(edge_, d), is_in_sector(d, corner_)});
   }
 
   /// That directions to the left of the edge follow each other counterclockwise, the first in an arc,
   /// the second in none, and so on.
-  Formula alternate(std::size_t count, const std::vector<Vectors>& d) const {
-    std::vector<Formula> parts;
+  Claim alternate(std::size_t count, const std::vector<Vectors>& d) const {
+    std::vector<Claim> parts;
     for (std::size_t i = 0; i < count; ++i) {
       parts.push_back(is_left(edge_, d[i]));
-      const Formula inside = is_in_sector(d[i], corner_);
+      const Claim inside = is_in_sector(d[i], corner_);
       parts.push_back(i % 2 == 0 ? inside : negation(inside));
       if (i > 0) parts.push_back(is_left(d[i - 1], d[i]));
     }
@@ -87,46 +85,49 @@ class Arcs {
   std::vector<Vectors> unknown_;
 };
 
-Formula goes_as_named(const Values& values, const TableRow& row) {
-  const Vectors edge = placed(direction(values, "e"), edge_of(row));
-  return executed([&] { return sign(edge().y) == (row.event.edge_upwards ? 1 : -1); });
+Claim goes_as_named(const TableRow& row) {
+  return executed([edge = placed(e, edge_of(row)), row](const Values& values) {
+    return sign(edge(values).y) == (row.event.edge_upwards ? 1 : -1);
+  });
 }
 
 /// Whether the other's half plane has the vertex before the event, not after it, as -Q moves left:
 /// -Q's half plane was farther right, or its vertex was.
-Formula half_plane_has_vertex_before(const Values& values, const TableRow& row) {
-  const Vectors edge = placed(direction(values, "e"), edge_of(row));
+Claim half_plane_has_vertex_before(const TableRow& row) {
   const int side = edge_of(row) == Summand::P ? 1 : -1;
-  return executed([&] { return sign(cross(edge(), TermVector{1, 0})) == side; });
+  return executed([edge = placed(e, edge_of(row)), side](const Values& values) {
+    return sign(cross(edge(values), TermVector{1, 0})) == side;
+  });
 }
 
 /// That crossing a segment of this direction to the left changes a winding number so.
-Formula crossing_adds(const Vectors& segment, int change) {
-  return executed([&] { return sign(cross(segment(), TermVector{-1, 0})) == change; });
+Claim crossing_adds(const Vectors& segment, int change) {
+  return executed([segment, change](const Values& values) {
+    return sign(cross(segment(values), TermVector{-1, 0})) == change;
+  });
 }
 
-Formula are_as_in_row(const Values& values, const TableRow& row) {
+Claim are_as_in_row(const TableRow& row) {
   const auto& [vertex_of, up, on, reflex] = row.event;
-  const Vectors e = direction(values, "e");
-  const Arcs arcs(values, row);
+  const Arcs arcs(row);
   const bool is_flipped = reflex && !on, is_kept = !reflex && on;
   return all_of({
-      if_then_else(half_plane_has_vertex_before(values, row), arcs.are(1 + row.components),
+      if_then_else(half_plane_has_vertex_before(row), arcs.are(1 + row.components),
                    arcs.are(1 - row.components)),
-      on ? crossing_adds(e, row.winding_number) : Formula(row.winding_number == 0),
+      on ? crossing_adds(e, row.winding_number) : fact(row.winding_number == 0),
       is_flipped ? crossing_adds(opposite(e), row.with_flip_sets)
       : is_kept  ? crossing_adds(e, row.with_flip_sets)
-                 : Formula(row.with_flip_sets == 0),
+                 : fact(row.with_flip_sets == 0),
   });
 }
 
 /// The pair as regions, moved through the event.
 bool moves_otherwise(const Model& model, const TableRow& row) {
-  const Vector e = direction_in(model, "e");
-  const Corner corner{direction_in(model, "in"), direction_in(model, "out")};
+  const Vector edge = direction_in(model, "e");
+  const Corner corner = corner_in(model);
   Rational size = 1;
-  for (const Vector& v : {e, corner.in, corner.out}) size += abs(v.x);
-  const Region with_edge = region_with_edge(e, 1000 * size * size);
+  for (const Vector& v : {edge, corner.in, corner.out}) size += abs(v.x);
+  const Region with_edge = region_with_edge(edge, 1000 * size * size);
   const Region with_corner = region_with_corner(corner);
   const Summands pair = edge_of(row) == Summand::P ? Summands{with_edge, with_corner}
                                                    : Summands{with_corner, with_edge};
@@ -153,11 +154,9 @@ std::string changes_in_words(const TableRow& row) {
 }
 
 std::vector<Unknown> unknowns_for(const TableRow& row) {
-  std::vector<Unknown> all;
-  for (const std::string name : {"e", "in", "out"}) all.push_back({name, Unknown::Kind::direction});
+  std::vector<Unknown> all = {any_direction("e"), any_direction("in"), any_direction("out")};
   const int looked_at = row.components == 0 ? 3 : 5;  // by Arcs::are
-  for (int i = 1; i <= looked_at; ++i)
-    all.push_back({"d" + std::to_string(i), Unknown::Kind::direction});
+  for (int i = 1; i <= looked_at; ++i) all.push_back(any_direction("d" + std::to_string(i)));
   return all;
 }
 
@@ -165,37 +164,23 @@ Query query_for(const TableRow& row) {
   const auto& [vertex_of, up, on, reflex] = row.event;
   return {
       .id = "table-4.3-to-4.6." + name_of(row.event),
-      .statement = "table-4.3-to-4.6",
       .unknowns = unknowns_for(row),
       .hypotheses =
           {{"turns",
-            {"the corner of in and out does not turn back",
-             [](const Values& values) { return negation(turns_back(given_corner(values))); }}},
+            {"the corner of in and out does not turn back", negation(turns_back(corner()))}},
            {"apart",
             {"e is parallel to neither edge of the corner",
-             [](const Values& values) {
-               const Corners corner = given_corner(values);
-               const Vectors e = direction(values, "e");
-               return negation(any_of({are_parallel(e, corner.in), are_parallel(e, corner.out)}));
-             }}},
+             negation(any_of({are_parallel(e, corner().in), are_parallel(e, corner().out)}))}},
            {"way",
             {std::string("e goes ") + (up ? "up" : "down") + ", as P or -Q has it",
-             [&row](const Values& values) { return goes_as_named(values, row); }}},
+             goes_as_named(row)}},
            {"convolution",
             {std::string("e is ") + (on ? "" : "not ") + "in the tangent set of the corner",
-             [&row](const Values& values) {
-               return same(
-                   Formula(row.event.in_convolution),
-                   is_in_tangent_set(direction(values, "e"), edge_of(row), given_corner(values)));
-             }}},
+             same(fact(on), is_in_tangent_set(e, edge_of(row), corner()))}},
            {"vertex",
             {std::string("the corner is ") + (reflex ? "" : "not ") + "reflex",
-             [&row](const Values& values) {
-               return same(Formula(row.event.vertex_is_reflex),
-                           is_a_reflex_vertex(given_corner(values)));
-             }}}},
-      .conclusion = {changes_in_words(row),
-                     [&row](const Values& values) { return are_as_in_row(values, row); }},
+             same(fact(reflex), is_a_reflex_vertex(corner()))}}},
+      .conclusion = {changes_in_words(row), are_as_in_row(row)},
       .dropped = "convolution",
       .is_false_by_definition = [&row](const Model& model) { return moves_otherwise(model, row); }};
 }

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "reference/definitions/difference.hpp"
+
+namespace oplus {
+
+/// A point and where it lies with respect to each of several regions or sums.
+struct OverlaidPoint {
+  Point point;
+  std::vector<Location> in;
+
+  /// Whether it is in one of them, as an open set or as a closed one.
+  bool is_in(std::size_t i, bool open) const {
+    return open ? in[i] == Location::inside : in[i] != Location::outside;
+  }
+};
+
+/// A point of every cell, vertex, edge or face, of the overlay of the boundaries, dangling edges and
+/// isolated vertices included: what holds for these points holds for the plane. Each is located in one
+/// region or sum at a time: no test for collision, no shortcut.
+std::vector<OverlaidPoint> overlaid(const std::vector<Region>& regions);
+std::vector<OverlaidPoint> overlaid(const std::vector<MinkowskiSum>& sums);
+
+}  // namespace oplus
