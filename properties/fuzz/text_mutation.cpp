@@ -115,7 +115,8 @@ std::string mutated_text(Random& random, std::string_view text, Format format) {
   std::string changed(text);
   if (one_in(random, 8) || numbers_in(changed).empty())
     return one_in(random, 2) ? new_sum_text(random, format) : new_region_text(random, format);
-  for (int changes = uniform(random, 1, 3); changes > 0;)
+  // A number may have become a word, so that none is left.
+  for (int changes = uniform(random, 1, 3); changes > 0 && !numbers_in(changed).empty();)
     if (one_of(random, text_changes()).apply(random, changed, format)) --changes;
   return changed;
 }

@@ -52,6 +52,13 @@ TEST(TextMutation, every_change_changes_something) {
   }
 }
 
+TEST(TextMutation, ends_where_the_last_number_becomes_a_word) {
+  Random random(7);
+  std::set<std::string> seen;
+  for (int i = 0; i < 1000; ++i) seen.insert(mutated_text(random, "7", Format::wkt));
+  EXPECT_TRUE(seen.contains("nan"));
+}
+
 /// A number is replaced as a whole, whatever stands beside it.
 TEST(TextMutation, takes_numbers_as_a_whole) {
   Random random(6);
