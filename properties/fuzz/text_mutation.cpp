@@ -37,7 +37,8 @@ const std::vector<std::vector<std::string>>& numbers() {
   static const std::vector<std::vector<std::string>> all{
       std::vector<std::string>{"0", "1", "-1", "3", "4", "0.1", "0.5", "1/3", "-22/7", "1e0",
                                "1E-2"},
-      std::vector<std::string>{"-0", "+1", ".5", "5.", "007", "0/1", "1.5/2", "1e4096", "-1e-4096"},
+      std::vector<std::string>{"-0", "+1", ".5", "5.", "2.05", "007", "0/1", "1.5/2", "1e4096",
+                               "-1e-4096"},
       std::vector<std::string>{"536870911", "-536870912", "9007199254740993",
                                "18446744073709551616", "170141183460469231731687303715884105728"},
       std::vector<std::string>{"1/0", "1/-3", "1e4097", "1e", "--1", "nan", "1,5"}};
@@ -113,7 +114,7 @@ const std::vector<TextChange>& text_changes() {
 
 std::string mutated_text(Random& random, std::string_view text, Format format) {
   std::string changed(text);
-  if (one_in(random, 8) || numbers_in(changed).empty())
+  if (one_in(random, 4) || numbers_in(changed).empty())
     return one_in(random, 2) ? new_sum_text(random, format) : new_region_text(random, format);
   // A number may have become a word, so that none is left.
   for (int changes = uniform(random, 1, 3); changes > 0 && !numbers_in(changed).empty();)

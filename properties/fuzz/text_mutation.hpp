@@ -19,7 +19,7 @@ struct TextChange {
 };
 const std::vector<TextChange>& text_changes();
 
-/// A text like this one, after one to three changes; one of eight, and of a text without numbers
+/// A text like this one, after one to three changes; one of four, and of a text without numbers
 /// each, is a new text.
 std::string mutated_text(Random& random, std::string_view text, Format format);
 
