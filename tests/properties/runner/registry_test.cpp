@@ -91,7 +91,7 @@ TEST_P(RegistryDefectsOf, AChangedEntry) {
   GetParam().change(s);
   const std::string& defect = GetParam().defect;
   EXPECT_EQ(defects_of_entries({s}, one_mutant),
-            defect.empty() ? Defects{} : Defects{"lemma-9.9.9: " + defect});
+            defect.empty() ? Defects{} : Defects{s.id + ": " + defect});
 }
 
 const char* const nothing_to_try = "without a check there is nothing to try on pairs";
