@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "properties/fuzz/fuzz_command.hpp"
 
+#include <algorithm>
+#include <iomanip>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <vector>
 
 #include "checked/cli/usage_error.hpp"
-#include "properties/fuzz/all_targets.hpp"
-#include "properties/fuzz/fuzz_program.hpp"
+#include "properties/fuzz/fuzz_report.hpp"
 #include "properties/fuzz/shown_input.hpp"
+#include "properties/runner/child_process.hpp"
 #include "properties/runner/source_tree.hpp"
 #include "reference/io/file_text.hpp"
 #include "reference/io/reading.hpp"
@@ -35,29 +37,32 @@ struct Settings {
   bool json = false;
 };
 
+/// In the order in which they are listed.
+const FuzzTarget* const all_targets[] = {&dat_target, &wkt_target, &geojson_target, &sums_target,
+                                         &slide_target};
+
+const FuzzTarget& target_named(const std::string& name) {
+  return **std::ranges::find(all_targets, name, &FuzzTarget::name);
+}
+
 std::vector<std::string> names() {
   std::vector<std::string> all;
-  for (const FuzzTarget& target : fuzz_targets()) all.push_back(target.name);
+  for (const FuzzTarget* target : all_targets) all.push_back(target->name);
   return all;
 }
 
 /// Where the preset `fuzz` puts its programs: in the build folder beside the one of this program.
 fs::path folder_of_binaries(const Settings& settings) {
   if (!settings.binaries.empty()) return settings.binaries;
-  std::error_code unknown;
-  const fs::path self = fs::read_symlink("/proc/self/exe", unknown);
-  return self.parent_path().parent_path().parent_path() / "fuzz" / "bin";
+  return fs::path(program_beside("")).parent_path().parent_path().parent_path() / "fuzz" / "bin";
 }
 
 int list(const Settings& settings) {
   nlohmann::json json = nlohmann::json::array();
-  for (const FuzzTarget& target : fuzz_targets()) {
-    json.push_back({{"target", target.name}, {"what", target.what}});
-    if (!settings.json) {
-      std::string name = target.name;
-      name.resize(8, ' ');
-      std::cout << name << ' ' << target.what << '\n';
-    }
+  for (const FuzzTarget* target : all_targets) {
+    json.push_back({{"target", target->name}, {"what", target->what}});
+    if (!settings.json)
+      std::cout << std::left << std::setw(8) << target->name << ' ' << target->what << '\n';
   }
   if (settings.json) std::cout << nlohmann::json{{"targets", json}}.dump(2) << '\n';
   return 0;
@@ -67,7 +72,7 @@ int show(const Settings& settings) {
   if (settings.targets.size() != 1)
     throw UsageError("--show wants one target, whose input the file is");
   const ShownInput found =
-      shown(*find_fuzz_target(settings.targets[0]),
+      shown(target_named(settings.targets[0]),
             text_of_file(settings.show, "an input of the target"), settings.out);
   std::cout << found.text;
   return found.is_a_finding ? 1 : 0;
@@ -85,35 +90,47 @@ int encode(const Settings& settings) {
   return 0;
 }
 
+/// Runs the target's program, keeps what it writes in OUT/TARGET.log, and waits for it.
+FuzzReport run_program_of(const FuzzTarget& target, const fs::path& program,
+                          const Settings& settings) {
+  const fs::path out = settings.out, inputs = source_root() / "properties" / "fuzz";
+  const fs::path corpus =
+      (settings.corpus.empty() ? out / "corpus" : fs::path(settings.corpus)) / target.name;
+  const fs::path log = out / (target.name + std::string(".log"));
+  fs::create_directories(corpus);
+  fs::create_directories(out);
+  const std::string limit = settings.runs > 0
+                                ? "-runs=" + std::to_string(settings.runs)
+                                : "-max_total_time=" + std::to_string(settings.seconds);
+  const EndedProcess ended = run_program(
+      {"/bin/sh", "-c", R"(exec "$@" >"$0" 2>&1)", log, program,
+       "-seed=" + std::to_string(settings.seed), "-max_len=" + std::to_string(target.longest),
+       "-print_final_stats=1", "-timeout=120", "-rss_limit_mb=4096",
+       "-artifact_prefix=" + (out / target.name).string() + "-", limit,
+       "-dict=" + (inputs / "dictionaries" / target.name).string() + ".dict", corpus,
+       inputs / "seeds" / target.name},
+      {});
+  return report_of(target.name, text_of_file(log, "what the program wrote"),
+                   ended.how == EndedProcess::How::exited && ended.code == 0);
+}
+
 int fuzz(Settings settings) {
   if (settings.lists) return list(settings);
   if (!settings.show.empty()) return show(settings);
   if (!settings.encode.empty()) return encode(settings);
   if (settings.targets.empty()) settings.targets = names();
-  const fs::path binaries = folder_of_binaries(settings);
-  const fs::path inputs = source_root() / "properties" / "fuzz";
+  const auto program = [binaries = folder_of_binaries(settings)](const std::string& target) {
+    return binaries / ("oplus-fuzz-" + target);
+  };
   for (const std::string& target : settings.targets)
-    if (!fs::exists(binaries / ("oplus-fuzz-" + target)))
-      throw UsageError("there is no " + (binaries / ("oplus-fuzz-" + target)).string() +
+    if (!fs::exists(program(target)))
+      throw UsageError("there is no " + program(target).string() +
                        "; to build it: cmake --preset fuzz && cmake --build --preset fuzz");
   nlohmann::json json = nlohmann::json::array();
   bool found = false;
-  for (const std::string& name : settings.targets) {
-    if (!settings.json) std::cerr << "fuzzing " << name << std::endl;
-    FuzzRun wanted;
-    wanted.program = binaries / ("oplus-fuzz-" + name);
-    wanted.target = name;
-    wanted.longest = find_fuzz_target(name)->longest;
-    wanted.seconds = settings.runs > 0 ? 0 : settings.seconds;
-    wanted.runs = settings.runs;
-    wanted.seed = settings.seed;
-    wanted.corpus =
-        (settings.corpus.empty() ? fs::path(settings.out) / "corpus" : fs::path(settings.corpus)) /
-        name;
-    wanted.seeds = inputs / "seeds" / name;
-    wanted.dictionary = inputs / "dictionaries" / (name + ".dict");
-    wanted.out = settings.out;
-    const FuzzReport report = run(wanted);
+  for (const std::string& target : settings.targets) {
+    if (!settings.json) std::cerr << "fuzzing " << target << std::endl;
+    const FuzzReport report = run_program_of(target_named(target), program(target), settings);
     found = found || !report.finding.empty();
     json.push_back(to_json(report));
     if (!settings.json) std::cout << line_of(report) << std::endl;

@@ -15,30 +15,33 @@ class FuzzFinding : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Throws FuzzFinding unless that holds.
+inline void require(bool holds, const std::string& what) {
+  if (!holds) throw FuzzFinding(what);
+}
+
 /// Whether an input got as far as what the target is about: was read, or decoded to two regions.
 enum class FuzzOutcome { reached, rejected };
 
 /// What a fuzzer needs to know of one thing to be fuzzed. Nothing in here knows libFuzzer; what
-/// joins the two is libfuzzer/entry.cpp. Functions of the input alone: same bytes, same result.
+/// joins the two is main.cpp. Functions of the input alone: same bytes, same result.
 struct FuzzTarget {
-  std::string name;
-  std::string what;  ///< a line for people
+  const char* name;
+  const char* what;  ///< a line for people
 
   /// Throws FuzzFinding, or whatever else oplus throws and should not.
   FuzzOutcome (*run)(std::string_view input);
 
-  /// An input like this one, and one of two: most of them not rejected where these are not.
+  /// An input like this one: mostly not rejected where this is not.
   std::string (*mutated)(Random& random, std::string_view input);
-  std::string (*crossed)(Random& random, std::string_view a, std::string_view b);
+  /// The same of two; libFuzzer's own crossing over where there is none.
+  std::string (*crossed)(Random& random, std::string_view a, std::string_view b) = nullptr;
 
-  std::size_t longest;  ///< input in bytes; longer ones are slow and show nothing new
+  int bytes_one_in = 2;        ///< so often libFuzzer's own mutations take the place of `mutated`
+  std::size_t longest = 2048;  ///< input in bytes; longer ones are slow and show nothing new
 };
 
-/// Each in a file of its own, so that a program has to contain only the one it runs.
-const FuzzTarget& dat_target();
-const FuzzTarget& wkt_target();
-const FuzzTarget& geojson_target();
-const FuzzTarget& sums_target();
-const FuzzTarget& slide_target();
+/// In files of their own, so that a program for texts need not contain slide.
+extern const FuzzTarget dat_target, wkt_target, geojson_target, sums_target, slide_target;
 
 }  // namespace oplus

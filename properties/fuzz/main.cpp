@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Joins one target to libFuzzer: OPLUS_FUZZ_TARGET is the function that returns it.
+// Joins one target to libFuzzer: OPLUS_FUZZ_TARGET is its name in fuzz_target.hpp.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -17,7 +17,7 @@ extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, st
 
 namespace {
 
-const oplus::FuzzTarget& target() { return oplus::OPLUS_FUZZ_TARGET(); }
+constexpr const oplus::FuzzTarget& target = oplus::OPLUS_FUZZ_TARGET;
 
 struct Counts {
   std::size_t reached = 0;
@@ -56,7 +56,7 @@ extern "C" int LLVMFuzzerInitialize(int* /*argc*/, char*** /*argv*/) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
-    const bool reached = target().run(text(data, size)) == oplus::FuzzOutcome::reached;
+    const bool reached = target.run(text(data, size)) == oplus::FuzzOutcome::reached;
     ++(reached ? counts.reached : counts.rejected);
   } catch (const std::exception& e) {
     std::cerr << "oplus: finding: " << e.what() << std::endl;
@@ -69,14 +69,16 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
                                                std::size_t most, unsigned seed) {
   oplus::Random random(seed);
   // Bytes too: what no structure would ever have, and what comparisons and dictionaries suggest.
-  if (oplus::one_in(random, 4)) return LLVMFuzzerMutate(data, size, most);
-  return put(target().mutated(random, text(data, size)), data, most);
+  if (oplus::one_in(random, target.bytes_one_in)) return LLVMFuzzerMutate(data, size, most);
+  return put(target.mutated(random, text(data, size)), data, most);
 }
 
 extern "C" std::size_t LLVMFuzzerCustomCrossOver(const std::uint8_t* a, std::size_t size_of_a,
                                                  const std::uint8_t* b, std::size_t size_of_b,
                                                  std::uint8_t* out, std::size_t most,
                                                  unsigned seed) {
+  // libFuzzer then crosses over in LLVMFuzzerMutate only.
+  if (target.crossed == nullptr) return 0;
   oplus::Random random(seed);
-  return put(target().crossed(random, text(a, size_of_a), text(b, size_of_b)), out, most);
+  return put(target.crossed(random, text(a, size_of_a), text(b, size_of_b)), out, most);
 }

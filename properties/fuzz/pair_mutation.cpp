@@ -29,6 +29,12 @@ PlannedVertex moved(PlannedVertex v, int dx, int dy) {
   return v;
 }
 
+/// By at most so much along each axis.
+void move_all(Random& random, Vertices& vertices, int most) {
+  const int dx = uniform(random, -most, most), dy = uniform(random, -most, most);
+  for (PlannedVertex& v : vertices) v = moved(v, dx, dy);
+}
+
 PlannedVertex opposite(const PlannedVertex& v) {
   const auto jitter = [](int value) { return static_cast<std::int8_t>(std::min(-value, 7)); };
   return {clamped(-v.x), clamped(-v.y), jitter(v.jitter_x), jitter(v.jitter_y)};
@@ -39,14 +45,31 @@ T& one_of(Random& random, std::vector<T>& all) {
   return all[uniform_index(random, all.size())];
 }
 
-PlannedSummand& a_summand(Random& random, PairPlan& plan) {
-  return one_in(random, 2) ? plan.p : plan.q;
+template <typename T>
+void erase_one_of(Random& random, std::vector<T>& all) {
+  all.erase(all.begin() + static_cast<std::ptrdiff_t>(uniform_index(random, all.size())));
 }
 
-/// A chain of either summand; none where the summand that was drawn has none.
-PlannedChain* a_chain(Random& random, PairPlan& plan) {
-  PlannedSummand& summand = a_summand(random, plan);
-  return summand.chains.empty() ? nullptr : &one_of(random, summand.chains);
+template <typename All>
+std::uint8_t a_place_in(Random& random, const All& all) {
+  return static_cast<std::uint8_t>(uniform_index(random, all.size()));
+}
+
+/// A summand, and the other.
+std::pair<PlannedSummand&, PlannedSummand&> both(Random& random, PairPlan& plan) {
+  if (one_in(random, 2)) return {plan.p, plan.q};
+  return {plan.q, plan.p};
+}
+
+PlannedSummand& a_summand(Random& random, PairPlan& plan) { return both(random, plan).first; }
+
+PlannedChain& a_chain(Random& random, PairPlan& plan) {
+  return one_of(random, a_summand(random, plan).chains);
+}
+
+/// What all changes require: there are chains to draw.
+bool can_be_changed(const PairPlan& plan) {
+  return !plan.p.chains.empty() && !plan.q.chains.empty();
 }
 
 std::size_t vertices_in(const PlannedSummand& summand) {
@@ -79,100 +102,70 @@ bool is_small(const Vertices& vertices) {
 // Vertices.
 
 bool move_vertex(Random& random, PairPlan& plan) {
-  PlannedChain* chain = a_chain(random, plan);
-  if (chain == nullptr) return false;
   const int most = one_in(random, 4) ? 20 : 2;
   const int dx = uniform(random, -most, most), dy = uniform(random, -most, most);
-  PlannedVertex& v = one_of(random, chain->vertices);
+  PlannedVertex& v = one_of(random, a_chain(random, plan).vertices);
   v = moved(v, dx, dy);
   return true;
 }
 
-/// An edge of a chain that may have one more vertex; no chain where it drew none.
-struct GrowingEdge {
-  Vertices* vertices = nullptr;
-  std::size_t index = 0;
-
-  const PlannedVertex& source() const { return (*vertices)[index]; }
-  const PlannedVertex& target() const { return (*vertices)[next(index, vertices->size())]; }
-  void insert(const PlannedVertex& between) const {
-    vertices->insert(vertices->begin() + static_cast<std::ptrdiff_t>(index) + 1, between);
-  }
-};
-
-GrowingEdge a_growing_edge(Random& random, PairPlan& plan) {
-  PlannedSummand& summand = a_summand(random, plan);
-  if (summand.chains.empty() || vertices_in(summand) == most_vertices_in_all) return {};
-  Vertices& vertices = one_of(random, summand.chains).vertices;
-  if (vertices.size() == most_vertices) return {};
-  return {&vertices, uniform_index(random, vertices.size())};
-}
-
-bool insert_vertex(Random& random, PairPlan& plan) {
-  const GrowingEdge edge = a_growing_edge(random, plan);
-  if (edge.vertices == nullptr) return false;
-  const PlannedVertex &a = edge.source(), &b = edge.target();
-  const int dx = uniform(random, -3, 3), dy = uniform(random, -3, 3);
-  edge.insert(on_grid((a.x + b.x) / 2 + dx, (a.y + b.y) / 2 + dy));
-  return true;
-}
-
-/// A vertex inside a straight edge, where the grid has a point on it.
-bool split_edge(Random& random, PairPlan& plan) {
-  const GrowingEdge edge = a_growing_edge(random, plan);
-  if (edge.vertices == nullptr) return false;
-  const PlannedVertex &a = edge.source(), &b = edge.target();
+/// A point of the grid inside a straight edge; none where there is none.
+std::optional<PlannedVertex> inside_edge(Random& random, const PlannedVertex& a,
+                                         const PlannedVertex& b) {
   const int parts = std::gcd(b.x - a.x, b.y - a.y);
-  if (parts < 2) return false;
+  if (parts < 2) return std::nullopt;
   const int part = uniform(random, 1, parts - 1);
-  edge.insert(moved(a, (b.x - a.x) / parts * part, (b.y - a.y) / parts * part));
-  return true;
+  return moved(a, (b.x - a.x) / parts * part, (b.y - a.y) / parts * part);
+}
+
+std::optional<PlannedVertex> near_edge(Random& random, const PlannedVertex& a,
+                                       const PlannedVertex& b) {
+  const int dx = uniform(random, -3, 3), dy = uniform(random, -3, 3);
+  return on_grid((a.x + b.x) / 2 + dx, (a.y + b.y) / 2 + dy);
+}
+
+/// One vertex more, between both ends of an edge: where `between` says.
+template <auto between>
+bool grow(Random& random, PairPlan& plan) {
+  PlannedSummand& summand = a_summand(random, plan);
+  if (vertices_in(summand) == most_vertices_in_all) return false;
+  Vertices& vertices = one_of(random, summand.chains).vertices;
+  if (vertices.size() == most_vertices) return false;
+  const std::size_t i = uniform_index(random, vertices.size());
+  const auto more = between(random, vertices[i], vertices[next(i, vertices.size())]);
+  if (more) vertices.insert(vertices.begin() + static_cast<std::ptrdiff_t>(i) + 1, *more);
+  return more.has_value();
 }
 
 bool remove_vertex(Random& random, PairPlan& plan) {
-  PlannedChain* chain = a_chain(random, plan);
-  if (chain == nullptr || chain->vertices.size() <= 3) return false;
-  chain->vertices.erase(chain->vertices.begin() +
-                        static_cast<std::ptrdiff_t>(uniform_index(random, chain->vertices.size())));
+  Vertices& vertices = a_chain(random, plan).vertices;
+  if (vertices.size() <= 3) return false;
+  erase_one_of(random, vertices);
   return true;
 }
 
-/// A vertex onto one of another chain of the summand, so that the two touch.
-bool touch_vertex(Random& random, PairPlan& plan) {
-  PlannedSummand& summand = a_summand(random, plan);
-  if (summand.chains.size() < 2) return false;
-  PlannedChain& chain = one_of(random, summand.chains);
-  const PlannedChain& other = one_of(random, summand.chains);
-  if (&chain == &other) return false;
-  const PlannedVertex onto = other.vertices[uniform_index(random, other.vertices.size())];
-  one_of(random, chain.vertices) = onto;
-  return true;
+std::optional<PlannedVertex> first_end(Random& /*no choice*/, const PlannedVertex& a,
+                                       const PlannedVertex& /*b*/) {
+  return a;
 }
 
-/// The same with a point inside an edge of the other chain.
-bool touch_edge(Random& random, PairPlan& plan) {
+/// A vertex onto an edge of another chain of the summand, where `onto` says, so that the two touch.
+template <auto onto>
+bool touch(Random& random, PairPlan& plan) {
   PlannedSummand& summand = a_summand(random, plan);
   if (summand.chains.size() < 2) return false;
-  PlannedChain& chain = one_of(random, summand.chains);
-  const PlannedChain& other = one_of(random, summand.chains);
-  if (&chain == &other) return false;
-  const std::size_t i = uniform_index(random, other.vertices.size());
-  const PlannedVertex& a = other.vertices[i];
-  const PlannedVertex& b = other.vertices[next(i, other.vertices.size())];
-  const int parts = std::gcd(b.x - a.x, b.y - a.y);
-  if (parts < 2) return false;
-  const int part = uniform(random, 1, parts - 1);
-  const PlannedVertex onto = moved(a, (b.x - a.x) / parts * part, (b.y - a.y) / parts * part);
-  one_of(random, chain.vertices) = onto;
-  return true;
+  Vertices& moving = one_of(random, summand.chains).vertices;
+  const Vertices& other = one_of(random, summand.chains).vertices;
+  if (&moving == &other) return false;
+  const std::size_t i = uniform_index(random, other.size());
+  const auto place = onto(random, other[i], other[next(i, other.size())]);
+  if (place) one_of(random, moving) = *place;
+  return place.has_value();
 }
 
 /// An edge becomes parallel to one of the other summand, or just as long.
 bool make_parallel(Random& random, PairPlan& plan) {
-  const bool of_p = one_in(random, 2);
-  PlannedSummand& changed = of_p ? plan.p : plan.q;
-  PlannedSummand& other = of_p ? plan.q : plan.p;
-  if (changed.chains.empty() || other.chains.empty()) return false;
+  const auto [changed, other] = both(random, plan);
   const Vertices& from = one_of(random, other.chains).vertices;
   const std::size_t i = uniform_index(random, from.size());
   const PlannedVertex& a = from[i];
@@ -180,9 +173,8 @@ bool make_parallel(Random& random, PairPlan& plan) {
   Vertices& vertices = one_of(random, changed.chains).vertices;
   const std::size_t j = uniform_index(random, vertices.size());
   const int side = one_in(random, 2) ? 1 : -1;
-  const int length = one_in(random, 3) ? 2 : 1;
-  vertices[next(j, vertices.size())] =
-      moved(vertices[j], side * length * (b.x - a.x), side * length * (b.y - a.y));
+  const int times = side * (one_in(random, 3) ? 2 : 1);
+  vertices[next(j, vertices.size())] = moved(vertices[j], times * (b.x - a.x), times * (b.y - a.y));
   return true;
 }
 
@@ -191,10 +183,8 @@ bool make_parallel(Random& random, PairPlan& plan) {
 bool add_component(Random& random, PairPlan& plan) {
   PlannedSummand& summand = a_summand(random, plan);
   if (!has_room(summand, 5)) return false;
-  const Chain chain = lattice_polygon(random, uniform(random, 2, 4), 5);
-  const int dx = uniform(random, -12, 12), dy = uniform(random, -12, 12);
-  Vertices vertices = vertices_of(chain);
-  for (PlannedVertex& v : vertices) v = moved(v, dx, dy);
+  Vertices vertices = vertices_of(lattice_polygon(random, uniform(random, 2, 4), 5));
+  move_all(random, vertices, 12);
   summand.chains.push_back({false, std::move(vertices)});
   return true;
 }
@@ -202,7 +192,7 @@ bool add_component(Random& random, PairPlan& plan) {
 /// A hole in a component, or an island in a hole.
 bool add_inside(Random& random, PairPlan& plan) {
   PlannedSummand& summand = a_summand(random, plan);
-  if (summand.chains.empty() || !has_room(summand, 5)) return false;
+  if (!has_room(summand, 5)) return false;
   const PlannedChain& around = one_of(random, summand.chains);
   Chain chain;
   for (const PlannedVertex& v : around.vertices) chain.push_back({v.x, v.y});
@@ -217,26 +207,20 @@ bool add_inside(Random& random, PairPlan& plan) {
 bool remove_chain(Random& random, PairPlan& plan) {
   PlannedSummand& summand = a_summand(random, plan);
   if (summand.chains.size() < 2) return false;
-  summand.chains.erase(summand.chains.begin() +
-                       static_cast<std::ptrdiff_t>(uniform_index(random, summand.chains.size())));
+  erase_one_of(random, summand.chains);
   return true;
 }
 
 bool move_chain(Random& random, PairPlan& plan) {
-  PlannedChain* chain = a_chain(random, plan);
-  if (chain == nullptr) return false;
-  const int dx = uniform(random, -4, 4), dy = uniform(random, -4, 4);
-  for (PlannedVertex& v : chain->vertices) v = moved(v, dx, dy);
+  move_all(random, a_chain(random, plan).vertices, 4);
   return true;
 }
 
 bool copy_chain(Random& random, PairPlan& plan) {
-  PlannedChain* chain = a_chain(random, plan);
+  PlannedChain copy = a_chain(random, plan);
   PlannedSummand& to = a_summand(random, plan);
-  if (chain == nullptr || !has_room(to, chain->vertices.size())) return false;
-  PlannedChain copy = *chain;
-  const int dx = uniform(random, -12, 12), dy = uniform(random, -12, 12);
-  for (PlannedVertex& v : copy.vertices) v = moved(v, dx, dy);
+  if (!has_room(to, copy.vertices.size())) return false;
+  move_all(random, copy.vertices, 12);
   to.chains.push_back(std::move(copy));
   return true;
 }
@@ -244,9 +228,7 @@ bool copy_chain(Random& random, PairPlan& plan) {
 /// A component that fits a hole of the other summand, turned by half a turn, in one place only; or
 /// that is narrower, and slides in it.
 bool fit_hole(Random& random, PairPlan& plan) {
-  const bool of_p = one_in(random, 2);
-  const PlannedSummand& around = of_p ? plan.p : plan.q;
-  PlannedSummand& fitted = of_p ? plan.q : plan.p;
+  const auto [around, fitted] = both(random, plan);
   std::vector<const PlannedChain*> holes;
   for (const PlannedChain& chain : around.chains)
     if (chain.is_hole) holes.push_back(&chain);
@@ -265,9 +247,19 @@ bool fit_hole(Random& random, PairPlan& plan) {
 
 // Summands.
 
+PlannedSummand new_summand(Random& random) {
+  while (true) {
+    const int kind = uniform(random, 0, 3);
+    const Region region = kind == 0   ? plain_region(random, 8)
+                          : kind == 1 ? scattered_region(random, 5)
+                                      : holed_region(random, 6);
+    // A plan takes regions of a limited size only.
+    if (const auto plan = plan_of(Summands{region, region})) return plan->p;
+  }
+}
+
 bool renew_summand(Random& random, PairPlan& plan) {
-  const PairPlan fresh = new_plan(random);
-  (one_in(random, 2) ? plan.p : plan.q).chains = fresh.p.chains;
+  a_summand(random, plan).chains = new_summand(random).chains;
   return true;
 }
 
@@ -297,7 +289,7 @@ bool map_summand(Random& random, PairPlan& plan) {
 // Numbers.
 
 bool change_magnitude(Random& random, PairPlan& plan) {
-  plan.magnitude = static_cast<std::uint8_t>(uniform_index(random, magnitudes.size()));
+  plan.magnitude = a_place_in(random, magnitudes);
   return true;
 }
 
@@ -307,22 +299,20 @@ bool change_shear(Random& /*no choice*/, PairPlan& plan) {
 }
 
 bool change_denominator(Random& random, PairPlan& plan) {
-  const auto denominator = static_cast<std::uint8_t>(uniform_index(random, denominators().size()));
+  const std::uint8_t denominator = a_place_in(random, denominators());
   a_summand(random, plan).denominator = denominator;
   if (one_in(random, 2)) plan.p.denominator = plan.q.denominator = denominator;
   return true;
 }
 
 bool change_offset(Random& random, PairPlan& plan) {
-  const auto offset = static_cast<std::uint8_t>(uniform_index(random, offsets().size()));
-  a_summand(random, plan).offset = offset;
+  a_summand(random, plan).offset = a_place_in(random, offsets());
   return true;
 }
 
 /// Off the grid by little, all vertices in that place alike or one alone.
 bool change_jitter(Random& random, PairPlan& plan) {
   PlannedSummand& summand = a_summand(random, plan);
-  if (summand.chains.empty()) return false;
   PlannedVertex& one = one_of(random, one_of(random, summand.chains).vertices);
   const PlannedVertex before = one;
   one.jitter_x = static_cast<std::int8_t>(uniform(random, -8, 7));
@@ -339,17 +329,6 @@ bool is_good(const PairPlan& plan) {
   return pair && pair->is_as_planned();
 }
 
-PlannedSummand new_summand(Random& random) {
-  while (true) {
-    const int kind = uniform(random, 0, 3);
-    const Region region = kind == 0   ? plain_region(random, 8)
-                          : kind == 1 ? scattered_region(random, 5)
-                                      : holed_region(random, 6);
-    // A plan takes regions of a limited size only.
-    if (const auto plan = plan_of(Summands{region, region})) return plan->p;
-  }
-}
-
 }  // namespace
 
 const std::vector<PairChange>& pair_changes() {
@@ -364,7 +343,7 @@ const std::vector<PairChange>& pair_changes() {
       {"copy_chain", copy_chain},
       {"copy_summand", copy_summand},
       {"fit_hole", fit_hole},
-      {"insert_vertex", insert_vertex},
+      {"insert_vertex", grow<near_edge>},
       {"make_parallel", make_parallel},
       {"map_summand", map_summand},
       {"move_chain", move_chain},
@@ -372,10 +351,10 @@ const std::vector<PairChange>& pair_changes() {
       {"remove_chain", remove_chain},
       {"remove_vertex", remove_vertex},
       {"renew_summand", renew_summand},
-      {"split_edge", split_edge},
+      {"split_edge", grow<inside_edge>},
       {"swap_summands", swap_summands},
-      {"touch_edge", touch_edge},
-      {"touch_vertex", touch_vertex},
+      {"touch_edge", touch<inside_edge>},
+      {"touch_vertex", touch<first_end>},
   };
   return all;
 }
@@ -387,41 +366,31 @@ PairPlan new_plan(Random& random) {
   return plan;
 }
 
-PairPlan mutated_plan(Random& random, const PairPlan& plan) {
-  for (int tries = 16; tries > 0; --tries) {
+std::string mutated_pair(Random& random, std::string_view bytes) {
+  const PairPlan plan = decoded(bytes);
+  for (int tries = can_be_changed(plan) ? 16 : 0; tries > 0; --tries) {
     PairPlan changed = plan;
     for (int changes = uniform(random, 1, 3); changes > 0; --changes)
       pair_changes()[uniform_index(random, pair_changes().size())].apply(random, changed);
-    if (changed != plan && is_good(changed)) return changed;
+    if (changed != plan && is_good(changed)) return encoded(changed);
   }
-  return new_plan(random);
+  return encoded(new_plan(random));
 }
 
-PairPlan crossed_plan(Random& random, const PairPlan& a, const PairPlan& b) {
-  for (int tries = 8; tries > 0; --tries) {
+std::string crossed_pair(Random& random, std::string_view bytes_of_a, std::string_view bytes_of_b) {
+  PairPlan a = decoded(bytes_of_a), b = decoded(bytes_of_b);
+  for (int tries = can_be_changed(a) && can_be_changed(b) ? 8 : 0; tries > 0; --tries) {
     PairPlan crossed = one_in(random, 2) ? a : b;
     crossed.p = one_in(random, 2) ? a.p : b.q;
     crossed.q = one_in(random, 2) ? b.p : a.q;
     if (one_in(random, 2)) {  // a chain more, from anywhere
-      const PairPlan& from = one_in(random, 2) ? a : b;
-      const PlannedSummand& summand = one_in(random, 2) ? from.p : from.q;
+      const PlannedChain& chain = a_chain(random, one_in(random, 2) ? a : b);
       PlannedSummand& to = a_summand(random, crossed);
-      if (!summand.chains.empty()) {
-        const PlannedChain& chain = summand.chains[uniform_index(random, summand.chains.size())];
-        if (has_room(to, chain.vertices.size())) to.chains.push_back(chain);
-      }
+      if (has_room(to, chain.vertices.size())) to.chains.push_back(chain);
     }
-    if (is_good(crossed)) return crossed;
+    if (is_good(crossed)) return encoded(crossed);
   }
-  return new_plan(random);
-}
-
-std::string mutated_pair(Random& random, std::string_view bytes) {
-  return encoded(mutated_plan(random, decoded(bytes)));
-}
-
-std::string crossed_pair(Random& random, std::string_view a, std::string_view b) {
-  return encoded(crossed_plan(random, decoded(a), decoded(b)));
+  return encoded(new_plan(random));
 }
 
 }  // namespace oplus

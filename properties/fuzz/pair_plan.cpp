@@ -90,25 +90,19 @@ std::optional<std::int8_t> small(const Rational& value) {
 }
 
 std::optional<PlannedSummand> plan_of(const Region& region) {
-  if (region.components.empty()) return std::nullopt;
+  const std::vector<Chain> all = chains(region);
+  if (all.empty() || all.size() > most_chains || vertex_count(region) > most_vertices_in_all)
+    return std::nullopt;
   PlannedSummand result;
-  std::size_t vertices = 0;
-  for (const Component& component : region.components) {
-    std::vector<const Chain*> chains{&component.outer};
-    for (const Chain& hole : component.holes) chains.push_back(&hole);
-    for (const Chain* chain : chains) {
-      PlannedChain planned{chain != chains[0], {}};
-      for (const Point& v : *chain) {
-        const auto x = small(v.x), y = small(v.y);
-        if (!x || !y) return std::nullopt;
-        planned.vertices.push_back({*x, *y});
-      }
-      vertices += chain->size();
-      if (chain->size() > most_vertices || vertices > most_vertices_in_all ||
-          result.chains.size() == most_chains)
-        return std::nullopt;
-      result.chains.push_back(std::move(planned));
+  for (const Chain& chain : all) {
+    if (chain.size() > most_vertices) return std::nullopt;
+    PlannedChain planned{sign(twice_area(chain)) < 0, {}};
+    for (const Point& v : chain) {
+      const auto x = small(v.x), y = small(v.y);
+      if (!x || !y) return std::nullopt;
+      planned.vertices.push_back({*x, *y});
     }
+    result.chains.push_back(std::move(planned));
   }
   return result;
 }

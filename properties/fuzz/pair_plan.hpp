@@ -72,6 +72,7 @@ PairPlan decoded(std::string_view bytes);
 std::string encoded(const PairPlan& plan);
 
 /// The plan of a pair with integer coordinates of 8 bits with sign, within the limits, neither empty.
+/// Requires: both are valid.
 std::optional<PairPlan> plan_of(const Summands& summands);
 
 }  // namespace oplus

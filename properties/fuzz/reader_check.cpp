@@ -19,10 +19,6 @@ namespace {
 constexpr const char* file = "input";
 constexpr std::array formats{Format::dat, Format::wkt, Format::geojson};
 
-void require(bool holds, const std::string& what) {
-  if (!holds) throw FuzzFinding(what);
-}
-
 void require_one_line(const std::string& message) {
   require(!message.empty() && std::all_of(message.begin(), message.end(),
                                           [](char c) { return c >= ' ' && c <= '~'; }),

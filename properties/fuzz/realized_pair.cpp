@@ -2,6 +2,7 @@
 #include "properties/fuzz/realized_pair.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstdlib>
 #include <map>
 #include <utility>
@@ -13,12 +14,6 @@ namespace oplus {
 
 namespace {
 
-unsigned bits(unsigned value) {
-  unsigned result = 0;
-  for (; value > 0; value /= 2) ++result;
-  return result;
-}
-
 /// What the grid is multiplied with.
 mpz_class scale_of(const PairPlan& plan) {
   unsigned largest = 1;
@@ -27,8 +22,8 @@ mpz_class scale_of(const PairPlan& plan) {
       for (const PlannedVertex& v : chain.vertices)
         largest = std::max({largest, static_cast<unsigned>(std::abs(int{v.x})),
                             static_cast<unsigned>(std::abs(int{v.y}))});
-  const unsigned wanted = magnitudes.at(plan.magnitude);
-  return mpz_class(1) << (wanted > bits(largest) ? wanted - bits(largest) : 0);
+  const int more = static_cast<int>(magnitudes.at(plan.magnitude)) - std::bit_width(largest);
+  return mpz_class(1) << static_cast<unsigned>(std::max(more, 0));
 }
 
 class Realization {

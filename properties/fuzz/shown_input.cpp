@@ -55,7 +55,7 @@ std::optional<std::string> input_of_pair(const Summands& summands) {
 
 ShownInput shown(const FuzzTarget& target, std::string_view input,
                  const std::filesystem::path& folder) {
-  if (target.name == "slide") {
+  if (&target == &slide_target) {
     auto pair = pair_of_input(input);
     if (!pair) return {"rejected: a summand without a valid chain\n", false};
     return shown_pair(std::move(*pair), folder);

@@ -29,10 +29,6 @@ void require_same(const MinkowskiSum& sum, const MinkowskiSum& expected, const s
                                   : std::string("another order")));
 }
 
-void require(bool holds, const std::string& what) {
-  if (!holds) throw FuzzFinding(what);
-}
-
 bool is_in_right_stage(const Statistics& s, SlideNumbers numbers) {
   const std::size_t bits = s.count("bits of a coordinate");
   const bool may_be_small = numbers == SlideNumbers::as_needed && bits <= 29;

@@ -6,19 +6,17 @@
 
 namespace oplus {
 
-const FuzzTarget& slide_target() {
-  static const FuzzTarget target{"slide",
-                                 "slide against winding numbers, closed and open, in all numbers",
-                                 [](std::string_view bytes) {
-                                   const auto pair = realized(decoded(bytes));
-                                   if (!pair) return FuzzOutcome::rejected;
-                                   check_slide(pair->summands);
-                                   return FuzzOutcome::reached;
-                                 },
-                                 mutated_pair,
-                                 crossed_pair,
-                                 256};
-  return target;
-}
+const FuzzTarget slide_target{"slide",
+                              "slide against winding numbers, closed and open, in all numbers",
+                              [](std::string_view bytes) {
+                                const auto pair = realized(decoded(bytes));
+                                if (!pair) return FuzzOutcome::rejected;
+                                check_slide(pair->summands);
+                                return FuzzOutcome::reached;
+                              },
+                              mutated_pair,
+                              crossed_pair,
+                              4,
+                              256};
 
 }  // namespace oplus

@@ -11,23 +11,17 @@
 
 namespace oplus {
 
-/// A text as the readers see it: runs of blanks, punctuation a character each, and words, numbers
-/// among them. Put together again they are the text.
-std::vector<std::string> tokens(std::string_view text);
-
-/// A change that keeps most of a text, or nothing of it. `apply` returns false where there is
-/// nothing to change.
+/// A change that libFuzzer does not make of bytes and dictionaries: of a number as a whole. `apply`
+/// returns false where there is nothing to change.
 struct TextChange {
   std::string name;
-  bool (*apply)(Random& random, std::vector<std::string>& tokens, Format format);
+  bool (*apply)(Random& random, std::string& text, Format format);
 };
 const std::vector<TextChange>& text_changes();
 
-/// A text like this one, after one to three changes.
+/// A text like this one, after one to three changes; one of four, and of a text without numbers
+/// each, is a new text.
 std::string mutated_text(Random& random, std::string_view text, Format format);
-
-/// A beginning of one with an end of the other.
-std::string crossed_text(Random& random, std::string_view a, std::string_view b);
 
 /// A valid region in a format, small, with holes and several components as often as not; its
 /// coordinates are integers, decimals or fractions, small or large.

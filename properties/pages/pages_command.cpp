@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/pages/pages_command.hpp"
+#include "properties/pages/pages_commands.hpp"
 
 #include <iostream>
 #include <memory>

@@ -2,7 +2,6 @@
 #include "properties/pages/strength.hpp"
 
 #include <algorithm>
-#include <iterator>
 
 #include "reference/io/counted.hpp"
 #include "reference/pictures/picture.hpp"
@@ -28,8 +27,7 @@ constexpr Look looks[] = {
 };
 
 const Look& look_of(Strength strength) {
-  return *std::find_if(std::begin(looks), std::end(looks),
-                       [&](const Look& look) { return look.strength == strength; });
+  return *std::ranges::find(looks, strength, &Look::strength);
 }
 
 /// Returns ", 2 theorems"; nothing of none.
@@ -38,14 +36,9 @@ std::string amount_of(std::ptrdiff_t number, const std::string& one, const std::
 }
 
 std::ptrdiff_t theorems_of(const Registry& registry, const std::string& id, bool is_whole) {
-  return std::count_if(
-      registry.theorems.begin(), registry.theorems.end(),
-      [&](const ProvedTheorem& t) { return t.statement == id && t.is_whole == is_whole; });
-}
-
-std::ptrdiff_t queries_of(const Registry& registry, const std::string& id) {
-  return std::count_if(registry.queries.begin(), registry.queries.end(),
-                       [&](const AnsweredQuery& query) { return query.statement == id; });
+  return std::ranges::count_if(registry.theorems, [&](const ProvedTheorem& t) {
+    return t.statement == id && t.is_whole == is_whole;
+  });
 }
 
 /// How much there is of it; empty where there is nothing.
@@ -62,7 +55,8 @@ std::string amount(Strength strength, const Registry& registry, const std::strin
                  ? ", " + std::to_string(run->second.enumeration->cases) + " cases"
                  : "";
     case Strength::solved:
-      return amount_of(queries_of(registry, id), "query", "queries");
+      return amount_of(std::ranges::count(registry.queries, id, &AnsweredQuery::statement), "query",
+                       "queries");
     case Strength::sampled:
       break;
   }

@@ -2,11 +2,14 @@
 #include "properties/pages/theorem_page.hpp"
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 #include <set>
 
-#include "properties/pages/pair_picture.hpp"
+#include "checked/arrangement/rca.hpp"
 #include "properties/pages/strength.hpp"
 #include "properties/runner/registry.hpp"
+#include "reference/definitions/convolution.hpp"
+#include "reference/pictures/styles.hpp"
 
 namespace oplus {
 
@@ -29,8 +32,7 @@ std::string list_of_statements(const std::vector<std::string>& ids, const std::s
 std::vector<std::string> resting_on(const Registry& registry, const std::string& id) {
   std::vector<std::string> above;
   for (const Statement& s : registry.statements)
-    if (std::find(s.rests_on.begin(), s.rests_on.end(), id) != s.rests_on.end())
-      above.push_back(s.id);
+    if (std::ranges::find(s.rests_on, id) != s.rests_on.end()) above.push_back(s.id);
   return above;
 }
 
@@ -52,8 +54,7 @@ std::string tally(const std::string& title, const std::map<std::string, std::siz
   for (const auto& [name, count] : counts) {
     text += "| " + name + " | " + std::to_string(count) + " |";
     if (of > 0) {
-      const auto promise = std::find_if(promises.begin(), promises.end(),
-                                        [&](const Promise& p) { return p.classification == name; });
+      const auto promise = std::ranges::find(promises, name, &Promise::classification);
       text += " " + std::to_string(100 * count / of) + " % | " +
               (promise == promises.end() ? "" : std::to_string(promise->percent) + " %") + " |";
     }
@@ -77,9 +78,7 @@ std::string recorded_run(const Statement& s, const PropertyRun& run) {
 }
 
 std::string indented(const std::string& lines) {
-  std::string text = "    ";
-  for (const char c : lines) text += c == '\n' ? std::string("\n    ") : std::string(1, c);
-  return text;
+  return "    " + boost::algorithm::replace_all_copy(lines, "\n", "\n    ");
 }
 
 std::string proofs(const Registry& registry, const Statement& s) {
@@ -114,6 +113,10 @@ std::string answers(const Registry& registry, const Statement& s) {
                    text;
 }
 
+const Mutant& mutant_of(const Registry& registry, const std::string& name) {
+  return *std::ranges::find(registry.mutants, name, &Mutant::name);
+}
+
 std::string kill_table(const Registry& registry, const std::vector<const Kill*>& kills) {
   std::string text =
       "\n## Faults it finds\nEach is one line, in the preset `check` only.\n\n"
@@ -127,18 +130,20 @@ std::string kill_table(const Registry& registry, const std::vector<const Kill*>&
   return text;
 }
 
-const Kill* shown_kill(const std::vector<const Kill*>& kills) {
-  const auto shrunk = std::find_if(kills.begin(), kills.end(),
-                                   [](const Kill* kill) { return kill->shrunk.has_value(); });
-  return shrunk == kills.end() ? nullptr : *shrunk;
+/// P, Q, and their convolution over the sum of the open regions, as SVG.
+std::string picture_of_pair(const Summands& pair) {
+  std::vector<Layer> layers = layers_of(rca(pair.p, pair.q, Boundary::open).sum);
+  // Over the region, below dangling edges and isolated vertices.
+  const auto above_region = std::find_if_not(layers.begin(), layers.end(), [](const Layer& layer) {
+    return !layer.region.components.empty();
+  });
+  layers.insert(above_region, {style::convolution, {}, segments(convolution(pair.p, pair.q))});
+  return svg({panel_of(Summand::P, pair.p),
+              panel_of(Summand::Q, pair.q),
+              {"Convolution and open sum", std::move(layers)}});
 }
 
 }  // namespace
-
-const Mutant& mutant_of(const Registry& registry, const std::string& name) {
-  return *std::find_if(registry.mutants.begin(), registry.mutants.end(),
-                       [&](const Mutant& m) { return m.name == name; });
-}
 
 std::vector<Page> theorem_pages(const Registry& registry, const Statement& s) {
   const PropertyRun& run = registry.runs.at(s.id);
@@ -170,12 +175,15 @@ std::vector<Page> theorem_pages(const Registry& registry, const Statement& s) {
         picture + ")\n";
     pages.push_back({"theorems/" + picture, picture_of_pair(*run.typical)});
   }
-  if (const Kill* kill = shown_kill(kills)) {
+  const auto shown =
+      std::ranges::find_if(kills, [](const Kill* kill) { return kill->shrunk.has_value(); });
+  if (shown != kills.end()) {
+    const Kill& kill = **shown;
     const std::string picture = "pictures/" + s.id + "-shrunk.svg";
-    text += "\n## A shrunk case\nWith the fault `" + kill->mutant +
+    text += "\n## A shrunk case\nWith the fault `" + kill.mutant +
             "` the statement fails on this pair, and on no smaller one; without, it holds:\n" +
-            kill->why + ".\n\n![P, Q, and their convolution and open sum](" + picture + ")\n";
-    pages.push_back({"theorems/" + picture, picture_of_pair(*kill->shrunk)});
+            kill.why + ".\n\n![P, Q, and their convolution and open sum](" + picture + ")\n";
+    pages.push_back({"theorems/" + picture, picture_of_pair(*kill.shrunk)});
   }
   pages.push_back({"theorems/" + s.id + ".md", std::move(text)});
   return pages;

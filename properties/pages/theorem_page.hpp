@@ -14,9 +14,6 @@ struct Page {
   std::string text;
 };
 
-/// The mutant's entry. Requires: there is one.
-const Mutant& mutant_of(const Registry& registry, const std::string& name);
-
 /// docs/theorems/ID.md and its pictures of a typical and of a shrunk case.
 std::vector<Page> theorem_pages(const Registry& registry, const Statement& statement);
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/pages/theorems_command.hpp"
+#include "properties/pages/pages_commands.hpp"
 
 #include <algorithm>
+#include <boost/algorithm/string/join.hpp>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -22,9 +23,7 @@ struct Settings {
 };
 
 std::string joined(const std::vector<std::string>& words, const std::string& separator = ", ") {
-  std::string line;
-  for (const std::string& word : words) line += (line.empty() ? "" : separator) + word;
-  return line.empty() ? "none" : line;
+  return words.empty() ? "none" : boost::algorithm::join(words, separator);
 }
 
 /// Ids and titles are ASCII, so that widths count characters.
@@ -136,8 +135,7 @@ void add_theorems_command(CLI::App& app, int& exit_code) {
       else
         print_table(all);
     } else {
-      const Statement& one = *std::find_if(
-          all.begin(), all.end(), [&](const Statement& s) { return s.id == settings->id; });
+      const Statement& one = *std::ranges::find(all, settings->id, &Statement::id);
       if (settings->json)
         std::cout << json_of(one).dump(2) << '\n';
       else

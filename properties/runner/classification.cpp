@@ -22,14 +22,7 @@ std::vector<Corner> corners(const Region& region) {
   return result;
 }
 
-bool some_reflex(const std::vector<Corner>& corners) {
-  return std::any_of(corners.begin(), corners.end(), is_reflex);
-}
-
-bool some_straight(const std::vector<Corner>& corners) {
-  return std::any_of(corners.begin(), corners.end(),
-                     [](const Corner& c) { return sign(cross(c.in, c.out)) == 0; });
-}
+bool is_straight(const Corner& c) { return sign(cross(c.in, c.out)) == 0; }
 
 /// The slope of a vector and, to tell the vertical ones apart, a 1 before it.
 std::pair<int, Rational> slope(const Vector& v) {
@@ -69,11 +62,7 @@ struct OnLine {
   bool same_line(const OnLine& other) const {
     return slope == other.slope && intercept == other.intercept;
   }
-  friend bool operator<(const OnLine& a, const OnLine& b) {
-    if (a.slope != b.slope) return a.slope < b.slope;
-    if (a.intercept != b.intercept) return a.intercept < b.intercept;
-    return a.low < b.low;
-  }
+  friend std::weak_ordering operator<=>(const OnLine&, const OnLine&) = default;
 };
 
 bool some_overlap(const std::vector<ConvolutionSegment>& convolution) {
@@ -91,19 +80,20 @@ bool some_overlap(const std::vector<ConvolutionSegment>& convolution) {
 Classification classify(const Summands& summands) {
   const Region& p = summands.p;
   const Region& q = summands.q;
-  const std::vector<Corner> of_p = corners(p);
-  const std::vector<Corner> of_q = corners(q);
-  Classification result;
-  for (const Region* region : {&p, &q}) {
-    if (region->components.size() > 1) result.several_components = true;
-    for (const Component& component : region->components)
-      if (!component.holes.empty()) result.holes = true;
-  }
-  result.reflex_vertices = some_reflex(of_p) && some_reflex(of_q);
-  result.parallel_edges = some_parallel(p, q);
-  result.collinear_vertices = some_straight(of_p) || some_straight(of_q);
-  result.overlapping_segments = some_overlap(reduced_convolution(p, q));
-  return result;
+  const std::vector<Corner> of_p = corners(p), of_q = corners(q);
+  const auto has_holes = [](const Region& region) {
+    return std::ranges::any_of(region.components,
+                               [](const Component& c) { return !c.holes.empty(); });
+  };
+  const auto some = [](const std::vector<Corner>& all, bool (*is_so)(const Corner&)) {
+    return std::ranges::any_of(all, is_so);
+  };
+  return {.holes = has_holes(p) || has_holes(q),
+          .several_components = p.components.size() > 1 || q.components.size() > 1,
+          .reflex_vertices = some(of_p, is_reflex) && some(of_q, is_reflex),
+          .parallel_edges = some_parallel(p, q),
+          .collinear_vertices = some(of_p, is_straight) || some(of_q, is_straight),
+          .overlapping_segments = some_overlap(reduced_convolution(p, q))};
 }
 
 std::map<std::string, bool> named(const Classification& classification) {

@@ -6,7 +6,6 @@
 #include <memory>
 
 #include "checked/cli/command_line/terminal.hpp"
-#include "properties/runner/record.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
@@ -20,8 +19,31 @@ struct Settings {
   bool json = false;
 };
 
-bool names(const Statement& statement, const std::string& mutant) {
-  return std::find(statement.kills.begin(), statement.kills.end(), mutant) != statement.kills.end();
+/// Runs the statement with the fault switched on. It kills the mutant if its enumeration fails with
+/// the fault and holds without, or if it fails on a pair with the fault and holds on the same pair
+/// without. A run that is short or misses a share kills nothing.
+Kill try_to_kill(const Statement& statement, const RunOptions& options) {
+  const PropertyRun run = run_property(statement, options);
+  Kill kill{.mutant = options.mutant, .statement = statement.id, .cases = run.run};
+  if (run.enumeration && !run.enumeration->failure.empty()) {
+    kill.by_enumeration = true;
+    kill.why = run.enumeration->failure;
+    kill.killed = enumerated(statement).failure.empty();
+  } else if (run.counterexample) {
+    kill.why = run.counterexample->why;
+    kill.shrunk = run.counterexample->summands;
+    kill.killed = evaluate(statement, *kill.shrunk).kind == Outcome::Kind::holds;
+  }
+  return kill;
+}
+
+std::string in_words(const Kill& kill) {
+  const std::string where =
+      kill.by_enumeration ? "the enumeration" : "case " + std::to_string(kill.cases);
+  if (kill.killed) return "killed by " + where + ": " + kill.why;
+  if (kill.by_enumeration || kill.shrunk)
+    return "NOT KILLED: " + where + " fails without the fault too: " + kill.why;
+  return "ALIVE after " + std::to_string(kill.cases) + " cases";
 }
 
 }  // namespace
@@ -33,11 +55,10 @@ bool run_mutants(const std::vector<Statement>& statements, const std::vector<Mut
   for (const Mutant& mutant : mutants) {
     if (!speech().quiet) out << mutant.name << ": " << mutant.what << '\n';
     for (const Statement& statement : statements) {
-      if (!names(statement, mutant.name)) continue;
-      RunOptions options;
-      options.cases = cases.value_or(statement.cases);
-      options.seed = seed;
-      const Kill kill = try_to_kill(statement, mutant, options);
+      if (std::ranges::find(statement.kills, mutant.name) == statement.kills.end()) continue;
+      const Kill kill = try_to_kill(
+          statement,
+          {.cases = cases.value_or(statement.cases), .seed = seed, .mutant = mutant.name});
       if (!speech().quiet || !kill.killed) {
         if (speech().quiet) out << mutant.name << ": " << mutant.what << '\n';
         out << "  " << statement.id << ": "

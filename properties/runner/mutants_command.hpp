@@ -7,7 +7,7 @@
 #include <ostream>
 #include <vector>
 
-#include "properties/runner/kill.hpp"
+#include "properties/runner/record.hpp"
 #include "properties/runner/registry.hpp"
 
 namespace oplus {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
-#include <sstream>
 
 #include "checked/cli/command_line/terminal.hpp"
 #include "properties/runner/finding.hpp"
@@ -29,7 +28,7 @@ struct Settings {
 std::vector<Statement> chosen(const std::vector<std::string>& ids) {
   std::vector<Statement> result = statements();
   std::erase_if(result, [&](const Statement& s) {
-    return !ids.empty() && std::find(ids.begin(), ids.end(), s.id) == ids.end();
+    return !ids.empty() && std::ranges::find(ids, s.id) == ids.end();
   });
   return result;
 }
@@ -41,13 +40,12 @@ std::vector<std::string> ids_of(const std::vector<Statement>& all) {
 }
 
 Summands read_pair(const std::vector<std::string>& files) {
-  Region regions[2];
-  for (std::size_t i = 0; i < 2; ++i) {
-    ReadRegion read = read_region_file(files.at(i));
+  const auto region = [](const std::string& file) {
+    const ReadRegion read = read_region_file(file);
     for (const std::string& note : read.notes) say_note(note);
-    regions[i] = std::move(read.region);
-  }
-  return {std::move(regions[0]), std::move(regions[1])};
+    return read.region;
+  };
+  return {region(files.at(0)), region(files.at(1))};
 }
 
 void print_tally(std::ostream& out, const std::string& label,
@@ -75,9 +73,9 @@ void print_run(std::ostream& out, const Statement& statement, const PropertyRun&
 }
 
 void print_last_line(std::ostream& out, std::size_t passed, std::size_t failed) {
-  std::ostringstream line;
-  line << passed << " passed, " << failed << " failed";
-  out << painted(failed == 0 ? Paint::good : Paint::bad, line.str(), out) << '\n';
+  const std::string line =
+      std::to_string(passed) + " passed, " + std::to_string(failed) + " failed";
+  out << painted(failed == 0 ? Paint::good : Paint::bad, line, out) << '\n';
 }
 
 }  // namespace
@@ -87,10 +85,8 @@ bool run_statements(const std::vector<Statement>& statements, std::optional<std:
                     std::vector<PropertyRun>* runs) {
   std::size_t passed = 0;
   for (const Statement& statement : statements) {
-    RunOptions options;
-    options.cases = cases.value_or(statement.cases);
-    options.seed = seed;
-    PropertyRun run = run_property(statement, options);
+    PropertyRun run =
+        run_property(statement, {.cases = cases.value_or(statement.cases), .seed = seed});
     if (!speech().quiet || !run.passed()) print_run(out, statement, run);
     for (const std::string& complaint : run.complaints)
       out << "  " << painted(Paint::bad, "FAILED", out) << ": " << complaint << '\n';

@@ -19,7 +19,7 @@ struct RunOptions {
   bool shrink = true;
   /// Switched on while a pair is checked and while cases are enumerated, never while a pair is
   /// made; or empty.
-  std::string mutant;
+  std::string mutant = {};
 };
 
 struct Counterexample {

@@ -50,33 +50,31 @@ Json json_of(const std::string& statement, const Counterexample& found) {
   return json;
 }
 
+/// The numbers of a run, in the order of the record, for writing and for reading it.
+template <typename Run, typename Visit>
+void visit_numbers(Run& run, Visit visit) {
+  visit("run", run.run);
+  visit("discarded", run.discarded);
+  visit("families", run.families);
+  visit("classes", run.classes);
+  visit("counts", run.counts);
+  visit("shares_judged", run.shares_judged);
+  visit("complaints", run.complaints);
+}
+
 Json json_of(const PropertyRun& run) {
   Json json = {{"statement", run.statement}, {"title", run.title}, {"passed", run.passed()}};
   if (run.enumeration) json["enumerated"] = run.enumeration->cases;
-  json["run"] = run.run;
-  json["discarded"] = run.discarded;
-  json["families"] = run.families;
-  json["classes"] = run.classes;
-  json["counts"] = run.counts;
-  json["shares_judged"] = run.shares_judged;
-  json["complaints"] = run.complaints;
+  visit_numbers(run, [&](const char* key, const auto& value) { json[key] = value; });
   if (run.counterexample) json["counterexample"] = json_of(run.statement, *run.counterexample);
   if (run.typical) json["typical"] = json_of(*run.typical);
   return json;
 }
 
 PropertyRun run_of_json(const Json& json) {
-  PropertyRun run;
-  json.at("statement").get_to(run.statement);
-  json.at("title").get_to(run.title);
+  PropertyRun run{.statement = json.at("statement"), .title = json.at("title")};
   if (json.contains("enumerated")) run.enumeration = {json.at("enumerated").get<std::size_t>(), ""};
-  json.at("run").get_to(run.run);
-  json.at("discarded").get_to(run.discarded);
-  json.at("families").get_to(run.families);
-  json.at("classes").get_to(run.classes);
-  json.at("counts").get_to(run.counts);
-  json.at("shares_judged").get_to(run.shares_judged);
-  json.at("complaints").get_to(run.complaints);
+  visit_numbers(run, [&](const char* key, auto& value) { json.at(key).get_to(value); });
   if (json.contains("typical")) run.typical = pair_of_json(json.at("typical"));
   return run;
 }
@@ -105,13 +103,12 @@ Json json_of(const Kill& kill) {
 }
 
 Kill kill_of_json(const Json& json) {
-  Kill kill;
-  json.at("mutant").get_to(kill.mutant);
-  json.at("statement").get_to(kill.statement);
-  json.at("killed").get_to(kill.killed);
-  json.at("by_enumeration").get_to(kill.by_enumeration);
-  json.at("cases").get_to(kill.cases);
-  json.at("why").get_to(kill.why);
+  Kill kill{.mutant = json.at("mutant"),
+            .statement = json.at("statement"),
+            .killed = json.at("killed"),
+            .by_enumeration = json.at("by_enumeration"),
+            .cases = json.at("cases"),
+            .why = json.at("why")};
   if (json.contains("shrunk")) kill.shrunk = pair_of_json(json.at("shrunk"));
   return kill;
 }

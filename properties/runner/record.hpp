@@ -1,12 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "properties/runner/kill.hpp"
+#include "properties/runner/property_run.hpp"
 
 namespace oplus {
+
+/// What became of a mutant under a statement that names it.
+struct Kill {
+  std::string mutant;
+  std::string statement;
+  bool killed = false;
+  bool by_enumeration = false;  ///< which failed; no pair was tried
+  std::size_t cases = 0;        ///< pairs tried, the one that failed counted
+  std::string why = {};         ///< what was seen on the shrunk pair or in the enumeration
+  /// Fails with the fault and holds without; no smaller one does.
+  std::optional<Summands> shrunk = {};
+};
 
 // JSON as docs/json.md describes it: what --json prints, --record writes, and docs/theorems/ keeps. Same
 // seed, same program, same text. An object per line, regions as WKT.

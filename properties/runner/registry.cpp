@@ -5,6 +5,7 @@
 #include <cctype>
 #include <regex>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "properties/runner/classification.hpp"
@@ -86,23 +87,6 @@ void add_defects_of_unregistered_files(const std::vector<Statement>& all,
   }
 }
 
-}  // namespace
-
-std::vector<Statement> statements() {
-  std::vector<Statement> all = registered_statements();
-  std::sort(all.begin(), all.end(), [](const Statement& a, const Statement& b) {
-    const std::vector<int> of_a = numbers_of(a.id), of_b = numbers_of(b.id);
-    return std::tuple(of_a.empty(), of_a, a.id) < std::tuple(of_b.empty(), of_b, b.id);
-  });
-  return all;
-}
-
-Registered::Registered(Statement statement) {
-  registered_statements().push_back(std::move(statement));
-}
-
-namespace {
-
 /// ccache shortens the names of source files to paths from the build folder, which is not where the program runs.
 std::filesystem::path absolute_file(const std::filesystem::path& file) {
   if (file.is_absolute()) return file;
@@ -114,6 +98,19 @@ std::filesystem::path absolute_file(const std::filesystem::path& file) {
 }
 
 }  // namespace
+
+std::vector<Statement> statements() {
+  std::vector<Statement> all = registered_statements();
+  std::ranges::sort(all, {}, [](const Statement& s) {
+    const std::vector<int> numbers = numbers_of(s.id);
+    return std::tuple(numbers.empty(), numbers, s.id);
+  });
+  return all;
+}
+
+Registered::Registered(Statement statement) {
+  registered_statements().push_back(std::move(statement));
+}
 
 std::string relative_file(const std::string& file) {
   return absolute_file(file).lexically_relative(source_root()).string();

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -15,6 +17,7 @@ namespace {
 
 using Accept = std::function<bool(const Summands&)>;
 using Move = std::function<Rational(const Rational&)>;
+using Change = std::function<void(Region&)>;
 
 constexpr std::array<Region Summands::*, 2> both{&Summands::p, &Summands::q};
 constexpr std::array<Rational Point::*, 2> axes{&Point::x, &Point::y};
@@ -41,23 +44,11 @@ const std::vector<Move>& moves() {
   return all;
 }
 
-template <typename Change>
-void for_each_point(Region& region, Change change) {
-  for (Component& component : region.components) {
-    for (Point& p : component.outer) change(p);
-    for (Chain& hole : component.holes)
-      for (Point& p : hole) change(p);
-  }
-}
-
-Region moved(Region region, const Move& move) {
-  for_each_point(region, [&](Point& p) { p = {move(p.x), move(p.y)}; });
-  return region;
-}
-
-std::set<Rational> values(Region region, Rational Point::*axis) {
-  std::set<Rational> result;
-  for_each_point(region, [&](Point& p) { result.insert(p.*axis); });
+/// The value after each of these moves that changes it.
+std::vector<Rational> simpler(const Rational& value) {
+  std::vector<Rational> result;
+  for (const Move& move : moves()) result.push_back(move(value));
+  std::erase(result, value);
   return result;
 }
 
@@ -70,245 +61,215 @@ std::vector<Chain*> chains_in(Region& region) {
   return result;
 }
 
-bool well_oriented(const Region& region) {
-  return std::all_of(region.components.begin(), region.components.end(), [](const Component& c) {
-    return sign(twice_area(c.outer)) > 0 &&
-           std::all_of(c.holes.begin(), c.holes.end(),
-                       [](const Chain& hole) { return sign(twice_area(hole)) < 0; });
-  });
+template <typename Visit>
+void for_each_point(Region& region, Visit visit) {
+  for (Chain* chain : chains_in(region))
+    for (Point& p : *chain) visit(p);
 }
 
-bool is_valid(const Region& region) { return well_oriented(region) && !find_defect(region); }
+Change of_all_points(Move move) {
+  return [move = std::move(move)](Region& region) {
+    for_each_point(region, [&](Point& p) { p = {move(p.x), move(p.y)}; });
+  };
+}
+
+std::set<Rational> values(Region region, Rational Point::*axis) {
+  std::set<Rational> result;
+  for_each_point(region, [&](Point& p) { result.insert(p.*axis); });
+  return result;
+}
+
+void move_to_origin(Region& region) {
+  if (region.components.empty()) return;
+  region = translated(region,
+                      {-*values(region, &Point::x).begin(), -*values(region, &Point::y).begin()});
+}
+
+void rank(Region& region) {
+  for (const auto axis : axes) {
+    const std::set<Rational> sorted = values(region, axis);
+    for_each_point(region, [&](Point& p) {
+      p.*axis = static_cast<unsigned long>(std::distance(sorted.begin(), sorted.find(p.*axis)));
+    });
+  }
+}
+
+bool is_valid(const Region& region) {
+  const auto is_clockwise = [](const Chain& hole) { return sign(twice_area(hole)) < 0; };
+  return std::ranges::all_of(region.components,
+                             [&](const Component& c) {
+                               return sign(twice_area(c.outer)) > 0 &&
+                                      std::ranges::all_of(c.holes, is_clockwise);
+                             }) &&
+         !find_defect(region);
+}
+
+template <typename T>
+void erase_at(std::vector<T>& all, std::size_t i, std::size_t count = 1) {
+  const auto first = all.begin() + static_cast<std::ptrdiff_t>(i);
+  all.erase(first, first + static_cast<std::ptrdiff_t>(count));
+}
+
+Chain rotated(Chain chain, std::size_t first) {
+  std::rotate(chain.begin(), chain.begin() + static_cast<std::ptrdiff_t>(first), chain.end());
+  return chain;
+}
+
+std::vector<Change> fewer_components(const Region& region) {
+  std::vector<Change> changes;
+  const std::size_t count = region.components.size();
+  for (std::size_t i = 0; count > 1 && i < count; ++i)
+    changes.push_back([i](Region& r) { r.components = {Component(r.components[i])}; });
+  for (std::size_t i = 0; count > 2 && i < count; ++i)
+    changes.push_back([i](Region& r) { erase_at(r.components, i); });
+  return changes;
+}
+
+std::vector<Change> fewer_holes(const Region& region) {
+  std::vector<Change> changes;
+  for (std::size_t c = 0; c < region.components.size(); ++c) {
+    const std::size_t count = region.components[c].holes.size();
+    if (count > 1) changes.push_back([c](Region& r) { r.components[c].holes.clear(); });
+    for (std::size_t h = 0; h < count; ++h)
+      changes.push_back([c, h](Region& r) { erase_at(r.components[c].holes, h); });
+  }
+  return changes;
+}
+
+/// Leaves out runs of vertices: halves of a chain, quarters, and so on down to one.
+std::vector<Change> fewer_vertices(const Region& region) {
+  std::vector<Change> changes;
+  const std::vector<Chain> all = chains(region);
+  for (std::size_t c = 0; c < all.size(); ++c) {
+    const std::size_t length = all[c].size();
+    for (std::size_t run = length / 2; run > 0; run /= 2) {
+      if (length < run + 3) continue;
+      for (std::size_t first = 0; first < length; first += run)
+        changes.push_back([c, run, first](Region& r) {
+          Chain& chain = *chains_in(r)[c];
+          chain = rotated(chain, first);
+          erase_at(chain, 0, run);
+        });
+    }
+  }
+  return changes;
+}
+
+/// Turns a hole into a dent of the outer chain, of one of its vertices or all but one: what needs
+/// a reflex vertex needs no hole.
+std::vector<Change> opened_holes(const Region& region) {
+  std::vector<Change> changes;
+  for (std::size_t c = 0; c < region.components.size(); ++c) {
+    const auto& [outer, holes] = region.components[c];
+    for (std::size_t h = 0; h < holes.size(); ++h) {
+      for (const std::size_t depth : {std::size_t{1}, holes[h].size() - 1}) {
+        for (std::size_t first = 0; first < holes[h].size(); ++first) {
+          for (std::size_t edge = 1; edge <= outer.size(); ++edge)
+            changes.push_back([=](Region& r) {
+              Component& component = r.components[c];
+              Chain dent = rotated(component.holes[h], first);
+              dent.resize(depth);
+              erase_at(component.holes, h);
+              component.outer.insert(component.outer.begin() + static_cast<std::ptrdiff_t>(edge),
+                                     dent.begin(), dent.end());
+            });
+        }
+      }
+    }
+  }
+  return changes;
+}
+
+/// For both regions at once: scaled to integers, by a common factor, rounded, each moved to the
+/// origin. The first two leave the sum as it was but for its scale.
+std::vector<Change> simpler_together(const Summands& summands) {
+  mpz_class denominators = 1;
+  mpz_class numerators = 0;
+  for (const auto which : both) {
+    for (const auto axis : axes) {
+      for (const Rational& v : values(summands.*which, axis)) {
+        denominators = lcm(denominators, v.get_den());
+        numerators = gcd(numerators, v.get_num());
+      }
+    }
+  }
+  std::vector<Change> changes;
+  if (denominators > 1)
+    changes.push_back(
+        of_all_points([=](const Rational& v) -> Rational { return v * denominators; }));
+  if (numerators > 1)
+    changes.push_back(of_all_points([=](const Rational& v) -> Rational { return v / numerators; }));
+  changes.push_back(move_to_origin);
+  std::ranges::transform(moves(), std::back_inserter(changes), of_all_points);
+  return changes;
+}
+
+/// One region: moved so that its corner, middle or a vertex becomes the origin, coordinates
+/// replaced by their ranks, or all simplified in the same way.
+std::vector<Change> simpler_region(const Region& region) {
+  std::vector<Change> changes{move_to_origin};
+  for (const Chain& chain : chains(region))
+    for (const Point& p : chain) changes.push_back([p](Region& r) { r = translated(r, -p); });
+  changes.push_back(rank);
+  std::ranges::transform(moves(), std::back_inserter(changes), of_all_points);
+  return changes;
+}
+
+/// All vertices with a coordinate in common, so that edges parallel to an axis stay that.
+std::vector<Change> simpler_lines(const Region& region) {
+  std::vector<Change> changes;
+  for (const auto axis : axes) {
+    for (const Rational& line : values(region, axis)) {
+      for (const Rational& to : simpler(line))
+        changes.push_back([=](Region& r) {
+          for_each_point(r, [&](Point& p) {
+            if (p.*axis == line) p.*axis = to;
+          });
+        });
+    }
+  }
+  return changes;
+}
+
+std::vector<Change> simpler_points(const Region& region) {
+  std::vector<Change> changes;
+  const std::vector<Chain> all = chains(region);
+  for (std::size_t c = 0; c < all.size(); ++c) {
+    for (std::size_t v = 0; v < all[c].size(); ++v) {
+      for (const auto axis : axes) {
+        for (const Rational& to : simpler(all[c][v].*axis))
+          changes.push_back([=](Region& r) { (*chains_in(r)[c])[v].*axis = to; });
+      }
+    }
+  }
+  return changes;
+}
 
 /// Makes the candidates one after the other until one is accepted, so that `shrink` need not make
-/// those behind it.
-class Candidates {
- public:
-  Candidates(const Summands& from, const Accept& accept)
-      : from_(from), size_(size_of(from)), accept_(accept) {}
-
-  /// Returns whether one was accepted.
-  bool visit() {
-    return fewer_components() || fewer_holes() || fewer_vertices() || opened_holes() ||
-           simpler_together() || simpler_regions() || simpler_lines() || simpler_points();
-  }
-
- private:
-  bool offer(Summands candidate) const {
-    return size_of(candidate) < size_ && is_valid(candidate.p) && is_valid(candidate.q) &&
-           accept_(candidate);
-  }
-
-  /// Offers the pair with one region changed.
-  template <typename Change>
-  bool offer_changed(Region Summands::*which, Change change) const {
-    Summands candidate = from_;
-    change(candidate.*which);
-    return offer(std::move(candidate));
-  }
-
-  bool fewer_components() const {
-    for (const auto which : both) {
-      const std::size_t count = (from_.*which).components.size();
-      if (count <= 1) continue;
-      for (std::size_t i = 0; i < count; ++i) {
-        if (offer_changed(which, [&](Region& r) { r.components = {Component(r.components[i])}; }))
-          return true;
-      }
-      for (std::size_t i = 0; count > 2 && i < count; ++i) {
-        if (offer_changed(which, [&](Region& r) {
-              r.components.erase(r.components.begin() + static_cast<std::ptrdiff_t>(i));
-            }))
-          return true;
-      }
-    }
-    return false;
-  }
-
-  bool fewer_holes() const {
-    for (const auto which : both) {
-      for (std::size_t c = 0; c < (from_.*which).components.size(); ++c) {
-        const std::size_t count = (from_.*which).components[c].holes.size();
-        if (count > 1 && offer_changed(which, [&](Region& r) { r.components[c].holes.clear(); }))
-          return true;
-        for (std::size_t h = 0; h < count; ++h) {
-          if (offer_changed(which, [&](Region& r) {
-                std::vector<Chain>& holes = r.components[c].holes;
-                holes.erase(holes.begin() + static_cast<std::ptrdiff_t>(h));
-              }))
-            return true;
-        }
-      }
-    }
-    return false;
-  }
-
-  /// Leaves out runs of vertices: halves of a chain, quarters, and so on down to one.
-  bool fewer_vertices() const {
-    for (const auto which : both) {
-      const std::vector<Chain> all = chains(from_.*which);
-      for (std::size_t c = 0; c < all.size(); ++c) {
-        const std::size_t length = all[c].size();
-        for (std::size_t run = length / 2; run > 0; run /= 2) {
-          if (length < run + 3) continue;
-          for (std::size_t first = 0; first < length; first += run) {
-            if (offer_changed(which, [&](Region& r) {
-                  Chain rotated = all[c];
-                  std::rotate(rotated.begin(), rotated.begin() + static_cast<std::ptrdiff_t>(first),
-                              rotated.end());
-                  rotated.erase(rotated.begin(),
-                                rotated.begin() + static_cast<std::ptrdiff_t>(run));
-                  *chains_in(r)[c] = std::move(rotated);
-                }))
-              return true;
-          }
-        }
-      }
-    }
-    return false;
-  }
-
-  /// Turns a hole into a dent of the outer chain, of one of its vertices or all but one: what needs
-  /// a reflex vertex needs no hole.
-  bool opened_holes() const {
-    for (const auto which : both) {
-      const Region& region = from_.*which;
-      for (std::size_t c = 0; c < region.components.size(); ++c) {
-        for (std::size_t h = 0; h < region.components[c].holes.size(); ++h) {
-          const Chain& hole = region.components[c].holes[h];
-          for (const std::size_t depth : {std::size_t{1}, hole.size() - 1}) {
-            for (std::size_t first = 0; first < hole.size(); ++first) {
-              Chain dent = hole;
-              std::rotate(dent.begin(), dent.begin() + static_cast<std::ptrdiff_t>(first),
-                          dent.end());
-              dent.resize(depth);
-              for (std::size_t edge = 1; edge <= region.components[c].outer.size(); ++edge) {
-                if (offer_changed(which, [&](Region& r) {
-                      Component& component = r.components[c];
-                      component.holes.erase(component.holes.begin() +
-                                            static_cast<std::ptrdiff_t>(h));
-                      component.outer.insert(
-                          component.outer.begin() + static_cast<std::ptrdiff_t>(edge), dent.begin(),
-                          dent.end());
-                    }))
-                  return true;
-              }
-            }
-          }
-        }
-      }
-    }
-    return false;
-  }
-
-  /// Both regions at once: scaled to integers, by a common factor, rounded, each moved to the
-  /// origin. The first two leave the sum as it was but for its scale.
-  bool simpler_together() const {
-    mpz_class denominators = 1;
-    mpz_class numerators = 0;
-    for (const auto which : both) {
-      for (const auto axis : axes) {
-        for (const Rational& v : values(from_.*which, axis)) {
-          denominators = lcm(denominators, v.get_den());
-          numerators = gcd(numerators, v.get_num());
-        }
-      }
-    }
-    if (denominators > 1 &&
-        offer_both([&](const Rational& v) -> Rational { return v * denominators; }))
-      return true;
-    if (numerators > 1 && offer_both([&](const Rational& v) -> Rational { return v / numerators; }))
-      return true;
-    if (offer({at_origin(from_.p), at_origin(from_.q)})) return true;
-    for (const Move& move : moves()) {
-      if (offer_both(move)) return true;
-    }
-    return false;
-  }
-
-  bool offer_both(const Move& move) const {
-    return offer({moved(from_.p, move), moved(from_.q, move)});
-  }
-
-  static Region at_origin(const Region& region) {
-    if (region.components.empty()) return region;
-    return translated(region,
-                      {-*values(region, &Point::x).begin(), -*values(region, &Point::y).begin()});
-  }
-
-  /// One region: moved so that its corner, middle or a vertex becomes the origin, coordinates
-  /// replaced by their ranks, or all simplified in the same way.
-  bool simpler_regions() const {
-    for (const auto which : both) {
-      const Region& region = from_.*which;
-      if (offer_changed(which, [](Region& r) { r = at_origin(r); })) return true;
-      for (const Chain& chain : chains(region)) {
-        for (const Point& p : chain) {
-          if (offer_changed(which, [&](Region& r) { r = translated(r, -p); })) return true;
-        }
-      }
-      if (offer_changed(which, [](Region& r) { r = ranked(r); })) return true;
-      for (const Move& move : moves()) {
-        if (offer_changed(which, [&](Region& r) { r = moved(r, move); })) return true;
-      }
-    }
-    return false;
-  }
-
-  static Region ranked(Region region) {
-    for (const auto axis : axes) {
-      const std::set<Rational> sorted = values(region, axis);
-      for_each_point(region, [&](Point& p) {
-        p.*axis = static_cast<unsigned long>(std::distance(sorted.begin(), sorted.find(p.*axis)));
-      });
-    }
-    return region;
-  }
-
-  /// All vertices with a coordinate in common, so that edges parallel to an axis stay that.
-  bool simpler_lines() const {
-    for (const auto which : both) {
-      for (const auto axis : axes) {
-        for (const Rational& line : values(from_.*which, axis)) {
-          for (const Move& move : moves()) {
-            const Rational to = move(line);
-            if (to == line) continue;
-            if (offer_changed(which, [&](Region& r) {
-                  for_each_point(r, [&](Point& p) {
-                    if (p.*axis == line) p.*axis = to;
-                  });
-                }))
-              return true;
-          }
-        }
-      }
-    }
-    return false;
-  }
-
-  bool simpler_points() const {
-    for (const auto which : both) {
-      const std::vector<Chain> all = chains(from_.*which);
-      for (std::size_t c = 0; c < all.size(); ++c) {
-        for (std::size_t v = 0; v < all[c].size(); ++v) {
-          for (const auto axis : axes) {
-            for (const Move& move : moves()) {
-              const Rational to = move(all[c][v].*axis);
-              if (to == all[c][v].*axis) continue;
-              if (offer_changed(which, [&](Region& r) { (*chains_in(r)[c])[v].*axis = to; }))
-                return true;
-            }
-          }
-        }
-      }
-    }
-    return false;
-  }
-
-  const Summands& from_;
-  const Size size_;
-  const Accept& accept_;
-};
+/// those behind it. Returns whether one was.
+bool visit_candidates(const Summands& from, const Accept& accept) {
+  const Size size = size_of(from);
+  const auto offer = [&](const Change& change, std::initializer_list<Region Summands::*> changed) {
+    Summands candidate = from;
+    for (const auto which : changed) change(candidate.*which);
+    return size_of(candidate) < size && is_valid(candidate.p) && is_valid(candidate.q) &&
+           accept(candidate);
+  };
+  // Of either region, one after the other.
+  const auto offer_each = [&](auto changes_of) {
+    return std::ranges::any_of(both, [&](const auto which) {
+      return std::ranges::any_of(changes_of(from.*which),
+                                 [&](const Change& change) { return offer(change, {which}); });
+    });
+  };
+  return offer_each(fewer_components) || offer_each(fewer_holes) || offer_each(fewer_vertices) ||
+         offer_each(opened_holes) ||
+         std::ranges::any_of(simpler_together(from),
+                             [&](const Change& change) {
+                               return offer(change, {&Summands::p, &Summands::q});
+                             }) ||
+         offer_each(simpler_region) || offer_each(simpler_lines) || offer_each(simpler_points);
+}
 
 }  // namespace
 
@@ -318,7 +279,7 @@ std::vector<Summands> smaller(const Summands& summands) {
     if (std::find(all.begin(), all.end(), candidate) == all.end()) all.push_back(candidate);
     return false;
   };
-  Candidates(summands, collect).visit();
+  visit_candidates(summands, collect);
   return all;
 }
 
@@ -343,7 +304,7 @@ Summands shrink(Summands summands, const std::function<bool(const Summands&)>& f
     next = candidate;
     return true;
   };
-  while (Candidates(summands, accept).visit()) summands = std::move(next);
+  while (visit_candidates(summands, accept)) summands = std::move(next);
   return summands;
 }
 

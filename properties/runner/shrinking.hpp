@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <functional>
 #include <vector>
@@ -21,9 +22,7 @@ struct Size {
   std::size_t vertices = 0;
   Rational coordinates;  ///< sum over all coordinates of |numerator| + denominator
 
-  friend bool operator<(const Size& a, const Size& b) {
-    return a.vertices != b.vertices ? a.vertices < b.vertices : a.coordinates < b.coordinates;
-  }
+  friend std::weak_ordering operator<=>(const Size&, const Size&) = default;
 };
 Size size_of(const Summands& summands);
 

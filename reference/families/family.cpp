@@ -9,15 +9,6 @@
 
 namespace oplus {
 
-namespace {
-
-template <Region (*polygon)(Random&, std::size_t)>
-Summands two(Random& random, std::size_t n) {
-  return {polygon(random, n), polygon(random, n)};
-}
-
-}  // namespace
-
 const std::vector<Family>& families() {
   static const std::vector<Family> all{
       {"grid", "simple polygons of 3 to n vertices on grids of 3x3 to 7x7 points", grid_pair, 3, 8},

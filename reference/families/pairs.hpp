@@ -5,8 +5,11 @@
 
 namespace oplus {
 
-/// The `make` of each family but those of two polygons of one kind; what it makes and what n is
-/// stands in the table in family.cpp.
+/// The `make` of each family; what it makes and what n is stands in the table in family.cpp.
+template <Region (*polygon)(Random&, std::size_t)>
+Summands two(Random& random, std::size_t n) {
+  return {polygon(random, n), polygon(random, n)};
+}
 Summands grid_pair(Random& random, std::size_t n);
 Summands comb_pair(Random& random, std::size_t n);
 Summands fork_pair(Random& random, std::size_t n);

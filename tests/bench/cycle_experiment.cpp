@@ -3,6 +3,7 @@
 
 #include "reference/families/fork.hpp"
 #include "reference/families/pairs.hpp"
+#include "reference/families/polygons.hpp"
 #include "tests/bench/experiment.hpp"
 #include "tests/bench/families.hpp"
 #include "tests/bench/numbers.hpp"
@@ -20,9 +21,9 @@ struct PairFamily {
 
 std::vector<Row> rows(const ExperimentSettings& settings) {
   const std::vector<PairFamily> families = {
-      {"convex", {25, 1600}, convex_pair},
-      {"simple", {25, 400}, simple_pair},
-      {"star", {25, 400}, star_pair},
+      {"convex", {25, 1600}, two<convex_polygon>},
+      {"simple", {25, 400}, two<simple_polygon>},
+      {"star", {25, 400}, two<star_polygon>},
       {"fork", {5, 160}, [](Random&, std::size_t teeth) { return fork_and_l(teeth); }},
   };
   std::vector<Row> all;

@@ -8,6 +8,7 @@
 #include "reference/families/fork.hpp"
 #include "tests/reference/definitions/print.hpp"
 #include "tests/reference/definitions/shapes.hpp"
+#include "tests/reference/io/published_data.hpp"
 
 namespace oplus {
 namespace {
@@ -49,12 +50,8 @@ TEST(Rca, of_a_fork_and_its_l_has_a_hole_for_each_pair_of_teeth) {
 }
 
 TEST(Rca, of_published_pairs_has_the_holes_and_isolated_vertices_that_they_are_known_for) {
-  const std::filesystem::path data = data_folder();
-  if (!std::filesystem::exists(data)) GTEST_SKIP() << data << " is not there";
-  const auto sum = [&](const std::string& p, const std::string& q, Boundary boundary) {
-    const auto published = [&](const std::string& name) {
-      return read_region_file(data / (name + ".dat")).region;
-    };
+  NEEDS_PUBLISHED_DATA();
+  const auto sum = [](const std::string& p, const std::string& q, Boundary boundary) {
     return rca(published(p), published(q), boundary).sum;
   };
   using Points = std::vector<Point>;

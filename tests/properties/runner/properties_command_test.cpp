@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "properties/runner/properties_command.hpp"
-#include "properties/runner/child_process.hpp"
-
-#include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <cstdlib>
-#include <fstream>
 #include <sstream>
 
 #include "properties/runner/finding.hpp"
 #include "properties/runner/registry.hpp"
-#include "properties/runner/temporary_folder.hpp"
 #include "reference/io/reading.hpp"
+#include "tests/checked/cli/shell.hpp"
 
 namespace oplus {
 namespace {
@@ -31,29 +26,18 @@ Statement triangles_only() {
   return s;
 }
 
-class PropertiesCommand : public testing::Test {
+class PropertiesCommand : public Shell {
  protected:
   /// Runs the program; returns its exit code and what it wrote to both streams.
-  std::pair<int, std::string> oplus_check(
-      const std::string& arguments,
-      const std::string& program = program_beside("oplus-check")) const {
-    const std::filesystem::path log = folder_ / "log";
-    const std::string command = program + " " + arguments + " >" + log.string() + " 2>&1";
-    const int status = std::system(command.c_str());
-    std::ifstream in(log);
-    std::ostringstream text;
-    text << in.rdbuf();
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text.str()};
+  std::pair<int, std::string> oplus_check(const std::string& arguments,
+                                          const std::string& program = "oplus-check") const {
+    const Ran ran = run(program + " " + arguments + " 2>&1");
+    return {ran.exit_code, ran.out};
   }
 
   const TemporaryFolder temporary_;
   const std::filesystem::path folder_ = temporary_.path();
 };
-
-bool ends_with(const std::string& text, const std::string& ending) {
-  return text.size() >= ending.size() &&
-         text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
-}
 
 TEST_F(PropertiesCommand, WritesTheShrunkPairAndALineThatReplaysIt) {
   const Statement s = triangles_only();
@@ -61,7 +45,7 @@ TEST_F(PropertiesCommand, WritesTheShrunkPairAndALineThatReplaysIt) {
   EXPECT_FALSE(run_statements({s}, std::nullopt, 1, folder_ / "new" / "folder", out));
   const std::string text = out.str();
   EXPECT_NE(text.find("FAILED: P is no triangle"), std::string::npos) << text;
-  EXPECT_TRUE(ends_with(text, "0 passed, 1 failed\n")) << text;
+  EXPECT_TRUE(text.ends_with("0 passed, 1 failed\n")) << text;
 
   const std::string start = "oplus-check properties --theorem fact-triangles-only --pair ";
   const std::size_t line = text.find(start);
@@ -76,7 +60,7 @@ TEST_F(PropertiesCommand, WritesTheShrunkPairAndALineThatReplaysIt) {
   std::ostringstream again;
   EXPECT_FALSE(replay_statements({s}, replayed, again));
   EXPECT_NE(again.str().find("FAILED: P is no triangle"), std::string::npos) << again.str();
-  EXPECT_TRUE(ends_with(again.str(), "0 passed, 1 failed\n")) << again.str();
+  EXPECT_TRUE(again.str().ends_with("0 passed, 1 failed\n")) << again.str();
 }
 
 TEST_F(PropertiesCommand, FindingsComeBackAsTheyWere) {
@@ -109,10 +93,10 @@ TEST_F(PropertiesCommand, PassedAndFailedAreCountedInTheLastLine) {
   holds.check = [](const Summands&) { return Outcome{}; };
   std::ostringstream out;
   EXPECT_FALSE(run_statements({holds, triangles_only(), holds}, 20, 1, folder_, out));
-  EXPECT_TRUE(ends_with(out.str(), "2 passed, 1 failed\n")) << out.str();
+  EXPECT_TRUE(out.str().ends_with("2 passed, 1 failed\n")) << out.str();
   std::ostringstream only_holds;
   EXPECT_TRUE(run_statements({holds}, 20, 1, folder_, only_holds));
-  EXPECT_TRUE(ends_with(only_holds.str(), "1 passed, 0 failed\n")) << only_holds.str();
+  EXPECT_TRUE(only_holds.str().ends_with("1 passed, 0 failed\n")) << only_holds.str();
 }
 
 TEST_F(PropertiesCommand, EnumerationsAreReportedAndCountedLikeRuns) {
@@ -134,7 +118,7 @@ TEST_F(PropertiesCommand, EnumerationsAreReportedAndCountedLikeRuns) {
   EXPECT_FALSE(run_statements({proved, wrong, empty}, std::nullopt, 1, folder_, mixed));
   EXPECT_NE(mixed.str().find("FAILED: enumeration: a tie is lost"), std::string::npos);
   EXPECT_NE(mixed.str().find("FAILED: enumeration: no case was enumerated"), std::string::npos);
-  EXPECT_TRUE(ends_with(mixed.str(), "1 passed, 2 failed\n")) << mixed.str();
+  EXPECT_TRUE(mixed.str().ends_with("1 passed, 2 failed\n")) << mixed.str();
 }
 
 TEST_F(PropertiesCommand, AStatementThatIsOnlyEnumeratedDoesNotApplyToAPair) {
@@ -143,7 +127,7 @@ TEST_F(PropertiesCommand, AStatementThatIsOnlyEnumeratedDoesNotApplyToAPair) {
   proved.enumerate = [] { return Enumeration{36, ""}; };
   std::ostringstream out;
   EXPECT_FALSE(replay_statements({proved}, {}, out));
-  EXPECT_TRUE(ends_with(out.str(), "1 do not apply to this pair\n0 passed, 0 failed\n"));
+  EXPECT_TRUE(out.str().ends_with("1 do not apply to this pair\n0 passed, 0 failed\n"));
 }
 
 TEST_F(PropertiesCommand, APairToWhichNothingAppliesIsNoSuccess) {
@@ -152,14 +136,14 @@ TEST_F(PropertiesCommand, APairToWhichNothingAppliesIsNoSuccess) {
   std::ostringstream out;
   EXPECT_FALSE(replay_statements({s}, {}, out));
   EXPECT_NE(out.str().find("does not apply: not a pair"), std::string::npos);
-  EXPECT_TRUE(ends_with(out.str(), "1 do not apply to this pair\n0 passed, 0 failed\n"));
+  EXPECT_TRUE(out.str().ends_with("1 do not apply to this pair\n0 passed, 0 failed\n"));
 }
 
 TEST_F(PropertiesCommand, ProgramRunsAStatement) {
   const auto [code, text] = oplus_check("properties --theorem lemma-4.1.4 --cases 60 --seed 3");
   EXPECT_EQ(code, 0);
   EXPECT_NE(text.find("60 cases run, 0 discarded"), std::string::npos) << text;
-  EXPECT_TRUE(ends_with(text, "1 passed, 0 failed\n")) << text;
+  EXPECT_TRUE(text.ends_with("1 passed, 0 failed\n")) << text;
 }
 
 TEST_F(PropertiesCommand, ProgramTriesAPairFromFiles) {
@@ -176,9 +160,9 @@ TEST_F(PropertiesCommand, ProgramTriesAPairFromFiles) {
   for (std::size_t at = text.find("does not apply: "); at != std::string::npos;
        at = text.find("does not apply: ", at + 1))
     ++not_applicable;
-  EXPECT_TRUE(ends_with(text, std::to_string(not_applicable) + " do not apply to this pair\n" +
-                                  std::to_string(statements().size() - not_applicable) +
-                                  " passed, 0 failed\n"))
+  EXPECT_TRUE(text.ends_with(std::to_string(not_applicable) + " do not apply to this pair\n" +
+                             std::to_string(statements().size() - not_applicable) +
+                             " passed, 0 failed\n"))
       << text;
   EXPECT_EQ(oplus_check("properties --cases 5" + pair).first, 2);
 }
@@ -223,7 +207,7 @@ TEST_F(PropertiesCommand, ProgramUnderstandsTheLineThatReplays) {
   ASSERT_EQ(line.find(program), 0U);
   const auto [code, text] = oplus_check(line.substr(program.size()));
   EXPECT_EQ(code, 0) << line << '\n' << text;
-  EXPECT_TRUE(ends_with(text, "1 passed, 0 failed\n")) << text;
+  EXPECT_TRUE(text.ends_with("1 passed, 0 failed\n")) << text;
 }
 
 /// A pair from an earlier run, changed since: not tried, and no success.
@@ -243,8 +227,7 @@ TEST_F(PropertiesCommand, ProgramListsStatements) {
     EXPECT_NE(text.find(s.id), std::string::npos) << text;
     EXPECT_NE(text.find(relative_file(s)), std::string::npos) << text;
   }
-  const auto [check_code, checked] =
-      oplus_check("theorems --check", program_beside("oplus-maintain"));
+  const auto [check_code, checked] = oplus_check("theorems --check", "oplus-maintain");
   EXPECT_EQ(check_code, 0) << checked;
   const auto [entry_code, entry] = oplus_check("theorems theorem-2.3.2");
   EXPECT_EQ(entry_code, 0);
@@ -253,7 +236,7 @@ TEST_F(PropertiesCommand, ProgramListsStatements) {
 
 #ifndef OPLUS_MUTANTS
 TEST_F(PropertiesCommand, ProgramSaysWhichBuildHasMutants) {
-  const auto [code, text] = oplus_check("mutants", program_beside("oplus-maintain"));
+  const auto [code, text] = oplus_check("mutants", "oplus-maintain");
   EXPECT_EQ(code, 2);
   EXPECT_NE(text.find("preset check"), std::string::npos) << text;
 }

@@ -30,12 +30,6 @@ Statement sound_entry() {
 
 using Defects = std::vector<std::string>;
 
-Defects defects_with(const std::function<void(Statement&)>& change) {
-  Statement s = sound_entry();
-  change(s);
-  return defects_of_entries({s}, one_mutant);
-}
-
 TEST(Registry, HasNoDefects) {
   EXPECT_EQ(defects_of_entries(statements(), mutants()), Defects{});
   EXPECT_EQ(defects_of_files(statements(), source_root()), Defects{});
@@ -57,24 +51,9 @@ TEST(Registry, KnowsTheFileThatHoldsAStatement) {
   EXPECT_EQ(relative_file(Statement{}), "tests/properties/runner/registry_test.cpp");
 }
 
-TEST(RegistryDefects, NoneInASoundEntry) {
-  EXPECT_EQ(defects_with([](Statement&) {}), Defects{});
-}
-
 TEST(RegistryDefects, DuplicateId) {
   EXPECT_EQ(defects_of_entries({sound_entry(), sound_entry()}, one_mutant),
             Defects{"lemma-9.9.9: two statements of this id"});
-}
-
-TEST(RegistryDefects, NoMutant) {
-  EXPECT_EQ(defects_with([](Statement& s) { s.kills.clear(); }),
-            (Defects{"lemma-9.9.9: it names no mutant that it kills",
-                     "sign-flipped: no statement names this mutant"}));
-}
-
-TEST(RegistryDefects, UnknownMutant) {
-  EXPECT_EQ(defects_with([](Statement& s) { s.kills.push_back("sign-kept"); }),
-            Defects{"lemma-9.9.9: there is no mutant sign-kept"});
 }
 
 TEST(RegistryDefects, DuplicateMutant) {
@@ -82,48 +61,74 @@ TEST(RegistryDefects, DuplicateMutant) {
             Defects{"sign-flipped: two mutants of this name"});
 }
 
-TEST(RegistryDefects, IdWithoutItsKind) {
-  EXPECT_EQ(defects_with([](Statement& s) { s.id = "lemma"; }).size(), 1U);
-  EXPECT_EQ(defects_with([](Statement& s) { s.id = "guess-9.9.9"; }).size(), 1U);
+TEST(RegistryDefects, NoMutant) {
+  Statement s = sound_entry();
+  s.kills.clear();
+  EXPECT_EQ(defects_of_entries({s}, one_mutant),
+            (Defects{"lemma-9.9.9: it names no mutant that it kills",
+                     "sign-flipped: no statement names this mutant"}));
 }
 
-TEST(RegistryDefects, UnknownFamilyOrClassOrNothingToRun) {
-  EXPECT_EQ(defects_with([](Statement& s) { s.sources[0].family = "cubes"; }),
-            Defects{"lemma-9.9.9: there is no family cubes"});
-  EXPECT_EQ(defects_with([](Statement& s) { s.sources[0].largest = 1; }).size(), 1U);
-  EXPECT_EQ(defects_with([](Statement& s) { s.sources.clear(); }),
-            Defects{"lemma-9.9.9: it names no family"});
-  EXPECT_EQ(defects_with([](Statement& s) { s.promises[0].classification = "beauty"; }),
-            Defects{"lemma-9.9.9: there is no class beauty"});
-  EXPECT_EQ(defects_with([](Statement& s) { s.promises[0].percent = 0; }).size(), 1U);
-  EXPECT_EQ(defects_with([](Statement& s) { s.cases = 0; }),
-            Defects{"lemma-9.9.9: a run has no case"});
-  EXPECT_EQ(defects_with([](Statement& s) { s.check = nullptr; }).size(), 1U);
+void enumerate_only(Statement& s) {
+  s.check = nullptr;
+  s.enumerate = [] { return Enumeration{1, ""}; };
+  s.cases = 0;
+  s.sources.clear();
+  s.promises.clear();
 }
 
-TEST(RegistryDefects, EnumerationInPlaceOfPairs) {
-  const auto enumerate_only = [](Statement& s) {
-    s.check = nullptr;
-    s.enumerate = [] { return Enumeration{1, ""}; };
-    s.cases = 0;
-    s.sources.clear();
-    s.promises.clear();
-  };
-  EXPECT_EQ(defects_with(enumerate_only), Defects{});
-  const Defects nothing_to_try = {"lemma-9.9.9: without a check there is nothing to try on pairs"};
-  EXPECT_EQ(defects_with([&](Statement& s) { enumerate_only(s), s.cases = 5; }), nothing_to_try);
-  EXPECT_EQ(defects_with([&](Statement& s) {
-              enumerate_only(s);
-              s.sources = sound_entry().sources;
-            }),
-            nothing_to_try);
-  EXPECT_EQ(defects_with([&](Statement& s) { enumerate_only(s), s.enumerate = nullptr; }),
-            Defects{"lemma-9.9.9: it has neither check nor enumeration"});
-  EXPECT_EQ(defects_with([](Statement& s) { s.enumerate = [] {
-                                              return Enumeration{1, ""};
-                                            }; }),
-            Defects{});
+struct ChangedEntry {
+  std::string name;
+  std::string defect;  ///< the only one; empty: there is none
+  void (*change)(Statement&);
+};
+
+class RegistryDefectsOf : public testing::TestWithParam<ChangedEntry> {};
+
+TEST_P(RegistryDefectsOf, AChangedEntry) {
+  Statement s = sound_entry();
+  GetParam().change(s);
+  const std::string& defect = GetParam().defect;
+  EXPECT_EQ(defects_of_entries({s}, one_mutant),
+            defect.empty() ? Defects{} : Defects{s.id + ": " + defect});
 }
+
+const char* const nothing_to_try = "without a check there is nothing to try on pairs";
+
+INSTANTIATE_TEST_SUITE_P(
+    , RegistryDefectsOf,
+    testing::Values(
+        ChangedEntry{"SoundEntry", "", [](Statement&) {}},
+        ChangedEntry{"UnknownMutant", "there is no mutant sign-kept",
+                     [](Statement& s) { s.kills.push_back("sign-kept"); }},
+        ChangedEntry{"IdOfNothing", "the id does not start with a kind",
+                     [](Statement& s) { s.id = "lemma"; }},
+        ChangedEntry{"UnknownKind", "the id does not start with a kind",
+                     [](Statement& s) { s.id = "guess-9.9.9"; }},
+        ChangedEntry{"UnknownFamily", "there is no family cubes",
+                     [](Statement& s) { s.sources[0].family = "cubes"; }},
+        ChangedEntry{"TooSmall", "size or weight of family grid leaves no pair",
+                     [](Statement& s) { s.sources[0].largest = 1; }},
+        ChangedEntry{"NoFamily", "it names no family", [](Statement& s) { s.sources.clear(); }},
+        ChangedEntry{"UnknownClass", "there is no class beauty",
+                     [](Statement& s) { s.promises[0].classification = "beauty"; }},
+        ChangedEntry{"NoShare", "the promised share of holes is no percentage",
+                     [](Statement& s) { s.promises[0].percent = 0; }},
+        ChangedEntry{"NoCase", "a run has no case", [](Statement& s) { s.cases = 0; }},
+        ChangedEntry{"NothingToRun", "it has neither check nor enumeration",
+                     [](Statement& s) { s.check = nullptr; }},
+        ChangedEntry{"EnumerationOnly", "", enumerate_only},
+        ChangedEntry{"EnumerationAndPairs", "",
+                     [](Statement& s) { s.enumerate = [] {
+                                          return Enumeration{1, ""};
+                                        }; }},
+        ChangedEntry{"EnumerationWithCases", nothing_to_try,
+                     [](Statement& s) { enumerate_only(s), s.cases = 5; }},
+        ChangedEntry{"EnumerationWithSources", nothing_to_try,
+                     [](Statement& s) { enumerate_only(s), s.sources = sound_entry().sources; }},
+        ChangedEntry{"NoEnumerationEither", "it has neither check nor enumeration",
+                     [](Statement& s) { enumerate_only(s), s.enumerate = nullptr; }}),
+    [](const auto& row) { return row.param.name; });
 
 /// A source tree of its own, removed in the end.
 class RegistryFiles : public testing::Test {
