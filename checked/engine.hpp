@@ -36,18 +36,11 @@ struct EngineOptions {
   SlideNumbers numbers = SlideNumbers::as_needed;
 };
 
-/// How the sums of an engine compare with those of the others.
-enum class Arithmetic {
-  exact,    ///< they must be equal
-  rounding  ///< they may be off, and by how much is reported
-};
-
 /// Anything that maps two regions to their sum: an algorithm of ours, the oracle, a library or a
 /// program of somebody else's.
 struct Engine {
   std::string name;
   std::string what = {};  ///< a line for a list
-  Arithmetic arithmetic = Arithmetic::exact;
   bool has_hole_test = false;  ///< whether the choice of a hole test makes a difference
   bool has_threads = false;    ///< whether the number of threads does
 

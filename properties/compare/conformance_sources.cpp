@@ -15,7 +15,7 @@ namespace {
 const std::vector<Statement>& statements_on_results() {
   static const std::vector<Statement> all = [] {
     std::vector<Statement> kept = statements();
-    std::erase_if(kept, [](const Statement& s) { return !s.of_implementation; });
+    std::erase_if(kept, [](const Statement& s) { return !s.of_engine; });
     return kept;
   }();
   return all;

@@ -11,7 +11,7 @@
 
 namespace oplus {
 
-/// What an implementation is asked. Same choice, same tasks, on every machine.
+/// What an engine is asked. Same choice, same tasks, on every machine.
 struct ConformanceChoice {
   std::uint64_t seed = 1;
   std::size_t budget = 10000;             ///< pairs in all, those of the corpus not counted

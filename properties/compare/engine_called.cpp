@@ -114,7 +114,7 @@ std::vector<Engine> peers(ProcessLimits limits) {
   limits.address_space_mb = 0;  // the sanitizer is linked with it and needs terabytes
 #endif
   std::vector<Engine> all;
-  for_each_peer([&](const char* name, const char* what, Arithmetic arithmetic, auto /*there*/) {
+  for_each_peer([&](const char* name, const char* what, auto /*there*/) {
     Engine peer =
         named_engine(name, [name, limits](const Region& p, const Region& q, Boundary boundary) {
           if (boundary == Boundary::open) throw open_not_taken();
@@ -122,7 +122,6 @@ std::vector<Engine> peers(ProcessLimits limits) {
           return sum_by({program_beside("oplus-peer"), name, files.p, files.q}, limits);
         });
     peer.what = what;
-    peer.arithmetic = arithmetic;
     all.push_back(std::move(peer));
   });
   return all;

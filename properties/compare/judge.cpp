@@ -95,7 +95,7 @@ JudgedSum by_statement(const Task& task, const Engine& engine, Boundary boundary
       });
   Outcome outcome;
   try {
-    outcome = task.statement->of_implementation(recording, boundary, task.pair);
+    outcome = task.statement->of_engine(recording, boundary, task.pair);
   } catch (const std::system_error&) {
     throw;
   } catch (const std::exception& e) {

@@ -9,7 +9,7 @@
 
 namespace oplus {
 
-/// An implementation returned no sum. what() says why in a line.
+/// An engine returned no sum. what() says why in a line.
 class NoSum : public std::runtime_error {
  public:
   enum class Kind {

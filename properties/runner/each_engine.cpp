@@ -46,9 +46,8 @@ std::function<Outcome(const Summands&)> of_each_engine(Law law) {
 }
 
 std::function<Outcome(const Engine&, Boundary, const Summands&)> of_one(Law law) {
-  return [law = std::move(law)](const Engine& implementation, Boundary boundary,
-                                const Summands& summands) {
-    return law(Sum(implementation, boundary), summands);
+  return [law = std::move(law)](const Engine& engine, Boundary boundary, const Summands& summands) {
+    return law(Sum(engine, boundary), summands);
   };
 }
 

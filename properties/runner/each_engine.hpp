@@ -9,7 +9,7 @@
 
 namespace oplus {
 
-/// P ⊕ Q by one implementation, for laws that are asked of closed sums or of open ones.
+/// P ⊕ Q by one engine, for laws that are asked of closed sums or of open ones.
 class Sum {
  public:
   Sum(const Engine& by, Boundary boundary) : by_(by), boundary_(boundary) {}
@@ -41,7 +41,7 @@ Outcome unless_broken(std::string what);
 /// that breaks it, and counts what was looked at once. An engine that throws breaks it.
 std::function<Outcome(const Summands&)> of_each_engine(Law law);
 
-/// Fits `Statement::of_implementation`.
+/// Fits `Statement::of_engine`.
 std::function<Outcome(const Engine&, Boundary, const Summands&)> of_one(Law law);
 
 /// How two sums differ, in words; empty where they are equal.

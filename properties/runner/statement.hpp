@@ -67,9 +67,9 @@ struct Statement {
   /// Proves the statement, or what it comes down to, case by case; empty where there is no finite
   /// domain.
   std::function<Enumeration()> enumerate = {};
-  /// The same asked of one implementation's sums, for statements that speak of sums only; throws what
-  /// the implementation throws. Empty for others.
-  std::function<Outcome(const Engine&, Boundary, const Summands&)> of_implementation = {};
+  /// The same asked of one engine's sums, for statements that speak of sums only; throws what
+  /// the engine throws. Empty for others.
+  std::function<Outcome(const Engine&, Boundary, const Summands&)> of_engine = {};
 
   /// As kinds() in registry.cpp has them: lemma, theorem, ..., fact, law, step.
   std::string kind() const { return id.substr(0, id.find('-')); }

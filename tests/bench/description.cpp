@@ -29,7 +29,7 @@ void Description::say(const std::vector<Segment>& segments) {
   said_ += '\n';
 }
 
-void Description::add(const MinkowskiSum& sum, Arithmetic arithmetic) {
+void Description::add(const MinkowskiSum& sum, bool is_rounded) {
   const std::vector<Segment> all = edges(sum);
   count("sum_chains", sum.outer.size());
   count("sum_holes", sum.holes.size());
@@ -38,7 +38,7 @@ void Description::add(const MinkowskiSum& sum, Arithmetic arithmetic) {
   count("sum_dangling", sum.dangling_edges.size());
   count("sum_isolated", sum.isolated_vertices.size());
   area_ = area_.value_or(0) + area(sum);
-  if (arithmetic == Arithmetic::rounding) return;
+  if (is_rounded) return;
   say(all);
   for (const Point& p : sum.isolated_vertices) say(to_string(p));
   say("\n");

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "checked/engine.hpp"
 #include "reference/definitions/minkowski_sum.hpp"
 #include "tests/bench/measurement.hpp"
 
@@ -21,7 +20,7 @@ class Description {
   void say(const std::vector<Segment>& segments);
 
   /// Exact sums are in canonical form; of others the chains are counted as they are.
-  void add(const MinkowskiSum& sum, Arithmetic arithmetic);
+  void add(const MinkowskiSum& sum, bool is_rounded = false);
 
   /// Adds the numbers, the whole area, and a digest of what was said, if anything was: 64 bits.
   void write_to(Measurement& measurement) const;

@@ -54,7 +54,7 @@ struct OwnSums {
     each_statistic<std::size_t>(computed, [&](const std::string& name, std::size_t count) {
       description.count(name, count);
     });
-    description.add(computed.sum, Arithmetic::exact);
+    description.add(computed.sum);
   }
 
  private:

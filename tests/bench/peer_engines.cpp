@@ -9,7 +9,7 @@ namespace oplus {
 namespace {
 
 /// Exact sums in canonical form; of rounded ones the chains as they are.
-MinkowskiSum sum_of(const ReturnedChains& chains, Arithmetic arithmetic) {
+MinkowskiSum sum_of(const ReturnedChains& chains, bool is_rounded) {
   MinkowskiSum as_they_are;
   BoundaryFeatures features;
   for (const Chain& chain : chains) {
@@ -17,14 +17,14 @@ MinkowskiSum sum_of(const ReturnedChains& chains, Arithmetic arithmetic) {
     const std::vector<Segment> of_chain = edges(chain);
     features.edges.insert(features.edges.end(), of_chain.begin(), of_chain.end());
   }
-  return arithmetic == Arithmetic::rounding ? as_they_are : canonical_sum(features);
+  return is_rounded ? as_they_are : canonical_sum(features);
 }
 
 template <typename Method>
 struct Peer : Method {
   void describe(const typename Method::Input& input, const typename Method::Sum& sum,
                 Description& description) const {
-    description.add(sum_of(this->chains(input, sum), Method::arithmetic), Method::arithmetic);
+    description.add(sum_of(this->chains(input, sum), Method::rounds), Method::rounds);
   }
 };
 
@@ -33,7 +33,7 @@ BenchEngine engine_of(const std::string& name, const std::string& what) {
   return {.name = name,
           .what = what,
           .prepare = each_pair([](const Row&) { return Peer<Method>(); }),
-          .rounds = Method::arithmetic == Arithmetic::rounding,
+          .rounds = Method::rounds,
           .is_ours = false};
 }
 

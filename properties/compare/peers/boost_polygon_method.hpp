@@ -22,7 +22,7 @@ struct BoostPolygonMethod {
     PolygonSet q;
   };
   using Sum = std::vector<Polygon>;
-  static constexpr Arithmetic arithmetic = Arithmetic::rounding;
+  static constexpr bool rounds = true;
 
   /// Differences of two such coordinates are still an int.
   static constexpr long most = 0x3FFFFFFF;

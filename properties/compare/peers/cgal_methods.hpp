@@ -28,7 +28,7 @@ struct CgalMethod {
     bool is_simple() const { return p.number_of_holes() == 0 && q.number_of_holes() == 0; }
   };
   using Sum = PolygonWithHoles;
-  static constexpr Arithmetic arithmetic = Arithmetic::exact;
+  static constexpr bool rounds = false;
 
   Input converted(const Summands& pair) const { return {polygon_of(pair.p), polygon_of(pair.q)}; }
 

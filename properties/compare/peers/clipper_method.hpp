@@ -17,7 +17,7 @@ struct ClipperMethod {
     ClipperLib::Paths paths;
   };
   using Sum = ClipperLib::Paths;
-  static constexpr Arithmetic arithmetic = Arithmetic::rounding;
+  static constexpr bool rounds = true;
 
   /// Up to here Clipper computes with 64 bits, above with 128, which takes longer.
   static constexpr long most = 0x3FFFFFFF;

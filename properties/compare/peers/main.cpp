@@ -17,7 +17,7 @@ using namespace oplus;
 int usage(std::ostream& out, int exit_code) {
   out << "oplus-peer NAME P Q: the closed Minkowski sum of two regions by somebody else's library\n"
          "P and Q are files in any format that oplus reads; the sum is written in WKT.\n\n";
-  for_each_peer([&](const std::string& name, const char* what, Arithmetic, auto /*method*/) {
+  for_each_peer([&](const std::string& name, const char* what, auto /*method*/) {
     out << "  " << name << std::string(22 - name.size(), ' ') << what << '\n';
   });
   out << "\nExit codes: 0 a sum, 2 usage or input, " << exit_no_region
@@ -53,7 +53,7 @@ int main(int argc, char** argv) {
   if (argc == 2 && (argv[1] == std::string("--help") || argv[1] == std::string("-h")))
     return usage(std::cout, 0);
   std::function<MethodFunction> chosen;
-  for_each_peer([&](const std::string& name, const char*, Arithmetic, auto method) {
+  for_each_peer([&](const std::string& name, const char*, auto method) {
     if (argc == 4 && name == argv[1]) chosen = method;
   });
   return chosen ? sum(chosen, argv[2], argv[3]) : usage(std::cerr, 2);

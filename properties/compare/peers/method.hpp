@@ -12,7 +12,7 @@ namespace oplus {
 // A method is what somebody's library has for Minkowski sums. It has
 //   using Input = …;  a pair in its own form
 //   using Sum = …;    a sum in its own form
-//   static constexpr Arithmetic arithmetic = …;
+//   static constexpr bool rounds = …;  its sums may be off
 //   Input converted(const Summands& pair) const;  throws NotTaken
 //   Sum sum(const Input& input) const;
 //   ReturnedChains chains(const Input& input, const Sum& sum) const;

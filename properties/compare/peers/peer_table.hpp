@@ -12,33 +12,31 @@ MethodFunction cgal_reduced, cgal_full, cgal_vertical, cgal_triangulation, cgal_
     cgal_optimal, cgal_hertel_mehlhorn, cgal_greene, clipper, boost_polygon;
 
 /// Lists the methods of others' libraries that oplus has an adapter for, all of them of closed sums
-/// only: calls `row(name, what, arithmetic, method)`. A method is linked only where it is called:
+/// only: calls `row(name, what, method)`. A method is linked only where it is called:
 /// `oplus-check` needs the names and not the libraries.
 template <typename Row>
 void for_each_peer(Row row) {
-  constexpr Arithmetic exact = Arithmetic::exact;
-  constexpr Arithmetic rounding = Arithmetic::rounding;
-  row("cgal-reduced", "CGAL's reduced convolution; one component, holes", exact,
+  row("cgal-reduced", "CGAL's reduced convolution; one component, holes",
       [](const auto& pair) { return cgal_reduced(pair); });
-  row("cgal-full", "CGAL's full convolution; one component, no holes", exact,
+  row("cgal-full", "CGAL's full convolution; one component, no holes",
       [](const auto& pair) { return cgal_full(pair); });
-  row("cgal-vertical", "CGAL, by vertical decomposition; one component, holes", exact,
+  row("cgal-vertical", "CGAL, by vertical decomposition; one component, holes",
       [](const auto& pair) { return cgal_vertical(pair); });
-  row("cgal-triangulation", "CGAL, by triangulation; one component, holes", exact,
+  row("cgal-triangulation", "CGAL, by triangulation; one component, holes",
       [](const auto& pair) { return cgal_triangulation(pair); });
-  row("cgal-small-side", "CGAL, by small side angle bisectors; one component, no holes", exact,
+  row("cgal-small-side", "CGAL, by small side angle bisectors; one component, no holes",
       [](const auto& pair) { return cgal_small_side(pair); });
-  row("cgal-optimal", "CGAL, by optimal convex decomposition; one component, no holes", exact,
+  row("cgal-optimal", "CGAL, by optimal convex decomposition; one component, no holes",
       [](const auto& pair) { return cgal_optimal(pair); });
   row("cgal-hertel-mehlhorn",
-      "CGAL, by Hertel and Mehlhorn's decomposition; one component, no holes", exact,
+      "CGAL, by Hertel and Mehlhorn's decomposition; one component, no holes",
       [](const auto& pair) { return cgal_hertel_mehlhorn(pair); });
-  row("cgal-greene", "CGAL, by Greene's decomposition; one component, no holes", exact,
+  row("cgal-greene", "CGAL, by Greene's decomposition; one component, no holes",
       [](const auto& pair) { return cgal_greene(pair); });
   row("clipper",
       "Clipper 6, filled by the larger summand; one component, holes in the larger summand; rounds",
-      rounding, [](const auto& pair) { return clipper(pair); });
-  row("boost-polygon", "Boost.Polygon's convolution of polygon sets; any region; rounds", rounding,
+      [](const auto& pair) { return clipper(pair); });
+  row("boost-polygon", "Boost.Polygon's convolution of polygon sets; any region; rounds",
       [](const auto& pair) { return boost_polygon(pair); });
 }
 

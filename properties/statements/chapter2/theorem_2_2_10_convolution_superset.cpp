@@ -51,7 +51,7 @@ const Registered registered({
     .kills = {"parallel-edges-do-not-collide", "tangent-set-without-ties"},
     .cases = 400,
     .check = check,
-    .of_implementation = of_one(law),
+    .of_engine = of_one(law),
 });
 
 }  // namespace

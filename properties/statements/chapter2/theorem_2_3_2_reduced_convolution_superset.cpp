@@ -94,7 +94,7 @@ const Registered registered({
     .kills = {"acute-vertex-is-reflex", "tangent-set-without-ties"},
     .cases = 200,
     .check = check,
-    .of_implementation = of_one(law),
+    .of_engine = of_one(law),
 });
 
 }  // namespace

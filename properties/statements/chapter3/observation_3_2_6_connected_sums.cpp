@@ -53,7 +53,7 @@ const Registered registered({
     .kills = {"loops-turn-counterclockwise-most"},
     .cases = 200,
     .check = check,
-    .of_implementation = of_one(law),
+    .of_engine = of_one(law),
 });
 
 }  // namespace

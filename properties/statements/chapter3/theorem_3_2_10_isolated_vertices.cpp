@@ -75,7 +75,7 @@ const Registered registered({
     .kills = {"three-directions-are-too-few"},
     .cases = 200,
     .check = check,
-    .of_implementation = of_one(law),
+    .of_engine = of_one(law),
 });
 
 }  // namespace

@@ -59,7 +59,7 @@ const Registered registered({
     .kills = {"dangling-edges-run-one-way"},
     .cases = 200,
     .check = check,
-    .of_implementation = of_one(law),
+    .of_engine = of_one(law),
 });
 
 }  // namespace

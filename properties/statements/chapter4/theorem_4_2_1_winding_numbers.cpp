@@ -134,7 +134,7 @@ const Registered registered({
               "tie-rule-depends-on-who-asks"},
     .cases = 300,
     .check = [](const Summands& summands) { return Comparison(summands).run(); },
-    .of_implementation = of_one(law),
+    .of_engine = of_one(law),
 });
 
 }  // namespace

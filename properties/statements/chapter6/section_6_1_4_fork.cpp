@@ -50,7 +50,7 @@ const Registered registered({
     .kills = {"no-candidate-is-a-hole"},
     .cases = 60,
     .check = check,
-    .of_implementation = of_one(law),
+    .of_engine = of_one(law),
 });
 
 }  // namespace

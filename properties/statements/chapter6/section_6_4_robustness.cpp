@@ -50,7 +50,7 @@ Rational power_of_two(int exponent) {
   return result;
 }
 
-Outcome shows(const Summands& summands, const std::vector<Engine>& implementations,
+Outcome shows(const Summands& summands, const std::vector<Engine>& engines,
               const std::vector<Boundary>& boundaries) {
   const Outcome discarded{Outcome::Kind::discarded, "no diamond and room", {}};
   if (vertex_count(summands.p) != 12 || vertex_count(summands.q) != 4) return discarded;
@@ -69,12 +69,12 @@ Outcome shows(const Summands& summands, const std::vector<Engine>& implementatio
     const Summands tiny = diamond_and_u(scale * given.eps1, scale * given.eps2);
     for (const Boundary boundary : boundaries) {
       const Shape right = shape_of(boundary == Boundary::closed ? expected.closed : expected.open);
-      for (const Engine& implementation : implementations) {
-        const Shape shape = shape_of(implementation.compute(tiny.p, tiny.q, boundary, {}).sum);
+      for (const Engine& engine : engines) {
+        const Shape shape = shape_of(engine.compute(tiny.p, tiny.q, boundary, {}).sum);
         ++outcome.counts["sums"];
         if (shape == right) continue;
-        return outcome.fail(implementation.name + ", " + name(boundary) + ": shape " +
-                            in_words(shape) + " instead of " + in_words(right));
+        return outcome.fail(engine.name + ", " + name(boundary) + ": shape " + in_words(shape) +
+                            " instead of " + in_words(right));
       }
     }
   }
@@ -85,9 +85,8 @@ Outcome check(const Summands& summands) {
   return shows(summands, checked_engines(), {Boundary::closed, Boundary::open});
 }
 
-Outcome of_implementation(const Engine& implementation, Boundary boundary,
-                          const Summands& summands) {
-  return shows(summands, {implementation}, {boundary});
+Outcome of_engine(const Engine& engine, Boundary boundary, const Summands& summands) {
+  return shows(summands, {engine}, {boundary});
 }
 
 const Registered registered({
@@ -110,7 +109,7 @@ const Registered registered({
     .kills = {"dangling-edges-run-one-way"},
     .cases = 40,
     .check = check,
-    .of_implementation = of_implementation,
+    .of_engine = of_engine,
 });
 
 }  // namespace

@@ -72,7 +72,7 @@ const Registered registered({
     .kills = {"area-is-of-the-first-chain"},
     .cases = 100,
     .check = of_each_engine(law),
-    .of_implementation = of_one(law),
+    .of_engine = of_one(law),
 });
 
 }  // namespace

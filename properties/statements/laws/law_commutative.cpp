@@ -37,7 +37,7 @@ const Registered registered({
     .kills = {"candidates-need-no-hole-test", "holes-of-q-are-left-out"},
     .cases = 250,
     .check = of_each_engine(law),
-    .of_implementation = of_one(law),
+    .of_engine = of_one(law),
 });
 
 }  // namespace

@@ -63,7 +63,7 @@ const Registered registered({
     .kills = {"edges-in-line-stay-apart"},
     .cases = 200,
     .check = of_each_engine(law),
-    .of_implementation = of_one(law),
+    .of_engine = of_one(law),
 });
 
 }  // namespace

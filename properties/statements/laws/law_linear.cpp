@@ -52,7 +52,7 @@ const Registered registered({
     .kills = {"left-and-right-are-one-direction", "vertical-edges-never-dangle"},
     .cases = 80,
     .check = of_each_engine(law),
-    .of_implementation = of_one(law),
+    .of_engine = of_one(law),
 });
 
 }  // namespace

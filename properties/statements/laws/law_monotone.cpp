@@ -56,7 +56,7 @@ const Registered registered({
     .kills = {"candidates-need-no-hole-test"},
     .cases = 60,
     .check = of_each_engine(law),
-    .of_implementation = of_one(law),
+    .of_engine = of_one(law),
 });
 
 }  // namespace

@@ -68,7 +68,7 @@ const Registered registered({
     .kills = {"area-is-of-the-first-chain"},
     .cases = 60,
     .check = of_each_engine(law),
-    .of_implementation = of_one(law),
+    .of_engine = of_one(law),
 });
 
 }  // namespace

@@ -44,7 +44,7 @@ const Registered registered({
     .kills = {"coordinates-stay-scaled"},
     .cases = 60,
     .check = of_each_engine(law),
-    .of_implementation = of_one(law),
+    .of_engine = of_one(law),
 });
 
 }  // namespace

@@ -48,7 +48,7 @@ const Registered registered({
     .kills = {"coordinates-stay-scaled"},
     .cases = 80,
     .check = of_each_engine(law),
-    .of_implementation = of_one(law),
+    .of_engine = of_one(law),
 });
 
 }  // namespace

@@ -84,7 +84,7 @@ const Registered registered({
     .kills = {"candidates-need-no-hole-test", "dangling-edges-run-one-way"},
     .cases = 50,
     .check = of_each_engine(law),
-    .of_implementation = of_one(law),
+    .of_engine = of_one(law),
 });
 
 }  // namespace

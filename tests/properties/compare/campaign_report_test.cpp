@@ -11,7 +11,7 @@
 #include "reference/io/invalid_input.hpp"
 #include "reference/io/reading.hpp"
 #include "tests/checked/cli/shell.hpp"
-#include "tests/properties/compare/faulty_implementations.hpp"
+#include "tests/properties/compare/faulty_engines.hpp"
 
 namespace oplus {
 namespace {
@@ -19,15 +19,17 @@ namespace {
 using testing::HasSubstr;
 
 /// Several kinds at once, with words that Markdown and XML must not take for their own.
-CampaignReport report_of_many_kinds() {
-  const SmallRun run{.parts = {"grids"}, .cases = 40, .shrink_tries = 20};
-  return run.of(of_many_kinds("a|b <c> & \"d\""));
+const CampaignReport& report_of_many_kinds() {
+  static const CampaignReport report =
+      SmallRun{.parts = {"grids"}, .cases = 40, .shrink_tries = 20}.of(
+          of_many_kinds("a|b <c> & \"d\""));
+  return report;
 }
 
 class ReportFiles : public Shell {};
 
 TEST_F(ReportFiles, are_valid) {
-  const CampaignReport report = report_of_many_kinds();
+  const CampaignReport& report = report_of_many_kinds();
   EXPECT_GE(report.all().kinds.size(), 3U);
   put("r.json", report_text(report, "r.json"));
   put("r.xml", report_text(report, "r.xml"));
@@ -63,7 +65,7 @@ TEST_F(ReportFiles, tables_have_as_many_cells_in_each_row) {
 }
 
 TEST_F(ReportFiles, counterexamples_are_written_and_read_again) {
-  const CampaignReport report = report_of_many_kinds();
+  const CampaignReport& report = report_of_many_kinds();
   const std::string here = run("pwd").out;
   const std::filesystem::path folder =
       std::filesystem::path(here.substr(0, here.size() - 1)) / "found";
@@ -80,7 +82,7 @@ TEST_F(ReportFiles, counterexamples_are_written_and_read_again) {
 }
 
 TEST(Explanation, says_how_they_differ_and_how_to_see_it_again) {
-  const CampaignReport report = report_of_many_kinds();
+  const CampaignReport& report = report_of_many_kinds();
   const ShrunkFailure& found = report.counterexamples.at("isolated vertex invented");
   const std::string text = explanation(report, found, "folder");
   for (const char* part :
@@ -94,7 +96,7 @@ TEST(Explanation, says_how_they_differ_and_how_to_see_it_again) {
 }
 
 TEST(ReportJson, survives_reading) {
-  const CampaignReport report = report_of_many_kinds();
+  const CampaignReport& report = report_of_many_kinds();
   const CampaignReport read = opened(sealed(report), "r.json");
   EXPECT_EQ(sealed(read), sealed(report));
   EXPECT_EQ(to_markdown(read), to_markdown(report));

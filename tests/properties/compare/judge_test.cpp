@@ -7,7 +7,7 @@
 
 #include "reference/definitions/difference.hpp"
 #include "reference/families/fork.hpp"
-#include "tests/properties/compare/faulty_implementations.hpp"
+#include "tests/properties/compare/faulty_engines.hpp"
 
 namespace oplus {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "properties/compare/report_json.hpp"
 #include "tests/checked/cli/shell.hpp"
-#include "tests/properties/compare/faulty_implementations.hpp"
+#include "tests/properties/compare/faulty_engines.hpp"
 
 namespace oplus {
 namespace {

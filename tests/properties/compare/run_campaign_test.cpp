@@ -7,22 +7,22 @@
 #include "properties/compare/report_text.hpp"
 #include "properties/compare/sources.hpp"
 #include "reference/oracle/oracle.hpp"
-#include "tests/properties/compare/faulty_implementations.hpp"
+#include "tests/properties/compare/faulty_engines.hpp"
 
 namespace oplus {
 namespace {
 
 using Kinds = std::map<std::string, std::size_t>;
 
-/// How many sums of a run an implementation gets wrong, counted without what is tested.
-std::size_t wrong_sums(const Engine& implementation, const SmallRun& run) {
+/// How many sums of a run an engine gets wrong, counted without what is tested.
+std::size_t wrong_sums(const Engine& engine, const SmallRun& run) {
   std::size_t count = 0;
   for (const TaskSource& source : run.sources()) {
     for (std::size_t i = 0; i < source.tasks; ++i) {
       const auto [p, q] = source.task(i).pair;
       for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
         try {
-          count += implementation.compute(p, q, boundary, {}).sum != slide_sum(p, q, boundary).sum;
+          count += engine.compute(p, q, boundary, {}).sum != slide_sum(p, q, boundary).sum;
         } catch (const std::exception&) {
           ++count;
         }
@@ -34,12 +34,12 @@ std::size_t wrong_sums(const Engine& implementation, const SmallRun& run) {
 
 /// The report has all failures there are, of this kind only, but for fewer of another kind where one is
 /// named, and one pair of the kind that shows it again.
-void expect_only(const std::string& kind, const std::string& part, const Engine& implementation,
+void expect_only(const std::string& kind, const std::string& part, const Engine& engine,
                  const std::string& rarely = "") {
   const SmallRun run{.parts = {part}, .cases = 2, .shrink_tries = 5};
-  const std::size_t expected = wrong_sums(implementation, run);
+  const std::size_t expected = wrong_sums(engine, run);
   ASSERT_GT(expected, 0U) << kind;
-  const CampaignReport report = run.of(implementation);
+  const CampaignReport report = run.of(engine);
   Kinds kinds = report.all().kinds;
   ASSERT_TRUE(report.counterexamples.contains(kind)) << kind;
   EXPECT_EQ(report.counterexamples.size(), kinds.size());
