@@ -40,7 +40,7 @@ struct EngineOptions {
 /// program of somebody else's.
 struct Engine {
   std::string name;
-  std::string what = {};  ///< a line for a list
+  std::string what = {};       ///< a line for a list
   bool has_hole_test = false;  ///< whether the choice of a hole test makes a difference
   bool has_threads = false;    ///< whether the number of threads does
 
