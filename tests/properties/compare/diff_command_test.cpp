@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -8,8 +7,6 @@
 
 namespace oplus {
 namespace {
-
-using testing::HasSubstr;
 
 class DiffCommand : public Shell {
  protected:
@@ -25,9 +22,9 @@ class DiffCommand : public Shell {
 TEST_F(DiffCommand, compares_pairs_and_says_what_ran_and_where_the_report_is) {
   const Ran ran = diff("--pair frame.dat square.dat --pair square.dat square.dat");
   EXPECT_EQ(ran.exit_code, 0) << ran.err;
-  EXPECT_THAT(ran.out,
-              HasSubstr("2 cases run, each closed and open, 0 skipped, 0 with a disagreement\n"
-                        "report: oplus-findings/diff.json\n"));
+  EXPECT_TRUE(has(ran.out,
+                  "2 cases run, each closed and open, 0 skipped, 0 with a disagreement\n"
+                  "report: oplus-findings/diff.json\n"));
   const auto report = nlohmann::json::parse(content("oplus-findings/diff.json"));
   EXPECT_EQ(report.at("all").at("ran"), 2);
   EXPECT_EQ(report.at("all").at("holes_in_sum"), 1);
@@ -40,9 +37,9 @@ TEST_F(DiffCommand, says_what_hole_tests_were_asked) {
   const std::string pair = "--pair frame.dat square.dat";
   const Ran all = diff(pair);
   // One hole; closed and open; rca and loops.
-  EXPECT_THAT(all.out, HasSubstr("all hole tests gave the same answer 4 times about a face, "));
+  EXPECT_TRUE(has(all.out, "all hole tests gave the same answer 4 times about a face, "));
   const Ran ray = diff(pair + " --engine loops --hole-test ray");
-  EXPECT_THAT(ray.out, HasSubstr("the hole test ray was asked 2 times about a face, "));
+  EXPECT_TRUE(has(ray.out, "the hole test ray was asked 2 times about a face, "));
   EXPECT_EQ(diff(pair + " --hole-test none").exit_code, 2);
 }
 
@@ -58,15 +55,15 @@ TEST_F(DiffCommand, compares_families_the_same_for_the_same_seed) {
 TEST_F(DiffCommand, counts_what_it_skips_and_does_not_pass_with_nothing_compared) {
   const Ran ran = diff("--pair frame.dat square.dat --largest 5");
   EXPECT_EQ(ran.exit_code, 2);
-  EXPECT_THAT(ran.out, HasSubstr("skipped: frame.dat square.dat: its convolution has"));
-  EXPECT_THAT(ran.out, HasSubstr("0 cases run, each closed and open, 1 skipped"));
+  EXPECT_TRUE(has(ran.out, "skipped: frame.dat square.dat: its convolution has"));
+  EXPECT_TRUE(has(ran.out, "0 cases run, each closed and open, 1 skipped"));
 }
 
 TEST_F(DiffCommand, refuses_bad_input_and_requests_without_sense) {
   put("bad.dat", "4\n0 0\n2 2\n2 0\n0 2\n");
   const Ran bad = diff("--pair bad.dat square.dat");
   EXPECT_EQ(bad.exit_code, 2);
-  EXPECT_THAT(bad.err, HasSubstr("bad.dat:4:1:"));
+  EXPECT_TRUE(has(bad.err, "bad.dat:4:1:"));
   EXPECT_EQ(diff("--family nonsense").exit_code, 2);
   EXPECT_EQ(diff("--pair square.dat").exit_code, 2);
   EXPECT_EQ(diff("--folder nowhere").exit_code, 2);
@@ -77,8 +74,8 @@ TEST_F(DiffCommand, refuses_bad_input_and_requests_without_sense) {
 TEST_F(DiffCommand, holds_a_program_of_somebody_else_to_account) {
   const Ran ran = diff("--pair square.dat frame.dat --engine 'exec:cat {p} #' --shrink-tries 20");
   EXPECT_EQ(ran.exit_code, 1) << ran.err;
-  EXPECT_THAT(ran.out, HasSubstr("the second is exec:cat {p} #: 1 outer chain"));
-  EXPECT_THAT(ran.out, HasSubstr("diff --engine 'exec:cat {p} #' --pair oplus-findings/"));
+  EXPECT_TRUE(has(ran.out, "the second is exec:cat {p} #: 1 outer chain"));
+  EXPECT_TRUE(has(ran.out, "diff --engine 'exec:cat {p} #' --pair oplus-findings/"));
 }
 
 TEST_F(DiffCommand, agrees_with_a_program_that_is_right) {
@@ -88,11 +85,10 @@ TEST_F(DiffCommand, agrees_with_a_program_that_is_right) {
           "--pair square.dat frame.dat --engine 'exec:oplus sum {p} {q} --format wkt' "
           "--memory-limit 0");
   EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
-  EXPECT_THAT(
-      ran.out,
-      HasSubstr("1 sum not taken by exec:oplus sum {p} {q} --format wkt, open: not taken: it "
-                "computes closed sums only\n"
-                "1 cases run, each closed and open but for 1 sum not taken, 0 skipped, 0 with"));
+  EXPECT_TRUE(has(ran.out,
+                  "1 sum not taken by exec:oplus sum {p} {q} --format wkt, open: not taken: it "
+                  "computes closed sums only\n"
+                  "1 cases run, each closed and open but for 1 sum not taken, 0 skipped, 0 with"));
   const auto report = nlohmann::json::parse(content("oplus-findings/diff.json"));
   EXPECT_EQ(report.at("all").at("not_taken").size(), 1U);
 }
@@ -101,7 +97,7 @@ TEST_F(DiffCommand, reports_how_a_program_ends_and_skips_what_it_does_not_take) 
   const Ran crash =
       diff("--pair square.dat frame.dat --engine 'exec:kill -SEGV $$ #' --shrink-tries 5");
   EXPECT_EQ(crash.exit_code, 1);
-  EXPECT_THAT(crash.out, HasSubstr("no sum\n  crashed: SIGSEGV"));
+  EXPECT_TRUE(has(crash.out, "no sum\n  crashed: SIGSEGV"));
   const auto report = nlohmann::json::parse(content("oplus-findings/diff.json"));
   EXPECT_TRUE(report.at("counterexamples").contains("crashed: SIGSEGV"));
   const Ran hang = diff(
@@ -109,15 +105,15 @@ TEST_F(DiffCommand, reports_how_a_program_ends_and_skips_what_it_does_not_take) 
   EXPECT_EQ(hang.exit_code, 1);
   const Ran none = diff("--pair square.dat frame.dat --engine 'exec:exit 77 #'");
   EXPECT_EQ(none.exit_code, 2);
-  EXPECT_THAT(none.out, HasSubstr("skipped: square.dat frame.dat: exec:exit 77 #: not taken"));
+  EXPECT_TRUE(has(none.out, "skipped: square.dat frame.dat: exec:exit 77 #: not taken"));
 }
 
 TEST_F(DiffCommand, lists_the_engines_of_others_in_its_help) {
   const Ran help = diff("--help");
   for (const char* part :
        {"cgal-reduced ", "cgal-greene ", "clipper ", "boost-polygon ", "exec:CMD "})
-    EXPECT_THAT(help.out, HasSubstr(std::string("\n  ") + part));
-  EXPECT_THAT(diff("--engine cgal --family grid").err, HasSubstr("cgal-reduced"));
+    EXPECT_TRUE(has(help.out, std::string("\n  ") + part));
+  EXPECT_TRUE(has(diff("--engine cgal --family grid").err, "cgal-reduced"));
 }
 
 }  // namespace
