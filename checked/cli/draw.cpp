@@ -109,6 +109,7 @@ ExitCode draw(const DrawOptions& options) {
   const std::optional<ChosenView> chosen = chosen_view(options);
   require_one_standard_input(options.files);
   require_writable({options.output});
+  require_svg(options.output);
   if (!chosen) {
     write_text(options.output,
                (options.together ? one_over_the_other : side_by_side)(options.files));

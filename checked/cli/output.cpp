@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <boost/algorithm/string/predicate.hpp>
 #include <cerrno>
 #include <filesystem>
 #include <set>
@@ -55,6 +56,11 @@ Format output_format(const std::optional<Format>& asked_for, const std::string& 
   if (const std::optional<Format> by_ending = format_of(path)) return *by_ending;
   throw UsageError("the ending of " + path +
                    " names no format: use .wkt, .dat, .geojson or .json, or --format");
+}
+
+void require_svg(const std::string& path) {
+  if (path != "-" && !is_special(path) && !boost::algorithm::iends_with(path, ".svg"))
+    throw UsageError("pictures are written as SVG; expected FILE.svg or -, not " + path);
 }
 
 void require_writable(const std::vector<std::string>& paths) {

@@ -105,6 +105,7 @@ ExitCode sum(const SumOptions& options) {
                                         .hole_test = chosen_hole_test(options, engine)};
   require_one_standard_input({options.p, options.q});
   require_writable(outputs(options));
+  if (options.svg) require_svg(*options.svg);
   const Format format = output_format(options.format, options.output);
   const Region p = read_summand(options.p);
   const Region q = read_summand(options.q);
@@ -138,7 +139,7 @@ ExitCode sum(const SumOptions& options) {
 }
 
 std::string engine_help() {
-  return "how to compute: " +
+  return "how to compute, by default " + engines_and_oracle().front().name + ": " +
          CLI::detail::join(
              engines_and_oracle(),
              [](const Engine& engine) { return engine.name + ", " + engine.what; }, "; ");

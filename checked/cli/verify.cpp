@@ -240,7 +240,8 @@ void add_verify(CLI::App& program, Action& chosen) {
       "\n"
       "Exit codes:\n"
       "  0  it is their sum\n"
-      "  1  it is not");
+      "  1  it is not\n"
+      "  2  invalid input or usage, or a file that cannot be read or written");
 }
 
 }  // namespace oplus

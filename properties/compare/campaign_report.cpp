@@ -73,6 +73,11 @@ Tally CampaignReport::all() const {
   return sum;
 }
 
+std::string CampaignReport::verdict() const {
+  if (!conforms()) return "does not conform";
+  return all().ran > 0 ? "conforms" : "was compared on no pair";
+}
+
 CampaignReport begun_report(const std::string& command, Campaign campaign, const Shard& shard,
                             const std::vector<TaskSource>& sources) {
   CampaignReport report;

@@ -105,6 +105,9 @@ struct CampaignReport {
 
   Tally all() const;
   bool conforms() const { return all().disagreed == 0; }
+
+  /// "conforms", "does not conform" or, where nothing was compared, that.
+  std::string verdict() const;
 };
 
 /// A report before the first pair.

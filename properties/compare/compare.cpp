@@ -12,6 +12,7 @@
 
 #include "checked/arrangement/hole_test.hpp"
 #include "checked/cli/command_line/terminal.hpp"
+#include "checked/cli/output.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "checked/engines.hpp"
 #include "properties/compare/counterexample_files.hpp"
@@ -71,8 +72,11 @@ std::vector<Engine> chosen_engines(const Campaign& campaign) {
                 [&](const Engine& engine) { return std::ranges::count(names, engine.name) == 0; });
   const ProcessLimits limits{
       .seconds = campaign.time_limit, .address_space_mb = campaign.memory_limit, .output_mb = 64};
-  for (const std::string& name : names)
+  for (const std::string& name : names) {
+    const std::string fault = why_it_cannot_run(name, limits);
+    if (!fault.empty()) throw UsageError("cannot run " + one_line(name) + ": " + one_line(fault));
     if (auto other = engine_called(name, limits)) chosen.push_back(std::move(*other));
+  }
   return chosen;
 }
 
@@ -184,6 +188,9 @@ int compare(const std::string& command, CompareOptions options,
   for (const std::string& file : options.reports)
     if (!is_report_name(file))
       throw UsageError("--report " + file + " ends in none of .md, .json and .xml");
+  // Only the folder of counterexamples is made where it is not there.
+  for (const std::string& file : options.reports)
+    if (std::filesystem::path(file).parent_path() != options.out) require_writable({file});
   const Rules rules{.engines = chosen_engines(options.campaign),
                     .largest = options.campaign.largest,
                     .asks_beyond = command == "conformance"};
@@ -196,8 +203,8 @@ int compare(const std::string& command, CompareOptions options,
   std::ostream& text = text_output(options.json);
   for (const auto& [kind, found] : report.counterexamples)
     text << explanation(report, found, options.out);
-  text << with_painted_verdict(summary(report), report.conforms() ? Paint::good : Paint::bad,
-                               std::cout);
+  text << with_painted_verdict(
+      summary(report), report.verdict() == "conforms" ? Paint::good : Paint::bad, std::cout);
   for (const std::string& file : options.reports) {
     const std::filesystem::path folder = std::filesystem::path(file).parent_path();
     if (!folder.empty()) std::filesystem::create_directories(folder);

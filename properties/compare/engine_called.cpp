@@ -26,6 +26,14 @@ constexpr std::string_view exec = "exec:";
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
+/// The line that says why: the last of a traceback of Python's, else the first.
+std::string reason_in(const std::string& errors) {
+  if (errors.find("Traceback (most recent call last):") == std::string::npos)
+    return first_line(errors);
+  const std::string lines = errors.substr(0, errors.find_last_not_of('\n') + 1);
+  return lines.substr(lines.rfind('\n') + 1);
+}
+
 std::string format(double value) {
   std::ostringstream out;
   out << value;
@@ -44,7 +52,7 @@ std::string how_it_ended(const EndedProcess& ended) {
 }
 
 [[noreturn]] void report_failure(const EndedProcess& ended) {
-  const std::string said = ended.errors.empty() ? "" : ": " + first_line(ended.errors);
+  const std::string said = ended.errors.empty() ? "" : ": " + reason_in(ended.errors);
   const std::string how = how_it_ended(ended);
   if (ended.how == EndedProcess::How::exited) {
     if (ended.code == exit_not_taken)
@@ -103,6 +111,16 @@ struct SummandFiles {
   const std::string q = folder.path() / "q.wkt";
 };
 
+std::string script_of(const std::string& command, const SummandFiles& files, Boundary boundary) {
+  const bool names_files =
+      command.find("{p}") != std::string::npos || command.find("{q}") != std::string::npos;
+  std::string script = names_files ? command : command + " {p} {q}";
+  boost::replace_all(script, "{boundary}", name(boundary));
+  boost::replace_all(script, "{p}", files.p);
+  boost::replace_all(script, "{q}", files.q);
+  return script;
+}
+
 NoSum open_not_taken() {
   return {Kind::not_taken, "open", "not taken: it computes closed sums only"};
 }
@@ -128,19 +146,27 @@ std::vector<Engine> peers(ProcessLimits limits) {
 }
 
 Engine program_engine(const std::string& command, const ProcessLimits& limits) {
-  const auto has = [&](const char* word) { return command.find(word) != std::string::npos; };
-  const bool takes_open = has("{boundary}");
-  const std::string whole = has("{p}") || has("{q}") ? command : command + " {p} {q}";
-  return named_engine(std::string(exec) + command,
-                      [=](const Region& p, const Region& q, Boundary boundary) {
-                        if (boundary == Boundary::open && !takes_open) throw open_not_taken();
-                        const SummandFiles files(p, q);
-                        std::string script = whole;
-                        boost::replace_all(script, "{boundary}", oplus::name(boundary));
-                        boost::replace_all(script, "{p}", files.p);
-                        boost::replace_all(script, "{q}", files.q);
-                        return sum_by({"/bin/sh", "-c", script}, limits);
-                      });
+  const bool takes_open = command.find("{boundary}") != std::string::npos;
+  return named_engine(
+      std::string(exec) + command, [=](const Region& p, const Region& q, Boundary boundary) {
+        if (boundary == Boundary::open && !takes_open) throw open_not_taken();
+        const SummandFiles files(p, q);
+        return sum_by({"/bin/sh", "-c", script_of(command, files, boundary)}, limits);
+      });
+}
+
+std::string why_it_cannot_run(const std::string& engine, ProcessLimits limits) {
+  if (!engine.starts_with(exec)) return "";
+  limits.is_quiet = true;
+  const Region square = polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  const SummandFiles files(square, square);
+  const EndedProcess ended = run_program(
+      {"/bin/sh", "-c", script_of(engine.substr(exec.size()), files, Boundary::closed)}, limits);
+  // Of the shell: found but no program, and not found.
+  const bool is_none = ended.code == 126 || ended.code == 127;
+  return is_none && ended.how == EndedProcess::How::exited
+             ? how_it_ended(ended) + ", " + first_line(ended.errors)
+             : "";
 }
 
 std::optional<Engine> engine_called(const std::string& engine, const ProcessLimits& limits) {

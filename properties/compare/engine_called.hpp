@@ -20,6 +20,10 @@ std::vector<Engine> peers(ProcessLimits limits = {});
 /// threads may call it.
 std::optional<Engine> engine_called(const std::string& engine, const ProcessLimits& limits);
 
+/// Runs the command of an engine "exec:…" once, on two squares. Returns what the shell says where it
+/// cannot run such a command, else nothing.
+std::string why_it_cannot_run(const std::string& engine, ProcessLimits limits);
+
 /// Any program as an engine. The shell runs the command, in which
 ///  1. {p} and {q} are replaced by the names of two files, the summands in WKT: absolute, and of
 ///     letters, digits and "/._-" only, so that they need no quotes and do no harm in any;

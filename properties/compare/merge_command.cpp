@@ -26,7 +26,9 @@ int merge(const Settings& settings) {
   const CampaignReport report = merged(reports);
   if (!settings.out.empty()) write_counterexamples(report, settings.out);
   write_file(settings.into, report_text(report, settings.into));
-  return report.conforms() ? 0 : 1;
+  if (!report.conforms()) return 1;
+  if (report.all().ran == 0) throw UsageError(report.report + " compared nothing");
+  return 0;
 }
 
 }  // namespace
@@ -52,8 +54,8 @@ void add_merge_command(CLI::App& app, int& exit_code) {
       "Exit codes:\n"
       "  0  all is as it should be\n"
       "  1  it is not\n"
-      "  2  shards are missing, are there twice with different content, are of different campaigns,\n"
-      "     or are damaged");
+      "  2  nothing was compared; shards are missing, are there twice with different content, are of\n"
+      "     different campaigns, or are damaged");
   command->callback([settings, &exit_code] { exit_code = merge(*settings); });
 }
 

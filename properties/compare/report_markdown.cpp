@@ -71,9 +71,8 @@ std::string to_markdown(const CampaignReport& report) {
   const Campaign& campaign = report.campaign;
   std::ostringstream out;
   out << "# Conformance of " << cell(engines_in_words(report)) << "\n\n"
-      << (report.conforms() ? "**It conforms**: " : "**It does not conform**: ")
-      << counted(all.count("passed"), "sum", "sums") << " passed, "
-      << counted(all.failures(), "failure", "failures") << " of "
+      << "**It " << report.verdict() << "**: " << counted(all.count("passed"), "sum", "sums")
+      << " passed, " << counted(all.failures(), "failure", "failures") << " of "
       << counted(all.kinds.size(), "kind", "kinds") << ", " << all.count("not taken")
       << " not taken, " << all.count("skipped") << " skipped.\n\nOplus " << report.version << ", ";
   if (campaign.pairs.empty())

@@ -105,8 +105,8 @@ std::string summary_of_conformance(const CampaignReport& report) {
   for (const CountedPart& part : parts_of(report)) row(part.part, part.all);
   const Tally all = report.all();
   row("all", all);
-  out << engines_in_words(report) << (report.conforms() ? " conforms" : " does not conform") << ": "
-      << all.count("passed") << " sums passed, " << all.failures() << " failures of "
+  out << engines_in_words(report) << ' ' << report.verdict() << ": " << all.count("passed")
+      << " sums passed, " << all.failures() << " failures of "
       << counted(all.kinds.size(), "kind", "kinds") << '\n';
   return out.str();
 }

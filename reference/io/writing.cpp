@@ -2,6 +2,7 @@
 #include "reference/io/writing.hpp"
 
 #include <algorithm>
+#include <boost/algorithm/string/case_conv.hpp>
 #include <cctype>
 #include <string>
 #include <vector>
@@ -141,9 +142,10 @@ std::string without_line_end(std::string text) {
 }  // namespace
 
 std::optional<Format> format_of(const std::string& path) {
-  if (path.ends_with(".dat")) return Format::dat;
-  if (path.ends_with(".wkt")) return Format::wkt;
-  if (path.ends_with(".json") || path.ends_with(".geojson")) return Format::geojson;
+  const std::string lower = boost::algorithm::to_lower_copy(path);
+  if (lower.ends_with(".dat")) return Format::dat;
+  if (lower.ends_with(".wkt")) return Format::wkt;
+  if (lower.ends_with(".json") || lower.ends_with(".geojson")) return Format::geojson;
   return std::nullopt;
 }
 

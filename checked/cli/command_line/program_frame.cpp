@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <exception>
 #include <iostream>
@@ -13,6 +14,8 @@
 #include <new>
 #include <sstream>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "checked/cli/command_line/completion.hpp"
 #include "checked/cli/command_line/help_formatter.hpp"
@@ -31,7 +34,7 @@ namespace {
 void set_up(CLI::App& program) {
   program.formatter(std::make_shared<HelpFormatter>());
   program.set_help_flag("-h,--help", "show this help");
-  program.set_version_flag("--version", program.get_name() + " " + version, "show the version");
+  program.set_version_flag("-V,--version", program.get_name() + " " + version, "show the version");
   program.require_subcommand(1);
   program.fallthrough();
   // Both hold at once: a command line that is not understood is complained about in their manner.
@@ -77,6 +80,26 @@ void occupy_closed_streams() {
   }
 }
 
+/// A command that says nothing else of its exit codes has these.
+void add_exit_codes(CLI::App& command) {
+  const std::string footer = command.get_footer();
+  if (footer.find("Exit codes:") != std::string::npos) return;
+  command.footer(footer + (footer.empty() ? "" : "\n\n") +
+                 "Exit codes:\n"
+                 "  0  done\n"
+                 "  2  invalid input or usage, or a file that cannot be read or written");
+}
+
+/// The words of the command line; `help COMMAND` is `COMMAND --help`.
+std::vector<std::string> words_of(int argc, const char* const* argv) {
+  std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  if (!words.empty() && words.front() == "help") {
+    words.erase(words.begin());
+    words.push_back("--help");
+  }
+  return words;
+}
+
 int parse_and_do(const ProgramFrame& frame, const AddCommands& add_commands, int argc,
                  const char* const* argv) {
   CLI::App program(frame.what, frame.name);
@@ -84,12 +107,15 @@ int parse_and_do(const ProgramFrame& frame, const AddCommands& add_commands, int
   program.footer(frame.footer);
   const std::function<int()> work = add_commands(program);
   add_completion_command(program);
+  for (CLI::App* command : program.get_subcommands({})) add_exit_codes(*command);
   if (argc > 2 && argv[1] == std::string("--complete")) {
     write_text("-", completions(program, {argv + 2, argv + argc}));
     return 0;
   }
   try {
-    program.parse(argc, argv);
+    std::vector<std::string> words = words_of(argc, argv);
+    std::ranges::reverse(words);  // as CLI11 takes them
+    program.parse(std::move(words));
   } catch (const CLI::Success& asked) {
     std::ostringstream text;
     program.exit(asked, text, text);

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <string>
 
+#include "checked/cli/version.hpp"
 #include "properties/compare/peers/peer_table.hpp"
 #include "properties/compare/peers/sum_of_chains.hpp"
 #include "reference/io/reading.hpp"
@@ -52,6 +53,10 @@ int sum(const std::function<MethodFunction>& method, const std::string& p, const
 int main(int argc, char** argv) {
   if (argc == 2 && (argv[1] == std::string("--help") || argv[1] == std::string("-h")))
     return usage(std::cout, 0);
+  if (argc == 2 && argv[1] == std::string("--version")) {
+    std::cout << "oplus-peer " << version << '\n';
+    return std::cout.flush() ? 0 : 2;
+  }
   std::function<MethodFunction> chosen;
   for_each_peer([&](const std::string& name, const char*, auto method) {
     if (argc == 4 && name == argv[1]) chosen = method;

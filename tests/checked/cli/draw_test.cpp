@@ -37,6 +37,8 @@ TEST_F(Draw, draws_together_what_is_told_apart_by_its_name) {
 
 TEST_F(Draw, writes_to_standard_output) {
   EXPECT_EQ(run("oplus draw frame.wkt -o -").out.substr(0, 5), "<svg ");
+  expect_output("oplus draw frame.wkt -o /dev/null", "");
+  expect_output("oplus draw frame.wkt -o ALL.SVG", "");
 }
 
 TEST_F(Draw, refuses_what_cannot_be_drawn) {
@@ -44,6 +46,8 @@ TEST_F(Draw, refuses_what_cannot_be_drawn) {
   expect_refusal("oplus draw -o all.svg", "FILE");
   expect_refusal("oplus draw frame.wkt missing.wkt -o all.svg", "missing.wkt");
   expect_refusal("oplus draw frame.wkt -o missing/all.svg", "missing");
+  expect_refusal("oplus draw frame.wkt -o all.png", "FILE.svg");
+  expect_refusal("oplus sum frame.wkt triangle.dat --svg all", "FILE.svg");
   expect_refusal("oplus draw - - -o all.svg <frame.wkt", "standard input");
 }
 

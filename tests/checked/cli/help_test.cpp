@@ -47,6 +47,25 @@ TEST_F(Help, version_is_that_of_the_build) {
   EXPECT_TRUE(has(text_of_file(source_root() / "CMakeLists.txt", "a project"),
                   "project(oplus VERSION " + std::string(version) + " "));
   expect_output("oplus --version", "oplus " + std::string(version) + "\n");
+  expect_output("oplus -V", "oplus " + std::string(version) + "\n");
+  expect_output("oplus-peer --version", "oplus-peer " + std::string(version) + "\n");
+}
+
+TEST_F(Help, is_also_asked_for_by_help) {
+  expect_output("oplus help", run("oplus --help").out);
+  expect_output("oplus help sum", run("oplus sum --help").out);
+  expect_output("oplus-check help diff", run("oplus-check diff --help").out);
+}
+
+TEST_F(Help, of_every_command_says_its_exit_codes_and_of_sum_its_default_engine) {
+  for (const std::string command :
+       {"oplus sum", "oplus compare", "oplus verify", "oplus draw", "oplus reflect", "oplus gen",
+        "oplus completion", "oplus-check diff", "oplus-check theorems"}) {
+    const std::string help = run(command + " --help").out;
+    EXPECT_TRUE(has(help, "Exit codes:\n  0  ")) << command;
+    EXPECT_TRUE(has(help, "\n  2  ")) << command;
+  }
+  EXPECT_TRUE(has(run("oplus sum --help").out, "by default slide"));
 }
 
 }  // namespace

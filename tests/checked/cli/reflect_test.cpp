@@ -23,6 +23,11 @@ TEST_F(Reflect, twice_is_nothing_in_every_format) {
                   "equal\n");
 }
 
+TEST_F(Reflect, takes_the_ending_of_a_file_in_capitals_too) {
+  expect_output("oplus reflect l.wkt -o L.GeoJSON && oplus reflect L.GeoJSON -o L.WKT && cat L.WKT",
+                content("l.wkt") + "\n");
+}
+
 TEST_F(Reflect, gives_the_no_fit_polygon) {
   put("square.wkt", "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))");
   put("no_fit.wkt", "POLYGON ((-2 -2, 2 -2, 2 2, -2 2, -2 -2))");

@@ -10,6 +10,8 @@ namespace {
 
 class ConformanceCommand : public Shell {
  protected:
+  ConformanceCommand() { run("mkdir a"); }
+
   Ran conformance(const std::string& options) { return run("oplus-check conformance " + options); }
 };
 
@@ -37,11 +39,45 @@ TEST_F(ConformanceCommand, refuses_requests_without_sense) {
   EXPECT_EQ(conformance("--engine slide --budget 0").exit_code, 2);
   EXPECT_EQ(conformance("--engine slide --report r.txt").exit_code, 2);
   EXPECT_EQ(conformance("--engine slide --pair nowhere.dat nowhere.dat").exit_code, 2);
+  EXPECT_EQ(conformance("--engine slide --report none/r.md").exit_code, 2);
+  EXPECT_FALSE(files().contains("none"));
   for (const char* const shard : {"0/2", "3/2", "1", "1/", "/2", "1/2/3", "-1/2", "a/b", "1/0"}) {
     const Ran ran = conformance(std::string("--engine slide --shard ") + shard);
     EXPECT_EQ(ran.exit_code, 2) << shard;
     EXPECT_TRUE(has(ran.err, "names no shard"));
   }
+}
+
+TEST_F(ConformanceCommand, of_what_takes_no_pair_says_that_nothing_was_compared) {
+  const Ran ran = conformance(
+      "--engine 'exec:exit 77 #' --part grids --budget 4 --report r.md --report r.json");
+  EXPECT_EQ(ran.exit_code, 2);
+  EXPECT_TRUE(has(ran.out, "exec:exit 77 # was compared on no pair: "));
+  EXPECT_TRUE(has(ran.err, "compared nothing"));
+  EXPECT_TRUE(has(content("r.md"), "**It was compared on no pair**"));
+  EXPECT_FALSE(has(ran.out + content("r.md"), "conforms"));
+  const Ran merged = run("oplus-check merge r.json");
+  EXPECT_EQ(merged.exit_code, 2);
+  EXPECT_TRUE(has(merged.err, "compared nothing"));
+}
+
+TEST_F(ConformanceCommand, refuses_a_command_that_cannot_be_run) {
+  put("no_program", "");
+  for (const std::string command : {"./nowhere {p} {q}", "./no_program"}) {
+    const Ran ran = conformance("--engine 'exec:" + command + "' --report r.md");
+    EXPECT_EQ(ran.exit_code, 2) << command;
+    EXPECT_EQ(ran.lines_of_err(), 1) << ran.err;
+    EXPECT_TRUE(has(ran.err, "cannot run exec:" + command));
+    EXPECT_FALSE(files().contains("r.md"));
+  }
+}
+
+TEST_F(ConformanceCommand, gives_the_last_line_of_a_traceback_as_the_reason) {
+  put("raises.py", "def f():\n    raise ValueError('odd')\nf()\n");
+  const Ran ran =
+      conformance("--engine 'exec:python3 raises.py' --part grids --budget 4 --shrink 1");
+  EXPECT_EQ(ran.exit_code, 1);
+  EXPECT_TRUE(has(ran.out, "crashed: exit code 1: ValueError: odd"));
 }
 
 }  // namespace

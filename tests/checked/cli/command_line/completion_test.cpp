@@ -91,7 +91,7 @@ TEST_F(Completion, offers_nothing_where_nothing_is_known) {
 
 TEST_F(Completion, says_what_each_word_is) {
   EXPECT_EQ(run("oplus --complete g").out, "gen\tWrite a region of a family of test pairs\n");
-  EXPECT_EQ(run("oplus --complete sum --eng").out, "--engine\thow to compute\n");
+  EXPECT_EQ(run("oplus --complete sum --eng").out, "--engine\thow to compute, by default slide\n");
 }
 
 /// The other shells leave --option=value in one piece.

@@ -26,7 +26,7 @@ class HelpPages : public Shell {
   std::vector<std::string> options(const std::string& command) const {
     std::vector<std::string> names;
     for (const std::string& both : found(help(command), "\n  (-[^ \n]*)"))
-      for (const std::string& name : found(both, "(--?[a-z-]+)")) names.push_back(name);
+      for (const std::string& name : found(both, "(--?[a-zA-Z-]+)")) names.push_back(name);
     return names;
   }
 };
