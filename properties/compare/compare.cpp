@@ -189,8 +189,12 @@ int compare(const std::string& command, CompareOptions options,
     if (!is_report_name(file))
       throw UsageError("--report " + file + " ends in none of .md, .json and .xml");
   // Only the folder of counterexamples is made where it is not there.
+  const auto normal = [](const std::filesystem::path& folder) {
+    return (folder / "").lexically_normal();
+  };
   for (const std::string& file : options.reports)
-    if (std::filesystem::path(file).parent_path() != options.out) require_writable({file});
+    if (normal(std::filesystem::path(file).parent_path()) != normal(options.out))
+      require_writable({file});
   const Rules rules{.engines = chosen_engines(options.campaign),
                     .largest = options.campaign.largest,
                     .asks_beyond = command == "conformance"};

@@ -33,6 +33,15 @@ TEST_F(DiffCommand, compares_pairs_and_says_what_ran_and_where_the_report_is) {
   EXPECT_EQ(report.at("campaign").at("hole_test"), "all");
 }
 
+TEST_F(DiffCommand, makes_the_folder_of_counterexamples_and_no_other) {
+  const std::string pair = "--pair frame.dat square.dat ";
+  EXPECT_EQ(diff(pair + "--out new/folder/").exit_code, 0);
+  EXPECT_TRUE(has(content("new/folder/diff.json"), "frame.dat"));
+  EXPECT_EQ(diff(pair + "--out other --report ./other/r.md").exit_code, 0);
+  EXPECT_EQ(diff(pair + "--report none/r.md").exit_code, 2);
+  EXPECT_FALSE(files().contains("none"));
+}
+
 TEST_F(DiffCommand, says_what_hole_tests_were_asked) {
   const std::string pair = "--pair frame.dat square.dat";
   const Ran all = diff(pair);
