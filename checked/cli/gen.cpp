@@ -3,7 +3,6 @@
 #include <cctype>
 #include <charconv>
 #include <cstdint>
-#include <memory>
 
 #include "checked/cli/command_line/program_frame.hpp"
 #include "checked/cli/json_values.hpp"

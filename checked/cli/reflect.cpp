@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <memory>
-
 #include "checked/cli/command_line/program_frame.hpp"
 #include "checked/cli/input.hpp"
 #include "checked/cli/output.hpp"

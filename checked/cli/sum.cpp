@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <iostream>
-#include <memory>
 #include <thread>
 
 #include "checked/arrangement/hole_test.hpp"

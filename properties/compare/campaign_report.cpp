@@ -75,7 +75,7 @@ Tally CampaignReport::all() const {
 
 std::string CampaignReport::verdict() const {
   if (!conforms()) return "does not conform";
-  return all().ran > 0 ? "conforms" : "was compared on no pair";
+  return compared_nothing() ? "was compared on no pair" : "conforms";
 }
 
 CampaignReport begun_report(const std::string& command, Campaign campaign, const Shard& shard,

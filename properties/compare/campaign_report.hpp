@@ -105,6 +105,7 @@ struct CampaignReport {
 
   Tally all() const;
   bool conforms() const { return all().disagreed == 0; }
+  bool compared_nothing() const { return all().ran == 0; }
 
   /// "conforms", "does not conform" or, where nothing was compared, that.
   std::string verdict() const;

@@ -207,8 +207,8 @@ int compare(const std::string& command, CompareOptions options,
   std::ostream& text = text_output(options.json);
   for (const auto& [kind, found] : report.counterexamples)
     text << explanation(report, found, options.out);
-  text << with_painted_verdict(
-      summary(report), report.verdict() == "conforms" ? Paint::good : Paint::bad, std::cout);
+  const bool is_good = report.conforms() && !report.compared_nothing();
+  text << with_painted_verdict(summary(report), is_good ? Paint::good : Paint::bad, std::cout);
   for (const std::string& file : options.reports) {
     const std::filesystem::path folder = std::filesystem::path(file).parent_path();
     if (!folder.empty()) std::filesystem::create_directories(folder);
@@ -219,7 +219,7 @@ int compare(const std::string& command, CompareOptions options,
   if (!report.conforms()) return 1;
   if (report.done < report.pairs) return 5;
   // A shard may be too small to have asked anything that is taken; the campaign is judged as a whole.
-  if (report.all().ran == 0 && shard->of == 1)
+  if (report.compared_nothing() && shard->of == 1)
     throw UsageError(command + " compared nothing: every pair was skipped");
   return 0;
 }

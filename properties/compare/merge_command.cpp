@@ -27,7 +27,7 @@ int merge(const Settings& settings) {
   if (!settings.out.empty()) write_counterexamples(report, settings.out);
   write_file(settings.into, report_text(report, settings.into));
   if (!report.conforms()) return 1;
-  if (report.all().ran == 0) throw UsageError(report.report + " compared nothing");
+  if (report.compared_nothing()) throw UsageError(report.report + " compared nothing");
   return 0;
 }
 
