@@ -183,7 +183,10 @@ ExitCode answer(const VerifyOptions& options, bool is_yes, Json json, std::strin
 
 ExitCode verify_files(const VerifyOptions& options) {
   require_one_standard_input({options.p, options.q, options.sum});
-  if (options.svg) require_writable({*options.svg});
+  if (options.svg) {
+    require_writable({*options.svg});
+    require_svg(*options.svg);
+  }
   const std::optional<Rational> tolerance =
       options.tolerance ? std::optional(tolerance_in(*options.tolerance)) : std::nullopt;
   const Region p = read_summand(options.p);

@@ -155,6 +155,7 @@ TEST_F(VerifyCommand, refuses_what_it_cannot_read) {
   expect_refusal("oplus verify frame.wkt square.wkt sum.wkt --tolerance -1", "negative");
   expect_refusal("oplus verify frame.wkt square.wkt sum.wkt --tolerance wide", "not a number");
   expect_refusal("oplus verify frame.wkt square.wkt sum.wkt --svg none/x.svg", "none");
+  expect_refusal("oplus verify frame.wkt square.wkt sum.wkt --svg x.png", "FILE.svg");
   expect_refusal("oplus verify frame.wkt square.wkt sum.wkt >/dev/full", "standard output");
 }
 
