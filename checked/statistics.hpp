@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "reference/definitions/rational.hpp"
+#include "reference/definitions/values.hpp"
 
 namespace oplus {
 
@@ -46,16 +46,5 @@ class Statistics {
 
   std::vector<Statistic> all_;
 };
-
-/// Adds the time that `work` takes; returns what it returns.
-template <typename Work>
-auto timed(Seconds& total, Work work) {
-  struct Clock {
-    Seconds& total;
-    std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
-    ~Clock() { total += std::chrono::steady_clock::now() - start; }
-  } const clock{total};
-  return work();
-}
 
 }  // namespace oplus

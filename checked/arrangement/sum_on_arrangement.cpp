@@ -6,6 +6,7 @@
 
 #include "checked/arrangement/hole_test.hpp"
 #include "checked/arrangement/sum_boundary.hpp"
+#include "checked/timed.hpp"
 
 namespace oplus {
 

@@ -1,22 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <compare>
 #include <vector>
 
 #include "reference/definitions/direction.hpp"
 #include "reference/definitions/region.hpp"
 
 namespace oplus {
-
-/// The sum of an edge of one summand and a vertex of the other, named by their indices.
-struct Origin {
-  Summand edge_of;     ///< whose edge; the vertex is the other summand's
-  VertexIndex edge;    ///< the edge that leaves this vertex
-  VertexIndex vertex;  ///< of the other summand
-
-  friend auto operator<=>(const Origin&, const Origin&) = default;
-};
 
 /// A segment of the vertex-edge sum, directed as its edge. The sum's interior is to its left
 /// (thesis, Observation 2.2.4).

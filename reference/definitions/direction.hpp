@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
-
 #include "reference/definitions/point.hpp"
 
 namespace oplus {
-
-/// The two polygons that are summed.
-enum class Summand : std::uint8_t { P, Q };
 
 inline Summand other(Summand s) { return s == Summand::P ? Summand::Q : Summand::P; }
 

@@ -9,20 +9,6 @@
 
 namespace oplus {
 
-/// A sum as somebody wrote it down. Nothing is required: chains may be turned the wrong way, cross,
-/// overlap, touch or repeat each other and themselves.
-///
-/// The set it stands for: a point on no chain belongs to it iff some component's outer chain winds
-/// around it, in either direction, and none of that component's holes does; the set is the closure
-/// of these points, for Boundary::open its interior without dangling edges and isolated vertices.
-struct GivenSum {
-  Region region;
-  std::vector<Segment> dangling_edges;
-  std::vector<Point> isolated_vertices;
-
-  friend bool operator==(const GivenSum&, const GivenSum&) = default;
-};
-
 /// A sum by its chains. A hole goes to the smallest outer chain around it; one around which there is
 /// none is the only chain of its component, whose outer chain is empty.
 GivenSum given(const MinkowskiSum& sum);

@@ -8,26 +8,6 @@
 
 namespace oplus {
 
-/// closed: the regularized sum of the closed regions. open: the sum of their interiors, an open set
-/// whose complement may have dangling edges and isolated vertices (thesis, Section 3.2.4).
-enum class Boundary { closed, open };
-
-/// A Minkowski sum as a value, in one canonical form, so that equal sums are ==:
-///  1. each chain is a part of the boundary of one face of the complement, the sum to its left, and
-///     turns clockwise most at a vertex it meets more than once (thesis, Definition 3.2.1);
-///  2. it starts at its lexicographically smallest vertex and has no vertex inside a straight line;
-///  3. `outer` chains are counterclockwise, `holes` clockwise; both are sorted;
-///  4. dangling edges are maximal, directed from their smaller end, and sorted; so are isolated
-///     vertices. Both are empty for Boundary::closed.
-struct MinkowskiSum {
-  std::vector<Chain> outer;
-  std::vector<Chain> holes;
-  std::vector<Segment> dangling_edges;
-  std::vector<Point> isolated_vertices;
-
-  friend bool operator==(const MinkowskiSum&, const MinkowskiSum&) = default;
-};
-
 /// The parts of a sum's boundary in no particular order, as an algorithm finds them.
 struct BoundaryFeatures {
   /// The regularized boundary, the sum to the left; they meet at common ends only.
@@ -56,9 +36,7 @@ Rational area(const MinkowskiSum& sum);
 /// All edges of a sum: of the outer chains, of the holes, then the dangling ones.
 std::vector<Segment> edges(const MinkowskiSum& sum);
 
-/// For each of `edges(sum)`, sorted, the reduced convolution segments that run along it: those
-/// that share more than a point with it and have its direction (for a dangling edge, either).
-using Origins = std::vector<std::vector<Origin>>;
+/// The origins of the edges of a sum, in the order of `edges(sum)`.
 Origins origins(const MinkowskiSum& sum, const std::vector<ConvolutionSegment>& reduced);
 
 }  // namespace oplus

@@ -1,33 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <compare>
-
 #include "reference/definitions/rational.hpp"
 
 namespace oplus {
-
-/// A point of the plane and, equally, its radius vector: Minkowski sums add points.
-struct Point {
-  Rational x;
-  Rational y;
-
-  friend bool operator==(const Point& a, const Point& b) { return a.x == b.x && a.y == b.y; }
-
-  /// Cheaper than by way of a third point, which would be allocated.
-  friend void swap(Point& a, Point& b) noexcept {
-    a.x.swap(b.x);
-    a.y.swap(b.y);
-  }
-
-  /// Lexicographic: by x, then by y.
-  friend std::strong_ordering operator<=>(const Point& a, const Point& b) {
-    const int by_x = cmp(a.x, b.x);
-    return (by_x != 0 ? by_x : cmp(a.y, b.y)) <=> 0;
-  }
-};
-
-using Vector = Point;
 
 inline Point operator+(const Point& a, const Point& b) { return {a.x + b.x, a.y + b.y}; }
 inline Point operator-(const Point& a, const Point& b) { return {a.x - b.x, a.y - b.y}; }

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <gmpxx.h>
+#include "reference/definitions/values.hpp"
 
 namespace oplus {
-
-/// Every coordinate and every number derived from one: an exact rational in lowest terms.
-using Rational = mpq_class;
 
 /// Returns -1, 0 or 1.
 inline int sign(const Rational& value) { return sgn(value); }

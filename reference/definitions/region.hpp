@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <compare>
 #include <cstddef>
 #include <vector>
 
@@ -9,35 +8,6 @@
 #include "reference/definitions/segment.hpp"
 
 namespace oplus {
-
-/// A closed polygonal chain (thesis, Definition 2.1.3), the last vertex joined to the first.
-using Chain = std::vector<Point>;
-
-/// An outer chain, counterclockwise, with holes, clockwise: the interior is to the left of each
-/// edge.
-struct Component {
-  Chain outer;
-  std::vector<Chain> holes;
-
-  friend bool operator==(const Component&, const Component&) = default;
-};
-
-/// A general polygonal set (thesis, Definition 2.1.17). What a valid one is: validity.hpp.
-/// No component at all is the empty set.
-struct Region {
-  std::vector<Component> components;
-
-  friend bool operator==(const Region&, const Region&) = default;
-};
-
-/// A vertex of a region, and the edge that leaves it: vertex `vertex` of chain `chain`, both from
-/// zero, chains in the order of `chains(region)`.
-struct VertexIndex {
-  std::size_t chain = 0;
-  std::size_t vertex = 0;
-
-  friend auto operator<=>(const VertexIndex&, const VertexIndex&) = default;
-};
 
 /// Returns all chains of a region: of each component the outer one, then its holes.
 std::vector<Chain> chains(const Region& region);
@@ -96,8 +66,6 @@ std::vector<Segment> boundary_pieces(const Region& region);
 /// A region of one component without holes.
 Region polygon(Chain outer);
 
-/// Where a point lies with respect to a region.
-enum class Location { outside, boundary, inside };
 Location locate(const Point& p, const Region& region);
 
 }  // namespace oplus

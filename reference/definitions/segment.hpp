@@ -1,21 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <compare>
 #include <vector>
 
 #include "reference/definitions/point.hpp"
 
 namespace oplus {
-
-/// A directed segment (thesis, Definition 2.1.7).
-struct Segment {
-  Point source;
-  Point target;
-
-  friend bool operator==(const Segment&, const Segment&) = default;
-  friend std::strong_ordering operator<=>(const Segment&, const Segment&) = default;
-};
 
 inline Vector direction_of(const Segment& s) { return s.target - s.source; }
 inline Segment reversed(const Segment& s) { return {s.target, s.source}; }

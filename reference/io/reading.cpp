@@ -16,7 +16,6 @@
 #include "reference/io/invalid_region.hpp"
 #include "reference/io/placed_geometry.hpp"
 #include "reference/io/quoting.hpp"
-#include "reference/io/writing.hpp"
 
 namespace oplus {
 
@@ -53,6 +52,18 @@ void refuse_binary(const InputText& input) {
       input.refuse(at, "the byte " + quote({&c, 1}) + " is not text", formats);
     at.pass(c);
   }
+}
+
+PlacedGeometry parse_as(Format format, const InputText& input, Wanted wanted) {
+  switch (format) {
+    case Format::wkt:
+      return parse_wkt(input, wanted);
+    case Format::geojson:
+      return parse_geojson(input, wanted);
+    case Format::dat:
+      break;
+  }
+  return parse_dat(input);
 }
 
 PlacedGeometry parse(const InputText& input, Wanted wanted) {
@@ -95,6 +106,12 @@ Region valid_region(const InputText& input, PlacedGeometry& geometry,
   if (const std::optional<Defect> defect = find_defect(region))
     refuse_defect(input, geometry, *defect);
   return region;
+}
+
+ReadRegion oriented_and_checked(const InputText& input, PlacedGeometry geometry) {
+  ReadRegion result;
+  result.region = valid_region(input, geometry, result.notes);
+  return result;
 }
 
 /// The edges of the line strings, none of zero length.
@@ -163,10 +180,32 @@ GivenSum read_unchecked_sum(const std::string& text, const std::string& name) {
 
 ReadRegion read_region(const std::string& text, const std::string& name) {
   const InputText input = input_text(text, name);
-  PlacedGeometry geometry = parse(input, Wanted::region);
-  ReadRegion result;
-  result.region = valid_region(input, geometry, result.notes);
-  return result;
+  return oriented_and_checked(input, parse(input, Wanted::region));
+}
+
+ReadRegion read_region_in(Format format, const std::string& text, const std::string& name) {
+  const InputText input = input_text(text, name);
+  refuse_binary(input);
+  return oriented_and_checked(input, parse_as(format, input, Wanted::region));
+}
+
+ReadRegion oriented_and_checked(const Region& region, const std::string& name) {
+  constexpr Position nowhere{0, 0};
+  PlacedGeometry geometry;
+  const auto add = [&](const ChainName& chain_name, const Chain& chain) {
+    if (chain.size() < 3) refuse_too_few_vertices({name, {}}, nowhere, chain_name, chain.size());
+    geometry.chains.push_back({.name = chain_name,
+                               .vertices = chain,
+                               .places = std::vector<Position>(chain.size(), nowhere),
+                               .start = nowhere});
+  };
+  for (const Component& component : region.components) {
+    const std::size_t number = geometry.next_component();
+    add({number, 0}, component.outer);
+    for (std::size_t h = 0; h < component.holes.size(); ++h)
+      add({number, h + 1}, component.holes[h]);
+  }
+  return oriented_and_checked(InputText{name, {}}, std::move(geometry));
 }
 
 ReadSum read_sum(const std::string& text, const std::string& name) {

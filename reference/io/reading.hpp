@@ -8,6 +8,7 @@
 #include "reference/definitions/minkowski_sum.hpp"
 #include "reference/definitions/region.hpp"
 #include "reference/io/invalid_input.hpp"
+#include "reference/io/writing.hpp"
 
 namespace oplus {
 
@@ -30,6 +31,13 @@ struct ReadSum {
 /// out the number of holes. The number 0 alone is the empty region. `name` is what messages call
 /// the text. Throws InvalidInput.
 ReadRegion read_region(const std::string& text, const std::string& name);
+
+/// The same of a text that is in this format.
+ReadRegion read_region_in(Format format, const std::string& text, const std::string& name);
+
+/// Turns and checks a region that was not read as a reader does; `name` is what messages call it.
+/// Throws InvalidInput, without a line.
+ReadRegion oriented_and_checked(const Region& region, const std::string& name);
 
 /// Reads a sum: a region as above, or a collection (WKT GEOMETRYCOLLECTION, GeoJSON
 /// GeometryCollection) of at most one region, of line strings, the dangling edges, and of points,

@@ -4,6 +4,7 @@
 
 #include "checked/arrangement/hole_test.hpp"
 #include "checked/statistics.hpp"
+#include "checked/timed.hpp"
 #include "tests/bench/engine.hpp"
 #include "tests/bench/hole_test_questions.hpp"
 

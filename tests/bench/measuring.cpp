@@ -9,6 +9,7 @@
 #include <regex>
 
 #include "checked/statistics.hpp"
+#include "checked/timed.hpp"
 #include "properties/compare/peers/method.hpp"
 #include "tests/bench/numbers.hpp"
 #include "tests/bench/table.hpp"

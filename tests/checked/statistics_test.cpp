@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/statistics.hpp"
+#include "checked/timed.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,44 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""installed_header.py ROOT HEADER OUT: writes a header of this folder as it is installed. What it includes
+of ours is put into it, once, so that users see nothing else of ours and no path of ours can be one of theirs;
+another header of this folder is included as <oplus/...>."""
+
+import re
+import sys
+from pathlib import Path
+
+PUBLIC = "checked/oplus/"
+OURS = re.compile(r'#include "(.*)"')
+
+
+def expanded(root, name, system, seen):
+    """Returns the lines of a header without those that only a file of its own needs, and puts the other
+    libraries' includes into `system`."""
+    lines = []
+    for line in (root / name).read_text(encoding="utf-8").splitlines():
+        include = OURS.fullmatch(line)
+        if include and include[1].startswith(PUBLIC):
+            system.add(f"#include <oplus/{include[1].removeprefix(PUBLIC)}>")
+        elif include and include[1] not in seen:
+            seen.add(include[1])
+            lines += expanded(root, include[1], system, seen)
+        elif line.startswith("#include"):
+            system.update([line] if not include else [])
+        elif line != "#pragma once" and not line.startswith("// SPDX"):
+            lines.append(line)
+    return lines
+
+
+def installed(root, name):
+    system = set()
+    lines = expanded(root, name, system, {name})
+    first = (root / name).read_text(encoding="utf-8").splitlines()[0]
+    body = re.sub(r"\n{3,}", "\n\n", "\n".join(lines))
+    body = body.replace("}  // namespace oplus\n\nnamespace oplus {\n\n", "")
+    return f"{first}\n#pragma once\n\n" + "\n".join(sorted(system)) + "\n\n" + body.strip() + "\n"
+
+
+if __name__ == "__main__":
+    root, name, out = sys.argv[1:]
+    Path(out).write_text(installed(Path(root), name), encoding="utf-8")

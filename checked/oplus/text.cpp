@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "checked/oplus/oplus.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+template <typename Value>
+std::string text(const Value& value, Format format, std::optional<int> digits) {
+  if (digits && (*digits < 0 || *digits > most_digits))
+    throw std::invalid_argument("digits: " + std::to_string(*digits) + "; expected 0 to " +
+                                std::to_string(most_digits));
+  std::string result = written(value, format, digits);
+  if (result.ends_with('\n')) result.pop_back();
+  return result;
+}
+
+}  // namespace
+
+std::string to_wkt(const ValidRegion& region, std::optional<int> digits) {
+  return text(region.region(), Format::wkt, digits);
+}
+
+std::string to_wkt(const Sum& sum, std::optional<int> digits) {
+  return text(sum.value(), Format::wkt, digits);
+}
+
+std::string to_geojson(const ValidRegion& region, std::optional<int> digits) {
+  return text(region.region(), Format::geojson, digits);
+}
+
+std::string to_geojson(const Sum& sum, std::optional<int> digits) {
+  return text(sum.value(), Format::geojson, digits);
+}
+
+}  // namespace oplus
