@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/oplus/engines.hpp"
+
+#include "checked/engines.hpp"
+
+namespace oplus {
+
+std::vector<std::string> engine_names() {
+  std::vector<std::string> names;
+  for (const Engine& one : engines()) names.push_back(one.name);
+  return names;
+}
+
+const Engine* engine(std::string_view name) {
+  const Engine* const found = find_engine(engines(), name);
+  if (found != nullptr) return found;
+  std::string expected;
+  for (const std::string& known : engine_names())
+    expected += (expected.empty() ? "" : ", ") + known;
+  throw std::invalid_argument("unknown engine " + std::string(name) + "; expected one of " +
+                              expected);
+}
+
+}  // namespace oplus
