@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""installed_header.py ROOT HEADER OUT: writes a header of this folder as it is installed. What it includes
-of ours is put into it, once, so that users see nothing else of ours and no path of ours can be one of theirs;
-another header of this folder is included as <oplus/...>."""
+"""installed_headers.py ROOT OUT: writes the headers of this folder into OUT as they are installed. What a
+header includes of ours is put into it, once, so that users see nothing else of ours and no path of ours can be
+one of theirs; another header of this folder is included as <oplus/...>. A file that is up to date stays."""
 
 import re
 import sys
@@ -40,5 +40,9 @@ def installed(root, name):
 
 
 if __name__ == "__main__":
-    root, name, out = sys.argv[1:]
-    Path(out).write_text(installed(Path(root), name), encoding="utf-8")
+    root, out = map(Path, sys.argv[1:])
+    out.mkdir(parents=True, exist_ok=True)
+    for header in sorted((root / PUBLIC).glob("*.hpp")):
+        text, written = installed(root, PUBLIC + header.name), out / header.name
+        if not written.exists() or written.read_text(encoding="utf-8") != text:
+            written.write_text(text, encoding="utf-8")
