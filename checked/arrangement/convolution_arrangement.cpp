@@ -12,7 +12,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "checked/collision/non_crossing_traits.hpp"
+#include "checked/sweep/non_crossing_traits.hpp"
 #include "reference/definitions/mutant.hpp"
 
 namespace oplus {

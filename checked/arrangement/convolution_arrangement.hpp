@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "checked/collision/strands.hpp"
+#include "checked/sweep/strands.hpp"
 #include "reference/definitions/convolution.hpp"
 
 namespace oplus {

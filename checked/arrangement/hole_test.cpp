@@ -4,6 +4,7 @@
 #include "checked/arrangement/ray_shooting.hpp"
 #include "checked/collision/collision_test.hpp"
 #include "checked/cycles/convolution_cycles.hpp"
+#include "checked/sweep/sweep_collision.hpp"
 #include "reference/definitions/contract.hpp"
 
 namespace oplus {
@@ -14,8 +15,8 @@ namespace {
 /// its left is the sum, so its middle is in the open sum iff the face to its right is.
 class HoleTestByCollision : public HoleTest {
  public:
-  HoleTestByCollision(CollisionMethod method, const Region& p, const Region& q)
-      : collision_(collision_test(method, p, q)) {}
+  explicit HoleTestByCollision(std::unique_ptr<CollisionTest> collision)
+      : collision_(std::move(collision)) {}
 
   bool is_hole_right_of(const Segment& edge) override {
     return !interiors_meet_at(midpoint(edge.source, edge.target));
@@ -30,8 +31,7 @@ class HoleTestByCollision : public HoleTest {
 class HoleTestByRays : public HoleTestByCollision {
  public:
   HoleTestByRays(const Region& p, const Region& q)
-      : HoleTestByCollision(CollisionMethod::hierarchy, p, q),
-        rays_(segments(traced_convolution(p, q))) {}
+      : HoleTestByCollision(hierarchy_collision(p, q)), rays_(segments(traced_convolution(p, q))) {}
 
   bool is_hole_right_of(const Segment& edge) override {
     const int winding_number = rays_.winding_number_right_of(edge);
@@ -46,15 +46,15 @@ class HoleTestByRays : public HoleTestByCollision {
 }  // namespace
 
 std::unique_ptr<HoleTest> hierarchy_hole_test(const Region& p, const Region& q) {
-  return std::make_unique<HoleTestByCollision>(CollisionMethod::hierarchy, p, q);
+  return std::make_unique<HoleTestByCollision>(hierarchy_collision(p, q));
 }
 
 std::unique_ptr<HoleTest> sweep_hole_test(const Region& p, const Region& q) {
-  return std::make_unique<HoleTestByCollision>(CollisionMethod::sweep, p, q);
+  return std::make_unique<HoleTestByCollision>(sweep_collision(p, q));
 }
 
 std::unique_ptr<HoleTest> naive_hole_test(const Region& p, const Region& q) {
-  return std::make_unique<HoleTestByCollision>(CollisionMethod::naive, p, q);
+  return std::make_unique<HoleTestByCollision>(naive_collision(p, q));
 }
 
 std::unique_ptr<HoleTest> ray_hole_test(const Region& p, const Region& q) {

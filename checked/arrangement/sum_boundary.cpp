@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "checked/arrangement/isolated_touching_points.hpp"
+#include "checked/collision/isolated_touching_points.hpp"
 #include "reference/definitions/contract.hpp"
 #include "reference/definitions/mutant.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/cli/engines_and_oracle.hpp"
 
-#include "checked/engines.hpp"
+#include "checked/engines/engines.hpp"
 #include "reference/oracle/oracle.hpp"
 
 namespace oplus {

@@ -5,7 +5,7 @@
 
 namespace oplus {
 
-/// What the program offers, the default first: the engines (checked/engines.hpp), then the oracle.
+/// What the program offers, the default first: the engines (checked/engines/engines.hpp), then the oracle.
 const std::vector<Engine>& engines_and_oracle();
 
 }  // namespace oplus

@@ -153,7 +153,7 @@ std::string named(const Point& x) {
 Panel placement_panel(const Region& p, const Region& q, const Point& x) {
   const Region placed_q = translated(reflected(q), x);
   const Placement placement(p, placed_q);
-  const bool meet = collision_test(CollisionMethod::hierarchy, p, q)->interiors_meet_at(x);
+  const bool meet = hierarchy_collision(p, q)->interiors_meet_at(x);
   Style of_q = labelled(style::summand_q, "\u2212Q + x");
   of_q.name = "placed-q";
   of_q.place = 18;

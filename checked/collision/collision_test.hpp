@@ -21,21 +21,11 @@ class CollisionTest {
   virtual bool interiors_meet_at(const Point& x) = 0;
 };
 
-enum class CollisionMethod { hierarchy, sweep, naive };
-
 // All require: p and q are valid (validity.hpp).
-
-std::unique_ptr<CollisionTest> collision_test(CollisionMethod method, const Region& p,
-                                              const Region& q);
 
 /// By two hierarchies of bounding volumes, built once, of which that of -Q is translated (Section
 /// 5.1.2). About O(log n + log m) where the interiors meet, by experience; O(nm) at worst.
 std::unique_ptr<CollisionTest> hierarchy_collision(const Region& p, const Region& q);
-
-/// By sweeping a line over both boundaries (Section 5.1.1): stops where the first crossing or
-/// contact shows that the interiors meet, so no more than that one crossing is found, whatever
-/// their number: O((n+m) log(n+m)).
-std::unique_ptr<CollisionTest> sweep_collision(const Region& p, const Region& q);
 
 /// Compares each edge of P with each of -Q+x (Section 5.1): O(nm) unless an early pair crosses.
 /// What the two fast ones are measured against.

@@ -5,8 +5,8 @@
 #include <iterator>
 #include <memory>
 
-#include "checked/arrangement/isolated_touching_points.hpp"
 #include "checked/collision/collision_test.hpp"
+#include "checked/collision/isolated_touching_points.hpp"
 #include "reference/definitions/sorted_without_copies.hpp"
 
 namespace oplus::slide {

@@ -14,7 +14,7 @@
 #include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/output.hpp"
 #include "checked/cli/usage_error.hpp"
-#include "checked/engines.hpp"
+#include "checked/engines/engines.hpp"
 #include "properties/compare/counterexample_files.hpp"
 #include "properties/compare/engine_called.hpp"
 #include "properties/compare/report_json.hpp"

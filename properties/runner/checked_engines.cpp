@@ -4,7 +4,7 @@
 #include <memory>
 #include <utility>
 
-#include "checked/engines.hpp"
+#include "checked/engines/engines.hpp"
 #include "properties/runner/compared_hole_tests.hpp"
 
 namespace oplus {

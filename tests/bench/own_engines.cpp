@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "checked/arrangement/rca.hpp"
-#include "checked/engines.hpp"
+#include "checked/engines/engines.hpp"
 #include "tests/bench/engine.hpp"
 
 namespace oplus {

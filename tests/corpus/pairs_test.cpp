@@ -5,7 +5,7 @@
 #include <set>
 
 #include "checked/arrangement/hole_test.hpp"
-#include "checked/engines.hpp"
+#include "checked/engines/engines.hpp"
 #include "properties/compare/corpus.hpp"
 #include "reference/oracle/oracle.hpp"
 #include "tests/reference/definitions/print.hpp"

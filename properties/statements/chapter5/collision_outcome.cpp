@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "properties/statements/chapter5/collision_outcome.hpp"
 
-#include <memory>
 #include <ranges>
 #include <set>
 
@@ -31,8 +30,7 @@ std::set<Point> placements(const Summands& summands) {
 
 }  // namespace
 
-Outcome collision_outcome(CollisionMethod method, const Summands& summands) {
-  const std::unique_ptr<CollisionTest> test = collision_test(method, summands.p, summands.q);
+Outcome collision_outcome(CollisionTest& method, const Summands& summands) {
   const Region minus_q = reflected(summands.q);
   Outcome outcome;
   for (const Point& x : placements(summands)) {
@@ -40,7 +38,7 @@ Outcome collision_outcome(CollisionMethod method, const Summands& summands) {
     const bool meet = interiors_meet(summands.p, placed);
     const std::string contact = describe(strongest_contact(summands.p, placed));
     ++outcome.counts["placements " + contact + (meet ? " that collide" : " that do not")];
-    if (test->interiors_meet_at(x) == meet) continue;
+    if (method.interiors_meet_at(x) == meet) continue;
     outcome.fail("at " + to_string(x) + ", " + contact + ", the interiors of P and -Q+x " +
                  (meet ? "meet" : "do not meet") + ", but the method says the opposite");
     break;

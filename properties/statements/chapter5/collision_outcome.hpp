@@ -8,6 +8,6 @@ namespace oplus {
 
 /// Whether a method answers as the definition (`interiors_meet`) does at every kind of placement there
 /// is. Counts them by their strongest contact and by the answer.
-Outcome collision_outcome(CollisionMethod method, const Summands& summands);
+Outcome collision_outcome(CollisionTest& method, const Summands& summands);
 
 }  // namespace oplus

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/sweep/sweep_collision.hpp"
 #include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/chapter5/collision_outcome.hpp"
@@ -24,7 +25,7 @@ const Registered registered({
     .cases = 100,
     .check =
         [](const Summands& summands) {
-          return collision_outcome(CollisionMethod::sweep, summands);
+          return collision_outcome(*sweep_collision(summands.p, summands.q), summands);
         },
 });
 

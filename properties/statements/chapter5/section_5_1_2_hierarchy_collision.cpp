@@ -22,7 +22,7 @@ const Registered registered({
     .cases = 100,
     .check =
         [](const Summands& summands) {
-          return collision_outcome(CollisionMethod::hierarchy, summands);
+          return collision_outcome(*hierarchy_collision(summands.p, summands.q), summands);
         },
 });
 

@@ -28,7 +28,7 @@ const Registered registered({
     .cases = 100,
     .check =
         [](const Summands& summands) {
-          return collision_outcome(CollisionMethod::naive, summands);
+          return collision_outcome(*naive_collision(summands.p, summands.q), summands);
         },
 });
 

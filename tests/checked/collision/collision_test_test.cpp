@@ -40,7 +40,7 @@ TEST(EachCollision, holds_where_the_summands_share_a_cell) {
     const std::set<Cell> in_p = cells_of(p.region);
     for (const Shape& q : shapes()) {
       const std::set<Cell> in_minus_q = cells_of(reflected(q.region));
-      const auto hierarchy = collision_test(CollisionMethod::hierarchy, p.region, q.region);
+      const auto hierarchy = hierarchy_collision(p.region, q.region);
       const EachMethod each(p.region, q.region);
       const int end = side(p.region) + side(q.region) + 1;
       // All half-integers for small shapes, integers for large ones.
@@ -115,7 +115,7 @@ TEST(EachCollision, is_right_where_coordinates_are_no_doubles) {
       const Region& p = all[k].region;
       const Region& q = all[(k + 5) % all.size()].region;
       const Vector away = factor * Vector{-3, 4};
-      const auto plain = collision_test(CollisionMethod::hierarchy, p, q);
+      const auto plain = hierarchy_collision(p, q);
       const EachMethod each(translated(image(scaling(factor), p), away), image(scaling(factor), q));
       for (int i = 0; i <= 8; ++i) {
         for (int j = 0; j <= 8; ++j) {

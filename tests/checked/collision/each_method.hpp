@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "checked/collision/collision_test.hpp"
+#include "checked/sweep/sweep_collision.hpp"
 
 namespace oplus {
 
@@ -14,9 +15,9 @@ namespace oplus {
 class EachMethod {
  public:
   EachMethod(const Region& p, const Region& q) {
-    tests_.emplace_back("hierarchy", collision_test(CollisionMethod::hierarchy, p, q));
-    tests_.emplace_back("sweep", collision_test(CollisionMethod::sweep, p, q));
-    tests_.emplace_back("naive", collision_test(CollisionMethod::naive, p, q));
+    tests_.emplace_back("hierarchy", hierarchy_collision(p, q));
+    tests_.emplace_back("sweep", sweep_collision(p, q));
+    tests_.emplace_back("naive", naive_collision(p, q));
   }
 
   /// Returns the names of the methods that do not give the answer.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "checked/collision/strands.hpp"
+#include "checked/sweep/strands.hpp"
 
 #include <algorithm>
 #include <map>

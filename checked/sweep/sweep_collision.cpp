@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/sweep/sweep_collision.hpp"
+
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Surface_sweep_2.h>
 #include <CGAL/Surface_sweep_2/Default_visitor.h>
@@ -12,11 +14,10 @@
 #include <utility>
 #include <vector>
 
-#include "checked/collision/collision_test.hpp"
 #include "checked/collision/contact.hpp"
-#include "checked/collision/non_crossing_traits.hpp"
-#include "checked/collision/strands.hpp"
 #include "checked/collision/summand_boundary.hpp"
+#include "checked/sweep/non_crossing_traits.hpp"
+#include "checked/sweep/strands.hpp"
 #include "reference/definitions/contract.hpp"
 #include "reference/definitions/mutant.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/oplus/engines.hpp"
 
-#include "checked/engines.hpp"
+#include "checked/engines/engines.hpp"
 
 namespace oplus {
 

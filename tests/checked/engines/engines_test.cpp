@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "checked/engines.hpp"
+#include "checked/engines/engines.hpp"
 
 #include <gtest/gtest.h>
 

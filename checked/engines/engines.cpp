@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "checked/engines.hpp"
+#include "checked/engines/engines.hpp"
 
 #include "checked/arrangement/rca.hpp"
 #include "checked/arrangement/sum_by_loops.hpp"

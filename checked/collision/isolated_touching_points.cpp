@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "checked/arrangement/isolated_touching_points.hpp"
+#include "checked/collision/isolated_touching_points.hpp"
 
 #include "reference/definitions/mutant.hpp"
 
