@@ -173,7 +173,7 @@ TEST_F(ExperimentsCommand, refuses_invalid_usage_in_one_line) {
   put("file", "");
   for (const std::string options :
        {"--only nonsense", "--scale -1", "--scale x", "--scale nan", "--seed x", "--memory -1",
-        "--memory x", "--nonsense", "nonsense", "--out file", "--out file/folder"}) {
+        "--memory x", "--rows x", "--nonsense", "nonsense", "--out file", "--out file/folder"}) {
     const Ran ran = experiments(options + " --only fork-l");
     EXPECT_EQ(ran.exit_code, 2) << options << '\n' << ran.err;
     EXPECT_EQ(ran.out, "") << options;

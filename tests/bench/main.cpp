@@ -25,6 +25,7 @@ namespace {
 
 constexpr int exit_wrong = 1;
 constexpr auto file_type = "FILE";
+constexpr auto group = "Options without a command";
 
 struct Options {
   std::string rows = ".*";
@@ -133,11 +134,18 @@ std::string shell_word(const std::string& argument) {
   return is_plain && !argument.empty() ? argument : '\'' + argument + '\'';
 }
 
+/// The options of the benchmark that were given.
+std::vector<const CLI::Option*> given_options(const CLI::App& app) {
+  return app.get_options([](const CLI::Option* option) {
+    return option->count() > 0 && option->get_group() == group;
+  });
+}
+
 /// The command that measures the same; without its files, which are of one machine only.
 std::string command_of(const CLI::App& app) {
   std::string command = "build/release/bin/oplus-bench";
-  for (const CLI::Option* option : app.get_options()) {
-    if (option->count() == 0 || option->get_type_name() == file_type) continue;
+  for (const CLI::Option* option : given_options(app)) {
+    if (option->get_type_name() == file_type) continue;
     command += ' ' + option->get_name();
     if (option->get_items_expected() > 0)
       command += ' ' + shell_word(boost::join(option->results(), ","));
@@ -148,6 +156,8 @@ std::string command_of(const CLI::App& app) {
 std::function<int()> add_options(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   app.require_subcommand(0, 1);
+  const std::string group_of_all = app.option_defaults()->get_group();
+  app.option_defaults()->group(group);
   app.add_option("--rows", options->rows, "Only rows whose whole name matches")->type_name("REGEX");
   app.add_option("--engines", options->engines, "Only these engines, separated by commas")
       ->type_name("LIST")
@@ -169,9 +179,13 @@ std::function<int()> add_options(CLI::App& app) {
   app.add_flag("--engines-at-fault", options->engines_at_fault,
                "Also offer engines that crash, hang and are wrong, to test the benchmark")
       ->group("");
+  app.option_defaults()->group(group_of_all);
   const std::function<int()> run_experiments = add_experiments_command(app);
   return [=, &app] {
-    return app.get_subcommands().empty() ? run(*options, command_of(app)) : run_experiments();
+    if (app.get_subcommands().empty()) return run(*options, command_of(app));
+    for (const CLI::Option* option : given_options(app))
+      throw UsageError(option->get_name() + " does not apply to experiments");
+    return run_experiments();
   };
 }
 

@@ -33,7 +33,7 @@ TEST(Corpus, rows_have_distinct_names_and_stories) {
 
 /// A section of docs/findings.md, or a line of its tables, names the row and each version (6.1.1) or
 /// statement (4.1.9) of its story.
-TEST(Corpus, findings_tell_what_stories_name_by_its_number) {
+TEST(Corpus, findings_have_each_row_whose_story_names_a_version_or_statement) {
   std::string page = text_of_file(source_root() / "docs/findings.md");
   for (const std::string begin : {"\n### ", "\n| "}) boost::replace_all(page, begin, "\n## ");
   std::vector<std::string> sections;
@@ -47,7 +47,7 @@ TEST(Corpus, findings_tell_what_stories_name_by_its_number) {
                                         return boost::contains(section, '`' + row.name + '`') &&
                                                boost::contains(section, number);
                                       }))
-          << "docs/findings.md does not tell of " << row.name << ' ' << number;
+          << "docs/findings.md lacks " << row.name << ' ' << number;
     }
   }
   EXPECT_GT(told, 12U);
