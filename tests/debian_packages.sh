@@ -5,7 +5,7 @@
 packages=(g++ cmake ninja-build ccache python3
           libcgal-dev libgmp-dev libmpfr-dev libboost-dev libcli11-dev nlohmann-json3-dev rapidjson-dev
           libtbb-dev libpolyclipping-dev librapidcheck-dev)
-# What tests/run needs besides.
+# More for tests/run.
 packages_of_tests=(clang libclang-rt-14-dev git clang-format libgtest-dev libbenchmark-dev
                    libkainjow-mustache-dev gnuplot-nox help2man
                    parallel munge slurmctld slurmd slurm-client
@@ -39,7 +39,7 @@ install_missing_packages() {
     "${as_root[@]}" install --yes --no-install-recommends "${missing[@]}" </dev/null >/dev/null
 }
 
-# Clones at different places share what ccache keeps; where it can't keep anything it stays out.
+# Clones in different folders share the cache. Without a writable cache ccache is disabled.
 set_up_ccache() {
   command -v ccache >/dev/null || return 0
   export CCACHE_BASEDIR=$1 CCACHE_NOHASHDIR=1

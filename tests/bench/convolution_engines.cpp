@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cycle tracing, O(n + m + K), beside all pairs, O(nm) (thesis, Section 3.2.1).
+// Cycle tracing, O(n + m + K), and all pairs, O(nm) (thesis, Section 3.2.1).
 #include <algorithm>
 
 #include "checked/cycles/convolution_cycles.hpp"
@@ -68,7 +68,8 @@ BenchEngine engine_of(const std::string& name, const std::string& what,
 std::vector<BenchEngine> convolution_engines() {
   return {
       engine_of("traced", "oplus: the convolution by cycle tracing", convolution_cycles),
-      engine_of("without-points", "oplus: cycle tracing, which segments there are and not where",
+      engine_of("without-points",
+                "oplus: cycle tracing, the origins of segments without coordinates",
                 traced_origins),
       engine_of("naive", "oplus: the convolution from all pairs of a vertex and an edge",
                 convolution),

@@ -12,7 +12,8 @@ namespace oplus {
 
 namespace {
 
-/// Pairs in which both grow, but the L, and the convolution from n + m to a part of nm.
+/// Pairs in which both summands grow, except the L, and the convolution has from n + m to about nm
+/// segments.
 struct PairFamily {
   std::string name;
   SizeRange range;
@@ -39,7 +40,7 @@ std::vector<Row> rows(const ExperimentSettings& settings) {
   return all;
 }
 
-/// Steps are compared with their bound n + m + K, and with the pairs that the definition looks at.
+/// Compares the steps with their bound n + m + K, and with the number of pairs that the definition tests.
 void compare(Row& row) {
   for (const std::string name : {"m", "n", "segments", "cycles", "steps"})
     if (const auto found = row.number("traced." + name)) row.numbers[name] = *found;
@@ -66,7 +67,7 @@ std::vector<std::string> summary(const Rows& rows) {
 
 Experiment cycle_experiment() {
   return {.name = "cycles",
-          .what = "Tracing cycles beside every edge against every vertex (Theorem 4.1.10)",
+          .what = "Cycle tracing and all pairs of an edge and a vertex (Theorem 4.1.10)",
           .rows = rows,
           .compare = compare,
           .first_columns = {"family", "size", "m", "n", "segments", "cycles", "steps", "pairs",

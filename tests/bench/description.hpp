@@ -10,19 +10,19 @@
 
 namespace oplus {
 
-/// What an engine's results are made of, added up over the pairs of a row.
+/// Describes an engine's results, added up over the pairs of a row.
 class Description {
  public:
   void count(const std::string& name, std::size_t number);
 
-  /// Says an exact result in canonical form: equal results in equal words.
+  /// Adds an exact result in canonical form: equal results give equal text.
   void say(const std::string& words) { said_ += words; }
   void say(const std::vector<Segment>& segments);
 
-  /// Exact sums are in canonical form; of others the chains are counted as they are.
+  /// Exact sums are in canonical form; the chains of others are counted as they are.
   void add(const MinkowskiSum& sum, bool is_rounded = false);
 
-  /// Adds the numbers, the whole area, and a digest of what was said, if anything was: 64 bits.
+  /// Adds the numbers, the total area, and a digest of 64 bits of the text, if it is not empty.
   void write_to(Measurement& measurement) const;
 
  private:

@@ -13,32 +13,32 @@
 
 namespace oplus {
 
-/// A row's pairs in an engine's own form, ready to be computed again and again.
+/// A row's pairs in an engine's own form, to be computed repeatedly.
 class PreparedPairs {
  public:
   virtual ~PreparedPairs() = default;
 
-  /// What is measured: computes the result of each pair in the engine's own form and keeps it.
-  /// Requires: nothing is kept.
+  /// The measured part: computes the result of each pair in the engine's own form and keeps it.
+  /// Requires: no results are kept.
   virtual void compute() = 0;
 
-  /// Forgets what compute() kept.
+  /// Discards the kept results.
   virtual void forget() = 0;
 
-  /// Evaluates coordinates that compute() left unevaluated; returns false where there are none.
+  /// Evaluates coordinates that compute() left unevaluated; returns false if the engine has none.
   virtual bool evaluate() = 0;
 
-  /// Adds how long the stages of the last compute() took, by name.
+  /// Adds the times of the stages of the last compute(), by name.
   virtual void add_stages(std::map<std::string, double>& seconds) const = 0;
 
-  /// Says what compute() kept.
+  /// Describes the kept results.
   virtual void describe(Description& description) const = 0;
 };
 
-/// Pairs that a method computes one after another. Of what makes a method (method.hpp) it has Input,
-/// Sum, its result whatever that is, converted() and sum(); evaluate(), where that does something; and
+/// Pairs that a method computes one after another. The method (method.hpp) has Input, Sum (any type of
+/// result), converted() and sum(); evaluate(), if its results are lazy; and
 ///   void describe(const Input& input, const Sum& sum, Description& description) const;
-///   and, if it knows, void add_stages(const Input&, const Sum&, std::map<…>& seconds) const;
+///   optionally void add_stages(const Input&, const Sum&, std::map<…>& seconds) const;
 template <typename Method>
 class EachPair : public PreparedPairs {
  public:
@@ -92,7 +92,7 @@ Preparing each_pair(MethodFor method_for) {
   };
 }
 
-/// What can be measured on rows of one subject.
+/// An engine that can be measured on the rows of one subject.
 struct BenchEngine {
   std::string name;
   std::string what;
@@ -100,7 +100,7 @@ struct BenchEngine {
   Subject subject = Subject::sums;
   bool rounds = false;
   bool is_ours = true;
-  bool is_at_fault = false;  ///< on purpose
+  bool is_at_fault = false;  ///< faulty on purpose
 };
 
 /// All engines, in the order in which they are listed.
@@ -109,21 +109,21 @@ const std::vector<BenchEngine>& bench_engines();
 /// Returns nullptr for an unknown name. Rows of growth are for engines of sums.
 const BenchEngine* find_bench_engine(Subject subject, const std::string& name);
 
-// What the list is made of.
+// The parts of the list.
 
-/// Engines of sums: of oplus, also slide on two threads, and of others.
+/// Engines of sums: oplus's, also slide on two threads, and other libraries'.
 std::vector<BenchEngine> own_engines();
 std::vector<BenchEngine> peer_engines();
 
-/// The convolution itself, not a sum: by cycle tracing, the same but which segments there are and not
-/// where, and by all pairs (thesis, Section 3.2.1).
+/// The convolution itself, not a sum: by cycle tracing, the same without coordinates, and by all pairs
+/// (thesis, Section 3.2.1).
 std::vector<BenchEngine> convolution_engines();
 
-/// Each prepares a hole test and asks it questions about the row's pair: rca's or, as the row's word
-/// `about` says, one about each edge of the arrangement.
+/// Each prepares a hole test and asks it questions about the row's pair: those of rca or, if the row's
+/// word `about` is "edges", one per edge of the arrangement.
 std::vector<BenchEngine> hole_test_engines();
 
-/// By which the benchmark itself is tested: one crashes, one never ends, one moves a vertex of the sum.
+/// To test the benchmark itself: one crashes, one never ends, one moves a vertex of the sum.
 std::vector<BenchEngine> engines_at_fault();
 
 }  // namespace oplus

@@ -41,7 +41,7 @@ bool is_drawn(const Plot& plot, const Rows& rows) {
   });
 }
 
-/// As gnuplot reads it; NaN draws nothing.
+/// A formula for gnuplot; NaN draws nothing.
 std::string curve(const Experiment& experiment, const Rows& rows, const std::string& y) {
   if (experiment.fitted_over.empty()) return "NaN";
   const std::optional<Fit> fit =
@@ -50,7 +50,7 @@ std::string curve(const Experiment& experiment, const Rows& rows, const std::str
 }
 
 /// Measures and compares the rows of an experiment; writes NAME.csv, NAME.md and NAME.gp of each plot
-/// that can be drawn. Returns what the index says of it; says what is `wrong`; appends the plots' names.
+/// that can be drawn. Returns its entry of the index; appends faults to `wrong`, names to `plots`.
 PageData run(const Experiment& experiment, const ExperimentSettings& settings,
              std::vector<std::string>& wrong, std::vector<std::string>& plots) {
   Rows rows = experiment.rows(settings);
@@ -86,7 +86,7 @@ PageData run(const Experiment& experiment, const ExperimentSettings& settings,
                 {"plots", page_data(drawn)}};
 }
 
-/// Of these experiments; also says on what machine, and what a process needs that measures nothing.
+/// The index of these experiments; with the machine, and the memory of a process that measures nothing.
 std::string index_page(const ExperimentSettings& settings, const PageData& experiments) {
   const Measurement nothing =
       measured_in_own_process([](const auto&) { return Measurement{}; }, {});
@@ -104,8 +104,8 @@ std::string index_page(const ExperimentSettings& settings, const PageData& exper
                          {"experiments", experiments}});
 }
 
-/// Runs gnuplot on each NAME.gp in its folder, which writes NAME.svg; says what is missing in one
-/// line. Returns whether all are drawn.
+/// Runs gnuplot on each NAME.gp in its folder, which writes NAME.svg; reports in one line what failed.
+/// Returns whether all are drawn.
 bool draw_all(const std::string& folder, const std::vector<std::string>& plots) {
   constexpr int exit_not_found = 127;
   std::string failed;
@@ -116,18 +116,18 @@ bool draw_all(const std::string& folder, const std::vector<std::string>& plots) 
         run_program({"/bin/sh", "-c", script, "sh", folder, plot + ".gp"}, {});
     if (ended.how == EndedProcess::How::exited && ended.code == 0) continue;
     if (ended.code == exit_not_found) {
-      say_error("gnuplot is missing (package gnuplot-nox), so " + std::to_string(plots.size()) +
-                " plots are not drawn; tables and scripts are in " + folder);
+      say_error("gnuplot is missing (package gnuplot-nox): " + std::to_string(plots.size()) +
+                " plots not drawn; tables and scripts are in " + folder);
       return false;
     }
     failed += ' ' + plot;
   }
-  if (!failed.empty()) say_error("gnuplot fails on" + failed);
+  if (!failed.empty()) say_error("gnuplot failed on" + failed);
   return failed.empty();
 }
 
 int run_all(const ExperimentSettings& settings) {
-  // It passes every range.
+  // NaN passes CLI::Range.
   if (std::isnan(settings.scale)) throw UsageError("--scale: not a number");
   std::filesystem::create_directories(settings.out);
   const std::vector<std::string>& only = settings.only;
@@ -176,8 +176,8 @@ std::function<int()> add_experiments_command(CLI::App& app) {
   command->add_option("--seed", settings->seed, "Same seed, same pairs")->capture_default_str();
   command
       ->add_option("--memory", settings->memory_limit_mb,
-                   "Most memory of a measurement, in MB; one that needs more is a row that says "
-                   "so; 0: no limit")
+                   "Memory limit of a measurement in MB; 0: unlimited. One that needs more is "
+                   "reported as a row")
       ->check(CLI::Range(std::size_t{0}, std::size_t{1'000'000'000}))
       ->capture_default_str();
   command->footer(what +
@@ -186,10 +186,10 @@ std::function<int()> add_experiments_command(CLI::App& app) {
                   "  oplus-bench experiments --only fork-l --scale 0.4\n"
                   "\n"
                   "Exit codes:\n"
-                  "  0  all is written\n"
-                  "  1  engines disagree or a measurement died\n"
-                  "  2  a request that makes no sense or a file that cannot be written\n"
-                  "  4  tables are written but gnuplot is missing or fails");
+                  "  0  everything is written\n"
+                  "  1  engines disagree, or an engine of oplus crashed or failed\n"
+                  "  2  invalid usage, or a file that cannot be written\n"
+                  "  4  tables are written, but gnuplot is missing or fails");
   return [settings] { return run_all(*settings); };
 }
 

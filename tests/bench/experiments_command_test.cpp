@@ -48,8 +48,8 @@ class ExperimentsCommand : public Shell {
     return {std::istream_iterator<std::string>(names), {}};
   }
 
-  /// Runs the smallest size of an experiment and expects a table of so many rows, every cell of
-  /// which has a header, its page, these plots, and an index that names them.
+  /// Runs the smallest size of an experiment. Expects a table of this many rows whose cells all have a
+  /// header, its page, these plots, and an index that names them.
   void expect_written(const std::string& name, std::size_t rows, const Cells& plots) {
     const Ran ran = experiments("--scale 0 --only " + name);
     EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
@@ -96,7 +96,7 @@ TEST_F(ExperimentsCommand, cycles) {
     EXPECT_LT(std::stod(share), 1);
 }
 
-TEST_F(ExperimentsCommand, table_6_1_measures_what_is_there_and_counts_what_is_not) {
+TEST_F(ExperimentsCommand, table_6_1_measures_existing_pairs_and_counts_missing_ones) {
   expect_written("table-6.1", 9, {});
   std::size_t there = 0;
   for (const std::string name :
@@ -143,7 +143,7 @@ TEST_F(ExperimentsCommand, same_seed_same_sizes_another_seed_others) {
   EXPECT_NE(first, sizes("three", "4"));
 }
 
-TEST_F(ExperimentsCommand, what_runs_out_of_memory_is_a_row) {
+TEST_F(ExperimentsCommand, a_measurement_that_runs_out_of_memory_is_a_row) {
   const Ran ran = experiments("--scale 0 --only fork-l --memory 1");
   EXPECT_EQ(ran.exit_code, 0) << ran.err;
   EXPECT_EQ(column(out("fork-l.csv"), "rca_outcome"), Cells({"out of memory"}));
@@ -166,14 +166,14 @@ TEST_F(ExperimentsCommand, a_gnuplot_that_fails_is_named) {
   put("gnuplot", "#!/bin/sh\nexit 1\n");
   const Ran ran = experiments("--scale 0 --only cycles", "chmod +x gnuplot\nPATH=\"$PWD:$PATH\"\n");
   EXPECT_EQ(ran.exit_code, 4);
-  EXPECT_EQ(ran.err, "oplus-bench: gnuplot fails on cycles-factor cycles-steps\n");
+  EXPECT_EQ(ran.err, "oplus-bench: gnuplot failed on cycles-factor cycles-steps\n");
 }
 
-TEST_F(ExperimentsCommand, refuses_requests_without_sense_in_one_line) {
+TEST_F(ExperimentsCommand, refuses_invalid_usage_in_one_line) {
   put("file", "");
   for (const std::string options :
        {"--only nonsense", "--scale -1", "--scale x", "--scale nan", "--seed x", "--memory -1",
-        "--memory x", "--nonsense", "nonsense", "--out file", "--out file/folder"}) {
+        "--memory x", "--rows x", "--nonsense", "nonsense", "--out file", "--out file/folder"}) {
     const Ran ran = experiments(options + " --only fork-l");
     EXPECT_EQ(ran.exit_code, 2) << options << '\n' << ran.err;
     EXPECT_EQ(ran.out, "") << options;

@@ -17,13 +17,13 @@ std::vector<std::size_t> sizes(const SizeRange& range, double scale) {
 }
 
 Random random_of(const std::string& experiment, std::uint64_t seed, std::size_t size) {
-  constexpr std::uint64_t index = 1;  // of one pair of each size, where the thesis has 5 or 20
+  constexpr std::uint64_t index = 1;  // one pair per size, where the thesis has 5 or 20
   std::vector<std::uint32_t> material(experiment.begin(), experiment.end());
   for (const std::uint64_t number : {seed, std::uint64_t{size}, index}) {
     material.push_back(static_cast<std::uint32_t>(number));
     material.push_back(static_cast<std::uint32_t>(number >> 32));
   }
-  std::seed_seq mixed(material.begin(), material.end());  // the standard fixes what it gives
+  std::seed_seq mixed(material.begin(), material.end());  // its output is fixed by the standard
   return Random(mixed);
 }
 

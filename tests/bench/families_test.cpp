@@ -8,7 +8,7 @@ namespace {
 
 using Sizes = std::vector<std::size_t>;
 
-TEST(GrowingFamilies, the_scale_cuts_and_extends_a_range_at_its_top) {
+TEST(GrowingFamilies, the_scale_changes_the_largest_size) {
   const SizeRange range{10, 40, 10};
   EXPECT_EQ(sizes(range, 1), Sizes({10, 20, 30, 40}));
   EXPECT_EQ(sizes(range, 0.5), Sizes({10, 20}));
@@ -18,13 +18,13 @@ TEST(GrowingFamilies, the_scale_cuts_and_extends_a_range_at_its_top) {
   EXPECT_EQ(sizes({50, 980, 30}, 1).back(), 980U);
 }
 
-TEST(GrowingFamilies, sizes_double_where_there_is_no_step) {
+TEST(GrowingFamilies, sizes_double_without_a_step) {
   EXPECT_EQ(sizes({25, 200}, 1), Sizes({25, 50, 100, 200}));
   EXPECT_EQ(sizes({25, 200}, 0.9), Sizes({25, 50, 100}));
   EXPECT_EQ(sizes({25, 200}, 0), Sizes({25}));
 }
 
-TEST(GrowingFamilies, each_size_has_bits_of_its_own) {
+TEST(GrowingFamilies, each_size_has_its_own_bits) {
   const auto first = [](const std::string& experiment, std::uint64_t seed, std::size_t size) {
     return random_of(experiment, seed, size)();
   };

@@ -13,7 +13,7 @@ namespace {
 using boost::math::statistics::simple_ordinary_least_squares;
 using boost::math::statistics::variance;
 
-/// What is left of y where a line in x is taken away.
+/// y minus its fitted line in x.
 std::vector<double> residuals(const std::vector<double>& x, const std::vector<double>& y) {
   const auto [constant, linear] = simple_ordinary_least_squares(x, y);
   std::vector<double> result;
@@ -27,10 +27,10 @@ std::optional<Fit> fitted_curve(std::size_t degree, const Points& points) {
   const auto& [x, y] = points;
   if (std::set<double>(x.begin(), x.end()).size() < degree + 2) return std::nullopt;
   Fit fit;
-  std::vector<double> rest = y;  // without what is quadratic
+  std::vector<double> rest = y;  // y without its quadratic part
   if (degree == 2) {
-    // By lines alone (Frisch, Waugh and Lovell): the coefficient of x² is the slope of what y has
-    // left over a line in x, on what x² has left over one.
+    // With lines only (Frisch, Waugh and Lovell): the coefficient of x² is the slope of the residuals
+    // of y over those of x².
     std::vector<double> squares;
     for (const double one : x) squares.push_back(one * one);
     fit.quadratic = simple_ordinary_least_squares(residuals(x, squares), residuals(x, y)).second;
@@ -38,7 +38,7 @@ std::optional<Fit> fitted_curve(std::size_t degree, const Points& points) {
   }
   std::tie(fit.constant, fit.linear) = simple_ordinary_least_squares(x, rest);
   const double total = variance(y);
-  // The mean of residuals is 0, so that their variance is the mean of their squares.
+  // The mean of residuals is 0, so their variance is the mean of their squares.
   fit.r_squared = total == 0 ? 1 : 1 - variance(residuals(x, rest)) / total;
   return fit;
 }

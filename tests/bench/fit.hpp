@@ -7,7 +7,7 @@
 
 namespace oplus {
 
-/// What a curve is fitted to: as many x as y.
+/// The points that a curve is fitted to: x and y have the same size.
 struct Points {
   std::vector<double> x;
   std::vector<double> y;
@@ -18,14 +18,14 @@ struct Fit {
   double constant = 0;
   double linear = 0;
   double quadratic = 0;
-  double r_squared = 0;  ///< 1 - residual sum of squares / total sum of squares; 1 of constant y
+  double r_squared = 0;  ///< 1 - residual sum of squares / total sum of squares; 1 for constant y
 };
 
-/// The line (degree 1) or parabola (degree 2); nothing unless there is a different x more than the
-/// curve has coefficients: without, R² is 1 and says nothing.
+/// The line (degree 1) or parabola (degree 2). Empty unless there are more different x than
+/// coefficients: with fewer, R² is always 1.
 std::optional<Fit> fitted_curve(std::size_t degree, const Points& points);
 
-/// As gnuplot reads it, in x.
+/// A formula in x, for gnuplot.
 std::string formula(const Fit& fit);
 
 }  // namespace oplus

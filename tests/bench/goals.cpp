@@ -14,8 +14,7 @@ Goal goal(const std::string& text, const std::string& measured, std::optional<bo
   return {text, measured, !reached ? "not measured" : *reached ? "yes" : "**no**"};
 }
 
-/// A ratio of which more is better, and the row that has it. A lower bound that is below the goal
-/// tells nothing.
+/// A ratio that should be large, and its row. A lower bound below the goal decides nothing.
 Goal at_least(double least, const std::string& text, const std::optional<Ratio>& ratio,
               const std::string& row = "") {
   if (!ratio) return goal(text, "", std::nullopt);
@@ -24,7 +23,7 @@ Goal at_least(double least, const std::string& text, const std::optional<Ratio>&
               is_unknown ? std::nullopt : std::optional(ratio->value >= least));
 }
 
-/// The other rows on which an engine of others, or of ours, takes less time than slide.
+/// The rows on which another engine takes less time than slide.
 Goal none_is_faster(const std::string& text, const Rows& rows, double limit) {
   std::string faster;
   bool measured = false;
@@ -42,7 +41,7 @@ Goal none_is_faster(const std::string& text, const Rows& rows, double limit) {
   return goal(text, faster.empty() ? "none" : faster, faster.empty());
 }
 
-/// The largest number of microseconds a segment on rows without holes.
+/// The largest number of microseconds per segment on rows without holes.
 Goal time_a_segment(const std::string& text, const Rows& rows, double most) {
   double largest = 0;
   std::string measured;
@@ -103,11 +102,10 @@ Table goals_of(const Report& report) {
                    published.empty() ? std::nullopt : std::optional(geometric_mean(published))),
           at_least(3, "published pairs: none less than 3 times", least.first, least.second),
           as_fast(20, "small pairs", "small_pairs"),
-          none_is_faster("no row on which any engine is faster",
+          none_is_faster("no row on which another engine is faster",
                          rows_for(report.rows, Subject::sums), limit),
-          time_a_segment(
-              "where the sum has no holes: at most 3 µs a segment of the reduced convolution",
-              report.rows, 3),
+          time_a_segment("sums without holes: at most 3 µs per segment of the reduced convolution",
+                         report.rows, 3),
           at_least(1.7, "two threads: at least 1.7 times one, on the largest sum of the growth",
                    two_threads),
       }};

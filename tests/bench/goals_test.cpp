@@ -19,7 +19,7 @@ Row row_of(const std::string& name, const std::string& group,
   return {.name = name, .group = group, .what = name, .measurements = std::move(measurements)};
 }
 
-/// What was measured, and whether it is reached.
+/// The measured value, and whether the goal is reached.
 using Found = std::pair<std::string, std::string>;
 
 Found goal(const Rows& rows, const std::string& part_of_text) {
@@ -34,7 +34,7 @@ TEST(Goals, without_a_run_are_neither_reached_nor_missed) {
   for (const auto& cells : goals.rows) EXPECT_EQ(cells.at(2), "not measured") << cells[0];
 }
 
-TEST(Goals, are_reached_from_the_number_on) {
+TEST(Goals, are_reached_at_their_number) {
   const auto small_pairs = [](double seconds) {
     return goal(
         {row_of("small_pairs", "small pairs", {of("slide", 1), of("cgal-reduced", seconds)})},
@@ -44,7 +44,7 @@ TEST(Goals, are_reached_from_the_number_on) {
   EXPECT_EQ(small_pairs(19.9), Found("19.9", "**no**"));
 }
 
-TEST(Goals, a_lower_bound_below_the_number_tells_nothing) {
+TEST(Goals, a_lower_bound_below_the_goal_decides_nothing) {
   Measurement ended = of("cgal-reduced", 0);
   ended.outcome = Measurement::Ending::over_limit;
   const auto stars = [&](double slide) {
@@ -63,18 +63,18 @@ TEST(Goals, name_the_row_on_which_an_engine_is_faster) {
   EXPECT_EQ(row(0.5), Found("comb_20: clipper, 0.500", "**no**"));
 }
 
-TEST(Goals, the_time_a_segment_counts_where_there_are_no_holes) {
+TEST(Goals, the_time_per_segment_counts_without_holes) {
   const auto row = [](double seconds, double holes) {
     Measurement slide = of("slide", seconds);
     slide.numbers["sum_holes"] = holes;
-    return goal({row_of("comb_20", "combs", {slide})}, "µs a segment");
+    return goal({row_of("comb_20", "combs", {slide})}, "µs per segment");
   };
   EXPECT_EQ(row(3, 0), Found("at most 3.00, comb_20", "yes"));
   EXPECT_EQ(row(3.1, 0), Found("at most 3.10, comb_20", "**no**"));
   EXPECT_EQ(row(3.1, 1), Found("", "not measured"));
 }
 
-TEST(Goals, of_the_published_pairs_are_about_the_mean_and_the_least) {
+TEST(Goals, for_published_pairs_use_the_mean_and_the_least) {
   const Rows rows = {row_of("a", "published", {of("slide", 1), of("cgal-reduced", 2)}),
                      row_of("b", "published", {of("slide", 1), of("cgal-reduced", 50)})};
   EXPECT_EQ(goal(rows, "geometric mean"), Found("10.0", "yes"));

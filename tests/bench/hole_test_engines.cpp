@@ -12,14 +12,14 @@ namespace oplus {
 
 namespace {
 
-/// More are thinned out evenly: the slowest method takes milliseconds for each.
+/// The slowest method takes milliseconds per question.
 constexpr std::size_t most_questions = 100;
 
 struct Asking {
   struct Input {
     Summands pair;
-    std::size_t questions;       ///< all of them
-    std::vector<Segment> asked;  ///< some
+    std::size_t questions;       ///< the number of all
+    std::vector<Segment> asked;  ///< some of them
   };
   struct Sum {
     Seconds preparing{};
@@ -54,7 +54,7 @@ struct Asking {
     return result;
   }
 
-  /// Of questions the times are of one of them; of `all`, as if all of them had been asked.
+  /// Times are per question; that of `all` is extrapolated to all questions.
   void add_stages(const Input& input, const Sum& sum,
                   std::map<std::string, double>& seconds) const {
     const auto per_question = [&](const std::string& name, Seconds time, std::size_t count) {

@@ -12,7 +12,7 @@ namespace oplus {
 
 namespace {
 
-/// Each pair twice: candidates, what rca asks; and edges, a question about each.
+/// Each pair twice: about candidates, the questions of rca; and about edges, a question per edge.
 std::vector<Row> rows(const ExperimentSettings& settings) {
   std::vector<Row> all;
   const auto add = [&](const std::string& name, const std::string& family, std::size_t size,
@@ -41,7 +41,7 @@ std::vector<Row> rows(const ExperimentSettings& settings) {
   return all;
 }
 
-/// The methods by a column of theirs, the fastest first.
+/// The methods in the order of this number, the fastest first.
 std::string order_by(const Row& row, const std::string& column) {
   std::vector<std::pair<double, std::string>> order;
   for (const Measurement& m : row.measurements)
@@ -64,7 +64,7 @@ std::vector<std::string> summary(const Rows& rows) {
       ++orders[row.words.at("about") + ": " + row.words.at("order")];
   std::vector<std::string> lines;
   for (const auto& [order, count] : orders)
-    lines.push_back("by a question about " + order + ", " + std::to_string(count) +
+    lines.push_back("per question about " + order + ", " + std::to_string(count) +
                     (count == 1 ? " pair" : " pairs"));
   return lines;
 }
@@ -73,7 +73,7 @@ std::vector<std::string> summary(const Rows& rows) {
 
 Experiment hole_test_experiment() {
   return {.name = "hole-tests",
-          .what = "The four hole tests on what rca asks (Section 5.3)",
+          .what = "The four hole tests on the questions of rca (Section 5.3)",
           .rows = rows,
           .compare = compare,
           .first_columns = {"name", "family", "size", "about", "m", "n", "questions", "asked",

@@ -13,7 +13,7 @@ namespace oplus {
 
 namespace {
 
-/// Answers by the hierarchies and remembers what was asked.
+/// Answers with the hierarchies and records the questions.
 class Recording : public HoleTest {
  public:
   Recording(const Region& p, const Region& q, std::vector<Segment>& asked)

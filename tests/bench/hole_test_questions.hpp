@@ -8,16 +8,16 @@
 
 namespace oplus {
 
-/// What a hole test may be asked about a pair of regions: is there a hole to the right of an edge?
+/// Questions for a hole test about a pair of regions: is there a hole to the right of an edge?
 
-/// The questions of rca about the closed sum: about the faces that the other filters leave open.
+/// Those of rca about the closed sum: one per face that the other filters do not decide.
 std::vector<Segment> questions_of_rca(const Summands& pair);
 
-/// One about each edge of the reduced convolution's arrangement along which no segment runs the other
-/// way: holes and others of all kinds, as if there were no other filter.
+/// One per edge of the reduced convolution's arrangement that no segment passes in the other direction:
+/// all kinds of faces, as if there were no other filter.
 std::vector<Segment> questions_about_edges(const Summands& pair);
 
-/// So many of them at most, evenly spread.
+/// At most this many of them, evenly spread.
 std::vector<Segment> thinned_out(const std::vector<Segment>& questions, std::size_t most);
 
 }  // namespace oplus

@@ -11,11 +11,11 @@
 namespace oplus {
 namespace {
 
-TEST(HoleTestQuestions, rca_asks_about_every_hole_of_the_fork) {
+TEST(HoleTestQuestions, rca_asks_about_each_hole_of_the_fork) {
   EXPECT_EQ(questions_of_rca(fork_and_l(3)).size(), 9U);
 }
 
-TEST(HoleTestQuestions, about_edges_some_are_holes_and_some_not_and_all_methods_agree) {
+TEST(HoleTestQuestions, about_edges_have_both_answers_and_all_methods_agree) {
   const Summands pair = fork_and_l(2);
   const std::vector<Segment> questions = questions_about_edges(pair);
   ASSERT_GT(questions.size(), 20U);

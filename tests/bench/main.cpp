@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <boost/algorithm/string/join.hpp>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -23,6 +24,8 @@ namespace oplus {
 namespace {
 
 constexpr int exit_wrong = 1;
+constexpr auto file_type = "FILE";
+constexpr auto group = "Options without a command";
 
 struct Options {
   std::string rows = ".*";
@@ -36,7 +39,7 @@ struct Options {
   std::string from;
 };
 
-/// Those of the benchmark's rows; those at fault only where they are asked for.
+/// The engines of the benchmark's rows; faulty ones only with --engines-at-fault.
 std::vector<BenchEngine> offered_engines(const Options& options) {
   std::vector<BenchEngine> offered = bench_engines();
   std::erase_if(offered, [&](const BenchEngine& engine) {
@@ -49,12 +52,12 @@ std::vector<BenchEngine> offered_engines(const Options& options) {
 std::vector<std::string> chosen_engines(const Options& options) {
   std::vector<std::string> offered;
   for (const BenchEngine& engine : offered_engines(options))
-    // Those at fault never come unasked.
+    // Faulty ones only by name.
     if (!engine.is_at_fault || !options.engines.empty()) offered.push_back(engine.name);
   if (options.engines.empty()) return offered;
   for (const std::string& name : options.engines)
     if (std::ranges::find(offered, name) == offered.end())
-      throw UsageError("no engine is called " + name);
+      throw UsageError("unknown engine " + name + "; --list shows all");
   return options.engines;
 }
 
@@ -98,11 +101,11 @@ Report measured_report(const Options& options, const std::string& command) {
     if (std::ranges::find_first_of(row.engines, of_run) == row.engines.end()) continue;
     measure(row, of_run, options.min_time, options.limits, std::cout);
     report.rows.push_back(std::move(row));
-    // What has been measured is not lost where the run is ended.
+    // An interrupted run keeps what it has measured.
     if (!options.json.empty()) write_file(options.json, to_json(report));
   }
   for (const std::string& name : report.setting.missing)
-    std::cout << "skipped, not in " << data_folder().string() << ": published_" << name << '\n';
+    std::cout << "skipped, missing in " << data_folder().string() << ": published_" << name << '\n';
   return report;
 }
 
@@ -125,63 +128,78 @@ int run(const Options& options, const std::string& command) {
   return is_wrong ? exit_wrong : 0;
 }
 
-/// In quotes where a shell would see more than a word.
+/// In quotes where a shell would not take it as one plain word.
 std::string shell_word(const std::string& argument) {
   const bool is_plain = argument.find_first_of("*?[]{}()|&;<>$`\\\"' \t#~!^") == std::string::npos;
   return is_plain && !argument.empty() ? argument : '\'' + argument + '\'';
 }
 
-std::string command_of(int argc, char** argv) {
+/// The options of the benchmark that were given.
+std::vector<const CLI::Option*> given_options(const CLI::App& app) {
+  return app.get_options([](const CLI::Option* option) {
+    return option->count() > 0 && option->get_group() == group;
+  });
+}
+
+/// The command that measures the same; without its files, which are of one machine only.
+std::string command_of(const CLI::App& app) {
   std::string command = "build/release/bin/oplus-bench";
-  for (int i = 1; i < argc; ++i) command += ' ' + shell_word(argv[i]);
+  for (const CLI::Option* option : given_options(app)) {
+    if (option->get_type_name() == file_type) continue;
+    command += ' ' + option->get_name();
+    if (option->get_items_expected() > 0)
+      command += ' ' + shell_word(boost::join(option->results(), ","));
+  }
   return command;
 }
 
-std::function<int()> add_options(CLI::App& app, const std::string& command) {
+std::function<int()> add_options(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   app.require_subcommand(0, 1);
-  app.add_option("--rows", options->rows, "Only the rows whose whole name matches")
-      ->type_name("REGEX");
-  app.add_option("--engines", options->engines, "Only these, separated by commas")
+  const std::string group_of_all = app.option_defaults()->get_group();
+  app.option_defaults()->group(group);
+  app.add_option("--rows", options->rows, "Only rows whose whole name matches")->type_name("REGEX");
+  app.add_option("--engines", options->engines, "Only these engines, separated by commas")
       ->type_name("LIST")
       ->delimiter(',');
-  app.add_option("--limit", options->limits.seconds,
-                 "Seconds that a run may take before the engine is ended")
+  app.add_option("--limit", options->limits.seconds, "Seconds after which a run is stopped")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  app.add_option("--min-time", options->min_time,
-                 "Seconds that the runs of an engine take at least, unless one takes a second")
+  app.add_option(
+         "--min-time", options->min_time,
+         "Least total seconds of an engine's runs; a run of more than a second is not repeated")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  app.add_flag("--list", options->list, "Says which rows and engines there are");
-  app.add_option("--json", options->json, "Writes what was measured")->type_name("FILE");
-  app.add_option("--markdown", options->markdown, "Writes the page docs/benchmarks.md")
-      ->type_name("FILE");
-  app.add_option("--from", options->from, "Measures nothing, takes what --json wrote")
-      ->type_name("FILE");
+  app.add_flag("--list", options->list, "List the rows and the engines");
+  app.add_option("--json", options->json, "Write the measurements to FILE")->type_name(file_type);
+  app.add_option("--markdown", options->markdown, "Write a page like docs/benchmarks.md to FILE")
+      ->type_name(file_type);
+  app.add_option("--from", options->from, "Measure nothing, read what --json wrote")
+      ->type_name(file_type);
   app.add_flag("--engines-at-fault", options->engines_at_fault,
-               "Also offers engines that crash, hang and are wrong: a test of the benchmark")
+               "Also offer engines that crash, hang and are wrong, to test the benchmark")
       ->group("");
+  app.option_defaults()->group(group_of_all);
   const std::function<int()> run_experiments = add_experiments_command(app);
   return [=, &app] {
-    return app.get_subcommands().empty() ? run(*options, command) : run_experiments();
+    if (app.get_subcommands().empty()) return run(*options, command_of(app));
+    for (const CLI::Option* option : given_options(app))
+      throw UsageError(option->get_name() + " does not apply to experiments");
+    return run_experiments();
   };
 }
 
 const ProgramFrame frame{
     "oplus-bench",
-    "Measures Minkowski sums: oplus's engines beside CGAL, Clipper and Boost.Polygon, each in a "
-    "process of its own, and compares their results",
-    "Exit code: 0 all exact results are equal, 1 they are not or an engine of oplus was lost, 2 a "
-    "request that makes no sense. A peer that crashes or is too slow is a result."};
+    "Measures Minkowski sums by oplus, CGAL, Clipper and Boost.Polygon, each in a process of its "
+    "own, and compares the results",
+    "Exit code: 0 all exact results are equal, 1 they are not or an engine of oplus crashed or "
+    "failed, 2 invalid usage. Another library that crashes or is too slow is a result."};
 
 }  // namespace
 
 }  // namespace oplus
 
 int main(int argc, char** argv) {
-  return oplus::run_program(
-      oplus::frame,
-      [&](CLI::App& app) { return oplus::add_options(app, oplus::command_of(argc, argv)); }, argc,
-      argv);
+  return oplus::run_program(oplus::frame, oplus::add_options, argc, argv);
 }

@@ -18,7 +18,7 @@ namespace oplus {
 
 namespace {
 
-/// Keeps the repetitions that were run.
+/// Keeps the repetitions.
 class Repetitions : public benchmark::BenchmarkReporter {
  public:
   bool ReportContext(const Context&) override { return true; }
@@ -29,7 +29,7 @@ class Repetitions : public benchmark::BenchmarkReporter {
 
   std::size_t size() const { return runs_.size(); }
 
-  /// The one whose time is in the middle. Requires: there is one.
+  /// The one with the median time. Requires: size() > 0.
   const Run& middle() {
     const auto middle = runs_.begin() + static_cast<std::ptrdiff_t>(runs_.size() / 2);
     std::ranges::nth_element(runs_, middle, {},
@@ -46,11 +46,11 @@ double processor_seconds() {
   return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
 }
 
-/// How long the pairs take, and the most memory until they have been computed once.
+/// The times of the pairs, and the peak memory until they have been computed once.
 std::map<std::string, double> timings(PreparedPairs& pairs, const std::function<void()>& beat,
                                       double min_time) {
   std::map<std::string, double> numbers;
-  // What forgets and what evaluates is outside of the clock.
+  // forget() and evaluate() are outside of the clock.
   const auto run = [&](std::map<std::string, double>& total) {
     pairs.forget();
     const double worked = processor_seconds();

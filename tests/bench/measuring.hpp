@@ -12,15 +12,15 @@ namespace oplus {
 inline constexpr double long_run = 1;
 inline constexpr int repetitions = 5;
 
-/// Measures an engine on a row with Google Benchmark: one run, and unless that is a long one,
-/// `repetitions` of as many as take `min_time` seconds in all, at least one each.
-/// In a process of its own, in which the row is made; each thing it does, from preparing the pairs to a
-/// run to describing the results, may take `limits.seconds`.
+/// Measures an engine on a row with Google Benchmark: one run and, unless that is a long one,
+/// `repetitions` of one or more runs, which take `min_time` seconds in all.
+/// In a process of its own, which makes the row. Each step, such as preparing the pairs, a run, or
+/// describing the results, may take `limits.seconds`.
 Measurement measured(const BenchEngine& engine, const Row& row, double min_time,
                      const ProcessLimits& limits);
 
-/// Measures these of the row's engines, one after another, and writes a table of them while it does:
-/// a head, a line for each engine, and how the results compare.
+/// Measures these of the row's engines, one after another, and writes a table at the same time:
+/// a head, a line per engine, and how the results compare.
 void measure(Row& row, const std::vector<std::string>& engines, double min_time,
              const ProcessLimits& limits, std::ostream& out);
 

@@ -21,7 +21,7 @@ Row fork_row(const std::vector<std::string>& engines, double min_time = 0) {
   return row;
 }
 
-TEST(Measuring, says_what_was_measured) {
+TEST(Measuring, describes_the_measurement) {
   const Row row = fork_row({"rca", "winding"});
   EXPECT_EQ(faults_of(row), std::vector<std::string>());
   EXPECT_EQ(agreement_of(row).compared, 2U);
@@ -45,20 +45,20 @@ TEST(Measuring, says_what_was_measured) {
   }
 }
 
-TEST(Measuring, runs_again_until_the_least_time_is_over) {
+TEST(Measuring, repeats_until_the_least_time_is_over) {
   const auto start = std::chrono::steady_clock::now();
   fork_row({"slide"}, 0.3);
   EXPECT_GT(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(300));
 }
 
-TEST(Measuring, an_engine_of_others_that_crashes_is_a_result_and_one_that_is_wrong_a_fault) {
+TEST(Measuring, a_crash_of_another_library_is_a_result_and_a_wrong_sum_a_fault) {
   const Row row = fork_row({"crash", "rca", "wrong"});
   EXPECT_EQ(in_words(*row.of("crash")), "crashed: signal 6");
   EXPECT_EQ(row.done("crash"), nullptr);
   EXPECT_EQ(faults_of(row).size(), 1U);
 }
 
-TEST(Measuring, a_pair_that_is_missing_is_not_taken) {
+TEST(Measuring, a_missing_pair_is_unsupported) {
   EXPECT_EQ(in_words(measured(*find_bench_engine(Subject::sums, "rca"), {}, 0, {})), "missing");
 }
 

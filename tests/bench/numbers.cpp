@@ -26,7 +26,7 @@ std::string thousands_apart(std::string digits) {
 
 std::string three_digits(double value) {
   if (value == 0 || !std::isfinite(value)) return plain(value);
-  const std::string rounded = printed("%.*e", 2, value);  // may have a digit more: 9.996 is 10.0
+  const std::string rounded = printed("%.*e", 2, value);  // may have one more digit: 9.996 is 10.0
   const int magnitude = std::stoi(rounded.substr(rounded.find('e') + 1));
   return thousands_apart(printed("%.*f", std::max(0, 2 - magnitude), std::stod(rounded)));
 }

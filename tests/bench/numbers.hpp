@@ -5,13 +5,13 @@
 
 namespace oplus {
 
-/// Three significant digits, thousands apart: "0.0123", "1.20", "4,560".
+/// Three significant digits, thousands separated: "0.0123", "1.20", "4,560".
 std::string three_digits(double value);
 
-/// Whole numbers exactly, others with six digits: "60", "0.25".
+/// Integers exactly, others with six digits: "60", "0.25".
 std::string plain(double value);
 
-/// "-1.2e-06"; "0" is exactly zero.
+/// "-1.2e-06"; "0" only for zero.
 std::string power_of_ten(double value);
 
 std::string with_thousands(std::size_t value);

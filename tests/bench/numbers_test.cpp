@@ -6,7 +6,7 @@
 namespace oplus {
 namespace {
 
-TEST(BenchNumbers, have_three_digits_and_thousands_apart) {
+TEST(BenchNumbers, have_three_digits_and_separated_thousands) {
   EXPECT_EQ(three_digits(0), "0");
   EXPECT_EQ(three_digits(0.012345), "0.0123");
   EXPECT_EQ(three_digits(1.2), "1.20");
@@ -21,7 +21,7 @@ TEST(BenchNumbers, have_three_digits_and_thousands_apart) {
   EXPECT_EQ(three_digits(-123), "-123");
 }
 
-TEST(BenchNumbers, as_they_were_asked_for) {
+TEST(BenchNumbers, plain) {
   EXPECT_EQ(plain(60), "60");
   EXPECT_EQ(plain(0.25), "0.25");
 }
@@ -31,7 +31,7 @@ TEST(BenchNumbers, as_powers_of_ten) {
   EXPECT_EQ(power_of_ten(-0.0000123), "-1.2e-05");
 }
 
-TEST(BenchNumbers, with_thousands_apart) {
+TEST(BenchNumbers, with_separated_thousands) {
   EXPECT_EQ(with_thousands(0), "0");
   EXPECT_EQ(with_thousands(999), "999");
   EXPECT_EQ(with_thousands(1000), "1,000");

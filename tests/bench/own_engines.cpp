@@ -11,7 +11,7 @@ namespace oplus {
 
 namespace {
 
-/// What tables call an engine's statistics.
+/// The names of statistics in tables.
 const std::map<std::string, std::string, std::less<>> short_names{
     {"segments slid along", "segments"},
     {"segments in the arrangement", "segments"},
@@ -41,7 +41,7 @@ struct OwnSums {
   const Summands& converted(const Summands& pair) const { return pair; }
   ComputedSum sum(const Summands& pair) const { return compute(pair.p, pair.q, boundary, options); }
 
-  /// `time` is that of all stages but the output, as in the thesis.
+  /// `time` is that of all stages except the output, as in the thesis.
   void add_stages(const Summands&, const ComputedSum& computed,
                   std::map<std::string, double>& seconds) const {
     each_statistic<Seconds>(computed, [&](const std::string& name, const Seconds& duration) {
@@ -85,7 +85,7 @@ BenchEngine at_fault(const std::string& name, const std::string& what, const Com
 std::vector<BenchEngine> own_engines() {
   std::vector<BenchEngine> own;
   for (const Engine& engine : engines()) {
-    if (engine.name == "loops") continue;  // rca's arrangement again, with more to do on it
+    if (engine.name == "loops") continue;  // rca's arrangement, with more work on it
     own.push_back(bench_engine(engine.name, "oplus: " + engine.what, engine.compute));
     if (engine.has_threads)
       own.push_back(bench_engine(engine.name + '2', "oplus: " + engine.name + " on two threads",

@@ -30,7 +30,7 @@ void* or_out_of_memory(void* memory) {
   return memory;
 }
 
-/// Whoever asks for too much ends the process at once. GMP would abort, which looks like a fault.
+/// An allocation that fails ends the process at once. GMP would abort, which looks like a crash.
 void stop_where_memory_ends() {
   std::set_new_handler(stop_out_of_memory);
   ::mp_set_memory_functions([](std::size_t size) { return or_out_of_memory(std::malloc(size)); },
@@ -40,13 +40,12 @@ void stop_where_memory_ends() {
                             [](void* memory, std::size_t) { std::free(memory); });
 }
 
-/// What the forked process does. Returns its exit code.
+/// The work of the forked process. Returns its exit code.
 int measure(const Measuring& work, int output) {
   Measurement measurement;
   try {
     stop_where_memory_ends();
-    // An empty line is a sign of life. Many in a short time are one, lest writing be what the
-    // processor does.
+    // An empty line shows that it is alive. At most one in 20 ms, so that writing costs no time.
     auto last = std::chrono::steady_clock::time_point();
     measurement = work([&] {
       const auto now = std::chrono::steady_clock::now();
@@ -57,11 +56,11 @@ int measure(const Measuring& work, int output) {
   } catch (const std::bad_alloc&) {
     return exit_out_of_memory;
   } catch (const NotTaken& e) {
-    measurement = {.outcome = Ending::not_taken, .note = e.what()};
+    measurement = {.outcome = Ending::unsupported, .note = e.what()};
   } catch (const std::exception& e) {
     measurement = {.outcome = Ending::failed, .note = e.what()};
   } catch (...) {
-    measurement = {.outcome = Ending::failed, .note = "threw no std::exception"};
+    measurement = {.outcome = Ending::failed, .note = "unknown exception"};
   }
   ::dprintf(output, "%s\n", to_json(measurement).c_str());
   return 0;

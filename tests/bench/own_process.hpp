@@ -8,15 +8,15 @@
 
 namespace oplus {
 
-/// Work that measures; it calls its argument as a sign of life.
+/// Work that measures; it calls its argument to show that it is alive.
 using Measuring = std::function<Measurement(const std::function<void()>& beat)>;
 
-/// Measures in a process that this one forks, and waits for it.
-///  1. Work that throws, crashes, is killed, or runs into a limit is a measurement that says so, with
-///     the most that was resident (wait4, ru_maxrss); it leaves this process alone.
-///  2. Work that throws NotTaken has not been taken.
-///  3. Of the limits, the time is that from one sign of life to the next.
-/// Requires: no other thread runs. Throws std::system_error where no process can be had.
+/// Measures in a forked process, and waits for it.
+///  1. Work that throws, crashes, is killed, or exceeds a limit gives a measurement with that outcome and
+///     the peak resident memory (wait4, ru_maxrss); it does not affect this process.
+///  2. If the work throws NotTaken, the outcome is `unsupported`.
+///  3. The time limit is that from one call of `beat` to the next.
+/// Requires: no other thread runs. Throws std::system_error if it cannot fork.
 Measurement measured_in_own_process(const Measuring& work, ProcessLimits limits);
 
 }  // namespace oplus

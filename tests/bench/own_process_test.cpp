@@ -17,19 +17,19 @@ namespace {
 
 using Ending = Measurement::Ending;
 
-/// What becomes of work that writes its result as a note.
+/// Measures work that returns its note.
 Measurement measured(const std::function<std::string()>& work, const ProcessLimits& limits = {}) {
   return measured_in_own_process([&](const auto&) { return Measurement{.note = work()}; }, limits);
 }
 
-TEST(OwnProcess, returns_what_the_work_returns_however_long) {
+TEST(OwnProcess, returns_the_result_of_the_work_of_any_length) {
   const std::string text(1'000'000, 'x');
   const Measurement m = measured([&] { return text; });
   EXPECT_EQ(m.outcome, Ending::done);
   EXPECT_EQ(m.note, text);
 }
 
-TEST(OwnProcess, is_another_process_that_changes_nothing_here) {
+TEST(OwnProcess, is_another_process_and_changes_nothing_in_this_one) {
   int changed = 0;
   const Measurement m = measured([&] {
     changed = 1;
@@ -50,10 +50,10 @@ TEST(OwnProcess, work_that_is_killed_or_throws_is_reported) {
   EXPECT_EQ(measured([]() -> std::string { throw 1; }).outcome, Ending::failed);
   EXPECT_EQ(measured([]() -> std::string { ::_exit(1); }).outcome, Ending::failed);
   EXPECT_EQ(measured([]() -> std::string { throw NotTaken("no holes"); }).outcome,
-            Ending::not_taken);
+            Ending::unsupported);
 }
 
-TEST(OwnProcess, a_sign_of_life_starts_the_clock_anew) {
+TEST(OwnProcess, each_beat_restarts_the_time_limit) {
   const ProcessLimits limits{.seconds = 0.2};
   const auto naps = [](int count) {
     return [count](const std::function<void()>& beat) {

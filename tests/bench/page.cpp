@@ -13,7 +13,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// The engines of sums that the run has, in the order in which they are listed.
+/// The engines of sums in the run, in the order of bench_engines().
 Names sum_engines(const Rows& rows) {
   Names names;
   for (const BenchEngine& engine : bench_engines())
@@ -23,8 +23,8 @@ Names sum_engines(const Rows& rows) {
   return names;
 }
 
-/// A row for each row, and one for the geometric means of a group that has several; where there is no
-/// ratio to slide the row is left out of them.
+/// A line per row, and one of geometric means per group of several rows; rows without a ratio to slide do
+/// not count for the means.
 Table ratios(const Rows& rows, const Names& engines, double limit, const std::string& first,
              const std::string& number) {
   const auto ratio_of = [=](const Row& row, const std::string& engine) {
@@ -59,7 +59,7 @@ Table ratios(const Rows& rows, const Names& engines, double limit, const std::st
 }
 
 Table throughput(const Rows& rows) {
-  Table table{{"engine", "pairs a second", "with coordinates evaluated"}, {}};
+  Table table{{"engine", "pairs per second", "with coordinates evaluated"}, {}};
   for (const Row& row : rows) {
     if (row.pairs == 1) continue;
     const auto rate = [&](const std::optional<double>& seconds) {
@@ -75,14 +75,14 @@ Table throughput(const Rows& rows) {
   return table;
 }
 
-/// Those on which these engines got to the end.
+/// The rows on which these engines are done.
 Rows where_done(const Rows& rows, const Names& engines) {
   return rows_where(rows, [&](const Row& row) {
     return std::ranges::all_of(engines, [&](const std::string& name) { return row.done(name); });
   });
 }
 
-/// What is not a number in the tables, and why.
+/// The cells of the tables that are not numbers, with the reasons.
 Names remarks(const Report& report) {
   Names found;
   for (const Row& row : report.rows) {
@@ -93,7 +93,7 @@ Names remarks(const Report& report) {
         found.push_back(row.what + ": " + m.engine + ' ' + in_words(m));
   }
   for (const std::string& name : report.setting.missing)
-    found.push_back("The published pair " + name + " was not there");
+    found.push_back("The published pair " + name + " is missing");
   return found;
 }
 
@@ -117,7 +117,6 @@ PageData benchmarks_data(const Report& report) {
 
   const Rows sums = rows_for(report.rows, Subject::sums);
   const Names engines = sum_engines(sums);
-  // All are compared with slide.
   Names others = engines;
   std::erase(others, "slide");
   kainjow::mustache::list listed;

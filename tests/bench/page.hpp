@@ -6,11 +6,11 @@
 
 namespace oplus {
 
-/// What the template benchmarks.md.mustache is filled with: what a run found.
+/// The data of a run for the template benchmarks.md.mustache.
 PageData benchmarks_data(const Report& report);
 
-/// What slide was to reach, what the run found, and whether that is it: "yes", "**no**", or "not
-/// measured" where the run does not tell.
+/// The goals for slide, the measured values, and whether they reach the goals: "yes", "**no**", or "not
+/// measured".
 Table goals_of(const Report& report);
 
 }  // namespace oplus

@@ -33,7 +33,7 @@ TEST(Page, replaces_names) {
   EXPECT_EQ(page("on {{processor}}, {{cores}} cores."), "on a processor, 2 cores.");
 }
 
-TEST(Page, refuses_names_it_does_not_know_and_templates_that_are_invalid) {
+TEST(Page, refuses_unknown_names_and_invalid_templates) {
   EXPECT_THROW(page("{{nothing}}"), std::invalid_argument);
   EXPECT_THROW(page("{{#nothing}}{{/nothing}}"), std::invalid_argument);
   EXPECT_THROW(page("{{>nothing}}"), std::invalid_argument);
@@ -43,12 +43,12 @@ TEST(Page, refuses_names_it_does_not_know_and_templates_that_are_invalid) {
 
 TEST(Page, escapes_nothing) { EXPECT_EQ(rendered_text("{{x}}", PageData("x", "<&\">")), "<&\">"); }
 
-TEST(Page, says_what_went_wrong) {
+TEST(Page, names_what_went_wrong) {
   EXPECT_EQ(page("{{equal}} of {{compared}}"), "0 of 1");
   EXPECT_EQ(page("{{#remarks}}\n- {{.}}.\n{{/remarks}}\n"),
             "- two squares: **slide against rca disagree**.\n"
             "- two squares: cgal-full crashed: signal 11.\n"
-            "- The published pair fork was not there.\n");
+            "- The published pair fork is missing.\n");
 }
 
 TEST(Page, shows_tables) {
@@ -60,7 +60,7 @@ TEST(Page, shows_tables) {
       "end\n");
 }
 
-TEST(Page, shows_errors_of_rounding_beside_the_exact_result) {
+TEST(Page, shows_rounding_errors_and_the_exact_result) {
   const std::string errors = page(
       "{{#rounding_engines}}\nsum = what\n* = e *.area_error; relative = e *.relative_area_error\n"
       "{{/rounding_engines}}\n");

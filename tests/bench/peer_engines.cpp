@@ -8,7 +8,7 @@ namespace oplus {
 
 namespace {
 
-/// Exact sums in canonical form; of rounded ones the chains as they are.
+/// Exact sums in canonical form; rounded ones with their chains as they are.
 MinkowskiSum sum_of(const ReturnedChains& chains, bool is_rounded) {
   MinkowskiSum as_they_are;
   BoundaryFeatures features;
@@ -47,7 +47,7 @@ std::vector<BenchEngine> peer_engines() {
           "cgal-vertical",
           "CGAL: minkowski_sum_by_decomposition_2 with Polygon_vertical_decomposition_2"),
       engine_of<ClipperMethod>(
-          "clipper", "Clipper 6: MinkowskiSum, filled by the summand into which the other may fit"),
+          "clipper", "Clipper 6: MinkowskiSum, with the larger summand as its filled path"),
       engine_of<BoostPolygonMethod>(
           "boost-polygon", "Boost.Polygon: its Minkowski example, then the polygon set's union"),
   };

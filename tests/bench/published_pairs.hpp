@@ -9,7 +9,7 @@
 
 namespace oplus {
 
-/// A pair that somebody published, in files of the folder `data/`.
+/// A published pair, in files of the folder `data/`.
 struct PublishedPair {
   std::string name;
 
@@ -22,8 +22,8 @@ struct PublishedPair {
   };
   std::optional<Measured> in_thesis = {};
 
-  std::string what = "";            ///< in words; empty where the benchmark has no row of it
-  std::string p = name + "_part1";  ///< its file, without the ending .dat
+  std::string what = "";            ///< description; empty if the benchmark has no row of it
+  std::string p = name + "_part1";  ///< its file, without .dat
   std::string q = name + "_part2";
 
   bool is_there() const;
@@ -32,7 +32,7 @@ struct PublishedPair {
   Summands read() const;
 };
 
-/// All of them, those of Table 6.1 first, in its order.
+/// All published pairs, those of Table 6.1 first, in its order.
 const std::vector<PublishedPair>& published_pairs();
 
 }  // namespace oplus

@@ -16,7 +16,7 @@ NLOHMANN_JSON_SERIALIZE_ENUM(Measurement::Ending,
                               {Measurement::Ending::over_limit, "over the limit"},
                               {Measurement::Ending::out_of_memory, "out of memory"},
                               {Measurement::Ending::crashed, "crashed"},
-                              {Measurement::Ending::not_taken, "not taken"}})
+                              {Measurement::Ending::unsupported, "unsupported"}})
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Measurement, engine, outcome, note, digest, area, numbers)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Row, name, group, what, subject, pairs, measurements)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Setting, processor, cores, compiler, libraries, commit, command,
@@ -40,7 +40,7 @@ T read(const std::string& json) {
 
 std::string to_json(const Report& report) { return Json(report).dump(1) + '\n'; }
 
-/// What an engine throws may be text of any kind.
+/// The message of an exception may be invalid UTF-8.
 std::string to_json(const Measurement& measurement) {
   return Json(measurement).dump(-1, ' ', false, Json::error_handler_t::replace);
 }

@@ -8,16 +8,16 @@
 
 namespace oplus {
 
-/// Where and how a run was made.
+/// The machine and the command of a run.
 struct Setting {
   std::string processor = {};
   unsigned cores = 0;
   std::string compiler = {};
   std::string libraries = {};
-  std::string commit = {};  ///< of the sources, as far as git knew it when the build was configured
-  std::string command = {};
+  std::string commit = {};   ///< of the sources when the build was configured
+  std::string command = {};  ///< without paths, which are of one machine only
   double limit = 0;
-  std::vector<std::string> missing = {};  ///< published pairs that were not there
+  std::vector<std::string> missing = {};  ///< missing published pairs
 };
 
 /// A run.
@@ -26,11 +26,11 @@ struct Report {
   Rows rows = {};
 };
 
-/// That of this program on this machine.
+/// The setting of this program on this machine.
 Setting this_setting(const std::string& command, double limit);
 
-/// JSON: what --json writes and --from reads, and what a measuring process says.
-/// The readers throw std::invalid_argument where the text says something else.
+/// JSON: what --json writes and --from reads, and the output of a measuring process.
+/// The readers throw std::invalid_argument if the text is something else.
 std::string to_json(const Report& report);
 std::string to_json(const Measurement& measurement);
 Report report_of(const std::string& json);

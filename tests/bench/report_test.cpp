@@ -16,7 +16,7 @@ Measurement done(const std::string& engine, double seconds, const std::string& d
           .numbers = {{"seconds", seconds}, {"peak_mb", 10}}};
 }
 
-Measurement ended(const std::string& engine) {
+Measurement stopped(const std::string& engine) {
   return {
       .engine = engine, .outcome = Measurement::Ending::over_limit, .numbers = {{"peak_mb", 30}}};
 }
@@ -36,17 +36,17 @@ TEST(Agreement, of_equal_digests) {
   EXPECT_EQ(agreement_of(row).exact->engine, "slide");
 }
 
-TEST(Agreement, names_who_differs) {
+TEST(Agreement, names_the_engines_that_differ) {
   const Row row =
       row_of({done("slide", 1, "a"), done("rca", 1, "b"), done("cgal-reduced", 1, "a")});
   EXPECT_EQ(agreement_of(row).disagreement, "slide, cgal-reduced against rca");
 }
 
-TEST(Agreement, rounded_results_and_those_that_are_missing_do_not_count) {
-  const Row row = row_of({ended("slide"), done("rca", 1, "a"), done("clipper", 1, "", "1.5")});
+TEST(Agreement, rounded_and_missing_results_do_not_count) {
+  const Row row = row_of({stopped("slide"), done("rca", 1, "a"), done("clipper", 1, "", "1.5")});
   EXPECT_EQ(agreement_of(row).disagreement, "");
   EXPECT_EQ(agreement_of(row).exact->engine, "rca");
-  EXPECT_EQ(agreement_of(row_of({ended("slide")})).exact, nullptr);
+  EXPECT_EQ(agreement_of(row_of({stopped("slide")})).exact, nullptr);
 }
 
 TEST(AreaError, is_signed_absolute_and_relative) {
@@ -60,8 +60,8 @@ TEST(AreaError, is_signed_absolute_and_relative) {
   EXPECT_EQ(row_of({done("clipper", 1, "", "2")}).number("clipper.area_error"), std::nullopt);
 }
 
-TEST(Ratio, is_a_lower_bound_where_an_engine_was_ended) {
-  const Row row = row_of({done("slide", 2, "a"), done("rca", 6, "a"), ended("winding")});
+TEST(Ratio, is_a_lower_bound_if_an_engine_was_stopped) {
+  const Row row = row_of({done("slide", 2, "a"), done("rca", 6, "a"), stopped("winding")});
   EXPECT_EQ(ratio_text(*ratio(row, "seconds", "rca", "slide", 8)), "3.00");
   EXPECT_EQ(ratio_text(*ratio(row, "seconds", "winding", "slide", 8)), "> 4.00");
   EXPECT_EQ(ratio_text(*ratio(row, "peak_mb", "winding", "slide", 8)), "> 3.00");
@@ -75,9 +75,9 @@ TEST(Ratio, geometric_mean) {
   EXPECT_TRUE(geometric_mean({{2, false}, {8, true}}).is_lower_bound);
 }
 
-TEST(Faults, are_disagreements_and_losses_of_ours) {
+TEST(Faults, are_disagreements_and_failures_of_our_engines) {
   const auto faults = [](std::vector<Measurement> all) { return faults_of(row_of(all)); };
-  Measurement lost = ended("winding");
+  Measurement lost = stopped("winding");
   EXPECT_TRUE(faults({done("slide", 1, "a"), lost}).empty());
   lost.outcome = Measurement::Ending::out_of_memory;
   EXPECT_TRUE(faults({lost}).empty());
@@ -87,11 +87,11 @@ TEST(Faults, are_disagreements_and_losses_of_ours) {
   EXPECT_TRUE(faults({crashed("cgal-full")}).empty());
 }
 
-TEST(Report, is_read_as_it_was_written) {
+TEST(Report, is_read_as_written) {
   Report report{
       .setting = {"processor", 2, "compiler", "libraries", "commit", "command", 60, {"fork"}},
       .rows = {row_of(
-          {done("cgal-reduced", 0.25, "abc", "1/3"), crashed("cgal-full"), ended("winding")})}};
+          {done("cgal-reduced", 0.25, "abc", "1/3"), crashed("cgal-full"), stopped("winding")})}};
   report.rows[0].subject = Subject::growth;
   const std::string written = to_json(report);
   const Report read = report_of(written);

@@ -23,7 +23,7 @@ std::string in_words(const Measurement& m) {
     case Ending::failed:
       return "failed: " + m.note;
     case Ending::over_limit:
-    case Ending::not_taken:
+    case Ending::unsupported:
       return m.note;
   }
   return "";
@@ -44,7 +44,7 @@ namespace {
 Rational area_of(const Measurement& m) {
   NumberFault fault;
   const std::optional<Rational> area = parse_number(m.area, fault);
-  if (!area) throw std::invalid_argument(m.engine + ": its area is no number: " + m.area);
+  if (!area) throw std::invalid_argument(m.engine + ": invalid area: " + m.area);
   return *area;
 }
 

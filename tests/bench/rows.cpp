@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t small_pairs = 2000;
 
-/// One kind of polygon: its name in a row's name, and in words.
+/// A kind of polygon: its part of a row's name, and its description.
 struct Kind {
   std::string name;
   std::string words;
@@ -26,7 +26,7 @@ const Kind star{"star", "star", star_polygon};
 const Kind simple{"simple", "simple polygon", simple_polygon};
 const Kind convex{"convex", "convex polygon", convex_polygon};
 
-/// So large that the other summand is a few hundredths of it: a coast is summed with what sails there.
+/// Much larger than the other summand, as a coast is larger than a ship.
 Region large_coast(Random& random, std::size_t n) {
   Region coast = coast_polygon(random, n);
   for (Point& p : coast.components[0].outer) p = Rational(32) * p;
@@ -65,7 +65,7 @@ Row fork_and_l_row(std::size_t teeth) {
   const std::string count = std::to_string(teeth);
   return {.name = "fork_" + count,
           .group = "fork and L",
-          .what = "fork of " + count + " teeth an arm, and L",
+          .what = "fork of " + count + " teeth per arm, and L",
           .make = [teeth] { return std::vector<Summands>{fork_and_l(teeth)}; }};
 }
 
@@ -111,7 +111,7 @@ std::vector<std::string> engines_for(const Row& row) {
   if (row.subject == Subject::growth) return {"slide", "slide2"};
   std::vector<std::string> names;
   for (const BenchEngine& engine : bench_engines()) {
-    // Where one thread takes so short, starting the second is what would be measured.
+    // On short rows this would only measure the start of the second thread.
     const bool is_for_row =
         engine.name != "slide2" || row.group == "stars" || row.group == "coastlines";
     if (engine.subject == Subject::sums && is_for_row) names.push_back(engine.name);

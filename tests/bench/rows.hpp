@@ -5,8 +5,7 @@
 
 namespace oplus {
 
-/// The benchmark's rows, in the order in which they are listed. Published pairs that are not there are
-/// left out.
+/// The benchmark's rows, without missing published pairs.
 const Rows& benchmark_rows();
 
 }  // namespace oplus

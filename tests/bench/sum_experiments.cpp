@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The engines of the thesis: rca for its RCA, winding for its CWEIN. Both find low-dimensional
-// features, as there (Section 6.2.1). T is the time of all stages but the output.
+// features, as there (Section 6.2.1). T is the time of all stages except the output.
 #include <algorithm>
 
 #include "reference/families/fork.hpp"
@@ -66,7 +66,7 @@ std::vector<std::string> columns_after(std::vector<std::string> first) {
   return first;
 }
 
-/// The ratio of rca to winding at the first complete row, at the last, and the median.
+/// The ratios of rca to winding: the first, the last, and the median.
 std::vector<std::string> ratio_lines(const Rows& rows) {
   std::vector<std::string> lines;
   for (const auto& [column, with] :
@@ -91,7 +91,7 @@ std::string r_squared_line(const std::string& curve, std::size_t degree, const R
   return "R² of " + curve + ": rca " + r_squared("rca") + ", winding " + r_squared("winding");
 }
 
-/// The arrangements' sizes say without any clock whether the work is quadratic.
+/// The sizes of the arrangements show without a clock whether the work is quadratic.
 std::vector<std::string> parabola_lines(const Rows& rows) {
   std::vector<std::string> lines = ratio_lines(rows);
   lines.push_back(r_squared_line("a parabola in m through the times", 2, rows, "m", "time"));
@@ -106,7 +106,7 @@ std::vector<std::string> line_lines(const Rows& rows) {
   const auto rca = fitted_curve(1, points(rows, "winding.edges", "rca.time"));
   const auto winding = fitted_curve(1, points(rows, "winding.edges", "winding.time"));
   if (rca && winding)
-    lines.push_back("slope, microseconds an edge of A_W: rca " + three_digits(1e6 * rca->linear) +
+    lines.push_back("slope, microseconds per edge of A_W: rca " + three_digits(1e6 * rca->linear) +
                     ", winding " + three_digits(1e6 * winding->linear) + "; winding / rca " +
                     three_digits(winding->linear / rca->linear));
   return lines;
@@ -123,8 +123,9 @@ std::vector<std::string> thesis_lines(const Rows& rows) {
     });
   };
   return {count([](const Row& row) { return row.make != nullptr; }) + " pairs measured, " +
-              count([](const Row& row) { return row.make == nullptr; }) + " skipped: not in data/",
-          "A_RC is the thesis's in " + count_true("same_rca_edges") + " of them, A_W in " +
+              count([](const Row& row) { return row.make == nullptr; }) +
+              " skipped: missing in data/",
+          "A_RC is as in the thesis in " + count_true("same_rca_edges") + " of them, A_W in " +
               count_true("same_winding_edges")};
 }
 
@@ -134,7 +135,7 @@ std::vector<Plot> plots(const std::vector<std::string>& names) {
   return all;
 }
 
-/// Completes an experiment in which P grows and Q does not.
+/// Completes an experiment in which only P grows.
 Experiment growing(Experiment experiment, const SizeRange& range,
                    Summands (*make)(Random& random, std::size_t size)) {
   experiment.rows = [=, name = experiment.name](const ExperimentSettings& settings) {
@@ -153,14 +154,14 @@ Experiment growing(Experiment experiment, const SizeRange& range,
 std::vector<Experiment> sum_experiments() {
   return {
       {.name = "table-6.1",
-       .what = "Wein's pairs, as far as they are at hand (Table 6.1)",
+       .what = "Wein's pairs, those that are published (Table 6.1)",
        .rows = table_6_1,
        .compare = compare_with_thesis,
        .first_columns = columns_after({"name", "thesis_rca_edges", "thesis_winding_edges",
                                        "thesis_rca_time", "thesis_winding_time", "thesis_ratio",
                                        "same_rca_edges", "same_winding_edges"}),
        .summary = thesis_lines},
-      // The thesis's range (Section 6.2.4), but one pair a size instead of 20.
+      // The thesis's range (Section 6.2.4), but one pair per size instead of 20.
       growing({.name = "convex-star",
                .what = "Convex P grows, Q a star of 100 vertices (Figures 6.9 and 6.20a)",
                .summary = line_lines,
@@ -168,7 +169,7 @@ std::vector<Experiment> sum_experiments() {
                .fitted_degree = 1,
                .fitted_over = "winding.edges"},
               {50, 980, 30}, with_100<convex_polygon, star_polygon>),
-      // In the thesis to 340 in steps of 3, which takes winding minutes and more than 10 GB a pair.
+      // In the thesis to 340 in steps of 3; winding would need minutes and more than 10 GB per pair.
       growing({.name = "star-star",
                .what = "Star-shaped P grows, Q a star of 100 vertices (Figure 6.10)",
                .summary = parabola_lines,
@@ -176,7 +177,7 @@ std::vector<Experiment> sum_experiments() {
                .fitted_degree = 2,
                .fitted_over = "m"},
               {25, 160, 15}, with_100<star_polygon, star_polygon>),
-      // In the thesis in steps of 5, five pairs a size.
+      // In the thesis in steps of 5, five pairs per size.
       growing({.name = "simple-simple",
                .what = "Simple P grows, Q is simple with 100 vertices (Figures 6.11 to 6.13 and "
                        "6.20b)",
@@ -185,8 +186,8 @@ std::vector<Experiment> sum_experiments() {
                .fitted_degree = 2,
                .fitted_over = "m"},
               {30, 200, 10}, with_100<simple_polygon, simple_polygon>),
-      // The thesis has 50 to 250 teeth, "about four times" as many vertices, and says n² holes. Ours
-      // have n teeth an arm, 8n + 4 vertices, n² holes: its numbers of vertices and of holes.
+      // The thesis counts 50 to 250 teeth, about four times as many vertices, and n² holes. Ours have n
+      // teeth per arm, 8n + 4 vertices and n² holes, the same numbers of vertices and of holes.
       growing({.name = "fork-l",
                .what = "A fork grows, Q is an L (Figures 6.14 to 6.16)",
                .summary = ratio_lines,

@@ -76,7 +76,7 @@ std::vector<Column> columns_of(const std::string& words) {
     const std::size_t end = std::min(words.find("; ", begin), words.size());
     const std::string column = words.substr(begin, end - begin);
     const std::size_t equals = column.find(" = ");
-    if (equals == std::string::npos) throw std::invalid_argument("no column: " + column);
+    if (equals == std::string::npos) throw std::invalid_argument("invalid column: " + column);
     const std::string what = column.substr(equals + 3);
     const std::size_t space = what.find(' ');
     const std::string format = space == std::string::npos ? "" : what.substr(0, space);
@@ -90,7 +90,7 @@ std::vector<Column> columns_of(const std::string& words) {
 
 std::string instead_of_number(const Measurement* m) {
   if (m == nullptr || m->is_done()) return "";
-  if (m->outcome == Measurement::Ending::not_taken) return "–";
+  if (m->outcome == Measurement::Ending::unsupported) return "–";
   return m->outcome == Measurement::Ending::failed ? "failed" : in_words(*m);
 }
 

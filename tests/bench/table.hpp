@@ -23,24 +23,23 @@ struct Column {
 
 Table table_of(const Rows& rows, const std::vector<Column>& columns);
 
-/// Columns in words, separated by "; ": a heading, " = ", a format and a name. By the name: "what"; a
-/// word, but "yes" and "no" for "true" and "false"; what became of an engine ("rca.outcome"); or a
-/// number (Row::number) in a format: none, it is whole; "e", a power of ten; else three digits of it
-/// times the factor that the format is, so "T_RC, ms = 1000 rca.time". Where an engine has no number,
-/// the first column has `instead_of_number`, the others nothing.
+/// Columns described by text, separated by "; ": a heading, " = ", a format and a name, such as
+/// "T_RC, ms = 1000 rca.time". The name is "what"; a word of the row ("true" and "false" are shown as
+/// "yes" and "no"); an outcome ("rca.outcome"); or a number (Row::number). The format of a number is
+/// empty for an integer, "e" for a power of ten, otherwise a factor, and three digits of the product
+/// are shown. If an engine has no number, the first column has `instead_of_number`, others are empty.
 std::vector<Column> columns_of(const std::string& words);
 
-/// What stands in a table where there is no number: nothing where the engine was not asked or has none,
-/// a dash where it does not take the row, else what became of it.
+/// The cell of a missing number: empty if the engine was not measured or has no such number, a dash if
+/// the row is unsupported, otherwise the outcome.
 std::string instead_of_number(const Measurement* measurement);
 
-/// RFC 4180: a line of headers, a line a row, empty cells where nothing was measured. The columns that
-/// are named come first, whether any row has them or not; others follow in alphabetical order. What
-/// engines found is in columns of their own, "rca_time" and "rca_outcome"; but "m", "sum_holes" and
-/// what else is the same for all in one.
+/// RFC 4180: a line of headers, a line per row, empty cells where nothing was measured. First come the
+/// named columns, even if empty; others follow in alphabetical order. Each engine has its own columns,
+/// "rca_time" and "rca_outcome"; numbers that are the same for all, such as "m" and "sum_holes", have one.
 std::string to_csv(const Rows& rows, std::vector<std::string> first_columns);
 
-/// The numbers of two names, of the rows that have both.
+/// The numbers x and y of the rows that have both.
 Points points(const Rows& rows, const std::string& x, const std::string& y);
 
 }  // namespace oplus

@@ -28,7 +28,7 @@ TEST(Table, csv_quotes_and_leaves_cells_empty) {
             "\"c|d\ne\",,false,,,out of memory,,12,\n");
 }
 
-TEST(Table, shows_words_numbers_and_what_became_of_engines) {
+TEST(Table, shows_words_numbers_and_outcomes) {
   const Table table =
       table_of(rows(), columns_of("pair = name; n = count; ms = 1000 seconds; equal = same; "
                                   "RC = rca.outcome; T = 1000 rca.time; by = 1 rca.time/seconds; "
@@ -39,18 +39,18 @@ TEST(Table, shows_words_numbers_and_what_became_of_engines) {
   ASSERT_EQ(table.rows.size(), 2U);
   EXPECT_EQ(table.rows[0],
             Cells({"a, \"b\"", "3", "1.23", "yes", "done", "500", "405", "1.2e-03", "2", ""}));
-  // And no cell can break a table of Markdown.
+  // No cell can break a table of Markdown.
   EXPECT_EQ(table.rows[1],
             Cells({"c/d e", "", "12,000", "no", "out of memory", "", "", "1.2e+01", "", ""}));
 }
 
-TEST(Table, the_first_column_says_why_there_is_no_number) {
+TEST(Table, the_first_column_has_the_outcome_instead_of_a_number) {
   EXPECT_EQ(table_of(rows(), columns_of("T = 1 rca.time; again = 1 rca.time")).rows[1],
             std::vector<std::string>({"out of memory", ""}));
   EXPECT_THROW(columns_of("T: rca.time"), std::invalid_argument);
 }
 
-TEST(Table, points_are_of_rows_that_have_both) {
+TEST(Table, points_are_of_rows_that_have_both_numbers) {
   const Points found = points(rows(), "count", "seconds");
   EXPECT_EQ(found.x, std::vector<double>({3}));
   EXPECT_EQ(found.y, std::vector<double>({0.00123456789}));

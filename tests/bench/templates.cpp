@@ -22,7 +22,7 @@ std::string template_named(const std::string& name) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Of itself the library leaves out what it does not know.
+/// The library itself leaves out unknown names.
 class Known : public kainjow::mustache::context<Text> {
  public:
   using context::context;
@@ -35,7 +35,7 @@ class Known : public kainjow::mustache::context<Text> {
 
   const PageData* get_partial(const Text& name) const override {
     std::string text = template_named(name + ".mustache");
-    text.pop_back();  // the line that includes it has an end of its own
+    text.pop_back();  // the including line has its own line end
     return &partials_.try_emplace(name, text).first->second;
   }
 
@@ -66,7 +66,7 @@ PageData table_section(const Rows& rows, const std::vector<std::string>& names) 
           columns.push_back(column);
     }
     std::string table = rendered("markdown_table.mustache", page_data(table_of(rows, columns)));
-    table.pop_back();  // the line of the section's end has its own
+    table.pop_back();  // the section's last line has its own line end
     return table;
   });
 }

@@ -57,7 +57,8 @@ std::string HelpFormatter::make_subcommands(const CLI::App* app, CLI::AppFormatM
   if (program == nullptr) return Formatter::make_subcommands(app, mode);
   return make_group(
       "Options of every command", false, program->get_options([&](const CLI::Option* option) {
-        return option != program->get_help_ptr() && option != program->get_version_ptr();
+        return option != program->get_help_ptr() && option != program->get_version_ptr() &&
+               option->get_group() == program->get_help_ptr()->get_group();
       }));
 }
 
