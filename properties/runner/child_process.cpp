@@ -147,7 +147,10 @@ class Listener {
       const double left =
           limits_.seconds - std::chrono::duration<double>(Clock::now() - start_).count();
       if (left <= 0) return over(EndedProcess::How::over_time, child);
-      const double milliseconds = std::min(std::ceil(left * 1000), 1e9);
+      if (limits_.is_interrupted != nullptr && limits_.is_interrupted())
+        return over(EndedProcess::How::interrupted, child);
+      const double most = limits_.is_interrupted == nullptr ? 1e9 : 100;
+      const double milliseconds = std::min(std::ceil(left * 1000), most);
       if (::poll(files.data(), files.size(), static_cast<int>(milliseconds)) < 0) {
         if (errno == EINTR) continue;
         fail(errno, "poll");

@@ -232,6 +232,24 @@ TEST_F(PropertiesCommand, ProgramListsStatements) {
   const auto [entry_code, entry] = oplus_check("theorems theorem-2.3.2");
   EXPECT_EQ(entry_code, 0);
   EXPECT_NE(entry.find("reflex"), std::string::npos) << entry;
+  const auto [proved_code, proved] = oplus_check("theorems lemma-4.1.4");
+  EXPECT_EQ(proved_code, 0);
+  for (const char* part : {"\nBacked by: machine-checked, ", "; sampled, ", " pairs\n",
+                           "\nPage: docs/theorems/lemma-4.1.4.md\n"})
+    EXPECT_NE(proved.find(part), std::string::npos) << part << " in " << proved;
+}
+
+TEST_F(PropertiesCommand, ProgramSuggestsTheNearestStatement) {
+  for (const std::string command : {"theorems", "properties --theorem"}) {
+    const auto [code, text] = oplus_check(command + " lema-4.1.4");
+    EXPECT_EQ(code, 2);
+    EXPECT_EQ(text,
+              "oplus-check: unknown statement 'lema-4.1.4'; did you mean lemma-4.1.4? 'oplus-check "
+              "theorems' lists all\n");
+  }
+  const auto [code, text] = oplus_check("theorems gravity");
+  EXPECT_EQ(code, 2);
+  EXPECT_EQ(text, "oplus-check: unknown statement 'gravity'; 'oplus-check theorems' lists all\n");
 }
 
 #ifndef OPLUS_MUTANTS
