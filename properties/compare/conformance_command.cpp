@@ -25,7 +25,7 @@ void add_conformance_command(CLI::App& app, int& exit_code) {
   campaign.shrink_tries = 1000;
   add_engine_option(
       *command, *settings,
-      "The implementation: an engine of oplus, a peer, or exec:CMD, as diff takes them");
+      "The implementation: an engine of oplus, a peer, or exec:CMD; see 'diff --help'");
   command->get_option("--engine")->required();
   add_pair_option(*command, *settings);
   command->add_option("--part", choice.parts, "Only this part; may be repeated")

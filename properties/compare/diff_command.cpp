@@ -102,7 +102,7 @@ void add_diff_command(CLI::App& app, int& exit_code) {
   add_pair_option(*command, *settings);
   command
       ->add_option("--folder", settings->folders,
-                   "The files of a folder: NAME_part1 with NAME_part2, all others with each other")
+                   "The files of a folder: NAME_part1 with NAME_part2, the rest with each other")
       ->type_name("DIR")
       ->check(CLI::ExistingDirectory);
   command->add_option("--family", settings->families, "A generated family; may be repeated")

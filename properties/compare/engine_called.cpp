@@ -60,7 +60,7 @@ std::string how_it_ended(const EndedProcess& ended) {
                   said.empty() ? "it gives no reason" : reason_in(ended.errors));
     if (ended.code == exit_no_region)
       throw NoSum(Kind::unreadable, first_line(ended.errors),
-                  "its result bounds no region: " +
+                  "its result is not the boundary of a region: " +
                       first_line(ended.errors.substr(ended.errors.find('\n') + 1)));
   }
   if (says_out_of_memory(ended.errors))

@@ -61,14 +61,6 @@ MinkowskiSum regularized(MinkowskiSum sum) {
   return sum;
 }
 
-Chain without_vertices_inside_straight_lines(const Chain& chain) {
-  Chain corners;
-  for (std::size_t i = 0; i < chain.size(); ++i)
-    if (orientation(chain[previous(i, chain.size())], chain[i], chain[next(i, chain.size())]) != 0)
-      corners.push_back(chain[i]);
-  return corners;
-}
-
 /// How far rounding may move coordinates: by at most `most`, or by less than `step`.
 struct Rounding {
   Rational most;
@@ -91,9 +83,18 @@ struct Rounding {
   bool may_move(const Point& from, const Point& to) const {
     return may_move(from.x, to.x) && may_move(from.y, to.y);
   }
+  /// Without vertices that rounding may have added or lost.
+  Chain corners(const Chain& chain) const {
+    Chain kept = {chain[0]};
+    for (std::size_t i = 1; i < chain.size(); ++i)
+      if (!is_within({{chain[i], chain[i]}}, {{kept.back(), chain[next(i, chain.size())]}},
+                     most * most))
+        kept.push_back(chain[i]);
+    return kept;
+  }
   bool may_move(const Chain& from, const Chain& to) const {
-    const Chain a = without_vertices_inside_straight_lines(from);
-    Chain b = without_vertices_inside_straight_lines(to);
+    const Chain a = corners(from);
+    Chain b = corners(to);
     if (a.size() != b.size()) return false;
     const auto is_paired = [&] {
       return std::ranges::equal(a, b,

@@ -28,15 +28,16 @@ Failure failure_without_sum(const NoSum& answer);
 ///  3. "component lost", "component invented": one whose interior meets none of the other sum's;
 ///     "components joined": one meets several of the right sum's; "component split": the reverse;
 ///  4. the same four for holes;
-///  5. "rounded": the topology is unchanged and all vertices are close. That is: no kind of 3 and 4, and
-///     each component of the right sum has a given one with as many holes such that their outer chains
-///     have the same vertices but for rounding, and each hole of the first has one of the other with the
-///     same vertices but for rounding. Two chains have the same vertices but for rounding if they have
-///     equally many, those inside straight lines left out, and these can be paired in cyclic order such
-///     that in each pair each coordinate differs by at most a millionth of the largest absolute value of a
-///     coordinate of the right sum, or by less than 1/d, where d is the least common denominator of all
-///     given coordinates. (So what is a multiple of 1/d has not moved.) A sum that has lost or gained a
-///     vertex is not "rounded", even if rounding was the cause;
+///  5. "rounded": the topology is unchanged and all vertices are close. Let m be a millionth of the largest
+///     absolute value of a coordinate of the right sum, and d the least common denominator of all given
+///     coordinates. No kind of 3 and 4 applies, and each component of the right sum has a given one with
+///     as many holes such that their outer chains, and each hole of the first and some hole of the other,
+///     are equal but for rounding. Two chains are that if their corners are equally many and can be
+///     paired in cyclic order such that in each pair each coordinate differs by at most m or by less
+///     than 1/d. (So a multiple of 1/d has not moved by more than m.) All vertices are corners but those
+///     that, from the second on, are at most m away from the segment that joins the last corner before
+///     with the vertex behind: rounding makes such vertices and loses them. And no point of one sum's
+///     boundary is farther than √2 max(m, 1/d) from the other's;
 ///  6. "area smaller", "area larger", "other shape of equal area";
 ///  7. "dangling edge lost", "dangling edge invented", "isolated vertex lost", "isolated vertex
 ///     invented";

@@ -22,7 +22,7 @@ NoSum of_exception(const std::string& what) {
   return {NoSum::Kind::crashed, "exception: " + site.substr(0, 120), "it threw: " + one_line(what)};
 }
 
-/// A sum, or why there is none.
+/// A sum, or the reason why not.
 using EngineAnswer = std::variant<MinkowskiSum, NoSum>;
 
 EngineAnswer ask(const Engine& engine, const Summands& pair, Boundary boundary, Probes& probes) {
@@ -162,7 +162,7 @@ JudgedPair judged(const Task& task, const Rules& rules) {
     const NoSum* const none = std::get_if<NoSum>(&answer);
     return none == nullptr || is_fault(none->kind());
   };
-  // One arrangement for both, and none where there is nothing to compare.
+  // One arrangement for both sums, and only where there is something to compare.
   if (task.known) {
     result.right = OracleSums{task.known->closed, task.known->open, {}};
   } else if (why_skipped.empty() &&

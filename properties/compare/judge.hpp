@@ -26,7 +26,7 @@ struct WrongSum {
   Boundary boundary = Boundary::closed;
   Failure failure;
   Summands pair;
-  std::optional<MinkowskiSum> right = {};  ///< none where no oracle was asked
+  std::optional<MinkowskiSum> right = {};  ///< nullopt where the oracle was not asked
   std::optional<MinkowskiSum> given = {};
 };
 

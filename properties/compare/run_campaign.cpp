@@ -30,7 +30,7 @@ TaskNumber number_of(std::size_t index, const std::vector<TaskSource>& sources) 
   return number;
 }
 
-/// judged(), or none where an engine was interrupted.
+/// judged(), or nullopt where an engine was interrupted.
 std::optional<JudgedPair> judged_unless_interrupted(const Task& task, const Rules& rules) {
   try {
     return judged(task, rules);
@@ -48,9 +48,9 @@ bool shrink(ShrunkFailure& found, const Statement* statement, const Campaign& ca
   again.boundaries = {found.sum.boundary};
   again.asks_beyond = true;
   std::erase_if(again.engines, [&](const auto& engine) { return engine.name != found.sum.engine; });
-  // An answer without a sum needs no oracle.
+  // Without a sum there is nothing for the oracle to judge.
   if (!found.sum.given && !again.engines.empty() && !breaks_statement) again.largest = 0;
-  // A pair that hangs costs all the time it is given.
+  // Each pair that hangs takes the whole time limit.
   const bool hangs = found.sum.failure.kind == "hung";
   const std::size_t most = hangs ? campaign.shrink_tries / 20 : campaign.shrink_tries;
   bool is_interrupted = false;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "checked/cli/command_line/terminal.hpp"
+#include "reference/io/counted.hpp"
 
 namespace oplus {
 
@@ -34,7 +35,7 @@ void Progress::shrink(const std::string& kind, std::size_t vertices, std::size_t
   constexpr std::size_t most = 40;  // a longer line would be broken on a terminal
   std::cerr << (on_terminal_ ? "\r" : "") << "shrinking "
             << (kind.size() > most ? kind.substr(0, most - 3) + "..." : kind) << ": " << vertices
-            << " vertices, " << tries << " pairs tried";
+            << " vertices, " << counted(tries, "pair", "pairs") << " tried";
   has_open_line_ = on_terminal_;
   if (!on_terminal_) std::cerr << '\n';
   std::cerr.flush();

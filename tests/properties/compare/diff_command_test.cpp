@@ -157,7 +157,7 @@ TEST_F(DiffCommand, reproduces_a_failure_by_the_printed_line) {
 TEST_F(DiffCommand, shows_how_it_shrinks) {
   const std::string command =
       "oplus-check diff --pair square.dat frame.dat --engine \"exec:cat {p} #\" --shrink-tries 20";
-  const std::string start = "shrinking area smaller: ";
+  const std::string start = "shrinking hole lost: ";
   const Ran plain = run(command);
   EXPECT_TRUE(has(plain.err, start + "12 vertices, 0 pairs tried\n")) << plain.err;
   const Ran on_terminal = run("script -qec '" + command + "' /dev/null");
@@ -197,11 +197,17 @@ TEST_F(DiffCommand, interrupted_writes_what_was_compared_and_does_not_wait_for_t
 }
 
 TEST_F(DiffCommand, ends_at_once_at_the_second_interrupt) {
-  const Ran ran =
-      run("oplus-check diff --family fork --n 60 --cases 2 --largest 100000 --threads 1 & run=$!\n"
-          "for i in 1 2 3 4 5 6 7 8 9; do sleep 0.2; kill -TERM $run 2>/dev/null || break; done\n"
-          "wait $run");
+  const Ran ran = run(
+      "oplus gen fork --n 300 --seed 1 -o p.dat; oplus gen fork --n 300 --seed 1 --summand Q -o q.dat\n"
+      "oplus-check diff --pair p.dat q.dat --largest 1000000000 --threads 1 2>err & run=$!\n"
+      // Until SIGTERM is handled.
+      "until [ $((0x$(sed -n 's/^SigCgt:\t//p' /proc/$run/status) & 0x4000)) -ne 0 ]; do\n"
+      "  kill -0 $run || exit 99; sleep 0.05; done\n"
+      "kill -TERM $run\n"
+      "until grep -q 'a second interrupt ends' err; do kill -0 $run || exit 98; sleep 0.05; done\n"
+      "kill -TERM $run; wait $run");
   EXPECT_EQ(ran.exit_code, 128 + SIGTERM) << ran.err;
+  EXPECT_FALSE(files().contains("oplus-findings"));
 }
 
 TEST_F(DiffCommand, lists_other_libraries_in_its_help) {

@@ -58,7 +58,7 @@ void expect_no_sum(const std::string& command, Kind kind, const std::string& sit
   EXPECT_TRUE(has(found.what(), what)) << command;
 }
 
-TEST(EngineCalled, knows_peers_and_programs_and_nothing_else) {
+TEST(EngineCalled, finds_peers_and_programs_only) {
   const ProcessLimits limits;
   EXPECT_EQ(engine_called("cgal-full", limits).value().name, "cgal-full");
   EXPECT_EQ(engine_called("exec:a b", limits).value().name, "exec:a b");
@@ -70,7 +70,7 @@ TEST(EngineCalled, knows_peers_and_programs_and_nothing_else) {
 
 constexpr const char* right = "echo 'POLYGON ((0 0, 2 0, 2 1, 1 2, 0 2, 0 0))'; : ";
 
-TEST(ProgramEngine, that_is_right_has_its_sum_read_in_any_format) {
+TEST(ProgramEngine, may_write_its_sum_in_any_format) {
   EXPECT_EQ(sum(std::string("exec:") + right), sum_of_both);
   EXPECT_EQ(sum("exec:printf '5 0 0 2 0 2 1 1 2 0 2\\n' #"), sum_of_both);
   EXPECT_EQ(
@@ -140,7 +140,7 @@ TEST(ProgramEngine, that_crashes_is_shrunk_to_the_same_crash_in_so_many_tries) {
   EXPECT_EQ(only_failure(script, large, 0).sum.pair, large);
 }
 
-TEST(ProgramEngine, that_says_nothing_or_garbage_or_half_an_answer_is_unreadable) {
+TEST(ProgramEngine, that_writes_nothing_or_garbage_or_half_a_sum_is_unreadable) {
   expect_no_sum("true", Kind::unreadable, "nothing", "wrote nothing");
   expect_no_sum("echo oops >&2 #", Kind::unreadable, "nothing", "wrote nothing");
   expect_no_sum("echo garbage #", Kind::unreadable, "not a sum", "its output:1:1: ");
@@ -159,7 +159,7 @@ TEST(ProgramEngine, that_writes_without_end_is_stopped) {
                 limits);
 }
 
-TEST(ProgramEngine, that_hangs_is_ended_with_its_children) {
+TEST(ProgramEngine, that_hangs_is_killed_with_its_children) {
   ProcessLimits limits = patient;
   limits.seconds = 0.2;
   expect_no_sum("exec sleep 100000 #", Kind::hung, "", "after 0.2 s", limits);
@@ -176,7 +176,7 @@ TEST(ProgramEngine, that_wants_more_memory_than_it_has_is_out_of_memory) {
                 "exit code 1", limits);
 }
 
-TEST(ProgramEngine, that_dies_has_crashed_and_says_where) {
+TEST(ProgramEngine, that_fails_has_crashed_at_a_site) {
   expect_no_sum("kill -SEGV $$ #", Kind::crashed, "SIGSEGV", "crashed: SIGSEGV");
   // The shell says of a program that it has run to its end by a signal: 128 and the signal.
   expect_no_sum("sh -c 'kill -FPE $$'; exit $? #", Kind::crashed, "SIGFPE", "SIGFPE");
@@ -197,7 +197,7 @@ TEST(ProgramEngine, that_does_not_support_a_pair_says_so_by_its_exit_code) {
                 Boundary::open);
 }
 
-TEST(ProgramEngine, that_is_interrupted_is_ended) {
+TEST(ProgramEngine, that_is_interrupted_is_killed) {
   ProcessLimits limits = patient;
   limits.is_interrupted = [] { return true; };
   try {
@@ -296,7 +296,7 @@ TEST(Peers, that_refuse_a_pair_neither_pass_nor_fail) {
   const Rules full{.engines = {*engine_called("cgal-full", patient)}};
   const std::vector<JudgedSum> refused = judged({"", {two, square}}, full).sums;
   EXPECT_EQ(refused[0].ruling, "refused");
-  EXPECT_EQ(refused[0].why, "takes one component");
+  EXPECT_EQ(refused[0].why, "supports one component only");
   EXPECT_EQ(refused[1].ruling, "open unsupported");
   const std::vector<JudgedSum> supported = judged({"", {triangle, square}}, full).sums;
   EXPECT_EQ(supported[0].ruling, "passed");

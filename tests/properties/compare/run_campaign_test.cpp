@@ -84,7 +84,7 @@ TEST(Conformance, slide_conforms_in_every_part) {
   EXPECT_EQ(report.done, report.pairs);
 }
 
-TEST(Conformance, tells_what_is_lost_apart_and_counts_them) {
+TEST(Conformance, distinguishes_what_is_lost_and_counts) {
   // Where a component is in the hole, it and the one around become one.
   expect_only("hole lost", "families", changed([](MinkowskiSum& sum) { sum.holes.clear(); }),
               "components joined");
@@ -94,7 +94,7 @@ TEST(Conformance, tells_what_is_lost_apart_and_counts_them) {
               changed([](MinkowskiSum& sum) { sum.isolated_vertices.clear(); }));
 }
 
-TEST(Conformance, tells_kinds_of_wrong_boundaries_apart_and_counts_them) {
+TEST(Conformance, distinguishes_wrong_boundaries_and_counts) {
   expect_only("isolated vertex invented", "grids", changed([](MinkowskiSum& sum) {
                 sum.isolated_vertices.push_back(apart_from(sum)[0]);
               }));
@@ -139,7 +139,7 @@ TEST(Conformance, sees_one_vertex_too_far_out_and_all_of_them_rounded) {
               }));
 }
 
-TEST(Conformance, what_is_no_sum_is_a_kind_with_its_site) {
+TEST(Conformance, a_missing_sum_is_a_kind_with_its_site) {
   expect_only("crashed: exception: bad luck,  times", "grids",
               changed([](MinkowskiSum&) { throw std::runtime_error("bad luck, 13 times"); }));
   const auto failing = [](NoSum::Kind kind) {
@@ -190,7 +190,7 @@ TEST(Conformance, unsupported_open_sums_and_refusals_are_counted_apart_and_no_fa
                              {"closed only, closed: no squares", all.count("refused")}}));
 }
 
-TEST(Conformance, laws_find_what_pairs_do_not_and_blame_the_sum_that_is_wrong) {
+TEST(Conformance, laws_find_more_and_blame_the_sum_that_is_wrong) {
   const Rational far(mpz_class(1) << 300);
   const Engine careless =
       faulty("careless", [&](MinkowskiSum& sum, const Summands& pair, Boundary) {
