@@ -32,8 +32,8 @@ const oplus::ProgramFrame frame = {
     "  oplus-check theorems lemma-4.1.4\n"
     "\n"
     "Exit codes:\n"
-    "  0  all is as it should be\n"
-    "  1  a disagreement, a statement that failed; of oplus-maintain: a mutant that lives\n"
+    "  0  success\n"
+    "  1  a disagreement, a statement that failed; of oplus-maintain: a mutant that survives\n"
     "  2  invalid input or usage, or a file that cannot be read or written\n"
     "  3  a bug in oplus; please report it\n"
     "  5  of diff, exhaustive and conformance: interrupted before the end"};

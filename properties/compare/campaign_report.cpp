@@ -7,6 +7,7 @@
 #include "checked/cli/version.hpp"
 #include "properties/compare/report_json.hpp"
 #include "reference/io/boundary_name.hpp"
+#include "reference/io/counted.hpp"
 #include "reference/io/invalid_input.hpp"
 
 namespace oplus {
@@ -23,6 +24,11 @@ void offer(CampaignReport& report, const std::string& kind, const ShrunkFailure&
   if (!is_new && is_smaller(found, known->second)) known->second = found;
 }
 
+std::string sealed_without_folder(CampaignReport report) {
+  report.out.clear();
+  return sealed(report);
+}
+
 std::string kind_in(const Campaign& campaign, const WrongSum& wrong) {
   const bool is_only_one = campaign.engines == std::vector{wrong.engine};
   return is_only_one ? wrong.failure.kind : wrong.engine + ": " + wrong.failure.kind;
@@ -36,6 +42,12 @@ void skip(CampaignReport& report, const std::string& why, const SkippedPairs& mo
     known->second.index = more.index;
     known->second.first = more.first;
   }
+}
+
+/// Of one kind in a source the earlier one is kept.
+void keep_first(CountedSource& source, const std::string& kind, const FirstFailure& failure) {
+  const auto [known, is_new] = source.first_failures.try_emplace(kind, failure);
+  if (!is_new && failure.index < known->second.index) known->second = failure;
 }
 
 InvalidInput refused(const std::string& file, const std::string& wrong,
@@ -62,7 +74,7 @@ Tally& Tally::operator+=(const Tally& more) {
         &Tally::holes_in_summand, &Tally::low_dimensional_features, &Tally::overlapping_segments,
         &Tally::several_components, &Tally::face_probes, &Tally::point_probes})
     this->*count += more.*count;
-  for (const auto counts : {&Tally::sums, &Tally::kinds, &Tally::not_taken})
+  for (const auto counts : {&Tally::sums, &Tally::kinds, &Tally::open_unsupported, &Tally::refused})
     for (const auto& [key, count] : more.*counts) (this->*counts)[key] += count;
   return *this;
 }
@@ -73,9 +85,17 @@ Tally CampaignReport::all() const {
   return sum;
 }
 
+std::string CampaignReport::interruption() const {
+  if (!is_interrupted()) return "";
+  if (done == pairs) return "interrupted while shrinking";
+  return "interrupted after " + std::to_string(done) + " of " + counted(pairs, "pair", "pairs");
+}
+
 std::string CampaignReport::verdict() const {
-  if (!conforms()) return "does not conform";
-  return compared_nothing() ? "was compared on no pair" : "conforms";
+  const std::string text = !conforms()          ? "does not conform"
+                           : compared_nothing() ? "was compared on no pair"
+                                                : "conforms";
+  return is_interrupted() ? text + ", " + interruption() : text;
 }
 
 CampaignReport begun_report(const std::string& command, Campaign campaign, const Shard& shard,
@@ -98,14 +118,18 @@ CampaignReport begun_report(const std::string& command, Campaign campaign, const
 
 void add(CampaignReport& report, std::size_t source, std::size_t index, const Task& task,
          const JudgedPair& judged) {
-  auto& [part, name, counts] = report.sources.at(source);
+  CountedSource& entry = report.sources.at(source);
+  Tally& counts = entry.counts;
   bool ran = false, disagreed = false;
   std::string why;
   for (const JudgedSum& sum : judged.sums) {
     ++counts.sums[sum.ruling];
     std::string reason = sum.why;
-    if (sum.ruling == "not taken") {
-      ++counts.not_taken[sum.engine + ", " + oplus::name(sum.boundary) + ": " + sum.why];
+    if (sum.ruling == name(NoSum::Kind::open_unsupported)) {
+      ++counts.open_unsupported[sum.engine];
+      reason = sum.engine + ": " + sum.why;
+    } else if (sum.ruling == name(NoSum::Kind::refused)) {
+      ++counts.refused[sum.engine + ", " + name(sum.boundary) + ": " + sum.why];
       reason = sum.engine + ": " + sum.why;
     }
     if (why.find(reason) == std::string::npos) why += (why.empty() ? "" : "; ") + reason;
@@ -115,7 +139,8 @@ void add(CampaignReport& report, std::size_t source, std::size_t index, const Ta
     const std::string kind = kind_in(report.campaign, *sum.wrong);
     ++counts.kinds[kind];
     offer(report, kind,
-          {*sum.wrong, task.name, part + ", " + name, index, size_of(sum.wrong->pair)});
+          {*sum.wrong, task.name, entry.part + ", " + entry.name, index, size_of(sum.wrong->pair)});
+    keep_first(entry, kind, {index, task.name, sum.wrong->failure.what, sum.wrong->pair});
   }
   if (judged.right) report.digest.add(index, judged.right->closed, judged.right->open);
   ++counts.pairs;
@@ -154,13 +179,13 @@ CampaignReport merged(const std::vector<std::pair<std::string, CampaignReport>>&
     const auto& [file, report] = named;
     if (const std::string wrong = other_campaign(first, report); !wrong.empty())
       throw refused(file, wrong, "a shard of the same campaign as " + first_file);
-    if (report.done != report.pairs)
+    if (report.is_interrupted())
       throw refused(file,
-                    "the shard is not finished: " + std::to_string(report.done) + " of " +
+                    "the shard was interrupted: " + std::to_string(report.done) + " of " +
                         std::to_string(report.pairs) + " pairs",
-                    "one that is: run it again with the same --resume");
+                    "a report of all; run the shard again");
     const auto [known, is_new] = by_shard.try_emplace(report.shard.index, &named);
-    if (!is_new && sealed(known->second->second) != sealed(report))
+    if (!is_new && sealed_without_folder(known->second->second) != sealed_without_folder(report))
       throw refused(
           file,
           "shard " + std::to_string(report.shard.index) + " is there twice with different content",
@@ -181,8 +206,11 @@ CampaignReport merged(const std::vector<std::pair<std::string, CampaignReport>>&
     const CampaignReport& shard = named->second;
     result.pairs += shard.pairs;
     result.done += shard.done;
-    for (std::size_t i = 0; i < result.sources.size(); ++i)
+    for (std::size_t i = 0; i < result.sources.size(); ++i) {
       result.sources[i].counts += shard.sources.at(i).counts;
+      for (const auto& [kind, failure] : shard.sources[i].first_failures)
+        keep_first(result.sources[i], kind, failure);
+    }
     for (const auto& [why, pairs] : shard.skipped) skip(result, why, pairs);
     for (const auto& [kind, found] : shard.counterexamples) offer(result, kind, found);
     result.digest.add(shard.digest);

@@ -14,19 +14,19 @@
 
 namespace oplus {
 
-/// All that decides what is asked and what is reported: the same for all shards.
+/// All options that decide what is asked and what is reported: the same for all shards.
 struct Campaign {
   std::vector<std::string> engines;
   std::string hole_test = "all";
   std::uint64_t seed = 1;
-  std::optional<std::size_t> n = {};       ///< largest size of generated pairs; none: the family's
-  std::size_t largest = 1300;              ///< see Rules
-  std::optional<std::size_t> shrink = {};  ///< keep at most so many counterexamples; none: all
-  std::size_t shrink_tries = 5000;         ///< for one; a twentieth for one that hangs
-  double time_limit = 10;                  ///< of others' engines, in seconds
-  std::size_t memory_limit = 4000;         ///< likewise, in MB
+  std::optional<std::size_t> n = {};  ///< largest size of generated pairs; default: the family's
+  std::size_t largest = 1300;         ///< see Rules
+  std::optional<std::size_t> shrink = {};  ///< the most counterexamples to keep; default: unlimited
+  std::size_t shrink_tries = 5000;         ///< per counterexample; a twentieth for one that hangs
+  double time_limit = 10;                  ///< of programs and peers, in seconds
+  std::size_t memory_limit = 4000;         ///< likewise, in MB; 0: unlimited
   std::vector<std::string> pairs = {};     ///< given ones, by name
-  std::vector<std::string> sources = {};   ///< each in a line
+  std::vector<std::string> sources = {};   ///< a line per source
 };
 
 /// A part of a campaign that is run on several machines: task i, from 0, is of shard i mod `of` + 1,
@@ -54,16 +54,17 @@ struct Tally {
   std::size_t several_components = 0;
   std::size_t face_probes = 0;  ///< how often hole tests were asked
   std::size_t point_probes = 0;
-  std::map<std::string, std::size_t> sums;       ///< by ruling
-  std::map<std::string, std::size_t> kinds;      ///< of failure, as `counterexamples` below
-  std::map<std::string, std::size_t> not_taken;  ///< by engine, boundary and reason
+  std::map<std::string, std::size_t> sums;              ///< by ruling
+  std::map<std::string, std::size_t> kinds;             ///< of failure, as `counterexamples` below
+  std::map<std::string, std::size_t> open_unsupported;  ///< by engine
+  std::map<std::string, std::size_t> refused;           ///< by engine, boundary and reason
 
   std::size_t count(const std::string& ruling) const;
   std::size_t failures() const;
   Tally& operator+=(const Tally& more);
 };
 
-/// One of a kind of failure, the smallest pair that was found, shrunk.
+/// A kind's smallest pair that was found, shrunk.
 struct ShrunkFailure {
   WrongSum sum;
   std::string found_in;       ///< the task's name
@@ -71,8 +72,8 @@ struct ShrunkFailure {
   std::size_t index = 0;      ///< of the task
   Size found_size = {};       ///< before shrinking
   std::size_t tries = 0;      ///< pairs tried for that
-  bool is_shrunk = false;     ///< no pair a step smaller shows it; else the tries were used up
-  bool is_repeatable = true;  ///< seen when asked again
+  bool is_shrunk = false;     ///< no pair a step smaller fails in this way; else it was not tried
+  bool is_repeatable = true;  ///< it failed again in this way when asked again
 };
 
 /// Pairs that were skipped for one reason.
@@ -82,21 +83,32 @@ struct SkippedPairs {
   std::string first;      ///< its name
 };
 
+/// The first pair of a source that failed in some way.
+struct FirstFailure {
+  std::size_t index = 0;  ///< of the task
+  std::string found_in;   ///< its name
+  std::string what;       ///< see Failure
+  Summands pair;
+};
+
 struct CountedSource {
   std::string part;
   std::string name;
   Tally counts = {};
+  std::map<std::string, FirstFailure> first_failures = {};  ///< by kind
 };
 
-/// What a command that compares engines has found, or one shard of it. Counts and findings, nothing of
-/// time and place: same campaign and engines that answer the same, same report, however many threads.
+/// What a command that compares engines has found, or one shard of it. It contains no times and no names
+/// of machines: same campaign, same answers of the engines, same folder, same report, however many threads.
 struct CampaignReport {
   std::string report;   ///< the command
   std::string version;  ///< of oplus
   Campaign campaign;
   Shard shard;
-  std::size_t pairs = 0;  ///< of the shard
-  std::size_t done = 0;   ///< the first so many of them
+  std::size_t pairs = 0;               ///< of the shard
+  std::size_t done = 0;                ///< the first of them were judged
+  bool has_stopped_shrinking = false;  ///< interrupted before all counterexamples were shrunk
+  std::string out;  ///< the folder of the counterexamples' files, as it was given
   std::vector<CountedSource> sources;
   std::map<std::string, SkippedPairs> skipped;  ///< by reason
   std::map<std::string, ShrunkFailure>
@@ -106,8 +118,11 @@ struct CampaignReport {
   Tally all() const;
   bool conforms() const { return all().disagreed == 0; }
   bool compared_nothing() const { return all().ran == 0; }
+  bool is_interrupted() const { return done < pairs || has_stopped_shrinking; }
+  /// "interrupted after 12 of 40 pairs", "interrupted while shrinking"; empty where it is not.
+  std::string interruption() const;
 
-  /// "conforms", "does not conform" or, where nothing was compared, that.
+  /// "conforms", "does not conform" or "was compared on no pair"; where it is interrupted, with that.
   std::string verdict() const;
 };
 
@@ -115,18 +130,18 @@ struct CampaignReport {
 CampaignReport begun_report(const std::string& command, Campaign campaign, const Shard& shard,
                             const std::vector<TaskSource>& sources);
 
-/// Adds what became of a task, of which only the name and the pair are looked at.
+/// Adds the outcome of a task, of which only the name and the pair are looked at.
 void add(CampaignReport& report, std::size_t source, std::size_t index, const Task& task,
          const JudgedPair& judged);
 
-/// Leaves as many counterexamples as the campaign wants: those found with the smallest pairs, so that the
-/// ones of a campaign are among those of its shards.
+/// Removes all but the campaign's number of counterexamples: those found with the smallest pairs stay, so
+/// that the ones of a campaign are among those of its shards.
 void keep_smallest(CampaignReport& report);
 
 /// Returns the report that one run without shards would have written, of the reports of all shards of
 /// one campaign, each with the name of its file; a shard may be there more than once with the same
 /// content. Throws InvalidInput where shards are missing, one is there twice with different content or
-/// is not finished, or they are not of one campaign, command and version.
+/// is interrupted, or they are not of one campaign, command and version. The folder is the first shard's.
 CampaignReport merged(const std::vector<std::pair<std::string, CampaignReport>>& reports);
 
 }  // namespace oplus

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <boost/algorithm/string/join.hpp>
 #include <charconv>
-#include <csignal>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -22,6 +21,8 @@
 #include "properties/compare/run_campaign.hpp"
 #include "properties/compare/sources.hpp"
 #include "properties/runner/checked_engines.hpp"
+#include "properties/runner/interrupt.hpp"
+#include "properties/runner/known_name.hpp"
 #include "properties/runner/progress.hpp"
 #include "reference/io/file_text.hpp"
 #include "reference/io/quoting.hpp"
@@ -31,21 +32,17 @@ namespace oplus {
 
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
-
 CLI::Validator engine_name() {
-  std::vector<std::string> names = {"all"};  // for completion, which is told nothing of exec:CMD
+  std::vector<std::string> names = {"all"};
   for (const std::vector<Engine>& some : {engines(), peers()})
     for (const Engine& engine : some) names.push_back(engine.name);
-  return CLI::Validator(
-      [names](const std::string& name) -> std::string {
-        if (std::ranges::count(names, name) > 0 || engine_called(name, {})) return "";
-        return name + " is no engine; there are " + boost::join(names, ", ") + ", exec:CMD";
-      },
-      "{" + boost::join(names, ",") + "}");
+  const CLI::Validator known =
+      known_name("engine", names, "the engines are " + boost::join(names, ", ") + ", exec:CMD");
+  return CLI::Validator(known).operation(
+      [known](std::string& name) { return engine_called(name, {}) ? "" : known(name); });
 }
 
-/// Reads "2/8"; none where it names no shard.
+/// Reads "2/8"; nullopt where it is not a shard.
 std::optional<Shard> shard_of(const std::string& text) {
   Shard shard;
   const char* const end = text.data() + text.size();
@@ -70,8 +67,10 @@ std::vector<Engine> chosen_engines(const Campaign& campaign) {
   if (names.empty() || std::ranges::count(names, "all") > 0) return chosen;
   std::erase_if(chosen,
                 [&](const Engine& engine) { return std::ranges::count(names, engine.name) == 0; });
-  const ProcessLimits limits{
-      .seconds = campaign.time_limit, .address_space_mb = campaign.memory_limit, .output_mb = 64};
+  const ProcessLimits limits{.seconds = campaign.time_limit,
+                             .address_space_mb = campaign.memory_limit,
+                             .output_mb = 64,
+                             .is_interrupted = is_interrupted};
   for (const std::string& name : names) {
     const std::string fault = why_it_cannot_run(name, limits);
     if (!fault.empty()) throw UsageError("cannot run " + one_line(name) + ": " + one_line(fault));
@@ -80,13 +79,14 @@ std::vector<Engine> chosen_engines(const Campaign& campaign) {
   return chosen;
 }
 
-/// The report to go on from: that of the file where there is one.
+/// The report to go on from: that of the file if it exists.
 CampaignReport first_report(CampaignReport begun, const std::string& resume) {
   if (resume.empty() || !std::filesystem::exists(resume)) return begun;
   CampaignReport kept = opened(text_of_file(resume, "the state of a run"), resume);
   std::string other = other_campaign(begun, kept);
   if (other.empty() && begun.shard.index != kept.shard.index) other = "it is of another shard";
   if (!other.empty()) throw UsageError(resume + " is the state of another run: " + other);
+  kept.out = begun.out;
   say_note("going on after " + std::to_string(kept.done) + " of " + std::to_string(kept.pairs) +
            " pairs");
   return kept;
@@ -97,18 +97,12 @@ CampaignReport run(const CompareOptions& options, CampaignReport report,
   Progress progress(report.report, report.pairs - report.done);
   RunWatch watch;
   watch.after_pair = [&] { progress.advance(); };
-  watch.before_shrinking = [&](const ShrunkFailure& found) {
-    text_output(options.json || speech().quiet)
-        << "shrinking a disagreement found in " << found.found_in << std::endl;
+  watch.while_shrinking = [&](const ShrunkFailure& found) {
+    progress.shrink(found.sum.failure.kind, size_of(found.sum.pair).vertices, found.tries);
   };
-  if (!options.resume.empty() || report.report == "exhaustive") {
-    std::signal(SIGINT, [](int) { interrupted = 1; });
-    std::signal(SIGTERM, [](int) { interrupted = 1; });
-    watch.is_enough = [&](const CampaignReport& now) {
-      if (!options.resume.empty()) write_file(options.resume, sealed(now));
-      return interrupted != 0;
-    };
-  }
+  watch.is_interrupted = is_interrupted;
+  if (!options.resume.empty())
+    watch.keep = [&](const CampaignReport& now) { write_file(options.resume, sealed(now)); };
   const unsigned cores = std::max(std::thread::hardware_concurrency(), 1U);
   return run_campaign(std::move(report), sources, rules,
                       options.threads == 0 ? cores : options.threads, watch);
@@ -122,9 +116,9 @@ void add_run_options(CLI::App& command, CompareOptions& options) {
       ->capture_default_str();
   command
       .add_option("--resume", options.resume,
-                  "Keep the state in this file, and go on from it where it exists")
+                  "Keep the state in this file, and go on from it if it exists")
       ->type_name("FILE");
-  command.add_option("--threads", options.threads, "Pairs at a time; default: one a core")
+  command.add_option("--threads", options.threads, "Pairs at a time; default: one per core")
       ->check(CLI::Range(1, 1024));
   command.add_option("--out", options.out, "Folder for disagreements")
       ->type_name("DIR")
@@ -148,13 +142,12 @@ void add_limit_options(CLI::App& command, Campaign& campaign) {
                   "Skip, and count, pairs whose convolution has more segments")
       ->capture_default_str();
   command
-      .add_option("--time-limit", campaign.time_limit,
-                  "Seconds that another's engine has for a sum")
+      .add_option("--time-limit", campaign.time_limit, "Seconds per sum of a peer or of exec:CMD")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command
       .add_option("--memory-limit", campaign.memory_limit,
-                  "Address space that it has, in MB; 0: any")
+                  "Their address space in MB; 0: unlimited")
       ->capture_default_str();
 }
 
@@ -162,7 +155,7 @@ void add_shrink_option(CLI::App& command, Campaign& campaign) {
   campaign.shrink = 3;
   command
       .add_option("--shrink", campaign.shrink,
-                  "Shrink at most so many disagreements, the smallest of a kind each")
+                  "The most disagreements to shrink: the smallest of each kind")
       ->default_str("3");
 }
 
@@ -184,41 +177,43 @@ int compare(const std::string& command, CompareOptions options,
   const std::optional<Shard> shard = shard_of(options.shard);
   if (!shard)
     throw UsageError("--shard " + one_line(options.shard) +
-                     " names no shard; expected I/N, 1 <= I <= N");
+                     " is invalid; expected I/N, 1 <= I <= N");
   for (const std::string& file : options.reports)
     if (!is_report_name(file))
-      throw UsageError("--report " + file + " ends in none of .md, .json and .xml");
-  // Only the folder of counterexamples is made where it is not there.
+      throw UsageError("--report " + file + ": the ending must be .md, .json or .xml");
+  // Only the folder of counterexamples is made if it does not exist.
   const auto normal = [](const std::filesystem::path& folder) {
     return (folder / "").lexically_normal();
   };
   for (const std::string& file : options.reports)
     if (normal(std::filesystem::path(file).parent_path()) != normal(options.out))
       require_writable({file});
+  finish_when_interrupted();
   const Rules rules{.engines = chosen_engines(options.campaign),
                     .largest = options.campaign.largest,
                     .asks_beyond = command == "conformance"};
   options.campaign.engines.clear();
   for (const Engine& engine : rules.engines) options.campaign.engines.push_back(engine.name);
 
-  const CampaignReport begun = begun_report(command, options.campaign, *shard, sources);
+  CampaignReport begun = begun_report(command, options.campaign, *shard, sources);
+  begun.out = options.out;
   const CampaignReport report = run(options, first_report(begun, options.resume), sources, rules);
-  write_counterexamples(report, options.out);
-  std::ostream& text = text_output(options.json);
-  for (const auto& [kind, found] : report.counterexamples)
-    text << explanation(report, found, options.out);
-  const bool is_good = report.conforms() && !report.compared_nothing();
-  text << with_painted_verdict(summary(report), is_good ? Paint::good : Paint::bad, std::cout);
+  write_counterexamples(report);
   for (const std::string& file : options.reports) {
     const std::filesystem::path folder = std::filesystem::path(file).parent_path();
     if (!folder.empty()) std::filesystem::create_directories(folder);
     write_file(file, report_text(report, file));
-    if (command == "diff") text << "report: " << file << '\n';
   }
+  std::ostream& text = text_output(options.json);
+  for (const auto& [kind, found] : report.counterexamples) text << explanation(report, found);
+  const bool is_good = report.conforms() && !report.compared_nothing() && !report.is_interrupted();
+  text << with_painted_verdict(summary(report), is_good ? Paint::good : Paint::bad, std::cout);
+  if (command == "diff")
+    for (const std::string& file : options.reports) text << "report: " << file << '\n';
   if (options.json) std::cout << sealed(report);
+  if (report.is_interrupted()) return 5;
   if (!report.conforms()) return 1;
-  if (report.done < report.pairs) return 5;
-  // A shard may be too small to have asked anything that is taken; the campaign is judged as a whole.
+  // A shard may consist of unsupported pairs; the campaign is judged as a whole.
   if (report.compared_nothing() && shard->of == 1)
     throw UsageError(command + " compared nothing: every pair was skipped");
   return 0;

@@ -9,12 +9,12 @@
 
 namespace oplus {
 
-/// What every command that compares is told; the campaign's engines as named on the command line.
+/// The options of every command that compares; the campaign's engines as named on the command line.
 struct CompareOptions {
   Campaign campaign;
   std::vector<std::vector<std::string>> pairs;  ///< of files
   std::string shard = "1/1";
-  unsigned threads = 0;  ///< 0: one a core
+  unsigned threads = 0;  ///< 0: one per core
   std::string out = "oplus-findings";
   std::vector<std::string> reports;
   std::string resume;
@@ -31,8 +31,8 @@ void add_pair_option(CLI::App& command, CompareOptions& options);
 /// Reads the pairs of files and notes their names. Throws InvalidInput.
 std::vector<Task> given_pairs(CompareOptions& options);
 
-/// Compares: runs the shard, writes the reports, the counterexamples and the text. Returns the exit code,
-/// see compare_commands.hpp. Engines are asked beyond what the oracle takes by `conformance` alone.
+/// Compares: runs the shard, writes the counterexamples, the reports and the text. Returns the exit code,
+/// see compare_commands.hpp. Only `conformance` asks engines for sums that are too large for the oracle.
 int compare(const std::string& command, CompareOptions options,
             const std::vector<TaskSource>& sources);
 

@@ -5,8 +5,8 @@
 
 namespace oplus {
 
-/// Add the commands that compare engines with what is right, and `merge`. Each sets exit_code when run:
-/// 0 all agree; 1 a disagreement; 5 interrupted before the end, of `exhaustive` and with --resume.
+/// Add the commands that compare engines with the oracle, and `merge`. Each sets exit_code when run:
+/// 0 all agree; 1 a disagreement; 5 interrupted before the end.
 /// Throw InvalidInput, UsageError or std::system_error when run, also where nothing was compared.
 void add_diff_command(CLI::App& app, int& exit_code);
 void add_exhaustive_command(CLI::App& app, int& exit_code);

@@ -17,14 +17,15 @@ struct Settings : CompareOptions {
 
 void add_conformance_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
-      "conformance", "Check all that must hold of sums against one implementation");
+      "conformance",
+      "Check the sums of one implementation against the oracle, statements and laws");
   const auto settings = std::make_shared<Settings>();
   Campaign& campaign = settings->campaign;
   ConformanceChoice& choice = settings->choice;
   campaign.shrink_tries = 1000;
   add_engine_option(
       *command, *settings,
-      "The implementation: an engine of oplus, a peer, or exec:CMD, as diff takes them");
+      "The implementation: an engine of oplus, a peer, or exec:CMD; see 'diff --help'");
   command->get_option("--engine")->required();
   add_pair_option(*command, *settings);
   command->add_option("--part", choice.parts, "Only this part; may be repeated")
@@ -34,11 +35,11 @@ void add_conformance_command(CLI::App& app, int& exit_code) {
   command->add_option("--budget", choice.budget, "Pairs in all, the corpus not counted")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000000}))
       ->capture_default_str();
-  command->add_option("--cases", choice.cases, "Pairs a grid, family, statement or law, instead")
+  command->add_option("--cases", choice.cases, "Pairs per grid, family, statement and law, instead")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000000}));
   command
       ->add_option("--shrink", campaign.shrink_tries,
-                   "Try at most so many pairs to shrink a counterexample; of hangs a twentieth")
+                   "The most pairs to try when a counterexample is shrunk; for hangs a twentieth")
       ->capture_default_str();
   add_limit_options(*command, campaign);
   add_run_options(*command, *settings);
@@ -54,8 +55,9 @@ void add_conformance_command(CLI::App& app, int& exit_code) {
       "Exit codes:\n"
       "  0  it conforms\n"
       "  1  it does not\n"
-      "  2  bad input, a request that makes no sense, or nothing compared\n"
-      "  5  interrupted; the same command goes on where --resume was given");
+      "  2  invalid input or usage, a file that cannot be read or written, or nothing compared\n"
+      "  5  interrupted by SIGINT or SIGTERM; the reports contain what was compared until then, and with\n"
+      "     --resume the same command goes on. A second signal ends the program at once");
   command->callback([settings, &exit_code] {
     settings->choice.seed = settings->campaign.seed;
     const std::vector<Task> given = given_pairs(*settings);

@@ -52,8 +52,8 @@ std::vector<TaskSource> conformance_sources(const ConformanceChoice& choice) {
   const auto is_chosen = [&](const std::string& part) {
     return choice.parts.empty() || std::ranges::count(choice.parts, part) > 0;
   };
-  // How many pairs a source gets that has `weight` of a part's `weights`, the part having so many
-  // percent of the budget.
+  // The number of pairs for a source that has `weight` of a part's `weights`, where the part has
+  // `percent` of the budget.
   const auto share = [&](std::size_t percent, std::size_t weight, std::size_t weights) {
     return choice.cases.value_or(
         std::max<std::size_t>(choice.budget * percent * weight / (100 * weights), 1));

@@ -16,7 +16,7 @@ struct ConformanceChoice {
   std::uint64_t seed = 1;
   std::size_t budget = 10000;             ///< pairs in all, those of the corpus not counted
   std::optional<std::size_t> cases = {};  ///< pairs a source instead
-  std::vector<std::string> parts = {};    ///< of conformance_parts(); none: all of them
+  std::vector<std::string> parts = {};    ///< of conformance_parts(); default: all
 };
 
 /// "grids": every pair of small polygons on small grids, or an even selection of them; "corpus";

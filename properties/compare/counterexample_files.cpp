@@ -37,7 +37,7 @@ std::string picture(const WrongSum& sum) {
     panels.push_back({title, std::move(layers)});
   };
   if (sum.right) add("oracle", *sum.right);
-  // Nothing that is no region can be filled.
+  // Only a region can be filled.
   if (sum.given && !malformed(*sum.given)) add(sum.engine, *sum.given);
   return svg(panels);
 }
@@ -62,13 +62,13 @@ CounterexampleFiles files_of(const ShrunkFailure& found) {
   return files;
 }
 
-void write_counterexamples(const CampaignReport& report, const std::string& folder) {
+void write_counterexamples(const CampaignReport& report) {
   if (report.counterexamples.empty()) return;
-  std::filesystem::create_directories(folder);
+  std::filesystem::create_directories(report.out);
   for (const auto& [kind, found] : report.counterexamples) {
     const CounterexampleFiles files = files_of(found);
     const auto put = [&](const std::string& name, const std::string& content) {
-      write_file((std::filesystem::path(folder) / name).string(), content);
+      write_file((std::filesystem::path(report.out) / name).string(), content);
     };
     put(files.p, written(found.sum.pair.p, Format::dat));
     put(files.q, written(found.sum.pair.q, Format::dat));
@@ -78,11 +78,10 @@ void write_counterexamples(const CampaignReport& report, const std::string& fold
   }
 }
 
-std::string replay_line(const CampaignReport& report, const ShrunkFailure& found,
-                        const std::string& folder) {
+std::string replay_line(const CampaignReport& report, const ShrunkFailure& found) {
   const CounterexampleFiles files = files_of(found);
   const auto file = [&](const std::string& name) {
-    return " " + for_shell((std::filesystem::path(folder) / name).string());
+    return " " + for_shell((std::filesystem::path(report.out) / name).string());
   };
   std::string line =
       "oplus-check " + std::string(report.report == "conformance" ? "conformance" : "diff");
@@ -91,7 +90,15 @@ std::string replay_line(const CampaignReport& report, const ShrunkFailure& found
     line += " --engine " + for_shell(found.sum.engine);
   else if (report.report == "conformance")
     line += " --engine slide";
-  return line + " --pair" + file(files.p) + file(files.q);
+  const Campaign defaults, &campaign = report.campaign;
+  std::ostringstream options;
+  if (campaign.hole_test != defaults.hole_test) options << " --hole-test " << campaign.hole_test;
+  if (campaign.largest != defaults.largest) options << " --largest " << campaign.largest;
+  if (campaign.time_limit != defaults.time_limit)
+    options << " --time-limit " << campaign.time_limit;
+  if (campaign.memory_limit != defaults.memory_limit)
+    options << " --memory-limit " << campaign.memory_limit;
+  return line + options.str() + " --pair" + file(files.p) + file(files.q);
 }
 
 }  // namespace oplus

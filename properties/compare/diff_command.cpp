@@ -50,8 +50,8 @@ std::string peer_list() {
   return lines;
 }
 
-/// The pairs that were asked for; where none was, those of the main job: the published pairs, where
-/// they are present, and all families.
+/// The pairs that were asked for; by default those of the main job: the published pairs, if they are
+/// present, and all families.
 std::vector<TaskSource> chosen_sources(Settings& settings) {
   if (settings.pairs.empty() && settings.folders.empty() && settings.families.empty()) {
     settings.families = family_names();
@@ -87,19 +87,22 @@ void add_diff_command(CLI::App& app, int& exit_code) {
       "Compare engines with the oracle, on pairs that are named or on those of the main job");
   const auto settings = std::make_shared<Settings>();
   Campaign& campaign = settings->campaign;
-  add_engine_option(*command, *settings,
-                    "The engine to check; may be repeated; default: all of oplus; below, those of "
-                    "others");
+  add_engine_option(
+      *command, *settings,
+      "The engine to check; may be repeated; default: all of oplus; other libraries and "
+      "programs: below");
   command
-      ->add_option("--hole-test", campaign.hole_test,
-                   "The hole test of the engines; all: every probe asks each, and they must agree")
+      ->add_option(
+          "--hole-test", campaign.hole_test,
+          "The hole test of the engines; all: each is asked about each point, and they must "
+          "agree")
       ->type_name("NAME")
       ->check(CLI::IsMember(hole_test_names()))
       ->capture_default_str();
   add_pair_option(*command, *settings);
   command
       ->add_option("--folder", settings->folders,
-                   "The files of a folder: NAME_part1 with NAME_part2, all others with each other")
+                   "The files of a folder: NAME_part1 with NAME_part2, the rest with each other")
       ->type_name("DIR")
       ->check(CLI::ExistingDirectory);
   command->add_option("--family", settings->families, "A generated family; may be repeated")
@@ -118,14 +121,14 @@ void add_diff_command(CLI::App& app, int& exit_code) {
   add_limit_options(*command, campaign);
   add_run_options(*command, *settings);
   command->footer(
-      "The report is also written to diff.json in --out where no --report is given.\n"
+      "Without --report the report is written to diff.json in --out.\n"
       "\n"
-      "Engines of others, each sum in a process of its own:\n" +
+      "Other libraries and programs, each sum in a process of its own:\n" +
       peer_list() +
       "  exec:CMD              any program: the shell runs CMD with {p} and {q} replaced by files\n"
-      "                        in WKT, or these appended; it writes the sum. Open sums: where CMD\n"
-      "                        has {boundary}, which is replaced by closed or open. Exit code 77:\n"
-      "                        not taken.\n"
+      "                        in WKT, or these appended; it writes the sum. Open sums are asked for\n"
+      "                        only if CMD contains {boundary}, which is replaced by closed or open.\n"
+      "                        Exit code 77 says that such a pair is unsupported.\n"
       "\n"
       "Example:\n"
       "  oplus-check diff --family grid --cases 500 --seed 7\n"
@@ -135,8 +138,9 @@ void add_diff_command(CLI::App& app, int& exit_code) {
       "Exit codes:\n"
       "  0  all agree\n"
       "  1  a disagreement\n"
-      "  2  bad input, a request that makes no sense, or nothing compared\n"
-      "  5  interrupted; the same command goes on where --resume was given");
+      "  2  invalid input or usage, a file that cannot be read or written, or nothing compared\n"
+      "  5  interrupted by SIGINT or SIGTERM; the reports contain what was compared until then, and with\n"
+      "     --resume the same command goes on. A second signal ends the program at once");
   command->callback([settings, &exit_code] {
     if (settings->reports.empty())
       settings->reports = {(std::filesystem::path(settings->out) / "diff.json").string()};

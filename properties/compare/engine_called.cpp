@@ -55,16 +55,16 @@ std::string how_it_ended(const EndedProcess& ended) {
   const std::string said = ended.errors.empty() ? "" : ": " + reason_in(ended.errors);
   const std::string how = how_it_ended(ended);
   if (ended.how == EndedProcess::How::exited) {
-    if (ended.code == exit_not_taken)
-      throw NoSum(Kind::not_taken, first_line(ended.errors),
-                  "not taken" + (said.empty() ? ", it does not say why" : said));
+    if (ended.code == exit_refused)
+      throw NoSum(Kind::refused, first_line(ended.errors),
+                  said.empty() ? "it gives no reason" : reason_in(ended.errors));
     if (ended.code == exit_no_region)
       throw NoSum(Kind::unreadable, first_line(ended.errors),
-                  "its result bounds no region: " +
+                  "its result is not the boundary of a region: " +
                       first_line(ended.errors.substr(ended.errors.find('\n') + 1)));
   }
   if (says_out_of_memory(ended.errors))
-    throw NoSum(Kind::out_of_memory, "", "out of memory: it ended by " + how + said);
+    throw NoSum(Kind::out_of_memory, "", "out of memory: " + how + said);
   const std::string site = crash_site(ended.errors, how);
   throw NoSum(Kind::crashed, site,
               "crashed: " + (site == how ? how : how + ", " + site) + (site == how ? said : ""));
@@ -76,13 +76,13 @@ MinkowskiSum sum_in(const std::string& output) {
   try {
     return read_sum(output, "its output").sum;
   } catch (const InvalidInput& e) {
-    throw NoSum(Kind::unreadable, "no sum", std::string("unreadable: ") + e.what());
+    throw NoSum(Kind::unreadable, "not a sum", std::string("unreadable: ") + e.what());
   }
 }
 
-MinkowskiSum sum_by(const std::vector<std::string>& command, ProcessLimits limits) {
-  limits.is_quiet = true;
-  const EndedProcess ended = run_program(command, limits);
+MinkowskiSum sum_by(const EndedProcess& ended, const ProcessLimits& limits) {
+  if (ended.how == EndedProcess::How::interrupted)
+    throw std::system_error(std::make_error_code(std::errc::interrupted));
   if (ended.how == EndedProcess::How::over_time)
     throw NoSum(Kind::hung, "", "hung: no sum after " + format(limits.seconds) + " s");
   if (ended.how == EndedProcess::How::over_output)
@@ -98,8 +98,8 @@ std::filesystem::path folder_that_needs_no_quotes() {
   return wanted.is_absolute() && for_shell(wanted) == wanted ? wanted : "/tmp";
 }
 
-/// A pair in two files of a folder of its own, all of which goes with it. Their names need no quotes in
-/// a shell.
+/// A pair in two files of a folder of its own, which is removed with this object. Their names need no
+/// quotes in a shell.
 struct SummandFiles {
   SummandFiles(const Region& first, const Region& second) {
     write_file(p, written(first, Format::wkt));
@@ -121,13 +121,19 @@ std::string script_of(const std::string& command, const SummandFiles& files, Bou
   return script;
 }
 
-NoSum open_not_taken() {
-  return {Kind::not_taken, "open", "not taken: it computes closed sums only"};
+EndedProcess run_command(const std::string& command, const SummandFiles& files, Boundary boundary,
+                         const ProcessLimits& limits) {
+  return run_program({"/bin/sh", "-c", script_of(command, files, boundary)}, limits);
+}
+
+NoSum open_unsupported() {
+  return {Kind::open_unsupported, "open", "it computes closed sums only"};
 }
 
 }  // namespace
 
 std::vector<Engine> peers(ProcessLimits limits) {
+  limits.is_quiet = true;
 #ifdef __SANITIZE_ADDRESS__
   limits.address_space_mb = 0;  // the sanitizer is linked with it and needs terabytes
 #endif
@@ -135,9 +141,10 @@ std::vector<Engine> peers(ProcessLimits limits) {
   for_each_peer([&](const char* name, const char* what, auto /*there*/) {
     Engine peer =
         named_engine(name, [name, limits](const Region& p, const Region& q, Boundary boundary) {
-          if (boundary == Boundary::open) throw open_not_taken();
+          if (boundary == Boundary::open) throw open_unsupported();
           const SummandFiles files(p, q);
-          return sum_by({program_beside("oplus-peer"), name, files.p, files.q}, limits);
+          return sum_by(run_program({program_beside("oplus-peer"), name, files.p, files.q}, limits),
+                        limits);
         });
     peer.what = what;
     all.push_back(std::move(peer));
@@ -145,13 +152,13 @@ std::vector<Engine> peers(ProcessLimits limits) {
   return all;
 }
 
-Engine program_engine(const std::string& command, const ProcessLimits& limits) {
-  const bool takes_open = command.find("{boundary}") != std::string::npos;
+Engine program_engine(const std::string& command, ProcessLimits limits) {
+  limits.is_quiet = true;
+  const bool supports_open = command.find("{boundary}") != std::string::npos;
   return named_engine(
       std::string(exec) + command, [=](const Region& p, const Region& q, Boundary boundary) {
-        if (boundary == Boundary::open && !takes_open) throw open_not_taken();
-        const SummandFiles files(p, q);
-        return sum_by({"/bin/sh", "-c", script_of(command, files, boundary)}, limits);
+        if (boundary == Boundary::open && !supports_open) throw open_unsupported();
+        return sum_by(run_command(command, SummandFiles(p, q), boundary, limits), limits);
       });
 }
 
@@ -159,12 +166,11 @@ std::string why_it_cannot_run(const std::string& engine, ProcessLimits limits) {
   if (!engine.starts_with(exec)) return "";
   limits.is_quiet = true;
   const Region square = polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
-  const SummandFiles files(square, square);
-  const EndedProcess ended = run_program(
-      {"/bin/sh", "-c", script_of(engine.substr(exec.size()), files, Boundary::closed)}, limits);
-  // Of the shell: found but no program, and not found.
-  const bool is_none = ended.code == 126 || ended.code == 127;
-  return is_none && ended.how == EndedProcess::How::exited
+  const EndedProcess ended = run_command(engine.substr(exec.size()), SummandFiles(square, square),
+                                         Boundary::closed, limits);
+  // The shell's exit codes for a file that is not executable, and for one that is not found.
+  const bool is_missing = ended.code == 126 || ended.code == 127;
+  return is_missing && ended.how == EndedProcess::How::exited
              ? how_it_ended(ended) + ", " + first_line(ended.errors)
              : "";
 }

@@ -30,7 +30,7 @@ void add_exhaustive_command(CLI::App& app, int& exit_code) {
   add_shrink_option(*command, settings->campaign);
   add_run_options(*command, *settings);
   command->footer(
-      "Pairs are taken up to what keeps a sum: exchange, translations, the square's symmetries.\n"
+      "Of pairs that differ by exchange, translations or symmetries of the square one is compared.\n"
       "\n"
       "Example:\n"
       "  oplus-check exhaustive --grid 3 --vertices 5 --shard 1/4 --resume part1.json\n"
@@ -38,8 +38,9 @@ void add_exhaustive_command(CLI::App& app, int& exit_code) {
       "Exit codes:\n"
       "  0  all agree\n"
       "  1  a disagreement\n"
-      "  2  bad input or a request that makes no sense\n"
-      "  5  interrupted; the same command goes on where --resume was given");
+      "  2  invalid input or usage, or a file that cannot be read or written\n"
+      "  5  interrupted by SIGINT or SIGTERM; the reports contain what was compared until then, and with\n"
+      "     --resume the same command goes on. A second signal ends the program at once");
   command->callback([settings, &exit_code] {
     exit_code =
         compare("exhaustive", *settings, {grid_source(settings->side, settings->most_vertices)});

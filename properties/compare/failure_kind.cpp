@@ -15,8 +15,8 @@ namespace oplus {
 
 namespace {
 
-/// What is wrong with the areas of a sum, such as its holes, or nothing: which of them meet which of the
-/// right sum's.
+/// What is wrong with the components or holes of a sum, by which of them have interior points in common
+/// with which of the right sum's; or "".
 std::string lost_or_found(const std::vector<Region>& right, const std::vector<Region>& given,
                           const std::string& one, const std::string& many) {
   std::vector<std::size_t> of_right(right.size(), 0), of_given(given.size(), 0);
@@ -55,50 +55,71 @@ std::string lost_or_found(const MinkowskiSum& right, const MinkowskiSum& given) 
   return what.empty() ? lost_or_found(holes(a), holes(b), "hole", "holes") : what;
 }
 
-/// All vertices of a sum, sorted.
-std::vector<Point> vertices(const MinkowskiSum& sum) {
-  std::vector<Point> all;
-  for (const Segment& edge : edges(sum)) all.push_back(edge.source);
-  std::ranges::sort(all);
-  return all;
-}
-
-/// The step of the grid that all coordinates are on.
-Rational step_of_grid(const MinkowskiSum& sum) {
-  mpz_class denominators = 1;
-  for (const Point& p : vertices(sum))
-    denominators = lcm(lcm(denominators, p.x.get_den()), p.y.get_den());
-  return Rational(1, denominators);
-}
-
-Rational extent(const MinkowskiSum& sum) {
-  const std::vector<Point> all = vertices(sum);
-  if (all.empty()) return 0;
-  const auto [low, high] = std::ranges::minmax_element(all, {}, &Point::y);
-  return std::max(Rational(all.back().x - all.front().x), Rational(high->y - low->y));
-}
-
 MinkowskiSum regularized(MinkowskiSum sum) {
   sum.dangling_edges.clear();
   sum.isolated_vertices.clear();
   return sum;
 }
 
-/// Whether the answer's vertices are the right ones but for rounding to the grid they are on: what is
-/// on the grid has not moved, and nothing has by a step.
+/// How far rounding may move coordinates: by at most `most`, or by less than `step`.
+struct Rounding {
+  Rational most;
+  Rational step;
+
+  Rounding(const MinkowskiSum& right, const MinkowskiSum& given) {
+    for (const Segment& edge : edges(right))
+      most = std::max({most, Rational(abs(edge.source.x)), Rational(abs(edge.source.y))});
+    most /= 1000000;
+    mpz_class denominators = 1;
+    for (const Segment& edge : edges(given))
+      denominators = lcm(lcm(denominators, edge.source.x.get_den()), edge.source.y.get_den());
+    step = Rational(1, denominators);
+  }
+
+  bool may_move(const Rational& from, const Rational& to) const {
+    const Rational distance = abs(to - from);
+    return distance <= most || distance < step;
+  }
+  bool may_move(const Point& from, const Point& to) const {
+    return may_move(from.x, to.x) && may_move(from.y, to.y);
+  }
+  /// Without vertices that rounding may have added or lost.
+  Chain corners(const Chain& chain) const {
+    Chain kept = {chain[0]};
+    for (std::size_t i = 1; i < chain.size(); ++i)
+      if (!is_within({{chain[i], chain[i]}}, {{kept.back(), chain[next(i, chain.size())]}},
+                     most * most))
+        kept.push_back(chain[i]);
+    return kept;
+  }
+  bool may_move(const Chain& from, const Chain& to) const {
+    const Chain a = corners(from);
+    Chain b = corners(to);
+    if (a.size() != b.size()) return false;
+    const auto is_paired = [&] {
+      return std::ranges::equal(a, b,
+                                [&](const Point& p, const Point& q) { return may_move(p, q); });
+    };
+    for (std::size_t i = 0; i < b.size(); ++i, std::rotate(b.begin(), b.begin() + 1, b.end()))
+      if (is_paired()) return true;
+    return false;
+  }
+  bool may_move(const Component& from, const Component& to) const {
+    return from.holes.size() == to.holes.size() && may_move(from.outer, to.outer) &&
+           std::ranges::all_of(from.holes, [&](const Chain& hole) {
+             return std::ranges::any_of(to.holes,
+                                        [&](const Chain& other) { return may_move(hole, other); });
+           });
+  }
+};
+
+/// Requires: components and holes correspond, see lost_or_found().
 bool is_rounded(const MinkowskiSum& right, const MinkowskiSum& given) {
-  const Rational millionth = extent(right) / 1000000, step = step_of_grid(given);
-  const std::vector<Segment> of_right = edges(right), of_given = edges(given);
-  const auto are_within = [&](const Rational& distance) {
-    const Rational squared = distance * distance;
-    return is_within(of_right, of_given, squared) && is_within(of_given, of_right, squared);
-  };
-  if (are_within(millionth)) return true;
-  if (!are_within(step)) return false;
-  const std::vector<Point> kept = vertices(given);
-  const auto on_grid = [&](const Rational& v) { return Rational(v / step).get_den() == 1; };
-  return std::ranges::all_of(vertices(right), [&](const Point& p) {
-    return !on_grid(p.x) || !on_grid(p.y) || std::ranges::binary_search(kept, p);
+  const Rounding rounding(right, given);
+  const Region a = region_of(right), b = region_of(given);
+  return std::ranges::all_of(a.components, [&](const Component& from) {
+    return std::ranges::any_of(b.components,
+                               [&](const Component& to) { return rounding.may_move(from, to); });
   });
 }
 
@@ -128,7 +149,7 @@ std::string low_dimensional_kind(const MinkowskiSum& right, const MinkowskiSum& 
   return "not canonical";
 }
 
-/// A sum with the lists sorted, which others may leave in any order.
+/// A sum with sorted lists, which an engine may leave in any order.
 MinkowskiSum with_sorted_features(MinkowskiSum sum) {
   std::ranges::sort(sum.dangling_edges);
   std::ranges::sort(sum.isolated_vertices);
@@ -174,8 +195,8 @@ std::optional<Failure> malformed(const MinkowskiSum& sum) {
   for (const Chain& hole : sum.holes) {
     if (sign(twice_area(hole)) > 0)
       return Failure{"orientation", "the hole at " + to_string(hole[0]) + " is counterclockwise"};
-    // Edges do not cross, so the middle of one says it for all; where chains touch along nothing but
-    // points it is on no other chain.
+    // Edges do not cross and do not overlap, so the middle of one edge is on no other chain, and decides
+    // for the whole hole.
     const Point middle = midpoint(hole[0], hole[1]);
     if (std::ranges::none_of(sum.outer, [&](const Chain& outer) {
           return winding_number(middle, edges(outer)) > 0;

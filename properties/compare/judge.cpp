@@ -22,7 +22,7 @@ NoSum of_exception(const std::string& what) {
   return {NoSum::Kind::crashed, "exception: " + site.substr(0, 120), "it threw: " + one_line(what)};
 }
 
-/// A sum, or why there is none.
+/// A sum, or the reason why not.
 using EngineAnswer = std::variant<MinkowskiSum, NoSum>;
 
 EngineAnswer ask(const Engine& engine, const Summands& pair, Boundary boundary, Probes& probes) {
@@ -36,20 +36,20 @@ EngineAnswer ask(const Engine& engine, const Summands& pair, Boundary boundary, 
   } catch (const NoSum& e) {
     return e;
   } catch (const std::system_error&) {
-    throw;  // there is no process to be had, which is no fault of who was asked
+    throw;  // no process could be started, or it was interrupted: no fault of the engine
   } catch (const std::exception& e) {
     return of_exception(e.what());
   } catch (...) {
-    return of_exception("what is no std::exception");
+    return of_exception("not a std::exception");
   }
 }
 
-/// Says what became of a sum; without a right one it is skipped.
+/// Sets the ruling on a sum; without a right one it is skipped.
 void rule(JudgedSum& sum, const EngineAnswer& answer, const MinkowskiSum* right,
           const Summands& pair) {
   if (const NoSum* const none = std::get_if<NoSum>(&answer)) {
     sum.ruling = name(none->kind());
-    if (sum.ruling == "not taken")
+    if (!is_fault(none->kind()))
       sum.why = one_line(none->what());
     else
       sum.wrong = WrongSum{sum.engine, sum.boundary, failure_without_sum(*none), pair};
@@ -71,7 +71,7 @@ std::string too_large(const Summands& pair, std::size_t largest) {
          std::to_string(largest);
 }
 
-/// A question that a statement asked.
+/// A sum that a statement asked for.
 struct Question {
   Summands pair;
   Boundary boundary;
@@ -104,7 +104,7 @@ JudgedSum by_statement(const Task& task, const Engine& engine, Boundary boundary
   if (outcome.kind == Outcome::Kind::holds) return sum;
   if (outcome.kind == Outcome::Kind::discarded) {
     sum.ruling = "skipped";
-    sum.why = task.statement->id + " says nothing about it";
+    sum.why = task.statement->id + " does not apply";
     return sum;
   }
   for (const Question& question : asked) {
@@ -128,7 +128,8 @@ JudgedSum by_statement(const Task& task, const Engine& engine, Boundary boundary
 
 const std::vector<std::string>& rulings() {
   static const std::vector<std::string> all = {
-      "passed", "wrong", "crashed", "hung", "out of memory", "unreadable", "not taken", "skipped"};
+      "passed",           "wrong",   "crashed", "hung", "out of memory", "unreadable",
+      "open unsupported", "refused", "skipped"};
   return all;
 }
 
@@ -157,15 +158,15 @@ JudgedPair judged(const Task& task, const Rules& rules) {
     answers.push_back(ask(engine, task.pair, boundary, result.probes));
     return JudgedSum{engine.name, boundary};
   });
-  const auto is_taken = [](const EngineAnswer& answer) {
+  const auto is_to_judge = [](const EngineAnswer& answer) {
     const NoSum* const none = std::get_if<NoSum>(&answer);
-    return none == nullptr || none->kind() != NoSum::Kind::not_taken;
+    return none == nullptr || is_fault(none->kind());
   };
-  // One arrangement for both, and none where there is nothing to compare.
+  // One arrangement for both sums, and only where there is something to compare.
   if (task.known) {
     result.right = OracleSums{task.known->closed, task.known->open, {}};
   } else if (why_skipped.empty() &&
-             (answers.empty() || std::any_of(answers.begin(), answers.end(), is_taken))) {
+             (answers.empty() || std::any_of(answers.begin(), answers.end(), is_to_judge))) {
     try {
       result.right = oracle_sums(task.pair.p, task.pair.q);
     } catch (const std::exception& e) {

@@ -14,19 +14,19 @@
 
 namespace oplus {
 
-/// What becomes of the closed sum or the open one, in the order of tables: "passed", "wrong"; where there
-/// is none, why (NoSum), of which only "not taken" is no fault; "skipped": it is too large for the oracle,
-/// or the statement says nothing about it.
+/// The outcomes for a closed or an open sum, in the order of tables: "passed", "wrong"; without a sum the
+/// name of NoSum's kind, of which "open unsupported" and "refused" are no faults; "skipped": it is too large
+/// for the oracle, or the statement does not apply.
 const std::vector<std::string>& rulings();
 
-/// A sum that is wrong or missing, with all that shows it again. The pair is the task's own, or, where a
+/// A sum that is wrong or missing, with all that reproduces it. The pair is the task's own, or, where a
 /// statement is broken, that of the first of its sums which the oracle finds wrong.
 struct WrongSum {
   std::string engine;  ///< "oracle" where that threw
   Boundary boundary = Boundary::closed;
   Failure failure;
   Summands pair;
-  std::optional<MinkowskiSum> right = {};  ///< none where no oracle was asked
+  std::optional<MinkowskiSum> right = {};  ///< nullopt where the oracle was not asked
   std::optional<MinkowskiSum> given = {};
 };
 
@@ -34,7 +34,7 @@ struct JudgedSum {
   std::string engine;
   Boundary boundary = Boundary::closed;
   std::string ruling = "passed";
-  std::string why = {};                ///< it was not taken or skipped
+  std::string why = {};                ///< it is refused, unsupported or skipped
   std::optional<WrongSum> wrong = {};  ///< where it is a fault
 };
 
@@ -51,7 +51,7 @@ struct JudgedPair {
   std::optional<OracleSums> right = {};  ///< where the oracle or the corpus was asked
 };
 
-/// Who is asked for which sums.
+/// Which engines are asked for which sums.
 struct Rules {
   std::vector<Engine> engines;
   std::vector<Boundary> boundaries = {Boundary::closed, Boundary::open};
@@ -62,10 +62,10 @@ struct Rules {
   bool asks_beyond = false;
 };
 
-/// Asks each engine for each sum of a task's pair and judges what it answers. Where a statement is broken
-/// by a sum that the oracle finds wrong, that is the failure, else its kind is "breaks ID". An engine's
-/// exception that is no NoSum is a crash, its words without digits the site. Throws std::system_error
-/// where an engine does: it was not asked.
+/// Asks each engine for each sum of a task's pair and judges the answers. Where a statement is broken
+/// by a sum that the oracle finds wrong, that is the failure, else its kind is "breaks ID". An exception
+/// other than NoSum is a crash, its message without digits the site. Throws std::system_error where an
+/// engine does: it could not be asked, or was interrupted.
 JudgedPair judged(const Task& task, const Rules& rules);
 
 }  // namespace oplus

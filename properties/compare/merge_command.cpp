@@ -23,8 +23,11 @@ int merge(const Settings& settings) {
   std::vector<std::pair<std::string, CampaignReport>> reports;
   for (const std::string& file : settings.reports)
     reports.emplace_back(file, opened(text_of_file(file, "the report of a shard"), file));
-  const CampaignReport report = merged(reports);
-  if (!settings.out.empty()) write_counterexamples(report, settings.out);
+  CampaignReport report = merged(reports);
+  if (!settings.out.empty()) {
+    report.out = settings.out;
+    write_counterexamples(report);
+  }
   write_file(settings.into, report_text(report, settings.into));
   if (!report.conforms()) return 1;
   if (report.compared_nothing()) throw UsageError(report.report + " compared nothing");
@@ -36,7 +39,7 @@ int merge(const Settings& settings) {
 void add_merge_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "merge",
-      "Make one report of those of all shards of a campaign: what one run would have written");
+      "Merge the reports of all shards of a campaign into the one that a single run would have written");
   const auto settings = std::make_shared<Settings>();
   command->add_option("reports", settings->reports, "The JSON reports of all shards, in any order")
       ->type_name("REPORT")
@@ -46,16 +49,20 @@ void add_merge_command(CLI::App& app, int& exit_code) {
                    "The merged report: .md, .xml, else JSON; -: standard output")
       ->type_name("FILE")
       ->capture_default_str();
-  command->add_option("--out", settings->out, "Folder for the counterexamples")->type_name("DIR");
+  command
+      ->add_option(
+          "--out", settings->out,
+          "Write the counterexamples to this folder; default: they stay in the first shard's")
+      ->type_name("DIR");
   command->footer(
       "Example:\n"
       "  oplus-check merge shard-*.json -o conformance.json\n"
       "\n"
       "Exit codes:\n"
-      "  0  all is as it should be\n"
-      "  1  it is not\n"
-      "  2  nothing was compared; shards are missing, are there twice with different content, are of\n"
-      "     different campaigns, or are damaged");
+      "  0  no disagreement\n"
+      "  1  a disagreement\n"
+      "  2  nothing was compared; or reports are missing, damaged, interrupted, of different campaigns,\n"
+      "     or of the same shard with different content");
   command->callback([settings, &exit_code] { exit_code = merge(*settings); });
 }
 

@@ -13,11 +13,12 @@ namespace oplus {
 class NoSum : public std::runtime_error {
  public:
   enum class Kind {
-    crashed,        ///< ended by a signal, an assertion, an exception
-    hung,           ///< still running when its time was up
-    out_of_memory,  ///< wanted more than it was given
-    unreadable,     ///< what it wrote is no sum
-    not_taken,      ///< it does not take such regions, and says so; no fault
+    crashed,           ///< ended by a signal, an assertion, an exception
+    hung,              ///< still running when its time was up
+    out_of_memory,     ///< needed more memory than its limit
+    unreadable,        ///< what it wrote is not a sum
+    open_unsupported,  ///< an open sum, which it has no interface for; no fault
+    refused,           ///< it does not support such regions, and says so; no fault
   };
 
   /// `site` tells kinds of failure apart: a signal, an assertion with its file; no numbers that
@@ -33,9 +34,14 @@ class NoSum : public std::runtime_error {
   std::string site_;
 };
 
+inline bool is_fault(NoSum::Kind kind) {
+  return kind != NoSum::Kind::open_unsupported && kind != NoSum::Kind::refused;
+}
+
 /// "crashed", "hung", …
 inline std::string name(NoSum::Kind kind) {
-  constexpr std::array names = {"crashed", "hung", "out of memory", "unreadable", "not taken"};
+  constexpr std::array names = {"crashed",          "hung",   "out of memory", "unreadable",
+                                "open unsupported", "refused"};
   return names.at(static_cast<std::size_t>(kind));
 }
 

@@ -36,7 +36,7 @@ namespace oplus {
 
 namespace {
 
-/// A name that is no UTF-8 does not keep a report from being written.
+/// A report is written even where a name is not valid UTF-8.
 std::string text_of(const Json& json, int indent) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
@@ -66,7 +66,7 @@ void from_json(const Json& json, Boundary& boundary) {
 void to_json(Json& json, const SumDigest& digest) { json = digest.to_string(); }
 void from_json(const Json& json, SumDigest& digest) { digest = SumDigest(json.get<std::string>()); }
 
-// Chain by chain, since a wrong sum need not be a region, which WKT could hold.
+// Chain by chain, since a wrong sum need not be a region, as WKT requires.
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MinkowskiSum, outer, holes, dangling_edges, isolated_vertices)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Summands, p, q)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Size, vertices, coordinates)
@@ -78,22 +78,25 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SkippedPairs, times, index, first)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Tally, pairs, ran, skipped, disagreed, holes_in_sum,
                                    holes_in_summand, low_dimensional_features, overlapping_segments,
                                    several_components, face_probes, point_probes, sums, kinds,
-                                   not_taken)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CountedSource, part, name, counts)
+                                   open_unsupported, refused)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FirstFailure, index, found_in, what, pair)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CountedSource, part, name, counts, first_failures)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Campaign, engines, hole_test, seed, n, largest, shrink,
                                    shrink_tries, time_limit, memory_limit, pairs, sources)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Shard, index, of)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CampaignReport, report, version, campaign, shard, pairs, done,
-                                   sources, skipped, counterexamples, digest)
+                                   has_stopped_shrinking, out, sources, skipped, counterexamples,
+                                   digest)
 
 std::string sealed(const CampaignReport& report) {
   Json json = report;
   // Not read again: they follow from the rest.
   json["all"] = report.all();
+  json["interrupted"] = report.is_interrupted();
   for (const auto& [kind, found] : report.counterexamples) {
     Json& entry = json["counterexamples"][kind];
     entry["files"] = files_of(found).all();
-    entry["replay"] = replay_line(report, found, "");
+    entry["replay"] = replay_line(report, found);
   }
   json["checksum"] = checksum(json);
   return text_of(json, 2) + "\n";
@@ -104,12 +107,11 @@ CampaignReport opened(const std::string& text, const std::string& file) {
     return InvalidInput({file, 1, 0}, wrong, "a report that oplus-check wrote with --report");
   };
   Json json = Json::parse(text, nullptr, false);
-  if (json.is_discarded()) throw refuse("no JSON, or truncated");
-  if (!json.is_object() || !json.contains("checksum")) throw refuse("no report of a shard");
+  if (json.is_discarded()) throw refuse("invalid or truncated JSON");
+  if (!json.is_object() || !json.contains("checksum")) throw refuse("not a report of a shard");
   const Json said = json["checksum"];
   json.erase("checksum");
-  if (said != checksum(json))
-    throw refuse("its checksum is that of another report: it was changed");
+  if (said != checksum(json)) throw refuse("its checksum does not match: it was changed");
   try {
     auto report = json.get<CampaignReport>();
     if (report.done > report.pairs || report.sources.size() != report.campaign.sources.size())

@@ -5,6 +5,8 @@
 
 #include "properties/compare/counterexample_files.hpp"
 #include "properties/compare/report_text.hpp"
+#include "reference/io/counted.hpp"
+#include "reference/io/writing.hpp"
 
 namespace oplus {
 
@@ -12,7 +14,7 @@ namespace {
 
 using Element = boost::property_tree::ptree;
 
-/// XML 1.0 has no form at all for most control characters.
+/// XML 1.0 cannot express most control characters.
 void put(Element& element, const std::string& attribute, std::string value) {
   std::ranges::replace_if(
       value, [](unsigned char c) { return c < 0x20; }, '?');
@@ -40,15 +42,21 @@ Element test_case(const CampaignReport& report, const CountedSource& source) {
   put(element, "name", source.name);
   if (counts.ran == 0)
     put(element.add_child("skipped", {}), "message",
-        std::to_string(counts.count("not taken")) + " not taken, " +
-            std::to_string(counts.count("skipped")) + " skipped");
+        counts.pairs == 0
+            ? report.interruption()
+            : std::to_string(counts.count("open unsupported")) + " open sums unsupported, " +
+                  std::to_string(counts.count("refused")) + " refused, " +
+                  std::to_string(counts.count("skipped")) + " skipped");
   if (counts.kinds.empty()) return element;
   std::string kinds, lines;
   for (const auto& [kind, times] : counts.kinds) {
-    kinds += (kinds.empty() ? "" : ", ") + kind + " " + std::to_string(times) + " times";
+    kinds += (kinds.empty() ? "" : ", ") + kind + ": " + counted(times, "sum", "sums");
+    const FirstFailure& first = source.first_failures.at(kind);
+    lines += kind + ": " + first.what + "\nfirst found in " + first.found_in + "\nP " +
+             wkt(first.pair.p) + "\nQ " + wkt(first.pair.q) + "\n";
     if (const auto of = report.counterexamples.find(kind); of != report.counterexamples.end())
-      lines += kind + ": " + of->second.sum.failure.what + "\n" +
-               replay_line(report, of->second, "") + "\n";
+      lines +=
+          "shrunk, from " + of->second.found_in + ": " + replay_line(report, of->second) + "\n";
   }
   Element& failure = element.add_child("failure", Element(lines));
   put(failure, "type", counts.kinds.begin()->first);

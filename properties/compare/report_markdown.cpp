@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
 #include <sstream>
 
 #include "properties/compare/counterexample_files.hpp"
@@ -10,7 +11,7 @@ namespace oplus {
 
 namespace {
 
-/// Text as a cell of a table: no bar ends it, no name is taken for markup.
+/// Text as a cell of a table, with the characters of Markdown quoted.
 std::string cell(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -50,37 +51,50 @@ std::string in_words(const MinkowskiSum& sum) {
   return text;
 }
 
+/// Where a picture is, from the folder of the Markdown's file.
+std::string link_to(const std::string& picture, const CampaignReport& report,
+                    const std::string& folder) {
+  const std::filesystem::path here = std::filesystem::current_path();
+  return (here / report.out / picture)
+      .lexically_normal()
+      .lexically_proximate((here / folder / "").lexically_normal())
+      .string();
+}
+
 void counterexample(std::ostream& out, const CampaignReport& report, const std::string& kind,
-                    const ShrunkFailure& found) {
+                    const ShrunkFailure& found, const std::string& folder) {
   const WrongSum& sum = found.sum;
   out << "\n### " << cell(kind) << "\n\n"
       << counted(report.all().kinds.at(kind), "sum", "sums") << ". The smallest pair was found in "
       << cell(found.source) << ", with " << found.found_size.vertices << " vertices.\n\n```text\n"
-      << explanation(report, found, "") << "P      " << written(sum.pair.p, Format::wkt)
-      << "Q      " << written(sum.pair.q, Format::wkt);
+      << explanation(report, found) << "P      " << written(sum.pair.p, Format::wkt) << "Q      "
+      << written(sum.pair.q, Format::wkt);
   if (sum.right) out << "oracle " << in_words(*sum.right);
   if (sum.given) out << "engine " << in_words(*sum.given);
-  out << "```\n\n![both summands, their convolution, and the sums](" << files_of(found).picture
-      << ")\n";
+  out << "```\n\n![both summands, their convolution, and the sums](<"
+      << link_to(files_of(found).picture, report, folder) << ">)\n";
 }
 
 }  // namespace
 
-std::string to_markdown(const CampaignReport& report) {
+std::string to_markdown(const CampaignReport& report, const std::string& folder) {
   const Tally all = report.all();
   const Campaign& campaign = report.campaign;
   std::ostringstream out;
   out << "# Conformance of " << cell(engines_in_words(report)) << "\n\n"
       << "**It " << report.verdict() << "**: " << counted(all.count("passed"), "sum", "sums")
       << " passed, " << counted(all.failures(), "failure", "failures") << " of "
-      << counted(all.kinds.size(), "kind", "kinds") << ", " << all.count("not taken")
-      << " not taken, " << all.count("skipped") << " skipped.\n\nOplus " << report.version << ", ";
+      << counted(all.kinds.size(), "kind", "kinds") << ", "
+      << counted(all.count("open unsupported"), "open sum", "open sums") << " unsupported, "
+      << all.count("refused") << " refused, " << all.count("skipped") << " skipped.\n\nOplus "
+      << report.version << ", ";
   if (campaign.pairs.empty())
     out << "seed " << campaign.seed << ", " << counted(report.pairs, "pair", "pairs");
   else
     out << counted(campaign.pairs.size(), "given pair", "given pairs");
   if (report.shard.of > 1) out << ", shard " << report.shard.index << " of " << report.shard.of;
-  out << ". Sums are counted, a closed and an open one for each pair.\n\n## Parts\n\n";
+  out << ". Two sums per pair are counted, the closed one and the open one. Paths are from the folder "
+         "in which the command was run.\n\n## Parts\n\n";
   head(out, {"part"});
   for (const CountedPart& part : parts_of(report)) row(out, {part.part}, part.all);
   row(out, {"all"}, all);
@@ -90,7 +104,7 @@ std::string to_markdown(const CampaignReport& report) {
       out << "| " << cell(kind) << " | " << all.kinds.at(kind) << " | "
           << size_of(found.sum.pair).vertices << " |\n";
     for (const auto& [kind, found] : report.counterexamples)
-      counterexample(out, report, kind, found);
+      counterexample(out, report, kind, found, folder);
   }
   out << "\n## Sources\n\n";
   head(out, {"part", "source"});

@@ -57,6 +57,11 @@ void write_skipped(std::ostream& out, const CampaignReport& report) {
   }
 }
 
+/// The start of a line.
+std::string interruption(const CampaignReport& report) {
+  return report.is_interrupted() ? report.interruption() + ": " : "";
+}
+
 std::string summary_of_diff(const CampaignReport& report) {
   std::ostringstream out;
   write_classes(out, report);
@@ -66,11 +71,14 @@ std::string summary_of_diff(const CampaignReport& report) {
   out << (hole_test == "all" ? "all hole tests gave the same answer "
                              : "the hole test " + hole_test + " was asked ")
       << all.face_probes << " times about a face, " << all.point_probes << " times about a point\n";
-  for (const auto& [what, times] : all.not_taken)
-    out << counted(times, "sum", "sums") << " not taken by " << what << '\n';
-  out << all.ran << " cases run, each closed and open";
-  if (const std::size_t not_taken = all.count("not taken"); not_taken > 0)
-    out << " but for " << counted(not_taken, "sum", "sums") << " not taken";
+  for (const auto& [engine, times] : all.open_unsupported)
+    out << counted(times, "open sum", "open sums") << " unsupported by " << engine << '\n';
+  for (const auto& [what, times] : all.refused)
+    out << counted(times, "sum", "sums") << " refused by " << what << '\n';
+  out << interruption(report) << counted(all.ran, "case", "cases") << " run, each closed and open";
+  const std::size_t open = all.count("open unsupported"), refused = all.count("refused");
+  if (open > 0) out << ", " << counted(open, "open sum", "open sums") << " unsupported";
+  if (refused > 0) out << ", " << counted(refused, "sum", "sums") << " refused";
   out << ", " << all.skipped << " skipped, " << all.disagreed << " with a disagreement\n";
   return out.str();
 }
@@ -84,8 +92,8 @@ std::string summary_of_exhaustive(const CampaignReport& report) {
       << all.low_dimensional_features << ", with overlapping segments " << all.overlapping_segments
       << '\n'
       << "digest of all sums " << report.digest.to_string() << '\n'
-      << report.done << " pairs compared, closed and open, " << all.disagreed
-      << " with a disagreement\n";
+      << interruption(report) << counted(report.done, "pair", "pairs")
+      << " compared, closed and open, " << all.disagreed << " with a disagreement\n";
   return out.str();
 }
 
@@ -118,15 +126,14 @@ std::string summary(const CampaignReport& report) {
   return report.report == "conformance" ? summary_of_conformance(report) : summary_of_diff(report);
 }
 
-std::string explanation(const CampaignReport& report, const ShrunkFailure& found,
-                        const std::string& folder) {
+std::string explanation(const CampaignReport& report, const ShrunkFailure& found) {
   const auto& [engine, boundary, failure, pair, right, given] = found.sum;
   std::ostringstream out;
   out << "disagreement on the " << name(boundary) << " sum, found in " << found.found_in
       << ", shrunk to " << vertex_count(pair.p) << " and " << vertex_count(pair.q)
       << " vertices: " << failure.kind << '\n';
   if (!found.is_repeatable)
-    out << "  it was not seen when asked again, and is not shrunk\n";
+    out << "  not repeatable: it did not fail in this way when asked again, so it is not shrunk\n";
   else if (!found.is_shrunk)
     out << "  there may be a smaller pair: " << found.tries << " were tried\n";
   if (right) out << "  the first is the oracle: " << description(*right) << '\n';
@@ -136,13 +143,15 @@ std::string explanation(const CampaignReport& report, const ShrunkFailure& found
   if (failure.squared_distance)
     out << "  their boundaries are about " << std::setprecision(3)
         << std::sqrt(failure.squared_distance->get_d()) << " apart\n";
-  out << "  picture: " << (std::filesystem::path(folder) / files_of(found).picture).string() << '\n'
-      << "  see it again: " << replay_line(report, found, folder) << '\n';
+  out << "  picture: " << (std::filesystem::path(report.out) / files_of(found).picture).string()
+      << '\n'
+      << "  reproduce: " << replay_line(report, found) << '\n';
   return out.str();
 }
 
 std::string report_text(const CampaignReport& report, const std::string& file) {
-  if (file.ends_with(".md")) return to_markdown(report);
+  if (file.ends_with(".md"))
+    return to_markdown(report, std::filesystem::path(file).parent_path().string());
   return file.ends_with(".xml") ? to_junit(report) : sealed(report);
 }
 

@@ -11,24 +11,22 @@ namespace oplus {
 /// line.
 std::string summary(const CampaignReport& report);
 
-/// What a counterexample is: how engine and oracle differ, where its files are in the folder, and how to
-/// see it again.
-std::string explanation(const CampaignReport& report, const ShrunkFailure& found,
-                        const std::string& folder);
+/// Describes a counterexample: how engine and oracle differ, where its files are, and how to reproduce it.
+std::string explanation(const CampaignReport& report, const ShrunkFailure& found);
 
-/// For people.
-std::string to_markdown(const CampaignReport& report);
+/// For people. `folder` is that of the Markdown's own file, for the links to pictures.
+std::string to_markdown(const CampaignReport& report, const std::string& folder = "");
 
-/// For a CI: a suite a part, a case a source.
+/// For a CI: a suite per part, a case per source, each with its own first pair that failed.
 std::string to_junit(const CampaignReport& report);
 
-/// The text of a report as the ending of its file says: .md, .xml, else JSON.
+/// The text of a report in the format of its file's ending: .md, .xml, else JSON.
 std::string report_text(const CampaignReport& report, const std::string& file);
 
 /// Whether a file has one of the endings .md, .xml and .json, or is "-", which is standard output.
 bool is_report_name(const std::string& file);
 
-/// What became of some sources together, such as those of a part, in the order of the report.
+/// The counts of some sources together, such as those of a part, in the order of the report.
 struct CountedPart {
   std::string part;
   std::vector<CountedSource> sources;

@@ -2,7 +2,12 @@
 #include "properties/compare/run_campaign.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <map>
 #include <mutex>
+#include <optional>
+#include <system_error>
+#include <utility>
 
 #include "checked/slide/for_each_number.hpp"
 
@@ -25,71 +30,101 @@ TaskNumber number_of(std::size_t index, const std::vector<TaskSource>& sources) 
   return number;
 }
 
-/// Shrinks the pair as long as the failure stays of its kind.
-void shrink(ShrunkFailure& found, const Statement* statement, const Campaign& campaign,
-            const Rules& rules) {
+/// judged(), or nullopt where an engine was interrupted.
+std::optional<JudgedPair> judged_unless_interrupted(const Task& task, const Rules& rules) {
+  try {
+    return judged(task, rules);
+  } catch (const std::system_error& e) {
+    if (e.code() == std::errc::interrupted) return std::nullopt;
+    throw;
+  }
+}
+
+/// Shrinks the pair as long as the failure stays of its kind. Returns whether it was not interrupted.
+bool shrink(ShrunkFailure& found, const Statement* statement, const Campaign& campaign,
+            const Rules& rules, const RunWatch& watch) {
   const bool breaks_statement = found.sum.failure.kind.starts_with("breaks ");
   Rules again = rules;
   again.boundaries = {found.sum.boundary};
   again.asks_beyond = true;
   std::erase_if(again.engines, [&](const auto& engine) { return engine.name != found.sum.engine; });
-  // An answer without a sum needs no oracle.
+  // Without a sum there is nothing for the oracle to judge.
   if (!found.sum.given && !again.engines.empty() && !breaks_statement) again.largest = 0;
-  // A pair that hangs costs all the time it is given.
+  // Each pair that hangs takes the whole time limit.
   const bool hangs = found.sum.failure.kind == "hung";
   const std::size_t most = hangs ? campaign.shrink_tries / 20 : campaign.shrink_tries;
-  std::optional<WrongSum> last;
+  bool is_interrupted = false;
   const auto fails = [&](const Summands& pair) {
-    if (found.tries > most) return false;
+    is_interrupted = is_interrupted || watch.is_interrupted();
+    if (is_interrupted || found.tries > most) return false;
+    watch.while_shrinking(found);
     ++found.tries;
-    const JudgedPair judgement =
-        judged({"", pair, nullptr, breaks_statement ? statement : nullptr}, again);
-    for (const JudgedSum& sum : judgement.sums) {
+    const auto judgement = judged_unless_interrupted(
+        {"", pair, nullptr, breaks_statement ? statement : nullptr}, again);
+    is_interrupted = !judgement;
+    if (is_interrupted) return false;
+    for (const JudgedSum& sum : judgement->sums) {
       // A statement may blame one of its own pairs; only the asked one can be shrunk further.
       if (!sum.wrong || sum.wrong->failure.kind != found.sum.failure.kind ||
           sum.wrong->engine != found.sum.engine || sum.wrong->pair != pair)
         continue;
-      last = sum.wrong;
+      found.sum = *sum.wrong;
       return true;
     }
     return false;
   };
-  found.is_repeatable = fails(found.sum.pair);
-  if (!found.is_repeatable) return;
+  const Summands first = found.sum.pair;
+  found.is_repeatable = fails(first) || is_interrupted;
+  if (!found.is_repeatable || is_interrupted) return !is_interrupted;
   bool is_first = true;
-  oplus::shrink(found.sum.pair, [&](const Summands& pair) {
-    return std::exchange(is_first, false) || fails(pair);
-  });
-  found.sum = std::move(*last);
-  found.is_shrunk = found.tries <= most;
+  oplus::shrink(
+      first, [&](const Summands& pair) { return std::exchange(is_first, false) || fails(pair); });
+  found.is_shrunk = found.tries <= most && !is_interrupted;
+  return !is_interrupted;
 }
 
 }  // namespace
 
 CampaignReport run_campaign(CampaignReport report, const std::vector<TaskSource>& sources,
                             const Rules& rules, unsigned threads, const RunWatch& watch) {
+  struct Judged {
+    std::size_t source, index;
+    Task task;
+    JudgedPair judgement;
+  };
   std::mutex adding;
-  bool is_enough = false;
-  while (report.done < report.pairs && !is_enough) {
+  std::atomic<std::size_t> next = report.done;
+  std::map<std::size_t, Judged> waiting;  // judged before an earlier pair was
+  report.has_stopped_shrinking = false;
+  while (report.done < report.pairs && !watch.is_interrupted()) {
     const std::size_t left = report.pairs - report.done;
-    const std::size_t some = watch.is_enough ? std::min(left, pairs_at_a_time) : left;
-    slide::for_each_number(some, threads, [&](std::size_t k) {
-      const std::size_t index = report.shard.task(report.done + k);
+    const std::size_t some = watch.keep ? std::min(left, pairs_at_a_time) : left;
+    // Begun in their order, so that few are waiting.
+    slide::for_each_number(some, threads, [&](std::size_t) {
+      if (watch.is_interrupted()) return;
+      const std::size_t k = next++, index = report.shard.task(k);
       const TaskNumber number = number_of(index, sources);
       const Task task = sources[number.source].task(number.task);
-      const JudgedPair judgement = judged(task, rules);
+      const std::optional<JudgedPair> judgement = judged_unless_interrupted(task, rules);
+      if (!judgement) return;
       const std::lock_guard lock(adding);
-      add(report, number.source, index, task, judgement);
+      waiting.emplace(k, Judged{number.source, index, task, *judgement});
+      for (; !waiting.empty() && waiting.begin()->first == report.done; ++report.done) {
+        const Judged& first = waiting.begin()->second;
+        add(report, first.source, first.index, first.task, first.judgement);
+        waiting.erase(waiting.begin());
+      }
       watch.after_pair();
     });
-    report.done += some;
     keep_smallest(report);
-    is_enough = watch.is_enough && watch.is_enough(report);
+    if (watch.keep) watch.keep(report);
   }
   for (auto& [kind, found] : report.counterexamples) {
-    watch.before_shrinking(found);
     const TaskNumber number = number_of(found.index, sources);
-    shrink(found, sources[number.source].task(number.task).statement, report.campaign, rules);
+    const Statement* const statement = sources[number.source].task(number.task).statement;
+    if (!shrink(found, statement, report.campaign, rules, watch))
+      report.has_stopped_shrinking = true;
+    watch.while_shrinking(found);
   }
   return report;
 }

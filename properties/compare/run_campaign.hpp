@@ -8,16 +8,20 @@
 
 namespace oplus {
 
-/// What a run tells while it goes on, never from two threads at once, and how it is stopped.
+/// Callbacks of a run, never called by two threads at once, but for is_interrupted.
 struct RunWatch {
   std::function<void()> after_pair = [] {};
-  std::function<void(const ShrunkFailure&)> before_shrinking = [](const auto&) {};
-  /// If there: asked after every few hundred pairs, with a report to go on from, whether to stop there.
-  std::function<bool(const CampaignReport&)> is_enough = {};
+  /// Called for each counterexample at the start, before each pair that is tried, and at the end.
+  std::function<void(const ShrunkFailure&)> while_shrinking = [](const auto&) {};
+  std::function<bool()> is_interrupted = [] { return false; };
+  /// If not empty: called after every few hundred pairs, and when interrupted, with a report to go on from.
+  std::function<void(const CampaignReport&)> keep = {};
 };
 
-/// Goes on from a report until all pairs of its shard are done or it is enough: each is judged by the
-/// rules, and the counterexamples are shrunk.
+/// Goes on from a report until all pairs of its shard are judged by the rules and the counterexamples are
+/// shrunk, or it is interrupted: no further pair is begun then, those that engines are working on are
+/// waited for, unless they throw std::system_error with the code std::errc::interrupted, and the report is
+/// of the pairs before the first that was not judged.
 /// Requires: the report is of these sources (begun_report()).
 CampaignReport run_campaign(CampaignReport report, const std::vector<TaskSource>& sources,
                             const Rules& rules, unsigned threads, const RunWatch& watch = {});

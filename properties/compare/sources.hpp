@@ -16,7 +16,7 @@ namespace oplus {
 Task pair_of_files(const std::filesystem::path& p, const std::filesystem::path& q);
 
 /// All pairs in a folder: files NAME_part1 and NAME_part2 are a pair; the others are paired with
-/// each other and with themselves. Files that are not .dat, .wkt, .json or .geojson are left out.
+/// each other and with themselves. Files other than .dat, .wkt, .json and .geojson are left out.
 /// Throws InvalidInput.
 std::vector<Task> pairs_of_folder(const std::filesystem::path& folder);
 
@@ -31,8 +31,8 @@ Task generated_pair(const Family& family, std::size_t n, std::uint64_t seed);
 TaskSource family_source(const Family& family, std::size_t count, std::uint64_t seed,
                          std::optional<std::size_t> largest);
 
-/// Pairs of grid polygons (grid_polygons.hpp), the part "grids": all of them, or an even selection of at
-/// most so many.
+/// Pairs of grid polygons (grid_polygons.hpp), the part "grids": all of them, or an even selection of
+/// `most_pairs`.
 TaskSource grid_source(int side, std::size_t most_vertices,
                        std::size_t most_pairs = static_cast<std::size_t>(-1));
 

@@ -11,10 +11,9 @@
 
 namespace oplus {
 
-/// A pair, and who says what is right about its sums: the oracle, or the corpus, or a statement that
-/// speaks of sums only.
+/// A pair, and what its sums are compared with: the oracle, or the corpus, or a statement on sums.
 struct Task {
-  std::string name;  ///< says how to make the pair again
+  std::string name;  ///< how to make the pair again
   Summands pair;
   std::shared_ptr<const CorpusPair> known = {};
   const Statement* statement = nullptr;
@@ -22,10 +21,10 @@ struct Task {
 
 /// Numbered tasks that are counted together: those of a family, of a grid, of a statement, given files.
 struct TaskSource {
-  std::string part;  ///< what sources are counted together further on
+  std::string part;  ///< sources of a part are counted together, too
   std::string name;
   std::size_t tasks = 0;
-  /// Makes one task, so that a run of millions holds few at a time. Any thread may call it.
+  /// Makes one task, so that a run of millions keeps few in memory. Any thread may call it.
   /// Requires: the number is less than `tasks`.
   std::function<Task(std::size_t)> task;
 };

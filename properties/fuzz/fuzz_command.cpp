@@ -70,7 +70,7 @@ int list(const Settings& settings) {
 
 int show(const Settings& settings) {
   if (settings.targets.size() != 1)
-    throw UsageError("--show wants one target, whose input the file is");
+    throw UsageError("--show needs exactly one target, that of the input");
   const ShownInput found =
       shown(target_named(settings.targets[0]),
             text_of_file(settings.show, "an input of the target"), settings.out);
@@ -84,8 +84,8 @@ int encode(const Settings& settings) {
   const auto input = input_of_pair(summands);
   if (!input)
     throw UsageError(
-        "such a pair is no input of slide; expected integer coordinates from -128 to 127, at most 16 "
-        "vertices a chain and 24 a summand");
+        "such a pair cannot be an input of slide; expected integer coordinates from -128 to 127, at most "
+        "16 vertices per chain and 24 per summand");
   write_file(settings.encode.at(2), *input);
   return 0;
 }
@@ -149,18 +149,19 @@ void add_fuzz_command(CLI::App& app, int& exit_code) {
       ->type_name("TARGET")
       ->check(CLI::IsMember(names()));
   command->add_flag("--list", settings->lists, "List the targets");
-  command->add_option("--seconds", settings->seconds, "How long, each target")
+  command->add_option("--seconds", settings->seconds, "Seconds per target")
       ->check(CLI::Range(1, 100000000))
       ->capture_default_str();
-  command->add_option("--runs", settings->runs, "How many inputs, each target, instead of how long")
+  command->add_option("--runs", settings->runs, "Inputs per target, instead of --seconds")
       ->check(CLI::Range(1, 1000000000));
-  command->add_option("--seed", settings->seed, "Of the random numbers")
+  command->add_option("--seed", settings->seed, "The seed of the random numbers")
       ->check(CLI::Range(1U, 4294967295U))
       ->capture_default_str();
   command
-      ->add_option("--corpus", settings->corpus,
-                   "Inputs that showed something new: a folder for each target; default: corpus in "
-                   "--out")
+      ->add_option(
+          "--corpus", settings->corpus,
+          "Folder for inputs that reached new code, one below it per target; default: corpus "
+          "in --out")
       ->type_name("DIR");
   command
       ->add_option("--binaries", settings->binaries,
@@ -174,8 +175,8 @@ void add_fuzz_command(CLI::App& app, int& exit_code) {
                     "Print the result, or the list, as JSON (docs/json.md)");
   command
       ->add_option("--show", settings->show,
-                   "Run the target on this input, here and now; of slide, shrink the pair that "
-                   "shows a finding, and write it to --out as .dat files")
+                   "Run the target on this input in this build; of slide, shrink the pair of a "
+                   "finding, and write it to --out as .dat files")
       ->type_name("FILE")
       ->check(CLI::ExistingFile);
   command->add_option("--encode", settings->encode, "Write the input of slide for a pair of files")
@@ -189,7 +190,7 @@ void add_fuzz_command(CLI::App& app, int& exit_code) {
       "Exit codes:\n"
       "  0  no finding\n"
       "  1  a finding\n"
-      "  2  bad input or usage, or the fuzz build is missing; says how to build it");
+      "  2  invalid input or usage, or the fuzz build is missing: the message says how to build it");
   command->callback([settings, &exit_code] { exit_code = fuzz(*settings); });
 }
 

@@ -8,19 +8,19 @@
 
 namespace oplus {
 
-/// What one run of a fuzz program says of itself.
+/// What one run of a fuzz program printed.
 struct FuzzReport {
   std::string target;
   std::size_t runs = 0;
   std::size_t edges = 0;     ///< of the control flow, covered
-  std::size_t reached = 0;   ///< inputs that got as far as what the target is about,
-  std::size_t rejected = 0;  ///< and the others; neither is known where a finding ended the run
+  std::size_t reached = 0;   ///< inputs that were valid for the target,
+  std::size_t rejected = 0;  ///< and that were not; both are unknown where a finding ended the run
   std::string finding;       ///< a line, or empty
   std::string input;         ///< the file with the input that shows it
 };
 
-/// Reads what libFuzzer and the target wrote. A run that ended neither at its end nor with a finding
-/// is one, too: the program could not be run as it was meant to.
+/// Reads what libFuzzer and the target wrote. A run that stopped early without a finding is a finding,
+/// too: the program could not be run.
 FuzzReport report_of(const std::string& target, std::string_view log, bool ended_well);
 
 /// "slide    1000 runs, 7237 edges, 941 of 1000 inputs reached, no finding"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Joins one target to libFuzzer: OPLUS_FUZZ_TARGET is its name in fuzz_target.hpp.
+// Connects one target to libFuzzer: OPLUS_FUZZ_TARGET is its name in fuzz_target.hpp.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -37,15 +37,15 @@ std::size_t put(const std::string& input, std::uint8_t* data, std::size_t most) 
 
 }  // namespace
 
-/// GMP keeps no frame pointers, so that each allocation would have a stack of its own to be kept.
-/// ASAN_OPTIONS=malloc_context_size=30 tells more of one finding.
+/// GMP has no frame pointers, so that each allocation would have a stack of its own to be stored.
+/// ASAN_OPTIONS=malloc_context_size=30 shows more about a finding.
 extern "C" const char* __asan_default_options() {
   return "malloc_context_size=1:quarantine_size_mb=16";
 }
 
 extern "C" int LLVMFuzzerInitialize(int* /*argc*/, char*** /*argv*/) {
 #ifdef OPLUS_MUTANTS
-  // In a build of one's own, to see that a target finds a fault.
+  // To check by hand that a target finds a fault.
   if (const char* mutant = std::getenv("OPLUS_MUTANT")) oplus::active_mutant = mutant;
 #endif
   std::atexit([] {
@@ -68,7 +68,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
                                                std::size_t most, unsigned seed) {
   oplus::Random random(seed);
-  // Bytes too: what no structure would ever have, and what comparisons and dictionaries suggest.
+  // Bytes, too: invalid structures, and what comparisons and dictionaries suggest.
   if (oplus::one_in(random, target.bytes_one_in)) return LLVMFuzzerMutate(data, size, most);
   return put(target.mutated(random, text(data, size)), data, most);
 }

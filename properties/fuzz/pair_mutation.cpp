@@ -109,7 +109,7 @@ bool move_vertex(Random& random, PairPlan& plan) {
   return true;
 }
 
-/// A point of the grid inside a straight edge; none where there is none.
+/// A point of the grid inside a straight edge, if there is one.
 std::optional<PlannedVertex> inside_edge(Random& random, const PlannedVertex& a,
                                          const PlannedVertex& b) {
   const int parts = std::gcd(b.x - a.x, b.y - a.y);

@@ -11,7 +11,7 @@
 namespace oplus {
 
 /// A change of structure: of one vertex, of chains, of a summand, of the numbers. `apply` returns
-/// false, and leaves a plan that it must not be judged by, where there is nothing to change.
+/// false where nothing could be changed; the plan is then unspecified.
 /// Requires: each summand has a chain; keeps that.
 struct PairChange {
   std::string name;
@@ -23,7 +23,7 @@ const std::vector<PairChange>& pair_changes();
 PairPlan new_plan(Random& random);
 
 /// The bytes of a plan after one to three changes; among several tries the first that is realized as
-/// planned and is another one. A new plan where no try is.
+/// planned and differs from the first. If none is, a new plan.
 std::string mutated_pair(Random& random, std::string_view bytes);
 
 /// Summands, chains and numbers from both; tried likewise.

@@ -14,8 +14,8 @@
 
 namespace oplus {
 
-/// A pair of regions as a fuzzer sees it: chains on a small grid, and what makes large numbers and
-/// fractions of them. Any bytes are one; what is valid of it becomes the pair (realized_pair.hpp).
+/// A pair of regions as the fuzzer changes it: chains on a small grid, and how to make large numbers and
+/// fractions of them. Any bytes are a plan; its valid part becomes the pair (realized_pair.hpp).
 
 /// A vertex, and by how little it is off the grid: a jitter is -8 to 7 whatever the magnitude.
 struct PlannedVertex {
@@ -57,7 +57,7 @@ struct PairPlan {
 inline constexpr std::array<unsigned, 20> magnitudes{0,  8,  28, 29, 30,  31,  32,  53,  61,  62,
                                                      63, 64, 65, 92, 123, 124, 125, 126, 128, 256};
 
-/// What coordinates are divided by, and what is added to them then.
+/// Coordinates are divided by a denominator, then an offset is added.
 const std::vector<Rational>& denominators();
 const std::vector<Rational>& offsets();
 
@@ -65,7 +65,7 @@ inline constexpr std::size_t most_chains = 7;
 inline constexpr std::size_t most_vertices = 16;         ///< of a chain
 inline constexpr std::size_t most_vertices_in_all = 24;  ///< of a summand
 
-/// Any bytes are a plan; what is too much of it, or missing, is left out.
+/// Any bytes are a plan; what exceeds the limits, or is missing, is left out.
 PairPlan decoded(std::string_view bytes);
 
 /// decoded(encoded(plan)) == plan, if the plan keeps within the limits.

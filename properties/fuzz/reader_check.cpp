@@ -44,7 +44,7 @@ void require_good_refusal(const InvalidInput& refused, std::string_view text) {
 ReadRegion region_from(const std::string& text) { return read_region(text, file); }
 ReadSum sum_from(const std::string& text) { return read_sum(text, file); }
 
-/// What `read` returns, or none where it refuses as it should.
+/// The result of `read`; nullopt where it refuses with a valid message.
 template <typename Read>
 auto read_or_refused(Read read, const std::string& text) -> std::optional<decltype(read(text))> {
   try {

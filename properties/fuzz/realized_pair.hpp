@@ -8,7 +8,7 @@
 
 namespace oplus {
 
-/// A valid pair, and how much of its plan it is.
+/// A valid pair, and how far it differs from its plan.
 struct RealizedPair {
   Summands summands;
   std::size_t untangled = 0;  ///< chains that were not simple, whose vertices were put in order
@@ -17,8 +17,8 @@ struct RealizedPair {
   bool is_as_planned() const { return untangled == 0 && left_out == 0; }
 };
 
-/// Returns the pair of a plan, valid (validity.hpp), each summand with at least one component; none
-/// where nothing is left of one. Chains are oriented, untangled or left out, one after another.
+/// Returns the pair of a plan, valid (validity.hpp), each summand with at least one component; nullopt
+/// where one has none left. Chains are oriented, untangled or left out, one after another.
 std::optional<RealizedPair> realized(const PairPlan& plan);
 
 }  // namespace oplus

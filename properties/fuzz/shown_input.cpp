@@ -62,7 +62,7 @@ ShownInput shown(const FuzzTarget& target, std::string_view input,
   }
   try {
     const bool reached = target.run(input) == FuzzOutcome::reached;
-    return {reached ? "read; no finding\n" : "refused, as it should be; no finding\n", false};
+    return {reached ? "read; no finding\n" : "refused; no finding\n", false};
   } catch (const std::exception& e) {
     return {"finding: " + std::string(e.what()) + '\n', true};
   }

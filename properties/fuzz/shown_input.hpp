@@ -11,13 +11,13 @@
 
 namespace oplus {
 
-/// The pair that an input of the target slide stands for; none where it is rejected.
+/// The pair that an input of the target slide stands for; nullopt where it is rejected.
 std::optional<Summands> pair_of_input(std::string_view bytes);
 
-/// The other way round: none where slide's plans do not hold such a pair (pair_plan.hpp).
+/// The inverse: nullopt where such a pair has no plan (pair_plan.hpp).
 std::optional<std::string> input_of_pair(const Summands& summands);
 
-/// What an input shows in this build.
+/// The result of an input in this build.
 struct ShownInput {
   std::string text;  ///< lines for people
   bool is_a_finding = false;

@@ -11,16 +11,16 @@
 
 namespace oplus {
 
-/// A change that libFuzzer does not make of bytes and dictionaries: of a number as a whole. `apply`
-/// returns false where there is nothing to change.
+/// A change that libFuzzer does not make from bytes and dictionaries: of a number as a whole. `apply`
+/// returns false where nothing could be changed.
 struct TextChange {
   std::string name;
   bool (*apply)(Random& random, std::string& text, Format format);
 };
 const std::vector<TextChange>& text_changes();
 
-/// A text like this one, after one to three changes; one of four, and of a text without numbers
-/// each, is a new text.
+/// This text after one to three changes; in a quarter of the calls, and always for a text without
+/// numbers, a new text.
 std::string mutated_text(Random& random, std::string_view text, Format format);
 
 /// A valid region in a format, small, with holes and several components as often as not; its

@@ -13,7 +13,7 @@ struct Mutant {
   std::string file;  ///< from the root
 };
 
-/// All that there are, by their names; list_mutants.py gathers them from the sources.
+/// All mutants, by their names; list_mutants.py collects them from the sources.
 const std::vector<Mutant>& mutants();
 
 }  // namespace oplus

@@ -7,10 +7,15 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
+#include "properties/pages/registry_with_records.hpp"
 #include "properties/pages/statement_graph.hpp"
+#include "properties/pages/strength.hpp"
+#include "properties/runner/known_name.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/runner/source_tree.hpp"
+#include "reference/io/invalid_input.hpp"
 
 namespace oplus {
 
@@ -41,42 +46,70 @@ void print_table(const std::vector<Statement>& all) {
   std::cout << all.size() << " statements, " << mutants().size() << " mutants\n";
 }
 
-std::string backing(const Statement& s) {
-  return !s.enumerate ? "pairs" : s.check ? "an enumeration, and pairs" : "an enumeration";
+/// Those of the sources; nullopt where they are not installed.
+std::optional<Registry> records() {
+  try {
+    return registry_with_records({source_root() / "docs", source_root() / "properties/proofs",
+                                  source_root() / "properties/proofs/smt"});
+  } catch (const InvalidInput&) {
+    return std::nullopt;
+  }
 }
+
+/// As its page says; without the records, as its entry does.
+std::string backing(const Statement& s, const std::optional<Registry>& records) {
+  if (records) return backing(*records, s);
+  return std::string(s.enumerate ? "proved by enumeration" : "") +
+         (s.enumerate && s.check ? "; " : "") + (s.check ? "sampled" : "");
+}
+
+std::string page(const Statement& s) { return "docs/theorems/" + s.id + ".md"; }
 
 void print_entry(const Statement& s) {
   std::cout << s.id << ": " << s.title << "\n\nStatement. " << s.statement << "\n\nWhy. " << s.why
             << "\n\nHypotheses: " << joined(s.hypotheses, "; ")
             << "\nRests on: " << joined(s.rests_on) << "\nKills: " << joined(s.kills)
-            << "\nBacked by " << backing(s) << "\nCases: " << s.cases << (s.check ? ", from" : "");
+            << "\nBacked by: " << backing(s, records()) << "\nCases: " << s.cases
+            << (s.check ? ", from" : "");
   for (const Source& source : s.sources)
     std::cout << ' ' << source.family << " (n to " << source.largest << ", weight " << source.weight
               << ')';
   std::vector<std::string> promises;
   for (const Promise& promise : s.promises)
     promises.push_back(promise.classification + " in " + std::to_string(promise.percent) + " %");
-  std::cout << "\nPromises: " << joined(promises) << "\nFile: " << relative_file(s) << '\n';
+  std::cout << "\nPromises: " << joined(promises) << "\nFile: " << relative_file(s)
+            << "\nPage: " << page(s) << '\n';
 }
 
-nlohmann::ordered_json json_of(const Statement& s) {
+nlohmann::ordered_json json_of(const Statement& s, const std::optional<Registry>& records) {
   nlohmann::ordered_json sources = nlohmann::ordered_json::array();
   for (const Source& source : s.sources)
     sources.push_back(
         {{"family", source.family}, {"largest", source.largest}, {"weight", source.weight}});
   nlohmann::ordered_json promises = nlohmann::ordered_json::object();
   for (const Promise& promise : s.promises) promises[promise.classification] = promise.percent;
-  return {{"statement", s.id},       {"title", s.title},   {"kind", s.kind()},
-          {"says", s.statement},     {"why", s.why},       {"hypotheses", s.hypotheses},
-          {"rests_on", s.rests_on},  {"kills", s.kills},   {"enumerated", s.enumerate != nullptr},
-          {"cases", s.cases},        {"sources", sources}, {"promised_percent", promises},
-          {"file", relative_file(s)}};
+  return {{"statement", s.id},
+          {"title", s.title},
+          {"kind", s.kind()},
+          {"says", s.statement},
+          {"why", s.why},
+          {"hypotheses", s.hypotheses},
+          {"rests_on", s.rests_on},
+          {"kills", s.kills},
+          {"enumerated", s.enumerate != nullptr},
+          {"cases", s.cases},
+          {"sources", sources},
+          {"promised_percent", promises},
+          {"file", relative_file(s)},
+          {"backing", backing(s, records)},
+          {"page", page(s)}};
 }
 
 nlohmann::ordered_json json_of(const std::vector<Statement>& all) {
   nlohmann::ordered_json report = {{"statements", nlohmann::ordered_json::array()},
                                    {"mutants", nlohmann::ordered_json::array()}};
-  for (const Statement& s : all) report["statements"].push_back(json_of(s));
+  const std::optional<Registry> recorded = records();
+  for (const Statement& s : all) report["statements"].push_back(json_of(s, recorded));
   for (const Mutant& mutant : mutants())
     report["mutants"].push_back({{"mutant", mutant.name}, {"what", mutant.what}});
   return report;
@@ -110,11 +143,10 @@ void add_theorems_command(CLI::App& app, int& exit_code) {
   for (const Statement& s : statements()) ids.push_back(s.id);
   CLI::Option* id =
       command
-          ->add_option("ID", settings->id,
-                       "Show all that is known of this statement; without it: the list")
+          ->add_option("ID", settings->id, "Show all about this statement; default: a list of all")
           ->type_name("NAME")
-          ->check(CLI::IsMember(ids));
-  command->add_flag("--check", settings->check, "Fail where the list does not fit the sources")
+          ->check(known_name("statement", ids, "'oplus-check theorems' lists all"));
+  command->add_flag("--check", settings->check, "Fail if the list differs from the sources")
       ->excludes(id);
   command->add_flag("--json", settings->json, "Answer in JSON (docs/json.md)");
   command->footer(
@@ -122,9 +154,9 @@ void add_theorems_command(CLI::App& app, int& exit_code) {
       "  oplus-check theorems theorem-4.2.1\n"
       "\n"
       "Exit codes:\n"
-      "  0  listed; of oplus-maintain theorems --check: the list fits the sources\n"
-      "  1  of that: it does not\n"
-      "  2  the request makes no sense");
+      "  0  listed; of oplus-maintain theorems --check: the list agrees with the sources\n"
+      "  1  of --check: it does not\n"
+      "  2  invalid usage");
   command->callback([settings, &exit_code] {
     const std::vector<Statement> all = statements();
     if (settings->check) {
@@ -137,7 +169,7 @@ void add_theorems_command(CLI::App& app, int& exit_code) {
     } else {
       const Statement& one = *std::ranges::find(all, settings->id, &Statement::id);
       if (settings->json)
-        std::cout << json_of(one).dump(2) << '\n';
+        std::cout << json_of(one, records()).dump(2) << '\n';
       else
         print_entry(one);
     }

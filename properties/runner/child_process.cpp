@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Boost.Process 1.74 is not up to it: its pipes are inherited by what other threads start, and its
-// waiting with a limit forks another process and takes hold of SIGCHLD.
+// Boost.Process 1.74 does not suffice: its pipes are inherited by processes that other threads start, and
+// waiting with a time limit forks another process and changes how SIGCHLD is handled.
 #include "properties/runner/child_process.hpp"
 
 #include <fcntl.h>
@@ -72,7 +72,7 @@ void limit_memory(std::size_t limit_mb) {
   if (limit_mb > 0) limit_resource(RLIMIT_AS, limit_mb * 1'000'000);
 }
 
-/// What the forked process does until it is another program. Other threads may have held any lock at
+/// The forked process calls this to become another program. Other threads may have held any lock at
 /// the fork, so it allocates nothing. Returns where it could not become that program.
 void become(char* const* command, const ProcessLimits& limits, int output, int errors) {
   ::setpgid(0, 0);
@@ -112,7 +112,7 @@ class Child {
   /// Can be read from when it has ended.
   int descriptor() const { return descriptor_; }
 
-  /// As long as it is not waited for, nobody else has its number.
+  /// Until it is waited for, no other process has its number.
   void kill() const { ::kill(kills_ == Kills::its_group ? -process_ : process_, SIGKILL); }
 
   /// Returns its status.
@@ -147,13 +147,16 @@ class Listener {
       const double left =
           limits_.seconds - std::chrono::duration<double>(Clock::now() - start_).count();
       if (left <= 0) return over(EndedProcess::How::over_time, child);
-      const double milliseconds = std::min(std::ceil(left * 1000), 1e9);
+      if (limits_.is_interrupted != nullptr && limits_.is_interrupted())
+        return over(EndedProcess::How::interrupted, child);
+      const double most = limits_.is_interrupted == nullptr ? 1e9 : 100;
+      const double milliseconds = std::min(std::ceil(left * 1000), most);
       if (::poll(files.data(), files.size(), static_cast<int>(milliseconds)) < 0) {
         if (errno == EINTR) continue;
         fail(errno, "poll");
       }
       const bool has_ended = files[2].revents != 0;
-      // What it left behind would go on writing.
+      // Processes that it started may still be writing.
       if (has_ended) child.kill();
       if (files[0].revents != 0 && !read_output(output)) files[0].fd = -1;
       if (files[1].revents != 0 && !read_errors(errors)) files[1].fd = -1;
@@ -178,7 +181,7 @@ class Listener {
     while (errors >= 0 && read_errors(errors)) continue;
   }
 
-  /// Returns false where there is no more for now.
+  /// Returns false where nothing more can be read now.
   bool read_output(int file) {
     if (!read_into(ended_.output, file)) return false;
     if (limits_.a_line_at_a_time && ended_.output.ends_with('\n')) start_ = Clock::now();
@@ -275,7 +278,7 @@ std::string program_beside(const std::string& name) {
 }
 
 double own_peak_mb() {
-  // Not getrusage: that starts with what the parent had at the fork.
+  // Not getrusage: it starts with the parent's peak at the fork.
   std::ifstream status("/proc/self/status");
   for (std::string word; status >> word;) {
     double kibibytes = 0;

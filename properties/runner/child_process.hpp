@@ -12,15 +12,16 @@ namespace oplus {
 /// What a process may use.
 struct ProcessLimits {
   double seconds = std::numeric_limits<double>::infinity();
-  bool a_line_at_a_time = false;     ///< each line it writes starts its clock anew
-  std::size_t address_space_mb = 0;  ///< of each of its processes, in units of 10^6 bytes; 0: any
-  std::size_t output_mb = 0;         ///< of what it writes to standard output; 0: any
-  bool is_quiet = false;             ///< standard error is kept, not passed on
+  bool a_line_at_a_time = false;       ///< each line it writes starts its clock anew
+  std::size_t address_space_mb = 0;    ///< per process, in units of 10^6 bytes; 0: unlimited
+  std::size_t output_mb = 0;           ///< of its standard output; 0: unlimited
+  bool is_quiet = false;               ///< standard error is kept, not passed on
+  bool (*is_interrupted)() = nullptr;  ///< if set: asked ten times a second whether to kill it
 };
 
-/// What became of a process.
+/// How a process ended.
 struct EndedProcess {
-  enum class How { exited, killed_by_signal, over_time, over_output };
+  enum class How { exited, killed_by_signal, over_time, over_output, interrupted };
   How how = How::exited;
   int code = 0;        ///< the exit code, or the signal
   std::string output;  ///< what it wrote
@@ -45,7 +46,7 @@ EndedProcess run_fork(const std::function<int(int output)>& work, const ProcessL
 /// The program of this name beside the one that is running, which "" is.
 std::string program_beside(const std::string& name);
 
-/// Resident at most until now, in units of 10^6 bytes.
+/// The largest resident size until now, in units of 10^6 bytes.
 double own_peak_mb();
 
 /// "SIGSEGV" for 11; "signal 99" for one without a name.

@@ -8,7 +8,7 @@
 
 namespace oplus {
 
-/// What makes a pair interesting: kinds of degeneracy and size. Cheap: looks at the summands only.
+/// Kinds of degeneracy of a pair. Cheap: looks at the summands only.
 struct Classification {
   bool holes = false;               ///< a summand has a hole
   bool several_components = false;  ///< a summand has more than one component

@@ -14,7 +14,7 @@ class HoleTestsDiffer : public std::logic_error {
   using std::logic_error::logic_error;
 };
 
-/// All hole tests as one: every question goes to each of them. An engine that never sees them differ
+/// All hole tests as one: each is asked every question. An engine that never sees them differ
 /// runs the same with any of them. About points, the method of rays asks the hierarchies, so there
 /// three are compared.
 class ComparedHoleTests : public HoleTest {
@@ -24,7 +24,7 @@ class ComparedHoleTests : public HoleTest {
   /// The given ones, in the order of hole_test_methods().
   explicit ComparedHoleTests(std::vector<std::unique_ptr<HoleTest>> tests);
 
-  /// Throw HoleTestsDiffer, which says where and who says what.
+  /// Throw HoleTestsDiffer, which says where and each test's answer.
   bool is_hole_right_of(const Segment& edge) override;
   bool interiors_meet_at(const Point& x) override;
 

@@ -31,10 +31,10 @@ class Sum {
   Boundary boundary_;
 };
 
-/// What a law on sums says of a pair.
+/// The outcome of a law on sums for a pair.
 using Law = std::function<Outcome(const Sum& sum, const Summands& summands)>;
 
-/// Holds where nothing is said to be broken.
+/// Holds unless `broken` says otherwise.
 Outcome unless_broken(std::string what);
 
 /// Fits `Statement::check`: asks the law of every engine, closed and open; the outcome names the first

@@ -21,7 +21,7 @@ struct Settings {
 
 /// Runs the statement with the fault switched on. It kills the mutant if its enumeration fails with
 /// the fault and holds without, or if it fails on a pair with the fault and holds on the same pair
-/// without. A run that is short or misses a share kills nothing.
+/// without. A run that has too few cases or misses a promised share does not kill it.
 Kill try_to_kill(const Statement& statement, const RunOptions& options) {
   const PropertyRun run = run_property(statement, options);
   Kill kill{.mutant = options.mutant, .statement = statement.id, .cases = run.run};
@@ -43,7 +43,7 @@ std::string in_words(const Kill& kill) {
   if (kill.killed) return "killed by " + where + ": " + kill.why;
   if (kill.by_enumeration || kill.shrunk)
     return "NOT KILLED: " + where + " fails without the fault too: " + kill.why;
-  return "ALIVE after " + std::to_string(kill.cases) + " cases";
+  return "SURVIVED " + std::to_string(kill.cases) + " cases";
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ std::string in_words(const Kill& kill) {
 bool run_mutants(const std::vector<Statement>& statements, const std::vector<Mutant>& mutants,
                  std::optional<std::size_t> cases, std::uint64_t seed, std::ostream& out,
                  std::vector<Kill>* kills) {
-  std::size_t killed = 0, alive = 0;
+  std::size_t killed = 0, survived = 0;
   for (const Mutant& mutant : mutants) {
     if (!speech().quiet) out << mutant.name << ": " << mutant.what << '\n';
     for (const Statement& statement : statements) {
@@ -65,23 +65,23 @@ bool run_mutants(const std::vector<Statement>& statements, const std::vector<Mut
             << painted(kill.killed ? Paint::good : Paint::bad, in_words(kill), out) << '\n'
             << std::flush;
       }
-      ++(kill.killed ? killed : alive);
+      ++(kill.killed ? killed : survived);
       if (kills != nullptr) kills->push_back(kill);
     }
   }
   const std::vector<std::string> defects = defects_of_entries(statements, mutants);
   for (const std::string& defect : defects) out << defect << '\n';
-  out << killed << " killed, " << alive << " not killed\n";
-  return alive == 0 && killed > 0 && defects.empty();
+  out << killed << " killed, " << survived << " not killed\n";
+  return survived == 0 && killed > 0 && defects.empty();
 }
 
 void add_mutants_command(CLI::App& app, int& exit_code) {
-  CLI::App* command =
-      app.add_subcommand("mutants", "Switch on faults one by one and see the statements fail");
+  CLI::App* command = app.add_subcommand(
+      "mutants", "Switch on faults one by one and check that the statements fail");
   const auto settings = std::make_shared<Settings>();
   command
       ->add_option("--cases", settings->cases,
-                   "Cases after which a mutant is called alive; default: the statement's number")
+                   "Cases that a mutant must survive to fail; default: the statement's number")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000000}));
   command->add_option("--seed", settings->seed, "Same seed, same pairs")->capture_default_str();
   command->add_option("--record", settings->record, "Write what --json prints to this file")
@@ -95,17 +95,17 @@ void add_mutants_command(CLI::App& app, int& exit_code) {
       "\n"
       "Exit codes:\n"
       "  0  every statement killed its mutants\n"
-      "  1  a mutant lives, or nothing is to kill it\n"
-      "  2  this build contains no mutants, or the request makes no sense");
+      "  1  a mutant survives, or no statement names it\n"
+      "  2  this build contains no mutants; or invalid usage");
   command->callback([settings, &exit_code] {
 #ifdef OPLUS_MUTANTS
     std::vector<Kill> kills;
-    const bool all_died = run_mutants(statements(), mutants(), settings->cases, settings->seed,
-                                      text_output(settings->json), &kills);
+    const bool all_killed = run_mutants(statements(), mutants(), settings->cases, settings->seed,
+                                        text_output(settings->json), &kills);
     const std::string json = to_json(kills, defects_of_entries(statements(), mutants()));
     if (settings->json) std::cout << json;
     if (!settings->record.empty()) write_file(settings->record, json);
-    exit_code = all_died ? 0 : 1;
+    exit_code = all_killed ? 0 : 1;
 #else
     say_error(
         "this build contains no mutants; use the preset check: "

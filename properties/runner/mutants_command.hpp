@@ -15,9 +15,9 @@ namespace oplus {
 /// Adds `mutants`; sets exit_code when run: 0 where every statement killed its mutants.
 void add_mutants_command(CLI::App& app, int& exit_code);
 
-/// Runs each statement against each mutant it names and prints after how many cases it died. Adds
-/// what it saw to `kills`, where wanted. Returns whether all died, every mutant is named, and every statement
-/// names one.
+/// Runs each statement against each mutant it names and prints after how many cases it was killed. Appends
+/// to `kills` unless that is null. Returns whether all were killed, every mutant is named, and every
+/// statement names one.
 /// Requires: a build with OPLUS_MUTANTS.
 bool run_mutants(const std::vector<Statement>& statements, const std::vector<Mutant>& mutants,
                  std::optional<std::size_t> cases, std::uint64_t seed, std::ostream& out,

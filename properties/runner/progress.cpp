@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "checked/cli/command_line/terminal.hpp"
+#include "reference/io/counted.hpp"
 
 namespace oplus {
 
@@ -25,7 +26,27 @@ void Progress::advance() {
     std::cerr << what_ << ": " << done_ << " of " << total_ << std::endl;
 }
 
-void Progress::draw_bar() const {
+Progress::~Progress() { end_line(); }
+
+void Progress::shrink(const std::string& kind, std::size_t vertices, std::size_t tries) {
+  if (speech().quiet || (!on_terminal_ && kind == shrunk_kind_)) return;
+  if (kind != shrunk_kind_) end_line();
+  shrunk_kind_ = kind;
+  constexpr std::size_t most = 40;  // a longer line would be broken on a terminal
+  std::cerr << (on_terminal_ ? "\r" : "") << "shrinking "
+            << (kind.size() > most ? kind.substr(0, most - 3) + "..." : kind) << ": " << vertices
+            << " vertices, " << counted(tries, "pair", "pairs") << " tried";
+  has_open_line_ = on_terminal_;
+  if (!on_terminal_) std::cerr << '\n';
+  std::cerr.flush();
+}
+
+void Progress::end_line() {
+  if (has_open_line_) std::cerr << std::endl;
+  has_open_line_ = false;
+}
+
+void Progress::draw_bar() {
   constexpr std::size_t width = 40;
   const std::size_t filled = width * done_ / total_;
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start_;
@@ -33,8 +54,9 @@ void Progress::draw_bar() const {
       taken.count() / static_cast<double>(done_) * static_cast<double>(total_ - done_);
   std::cerr << '\r' << what_ << " [" << std::string(filled, '#') << std::string(width - filled, ' ')
             << "] " << done_ << '/' << total_ << ", " << static_cast<long>(left) << " s left   ";
-  if (done_ == total_) std::cerr << '\n';
   std::cerr.flush();
+  has_open_line_ = true;
+  if (done_ == total_) end_line();
 }
 
 }  // namespace oplus

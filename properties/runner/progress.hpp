@@ -7,20 +7,30 @@
 
 namespace oplus {
 
-/// Says on standard error how far a run is: a bar on a terminal, else a plain line every tenth;
+/// Shows on standard error how far a run is: a bar on a terminal, else a plain line every tenth;
 /// nothing with --quiet.
 class Progress {
  public:
   Progress(std::string what, std::size_t total);
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  ~Progress();
+
   void advance();
 
+  /// That a counterexample is shrunk: a line on a terminal that changes, else one at the first try.
+  void shrink(const std::string& kind, std::size_t vertices, std::size_t tries);
+
  private:
-  void draw_bar() const;
+  void draw_bar();
+  void end_line();
 
   std::string what_;
   std::size_t total_;
   std::size_t done_ = 0;
   bool on_terminal_;
+  bool has_open_line_ = false;
+  std::string shrunk_kind_;
   std::chrono::steady_clock::time_point start_;
 };
 

@@ -7,6 +7,7 @@
 
 #include "checked/cli/command_line/terminal.hpp"
 #include "properties/runner/finding.hpp"
+#include "properties/runner/known_name.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/io/reading.hpp"
 #include "reference/io/writing.hpp"
@@ -141,9 +142,10 @@ void add_properties_command(CLI::App& app, int& exit_code) {
       ->add_option("--theorem", settings->ids,
                    "Only this statement; may be repeated; 'oplus-check theorems' lists them")
       ->type_name("ID")
-      ->check(CLI::IsMember(ids_of(statements())));
+      ->check(known_name("statement", ids_of(statements()), "'oplus-check theorems' lists all"));
   CLI::Option* cases =
-      command->add_option("--cases", settings->cases, "Cases a statement; default: its own number")
+      command
+          ->add_option("--cases", settings->cases, "Cases per statement; default: its own number")
           ->check(CLI::Range(std::size_t{1}, std::size_t{1000000000}));
   CLI::Option* seed =
       command->add_option("--seed", settings->seed, "Same seed, same pairs")->capture_default_str();
@@ -165,7 +167,7 @@ void add_properties_command(CLI::App& app, int& exit_code) {
       "Exit codes:\n"
       "  0  all passed\n"
       "  1  a statement failed\n"
-      "  2  the request makes no sense, or a file cannot be read or written");
+      "  2  invalid input or usage, or a file that cannot be read or written");
   command->callback([settings, &exit_code] {
     const std::vector<Statement> to_run = chosen(settings->ids);
     std::ostream& out = text_output(settings->json);

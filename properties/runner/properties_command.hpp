@@ -14,16 +14,16 @@ namespace oplus {
 /// Adds `properties`; sets exit_code when run.
 void add_properties_command(CLI::App& app, int& exit_code);
 
-/// Runs statements, says of each what it did, and how many passed in a last line. Shrunk
-/// counterexamples go to the folder `findings`, what each run did, where wanted, to `runs`. Returns
-/// whether all passed. cases: none for each statement's own number. With --quiet only failures and the
-/// last line are said.
+/// Runs statements, prints a report of each, and how many passed in a last line. Shrunk counterexamples
+/// are written to the folder `findings`; each run is appended to `runs` unless that is null. Returns whether
+/// all passed. `cases`: by default each statement's own number. With --quiet only failures and the last line
+/// are printed.
 bool run_statements(const std::vector<Statement>& statements, std::optional<std::size_t> cases,
                     std::uint64_t seed, const std::filesystem::path& findings, std::ostream& out,
                     std::vector<PropertyRun>* runs = nullptr);
 
-/// Tries statements on one pair. Returns whether some hold and none fails. What they say goes, where
-/// wanted, to `outcomes`.
+/// Tries statements on one pair. Returns whether some hold and none fails. Outcomes are appended to
+/// `outcomes` unless that is null.
 bool replay_statements(const std::vector<Statement>& statements, const Summands& summands,
                        std::ostream& out, std::vector<Outcome>* outcomes = nullptr);
 

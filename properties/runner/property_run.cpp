@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The only file that includes RapidCheck, and the only way to it: rc::check returns a bool that is
-// easily ignored, passes with no case run, and lets the environment skip all of them. Seed and number of
-// cases have no public way in (RapidCheck's issues 260 and 284), nor has the reason of a failure a way
-// out; hence checkProperty of rc::detail, its parameters and its result, and nothing else of that.
+// easily ignored, passes with no case run, and lets the environment skip all of them. Its public interface
+// can neither set the seed and the number of cases (RapidCheck's issues 260 and 284) nor return the reason
+// of a failure; hence checkProperty of rc::detail, its parameters and its result, and no more of rc::detail.
 #include "properties/runner/property_run.hpp"
 
 #include <rapidcheck.h>
@@ -29,7 +29,7 @@ struct Case {
 
 void showValue(const Case& c, std::ostream& out) { out << "a pair of family " << c.family; }
 
-/// Switches a mutant on for as long as it lives.
+/// Switches a mutant on during its lifetime.
 class SwitchedOn {
  public:
 #ifdef OPLUS_MUTANTS
@@ -67,7 +67,7 @@ Case draw_case(const Statement& statement, std::uint64_t bits, int size) {
   return {generate(*family, n, random()), source.family};
 }
 
-/// Uses nothing but the raw bits of RapidCheck's generator.
+/// Uses only the raw bits of RapidCheck's generator.
 rc::Gen<Case> cases_of(const Statement& statement) {
   return [&statement](const rc::Random& random, int size) {
     Case drawn = draw_case(statement, rc::Random(random).next(), size);
@@ -129,7 +129,7 @@ class Recorder {
     for (const auto& [name, number] : outcome.counts) run_.counts[name] += number;
   }
 
-  /// While a mutant's counterexample is shrunk: whether this one is none of the mutant's.
+  /// While a mutant's counterexample is shrunk: whether this one fails without the mutant, too.
   bool fails_without_fault(const Case& c) const {
     return !options_.mutant.empty() &&
            evaluate(statement_, c.summands).kind != Outcome::Kind::holds;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// nlohmann's macros would sort the keys: in its version 3.11 they know no ordered_json.
+// nlohmann's macros would sort the keys: in version 3.11 they do not support ordered_json.
 #include "properties/runner/record.hpp"
 
 #include <algorithm>
@@ -89,7 +89,7 @@ Json json_of(const Statement& statement, const Outcome& outcome) {
   return json;
 }
 
-/// A broken contract says where it stands; that moves with every edit of the file.
+/// The message of a broken contract contains a line number, which changes with every edit of the file.
 std::string without_place(const std::string& why) {
   return why.starts_with("threw: ") ? why.substr(0, why.find(" at ")) : why;
 }

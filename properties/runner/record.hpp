@@ -10,7 +10,7 @@
 
 namespace oplus {
 
-/// What became of a mutant under a statement that names it.
+/// The outcome of a mutant with a statement that names it.
 struct Kill {
   std::string mutant;
   std::string statement;
@@ -28,7 +28,7 @@ struct Kill {
 /// Of `oplus-check properties`.
 std::string to_json(const std::vector<PropertyRun>& runs);
 
-/// Of `oplus-check properties --pair`: what each statement says of the pair.
+/// Of `oplus-check properties --pair`: the outcome of each statement.
 /// Requires: as many outcomes as statements.
 std::string to_json(const std::vector<Statement>& statements, const std::vector<Outcome>& outcomes);
 

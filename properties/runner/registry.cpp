@@ -20,7 +20,7 @@ std::vector<Statement>& registered_statements() {
   return all;
 }
 
-/// The numbers of an id: {4, 1, 4} of "lemma-4.1.4"; none for a fact.
+/// The numbers of an id: {4, 1, 4} of "lemma-4.1.4"; empty for a fact.
 std::vector<int> numbers_of(const std::string& id) {
   static const std::regex number("[0-9]+");
   std::vector<int> numbers;

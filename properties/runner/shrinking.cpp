@@ -181,7 +181,7 @@ std::vector<Change> opened_holes(const Region& region) {
 }
 
 /// For both regions at once: scaled to integers, by a common factor, rounded, each moved to the
-/// origin. The first two leave the sum as it was but for its scale.
+/// origin. The first two change the sum only in scale.
 std::vector<Change> simpler_together(const Summands& summands) {
   mpz_class denominators = 1;
   mpz_class numerators = 0;
@@ -245,8 +245,8 @@ std::vector<Change> simpler_points(const Region& region) {
   return changes;
 }
 
-/// Makes the candidates one after the other until one is accepted, so that `shrink` need not make
-/// those behind it. Returns whether one was.
+/// Makes the candidates one after the other until one is accepted, so that `shrink` need not make the
+/// rest. Returns whether one was.
 bool visit_candidates(const Summands& from, const Accept& accept) {
   const Size size = size_of(from);
   const auto offer = [&](const Change& change, std::initializer_list<Region Summands::*> changed) {
@@ -296,7 +296,7 @@ Size size_of(const Summands& summands) {
 }
 
 Summands shrink(Summands summands, const std::function<bool(const Summands&)>& fails) {
-  // Always checked: a verdict that changes from call to call would shrink to nonsense.
+  // Always checked: if the outcome changed from call to call, any pair could be the result.
   if (!fails(summands)) throw ContractViolation("shrink: the pair to start from does not fail");
   Summands next;
   const Accept accept = [&](const Summands& candidate) {

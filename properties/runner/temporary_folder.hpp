@@ -6,10 +6,10 @@
 
 namespace oplus {
 
-/// A new, empty folder that is removed with its owner, and all that is in it.
+/// A new, empty folder that is removed with its contents when its owner is destroyed.
 class TemporaryFolder {
  public:
-  /// Its name starts with that. Throws std::system_error.
+  /// Its name starts with `name`. Throws std::system_error.
   explicit TemporaryFolder(
       const std::string& name = "oplus",
       const std::filesystem::path& parent = std::filesystem::temp_directory_path());

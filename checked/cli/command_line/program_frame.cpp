@@ -144,9 +144,8 @@ int fail_with_bug(const std::string& what) {
 int run_program(const ProgramFrame& frame, const AddCommands& add_commands, int argc,
                 const char* const* argv) noexcept {
   occupy_closed_streams();
-  // A reader that closes its pipe is an output that cannot be written, not a death.
-  // Handled, not ignored: the programs that it starts would ignore it, too.
-  std::signal(SIGPIPE, [](int) {});
+  // A reader that closes the pipe ends the program quietly, as it does others, even where it was ignored.
+  std::signal(SIGPIPE, SIG_DFL);
   return exit_code_of([&] {
     speech().program = frame.name;
     return parse_and_do(frame, add_commands, argc, argv);

@@ -8,8 +8,8 @@
 
 namespace oplus {
 
-/// Clipper sums the boundaries and fills what they leave with the paths, moved to the pattern's first
-/// vertex. So the sum is complete unless the paths fit into the pattern: the larger one is the paths.
+/// Clipper adds the boundaries and fills their sum with the paths, moved to the pattern's first vertex. So
+/// the result is complete unless the paths fit into the pattern: the larger summand is the paths.
 struct ClipperMethod {
   struct Input {
     IntegerScale scale;
@@ -19,18 +19,19 @@ struct ClipperMethod {
   using Sum = ClipperLib::Paths;
   static constexpr bool rounds = true;
 
-  /// Up to here Clipper computes with 64 bits, above with 128, which takes longer.
+  /// Up to this value Clipper computes with 64 bits, above it with 128, which takes longer.
   static constexpr long most = 0x3FFFFFFF;
 
   Input converted(const Summands& pair) const {
     if (pair.p.components.size() != 1 || pair.q.components.size() != 1)
-      throw NotTaken("takes one component");
+      throw NotTaken("supports one component only");
     const Vector p = extent(pair.p);
     const Vector q = extent(pair.q);
     const bool p_may_fit_into_q = p.x < q.x && p.y < q.y;
     const Region& outer = p_may_fit_into_q ? pair.q : pair.p;
     const Region& inner = p_may_fit_into_q ? pair.p : pair.q;
-    if (!inner.components[0].holes.empty()) throw NotTaken("takes no holes in the smaller summand");
+    if (!inner.components[0].holes.empty())
+      throw NotTaken("does not support holes in the smaller summand");
     const IntegerScale scale = IntegerScale::of(pair, most);
     Input result{scale, path_of(inner.components[0].outer, scale), {}};
     for (const Chain& chain : oplus::chains(outer)) result.paths.push_back(path_of(chain, scale));

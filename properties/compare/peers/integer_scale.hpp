@@ -5,13 +5,13 @@
 
 namespace oplus {
 
-/// A pair scaled to integers, for methods that compute on them and round to them. The more of the
-/// range they use, the less they round, so the scale is as large as the range allows.
+/// A pair scaled to integers, for methods that compute with integers and round to them. The larger the
+/// scale, the smaller the rounding errors, so it is as large as the range allows.
 struct IntegerScale {
   Rational factor;
 
   /// The largest power of two, times the common denominator, with which all coordinates of the
-  /// summands and of their sum are at most `most`. Throws NotTaken where there is none.
+  /// summands and of their sum are at most `most`. Throws NotTaken where that is less than 1.
   static IntegerScale of(const Summands& pair, const mpz_class& most);
 
   /// Requires: value is a coordinate of the pair.

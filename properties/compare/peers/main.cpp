@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// oplus-peer NAME P Q: a sum by somebody else's library, as its users call it. Nothing that it does is
-// caught: how it ends is what there is to know.
+// oplus-peer NAME P Q: a sum by another library, as its users call it. Its exceptions and crashes are not
+// caught: how the program ends is the result.
 #include <functional>
 #include <iostream>
 #include <string>
@@ -16,15 +16,17 @@ namespace {
 using namespace oplus;
 
 int usage(std::ostream& out, int exit_code) {
-  out << "oplus-peer NAME P Q: the closed Minkowski sum of two regions by somebody else's library\n"
+  out << "oplus-peer NAME P Q: the closed Minkowski sum of two regions by another library\n"
          "P and Q are files in any format that oplus reads; the sum is written in WKT.\n\n";
   for_each_peer([&](const std::string& name, const char* what, auto /*method*/) {
     out << "  " << name << std::string(22 - name.size(), ' ') << what << '\n';
   });
-  out << "\nExit codes: 0 a sum, 2 usage or input, " << exit_no_region
-      << " what the library returned bounds no region, " << exit_not_taken
-      << " the library does not\ntake such a pair. What the library does is not caught: it may end"
-         " otherwise.\n";
+  out << "\nExit codes:\n"
+         "  0   a sum\n"
+         "  2   invalid usage or input\n"
+      << "  " << exit_no_region << "  what the library returned is not the boundary of a region\n"
+      << "  " << exit_refused << "  the library does not support such a pair\n"
+      << "Any other: the library crashed.\n";
   return exit_code;
 }
 
@@ -40,7 +42,7 @@ int sum(const std::function<MethodFunction>& method, const std::string& p, const
     std::cout << written(sum_of_chains(method(pair)), Format::wkt);
   } catch (const NotTaken& e) {
     std::cerr << e.what() << '\n';
-    return exit_not_taken;
+    return exit_refused;
   } catch (const NoSum& e) {
     std::cerr << e.site() << '\n' << e.what() << '\n';
     return exit_no_region;

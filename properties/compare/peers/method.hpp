@@ -9,17 +9,17 @@
 
 namespace oplus {
 
-// A method is what somebody's library has for Minkowski sums. It has
+// A method is another library's function for Minkowski sums. It has
 //   using Input = …;  a pair in its own form
 //   using Sum = …;    a sum in its own form
-//   static constexpr bool rounds = …;  its sums may be off
+//   static constexpr bool rounds = …;  its sums may be inexact
 //   Input converted(const Summands& pair) const;  throws NotTaken
 //   Sum sum(const Input& input) const;
 //   ReturnedChains chains(const Input& input, const Sum& sum) const;
 //   and, if it leaves coordinates unevaluated, static void evaluate(const Sum& sum);
 //   and, if it knows, static std::size_t segments(const Sum& sum);
 
-/// What a method is asked for cannot be asked of it, such as a sum of polygons with holes.
+/// The library does not support the pair, such as polygons with holes.
 class NotTaken : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

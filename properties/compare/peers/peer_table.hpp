@@ -5,13 +5,13 @@
 
 namespace oplus {
 
-/// Methods as functions: what each returns for a pair. They throw NotTaken; and may do anything else
-/// that somebody else's code does.
+/// Methods as functions: what each returns for a pair. They throw NotTaken, and may crash or throw
+/// anything else, as the library does.
 using MethodFunction = ReturnedChains(const Summands& pair);
 MethodFunction cgal_reduced, cgal_full, cgal_vertical, cgal_triangulation, cgal_small_side,
     cgal_optimal, cgal_hertel_mehlhorn, cgal_greene, clipper, boost_polygon;
 
-/// Lists the methods of others' libraries that oplus has an adapter for, all of them of closed sums
+/// Lists the methods of other libraries that oplus has an adapter for, all of them for closed sums
 /// only: calls `row(name, what, method)`. A method is linked only where it is called:
 /// `oplus-check` needs the names and not the libraries.
 template <typename Row>
@@ -40,9 +40,9 @@ void for_each_peer(Row row) {
       [](const auto& pair) { return boost_polygon(pair); });
 }
 
-/// How `oplus-peer` and programs of others say by their exit code why they return no sum. For
+/// Exit codes by which `oplus-peer` and other programs say why they return no sum. For
 /// 77 see the manual of GNU Automake, for 65 sysexits.h.
-inline constexpr int exit_not_taken = 77;  ///< the pair is none that it takes
-inline constexpr int exit_no_region = 65;  ///< its result bounds no region
+inline constexpr int exit_refused = 77;    ///< it does not support such a pair
+inline constexpr int exit_no_region = 65;  ///< its result is not the boundary of a region
 
 }  // namespace oplus

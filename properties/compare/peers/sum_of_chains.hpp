@@ -7,11 +7,11 @@
 
 namespace oplus {
 
-/// The regularized sum that is to the left of closed chains. Where they touch themselves or each
-/// other in points, and where vertices lie inside straight lines, is as good as any other way to
-/// say the same region. Nothing is repaired: chains of fewer than three vertices, edges of length
-/// zero, edges that cross, overlap or go back along one another, and chains that have the sum on
-/// both sides or on the wrong one bound no region. O(n²). Throws NoSum: unreadable.
+/// The regularized sum that is to the left of closed chains. They may touch themselves or each other
+/// in points, and may have vertices inside straight lines. Nothing is repaired: with chains of fewer
+/// than three vertices, edges of length zero, edges that cross, overlap or go back along one another,
+/// and chains that have the sum on both sides or on the wrong one, they are not the boundary of a
+/// region. O(n²). Throws NoSum: unreadable.
 MinkowskiSum sum_of_chains(const ReturnedChains& chains);
 
 }  // namespace oplus

@@ -7,8 +7,8 @@ PATH=$programs:$PATH
 place=$(mktemp -d "${TMPDIR:-/tmp}/oplus_campaign_XXXXXX")
 cd "$place"
 
-# Closed sums only, and a hole lost where there is one. After five sums it waits where a file `pause`
-# says so, until somebody has killed the shard.
+# Computes closed sums and loses their holes. If there is a file `pause`, it waits after five sums until
+# the shard is killed.
 cat >loses_holes <<'ENGINE'
 #!/usr/bin/env bash
 if [ -e pause ]; then
@@ -30,9 +30,11 @@ fail() {
   exit 1
 }
 
-# What all other ways to run it must come to.
+# one_run FOLDER: writes the reports that all other ways to run it must write, too. They contain the name
+# of the folder of counterexamples, which is then moved to `one`.
 one_run() {
-  "${campaign[@]}" --report one.json --report one.md --report one.xml --out one >one.out ||
+  "${campaign[@]}" --report one.json --report one.md --report one.xml --out "$1" >one.out ||
     [ $? -eq 1 ] || fail "the campaign in one run"
   grep -q '"kind": "hole lost"' one.json || fail "the campaign finds nothing"
+  mv "$1" one
 }

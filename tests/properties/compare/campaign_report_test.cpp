@@ -9,6 +9,7 @@
 #include "properties/compare/report_text.hpp"
 #include "reference/io/invalid_input.hpp"
 #include "reference/io/reading.hpp"
+#include "reference/io/writing.hpp"
 #include "tests/checked/cli/shell.hpp"
 #include "tests/properties/compare/faulty_engines.hpp"
 
@@ -43,6 +44,24 @@ TEST_F(ReportFiles, are_valid) {
   EXPECT_TRUE(has(ran.out, "isolated vertex invented"));
 }
 
+TEST_F(ReportFiles, junit_gives_each_case_its_own_pair) {
+  const CampaignReport& report = report_of_many_kinds();
+  const std::string xml = to_junit(report);
+  std::set<std::size_t> first_pairs;
+  for (const CountedSource& source : report.sources) {
+    const std::size_t start = xml.find(" name=\"" + source.name + '"');
+    ASSERT_NE(start, std::string::npos) << source.name;
+    const std::string own = xml.substr(start, xml.find("</testcase>", start) - start);
+    EXPECT_EQ(source.first_failures.size(), source.counts.kinds.size());
+    for (const auto& [kind, first] : source.first_failures) {
+      EXPECT_TRUE(has(own, "first found in " + first.found_in));
+      EXPECT_TRUE(has(own, "P " + wkt(first.pair.p) + "\nQ " + wkt(first.pair.q)));
+      first_pairs.insert(first.index);
+    }
+  }
+  EXPECT_GE(first_pairs.size(), report.sources.size());
+}
+
 TEST_F(ReportFiles, tables_have_as_many_cells_in_each_row) {
   std::istringstream in(to_markdown(report_of_many_kinds()));
   std::size_t expected = 0, rows = 0;
@@ -66,7 +85,9 @@ TEST_F(ReportFiles, counterexamples_are_written_and_read_again) {
   const std::string here = run("pwd").out;
   const std::filesystem::path folder =
       std::filesystem::path(here.substr(0, here.size() - 1)) / "found";
-  write_counterexamples(report, folder.string());
+  CampaignReport moved = report;
+  moved.out = folder.string();
+  write_counterexamples(moved);
   for (const auto& [kind, shrunk] : report.counterexamples) {
     const CounterexampleFiles files = files_of(shrunk);
     EXPECT_EQ(read_region_file((folder / files.p).string()).region, shrunk.sum.pair.p);
@@ -78,10 +99,11 @@ TEST_F(ReportFiles, counterexamples_are_written_and_read_again) {
   }
 }
 
-TEST(Explanation, says_how_they_differ_and_how_to_see_it_again) {
-  const CampaignReport& report = report_of_many_kinds();
+TEST(Explanation, says_how_they_differ_and_how_to_reproduce_it) {
+  CampaignReport report = report_of_many_kinds();
+  report.out = "folder";
   const ShrunkFailure& found = report.counterexamples.at("isolated vertex invented");
-  const std::string text = explanation(report, found, "folder");
+  const std::string text = explanation(report, found);
   for (const char* part :
        {"the first is the oracle: 1 outer chain, 0 holes, 0 dangling edges, 0 isolated",
         "the second is a|b <c> & \"d\": 1 outer chain, 0 holes, 0 dangling edges, 1 iso",
@@ -111,7 +133,7 @@ TEST(ReportJson, sees_what_was_changed) {
   char& digit = changed[changed.find("\"pairs\": ") + 9];
   digit = digit == '2' ? '3' : '2';
   EXPECT_THROW(opened(changed, "r.json"), InvalidInput);
-  // What is sealed may still make no sense.
+  // With a right checksum it may still be inconsistent.
   CampaignReport odd = report_of_many_kinds();
   odd.done = odd.pairs + 1;
   EXPECT_THROW(opened(sealed(odd), "r.json"), InvalidInput);

@@ -68,7 +68,7 @@ TEST_F(DiffCommand, counts_what_it_skips_and_does_not_pass_with_nothing_compared
   EXPECT_TRUE(has(ran.out, "0 cases run, each closed and open, 1 skipped"));
 }
 
-TEST_F(DiffCommand, refuses_bad_input_and_requests_without_sense) {
+TEST_F(DiffCommand, refuses_invalid_input_and_usage) {
   put("bad.dat", "4\n0 0\n2 2\n2 0\n0 2\n");
   const Ran bad = diff("--pair bad.dat square.dat");
   EXPECT_EQ(bad.exit_code, 2);
@@ -80,7 +80,7 @@ TEST_F(DiffCommand, refuses_bad_input_and_requests_without_sense) {
   EXPECT_EQ(diff("--cases 0 --family grid").exit_code, 2);
 }
 
-TEST_F(DiffCommand, holds_a_program_of_somebody_else_to_account) {
+TEST_F(DiffCommand, compares_another_program) {
   const Ran ran = diff("--pair square.dat frame.dat --engine 'exec:cat {p} #' --shrink-tries 20");
   EXPECT_EQ(ran.exit_code, 1) << ran.err;
   EXPECT_TRUE(has(ran.out, "the second is exec:cat {p} #: 1 outer chain"));
@@ -95,14 +95,14 @@ TEST_F(DiffCommand, agrees_with_a_program_that_is_right) {
           "--memory-limit 0");
   EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
   EXPECT_TRUE(has(ran.out,
-                  "1 sum not taken by exec:oplus sum {p} {q} --format wkt, open: not taken: it "
-                  "computes closed sums only\n"
-                  "1 cases run, each closed and open but for 1 sum not taken, 0 skipped, 0 with"));
+                  "1 open sum unsupported by exec:oplus sum {p} {q} --format wkt\n"
+                  "1 case run, each closed and open, 1 open sum unsupported, 0 skipped, 0 with"));
   const auto report = nlohmann::json::parse(content("oplus-findings/diff.json"));
-  EXPECT_EQ(report.at("all").at("not_taken").size(), 1U);
+  EXPECT_EQ(report.at("all").at("open_unsupported").size(), 1U);
+  EXPECT_EQ(report.at("all").at("sums").at("open unsupported"), 1);
 }
 
-TEST_F(DiffCommand, reports_how_a_program_ends_and_skips_what_it_does_not_take) {
+TEST_F(DiffCommand, reports_how_a_program_ends_and_skips_what_it_refuses) {
   const Ran crash =
       diff("--pair square.dat frame.dat --engine 'exec:kill -SEGV $$ #' --shrink-tries 5");
   EXPECT_EQ(crash.exit_code, 1);
@@ -114,15 +114,112 @@ TEST_F(DiffCommand, reports_how_a_program_ends_and_skips_what_it_does_not_take) 
   EXPECT_EQ(hang.exit_code, 1);
   const Ran none = diff("--pair square.dat frame.dat --engine 'exec:exit 77 #'");
   EXPECT_EQ(none.exit_code, 2);
-  EXPECT_TRUE(has(none.out, "skipped: square.dat frame.dat: exec:exit 77 #: not taken"));
+  EXPECT_TRUE(
+      has(none.out,
+          "skipped: square.dat frame.dat: exec:exit 77 #: it gives no reason; exec:exit 77 #: "
+          "it computes closed sums only"));
+  EXPECT_TRUE(has(none.out, "1 open sum unsupported, 1 sum refused, 1 skipped"));
 }
 
-TEST_F(DiffCommand, lists_the_engines_of_others_in_its_help) {
+/// The last line of a text that starts so, without the start.
+std::string last_line_after(const std::string& text, const std::string& start) {
+  const std::size_t at = text.rfind(start) + start.size();
+  return text.substr(at, text.find('\n', at) - at);
+}
+
+TEST_F(DiffCommand, reproduces_a_failure_by_the_printed_line) {
+  run("mkdir 'my programs'");
+  put("my programs/sum", "#!/bin/sh\ncat \"$1\"\n");
+  run("chmod +x 'my programs/sum'");
+  for (const std::string out : {"", "--out 'else where/it'\''s' ", "--out \"$PWD/found\" "}) {
+    const Ran first = diff(
+        "--pair square.dat frame.dat --engine \"exec:'./my programs/sum' {p} {q}\" --time-limit 500 "
+        "--shrink-tries 20 --report r.json --report r.md " +
+        out);
+    EXPECT_EQ(first.exit_code, 1) << first.err;
+    const std::string line = last_line_after(first.out, "  reproduce: ");
+    EXPECT_TRUE(line.starts_with("oplus-check diff ")) << line;
+    const Ran again = run(line);
+    EXPECT_EQ(again.exit_code, 1) << again.err;
+    const std::string kind = last_line_after(first.out, " vertices: ");
+    EXPECT_EQ(last_line_after(again.out, " vertices: "), kind);
+    EXPECT_EQ(last_line_after(again.out, "they differ at"),
+              last_line_after(first.out, "they differ at"));
+    const auto report = nlohmann::json::parse(content("r.json"));
+    EXPECT_EQ(report.at("counterexamples").at(kind).at("replay"), line);
+    EXPECT_TRUE(has(content("r.md"), line));
+    // The picture's link is from the folder of the report.
+    const std::string link = last_line_after(content("r.md"), "and the sums](<");
+    EXPECT_EQ(run("test -s \"" + link.substr(0, link.find(">)")) + "\"").exit_code, 0) << link;
+  }
+}
+
+TEST_F(DiffCommand, shows_how_it_shrinks) {
+  const std::string command =
+      "oplus-check diff --pair square.dat frame.dat --engine \"exec:cat {p} #\" --shrink-tries 20";
+  const std::string start = "shrinking hole lost: ";
+  const Ran plain = run(command);
+  EXPECT_TRUE(has(plain.err, start + "12 vertices, 0 pairs tried\n")) << plain.err;
+  const Ran on_terminal = run("script -qec '" + command + "' /dev/null");
+  EXPECT_TRUE(has(on_terminal.out, "\r" + start + "12 vertices, 0 pairs tried\r"));
+  EXPECT_TRUE(has(on_terminal.out, " vertices, 21 pairs tried"));
+  EXPECT_FALSE(has(on_terminal.out, start + "12 vertices, 21 pairs tried"));
+}
+
+TEST_F(DiffCommand, interrupted_writes_what_was_compared_and_does_not_wait_for_the_engine) {
+  // The fifth sum never ends, and tells.
+  put("slow",
+      "#!/bin/sh\necho >>calls\n[ $(wc -l <calls) -lt 5 ] || { touch waits; exec sleep 100000; }\n"
+      "exec oplus sum \"$1\" \"$2\" --format wkt\n");
+  for (const std::string signal : {"INT", "TERM"}) {
+    const Ran ran = run(
+        "rm -f calls waits\n"
+        "trap - INT\n"
+        "python3 -c 'import os, signal, sys; signal.signal(signal.SIGINT, signal.SIG_DFL); "
+        "os.execvp(sys.argv[1], sys.argv[1:])' "
+        "oplus-check diff --family grid --cases 20 --threads 1 --engine 'exec:sh ./slow' --time-limit "
+        "100000 --memory-limit 0 --report r.md --report r.json --report r.xml & run=$!\n"
+        "until [ -e waits ]; do kill -0 $run || exit 99; sleep 0.05; done\n"
+        "kill -" +
+        signal + " $run\nwait $run");
+    EXPECT_EQ(ran.exit_code, 5) << ran.err;
+    EXPECT_TRUE(has(ran.err, "interrupted: writing the report"));
+    EXPECT_TRUE(has(ran.out, "interrupted after 3 of 20 pairs: 3 cases run"));
+    EXPECT_TRUE(has(content("r.md"), "interrupted after 3 of 20 pairs**"));
+    const auto report = nlohmann::json::parse(content("r.json"));
+    EXPECT_EQ(report.at("interrupted"), true);
+    EXPECT_EQ(report.at("all").at("ran"), 3);
+    EXPECT_TRUE(has(content("r.xml"), "<testcase"));
+    const Ran merged = run("oplus-check merge r.json");
+    EXPECT_EQ(merged.exit_code, 2);
+    EXPECT_TRUE(has(merged.err, "the shard was interrupted: 3 of 20 pairs"));
+  }
+}
+
+TEST_F(DiffCommand, ends_at_once_at_the_second_interrupt) {
+  const Ran ran = run(
+      "oplus gen fork --n 300 --seed 1 -o p.dat; oplus gen fork --n 300 --seed 1 --summand Q -o q.dat\n"
+      "oplus-check diff --pair p.dat q.dat --largest 1000000000 --threads 1 2>err & run=$!\n"
+      // Until SIGTERM is handled.
+      "until [ $((0x$(sed -n 's/^SigCgt:\t//p' /proc/$run/status) & 0x4000)) -ne 0 ]; do\n"
+      "  kill -0 $run || exit 99; sleep 0.05; done\n"
+      "kill -TERM $run\n"
+      "until grep -q 'a second interrupt ends' err; do kill -0 $run || exit 98; sleep 0.05; done\n"
+      "kill -TERM $run; wait $run");
+  EXPECT_EQ(ran.exit_code, 128 + SIGTERM) << ran.err;
+  EXPECT_FALSE(files().contains("oplus-findings"));
+}
+
+TEST_F(DiffCommand, lists_other_libraries_in_its_help) {
   const Ran help = diff("--help");
   for (const char* part :
        {"cgal-reduced ", "cgal-greene ", "clipper ", "boost-polygon ", "exec:CMD "})
     EXPECT_TRUE(has(help.out, std::string("\n  ") + part));
-  EXPECT_TRUE(has(diff("--engine cgal --family grid").err, "cgal-reduced"));
+  const Ran unknown = diff("--engine cgal-reducd --family grid");
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_TRUE(has(unknown.err,
+                  "unknown engine 'cgal-reducd'; did you mean cgal-reduced? the engines "
+                  "are all, slide, "));
 }
 
 }  // namespace

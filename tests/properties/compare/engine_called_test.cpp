@@ -46,7 +46,7 @@ NoSum no_sum(const std::string& engine, const ProcessLimits& limits = patient,
   } catch (const NoSum& e) {
     return e;
   }
-  return {Kind::not_taken, "it returned a sum", ""};
+  return {Kind::refused, "it returned a sum", ""};
 }
 
 void expect_no_sum(const std::string& command, Kind kind, const std::string& site,
@@ -58,7 +58,7 @@ void expect_no_sum(const std::string& command, Kind kind, const std::string& sit
   EXPECT_TRUE(has(found.what(), what)) << command;
 }
 
-TEST(EngineCalled, knows_peers_and_programs_and_nothing_else) {
+TEST(EngineCalled, finds_peers_and_programs_only) {
   const ProcessLimits limits;
   EXPECT_EQ(engine_called("cgal-full", limits).value().name, "cgal-full");
   EXPECT_EQ(engine_called("exec:a b", limits).value().name, "exec:a b");
@@ -70,7 +70,7 @@ TEST(EngineCalled, knows_peers_and_programs_and_nothing_else) {
 
 constexpr const char* right = "echo 'POLYGON ((0 0, 2 0, 2 1, 1 2, 0 2, 0 0))'; : ";
 
-TEST(ProgramEngine, that_is_right_has_its_sum_read_in_any_format) {
+TEST(ProgramEngine, may_write_its_sum_in_any_format) {
   EXPECT_EQ(sum(std::string("exec:") + right), sum_of_both);
   EXPECT_EQ(sum("exec:printf '5 0 0 2 0 2 1 1 2 0 2\\n' #"), sum_of_both);
   EXPECT_EQ(
@@ -97,7 +97,7 @@ TEST(ProgramEngine, may_have_spaces_and_quotes_in_its_name) {
 }
 
 TEST(ProgramEngine, computes_open_sums_where_it_says_so) {
-  expect_no_sum(right, Kind::not_taken, "open", "closed sums only", patient, Boundary::open);
+  expect_no_sum(right, Kind::open_unsupported, "open", "closed sums only", patient, Boundary::open);
   const std::string both = "exec:test {boundary} = open && cat {p} || cat {q}";
   EXPECT_EQ(sum(both, triangle, square, Boundary::open), canonical_sum(triangle));
   EXPECT_EQ(sum(both), canonical_sum(square));
@@ -140,14 +140,14 @@ TEST(ProgramEngine, that_crashes_is_shrunk_to_the_same_crash_in_so_many_tries) {
   EXPECT_EQ(only_failure(script, large, 0).sum.pair, large);
 }
 
-TEST(ProgramEngine, that_says_nothing_or_garbage_or_half_an_answer_is_unreadable) {
+TEST(ProgramEngine, that_writes_nothing_or_garbage_or_half_a_sum_is_unreadable) {
   expect_no_sum("true", Kind::unreadable, "nothing", "wrote nothing");
   expect_no_sum("echo oops >&2 #", Kind::unreadable, "nothing", "wrote nothing");
-  expect_no_sum("echo garbage #", Kind::unreadable, "no sum", "its output:1:1: ");
-  expect_no_sum("printf 'POLYGON ((0 0, 2 0, 2' #", Kind::unreadable, "no sum",
+  expect_no_sum("echo garbage #", Kind::unreadable, "not a sum", "its output:1:1: ");
+  expect_no_sum("printf 'POLYGON ((0 0, 2 0, 2' #", Kind::unreadable, "not a sum",
                 "the end of the input");
-  expect_no_sum("printf '\\0\\377\\0' #", Kind::unreadable, "no sum", "its output:1:1");
-  expect_no_sum("echo 'POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))' #", Kind::unreadable, "no sum",
+  expect_no_sum("printf '\\0\\377\\0' #", Kind::unreadable, "not a sum", "its output:1:1");
+  expect_no_sum("echo 'POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))' #", Kind::unreadable, "not a sum",
                 "cross");
 }
 
@@ -159,7 +159,7 @@ TEST(ProgramEngine, that_writes_without_end_is_stopped) {
                 limits);
 }
 
-TEST(ProgramEngine, that_hangs_is_ended_with_its_children) {
+TEST(ProgramEngine, that_hangs_is_killed_with_its_children) {
   ProcessLimits limits = patient;
   limits.seconds = 0.2;
   expect_no_sum("exec sleep 100000 #", Kind::hung, "", "after 0.2 s", limits);
@@ -176,7 +176,7 @@ TEST(ProgramEngine, that_wants_more_memory_than_it_has_is_out_of_memory) {
                 "exit code 1", limits);
 }
 
-TEST(ProgramEngine, that_dies_has_crashed_and_says_where) {
+TEST(ProgramEngine, that_fails_has_crashed_at_a_site) {
   expect_no_sum("kill -SEGV $$ #", Kind::crashed, "SIGSEGV", "crashed: SIGSEGV");
   // The shell says of a program that it has run to its end by a signal: 128 and the signal.
   expect_no_sum("sh -c 'kill -FPE $$'; exit $? #", Kind::crashed, "SIGFPE", "SIGFPE");
@@ -188,10 +188,24 @@ TEST(ProgramEngine, that_dies_has_crashed_and_says_where) {
   expect_no_sum(std::string(right) + "; kill -SEGV $$ #", Kind::crashed, "SIGSEGV", "");
 }
 
-TEST(ProgramEngine, that_does_not_take_a_pair_says_so_by_its_exit_code) {
-  expect_no_sum("echo triangles only >&2; exit 77 #", Kind::not_taken, "triangles only",
-                "not taken: triangles only");
-  expect_no_sum("exit 77 #", Kind::not_taken, "", "does not say why");
+TEST(ProgramEngine, that_does_not_support_a_pair_says_so_by_its_exit_code) {
+  expect_no_sum("echo triangles only >&2; exit 77 #", Kind::refused, "triangles only",
+                "triangles only");
+  expect_no_sum("exit 77 #", Kind::refused, "", "it gives no reason");
+  // Also of open sums, if the program is asked for them.
+  expect_no_sum("echo {boundary} >&2; exit 77 #", Kind::refused, "open", "open", patient,
+                Boundary::open);
+}
+
+TEST(ProgramEngine, that_is_interrupted_is_killed) {
+  ProcessLimits limits = patient;
+  limits.is_interrupted = [] { return true; };
+  try {
+    sum("exec:sleep 100000 #", triangle, square, Boundary::closed, limits);
+    ADD_FAILURE() << "it returned";
+  } catch (const std::system_error& e) {
+    EXPECT_EQ(e.code(), std::errc::interrupted);
+  }
 }
 
 CorpusPair row(const std::string& name) {
@@ -211,7 +225,7 @@ TEST(Peers, compute_sums_of_the_corpus_they_are_known_to_compute) {
         EXPECT_EQ(sum(peer.name, pair.p, pair.q), pair.closed) << peer.name << ' ' << name;
         ++right_sums[peer.name];
       } catch (const NoSum& e) {
-        EXPECT_EQ(e.kind(), Kind::not_taken) << peer.name << ' ' << name << ": " << e.what();
+        EXPECT_EQ(e.kind(), Kind::refused) << peer.name << ' ' << name << ": " << e.what();
       }
     }
   }
@@ -246,24 +260,26 @@ TEST(Peers, are_as_wrong_as_the_findings_say) {
   }
 }
 
-TEST(Peers, do_not_take_what_they_have_no_interface_for) {
+TEST(Peers, support_what_they_have_an_interface_for) {
   const Region frame{{{{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, {{{2, 2}, {2, 7}, {7, 7}, {7, 2}}}}}};
-  const std::set<std::string> take_holes = {"cgal-reduced", "cgal-vertical", "cgal-triangulation",
-                                            "clipper", "boost-polygon"};
-  const auto is_taken = [](const Engine& peer, const Region& p, Boundary boundary) {
+  const std::set<std::string> support_holes = {"cgal-reduced", "cgal-vertical",
+                                               "cgal-triangulation", "clipper", "boost-polygon"};
+  const auto is_supported = [](const Engine& peer, const Region& p, Boundary boundary) {
     try {
       sum(peer.name, p, triangle, boundary);
       return true;
     } catch (const NoSum& e) {
-      EXPECT_EQ(e.kind(), Kind::not_taken) << peer.name << ": " << e.what();
+      EXPECT_EQ(name(e.kind()), boundary == Boundary::open ? "open unsupported" : "refused")
+          << peer.name << ": " << e.what();
       return false;
     }
   };
   for (const Engine& peer : peers()) {
-    EXPECT_TRUE(is_taken(peer, square, Boundary::closed)) << peer.name;
-    EXPECT_FALSE(is_taken(peer, square, Boundary::open)) << peer.name;
-    EXPECT_EQ(is_taken(peer, frame, Boundary::closed), take_holes.contains(peer.name)) << peer.name;
-    EXPECT_EQ(is_taken(peer, two, Boundary::closed), peer.name == "boost-polygon") << peer.name;
+    EXPECT_TRUE(is_supported(peer, square, Boundary::closed)) << peer.name;
+    EXPECT_FALSE(is_supported(peer, square, Boundary::open)) << peer.name;
+    EXPECT_EQ(is_supported(peer, frame, Boundary::closed), support_holes.contains(peer.name))
+        << peer.name;
+    EXPECT_EQ(is_supported(peer, two, Boundary::closed), peer.name == "boost-polygon") << peer.name;
   }
 }
 
@@ -276,16 +292,16 @@ TEST(Peers, of_cgal_are_right_where_a_chain_touches_the_inside_of_an_edge) {
     EXPECT_EQ(sum(peer, p, q), right_sum) << peer;
 }
 
-TEST(Peers, that_are_not_taken_are_skipped_visibly_and_never_agree) {
+TEST(Peers, that_refuse_a_pair_neither_pass_nor_fail) {
   const Rules full{.engines = {*engine_called("cgal-full", patient)}};
-  for (const JudgedSum& sum : judged({"", {two, square}}, full).sums)
-    EXPECT_EQ(sum.ruling, "not taken");
-  EXPECT_EQ(judged({"", {two, square}}, full).sums[0].why.find("not taken: takes one component"),
-            0U);
-  const std::vector<JudgedSum> taken = judged({"", {triangle, square}}, full).sums;
-  EXPECT_EQ(taken[0].ruling, "passed");
-  EXPECT_EQ(taken[1].ruling, "not taken");
-  EXPECT_EQ(taken[1].boundary, Boundary::open);
+  const std::vector<JudgedSum> refused = judged({"", {two, square}}, full).sums;
+  EXPECT_EQ(refused[0].ruling, "refused");
+  EXPECT_EQ(refused[0].why, "supports one component only");
+  EXPECT_EQ(refused[1].ruling, "open unsupported");
+  const std::vector<JudgedSum> supported = judged({"", {triangle, square}}, full).sums;
+  EXPECT_EQ(supported[0].ruling, "passed");
+  EXPECT_EQ(supported[1].ruling, "open unsupported");
+  EXPECT_EQ(supported[1].boundary, Boundary::open);
 }
 
 }  // namespace

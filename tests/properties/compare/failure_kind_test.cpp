@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace oplus {
 namespace {
 
@@ -16,7 +18,7 @@ std::string kind(const MinkowskiSum& right, const MinkowskiSum& given) {
   return found ? found->kind : "";
 }
 
-TEST(FailureKind, none_for_the_right_sum) { EXPECT_EQ(kind(frame, frame), ""); }
+TEST(FailureKind, is_empty_for_the_right_sum) { EXPECT_EQ(kind(frame, frame), ""); }
 
 TEST(FailureKind, holes) {
   EXPECT_EQ(kind(frame, {{square(0, 9)}, {}, {}, {}}), "hole lost");
@@ -47,19 +49,71 @@ TEST(FailureKind, area) {
             "other shape of equal area");
 }
 
-TEST(FailureKind, rounded_is_a_step_of_the_grid_and_moves_nothing_that_is_on_it) {
+TEST(FailureKind,
+     rounded_is_by_less_than_a_step_of_the_grid_or_a_millionth_of_the_largest_coordinate) {
   const MinkowskiSum right{
       {{{0, 0}, {9, 0}, {Rational(20, 3), Rational(20, 3)}, {0, 9}}}, {}, {}, {}};
-  const MinkowskiSum rounded{{{{0, 0}, {9, 0}, {7, 7}, {0, 9}}}, {}, {}, {}};
-  EXPECT_EQ(kind(right, rounded), "rounded");
-  const auto found = failure(right, rounded);
+  const auto with_vertex = [&](std::size_t i, const Point& p) {
+    MinkowskiSum given = right;
+    given.outer[0][2] = {7, 7};
+    given.outer[0][i] = p;
+    return given;
+  };
+  EXPECT_EQ(kind(right, with_vertex(2, {7, 7})), "rounded");
+  EXPECT_EQ(kind(right, with_vertex(2, {6, 7})), "rounded");
+  const auto found = failure(right, with_vertex(2, {7, 7}));
   EXPECT_GT(*found->squared_distance, 0);
   EXPECT_LE(*found->squared_distance, Rational(2, 9));
-  EXPECT_EQ(kind(right, {{{{0, 0}, {8, 0}, {7, 7}, {0, 9}}}, {}, {}, {}}), "area smaller");
-  // A millionth counts as rounding on any grid.
-  MinkowskiSum nearly = right;
-  nearly.outer[0][1].x += Rational(1, 1000000);
-  EXPECT_EQ(kind(right, nearly), "rounded");
+  EXPECT_EQ(kind(right, with_vertex(2, {8, 7})), "area larger");
+  EXPECT_EQ(kind(right, with_vertex(1, {8, 0})), "area smaller");
+  // On any grid.
+  const Rational millionth(9, 1000000);
+  EXPECT_EQ(kind(right, with_vertex(1, {9 + millionth, 0})), "rounded");
+  EXPECT_EQ(kind(right, with_vertex(1, {9 + millionth * 2, 0})), "area larger");
+}
+
+TEST(FailureKind, rounded_needs_the_same_vertices) {
+  const Chain notched{{0, 0}, {2, Rational(1, 2)}, {4, 0}, {4, 4}, {0, 4}};
+  const MinkowskiSum right{{notched}, {}, {}, {}}, hull{{square(0, 4)}, {}, {}, {}};
+  EXPECT_EQ(kind(right, hull), "area larger");
+  EXPECT_EQ(kind(hull, right), "area smaller");
+  MinkowskiSum thirds = right, rounded = right;
+  thirds.outer[0][1] = {2, Rational(1, 3)};
+  EXPECT_EQ(kind(thirds, rounded), "rounded");
+  // It starts at another vertex, and has one inside a straight line.
+  Chain& chain = rounded.outer[0];
+  std::rotate(chain.begin(), chain.begin() + 2, chain.end());
+  chain.insert(chain.begin() + 1, Point{4, 2});
+  EXPECT_EQ(kind(thirds, rounded), "rounded");
+}
+
+TEST(FailureKind, rounded_may_add_and_lose_vertices_that_are_nearly_inside_an_edge) {
+  const MinkowskiSum right{{square(0, 4)}, {}, {}, {}};
+  const auto bent = [&](const Rational& by) {
+    MinkowskiSum given = right;
+    given.outer[0].insert(given.outer[0].begin() + 1, Point{2, by});
+    return given;
+  };
+  // A millionth of 4.
+  const Rational most(4, 1000000);
+  EXPECT_EQ(kind(right, bent(most)), "rounded");
+  EXPECT_EQ(kind(bent(-most), right), "rounded");
+  EXPECT_EQ(kind(right, bent(most * 2)), "area smaller");
+  EXPECT_EQ(kind(bent(most * 2), right), "area larger");
+}
+
+TEST(FailureKind, rounded_holes_are_in_the_same_component) {
+  const auto sum = [](const Rational& left) {
+    return MinkowskiSum{{square(0, 9), square(10, 19)},
+                        {hole(3, 6), {{left, 13}, {left, 16}, {16, 16}, {16, 13}}},
+                        {},
+                        {}};
+  };
+  EXPECT_EQ(kind(sum(Rational(40, 3)), sum(13)), "rounded");
+  EXPECT_EQ(kind(sum(Rational(40, 3)), sum(12)), "area smaller");
+  MinkowskiSum one_hole = sum(13);
+  one_hole.holes.pop_back();
+  EXPECT_EQ(kind(sum(Rational(40, 3)), one_hole), "hole lost");
 }
 
 TEST(FailureKind, low_dimensional_features) {
@@ -76,7 +130,7 @@ TEST(FailureKind, low_dimensional_features) {
   EXPECT_EQ(kind(given, right), "isolated vertex invented");
 }
 
-TEST(FailureKind, chains_that_are_no_boundary) {
+TEST(FailureKind, chains_that_are_not_a_boundary) {
   EXPECT_EQ(kind(frame, {{{{0, 0}, {1, 0}}}, {}, {}, {}}), "not simple");
   EXPECT_EQ(kind(frame, {{{}}, {}, {}, {}}), "not simple");
   EXPECT_EQ(kind(frame, {{{{0, 0}, {1, 0}, {2, 0}}}, {}, {}, {}}), "not simple");
@@ -87,7 +141,7 @@ TEST(FailureKind, chains_that_are_no_boundary) {
   EXPECT_EQ(kind(frame, {{square(0, 9)}, {square(3, 6)}, {}, {}}), "orientation");
 }
 
-TEST(FailureKind, the_same_points_written_otherwise) {
+TEST(FailureKind, the_same_points_in_another_form) {
   MinkowskiSum given = frame;
   given.outer[0].insert(given.outer[0].begin() + 1, Point{5, 0});
   EXPECT_EQ(kind(frame, given), "not canonical");

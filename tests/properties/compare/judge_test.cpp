@@ -28,7 +28,7 @@ const Engine without_isolated_vertices =
 const Engine throwing =
     changed([](MinkowskiSum&) { throw std::runtime_error("no luck, 13 times"); });
 
-TEST(Judge, agrees_with_what_is_right_and_says_what_it_saw) {
+TEST(Judge, passes_the_right_sums_and_classifies_the_pair) {
   const JudgedPair result = judged(frame_and_square, {.engines = {right}});
   ASSERT_EQ(result.sums.size(), 2U);
   for (const JudgedSum& sum : result.sums) EXPECT_EQ(sum.ruling, "passed");
@@ -55,7 +55,7 @@ TEST(Judge, sees_a_lost_isolated_vertex_in_the_open_sum_only) {
   EXPECT_EQ(result.sums[1].wrong.value().failure.witness, (Point{3, 3}));
 }
 
-TEST(Judge, takes_an_exception_for_a_crash_of_its_own_kind) {
+TEST(Judge, an_exception_is_a_crash_with_its_message_as_site) {
   const JudgedPair result = judged(frame_and_square, {.engines = {throwing}});
   EXPECT_EQ(result.sums[0].ruling, "crashed");
   const WrongSum& wrong = result.sums[0].wrong.value();

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <system_error>
+
 #include "properties/compare/report_json.hpp"
 #include "properties/compare/report_text.hpp"
 #include "properties/compare/sources.hpp"
@@ -81,7 +84,7 @@ TEST(Conformance, slide_conforms_in_every_part) {
   EXPECT_EQ(report.done, report.pairs);
 }
 
-TEST(Conformance, tells_what_is_lost_apart_and_counts_them) {
+TEST(Conformance, distinguishes_what_is_lost_and_counts) {
   // Where a component is in the hole, it and the one around become one.
   expect_only("hole lost", "families", changed([](MinkowskiSum& sum) { sum.holes.clear(); }),
               "components joined");
@@ -91,7 +94,7 @@ TEST(Conformance, tells_what_is_lost_apart_and_counts_them) {
               changed([](MinkowskiSum& sum) { sum.isolated_vertices.clear(); }));
 }
 
-TEST(Conformance, tells_kinds_of_wrong_boundaries_apart_and_counts_them) {
+TEST(Conformance, distinguishes_wrong_boundaries_and_counts) {
   expect_only("isolated vertex invented", "grids", changed([](MinkowskiSum& sum) {
                 sum.isolated_vertices.push_back(apart_from(sum)[0]);
               }));
@@ -136,7 +139,7 @@ TEST(Conformance, sees_one_vertex_too_far_out_and_all_of_them_rounded) {
               }));
 }
 
-TEST(Conformance, what_is_no_sum_is_a_kind_with_its_site) {
+TEST(Conformance, a_missing_sum_is_a_kind_with_its_site) {
   expect_only("crashed: exception: bad luck,  times", "grids",
               changed([](MinkowskiSum&) { throw std::runtime_error("bad luck, 13 times"); }));
   const auto failing = [](NoSum::Kind kind) {
@@ -165,20 +168,29 @@ TEST(Conformance, crashes_at_different_sites_are_different_kinds) {
   EXPECT_EQ(vertex_count(shrunk_pair(report, "crashed: b.hpp").q), 4U);
 }
 
-TEST(Conformance, what_is_not_taken_is_counted_and_no_fault) {
+TEST(Conformance, unsupported_open_sums_and_refusals_are_counted_apart_and_no_faults) {
   const Engine closed_only =
-      faulty("closed only", [](MinkowskiSum&, const Summands&, Boundary boundary) {
-        if (boundary == Boundary::open) throw NoSum(NoSum::Kind::not_taken, "", "no open sums");
+      faulty("closed only", [](MinkowskiSum&, const Summands& pair, Boundary boundary) {
+        if (boundary == Boundary::open)
+          throw NoSum(NoSum::Kind::open_unsupported, "", "no open sums");
+        if (vertex_count(pair.p) == 4) throw NoSum(NoSum::Kind::refused, "", "no squares");
       });
   const CampaignReport report = SmallRun{.parts = {}, .cases = 2}.of(closed_only);
   const Tally all = report.all();
   EXPECT_TRUE(report.conforms());
-  EXPECT_EQ(all.count("passed") + all.count("not taken") + all.count("skipped"), 2 * all.pairs);
+  EXPECT_EQ(all.count("passed") + all.count("open unsupported") + all.count("refused") +
+                all.count("skipped"),
+            2 * all.pairs);
   EXPECT_GT(all.count("passed"), 0U);
-  EXPECT_GE(all.count("not taken"), all.pairs - all.count("skipped"));
+  EXPECT_GT(all.count("refused"), 0U);
+  EXPECT_GE(all.count("open unsupported"), all.pairs - all.count("skipped"));
+  EXPECT_EQ(all.open_unsupported,
+            (std::map<std::string, std::size_t>{{"closed only", all.count("open unsupported")}}));
+  EXPECT_EQ(all.refused, (std::map<std::string, std::size_t>{
+                             {"closed only, closed: no squares", all.count("refused")}}));
 }
 
-TEST(Conformance, laws_find_what_pairs_do_not_and_blame_the_sum_that_is_wrong) {
+TEST(Conformance, laws_find_more_and_blame_the_sum_that_is_wrong) {
   const Rational far(mpz_class(1) << 300);
   const Engine careless =
       faulty("careless", [&](MinkowskiSum& sum, const Summands& pair, Boundary) {
@@ -241,18 +253,61 @@ TEST(RunCampaign, goes_on_where_it_was_interrupted) {
   const CampaignReport whole = run_campaign(begun(grid), {grid}, right, 2);
   EXPECT_EQ(whole.all().ran, 600U);
   std::string kept;
+  std::size_t judged_pairs = 0;
   RunWatch watch;
-  watch.is_enough = [&](const CampaignReport& now) {
-    kept = sealed(now);
-    return true;
-  };
+  watch.keep = [&](const CampaignReport& now) { kept = sealed(now); };
+  watch.after_pair = [&] { ++judged_pairs; };
+  watch.is_interrupted = [&] { return judged_pairs >= 300; };
   const CampaignReport some = run_campaign(begun(grid), {grid}, right, 1, watch);
-  EXPECT_GT(some.done, 0U);
-  EXPECT_LT(some.done, some.pairs);
+  EXPECT_EQ(some.done, 300U);
+  EXPECT_EQ(some.all().pairs, 300U);
+  EXPECT_TRUE(some.is_interrupted());
+  EXPECT_EQ(some.verdict(), "conforms, interrupted after 300 of 600 pairs");
   EXPECT_FALSE(some.digest == whole.digest);
   const CampaignReport read = opened(kept, "state.json");
   EXPECT_EQ(sealed(read), sealed(some));
   EXPECT_EQ(sealed(run_campaign(read, {grid}, right, 1)), sealed(whole));
+}
+
+TEST(RunCampaign, interrupted_with_threads_has_the_first_pairs) {
+  const TaskSource grid = grid_source(3, 4, 600);
+  std::atomic<bool> is_interrupted = false;
+  std::atomic<std::size_t> asked = 0;
+  // The fifth sum is interrupted, and no other.
+  const Engine engine = named_engine("right", [&](const Region& p, const Region& q, Boundary b) {
+    if (++asked == 5) {
+      is_interrupted = true;
+      throw std::system_error(std::make_error_code(std::errc::interrupted));
+    }
+    return oracle_sum(p, q, b);
+  });
+  RunWatch watch;
+  watch.is_interrupted = [&] { return is_interrupted.load(); };
+  const CampaignReport some = run_campaign(begun(grid), {grid}, {.engines = {engine}}, 4, watch);
+  EXPECT_LE(some.done, 5U);
+  EXPECT_TRUE(some.is_interrupted());
+  const CampaignReport read = opened(sealed(some), "state.json");
+  EXPECT_EQ(sealed(run_campaign(read, {grid}, right, 2)),
+            sealed(run_campaign(begun(grid), {grid}, right, 2)));
+}
+
+TEST(RunCampaign, interrupted_while_shrinking_keeps_the_smallest_pair_so_far) {
+  const TaskSource grid = grid_source(3, 4, 200);
+  const Rules faulty{.engines = {changed([](MinkowskiSum& sum) { sum.outer.clear(); })}};
+  std::vector<std::size_t> tries;
+  RunWatch watch;
+  watch.while_shrinking = [&](const ShrunkFailure& found) { tries.push_back(found.tries); };
+  watch.is_interrupted = [&] { return tries.size() >= 8; };
+  const CampaignReport report = run_campaign(begun(grid), {grid}, faulty, 2, watch);
+  EXPECT_EQ(report.done, report.pairs);
+  EXPECT_TRUE(report.is_interrupted());
+  EXPECT_EQ(report.verdict(), "does not conform, interrupted while shrinking");
+  const ShrunkFailure& found = report.counterexamples.begin()->second;
+  EXPECT_FALSE(found.is_shrunk);
+  EXPECT_TRUE(found.is_repeatable);
+  EXPECT_EQ(found.tries, 8U);
+  // Before each try, and at the end.
+  EXPECT_EQ(tries, (std::vector<std::size_t>{0, 1, 2, 3, 4, 5, 6, 7, 8}));
 }
 
 TEST(RunCampaign, keeps_the_smallest_of_as_many_kinds_as_are_wanted) {

@@ -32,13 +32,13 @@ TEST_F(FuzzCommand, lists_its_targets) {
     EXPECT_NE(("\n" + ran.out).find("\n" + target + " "), std::string::npos) << target;
 }
 
-TEST_F(FuzzCommand, tells_what_a_run_did) {
+TEST_F(FuzzCommand, reports_a_run) {
   const Ran ran = fuzz_dat(good, "--runs 9");
   EXPECT_EQ(ran.exit_code, 0) << ran.err;
   EXPECT_EQ(ran.out, "dat      9 runs, 77 edges, 4 inputs reached, 5 rejected; no finding\n");
 }
 
-TEST_F(FuzzCommand, gives_the_program_what_was_asked_for) {
+TEST_F(FuzzCommand, passes_its_options_to_the_program) {
   const Ran ran = fuzz_dat("echo \"$@\"", "--seconds 7 --seed 3 --corpus kept --out found");
   EXPECT_EQ(ran.exit_code, 0) << ran.err;
   const std::string log = content("found/dat.log");
@@ -61,7 +61,7 @@ TEST_F(FuzzCommand, says_how_to_build_what_is_missing) {
   EXPECT_NE(ran.err.find("cmake --preset fuzz && cmake --build --preset fuzz"), std::string::npos);
 }
 
-TEST_F(FuzzCommand, shows_an_input_as_the_pair_it_is) {
+TEST_F(FuzzCommand, shows_the_pair_of_an_input) {
   put("p.wkt", "POLYGON ((0 0, 4 0, 0 4, 0 0))");
   put("q.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 0))");
   const Ran ran =
@@ -73,7 +73,7 @@ TEST_F(FuzzCommand, shows_an_input_as_the_pair_it_is) {
   EXPECT_EQ(run("ls shown/*-p.dat shown/*-q.dat").exit_code, 0);
 }
 
-TEST_F(FuzzCommand, refuses_a_pair_that_is_no_input) {
+TEST_F(FuzzCommand, refuses_a_pair_that_cannot_be_an_input) {
   put("p.wkt", "POLYGON ((0 0, 400 0, 0 4, 0 0))");
   const Ran ran = run("oplus-maintain fuzz --encode p.wkt p.wkt input");
   EXPECT_EQ(ran.exit_code, 2);

@@ -58,7 +58,7 @@ TEST(FuzzReport, reads_a_finding_of_a_sanitizer_and_a_timeout) {
             "timeout after 120 seconds");
 }
 
-TEST(FuzzReport, takes_no_word_for_a_run_that_broke_off) {
+TEST(FuzzReport, a_run_that_stopped_early_is_a_finding) {
   EXPECT_EQ(report_of("dat", well, false).finding, "the program did not run to its end");
   EXPECT_EQ(report_of("dat", "", false).finding, "the program did not run to its end");
 }

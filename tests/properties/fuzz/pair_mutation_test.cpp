@@ -55,7 +55,7 @@ Seen walk(std::uint64_t seed, int cases) {
 }
 
 /// And on both sides of the limits of slide's stages of numbers, and just there.
-TEST(PairMutation, stays_valid_and_is_rich) {
+TEST(PairMutation, stays_valid_and_has_all_degeneracies) {
   const Seen seen = walk(6, 600);
   EXPECT_GE(seen.as_planned * 100, seen.cases * 99) << "of " << seen.cases;
   EXPECT_GT(seen.holes, seen.cases / 4);

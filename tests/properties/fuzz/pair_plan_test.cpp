@@ -58,7 +58,7 @@ TEST(PairPlan, of_a_pair_is_realized_as_that_pair) {
   EXPECT_TRUE(again->summands == pair);
 }
 
-TEST(PairPlan, holds_small_integers_only) {
+TEST(PairPlan, is_of_small_integers_only) {
   const Region triangle = polygon({{0, 0}, {1, 0}, {0, 1}});
   EXPECT_TRUE(plan_of(Summands{triangle, triangle}));
   EXPECT_FALSE(plan_of(Summands{triangle, polygon({{0, 0}, {128, 0}, {0, 1}})}));

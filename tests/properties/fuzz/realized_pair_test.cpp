@@ -22,7 +22,7 @@ PairPlan plan_with(std::vector<PlannedChain> of_p) {
   return plan;
 }
 
-TEST(RealizedPair, turns_chains_as_they_should_be) {
+TEST(RealizedPair, orients_chains) {
   const auto pair = realized(plan_with(
       {chain(false, {{0, 0}, {0, 8}, {8, 8}, {8, 0}}), chain(true, {{2, 2}, {4, 2}, {2, 4}})}));
   ASSERT_TRUE(pair);
@@ -74,7 +74,7 @@ TEST(RealizedPair, is_as_large_as_its_magnitude) {
 
 /// Whatever the bytes, what is realized is valid; of plans with up to twelve bytes changed, half are
 /// realized.
-TEST(RealizedPair, is_valid_or_none_whatever_the_bytes) {
+TEST(RealizedPair, is_valid_or_nullopt_whatever_the_bytes) {
   Random random(5);
   int valid = 0;
   constexpr int cases = 300;

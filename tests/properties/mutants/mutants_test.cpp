@@ -20,7 +20,7 @@ TEST(Mutants, SayWhatGoesWrong) {
 }
 
 /// A build without the faults cannot run this on real ones; whether the list is complete it can.
-TEST(Mutants, NoneRunIsNoSuccess) {
+TEST(Mutants, FailsWhereNoneIsRun) {
   std::ostringstream out;
   EXPECT_FALSE(run_mutants({}, {}, 5, 1, out));
   EXPECT_FALSE(run_mutants({}, {{"unnamed", "is named by no statement", ""}}, 5, 1, out));
@@ -42,11 +42,11 @@ Statement enumerated_with(const std::string& failure_with, const std::string& fa
 
 TEST(Mutants, AreKilledByAnEnumerationThatHoldsWithoutThem) {
   const std::vector<Mutant> fault = {{"some-fault", "something is wrong", ""}};
-  std::ostringstream killed, alive, broken;
+  std::ostringstream killed, survived, broken;
   EXPECT_TRUE(run_mutants({enumerated_with("case 3", "")}, fault, std::nullopt, 1, killed));
   EXPECT_NE(killed.str().find("killed by the enumeration: case 3"), std::string::npos);
-  EXPECT_FALSE(run_mutants({enumerated_with("", "")}, fault, std::nullopt, 1, alive));
-  EXPECT_NE(alive.str().find("ALIVE"), std::string::npos);
+  EXPECT_FALSE(run_mutants({enumerated_with("", "")}, fault, std::nullopt, 1, survived));
+  EXPECT_NE(survived.str().find("SURVIVED"), std::string::npos);
   EXPECT_FALSE(run_mutants({enumerated_with("case 3", "case 4")}, fault, std::nullopt, 1, broken));
   EXPECT_NE(broken.str().find("fails without the fault too: case 4"), std::string::npos);
 }

@@ -41,7 +41,7 @@ void expect_ends(std::string process) {
   while (is_running(process)) std::this_thread::yield();
 }
 
-TEST(RunProgram, what_it_writes_and_its_exit_code_come_back) {
+TEST(RunProgram, returns_the_output_and_the_exit_code) {
   const EndedProcess ended = run_in_shell("echo first; echo why >&2; echo second; exit 3");
   EXPECT_EQ(ended.how, How::exited);
   EXPECT_EQ(ended.code, 3);
@@ -58,19 +58,19 @@ TEST(RunProgram, arguments_arrive_as_they_are) {
             argument);
 }
 
-TEST(RunProgram, a_signal_is_told_from_an_exit_code) {
+TEST(RunProgram, a_signal_is_distinguished_from_an_exit_code) {
   const EndedProcess ended = run_in_shell("kill -SEGV $$");
   EXPECT_EQ(ended.how, How::killed_by_signal);
   EXPECT_EQ(ended.code, SIGSEGV);
 }
 
-TEST(RunProgram, is_ended_where_it_takes_too_long_with_all_that_it_started) {
+TEST(RunProgram, is_killed_at_the_time_limit_with_its_children) {
   const EndedProcess ended = run_in_shell("sleep 100000 & echo $!; exec sleep 100000", quiet(0.3));
   EXPECT_EQ(ended.how, How::over_time);
   expect_ends(ended.output);
 }
 
-TEST(RunProgram, has_ended_when_what_it_left_behind_has_not) {
+TEST(RunProgram, has_ended_even_if_its_children_have_not) {
   const EndedProcess ended = run_in_shell("sleep 100000 & echo $!");
   EXPECT_EQ(ended.how, How::exited);
   EXPECT_EQ(ended.code, 0);
@@ -85,7 +85,7 @@ TEST(RunProgram, each_line_may_start_the_clock_anew) {
   EXPECT_EQ(ended.output, "begun\n");
 }
 
-TEST(RunProgram, is_ended_where_it_writes_too_much) {
+TEST(RunProgram, is_killed_where_it_writes_too_much) {
   ProcessLimits limits = quiet();
   limits.output_mb = 2;
   const EndedProcess ended = run_in_shell("exec cat /dev/zero", limits);
@@ -111,7 +111,7 @@ TEST(RunProgram, gets_no_more_address_space_than_the_limit) {
   EXPECT_NE(ended.errors, "");
 }
 
-TEST(RunProgram, one_that_is_not_there_cannot_be_started) {
+TEST(RunProgram, a_missing_program_cannot_be_started) {
   EXPECT_THROW(run_program({"/not/there"}, quiet()), std::system_error);
 }
 
@@ -127,7 +127,7 @@ TEST(RunProgram, many_threads_run_programs_at_a_time) {
   EXPECT_EQ(wrong, (std::array<int, 4>{}));
 }
 
-TEST(OwnPeak, is_at_least_what_it_has) {
+TEST(OwnPeak, is_at_least_the_current_size) {
   EXPECT_GT(own_peak_mb(), 0);
   const std::vector<char> resident(100'000'000, 'x');
   EXPECT_GE(own_peak_mb(), static_cast<double>(resident.size()) / 1e6);

@@ -35,7 +35,7 @@ TEST(ComparedHoleTests, agree) {
   EXPECT_FALSE(same.interiors_meet_at({1, 0}));
 }
 
-TEST(ComparedHoleTests, say_who_differs_and_where) {
+TEST(ComparedHoleTests, say_which_differ_and_where) {
   ComparedHoleTests on_faces(four(false, false));
   EXPECT_FALSE(on_faces.interiors_meet_at({0, 0}));
   try {
@@ -50,7 +50,7 @@ TEST(ComparedHoleTests, say_who_differs_and_where) {
   EXPECT_THROW(on_points.interiors_meet_at({0, 0}), HoleTestsDiffer);
 }
 
-TEST(ComparedHoleTests, are_all_there_are) {
+TEST(ComparedHoleTests, are_all_hole_tests) {
   const Region frame{{{box(0, 0, 9, 9), {backwards(box(1, 1, 8, 8))}}}};
   const Region square = polygon(box(0, 0, 1, 1));
   ComparedHoleTests all(frame, square);

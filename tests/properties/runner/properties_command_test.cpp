@@ -63,7 +63,7 @@ TEST_F(PropertiesCommand, WritesTheShrunkPairAndALineThatReplaysIt) {
   EXPECT_TRUE(again.str().ends_with("0 passed, 1 failed\n")) << again.str();
 }
 
-TEST_F(PropertiesCommand, FindingsComeBackAsTheyWere) {
+TEST_F(PropertiesCommand, FindingsAreReadAsTheyWereWritten) {
   const Family* components = find_family("components");
   ASSERT_NE(components, nullptr);
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
@@ -130,7 +130,7 @@ TEST_F(PropertiesCommand, AStatementThatIsOnlyEnumeratedDoesNotApplyToAPair) {
   EXPECT_TRUE(out.str().ends_with("1 do not apply to this pair\n0 passed, 0 failed\n"));
 }
 
-TEST_F(PropertiesCommand, APairToWhichNothingAppliesIsNoSuccess) {
+TEST_F(PropertiesCommand, FailsWhereNoStatementAppliesToThePair) {
   Statement s = triangles_only();
   s.check = [](const Summands&) { return Outcome{Outcome::Kind::discarded, "not a pair", {}}; };
   std::ostringstream out;
@@ -167,14 +167,7 @@ TEST_F(PropertiesCommand, ProgramTriesAPairFromFiles) {
   EXPECT_EQ(oplus_check("properties --cases 5" + pair).first, 2);
 }
 
-TEST_F(PropertiesCommand, ProgramListsTheIdsWhereOneIsUnknown) {
-  const auto [code, text] = oplus_check("properties --theorem lemma-0.0.0");
-  EXPECT_EQ(code, 2);
-  for (const Statement& s : statements())
-    EXPECT_NE(text.find(s.id), std::string::npos) << s.id << " is not in: " << text;
-}
-
-TEST_F(PropertiesCommand, ProgramRefusesRequestsThatMakeNoSense) {
+TEST_F(PropertiesCommand, ProgramRefusesInvalidUsage) {
   EXPECT_EQ(oplus_check("").first, 2);
   EXPECT_EQ(oplus_check("properties --cases 0").first, 2);
   EXPECT_EQ(oplus_check("properties --cases many").first, 2);
@@ -185,7 +178,7 @@ TEST_F(PropertiesCommand, ProgramRefusesRequestsThatMakeNoSense) {
 }
 
 /// RC_PARAMS lets RapidCheck skip a run, cut it short, draw other cases or replay a stale failure.
-TEST_F(PropertiesCommand, ProgramRunsTheSameWhateverTheEnvironmentTellsRapidCheck) {
+TEST_F(PropertiesCommand, ProgramIgnoresTheEnvironmentVariablesOfRapidCheck) {
   const std::string run = "properties --theorem fact-convolution-size --cases 60";
   const auto [code, text] = oplus_check(run);
   EXPECT_EQ(code, 0);
@@ -211,7 +204,7 @@ TEST_F(PropertiesCommand, ProgramUnderstandsTheLineThatReplays) {
 }
 
 /// A pair from an earlier run, changed since: not tried, and no success.
-TEST_F(PropertiesCommand, ProgramRefusesAFindingThatIsNoRegion) {
+TEST_F(PropertiesCommand, ProgramRefusesAPairThatIsInvalid) {
   const Finding finding = write_finding(folder_, "pair", generate(*find_family("grid"), 5, 1));
   std::ofstream(finding.q) << "1\n4\n0 0\n1 1\n1 0\n0 1\n";
   const auto [code, text] = oplus_check("properties --theorem lemma-4.1.4 --pair " +
@@ -232,6 +225,24 @@ TEST_F(PropertiesCommand, ProgramListsStatements) {
   const auto [entry_code, entry] = oplus_check("theorems theorem-2.3.2");
   EXPECT_EQ(entry_code, 0);
   EXPECT_NE(entry.find("reflex"), std::string::npos) << entry;
+  const auto [proved_code, proved] = oplus_check("theorems lemma-4.1.4");
+  EXPECT_EQ(proved_code, 0);
+  for (const char* part : {"\nBacked by: machine-checked, ", "; sampled, ", " pairs\n",
+                           "\nPage: docs/theorems/lemma-4.1.4.md\n"})
+    EXPECT_NE(proved.find(part), std::string::npos) << part << " in " << proved;
+}
+
+TEST_F(PropertiesCommand, ProgramSuggestsTheNearestStatement) {
+  for (const std::string command : {"theorems", "properties --theorem"}) {
+    const auto [code, text] = oplus_check(command + " lema-4.1.4");
+    EXPECT_EQ(code, 2);
+    EXPECT_EQ(text,
+              "oplus-check: unknown statement 'lema-4.1.4'; did you mean lemma-4.1.4? 'oplus-check "
+              "theorems' lists all\n");
+  }
+  const auto [code, text] = oplus_check("theorems gravity");
+  EXPECT_EQ(code, 2);
+  EXPECT_EQ(text, "oplus-check: unknown statement 'gravity'; 'oplus-check theorems' lists all\n");
 }
 
 #ifndef OPLUS_MUTANTS

@@ -78,7 +78,7 @@ TEST(PropertyRun, FailsOnAMissedShareOnly) {
   EXPECT_NE(run.complaints[0].find("several components"), std::string::npos);
 }
 
-TEST(PropertyRun, SaysWhereTooFewCasesJudgeNoShare) {
+TEST(PropertyRun, SaysThatTooFewCasesRanToJudgeShares) {
   Statement s = that_always(Outcome::Kind::holds);
   s.promises = {{"several components", 90}};
   const PropertyRun run = run_property(s, options(cases_to_judge_shares - 1));
@@ -112,7 +112,7 @@ TEST(PropertyRun, KeepsTheFirstFailureWhereShrinkingIsOff) {
   EXPECT_EQ(run.run, 1U);
 }
 
-TEST(PropertyRun, TakesAnExceptionForAFailure) {
+TEST(PropertyRun, FailsOnAnException) {
   const PropertyRun run = run_property(
       statement_that([](const Summands&) -> Outcome { throw std::logic_error("broken inside"); }),
       options(10));
@@ -160,7 +160,7 @@ TEST(PropertyRun, FailsOnAnEmptyEnumeration) {
   EXPECT_EQ(run.complaints, std::vector<std::string>{"enumeration: no case was enumerated"});
 }
 
-TEST(PropertyRun, TakesAnExceptionInAnEnumerationForAFailure) {
+TEST(PropertyRun, FailsOnAnExceptionInAnEnumeration) {
   Statement s = enumerated_as({});
   s.enumerate = []() -> Enumeration { throw std::logic_error("broken inside"); };
   EXPECT_EQ(run_property(s, options(20)).complaints,

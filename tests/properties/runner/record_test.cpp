@@ -91,7 +91,7 @@ TEST(RecordedKills, SurviveJson) {
   EXPECT_EQ(to_json(read, {"a defect"}), text);
 }
 
-TEST(RecordedKills, LeaveOutWhereABrokenContractStands) {
+TEST(RecordedKills, LeaveOutTheLineOfABrokenContract) {
   const auto why_read_back = [](const std::string& why) {
     return kills_of_json(to_json({Kill{"m", "s", true, false, 1, why}}, {}), "k")[0].why;
   };
@@ -100,7 +100,7 @@ TEST(RecordedKills, LeaveOutWhereABrokenContractStands) {
   EXPECT_EQ(why_read_back("the points at (1, 2) differ"), "the points at (1, 2) differ");
 }
 
-TEST(Records, RefuseWhatIsNone) {
+TEST(Records, RefuseInvalidText) {
   for (const char* text : {"", "[", "[]", "{\"statements\": [{}], \"kills\": [{}]}", "{}x",
                            "{\"statements\": [{\"statement\": 3}]}"}) {
     EXPECT_THROW(runs_of_json(text, "runs.json"), InvalidInput) << text;

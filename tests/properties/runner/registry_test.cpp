@@ -35,7 +35,7 @@ TEST(Registry, HasNoDefects) {
   EXPECT_EQ(defects_of_files(statements(), source_root()), Defects{});
 }
 
-TEST(Registry, HoldsTheFirstStatementsInTheOrderOfTheirNumbers) {
+TEST(Registry, ListsStatementsInTheOrderOfTheirNumbers) {
   std::vector<std::string> ids;
   for (const Statement& s : statements()) ids.push_back(s.id);
   const std::vector<std::string> first = {"theorem-2.2.10", "theorem-2.3.2", "lemma-4.1.4",
@@ -47,7 +47,7 @@ TEST(Registry, HoldsTheFirstStatementsInTheOrderOfTheirNumbers) {
   }
 }
 
-TEST(Registry, KnowsTheFileThatHoldsAStatement) {
+TEST(Registry, KnowsTheFileOfAStatement) {
   EXPECT_EQ(relative_file(Statement{}), "tests/properties/runner/registry_test.cpp");
 }
 

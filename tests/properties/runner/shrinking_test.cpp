@@ -59,7 +59,7 @@ TEST(Smaller, every_candidate_is_valid_and_smaller_in_every_family) {
 }
 
 // Whatever fails, a way down is one of these: each step valid and smaller, and there is an end.
-TEST(Smaller, every_way_down_stays_valid_and_ends_in_two_triangles) {
+TEST(Smaller, every_sequence_stays_valid_and_ends_in_two_triangles) {
   for (const Family& family : families()) {
     Random random(7);
     Summands at = generate(family, family.smallest, 7);
@@ -101,7 +101,7 @@ TEST(Smaller, is_empty_for_the_least_pair) {
   EXPECT_TRUE(smaller({least, least}).empty());
 }
 
-TEST(Smaller, takes_an_empty_summand_as_it_is) {
+TEST(Smaller, leaves_an_empty_summand_unchanged) {
   const Region triangle = polygon({{0, 0}, {7, 0}, {0, 7}});
   for (const Summands& candidate : smaller({Region{}, triangle}))
     EXPECT_TRUE(candidate.p.components.empty());

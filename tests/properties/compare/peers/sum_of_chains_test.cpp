@@ -37,14 +37,14 @@ TEST(SumOfChains, may_touch_themselves_and_each_other_in_points) {
       sum_of_chains({square, {{2, 0}, {1, 1}, {2, 2}, {3, 1}}}));
 }
 
-TEST(SumOfChains, of_too_few_vertices_bound_no_region) {
+TEST(SumOfChains, of_too_few_vertices_are_unreadable) {
   EXPECT_EQ(defect_of({{}}), "a chain of 0 vertices");
   EXPECT_EQ(defect_of({square, {{1, 1}, {2, 2}}}), "a chain of 2 vertices");
   EXPECT_EQ(defect_of({{{0, 0}, {4, 0}, {4, 0}, {0, 4}}}), "an edge of length zero");
   EXPECT_EQ(defect_of({{{0, 0}, {4, 0}, {0, 4}, {0, 0}}}), "an edge of length zero");
 }
 
-TEST(SumOfChains, that_overlap_bound_no_region) {
+TEST(SumOfChains, that_overlap_are_unreadable) {
   EXPECT_EQ(defect_of({{{0, 0}, {4, 0}, {4, 4}, {4, 6}, {4, 4}, {0, 4}}}),
             "an edge goes back along another");
   EXPECT_EQ(defect_of({{{0, 0}, {1, 1}, {2, 2}}}), "an edge goes back along another");
@@ -53,14 +53,14 @@ TEST(SumOfChains, that_overlap_bound_no_region) {
             "an edge goes back along another");
 }
 
-TEST(SumOfChains, that_cross_bound_no_region) {
+TEST(SumOfChains, that_cross_are_unreadable) {
   EXPECT_EQ(defect_of({{{0, 0}, {4, 4}, {4, 0}, {0, 4}}}), "edges cross");
   // Through vertices only.
   EXPECT_EQ(defect_of({square, {{0, 0}, {6, -2}, {6, 6}}}),
             "winding number 2 to the left of an edge");
 }
 
-TEST(SumOfChains, with_the_sum_on_the_wrong_side_bound_no_region) {
+TEST(SumOfChains, with_the_sum_on_the_wrong_side_are_unreadable) {
   const Chain hole{{1, 1}, {1, 2}, {2, 2}};
   const Chain island{{1, 1}, {2, 2}, {1, 2}};
   EXPECT_EQ(defect_of({square, hole}), "none");
