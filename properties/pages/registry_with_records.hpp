@@ -20,11 +20,13 @@ struct Registry {
   std::vector<Kill> kills;
   std::vector<ProvedTheorem> theorems = {};
   std::vector<AnsweredQuery> queries = {};
+  std::map<std::string, std::vector<std::string>> citing = {};  ///< as `citing_pages`
+  std::vector<std::string> findings = {};                       ///< headings of docs/findings.md
 };
 
 /// Where records are.
 struct RecordFolders {
-  std::filesystem::path docs;    ///< theorems/runs.json and kills.json below it
+  std::filesystem::path docs;    ///< theorems/runs.json and kills.json; pages that cite statements
   std::filesystem::path proofs;  ///< theorems.json
   std::filesystem::path smt;     ///< results.json
 };
@@ -33,7 +35,8 @@ struct RecordFolders {
 Registry registry_with_records(const RecordFolders& folders);
 
 /// What is missing in the records or no longer true of the registry, a line each: a statement without
-/// a run that passed, a mutant that a statement names without a kill, a record, theorem or query of no statement.
+/// a run that passed, a mutant that a statement names without a kill, a record, theorem or query of an
+/// unknown statement, a section of docs/findings.md that a statement names and that does not exist.
 std::vector<std::string> defects_of_records(const Registry& registry);
 
 }  // namespace oplus

@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <boost/algorithm/string/replace.hpp>
+#include <optional>
 #include <set>
 
 #include "checked/arrangement/rca.hpp"
+#include "properties/pages/links.hpp"
 #include "properties/pages/strength.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/definitions/convolution.hpp"
+#include "reference/io/writing.hpp"
 #include "reference/pictures/styles.hpp"
 
 namespace oplus {
@@ -27,6 +30,16 @@ std::string list_of_statements(const std::vector<std::string>& ids, const std::s
   std::string list;
   for (const std::string& id : ids) list += (list.empty() ? "" : ", ") + link(id, id + ".md");
   return list.empty() ? none : list;
+}
+
+/// A line with links to the algorithms' pages that cite the statement; empty where none does.
+std::string citations(const Registry& registry, const std::string& id) {
+  const auto found = registry.citing.find(id);
+  if (found == registry.citing.end()) return {};
+  std::string list;
+  for (const std::string& page : found->second)
+    list += (list.empty() ? "" : ", ") + link(page, "../" + page + ".md");
+  return "\nCited by: " + list + ".\n";
 }
 
 std::vector<std::string> resting_on(const Registry& registry, const std::string& id) {
@@ -130,14 +143,16 @@ std::string kill_table(const Registry& registry, const std::vector<const Kill*>&
   return text;
 }
 
-/// P, Q, and their convolution over the sum of the open regions, as SVG.
-std::string picture_of_pair(const Summands& pair) {
+/// P, Q, and their convolution over the sum of the open regions, as SVG; there a point is marked.
+std::string picture_of_pair(const Summands& pair, const std::optional<Point>& marked = {}) {
   std::vector<Layer> layers = layers_of(rca(pair.p, pair.q, Boundary::open).sum);
   // Over the region, below dangling edges and isolated vertices.
   const auto above_region = std::find_if_not(layers.begin(), layers.end(), [](const Layer& layer) {
     return !layer.region.components.empty();
   });
   layers.insert(above_region, {style::convolution, {}, segments(convolution(pair.p, pair.q))});
+  if (marked)
+    layers.push_back({labelled(style::difference, "where the statement fails"), {}, {}, {*marked}});
   return svg({panel_of(Summand::P, pair.p),
               panel_of(Summand::Q, pair.q),
               {"Convolution and open sum", std::move(layers)}});
@@ -153,13 +168,19 @@ std::vector<Page> theorem_pages(const Registry& registry, const Statement& s) {
   std::set<std::string> protects;
   for (const Kill* kill : kills) protects.insert(mutant_of(registry, kill->mutant).file);
 
-  std::string text = "# " + s.title + "\n" + source_of_theory(s) + ", `" + s.id +
-                     "`. Generated from the registry by `oplus-maintain pages`.\n\n## Statement\n" +
-                     s.statement + "\n\n## Why it holds\n" + s.why + "\n\n## Hypotheses\n";
+  const auto linked = [&](const std::string& words) {
+    return with_links_to_findings(words, registry.findings);
+  };
+  std::string text =
+      "# " + s.title + "\n" + source_of_theory(s) + ", `" + s.id +
+      "`. Words and symbols: [notation](../notation.md). Generated from the sources by "
+      "`oplus-maintain pages`.\n\n## Statement\n" +
+      linked(s.statement) + "\n\n## Why it holds\n" + linked(s.why) + "\n\n## Hypotheses\n";
   for (const std::string& hypothesis : s.hypotheses) text += "- " + hypothesis + '\n';
   text += "\nRests on: " + list_of_statements(s.rests_on, "nothing but definitions") + ".\n";
   text +=
       "\nWhat rests on it: " + list_of_statements(resting_on(registry, s.id), "nothing") + ".\n";
+  text += citations(registry, s.id);
   text += "\n## How it is backed\n- " + backing(registry, s) +
           "\n- the property: " + link_to_source(relative_file(s)) + "\n- what it protects: ";
   for (const std::string& file : protects)
@@ -171,7 +192,7 @@ std::vector<Page> theorem_pages(const Registry& registry, const Statement& s) {
   if (run.typical) {
     const std::string picture = "pictures/" + s.id + "-typical.svg";
     text +=
-        "\n## A typical case\nOf middle size among those of the run.\n\n![P, Q, and their convolution and open sum](" +
+        "\n## A typical case\nThe median by size of the pairs of the run.\n\n![P, Q, and their convolution and open sum](" +
         picture + ")\n";
     pages.push_back({"theorems/" + picture, picture_of_pair(*run.typical)});
   }
@@ -180,10 +201,12 @@ std::vector<Page> theorem_pages(const Registry& registry, const Statement& s) {
   if (shown != kills.end()) {
     const Kill& kill = **shown;
     const std::string picture = "pictures/" + s.id + "-shrunk.svg";
-    text += "\n## A shrunk case\nWith the fault `" + kill.mutant +
-            "` the statement fails on this pair, and on no smaller one; without, it holds:\n" +
-            kill.why + ".\n\n![P, Q, and their convolution and open sum](" + picture + ")\n";
-    pages.push_back({"theorems/" + picture, picture_of_pair(*kill.shrunk)});
+    text += "\n## A shrunk counterexample\nWith the fault `" + kill.mutant +
+            "` the statement fails on this pair, and on no smaller one; without the fault it "
+            "holds.\nWhat is seen: " +
+            kill.why + ".\n\n    P: " + wkt(kill.shrunk->p) + "\n    Q: " + wkt(kill.shrunk->q) +
+            "\n\n![P, Q, and their convolution and open sum](" + picture + ")\n";
+    pages.push_back({"theorems/" + picture, picture_of_pair(*kill.shrunk, kill.at)});
   }
   pages.push_back({"theorems/" + s.id + ".md", std::move(text)});
   return pages;

@@ -47,8 +47,9 @@ Outcome check(const Summands& summands) {
     outcome.counts["their sources"] += sources;
     if (sources > 0 && sources == on_boundaries) continue;
     return outcome.fail("the boundary point " + to_string(x) + " has " + std::to_string(sources) +
-                        " sources, of which " + std::to_string(on_boundaries) +
-                        " are sums of boundary points");
+                            " sources, of which " + std::to_string(on_boundaries) +
+                            " are sums of boundary points",
+                        x);
   }
   return outcome;
 }

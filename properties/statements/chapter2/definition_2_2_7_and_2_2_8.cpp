@@ -125,22 +125,22 @@ Outcome check(const Summands& summands) {
   Outcome outcome;
   outcome.counts = {{"pieces of segments", both.second_pieces.size()},
                     {"ends of pieces", both.second_points.size()}};
-  const auto fail = [&](const std::string& why) {
-    outcome.kind = Outcome::Kind::fails;
-    if (outcome.why.empty()) outcome.why = why;
+  const auto fail = [&](const std::string& what, const std::string& definition, const Point& at) {
+    if (outcome.kind == Outcome::Kind::holds)
+      outcome.fail(what + " is in the convolution by Definition " + definition + " only", at);
   };
   const auto compare_pieces = [&](const std::set<Segment>& a, const std::set<Segment>& b,
                                   const std::string& which) {
     if (const auto s = missing_in(a, b))
-      fail("only by Definition " + which + ", from " + to_string(s->source) + " to " +
-           to_string(s->target));
+      fail("the segment from " + to_string(s->source) + " to " + to_string(s->target), which,
+           midpoint(s->source, s->target));
   };
   compare_pieces(both.first_pieces, both.second_pieces, "2.2.7");
   compare_pieces(both.second_pieces, both.first_pieces, "2.2.8");
   if (const auto x = missing_in(both.first_points, both.second_points))
-    fail("only by Definition 2.2.7, the point " + to_string(*x));
+    fail("the point " + to_string(*x), "2.2.7", *x);
   if (const auto x = missing_in(both.second_points, both.first_points))
-    fail("only by Definition 2.2.8, the point " + to_string(*x));
+    fail("the point " + to_string(*x), "2.2.8", *x);
   return outcome;
 }
 

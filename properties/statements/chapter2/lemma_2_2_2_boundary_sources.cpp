@@ -31,10 +31,11 @@ Outcome check(const Summands& summands) {
       if (a.in[0] == Location::boundary && a.in[1] == Location::boundary)
         ++outcome.counts["sources on both boundaries"];
       if (is_in_sum || !is_interior_source(a)) continue;
-      return outcome.fail(to_string(x) +
-                          " is said not to be in the open sum, but it is the sum of " +
-                          to_string(a.point) + " and " + to_string(x - a.point) +
-                          ", one inside its region, the other in the other");
+      return outcome.fail("the collision test says that " + to_string(x) +
+                              " is not in the open sum, but it is the sum of " +
+                              to_string(a.point) + " of P and " + to_string(x - a.point) +
+                              " of Q, one of them an interior point",
+                          x);
     }
   }
   return outcome;

@@ -67,11 +67,13 @@ Outcome check(const Summands& summands) {
     if (!is_in_sum) ++outcome.counts["of them, not in the open sum"];
     if (sums.different && !is_in_sum) {
       outcome.fail(to_string(x) +
-                   " is a sum of points inside edges of different directions, but "
-                   "not in the open sum");
+                       " is a sum of points inside edges of different directions, but "
+                       "not in the open sum",
+                   x);
     } else if (interiors_meet(summands.p, placed) != is_in_sum) {
-      outcome.fail("the interiors are said " + std::string(is_in_sum ? "not " : "") +
-                   "to meet at " + to_string(x));
+      outcome.fail("at " + to_string(x) + " the collision test says that the interiors " +
+                       (is_in_sum ? "do not meet, and they do" : "meet, and they do not"),
+                   x);
     }
     if (outcome.kind == Outcome::Kind::fails) break;
   }

@@ -31,9 +31,8 @@ std::set<Point> touched_points(const std::vector<Point>& touching, const Point& 
 
 Outcome check(const Summands& summands) {
   Outcome outcome;
-  const auto fail = [&](const std::string& why) {
-    outcome.kind = Outcome::Kind::fails;
-    if (outcome.why.empty()) outcome.why = why;
+  const auto fail = [&](const std::string& why, const Point& at) {
+    if (outcome.kind == Outcome::Kind::holds) outcome.fail(why, at);
   };
   OpenSum open_sum(summands);
   const std::vector<Chain> of_p = chains(summands.p), of_q = chains(summands.q);
@@ -52,10 +51,13 @@ Outcome check(const Summands& summands) {
     const bool is_slid = slides(d, corner);
     if (!is_parallel(d, corner)) {
       const bool is_kept = kept.count(all[i].origin) > 0;
-      const std::string from = "the segment from " + to_string(all[i].segment.source);
-      if (!is_kept && !is_slid) fail(from + " is not in the convolution, yet nothing slides it");
+      const auto& [source, target] = all[i].segment;
+      const std::string name = "the segment from " + to_string(source) + " to " + to_string(target);
+      const Point middle = midpoint(source, target);
+      if (!is_kept && !is_slid)
+        fail(name + " does not slide, and is not in the convolution", middle);
       if (is_kept && is_slid && sign(cross(corner.in, corner.out)) > 0)
-        fail(from + " is in the convolution, yet its convex vertex slides it");
+        fail(name + " slides at a convex vertex, and is in the convolution", middle);
     }
     if (!is_slid) continue;
     ++outcome.counts["segments that slide"];
@@ -66,7 +68,9 @@ Outcome check(const Summands& summands) {
         ++outcome.counts["points where a chain touches the edge, left out"];
       else if (!open_sum.contains(x))
         fail("the segment from " + to_string(all[i].segment.source) + " to " +
-             to_string(all[i].segment.target) + " slides, but not its point " + to_string(x));
+                 to_string(all[i].segment.target) + " slides, but its point " + to_string(x) +
+                 " is not in the open sum",
+             x);
     };
     for (const Segment& piece : pieces[i]) {
       look_at(midpoint(piece.source, piece.target));

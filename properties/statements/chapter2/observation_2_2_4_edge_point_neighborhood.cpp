@@ -82,7 +82,8 @@ Outcome check(const Summands& summands) {
     for (const Point& y : points_to_the_left(centre, along, sums)) {
       if (outcome.kind == Outcome::Kind::fails || open_sum.contains(y)) continue;
       outcome.fail("the half disk around " + to_string(centre) + " contains " + to_string(y) +
-                   ", which is not in the open sum");
+                       ", which is not in the open sum",
+                   y);
     }
   }
   return outcome;

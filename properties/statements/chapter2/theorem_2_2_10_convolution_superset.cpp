@@ -19,7 +19,8 @@ Outcome check(const Summands& summands) {
                     {"points off the convolution", c.points_left_out}};
   if (c.bare_boundary) {
     outcome.fail("the boundary point " + to_string(*c.bare_boundary) +
-                 " is on no equally directed segment of the convolution");
+                     " is on no equally directed segment of the convolution",
+                 *c.bare_boundary);
   }
   return outcome;
 }

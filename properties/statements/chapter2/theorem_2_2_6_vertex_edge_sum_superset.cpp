@@ -22,8 +22,9 @@ Outcome check(const Summands& summands) {
         const Point x = piece.source + at * direction_of(piece);
         if (open_sum.contains(x) == is_inside) continue;
         return outcome.fail(
-            "between " + to_string(middle) + " and " + to_string(x) +
-            " is a boundary of the open sum, and no segment of the vertex-edge sum");
+            "of " + to_string(middle) + " and " + to_string(x) +
+                " one is in the open sum, and no segment of the vertex-edge sum is between them",
+            x);
       }
     }
   }

@@ -30,7 +30,8 @@ Outcome check_reflex_segments(const Summands& summands, OpenSum& open_sum) {
   const auto look_at = [&](const Point& x) {
     ++outcome.counts["points inside segments of reflex vertices"];
     if (outcome.kind == Outcome::Kind::fails || open_sum.contains(x)) return;
-    outcome.fail("the boundary point " + to_string(x) + " is inside a segment of a reflex vertex");
+    outcome.fail("the boundary point " + to_string(x) + " is inside a segment of a reflex vertex",
+                 x);
   };
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (!all[i].vertex_is_reflex) continue;
@@ -58,7 +59,8 @@ Outcome check(const Summands& summands) {
   outcome.counts["points off the reduced convolution"] = c.points_left_out;
   if (c.bare_boundary && outcome.kind == Outcome::Kind::holds) {
     outcome.fail("the boundary point " + to_string(*c.bare_boundary) +
-                 " is on no equally directed segment of the reduced convolution");
+                     " is on no equally directed segment of the reduced convolution",
+                 *c.bare_boundary);
   }
   return outcome;
 }

@@ -65,7 +65,7 @@ Outcome check(const Summands& summands) {
                                        : "other vertices"];
     const std::string defect = defect_of(at, passes);
     if (defect.empty()) continue;
-    return outcome.fail(defect);
+    return outcome.fail(defect, at);
   }
   return outcome;
 }

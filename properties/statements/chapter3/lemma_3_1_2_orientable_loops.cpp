@@ -3,6 +3,7 @@
 #include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/places/covered_sum.hpp"
+#include "reference/definitions/difference.hpp"
 #include "reference/io/writing.hpp"
 #include "reference/oracle/oracle.hpp"
 
@@ -24,15 +25,17 @@ Outcome check(const Summands& summands) {
         continue;
       }
       outcome.fail("a segment runs against the edge from " + to_string(edge.source) + " to " +
-                   to_string(edge.target));
+                       to_string(edge.target),
+                   midpoint(edge.source, edge.target));
     }
     if (cover(along, edge)) continue;
     outcome.fail("no segments run along all of the edge from " + to_string(edge.source) + " to " +
-                 to_string(edge.target));
+                     to_string(edge.target),
+                 midpoint(edge.source, edge.target));
   }
-  if (sum_by_loops(summands.p, summands.q, Boundary::closed).sum != sum) {
-    outcome.fail("the loops on the boundary are other chains");
-  }
+  if (const auto found =
+          difference(sum_by_loops(summands.p, summands.q, Boundary::closed).sum, sum))
+    outcome.fail("the sum by loops is not the oracle's: " + found->what, found->witness);
   return outcome;
 }
 

@@ -28,9 +28,11 @@ Outcome check(const Summands& summands) {
     outcome.counts["other loops"] += !expected;
     outcome.counts["loops that are not nested"] += verdicts[i] == LoopVerdict::not_nested;
     if ((verdicts[i] == LoopVerdict::boundary) == expected) continue;
-    outcome.fail(
-        "the loop through " + to_string(arrangement.point(arrangement.source(loops[i][0]))) +
-        (expected ? " is on the boundary, and falls" : " is not on the boundary, and stays"));
+    const Point at = arrangement.point(arrangement.source(loops[i][0]));
+    outcome.fail("the loop through " + to_string(at) +
+                     (expected ? " is on the boundary, and the filters discard it"
+                               : " is not on the boundary, and the filters keep it"),
+                 at);
   }
   return outcome;
 }

@@ -23,11 +23,13 @@ Outcome check(const Summands& summands) {
           loop.size();
       for (const ConvolutionArrangement::Halfedge h : loop) {
         const Segment edge = arrangement.geometry(h);
-        const bool collides = open_sum.contains(midpoint(edge.source, edge.target));
+        const Point middle = midpoint(edge.source, edge.target);
+        const bool collides = open_sum.contains(middle);
         if (collides != of_loop && test->is_hole_right_of(edge) == of_loop) continue;
-        return outcome.fail(name +
-                            " on one edge of a loop says other than the definition does from " +
-                            to_string(edge.source) + " to " + to_string(edge.target));
+        return outcome.fail("hole test " + name + " and the definition differ on the edge from " +
+                                to_string(edge.source) + " to " + to_string(edge.target) +
+                                " of a loop",
+                            middle);
       }
     }
   }

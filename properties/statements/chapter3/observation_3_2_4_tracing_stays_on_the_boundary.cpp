@@ -25,7 +25,8 @@ Outcome check(const Summands& summands) {
   };
   const auto fail = [&](Arrangement::Halfedge h, const std::string& what) {
     const Segment edge = arrangement.geometry(h);
-    outcome.fail("from " + to_string(edge.source) + " to " + to_string(edge.target) + " " + what);
+    outcome.fail("from " + to_string(edge.source) + " to " + to_string(edge.target) + " " + what,
+                 midpoint(edge.source, edge.target));
   };
   std::set<Arrangement::Halfedge> on_loops;
   for (const OrientableLoop& loop : orientable_loops(arrangement)) {
@@ -39,7 +40,7 @@ Outcome check(const Summands& summands) {
   for (Arrangement::Halfedge h = 0; h < 2 * arrangement.edge_count(); ++h) {
     const bool one_way =
         !arrangement.along(h).empty() && arrangement.along(Arrangement::twin(h)).empty();
-    if (one_way && on_loops.count(h) == 0 && is_boundary(h)) fail(h, "no loop has this boundary");
+    if (one_way && on_loops.count(h) == 0 && is_boundary(h)) fail(h, "the boundary is on no loop");
   }
   return outcome;
 }

@@ -38,7 +38,7 @@ Outcome check(const Summands& summands) {
   std::set<Arrangement::Halfedge> edges_of_loops;
   std::map<Arrangement::Vertex, std::vector<Passage>> passages;
   const auto fail = [&](Arrangement::Vertex v, const std::string& what) {
-    outcome.fail("at " + to_string(arrangement.point(v)) + " " + what);
+    outcome.fail("at " + to_string(arrangement.point(v)) + " " + what, arrangement.point(v));
   };
   for (const OrientableLoop& loop : orientable_loops(arrangement)) {
     ++outcome.counts["loops"];
@@ -47,8 +47,10 @@ Outcome check(const Summands& summands) {
       const Arrangement::Halfedge out = loop[next(i, loop.size())];
       const Arrangement::Vertex v = arrangement.target(in);
       if (arrangement.source(out) != v) return fail(v, "a loop is not closed"), outcome;
-      if (!edges_of_loops.insert(in).second) fail(v, "an edge ends that is on loops twice");
-      if (edges_of_loops.count(Arrangement::twin(in)) != 0) fail(v, "loops run both ways");
+      if (!edges_of_loops.insert(in).second)
+        fail(v, "an edge ends that is on two loops, or twice on one");
+      if (edges_of_loops.count(Arrangement::twin(in)) != 0)
+        fail(v, "an edge ends that is on loops in both directions");
       passages[v].push_back({place(arrangement, Arrangement::twin(in)), place(arrangement, out)});
     }
   }

@@ -18,7 +18,7 @@ Outcome check(const Summands& summands) {
   }
   for (const JudgedSum& sum : result.sums) {
     if (!sum.wrong) continue;
-    return outcome.fail(sum.engine + ": " + sum.wrong->failure.what);
+    return outcome.fail(sum.engine + ": " + sum.wrong->failure.what, sum.wrong->failure.witness);
   }
   return outcome;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <iterator>
 
 #include "checked/arrangement/rca.hpp"
 #include "properties/runner/each_engine.hpp"
@@ -35,7 +36,8 @@ Outcome where_three_meet(const std::vector<Point>& isolated, const Summands& sum
       continue;
     }
     if (directions_through(x, reduced) >= 3) continue;
-    return outcome.fail("fewer than three directions meet in the isolated vertex " + to_string(x));
+    return outcome.fail("fewer than three directions meet in the isolated vertex " + to_string(x),
+                        x);
   }
   return outcome;
 }
@@ -48,10 +50,15 @@ Outcome check(const Summands& summands) {
   const std::vector<Point> isolated =
       oracle_sum(summands.p, summands.q, Boundary::open).isolated_vertices;
   Outcome outcome = where_three_meet(isolated, summands);
-  if (outcome.kind == Outcome::Kind::holds &&
-      rca(summands.p, summands.q, Boundary::open).sum.isolated_vertices != isolated) {
-    outcome.fail("the filter finds other isolated vertices");
-  }
+  if (outcome.kind != Outcome::Kind::holds) return outcome;
+  const std::vector<Point> found =
+      rca(summands.p, summands.q, Boundary::open).sum.isolated_vertices;
+  std::vector<Point> different;
+  std::ranges::set_symmetric_difference(isolated, found, std::back_inserter(different));
+  if (!different.empty())
+    outcome.fail(
+        "the filter and the oracle differ on the isolated vertex " + to_string(different.front()),
+        different.front());
   return outcome;
 }
 

@@ -73,7 +73,8 @@ Outcome check(const Summands& summands) {
       ++outcome.counts["states while tracing"];
       if (here.leaving == 2) ++outcome.counts["of these with two ways on"];
       if (goes_on(here) && here.entering > 0) continue;
-      return outcome.fail("at " + to_string(s.segment.target) + " " + in_words(here));
+      return outcome.fail("at " + to_string(s.segment.target) + " " + in_words(here),
+                          s.segment.target);
     }
   }
   return outcome;

@@ -22,7 +22,8 @@ void expect_cycles(const std::vector<ConvolutionSegment>& convolution, Outcome& 
   for (const auto& [point, leaving_less_entering] : surplus) {
     if (leaving_less_entering == 0) continue;
     outcome.fail(to_string(point) + " is left " + std::to_string(leaving_less_entering) +
-                 " times more often than it is entered");
+                     " times more often than it is entered",
+                 point);
     return;
   }
 }

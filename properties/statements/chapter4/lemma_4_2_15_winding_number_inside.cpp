@@ -32,9 +32,10 @@ Outcome check(const Summands& summands) {
       ++outcome.counts[inside ? "comparisons inside" : "comparisons outside"];
       if (now == winding[i] - (inside ? 1 : 0)) continue;
       return outcome.fail("the replacement at " + to_string(point_at(vertex.vertex, of_p ? p : q)) +
-                          " of " + (of_p ? "P" : "Q") + " changes the winding number at " +
-                          to_string(points[i]) + (inside ? ", inside," : ", outside,") + " from " +
-                          std::to_string(winding[i]) + " to " + std::to_string(now));
+                              " of " + (of_p ? "P" : "Q") + " changes the winding number at " +
+                              to_string(points[i]) + (inside ? ", inside," : ", outside,") +
+                              " from " + std::to_string(winding[i]) + " to " + std::to_string(now),
+                          points[i]);
     }
   }
   return outcome;

@@ -67,7 +67,7 @@ Outcome check(const Summands& summands) {
         outcome.why = std::to_string(met) + " vertices are inside edges, and " +
                       std::to_string(through) + " segments of the vertex-edge sum pass";
       if (outcome.why.empty()) continue;
-      return outcome.fail("at " + to_string(x) + " " + outcome.why);
+      return outcome.fail("at " + to_string(x) + " " + outcome.why, x);
     }
   }
   return outcome;

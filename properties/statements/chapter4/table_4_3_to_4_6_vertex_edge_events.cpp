@@ -222,8 +222,9 @@ Outcome check(const Summands& summands) {
     if (seen == printed) continue;
     return outcome.fail(
         "moving left through " + to_string(placement->x) +
-        " changes winding number, components and winding number with flip sets by " +
-        in_words(seen) + ", and the tables say " + in_words(printed));
+            " changes winding number, components and winding number with flip sets by " +
+            in_words(seen) + ", and the tables say " + in_words(printed),
+        placement->x);
   }
   return outcome;
 }

@@ -25,8 +25,9 @@ Outcome check(const Summands& summands) {
                                          : "two components or more"];
     if (winding == static_cast<int>(seen.components) && seen.holes == 0) continue;
     return outcome.fail("at " + to_string(x) + " the winding number is " + std::to_string(winding) +
-                        " and the intersection has " + std::to_string(seen.components) +
-                        " components and " + std::to_string(seen.holes) + " holes");
+                            " and the intersection has " + std::to_string(seen.components) +
+                            " components and " + std::to_string(seen.holes) + " holes",
+                        x);
   }
   return outcome;
 }

@@ -79,7 +79,8 @@ class Comparison {
     ++outcome_.counts[meet ? "points in the sum" : "points outside"];
     if (winding >= 0 && (winding > 0) == meet) return;
     outcome_.fail("at " + to_string(x) + " the winding number is " + std::to_string(winding) +
-                  " and the interiors of P and -Q+x " + (meet ? "meet" : "do not meet"));
+                      " and the interiors of P and -Q+x " + (meet ? "meet" : "do not meet"),
+                  x);
   }
 
   std::vector<Segment> convolution_;
@@ -103,8 +104,9 @@ Outcome law(const Sum& sum, const Summands& summands) {
     const Location location = locate(x, result);
     if (location == Location::boundary || (location == Location::inside) == (winding > 0)) continue;
     return outcome.fail("at " + to_string(x) + " the winding number is " + std::to_string(winding) +
-                        ", which is " + (location == Location::inside ? "in" : "not in") +
-                        " the sum");
+                            ", and the point is " +
+                            (location == Location::inside ? "in" : "not in") + " the sum",
+                        x);
   }
   return outcome;
 }

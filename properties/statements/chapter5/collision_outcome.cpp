@@ -42,7 +42,8 @@ Outcome collision_outcome(CollisionMethod method, const Summands& summands) {
     ++outcome.counts["placements " + contact + (meet ? " that collide" : " that do not")];
     if (test->interiors_meet_at(x) == meet) continue;
     outcome.fail("at " + to_string(x) + ", " + contact + ", the interiors of P and -Q+x " +
-                 (meet ? "meet" : "do not meet") + ", but the method says the opposite");
+                     (meet ? "meet" : "do not meet") + ", but the method says the opposite",
+                 x);
     break;
   }
   return outcome;

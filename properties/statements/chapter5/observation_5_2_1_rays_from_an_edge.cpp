@@ -69,8 +69,9 @@ Outcome check(const Summands& summands) {
     const auto expect = [&](bool is_so, const std::string& what) {
       if (is_so || outcome.kind == Outcome::Kind::fails) return;
       outcome.fail("right of the middle of " + to_string(edge.source) + " to " +
-                   to_string(edge.target) + " the winding number is " + std::to_string(winding) +
-                   ", " + what);
+                       to_string(edge.target) + " the winding number is " +
+                       std::to_string(winding) + ", " + what,
+                   beside);
     };
     expect(rays.winding_number_right_of(edge) == winding,
            "the ray counts " + std::to_string(rays.winding_number_right_of(edge)));

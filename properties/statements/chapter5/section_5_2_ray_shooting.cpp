@@ -28,8 +28,9 @@ Outcome check(const Summands& summands) {
     ++outcome.counts[by_ray == 0 ? "faces outside the sum" : "faces inside the sum"];
     if (by_ray == by_faces) continue;
     return outcome.fail("right of " + to_string(edge.source) + " to " + to_string(edge.target) +
-                        " the ray counts " + std::to_string(by_ray) + ", the faces " +
-                        std::to_string(by_faces));
+                            " the ray counts " + std::to_string(by_ray) + ", the faces " +
+                            std::to_string(by_faces),
+                        midpoint(edge.source, edge.target));
   }
   return outcome;
 }

@@ -17,7 +17,8 @@ Outcome check(const Summands& summands) {
     const MinkowskiSum& sum = boundary == Boundary::open ? sums.open : sums.closed;
     const Verdict verdict = verify(p, q, boundary, sum);
     if (!verdict.is_sum())
-      return outcome.fail("refuses the oracle's sum: " + verdict.reasons.front().detail);
+      return outcome.fail("verify refuses the oracle's sum: " + verdict.reasons.front().detail,
+                          verdict.reasons.front().witness);
     const auto accepts = [&](const GivenSum& given) {
       ++outcome.counts["wrong sums"];
       return verify(p, q, boundary, given).is_sum();
@@ -26,13 +27,14 @@ Outcome check(const Summands& summands) {
     GivenSum turned = given(sum);
     for (Component& component : turned.region.components) {
       std::reverse(component.outer.begin(), component.outer.end());
-      if (accepts(turned)) return outcome.fail("accepts a clockwise outer chain");
+      if (accepts(turned)) return outcome.fail("verify accepts a clockwise outer chain");
       std::reverse(component.outer.begin(), component.outer.end());
     }
     for (std::size_t i = 0; i < sum.holes.size(); ++i) {
       MinkowskiSum filled = sum;
       filled.holes.erase(filled.holes.begin() + static_cast<std::ptrdiff_t>(i));
-      if (accepts(given(filled))) return outcome.fail("accepts a sum without one of its holes");
+      if (accepts(given(filled)))
+        return outcome.fail("verify accepts a sum without one of its holes");
     }
   }
   if (sums.open != sums.closed) {
@@ -40,7 +42,7 @@ Outcome check(const Summands& summands) {
     ++outcome.counts["wrong sums"];
     if (verify(p, q, Boundary::open, sums.closed).is_sum() ||
         verify(p, q, Boundary::closed, sums.open).is_sum())
-      return outcome.fail("accepts the sum of the other kind of boundary");
+      return outcome.fail("verify accepts the sum of the other kind of boundary");
   }
   return outcome;
 }

@@ -20,19 +20,20 @@ std::vector<std::pair<Region, Region>> nested(const Region& p) {
   return pairs;
 }
 
-std::string broken(const Sum& sum, const Region& smaller, const Region& larger, const Region& q) {
+Outcome broken(const Sum& sum, const Region& smaller, const Region& larger, const Region& q) {
   for (const OverlaidPoint& x : overlaid({sum(smaller, q), sum(larger, q)})) {
     if (x.is_in(0, sum.is_open()) && !x.is_in(1, sum.is_open()))
-      return to_string(x.point) + " is in the sum of the smaller region only";
+      return Outcome().fail(to_string(x.point) + " is in the sum of the smaller region only",
+                            x.point);
   }
-  return "";
+  return {};
 }
 
 Outcome law(const Sum& sum, const Summands& summands) {
   const std::vector<std::pair<Region, Region>> pairs = nested(summands.p);
   Outcome outcome;
   for (const auto& [smaller, larger] : pairs) {
-    outcome = unless_broken(broken(sum, smaller, larger, summands.q));
+    outcome = broken(sum, smaller, larger, summands.q);
     if (outcome.kind == Outcome::Kind::fails) break;
   }
   outcome.counts["nested regions"] += pairs.size();

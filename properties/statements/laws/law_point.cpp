@@ -10,16 +10,18 @@ namespace oplus {
 namespace {
 
 /// P + x, where x is a point of the closed Q, must be in the closed sum.
-std::string contains_translates(const Sum& sum, const Region& p, const Region& q) {
+Outcome contains_translates(const Sum& sum, const Region& p, const Region& q) {
   const MinkowskiSum whole = sum(p, q);
   for (const Chain& chain : chains(q)) {
     const MinkowskiSum part = canonical_sum(translated(p, chain[0]));
     for (const OverlaidPoint& at : overlaid({whole, part})) {
       if (at.is_in(1, false) && !at.is_in(0, false))
-        return "P + " + to_string(chain[0]) + " contains " + to_string(at.point) + ", the sum not";
+        return Outcome().fail("P + " + to_string(chain[0]) + " contains " + to_string(at.point) +
+                                  ", the sum does not",
+                              at.point);
     }
   }
-  return "";
+  return {};
 }
 
 /// The value at zero of the quadratic through (1, f1), (2, f2), (3, f3); none where (4, f4) is not
@@ -45,8 +47,11 @@ std::string shrinks_to_p(const Sum& sum, const Region& p, const Region& q) {
 
 Outcome law(const Sum& sum, const Summands& summands) {
   const auto& [p, q] = summands;
-  std::string what = sum.is_open() ? "" : contains_translates(sum, p, q);
-  return unless_broken(what.empty() ? shrinks_to_p(sum, p, q) : what);
+  if (!sum.is_open()) {
+    const Outcome outcome = contains_translates(sum, p, q);
+    if (outcome.kind == Outcome::Kind::fails) return outcome;
+  }
+  return unless_broken(shrinks_to_p(sum, p, q));
 }
 
 const Registered registered({

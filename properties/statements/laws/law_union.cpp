@@ -39,7 +39,7 @@ std::optional<std::vector<Region>> parts(const Region& region) {
   return only.holes.empty() ? halves(only.outer) : std::nullopt;
 }
 
-std::string broken(const Sum& sum, const Summands& summands, const std::vector<Region>& parts) {
+Outcome broken(const Sum& sum, const Summands& summands, const std::vector<Region>& parts) {
   std::vector<MinkowskiSum> sums = {sum(summands.p, summands.q)};
   for (const Region& part : parts) sums.push_back(sum(part, summands.q));
   for (const OverlaidPoint& x : overlaid(sums)) {
@@ -48,10 +48,12 @@ std::string broken(const Sum& sum, const Summands& summands, const std::vector<R
     for (std::size_t i = 1; i < sums.size(); ++i)
       in_a_part = in_a_part || x.is_in(i, sum.is_open());
     if (in_whole == in_a_part) continue;
-    return to_string(x.point) + " is in the sum of " +
-           (in_whole ? "the union and of no part" : "a part and not of the union");
+    return Outcome().fail(
+        to_string(x.point) + " is in the sum of " +
+            (in_whole ? "the union and of no part" : "a part and not of the union"),
+        x.point);
   }
-  return "";
+  return {};
 }
 
 Outcome law(const Sum& sum, const Summands& summands) {
@@ -60,7 +62,7 @@ Outcome law(const Sum& sum, const Summands& summands) {
     return {Outcome::Kind::discarded,
             "P is neither several components nor a polygon with a diagonal",
             {}};
-  Outcome outcome = unless_broken(broken(sum, summands, *of_p));
+  Outcome outcome = broken(sum, summands, *of_p);
   ++outcome
         .counts[summands.p.components.size() > 1 ? "unions of components" : "polygons cut in two"];
   return outcome;

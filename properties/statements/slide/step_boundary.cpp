@@ -37,7 +37,8 @@ Outcome check(const Summands& summands) {
       if (is_free == is_boundary) continue;
       return outcome.fail(
           std::string(is_free ? "a free place is not on" : "a blocked place is on") +
-          " the boundary, on segment " + std::to_string(i));
+              " the boundary, on segment " + std::to_string(i),
+          x);
     }
   }
   for (const Segment& edge : boundary) {
@@ -46,7 +47,8 @@ Outcome check(const Summands& summands) {
       if (sign(dot(direction_of(piece), direction_of(edge))) > 0) equally_directed.push_back(piece);
     ++outcome.counts["edges of the boundary"];
     if (cover(equally_directed, edge)) continue;
-    return outcome.fail("an edge of the boundary is not covered by free pieces");
+    return outcome.fail("an edge of the boundary is not covered by free pieces",
+                        midpoint(edge.source, edge.target));
   }
   return outcome;
 }

@@ -26,14 +26,15 @@ Outcome check(const Summands& summands) {
     const bool is_in_sum = pair.interiors_meet_at(piece.inside);
     for (const Point& end : {piece.segment.source, piece.segment.target})
       if (pair.interiors_meet_at(midpoint(piece.inside, end)) != is_in_sum)
-        return outcome.fail("a part of a candidate piece is in the open sum");
+        return outcome.fail("a candidate piece is in the open sum in part", piece.inside);
   }
   for (const Segment& edge : open.dangling_edges)
-    if (!cover(segments, edge)) return outcome.fail("a dangling edge is not covered");
+    if (!cover(segments, edge))
+      return outcome.fail("a dangling edge is not covered", midpoint(edge.source, edge.target));
   std::set<Point> points = sums_of_touching_points(summands);
   points.insert(candidates.points.begin(), candidates.points.end());
   for (const Point& x : open.isolated_vertices)
-    if (!points.contains(x)) return outcome.fail("an isolated vertex is no candidate");
+    if (!points.contains(x)) return outcome.fail("an isolated vertex is not a candidate", x);
   return outcome;
 }
 

@@ -4,6 +4,7 @@
 #include "checked/slide/contact_interval.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/slide/slid_pair.hpp"
+#include "reference/io/writing.hpp"
 
 namespace oplus {
 
@@ -15,8 +16,10 @@ Outcome check(const Summands& summands) {
   const slide::ComponentTest<SlidPair::Numbers> components(integers);
   slide::BlockingSearch<SlidPair::Numbers> search(integers, slide::Shift::to_the_right);
   Outcome outcome;
-  const auto fail = [&](std::uint32_t segment, const std::string& what) {
-    return outcome.fail("segment " + std::to_string(segment) + ": " + what);
+  const auto fail = [&](std::uint32_t segment, const SlidPair::Place& t, const std::string& what) {
+    const Point x = pair.point(segment, t);
+    return outcome.fail(
+        "at " + to_string(x) + " on segment " + std::to_string(segment) + " " + what, x);
   };
   const std::uint32_t step = 1 + static_cast<std::uint32_t>(pair.tracks.size() / 8);
   for (std::uint32_t i = 0; i < pair.tracks.size(); i += step) {
@@ -32,8 +35,11 @@ Outcome check(const Summands& summands) {
       ++outcome.counts["places where no edges cross"];
       outcome.counts["places where components overlap"] += overlap;
       if (pair.interiors_meet_at(pair.shifted(i, t)) != overlap)
-        return fail(i, overlap ? "components that do not overlap" : "an overlap is not seen");
-      if (overlap && !components.is_needed()) return fail(i, "connected regions overlap");
+        return fail(i, t,
+                    overlap ? "components are found to overlap, and do not"
+                            : "components overlap, and are found not to");
+      if (overlap && !components.is_needed())
+        return fail(i, t, "components of connected regions overlap");
     }
   }
   return outcome;

@@ -25,7 +25,7 @@ Outcome check(const Summands& summands) {
   outcome.counts["pieces after cutting"] = cut.size();
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      if (points[i] == points[j]) return outcome.fail("a point has two numbers");
+      if (points[i] == points[j]) return outcome.fail("a point has two numbers", points[i]);
   std::vector<Segment> before, after;
   for (const auto& piece : pieces)
     before.push_back(
@@ -37,7 +37,7 @@ Outcome check(const Summands& summands) {
     for (const Segment& b : after)
       for (const Point& x : {b.source, b.target})
         if (lies_on(x, a) && x != a.source && x != a.target)
-          return outcome.fail("a piece ends inside another one");
+          return outcome.fail("a piece ends inside another one", x);
   return outcome;
 }
 

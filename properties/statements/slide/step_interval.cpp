@@ -4,6 +4,7 @@
 #include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/slide/slid_pair.hpp"
+#include "reference/io/writing.hpp"
 
 namespace oplus {
 
@@ -36,8 +37,12 @@ Outcome check(const Summands& summands) {
           const Point x = pair.shifted(i, t);
           const Segment moved{of_q[b].source + x, of_q[b].target + x};
           if (cross_properly(of_p[a], moved) == is_blocked) continue;
-          return outcome.fail("edge " + std::to_string(a) + " of P and " + std::to_string(b) +
-                              " of Q, on segment " + std::to_string(i));
+          return outcome.fail("at " + to_string(pair.point(i, t)) + " on segment " +
+                                  std::to_string(i) + " edge " + std::to_string(a) +
+                                  " of P and edge " + std::to_string(b) + " of Q " +
+                                  (is_blocked ? "do not cross, and the interval says that they do"
+                                              : "cross, and the interval says that they do not"),
+                              pair.point(i, t));
         }
       }
     }

@@ -14,8 +14,8 @@ Outcome check(const Summands& summands) {
       const bool is_outer = of_kind == &sum.outer;
       ++outcome.counts[is_outer ? "outer chains" : "holes"];
       if ((sign(twice_area(chain)) > 0) == is_outer) continue;
-      return outcome.fail(is_outer ? "an outer chain runs clockwise"
-                                   : "a hole runs counterclockwise");
+      return outcome.fail(
+          is_outer ? "an outer chain runs clockwise" : "a hole runs counterclockwise", chain[0]);
     }
   }
   return outcome;
