@@ -22,7 +22,8 @@ bool is_parallel(const Vector& d, const Corner& corner) {
   return sign(cross(d, corner.in)) == 0 || sign(cross(d, corner.out)) == 0;
 }
 
-/// Where another chain touches the edge of a segment, carried to the segment's vertex.
+/// The points where another chain touches the edge of a segment, translated by the segment's
+/// vertex.
 std::set<Point> touched_points(const std::vector<Point>& touching, const Point& vertex) {
   std::set<Point> points;
   for (const Point& p : touching) points.insert(p + vertex);
@@ -84,19 +85,19 @@ const Registered registered({
     .id = "lemma-2.2.9",
     .title = "A segment that slides is interior",
     .statement =
-        "Let e be an edge of one summand and q a vertex of the other. If the edge that leaves q, or "
-        "the reverse of the one that enters it, points strictly to the right of e, then each point "
-        "inside e + q is in the sum of the open regions, but perhaps where another chain touches "
-        "e. This decides which segments are in the convolution where e is parallel to neither edge "
-        "at q: one that does not slide is in it; one that does is not in it, unless q is reflex.",
-    .why =
-        "Let d point from q along that edge, and p be inside e, where no other chain touches it. "
-        "Around p the region fills the half disk to the left of e, so p - t d is interior for "
-        "small t, and q + t d is in the other region. Their sum is p + q. Where another chain "
-        "touches e in p, p - t d may be in the exterior: the lemma as printed is false there, also "
-        "for the sum of closed regions (docs/findings.md). The directions that both edges at q "
-        "have to their left are exactly the tangent set of a convex vertex, and a part of that of "
-        "a reflex one.",
+        "Let e be an edge of one summand and q a vertex of the other. If the edge that leaves q, "
+        "or the reverse of the one that enters it, points strictly to the right of e, then each "
+        "point inside e + q is in the sum of the open regions, except possibly where another "
+        "chain touches e. In the first case the segment e + q is said to slide. If e is parallel "
+        "to neither edge at q, this decides whether e + q is in the convolution: it is if it does "
+        "not slide; it is not if it slides and q is convex.",
+    .why = "Let d be the direction from q along that edge, and p a point inside e, where no other "
+           "chain touches it. Around p the region fills the half disk to the left of e, so p - t d "
+           "is interior for small t, and q + t d is in the other region. Their sum is p + q. Where "
+           "another chain touches e in p, p - t d may be in the exterior: the lemma as printed is "
+           "false there, also for the sum of closed regions (docs/findings.md, on Observation "
+           "2.2.4). The directions that both edges at q have to their left are exactly the tangent "
+           "set of a convex vertex, and a part of that of a reflex one.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
                    "first part: no other chain touches e in the point"},
     .rests_on = {"lemma-2.2.2"},

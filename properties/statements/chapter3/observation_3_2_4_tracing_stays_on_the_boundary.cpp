@@ -13,8 +13,8 @@ namespace {
 
 using Arrangement = ConvolutionArrangement;
 
-/// Where segments run one way only, the sum is to their left; so such an edge is on the regularized
-/// boundary iff its points are not in the open sum.
+/// Where all segments have one direction, the sum is to their left; so such an edge is on the
+/// boundary of the closed sum iff the points inside it are not in the open sum.
 Outcome check(const Summands& summands) {
   Outcome outcome;
   OpenSum open_sum(summands);
@@ -47,15 +47,16 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "observation-3.2.4",
-    .title = "Turning clockwise most, tracing stays on the boundary",
+    .title = "Tracing that turns clockwise most stays on the boundary",
     .statement =
-        "On the arrangement of the reduced convolution, every edge of the regularized boundary is "
-        "on a traced loop, and of a traced loop either all edges are on the boundary or none is, "
-        "by the definition of the sum.",
-    .why = "To the right of a boundary edge is a face of the complement. Going around the edge's "
-           "target counterclockwise from where it came, that face ends at the next boundary edge, "
-           "and the complement is to its right, so it leaves the vertex. Edges of both directions "
-           "that lie between would be inside the complement, and none is.",
+        "On the arrangement of the reduced convolution, every edge of the closed sum's boundary "
+        "is on a traced loop; and either all edges of a traced loop are on the boundary or none "
+        "is, by the definition of the sum.",
+    .why =
+        "To the right of a boundary edge is a face of the complement. Going around the edge's "
+        "target counterclockwise, starting from that edge, the face ends at the next boundary "
+        "edge; the complement is to the right of that edge too, so it leaves the vertex. An edge "
+        "between the two would be inside the complement, and no segment is.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
     .rests_on = {"theorem-2.3.2", "lemma-3.1.2"},
     .sources = small_mixture(),

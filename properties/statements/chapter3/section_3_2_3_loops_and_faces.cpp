@@ -14,7 +14,8 @@ namespace {
 
 using Halfedge = ConvolutionArrangement::Halfedge;
 
-/// Counts what the filters do; a loop that is not nested must not be on the boundary.
+/// Counts what the filters discard; a loop that the nesting filter discards must not be on the
+/// boundary.
 void look_at_loops(const Summands& summands, Outcome& outcome) {
   const ConvolutionArrangement arrangement(
       reduced_convolution(convolution_cycles(summands.p, summands.q)));
@@ -52,15 +53,15 @@ const Registered registered({
     .id = "section-3.2.3",
     .title = "Faces and loops give the same sum",
     .statement =
-        "Tracing orientable loops, turning clockwise most, then the nesting filter and one hole "
-        "test a loop, gives the sum that testing the faces of the arrangement gives. A loop on the "
-        "boundary passes the nesting filter.",
+        "Tracing orientable loops, turning clockwise most, and then applying the nesting filter "
+        "and one hole test per loop gives the same sum as testing the faces of the arrangement. A "
+        "loop on the boundary passes the nesting filter.",
     .why =
         "To the right of a boundary edge is the complement. Going around its target, the next "
         "outgoing edge on that side is on the boundary of the same face, so tracing stays on it "
-        "until it closes. Loops share no edge and do not cross, so they cut the plane into regions "
-        "that form a tree; crossing a loop of the boundary changes between sum and complement, "
-        "crossing another one does not.",
+        "until it closes. Loops share no edge and do not cross, so they cut the plane into "
+        "regions that form a tree. A path that crosses a loop of the boundary passes from the sum "
+        "to the complement or back; crossing another loop changes nothing.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
     .rests_on = {"lemma-3.1.2", "observation-3.1.4", "observation-3.1.5", "observation-3.2.4",
                  "observation-3.2.5"},

@@ -64,11 +64,12 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "theorem-3.2.10",
-    .title = "In isolated vertices three directions meet",
+    .title = "Segments of three directions meet in an isolated vertex",
     .statement =
-        "Segments of the reduced convolution of three directions or more pass through or end in "
-        "an isolated vertex of the open sum, unless it is the sum of two points in which chains "
-        "of P and of Q touch. So looking at such points only, and at those sums, finds them all.",
+        "Through each isolated vertex of the open sum there are segments of the reduced "
+        "convolution of at least three directions, passing or ending there, unless the vertex is "
+        "the sum of a point where chains of P touch and a point where chains of Q touch. So it is "
+        "enough to look at such points and such sums.",
     .why = "Around the vertex is the sum, and each segment gives the half disk to its left. Two "
            "open half disks leave a line or more of the disk uncovered, so the open sum would be "
            "missing more than a point. The exception is not in the thesis: docs/findings.md, on "

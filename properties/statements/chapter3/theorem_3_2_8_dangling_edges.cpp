@@ -50,9 +50,9 @@ const Registered registered({
     .id = "theorem-3.2.8",
     .title = "Dangling edges lie on opposite segments",
     .statement =
-        "The segments of the reduced convolution in either direction along a dangling edge of the "
-        "open sum cover all of it. So looking at overlaps of opposite segments only finds all "
-        "dangling edges, and one collision test for each tells which are.",
+        "Along a dangling edge of the open sum, the segments of the reduced convolution of one "
+        "direction cover all of it, and so do those of the opposite direction. So it is enough to "
+        "look at overlaps of opposite segments, with one collision test for each.",
     .why = "On both sides of a dangling edge is the sum. Each side is the half disk to the left of "
            "a segment along the edge, so two of them run in opposite directions. Segments of the "
            "reduced convolution suffice (Theorem 2.3.2).",

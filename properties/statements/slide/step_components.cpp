@@ -47,20 +47,21 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "step-components",
-    .title = "Where no edges cross, components overlap only one inside the other",
+    .title = "Where no edges cross, components overlap only if one is inside the other",
     .statement =
-        "At a place on a segment that no pair of edges blocks, the interiors of P and -Q + "
-        "x(t), shifted to the right, meet exactly where a component of one is inside a "
-        "component of the other; and the two components whose vertex and edge touch there "
-        "never are. If both regions are connected, such a place is free.",
-    .why = "Shifted, the boundaries have no point in common. If interiors of two components meet "
-           "then, the outer chain of one is inside the other: their outer chains are disjoint "
-           "closed curves, so one is inside the other, and not in a hole. Now let two components "
-           "touch along the segment. Draw their chains; they cut the plane into parts, and two "
-           "parts on either side of a chain are neighbours: a tree, as chains are closed curves. "
-           "The shift opens a part between the two chains that belongs to neither component. "
-           "Take it away: each component is connected, so all of it is on one side of the tree, "
-           "and the two are on different sides.",
+        "Let no pair of edges block x(t) on a segment. Then the interiors of P and -Q + x(t), "
+        "shifted to the right, meet iff a component of one is inside a component of the other; "
+        "and this never holds for the two components whose vertex and edge touch there. If both "
+        "regions are connected, x(t) is free.",
+    .why =
+        "Shifted, the boundaries have no point in common. If interiors of two components meet "
+        "then, the outer chain of one is inside the other: their outer chains are disjoint closed "
+        "curves, so one is inside the other, and not in a hole. Now let two components touch "
+        "along the segment. Their chains cut the plane into parts. Let two parts be neighbours if "
+        "a chain is between them; this graph is a tree, since chains are closed curves. The shift "
+        "opens a part between the two chains that belongs to neither component. Without this part "
+        "the tree falls into pieces; each component is connected, so it lies in one piece, and "
+        "the two components lie in different ones.",
     .hypotheses = {"P and Q are valid regions"},
     .rests_on = {"step-search", "observation-2.2.4"},
     .sources =
