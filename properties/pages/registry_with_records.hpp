@@ -12,7 +12,7 @@
 
 namespace oplus {
 
-/// All that pages are made of. Everything in it is the registry's or was recorded.
+/// Everything from which pages are made: the registry, the records, and what other pages say.
 struct Registry {
   std::vector<Statement> statements;
   std::vector<Mutant> mutants;
@@ -34,9 +34,10 @@ struct RecordFolders {
 /// Throws InvalidInput where one cannot be read.
 Registry registry_with_records(const RecordFolders& folders);
 
-/// What is missing in the records or no longer true of the registry, a line each: a statement without
-/// a run that passed, a mutant that a statement names without a kill, a record, theorem or query of an
-/// unknown statement, a section of docs/findings.md that a statement names and that does not exist.
+/// What is missing in the records or does not fit the registry any more, a line each: a statement
+/// without a run that passed, a mutant that a statement names without a kill, a record, theorem or
+/// query of an unknown statement, a section of docs/findings.md that a statement names and that
+/// does not exist.
 std::vector<std::string> defects_of_records(const Registry& registry);
 
 }  // namespace oplus

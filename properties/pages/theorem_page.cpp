@@ -51,9 +51,9 @@ std::vector<std::string> resting_on(const Registry& registry, const std::string&
 
 std::string source_of_theory(const Statement& s) {
   std::string kind = s.kind();
-  if (kind == "fact") return "A fact of our own";
-  if (kind == "step") return "A step of [slide](../slide.md), our own";
-  if (kind == "law") return "A law of the sum, for every engine, not in the thesis";
+  if (kind == "fact") return "A fact that is not in the thesis";
+  if (kind == "step") return "A step of [slide](../slide.md), not in the thesis";
+  if (kind == "law") return "A law of the sum that every engine must obey, not in the thesis";
   const std::string number = s.id.substr(kind.size() + 1);
   kind[0] = static_cast<char>(kind[0] - 'a' + 'A');
   return kind + " " + number + " of the thesis";
@@ -82,7 +82,7 @@ std::string recorded_run(const Statement& s, const PropertyRun& run) {
   if (run.enumeration)
     text += "\nProved by enumeration, " + std::to_string(run.enumeration->cases) + " cases.\n";
   if (!s.check) return text;
-  text += "\n" + std::to_string(run.run) + " pairs held, " + std::to_string(run.discarded) +
+  text += "\n" + std::to_string(run.run) + " pairs hold, " + std::to_string(run.discarded) +
           " were discarded, none failed.\n";
   text += tally("family", run.families, run.run, {});
   text += tally("pairs with", run.classes, run.run, s.promises);
@@ -105,7 +105,8 @@ std::string proofs(const Registry& registry, const Statement& s) {
   }
   return text.empty()
              ? text
-             : "\n## Checked by Coq\n`ctest -L proofs` checks it again, and that it rests on no axiom.\n" +
+             : "\n## Checked by Coq\n`ctest -L proofs` checks the proofs again, and that they use "
+               "no axioms.\n" +
                    text;
 }
 
@@ -115,14 +116,14 @@ std::string answers(const Registry& registry, const Statement& s) {
     if (query.statement != s.id) continue;
     text += "\n`" + query.id + "`, " + link_to_source(query.file) + ": if\n";
     for (const std::string& hypothesis : query.hypotheses) text += "- " + hypothesis + '\n';
-    text += "\nthen " + query.conclusion + ". Not so without \"" + query.dropped +
+    text += "\nthen " + query.conclusion + ". False without \"" + query.dropped +
             "\": " + query.counterexample + ".\n";
   }
   return text.empty()
              ? text
-             : "\n## Proved by Z3 and cvc5\nOver all real numbers, each by both, see "
-               "[proofs by SMT](../smt.md). The counterexamples are Z3's, and false by the "
-               "definitions too.\n" +
+             : "\n## Proved by Z3 and cvc5\nEach query is proved for all real numbers by both "
+               "solvers: see [proofs by SMT](../smt.md). Where a hypothesis is dropped, Z3 gives "
+               "a counterexample, which is also one by the definitions.\n" +
                    text;
 }
 
@@ -132,8 +133,8 @@ const Mutant& mutant_of(const Registry& registry, const std::string& name) {
 
 std::string kill_table(const Registry& registry, const std::vector<const Kill*>& kills) {
   std::string text =
-      "\n## Faults it finds\nEach is one line, in the preset `check` only.\n\n"
-      "| mutant | what goes wrong | where | found by |\n|---|---|---|---|\n";
+      "\n## Faults that it finds\nEach changes one line of the code, in builds of the preset "
+      "`check` only.\n\n| mutant | what goes wrong | where | found by |\n|---|---|---|---|\n";
   for (const Kill* kill : kills) {
     const Mutant& mutant = mutant_of(registry, kill->mutant);
     text +=
@@ -177,7 +178,7 @@ std::vector<Page> theorem_pages(const Registry& registry, const Statement& s) {
       "`oplus-maintain pages`.\n\n## Statement\n" +
       linked(s.statement) + "\n\n## Why it holds\n" + linked(s.why) + "\n\n## Hypotheses\n";
   for (const std::string& hypothesis : s.hypotheses) text += "- " + hypothesis + '\n';
-  text += "\nRests on: " + list_of_statements(s.rests_on, "nothing but definitions") + ".\n";
+  text += "\nRests on: " + list_of_statements(s.rests_on, "definitions only") + ".\n";
   text +=
       "\nWhat rests on it: " + list_of_statements(resting_on(registry, s.id), "nothing") + ".\n";
   text += citations(registry, s.id);

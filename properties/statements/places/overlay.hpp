@@ -18,8 +18,9 @@ struct OverlaidPoint {
   }
 };
 
-/// A point of every cell (vertex, edge or face) of the overlay of all boundaries, dangling edges and
-/// isolated vertices, located in one region or sum at a time: no collision test is used.
+/// A point of every cell (vertex, edge or face) of the overlay of all boundaries, dangling edges
+/// and isolated vertices, located in one region or sum at a time; no collision test is used. What
+/// holds for these points holds for the whole plane.
 std::vector<OverlaidPoint> overlaid(const std::vector<Region>& regions);
 std::vector<OverlaidPoint> overlaid(const std::vector<MinkowskiSum>& sums);
 
