@@ -27,7 +27,7 @@ std::string defect_by_definition(const Query& query, const Model& model) {
   }
 }
 
-/// What is wrong with an answer; empty where nothing is.
+/// What is wrong with an answer; empty if nothing is.
 std::string defect(const Query& query, Asked asked, const Answer& answer) {
   const bool is_satisfiable = is_expected_satisfiable(asked);
   const auto expected = is_satisfiable ? Answer::Kind::satisfiable : Answer::Kind::unsatisfiable;
