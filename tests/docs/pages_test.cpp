@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 const fs::path top = source_root();
 
-/// Those below docs/, by their names.
+/// The pages of docs/ itself, by file name.
 std::map<std::string, std::string> pages() {
   std::map<std::string, std::string> result;
   for (const auto& entry : fs::directory_iterator(top / "docs"))
@@ -38,7 +38,7 @@ TEST_F(Pages, draw_their_pictures) {
     for (const std::string& command : commands_of(page)) {
       const Ran ran = run(command);
       ASSERT_EQ(ran.exit_code, 0) << command << '\n' << ran.err;
-      // At the head of a pipe its exit code is not that of the command.
+      // In a pipe, the exit code is that of the last command.
       EXPECT_EQ(ran.err.find("oplus: "), std::string::npos) << command << '\n' << ran.err;
       for (const std::string& picture : found(command, "(docs/pictures/\\S+\\.svg)")) {
         EXPECT_EQ(content(picture), text_of_file(top / picture))
@@ -49,7 +49,7 @@ TEST_F(Pages, draw_their_pictures) {
     for (const std::string& shown : found(page, "\\]\\((pictures/[^)]+)\\)"))
       EXPECT_TRUE(drawn.contains("docs/" + shown)) << shown << " is not drawn on its page";
   }
-  // README draws the one picture of its own.
+  // README draws one picture.
   drawn.insert("docs/pictures/room_and_diamond.svg");
   for (const auto& entry : fs::directory_iterator(top / "docs/pictures"))
     EXPECT_TRUE(drawn.contains("docs/pictures/" + entry.path().filename().string()))
@@ -71,7 +71,7 @@ TEST(AlgorithmPages, show_a_picture_and_what_they_rest_on) {
   }
 }
 
-/// Its page links to its source; a link from elsewhere would pass by what it says.
+/// Only the statement's own page links to its source.
 TEST(AllPages, link_to_the_page_of_a_statement_not_to_its_source) {
   std::size_t statements = 0;
   for (const auto& [name, page] : pages()) {
@@ -114,7 +114,7 @@ TEST(AllPages, link_to_what_exists) {
   EXPECT_GT(anchors, 10U);
 }
 
-/// Files and folders named in code, which are no links.
+/// Files and folders that are named, without a link.
 TEST(AllPages, name_files_that_exist) {
   std::size_t names = 0;
   for (const auto& [name, page] : pages()) {

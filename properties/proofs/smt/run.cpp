@@ -21,9 +21,9 @@ constexpr Asked all_questions[] = {Asked::proof, Asked::hypotheses, Asked::twin}
 std::string defect_by_definition(const Query& query, const Model& model) {
   try {
     if (query.is_false_by_definition(model)) return "";
-    return "by the definitions the model is no counterexample";
+    return "by the definitions the model is not a counterexample";
   } catch (const std::exception& error) {
-    return std::string("the definitions, asked about the model: ") + error.what();
+    return std::string("by the definitions: ") + error.what();
   }
 }
 
@@ -39,7 +39,7 @@ std::string defect(const Query& query, Asked asked, const Answer& answer) {
   if (!formula_of(query, asked, Values()).holds_in(*answer.model))
     return "the model does not satisfy the formulas";
   if (formula_of(query, asked, Values(*answer.model)).value() != true)
-    return "the code, run on the model's numbers, does not find what its formulas say";
+    return "the code, run on the model's numbers, does not agree with its formulas";
   return asked == Asked::twin ? defect_by_definition(query, *answer.model) : "";
 }
 

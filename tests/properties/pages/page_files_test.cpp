@@ -71,7 +71,7 @@ TEST_F(PageFiles, AreCurrentOnceWritten) {
   EXPECT_EQ(stale_files(pages, docs_), Lines{});
 }
 
-TEST_F(PageFiles, AreStaleWhereChangedMissingOrTooMany) {
+TEST_F(PageFiles, AreOutOfDateWhereChangedMissingOrSuperfluous) {
   const std::vector<Page> pages = all_pages(sound_registry());
   write_pages(pages, docs_);
   std::ofstream(docs_ / "theorems.md", std::ios::app) << "more\n";
@@ -87,7 +87,7 @@ TEST_F(PageFiles, AreStaleWhereChangedMissingOrTooMany) {
   EXPECT_TRUE(fs::exists(docs_ / "theorems/runs.json"));
 }
 
-TEST_F(PageFiles, ChangeWithWhatTheyAreMadeOf) {
+TEST_F(PageFiles, ChangeWithTheirSources) {
   write_pages(all_pages(sound_registry()), docs_);
   const std::string page = "theorems/lemma-9.9.9.md: out of date";
   const auto stale_with = [&](auto change) {
@@ -147,7 +147,7 @@ TEST_F(PageFiles, ChangeWithProofs) {
   EXPECT_EQ(stale_files(all_pages(registry), docs_), Lines{"theorems/lemma-9.9.9.md: out of date"});
 }
 
-TEST(Records, OfASoundRegistryHaveNoDefect) {
+TEST(Records, OfAValidRegistryHaveNoDefect) {
   EXPECT_EQ(defects_of_records(sound_registry()), Lines{});
 }
 
@@ -174,7 +174,7 @@ TEST(Records, MustFitTheRegistry) {
             Lines{"lemma-9.9.9: docs/findings.md has no heading with Lemma 9.9.9"});
 }
 
-TEST(Records, ThatAreMissingAreBadInput) {
+TEST(Records, ThatAreMissingAreInvalidInput) {
   EXPECT_THROW(registry_with_records({"/nowhere", "/nowhere", "/nowhere"}), InvalidInput);
 }
 
