@@ -15,7 +15,7 @@ using Lines = std::vector<std::string>;
 TEST(Anchors, AreThoseOfGitHub) {
   EXPECT_EQ(anchor_of("Section 4.2.4: components, `a_b` and m + n"),
             "section-424-components-a_b-and-m--n");
-  EXPECT_EQ(anchor_of("The convolution \u{1d49e}"), "the-convolution-\u{1d49e}");
+  EXPECT_EQ(anchor_of("The convolution 𝒞"), "the-convolution-𝒞");
 }
 
 TEST(Headings, AreOfAllLevelsAndNotInCode) {
