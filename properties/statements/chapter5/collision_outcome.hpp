@@ -6,8 +6,8 @@
 
 namespace oplus {
 
-/// Compares a method with the definition (`interiors_meet`) at placements of every kind. Counts
-/// them by their strongest contact and by the answer.
+/// Whether a method answers as the definition (`interiors_meet`) does at every kind of placement there
+/// is. Counts them by their strongest contact and by the answer.
 Outcome collision_outcome(CollisionMethod method, const Summands& summands);
 
 }  // namespace oplus
