@@ -88,9 +88,9 @@ const Registered registered({
         "Let e be an edge of one summand and q a vertex of the other. If the edge that leaves q, "
         "or the reverse of the one that enters it, points strictly to the right of e, then each "
         "point inside e + q is in the sum of the open regions, except possibly where another "
-        "chain touches e. In the first case the segment e + q is said to slide. If e is parallel "
-        "to neither edge at q, this decides whether e + q is in the convolution: it is if it does "
-        "not slide; it is not if it slides and q is convex.",
+        "chain touches e. The segment e + q is then said to slide. If e is parallel to neither "
+        "edge at q, this decides whether e + q is in the convolution: it is if it does not slide; "
+        "it is not if it slides and q is convex.",
     .why = "Let d be the direction from q along that edge, and p a point inside e, where no other "
            "chain touches it. Around p the region fills the half disk to the left of e, so p - t d "
            "is interior for small t, and q + t d is in the other region. Their sum is p + q. Where "

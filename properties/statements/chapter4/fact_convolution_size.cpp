@@ -66,10 +66,10 @@ const Registered registered({
         "The turns of a chain add up to 2π s, so each direction is passed s times, counting "
         "clockwise passes as -1. A convex vertex passes the directions of its tangent set "
         "counterclockwise. A reflex vertex passes the directions outside its tangent set "
-        "clockwise; that is, it counts each direction of its tangent set 0 and each other one -1, "
-        "one less than being in the tangent set. So each direction is in s + r tangent sets. Ties "
-        "do not matter, since the tie rule turns all of Q's directions together; a vertex inside "
-        "a straight line does not turn, and its tangent set is empty.",
+        "clockwise: it counts 0 for a direction in its tangent set and -1 for any other, so 1 "
+        "less than whether the direction is in it (1 or 0). So each direction is in s + r tangent "
+        "sets. Ties do not matter, since the tie rule turns all of Q's directions together; a "
+        "vertex inside a straight line does not turn, and its tangent set is empty.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
     .rests_on = {},
     .sources = larger_mixture(),

@@ -54,7 +54,7 @@ const Registered registered({
         "segment, and cover the convolution.",
     .why =
         "Segments visited by complete traces, and the trace so far, enter each state as often as "
-        "they leave it, but for the two ends of the trace. As many segments of the convolution "
+        "they leave it, except for the two ends of the trace. As many segments of the convolution "
         "enter a state as leave it (Lemma 4.1.4); so a trace that has reached a state other than "
         "its start finds an unvisited segment that leaves this state. If it is not the one along "
         "P, it is the one along Q: the else branch, which takes that without a test, is right. No "

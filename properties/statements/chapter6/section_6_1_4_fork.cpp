@@ -38,8 +38,8 @@ const Registered registered({
     .id = "section-6.1.4",
     .title = "The fork's sum has n² holes",
     .statement =
-        "The sum of a fork with n teeth on each of its two arms, of whatever widths and gaps, and "
-        "the L that fits it is connected and has exactly n² holes.",
+        "The sum of a fork with n teeth on each of its two arms, of any widths and gaps, and the "
+        "L that fits it is connected and has exactly n² holes.",
     .why =
         "One arm of the L extends each tooth of one arm of the fork to a bar, the other arm each "
         "tooth of the other. The gaps are wider than the L, so bars of one direction stay apart; "

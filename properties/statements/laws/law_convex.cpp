@@ -54,7 +54,7 @@ const Registered registered({
         "and a vertex. In the order of angles, that is a merge in O(n + m), which uses neither "
         "convolutions nor arrangements. The open sum is convex too, so it has no low-dimensional "
         "features.",
-    .hypotheses = {"P and Q are valid regions; their hulls are the convex ones"},
+    .hypotheses = {"P and Q are valid regions; the first part uses their convex hulls"},
     .rests_on = {"section-3.2"},
     .sources = {{"grid", 8, 4},
                 {"convex", 12, 2},

@@ -61,8 +61,8 @@ const Registered registered({
         "once and not divided.",
     .why =
         "A pair of edges blocks a place only if x(t) is in the sum of their boxes, so a traversal "
-        "that leaves out no sum of boxes with x(t) in it finds a pair that blocks t if there is "
-        "one. A probe that finds none has skipped boxes; the skipped boxes that the gap meets "
+        "that skips no pair of boxes whose sum contains x(t) finds a pair that blocks t if there "
+        "is one. A probe that finds none has skipped boxes; the skipped boxes that the gap meets "
         "contain all other pairs that block a part of it. Boxes are rounded outwards, and doubles "
         "decide only where the value exceeds the possible error. At both ends of a segment with "
         "short coordinates doubles are exact, and decide whether a line is beside a strip or on "
