@@ -22,7 +22,7 @@ int print_and_judge(const std::vector<std::string>& lines, const std::string& al
   if (lines.empty())
     std::cout << all_well << '\n';
   else
-    std::cout << "bash docs/renew writes records, pages and drawings anew\n";
+    std::cout << "bash docs/renew writes the records, pages and drawings again\n";
   return lines.empty() ? 0 : 1;
 }
 
@@ -50,8 +50,8 @@ void add_pages_command(CLI::App& app, int& exit_code) {
   command->add_flag("--check", settings->check, "Write nothing; fail where a page is out of date");
   command
       ->add_option("--docs", settings->docs,
-                   "The folder docs/, with the records theorems/*.json; default: that of the "
-                   "sources which this program was built of")
+                   "The folder docs/, with the records theorems/*.json; default: docs/ of the "
+                   "sources from which this program was built")
       ->type_name("DIR");
   command->footer(
       "Records come from properties --record and, in the preset check, mutants --record.\n"

@@ -5,8 +5,8 @@
 
 namespace oplus {
 
-/// Add `pages` and `theorems`; each sets exit_code when run. Of `pages`: 0 written or up to date, 1 stale,
-/// 2 a record is unfit.
+/// Add `pages` and `theorems`; each sets exit_code when run. Of `pages`: 0 written or up to date, 1
+/// out of date, 2 a record is invalid.
 void add_pages_command(CLI::App& app, int& exit_code);
 void add_theorems_command(CLI::App& app, int& exit_code);
 

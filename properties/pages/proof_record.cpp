@@ -17,7 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// What `read` makes of the file's JSON; where that is not as it expects, InvalidInput.
+/// Returns what `read` makes of the file's JSON; throws InvalidInput where that is not as `read`
+/// expects.
 template <typename Read>
 auto read_json(const fs::path& file, const std::string& expected, Read read) {
   const std::string text = text_of_file(file, expected);
@@ -36,7 +37,7 @@ bool extent_is_whole(const std::string& extent, const fs::path& file) {
   return extent == "whole";
 }
 
-/// Numbers and flags as they are, of vectors and directions the vector.
+/// Numbers and flags by their values, vectors and directions as vectors.
 std::string in_words(const Json& counterexample) {
   const smt::Model model = smt::model_of_json(counterexample);
   std::string text;

@@ -10,20 +10,21 @@ namespace oplus {
 /// A theorem of properties/proofs/ that backs a statement: an entry of theorems.json.
 struct ProvedTheorem {
   std::string statement;  ///< the id of the registered statement
-  bool is_whole = false;  ///< whether it is all of the statement, or a part or an ingredient of it
+  bool is_whole =
+      false;  ///< whether it is the whole statement, not only a part or an ingredient of it
   std::string name, file;
   std::string gloss;        ///< what it says, for readers without Coq
   std::string covers;       ///< which inputs exactly
-  std::string not_covered;  ///< what of the statement is left open
-  std::string formal;       ///< its statement, as Coq has it
+  std::string not_covered;  ///< which part of the statement remains unproved
+  std::string formal;       ///< its statement in Coq
 };
 
 /// Reads theorems.json of this folder, and the formal statements from the files it names.
 /// Throws InvalidInput on what cannot be read, and where a file has no theorem of that name.
 std::vector<ProvedTheorem> proved_theorems(const std::filesystem::path& proofs);
 
-/// From the line "Theorem NAME" (or Lemma, Corollary) up to the line before "Proof"; empty where there is
-/// none.
+/// From the line "Theorem NAME" (or Lemma, Corollary) up to the line before "Proof"; empty if there
+/// is no such theorem.
 std::string formal_statement(const std::string& coq, const std::string& name);
 
 /// What oplus-check smt --record wrote of a query: each solver's answers.
@@ -33,8 +34,8 @@ struct AnsweredQuery {
   std::string file;                     ///< from the root
   std::vector<std::string> hypotheses;  ///< in words
   std::string conclusion;
-  std::string dropped;         ///< the hypothesis in words without which there is a counterexample
-  std::string counterexample;  ///< to that, in words
+  std::string dropped;  ///< the hypothesis, in words, without which there is a counterexample
+  std::string counterexample;  ///< to the statement without it, in words
 };
 
 /// Reads results.json of this folder. Throws InvalidInput on what cannot be read, and where an answer is

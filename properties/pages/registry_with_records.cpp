@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "properties/pages/links.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/io/file_text.hpp"
 
@@ -19,6 +20,8 @@ Registry registry_with_records(const RecordFolders& folders) {
   registry.kills = kills_of_json(text_of_file(kills, "a record of kills"), kills.string());
   registry.theorems = proved_theorems(folders.proofs);
   registry.queries = answered_queries(folders.smt);
+  registry.citing = citing_pages(folders.docs);
+  registry.findings = headings_of(text_of_file(folders.docs / "findings.md", "the findings"));
   return registry;
 }
 
@@ -38,6 +41,8 @@ std::vector<std::string> defects_of_records(const Registry& registry) {
       if (!recorded.contains({s.id, mutant}))
         defects.push_back(s.id + ": no kill of " + mutant + " is recorded");
     }
+    for (const std::string& name : missing_findings(s.statement + " " + s.why, registry.findings))
+      defects.push_back(s.id + ": docs/findings.md has no heading with " + name);
   }
   for (const auto& [id, run] : registry.runs) {
     if (!ids.contains(id))
@@ -54,6 +59,10 @@ std::vector<std::string> defects_of_records(const Registry& registry) {
   for (const AnsweredQuery& query : registry.queries)
     if (!ids.contains(query.statement))
       defects.push_back(query.id + ": is to back " + query.statement +
+                        ", but there is no such statement");
+  for (const auto& [id, pages] : registry.citing)
+    if (!ids.contains(id))
+      defects.push_back("docs/" + pages.front() + ".md: links to " + id +
                         ", but there is no such statement");
   return defects;
 }

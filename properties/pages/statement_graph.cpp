@@ -67,7 +67,7 @@ std::string to_dot(const std::vector<Statement>& statements,
          << "\", fillcolor=\"" << colour(s) << "\"]";
   };
   const auto write_edge = [](std::ostream&, const StatementGraph::edge_descriptor&) {};
-  // A width of its own, so that the drawing does not depend on the fonts there are.
+  // A fixed width, so that the drawing does not depend on the installed fonts.
   const auto write_graph = [](std::ostream& graph) {
     graph << "rankdir=LR; ranksep=0.6; nodesep=0.12;\n"
              "node [shape=box, style=\"filled,rounded\", fontname=\"sans-serif\", fontsize=10, "

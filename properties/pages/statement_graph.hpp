@@ -14,13 +14,13 @@ namespace oplus {
 /// it rests on.
 using StatementGraph = boost::adjacency_list<boost::vecS, boost::vecS, boost::bidirectionalS>;
 
-/// Leaves out what rests on an unknown statement; defects_of_graph says so.
+/// Edges to unknown statements are left out; defects_of_graph reports them.
 StatementGraph statement_graph(const std::vector<Statement>& statements);
 
 /// What is wrong with it, a line each: a statement that rests on an unknown one or on itself, a cycle.
 std::vector<std::string> defects_of_graph(const std::vector<Statement>& statements);
 
-/// Returns it for Graphviz, each node in its colour and a link to its page.
+/// Returns the graph for Graphviz; each node has a colour and a link to its page.
 std::string to_dot(const std::vector<Statement>& statements,
                    const std::function<std::string(const Statement&)>& colour);
 

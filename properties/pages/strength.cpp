@@ -13,7 +13,7 @@ namespace {
 struct Look {
   Strength strength;
   const char* name;
-  const char* colour;  ///< as Graphviz has it
+  const char* colour;  ///< for Graphviz
   const char* colour_name;
 };
 
@@ -30,7 +30,7 @@ const Look& look_of(Strength strength) {
   return *std::ranges::find(looks, strength, &Look::strength);
 }
 
-/// Returns ", 2 theorems"; nothing of none.
+/// Returns ", 2 theorems"; empty for zero.
 std::string amount_of(std::ptrdiff_t number, const std::string& one, const std::string& many) {
   return number == 0 ? "" : ", " + counted(static_cast<std::size_t>(number), one, many);
 }
@@ -41,7 +41,7 @@ std::ptrdiff_t theorems_of(const Registry& registry, const std::string& id, bool
   });
 }
 
-/// How much there is of it; empty where there is nothing.
+/// The number of theorems, cases, queries or pairs, in words; empty if there is none.
 std::string amount(Strength strength, const Registry& registry, const std::string& id) {
   const auto run = registry.runs.find(id);
   const bool has_run = run != registry.runs.end();

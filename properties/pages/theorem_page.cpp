@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <boost/algorithm/string/replace.hpp>
+#include <optional>
 #include <set>
 
 #include "checked/arrangement/rca.hpp"
+#include "properties/pages/links.hpp"
 #include "properties/pages/strength.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/definitions/convolution.hpp"
+#include "reference/io/writing.hpp"
 #include "reference/pictures/styles.hpp"
 
 namespace oplus {
@@ -29,6 +32,16 @@ std::string list_of_statements(const std::vector<std::string>& ids, const std::s
   return list.empty() ? none : list;
 }
 
+/// A line with links to the algorithms' pages that cite the statement; empty where none does.
+std::string citations(const Registry& registry, const std::string& id) {
+  const auto found = registry.citing.find(id);
+  if (found == registry.citing.end()) return {};
+  std::string list;
+  for (const std::string& page : found->second)
+    list += (list.empty() ? "" : ", ") + link(page, "../" + page + ".md");
+  return "\nCited by: " + list + ".\n";
+}
+
 std::vector<std::string> resting_on(const Registry& registry, const std::string& id) {
   std::vector<std::string> above;
   for (const Statement& s : registry.statements)
@@ -38,9 +51,9 @@ std::vector<std::string> resting_on(const Registry& registry, const std::string&
 
 std::string source_of_theory(const Statement& s) {
   std::string kind = s.kind();
-  if (kind == "fact") return "A fact of our own";
-  if (kind == "step") return "A step of [slide](../slide.md), our own";
-  if (kind == "law") return "A law of the sum, for every engine, not in the thesis";
+  if (kind == "fact") return "A fact that is not in the thesis";
+  if (kind == "step") return "A step of [slide](../slide.md), not in the thesis";
+  if (kind == "law") return "A law of the sum that every engine must obey, not in the thesis";
   const std::string number = s.id.substr(kind.size() + 1);
   kind[0] = static_cast<char>(kind[0] - 'a' + 'A');
   return kind + " " + number + " of the thesis";
@@ -69,7 +82,7 @@ std::string recorded_run(const Statement& s, const PropertyRun& run) {
   if (run.enumeration)
     text += "\nProved by enumeration, " + std::to_string(run.enumeration->cases) + " cases.\n";
   if (!s.check) return text;
-  text += "\n" + std::to_string(run.run) + " pairs held, " + std::to_string(run.discarded) +
+  text += "\n" + std::to_string(run.run) + " pairs hold, " + std::to_string(run.discarded) +
           " were discarded, none failed.\n";
   text += tally("family", run.families, run.run, {});
   text += tally("pairs with", run.classes, run.run, s.promises);
@@ -92,7 +105,8 @@ std::string proofs(const Registry& registry, const Statement& s) {
   }
   return text.empty()
              ? text
-             : "\n## Checked by Coq\n`ctest -L proofs` checks it again, and that it rests on no axiom.\n" +
+             : "\n## Checked by Coq\n`ctest -L proofs` checks the proofs again, and that they use "
+               "no axioms.\n" +
                    text;
 }
 
@@ -102,14 +116,14 @@ std::string answers(const Registry& registry, const Statement& s) {
     if (query.statement != s.id) continue;
     text += "\n`" + query.id + "`, " + link_to_source(query.file) + ": if\n";
     for (const std::string& hypothesis : query.hypotheses) text += "- " + hypothesis + '\n';
-    text += "\nthen " + query.conclusion + ". Not so without \"" + query.dropped +
+    text += "\nthen " + query.conclusion + ". False without \"" + query.dropped +
             "\": " + query.counterexample + ".\n";
   }
   return text.empty()
              ? text
-             : "\n## Proved by Z3 and cvc5\nOver all real numbers, each by both, see "
-               "[proofs by SMT](../smt.md). The counterexamples are Z3's, and false by the "
-               "definitions too.\n" +
+             : "\n## Proved by Z3 and cvc5\nEach query is proved for all real numbers by both "
+               "solvers: see [proofs by SMT](../smt.md). Where a hypothesis is dropped, Z3 gives "
+               "a counterexample, which is also one by the definitions.\n" +
                    text;
 }
 
@@ -119,8 +133,8 @@ const Mutant& mutant_of(const Registry& registry, const std::string& name) {
 
 std::string kill_table(const Registry& registry, const std::vector<const Kill*>& kills) {
   std::string text =
-      "\n## Faults it finds\nEach is one line, in the preset `check` only.\n\n"
-      "| mutant | what goes wrong | where | found by |\n|---|---|---|---|\n";
+      "\n## Faults that it finds\nEach changes one line of the code, in builds of the preset "
+      "`check` only.\n\n| mutant | what goes wrong | where | found by |\n|---|---|---|---|\n";
   for (const Kill* kill : kills) {
     const Mutant& mutant = mutant_of(registry, kill->mutant);
     text +=
@@ -130,14 +144,16 @@ std::string kill_table(const Registry& registry, const std::vector<const Kill*>&
   return text;
 }
 
-/// P, Q, and their convolution over the sum of the open regions, as SVG.
-std::string picture_of_pair(const Summands& pair) {
+/// P, Q, and their convolution over the sum of the open regions, as SVG; there a point is marked.
+std::string picture_of_pair(const Summands& pair, const std::optional<Point>& marked = {}) {
   std::vector<Layer> layers = layers_of(rca(pair.p, pair.q, Boundary::open).sum);
   // Over the region, below dangling edges and isolated vertices.
   const auto above_region = std::find_if_not(layers.begin(), layers.end(), [](const Layer& layer) {
     return !layer.region.components.empty();
   });
   layers.insert(above_region, {style::convolution, {}, segments(convolution(pair.p, pair.q))});
+  if (marked)
+    layers.push_back({labelled(style::difference, "where the statement fails"), {}, {}, {*marked}});
   return svg({panel_of(Summand::P, pair.p),
               panel_of(Summand::Q, pair.q),
               {"Convolution and open sum", std::move(layers)}});
@@ -153,13 +169,19 @@ std::vector<Page> theorem_pages(const Registry& registry, const Statement& s) {
   std::set<std::string> protects;
   for (const Kill* kill : kills) protects.insert(mutant_of(registry, kill->mutant).file);
 
-  std::string text = "# " + s.title + "\n" + source_of_theory(s) + ", `" + s.id +
-                     "`. Generated from the registry by `oplus-maintain pages`.\n\n## Statement\n" +
-                     s.statement + "\n\n## Why it holds\n" + s.why + "\n\n## Hypotheses\n";
+  const auto linked = [&](const std::string& words) {
+    return with_links_to_findings(words, registry.findings);
+  };
+  std::string text =
+      "# " + s.title + "\n" + source_of_theory(s) + ", `" + s.id +
+      "`. Words and symbols: [notation](../notation.md). Generated from the sources by "
+      "`oplus-maintain pages`.\n\n## Statement\n" +
+      linked(s.statement) + "\n\n## Why it holds\n" + linked(s.why) + "\n\n## Hypotheses\n";
   for (const std::string& hypothesis : s.hypotheses) text += "- " + hypothesis + '\n';
-  text += "\nRests on: " + list_of_statements(s.rests_on, "nothing but definitions") + ".\n";
+  text += "\nRests on: " + list_of_statements(s.rests_on, "definitions only") + ".\n";
   text +=
       "\nWhat rests on it: " + list_of_statements(resting_on(registry, s.id), "nothing") + ".\n";
+  text += citations(registry, s.id);
   text += "\n## How it is backed\n- " + backing(registry, s) +
           "\n- the property: " + link_to_source(relative_file(s)) + "\n- what it protects: ";
   for (const std::string& file : protects)
@@ -171,7 +193,7 @@ std::vector<Page> theorem_pages(const Registry& registry, const Statement& s) {
   if (run.typical) {
     const std::string picture = "pictures/" + s.id + "-typical.svg";
     text +=
-        "\n## A typical case\nOf middle size among those of the run.\n\n![P, Q, and their convolution and open sum](" +
+        "\n## A typical case\nThe median by size of the pairs of the run.\n\n![P, Q, and their convolution and open sum](" +
         picture + ")\n";
     pages.push_back({"theorems/" + picture, picture_of_pair(*run.typical)});
   }
@@ -180,10 +202,12 @@ std::vector<Page> theorem_pages(const Registry& registry, const Statement& s) {
   if (shown != kills.end()) {
     const Kill& kill = **shown;
     const std::string picture = "pictures/" + s.id + "-shrunk.svg";
-    text += "\n## A shrunk case\nWith the fault `" + kill.mutant +
-            "` the statement fails on this pair, and on no smaller one; without, it holds:\n" +
-            kill.why + ".\n\n![P, Q, and their convolution and open sum](" + picture + ")\n";
-    pages.push_back({"theorems/" + picture, picture_of_pair(*kill.shrunk)});
+    text += "\n## A shrunk counterexample\nWith the fault `" + kill.mutant +
+            "` the statement fails on this pair, and on no smaller one; without the fault it "
+            "holds.\nWhat is seen: " +
+            kill.why + ".\n\n    P: " + wkt(kill.shrunk->p) + "\n    Q: " + wkt(kill.shrunk->q) +
+            "\n\n![P, Q, and their convolution and open sum](" + picture + ")\n";
+    pages.push_back({"theorems/" + picture, picture_of_pair(*kill.shrunk, kill.at)});
   }
   pages.push_back({"theorems/" + s.id + ".md", std::move(text)});
   return pages;

@@ -14,7 +14,7 @@ struct Page {
   std::string text;
 };
 
-/// docs/theorems/ID.md and its pictures of a typical and of a shrunk case.
+/// docs/theorems/ID.md and its pictures of a typical case and of a shrunk counterexample.
 std::vector<Page> theorem_pages(const Registry& registry, const Statement& statement);
 
 }  // namespace oplus

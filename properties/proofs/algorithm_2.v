@@ -1,6 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Algorithm 2 of the thesis, segments marked as soon as they are taken: which way it goes where two are
-   open does not matter. And as printed, where nothing is marked within a cycle: that need not end. *)
+(* Algorithm 2 of the thesis, segments marked as soon as they are taken: where two unvisited
+   segments leave a state, either may be taken. And as printed, where nothing is marked within a
+   cycle: then it need not end. *)
 From Coq Require Import QArith Lia Bool List Permutation Arith.
 From Oplus Require Import direction winding_number turning_number convolution_size distinct fiber_grid
   states in_out_degree tracing.
@@ -8,7 +9,7 @@ Import ListNotations.
 
 Open Scope nat_scope.
 
-(* P's edge, if it is in the convolution and not visited; else Q's, about which nothing is asked. *)
+(* P's edge, if it is in the convolution and not visited; else Q's, without a test. *)
 Definition chosen (belongs : named_segment -> bool) (visited : list named_segment) (at_ : state)
     : named_segment :=
   if belongs (OfP, at_) && negb (is_in (OfP, at_) visited) then (OfP, at_) else (OfQ, at_).

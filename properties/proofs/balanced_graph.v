@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* A finite directed graph whose nodes are entered as often as they are left falls into cycles that share
-   no edge and pass no node twice. *)
+(* A finite directed graph whose nodes are entered as often as they are left decomposes into cycles
+   that share no edge and pass no node twice. *)
 From Coq Require Import Lia Bool List Permutation Arith.
 From Oplus Require Import distinct.
 Import ListNotations.

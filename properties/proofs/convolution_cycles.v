@@ -8,9 +8,9 @@ Import ListNotations.
 
 Open Scope nat_scope.
 
-(* Theorem 4.1.6 for one cycle. From any convolution segment on, going on along the summand one came by
-   where that is possible and along the other, without asking, where it is not, the trace is back at
-   the state where it began after at most 2 n m steps. All it takes are convolution segments, none of
+(* Theorem 4.1.6 for one cycle. From any convolution segment on, going on along the same summand
+   where that is possible and else along the other one, without a test, the trace returns to the
+   state where it began after at most 2 n m steps. All it takes are convolution segments, none of
    them twice, and each leaves the state to which the one before it leads. *)
 Theorem trace_returns_to_its_start (p q : list vector) (s : named_segment) :
   no_edge_is_a_point p -> no_edge_is_a_point q -> In s (convolution p q) ->
@@ -58,8 +58,8 @@ Lemma length_concat (A : Type) (lists : list (list A)) :
   length (concat lists) = list_sum (map (@length A) lists).
 Proof. induction lists as [| l lists IH]; [reflexivity |]. cbn. now rewrite app_length, IH. Qed.
 
-(* The step count of Theorem 4.1.10: with K segments in the convolution, n + m - 1 + K states are looked
-   at, less one for each cycle. *)
+(* The step count of Theorem 4.1.10: with K segments in the convolution, n + m - 1 + K states are
+   looked at, minus one for each cycle. *)
 Theorem states_looked_at_are_few (p q : list vector) (cycles : list (list named_segment)) :
   no_edge_is_a_point p -> no_edge_is_a_point q -> p <> [] -> q <> [] ->
   trace_cycles (length p) (length q) (in_convolution p q) = Some cycles ->

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* What the cycles cross that are traced of two closed chains. *)
+(* Which rows and columns the traced cycles of two closed chains cross. *)
 From Coq Require Import Lia Bool List Permutation Arith.
 From Oplus Require Import direction turning_number convolution_size fiber_grid states in_out_degree
   tracing convolution_cycles.

@@ -133,9 +133,10 @@ Qed.
 (* An edge of the grid, named by the state that it leaves. *)
 Definition grid_edge := (summand * state)%type.
 
-(* Theorem. Take any edges of the grid of which each leads to a state that one of them leaves, as those
-   do that are left over when cycles are taken away. If there are any, one of them leaves a state of
-   the first row or the first column. So whoever starts there, until nothing is left, misses none. *)
+(* Theorem. Take any edges of the grid of which each leads to a state that one of them leaves, as
+   those do that are left over when cycles are taken away. If there are any, one of them leaves a
+   state of the first row or the first column. So starting there, until nothing is left, misses
+   none. *)
 Theorem what_is_left_meets_the_first_row_or_column : forall n m (edges : list grid_edge),
   (forall along s, In (along, s) edges -> fst s < n /\ snd s < m) ->
   (forall along s, In (along, s) edges -> exists on, In (on, step n m along s) edges) ->

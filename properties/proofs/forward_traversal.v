@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Lemma 4.1.3 where it is decided: at one vertex of P and one of Q, for whatever four edges they have. *)
+(* Lemma 4.1.3 at one vertex of P and one vertex of Q, for any four edges. *)
 From Coq Require Import QArith ZArith Lqa Bool Lia.
 From Oplus Require Import direction angle cyclic_order tangent_set sweep.
 

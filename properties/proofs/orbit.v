@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Going on and on along an injective map of a finite set leads back to where one started. *)
+(* Iterating an injective map of a finite set to itself returns to the start. *)
 From Coq Require Import List Permutation Lia Arith.
 From Oplus Require Import distinct.
 Import ListNotations.

@@ -14,7 +14,7 @@ Definition product (b v : vector) : vector :=
 (* b after a counterclockwise turn by t: 1 is a right angle, 2 half a turn, 4 the full turn. *)
 Definition turned (b : vector) (t : Q) : vector := product b (diamond t).
 
-(* v as somebody sees it who looks along b: how far ahead, how far to the left. *)
+(* v in the coordinates of b: how far ahead, how far to the left. *)
 Definition seen (b v : vector) : vector := Vector (dot b v) (cross b v).
 
 Lemma diamond_on (t : Q) : 0 <= t < 4 -> on_diamond t (vx (diamond t)) (vy (diamond t)).
@@ -143,7 +143,7 @@ Proof.
     tauto || (exfalso; lra).
 Qed.
 
-(* Which of d and to is met first by somebody who looks along from and turns. *)
+(* Which of d and `to` is met first when turning from `from`. *)
 Lemma ccw_seen (d from to : vector) :
   nonzero d -> nonzero from -> nonzero to ->
   ccw_of_vectors d from to = true <->

@@ -46,7 +46,8 @@ Proof.
     change 2 with (inject_Z 2) in more. rewrite <- Zlt_Qlt in more. lia.
 Qed.
 
-(* The chain of an outer boundary is counterclockwise and turns once, that of a hole once backwards. *)
+(* The chain of an outer boundary is counterclockwise and turns once, that of a hole once clockwise.
+   *)
 Definition outer (chain : list vector) : Prop := turning_number chain = 1%Z.
 Definition hole (chain : list vector) : Prop := turning_number chain = (-1)%Z.
 

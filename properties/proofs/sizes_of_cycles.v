@@ -16,7 +16,7 @@ Proof.
   rewrite IH. ring.
 Qed.
 
-(* The edges of a closed chain add up to nothing, so they are on no open side of a line. *)
+(* The edges of a closed chain add up to zero, so they are not all on one open side of a line. *)
 Lemma edges_add_up_to_zero : forall chain w, sum_over (cross w) (edge_directions chain) == 0.
 Proof.
   intros chain w. destruct (edges_ends chain) as [S T].
@@ -63,7 +63,8 @@ Proof.
   - apply (Qmult_inj_l _ _ (cross u v)); [lra |]. rewrite Y. ring.
 Qed.
 
-(* So is the tangent set of a vertex that is not reflex, and what is missing in that of a reflex one. *)
+(* So is the tangent set of a vertex that is not reflex, and so is the complement of that of a
+   reflex one. *)
 Lemma tangents_on_one_side : forall d c,
   proper d -> turns (incoming c) (outgoing c) -> is_reflex c = false -> in_tangent_set d c = true ->
   0 < cross (minus (incoming c) (outgoing c)) (vec d).

@@ -17,8 +17,8 @@ Proof. repeat decide equality. Defined.
 Definition is_in (s : named_segment) (l : list named_segment) : bool :=
   if in_dec segment_eq_dec s l then true else false.
 
-(* Where a cycle goes on that came to a state along this summand's edge: along the same one if it can;
-   whether it can along the other is not asked. *)
+(* Where a cycle goes on that entered a state along this summand's edge: along the same summand if
+   possible, else along the other one, without a test. *)
 Definition summand_after (belongs : named_segment -> bool) (came_by : summand) (at_ : state) : summand :=
   if belongs (came_by, at_) then came_by else other came_by.
 
@@ -84,7 +84,7 @@ Proof.
     etransitivity; [exact (Nat.eq_le_incl _ _ e) | cbn [length]; lia].
 Qed.
 
-(* The next segment belongs too: the branch that does not ask is right (Lemma 4.1.3). *)
+(* The next segment belongs too: the else branch, which has no test, is right (Lemma 4.1.3). *)
 Lemma segment_after_in s : In s all -> In (follow s) all.
 Proof.
   unfold all. rewrite !in_those. intros [g b]. unfold follow, segment_after, summand_after.

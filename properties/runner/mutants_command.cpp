@@ -32,6 +32,7 @@ Kill try_to_kill(const Statement& statement, const RunOptions& options) {
   } else if (run.counterexample) {
     kill.why = run.counterexample->why;
     kill.shrunk = run.counterexample->summands;
+    kill.at = run.counterexample->at;
     kill.killed = evaluate(statement, *kill.shrunk).kind == Outcome::Kind::holds;
   }
   return kill;

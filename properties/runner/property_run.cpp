@@ -97,7 +97,8 @@ class Recorder {
     if (!failing_) count(c, outcome);
     if (outcome.kind != Outcome::Kind::fails) return outcome.kind;
     if (failing_ && fails_without_fault(c)) return Outcome::Kind::holds;
-    failing_ = Counterexample{c.summands, outcome.why, failing_ ? failing_->shrinks + 1 : 0};
+    failing_ = Counterexample{
+        c.summands, outcome.why, failing_ ? failing_->shrinks + 1 : 0, {}, outcome.at};
     return outcome.kind;
   }
 

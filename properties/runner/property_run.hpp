@@ -28,6 +28,7 @@ struct Counterexample {
   std::string why;
   std::size_t shrinks;                ///< how many steps it took
   std::optional<Finding> files = {};  ///< where it was written, if it was
+  std::optional<Point> at = {};       ///< as `Outcome::at`
 };
 
 /// What a run did. It has passed only if `complaints` is empty.

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "checked/cli/json_values.hpp"
 #include "reference/io/invalid_input.hpp"
+#include "reference/io/number.hpp"
 #include "reference/io/reading.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
-
-using Json = nlohmann::ordered_json;
 
 namespace {
 
@@ -38,8 +38,20 @@ Summands pair_of_json(const Json& json) {
   return {region("p"), region("q")};
 }
 
+Point point_of_json(const Json& json) {
+  const auto coordinate = [&](std::size_t i) {
+    const auto text = json.at(i).get<std::string>();
+    NumberFault fault;
+    const std::optional<Rational> value = parse_number(text, fault);
+    if (!value) throw InvalidInput({"at", 1, 0}, fault.wrong, fault.expected);
+    return *value;
+  };
+  return {coordinate(0), coordinate(1)};
+}
+
 Json json_of(const std::string& statement, const Counterexample& found) {
   Json json = {{"why", found.why}};
+  if (found.at) json["at"] = oplus::json(*found.at);
   json.update(json_of(found.summands));
   json["shrinks"] = found.shrinks;
   if (found.files) {
@@ -98,6 +110,7 @@ Json json_of(const Kill& kill) {
   Json json = {{"mutant", kill.mutant}, {"statement", kill.statement},
                {"killed", kill.killed}, {"by_enumeration", kill.by_enumeration},
                {"cases", kill.cases},   {"why", without_place(kill.why)}};
+  if (kill.at) json["at"] = oplus::json(*kill.at);
   if (kill.shrunk) json["shrunk"] = json_of(*kill.shrunk);
   return json;
 }
@@ -109,6 +122,7 @@ Kill kill_of_json(const Json& json) {
             .by_enumeration = json.at("by_enumeration"),
             .cases = json.at("cases"),
             .why = json.at("why")};
+  if (json.contains("at")) kill.at = point_of_json(json.at("at"));
   if (json.contains("shrunk")) kill.shrunk = pair_of_json(json.at("shrunk"));
   return kill;
 }

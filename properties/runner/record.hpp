@@ -20,6 +20,7 @@ struct Kill {
   std::string why = {};         ///< what was seen on the shrunk pair or in the enumeration
   /// Fails with the fault and holds without; no smaller one does.
   std::optional<Summands> shrunk = {};
+  std::optional<Point> at = {};  ///< as `Outcome::at`
 };
 
 // JSON as docs/json.md describes it: what --json prints, --record writes, and docs/theorems/ keeps. Same

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <optional>
 #include <source_location>
 #include <string>
 #include <utility>
@@ -20,11 +21,13 @@ struct Outcome {
   Kind kind = Kind::holds;
   std::string why;                            ///< what was seen, where it fails
   std::map<std::string, std::size_t> counts;  ///< how much was looked at, summed over a run
+  std::optional<Point> at = {};  ///< in the plane of the sum, where it fails at a point
 
-  /// Makes it a failure, for what was seen. Returns it.
-  Outcome& fail(std::string what) {
+  /// Makes it a failure, for what was seen, at this point if there is one. Returns it.
+  Outcome& fail(std::string what, std::optional<Point> where = {}) {
     kind = Kind::fails;
     why = std::move(what);
+    at = std::move(where);
     return *this;
   }
 };

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <set>
 
+#include "properties/pages/links.hpp"
 #include "properties/runner/source_tree.hpp"
 #include "reference/io/file_text.hpp"
 #include "tests/checked/cli/page_text.hpp"
@@ -17,7 +19,7 @@ namespace fs = std::filesystem;
 
 const fs::path top = source_root();
 
-/// Those below docs/, by their names.
+/// The pages of docs/ itself, by file name.
 std::map<std::string, std::string> pages() {
   std::map<std::string, std::string> result;
   for (const auto& entry : fs::directory_iterator(top / "docs"))
@@ -36,7 +38,7 @@ TEST_F(Pages, draw_their_pictures) {
     for (const std::string& command : commands_of(page)) {
       const Ran ran = run(command);
       ASSERT_EQ(ran.exit_code, 0) << command << '\n' << ran.err;
-      // At the head of a pipe its exit code is not that of the command.
+      // In a pipe, the exit code is that of the last command.
       EXPECT_EQ(ran.err.find("oplus: "), std::string::npos) << command << '\n' << ran.err;
       for (const std::string& picture : found(command, "(docs/pictures/\\S+\\.svg)")) {
         EXPECT_EQ(content(picture), text_of_file(top / picture))
@@ -47,7 +49,7 @@ TEST_F(Pages, draw_their_pictures) {
     for (const std::string& shown : found(page, "\\]\\((pictures/[^)]+)\\)"))
       EXPECT_TRUE(drawn.contains("docs/" + shown)) << shown << " is not drawn on its page";
   }
-  // README draws the one picture of its own.
+  // README draws one picture.
   drawn.insert("docs/pictures/room_and_diamond.svg");
   for (const auto& entry : fs::directory_iterator(top / "docs/pictures"))
     EXPECT_TRUE(drawn.contains("docs/pictures/" + entry.path().filename().string()))
@@ -61,30 +63,58 @@ TEST(AlgorithmPages, show_a_picture_and_what_they_rest_on) {
     ASSERT_TRUE(all.contains(name)) << name;
     const std::string& page = all.at(name);
     EXPECT_FALSE(found(page, "!\\[[^\\]]+\\]\\((pictures/[^)]+\\.svg)\\)").empty()) << name;
-    EXPECT_FALSE(found(page, "\\]\\((\\.\\./properties/[^)]+)\\)").empty()) << name;
+    EXPECT_FALSE(found(page, "\\]\\((theorems/[^)]+\\.md)\\)").empty()) << name;
+    EXPECT_TRUE(has(page, "](notation.md)")) << name;
     for (const std::string part :
          {"## Cost\n", "## What it rests on", "Tests: `", "## Where it is weak\n"})
       EXPECT_NE(page.find(part), std::string::npos) << name << " lacks " << part;
   }
 }
 
+/// Only the statement's own page links to its source.
+TEST(AllPages, link_to_the_page_of_a_statement_not_to_its_source) {
+  std::size_t statements = 0;
+  for (const auto& [name, page] : pages()) {
+    EXPECT_EQ(found(page, "(\\]\\([^)]*properties/statements/[^)]+\\.cpp\\))"),
+              std::vector<std::string>{})
+        << name;
+    for (const std::string& link :
+         found(page, "(\\[[a-z]+-[0-9a-z.-]+\\]\\(theorems/[^)]+)\\.md\\)")) {
+      ++statements;
+      const std::string id = link.substr(1, link.find(']') - 1);
+      EXPECT_EQ(link, "[" + id + "](theorems/" + id) << name;
+    }
+  }
+  EXPECT_GT(statements, 100U);
+}
+
+/// Files, folders, and headings of pages.
 TEST(AllPages, link_to_what_exists) {
   std::map<fs::path, std::string> texts = {{top / "README.md", text_of_file(top / "README.md")}};
-  for (const auto& [name, page] : pages()) texts[top / "docs" / name] = page;
-  for (const auto& entry : fs::directory_iterator(top / "docs/theorems"))
+  for (const auto& entry : fs::recursive_directory_iterator(top / "docs"))
     if (entry.path().extension() == ".md") texts[entry.path()] = text_of_file(entry.path());
-  std::size_t links = 0;
+  std::size_t links = 0, anchors = 0;
   for (const auto& [path, text] : texts) {
-    for (const std::string& link : found(text, "\\]\\(([^)#]+)\\)")) {
+    for (const std::string& link : found(text, "\\]\\(([^)]+)\\)")) {
       if (link.starts_with("http")) continue;
       ++links;
-      EXPECT_TRUE(fs::exists(path.parent_path() / link)) << path << " links to " << link;
+      const std::size_t hash = std::min(link.find('#'), link.size());
+      const fs::path file =
+          hash == 0 ? path : (path.parent_path() / link.substr(0, hash)).lexically_normal();
+      EXPECT_TRUE(fs::exists(file)) << path << " links to " << link;
+      if (hash == link.size() || !texts.contains(file)) continue;
+      ++anchors;
+      const std::vector<std::string> headings = headings_of(texts.at(file));
+      EXPECT_TRUE(std::ranges::any_of(
+          headings, [&](const std::string& h) { return anchor_of(h) == link.substr(hash + 1); }))
+          << path << " links to " << link;
     }
   }
   EXPECT_GT(links, 400U);
+  EXPECT_GT(anchors, 10U);
 }
 
-/// Files and folders named in code, which are no links.
+/// Files and folders that are named, without a link.
 TEST(AllPages, name_files_that_exist) {
   std::size_t names = 0;
   for (const auto& [name, page] : pages()) {
@@ -95,21 +125,6 @@ TEST(AllPages, name_files_that_exist) {
     }
   }
   EXPECT_GT(names, 20U);
-}
-
-TEST(AllPages, name_statements_by_their_ids) {
-  std::size_t statements = 0;
-  for (const auto& [name, page] : pages()) {
-    for (const std::string& link :
-         found(page, "\\[([a-z]+-[0-9a-z.-]+\\]\\(\\.\\./properties/[^)]+)\\)")) {
-      ++statements;
-      const std::string id = link.substr(0, link.find(']'));
-      const std::string file = link.substr(id.size() + 2);
-      EXPECT_NE(text_of_file(top / "docs" / file).find(".id = \"" + id + "\""), std::string::npos)
-          << name << ": " << id << " is not the id of " << file;
-    }
-  }
-  EXPECT_GT(statements, 20U);
 }
 
 TEST(AllPages, are_linked_from_the_readme) {

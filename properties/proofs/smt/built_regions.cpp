@@ -7,8 +7,8 @@ namespace oplus::smt {
 
 namespace {
 
-/// Those of the axes that are strictly between two directions, counterclockwise: so that no two
-/// neighbours are apart by more than a right angle, but where the two are themselves.
+/// The directions of the axes strictly between two directions, counterclockwise. Together with the
+/// two, neighbours are at most a right angle apart if there is such a direction.
 std::vector<Vector> axes_between(const Vector& from, const Vector& to) {
   std::vector<Vector> axes;
   for (const Vector& axis : {Vector{1, 0}, Vector{0, 1}, Vector{-1, 0}, Vector{0, -1}})
@@ -32,8 +32,8 @@ Region region_with_corner(const Corner& corner) {
 
 Region region_with_edge(const Vector& edge, const Rational& radius) {
   const Rational length = abs(edge.x) + abs(edge.y);
-  // Between two vectors that are at most a right angle apart the sides keep at least half as far off
-  // as the shorter of them, by the sum of coordinates.
+  // A side between two vectors at most a right angle apart has at least half the distance of the
+  // shorter one from the origin, in the norm |x| + |y|.
   const Rational far = 4 * radius;
   Chain chain = {far / length * edge};
   for (const Vector& axis : axes_between(edge, -edge)) chain.push_back(far * axis);

@@ -6,12 +6,12 @@
 
 namespace oplus::smt {
 
-/// A simple polygon that has this corner in the origin, and from there sees all of itself.
-/// Requires: the corner does not turn back.
+/// A simple polygon with this corner at the origin, star-shaped as seen from there. Requires: the
+/// corner does not turn back.
 Region region_with_corner(const Corner& corner);
 
-/// A simple polygon that has the origin inside an edge of this direction, and from there sees all of
-/// itself; it fills a half disk of that radius, at least.
+/// A simple polygon with the origin inside an edge of this direction, star-shaped as seen from
+/// there; it contains a half disk of at least that radius.
 Region region_with_edge(const Vector& edge, const Rational& radius);
 
 }  // namespace oplus::smt

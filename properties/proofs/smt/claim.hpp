@@ -18,10 +18,10 @@ Claim negation(const Claim& claim);
 Claim same(const Claim& a, const Claim& b);
 Claim if_then_else(const Claim& condition, const Claim& then, const Claim& otherwise);
 
-/// What does not depend on the values.
+/// A claim that does not depend on the values.
 Claim fact(bool holds);
 
-/// That code answers "true".
+/// The claim that code returns true.
 Claim executed(const std::function<bool(const Values&)>& code);
 
 }  // namespace oplus::smt

@@ -12,7 +12,7 @@ struct Formula::Node {
   bool known = false;
   Term term = {};
   Signs signs = {};
-  std::string word = {};  ///< the flag, or what joins the parts
+  std::string word = {};  ///< the flag, or the operator that joins the parts
   std::vector<Formula> parts = {};
 };
 
@@ -102,7 +102,7 @@ std::string Formula::to_smt() const {
 
 namespace {
 
-/// A known part settles it, or says nothing.
+/// A known part decides the result or can be left out.
 Formula joined(const std::string& word, bool settles, const std::vector<Formula>& parts) {
   std::vector<Formula> unknown;
   for (const Formula& part : parts) {

@@ -13,7 +13,7 @@
 
 namespace oplus::smt {
 
-/// What the unknowns are, exactly.
+/// Exact values of the unknowns.
 struct Model {
   std::map<std::string, Rational> numbers;
   std::map<std::string, bool> flags;
@@ -41,7 +41,7 @@ struct Signs {
 };
 
 /// Signs of numbers, and flags, joined by "and", "or", "not" and "if"; simplified where a part is
-/// known, so that a formula without unknowns is known.
+/// known; so a formula without unknowns becomes true or false.
 class Formula {
  public:
   Formula(bool value);

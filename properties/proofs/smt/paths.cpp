@@ -7,10 +7,10 @@ namespace oplus::smt {
 
 namespace {
 
-/// One way through the code.
+/// One path through the code.
 class Path {
  public:
-  /// Takes these answers, and adds those it gives itself.
+  /// Gives these answers first, and records its own after them.
   explicit Path(std::vector<bool>& answers) : answers_(answers) {}
 
   const std::vector<Formula>& questions() const { return questions_; }
@@ -51,7 +51,7 @@ class Path {
 
 thread_local Path* walked = nullptr;
 
-/// Sets what is walked as long as it lives.
+/// Sets the current path during its lifetime.
 class Walk {
  public:
   explicit Walk(Path& path) { walked = &path; }
@@ -60,8 +60,8 @@ class Walk {
   ~Walk() { walked = nullptr; }
 };
 
-/// What comes after the given answers: one way through it, and at each question of that the other
-/// answer, too.
+/// All paths that start with the given answers: one path, and for each of its questions the paths
+/// with the other answer.
 Formula explored(const std::function<bool()>& code, const std::vector<bool>& given) {
   std::vector<bool> answers = given;
   Path path(answers);

@@ -31,12 +31,12 @@ struct Hypothesis {
 
 /// "For all real numbers: if the hypotheses hold, so does the conclusion."
 struct Query {
-  std::string id;  ///< that of the registered statement that it backs, a dot, what it is about
+  std::string id;  ///< the id of the statement that it backs, a dot, and what it is about
   std::vector<Unknown> unknowns;
   std::vector<Hypothesis> hypotheses;
   Condition conclusion;
   std::string dropped;  ///< the hypothesis without which the conclusion may be false
-  /// More that is asked of the counterexample to that, so that it can be built.
+  /// Additional conditions on the counterexample, so that regions can be built from it.
   std::vector<Condition> of_twin = {};
   std::string file = std::source_location::current().file_name();  ///< where it stands
   /// Whether the definitions (reference/) say, too, that in this model the conclusion is false: of
@@ -49,7 +49,7 @@ struct Query {
 /// What is asked of a solver about a query.
 enum class Asked {
   proof,       ///< hypotheses and not the conclusion: expected to be unsatisfiable
-  hypotheses,  ///< they alone: expected to be satisfiable, or the proof would be of nothing
+  hypotheses,  ///< the hypotheses alone: expected to be satisfiable, or the proof would be empty
   twin,        ///< all hypotheses but one, and not the conclusion: expected to be satisfiable
 };
 
@@ -64,11 +64,12 @@ struct RegisteredQueries {
   explicit RegisteredQueries(const std::vector<Query>& all);
 };
 
-/// What a query is wrong about, a line each: a statement that is not registered, a hypothesis to drop
-/// that it has not, unknowns that its formulas do not have or do not declare, an id used twice.
+/// What is wrong with queries, a line each: a statement that is not registered, a dropped
+/// hypothesis that the query does not have, unknowns that are declared and not used or used and not
+/// declared, an id used twice.
 std::vector<std::string> defects_of_queries(const std::vector<Query>& all);
 
-/// What has to hold of a model, as one formula.
+/// The conditions on a model, as one formula.
 Formula formula_of(const Query& query, Asked asked, const Values& values);
 
 /// The SMT-LIB 2.6 text of a question, with its models asked for where `with_model`.

@@ -15,10 +15,10 @@ nlohmann::ordered_json to_json(const Query& query);
 
 nlohmann::ordered_json to_json(const Model& model);
 
-/// Throws nlohmann::json::exception or std::invalid_argument on what is no model.
+/// Throws nlohmann::json::exception or std::invalid_argument on invalid input.
 Model model_of_json(const nlohmann::ordered_json& json);
 
-/// The same with what each solver answered, without times, so that it stays the same from run to run;
+/// The same with what each solver answered, without times, so that each run gives the same text;
 /// the counterexample is Z3's model of the twin.
 nlohmann::ordered_json to_json(const Query& query, const QueryRun& run);
 

@@ -21,13 +21,13 @@ constexpr Asked all_questions[] = {Asked::proof, Asked::hypotheses, Asked::twin}
 std::string defect_by_definition(const Query& query, const Model& model) {
   try {
     if (query.is_false_by_definition(model)) return "";
-    return "by the definitions the model is no counterexample";
+    return "by the definitions the model is not a counterexample";
   } catch (const std::exception& error) {
-    return std::string("the definitions, asked about the model: ") + error.what();
+    return std::string("by the definitions: ") + error.what();
   }
 }
 
-/// What is wrong with an answer; empty where nothing is.
+/// What is wrong with an answer; empty if nothing is.
 std::string defect(const Query& query, Asked asked, const Answer& answer) {
   const bool is_satisfiable = is_expected_satisfiable(asked);
   const auto expected = is_satisfiable ? Answer::Kind::satisfiable : Answer::Kind::unsatisfiable;
@@ -39,7 +39,7 @@ std::string defect(const Query& query, Asked asked, const Answer& answer) {
   if (!formula_of(query, asked, Values()).holds_in(*answer.model))
     return "the model does not satisfy the formulas";
   if (formula_of(query, asked, Values(*answer.model)).value() != true)
-    return "the code, run on the model's numbers, does not find what its formulas say";
+    return "the code, run on the model's numbers, does not agree with its formulas";
   return asked == Asked::twin ? defect_by_definition(query, *answer.model) : "";
 }
 

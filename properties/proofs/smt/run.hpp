@@ -11,7 +11,7 @@
 
 namespace oplus::smt {
 
-/// What one solver made of one question.
+/// The result of one solver for one question.
 struct Asking {
   std::string solver;
   Asked asked;
@@ -22,17 +22,17 @@ struct Asking {
 struct QueryRun {
   std::string id;
   std::vector<Asking> askings;
-  std::vector<std::string> failures;  ///< in words; none where all is as expected
+  std::vector<std::string> failures;  ///< in words; empty where all is as expected
 };
 
 /// Writes the three questions of a query, ID.proof.smt2 and so on, into a folder that exists.
 void write_questions(const Query& query, const std::filesystem::path& folder);
 
 /// Asks all solvers all three. A failure is
-///  1. an answer that is not the expected one: none at all, or none in time, too;
+///  1. an answer other than the expected one, or no answer, or none in time;
 ///  2. a model that does not satisfy the formulas, or the code from which they were made when it runs
 ///  on the model's numbers; both exactly;
-///  3. a model of the twin that the definitions do not find to be a counterexample.
+///  3. a model of the twin that is not a counterexample by the definitions.
 QueryRun run(const Query& query, const std::filesystem::path& folder, double seconds);
 
 }  // namespace oplus::smt

@@ -17,7 +17,7 @@ Vectors direction(const std::string& name);
 Vectors opposite(const Vectors& v);
 Vectors sum(const Vectors& u, const Vectors& v);
 
-/// A vector to the left of v, for which skew products with v need no product of unknowns.
+/// A vector to the left of v whose skew product with v contains no product of unknowns.
 Vectors leftwards(const Vectors& v);
 
 /// Near a vertex the interior is the sector of the directions between the edge that leaves it and the
@@ -43,7 +43,7 @@ Claim is_a_reflex_vertex(const Corners& corner);
 Claim is_in_sector(const Vectors& d, const Corners& corner);
 Claim turns_back(const Corners& corner);
 
-/// Whether one of the vectors points into both: of them, one does if any does at all.
+/// Whether one of the vectors points into both sectors; if any vector does, one of these does.
 Claim one_is_in(const std::vector<Vectors>& candidates,
                 const std::function<Claim(const Vectors&)>& is_in_both);
 

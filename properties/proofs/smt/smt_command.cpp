@@ -104,16 +104,18 @@ void add_smt_command(CLI::App& app, int& exit_code) {
   CLI::App* command =
       app.add_subcommand("smt", "Prove statements about a few directions with Z3 and cvc5");
   const auto settings = std::make_shared<Settings>();
-  command->add_option("name", settings->names, "Queries, or statements with all of theirs")
+  command
+      ->add_option("name", settings->names,
+                   "Queries, or statements, each standing for all its queries")
       ->type_name("ID")
       ->check(CLI::IsMember(names_to_choose()));
-  command->add_flag("--list", settings->lists, "List the queries, and ask no solver");
+  command->add_flag("--list", settings->lists, "List the queries, without running a solver");
   command
       ->add_option("--write", settings->folder, "Keep the questions, SMT-LIB files, in this folder")
       ->type_name("DIR");
-  command->add_flag("--only-write", settings->only_writes, "Write them, and ask no solver")
+  command->add_flag("--only-write", settings->only_writes, "Write them, without running a solver")
       ->needs("--write");
-  command->add_option("--seconds", settings->seconds, "How long a solver may take for a question")
+  command->add_option("--seconds", settings->seconds, "Time limit of a solver for each question")
       ->check(CLI::Range(0.01, 1e6))
       ->capture_default_str();
   command->add_option("--record", settings->record, "Write what --json prints to this file")
@@ -128,8 +130,8 @@ void add_smt_command(CLI::App& app, int& exit_code) {
       "\n"
       "Exit codes:\n"
       "  0  both solvers gave every expected answer\n"
-      "  1  another answer, none, or none in time; a model that is no counterexample\n"
-      "  2  bad usage, or a solver is missing");
+      "  1  an unexpected answer, no answer, or none in time; a model that is not a counterexample\n"
+      "  2  invalid usage, or a solver is missing");
   command->callback([settings, &exit_code] { exit_code = smt_work(*settings); });
 }
 

@@ -17,13 +17,13 @@ struct Solver {
 /// Z3 and cvc5, so that one checks the other.
 const std::vector<Solver>& solvers();
 
-/// The version that a solver says it is. Throws std::system_error where it cannot be started.
+/// The version that a solver prints. Throws std::system_error where it cannot be started.
 std::string version_of(const Solver& solver);
 
 struct Answer {
   enum class Kind { satisfiable, unsatisfiable, none };
   Kind kind = Kind::none;
-  std::string why_none;        ///< what it said instead, or that it took too long
+  std::string why_none;        ///< what it printed instead, or that it took too long
   std::optional<Model> model;  ///< none if it was not asked for, or has an irrational number
 };
 
@@ -32,8 +32,8 @@ std::string to_string(Answer::Kind kind);
 /// Asks a solver about a file. Throws std::system_error where it cannot be started.
 Answer ask(const Solver& solver, const std::string& file, double seconds);
 
-/// The values that a solver prints: ((NAME VALUE) ...). None where one is no rational number.
-/// Throws std::invalid_argument on what is no such list.
+/// The values that a solver prints: ((NAME VALUE) ...). Empty if a value is not rational. Throws
+/// std::invalid_argument on anything else.
 std::optional<Model> model_in(const std::string& text);
 
 }  // namespace oplus::smt

@@ -12,8 +12,8 @@
 
 namespace oplus::smt {
 
-/// A number that need not be known: a polynomial in named unknowns. Code that is a template over its
-/// numbers takes it for a number; see paths.hpp for its comparisons.
+/// A polynomial in named unknowns. Code that is a template over its number type can run on it; see
+/// paths.hpp for its comparisons.
 class Term {
  public:
   using Monomial = std::vector<std::string>;  ///< sorted; names may repeat
@@ -22,7 +22,7 @@ class Term {
   Term(const Rational& value);
   static Term unknown(const std::string& name);
 
-  /// None where an unknown is left.
+  /// Its value; empty if it contains an unknown.
   std::optional<Rational> value() const;
 
   /// Its value where the unknowns have these. Throws std::out_of_range where one is missing.
@@ -41,7 +41,7 @@ class Term {
   friend Term operator-(const Term& a) { return Term(-1) * a; }
   friend Term operator-(const Term& a, const Term& b) { return a + -b; }
 
-  /// Of the polynomials themselves, to keep them in order.
+  /// An order of the polynomials, for containers.
   struct InOrder {
     bool operator()(const Term& a, const Term& b) const { return a.sum_ < b.sum_; }
   };

@@ -55,7 +55,7 @@ inline Unknown any_direction(const std::string& name) { return {name, Unknown::K
 std::vector<std::string> numbers_of(const Unknown& unknown);
 std::vector<std::string> flags_of(const Unknown& unknown);
 
-/// The values of unknowns: themselves, or those of a model.
+/// The values of unknowns: the unknowns themselves, or the values in a model.
 class Values {
  public:
   Values() = default;

@@ -12,7 +12,7 @@ namespace oplus {
 
 namespace {
 
-constexpr std::size_t most_points = 8;  // a pair
+constexpr std::size_t most_points = 8;  // per pair
 
 /// Some points on the boundary of the closed sum: where a straight path enters or leaves the open
 /// one, which is decided by collision tests.
@@ -47,8 +47,9 @@ Outcome check(const Summands& summands) {
     outcome.counts["their sources"] += sources;
     if (sources > 0 && sources == on_boundaries) continue;
     return outcome.fail("the boundary point " + to_string(x) + " has " + std::to_string(sources) +
-                        " sources, of which " + std::to_string(on_boundaries) +
-                        " are sums of boundary points");
+                            " sources, of which " + std::to_string(on_boundaries) +
+                            " are sums of boundary points",
+                        x);
   }
   return outcome;
 }
@@ -57,8 +58,8 @@ const Registered registered({
     .id = "corollary-2.2.3",
     .title = "Boundary points are sums of boundary points",
     .statement =
-        "Every point on the boundary of the sum of two closed regions is the sum of a point on the "
-        "boundary of P and one on the boundary of Q, and no other sum.",
+        "Every point on the boundary of the sum of two closed regions is the sum of a point on "
+        "the boundary of P and a point on the boundary of Q, and of no other points of P and Q.",
     .why =
         "The closed sum is closed, so the point is the sum of some points of P and Q, and by Lemma "
         "2.2.2 these are on the boundaries.",

@@ -9,8 +9,8 @@ namespace oplus {
 namespace {
 
 /// How often a vertex passes a direction, turning from `in` to `out` by less than π: 1
-/// counterclockwise, -1 clockwise, or 0. The direction counts as turned by an infinitesimal, as those
-/// of Q do, so it is that of no edge.
+/// counterclockwise, -1 clockwise, or 0. The direction is turned by an infinitesimal, as those of Q
+/// are, so that no edge has it.
 int passed(const Vector& d, const Vector& in, const Vector& out) {
   const auto between = [&](const Vector& from, const Vector& to) {
     return counterclockwise_between({d, Summand::Q}, {from, Summand::P}, {to, Summand::P});
@@ -21,7 +21,7 @@ int passed(const Vector& d, const Vector& in, const Vector& out) {
   return 0;
 }
 
-/// The axes, others, those of the edges, and their opposites.
+/// The axes, two slanted directions, those of the edges, and the opposites of all these.
 std::vector<Vector> directions(const std::vector<Segment>& edges) {
   std::vector<Vector> result = {{1, 0}, {0, 1}, {1, 1}, {-2, 1}};
   for (const Segment& e : edges) result.push_back(direction_of(e));
@@ -44,8 +44,8 @@ Outcome check(const Summands& summands) {
         ++outcome.counts["directions"];
         if (turns == expected) continue;
         return outcome.fail("the chain from " + to_string(chain[0]) + " passes the direction " +
-                            to_string(d) + " " + std::to_string(turns) + " times, and should " +
-                            std::to_string(expected) + " times");
+                            to_string(d) + " " + std::to_string(turns) + " times instead of " +
+                            std::to_string(expected));
       }
     }
   }
@@ -57,9 +57,9 @@ const Registered registered({
     .title = "A chain turns once",
     .statement =
         "The signed angles at the vertices of an outer chain add up to a full turn "
-        "counterclockwise, those of a hole to one clockwise. Counted exactly: any direction, "
-        "turned by an infinitesimal so that no edge has it, is passed once more counterclockwise "
-        "than clockwise; of a hole, once less.",
+        "counterclockwise, those of a hole to one clockwise. Counted exactly: a direction, turned "
+        "by an infinitesimal so that no edge has it, is passed counterclockwise once more often "
+        "than clockwise; by a hole, once less often.",
     .why =
         "That is the theorem of turning tangents (Hopf) for simple closed polygons, and the chains "
         "of a valid region are simple. The sum of signed angles is a whole number of turns, and "

@@ -13,9 +13,9 @@ namespace oplus {
 
 namespace {
 
-/// The tangent set of a vertex as Definition 2.1.13 has it, by skew products alone and without a
-/// rule for ties: the directions strictly between those of its two edges; inside a straight line,
-/// where a vertex is a point on a segment like any other, that one direction.
+/// The tangent set of a vertex by Definition 2.1.13, computed with skew products only and without a
+/// tie rule: the directions strictly between those of its two edges. A vertex inside a straight
+/// line is like any other point of a segment: its tangent set is that one direction.
 class TangentSet {
  public:
   explicit TangentSet(const Corner& corner)
@@ -32,7 +32,8 @@ class TangentSet {
   bool starts_with(const Vector& d) const { return same(corner_.in, d); }
   bool ends_with(const Vector& d) const { return same(corner_.out, d); }
 
-  /// Arcs of a circle meet iff one contains the start of the other, or they start alike.
+  /// Two arcs of a circle meet iff one contains the start of the other, or both start in the same
+  /// direction.
   bool meets(const TangentSet& other) const {
     if (turn_ == 0) return other.contains(corner_.in);
     if (other.turn_ == 0) return contains(other.corner_.in);
@@ -58,7 +59,7 @@ std::vector<std::vector<TangentSet>> tangent_sets(const Region& region) {
   return all;
 }
 
-/// Both definitions as sets of directed pieces of the vertex-edge sum, and of ends of them.
+/// Both definitions, as sets of directed pieces of the vertex-edge sum and of ends of pieces.
 class TwoDefinitions {
  public:
   explicit TwoDefinitions(const Summands& summands)
@@ -125,22 +126,22 @@ Outcome check(const Summands& summands) {
   Outcome outcome;
   outcome.counts = {{"pieces of segments", both.second_pieces.size()},
                     {"ends of pieces", both.second_points.size()}};
-  const auto fail = [&](const std::string& why) {
-    outcome.kind = Outcome::Kind::fails;
-    if (outcome.why.empty()) outcome.why = why;
+  const auto fail = [&](const std::string& what, const std::string& definition, const Point& at) {
+    if (outcome.kind == Outcome::Kind::holds)
+      outcome.fail(what + " is in the convolution by Definition " + definition + " only", at);
   };
   const auto compare_pieces = [&](const std::set<Segment>& a, const std::set<Segment>& b,
                                   const std::string& which) {
     if (const auto s = missing_in(a, b))
-      fail("only by Definition " + which + ", from " + to_string(s->source) + " to " +
-           to_string(s->target));
+      fail("the segment from " + to_string(s->source) + " to " + to_string(s->target), which,
+           midpoint(s->source, s->target));
   };
   compare_pieces(both.first_pieces, both.second_pieces, "2.2.7");
   compare_pieces(both.second_pieces, both.first_pieces, "2.2.8");
   if (const auto x = missing_in(both.first_points, both.second_points))
-    fail("only by Definition 2.2.7, the point " + to_string(*x));
+    fail("the point " + to_string(*x), "2.2.7", *x);
   if (const auto x = missing_in(both.second_points, both.first_points))
-    fail("only by Definition 2.2.8, the point " + to_string(*x));
+    fail("the point " + to_string(*x), "2.2.8", *x);
   return outcome;
 }
 
@@ -148,18 +149,20 @@ const Registered registered({
     .id = "definition-2.2.7-and-2.2.8",
     .title = "Both definitions of the convolution have the same points",
     .statement =
-        "The segments of an edge and a vertex in whose tangent set its direction is, ties told "
-        "apart by the rule, are as a point set the sums of boundary points of P and Q whose "
-        "tangent sets meet, where tangent sets have no ends and know no ties. That holds for each "
-        "direction of segments, and for their ends.",
-    .why =
-        "The definitions differ in ties, and in vertices that meet vertices. Two edges of equal "
-        "direction have equal tangent sets, so their sum, a segment as long as both, belongs to "
-        "the second definition; the tie rule keeps the edge of P at the source of Q's edge, then "
-        "the edge of Q at the target of P's, which together are as long. Where vertices are inside "
-        "straight lines, it does so for the whole lines. If the tangent sets of two vertices "
-        "meet, one starts in the other or with it, and then a segment of the first definition "
-        "ends there.",
+        "Definition 2.2.7: the convolution consists of the sums of an edge and a vertex whose "
+        "tangent set contains the edge's direction, equal directions decided by the tie rule. "
+        "Definition 2.2.8: it is the set of all sums of a boundary point of P and one of Q whose "
+        "tangent sets intersect, where tangent sets do not contain their ends and there is no tie "
+        "rule. Both are the same set of points: for the segments of each direction, and for the "
+        "ends of segments.",
+    .why = "The definitions treat ties and sums of two vertices differently. Two edges of equal "
+           "direction have equal tangent sets, so by the second definition their sum, a segment as "
+           "long as both together, is in the convolution. By the first one the tie rule keeps the "
+           "edge of P at the source of Q's edge, and the edge of Q at the target of P's; these two "
+           "segments together cover the same points. With vertices inside straight lines the same "
+           "holds for the whole lines. If the tangent sets of two vertices intersect, one starts "
+           "inside the other or both start in the same direction, and then a segment of the first "
+           "definition ends at the sum of the vertices.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
                    "a vertex inside a straight line has the tangent set of its edges"},
     .rests_on = {"equation-2.1"},

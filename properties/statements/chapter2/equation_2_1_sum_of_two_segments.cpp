@@ -39,13 +39,14 @@ std::string defect_of_parallelogram(const Segment& s, const Segment& t, Outcome&
   for (const Rational& lambda : parameters) {
     for (const Rational& mu : parameters) {
       const Point x = s.source + lambda * direction_of(s) + t.source + mu * direction_of(t);
-      ++outcome.counts["points of planes"];
-      if (locate(x, sum) != by_parameters(lambda, mu)) return to_string(x) + " is misplaced";
+      ++outcome.counts["points in the planes of two edges"];
+      if (locate(x, sum) != by_parameters(lambda, mu))
+        return to_string(x) + " is not where its parameters say";
       const std::vector<Segment> sides = vertex_edge_sums(s, t);
       const bool on_a_side = std::any_of(sides.begin(), sides.end(),
                                          [&](const Segment& side) { return lies_on(x, side); });
       if (on_a_side != (by_parameters(lambda, mu) == Location::boundary))
-        return to_string(x) + " is on no side of its own";
+        return to_string(x) + " is on a side but not on the boundary, or the other way round";
     }
   }
   return {};
@@ -53,7 +54,7 @@ std::string defect_of_parallelogram(const Segment& s, const Segment& t, Outcome&
 
 std::string defect_of_collinear_sum(const Segment& s, const Segment& t) {
   const std::vector<Segment> sum = maximal_segments(vertex_edge_sums(s, t));
-  if (sum.size() != 1) return "the sums of ends and segments are no single segment";
+  if (sum.size() != 1) return "the sums of an end and a segment do not form one segment";
   const Vector u = direction_of(s), v = direction_of(t);
   const Vector longest = sign(dot(u, v)) > 0 ? u + v : u - v;
   const Vector found = direction_of(sum[0]);
@@ -81,14 +82,15 @@ const Registered registered({
     .id = "equation-2.1",
     .title = "The sum of two segments is a parallelogram or a segment",
     .statement =
-        "The sum of two segments that are not parallel is a parallelogram, whose sides are the sums "
-        "of an end of the one and the other segment. The sum of two parallel segments is a segment "
-        "as long as both together, and the sums of an end of the one and the other cover it.",
+        "The sum of two segments that are not parallel is a parallelogram, whose sides are the "
+        "sums of an end of one segment and the other segment. The sum of two parallel segments is "
+        "a segment as long as both together, and the sums of an end of one and the other segment "
+        "cover it.",
     .why =
         "The sum consists of the points a + λ u + c + μ w, λ and μ in [0, 1]. If u and w are "
-        "independent, that is an affine image of the unit square, and its boundary is the image of "
-        "the square's. If not, λ u + μ w takes all values between its extremes, which are at ends "
-        "of both; the longer segment, moved to either end of the shorter, covers all of them.",
+        "independent, that is an affine image of the unit square, and its boundary is the image "
+        "of the square's. If not, λ u + μ w takes all values between its extremes, which are sums "
+        "of ends; the longer segment, translated to both ends of the shorter one, covers them.",
     .hypotheses = {"no segment is a point"},
     .rests_on = {},
     .sources = small_mixture(),

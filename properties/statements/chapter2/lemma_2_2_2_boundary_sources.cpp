@@ -10,7 +10,7 @@ namespace oplus {
 
 namespace {
 
-/// Whether a is in the one region's interior and a point of the other, closed.
+/// Whether a is in the interior of one region and in the other region, boundary included.
 bool is_interior_source(const OverlaidPoint& a) {
   return (a.is_in(0, true) && a.is_in(1, false)) || (a.is_in(1, true) && a.is_in(0, false));
 }
@@ -21,7 +21,7 @@ Outcome check(const Summands& summands) {
   const Region reflected_q = reflected(summands.q);
   bool meets_the_sum = false;
   for (const std::vector<Segment>& path : paths_across(summands)) {
-    // By turns a point where a path meets the vertex-edge sum, and one where it does not.
+    // In turn, a point where a path meets the vertex-edge sum, and one where it does not.
     const Segment& piece = path[path.size() / 2];
     meets_the_sum = !meets_the_sum;
     const Point x = meets_the_sum ? piece.source : midpoint(piece.source, piece.target);
@@ -31,10 +31,11 @@ Outcome check(const Summands& summands) {
       if (a.in[0] == Location::boundary && a.in[1] == Location::boundary)
         ++outcome.counts["sources on both boundaries"];
       if (is_in_sum || !is_interior_source(a)) continue;
-      return outcome.fail(to_string(x) +
-                          " is said not to be in the open sum, but it is the sum of " +
-                          to_string(a.point) + " and " + to_string(x - a.point) +
-                          ", one inside its region, the other in the other");
+      return outcome.fail("the collision test says that " + to_string(x) +
+                              " is not in the open sum, but it is the sum of " +
+                              to_string(a.point) + " of P and " + to_string(x - a.point) +
+                              " of Q, one of them an interior point",
+                          x);
     }
   }
   return outcome;
@@ -49,8 +50,9 @@ const Registered registered({
         "and b are on the boundaries of P and of Q. In other words: the sum of an interior point "
         "of one and any point of the other is in the sum of the open regions.",
     .why =
-        "A disk around a that is inside P, moved by b, is a disk around x. Since b is the limit of "
-        "interior points of Q, one of them is near enough that x minus it is still in the disk.",
+        "Let a be an interior point of P. A disk around a inside P, translated by b, is a disk "
+        "around x. Since b is the limit of interior points of Q, one of them, b', is so near to b "
+        "that x - b' is still in the disk around a: x is the sum of two interior points.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
     .rests_on = {},
     .sources = small_mixture(),

@@ -13,7 +13,7 @@ namespace oplus {
 namespace {
 
 /// Whether x is the sum of a point inside a piece of an edge of P and one of Q, in equal directions
-/// and in different ones. Placed at x, the edges of -Q are reversed.
+/// and in different ones. The edges of -Q + x are those of Q reversed.
 struct SumsOfInsidePoints {
   bool equal = false;
   bool different = false;
@@ -48,7 +48,7 @@ std::set<Point> sums_of_some_inside_points(const Summands& summands) {
   return sums;
 }
 
-constexpr std::size_t most_sums = 20;  // a pair
+constexpr std::size_t most_sums = 20;  // per pair
 
 Outcome check(const Summands& summands) {
   Outcome outcome;
@@ -67,11 +67,13 @@ Outcome check(const Summands& summands) {
     if (!is_in_sum) ++outcome.counts["of them, not in the open sum"];
     if (sums.different && !is_in_sum) {
       outcome.fail(to_string(x) +
-                   " is a sum of points inside edges of different directions, but "
-                   "not in the open sum");
+                       " is a sum of points inside edges of different directions, but "
+                       "not in the open sum",
+                   x);
     } else if (interiors_meet(summands.p, placed) != is_in_sum) {
-      outcome.fail("the interiors are said " + std::string(is_in_sum ? "not " : "") +
-                   "to meet at " + to_string(x));
+      outcome.fail("at " + to_string(x) + " the collision test says that the interiors " +
+                       (is_in_sum ? "do not meet, and they do" : "meet, and they do not"),
+                   x);
     }
     if (outcome.kind == Outcome::Kind::fails) break;
   }
@@ -80,19 +82,20 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "lemma-2.2.5",
-    .title = "Points inside edges sum up to boundary for equal directions only",
+    .title =
+        "Points inside edges have a sum on the boundary only if the edges have equal directions",
     .statement =
-        "Let p be inside an edge of P and q inside an edge of Q, in no points where other chains "
-        "touch these edges. If p + q is not in the sum of the open regions, then the edges have "
-        "equal directions. In other words: where an edge of P and one of -Q, placed, cross, or "
-        "overlap in equal directions, the interiors meet. The collision test by definition, which "
-        "takes this for granted, agrees with winding numbers.",
+        "Let p be inside an edge of P and q inside an edge of Q, where no other chain touches "
+        "these edges. If p + q is not in the sum of the open regions, then the edges have equal "
+        "directions. In other words: where an edge of P and one of -Q + x cross, or overlap in "
+        "the same direction, the interiors meet. The collision test by definition, which relies "
+        "on this, agrees with winding numbers.",
     .why =
         "The half disks to the left of the edges, one of them reflected, meet unless their bases "
         "are opposite after reflection, which is equal before. Where another chain touches an "
         "edge, the half disk is not there, and the lemma is false for open regions: "
-        "docs/findings.md, on Observation 2.2.4. For closed ones it is true there, too, since the "
-        "edges' other points next to p + q take their place.",
+        "docs/findings.md, on Observation 2.2.4. For closed regions it is true there, too, since "
+        "the sums of neighbouring points of the two edges surround p + q.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
                    "no other chain touches the edges in p and q"},
     .rests_on = {"observation-2.2.4"},

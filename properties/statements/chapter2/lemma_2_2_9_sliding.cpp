@@ -22,7 +22,8 @@ bool is_parallel(const Vector& d, const Corner& corner) {
   return sign(cross(d, corner.in)) == 0 || sign(cross(d, corner.out)) == 0;
 }
 
-/// Where another chain touches the edge of a segment, carried to the segment's vertex.
+/// The points where another chain touches the edge of a segment, translated by the segment's
+/// vertex.
 std::set<Point> touched_points(const std::vector<Point>& touching, const Point& vertex) {
   std::set<Point> points;
   for (const Point& p : touching) points.insert(p + vertex);
@@ -31,9 +32,8 @@ std::set<Point> touched_points(const std::vector<Point>& touching, const Point& 
 
 Outcome check(const Summands& summands) {
   Outcome outcome;
-  const auto fail = [&](const std::string& why) {
-    outcome.kind = Outcome::Kind::fails;
-    if (outcome.why.empty()) outcome.why = why;
+  const auto fail = [&](const std::string& why, const Point& at) {
+    if (outcome.kind == Outcome::Kind::holds) outcome.fail(why, at);
   };
   OpenSum open_sum(summands);
   const std::vector<Chain> of_p = chains(summands.p), of_q = chains(summands.q);
@@ -52,10 +52,13 @@ Outcome check(const Summands& summands) {
     const bool is_slid = slides(d, corner);
     if (!is_parallel(d, corner)) {
       const bool is_kept = kept.count(all[i].origin) > 0;
-      const std::string from = "the segment from " + to_string(all[i].segment.source);
-      if (!is_kept && !is_slid) fail(from + " is not in the convolution, yet nothing slides it");
+      const auto& [source, target] = all[i].segment;
+      const std::string name = "the segment from " + to_string(source) + " to " + to_string(target);
+      const Point middle = midpoint(source, target);
+      if (!is_kept && !is_slid)
+        fail(name + " does not slide, and is not in the convolution", middle);
       if (is_kept && is_slid && sign(cross(corner.in, corner.out)) > 0)
-        fail(from + " is in the convolution, yet its convex vertex slides it");
+        fail(name + " slides at a convex vertex, and is in the convolution", middle);
     }
     if (!is_slid) continue;
     ++outcome.counts["segments that slide"];
@@ -66,7 +69,9 @@ Outcome check(const Summands& summands) {
         ++outcome.counts["points where a chain touches the edge, left out"];
       else if (!open_sum.contains(x))
         fail("the segment from " + to_string(all[i].segment.source) + " to " +
-             to_string(all[i].segment.target) + " slides, but not its point " + to_string(x));
+                 to_string(all[i].segment.target) + " slides, but its point " + to_string(x) +
+                 " is not in the open sum",
+             x);
     };
     for (const Segment& piece : pieces[i]) {
       look_at(midpoint(piece.source, piece.target));
@@ -80,19 +85,19 @@ const Registered registered({
     .id = "lemma-2.2.9",
     .title = "A segment that slides is interior",
     .statement =
-        "Let e be an edge of one summand and q a vertex of the other. If the edge that leaves q, or "
-        "the reverse of the one that enters it, points strictly to the right of e, then each point "
-        "inside e + q is in the sum of the open regions, but perhaps where another chain touches "
-        "e. This decides which segments are in the convolution where e is parallel to neither edge "
-        "at q: one that does not slide is in it; one that does is not in it, unless q is reflex.",
-    .why =
-        "Let d point from q along that edge, and p be inside e, where no other chain touches it. "
-        "Around p the region fills the half disk to the left of e, so p - t d is interior for "
-        "small t, and q + t d is in the other region. Their sum is p + q. Where another chain "
-        "touches e in p, p - t d may be in the exterior: the lemma as printed is false there, also "
-        "for the sum of closed regions (docs/findings.md). The directions that both edges at q "
-        "have to their left are exactly the tangent set of a convex vertex, and a part of that of "
-        "a reflex one.",
+        "Let e be an edge of one summand and q a vertex of the other. If the edge that leaves q, "
+        "or the reverse of the one that enters it, points strictly to the right of e, then each "
+        "point inside e + q is in the sum of the open regions, except possibly where another "
+        "chain touches e. The segment e + q is then said to slide. If e is parallel to neither "
+        "edge at q, this decides whether e + q is in the convolution: it is if it does not slide; "
+        "it is not if it slides and q is convex.",
+    .why = "Let d be the direction from q along that edge, and p a point inside e, where no other "
+           "chain touches it. Around p the region fills the half disk to the left of e, so p - t d "
+           "is interior for small t, and q + t d is in the other region. Their sum is p + q. Where "
+           "another chain touches e in p, p - t d may be in the exterior: the lemma as printed is "
+           "false there, also for the sum of closed regions (docs/findings.md, on Observation "
+           "2.2.4). The directions that both edges at q have to their left are exactly the tangent "
+           "set of a convex vertex, and a part of that of a reflex one.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
                    "first part: no other chain touches e in the point"},
     .rests_on = {"lemma-2.2.2"},

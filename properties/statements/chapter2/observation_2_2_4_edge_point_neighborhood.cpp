@@ -17,10 +17,10 @@ Point before_first_hit(const Point& x, const Vector& along, const std::vector<Se
   return midpoint(first.source, first.target);
 }
 
-/// Returns a point near x in every cell, edge or face, of the segments' arrangement that x touches
-/// from strictly to the left of a line through x along the given direction: whatever is constant in
-/// cells holds in a small half disk iff it holds in these points.
-/// Requires: along is not zero.
+/// Returns a point near x in every edge and every face of the segments' arrangement that touches x
+/// and lies strictly to the left of the line through x along the given direction. What is constant
+/// in edges and faces holds in a small half disk iff it holds at these points. Requires: along is
+/// not zero.
 std::vector<Point> points_to_the_left(const Point& x, const Vector& along,
                                       const std::vector<Segment>& segments) {
   std::vector<Vector> rays{along, -along};
@@ -46,7 +46,7 @@ std::vector<Point> points_to_the_left(const Point& x, const Vector& along,
   return points;
 }
 
-constexpr std::size_t most_half_disks = 60;  // a pair
+constexpr std::size_t most_half_disks = 60;  // per pair
 
 struct HalfDisk {
   Point centre;
@@ -66,8 +66,9 @@ void add_half_disks(const Region& with_edges, const Region& other_region,
   }
 }
 
-/// Looks at half disks, as far as it is constant in the cells of the vertex-edge sum's arrangement
-/// whether a point is in the open sum. It is: only there a vertex of P meets an edge of -Q+x.
+/// Tests points of half disks, one in each cell of the vertex-edge sum's arrangement. Whether a
+/// point is in the open sum is constant in a cell: it changes only where a vertex of P or -Q+x
+/// meets an edge of the other.
 Outcome check(const Summands& summands) {
   std::vector<HalfDisk> all;
   add_half_disks(summands.p, summands.q, all);
@@ -82,7 +83,8 @@ Outcome check(const Summands& summands) {
     for (const Point& y : points_to_the_left(centre, along, sums)) {
       if (outcome.kind == Outcome::Kind::fails || open_sum.contains(y)) continue;
       outcome.fail("the half disk around " + to_string(centre) + " contains " + to_string(y) +
-                   ", which is not in the open sum");
+                       ", which is not in the open sum",
+                   y);
     }
   }
   return outcome;
@@ -92,14 +94,14 @@ const Registered registered({
     .id = "observation-2.2.4",
     .title = "Around a point of an edge the sum fills a half disk",
     .statement =
-        "Let p be inside an edge of one summand, in no point where another chain touches that edge, "
-        "and q in the other summand, which is closed. Then a small half disk around p + q, to the "
-        "left of a line along the edge, is in the sum of the open regions.",
-    .why =
-        "The region of p fills such a half disk around p, whose points are interior. The sum of an "
-        "interior point and any point of a closed region is in the sum of the open regions. Where "
-        "another chain touches the edge in p, the half disk is not there: the observation as "
-        "printed is false, and so for the sum of closed regions (docs/findings.md).",
+        "Let p be inside an edge of one summand, not at a point where another chain touches that "
+        "edge, and let q be in the other summand, boundary included. Then a small half disk "
+        "around p + q, to the left of a line along the edge, is in the sum of the open regions.",
+    .why = "The region of p fills such a half disk around p, whose points are interior. The sum of "
+           "an interior point and any point of a closed region is in the sum of the open regions. "
+           "Where another chain touches the edge in p, the half disk is not there: the observation "
+           "as printed is false, also for the sum of closed regions (docs/findings.md, on "
+           "Observation 2.2.4).",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
                    "no other chain touches the edge in p"},
     .rests_on = {"lemma-2.2.2"},

@@ -18,8 +18,8 @@ std::vector<std::vector<Segment>> paths_across(const Summands& summands) {
   const Vector one = {1, 1};
   low = low - one;
   high = high + one;
-  // In the heights and along the verticals of sums of vertices, and across, in general position
-  // as good as ever.
+  // Horizontal and vertical lines through sums of vertices, and two slanted ones, which hardly ever
+  // pass through one.
   std::vector<Segment> paths = {{low, high}, {{low.x, high.y}, {high.x + Rational(1, 7), low.y}}};
   for (const std::size_t k : {all.size() / 3, 2 * all.size() / 3}) {
     const Point& through = all[k].source;

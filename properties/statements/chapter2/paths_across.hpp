@@ -8,9 +8,8 @@
 
 namespace oplus {
 
-/// Straight paths across the whole sum, from outside to outside, each cut wherever it meets the
-/// vertex-edge sum. Some run through points of it and along its segments: those are the paths on
-/// which something can go wrong.
+/// Straight paths that cross the whole sum, each cut wherever it meets the vertex-edge sum. Some
+/// run through ends of its segments and along segments: those are the difficult ones.
 std::vector<std::vector<Segment>> paths_across(const Summands& summands);
 
 }  // namespace oplus

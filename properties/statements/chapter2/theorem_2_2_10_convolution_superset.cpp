@@ -19,7 +19,8 @@ Outcome check(const Summands& summands) {
                     {"points off the convolution", c.points_left_out}};
   if (c.bare_boundary) {
     outcome.fail("the boundary point " + to_string(*c.bare_boundary) +
-                 " is on no equally directed segment of the convolution");
+                     " is on no segment of the convolution of the same direction",
+                 *c.bare_boundary);
   }
   return outcome;
 }
@@ -38,12 +39,12 @@ const Registered registered({
         "convolution. Where the point is inside a segment of the vertex-edge sum, a segment of "
         "the convolution of the same direction covers it.",
     .why =
-        "A segment of the vertex-edge sum is an edge e carried to a vertex v. If e is not in v's "
-        "tangent set, an edge at v points to the right of e; sliding e along it sweeps over the "
-        "segment, whose inside is then in the open sum. Where an edge at v is parallel to e, the "
-        "sum of the two collinear runs is covered by the segments that the tie rule keeps. Tested "
-        "in contrapositive, by collision tests alone: what the convolution leaves out of the "
-        "vertex-edge sum is in the open sum.",
+        "A segment of the vertex-edge sum is an edge e translated by a vertex v. If the direction "
+        "of e is not in v's tangent set, an edge at v points to the right of e; e, translated "
+        "along that edge, sweeps over the segment, whose inside is then in the open sum. Where an "
+        "edge at v is parallel to e, the segments that the tie rule keeps cover the sum of the "
+        "two collinear edges. The contrapositive is tested, by collision tests only: each point "
+        "of the vertex-edge sum that is not on the convolution is in the open sum.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
     .rests_on = {"theorem-2.2.6", "lemma-2.2.9"},
     .sources = small_mixture(),

@@ -22,8 +22,9 @@ Outcome check(const Summands& summands) {
         const Point x = piece.source + at * direction_of(piece);
         if (open_sum.contains(x) == is_inside) continue;
         return outcome.fail(
-            "between " + to_string(middle) + " and " + to_string(x) +
-            " is a boundary of the open sum, and no segment of the vertex-edge sum");
+            "of " + to_string(middle) + " and " + to_string(x) +
+                " one is in the open sum, and no segment of the vertex-edge sum is between them",
+            x);
       }
     }
   }
@@ -39,9 +40,10 @@ const Registered registered({
         "point is in the sum changes only where the path meets the vertex-edge sum.",
     .why =
         "A boundary point is the sum of boundary points of P and of Q (Corollary 2.2.3). If both "
-        "were inside edges of different directions, it would be interior (Lemma 2.2.5); two edges of "
-        "one direction sum up to one segment, which the sums of the longer one and of the other's "
-        "two ends cover (Equation 2.1). What is left are sums of a vertex and an edge.",
+        "were inside edges of different directions, it would be interior (Lemma 2.2.5); the sum "
+        "of two edges of one direction is one segment, which the sums of the longer edge and the "
+        "ends of the other one cover (Equation 2.1). So it is a sum of a vertex and a point of an "
+        "edge.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
     .rests_on = {"corollary-2.2.3", "lemma-2.2.5", "equation-2.1"},
     .sources = small_mixture(),

@@ -30,7 +30,8 @@ Outcome check_reflex_segments(const Summands& summands, OpenSum& open_sum) {
   const auto look_at = [&](const Point& x) {
     ++outcome.counts["points inside segments of reflex vertices"];
     if (outcome.kind == Outcome::Kind::fails || open_sum.contains(x)) return;
-    outcome.fail("the boundary point " + to_string(x) + " is inside a segment of a reflex vertex");
+    outcome.fail("the boundary point " + to_string(x) + " is inside a segment of a reflex vertex",
+                 x);
   };
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (!all[i].vertex_is_reflex) continue;
@@ -58,7 +59,8 @@ Outcome check(const Summands& summands) {
   outcome.counts["points off the reduced convolution"] = c.points_left_out;
   if (c.bare_boundary && outcome.kind == Outcome::Kind::holds) {
     outcome.fail("the boundary point " + to_string(*c.bare_boundary) +
-                 " is on no equally directed segment of the reduced convolution");
+                     " is on no segment of the reduced convolution of the same direction",
+                 *c.bare_boundary);
   }
   return outcome;
 }
@@ -73,19 +75,19 @@ const Registered registered({
     .id = "theorem-2.3.2",
     .title = "The reduced convolution contains the boundary of the sum",
     .statement =
-        "No point inside a segment made with a reflex vertex is on the boundary of the sum of the "
-        "open regions, unless another chain of the same region touches that vertex. Even then the "
-        "equally directed segments of the reduced convolution cover the boundary, dangling edges "
-        "included, and isolated vertices too, unless one is the sum of two points in which chains "
-        "of P and chains of Q touch.",
+        "No point inside the sum of an edge and a reflex vertex is on the boundary of the sum of "
+        "the open regions, unless another chain of the same region touches that vertex. Even then "
+        "segments of the reduced convolution cover the boundary, each edge by segments of its own "
+        "direction. Dangling edges are covered too, and so is each isolated vertex, unless it is "
+        "the sum of a point where chains of P touch and a point where chains of Q touch.",
     .why =
         "Around a reflex vertex the interior fills more than a half plane, around a point inside "
-        "an edge it fills a half plane. A half plane and the reflection of anything larger meet, "
-        "so the interiors meet at that placement. The exceptions are not in the thesis: see "
-        "docs/findings.md, which has the counterexamples. Where another chain touches the reflex "
-        "vertex, that chain's segments cover what the vertex's own do not. An isolated vertex at "
-        "a reflex vertex that no chain touches is touched by a convex vertex of the other "
-        "summand, whose segments along both edges are kept.",
+        "an edge it fills a half plane. A half plane and the reflection of anything larger "
+        "intersect, so the interiors meet at that placement. The exceptions are not in the "
+        "thesis; for the counterexamples see docs/findings.md, on Theorem 2.3.2. Where another "
+        "chain touches the reflex vertex, that chain's segments cover what the vertex's own do "
+        "not. An isolated vertex at a reflex vertex that no chain touches is touched by a convex "
+        "vertex of the other summand, whose segments along both edges are kept.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
                    "first part: no other chain of its region touches the reflex vertex"},
     .rests_on = {"theorem-2.2.10"},

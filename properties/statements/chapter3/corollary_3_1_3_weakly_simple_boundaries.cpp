@@ -17,7 +17,7 @@ struct Pass {
   Vector out;
 };
 
-/// Whether d points from a vertex into what a pass has to its right.
+/// Whether d, from the vertex, points to the right of the pass.
 bool is_right_of(const Vector& d, const Pass& pass) {
   return counterclockwise_between({d, Summand::P}, {-pass.in, Summand::P}, {pass.out, Summand::P});
 }
@@ -65,7 +65,7 @@ Outcome check(const Summands& summands) {
                                        : "other vertices"];
     const std::string defect = defect_of(at, passes);
     if (defect.empty()) continue;
-    return outcome.fail(defect);
+    return outcome.fail(defect, at);
   }
   return outcome;
 }
@@ -74,14 +74,15 @@ const Registered registered({
     .id = "corollary-3.1.3",
     .title = "Chains of the boundary are weakly simple",
     .statement =
-        "Each chain of the closed sum's boundary is weakly simple: it may touch itself and others "
-        "in points, but does not cross, overlap or turn back. At each point, also where chains "
-        "touch, nothing of the boundary is to the right of a chain between its way in and its way "
-        "out: there is one face of the complement.",
+        "Each chain of the closed sum's boundary is weakly simple: it may touch itself and other "
+        "chains in points, but does not cross, overlap or turn back. At each point, also where "
+        "chains touch, no other part of the boundary lies to the right of a chain, between the "
+        "edge that enters and the edge that leaves: there is a single face of the complement.",
     .why =
         "To the left of each edge is the sum, so two edges that overlap in opposite directions "
-        "would have the sum on both sides, and be no boundary. Loops that turn clockwise most go "
-        "round one face of the complement (Lemma 3.1.2), and a face is on one side of its boundary.",
+        "would have the sum on both sides, and would not be boundary. Loops that turn clockwise "
+        "most go round one face of the complement (Lemma 3.1.2), and a face is on one side of its "
+        "boundary.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
     .rests_on = {"lemma-3.1.2"},
     .sources = larger_mixture(),

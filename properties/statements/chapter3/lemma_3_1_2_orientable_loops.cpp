@@ -3,6 +3,7 @@
 #include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/places/covered_sum.hpp"
+#include "reference/definitions/difference.hpp"
 #include "reference/io/writing.hpp"
 #include "reference/oracle/oracle.hpp"
 
@@ -24,15 +25,17 @@ Outcome check(const Summands& summands) {
         continue;
       }
       outcome.fail("a segment runs against the edge from " + to_string(edge.source) + " to " +
-                   to_string(edge.target));
+                       to_string(edge.target),
+                   midpoint(edge.source, edge.target));
     }
     if (cover(along, edge)) continue;
     outcome.fail("no segments run along all of the edge from " + to_string(edge.source) + " to " +
-                 to_string(edge.target));
+                     to_string(edge.target),
+                 midpoint(edge.source, edge.target));
   }
-  if (sum_by_loops(summands.p, summands.q, Boundary::closed).sum != sum) {
-    outcome.fail("the loops on the boundary are other chains");
-  }
+  if (const auto found =
+          difference(sum_by_loops(summands.p, summands.q, Boundary::closed).sum, sum))
+    outcome.fail("the sum by loops is not the oracle's: " + found->what, found->witness);
   return outcome;
 }
 
@@ -40,10 +43,10 @@ const Registered registered({
     .id = "lemma-3.1.2",
     .title = "The boundary is a union of orientable loops",
     .statement =
-        "With the sum to its left, each edge of the regularized boundary is the direction of all "
-        "segments of the reduced convolution that overlap it, and they leave no gap: none runs "
-        "against it. So the boundary's chains are traced loops, and edges with segments in both "
-        "directions can be left out of the tracing.",
+        "Direct each edge of the boundary of the closed sum so that the sum is to its left. Then "
+        "segments of the reduced convolution of this direction cover the edge, and none of the "
+        "opposite direction overlaps it. So the boundary's chains are among the traced loops, and "
+        "edges with segments in both directions can be left out of the tracing.",
     .why = "The half disk to the left of a segment is in the sum. With segments in both "
            "directions both sides would be.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},

@@ -10,8 +10,8 @@ namespace {
 
 using Arrangement = ConvolutionArrangement;
 
-/// The filter's verdict on each loop against the definition of the sum: were boundary loops of one
-/// kind directly inside each other, it would discard one of them.
+/// Compares the filters' verdict on each loop with the definition of the sum. If two boundary loops
+/// of one kind were directly inside each other, the filters would discard one of them.
 Outcome check(const Summands& summands) {
   Outcome outcome;
   OpenSum open_sum(summands);
@@ -28,24 +28,26 @@ Outcome check(const Summands& summands) {
     outcome.counts["other loops"] += !expected;
     outcome.counts["loops that are not nested"] += verdicts[i] == LoopVerdict::not_nested;
     if ((verdicts[i] == LoopVerdict::boundary) == expected) continue;
-    outcome.fail(
-        "the loop through " + to_string(arrangement.point(arrangement.source(loops[i][0]))) +
-        (expected ? " is on the boundary, and falls" : " is not on the boundary, and stays"));
+    const Point at = arrangement.point(arrangement.source(loops[i][0]));
+    outcome.fail("the loop through " + to_string(at) +
+                     (expected ? " is on the boundary, and the filters discard it"
+                               : " is not on the boundary, and the filters keep it"),
+                 at);
   }
   return outcome;
 }
 
 const Registered registered({
     .id = "observation-3.1.4",
-    .title = "External loops and holes of the boundary are nested in turn",
+    .title = "External loops and holes of the boundary alternate in their nesting",
     .statement =
         "Of the loops that are on the boundary by the definition of the sum, those that touch the "
         "outer face are external, those directly inside an external one are holes, and those "
-        "directly inside a hole are external. So the nesting filter, from the outside in, keeps "
-        "all of them, and with one question a loop nothing else.",
-    .why = "Loops do not cross, so they cut the plane into regions that form a tree. Crossing a "
-           "loop of the boundary changes between sum and complement, crossing another one does "
-           "not, and the sum is to the left of a boundary loop.",
+        "directly inside a hole are external. So the nesting filter, working from the outside "
+        "inwards, keeps all of them; together with one hole test per loop it keeps no others.",
+    .why = "Loops do not cross, so they cut the plane into regions that form a tree. A path that "
+           "crosses a loop of the boundary passes from the sum to the complement or back; crossing "
+           "another loop changes nothing; and the sum is to the left of a boundary loop.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
     .rests_on = {"lemma-3.1.2", "observation-3.2.5"},
     .sources = {{"grid", 8, 4},

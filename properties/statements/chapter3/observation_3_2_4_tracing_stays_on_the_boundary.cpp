@@ -13,8 +13,8 @@ namespace {
 
 using Arrangement = ConvolutionArrangement;
 
-/// Where segments run one way only, the sum is to their left; so such an edge is on the regularized
-/// boundary iff its points are not in the open sum.
+/// Where all segments have one direction, the sum is to their left; so such an edge is on the
+/// boundary of the closed sum iff the points inside it are not in the open sum.
 Outcome check(const Summands& summands) {
   Outcome outcome;
   OpenSum open_sum(summands);
@@ -25,7 +25,8 @@ Outcome check(const Summands& summands) {
   };
   const auto fail = [&](Arrangement::Halfedge h, const std::string& what) {
     const Segment edge = arrangement.geometry(h);
-    outcome.fail("from " + to_string(edge.source) + " to " + to_string(edge.target) + " " + what);
+    outcome.fail("from " + to_string(edge.source) + " to " + to_string(edge.target) + " " + what,
+                 midpoint(edge.source, edge.target));
   };
   std::set<Arrangement::Halfedge> on_loops;
   for (const OrientableLoop& loop : orientable_loops(arrangement)) {
@@ -39,22 +40,23 @@ Outcome check(const Summands& summands) {
   for (Arrangement::Halfedge h = 0; h < 2 * arrangement.edge_count(); ++h) {
     const bool one_way =
         !arrangement.along(h).empty() && arrangement.along(Arrangement::twin(h)).empty();
-    if (one_way && on_loops.count(h) == 0 && is_boundary(h)) fail(h, "no loop has this boundary");
+    if (one_way && on_loops.count(h) == 0 && is_boundary(h)) fail(h, "the boundary is on no loop");
   }
   return outcome;
 }
 
 const Registered registered({
     .id = "observation-3.2.4",
-    .title = "Turning clockwise most, tracing stays on the boundary",
+    .title = "Tracing that turns clockwise most stays on the boundary",
     .statement =
-        "On the arrangement of the reduced convolution, every edge of the regularized boundary is "
-        "on a traced loop, and of a traced loop either all edges are on the boundary or none is, "
-        "by the definition of the sum.",
-    .why = "To the right of a boundary edge is a face of the complement. Going around the edge's "
-           "target counterclockwise from where it came, that face ends at the next boundary edge, "
-           "and the complement is to its right, so it leaves the vertex. Edges of both directions "
-           "that lie between would be inside the complement, and none is.",
+        "On the arrangement of the reduced convolution, every edge of the closed sum's boundary "
+        "is on a traced loop; and either all edges of a traced loop are on the boundary or none "
+        "is, by the definition of the sum.",
+    .why =
+        "To the right of a boundary edge is a face of the complement. Going around the edge's "
+        "target counterclockwise, starting from that edge, the face ends at the next boundary "
+        "edge; the complement is to the right of that edge too, so it leaves the vertex. An edge "
+        "between the two would be inside the complement, and no segment is.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
     .rests_on = {"theorem-2.3.2", "lemma-3.1.2"},
     .sources = small_mixture(),

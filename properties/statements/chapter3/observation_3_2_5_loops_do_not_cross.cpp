@@ -15,7 +15,7 @@ namespace {
 
 using Arrangement = ConvolutionArrangement;
 
-/// A loop's way through a vertex, as the places of its two edges in clockwise order around it.
+/// How a loop passes a vertex: the positions of its two edges in clockwise order around the vertex.
 using Passage = std::pair<std::size_t, std::size_t>;
 
 bool cross(const Passage& a, const Passage& b) {
@@ -38,7 +38,7 @@ Outcome check(const Summands& summands) {
   std::set<Arrangement::Halfedge> edges_of_loops;
   std::map<Arrangement::Vertex, std::vector<Passage>> passages;
   const auto fail = [&](Arrangement::Vertex v, const std::string& what) {
-    outcome.fail("at " + to_string(arrangement.point(v)) + " " + what);
+    outcome.fail("at " + to_string(arrangement.point(v)) + " " + what, arrangement.point(v));
   };
   for (const OrientableLoop& loop : orientable_loops(arrangement)) {
     ++outcome.counts["loops"];
@@ -47,8 +47,10 @@ Outcome check(const Summands& summands) {
       const Arrangement::Halfedge out = loop[next(i, loop.size())];
       const Arrangement::Vertex v = arrangement.target(in);
       if (arrangement.source(out) != v) return fail(v, "a loop is not closed"), outcome;
-      if (!edges_of_loops.insert(in).second) fail(v, "an edge ends that is on loops twice");
-      if (edges_of_loops.count(Arrangement::twin(in)) != 0) fail(v, "loops run both ways");
+      if (!edges_of_loops.insert(in).second)
+        fail(v, "an edge ends that is on two loops, or twice on one");
+      if (edges_of_loops.count(Arrangement::twin(in)) != 0)
+        fail(v, "an edge ends that is on loops in both directions");
       passages[v].push_back({place(arrangement, Arrangement::twin(in)), place(arrangement, out)});
     }
   }
@@ -65,12 +67,15 @@ const Registered registered({
     .id = "observation-3.2.5",
     .title = "Traced loops share no edge and do not cross",
     .statement =
-        "Each traced loop is closed; no edge is on two loops, or twice on one, or on loops in both "
-        "directions; and where loops meet in a vertex, or one meets itself, the two edges of one "
-        "passage do not separate those of the other around the vertex.",
-    .why = "The next edge depends on the one before only, so loops that share an edge are one. Of "
-           "two ways in that alternate with two ways out, both would take the same way out, the "
-           "one that is clockwise most from either; so only one of them is on a loop.",
+        "Each traced loop is closed; no edge is on two loops, or twice on one, or on loops in "
+        "both directions; and where two loops meet in a vertex, or one meets itself, they do not "
+        "cross: around the vertex, the two edges of one passage do not separate those of the "
+        "other.",
+    .why =
+        "The next edge depends on the edge before it only, so loops that share an edge are the "
+        "same loop. If two entering edges alternate with two leaving edges around a vertex, the "
+        "same leaving edge is clockwise most from both entering ones; so only one of these is on "
+        "a loop.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
     .rests_on = {},
     .sources = larger_mixture(),

@@ -38,15 +38,17 @@ Outcome check(const Summands& summands) {
   outcome.counts = {{"segments of the full convolution", full.size()},
                     {"segments of the reduced convolution", reduced.size()}};
   if (!equal_as_multisets(full_convolution(cycles), full))
-    outcome.why = "the cycles are not the convolution";
+    outcome.why = "the cycles' segments are not the convolution";
   else if (!equal_as_multisets(reduced_convolution(cycles), reduced))
-    outcome.why = "the cycles' reduced convolution is another";
+    outcome.why = "the cycles' segments without reflex vertices are not the reduced convolution";
   else if (!equal_as_multisets(traced, full))
-    outcome.why = "what is traced without cycles is not the convolution";
+    outcome.why = "the segments traced one by one are not the convolution";
   else if (!equal_as_multisets(traced_reduced_convolution(p, q), reduced))
-    outcome.why = "what is traced without cycles is not the reduced convolution";
+    outcome.why =
+        "the segments traced one by one, without reflex vertices, are not the reduced "
+        "convolution";
   else if (!are_origins_of(traced, traced_origins(p, q)))
-    outcome.why = "what is traced without points are other segments";
+    outcome.why = "tracing without points gives other segments";
   if (!outcome.why.empty()) outcome.kind = Outcome::Kind::fails;
   return outcome;
 }
@@ -56,13 +58,13 @@ const Registered registered({
     .title = "Tracing cycles finds the convolution",
     .statement =
         "The segments of all traced cycles are the convolution, each once, and those whose vertex "
-        "is not reflex are the reduced convolution: the same origins, points and reflex flags as "
-        "by trying every vertex with every edge.",
+        "is not reflex are the reduced convolution: with the same origins, points and reflex "
+        "flags as found by trying every vertex with every edge.",
     .why =
         "A trace only takes segments whose direction is in their vertex's tangent set, each once "
         "(Theorem 4.1.6), and misses none, since every cycle passes a starting state (Theorem "
         "4.1.10). Whether a direction is in a tangent set is decided by quadrants and certified "
-        "intervals, and by the definition where those cannot tell; the tie rule is asked of the "
+        "intervals, and by the definition where those cannot decide; ties are decided by the "
         "definition.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
     .rests_on = {"theorem-4.1.6", "theorem-4.1.10"},

@@ -18,7 +18,7 @@ Outcome check(const Summands& summands) {
   }
   for (const JudgedSum& sum : result.sums) {
     if (!sum.wrong) continue;
-    return outcome.fail(sum.engine + ": " + sum.wrong->failure.what);
+    return outcome.fail(sum.engine + ": " + sum.wrong->failure.what, sum.wrong->failure.witness);
   }
   return outcome;
 }
@@ -32,10 +32,11 @@ const Registered registered({
     .why =
         "The reduced convolution contains the boundary. A face of its arrangement is in the sum "
         "or in the complement as a whole; one in the complement has all segments around it "
-        "directed with the face to their right, and one collision test decides. Dangling edges "
-        "need opposite segments, isolated vertices three directions; again a collision test "
-        "decides; slide decides along the segments (step-boundary). The oracle decides every cell of the larger arrangement of the convolution by "
-        "the definition, so the two must agree.",
+        "directed with the face to their right, and one collision test decides. A dangling edge "
+        "needs segments of opposite directions, an isolated vertex segments of three directions; "
+        "again a collision test decides. slide finds the boundary along the segments "
+        "(step-boundary). The oracle decides every cell of the arrangement of the full "
+        "convolution by the definition, so all must agree.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
     .rests_on = {"theorem-2.3.2", "theorem-4.2.1", "section-5.1.2", "step-boundary", "step-ends",
                  "step-turning", "step-candidates"},

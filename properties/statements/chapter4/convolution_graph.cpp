@@ -22,7 +22,7 @@ std::string name_of(const State& state) {
   return "(" + name_of(state.first) + " of P, " + name_of(state.second) + " of Q)";
 }
 
-/// A graph whose nodes are made when they are first named.
+/// A graph that adds a node when it is first named.
 template <typename Key>
 class GraphOf {
  public:

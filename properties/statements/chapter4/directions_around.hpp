@@ -9,14 +9,14 @@
 
 namespace oplus {
 
-/// Integer directions in the order of their angles, the positive x-axis first, each one's opposite
-/// among them: what enumerations of cyclic orders choose from.
+/// Integer directions in the order of their angles, the positive x-axis first, the opposite of each
+/// among them: enumerations of cyclic orders choose from these.
 ///
-/// With `lines` = k + 1 there are, for any k directions, k of these in the same order, whatever of
-/// them are equal or opposite or on the x-axis: the k directions and the x-axis are on at most
-/// k + 1 lines through the origin; send these, in the order of their angles in [0, π), to the first
-/// of our lines. Predicates that see directions only through signs of coordinates and of skew
-/// products cannot tell the two apart.
+/// With `lines` = k + 1, for any k directions there are k of these in the same order, even if some
+/// are equal, opposite or on the x-axis: the k directions and the x-axis are on at most k + 1 lines
+/// through the origin; send these, in the order of their angles in [0, π), to the first of our
+/// lines. Predicates that see directions only through signs of coordinates and of skew products
+/// cannot tell the two apart.
 class DirectionsAround {
  public:
   /// Requires: lines >= 1.

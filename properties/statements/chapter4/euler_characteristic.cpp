@@ -38,7 +38,7 @@ Outcome at_generic_placements(const Summands& summands,
       const CountedIntersection counted = counter.at(x);
       count(counted, outcome);
       const std::string what = defect(x, counted, outcome);
-      if (!what.empty()) return outcome.fail("at " + to_string(x) + " " + what);
+      if (!what.empty()) return outcome.fail("at " + to_string(x) + " " + what, x);
     }
   }
   return outcome;

@@ -15,11 +15,11 @@ namespace oplus {
 /// The intersection of P and -Q+x, as Section 4.2.4 has to count it.
 struct CountedIntersection {
   ComponentsAndHoles of_interiors;
-  /// Points in which chains of one summand, inside the other, part its exterior: a hole touches the
-  /// outside there, which the interiors do not tell from having no hole.
+  /// Points inside the other summand in which chains of one summand divide its exterior: a hole
+  /// touches the outside there, and the interiors look the same as without that hole.
   int parted_exteriors;
 
-  /// Of the intersection where touching chains are moved apart, each kept whole.
+  /// Of the intersection with touching chains moved apart a little, none of them cut.
   int euler_characteristic() const {
     return of_interiors.euler_characteristic() - parted_exteriors;
   }
@@ -46,9 +46,9 @@ class IntersectionCounter {
 using AtPlacement = std::function<std::string(const Point& x, const CountedIntersection& counted,
                                               Outcome& outcome)>;
 
-/// Asks, by what `of_pair` makes of a pair, about all its generic placements, and counts what kinds of
-/// intersections they have. Where one summand alone has holes, so of the pair with the other four times
-/// as large, so that it covers holes and the intersection has them.
+/// Tests all generic placements of a pair with the function that `of_pair` returns for it, and
+/// counts the kinds of intersections. If only one summand has holes, also tests the pair with the
+/// other summand four times as large: it covers holes, so that intersections have holes.
 Outcome at_generic_placements(const Summands& summands,
                               const std::function<AtPlacement(const Summands& pair)>& of_pair);
 

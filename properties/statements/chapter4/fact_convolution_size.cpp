@@ -12,8 +12,8 @@ namespace oplus {
 namespace {
 
 /// How many tangent sets of a chain contain a direction: the same for every direction. An outer
-/// chain turns by 2π, a hole by -2π; a reflex vertex turns clockwise by less than π but its tangent
-/// set goes round the other way, one full turn more.
+/// chain turns by 2π, a hole by -2π; a reflex vertex turns clockwise by less than π, but its
+/// tangent set is the rest of the circle, counterclockwise: one full turn more.
 std::ptrdiff_t times_covered(const Chain& chain) {
   std::ptrdiff_t reflex = 0;
   for (std::size_t i = 0; i < chain.size(); ++i) reflex += is_reflex(corner_at(chain, i)) ? 1 : 0;
@@ -57,17 +57,19 @@ const Registered registered({
     .id = "fact-convolution-size",
     .title = "The number of segments of the convolution",
     .statement =
-        "|P ⊗ Q| = n_P (χ_Q + r_Q) + n_Q (χ_P + r_P): n vertices, r reflex ones (of a hole, those "
-        "where it turns right), χ the number of outer chains less that of holes. For simple "
-        "polygons χ = 1. More exactly, each edge is in s + r tangent sets of each chain of the "
-        "other summand, s = 1 for an outer chain and -1 for a hole; that is what is tested.",
+        "|P ⊗ Q| = n_P (χ_Q + r_Q) + n_Q (χ_P + r_P), where n is the number of vertices, r the "
+        "number of reflex ones (of a hole, those where it turns right), and χ the number of outer "
+        "chains minus the number of holes. For simple polygons χ = 1. More exactly, each edge is "
+        "in s + r tangent sets of each chain of the other summand, s = 1 for an outer chain and "
+        "-1 for a hole; that is what is tested.",
     .why =
-        "The turns of a chain add up to 2π s, so a direction is passed s times, counterclockwise "
-        "less clockwise. A convex vertex's tangent set is what it passes counterclockwise. A "
-        "reflex vertex passes the complement of its tangent set clockwise, that is the tangent "
-        "set less one full turn; so the tangent sets cover each direction s + r times. Ties do "
-        "not matter, since Q's directions are turned as a whole; a vertex inside a straight line "
-        "turns by nothing and has no tangent set.",
+        "The turns of a chain add up to 2π s, so each direction is passed s times, counting "
+        "clockwise passes as -1. A convex vertex passes the directions of its tangent set "
+        "counterclockwise. A reflex vertex passes the directions outside its tangent set "
+        "clockwise: it counts 0 for a direction in its tangent set and -1 for any other, so 1 "
+        "less than whether the direction is in it (1 or 0). So each direction is in s + r tangent "
+        "sets. Ties do not matter, since the tie rule turns all of Q's directions together; a "
+        "vertex inside a straight line does not turn, and its tangent set is empty.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
     .rests_on = {},
     .sources = larger_mixture(),

@@ -45,10 +45,10 @@ const Registered registered({
         "the number of reflex vertices of P inside -Q+x, plus that of -Q+x inside P. Chains that "
         "touch count as in Section 4.2.4.",
     .why =
-        "From 𝒞 to 𝒞′ each reflex vertex takes one off the winding number where it is inside the "
-        "other summand (Lemma 4.2.15), and the winding number of 𝒞′ is the Euler characteristic "
-        "(Section 4.2.4). Each hole of the intersection has at least three reflex corners, all of "
-        "them such vertices, so the winding number is positive wherever there is a component: "
+        "From 𝒞 to 𝒞′, each reflex vertex that is inside the other summand lowers the winding "
+        "number by one (Lemma 4.2.15), and the winding number of 𝒞′ is the Euler characteristic "
+        "(Section 4.2.4). Each hole of the intersection has at least three reflex corners, each "
+        "of them such a vertex, so the winding number is positive wherever there is a component: "
         "Theorem 4.2.1.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
                    "x is on no segment of the vertex-edge sum"},

@@ -13,14 +13,14 @@ namespace oplus {
 
 namespace {
 
-/// How many convolution segments lead to a state, and how many leave it: up to two.
+/// How many convolution segments enter a state, and how many leave it: up to two each.
 struct Traffic {
   int entering = 0;
   int leaving = 0;
 };
 
 std::string in_words(const Traffic& traffic) {
-  return std::to_string(traffic.entering) + " segments lead there and " +
+  return std::to_string(traffic.entering) + " segments enter the state and " +
          std::to_string(traffic.leaving) + " leave";
 }
 
@@ -73,7 +73,8 @@ Outcome check(const Summands& summands) {
       ++outcome.counts["states while tracing"];
       if (here.leaving == 2) ++outcome.counts["of these with two ways on"];
       if (goes_on(here) && here.entering > 0) continue;
-      return outcome.fail("at " + to_string(s.segment.target) + " " + in_words(here));
+      return outcome.fail("at " + to_string(s.segment.target) + " " + in_words(here),
+                          s.segment.target);
     }
   }
   return outcome;
@@ -83,13 +84,13 @@ const Registered registered({
     .id = "lemma-4.1.3",
     .title = "Forward traversal: tracing can always go on",
     .statement =
-        "At each state that tracing a cycle comes to: a convolution segment leaves it; and two "
-        "leave it if and only if two lead to it. More exactly, as many segments lead to any state "
-        "as leave it, whether a cycle comes there or not.",
+        "At each state that is reached while a cycle is traced, a convolution segment leaves; and "
+        "two leave if and only if two enter. More exactly, as many segments enter any state as "
+        "leave it, whether a cycle reaches it or not.",
     .why =
-        "Whether a segment is in the convolution depends on the cyclic order of the four edges' "
-        "directions at the state alone, ties told apart. There are finitely many orders, and the "
-        "definition is tried on each: four directions and the x-axis, from which angles are "
+        "Which segments at the state are in the convolution depends only on the cyclic order of "
+        "the directions of the four edges, with the tie rule. There are finitely many orders, and "
+        "the definition is tried on each: four directions and the x-axis, from which angles are "
         "measured, are on at most five lines, so every order is among the choices of four out of "
         "ten directions, each with its opposite. Vertices inside a straight line are among them, "
         "and edges that turn back, which no valid region has.",

@@ -44,10 +44,10 @@ const Registered registered({
         "each state, a vertex of P at a vertex of Q, before states at the same point become one "
         "node.",
     .why =
-        "At a state the four edges' directions lie on a circle, ties told apart. Going round it, "
-        "the incoming and outgoing edge of each vertex bound its tangent set; whichever way they "
-        "interleave, as many incoming as outgoing directions fall in the other's tangent set. A "
-        "node is a set of states, and degrees add up.",
+        "At a state, the directions of the four edges lie on a circle, ties decided by the tie "
+        "rule. The edge that enters a vertex and the edge that leaves it bound its tangent set; "
+        "however the four interleave on the circle, as many entering as leaving directions are in "
+        "the other vertex's tangent set. A node is a set of states, and their degrees add up.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
                    "one tie rule for both kinds of segments"},
     .rests_on = {"lemma-4.1.3"},

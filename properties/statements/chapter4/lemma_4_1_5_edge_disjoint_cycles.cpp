@@ -45,7 +45,8 @@ class Untaken {
   std::vector<Walk> leaving_;
 };
 
-/// Goes on while it can; where it cannot, the last edge is the last of the circuit not yet known.
+/// Goes on as long as possible; where that ends, the last edge of the path is the next one of the
+/// circuit, from its end.
 Walk circuit_from(std::size_t start, Untaken& untaken) {
   Walk path = {untaken.take_from(start)}, circuit;
   while (!path.empty()) {
@@ -115,7 +116,7 @@ bool is_simple(const Walk& cycle) {
   return true;
 }
 
-/// What is wrong with the cycles as a decomposition of so many edges, or empty.
+/// What is wrong with the cycles as a decomposition of this number of edges, or empty.
 std::string defect_of_decomposition(const std::vector<Walk>& cycles, std::size_t edges) {
   std::set<std::size_t> taken;
   for (const Walk& cycle : cycles) {
@@ -132,7 +133,7 @@ std::string defect_of(const ConvolutionGraph& graph, Outcome& outcome) {
   const std::vector<Walk> circuits = euler_circuits(graph);
   std::string defect = defect_of_decomposition(circuits, edges);
   if (!defect.empty()) return "circuits: " + defect;
-  // Two circuits in one part would be two parts that edges join one way only, or a part cut in two.
+  // Two circuits in one connected part would mean that it is not strongly connected, or cut in two.
   if (circuits.size() != strong_components(graph)) return "a connected part has no Euler circuit";
   std::vector<Walk> cycles;
   for (const Walk& circuit : circuits)
@@ -163,15 +164,14 @@ const Registered registered({
     .id = "lemma-4.1.5",
     .title = "The convolution graph decomposes into edge-disjoint cycles",
     .statement =
-        "The edges of the convolution graph are those of directed cycles that share no edge, each "
-        "of which passes no node twice; and each connected part of the graph has an Euler circuit, "
+        "The edges of the convolution graph can be partitioned into directed cycles, each of "
+        "which passes no node twice; and each connected part of the graph has an Euler circuit, "
         "so it is strongly connected. The same holds for the fiber grid.",
-    .why =
-        "Every node is entered as often as it is left (Lemma 4.1.4), so by Euler's theorem each "
-        "connected part has a circuit. Cut where it comes back to a node, it falls into cycles. "
-        "Here circuits are found by Hierholzer's algorithm, which knows nothing of states or of "
-        "Algorithm 2, and what it finds is checked edge by edge; that there is one for each strong "
-        "component, by Boost's count of these.",
+    .why = "Every node is entered as often as it is left (Lemma 4.1.4), so by Euler's theorem each "
+           "connected part has a circuit. Cut where it returns to a node, it becomes cycles. The "
+           "test finds circuits by Hierholzer's algorithm, which uses neither states nor Algorithm "
+           "2, and checks them edge by edge; and it compares their number with the number of "
+           "strongly connected components, computed by Boost.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
                    "one tie rule for both kinds of segments"},
     .rests_on = {"lemma-4.1.4"},

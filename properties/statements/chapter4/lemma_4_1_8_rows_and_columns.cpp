@@ -12,7 +12,8 @@ namespace oplus {
 
 namespace {
 
-/// A row of the fiber grid: a chain of P at a vertex of Q; `of` is Q. Or a column, `of` P.
+/// A row of the fiber grid: a chain of P at a vertex of Q; then `of` is Q. Or a column; then `of`
+/// is P.
 struct Line {
   Summand of;
   VertexIndex at;
@@ -35,7 +36,7 @@ Enumeration enumerate() {
     const Summand of = other(edge_of);
     for_each_choice<3>(directions.size(), [&](const std::array<std::size_t, 3>& choice) {
       const auto [in, out, d] = choice;
-      if (out == directions.opposite(in)) return;  // it turns back: no vertex of a region
+      if (out == directions.opposite(in)) return;  // it turns back, as no vertex of a region does
       const Corner corner{directions[in], directions[out]};
       const int times = in_tangent_set({directions[d], edge_of}, corner) ? 1 : 0;
       const int reflex = is_reflex(corner) ? 1 : 0;
@@ -87,20 +88,22 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "lemma-4.1.8",
-    .title = "Every row and every column of the fiber grid is left",
+    .title = "An edge leaves every row and every column of the fiber grid",
     .statement =
-        "In the fiber grid of a chain of P and a chain of Q, an edge leaves each row, to the next "
-        "row, and one leaves each column: every edge of one chain is in the tangent set of a "
-        "vertex of the other; of at least two vertices if that other is a hole.",
+        "In the fiber grid of a chain of P and a chain of Q, an edge leads from each row to the "
+        "next row, and from each column to the next column: the direction of every edge of one "
+        "chain is in the tangent set of a vertex of the other; of at least two vertices if the "
+        "other chain is a hole.",
     .why =
-        "Locally: turning from its incoming to its outgoing edge by less than π, a vertex passes a "
-        "direction of the other summand once counterclockwise (1), once clockwise (-1) or not (0); "
-        "it is in the tangent set as many times, and once more if the vertex is reflex. That is "
-        "enumerated: three directions and the x-axis are on at most four lines, so every order, "
-        "ties and opposites included, is among the choices of three out of eight directions, "
-        "each with its opposite, for either summand. The turns of a chain add up to one full turn, "
-        "of a hole to one backwards, so a direction is in 1 + r tangent sets, of a hole in r - 1, "
-        "r its reflex vertices; and a hole has at least three.",
+        "At one vertex: turning from the edge that enters to the edge that leaves, by less than "
+        "π, a vertex passes a direction of the other summand once counterclockwise (1), once "
+        "clockwise (-1) or not at all (0). Whether the direction is in the tangent set (1 or 0) "
+        "is this number, plus 1 if the vertex is reflex. That is enumerated: three directions and "
+        "the x-axis are on at most four lines, so every order, ties and opposites included, is "
+        "among the choices of three out of eight directions, each with its opposite, for either "
+        "summand. The turns of an outer chain add up to one full turn, those of a hole to one in "
+        "the opposite direction. So a direction is in 1 + r tangent sets of an outer chain and in "
+        "r - 1 of a hole, r being the number of reflex vertices; and a hole has at least three.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
     .rests_on = {"fact-convolution-size"},
     .sources = larger_mixture(),

@@ -22,7 +22,8 @@ void expect_cycles(const std::vector<ConvolutionSegment>& convolution, Outcome& 
   for (const auto& [point, leaving_less_entering] : surplus) {
     if (leaving_less_entering == 0) continue;
     outcome.fail(to_string(point) + " is left " + std::to_string(leaving_less_entering) +
-                 " times more often than it is entered");
+                     " times more often than it is entered",
+                 point);
     return;
   }
 }
@@ -43,15 +44,14 @@ const Registered registered({
     .id = "lemma-4.2.13",
     .title = "With flip sets the convolution still consists of cycles",
     .statement =
-        "Take the convolution and at a reflex vertex, instead of its segments, the vertex's other "
-        "segments of the vertex-edge sum, reversed: every point is still entered as often as it is "
-        "left, so the winding number of every point off the segments is well defined. So it is "
-        "after the replacement at one reflex vertex and after that at all, 𝒞′. Printed for two "
-        "simple polygons.",
-    .why =
-        "Of each edge of Q the replacement at a vertex p of P takes out p + e, or puts in its "
-        "reverse: either way it subtracts p + e. So it subtracts p plus the boundary of Q, which "
-        "consists of cycles.",
+        "Replace the convolution's segments at a reflex vertex by the vertex's flip set: its "
+        "other segments of the vertex-edge sum, reversed. Every point is still entered as often "
+        "as it is left, so the winding number of every point that is on no segment is well "
+        "defined. This holds after the replacement at one reflex vertex, and after the "
+        "replacement at all of them, which gives 𝒞′. The thesis states it for two simple polygons.",
+    .why = "For each edge e of Q, the replacement at a vertex p of P removes p + e or adds its "
+           "reverse; both subtract p + e. Together that subtracts p plus the boundary of Q, which "
+           "consists of cycles.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
                    "one tie rule for both kinds of segments"},
     .rests_on = {"lemma-4.1.4"},

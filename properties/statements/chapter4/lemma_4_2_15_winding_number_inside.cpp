@@ -32,9 +32,10 @@ Outcome check(const Summands& summands) {
       ++outcome.counts[inside ? "comparisons inside" : "comparisons outside"];
       if (now == winding[i] - (inside ? 1 : 0)) continue;
       return outcome.fail("the replacement at " + to_string(point_at(vertex.vertex, of_p ? p : q)) +
-                          " of " + (of_p ? "P" : "Q") + " changes the winding number at " +
-                          to_string(points[i]) + (inside ? ", inside," : ", outside,") + " from " +
-                          std::to_string(winding[i]) + " to " + std::to_string(now));
+                              " of " + (of_p ? "P" : "Q") + " changes the winding number at " +
+                              to_string(points[i]) + (inside ? ", inside," : ", outside,") +
+                              " from " + std::to_string(winding[i]) + " to " + std::to_string(now),
+                          points[i]);
     }
   }
   return outcome;
@@ -42,16 +43,16 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "lemma-4.2.15",
-    .title = "A flip set lowers the winding number by one where the other summand sweeps",
+    .title = "A flip set lowers the winding number by one inside the translated other summand",
     .statement =
-        "Replacing the segments of a reflex vertex p of P by its flip set lowers the winding number "
-        "by one at points inside Q + p and leaves it elsewhere; the same with P and Q exchanged. "
-        "Printed for two simple polygons; tested for regions, where points in a hole of Q + p are "
-        "not inside it.",
+        "Replacing the segments of a reflex vertex p of P by its flip set lowers the winding "
+        "number by one at points inside Q + p and does not change it elsewhere; the same with P "
+        "and Q exchanged. The thesis states it for two simple polygons; it is tested for regions, "
+        "where points in a hole of Q + p are not inside it.",
     .why =
-        "The replacement subtracts p plus the boundary of Q (Lemma 4.2.13), whose winding number is "
-        "one inside Q + p and zero outside and in holes. A point in every face of the convolution "
-        "and all flip sets is compared.",
+        "The replacement subtracts p plus the boundary of Q (Lemma 4.2.13), whose winding number "
+        "is one inside Q + p and zero outside and in holes. The test compares a point in every "
+        "face of the arrangement of the convolution and all flip sets.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
                    "x is on no segment of the vertex-edge sum"},
     .rests_on = {"lemma-4.2.13"},

@@ -12,7 +12,7 @@ namespace oplus {
 
 namespace {
 
-constexpr std::size_t most_paths = 12;  // a pair
+constexpr std::size_t most_paths = 12;  // per pair
 
 /// The sign of [v, (ε, ε²)] for an infinitesimal ε > 0. Requires: v is not zero.
 int turn_to_shift(const Vector& v) { return sign(v.y) != 0 ? -sign(v.y) : sign(v.x); }
@@ -91,17 +91,17 @@ const Registered registered({
     .id = "observation-4.2.5",
     .title = "Signed crossings along a path add up to the change of the winding number",
     .statement =
-        "Along a path between two points off the convolution, the crossings, 1 where the path "
-        "comes from the right of a segment to its left and -1 where it comes from the left, each "
-        "segment of its own where some overlap, add up to the difference of the winding numbers at "
-        "its ends. Along a closed path they add up to zero. The path need not be in general "
-        "position: it may pass through vertices of the convolution and run along its segments, if "
-        "crossings are counted on the path moved by an infinitesimal.",
+        "Take a path between two points that are on no segment of the convolution. Count a "
+        "crossing from the right of a segment to its left as 1, one from left to right as -1, and "
+        "overlapping segments one by one. The crossings add up to the winding number at the "
+        "path's end minus that at its start; along a closed path they add up to zero. The path "
+        "need not be in general position: it may pass through vertices of the convolution and run "
+        "along its segments, if crossings are counted on the path shifted by an infinitesimal.",
     .why =
         "The convolution consists of closed cycles, and the winding number of a cycle is constant "
-        "off it and one higher just left of a segment than just right. Winding numbers are counted "
-        "on a ray to the right, which the path has nothing to do with. Moved by an infinitesimal "
-        "the path's ends stay in their faces and it passes no vertex.",
+        "off the cycle and larger by one just left of a segment than just right of it. In the "
+        "test, winding numbers are counted on rays to the right, independent of the path. Shifted "
+        "by an infinitesimal, the path's ends stay in their faces and it passes through no vertex.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
                    "the path's ends are on no segment of the convolution"},
     .rests_on = {"lemma-4.1.5"},

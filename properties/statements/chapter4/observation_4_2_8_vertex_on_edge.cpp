@@ -10,7 +10,7 @@ namespace oplus {
 
 namespace {
 
-constexpr std::size_t most_segments = 60;  // a pair
+constexpr std::size_t most_segments = 60;  // per pair
 
 bool lies_inside(const Point& p, const Segment& s) {
   return p != s.source && p != s.target && lies_on(p, s);
@@ -25,8 +25,8 @@ Segment edge_of(const std::vector<Chain>& all, const VertexIndex& e) {
   return {chain[e.vertex], chain[next(e.vertex, chain.size())]};
 }
 
-/// Whether the vertex that the origin names is inside the edge that it names, of P and of what is
-/// at x: -Q+x, whose chains are in the order of Q's.
+/// Whether the vertex that the origin names is inside the edge that it names, in P and -Q+x, whose
+/// chains are in the order of Q's.
 bool meet_as_named(const Origin& origin, const std::vector<Chain>& of_p,
                    const std::vector<Chain>& placed) {
   return origin.edge_of == Summand::P
@@ -34,7 +34,8 @@ bool meet_as_named(const Origin& origin, const std::vector<Chain>& of_p,
              : lies_inside(vertex_of(of_p, origin.vertex), edge_of(placed, origin.edge));
 }
 
-/// How many pairs of a vertex of one region and an edge that contains it inside, of the other.
+/// The number of pairs of a vertex of one region and an edge of the other with the vertex inside
+/// the edge.
 std::size_t vertices_inside_edges(const Region& vertices_of, const Region& edges_of) {
   std::size_t count = 0;
   for (const Segment& e : edges(edges_of))
@@ -65,9 +66,11 @@ Outcome check(const Summands& summands) {
         outcome.why = "the named vertex is not inside the named edge";
       else if (met != through)
         outcome.why = std::to_string(met) + " vertices are inside edges, and " +
-                      std::to_string(through) + " segments of the vertex-edge sum pass";
+                      std::to_string(through) +
+                      " segments of the vertex-edge sum have the point "
+                      "inside";
       if (outcome.why.empty()) continue;
-      return outcome.fail("at " + to_string(x) + " " + outcome.why);
+      return outcome.fail("at " + to_string(x) + " " + outcome.why, x);
     }
   }
   return outcome;
@@ -77,11 +80,10 @@ const Registered registered({
     .id = "observation-4.2.8",
     .title = "Points inside convolution segments: a vertex meets an edge",
     .statement =
-        "If x is inside a convolution segment, the sum of an edge of one summand and a vertex of "
-        "the other, then P and -Q+x meet where this vertex, of P or of -Q+x, is inside this edge, "
-        "of the other. And wherever x is, there are as many pairs of a vertex of the one and an "
-        "edge of the other that contains it inside as segments of the vertex-edge sum that contain "
-        "x inside.",
+        "Let x be inside a convolution segment, the sum of an edge of one summand and a vertex of "
+        "the other. Then in P and -Q+x this vertex is inside this edge. And for every x: the "
+        "number of pairs of a vertex of one and an edge of the other with the vertex inside the "
+        "edge equals the number of segments of the vertex-edge sum with x inside them.",
     .why = "x = v + (1-t) e + t e' says that x - v is inside the edge from e to e'. If the edge is "
            "Q's, x - ((1-t) e + t e') is a point inside an edge of -Q+x, and it is v.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},

@@ -25,7 +25,7 @@ class Halfedges {
     std::sort(all_.begin(), all_.end(), precedes);
   }
 
-  /// One of each cycle around which the same face is to the left.
+  /// One halfedge of each cycle; a cycle has one face to its left.
   std::vector<Segment> one_of_each_cycle() const {
     std::vector<bool> seen(all_.size(), false);
     std::vector<Segment> result;
@@ -43,7 +43,7 @@ class Halfedges {
     return compare_angle(direction_of(a), direction_of(b)) < 0;
   }
 
-  /// Clockwise from the way back, so leftmost.
+  /// The next one clockwise from the reversed halfedge, so the leftmost.
   std::size_t following(std::size_t e) const {
     const Segment back = reversed(all_[e]);
     const auto at = std::lower_bound(all_.begin(), all_.end(), back, precedes);

@@ -15,7 +15,7 @@ namespace oplus {
 
 namespace {
 
-constexpr std::size_t most_events = 10;  // a pair
+constexpr std::size_t most_events = 10;  // per pair
 
 /// What an event changes.
 struct Change {
@@ -38,7 +38,7 @@ std::string in_words(const Change& change) {
          ", " + std::to_string(change.with_flip_sets) + ")";
 }
 
-/// An open arc of the circle of places, counterclockwise; less than all of it.
+/// An open arc of the circle of places, counterclockwise; not the whole circle.
 struct Arc {
   std::size_t from;
   std::size_t length;
@@ -66,9 +66,9 @@ struct LocalEvent {
   Summand edge_of;
 };
 
-/// How many components the sector at the vertex and the half plane at the edge have in common, the
-/// interiors, when the vertex is just off the edge, on the side of the half plane or not. All
-/// directions are those of P and -Q; of Q's, places keep the turn by the tie rule.
+/// The number of components of the intersection of the sector at the vertex and the half plane at
+/// the edge, both open, when the vertex is just off the edge, in the half plane or not. All
+/// directions are those of P and -Q; the places of Q's directions keep the turn of the tie rule.
 int local_components(const LocalEvent& event, bool vertex_in_half_plane,
                      const DirectionsAround& around) {
   if (vertex_in_half_plane) return 1;  // the half plane sees the whole sector from the vertex
@@ -134,7 +134,7 @@ Enumeration enumerate() {
     });
   }
   if (result.failure.empty() && rows.size() != table_rows().size())
-    result.failure = "a row of the tables has no case";
+    result.failure = "a row of the tables has no case in the enumeration";
   return result;
 }
 
@@ -222,8 +222,9 @@ Outcome check(const Summands& summands) {
     if (seen == printed) continue;
     return outcome.fail(
         "moving left through " + to_string(placement->x) +
-        " changes winding number, components and winding number with flip sets by " +
-        in_words(seen) + ", and the tables say " + in_words(printed));
+            " changes winding number, components and winding number with flip sets by " +
+            in_words(seen) + ", and the tables say " + in_words(printed),
+        placement->x);
   }
   return outcome;
 }
@@ -232,25 +233,26 @@ const Registered registered({
     .id = "table-4.3-to-4.6",
     .title = "The 16 events of a vertex and an edge",
     .statement =
-        "As -Q moves to the left and a vertex of P or of -Q passes inside an edge of the other, "
-        "the number of components of the intersection grows and the winding number of the "
-        "convolution grows as Tables 4.3 to 4.5 say for each of the 16 cases: vertex of P or of "
-        "-Q, edge up or down, on a convolution segment or not, vertex convex or reflex; and that "
-        "of the convolution with flip sets grows, by Table 4.6, as the number of components does. "
-        "Where several vertices pass several parallel edges at once, their changes add up. For "
-        "holes and several components the number of components is an Euler characteristic.",
+        "As -Q moves to the left, a vertex of P or of -Q passes through the inside of an edge of "
+        "the other. Tables 4.3 to 4.5 say how the number of components of the intersection and "
+        "the winding number of the convolution change in each of the 16 cases: vertex of P or of "
+        "-Q, edge up or down, on a convolution segment or not, vertex convex or reflex. By Table "
+        "4.6 the winding number of the convolution with flip sets changes as the number of "
+        "components does. Where several vertices pass several parallel edges at once, their "
+        "changes add up. For holes and several components the number of components is an Euler "
+        "characteristic.",
     .why =
-        "All is decided near the vertex: just before or after the event the other's half plane "
-        "contains it, and then meets its sector in one component; or it does not, and meets it in "
-        "as many as the open half circle of its directions and the sector's arc have arcs in "
-        "common. So the cyclic order of three directions and that of the edge to the horizontal "
-        "decide; with the x-axis they are on at most four lines, and every order, ties and "
-        "opposites included, is among the choices of three out of eight directions, each with its "
-        "opposite, for either summand. Of two equal or opposite directions, Q's is turned "
-        "counterclockwise by an infinitesimal. Left out are vertices that turn back, which no "
-        "region has, and horizontal edges, which a sweep along a horizontal line does not cross. "
-        "On pairs, winding numbers and the intersections of the regions themselves are counted "
-        "before and after.",
+        "Only the neighbourhood of the vertex matters. On one side of the event the half plane at "
+        "the edge contains the vertex; then it intersects the vertex's sector in one component. "
+        "On the other side it does not; then there are as many components as arcs common to the "
+        "half plane's open half circle of directions and the sector's arc. So the cyclic order of "
+        "three directions and the position of the edge to the horizontal decide; with the x-axis "
+        "they are on at most four lines, and every order, ties and opposites included, is among "
+        "the choices of three out of eight directions, each with its opposite, for either "
+        "summand. Of two equal or opposite directions, Q's is turned counterclockwise by an "
+        "infinitesimal. Left out are vertices that turn back, which no region has, and horizontal "
+        "edges, which a sweep along a horizontal line does not cross. On pairs, winding numbers "
+        "and the intersections of the regions themselves are counted before and after.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
                    "a vertex inside a straight line counts as convex",
                    "the edge is not horizontal"},

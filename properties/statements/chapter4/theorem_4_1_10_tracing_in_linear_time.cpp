@@ -49,14 +49,14 @@ const Registered registered({
     .title = "All cycles are traced in O(n + m + K)",
     .statement =
         "A cycle crosses all rows or all columns of its fiber grid, so it is enough to start from "
-        "the states of one row and one column. Tracing all cycles looks at less than n + m + K "
-        "states for two chains, and less than 2 K for any two regions, K the size of the "
-        "convolution.",
+        "the states of one row and one column. Tracing all cycles looks at fewer than n + m + K "
+        "states for two chains, and fewer than 2 K for any two regions, where K is the size of "
+        "the convolution.",
     .why =
         "A step leads to the next row or the next column, both cyclic, and never back; to return, "
-        "a cycle goes round the rows or round the columns. The starts are n + m - 1 states; a "
-        "cycle of L segments looks at L - 1 more, where it comes before it is back. That makes n + "
-        "m - 1 + K less the number of cycles. For several chains the n + m add up over the pairs "
+        "a cycle goes around the rows or around the columns. The starts are n + m - 1 states; a "
+        "cycle of L segments looks at L - 1 more states before it is back. Together that is n + m "
+        "- 1 + K minus the number of cycles. For several chains the n + m add up over the pairs "
         "of a chain of P with a chain of Q; each pair has at least n + m segments itself "
         "(Corollary 4.1.9, as corrected), so the starts are less than K.",
     .hypotheses = {"P and Q are valid regions, not empty, holes, components and collinear vertices "

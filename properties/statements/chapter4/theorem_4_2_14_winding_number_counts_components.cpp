@@ -25,8 +25,9 @@ Outcome check(const Summands& summands) {
                                          : "two components or more"];
     if (winding == static_cast<int>(seen.components) && seen.holes == 0) continue;
     return outcome.fail("at " + to_string(x) + " the winding number is " + std::to_string(winding) +
-                        " and the intersection has " + std::to_string(seen.components) +
-                        " components and " + std::to_string(seen.holes) + " holes");
+                            " and the intersection has " + std::to_string(seen.components) +
+                            " components and " + std::to_string(seen.holes) + " holes",
+                        x);
   }
   return outcome;
 }
@@ -39,12 +40,12 @@ const Registered registered({
         "connected components of the intersection of P and -Q+x.",
     .why =
         "The intersection of two simple polygons has no holes, so the number of its components is "
-        "its boundary's total turning, in full turns. As x moves, that changes only where a vertex "
-        "of one passes an edge of the other: by one, up or down, at a convex vertex where the "
-        "edge's direction is in its tangent set, and at a reflex vertex where it is not; the first "
-        "are the segments of 𝒞 that are kept, the second the flip sets. A point in every face of "
-        "𝒞 ∪ 𝒞′ is tried, and the components are counted by Boolean operations that know nothing "
-        "of convolutions.",
+        "its boundary's total turning, in full turns. As x moves, that changes only where a "
+        "vertex of one passes an edge of the other: by one, up or down, at a convex vertex whose "
+        "tangent set contains the edge's direction, and at a reflex vertex whose tangent set does "
+        "not. The first are the segments of 𝒞 that are kept, the second the flip sets. The test "
+        "tries a point in every face of 𝒞 ∪ 𝒞′, and counts components by Boolean operations, "
+        "without convolutions.",
     .hypotheses = {"P and Q are simple polygons, collinear vertices and parallel edges allowed",
                    "x is on no segment of the vertex-edge sum"},
     .rests_on = {"lemma-4.2.13"},

@@ -18,7 +18,7 @@ namespace oplus {
 namespace {
 
 /// Points with coordinates low + k/parts (high - low), drawn with a fixed seed, so that a pair
-/// always gets the same ones. Few parts: many rays then run through vertices.
+/// always gets the same ones. With few parts many rays run through vertices.
 std::vector<Point> lattice_points(const std::vector<Segment>& segments, int parts,
                                   std::size_t number) {
   if (segments.empty()) return {};
@@ -79,7 +79,8 @@ class Comparison {
     ++outcome_.counts[meet ? "points in the sum" : "points outside"];
     if (winding >= 0 && (winding > 0) == meet) return;
     outcome_.fail("at " + to_string(x) + " the winding number is " + std::to_string(winding) +
-                  " and the interiors of P and -Q+x " + (meet ? "meet" : "do not meet"));
+                      " and the interiors of P and -Q+x " + (meet ? "meet" : "do not meet"),
+                  x);
   }
 
   std::vector<Segment> convolution_;
@@ -103,30 +104,33 @@ Outcome law(const Sum& sum, const Summands& summands) {
     const Location location = locate(x, result);
     if (location == Location::boundary || (location == Location::inside) == (winding > 0)) continue;
     return outcome.fail("at " + to_string(x) + " the winding number is " + std::to_string(winding) +
-                        ", which is " + (location == Location::inside ? "in" : "not in") +
-                        " the sum");
+                            ", and the point is " +
+                            (location == Location::inside ? "in" : "not in") + " the sum",
+                        x);
   }
   return outcome;
 }
 
 const Registered registered({
     .id = "theorem-4.2.1",
-    .title = "Positive winding number is membership in the sum",
+    .title = "A point is in the sum iff its winding number is positive",
     .statement =
-        "Off the convolution, its winding number at x is positive iff the interiors of P and -Q+x "
-        "meet, and it is never negative. Printed for two simple polygons; tested for regions with "
-        "holes and several components as well, for which it holds.",
+        "If x is on no segment of the convolution, the convolution's winding number at x is "
+        "positive iff the interiors of P and -Q+x meet, and it is never negative. The thesis "
+        "states it for two simple polygons; it holds, and is tested, for regions with holes and "
+        "several components as well.",
     .why =
         "The winding number is the Euler characteristic of the intersection of P and -Q+x plus "
         "the number of reflex vertices of either that are inside the other. Each hole of the "
-        "intersection has three reflex corners or more, all of them such vertices, so the number "
-        "is at least that of the intersection's components. Both sides are constant on a face of "
-        "the convolution's arrangement, and a point beside each piece of a segment is compared, "
-        "so every face is; where two vertices meet off the convolution, the naive collision test "
-        "has its hardest cases.",
+        "intersection has at least three reflex corners, each of them such a vertex, so the "
+        "winding number is at least the number of the intersection's components. Both sides of "
+        "the statement are constant on a face of the convolution's arrangement; the test compares "
+        "a point on each side of each piece of a segment, so every face. It also compares "
+        "placements at which two vertices meet: these are the hardest cases of the collision test.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
                    "x is not on the convolution",
-                   "P ∩ -Q+x stands for the intersection of interiors: touching is not enough"},
+                   "the intersection of P and -Q+x is that of the interiors: touching is not "
+                   "enough"},
     .rests_on = {"lemma-4.1.4", "theorem-2.2.10"},
     .sources = small_mixture(),
     .promises = promises_of_mixture(),

@@ -10,7 +10,8 @@ namespace oplus {
 
 namespace {
 
-/// How a chain passes a point: to where it goes on and back to where it came from.
+/// How a chain passes a point: the direction in which it goes on, and the direction back to where
+/// it came from.
 struct Passage {
   Vector out;
   Vector back;
@@ -26,8 +27,8 @@ std::optional<Passage> passage(const Chain& chain, const Point& at) {
   return std::nullopt;
 }
 
-/// Going clockwise from where a passage goes on, to its right, the exterior ends at the first
-/// passage met, which has that part of the exterior to its right as well.
+/// The exterior to the right of a passage, going clockwise from its outgoing direction, ends at the
+/// first passage met, which has that part of the exterior to its right as well.
 std::size_t across_the_exterior(std::size_t from, const std::vector<Passage>& passages) {
   const Vector& start = passages[from].out;
   std::size_t first = from;

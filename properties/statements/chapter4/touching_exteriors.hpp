@@ -13,9 +13,9 @@ struct TouchingExteriors {
   int exteriors;  ///< at least 1
 };
 
-/// Returns the points in which chains of a valid region touch, and into how many parts each divides
-/// the exterior around it, a chain separating its two sides: where a hole touches its outer chain
-/// two, where two components touch one.
+/// Returns the points in which chains of a valid region touch, and into how many parts the exterior
+/// around each is divided: two where a hole touches its outer chain, one where two components
+/// touch.
 std::vector<TouchingExteriors> touching_exteriors(const Region& region);
 
 }  // namespace oplus

@@ -13,7 +13,7 @@ const std::vector<TableRow>& table_rows() {
       {{Summand::Q, down, on, convex}, -1, -1, -1},
       {{Summand::P, up, on, convex}, -1, -1, -1},
       {{Summand::Q, up, on, convex}, +1, +1, +1},
-      // no table: the boundary of a component changes, and nothing else
+      // in no table: nothing changes but the boundary of a component
       {{Summand::P, down, off, convex}, 0, 0, 0},
       {{Summand::Q, down, off, convex}, 0, 0, 0},
       {{Summand::P, up, off, convex}, 0, 0, 0},

@@ -7,8 +7,8 @@
 
 namespace oplus {
 
-/// What happens when -Q+x moves to the left and a vertex of the one passes inside an edge of the
-/// other: the case parameters of the thesis's Table 4.1.
+/// The event that a vertex of one of P and -Q+x passes through the inside of an edge of the other,
+/// as -Q+x moves to the left: the case parameters of the thesis's Table 4.1.
 struct VertexEdgeEvent {
   Summand vertex_of;      ///< Q for a vertex of -Q+x
   bool edge_upwards;      ///< the edge as P or -Q has it, its interior to the left
@@ -18,8 +18,8 @@ struct VertexEdgeEvent {
   friend bool operator==(const VertexEdgeEvent&, const VertexEdgeEvent&) = default;
 };
 
-/// A row of the thesis's Tables 4.3 to 4.5, or of those in the text for convex vertices without
-/// convolution segment; with the winding number of Table 4.6.
+/// A row of the thesis's Tables 4.3 to 4.5, with the winding number of Table 4.6; or one of the
+/// cases of convex vertices off the convolution, which the thesis has in the text.
 struct TableRow {
   VertexEdgeEvent event;
   int winding_number;  ///< how much that of 𝒞 grows

@@ -20,7 +20,7 @@ BoundaryContact contact_of(const Segment& s, const Segment& t) {
 }  // namespace
 
 BoundaryContact strongest_contact(const Region& a, const Region& b) {
-  // A point inside an edge in which another chain of the same region touches it is an end, too.
+  // An edge also ends where another chain of its region touches it.
   const std::vector<Segment> edges_of_b = boundary_pieces(b);
   BoundaryContact strongest = BoundaryContact::none;
   for (const Segment& s : boundary_pieces(a)) {
@@ -42,7 +42,7 @@ std::string describe(BoundaryContact contact) {
     case BoundaryContact::crossing:
       return "with edges that cross";
   }
-  throw std::logic_error("a contact without a kind");
+  throw std::logic_error("not a kind of contact");
 }
 
 }  // namespace oplus

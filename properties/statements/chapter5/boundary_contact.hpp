@@ -17,7 +17,7 @@ enum class BoundaryContact {
 };
 
 /// Returns the strongest kind of contact that the boundaries of two valid regions have, by
-/// comparing all pairs of edges. Where a chain touches an edge of its own region, that edge ends.
+/// comparing all pairs of edges. An edge also ends where another chain of its region touches it.
 BoundaryContact strongest_contact(const Region& a, const Region& b);
 
 /// Returns a phrase for a count, such as "with weak intersections only".

@@ -15,9 +15,9 @@ namespace oplus {
 
 namespace {
 
-/// Every kind of placement of -Q that there is: one in each face of the convolution's arrangement,
-/// one inside each piece of the vertex-edge sum, where a vertex is on an edge, and each end of a
-/// piece, where vertices meet or several vertices are on edges.
+/// Placements of -Q of every kind: one in each face of the convolution's arrangement; one inside
+/// each piece of the vertex-edge sum, where a vertex is on an edge; and each end of a piece, where
+/// vertices meet or several vertices are on edges.
 std::set<Point> placements(const Summands& summands) {
   const auto& [p, q] = summands;
   const std::vector<Point> beside = points_beside(segments(convolution(p, q)));
@@ -40,7 +40,8 @@ Outcome collision_outcome(CollisionTest& method, const Summands& summands) {
     ++outcome.counts["placements " + contact + (meet ? " that collide" : " that do not")];
     if (method.interiors_meet_at(x) == meet) continue;
     outcome.fail("at " + to_string(x) + ", " + contact + ", the interiors of P and -Q+x " +
-                 (meet ? "meet" : "do not meet") + ", but the method says the opposite");
+                     (meet ? "meet" : "do not meet") + ", and the method says the opposite",
+                 x);
     break;
   }
   return outcome;

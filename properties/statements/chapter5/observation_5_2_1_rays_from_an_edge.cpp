@@ -15,16 +15,16 @@ namespace oplus {
 
 namespace {
 
-constexpr std::size_t most_pieces = 24;  // a pair
+constexpr std::size_t most_pieces = 24;  // per pair
 
-/// Signed crossings of the ray to the right from x with the segments that x is not on, and with those
-/// it is on.
+/// Signed crossings of the ray from x to the right with the segments that do not contain x, and
+/// with those that do.
 struct Crossings {
   int ahead = 0;
   int here = 0;
 };
 
-/// Each segment without its upper end.
+/// A segment's upper end is not part of it.
 Crossings crossings(const Point& x, const std::vector<Segment>& all) {
   Crossings result;
   for (const Segment& s : all) {
@@ -39,7 +39,7 @@ Crossings crossings(const Point& x, const std::vector<Segment>& all) {
   return result;
 }
 
-/// The segments, cut where they meet: a middle is on no segment but those that run along.
+/// The segments, cut where they meet: the middle of a piece is only on segments that run along it.
 std::vector<Segment> pieces_of(const std::vector<Segment>& all) {
   std::vector<Segment> pieces;
   for (const std::vector<Segment>& of_segment : cut_at_intersections(all))
@@ -69,16 +69,17 @@ Outcome check(const Summands& summands) {
     const auto expect = [&](bool is_so, const std::string& what) {
       if (is_so || outcome.kind == Outcome::Kind::fails) return;
       outcome.fail("right of the middle of " + to_string(edge.source) + " to " +
-                   to_string(edge.target) + " the winding number is " + std::to_string(winding) +
-                   ", " + what);
+                       to_string(edge.target) + " the winding number is " +
+                       std::to_string(winding) + ", " + what,
+                   beside);
     };
     expect(rays.winding_number_right_of(edge) == winding,
            "the ray counts " + std::to_string(rays.winding_number_right_of(edge)));
     const int rise = sign(edge.target.y - edge.source.y);
     if (rise != 0) {
       const Crossings seen = crossings(middle, all);
-      // To the right of an upward edge the ray leaves it behind; from the other side it crosses it
-      // and all that overlaps it.
+      // A ray from the right of an upward edge does not cross it; a ray from the right of a
+      // downward edge crosses it and all segments that overlap it.
       const int expected = rise > 0 ? seen.ahead : seen.ahead + seen.here;
       ++outcome.counts[rise > 0 ? "upward edges" : "downward edges"];
       expect(expected == winding, "crossings make it " + std::to_string(expected));
@@ -95,15 +96,15 @@ const Registered registered({
     .id = "observation-5.2.1",
     .title = "A ray from an edge counts the face beside it",
     .statement =
-        "A ray to the right, shot from a point of an edge of the full convolution, has the winding "
-        "number of the face directly to the right of the edge as its signed crossings with what it "
-        "meets further on, if the edge leads upwards; if it leads downwards, those with the edge "
-        "itself, and with all that overlaps it, are added, -1 where nothing else overlaps. The "
-        "structure for rays counts that number, and it is positive exactly where P and -Q, placed "
-        "there, collide.",
-    .why = "The right of an upward edge is where the ray goes; a ray that starts directly to the "
-           "right of a downward edge crosses that edge first. Winding numbers do not depend on the "
-           "ray, and Theorem 4.2.1 says what they mean.",
+        "Shoot a ray to the right from a point of an edge of the full convolution. If the edge "
+        "leads upwards, the signed crossings of the ray with the segments further on add up to "
+        "the winding number of the face directly to the right of the edge. If it leads downwards, "
+        "the crossings with the edge itself and with all segments that overlap it are added: -1 "
+        "where nothing else overlaps. The data structure for rays returns that number, and it is "
+        "positive exactly where P and -Q, placed in that face, collide.",
+    .why = "A ray that starts directly to the right of an upward edge leaves that edge behind; one "
+           "that starts directly to the right of a downward edge crosses that edge first. Winding "
+           "numbers do not depend on the ray, and Theorem 4.2.1 says what they mean.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
                    "first part: the edge is not horizontal"},
     .rests_on = {"theorem-4.2.1", "observation-4.2.5"},

@@ -10,8 +10,9 @@ namespace {
 const Registered registered({
     .id = "section-5.1.2",
     .title = "Hierarchies of bounding volumes decide collision",
-    .statement = "Two hierarchies built once, that of -Q translated by x, give the same answer as "
-                 "the definition: whether the interiors of P and -Q+x meet.",
+    .statement =
+        "Two hierarchies of bounding boxes, built once, with that of -Q translated by x, decide "
+        "as the definition does whether the interiors of P and -Q+x meet.",
     .why = "Edges whose boxes are apart do not meet, so every pair that crosses or has contact is "
            "visited; section-5.1 says why these suffice.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},

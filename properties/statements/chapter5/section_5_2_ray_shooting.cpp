@@ -12,8 +12,8 @@ namespace oplus {
 
 namespace {
 
-/// Every edge of the arrangement of the full convolution, in both directions: horizontal and
-/// vertical ones, and rays through vertices and along overlaps, come by themselves.
+/// Tests every edge of the arrangement of the full convolution, in both directions. That includes
+/// horizontal and vertical edges, and rays through vertices and along overlaps.
 Outcome check(const Summands& summands) {
   Outcome outcome;
   const std::vector<ConvolutionSegment> full =
@@ -28,8 +28,9 @@ Outcome check(const Summands& summands) {
     ++outcome.counts[by_ray == 0 ? "faces outside the sum" : "faces inside the sum"];
     if (by_ray == by_faces) continue;
     return outcome.fail("right of " + to_string(edge.source) + " to " + to_string(edge.target) +
-                        " the ray counts " + std::to_string(by_ray) + ", the faces " +
-                        std::to_string(by_faces));
+                            " the ray counts " + std::to_string(by_ray) + ", the faces " +
+                            std::to_string(by_faces),
+                        midpoint(edge.source, edge.target));
   }
   return outcome;
 }
@@ -38,14 +39,14 @@ const Registered registered({
     .id = "section-5.2",
     .title = "Rays and faces give the same winding numbers",
     .statement =
-        "Shooting a ray from directly right of an edge through the full convolution counts the "
-        "same winding number as a breadth-first traversal of the arrangement's faces from the "
-        "unbounded one.",
+        "A ray that starts directly to the right of an edge gives the same winding number of the "
+        "full convolution as a breadth-first traversal of the arrangement's faces from the "
+        "unbounded face.",
     .why =
         "Both add up signed crossings along a path to the unbounded face, and the convolution is "
-        "made of closed cycles, so the path does not matter. The symbolic shift along the edge and "
-        "then to its right puts the start of the ray on no segment, and no segment's end at its "
-        "height.",
+        "made of closed cycles, so the path does not matter. After the symbolic shift, along the "
+        "edge and then to its right, the start of the ray is on no segment and no segment ends at "
+        "its height.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
     .rests_on = {"lemma-4.1.5", "observation-4.2.5"},
     .sources = larger_mixture(),

@@ -11,7 +11,7 @@ namespace {
 std::size_t teeth(const Region& fork) { return (vertex_count(fork) - 4) / 8; }
 
 Outcome law(const Sum& computed, const Summands& summands) {
-  // A pair that is shrunk or given may be none of the family.
+  // A pair that was shrunk or given by the user may not be of the family.
   if (vertex_count(summands.q) != 6 || vertex_count(summands.p) % 8 != 4)
     return {Outcome::Kind::discarded, {}, {}};
   Outcome outcome;
@@ -19,7 +19,7 @@ Outcome law(const Sum& computed, const Summands& summands) {
   const MinkowskiSum sum = computed(summands.p, summands.q);
   outcome.counts["holes"] += sum.holes.size();
   if (sum.outer.size() == 1 && sum.holes.size() == n * n) return outcome;
-  return outcome.fail(std::to_string(n) + " teeth an arm, " + std::to_string(sum.outer.size()) +
+  return outcome.fail(std::to_string(n) + " teeth per arm, " + std::to_string(sum.outer.size()) +
                       " outer chains and " + std::to_string(sum.holes.size()) + " holes");
 }
 
@@ -38,11 +38,12 @@ const Registered registered({
     .id = "section-6.1.4",
     .title = "The fork's sum has n² holes",
     .statement =
-        "The sum of a fork with n teeth on each of its two arms, of whatever widths and gaps, and "
-        "the L that fits it is connected and has exactly n² holes.",
-    .why = "One arm of the L draws a bar out of each tooth of one arm of the fork, the other arm a "
-           "bar out of each tooth of the other. The gaps are wider than the L, so the bars stay "
-           "apart, and n bars that cross n others leave n² holes between them and the block.",
+        "The sum of a fork with n teeth on each of its two arms, of any widths and gaps, and the "
+        "L that fits it is connected and has exactly n² holes.",
+    .why =
+        "One arm of the L extends each tooth of one arm of the fork to a bar, the other arm each "
+        "tooth of the other. The gaps are wider than the L, so bars of one direction stay apart; "
+        "n bars that cross n others leave n² holes between them and the block.",
     .hypotheses = {"P is a fork and Q its L, as the family makes them"},
     .rests_on = {"section-3.2"},
     .sources = {{"fork", 6, 1}},

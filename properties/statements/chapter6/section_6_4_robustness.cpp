@@ -30,7 +30,7 @@ std::string in_words(const Shape& shape) {
   return words;
 }
 
-/// A hundredth and two of them, in the same order as the given numbers.
+/// 1/100 and 2/100 in the order of the given numbers, 0 where they are 0.
 struct Perturbation {
   Rational eps1;
   Rational eps2;
@@ -52,7 +52,7 @@ Rational power_of_two(int exponent) {
 
 Outcome shows(const Summands& summands, const std::vector<Engine>& engines,
               const std::vector<Boundary>& boundaries) {
-  const Outcome discarded{Outcome::Kind::discarded, "no diamond and room", {}};
+  const Outcome discarded{Outcome::Kind::discarded, "not a diamond and a room", {}};
   if (vertex_count(summands.p) != 12 || vertex_count(summands.q) != 4) return discarded;
   const Perturbation given{3 - summands.p.components[0].outer[10].x,
                            -summands.q.components[0].outer[0].x};
@@ -64,7 +64,7 @@ Outcome shows(const Summands& summands, const std::vector<Engine>& engines,
   const Summands seen = diamond_and_u(visible.eps1, visible.eps2);
   const OracleSums expected = oracle_sums(seen.p, seen.q);
   Outcome outcome;
-  // From what a double can tell from zero next to one, to what it cannot tell from zero at all.
+  // From a number that a double can add to 1 to one that underflows to zero.
   for (const Rational& scale : {power_of_two(-10), power_of_two(-60), power_of_two(-1100)}) {
     const Summands tiny = diamond_and_u(scale * given.eps1, scale * given.eps2);
     for (const Boundary boundary : boundaries) {
@@ -91,18 +91,21 @@ Outcome of_engine(const Engine& engine, Boundary boundary, const Summands& summa
 
 const Registered registered({
     .id = "section-6.4",
-    .title = "However small a perturbation is, the sum shows it",
+    .title = "The sum shows perturbations of any size",
     .statement =
         "A diamond just fits through the hatch of a room. If the hatch is widened at its top by "
         "eps1 and the diamond by eps2, the numbers of chains, of their vertices, of dangling edges "
         "and of isolated vertices depend only on which of the two is zero or larger, as long as "
         "they are small: at 2^-1100 as at 1/100, closed and open, in every engine.",
     .why =
-        "The combinatorics of the convolution's arrangement changes only where three of its "
-        "segments meet in a point or two become parallel. For small numbers that is only where one "
-        "of them is zero or both are equal. Exact arithmetic tells these cases apart at any size; "
-        "multiprecision floats with rounding, the thesis reports, lose the hole or the wedge.",
-    .hypotheses = {"P and Q are the thesis's room and diamond", "0 <= eps1, eps2 <= 1/100 or so"},
+        "The combinatorial structure of the convolution's arrangement changes only where three of "
+        "its segments meet in a point or two become parallel. For small numbers that is only "
+        "where one of them is zero or both are equal. Exact arithmetic tells these cases apart at "
+        "any size; multiprecision floats with rounding, the thesis reports, lose the hole or the "
+        "wedge.",
+    .hypotheses = {"P and Q are the thesis's room and diamond",
+                   "eps1 and eps2 are not negative, "
+                   "and at most about 1/100"},
     .rests_on = {"section-3.2"},
     .sources = {{"diamond-u", 1, 1}},
     .promises = {},

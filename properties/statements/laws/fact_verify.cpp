@@ -17,7 +17,8 @@ Outcome check(const Summands& summands) {
     const MinkowskiSum& sum = boundary == Boundary::open ? sums.open : sums.closed;
     const Verdict verdict = verify(p, q, boundary, sum);
     if (!verdict.is_sum())
-      return outcome.fail("refuses the oracle's sum: " + verdict.reasons.front().detail);
+      return outcome.fail("verify refuses the oracle's sum: " + verdict.reasons.front().detail,
+                          verdict.reasons.front().witness);
     const auto accepts = [&](const GivenSum& given) {
       ++outcome.counts["wrong sums"];
       return verify(p, q, boundary, given).is_sum();
@@ -26,13 +27,14 @@ Outcome check(const Summands& summands) {
     GivenSum turned = given(sum);
     for (Component& component : turned.region.components) {
       std::reverse(component.outer.begin(), component.outer.end());
-      if (accepts(turned)) return outcome.fail("accepts a clockwise outer chain");
+      if (accepts(turned)) return outcome.fail("verify accepts a clockwise outer chain");
       std::reverse(component.outer.begin(), component.outer.end());
     }
     for (std::size_t i = 0; i < sum.holes.size(); ++i) {
       MinkowskiSum filled = sum;
       filled.holes.erase(filled.holes.begin() + static_cast<std::ptrdiff_t>(i));
-      if (accepts(given(filled))) return outcome.fail("accepts a sum without one of its holes");
+      if (accepts(given(filled)))
+        return outcome.fail("verify accepts a sum without one of its holes");
     }
   }
   if (sums.open != sums.closed) {
@@ -40,7 +42,7 @@ Outcome check(const Summands& summands) {
     ++outcome.counts["wrong sums"];
     if (verify(p, q, Boundary::open, sums.closed).is_sum() ||
         verify(p, q, Boundary::closed, sums.open).is_sum())
-      return outcome.fail("accepts the sum of the other kind of boundary");
+      return outcome.fail("verify accepts the sum of the other kind of boundary");
   }
   return outcome;
 }
@@ -49,16 +51,16 @@ const Registered registered({
     .id = "fact-verify",
     .title = "What oplus verify accepts",
     .statement =
-        "Walks along the segments of the convolution, and a collision test where segments run "
-        "opposite each other or in three directions through a point, give the sum of the oracle, "
-        "closed and open. It is accepted; a sum with a chain turned, without one of its holes, or of "
-        "the other kind of boundary is not.",
-    .why =
-        "The winding number of the points just to the right of a segment changes where another "
-        "segment's part to the right is passed, by one, and nowhere else. So each piece between two "
-        "such places has the sum on either side or not as a whole (Theorem 4.2.1). Dangling edges "
-        "need opposite segments, isolated vertices three directions (Theorems 3.2.8 and 3.2.10), "
-        "but where chains touch, and there all contacts are walked along.",
+        "oplus verify computes the sum by walks along the segments of the convolution, with a "
+        "collision test where segments of opposite directions overlap or segments of three "
+        "directions meet. This is the oracle's sum, closed and open. It is accepted; a sum with a "
+        "chain reversed, without one of its holes, or of the other kind of boundary is not.",
+    .why = "The winding number of the points just to the right of a segment changes by one where "
+           "another segment ends or crosses on that side, and nowhere else. So between two such "
+           "places the sum is on a side of the whole piece or not at all (Theorem 4.2.1). Dangling "
+           "edges need segments of opposite directions, isolated vertices segments of three "
+           "directions (Theorems 3.2.8 and 3.2.10), except where chains touch; there verify walks "
+           "along all contacts.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
     .rests_on = {"theorem-3.2.8", "theorem-3.2.10", "theorem-4.2.1"},
     .sources = {{"tight", 4, 6},

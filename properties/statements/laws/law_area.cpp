@@ -8,7 +8,7 @@ namespace oplus {
 
 namespace {
 
-/// Compares |S| with (√|P| + √|Q|)² without roots: |S| - |P| - |Q| with 2√(|P||Q|).
+/// Compares |S| with (√|P| + √|Q|)² without roots: the square of |S| - |P| - |Q| with 4|P||Q|.
 int compare_with_bound(const Rational& of_sum, const Rational& of_p, const Rational& of_q) {
   const Rational excess = of_sum - of_p - of_q;
   if (sign(excess) < 0) return -1;
@@ -24,7 +24,7 @@ bool are_homothetic(const Region& p, const Region& q) {
   if (!is_convex(p) || !is_convex(q)) return false;
   const Chain of_p = convex_hull(chains(p)), of_q = convex_hull(chains(q));
   if (of_p.size() != of_q.size()) return false;
-  // Both start at their smallest vertex; all edges must be in the proportion of the first.
+  // Both start at their smallest vertex; all edges must have the ratio of the first ones.
   const Vector first_p = of_p[1] - of_p[0], first_q = of_q[1] - of_q[0];
   const Rational factor =
       first_p.x != 0 ? Rational(first_q.x / first_p.x) : Rational(first_q.y / first_p.y);
@@ -55,11 +55,12 @@ Outcome law(const Sum& sum, const Summands& summands) {
 const Registered registered({
     .id = "law-area",
     .title = "Brunn and Minkowski's inequality, with its cases of equality",
-    .statement = "√|P ⊕ Q| ≥ √|P| + √|Q|, closed and open, and the two are equal exactly where P "
-                 "and Q are convex and homothetic. Tried on P and Q, and on P and ⅔P moved.",
+    .statement =
+        "√|P ⊕ Q| ≥ √|P| + √|Q|, closed and open, and the two are equal exactly where P and Q are "
+        "convex and homothetic. Tried on P and Q, and on P and a translated ⅔P.",
     .why = "The Brunn–Minkowski theorem for the plane; for regions, which are closures of their "
-           "interiors, equality leaves convex homothetic ones only. Squared twice, it is a "
-           "comparison of rationals.",
+           "interiors, equality holds only if they are convex and homothetic. Squared twice, the "
+           "inequality compares rationals.",
     .hypotheses = {"P and Q are valid regions"},
     .rests_on = {"section-3.2"},
     .sources = {{"grid", 6, 4},

@@ -18,7 +18,8 @@ Chain merged(const Chain& p, const Chain& q) {
     const Rational turn = i == of_p.size()   ? Rational(-1)
                           : j == of_q.size() ? Rational(1)
                                              : cross(direction_of(of_p[i]), direction_of(of_q[j]));
-    // Less than half a turn apart, or else the one in the first half plane comes first.
+    // If the two are in one half plane, the cross product decides; else the one in the first half
+    // plane comes first.
     const auto half = [](const Segment& e) { return e.source < e.target ? 0 : 1; };
     int order = sign(turn);
     if (i < of_p.size() && j < of_q.size() && half(of_p[i]) != half(of_q[j]))
@@ -41,7 +42,8 @@ Outcome law(const Sum& sum, const Summands& summands) {
 
 const Registered registered({
     .id = "law-convex",
-    .title = "Convex sums are merges of edges, and hulls add",
+    .title =
+        "The sum of convex regions merges their edges; the hull of a sum is the sum of the hulls",
     .statement =
         "For convex P and Q, closed and open, P ⊕ Q has the edges of both in the order of "
         "their angles, those of equal direction joined. For any P and Q, the convex hull of "
@@ -49,10 +51,10 @@ const Registered registered({
     .why =
         "In each direction, the extreme points of the sum are the sums of the extreme points. So "
         "a direction's edge in the sum is the sum of both edges of that direction, or of an edge "
-        "and a vertex. Taken from left to right, that is a merge in O(n + m), which knows "
-        "nothing of convolutions and arrangements. An open convex sum has no low-dimensional "
-        "features: it is convex.",
-    .hypotheses = {"P and Q are valid regions; their hulls are the convex ones"},
+        "and a vertex. In the order of angles, that is a merge in O(n + m), which uses neither "
+        "convolutions nor arrangements. The open sum is convex too, so it has no low-dimensional "
+        "features.",
+    .hypotheses = {"P and Q are valid regions; the first part uses their convex hulls"},
     .rests_on = {"section-3.2"},
     .sources = {{"grid", 8, 4},
                 {"convex", 12, 2},

@@ -9,8 +9,8 @@ namespace oplus {
 
 namespace {
 
-/// Regions within one another, the smallest first: the first component, without its holes, and its
-/// convex hull; and all of P in P's hull.
+/// Pairs of regions, the smaller one first: P and its convex hull; the first component and P; that
+/// component and the same without holes.
 std::vector<std::pair<Region, Region>> nested(const Region& p) {
   const Region component{{p.components[0]}};
   const Region without_holes = polygon(p.components[0].outer);
@@ -20,19 +20,20 @@ std::vector<std::pair<Region, Region>> nested(const Region& p) {
   return pairs;
 }
 
-std::string broken(const Sum& sum, const Region& smaller, const Region& larger, const Region& q) {
+Outcome broken(const Sum& sum, const Region& smaller, const Region& larger, const Region& q) {
   for (const OverlaidPoint& x : overlaid({sum(smaller, q), sum(larger, q)})) {
     if (x.is_in(0, sum.is_open()) && !x.is_in(1, sum.is_open()))
-      return to_string(x.point) + " is in the sum of the smaller region only";
+      return Outcome().fail(to_string(x.point) + " is in the sum of the smaller region only",
+                            x.point);
   }
-  return "";
+  return {};
 }
 
 Outcome law(const Sum& sum, const Summands& summands) {
   const std::vector<std::pair<Region, Region>> pairs = nested(summands.p);
   Outcome outcome;
   for (const auto& [smaller, larger] : pairs) {
-    outcome = unless_broken(broken(sum, smaller, larger, summands.q));
+    outcome = broken(sum, smaller, larger, summands.q);
     if (outcome.kind == Outcome::Kind::fails) break;
   }
   outcome.counts["nested regions"] += pairs.size();
@@ -43,11 +44,12 @@ const Registered registered({
     .id = "law-monotone",
     .title = "A larger summand has a larger sum",
     .statement =
-        "If P ⊆ P′, then P ⊕ Q ⊆ P′ ⊕ Q, closed and open, points of dangling edges and "
-        "isolated vertices looked at, too. Tried on P and its convex hull, a component and "
-        "all of P, and a component and the same with its holes filled.",
-    .why = "The union of more translates of Q is a larger set. Filling a hole may remove edges, "
-           "holes and low-dimensional features from the sum, and may never add one to it.",
+        "If P ⊆ P′, then P ⊕ Q ⊆ P′ ⊕ Q, closed and open, including points of dangling edges and "
+        "isolated vertices. Tried on P and its convex hull, on a component and all of P, and on a "
+        "component and the same with its holes filled.",
+    .why =
+        "The union of more translates of Q is a larger set. Filling a hole of P may remove holes "
+        "and low-dimensional features from the sum, and never removes a point.",
     .hypotheses = {"P and Q are valid regions"},
     .rests_on = {"section-3.2"},
     .sources =

@@ -10,20 +10,22 @@ namespace oplus {
 namespace {
 
 /// P + x, where x is a point of the closed Q, must be in the closed sum.
-std::string contains_translates(const Sum& sum, const Region& p, const Region& q) {
+Outcome contains_translates(const Sum& sum, const Region& p, const Region& q) {
   const MinkowskiSum whole = sum(p, q);
   for (const Chain& chain : chains(q)) {
     const MinkowskiSum part = canonical_sum(translated(p, chain[0]));
     for (const OverlaidPoint& at : overlaid({whole, part})) {
       if (at.is_in(1, false) && !at.is_in(0, false))
-        return "P + " + to_string(chain[0]) + " contains " + to_string(at.point) + ", the sum not";
+        return Outcome().fail("P + " + to_string(chain[0]) + " contains " + to_string(at.point) +
+                                  ", the sum does not",
+                              at.point);
     }
   }
-  return "";
+  return {};
 }
 
-/// The value at zero of the quadratic through (1, f1), (2, f2), (3, f3); none where (4, f4) is not
-/// on it.
+/// The value at zero of the quadratic through (1, f1), (2, f2), (3, f3); empty if (4, f4) is not on
+/// it.
 std::optional<Rational> value_at_zero(const Rational& f1, const Rational& f2, const Rational& f3,
                                       const Rational& f4) {
   if (f4 - 3 * f3 + 3 * f2 - f1 != 0) return std::nullopt;
@@ -37,7 +39,7 @@ std::string shrinks_to_p(const Sum& sum, const Region& p, const Region& q) {
   };
   const std::optional<Rational> limit =
       value_at_zero(area_with(1), area_with(2), area_with(3), area_with(4));
-  if (!limit) return "the area of P ⊕ λQ is no quadratic function of a small λ";
+  if (!limit) return "the area of P ⊕ λQ is not a quadratic function of λ for small λ";
   if (*limit != area(p))
     return "the area of P ⊕ λQ tends to " + limit->get_str() + ", P's is " + area(p).get_str();
   return "";
@@ -45,22 +47,25 @@ std::string shrinks_to_p(const Sum& sum, const Region& p, const Region& q) {
 
 Outcome law(const Sum& sum, const Summands& summands) {
   const auto& [p, q] = summands;
-  std::string what = sum.is_open() ? "" : contains_translates(sum, p, q);
-  return unless_broken(what.empty() ? shrinks_to_p(sum, p, q) : what);
+  if (!sum.is_open()) {
+    const Outcome outcome = contains_translates(sum, p, q);
+    if (outcome.kind == Outcome::Kind::fails) return outcome;
+  }
+  return unless_broken(shrinks_to_p(sum, p, q));
 }
 
 const Registered registered({
     .id = "law-point",
-    .title = "Adding a point translates: as a part, and in the limit",
+    .title = "Adding a point translates: as a subset, and in the limit",
     .statement =
-        "P ⊕ {x} = P + x. A region is never a point, so this is compared with what it says of "
-        "regions: the closed sum contains P + x for a vertex x of each chain of Q; and as λ goes "
-        "to zero, the area of P ⊕ λQ is a quadratic function of λ whose value at zero is P's area.",
+        "P ⊕ {x} = P + x. A region is never a point, so two consequences for regions are tested: "
+        "the closed sum contains P + x for a vertex x of each chain of Q; and for small λ, the "
+        "area of P ⊕ λQ is a quadratic function of λ whose value at zero is P's area.",
     .why =
-        "The sum is the union of the translates P + x. For small λ the sum's edges are the same "
-        "ones, each shifted and lengthened in proportion to λ, so the area is a quadratic "
-        "function from there on; four values at λ = k/2³⁰⁰, far below the reach of coordinates of "
-        "twenty bits, determine it and check it once more.",
+        "The sum is the union of the translates P + x. For small λ the combinatorial structure of "
+        "the sum does not change, and its edges are shifted and lengthened in proportion to λ, so "
+        "the area is a quadratic function of λ. Three values at λ = k/2³⁰⁰, which is small enough "
+        "for coordinates of twenty bits, determine it, and a fourth one checks it.",
     .hypotheses = {"P and Q are valid regions with integer coordinates"},
     .rests_on = {"section-3.2"},
     .sources = {{"grid", 6, 4}, {"holes", 4, 2}, {"components", 4, 2}, {"tight", 2, 1}},

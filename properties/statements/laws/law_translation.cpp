@@ -7,7 +7,7 @@ namespace oplus {
 
 namespace {
 
-/// Near, between the grid's points, and so far that squares overflow a double.
+/// By small integers, by fractions, and by numbers whose squares overflow a double.
 std::vector<std::pair<Vector, Vector>> translations() {
   const Rational far(mpz_class(1) << 600);
   return {{{3, -5}, {0, 0}},
@@ -31,10 +31,9 @@ const Registered registered({
     .title = "Translating a summand translates the sum",
     .statement = "Closed and open, (P + s) ⊕ (Q + t) = (P ⊕ Q) + s + t, for vectors s and t of "
                  "integers, of other rationals, and of numbers beyond the range of a double.",
-    .why =
-        "(p + s) + (q + t) = (p + q) + s + t for all points. Directions do not change, so neither "
-        "does which segments are in the convolution; coordinates do, and with them what an "
-        "interval can certify and how CGAL's arrangement is scaled.",
+    .why = "(p + s) + (q + t) = (p + q) + s + t for all points. Directions do not change, so the "
+           "convolution has the same segments. Coordinates change, and with them what an interval "
+           "can certify and how CGAL's arrangement is scaled.",
     .hypotheses = {"P and Q are valid regions"},
     .rests_on = {"section-3.2"},
     .sources = {{"grid", 7, 4},

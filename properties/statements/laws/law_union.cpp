@@ -11,7 +11,7 @@ namespace oplus {
 
 namespace {
 
-/// A polygon in two, cut along its first diagonal that leaves both valid.
+/// The two parts of a polygon cut along its first diagonal for which both parts are valid.
 std::optional<std::vector<Region>> halves(const Chain& chain) {
   for (std::size_t i = 0; i < chain.size(); ++i) {
     for (std::size_t j = i + 2; j < chain.size(); ++j) {
@@ -28,7 +28,7 @@ std::optional<std::vector<Region>> halves(const Chain& chain) {
   return std::nullopt;
 }
 
-/// Two regions or more whose union is the region, or none.
+/// At least two regions whose union is the region; empty if none are found.
 std::optional<std::vector<Region>> parts(const Region& region) {
   if (region.components.size() > 1) {
     std::vector<Region> components;
@@ -39,7 +39,7 @@ std::optional<std::vector<Region>> parts(const Region& region) {
   return only.holes.empty() ? halves(only.outer) : std::nullopt;
 }
 
-std::string broken(const Sum& sum, const Summands& summands, const std::vector<Region>& parts) {
+Outcome broken(const Sum& sum, const Summands& summands, const std::vector<Region>& parts) {
   std::vector<MinkowskiSum> sums = {sum(summands.p, summands.q)};
   for (const Region& part : parts) sums.push_back(sum(part, summands.q));
   for (const OverlaidPoint& x : overlaid(sums)) {
@@ -48,19 +48,21 @@ std::string broken(const Sum& sum, const Summands& summands, const std::vector<R
     for (std::size_t i = 1; i < sums.size(); ++i)
       in_a_part = in_a_part || x.is_in(i, sum.is_open());
     if (in_whole == in_a_part) continue;
-    return to_string(x.point) + " is in the sum of " +
-           (in_whole ? "the union and of no part" : "a part and not of the union");
+    return Outcome().fail(
+        to_string(x.point) + " is in the sum of " +
+            (in_whole ? "the union and of no part" : "a part and not of the union"),
+        x.point);
   }
-  return "";
+  return {};
 }
 
 Outcome law(const Sum& sum, const Summands& summands) {
   const std::optional<std::vector<Region>> of_p = parts(summands.p);
   if (!of_p)
     return {Outcome::Kind::discarded,
-            "P is neither several components nor a polygon with a diagonal",
+            "P has one component and holes, or is a polygon without such a diagonal",
             {}};
-  Outcome outcome = unless_broken(broken(sum, summands, *of_p));
+  Outcome outcome = broken(sum, summands, *of_p);
   ++outcome
         .counts[summands.p.components.size() > 1 ? "unions of components" : "polygons cut in two"];
   return outcome;
@@ -69,12 +71,14 @@ Outcome law(const Sum& sum, const Summands& summands) {
 const Registered registered({
     .id = "law-union",
     .title = "The sum distributes over unions",
-    .statement = "Closed and open, as sets of points, (P₁ ∪ P₂) ⊕ Q = (P₁ ⊕ Q) ∪ (P₂ ⊕ Q): for "
-                 "components, which may touch, and for a polygon cut along a diagonal.",
-    .why = "A point of the union is a point of one of the two. The open polygon has its diagonal, "
-           "which neither open half has; that adds nothing to the sum, since two open sets that "
-           "have a point in common have it off any segment, too. A point of every cell of the "
-           "overlay of the sums is looked at, dangling edges and isolated vertices included.",
+    .statement =
+        "Closed and open, as sets of points, (P₁ ∪ P₂) ⊕ Q = (P₁ ⊕ Q) ∪ (P₂ ⊕ Q): where P₁ and P₂ "
+        "are components, which may touch, or the parts of a polygon cut along a diagonal.",
+    .why = "A point of the union is a point of one of the two. The open polygon contains the "
+           "diagonal, and neither open part does; that adds nothing to the sum: if two open sets "
+           "intersect, they have a common point that is not on the diagonal. The test looks at a "
+           "point of every cell of the overlay of the sums, dangling edges and isolated vertices "
+           "included.",
     .hypotheses = {"P has several components, or it is a simple polygon of more than three "
                    "vertices",
                    "Q is a valid region"},

@@ -15,8 +15,8 @@ struct LinearMap {
 
 LinearMap scaling(const Rational& factor);
 
-/// The image of a region. Where the map reverses orientation, chains are reversed, so that the
-/// image is left of its edges, too. Requires: the determinant is not zero.
+/// The image of a region. If the map reverses orientation, chains are reversed, so that the
+/// interior stays to the left of each edge. Requires: the determinant is not zero.
 Region image(const LinearMap& map, const Region& region);
 
 /// The image of a sum, translated, in canonical form. Requires: the determinant is not zero.

@@ -33,7 +33,7 @@ std::string bare(const MinkowskiSum& sum, const std::vector<ConvolutionSegment>&
   };
   for (const Segment& edge : edges(MinkowskiSum{sum.outer, sum.holes, {}, {}})) {
     if (!cover(segments, direction_of(edge), edge))
-      return "no equally directed segments cover the edge " + named(edge);
+      return "no segments of the same direction cover the edge " + named(edge);
   }
   for (const Segment& edge : sum.dangling_edges) {
     if (!cover(segments, direction_of(edge), edge) || !cover(segments, -direction_of(edge), edge))

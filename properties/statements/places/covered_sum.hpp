@@ -10,19 +10,21 @@
 
 namespace oplus {
 
-/// Whether the segments that run along an edge cover all of it.
+/// Whether those of the segments that overlap an edge cover all of it.
 bool cover(const std::vector<Segment>& segments, const Segment& edge);
 
 /// Whether those of one direction do.
 bool cover(const std::vector<ConvolutionSegment>& segments, const Vector& direction,
            const Segment& edge);
 
-/// What of a sum the segments do not cover, in words, or nothing: edges want segments of their
-/// direction, dangling ones of both; isolated vertices any segment, but for the `excepted` ones.
+/// What of a sum the segments do not cover, in words; empty if they cover all: each edge by
+/// segments of its direction, dangling edges by segments of both directions, isolated vertices by
+/// any segment, except for the `excepted` ones.
 std::string bare(const MinkowskiSum& sum, const std::vector<ConvolutionSegment>& segments,
                  const std::set<Point>& excepted);
 
-/// Where isolated vertices may be on no reduced segment (docs/findings.md).
+/// Where isolated vertices may be on no segment of the reduced convolution (docs/findings.md, on
+/// Theorem 2.3.2).
 std::set<Point> sums_of_touching_points(const Summands& summands);
 
 }  // namespace oplus

@@ -18,9 +18,9 @@ struct OverlaidPoint {
   }
 };
 
-/// A point of every cell, vertex, edge or face, of the overlay of the boundaries, dangling edges and
-/// isolated vertices included: what holds for these points holds for the plane. Each is located in one
-/// region or sum at a time: no test for collision, no shortcut.
+/// A point of every cell (vertex, edge or face) of the overlay of all boundaries, dangling edges
+/// and isolated vertices, located in one region or sum at a time; no collision test is used. What
+/// holds for these points holds for the whole plane.
 std::vector<OverlaidPoint> overlaid(const std::vector<Region>& regions);
 std::vector<OverlaidPoint> overlaid(const std::vector<MinkowskiSum>& sums);
 

@@ -27,8 +27,8 @@ Vector SlidPair::direction(std::uint32_t segment) const {
 }
 
 Point SlidPair::shifted(std::uint32_t segment, const Place& t) const {
-  // Places have denominators of less than 64 bits and coordinates less than 30, so that a skew product
-  // which is not zero is larger than 2^-200.
+  // Places have denominators of less than 64 bits and coordinates less than 30 bits, so that a skew
+  // product that is not zero is larger than 2^-200.
   static const Rational little = [] {
     mpz_class large;
     mpz_ui_pow_ui(large.get_mpz_t(), 2, 500);

@@ -23,8 +23,8 @@ struct SlidPair {
 
   Vector direction(std::uint32_t segment) const;
 
-  /// x(t), shifted to the right of the segment: by so little that nothing that is not on the segment
-  /// comes closer or goes farther by a sign.
+  /// x(t), shifted to the right of the segment: by so little that no sign changes that was not
+  /// zero.
   Point shifted(std::uint32_t segment, const Place& t) const;
 
   /// By the definition: whether the interiors of P and -Q + x meet.

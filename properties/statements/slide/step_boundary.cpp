@@ -37,7 +37,8 @@ Outcome check(const Summands& summands) {
       if (is_free == is_boundary) continue;
       return outcome.fail(
           std::string(is_free ? "a free place is not on" : "a blocked place is on") +
-          " the boundary, on segment " + std::to_string(i));
+              " the boundary, on segment " + std::to_string(i),
+          x);
     }
   }
   for (const Segment& edge : boundary) {
@@ -46,7 +47,8 @@ Outcome check(const Summands& summands) {
       if (sign(dot(direction_of(piece), direction_of(edge))) > 0) equally_directed.push_back(piece);
     ++outcome.counts["edges of the boundary"];
     if (cover(equally_directed, edge)) continue;
-    return outcome.fail("an edge of the boundary is not covered by free pieces");
+    return outcome.fail("an edge of the boundary is not covered by free pieces",
+                        midpoint(edge.source, edge.target));
   }
   return outcome;
 }
@@ -55,15 +57,16 @@ const Registered registered({
     .id = "step-boundary",
     .title = "The free pieces are the boundary",
     .statement =
-        "A place on a segment of the reduced convolution, no end of a free piece, is on the "
-        "boundary of the closed sum iff it is in a free piece of its segment; and every edge "
-        "of the boundary is covered by free pieces.",
-    .why = "Left of a segment of the convolution is the sum (Observation 2.2.4), so it is on the "
-           "boundary where the sum is not on its right: where P and -Q + x(t), shifted to the "
-           "right, do not meet. That is where no edges cross (step-search) and no component is "
-           "inside another (step-components). The boundary is on segments of the reduced "
-           "convolution (Theorem 2.3.2, as corrected where chains touch), and the sum is to the "
-           "left of each of its edges, as of the segment.",
+        "A point of a segment of the reduced convolution that is not an end of a free piece is on "
+        "the boundary of the closed sum iff it is in a free piece of its segment; and free pieces "
+        "cover every edge of the boundary.",
+    .why =
+        "The sum is to the left of each segment of the convolution (Observation 2.2.4). So a "
+        "point x(t) of it is on the boundary iff the sum is not on the right as well: iff P and "
+        "-Q + x(t), shifted to the right, do not meet. That is so iff no edges cross "
+        "(step-search) and no component is inside another one (step-components). The boundary is "
+        "on segments of the reduced convolution (Theorem 2.3.2, as corrected where chains touch), "
+        "and the sum is to the left of each of its edges, as of the segment.",
     .hypotheses = {"P and Q are valid regions"},
     .rests_on = {"step-search", "step-components", "theorem-2.3.2"},
     .sources = {{"grid", 6, 4},

@@ -4,6 +4,7 @@
 #include "checked/slide/contact_interval.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/slide/slid_pair.hpp"
+#include "reference/io/writing.hpp"
 
 namespace oplus {
 
@@ -15,8 +16,10 @@ Outcome check(const Summands& summands) {
   const slide::ComponentTest<SlidPair::Numbers> components(integers);
   slide::BlockingSearch<SlidPair::Numbers> search(integers, slide::Shift::to_the_right);
   Outcome outcome;
-  const auto fail = [&](std::uint32_t segment, const std::string& what) {
-    return outcome.fail("segment " + std::to_string(segment) + ": " + what);
+  const auto fail = [&](std::uint32_t segment, const SlidPair::Place& t, const std::string& what) {
+    const Point x = pair.point(segment, t);
+    return outcome.fail(
+        "at " + to_string(x) + " on segment " + std::to_string(segment) + " " + what, x);
   };
   const std::uint32_t step = 1 + static_cast<std::uint32_t>(pair.tracks.size() / 8);
   for (std::uint32_t i = 0; i < pair.tracks.size(); i += step) {
@@ -32,8 +35,11 @@ Outcome check(const Summands& summands) {
       ++outcome.counts["places where no edges cross"];
       outcome.counts["places where components overlap"] += overlap;
       if (pair.interiors_meet_at(pair.shifted(i, t)) != overlap)
-        return fail(i, overlap ? "components that do not overlap" : "an overlap is not seen");
-      if (overlap && !components.is_needed()) return fail(i, "connected regions overlap");
+        return fail(i, t,
+                    overlap ? "components are found to overlap, and do not"
+                            : "components overlap, and are found not to");
+      if (overlap && !components.is_needed())
+        return fail(i, t, "components of connected regions overlap");
     }
   }
   return outcome;
@@ -41,20 +47,21 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "step-components",
-    .title = "Where no edges cross, components overlap only one inside the other",
+    .title = "Where no edges cross, components overlap only if one is inside the other",
     .statement =
-        "At a place on a segment that no pair of edges blocks, the interiors of P and -Q + "
-        "x(t), shifted to the right, meet exactly where a component of one is inside a "
-        "component of the other; and the two components whose vertex and edge touch there "
-        "never are. If both regions are connected, such a place is free.",
-    .why = "Shifted, the boundaries have no point in common. If interiors of two components meet "
-           "then, the outer chain of one is inside the other: their outer chains are disjoint "
-           "closed curves, so one is inside the other, and not in a hole. Now let two components "
-           "touch along the segment. Draw their chains; they cut the plane into parts, and two "
-           "parts on either side of a chain are neighbours: a tree, as chains are closed curves. "
-           "The shift opens a part between the two chains that belongs to neither component. "
-           "Take it away: each component is connected, so all of it is on one side of the tree, "
-           "and the two are on different sides.",
+        "Let no pair of edges block x(t) on a segment. Then the interiors of P and -Q + x(t), "
+        "shifted to the right, meet iff a component of one is inside a component of the other; "
+        "and this never holds for the two components whose vertex and edge touch there. If both "
+        "regions are connected, x(t) is free.",
+    .why =
+        "Shifted, the boundaries have no point in common. If interiors of two components meet "
+        "then, the outer chain of one is inside the other: their outer chains are disjoint closed "
+        "curves, so one is inside the other, and not in a hole. Now let two components touch "
+        "along the segment. Their chains cut the plane into parts. Let two parts be neighbours if "
+        "a chain is between them; this graph is a tree, since chains are closed curves. The shift "
+        "opens a part between the two chains that belongs to neither component. Without this part "
+        "the tree falls into pieces; each component is connected, so it lies in one piece, and "
+        "the two components lie in different ones.",
     .hypotheses = {"P and Q are valid regions"},
     .rests_on = {"step-search", "observation-2.2.4"},
     .sources =

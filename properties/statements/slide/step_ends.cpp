@@ -25,19 +25,23 @@ Outcome check(const Summands& summands) {
   outcome.counts["pieces after cutting"] = cut.size();
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      if (points[i] == points[j]) return outcome.fail("a point has two numbers");
+      if (points[i] == points[j])
+        return outcome.fail(
+            "two ends at the same point have different "
+            "numbers",
+            points[i]);
   std::vector<Segment> before, after;
   for (const auto& piece : pieces)
     before.push_back(
         {pair.point(piece.segment, piece.piece.from), pair.point(piece.segment, piece.piece.to)});
   for (const auto& piece : cut) after.push_back({points[piece.from], points[piece.to]});
   if (maximal_segments(before) != maximal_segments(after))
-    return outcome.fail("the pieces do not cover what they did");
+    return outcome.fail("the pieces after cutting do not cover the same points as before");
   for (const Segment& a : after)
     for (const Segment& b : after)
       for (const Point& x : {b.source, b.target})
         if (lies_on(x, a) && x != a.source && x != a.target)
-          return outcome.fail("a piece ends inside another one");
+          return outcome.fail("a piece ends inside another one", x);
   return outcome;
 }
 
@@ -45,13 +49,14 @@ const Registered registered({
     .id = "step-ends",
     .title = "Pieces are cut where they meet, and equal points are one",
     .statement =
-        "After naming and cutting, two pieces of the boundary have at most ends in common, or "
-        "are the same piece on two segments; two ends have the same number iff they are the "
-        "same point; and what the pieces cover together has not changed.",
-    .why = "The coordinates of an end are quotients in lowest terms, so that equal points have "
-           "equal numbers. Free pieces cannot cross, as left of both is the sum; so a piece can "
-           "meet another one inside only in an end of that one, and a grid of cells that a piece "
-           "runs through has all points on it.",
+        "After numbering and cutting, two pieces of the boundary have at most ends in common, or "
+        "are the same piece on two segments; two ends have the same number iff they are the same "
+        "point; and the pieces cover the same points as before.",
+    .why =
+        "The coordinates of an end are quotients in lowest terms, so equal points have equal "
+        "coordinates and get the same number. Free pieces cannot cross, since the sum is to the "
+        "left of both; so inside a piece only ends of other pieces can lie, and all of these are "
+        "in the cells of the grid through which the piece runs.",
     .hypotheses = {"P and Q are valid regions"},
     .rests_on = {"step-boundary"},
     .sources = small_mixture(),

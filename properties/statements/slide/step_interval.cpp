@@ -4,6 +4,7 @@
 #include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/slide/slid_pair.hpp"
+#include "reference/io/writing.hpp"
 
 namespace oplus {
 
@@ -16,7 +17,7 @@ Outcome check(const Summands& summands) {
   const std::vector<Segment> of_p = edges(summands.p);
   const std::vector<Segment> of_q = edges(reflected(summands.q));
   Outcome outcome;
-  // All pairs of edges, on every few segments: a different one for each case.
+  // All pairs of edges, on about four segments; which ones depends on the size of P.
   const std::uint32_t step = 1 + static_cast<std::uint32_t>(pair.tracks.size() / 4);
   for (std::uint32_t i = static_cast<std::uint32_t>(of_p.size()) % step; i < pair.tracks.size();
        i += step) {
@@ -36,8 +37,12 @@ Outcome check(const Summands& summands) {
           const Point x = pair.shifted(i, t);
           const Segment moved{of_q[b].source + x, of_q[b].target + x};
           if (cross_properly(of_p[a], moved) == is_blocked) continue;
-          return outcome.fail("edge " + std::to_string(a) + " of P and " + std::to_string(b) +
-                              " of Q, on segment " + std::to_string(i));
+          return outcome.fail("at " + to_string(pair.point(i, t)) + " on segment " +
+                                  std::to_string(i) + " edge " + std::to_string(a) +
+                                  " of P and edge " + std::to_string(b) + " of Q " +
+                                  (is_blocked ? "do not cross, and the interval says that they do"
+                                              : "cross, and the interval says that they do not"),
+                              pair.point(i, t));
         }
       }
     }
@@ -49,17 +54,18 @@ const Registered registered({
     .id = "step-interval",
     .title = "A pair of edges blocks one open interval of a segment",
     .statement =
-        "Let x(t) run along a segment of the reduced convolution, shifted to its right by an "
-        "infinitesimal. An edge of P and one of -Q + x(t) cross properly exactly where t is "
-        "in the open interval that slide computes for them, except where the shift alone "
-        "makes them touch or come apart.",
-    .why = "The two edges have an interior point in common iff x(t) is inside the sum of the "
-           "edge of P and the edge of Q, a parallelogram. A line meets its interior in an open "
-           "interval: the intersection of two strips. Where the line is parallel to a strip and "
-           "runs along its border, the shift decides, by a sign: inside iff the strip is on the "
-           "right. Parallel edges have a parallelogram without interior. At a corner that the "
-           "line only touches the shift may cut off an interval of infinitesimal length; it "
-           "counts as empty.",
+        "Let x(t) be the points of a segment of the reduced convolution, shifted to its right by "
+        "an infinitesimal. An edge of P and one of -Q + x(t) cross properly exactly where t is in "
+        "the open interval that slide computes for them, except where only the shift decides "
+        "whether they touch.",
+    .why =
+        "The two edges have an interior point in common iff x(t) is inside the sum of the edge of "
+        "P and the edge of Q, a parallelogram. A line meets its interior in an open interval: the "
+        "intersection of two strips. If the line is parallel to a strip and runs along its "
+        "border, the sign of the shift decides: it is inside iff the strip is on the right. If "
+        "the edges are parallel, the parallelogram has no interior. At a corner that the line "
+        "only touches, the shifted line may meet the interior in an interval of infinitesimal "
+        "length; this counts as empty.",
     .hypotheses = {"P and Q are valid regions"},
     .rests_on = {"equation-2.1"},
     .sources = small_mixture(),

@@ -9,15 +9,15 @@ namespace oplus {
 
 namespace {
 
-/// Large, and no product of it is a small number times a power of two.
+/// Large coordinates that are not small numbers times a power of two.
 Point stretched(const Point& x) {
   static const mpz_class large = mpz_class(1) << 60;
   static const Rational shift(mpz_class(1) << 100);
   return {large * x.x + 3 * x.y + shift, 5 * x.x + large * x.y};
 }
 
-/// Stretched, and bent by little: what was parallel, in line or in one point is that only nearly, by
-/// less than doubles see.
+/// Stretched and slightly bent: what was parallel, collinear or in one point is so only
+/// approximately, within the rounding errors of doubles.
 Point bent(const Point& x) { return stretched(x) + Point{x.y * x.y, x.x * x.y}; }
 
 Outcome check(const Summands& summands) {
@@ -34,13 +34,13 @@ Outcome check(const Summands& summands) {
       options.numbers = numbers;
       const ComputedSum other = slide_sum(summands.p, summands.q, boundary, options);
       if (other.sum != small.sum || other.origins != small.origins)
-        return outcome.fail("the same pair in larger numbers");
+        return outcome.fail("larger numbers give another sum of the same pair");
       for (const Summands& pair : large) {
         const ComputedSum of_large = slide_sum(pair.p, pair.q, boundary, options);
         if (of_large.statistics.count("in integers of 64 bits") > 0)
-          return outcome.fail("large coordinates in 64 bits");
+          return outcome.fail("coordinates of more than 64 bits are computed in 64 bits");
         if (of_large.sum != rca(pair.p, pair.q, boundary).sum)
-          return outcome.fail("a pair made large");
+          return outcome.fail("slide and rca give different sums of the enlarged pair");
       }
     }
   }
@@ -51,13 +51,13 @@ const Registered registered({
     .id = "step-numbers",
     .title = "The size of the numbers does not matter",
     .statement =
-        "In 64-bit integers, in 256-bit integers and in GMP, slide finds the same sum, "
-        "origins included; and stretched so much that 64 bits do not hold the coordinates, "
-        "or bent as well, so that doubles cannot tell what is parallel, the sum that rca "
-        "finds.",
-    .why = "Each stage computes the same integers as long as none overflows, and the bits of the "
-           "coordinates say that none does. Larger stages ask doubles first, and believe them "
-           "only where they differ by more than they can be off.",
+        "In 64-bit integers, in 256-bit integers and in GMP, slide finds the same sum and the "
+        "same origins. If the pair is stretched until its coordinates exceed 64 bits, or is also "
+        "bent, so that doubles cannot decide what is parallel, slide finds the same sum as rca.",
+    .why =
+        "Each stage computes the same integers as long as none overflows, and the number of bits "
+        "of the coordinates shows that none does. Stages with larger numbers compute in doubles "
+        "first, and use the result only if it exceeds the possible error.",
     .hypotheses = {"P and Q are valid regions"},
     .rests_on = {"step-boundary", "law-linear"},
     .sources = small_mixture(),

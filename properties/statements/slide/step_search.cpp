@@ -54,23 +54,23 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "step-search",
-    .title = "The search finds what all pairs of edges leave uncovered",
+    .title = "The search finds what no pair of edges blocks",
     .statement =
-        "The free pieces that probes and traversals of boxes find, doubles first, are what "
-        "the intervals of all pairs of edges leave uncovered of a segment, each piece once "
-        "and as long as it can be.",
+        "The free pieces that probes and traversals of boxes find, in doubles first, are the "
+        "parts of a segment that the intervals of all pairs of edges leave uncovered, each piece "
+        "once and not divided.",
     .why =
-        "A pair of edges blocks a place only if x(t) is in the sum of their boxes, so a "
-        "traversal that leaves out no sum of boxes with x(t) in it finds a pair that blocks t "
-        "if there is one. A probe that finds none leaves out boxes; those that the gap meets "
-        "hold all other pairs with an interval there. Boxes are rounded outwards, and doubles "
-        "decide only where they are off by less than what they see; at both ends of a segment with "
-        "short coordinates they are off by nothing, and there a line beside a strip or on its "
-        "side is told, unless it runs along that side, when the shift decides. Each probe takes an "
-        "interval out of a gap or settles the gap, and there are finitely many intervals.",
+        "A pair of edges blocks a place only if x(t) is in the sum of their boxes, so a traversal "
+        "that skips no pair of boxes whose sum contains x(t) finds a pair that blocks t if there "
+        "is one. A probe that finds none has skipped boxes; the skipped boxes that the gap meets "
+        "contain all other pairs that block a part of it. Boxes are rounded outwards, and doubles "
+        "decide only where the value exceeds the possible error. At both ends of a segment with "
+        "short coordinates doubles are exact, and decide whether a line is beside a strip or on "
+        "its side; if it runs along the side, the shift decides. Each probe removes an interval "
+        "from a gap or settles the gap, and there are finitely many intervals.",
     .hypotheses =
         {"P and Q are valid regions",
-         "components do not matter here: those that lie in another one with no edges crossing are left to step-components"},
+         "components inside other components, without crossing edges, are left to step-components"},
     .rests_on = {"step-interval"},
     .sources = small_mixture(),
     .promises = promises_of_mixture(),

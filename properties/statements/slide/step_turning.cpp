@@ -14,8 +14,8 @@ Outcome check(const Summands& summands) {
       const bool is_outer = of_kind == &sum.outer;
       ++outcome.counts[is_outer ? "outer chains" : "holes"];
       if ((sign(twice_area(chain)) > 0) == is_outer) continue;
-      return outcome.fail(is_outer ? "an outer chain runs clockwise"
-                                   : "a hole runs counterclockwise");
+      return outcome.fail(
+          is_outer ? "an outer chain runs clockwise" : "a hole runs counterclockwise", chain[0]);
     }
   }
   return outcome;
@@ -23,14 +23,15 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "step-turning",
-    .title = "The turning number of a chain says whether it is an outer one",
+    .title = "The turning number of a chain distinguishes outer chains from holes",
     .statement =
         "Every chain that slide stitches turns once to the left if it is an outer chain of "
         "the sum, once to the right if it goes around a hole.",
-    .why = "A chain bounds one face of the complement or goes around a component of the sum, "
-           "turning clockwise most where it touches itself. Drawn apart by an infinitesimal at "
-           "these points it is a simple polygon, with the same turns at its corners; and a "
-           "simple polygon turns once.",
+    .why =
+        "A chain bounds one face of the complement or goes around a component of the sum, turning "
+        "clockwise most where it touches itself. Moved apart by an infinitesimal at these points "
+        "it is a simple polygon with the same turns at its vertices, and a simple polygon turns "
+        "once.",
     .hypotheses = {"P and Q are valid regions"},
     .rests_on = {"definition-2.1.9", "step-ends"},
     .sources = {{"grid", 8, 2},

@@ -22,7 +22,7 @@ TEST(StatementGraph, OfTheRegistryHasNoDefect) {
   EXPECT_EQ(defects_of_graph(statements()), Defects{});
 }
 
-TEST(StatementGraph, MayHaveDiamonds) {
+TEST(StatementGraph, MayReachAStatementOnTwoPaths) {
   EXPECT_EQ(defects_of_graph({resting_on("a", {}), resting_on("b", {"a"}), resting_on("c", {"a"}),
                               resting_on("d", {"b", "c"})}),
             Defects{});
@@ -34,12 +34,12 @@ TEST(StatementGraph, NamesACycle) {
             Defects{"a, b, c: rest on each other"});
 }
 
-TEST(StatementGraph, NamesWhatRestsOnItselfOrOnNothingKnown) {
+TEST(StatementGraph, NamesStatementsThatRestOnThemselvesOrOnUnknownOnes) {
   EXPECT_EQ(defects_of_graph({resting_on("a", {"a"}), resting_on("b", {"z"})}),
             (Defects{"a: rests on itself", "b: rests on an unknown z"}));
 }
 
-TEST(StatementGraph, GoesToGraphviz) {
+TEST(StatementGraph, IsWrittenForGraphviz) {
   const std::string dot =
       to_dot({resting_on("a", {}), resting_on("b", {"a"})},
              [](const Statement& s) { return s.id == "a" ? "#123456" : "#abcdef"; });

@@ -8,7 +8,7 @@
 namespace oplus {
 namespace {
 
-TEST(Strength, is_the_strongest_of_what_backs_a_statement) {
+TEST(Strength, is_the_strongest_kind_of_backing) {
   Statement s;
   s.id = "a";
   Registry registry;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The checks of the proofs find what they are for."""
+"""Tests that the checks of the proofs find errors."""
 
 import contextlib
 import io

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Asks Coq what the theorems in theorems.json rest on, and fails unless that is nothing at all.
+"""Asks Coq which axioms the theorems in theorems.json use, and fails if there are any.
 
 theorems.json says for each which registered statement it backs, whether it is the whole of it or a
 part (extent), its name and file, what it says in plain words (gloss), what of the statement it covers
@@ -50,7 +50,7 @@ def violations(theorems, folder, statements):
 
 
 def assumptions(theorems, build):
-    """What Coq says each theorem rests on, in their order."""
+    """The axioms that Coq reports for each theorem, in their order."""
     together = asked([theorems], build)
     if together == [CLOSED]:
         return [CLOSED] * len(theorems)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Coq sources as text: what they say without comments, and what must not be said in them."""
+"""Coq sources as text: without comments, and words that they must not contain."""
 
 import re
 

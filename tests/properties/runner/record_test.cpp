@@ -47,8 +47,10 @@ TEST(RecordedRuns, SayWhatRefutesAStatement) {
   const PropertyRun run = {
       .statement = "lemma-9.9.9",
       .complaints = {"it is not so"},
-      .counterexample = Counterexample{pair, "it is not so", 3, Finding{"a-p.dat", "a-q.dat"}}};
+      .counterexample = Counterexample{pair, "it is not so", 3, Finding{"a-p.dat", "a-q.dat"},
+                                       Point{1, Rational(2, 3)}}};
   EXPECT_NE(to_json({run}).find("\"counterexample\":{\"why\":\"it is not so\","
+                                "\"at\":[\"1\",\"2/3\"],"
                                 "\"p\":\"POLYGON ((0 0, 1 0, 0 1, 0 0))\","
                                 "\"q\":\"POLYGON ((0 0, 1/3 0, 2 2, 0 0))\",\"shrinks\":3,"
                                 "\"p_file\":\"a-p.dat\",\"q_file\":\"a-q.dat\","
@@ -72,7 +74,8 @@ TEST(Replays, AreCounted) {
 }
 
 TEST(RecordedKills, SurviveJson) {
-  const Kill kill{"fault", "lemma-9.9.9", true, false, 7, "at (1, 2) it is not so", pair};
+  const Kill kill{"fault", "lemma-9.9.9",  true, false,
+                  7,       "it is not so", pair, Point{1, Rational(2, 3)}};
   const std::string text = to_json({kill, Kill{"other", "fact-none", false, true}}, {"a defect"});
   EXPECT_NE(text.find("\"killed\": 1,\n\"not_killed\": 1,\n\"defects\": [\"a defect\"]}\n"),
             std::string::npos)
@@ -86,8 +89,10 @@ TEST(RecordedKills, SurviveJson) {
   EXPECT_EQ(read[0].cases, kill.cases);
   EXPECT_EQ(read[0].why, kill.why);
   EXPECT_EQ(read[0].shrunk, kill.shrunk);
+  EXPECT_EQ(read[0].at, kill.at);
   EXPECT_TRUE(read[1].by_enumeration);
   EXPECT_FALSE(read[1].shrunk);
+  EXPECT_FALSE(read[1].at);
   EXPECT_EQ(to_json(read, {"a defect"}), text);
 }
 
@@ -110,6 +115,10 @@ TEST(Records, RefuseInvalidText) {
       "{\"kills\": [{\"mutant\":\"m\",\"statement\":\"s\",\"killed\":true,\"by_enumeration\":false,"
       "\"cases\":1,\"why\":\"\",\"shrunk\":{\"p\":\"POLYGON((0 0,1 1))\",\"q\":\"POLYGON EMPTY\"}}]}";
   EXPECT_THROW(kills_of_json(bad_pair, "kills.json"), InvalidInput);
+  const std::string bad_point =
+      "{\"kills\": [{\"mutant\":\"m\",\"statement\":\"s\",\"killed\":true,\"by_enumeration\":false,"
+      "\"cases\":1,\"why\":\"\",\"at\":[\"1\",\"x\"]}]}";
+  EXPECT_THROW(kills_of_json(bad_point, "kills.json"), InvalidInput);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// That the tie rule is what it is called, an infinitesimal turn of Q's directions; and that nothing
-// depends on how long vectors are, which lets all other queries take one vector of each direction.
+// The tie rule is an infinitesimal turn of Q's directions; and nothing depends on the length of
+// vectors, so that all other queries can use one vector for each direction.
 #include "properties/proofs/smt/sectors.hpp"
 #include "reference/definitions/cyclic_order.hpp"
 #include "reference/definitions/tangent_set.hpp"

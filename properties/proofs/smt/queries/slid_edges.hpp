@@ -12,7 +12,7 @@ struct SlidEdges {
   TermVector d;
   TermVector u;
   TermVector w;
-  slide::Shift shift = slide::Shift::to_the_right;  ///< what the code is asked for
+  slide::Shift shift = slide::Shift::to_the_right;  ///< the argument of the code
 };
 
 /// The edges of P and Q in the coordinates that make their parallelogram the unit square.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A query for each row of the tables. All is seen from the vertex, as P and -Q have it: the corner's
-// sector there, and the other's half plane, whose border passes the vertex. While the half plane has the
-// vertex, it has the whole of each ray from there up to some point, and meets the sector in one
-// component. While it has not, a ray meets it from some point on if it points to the left of the edge,
-// and not at all otherwise: so there are as many components as there are arcs of directions in the
-// sector and to the left of the edge. Edges that are parallel to the corner's count as turned apart, as
-// the tie rule says: definition-2.2.7-and-2.2.8.tie-rule.
+// A query for each row of the tables. All is seen from the vertex, as P and -Q have it: the
+// corner's sector there, and the other's half plane, whose border passes the vertex. While the half
+// plane contains the vertex, it contains each ray from there up to some point, and intersects the
+// sector in one component. While it does not, it contains a ray from some point on if the ray
+// points to the left of the edge, and no point of it otherwise: so there are as many components as
+// there are arcs of directions in the sector and to the left of the edge. Edges parallel to those
+// of the corner are turned apart by the tie rule: definition-2.2.7-and-2.2.8.tie-rule.
 #include "properties/proofs/smt/built_regions.hpp"
 #include "properties/proofs/smt/sectors.hpp"
 #include "properties/statements/chapter4/euler_characteristic.hpp"
@@ -36,7 +36,8 @@ class Arcs {
       unknown_.push_back(direction(name));
   }
 
-  /// That there are so many; of "none" and "no more" as no unknown directions show the contrary.
+  /// That there is this number of arcs. "None" and "no more" mean that no unknown directions show
+  /// the contrary.
   Claim are(int count) const {
     switch (count) {
       case 0:

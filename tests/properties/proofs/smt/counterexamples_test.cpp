@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The models that the solvers found of statements with a hypothesis dropped, as they are recorded: each
-// is a counterexample to what is left, by the definitions, with no solver at hand.
+// The recorded models that the solvers found for statements with a hypothesis dropped: each is a
+// counterexample to the rest of the statement, by the definitions. No solver is needed.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -40,7 +40,7 @@ TEST(RecordedResults, AreAsExpected) {
   }
 }
 
-TEST(RecordedCounterexamples, SatisfyAllThatIsLeft) {
+TEST(RecordedCounterexamples, SatisfyTheOtherHypotheses) {
   const nlohmann::ordered_json results = recorded();
   for (std::size_t i = 0; i < results.size(); ++i) {
     const Query& query = queries().at(i);
@@ -52,7 +52,7 @@ TEST(RecordedCounterexamples, SatisfyAllThatIsLeft) {
   }
 }
 
-TEST(RecordedCounterexamples, AreSuchByTheDefinitions) {
+TEST(RecordedCounterexamples, AreCounterexamplesByTheDefinitions) {
   const nlohmann::ordered_json results = recorded();
   for (std::size_t i = 0; i < results.size(); ++i)
     EXPECT_TRUE(queries().at(i).is_false_by_definition(model_of_json(results[i]["counterexample"])))

@@ -15,7 +15,7 @@ TEST(Executed, IsTheCodeAsAFormula) {
       EXPECT_EQ(larger_is_positive.holds_in({{{"x", a}, {"y", b}}, {}}), std::max(a, b) > 0);
 }
 
-TEST(Executed, TakesNoWayThatTheAnswersBeforeRuleOut) {
+TEST(Executed, SkipsPathsThatEarlierAnswersExclude) {
   EXPECT_EQ(executed([] { return x < y && y < x; }).value(), false);
   EXPECT_EQ(executed([] { return x <= y || x - y > 0; }).value(), true);
   EXPECT_EQ(executed([] { return (x < y) == (Term(2) * x - Term(2) * y < 0); }).value(), true);
@@ -28,7 +28,7 @@ TEST(Executed, HasFlags) {
   EXPECT_FALSE(chosen.holds_in({{{"x", 1}}, {{"f", false}}}));
 }
 
-TEST(Executed, LetsTheCodesExceptionsThrough) {
+TEST(Executed, PassesExceptionsOfTheCodeOn) {
   EXPECT_THROW(executed([]() -> bool {
                  if (x < 0) throw std::runtime_error("from the code");
                  return true;
@@ -37,7 +37,7 @@ TEST(Executed, LetsTheCodesExceptionsThrough) {
   EXPECT_EQ(executed([] { return true; }).value(), true);
 }
 
-TEST(Executed, UnknownsAreNotComparedElsewhere) {
+TEST(Executed, UnknownsCannotBeComparedElsewhere) {
   EXPECT_THROW(static_cast<void>(x < y), std::logic_error);
   EXPECT_TRUE(x - x == 0);
   EXPECT_THROW(executed([] { return executed([] { return x < y; }).value().has_value(); }),

@@ -90,22 +90,22 @@ TEST(QueryRun, FailsWhereTheDroppedHypothesisIsNotNeeded) {
   EXPECT_NE(failures[0].find("twin, z3: is unsat, and was expected to be sat"), std::string::npos);
 }
 
-TEST(QueryRun, FailsWhereTheModelIsNoCounterexampleByDefinition) {
+TEST(QueryRun, FailsWhereTheModelIsNotACounterexampleByDefinition) {
   Query query = true_query();
   query.is_false_by_definition = [](const Model&) { return false; };
   const std::vector<std::string> failures = failures_of(query);
   ASSERT_EQ(failures.size(), 2U);
-  EXPECT_NE(failures[0].find("by the definitions the model is no counterexample"),
+  EXPECT_NE(failures[0].find("by the definitions the model is not a counterexample"),
             std::string::npos);
 }
 
-TEST(QueryRun, FailsWhereThereIsNoTime) {
+TEST(QueryRun, FailsAtTheTimeLimit) {
   const TemporaryFolder folder;
   write_questions(true_query(), folder.path());
   EXPECT_EQ(run(true_query(), folder.path(), 1e-9).failures.size(), 6U);
 }
 
-/// Small numbers: such that many of the signs are zero.
+/// Small numbers, so that many signs are zero.
 Model random_model(const Query& query, Random& random) {
   Model model;
   for (const Unknown& unknown : query.unknowns) {
@@ -125,7 +125,7 @@ class EachQuery : public testing::TestWithParam<std::size_t> {
 };
 
 /// The transfer: what is proved of the formulas is proved of the code.
-TEST_P(EachQuery, FormulasAreWhatTheCodeSaysWhenItRunsOnNumbers) {
+TEST_P(EachQuery, FormulasAgreeWithTheCodeOnNumbers) {
   std::vector<Condition> conditions = {query().conclusion};
   for (const Hypothesis& hypothesis : query().hypotheses)
     conditions.push_back(hypothesis.condition);
@@ -141,7 +141,7 @@ TEST_P(EachQuery, FormulasAreWhatTheCodeSaysWhenItRunsOnNumbers) {
   }
 }
 
-/// What the solvers prove of all numbers, on some.
+/// What the solvers prove for all numbers, tested on some.
 TEST_P(EachQuery, HasNoCounterexampleAmongSmallNumbers) {
   const Formula counterexample = formula_of(query(), Asked::proof, Values());
   Random random(8);

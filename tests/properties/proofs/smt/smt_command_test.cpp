@@ -11,7 +11,7 @@ namespace {
 
 class SmtCommand : public Shell {
  protected:
-  /// `script` is what both solvers do.
+  /// Both solvers run this script.
   Ran with_solvers(const std::string& script, const std::string& command) const {
     put("solver", "#!/bin/sh\n" + script + "\n");
     return run("chmod +x solver && cp solver z3 && cp solver cvc5 && export PATH=$PWD:$PATH\n" +
@@ -25,7 +25,7 @@ TEST_F(SmtCommand, lists_queries) {
   EXPECT_EQ(nlohmann::json::parse(ran.out).at("queries").size(), smt::queries().size());
 }
 
-TEST_F(SmtCommand, writes_three_questions_a_query) {
+TEST_F(SmtCommand, writes_three_questions_per_query) {
   const Ran ran = run("oplus-check smt theorem-2.3.2.reflex-vertex --write q --only-write && ls q");
   EXPECT_EQ(ran.exit_code, 0) << ran.err;
   EXPECT_EQ(ran.out,
@@ -60,7 +60,7 @@ TEST_F(SmtCommand, any_other_answer_is_a_failure) {
   }
 }
 
-TEST_F(SmtCommand, refuses_what_it_does_not_know) {
+TEST_F(SmtCommand, refuses_unknown_names) {
   EXPECT_EQ(run("oplus-check smt lemma-99").exit_code, 2);
   EXPECT_EQ(run("oplus-check smt --only-write").exit_code, 2);
 #ifndef OPLUS_MUTANTS

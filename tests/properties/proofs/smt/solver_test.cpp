@@ -11,7 +11,7 @@
 namespace oplus::smt {
 namespace {
 
-/// The answer to a text, where 100 s are more than any test takes.
+/// The answer to a text; no test takes 100 s.
 Answer answer_to(const Solver& solver, const std::string& text, double seconds = 100) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "question.smt2").string();
@@ -36,7 +36,7 @@ TEST(ModelIn, ReadsWhatBothSolversPrint) {
   EXPECT_EQ(model->flags, (std::map<std::string, bool>{{"f", true}, {"g", false}}));
 }
 
-TEST(ModelIn, HasNoRationalForWhatIsNone) {
+TEST(ModelIn, IsEmptyWithoutRationalValues) {
   EXPECT_FALSE(model_in("((x (root-obj (+ (^ x 2) (- 2)) 1)))"));
   EXPECT_FALSE(model_in("((x (/ 1.0 0.0)))"));
   EXPECT_THROW(model_in("((x 1.0)"), std::invalid_argument);
@@ -44,7 +44,7 @@ TEST(ModelIn, HasNoRationalForWhatIsNone) {
   EXPECT_THROW(model_in(""), std::invalid_argument);
 }
 
-TEST(Solvers, AgreeOnWhatIsEasy) {
+TEST(Solvers, AgreeOnEasyQuestions) {
   for (const Solver& solver : solvers()) {
     const Answer none = answer_to(solver, reals + "(assert (< (* x x) 0.0))\n(check-sat)\n");
     EXPECT_EQ(none.kind, Answer::Kind::unsatisfiable) << solver.name;
@@ -56,15 +56,15 @@ TEST(Solvers, AgreeOnWhatIsEasy) {
   }
 }
 
-/// Of Z3: cvc5 goes on looking for ever.
-TEST(Solvers, AnIrrationalModelIsNone) {
+/// Z3 only: cvc5 would search forever.
+TEST(Solvers, GiveNoModelWithIrrationalNumbers) {
   const Answer root = answer_to(solvers().front(),
                                 reals + "(assert (= (* x x) 2.0))\n(check-sat)\n(get-value (x))\n");
   EXPECT_EQ(root.kind, Answer::Kind::satisfiable);
   EXPECT_FALSE(root.model);
 }
 
-TEST(Solvers, NoAnswerIsNoAnswer) {
+TEST(Solvers, MayGiveNoAnswer) {
   for (const Solver& solver : solvers()) {
     const Answer broken = answer_to(solver, "(assert (oops))\n(check-sat)\n");
     EXPECT_EQ(broken.kind, Answer::Kind::none) << solver.name;

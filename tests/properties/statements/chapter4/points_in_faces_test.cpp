@@ -11,7 +11,7 @@
 namespace oplus {
 namespace {
 
-/// Each face by its winding number in either chain.
+/// Identifies each face by its winding numbers in both chains.
 std::multiset<std::pair<int, int>> faces(const Chain& a, const Chain& b,
                                          const std::vector<Segment>& avoided) {
   std::vector<Segment> segments = edges(a);
@@ -36,12 +36,12 @@ TEST(PointsInFaces, AreOneForEachPartOfAFacesBoundary) {
   EXPECT_EQ(faces(square, translated(square, {5, 0}), {}), (Faces{{0, 0}, {0, 0}, {0, 1}, {1, 0}}));
 }
 
-TEST(PointsInFaces, TakeEqualAndReversedSegmentsForOnePiece) {
+TEST(PointsInFaces, CountEqualAndReversedSegmentsAsOnePiece) {
   EXPECT_EQ(faces(square, {square.rbegin(), square.rend()}, {}), (Faces{{0, 0}, {1, -1}}));
 }
 
-TEST(PointsInFaces, KeepOffOtherSegmentsThatCutAFace) {
-  // Lines through all that is half way: a point would be on one of them by chance.
+TEST(PointsInFaces, AvoidOtherSegmentsThatCutAFace) {
+  // Lines through all points that are half way, so that such a point would be on one of them.
   std::vector<Segment> avoided;
   for (int k = -8; k <= 16; ++k) {
     const Rational at(k, 4);
@@ -53,7 +53,7 @@ TEST(PointsInFaces, KeepOffOtherSegmentsThatCutAFace) {
             (Faces{{0, 0}, {0, 1}, {1, 0}, {1, 1}}));
 }
 
-TEST(PointsInFaces, OfNothingAreNone) { EXPECT_TRUE(points_in_faces({}, {}).empty()); }
+TEST(PointsInFaces, AreEmptyWithoutSegments) { EXPECT_TRUE(points_in_faces({}, {}).empty()); }
 
 }  // namespace
 }  // namespace oplus

@@ -11,18 +11,18 @@
 namespace oplus {
 namespace {
 
-/// How many exteriors each point parts; the points in lexicographic order.
+/// The number of exteriors at each point; the points in lexicographic order.
 std::vector<int> exteriors(const Region& region) {
   std::vector<int> result;
   for (const TouchingExteriors& t : touching_exteriors(region)) result.push_back(t.exteriors);
   return result;
 }
 
-TEST(TouchingExteriors, AreNoneWhereChainsDoNotTouch) {
+TEST(TouchingExteriors, AreEmptyWhereChainsDoNotTouch) {
   EXPECT_TRUE(exteriors({{{box(0, 0, 3, 3), {backwards(box(1, 1, 2, 2))}}}}).empty());
 }
 
-TEST(TouchingExteriors, AreOneAroundComponentsThatTouch) {
+TEST(TouchingExteriors, CountOneAroundComponentsThatTouch) {
   const Region two{{{box(0, 0, 1, 1), {}}, {box(1, 1, 2, 2), {}}}};
   EXPECT_EQ(exteriors(two), std::vector<int>{1});
   EXPECT_EQ(touching_exteriors(two)[0].at, (Point{1, 1}));
@@ -32,13 +32,13 @@ TEST(TouchingExteriors, AreOneAroundComponentsThatTouch) {
   EXPECT_EQ(exteriors(three), std::vector<int>{1});
 }
 
-TEST(TouchingExteriors, AreTwoWhereAHoleTouchesAnEdgeOrAVertex) {
+TEST(TouchingExteriors, CountTwoWhereAHoleTouchesAnEdgeOrAVertex) {
   const Chain hole = backwards({{2, 0}, {3, 1}, {2, 2}, {1, 1}});
   EXPECT_EQ(exteriors({{{box(0, 0, 4, 4), {hole}}}}), std::vector<int>{2});
   EXPECT_EQ(exteriors({{{{{0, 0}, {2, 0}, {4, 0}, {4, 4}, {0, 4}}, {hole}}}}), std::vector<int>{2});
 }
 
-TEST(TouchingExteriors, AreAsManyAsHolesThatMeet) {
+TEST(TouchingExteriors, CountTheHolesThatMeet) {
   const Chain right = backwards({{2, 2}, {3, 1}, {3, 3}}),
               left = backwards({{2, 2}, {1, 3}, {1, 1}});
   const Chain above = backwards({{2, 2}, {Rational(5, 2), 3}, {Rational(3, 2), 3}});
@@ -46,13 +46,13 @@ TEST(TouchingExteriors, AreAsManyAsHolesThatMeet) {
   EXPECT_EQ(exteriors({{{box(0, 0, 4, 4), {left, above, right}}}}), std::vector<int>{3});
 }
 
-TEST(TouchingExteriors, AreOneWhereAnIslandTouchesItsHole) {
+TEST(TouchingExteriors, CountOneWhereAnIslandTouchesItsHole) {
   const Region island{
       {{box(0, 0, 4, 4), {backwards(box(1, 1, 3, 3))}}, {{{1, 2}, {2, 1}, {2, 2}}, {}}}};
   EXPECT_EQ(exteriors(island), (std::vector<int>{1, 1}));
 }
 
-TEST(TouchingExteriors, AreTwoWhereAComponentTouchesAHoleThatTouches) {
+TEST(TouchingExteriors, CountTwoWhereAComponentTouchesAHoleThatTouches) {
   // A hole from the lower edge's middle, and from below a component up to it.
   const Region both{
       {{box(0, 0, 4, 4), {backwards({{2, 0}, {3, 1}, {1, 1}})}}, {{{2, 0}, {1, -1}, {3, -1}}, {}}}};

@@ -12,7 +12,7 @@ namespace oplus {
 namespace {
 
 TEST(PointsBeside, AreInEveryFaceAndOnNoSegment) {
-  // Two squares that overlap in a third: four faces, told apart by both winding numbers.
+  // Two squares that overlap in a third: four faces, identified by both winding numbers.
   const Chain a = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
   const Chain b = translated(a, {1, 1});
   std::vector<Segment> segments = edges(a);
@@ -36,7 +36,7 @@ TEST(PointsBeside, StopBeforeASegmentThatLiesOnTheRay) {
   EXPECT_EQ(on_ray, 1U);
 }
 
-TEST(PointsBeside, TakeASegmentAndItsReverseForOnePiece) {
+TEST(PointsBeside, CountASegmentAndItsReverseAsOnePiece) {
   const Segment s{{0, 0}, {1, 0}};
   EXPECT_EQ(points_beside({s, reversed(s), s}).size(), 2U);
 }

@@ -23,11 +23,13 @@ Outcome check(const Summands& summands) {
           loop.size();
       for (const ConvolutionArrangement::Halfedge h : loop) {
         const Segment edge = arrangement.geometry(h);
-        const bool collides = open_sum.contains(midpoint(edge.source, edge.target));
+        const Point middle = midpoint(edge.source, edge.target);
+        const bool collides = open_sum.contains(middle);
         if (collides != of_loop && test->is_hole_right_of(edge) == of_loop) continue;
-        return outcome.fail(name +
-                            " on one edge of a loop says other than the definition does from " +
-                            to_string(edge.source) + " to " + to_string(edge.target));
+        return outcome.fail("hole test " + name + " and the definition differ on the edge from " +
+                                to_string(edge.source) + " to " + to_string(edge.target) +
+                                " of a loop",
+                            middle);
       }
     }
   }
@@ -36,16 +38,17 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "observation-3.1.5",
-    .title = "One hole test a loop is enough",
+    .title = "One hole test per loop is enough",
     .statement =
-        "If P and -Q collide at one point inside an edge of a traced loop, they do inside every "
-        "edge of it; if they do not at one, they do at none. Each hole test, asked about any edge "
-        "of the loop, gives that answer.",
-    .why = "The face to the right of an edge is in the sum or in the complement as a whole. If it "
-           "is in the complement the loop is on the boundary all the way (Observation 3.2.4). If "
-           "not, the edge has the sum on both sides; it is no dangling edge, since no segment runs "
-           "against it (Theorem 3.2.8). Vertices are left out: a loop that is not on the boundary "
-           "may touch it there.",
+        "If P and -Q + x collide for one point x inside an edge of a traced loop, they collide "
+        "for every point inside its edges; if they do not for one, they do for none. Each hole "
+        "test gives this answer for every edge of the loop.",
+    .why =
+        "The face to the right of an edge is in the sum or in the complement as a whole. If it is "
+        "in the complement the loop is on the boundary all the way (Observation 3.2.4). If not, "
+        "the edge has the sum on both sides; it is not a dangling edge, since no segment runs "
+        "against it (Theorem 3.2.8). Vertices are left out: a loop that is not on the boundary "
+        "may touch it there.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
                    "points inside edges of the arrangement, not its vertices"},
     .rests_on = {"observation-3.2.4", "theorem-3.2.8"},
