@@ -4,7 +4,7 @@
 # The main job: the programs `oplus`, `oplus-check` and `oplus-peer`.
 packages=(g++ cmake ninja-build ccache python3
           libcgal-dev libgmp-dev libmpfr-dev libboost-dev libcli11-dev nlohmann-json3-dev rapidjson-dev
-          libtbb-dev libpolyclipping-dev librapidcheck-dev)
+          libpolyclipping-dev librapidcheck-dev)
 # More for tests/run.
 packages_of_tests=(clang libclang-rt-14-dev git clang-format libgtest-dev libbenchmark-dev
                    libkainjow-mustache-dev gnuplot-nox help2man

@@ -3,7 +3,6 @@
 
 #include <utility>
 
-#include "checked/arithmetic/interval.hpp"
 #include "reference/definitions/contract.hpp"
 #include "reference/definitions/mutant.hpp"
 
@@ -21,18 +20,13 @@ int sector(const Vector& v) {
 FilteredDirection::FilteredDirection(Direction exact)
     : exact_(std::move(exact)), sector_(sector(exact_.vector)) {
   OPLUS_REQUIRES(sector_ >= 0, "Definition 2.1.7");
-  const IntervalPoint vector = interval(exact_.vector);
-  x_ = {vector.x.inf(), vector.x.sup()};
-  y_ = {vector.y.inf(), vector.y.sup()};
+  x_ = interval(exact_.vector.x);
+  y_ = interval(exact_.vector.y);
 }
 
 std::optional<int> FilteredDirection::filtered_compare_slope(const FilteredDirection& a,
                                                              const FilteredDirection& b) {
-  const auto interval_of = [](const Range& range) { return Interval(range.low, range.high); };
-  const CGAL::Uncertain<CGAL::Comparison_result> slopes =
-      CGAL::compare(interval_of(a.y_) * interval_of(b.x_), interval_of(a.x_) * interval_of(b.y_));
-  if (!CGAL::is_certain(slopes)) return std::nullopt;
-  return CGAL::get_certain(slopes);
+  return compare(a.y_ * b.x_, a.x_ * b.y_);
 }
 
 int FilteredDirection::compare_equal(Summand a, Summand b) {

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "checked/arithmetic/interval.hpp"
 #include "reference/definitions/direction.hpp"
 
 namespace oplus {
@@ -16,17 +17,15 @@ class FilteredDirection {
 
   const Direction& exact() const { return exact_; }
 
-  /// compare_angle, or none where intervals cannot tell. Always tells where the coordinates are
+  /// compare_angle, empty where intervals cannot tell. Always tells where the coordinates are
   /// integers below 2^26, or the directions have different quadrants, or are both along one axis.
-  /// Requires: a live CGAL::Protect_FPU_rounding<true>.
   friend std::optional<int> filtered_compare_angle(const FilteredDirection& a,
                                                    const FilteredDirection& b) {
     if (a.sector_ != b.sector_) return a.sector_ - b.sector_;
     return a.sector_ % 2 == 0 ? 0 : filtered_compare_slope(a, b);
   }
 
-  /// The same as for exact directions, ties included: the tie rule is that one's.
-  /// Requires: a live CGAL::Protect_FPU_rounding<true>.
+  /// The same as for exact directions, by their tie rule.
   friend int compare(const FilteredDirection& a, const FilteredDirection& b) {
     const std::optional<int> angles = filtered_compare_angle(a, b);
     if (!angles) return compare(a.exact_, b.exact_);
@@ -40,15 +39,9 @@ class FilteredDirection {
   /// compare, of equal directions of these summands.
   static int compare_equal(Summand a, Summand b);
 
-  /// Of each double, the first is not greater than the coordinate, the second not less.
-  struct Range {
-    double low;
-    double high;
-  };
-
   Direction exact_;
-  Range x_;
-  Range y_;
+  Interval x_;
+  Interval y_;
   int sector_;  ///< 0, 2, 4, 6: along an axis; 1, 3, 5, 7: in the quadrant between
 };
 

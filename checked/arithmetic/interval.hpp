@@ -1,18 +1,104 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <CGAL/Interval_nt.h>
-#include <CGAL/mpq_class.h>
+#include <algorithm>
+#include <bit>
+#include <cfloat>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
 
 #include "reference/definitions/segment.hpp"
 
 namespace oplus {
 
-/// Certified double intervals. Requires, while one is computed with: a live
-/// CGAL::Protect_FPU_rounding<true>.
-using Interval = CGAL::Interval_nt<false>;
+static_assert(std::numeric_limits<double>::is_iec559 && FLT_EVAL_METHOD == 0,
+              "a double is rounded to nearest, once");
 
-inline Interval interval(const Rational& value) { return Interval(CGAL::to_interval(value)); }
+/// Two doubles between which a number certainly is. Neither end is NaN; the low one may be -∞, the
+/// high one ∞. Arithmetic rounds to nearest and then moves the ends apart.
+/// Requires: rounding to nearest, with subnormal numbers, which is how every program starts.
+/// The sum of two exact numbers (low == high) is exact where it is a double; their product where they
+/// have at most 26 significant bits, as integers below 2^26 have, and it is not extreme.
+struct Interval {
+  double low = 0;
+  double high = 0;
+};
+
+inline constexpr Interval any_number{-std::numeric_limits<double>::infinity(),
+                                     std::numeric_limits<double>::infinity()};
+
+/// The interval between any two numbers that round to these doubles.
+///
+/// A number x that rounds to a finite double r is between the neighbours of r, and these are at most
+/// u away, where u is the distance between doubles in the binade of r: 2^-52 of a power of two that
+/// is not greater than |r|, or the least double. So |r| 2^-52 + least >= u, also when computed, since
+/// rounding is monotonic and u is a double. So r - (|r| 2^-52 + least), rounded, is not greater than
+/// r - u, rounded, which is a double or -∞ and not greater than the neighbour of r, nor than x. The same
+/// holds for the high end. Where r is infinite, an end becomes infinite the right way, or NaN.
+inline Interval outward(double low, double high) {
+  constexpr double least = std::numeric_limits<double>::denorm_min();
+  low -= std::abs(low) * 0x1p-52 + least;
+  high += std::abs(high) * 0x1p-52 + least;
+  return low <= high ? Interval{low, high} : any_number;
+}
+
+/// Requires: neither is NaN.
+inline bool is_exact(const Interval& a) { return a.low == a.high; }
+
+inline Interval operator+(const Interval& a, const Interval& b) {
+  const double low = a.low + b.low;
+  if (is_exact(a) && is_exact(b)) {
+    // Knuth's TwoSum: what rounding took away, exactly; NaN where the sum overflows.
+    const double of_b = low - a.low;
+    if ((a.low - (low - of_b)) + (b.low - of_b) == 0) return {low, low};
+  }
+  return outward(low, a.high + b.high);
+}
+inline Interval operator-(const Interval& a) { return {-a.high, -a.low}; }
+inline Interval operator-(const Interval& a, const Interval& b) { return a + -b; }
+
+inline Interval operator*(const Interval& a, const Interval& b) {
+  const double product = a.low * b.low;
+  if (is_exact(a) && is_exact(b)) {
+    // At most 26 significant bits each: the last 27 of the fraction are zero.
+    const auto bits = std::bit_cast<std::uint64_t>(a.low) | std::bit_cast<std::uint64_t>(b.low);
+    const bool is_small = (bits & ((std::uint64_t{1} << 27) - 1)) == 0;
+    const double size = std::abs(product);
+    if (product == 0 ? a.low == 0 || b.low == 0 : is_small && size > 0x1p-960 && size <= DBL_MAX)
+      return {product, product};
+    return outward(product, product);
+  }
+  // 0 * ∞ is NaN, which std::min and std::max pass on or leave out; where they leave it out, another
+  // product is zero, or two are -∞ and ∞.
+  double low = product, high = product;
+  for (const double other : {a.low * b.high, a.high * b.low, a.high * b.high}) {
+    low = std::min(low, other);
+    high = std::max(high, other);
+  }
+  return outward(low, high);
+}
+
+inline Interval operator/(const Interval& a, const Interval& b) {
+  if ((b.low <= 0 && b.high >= 0) || std::isinf(b.low) || std::isinf(b.high)) return any_number;
+  const double quotients[] = {a.low / b.low, a.low / b.high, a.high / b.low, a.high / b.high};
+  return outward(*std::min_element(quotients, quotients + 4),
+                 *std::max_element(quotients, quotients + 4));
+}
+
+/// Negative, zero or positive; empty where the intervals do not tell.
+inline std::optional<int> compare(const Interval& a, const Interval& b) {
+  if (a.high < b.low) return -1;
+  if (a.low > b.high) return 1;
+  if (is_exact(a) && is_exact(b)) return 0;
+  return std::nullopt;
+}
+
+inline std::optional<int> sign(const Interval& a) { return compare(a, Interval{}); }
+
+/// Exact where the number is a double.
+Interval interval(const Rational& value);
 
 struct IntervalPoint {
   Interval x;
@@ -32,10 +118,10 @@ inline Interval cross(const IntervalPoint& u, const IntervalPoint& v) {
   return u.x * v.y - u.y * v.x;
 }
 
-/// A stage that may not know: the orientation of three points, or uncertain.
-inline CGAL::Uncertain<CGAL::Sign> orientation(const IntervalPoint& a, const IntervalPoint& b,
-                                               const IntervalPoint& c) {
-  return CGAL::sign(cross(b - a, c - a));
+/// The orientation of three points; empty where the intervals do not tell.
+inline std::optional<int> orientation(const IntervalPoint& a, const IntervalPoint& b,
+                                      const IntervalPoint& c) {
+  return sign(cross(b - a, c - a));
 }
 
 struct IntervalSegment {

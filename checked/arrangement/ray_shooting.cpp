@@ -99,8 +99,8 @@ struct RayShooting::Tree {
 
   /// Positive if the point is to the left of a segment's line, negative if to the right.
   int side(const ShiftedPoint& p, const IntervalPoint& at, std::size_t i) const {
-    const auto filtered = orientation(ends[i].source, ends[i].target, at);
-    if (CGAL::is_certain(filtered) && filtered.inf() != CGAL::ZERO) return filtered.inf();
+    const std::optional<int> filtered = orientation(ends[i].source, ends[i].target, at);
+    if (filtered && *filtered != 0) return *filtered;
     const Segment& s = segments[i];
     const int exact = orientation(s.source, s.target, p.at);
     if (exact != 0) return exact;
@@ -126,7 +126,6 @@ RayShooting::RayShooting(std::vector<Segment> convolution)
 RayShooting::~RayShooting() = default;
 
 int RayShooting::winding_number_right_of(const Segment& edge) const {
-  const CGAL::Protect_FPU_rounding<true> rounding;
   const ShiftedPoint p = right_of_middle(edge);
   const IntervalPoint at = interval(p.at);
   std::vector<Slabs> met;

@@ -11,11 +11,15 @@ namespace oplus {
 namespace {
 
 Interval hull(const Interval& a, const Interval& b) {
-  return {std::min(a.inf(), b.inf()), std::max(a.sup(), b.sup())};
+  return {std::min(a.low, b.low), std::max(a.high, b.high)};
 }
 
+bool meet(const Interval& a, const Interval& b) { return a.low <= b.high && b.low <= a.high; }
+
 /// Where a box goes in the order along an axis; only the shape of the tree depends on it.
-double middle(const Interval& side) { return side.inf() / 2 + side.sup() / 2; }
+double middle(const Interval& side) {
+  return std::max(side.low, -DBL_MAX) / 2 + std::min(side.high, DBL_MAX) / 2;
+}
 
 }  // namespace
 
@@ -23,7 +27,7 @@ struct BoundingVolumeHierarchy::Box {
   Interval x;
   Interval y;
 
-  bool meets(const Box& other) const { return x.do_overlap(other.x) && y.do_overlap(other.y); }
+  bool meets(const Box& other) const { return meet(x, other.x) && meet(y, other.y); }
   Box operator+(const IntervalPoint& by) const { return {x + by.x, y + by.y}; }
   Box with(const Box& other) const { return {hull(x, other.x), hull(y, other.y)}; }
 };
@@ -62,7 +66,7 @@ void BoundingVolumeHierarchy::build(std::vector<Leaf>& leaves, std::size_t begin
   const std::size_t self = nodes_.size();
   nodes_.push_back({around, 0, leaves[begin].segment});
   if (end - begin == 1) return;
-  const bool wide = around.x.sup() - around.x.inf() > around.y.sup() - around.y.inf();
+  const bool wide = around.x.high - around.x.low > around.y.high - around.y.low;
   const std::size_t half = begin + (end - begin) / 2;
   const auto at = [&](std::size_t i) { return leaves.begin() + static_cast<std::ptrdiff_t>(i); };
   std::nth_element(at(begin), at(half), at(end), [&](const Leaf& a, const Leaf& b) {
@@ -77,7 +81,6 @@ bool BoundingVolumeHierarchy::visit_meeting(
     const BoundingVolumeHierarchy& moved, const Vector& by,
     const std::function<bool(std::size_t i, std::size_t j)>& visit) const {
   if (empty() || moved.empty()) return false;
-  const CGAL::Protect_FPU_rounding<true> rounding;
   const IntervalPoint certified_by = interval(by);
   std::vector<std::pair<std::size_t, std::size_t>> pending{{0, 0}};
   while (!pending.empty()) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -50,15 +51,15 @@ class Query {
   Meeting meeting_of(std::size_t i, std::size_t j) const {
     const auto& [a, b] = p_.certified[i];
     const auto [c, d] = translated(minus_q_.certified[j], by_);
-    const auto ab_c = orientation(a, b, c);
-    const auto ab_d = orientation(a, b, d);
-    if (CGAL::is_certain(ab_c) && CGAL::is_certain(ab_d)) {
-      if (ab_c.inf() == ab_d.inf() && ab_c.inf() != CGAL::ZERO) return Meeting::none;
-      const auto cd_a = orientation(c, d, a);
-      const auto cd_b = orientation(c, d, b);
-      if (CGAL::is_certain(cd_a) && CGAL::is_certain(cd_b)) {
-        if (cd_a.inf() == cd_b.inf() && cd_a.inf() != CGAL::ZERO) return Meeting::none;
-        if (ab_c.inf() * ab_d.inf() < 0 && cd_a.inf() * cd_b.inf() < 0) return Meeting::crossing;
+    const std::optional<int> ab_c = orientation(a, b, c);
+    const std::optional<int> ab_d = orientation(a, b, d);
+    if (ab_c && ab_d) {
+      if (*ab_c == *ab_d && *ab_c != 0) return Meeting::none;
+      const std::optional<int> cd_a = orientation(c, d, a);
+      const std::optional<int> cd_b = orientation(c, d, b);
+      if (cd_a && cd_b) {
+        if (*cd_a == *cd_b && *cd_a != 0) return Meeting::none;
+        if (*ab_c * *ab_d < 0 && *cd_a * *cd_b < 0) return Meeting::crossing;
       }
     }
     const Segment& s = p_.pieces[i];
@@ -121,7 +122,6 @@ class PairwiseCollision : public CollisionTest {
   PairwiseCollision(const Region& p, const Region& q) : p_(p), minus_q_(reflected(q)) {}
 
   bool interiors_meet_at(const Point& x) final {
-    const CGAL::Protect_FPU_rounding<true> rounding;
     Query query(p_, minus_q_, x);
     const auto visit = [&](std::size_t i, std::size_t j) { return query.visit(i, j); };
     return visit_pairs(x, visit) || query.meet_without_crossing();

@@ -4,7 +4,6 @@
 #include <array>
 #include <utility>
 
-#include "checked/arithmetic/interval.hpp"
 #include "reference/definitions/contract.hpp"
 #include "reference/definitions/mutant.hpp"
 #include "reference/definitions/tangent_set.hpp"
@@ -17,7 +16,6 @@ TracedChain::TracedChain(const Chain& chain, Summand of) {
   corners_.reserve(size);
   for (std::size_t i = 0; i < size; ++i)
     edges_.emplace_back(Direction{chain[next(i, size)] - chain[i], of});
-  const CGAL::Protect_FPU_rounding<true> rounding;
   for (std::size_t i = 0; i < size; ++i) {
     const FilteredDirection& in = edges_[previous(i, size)];
     const FilteredDirection& out = edges_[i];
@@ -141,9 +139,6 @@ class Tracer {
 
 }  // namespace
 
-GridCycles trace_cycles(const TracedChain& p, const TracedChain& q) {
-  const CGAL::Protect_FPU_rounding<true> rounding;
-  return Tracer(p, q).run();
-}
+GridCycles trace_cycles(const TracedChain& p, const TracedChain& q) { return Tracer(p, q).run(); }
 
 }  // namespace oplus

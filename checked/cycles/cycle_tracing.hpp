@@ -20,7 +20,6 @@ class TracedChain {
   bool is_reflex(std::size_t vertex) const { return corners_[vertex].is_reflex; }
 
   /// in_tangent_set, of a direction of the other summand and a vertex of this chain.
-  /// Requires: a live CGAL::Protect_FPU_rounding<true>.
   bool has_in_tangent_set(std::size_t vertex, const FilteredDirection& d) const;
 
  private:

@@ -1,22 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/slide/for_each_number.hpp"
 
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <vector>
 
 namespace oplus::slide {
 
 void for_each_number(std::size_t n, unsigned threads,
                      const std::function<void(std::size_t)>& work) {
-  if (threads <= 1) {
-    for (std::size_t i = 0; i < n; ++i) work(i);
-    return;
+  std::atomic<std::size_t> next = 0;
+  std::mutex mutex;
+  std::exception_ptr thrown;
+  const auto run = [&] {
+    try {
+      for (std::size_t i = next++; i < n; i = next++) work(i);
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      if (!thrown) thrown = std::current_exception();
+      next = n;
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    try {
+      others.reserve(std::min<std::size_t>(threads, n));
+      while (others.size() + 1 < std::min<std::size_t>(threads, n)) others.emplace_back(run);
+    } catch (const std::system_error&) {
+      // As many as the system has; none in WebAssembly.
+    }
+    run();
   }
-  // As many as are asked for, whatever the machine has.
-  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, threads);
-  tbb::task_arena arena(static_cast<int>(threads));
-  arena.execute([&] { tbb::parallel_for(std::size_t{0}, n, work); });
+  if (thrown) std::rethrow_exception(thrown);
 }
 
 }  // namespace oplus::slide

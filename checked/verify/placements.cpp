@@ -15,10 +15,10 @@ namespace {
 /// Whether the ends of b are certainly on different sides of the line through a.
 bool certainly_between(const IntervalSegment& a, const IntervalSegment& b) {
   const IntervalPoint along = a.target - a.source;
-  const Interval of_source = cross(along, b.source - a.source);
-  const Interval of_target = cross(along, b.target - a.source);
-  return (of_source.inf() > 0 && of_target.sup() < 0) ||
-         (of_source.sup() < 0 && of_target.inf() > 0);
+  const std::optional<int> of_source = sign(cross(along, b.source - a.source));
+  if (!of_source || *of_source == 0) return false;
+  const std::optional<int> of_target = sign(cross(along, b.target - a.source));
+  return of_target && *of_target == -*of_source;
 }
 
 /// Cut where chains touch, as in the definition: only inside such pieces does a crossing show
@@ -33,7 +33,6 @@ std::vector<IntervalSegment> pieces(const Region& region) {
 
 struct Placements::Certified {
   bool a_crossing_shows(const Point& x) const {
-    const CGAL::Protect_FPU_rounding<true> protector;
     const IntervalPoint by = interval(x);
     for (const IntervalSegment& of_q : of_minus_q) {
       const IntervalSegment moved = translated(of_q, by);

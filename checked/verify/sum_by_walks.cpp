@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -61,13 +62,11 @@ class Walks {
     for (const Segment& s : convolution)
       tracks_.push_back({number(s.source), number(s.target), true});
     for (const Segment& s : more) tracks_.push_back({number(s.source), number(s.target), false});
-    const CGAL::Protect_FPU_rounding<true> protector;
     for (const Point& p : points_) near_.push_back(interval(p));
     side_.resize(points_.size());
   }
 
   Found walk_all() {
-    const CGAL::Protect_FPU_rounding<true> protector;
     for (std::size_t i = 0; i < tracks_.size(); ++i) walk(i);
     found_.boundary = sorted_without_copies(std::move(found_.boundary));
     return std::move(found_);
@@ -89,18 +88,16 @@ class Walks {
     const IntervalPoint& from = near_[walked_.source];
     const IntervalPoint along = near_[walked_.target] - from;
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      const auto side = CGAL::sign(cross(along, near_[i] - from));
+      const std::optional<int> side = sign(cross(along, near_[i] - from));
       side_[i] =
-          static_cast<std::int8_t>(side.is_certain() ? static_cast<int>(side.inf())
-                                                     : orientation(source(), target(), points_[i]));
+          static_cast<std::int8_t>(side ? *side : orientation(source(), target(), points_[i]));
     }
   }
 
   /// On which side of a track's line an end of the one that is walked along is.
   int side_of_track(std::size_t point, const Track& t) const {
-    const auto side = orientation(near_[t.source], near_[t.target], near_[point]);
-    return side.is_certain() ? static_cast<int>(side.inf())
-                             : orientation(points_[t.source], points_[t.target], points_[point]);
+    const std::optional<int> side = orientation(near_[t.source], near_[t.target], near_[point]);
+    return side ? *side : orientation(points_[t.source], points_[t.target], points_[point]);
   }
 
   /// How far along the track an event is, exactly.
@@ -125,15 +122,15 @@ class Walks {
     Interval far;
     if (e.place >= 0) {
       const IntervalPoint to = near_[static_cast<std::size_t>(e.place)] - from;
-      const bool steep = along.x.inf() <= 0 && along.x.sup() >= 0;
+      const bool steep = along.x.low <= 0 && along.x.high >= 0;
       far = steep ? to.y / along.y : to.x / along.x;
     } else {
       const Track& t = tracks_[e.track];
       const IntervalPoint across = near_[t.target] - near_[t.source];
       far = cross(near_[t.source] - from, across) / cross(along, across);
     }
-    e.low = far.inf();
-    e.high = far.sup();
+    e.low = far.low;
+    e.high = far.high;
   }
 
   /// Negative, zero or positive.

@@ -1,63 +1,100 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/definitions/cells.hpp"
 
-#include <CGAL/Arr_extended_dcel.h>
-#include <CGAL/Arr_segment_traits_2.h>
-#include <CGAL/Arrangement_2.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/mpq_class.h>
-
-#include <set>
+#include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "reference/definitions/cut_at_intersections.hpp"
 #include "reference/definitions/ray.hpp"
+#include "reference/definitions/sorted_without_copies.hpp"
 
 namespace oplus {
 
 namespace {
 
-// Plain rationals: no filter, no lazy evaluation. Vertices and faces carry their numbers.
-using Traits = CGAL::Arr_segment_traits_2<CGAL::Simple_cartesian<Rational>>;
-using Dcel = CGAL::Arr_extended_dcel<Traits, std::size_t, bool, std::size_t>;
-using Arrangement = CGAL::Arrangement_2<Traits, Dcel>;
-
-Point point(const Traits::Point_2& p) { return {p.x(), p.y()}; }
-
-template <typename Halfedge>
-Segment segment(Halfedge e) {
-  return {point(e->source()->point()), point(e->target()->point())};
-}
-
-/// The pieces meet in common ends only, so that CGAL has but to connect them: its sweep, in 5.5,
-/// fails on some overlaps (docs/findings.md).
-Arrangement arrangement_of(const std::vector<std::vector<Segment>>& of_segments) {
-  std::set<Segment> pieces;
-  for (const std::vector<Segment>& of_segment : of_segments) {
-    for (const Segment& piece : of_segment)
-      pieces.insert(piece.source < piece.target ? piece : reversed(piece));
+/// The edges, once in each direction: halfedge 2e runs along edge e, from its smaller end, and 2e + 1
+/// back. A walk goes from a halfedge to the next one of the boundary of the face to its left.
+class Halfedges {
+ public:
+  explicit Halfedges(const Cells& cells)
+      : cells_(cells), leaving_(cells.vertices.size()), next_(2 * cells.edges.size()) {
+    for (std::size_t h = 0; h < next_.size(); ++h) leaving_[source(h)].push_back(h);
+    for (std::vector<std::size_t>& around : leaving_) {
+      std::sort(around.begin(), around.end(),
+                [&](std::size_t g, std::size_t h) { return is_before(g, h); });
+      // At its end a walk turns clockwise from where it came from.
+      for (std::size_t i = 0; i < around.size(); ++i)
+        next_[twin(around[i])] = around[(i + around.size() - 1) % around.size()];
+    }
   }
-  std::vector<Traits::X_monotone_curve_2> curves;
-  for (const Segment& s : pieces)
-    curves.emplace_back(Traits::Point_2(s.source.x, s.source.y),
-                        Traits::Point_2(s.target.x, s.target.y));
-  Arrangement arrangement;
-  CGAL::insert_non_intersecting_curves(arrangement, curves.begin(), curves.end());
-  return arrangement;
-}
 
-/// All edges of a face's boundary, the face to their left.
-std::vector<Segment> boundary(Arrangement::Face_handle face) {
-  std::vector<Segment> result;
-  const auto add = [&](Arrangement::Ccb_halfedge_circulator first) {
-    auto e = first;
-    do {
-      result.push_back(segment(e));
-    } while (++e != first);
-  };
-  for (auto ccb = face->outer_ccbs_begin(); ccb != face->outer_ccbs_end(); ++ccb) add(*ccb);
-  for (auto ccb = face->inner_ccbs_begin(); ccb != face->inner_ccbs_end(); ++ccb) add(*ccb);
-  return result;
-}
+  static std::size_t twin(std::size_t h) { return h ^ 1; }
+  static bool is_to_the_right(std::size_t h) { return h % 2 == 0; }
+  std::size_t size() const { return next_.size(); }
+  std::size_t source(std::size_t h) const {
+    const Cells::Edge& e = cells_.edges[h / 2];
+    return is_to_the_right(h) ? e.source : e.target;
+  }
+  Segment segment(std::size_t h) const {
+    const Segment& s = cells_.edges[h / 2].segment;
+    return is_to_the_right(h) ? s : reversed(s);
+  }
+  std::size_t next(std::size_t h) const { return next_[h]; }
+  const std::vector<std::size_t>& leaving(std::size_t vertex) const { return leaving_[vertex]; }
+
+ private:
+  /// Counterclockwise around a vertex, from straight down, which itself is last: first those to larger
+  /// points, in lexicographic order, then those to smaller ones. Either are less than half a turn.
+  bool is_before(std::size_t g, std::size_t h) const {
+    if (is_to_the_right(g) != is_to_the_right(h)) return is_to_the_right(g);
+    return orientation(cells_.vertices[source(g)], cells_.vertices[source(twin(g))],
+                       cells_.vertices[source(twin(h))]) > 0;
+  }
+
+  const Cells& cells_;
+  std::vector<std::vector<std::size_t>> leaving_;
+  std::vector<std::size_t> next_;
+};
+
+/// Finds the edge directly below the points that are infinitely near to a vertex, to its left.
+class EdgesBelow {
+ public:
+  explicit EdgesBelow(const Cells& cells) : cells_(cells) {
+    for (std::size_t v = 0; v < cells.vertices.size(); ++v)
+      column_.push_back(v == 0 ? 0
+                               : column_.back() + (cells.vertices[v - 1].x < cells.vertices[v].x));
+  }
+
+  /// Requires: no edge has its larger end at the vertex.
+  std::optional<std::size_t> below(std::size_t vertex) const {
+    std::optional<std::size_t> highest;
+    for (std::size_t i = 0; i < cells_.edges.size(); ++i) {
+      const Cells::Edge& e = cells_.edges[i];
+      if (column_[e.source] >= column_[vertex]) break;  // edges are sorted
+      if (column_[e.target] < column_[vertex]) continue;
+      if (is_below(e.segment, cells_.vertices[vertex]) &&
+          (!highest || is_above(e.segment, cells_.edges[*highest].segment)))
+        highest = i;
+    }
+    return highest;
+  }
+
+ private:
+  static bool is_below(const Segment& s, const Point& p) {
+    return orientation(s.source, s.target, p) > 0;
+  }
+
+  /// Of two segments that do not cross and are both to the left of some place.
+  static bool is_above(const Segment& s, const Segment& t) {
+    if (s.source < t.source) return orientation(s.source, s.target, t.source) < 0;
+    const int side = orientation(t.source, t.target, s.source);
+    return side != 0 ? side > 0 : orientation(t.source, t.target, s.target) > 0;
+  }
+
+  const Cells& cells_;
+  std::vector<std::size_t> column_;  ///< of each vertex: how many smaller x there are
+};
 
 }  // namespace
 
@@ -66,22 +103,53 @@ Cells cells(const std::vector<Segment>& segments) {
 }
 
 Cells cells_of_pieces(const std::vector<std::vector<Segment>>& pieces) {
-  Arrangement arrangement = arrangement_of(pieces);
+  std::vector<Segment> edges;
   Cells result;
-  for (auto face : arrangement.face_handles()) {
-    face->set_data(result.faces.size());
-    if (face->is_unbounded()) result.unbounded_face = face->data();
-    result.faces.push_back(boundary(face));
+  for (const std::vector<Segment>& of_segment : pieces) {
+    for (const Segment& piece : of_segment) {
+      edges.push_back(piece.source < piece.target ? piece : reversed(piece));
+      result.vertices.push_back(piece.source);
+      result.vertices.push_back(piece.target);
+    }
   }
-  for (auto vertex : arrangement.vertex_handles()) {
-    vertex->set_data(result.vertices.size());
-    result.vertices.push_back(point(vertex->point()));
+  result.vertices = sorted_without_copies(std::move(result.vertices));
+  const auto number = [&](const Point& p) {
+    return static_cast<std::size_t>(
+        std::lower_bound(result.vertices.begin(), result.vertices.end(), p) -
+        result.vertices.begin());
+  };
+  for (Segment& s : sorted_without_copies(std::move(edges))) {
+    const std::size_t source = number(s.source), target = number(s.target);
+    result.edges.push_back({std::move(s), 0, 0, source, target});
   }
-  for (auto edge : arrangement.edge_handles()) {
-    const Segment s = segment(edge);
-    const auto e = s.source < s.target ? edge : edge->twin();
-    result.edges.push_back({segment(e), e->face()->data(), e->twin()->face()->data(),
-                            e->source()->data(), e->target()->data()});
+
+  const Halfedges halfedges(result);
+  const EdgesBelow edges_below(result);
+  result.faces.resize(1);
+  std::vector<bool> is_walked(halfedges.size(), false);
+  const auto walk = [&](std::size_t first, std::size_t face) {
+    std::size_t h = first;
+    do {
+      is_walked[h] = true;
+      result.faces[face].push_back(halfedges.segment(h));
+      Cells::Edge& e = result.edges[h / 2];
+      (Halfedges::is_to_the_right(h) ? e.left_face : e.right_face) = face;
+    } while ((h = halfedges.next(h)) != first);
+  };
+  // Each walk starts at its smallest vertex. The walk around connected edges, from outside, passes to
+  // the left of that; the outer boundary of a face is to the right of it. Vertices are sorted, so that
+  // the walks of all edges to the left are known.
+  for (std::size_t v = 0; v < result.vertices.size(); ++v) {
+    const std::size_t last = halfedges.leaving(v).back();
+    if (Halfedges::is_to_the_right(last) && !is_walked[last]) {
+      const std::optional<std::size_t> below = edges_below.below(v);
+      walk(last, below ? result.edges[*below].left_face : 0);
+    }
+    for (const std::size_t h : halfedges.leaving(v)) {
+      if (!Halfedges::is_to_the_right(h) || is_walked[h]) continue;
+      result.faces.emplace_back();
+      walk(h, result.faces.size() - 1);
+    }
   }
   return result;
 }

@@ -8,7 +8,8 @@
 
 namespace oplus {
 
-/// The arrangement of segments: what they cut the plane into.
+/// The arrangement of segments: what they cut the plane into. Vertices are in lexicographic order,
+/// edges too, and faces in that of their smallest vertices, the unbounded one first.
 struct Cells {
   struct Edge {
     Segment segment;
@@ -17,14 +18,15 @@ struct Cells {
   };
 
   /// The boundary of each face, the face to the left of each segment; an edge with the face on both
-  /// sides is there twice. Without any segment the plane is one face without a boundary.
+  /// sides is there twice. The outer boundary comes first, then those of holes. Without any segment the
+  /// plane is one face without a boundary.
   std::vector<std::vector<Segment>> faces;
   std::vector<Edge> edges;  ///< each directed from its smaller end
   std::vector<Point> vertices;
-  std::size_t unbounded_face;
+  std::size_t unbounded_face = 0;
 };
 
-/// All pairs of segments are cut where they meet; CGAL's Arrangement_2 connects the pieces.
+/// All pairs of segments are cut where they meet; then walks around the pieces find the faces. O(n²).
 Cells cells(const std::vector<Segment>& segments);
 
 /// The same of segments that are cut already.

@@ -1,7 +1,7 @@
 #!/bin/bash -eu
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Called by OSS-Fuzz with SRC, OUT, WORK, CC, CXX, CFLAGS, CXXFLAGS and LIB_FUZZING_ENGINE.
-# GMP's C++ library and TBB are the distribution's, hence libstdc++; so is <experimental/simd>.
+# GMP's C++ library is the distribution's, hence libstdc++; so is <experimental/simd>.
 flags="${CXXFLAGS/-stdlib=libc++/} -fno-sanitize=vptr,null,alignment,object-size"
 cmake -S "$SRC/oplus" -B "$WORK/build" -G Ninja -DOPLUS_FUZZ=ON -DOPLUS_CONTRACTS=ON \
   -DCMAKE_CXX_COMPILER="$CXX" -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS="$flags" \
@@ -15,7 +15,7 @@ for program in "$WORK"/build/bin/oplus-fuzz-*; do
   name=$(basename "$program")
   target=${name#oplus-fuzz-}
   cp "$program" "$OUT/"
-  ldd "$program" | awk '/lib(gmp|gmpxx|mpfr|tbb|stdc\+\+)\./ {print $3}' |
+  ldd "$program" | awk '/lib(gmp|gmpxx|mpfr|stdc\+\+)\./ {print $3}' |
     xargs -r cp -L -t "$OUT/lib"
   cp "$SRC/oplus/properties/fuzz/dictionaries/$target.dict" "$OUT/$name.dict"
   rm -f "$OUT/${name}_seed_corpus.zip"

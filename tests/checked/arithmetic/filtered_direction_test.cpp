@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "checked/arithmetic/interval.hpp"
 #include "tests/reference/definitions/print.hpp"
 
 namespace oplus {
@@ -18,7 +17,6 @@ int sign_of(int value) { return (value > 0) - (value < 0); }
 
 /// What the stage of intervals says, checked against the exact one where it says something.
 std::optional<int> filtered(const Vector& u, const Vector& v) {
-  const CGAL::Protect_FPU_rounding<true> rounding;
   const auto angles = filtered_compare_angle(FilteredDirection({u, Summand::P}),
                                              FilteredDirection({v, Summand::Q}));
   if (angles) {
@@ -29,7 +27,6 @@ std::optional<int> filtered(const Vector& u, const Vector& v) {
 }
 
 void expect_compared_as_exact(const std::vector<Vector>& vectors) {
-  const CGAL::Protect_FPU_rounding<true> rounding;
   for (const Vector& u : vectors) {
     for (const Vector& v : vectors) {
       for (const Summand of_u : {Summand::P, Summand::Q}) {

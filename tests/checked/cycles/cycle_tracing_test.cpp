@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "checked/arithmetic/interval.hpp"
 #include "reference/definitions/tangent_set.hpp"
 #include "tests/reference/definitions/pairs_of_shapes.hpp"
 #include "tests/reference/definitions/print.hpp"
@@ -12,7 +11,6 @@ namespace oplus {
 namespace {
 
 TEST(TracedChain, tangent_sets_are_those_of_the_definition) {
-  const CGAL::Protect_FPU_rounding<true> rounding;
   for (const Shape& shape : shapes()) {
     for (const Chain& chain : chains(shape.region)) {
       for (const Summand of : {Summand::P, Summand::Q}) {

@@ -2,7 +2,6 @@
 #include "checked/slide/slide.hpp"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <string>
 #include <vector>
@@ -239,8 +238,6 @@ TEST(SlideNumbers, do_not_change_the_result) {
 }
 
 TEST(SlideThreads, do_not_change_the_result) {
-  // However few cores there are, as many threads.
-  const tbb::global_control eight(tbb::global_control::max_allowed_parallelism, 8);
   Random random(7);
   const Region star = star_polygon(random, 120), other_star = star_polygon(random, 80);
   const Region large_star = star_polygon(random, 200);

@@ -14,7 +14,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "checked/arithmetic/interval.hpp"
 #include "checked/arrangement/ray_shooting.hpp"
 #include "checked/cycles/convolution_cycles.hpp"
 #include "checked/cycles/cycle_tracing.hpp"
@@ -125,7 +124,6 @@ void orders(const std::vector<Compared>& all, Comparison& table) {
 void exact_orders(Comparison& table) { orders(directions(), table); }
 
 void filtered_orders(Comparison& table) {
-  const CGAL::Protect_FPU_rounding<true> rounding;
   std::vector<FilteredDirection> all;
   for (const Direction& d : directions()) all.emplace_back(d);
   orders(all, table);
@@ -173,7 +171,6 @@ TracedChain chain_with_corner(const Vector& in, const Vector& out, Summand of) {
 }
 
 void traced_tangents(Comparison& table) {
-  const CGAL::Protect_FPU_rounding<true> rounding;
   const std::vector<Vector> all = vectors();
   std::map<std::pair<Vector, Vector>, std::array<TracedChain, 2>> chains;
   for (const Vector& in : all)

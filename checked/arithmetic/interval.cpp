@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/arithmetic/interval.hpp"
+
+namespace oplus {
+
+namespace {
+
+/// Whether a number is a double: its denominator is a power of two that a double may have, and its
+/// numerator has at most 53 significant bits and is not too large.
+bool is_double(const Rational& value) {
+  const mpz_srcptr numerator = value.get_num_mpz_t();
+  const mpz_srcptr denominator = value.get_den_mpz_t();
+  if (mpz_sgn(numerator) == 0) return true;
+  const std::size_t size = mpz_sizeinbase(numerator, 2);
+  const std::size_t exponent = mpz_sizeinbase(denominator, 2) - 1;
+  return mpz_scan1(denominator, 0) == exponent && exponent <= 1074 && size <= exponent + 1024 &&
+         size - mpz_scan1(numerator, 0) <= 53;
+}
+
+}  // namespace
+
+Interval interval(const Rational& value) {
+  const double near = value.get_d();  // rounded towards zero
+  if (is_double(value)) return {near, near};
+  const double size = std::min(std::abs(near), DBL_MAX);
+  const Interval of_size{size, outward(size, size).high};
+  return sgn(value) < 0 ? -of_size : of_size;
+}
+
+}  // namespace oplus

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/slide/for_each_number.hpp"
+
+#include <gtest/gtest.h>
+#include <pthread.h>
+
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <set>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+namespace oplus::slide {
+namespace {
+
+TEST(ForEachNumber, calls_once_for_each) {
+  for (const unsigned threads : {0u, 1u, 2u, 8u, 4'000'000'000u}) {
+    for (const std::size_t n : {0u, 1u, 2u, 7u, 1000u}) {
+      std::vector<std::atomic<int>> calls(n);
+      for_each_number(n, threads, [&](std::size_t i) { ++calls[i]; });
+      for (const std::atomic<int>& of_one : calls) ASSERT_EQ(of_one, 1);
+      if (threads > 8 && n > 2) break;
+    }
+  }
+}
+
+TEST(ForEachNumber, uses_as_many_threads_as_asked_for) {
+  std::mutex mutex;
+  std::set<std::thread::id> ids;
+  const auto started = [&] {
+    const std::lock_guard lock(mutex);
+    ids.insert(std::this_thread::get_id());
+    return ids.size();
+  };
+  // Each waits for the others; not forever, to fail where they are missing.
+  for_each_number(4, 4, [&](std::size_t) {
+    for (int i = 0; i < 10'000 && started() < 4; ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  });
+  EXPECT_EQ(ids.size(), 4u);
+}
+
+TEST(ForEachNumber, throws_what_the_work_throws) {
+  for (const unsigned threads : {1u, 4u}) {
+    for (const std::size_t thrower : {0u, 500u, 999u}) {
+      std::atomic<std::size_t> calls = 0;
+      EXPECT_THROW(for_each_number(1000, threads,
+                                   [&](std::size_t i) {
+                                     ++calls;
+                                     if (i >= thrower) throw std::runtime_error("found");
+                                   }),
+                   std::runtime_error);
+      EXPECT_GE(calls, thrower + 1);
+      EXPECT_LE(calls, thrower + threads) << "others go on to the end";
+    }
+  }
+}
+
+TEST(ForEachNumber, needs_no_other_thread) {
+  // Stacks as large as the whole address space: no thread can be started.
+  pthread_attr_t before, large;
+  pthread_getattr_default_np(&before);
+  pthread_attr_init(&large);
+  pthread_attr_setstacksize(&large, std::size_t{1} << 47);
+  ASSERT_EQ(pthread_setattr_default_np(&large), 0);
+  std::set<std::thread::id> ids;
+  std::size_t calls = 0;
+  for_each_number(100, 4, [&](std::size_t) {
+    ++calls;
+    ids.insert(std::this_thread::get_id());
+  });
+  pthread_setattr_default_np(&before);
+  EXPECT_EQ(calls, 100u);
+  EXPECT_EQ(ids, std::set{std::this_thread::get_id()});
+}
+
+}  // namespace
+}  // namespace oplus::slide
