@@ -7,7 +7,6 @@
 #include "checked/cli/command_line/program_frame.hpp"
 #include "checked/cli/input.hpp"
 #include "checked/cli/layer_styles.hpp"
-#include "checked/cli/output.hpp"
 #include "checked/cli/shared_options.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "checked/cli/view.hpp"
@@ -27,7 +26,7 @@ struct DrawOptions {
 };
 
 std::string view_names(const std::string& separator) {
-  return CLI::detail::join(
+  return joined(
       views(), [](const View& view) { return view.name; }, separator);
 }
 
@@ -95,21 +94,20 @@ std::vector<Layer> layers_in_common(std::size_t place, const std::string& name,
 }
 
 std::string one_over_the_other(const std::vector<std::string>& files) {
-  Panel panel{"", {}, 560};
+  Panel panel{"", {}};
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::string name =
         files[i] == "-" ? "standard input" : std::filesystem::path(files[i]).stem().string();
     for (Layer& layer : layers_in_common(i, name, read_given_sum(files[i])))
       panel.layers.push_back(std::move(layer));
   }
-  return svg({panel});
+  return svg({panel}, 560);
 }
 
 ExitCode draw(const DrawOptions& options) {
   const std::optional<ChosenView> chosen = chosen_view(options);
   require_one_standard_input(options.files);
-  require_writable({options.output});
-  require_svg(options.output);
+  require_writable({}, options.output);
   if (!chosen) {
     write_text(options.output,
                (options.together ? one_over_the_other : side_by_side)(options.files));
@@ -123,7 +121,7 @@ ExitCode draw(const DrawOptions& options) {
 
 std::string view_help() {
   return "draw what an algorithm sees of two regions P and Q: " +
-         CLI::detail::join(
+         joined(
              views(), [](const View& view) { return view.name + ", " + view.what; }, "; ");
 }
 

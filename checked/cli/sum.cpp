@@ -5,12 +5,10 @@
 
 #include "checked/arrangement/hole_test.hpp"
 #include "checked/cli/command_line/program_frame.hpp"
-#include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/engines_and_oracle.hpp"
 #include "checked/cli/input.hpp"
 #include "checked/cli/json_values.hpp"
 #include "checked/cli/origins_json.hpp"
-#include "checked/cli/output.hpp"
 #include "checked/cli/shared_options.hpp"
 #include "checked/cli/statistics.hpp"
 #include "checked/cli/usage_error.hpp"
@@ -25,13 +23,11 @@ namespace {
 struct SumOptions {
   std::string p;
   std::string q;
-  std::string output = "-";
-  std::optional<Format> format;
+  RegionOutput output;
   Boundary boundary = Boundary::closed;
   std::string engine = engines_and_oracle().front().name;
   std::string hole_test;            ///< empty: the default
   std::optional<unsigned> threads;  ///< none: as many as there are cores
-  std::optional<int> digits;
   std::optional<std::string> svg;
   std::optional<std::string> origins;
   bool stats = false;
@@ -39,8 +35,7 @@ struct SumOptions {
 };
 
 std::vector<std::string> outputs(const SumOptions& options) {
-  std::vector<std::string> paths = {options.output};
-  if (options.svg) paths.push_back(*options.svg);
+  std::vector<std::string> paths = {options.output.path};
   if (options.origins) paths.push_back(*options.origins);
   if (options.stats_json) paths.push_back(*options.stats_json);
   return paths;
@@ -103,9 +98,8 @@ ExitCode sum(const SumOptions& options) {
                                         .threads = chosen_threads(options, engine),
                                         .hole_test = chosen_hole_test(options, engine)};
   require_one_standard_input({options.p, options.q});
-  require_writable(outputs(options));
-  if (options.svg) require_svg(*options.svg);
-  const Format format = output_format(options.format, options.output);
+  require_writable(outputs(options), options.svg);
+  const Format format = output_format(options.output);
   const Region p = read_summand(options.p);
   const Region q = read_summand(options.q);
 
@@ -117,17 +111,14 @@ ExitCode sum(const SumOptions& options) {
     throw UsageError(
         ".dat cannot hold the dangling edges and isolated vertices of this sum; write .wkt or "
         ".geojson");
-  const std::string content = written(computed.sum, format, options.digits);
+  const std::string content = written(computed.sum, format, options.output.digits);
   if (options.svg) write_text(*options.svg, picture(p, q, computed.sum));
   if (options.origins)
     write_text(*options.origins, origins_json(computed.sum, computed.origins, p, q));
   if (options.stats_json)
     write_text(*options.stats_json, statistics_json(options, p, q, computed, seconds));
-  write_text(options.output, content);
+  write_region(options.output, format, content);
 
-  if (options.digits)
-    say_note("the output is rounded to " + std::to_string(*options.digits) +
-             " decimals; without --digits it is exact");
   if (options.stats) {
     print(statistics_of(p, q));
     print(computed.statistics);
@@ -139,7 +130,7 @@ ExitCode sum(const SumOptions& options) {
 
 std::string engine_help() {
   return "how to compute, by default " + engines_and_oracle().front().name + ": " +
-         CLI::detail::join(
+         joined(
              engines_and_oracle(),
              [](const Engine& engine) { return engine.name + ", " + engine.what; }, "; ");
 }
@@ -158,8 +149,7 @@ void add_sum(CLI::App& program, Action& chosen) {
   add_file(command, "P", options.p, "a region: .dat, WKT or GeoJSON; - is standard input")
       ->required();
   add_file(command, "Q", options.q, "the other region, in any of these formats")->required();
-  add_file(command, "-o,--output", options.output, "write the sum there, not to standard output");
-  add_format(command, options.format);
+  add_output(command, options.output, "the sum");
   add_open(command, options.boundary,
            "sum the regions' interiors: keeps dangling edges and isolated vertices");
   command.add_option("--engine", options.engine, engine_help())
@@ -177,9 +167,6 @@ void add_sum(CLI::App& program, Action& chosen) {
       .add_option("--threads", options.threads,
                   "on how many threads, by default one a core; slide only. The output is the same")
       ->check(CLI::Range(1, 1024))
-      ->type_name("N");
-  command.add_option("--digits", options.digits, "round to N decimals; output is exact without it")
-      ->check(CLI::Range(0, most_digits))
       ->type_name("N");
   add_file(command, "--svg", options.svg, "draw summands, convolutions and sum there, as SVG");
   add_file(command, "--origins", options.origins,

@@ -10,7 +10,6 @@
 #include "checked/cli/input.hpp"
 #include "checked/cli/json_values.hpp"
 #include "checked/cli/layer_styles.hpp"
-#include "checked/cli/output.hpp"
 #include "checked/cli/shared_options.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "checked/cli/view.hpp"
@@ -18,7 +17,6 @@
 #include "reference/io/boundary_name.hpp"
 #include "reference/io/number.hpp"
 #include "reference/io/quoting.hpp"
-#include "reference/io/reading.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
@@ -161,14 +159,10 @@ std::string picture(const Region& p, const Region& q, const GivenSum& given,
   layers.push_back(std::move(chains));
   layers.push_back({labelled(style::touching, "point of S"), {}, {}, given.isolated_vertices});
   if (witness) layers.push_back({labelled(style::difference, "witness"), {}, {}, {*witness}});
-  std::vector<Panel> summands = {panel_of(Summand::P, p), panel_of(Summand::Q, q)};
-  for (Panel& summand : summands) summand.longest_side = 160;
-  std::vector<std::vector<Panel>> columns = {summands, {{"S over P \u2295 Q", layers, 420}}};
-  if (witness) {
-    columns.push_back({placement_panel(p, q, *witness)});
-    columns.back()[0].longest_side = 420;
-  }
-  return svg_in_columns(columns);
+  std::vector<std::vector<Panel>> columns = {{panel_of(Summand::P, p), panel_of(Summand::Q, q)},
+                                             {{"S over P \u2295 Q", layers}}};
+  if (witness) columns.push_back({placement_panel(p, q, *witness)});
+  return svg_in_columns(columns, 420);
 }
 
 /// Printing, drawing and the exit code of an answer.
@@ -183,15 +177,12 @@ ExitCode answer(const VerifyOptions& options, bool is_yes, Json json, std::strin
 
 ExitCode verify_files(const VerifyOptions& options) {
   require_one_standard_input({options.p, options.q, options.sum});
-  if (options.svg) {
-    require_writable({*options.svg});
-    require_svg(*options.svg);
-  }
+  require_writable({}, options.svg);
   const std::optional<Rational> tolerance =
       options.tolerance ? std::optional(tolerance_in(*options.tolerance)) : std::nullopt;
   const Region p = read_summand(options.p);
   const Region q = read_summand(options.q);
-  const GivenSum given = read_unchecked_sum_file(options.sum);
+  const GivenSum given = read_unchecked_sum(options.sum);
   const auto draw = [&](const MinkowskiSum& right, const std::optional<Point>& witness) {
     if (options.svg) write_text(*options.svg, picture(p, q, given, right, witness));
   };

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "checked/arrangement/hole_test.hpp"
+#include "checked/cli/command_line/progress.hpp"
 #include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/output.hpp"
 #include "checked/cli/usage_error.hpp"
@@ -22,7 +23,6 @@
 #include "properties/compare/run_campaign.hpp"
 #include "properties/compare/sources.hpp"
 #include "properties/runner/checked_engines.hpp"
-#include "properties/runner/progress.hpp"
 #include "reference/io/file_text.hpp"
 #include "reference/io/quoting.hpp"
 #include "reference/io/writing.hpp"

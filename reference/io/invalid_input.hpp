@@ -20,9 +20,11 @@ class InvalidInput : public std::runtime_error {
  public:
   InvalidInput(Place where, const std::string& wrong, const std::string& expected);
   const Place& where() const { return where_; }
+  const std::string& wrong() const { return wrong_; }
 
  private:
   Place where_;
+  std::string wrong_;
 };
 
 }  // namespace oplus

@@ -18,7 +18,7 @@ struct JsonValue {
   std::vector<std::string> keys;  ///< of an object's members
 
   /// Returns the first member with this key, or none.
-  const JsonValue* member(const std::string& key) const;
+  JsonValue* member(const std::string& key);
 };
 
 /// Returns "a number", "an array", ...

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "reference/definitions/region.hpp"
@@ -30,6 +32,15 @@ struct PlacedChain {
   Position start = {};
   bool is_turned =
       false;  ///< whether the order is the reverse of the input's, the first kept first
+
+  /// Makes room for `count` vertices, or for as many as fit in the bytes that follow: the count may
+  /// be wrong.
+  void reserve(std::size_t count, std::size_t bytes) {
+    constexpr std::size_t bytes_of_a_vertex = 4;  // "0 0,"
+    count = std::min(count, bytes / bytes_of_a_vertex + 1);
+    vertices.reserve(count);
+    places.reserve(count);
+  }
 };
 
 /// What an input says, in its own order, nothing checked but syntax. Rings are without the closing
@@ -59,9 +70,9 @@ std::string vertices(std::size_t count);
 template <typename Name>
 Rational coordinate(const InputText& input, std::string_view text, const Position& at, Name name) {
   NumberFault fault;
-  const std::optional<Rational> value = parse_number(text, fault);
+  std::optional<Rational> value = parse_number(text, fault);
   if (!value) input.refuse(at, name() + ": " + fault.wrong, fault.expected);
-  return *value;
+  return std::move(*value);
 }
 
 /// Removes the last vertex of a ring, which must be the first one again. A ring of one vertex or none

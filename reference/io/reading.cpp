@@ -2,6 +2,7 @@
 #include "reference/io/reading.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cerrno>
 #include <cstring>
@@ -27,22 +28,17 @@ constexpr const char* formats = "a region in .dat, WKT or GeoJSON";
 std::string whole_text(std::istream& in, const std::string& name) {
   errno = 0;
   std::string text;
-  try {
-    text.assign(std::istreambuf_iterator<char>(in), {});
-  } catch (const std::ios_base::failure&) {  // a directory, for one
-    in.setstate(std::ios_base::badbit);
-  }
-  if (in.bad())
+  std::array<char, 1 << 16> block{};
+  do {
+    in.read(block.data(), block.size());
+    text.append(block.data(), static_cast<std::size_t>(in.gcount()));
+  } while (in);
+  if (in.bad())  // a directory, for one
     throw InvalidInput(
         {name, 0, 0},
         "cannot be read" + (errno != 0 ? " (" + std::string(std::strerror(errno)) + ")" : ""),
         formats);
   return text;
-}
-
-InputText input_text(const std::string& text, const std::string& name) {
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  return {name, text.substr(text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0)};
 }
 
 /// Control characters are in no text; what they would break is the terminal the message goes to.
@@ -55,13 +51,40 @@ void refuse_binary(const InputText& input) {
   }
 }
 
-PlacedGeometry parse(const InputText& input, Wanted wanted) {
+/// What was parsed, and what messages call the input. The text may be gone: it takes memory, too.
+struct Parsed {
+  InputText input;
+  PlacedGeometry geometry;
+};
+
+Parsed parsed(std::string_view text, const std::string& name, Wanted wanted,
+              const ReadingProgress& progress) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  const InputText input{name, text, progress};
   refuse_binary(input);
-  const auto first = std::find_if_not(input.text.begin(), input.text.end(), is_blank);
-  if (first == input.text.end()) input.refuse({}, "nothing but blanks or nothing at all", formats);
-  if (*first == '{' || *first == '[') return parse_geojson(input, wanted);
-  if (std::isalpha(static_cast<unsigned char>(*first)) != 0) return parse_wkt(input, wanted);
-  return parse_dat(input);
+  const auto first = std::find_if_not(text.begin(), text.end(), is_blank);
+  if (first == text.end()) input.refuse({}, "nothing but blanks or nothing at all", formats);
+  Parsed result{{name}, {}};
+  if (*first == '{' || *first == '[')
+    result.geometry = parse_geojson(input, wanted);
+  else if (std::isalpha(static_cast<unsigned char>(*first)) != 0)
+    result.geometry = parse_wkt(input, wanted);
+  else
+    result.geometry = parse_dat(input);
+  if (progress) progress(100);
+  return result;
+}
+
+Parsed parsed_file(const std::string& path, Wanted wanted, const ReadingProgress& progress) {
+  if (path == "-")
+    return parsed(whole_text(std::cin, "standard input"), "standard input", wanted, progress);
+  errno = 0;
+  std::ifstream in(path, std::ios::binary);
+  if (!in)
+    throw InvalidInput({path, 0, 0}, std::string("cannot be opened (") + std::strerror(errno) + ")",
+                       "a file that can be read");
+  return parsed(whole_text(in, path), path, wanted, progress);
 }
 
 /// Turns the chains that are turned the wrong way, and says so.
@@ -77,28 +100,41 @@ void orient(PlacedGeometry& geometry, const std::string& input, std::vector<std:
   }
 }
 
-Region region_in(const PlacedGeometry& geometry) {
+/// Exchanges the vertices of the geometry's chains with those of the region's.
+void exchange_vertices(PlacedGeometry& geometry, Region& region) {
+  auto placed = geometry.chains.begin();
+  for (Component& component : region.components) {
+    component.outer.swap(placed++->vertices);
+    for (Chain& hole : component.holes) hole.swap(placed++->vertices);
+  }
+}
+
+/// The region of the geometry's chains, which are without vertices afterwards.
+Region region_in(PlacedGeometry& geometry) {
   Region region;
   for (const PlacedChain& chain : geometry.chains) {
     if (chain.name.hole == 0)
-      region.components.push_back({chain.vertices, {}});
+      region.components.emplace_back();
     else
-      region.components.back().holes.push_back(chain.vertices);
+      region.components.back().holes.emplace_back();
+  }
+  exchange_vertices(geometry, region);
+  return region;
+}
+
+Region valid_region(Parsed& parsed, std::vector<std::string>& notes) {
+  orient(parsed.geometry, parsed.input.name, notes);
+  Region region = region_in(parsed.geometry);
+  if (const std::optional<Defect> defect = find_defect(region)) {
+    exchange_vertices(parsed.geometry, region);
+    refuse_defect(parsed.input, parsed.geometry, *defect);
   }
   return region;
 }
 
-Region valid_region(const InputText& input, PlacedGeometry& geometry,
-                    std::vector<std::string>& notes) {
-  orient(geometry, input.name, notes);
-  Region region = region_in(geometry);
-  if (const std::optional<Defect> defect = find_defect(region))
-    refuse_defect(input, geometry, *defect);
-  return region;
-}
-
 /// The edges of the line strings, none of zero length.
-std::vector<Segment> edges_of_line_strings(const InputText& input, const PlacedGeometry& geometry) {
+std::vector<Segment> edges_of_line_strings(const Parsed& parsed) {
+  const auto& [input, geometry] = parsed;
   std::vector<Segment> result;
   for (std::size_t l = 0; l < geometry.line_strings.size(); ++l) {
     const PlacedChain& line = geometry.line_strings[l];
@@ -118,8 +154,8 @@ std::vector<Segment> edges_of_line_strings(const InputText& input, const PlacedG
 }
 
 /// The points, each isolated from the other points and from the dangling edges.
-std::vector<Point> isolated_vertices(const InputText& input, const PlacedGeometry& geometry,
-                                     const std::vector<Segment>& dangling) {
+std::vector<Point> isolated_vertices(const Parsed& parsed, const std::vector<Segment>& dangling) {
+  const auto& [input, geometry] = parsed;
   const PlacedChain& points = geometry.points;
   std::map<Point, std::size_t> seen;
   for (std::size_t i = 0; i < points.vertices.size(); ++i) {
@@ -142,49 +178,45 @@ std::vector<Point> isolated_vertices(const InputText& input, const PlacedGeometr
   return result;
 }
 
-template <typename Read>
-auto read_file(const std::string& path, Read read) {
-  if (path == "-") return read(whole_text(std::cin, "standard input"), "standard input");
-  errno = 0;
-  std::ifstream in(path, std::ios::binary);
-  if (!in)
-    throw InvalidInput({path, 0, 0}, std::string("cannot be opened (") + std::strerror(errno) + ")",
-                       "a file that can be read");
-  return read(whole_text(in, path), path);
+ReadRegion read_region(Parsed parsed) {
+  ReadRegion result;
+  result.region = valid_region(parsed, result.notes);
+  return result;
 }
 
-GivenSum read_unchecked_sum(const std::string& text, const std::string& name) {
-  const InputText input = input_text(text, name);
-  const PlacedGeometry geometry = parse(input, Wanted::sum);
-  return {region_in(geometry), edges_of_line_strings(input, geometry), geometry.points.vertices};
+ReadSum read_sum(Parsed parsed) {
+  ReadSum result;
+  result.sum = canonical_sum(valid_region(parsed, result.notes));
+  result.sum.dangling_edges = maximal_segments(edges_of_line_strings(parsed));
+  result.sum.isolated_vertices = isolated_vertices(parsed, result.sum.dangling_edges);
+  return result;
 }
 
 }  // namespace
 
-ReadRegion read_region(const std::string& text, const std::string& name) {
-  const InputText input = input_text(text, name);
-  PlacedGeometry geometry = parse(input, Wanted::region);
-  ReadRegion result;
-  result.region = valid_region(input, geometry, result.notes);
-  return result;
+ReadRegion read_region(const std::string& text, const std::string& name,
+                       const ReadingProgress& progress) {
+  return read_region(parsed(text, name, Wanted::region, progress));
 }
 
-ReadSum read_sum(const std::string& text, const std::string& name) {
-  const InputText input = input_text(text, name);
-  PlacedGeometry geometry = parse(input, Wanted::sum);
-  ReadSum result;
-  result.sum = canonical_sum(valid_region(input, geometry, result.notes));
-  result.sum.dangling_edges = maximal_segments(edges_of_line_strings(input, geometry));
-  result.sum.isolated_vertices = isolated_vertices(input, geometry, result.sum.dangling_edges);
-  return result;
+ReadSum read_sum(const std::string& text, const std::string& name,
+                 const ReadingProgress& progress) {
+  return read_sum(parsed(text, name, Wanted::sum, progress));
 }
 
-ReadRegion read_region_file(const std::string& path) { return read_file(path, read_region); }
+ReadRegion read_region_file(const std::string& path, const ReadingProgress& progress) {
+  return read_region(parsed_file(path, Wanted::region, progress));
+}
 
-ReadSum read_sum_file(const std::string& path) { return read_file(path, read_sum); }
+ReadSum read_sum_file(const std::string& path, const ReadingProgress& progress) {
+  return read_sum(parsed_file(path, Wanted::sum, progress));
+}
 
-GivenSum read_unchecked_sum_file(const std::string& path) {
-  return read_file(path, read_unchecked_sum);
+GivenSum read_unchecked_sum_file(const std::string& path, const ReadingProgress& progress) {
+  Parsed parsed = parsed_file(path, Wanted::sum, progress);
+  std::vector<Segment> dangling = edges_of_line_strings(parsed);
+  return {region_in(parsed.geometry), std::move(dangling),
+          std::move(parsed.geometry.points.vertices)};
 }
 
 }  // namespace oplus

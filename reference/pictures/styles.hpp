@@ -55,6 +55,13 @@ inline const Style difference{.name = "difference",
                               .sample = Style::Sample::cross,
                               .line = "#000000",
                               .width = 2.2};
+/// The mark of the point (0, 0).
+inline const Style origin{.name = "origin",
+                          .label = "origin",
+                          .place = 30,
+                          .sample = Style::Sample::plus,
+                          .line = "#1a1a1a",
+                          .width = 1.2};
 
 /// Lines of several sorts, numbered from zero. Where the colours are used up, they come again with
 /// dashes.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CLI/CLI.hpp>
+#include <boost/algorithm/string/replace.hpp>
 #include <map>
 #include <memory>
 
@@ -89,7 +90,7 @@ void add_completion_command(CLI::App& program) {
                  "An installed oplus has brought all three along.");
   command.callback([options, name] {
     write_text(options->output,
-               CLI::detail::find_and_replace(scripts.at(options->shell), "PROGRAM", name));
+               boost::algorithm::replace_all_copy(scripts.at(options->shell), "PROGRAM", name));
     throw CLI::Success();  // nothing else is to be done, as with --help
   });
 }
