@@ -25,10 +25,10 @@ struct GenOptions {
   bool json = false;
 };
 
-/// Larger polygons are of no use here, and every family stays far from overflow.
+/// No family overflows up to this size.
 constexpr std::uint64_t largest_n = 10000;
 
-/// CLI11 would read -1 as a huge number.
+/// By CLI11, -1 would be a huge number.
 std::uint64_t whole_number(const std::string& option, const std::string& digits,
                            std::uint64_t largest) {
   std::uint64_t value = 0;
@@ -60,7 +60,7 @@ ExitCode list() {
   return ExitCode::done;
 }
 
-/// For help and completion; an unknown name gets its own message.
+/// For help and completion. An unknown name is refused with a message of gen.
 std::string family_names() {
   return joined(
       families(), [](const Family& family) { return family.name; }, ",");

@@ -93,7 +93,7 @@ void write_region(const RegionOutput& output, Format format, const std::string& 
     const std::string defect = defect_in(text);
     say_note(defect.empty() ? rounded + "; without --digits it is exact"
                             : rounded + " and no longer valid: " + defect +
-                                  "; use more --digits, or none for the exact output");
+                                  "; use more decimals, or leave out --digits");
   } else if (const std::string_view fraction = first_fraction(text);
              !fraction.empty() && format != Format::dat) {
     say_note("coordinates such as " + quote(fraction) +

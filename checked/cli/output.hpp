@@ -13,7 +13,7 @@ namespace oplus {
 struct RegionOutput {
   std::string path = "-";  ///< "-" is standard output
   std::optional<Format> format;
-  std::optional<int> digits;  ///< none: exact
+  std::optional<int> digits;  ///< exact if empty
 };
 
 /// The format to write in: the one asked for, else by the ending of the path; WKT on standard
@@ -27,7 +27,7 @@ void write_region(const RegionOutput& output, Format format, const std::string& 
 
 /// Throws UsageError where an output could not be written, two would be written to one place, or a
 /// picture's path does not end in .svg (in capitals or not), so that it is known before anything is
-/// computed or written. "-" is standard output, which may be a picture, as may a device.
+/// computed or written. "-" is standard output; it and devices may get pictures.
 void require_writable(std::vector<std::string> paths,
                       const std::optional<std::string>& picture = std::nullopt);
 

@@ -27,7 +27,7 @@ struct SumOptions {
   Boundary boundary = Boundary::closed;
   std::string engine = engines_and_oracle().front().name;
   std::string hole_test;            ///< empty: the default
-  std::optional<unsigned> threads;  ///< none: as many as there are cores
+  std::optional<unsigned> threads;  ///< by default as many as there are cores
   std::optional<std::string> svg;
   std::optional<std::string> origins;
   bool stats = false;
@@ -77,8 +77,7 @@ std::string statistics_json(const SumOptions& options, const Region& p, const Re
 HoleTestMethod chosen_hole_test(const SumOptions& options, const Engine& engine) {
   if (options.hole_test.empty()) return {};
   if (!engine.has_hole_test)
-    throw UsageError("--hole-test makes no difference to the engine " + engine.name +
-                     ", which has none");
+    throw UsageError("--hole-test is unsupported by the engine " + engine.name);
   return std::find_if(hole_test_methods().begin(), hole_test_methods().end(),
                       [&](const auto& method) { return method.first == options.hole_test; })
       ->second;
@@ -87,8 +86,7 @@ HoleTestMethod chosen_hole_test(const SumOptions& options, const Engine& engine)
 unsigned chosen_threads(const SumOptions& options, const Engine& engine) {
   if (!options.threads) return std::max(std::thread::hardware_concurrency(), 1U);
   if (!engine.has_threads)
-    throw UsageError("--threads makes no difference to the engine " + engine.name +
-                     ", which has one");
+    throw UsageError("--threads is unsupported by the engine " + engine.name);
   return *options.threads;
 }
 
@@ -157,15 +155,16 @@ void add_sum(CLI::App& program, Action& chosen) {
       ->type_name("NAME");
   command
       .add_option("--hole-test", options.hole_test,
-                  "how to decide what the filters leave open: bvh (the default), hierarchies of "
-                  "bounding volumes; sweep, a sweep line; naive, all pairs of edges; ray, rays "
-                  "through the full convolution. The sum is the same. The engine winding asks only "
-                  "about low-dimensional features, slide and oracle ask none")
+                  "how rca and loops decide what their filters leave open, and winding which "
+                  "low-dimensional features there are: bvh (the default), hierarchies of bounding "
+                  "volumes; sweep, a sweep line; naive, all pairs of edges; ray, rays through the "
+                  "full convolution. The sum is the same")
       ->check(CLI::IsMember(hole_test_methods()))
       ->type_name("NAME");
   command
       .add_option("--threads", options.threads,
-                  "on how many threads, by default one a core; slide only. The output is the same")
+                  "the number of threads of the engine slide, by default one per core. The sum is "
+                  "the same")
       ->check(CLI::Range(1, 1024))
       ->type_name("N");
   add_file(command, "--svg", options.svg, "draw summands, convolutions and sum there, as SVG");
@@ -173,7 +172,7 @@ void add_sum(CLI::App& program, Action& chosen) {
            "write there, as JSON, which vertex and edge each edge of the sum came from");
   command.add_flag("--stats", options.stats, "print sizes and times to standard error");
   add_file(command, "--stats-json", options.stats_json,
-           "write the same there, as JSON (docs/json.md); - is standard output");
+           "write sizes and times there, as JSON (docs/json.md); - is standard output");
   command.footer(
       "Example:\n"
       "  oplus gen comb --n 5 --summand P -o p.wkt\n"

@@ -14,7 +14,7 @@ struct Place {
   std::size_t column = 0;
 };
 
-/// Input that is not what it should be. what() is one line, "file:line:column: what is wrong; what
+/// Invalid input. what() is one line, "file:line:column: what is wrong; what
 /// was expected", and names the chain and the edges or vertices where a region is invalid.
 class InvalidInput : public std::runtime_error {
  public:

@@ -19,8 +19,8 @@ namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// The text as RapidJSON reads it. It refuses a number that no double holds, though asked for no
-/// doubles; so it sees but two digits of a row of digits, which is enough to know a number by.
+/// The text as RapidJSON reads it. RapidJSON refuses numbers that overflow a double, even though it
+/// converts none here; so it is given only two digits of each sequence of digits.
 class JsonStream {
  public:
   using Ch = char;
@@ -39,7 +39,7 @@ class JsonStream {
   }
   std::size_t Tell() const { return at_; }
 
-  // Nothing is written; RapidJSON wants them all the same.
+  // Unused, but RapidJSON requires them.
   char* PutBegin() { return nullptr; }
   void Put(char) {}
   void Flush() {}
@@ -83,7 +83,7 @@ class TreeBuilder : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, TreeB
   bool Key(const char* text, rapidjson::SizeType size, bool) {
     const std::string key(text, size);
     if (!seen_.back().insert(key).second)
-      input_.refuse(position_, "the member " + quote(key) + " is said twice", "it once");
+      input_.refuse(position_, "the member " + quote(key) + " is repeated", "each member once");
     open_.back()->keys.push_back(key);
     return go_on(stream_.Tell());
   }
@@ -140,7 +140,7 @@ class TreeBuilder : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, TreeB
   std::vector<std::set<std::string>> seen_;
 };
 
-/// What RapidJSON expects where it found something else; empty where that something is broken.
+/// What RapidJSON expects at an error; empty where the value itself is malformed.
 std::string expected_at(rapidjson::ParseErrorCode code) {
   static const std::map<rapidjson::ParseErrorCode, std::string> expected{
       {rapidjson::kParseErrorDocumentRootNotSingular, "the end of the input"},

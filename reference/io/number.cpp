@@ -66,7 +66,7 @@ std::optional<int> exponent_value(std::string_view digits) {
   return value;
 }
 
-bool is_name_of_no_finite_number(std::string_view unsigned_text) {
+bool is_nan_or_infinity(std::string_view unsigned_text) {
   std::string lower(unsigned_text);
   std::transform(lower.begin(), lower.end(), lower.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -85,7 +85,7 @@ std::optional<Rational> parse_number(std::string_view text, NumberFault& fault) 
   };
   std::string_view rest = text;
   const bool is_negative = take_sign(rest);
-  if (is_name_of_no_finite_number(rest)) return refused("is not finite", "a finite number");
+  if (is_nan_or_infinity(rest)) return refused("is not finite", "a finite number");
 
   const std::string_view whole = take_digits(rest);
   if (take_letter(rest, "/")) {

@@ -24,14 +24,13 @@ struct ChainName {
 /// Returns "outer chain of component 1" or "hole 2 of component 1".
 std::string describe(const ChainName& name);
 
-/// Vertices and where the input has them, so that what is wrong with a chain is reported there.
+/// Vertices and their places in the input, where defects of the chain are reported.
 struct PlacedChain {
   ChainName name = {};  ///< of a region's chain
   Chain vertices = {};
   std::vector<Position> places = {};  ///< of each vertex
   Position start = {};
-  bool is_turned =
-      false;  ///< whether the order is the reverse of the input's, the first kept first
+  bool is_turned = false;  ///< whether the vertices after the first are in reverse order
 
   /// Makes room for `count` vertices, or for as many as fit in the bytes that follow: the count may
   /// be wrong.
@@ -43,8 +42,8 @@ struct PlacedChain {
   }
 };
 
-/// What an input says, in its own order, nothing checked but syntax. Rings are without the closing
-/// vertex.
+/// The content of an input, in its order, of which only the syntax was checked. Rings are without the
+/// closing vertex.
 struct PlacedGeometry {
   std::vector<PlacedChain> chains;  ///< as chains(region) has them
   std::vector<PlacedChain> line_strings;
@@ -56,7 +55,7 @@ struct PlacedGeometry {
   }
 };
 
-/// What the reader wants: line strings and points are for sums only.
+/// What is to be read: line strings and points are for sums only.
 enum class Wanted { region, sum };
 
 /// Returns "x of vertex 3 of hole 2 of component 1".

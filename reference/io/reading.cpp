@@ -41,7 +41,7 @@ std::string whole_text(std::istream& in, const std::string& name) {
   return text;
 }
 
-/// Control characters are in no text; what they would break is the terminal the message goes to.
+/// Control characters are invalid in text, and in a message they would confuse the terminal.
 void refuse_binary(const InputText& input) {
   Position at;
   for (const char c : input.text) {
@@ -51,7 +51,7 @@ void refuse_binary(const InputText& input) {
   }
 }
 
-/// What was parsed, and what messages call the input. The text may be gone: it takes memory, too.
+/// What was parsed, and the name of the input. Without its text, whose memory is free by now.
 struct Parsed {
   InputText input;
   PlacedGeometry geometry;
@@ -64,7 +64,7 @@ Parsed parsed(std::string_view text, const std::string& name, Wanted wanted,
   const InputText input{name, text, progress};
   refuse_binary(input);
   const auto first = std::find_if_not(text.begin(), text.end(), is_blank);
-  if (first == text.end()) input.refuse({}, "nothing but blanks or nothing at all", formats);
+  if (first == text.end()) input.refuse({}, "the input is empty", formats);
   Parsed result{{name}, {}};
   if (*first == '{' || *first == '[')
     result.geometry = parse_geojson(input, wanted);
@@ -87,7 +87,7 @@ Parsed parsed_file(const std::string& path, Wanted wanted, const ReadingProgress
   return parsed(whole_text(in, path), path, wanted, progress);
 }
 
-/// Turns the chains that are turned the wrong way, and says so.
+/// Reverses the chains with the wrong orientation; adds a note for each.
 void orient(PlacedGeometry& geometry, const std::string& input, std::vector<std::string>& notes) {
   for (PlacedChain& chain : geometry.chains) {
     const int wanted = chain.name.hole == 0 ? 1 : -1;
@@ -132,7 +132,7 @@ Region valid_region(Parsed& parsed, std::vector<std::string>& notes) {
   return region;
 }
 
-/// The edges of the line strings, none of zero length.
+/// The edges of the line strings. Throws InvalidInput where one has zero length.
 std::vector<Segment> edges_of_line_strings(const Parsed& parsed) {
   const auto& [input, geometry] = parsed;
   std::vector<Segment> result;

@@ -12,7 +12,7 @@
 
 namespace oplus {
 
-/// A valid region, and a line for each thing that reading repaired: orientation, nothing else.
+/// A valid region, and a line for each chain whose orientation was repaired. Nothing else is repaired.
 struct ReadRegion {
   Region region;
   std::vector<std::string> notes;
@@ -47,8 +47,8 @@ ReadSum read_sum(const std::string& text, const std::string& name,
 ReadRegion read_region_file(const std::string& path, const ReadingProgress& progress = {});
 ReadSum read_sum_file(const std::string& path, const ReadingProgress& progress = {});
 
-/// Reads a sum from a file and checks nothing but its syntax, so that what is wrong with it can be
-/// told. In the input's order, points and edges of line strings as they are. Throws InvalidInput.
+/// Reads a sum from a file and checks only its syntax, so that its defects can be reported. In the
+/// input's order, points and edges of line strings as they are. Throws InvalidInput.
 GivenSum read_unchecked_sum_file(const std::string& path, const ReadingProgress& progress = {});
 
 }  // namespace oplus

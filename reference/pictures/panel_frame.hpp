@@ -13,10 +13,10 @@ struct BoundingBox {
   Point high;
 };
 
-/// None for a panel without a point.
+/// Empty for a panel without a point.
 std::optional<BoundingBox> bounding_box(const Panel& panel);
 
-/// So many pixels stand for a length. Lengths are divided by it exactly, so huge and tiny coordinates
+/// A length and the pixels that stand for it. Lengths are divided by it exactly, so huge and tiny coordinates
 /// do not overflow.
 struct Scale {
   double pixels;

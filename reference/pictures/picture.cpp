@@ -38,7 +38,7 @@ struct Drawing {
   double height;
 };
 
-/// What the layers drawn have to say.
+/// The labels of the layers drawn.
 struct Legend {
   std::map<std::tuple<int, int, std::string>, Style> entries;  ///< by place, number, label
   std::size_t notes_left_out = 0;
@@ -82,7 +82,7 @@ Drawing drawn(const Legend& legend, double top, double page_width) {
   return {content + "</g>\n", x == margin && y == top ? 0 : y + row - top};
 }
 
-/// A panel and what is the same for all of the picture, or almost.
+/// A panel with its scale and caption.
 struct Scaled {
   const Panel& panel;
   Scale scale;

@@ -10,7 +10,7 @@
 
 namespace oplus {
 
-/// How a layer is drawn, and what the legend says of it.
+/// How a layer is drawn, and its label in the legend.
 struct Style {
   /// What stands for the layer in the legend. The last five are points, and how points are drawn; in
   /// layers of areas and lines they are disks.

@@ -12,7 +12,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-/// What is said first: "how to compute".
+/// The word and the first part of its description, such as "how to compute".
 std::string line(const std::string& word, const std::string& what) {
   std::size_t end = what.size();
   for (const char* const mark : {": ", "; ", ". "}) end = std::min(end, what.find(mark));
@@ -48,7 +48,7 @@ struct ReadSoFar {
     return own != nullptr ? own : program->get_option_no_throw(name);
   }
 
-  /// Returns whether it makes sense.
+  /// Returns whether it is possible here.
   bool read(const std::string& word) {
     if (word == "=") return true;  // bash makes --option=value three words
     if (word == "help" && command == program && due == 0) return true;

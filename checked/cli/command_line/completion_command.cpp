@@ -87,11 +87,11 @@ void add_completion_command(CLI::App& program) {
                  "bash: into ~/.local/share/bash-completion/completions/" +
                  name + ", or source it;\nzsh: as _" + name +
                  " into a folder of $fpath; fish: into ~/.config/fish/completions.\n"
-                 "An installed oplus has brought all three along.");
+                 "An installation of oplus contains all three.");
   command.callback([options, name] {
     write_text(options->output,
                boost::algorithm::replace_all_copy(scripts.at(options->shell), "PROGRAM", name));
-    throw CLI::Success();  // nothing else is to be done, as with --help
+    throw CLI::Success();  // ends the program, as --help does
   });
 }
 

@@ -37,7 +37,7 @@ void set_up(CLI::App& program) {
   program.set_version_flag("-V,--version", program.get_name() + " " + version, "show the version");
   program.require_subcommand(1);
   program.fallthrough();
-  // Both hold at once: a command line that is not understood is complained about in their manner.
+  // Both take effect while parsing, so that they hold for error messages about the command line.
   program
       .add_flag_callback(
           "--quiet", [] { speech().quiet = true; },
@@ -84,14 +84,15 @@ void occupy_closed_streams() {
   }
 }
 
-/// A command that says nothing else of its exit codes has these.
+/// Adds the exit codes to the help of a command that does not list its own.
 void add_exit_codes(CLI::App& command) {
   const std::string footer = command.get_footer();
   if (footer.find("Exit codes:") != std::string::npos) return;
   command.footer(footer + (footer.empty() ? "" : "\n\n") +
                  "Exit codes:\n"
                  "  0  done\n"
-                 "  2  invalid input or usage, or a file that cannot be read or written");
+                 "  2  invalid input or usage, or a file that cannot be read or written\n"
+                 "  3  a bug in oplus; please report it");
 }
 
 /// The words of the command line; `help COMMAND` is `COMMAND --help`.
@@ -133,7 +134,7 @@ int parse_and_do(const ProgramFrame& frame, const AddCommands& add_commands, int
     throw UsageError(complaint(program, error));
   }
   const int exit_code = work();
-  // Results that nobody received are no success.
+  // Output that was not written is an error.
   if (!std::cout.flush()) throw UsageError("cannot write standard output");
   return exit_code;
 }
@@ -152,8 +153,8 @@ int fail_with_bug(const std::string& what) {
 int run_program(const ProgramFrame& frame, const AddCommands& add_commands, int argc,
                 const char* const* argv) noexcept {
   occupy_closed_streams();
-  // A reader that closes its pipe is an output that cannot be written, not a death.
-  // Handled, not ignored: the programs that it starts would ignore it, too.
+  // A closed pipe is an output that cannot be written; it must not kill the program. The signal is
+  // handled, not ignored, since programs started from here would inherit that.
   std::signal(SIGPIPE, [](int) {});
   return exit_code_of([&] {
     speech().program = frame.name;
