@@ -138,7 +138,7 @@ void add_draw(CLI::App& program, Action& chosen) {
   view->type_name_fn([] { return "NAME:{" + view_names(",") + "}"; });
   command
       .add_flag("--together", options.together,
-                "draw all over each other, the first at the bottom, not side by side")
+                "draw all files over each other, the first at the bottom, not side by side")
       ->excludes(view);
   command
       .add_option(
