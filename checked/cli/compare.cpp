@@ -78,7 +78,8 @@ ExitCode compare(const CompareOptions& options) {
 void add_compare(CLI::App& program, Action& chosen) {
   const auto& [command, options] = add_subcommand(
       program, chosen, "compare",
-      "Say whether two sums are equal, with a point that tells them apart if not", compare);
+      "Check whether two sums are equal; if not, give a point that is in one of them only",
+      compare);
   add_file(command, "A", options.a, "a sum or a region: .dat, WKT or GeoJSON; - is standard input")
       ->required();
   add_file(command, "B", options.b, "the other, in any of these formats")->required();
@@ -94,7 +95,8 @@ void add_compare(CLI::App& program, Action& chosen) {
       "Exit codes:\n"
       "  0  equal\n"
       "  1  not equal\n"
-      "  2  invalid input or usage, or a file that cannot be read or written");
+      "  2  invalid input or usage, or a file that cannot be read or written\n"
+      "  3  a bug in oplus; please report it");
 }
 
 }  // namespace oplus

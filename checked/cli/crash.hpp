@@ -3,9 +3,9 @@
 
 namespace oplus {
 
-/// Turns what would kill the program (a broken assertion in a library, a wild pointer) into one
-/// line on standard error and the exit code of a bug, without a core dump. Leaves signals alone
-/// that somebody else, such as a sanitizer, handles already.
+/// Turns a crash (a failed assertion in a library, an invalid pointer) into one line on standard
+/// error and the exit code of a bug, without a core dump. Leaves signals alone that are already
+/// handled, by a sanitizer for example.
 void report_crashes();
 
 }  // namespace oplus

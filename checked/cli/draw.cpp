@@ -7,7 +7,6 @@
 #include "checked/cli/command_line/program_frame.hpp"
 #include "checked/cli/input.hpp"
 #include "checked/cli/layer_styles.hpp"
-#include "checked/cli/output.hpp"
 #include "checked/cli/shared_options.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "checked/cli/view.hpp"
@@ -27,7 +26,7 @@ struct DrawOptions {
 };
 
 std::string view_names(const std::string& separator) {
-  return CLI::detail::join(
+  return joined(
       views(), [](const View& view) { return view.name; }, separator);
 }
 
@@ -47,7 +46,7 @@ Point placement_at(const std::string& text) {
   return {coordinate_at(text, text.substr(0, comma)), coordinate_at(text, text.substr(comma + 1))};
 }
 
-/// The view that is asked for, and where; what does not fit together is said before files are read.
+/// The view that is asked for, and its placement.
 struct ChosenView {
   const View& view;
   Point x;
@@ -78,12 +77,12 @@ std::string side_by_side(const std::vector<std::string>& files) {
   return svg(panels);
 }
 
-/// A file in a picture with others, told apart by what its place in the list gives it.
+/// The layers of a file in a picture with others, in a style by its place in the list.
 std::vector<Layer> layers_in_common(std::size_t place, const std::string& name,
                                     const MinkowskiSum& sum) {
   const std::array<const Style*, 4> styles = {&style::sum, &style::summand_p, &style::summand_q,
                                               &style::common_interior};
-  // Lines that are all of a file are its subject; beside a region they are what it lacks.
+  // Lines without a region are the content of the file; with one they are its dangling edges.
   const bool only_lines = sum.outer.empty();
   const Style lines = only_lines ? labelled(style::cycle(static_cast<int>((place + 6) % 7)), name)
                                  : labelled(style::dangling_edges, "dangling edges of " + name);
@@ -95,21 +94,20 @@ std::vector<Layer> layers_in_common(std::size_t place, const std::string& name,
 }
 
 std::string one_over_the_other(const std::vector<std::string>& files) {
-  Panel panel{"", {}, 560};
+  Panel panel{"", {}};
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::string name =
         files[i] == "-" ? "standard input" : std::filesystem::path(files[i]).stem().string();
     for (Layer& layer : layers_in_common(i, name, read_given_sum(files[i])))
       panel.layers.push_back(std::move(layer));
   }
-  return svg({panel});
+  return svg({panel}, 560);
 }
 
 ExitCode draw(const DrawOptions& options) {
   const std::optional<ChosenView> chosen = chosen_view(options);
   require_one_standard_input(options.files);
-  require_writable({options.output});
-  require_svg(options.output);
+  require_writable({}, options.output);
   if (!chosen) {
     write_text(options.output,
                (options.together ? one_over_the_other : side_by_side)(options.files));
@@ -123,7 +121,7 @@ ExitCode draw(const DrawOptions& options) {
 
 std::string view_help() {
   return "draw what an algorithm sees of two regions P and Q: " +
-         CLI::detail::join(
+         joined(
              views(), [](const View& view) { return view.name + ", " + view.what; }, "; ");
 }
 
@@ -140,13 +138,16 @@ void add_draw(CLI::App& program, Action& chosen) {
   view->type_name_fn([] { return "NAME:{" + view_names(",") + "}"; });
   command
       .add_flag("--together", options.together,
-                "draw all in one picture, the first lowest, not side by side")
+                "draw all files over each other, the first at the bottom, not side by side")
       ->excludes(view);
   command
-      .add_option("--at", options.at,
-                  "where --view placement puts -Q: integers, decimals or fractions p/q")
+      .add_option(
+          "--at", options.at,
+          "the x of --view placement, which draws -Q + x: integers, decimals or fractions p/q")
       ->type_name("X,Y");
-  command.add_option("-o,--output", options.output, "the picture, SVG; - is standard output")
+  command
+      .add_option("-o,--output", options.output,
+                  "the picture to write, an SVG; - is standard output")
       ->required()
       ->type_name("FILE.svg");
   command.footer(

@@ -3,9 +3,9 @@
 
 namespace oplus {
 
-/// What the program's exit code says.
+/// The program's exit codes.
 enum class ExitCode {
-  done = 0,       ///< of `compare`: equal; of `verify`: yes
+  done = 0,       ///< of `compare`: equal; of `verify`: it is the sum
   not_equal = 1,  ///< of `compare` and `verify` only
   invalid = 2,    ///< invalid input or usage, or a file that cannot be read or written
   bug = 3,        ///< in oplus

@@ -24,11 +24,11 @@ class FaceDrawing {
   /// Keeps the reference.
   explicit FaceDrawing(const ConvolutionArrangement& arrangement);
 
-  /// The boundaries of a bounded face. They may touch each other and themselves, and run along an
-  /// edge to and fro: no valid region, but what has the face to its left.
+  /// The boundaries of a bounded face, which is to their left. They may touch each other and
+  /// themselves, and contain an edge in both directions, so this need not be a valid region.
   Component outline(Face face) const;
 
-  /// A large free disk inside a bounded face, or none if the face is lower or narrower than a
+  /// A large free disk inside a bounded face; empty if the face is lower or narrower than a
   /// hundredth of the arrangement. Its centre is the middle of a piece of a horizontal line, so it
   /// lies in the face, however that is bounded.
   std::optional<FreeDisk> free_disk(Face face) const;

@@ -6,7 +6,6 @@
 
 #include "checked/cli/command_line/program_frame.hpp"
 #include "checked/cli/json_values.hpp"
-#include "checked/cli/output.hpp"
 #include "checked/cli/shared_options.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "reference/families/family.hpp"
@@ -21,16 +20,15 @@ struct GenOptions {
   std::optional<std::string> n;
   std::string seed = "1";
   std::string summand = "P";
-  std::string output = "-";
-  std::optional<Format> format;
+  RegionOutput output;
   bool list = false;
   bool json = false;
 };
 
-/// Larger polygons are of no use here, and every family stays far from overflow.
+/// No family overflows up to this size.
 constexpr std::uint64_t largest_n = 10000;
 
-/// CLI11 would read -1 as a huge number.
+/// By CLI11, -1 would be a huge number.
 std::uint64_t whole_number(const std::string& option, const std::string& digits,
                            std::uint64_t largest) {
   std::uint64_t value = 0;
@@ -62,9 +60,9 @@ ExitCode list() {
   return ExitCode::done;
 }
 
-/// For help and completion; an unknown name gets its own message.
+/// For help and completion. An unknown name is refused with a message of gen.
 std::string family_names() {
-  return CLI::detail::join(
+  return joined(
       families(), [](const Family& family) { return family.name; }, ",");
 }
 
@@ -79,10 +77,11 @@ ExitCode gen(const GenOptions& options) {
   if (n < family->smallest)
     throw UsageError("the family " + family->name + " takes --n of " +
                      std::to_string(family->smallest) + " or more");
-  require_writable({options.output});
-  const Format format = output_format(options.format, options.output);
+  require_writable({options.output.path});
+  const Format format = output_format(options.output);
   const Summands pair = generate(*family, n, seed);
-  write_text(options.output, written(options.summand == "P" ? pair.p : pair.q, format));
+  write_region(options.output, format,
+               written(options.summand == "P" ? pair.p : pair.q, format, options.output.digits));
   return ExitCode::done;
 }
 
@@ -99,15 +98,16 @@ void add_gen(CLI::App& program, Action& chosen) {
   command.add_flag("--json", options.json, "list them in JSON (docs/json.md)")->needs(listing);
   command
       .add_option("--n", options.n,
-                  "the size, as the family understands it; a typical one without it")
+                  "the size; --list says what it counts in each family; by default a typical one")
       ->type_name("N");
-  command.add_option("--seed", options.seed, "same seed, same pair, everywhere; 1 without it")
+  command
+      .add_option("--seed", options.seed,
+                  "the same seed gives the same pair on every machine; by default 1")
       ->type_name("S");
-  command.add_option("--summand", options.summand, "which of the pair, P without it")
+  command.add_option("--summand", options.summand, "which region of the pair; by default P")
       ->check(CLI::IsMember({"P", "Q"}))
       ->type_name("NAME");
-  add_file(command, "-o,--output", options.output, "write there, not to standard output");
-  add_format(command, options.format);
+  add_output(command, options.output, "the region");
   command.footer(
       "Example:\n"
       "  oplus gen --list\n"

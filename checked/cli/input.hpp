@@ -4,15 +4,17 @@
 #include <string>
 #include <vector>
 
+#include "reference/definitions/given_sum.hpp"
 #include "reference/definitions/minkowski_sum.hpp"
 #include "reference/definitions/region.hpp"
 
 namespace oplus {
 
-/// Read a file ("-" is standard input); say on standard error what reading repaired. Throw
-/// InvalidInput.
+/// Read a file ("-" is standard input); say on standard error what reading repaired, and on a terminal
+/// how far it is where it takes longer than a second. Throw InvalidInput.
 Region read_summand(const std::string& path);
 MinkowskiSum read_given_sum(const std::string& path);
+GivenSum read_unchecked_sum(const std::string& path);
 
 /// Throws UsageError where standard input is named more than once.
 void require_one_standard_input(const std::vector<std::string>& paths);

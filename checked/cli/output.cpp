@@ -7,9 +7,15 @@
 #include <cerrno>
 #include <filesystem>
 #include <set>
+#include <string_view>
 #include <system_error>
 
+#include "checked/cli/command_line/program_frame.hpp"
+#include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/usage_error.hpp"
+#include "reference/io/counted.hpp"
+#include "reference/io/quoting.hpp"
+#include "reference/io/reading.hpp"
 
 namespace oplus {
 
@@ -48,22 +54,56 @@ void require_writable(const std::string& path) {
                      std::error_code(errno, std::generic_category()).message());
 }
 
+/// Why reading the text would fail; empty if it would not.
+std::string defect_in(const std::string& text) {
+  try {
+    read_sum(text, "the output");
+    return "";
+  } catch (const InvalidInput& error) {
+    return error.wrong();
+  }
+}
+
+/// The first fraction in the text of a region; empty if there is none.
+std::string_view first_fraction(std::string_view text) {
+  constexpr std::string_view of_fractions = "-0123456789/";
+  const std::size_t slash = text.find('/');
+  if (slash == std::string_view::npos) return "";
+  const std::size_t start = text.find_last_not_of(of_fractions, slash) + 1;
+  return text.substr(start, text.find_first_not_of(of_fractions, slash) - start);
+}
+
 }  // namespace
 
-Format output_format(const std::optional<Format>& asked_for, const std::string& path) {
-  if (asked_for) return *asked_for;
-  if (path == "-") return Format::wkt;
-  if (const std::optional<Format> by_ending = format_of(path)) return *by_ending;
-  throw UsageError("the ending of " + path +
+Format output_format(const RegionOutput& output) {
+  if (output.format) return *output.format;
+  if (output.path == "-") return Format::wkt;
+  if (const std::optional<Format> by_ending = format_of(output.path)) return *by_ending;
+  throw UsageError("the ending of " + output.path +
                    " names no format: use .wkt, .dat, .geojson or .json, or --format");
 }
 
-void require_svg(const std::string& path) {
-  if (path != "-" && !is_special(path) && !boost::algorithm::iends_with(path, ".svg"))
-    throw UsageError("pictures are written as SVG; expected FILE.svg or -, not " + path);
+void write_region(const RegionOutput& output, Format format, const std::string& text) {
+  write_text(output.path, text);
+  if (speech().quiet) return;
+  if (output.digits) {
+    const std::string rounded =
+        "the output is rounded to " +
+        counted(static_cast<std::size_t>(*output.digits), "decimal", "decimals");
+    const std::string defect = defect_in(text);
+    say_note(defect.empty() ? rounded + "; without --digits it is exact"
+                            : rounded + " and no longer valid: " + defect +
+                                  "; use more decimals, or leave out --digits");
+  } else if (const std::string_view fraction = first_fraction(text);
+             !fraction.empty() && format != Format::dat) {
+    say_note("coordinates such as " + quote(fraction) +
+             " are written as fractions p/q, which other programs do not read; --digits 15 writes "
+             "decimals");
+  }
 }
 
-void require_writable(const std::vector<std::string>& paths) {
+void require_writable(std::vector<std::string> paths, const std::optional<std::string>& picture) {
+  if (picture) paths.push_back(*picture);
   std::set<std::filesystem::path> seen;
   for (const std::string& path : paths) {
     require_writable(path);
@@ -71,6 +111,9 @@ void require_writable(const std::vector<std::string>& paths) {
     if (!seen.insert(place).second && !is_special(path))
       throw UsageError("two outputs would go to " + name_of(path));
   }
+  if (picture && *picture != "-" && !is_special(*picture) &&
+      !boost::algorithm::iends_with(*picture, ".svg"))
+    throw UsageError("pictures are written as SVG; expected FILE.svg or -, not " + *picture);
 }
 
 }  // namespace oplus

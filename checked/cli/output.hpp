@@ -9,16 +9,26 @@
 
 namespace oplus {
 
+/// Where a region or a sum is written, and how.
+struct RegionOutput {
+  std::string path = "-";  ///< "-" is standard output
+  std::optional<Format> format;
+  std::optional<int> digits;  ///< exact if empty
+};
+
 /// The format to write in: the one asked for, else by the ending of the path; WKT on standard
 /// output. Throws UsageError for an ending that names no format.
-Format output_format(const std::optional<Format>& asked_for, const std::string& path);
+Format output_format(const RegionOutput& output);
 
-/// Throws UsageError for a picture whose path ends in something else than .svg, in capitals or not, and
-/// is neither standard output nor a device.
-void require_svg(const std::string& path);
+/// Writes the text of a region or a sum, which is `written` in this format with the output's digits.
+/// Says on standard error that it was rounded and whether it is still valid, or that it contains
+/// fractions that other programs do not read. Throws UsageError where it cannot write.
+void write_region(const RegionOutput& output, Format format, const std::string& text);
 
-/// Throws UsageError where an output could not be written or two would be written to one place, so
-/// that it is known before anything is computed or written. "-" is standard output.
-void require_writable(const std::vector<std::string>& paths);
+/// Throws UsageError where an output could not be written, two would be written to one place, or a
+/// picture's path does not end in .svg (in capitals or not), so that it is known before anything is
+/// computed or written. "-" is standard output; it and devices may get pictures.
+void require_writable(std::vector<std::string> paths,
+                      const std::optional<std::string>& picture = std::nullopt);
 
 }  // namespace oplus

@@ -84,7 +84,8 @@ class Placement {
     crossings.style.label = counted(crossings.points.size(), "crossing", "crossings");
     weak.style.label = counted(weak.points.size(), "weak intersection", "weak intersections") +
                        " with common interior";
-    touching.style.label = counted(touching.points.size(), "contact", "contacts") + " without";
+    touching.style.label =
+        counted(touching.points.size(), "contact", "contacts") + " without common interior";
     return {touching, weak, crossings};
   }
 

@@ -19,8 +19,8 @@ const ProgramFrame frame = {
     "  oplus sum p.wkt q.wkt --open -o sum.wkt --svg sum.svg\n"
     "\n"
     "Exit codes:\n"
-    "  0  done; of compare: equal\n"
-    "  1  of compare: not equal\n"
+    "  0  done; of compare: equal; of verify: it is the sum\n"
+    "  1  of compare: not equal; of verify: it is not the sum\n"
     "  2  invalid input or usage, or a file that cannot be read or written\n"
     "  3  a bug in oplus; please report it"};
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "checked/cli/command_line/program_frame.hpp"
 #include "checked/cli/input.hpp"
-#include "checked/cli/output.hpp"
 #include "checked/cli/shared_options.hpp"
 #include "reference/io/writing.hpp"
 
@@ -11,14 +9,14 @@ namespace {
 
 struct ReflectOptions {
   std::string file;
-  std::string output = "-";
-  std::optional<Format> format;
+  RegionOutput output;
 };
 
 ExitCode reflect(const ReflectOptions& options) {
-  require_writable({options.output});
-  const Format format = output_format(options.format, options.output);
-  write_text(options.output, written(reflected(read_summand(options.file)), format));
+  require_writable({options.output.path});
+  const Format format = output_format(options.output);
+  write_region(options.output, format,
+               written(reflected(read_summand(options.file)), format, options.output.digits));
   return ExitCode::done;
 }
 
@@ -29,11 +27,10 @@ void add_reflect(CLI::App& program, Action& chosen) {
       program, chosen, "reflect", "Write -R, each point p of a region R taken to -p", reflect);
   add_file(command, "R", options.file, "a region: .dat, WKT or GeoJSON; - is standard input")
       ->required();
-  add_file(command, "-o,--output", options.output, "write it there, not to standard output");
-  add_format(command, options.format);
+  add_output(command, options.output, "-R");
   command.footer(
-      "Where R, moved by x, overlaps P: that are the x inside the sum of P and -R, the no-fit polygon\n"
-      "of P and R.\n"
+      "R, moved by x, overlaps P if and only if x is inside the sum of P and -R, the no-fit polygon of\n"
+      "P and R.\n"
       "\n"
       "Example:\n"
       "  oplus gen tight --n 6 --summand P -o part.wkt\n"

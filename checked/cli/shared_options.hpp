@@ -2,13 +2,15 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <boost/algorithm/string/join.hpp>
+#include <boost/range/adaptor/transformed.hpp>
 #include <memory>
 #include <optional>
 #include <string>
 
+#include "checked/cli/output.hpp"
 #include "checked/cli/subcommands.hpp"
 #include "reference/definitions/minkowski_sum.hpp"
-#include "reference/io/writing.hpp"
 
 namespace oplus {
 
@@ -29,6 +31,12 @@ Subcommand<Options> add_subcommand(CLI::App& program, Action& chosen, const std:
   return {command, *options};
 }
 
+/// The texts of the items, one after another with the separator between them.
+template <typename Items, typename Text>
+std::string joined(const Items& items, Text text, const std::string& separator) {
+  return boost::algorithm::join(items | boost::adaptors::transformed(text), separator);
+}
+
 /// Adds an option or an argument that is the name of a file.
 template <typename Path>
 CLI::Option* add_file(CLI::App& command, const std::string& name, Path& path,
@@ -36,8 +44,8 @@ CLI::Option* add_file(CLI::App& command, const std::string& name, Path& path,
   return command.add_option(name, path, what)->type_name("FILE");
 }
 
-/// Adds `--format wkt|dat|geojson`.
-void add_format(CLI::App& command, std::optional<Format>& format);
+/// Adds `-o FILE`, `--format wkt|dat|geojson` and `--digits N`. `what` is what is written.
+void add_output(CLI::App& command, RegionOutput& output, const std::string& what);
 
 /// Adds `--open`.
 void add_open(CLI::App& command, Boundary& boundary, const std::string& what);

@@ -11,8 +11,7 @@ namespace oplus {
 /// How many parts of each kind the sum has, and its area.
 Statistics statistics_of(const MinkowskiSum& sum);
 
-/// A count; seconds, to six decimals; a value exactly, but rounded, and said so, where that would take
-/// a line of its own.
+/// A count; seconds, to six decimals; a value exactly, or rounded and marked so where it is long.
 std::string in_text(const Quantity& quantity);
 
 }  // namespace oplus

@@ -5,12 +5,10 @@
 
 #include "checked/arrangement/hole_test.hpp"
 #include "checked/cli/command_line/program_frame.hpp"
-#include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/engines_and_oracle.hpp"
 #include "checked/cli/input.hpp"
 #include "checked/cli/json_values.hpp"
 #include "checked/cli/origins_json.hpp"
-#include "checked/cli/output.hpp"
 #include "checked/cli/shared_options.hpp"
 #include "checked/cli/statistics.hpp"
 #include "checked/cli/usage_error.hpp"
@@ -26,13 +24,11 @@ namespace {
 struct SumOptions {
   std::string p;
   std::string q;
-  std::string output = "-";
-  std::optional<Format> format;
+  RegionOutput output;
   Boundary boundary = Boundary::closed;
   std::string engine = engines_and_oracle().front().name;
   std::string hole_test;            ///< empty: the default
-  std::optional<unsigned> threads;  ///< none: as many as there are cores
-  std::optional<int> digits;
+  std::optional<unsigned> threads;  ///< by default as many as there are cores
   std::optional<std::string> svg;
   std::optional<std::string> origins;
   bool stats = false;
@@ -40,8 +36,7 @@ struct SumOptions {
 };
 
 std::vector<std::string> outputs(const SumOptions& options) {
-  std::vector<std::string> paths = {options.output};
-  if (options.svg) paths.push_back(*options.svg);
+  std::vector<std::string> paths = {options.output.path};
   if (options.origins) paths.push_back(*options.origins);
   if (options.stats_json) paths.push_back(*options.stats_json);
   return paths;
@@ -83,8 +78,7 @@ std::string statistics_json(const SumOptions& options, const Region& p, const Re
 HoleTestMethod chosen_hole_test(const SumOptions& options, const Engine& engine) {
   if (options.hole_test.empty()) return {};
   if (!engine.has_hole_test)
-    throw UsageError("--hole-test makes no difference to the engine " + engine.name +
-                     ", which has none");
+    throw UsageError("--hole-test is unsupported by the engine " + engine.name);
   return std::find_if(hole_test_methods().begin(), hole_test_methods().end(),
                       [&](const auto& method) { return method.first == options.hole_test; })
       ->second;
@@ -93,8 +87,7 @@ HoleTestMethod chosen_hole_test(const SumOptions& options, const Engine& engine)
 unsigned chosen_threads(const SumOptions& options, const Engine& engine) {
   if (!options.threads) return std::max(std::thread::hardware_concurrency(), 1U);
   if (!engine.has_threads)
-    throw UsageError("--threads makes no difference to the engine " + engine.name +
-                     ", which has one");
+    throw UsageError("--threads is unsupported by the engine " + engine.name);
   return *options.threads;
 }
 
@@ -104,9 +97,8 @@ ExitCode sum(const SumOptions& options) {
                                         .threads = chosen_threads(options, engine),
                                         .hole_test = chosen_hole_test(options, engine)};
   require_one_standard_input({options.p, options.q});
-  require_writable(outputs(options));
-  if (options.svg) require_svg(*options.svg);
-  const Format format = output_format(options.format, options.output);
+  require_writable(outputs(options), options.svg);
+  const Format format = output_format(options.output);
   const Region p = read_summand(options.p);
   const Region q = read_summand(options.q);
 
@@ -118,17 +110,14 @@ ExitCode sum(const SumOptions& options) {
     throw UsageError(
         ".dat cannot hold the dangling edges and isolated vertices of this sum; write .wkt or "
         ".geojson");
-  const std::string content = written(computed.sum, format, options.digits);
+  const std::string content = written(computed.sum, format, options.output.digits);
   if (options.svg) write_text(*options.svg, picture(p, q, computed.sum));
   if (options.origins)
     write_text(*options.origins, origins_json(computed.sum, computed.origins, p, q));
   if (options.stats_json)
     write_text(*options.stats_json, statistics_json(options, p, q, computed, seconds));
-  write_text(options.output, content);
+  write_region(options.output, format, content);
 
-  if (options.digits)
-    say_note("the output is rounded to " + std::to_string(*options.digits) +
-             " decimals; without --digits it is exact");
   if (options.stats) {
     print(statistics_of(p, q));
     print(computed.statistics);
@@ -140,7 +129,7 @@ ExitCode sum(const SumOptions& options) {
 
 std::string engine_help() {
   return "how to compute, by default " + engines_and_oracle().front().name + ": " +
-         CLI::detail::join(
+         joined(
              engines_and_oracle(),
              [](const Engine& engine) { return engine.name + ", " + engine.what; }, "; ");
 }
@@ -159,8 +148,7 @@ void add_sum(CLI::App& program, Action& chosen) {
   add_file(command, "P", options.p, "a region: .dat, WKT or GeoJSON; - is standard input")
       ->required();
   add_file(command, "Q", options.q, "the other region, in any of these formats")->required();
-  add_file(command, "-o,--output", options.output, "write the sum there, not to standard output");
-  add_format(command, options.format);
+  add_output(command, options.output, "the sum");
   add_open(command, options.boundary,
            "sum the regions' interiors: keeps dangling edges and isolated vertices");
   command.add_option("--engine", options.engine, engine_help())
@@ -168,26 +156,24 @@ void add_sum(CLI::App& program, Action& chosen) {
       ->type_name("NAME");
   command
       .add_option("--hole-test", options.hole_test,
-                  "how to decide what the filters leave open: bvh (the default), hierarchies of "
-                  "bounding volumes; sweep, a sweep line; naive, all pairs of edges; ray, rays "
-                  "through the full convolution. The sum is the same. The engine winding asks only "
-                  "about low-dimensional features, slide and oracle ask none")
+                  "how rca and loops decide what their filters leave open, and winding which "
+                  "low-dimensional features there are: bvh (the default), hierarchies of bounding "
+                  "volumes; sweep, a sweep line; naive, all pairs of edges; ray, rays through the "
+                  "full convolution. The sum is the same")
       ->check(CLI::IsMember(hole_test_methods()))
       ->type_name("NAME");
   command
       .add_option("--threads", options.threads,
-                  "on how many threads, by default one a core; slide only. The output is the same")
+                  "the number of threads of the engine slide, by default one per core. The sum is "
+                  "the same")
       ->check(CLI::Range(1, 1024))
-      ->type_name("N");
-  command.add_option("--digits", options.digits, "round to N decimals; output is exact without it")
-      ->check(CLI::Range(0, most_digits))
       ->type_name("N");
   add_file(command, "--svg", options.svg, "draw summands, convolutions and sum there, as SVG");
   add_file(command, "--origins", options.origins,
            "write there, as JSON, which vertex and edge each edge of the sum came from");
   command.add_flag("--stats", options.stats, "print sizes and times to standard error");
   add_file(command, "--stats-json", options.stats_json,
-           "write the same there, as JSON (docs/json.md); - is standard output");
+           "write sizes and times there, as JSON (docs/json.md); - is standard output");
   command.footer(
       "Example:\n"
       "  oplus gen comb --n 5 --summand P -o p.wkt\n"

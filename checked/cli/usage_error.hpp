@@ -5,7 +5,7 @@
 
 namespace oplus {
 
-/// A command that cannot be done as it was given; what() says why, in one line.
+/// An invalid command line; what() is the reason, in one line.
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

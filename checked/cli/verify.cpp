@@ -10,7 +10,6 @@
 #include "checked/cli/input.hpp"
 #include "checked/cli/json_values.hpp"
 #include "checked/cli/layer_styles.hpp"
-#include "checked/cli/output.hpp"
 #include "checked/cli/shared_options.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "checked/cli/view.hpp"
@@ -18,7 +17,6 @@
 #include "reference/io/boundary_name.hpp"
 #include "reference/io/number.hpp"
 #include "reference/io/quoting.hpp"
-#include "reference/io/reading.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
@@ -66,8 +64,8 @@ std::string said_distance(const BoundaryDistance& d) {
 
 std::string membership(const Reason& reason) {
   if (reason.in_sum == reason.in_given)
-    return reason.in_sum ? "is in the sum, and given" : "is not in the sum, nor given";
-  return reason.in_sum ? "is in the sum, and not given" : "is given, and not in the sum";
+    return reason.in_sum ? "is in the sum and in S" : "is neither in the sum nor in S";
+  return reason.in_sum ? "is in the sum, but not in S" : "is in S, but not in the sum";
 }
 
 std::string text_of(const Verdict& verdict) {
@@ -161,17 +159,13 @@ std::string picture(const Region& p, const Region& q, const GivenSum& given,
   layers.push_back(std::move(chains));
   layers.push_back({labelled(style::touching, "point of S"), {}, {}, given.isolated_vertices});
   if (witness) layers.push_back({labelled(style::difference, "witness"), {}, {}, {*witness}});
-  std::vector<Panel> summands = {panel_of(Summand::P, p), panel_of(Summand::Q, q)};
-  for (Panel& summand : summands) summand.longest_side = 160;
-  std::vector<std::vector<Panel>> columns = {summands, {{"S over P \u2295 Q", layers, 420}}};
-  if (witness) {
-    columns.push_back({placement_panel(p, q, *witness)});
-    columns.back()[0].longest_side = 420;
-  }
-  return svg_in_columns(columns);
+  std::vector<std::vector<Panel>> columns = {{panel_of(Summand::P, p), panel_of(Summand::Q, q)},
+                                             {{"S over P \u2295 Q", layers}}};
+  if (witness) columns.push_back({placement_panel(p, q, *witness)});
+  return svg_in_columns(columns, 420);
 }
 
-/// Printing, drawing and the exit code of an answer.
+/// Prints the answer and returns its exit code.
 ExitCode answer(const VerifyOptions& options, bool is_yes, Json json, std::string text,
                 const std::vector<std::string>& notes) {
   json["boundary"] = name(options.boundary);
@@ -183,15 +177,12 @@ ExitCode answer(const VerifyOptions& options, bool is_yes, Json json, std::strin
 
 ExitCode verify_files(const VerifyOptions& options) {
   require_one_standard_input({options.p, options.q, options.sum});
-  if (options.svg) {
-    require_writable({*options.svg});
-    require_svg(*options.svg);
-  }
+  require_writable({}, options.svg);
   const std::optional<Rational> tolerance =
       options.tolerance ? std::optional(tolerance_in(*options.tolerance)) : std::nullopt;
   const Region p = read_summand(options.p);
   const Region q = read_summand(options.q);
-  const GivenSum given = read_unchecked_sum_file(options.sum);
+  const GivenSum given = read_unchecked_sum(options.sum);
   const auto draw = [&](const MinkowskiSum& right, const std::optional<Point>& witness) {
     if (options.svg) write_text(*options.svg, picture(p, q, given, right, witness));
   };
@@ -215,23 +206,23 @@ ExitCode verify_files(const VerifyOptions& options) {
 void add_verify(CLI::App& program, Action& chosen) {
   const auto& [command, options] = add_subcommand(
       program, chosen, "verify",
-      "Say whether a sum is that of two regions, with a witness and the reason if not",
+      "Check whether a set is the sum of two regions; if not, give a witness and the reason",
       verify_files);
   add_file(command, "P", options.p, "a region: .dat, WKT or GeoJSON; - is standard input")
       ->required();
   add_file(command, "Q", options.q, "the other region")->required();
-  add_file(command, "S", options.sum, "what somebody says their sum is, valid or not")->required();
+  add_file(command, "S", options.sum, "the sum to check, valid or not")->required();
   add_open(command, options.boundary,
-           "it is to be the sum of the regions' interiors, with dangling edges and isolated "
+           "check it against the sum of the regions' interiors, with dangling edges and isolated "
            "vertices");
   command
       .add_option(
           "--tolerance", options.tolerance,
-          "for a sum that was rounded: ask whether the boundaries are nowhere farther than D "
-          "from each other, and components and holes correspond")
+          "for a rounded sum: check that the boundaries are within the distance D of each other, "
+          "and that components and holes correspond")
       ->type_name("D");
   add_file(command, "--svg", options.svg, "draw S over the sum, and P and -Q + x at the witness x");
-  command.add_flag("--json", options.json, "answer in JSON");
+  command.add_flag("--json", options.json, "answer in JSON (docs/json.md)");
   command.footer(
       "Example:\n"
       "  oplus gen tight --n 6 --summand P -o p.wkt\n"
@@ -244,7 +235,8 @@ void add_verify(CLI::App& program, Action& chosen) {
       "Exit codes:\n"
       "  0  it is their sum\n"
       "  1  it is not\n"
-      "  2  invalid input or usage, or a file that cannot be read or written");
+      "  2  invalid input or usage, or a file that cannot be read or written\n"
+      "  3  a bug in oplus; please report it");
 }
 
 }  // namespace oplus

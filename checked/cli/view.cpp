@@ -43,11 +43,10 @@ const View* find_view(const std::string& name) {
 
 std::string beside_summands(const Region& p, const Region& q, std::string title,
                             std::vector<Layer> layers) {
-  constexpr double summand_side = 200;
-  constexpr double drawing_side = 560;
-  std::vector<Panel> summands = {panel_of(Summand::P, p), panel_of(Summand::Q, q)};
-  for (Panel& summand : summands) summand.longest_side = summand_side;
-  return svg_in_columns({summands, {{std::move(title), std::move(layers), drawing_side}}});
+  constexpr double longest_side = 560;
+  return svg_in_columns(
+      {{panel_of(Summand::P, p), panel_of(Summand::Q, q)}, {{std::move(title), std::move(layers)}}},
+      longest_side);
 }
 
 }  // namespace oplus

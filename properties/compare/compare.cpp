@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "checked/arrangement/hole_test.hpp"
+#include "checked/cli/command_line/progress.hpp"
 #include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/output.hpp"
 #include "checked/cli/usage_error.hpp"
@@ -23,7 +24,6 @@
 #include "properties/runner/checked_engines.hpp"
 #include "properties/runner/interrupt.hpp"
 #include "properties/runner/known_name.hpp"
-#include "properties/runner/progress.hpp"
 #include "reference/io/file_text.hpp"
 #include "reference/io/quoting.hpp"
 #include "reference/io/writing.hpp"

@@ -56,7 +56,8 @@ std::size_t vertex_count(const Region& region) {
 
 Rational twice_area(const Chain& chain) {
   Rational sum = 0;
-  for (const Segment& e : edges(chain)) sum += cross(e.source, e.target);
+  for (std::size_t i = 0; i < chain.size(); ++i)
+    sum += cross(chain[i], chain[next(i, chain.size())]);
   return sum;
 }
 

@@ -8,7 +8,7 @@
 
 namespace oplus {
 
-/// "closed" or "open": how it is written in reports and commands.
+/// Returns "closed" or "open", as in reports and commands.
 inline std::string name(Boundary boundary) {
   return boundary == Boundary::closed ? "closed" : "open";
 }

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "reference/io/placed_geometry.hpp"
 #include "reference/io/quoting.hpp"
@@ -67,12 +68,12 @@ class DatReader {
     PlacedChain result{.name = name, .start = token.at};
     const std::size_t count = take_count("the number of vertices of " + describe(name), "");
     if (count < 3) refuse_too_few_vertices(input_, token.at, name, count);
-    // Nothing is reserved: the count may be a lie.
+    result.reserve(count, tokens_.rest().size());
     while (result.vertices.size() < count) {
       const Position place = tokens_.peek().at;
-      const Rational x = take_coordinate('x', result, token, name);
-      const Rational y = take_coordinate('y', result, token, name);
-      result.vertices.push_back({x, y});
+      Rational x = take_coordinate('x', result, token, name);
+      Rational y = take_coordinate('y', result, token, name);
+      result.vertices.push_back({std::move(x), std::move(y)});
       result.places.push_back(place);
     }
     return result;

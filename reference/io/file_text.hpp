@@ -6,7 +6,7 @@
 
 namespace oplus {
 
-/// All bytes of a file. Throws InvalidInput where it cannot be read, which says what was expected there.
+/// Returns all bytes of a file. Throws InvalidInput, with what was expected, where it cannot be read.
 std::string text_of_file(const std::filesystem::path& file, const std::string& expected = "a file");
 
 }  // namespace oplus

@@ -18,33 +18,34 @@ class GeoJsonReader {
   GeoJsonReader(const InputText& input, Wanted wanted) : input_(input), wanted_(wanted) {}
 
   PlacedGeometry read() {
-    geometry(parse_json(input_), wanted_ == Wanted::sum);
+    JsonValue tree = parse_json(input_);
+    geometry(tree, wanted_ == Wanted::sum);
     return std::move(result_);
   }
 
  private:
-  void geometry(const JsonValue& value, bool may_be_collection) {
+  void geometry(JsonValue& value, bool may_be_collection) {
     require(value, Kind::object, "a geometry");
     const JsonValue& type = member(value, "type");
     require(type, Kind::string, "the type of a geometry");
     const bool sum = wanted_ == Wanted::sum;
     if (type.text == "Polygon") {
-      const JsonValue& rings = coordinates(value, type);
+      JsonValue& rings = coordinates(value, type);
       if (!rings.items.empty()) polygon(rings);
     } else if (type.text == "MultiPolygon") {
-      for (const JsonValue& rings : coordinates(value, type).items) polygon(rings);
+      for (JsonValue& rings : coordinates(value, type).items) polygon(rings);
     } else if (sum && type.text == "LineString") {
       line_string(coordinates(value, type));
     } else if (sum && type.text == "MultiLineString") {
-      for (const JsonValue& line : coordinates(value, type).items) line_string(line);
+      for (JsonValue& line : coordinates(value, type).items) line_string(line);
     } else if (sum && type.text == "Point") {
       point(coordinates(value, type));
     } else if (sum && type.text == "MultiPoint") {
       for (const JsonValue& position : coordinates(value, type).items) point(position);
     } else if (may_be_collection && type.text == "GeometryCollection") {
-      const JsonValue& geometries = member(value, "geometries");
+      JsonValue& geometries = member(value, "geometries");
       require(geometries, Kind::array, "'geometries' of a GeometryCollection");
-      for (const JsonValue& of_collection : geometries.items) geometry(of_collection, false);
+      for (JsonValue& of_collection : geometries.items) geometry(of_collection, false);
     } else {
       input_.refuse(type.at, "the type " + quote(type.text),
                     !sum                ? "Polygon or MultiPolygon"
@@ -54,15 +55,15 @@ class GeoJsonReader {
     }
   }
 
-  const JsonValue& member(const JsonValue& object, const std::string& key) {
-    const JsonValue* found = object.member(key);
+  JsonValue& member(JsonValue& object, const std::string& key) {
+    JsonValue* found = object.member(key);
     if (found == nullptr)
       input_.refuse(object.at, "an object without " + quote(key), "a GeoJSON geometry");
     return *found;
   }
 
-  const JsonValue& coordinates(const JsonValue& geometry, const JsonValue& type) {
-    const JsonValue& value = member(geometry, "coordinates");
+  JsonValue& coordinates(JsonValue& geometry, const JsonValue& type) {
+    JsonValue& value = member(geometry, "coordinates");
     require(value, Kind::array, "'coordinates' of a " + type.text);
     return value;
   }
@@ -72,26 +73,26 @@ class GeoJsonReader {
       input_.refuse(value.at, what + " is " + describe(value.kind), describe(kind));
   }
 
-  void polygon(const JsonValue& rings) {
+  void polygon(JsonValue& rings) {
     ChainName name{result_.next_component(), 0};
     require(rings, Kind::array, "component " + std::to_string(name.component));
     if (rings.items.empty())
       input_.refuse(rings.at, "component " + std::to_string(name.component) + " has no chain",
                     "an outer chain");
-    for (const JsonValue& item : rings.items) {
+    for (JsonValue& item : rings.items) {
       result_.chains.push_back(ring(item, name));
       ++name.hole;
     }
   }
 
-  PlacedChain ring(const JsonValue& positions, const ChainName& name) {
+  PlacedChain ring(JsonValue& positions, const ChainName& name) {
     PlacedChain chain = vertices_of(positions, describe(name));
     chain.name = name;
     remove_closing_vertex(input_, chain);
     return chain;
   }
 
-  void line_string(const JsonValue& positions) {
+  void line_string(JsonValue& positions) {
     const std::string number = std::to_string(result_.line_strings.size() + 1);
     result_.line_strings.push_back(vertices_of(positions, "line string " + number));
   }
@@ -101,13 +102,17 @@ class GeoJsonReader {
     add_vertex(result_.points, position, [&] { return "point " + number; });
   }
 
-  PlacedChain vertices_of(const JsonValue& positions, const std::string& name) {
+  /// Frees each position once it is read: the tree takes more memory than the chain.
+  PlacedChain vertices_of(JsonValue& positions, const std::string& name) {
     require(positions, Kind::array, name);
     PlacedChain chain{.start = positions.at};
-    for (const JsonValue& position : positions.items) {
+    chain.vertices.reserve(positions.items.size());
+    chain.places.reserve(positions.items.size());
+    for (JsonValue& position : positions.items) {
       add_vertex(chain, position, [&] {
         return "vertex " + std::to_string(chain.vertices.size() + 1) + " of " + name;
       });
+      position.items = {};
     }
     return chain;
   }

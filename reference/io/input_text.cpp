@@ -10,7 +10,7 @@ std::string describe(const Token& token) {
 }
 
 Tokenizer::Tokenizer(const InputText& input, std::string_view punctuation)
-    : rest_(input.text), punctuation_(punctuation) {
+    : input_(input), rest_(input.text), punctuation_(punctuation) {
   advance();
 }
 
@@ -21,6 +21,7 @@ Token Tokenizer::take() {
 }
 
 void Tokenizer::advance() {
+  const std::size_t start = input_.text.size() - rest_.size();
   const Position after_last = position_;
   std::size_t blanks = 0;
   for (; blanks < rest_.size() && is_blank(rest_[blanks]); ++blanks) position_.pass(rest_[blanks]);
@@ -41,6 +42,7 @@ void Tokenizer::advance() {
   current_ = {rest_.substr(0, length), position_};
   position_.column += length;
   rest_.remove_prefix(length);
+  input_.passed(start, input_.text.size() - rest_.size());
 }
 
 }  // namespace oplus

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <compare>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -26,10 +28,18 @@ struct Position {
   friend auto operator<=>(const Position&, const Position&) = default;
 };
 
-/// A whole input and what messages call it.
+/// A whole input and what messages call it. The text must outlive it.
 struct InputText {
   std::string name;
-  std::string text;
+  std::string_view text = {};
+  std::function<void(int percent)> progress = {};  ///< as in reading.hpp
+
+  /// Reports progress, once per megabyte. Requires: the bytes from `from` to `to` were just read.
+  void passed(std::size_t from, std::size_t to) const {
+    constexpr unsigned bits_of_a_megabyte = 20;
+    if (progress && from >> bits_of_a_megabyte != to >> bits_of_a_megabyte)
+      progress(static_cast<int>(std::min<std::size_t>(99, 100 * to / text.size())));
+  }
 
   /// Throws InvalidInput.
   [[noreturn]] void refuse(const Position& at, const std::string& wrong,
@@ -61,9 +71,13 @@ class Tokenizer {
   const Token& peek() const { return current_; }
   Token take();
 
+  /// What follows the next token.
+  std::string_view rest() const { return rest_; }
+
  private:
   void advance();
 
+  const InputText& input_;
   std::string_view rest_;
   std::string_view punctuation_;
   Position position_;

@@ -19,6 +19,9 @@ std::string message(const Place& where, const std::string& wrong, const std::str
 }  // namespace
 
 InvalidInput::InvalidInput(Place where, const std::string& wrong, const std::string& expected)
-    : std::runtime_error(message(where, wrong, expected)), where_(std::move(where)) {}
+
+    : std::runtime_error(message(where, wrong, expected)),
+      where_(std::move(where)),
+      wrong_(wrong) {}
 
 }  // namespace oplus

@@ -14,15 +14,17 @@ struct Place {
   std::size_t column = 0;
 };
 
-/// Input that is not what it should be. what() is one line, "file:line:column: what is wrong; what
+/// Invalid input. what() is one line, "file:line:column: what is wrong; what
 /// was expected", and names the chain and the edges or vertices where a region is invalid.
 class InvalidInput : public std::runtime_error {
  public:
   InvalidInput(Place where, const std::string& wrong, const std::string& expected);
   const Place& where() const { return where_; }
+  const std::string& wrong() const { return wrong_; }
 
  private:
   Place where_;
+  std::string wrong_;
 };
 
 }  // namespace oplus

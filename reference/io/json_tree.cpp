@@ -19,8 +19,8 @@ namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// The text as RapidJSON reads it. It refuses a number that no double holds, though asked for no
-/// doubles; so it sees but two digits of a row of digits, which is enough to know a number by.
+/// The text as RapidJSON reads it. RapidJSON refuses numbers that overflow a double, even though it
+/// converts none here; so it is given only two digits of each sequence of digits.
 class JsonStream {
  public:
   using Ch = char;
@@ -39,7 +39,7 @@ class JsonStream {
   }
   std::size_t Tell() const { return at_; }
 
-  // Nothing is written; RapidJSON wants them all the same.
+  // Unused, but RapidJSON requires them.
   char* PutBegin() { return nullptr; }
   void Put(char) {}
   void Flush() {}
@@ -83,7 +83,7 @@ class TreeBuilder : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, TreeB
   bool Key(const char* text, rapidjson::SizeType size, bool) {
     const std::string key(text, size);
     if (!seen_.back().insert(key).second)
-      input_.refuse(position_, "the member " + quote(key) + " is said twice", "it once");
+      input_.refuse(position_, "the member " + quote(key) + " is repeated", "each member once");
     open_.back()->keys.push_back(key);
     return go_on(stream_.Tell());
   }
@@ -92,13 +92,15 @@ class TreeBuilder : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, TreeB
   /// Passes to where the first value or key behind an offset starts, if there is one.
   bool go_on(std::size_t from) {
     const std::size_t start = input_.text.find_first_not_of(" \t\r\n,:]}", from);
+    const std::size_t before = offset_;
     for (; offset_ < std::min(start, input_.text.size()); ++offset_)
       position_.pass(input_.text[offset_]);
+    input_.passed(before, offset_);
     stream_.in_string = rest().starts_with('"');
     return true;
   }
 
-  std::string_view rest() const { return std::string_view(input_.text).substr(offset_); }
+  std::string_view rest() const { return input_.text.substr(offset_); }
 
   [[noreturn]] void refuse(rapidjson::ParseErrorCode code, std::size_t offset);
 
@@ -138,7 +140,7 @@ class TreeBuilder : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, TreeB
   std::vector<std::set<std::string>> seen_;
 };
 
-/// What RapidJSON expects where it found something else; empty where that something is broken.
+/// What RapidJSON expects at an error; empty where the value itself is malformed.
 std::string expected_at(rapidjson::ParseErrorCode code) {
   static const std::map<rapidjson::ParseErrorCode, std::string> expected{
       {rapidjson::kParseErrorDocumentRootNotSingular, "the end of the input"},
@@ -162,7 +164,7 @@ void TreeBuilder::refuse(rapidjson::ParseErrorCode code, std::size_t offset) {
     input_.refuse(at, "JSON: " + std::string(wrong.substr(0, wrong.find('.'))), "JSON");
   }
   constexpr std::string_view between = " \t\r\n[]{},:\"";
-  const std::string_view here = std::string_view(input_.text).substr(offset);
+  const std::string_view here = input_.text.substr(offset);
   const bool is_word = !here.empty() && between.find(here[0]) == std::string_view::npos;
   const std::size_t size = is_word ? here.find_first_of(between) : 1;
   input_.refuse(at, describe(Token{here.substr(0, size), at}) + " in JSON", expected);
@@ -170,7 +172,7 @@ void TreeBuilder::refuse(rapidjson::ParseErrorCode code, std::size_t offset) {
 
 }  // namespace
 
-const JsonValue* JsonValue::member(const std::string& key) const {
+JsonValue* JsonValue::member(const std::string& key) {
   const auto found = std::find(keys.begin(), keys.end(), key);
   return found == keys.end() ? nullptr : &items[static_cast<std::size_t>(found - keys.begin())];
 }

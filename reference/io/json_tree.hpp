@@ -18,18 +18,18 @@ struct JsonValue {
   std::vector<std::string> keys;  ///< of an object's members
 
   /// Returns the first member with this key, or none.
-  const JsonValue* member(const std::string& key) const;
+  JsonValue* member(const std::string& key);
 };
 
 /// Returns "a number", "an array", ...
 std::string describe(JsonValue::Kind kind);
 
-/// Deeper values are refused: no geometry has them, and a tree is destroyed recursively.
+/// Deeper values are refused: no geometry has them, and the tree's destructor is recursive.
 inline constexpr std::size_t deepest_json = 64;
 
-/// Throws InvalidInput where the input is not one JSON value, an object says a key twice, or is
+/// Throws InvalidInput where the input is not one JSON value, an object has a key twice, or values are
 /// nested too deep.
-/// Requires: the input contains no zero byte, which RapidJSON takes for the end.
+/// Requires: the input contains no zero byte, at which RapidJSON stops.
 JsonValue parse_json(const InputText& input);
 
 }  // namespace oplus

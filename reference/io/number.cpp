@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <limits>
+#include <numeric>
 
 #include "reference/io/power_of_ten.hpp"
 #include "reference/io/quoting.hpp"
@@ -36,6 +38,24 @@ bool take_letter(std::string_view& text, std::string_view letters) {
   return found;
 }
 
+/// The decimal with these digits before and behind the point, or none where an integer does not hold
+/// them. Most coordinates are so short, and GMP would take longer.
+std::optional<Rational> short_decimal(std::string_view whole, std::string_view decimals) {
+  if (whole.size() + decimals.size() > std::numeric_limits<unsigned long>::digits10)
+    return std::nullopt;
+  unsigned long numerator = 0;
+  unsigned long denominator = 1;
+  for (const char digit : whole) numerator = 10 * numerator + static_cast<unsigned>(digit - '0');
+  for (const char digit : decimals) {
+    numerator = 10 * numerator + static_cast<unsigned>(digit - '0');
+    denominator *= 10;
+  }
+  const unsigned long divisor = std::gcd(numerator, denominator);
+  Rational value;
+  mpq_set_ui(value.get_mpq_t(), numerator / divisor, denominator / divisor);
+  return value;
+}
+
 mpz_class integer(std::string_view digits) { return mpz_class(std::string(digits), 10); }
 
 /// The value of an exponent's digits, or none if it is beyond the largest.
@@ -46,7 +66,7 @@ std::optional<int> exponent_value(std::string_view digits) {
   return value;
 }
 
-bool is_name_of_no_finite_number(std::string_view unsigned_text) {
+bool is_nan_or_infinity(std::string_view unsigned_text) {
   std::string lower(unsigned_text);
   std::transform(lower.begin(), lower.end(), lower.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -65,7 +85,7 @@ std::optional<Rational> parse_number(std::string_view text, NumberFault& fault) 
   };
   std::string_view rest = text;
   const bool is_negative = take_sign(rest);
-  if (is_name_of_no_finite_number(rest)) return refused("is not finite", "a finite number");
+  if (is_nan_or_infinity(rest)) return refused("is not finite", "a finite number");
 
   const std::string_view whole = take_digits(rest);
   if (take_letter(rest, "/")) {
@@ -93,6 +113,11 @@ std::optional<Rational> parse_number(std::string_view text, NumberFault& fault) 
   }
   if (!rest.empty()) return not_a_number();
 
+  if (std::optional<Rational> value =
+          exponent == 0 ? short_decimal(whole, decimals) : std::nullopt) {
+    if (is_negative) mpq_neg(value->get_mpq_t(), value->get_mpq_t());
+    return value;
+  }
   std::string digits(whole);
   digits += decimals;
   Rational value(integer(digits), power_of_ten(decimals.size()));

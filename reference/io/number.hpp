@@ -9,17 +9,18 @@
 
 namespace oplus {
 
-/// Larger exponents are refused: a few bytes would stand for a number that fills the memory.
+/// Larger exponents are refused: a number of a few bytes could fill the memory.
 inline constexpr int largest_exponent = 4096;
 
-/// Why a text is no number, and what would be.
+/// Why a text is not a number, and what was expected.
 struct NumberFault {
   std::string wrong;
   std::string expected;
 };
 
 /// Returns the number that a text denotes, exactly: an integer, a decimal, with or without an
-/// exponent, or a fraction p/q of integers, q without a sign; or none, and says why in `fault`.
+/// exponent, or a fraction p/q of integers, q without a sign. Returns nothing for an invalid text, and
+/// the reason in `fault`.
 std::optional<Rational> parse_number(std::string_view text, NumberFault& fault);
 
 }  // namespace oplus

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "reference/definitions/region.hpp"
@@ -22,18 +24,26 @@ struct ChainName {
 /// Returns "outer chain of component 1" or "hole 2 of component 1".
 std::string describe(const ChainName& name);
 
-/// Vertices and where the input has them, so that what is wrong with a chain is reported there.
+/// Vertices and their places in the input, where defects of the chain are reported.
 struct PlacedChain {
   ChainName name = {};  ///< of a region's chain
   Chain vertices = {};
   std::vector<Position> places = {};  ///< of each vertex
   Position start = {};
-  bool is_turned =
-      false;  ///< whether the order is the reverse of the input's, the first kept first
+  bool is_turned = false;  ///< whether the vertices after the first are in reverse order
+
+  /// Makes room for `count` vertices, or for as many as fit in the bytes that follow: the count may
+  /// be wrong.
+  void reserve(std::size_t count, std::size_t bytes) {
+    constexpr std::size_t bytes_of_a_vertex = 4;  // "0 0,"
+    count = std::min(count, bytes / bytes_of_a_vertex + 1);
+    vertices.reserve(count);
+    places.reserve(count);
+  }
 };
 
-/// What an input says, in its own order, nothing checked but syntax. Rings are without the closing
-/// vertex.
+/// The content of an input, in its order, of which only the syntax was checked. Rings are without the
+/// closing vertex.
 struct PlacedGeometry {
   std::vector<PlacedChain> chains;  ///< as chains(region) has them
   std::vector<PlacedChain> line_strings;
@@ -45,7 +55,7 @@ struct PlacedGeometry {
   }
 };
 
-/// What the reader wants: line strings and points are for sums only.
+/// What is to be read: line strings and points are for sums only.
 enum class Wanted { region, sum };
 
 /// Returns "x of vertex 3 of hole 2 of component 1".
@@ -59,9 +69,9 @@ std::string vertices(std::size_t count);
 template <typename Name>
 Rational coordinate(const InputText& input, std::string_view text, const Position& at, Name name) {
   NumberFault fault;
-  const std::optional<Rational> value = parse_number(text, fault);
+  std::optional<Rational> value = parse_number(text, fault);
   if (!value) input.refuse(at, name() + ": " + fault.wrong, fault.expected);
-  return *value;
+  return std::move(*value);
 }
 
 /// Removes the last vertex of a ring, which must be the first one again. A ring of one vertex or none

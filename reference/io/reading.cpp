@@ -2,6 +2,7 @@
 #include "reference/io/reading.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cerrno>
 #include <cstring>
@@ -16,6 +17,7 @@
 #include "reference/io/invalid_region.hpp"
 #include "reference/io/placed_geometry.hpp"
 #include "reference/io/quoting.hpp"
+#include "reference/io/writing.hpp"
 
 namespace oplus {
 
@@ -26,12 +28,12 @@ constexpr const char* formats = "a region in .dat, WKT or GeoJSON";
 std::string whole_text(std::istream& in, const std::string& name) {
   errno = 0;
   std::string text;
-  try {
-    text.assign(std::istreambuf_iterator<char>(in), {});
-  } catch (const std::ios_base::failure&) {  // a directory, for one
-    in.setstate(std::ios_base::badbit);
-  }
-  if (in.bad())
+  std::array<char, 1 << 16> block{};
+  do {
+    in.read(block.data(), block.size());
+    text.append(block.data(), static_cast<std::size_t>(in.gcount()));
+  } while (in);
+  if (in.bad())  // a directory, for one
     throw InvalidInput(
         {name, 0, 0},
         "cannot be read" + (errno != 0 ? " (" + std::string(std::strerror(errno)) + ")" : ""),
@@ -39,12 +41,7 @@ std::string whole_text(std::istream& in, const std::string& name) {
   return text;
 }
 
-InputText input_text(const std::string& text, const std::string& name) {
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  return {name, text.substr(text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0)};
-}
-
-/// Control characters are in no text; what they would break is the terminal the message goes to.
+/// Control characters are invalid in text, and in a message they would confuse the terminal.
 void refuse_binary(const InputText& input) {
   Position at;
   for (const char c : input.text) {
@@ -54,7 +51,21 @@ void refuse_binary(const InputText& input) {
   }
 }
 
-PlacedGeometry parse_as(Format format, const InputText& input, Wanted wanted) {
+/// What was parsed, and the name of the input. Without its text, whose memory is free by now.
+struct Parsed {
+  InputText input;
+  PlacedGeometry geometry;
+};
+
+/// The format by the first character that is not blank.
+Format format_at(const InputText& input) {
+  const auto first = std::find_if_not(input.text.begin(), input.text.end(), is_blank);
+  if (first == input.text.end()) input.refuse({}, "the input is empty", formats);
+  if (*first == '{' || *first == '[') return Format::geojson;
+  return std::isalpha(static_cast<unsigned char>(*first)) != 0 ? Format::wkt : Format::dat;
+}
+
+PlacedGeometry parse(const InputText& input, Format format, Wanted wanted) {
   switch (format) {
     case Format::wkt:
       return parse_wkt(input, wanted);
@@ -66,16 +77,29 @@ PlacedGeometry parse_as(Format format, const InputText& input, Wanted wanted) {
   return parse_dat(input);
 }
 
-PlacedGeometry parse(const InputText& input, Wanted wanted) {
+Parsed parsed(std::string_view text, const std::string& name, Wanted wanted,
+              const ReadingProgress& progress, std::optional<Format> format = std::nullopt) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  const InputText input{name, text, progress};
   refuse_binary(input);
-  const auto first = std::find_if_not(input.text.begin(), input.text.end(), is_blank);
-  if (first == input.text.end()) input.refuse({}, "nothing but blanks or nothing at all", formats);
-  if (*first == '{' || *first == '[') return parse_geojson(input, wanted);
-  if (std::isalpha(static_cast<unsigned char>(*first)) != 0) return parse_wkt(input, wanted);
-  return parse_dat(input);
+  Parsed result{{name}, parse(input, format ? *format : format_at(input), wanted)};
+  if (progress) progress(100);
+  return result;
 }
 
-/// Turns the chains that are turned the wrong way, and says so.
+Parsed parsed_file(const std::string& path, Wanted wanted, const ReadingProgress& progress) {
+  if (path == "-")
+    return parsed(whole_text(std::cin, "standard input"), "standard input", wanted, progress);
+  errno = 0;
+  std::ifstream in(path, std::ios::binary);
+  if (!in)
+    throw InvalidInput({path, 0, 0}, std::string("cannot be opened (") + std::strerror(errno) + ")",
+                       "a file that can be read");
+  return parsed(whole_text(in, path), path, wanted, progress);
+}
+
+/// Reverses the chains with the wrong orientation; adds a note for each.
 void orient(PlacedGeometry& geometry, const std::string& input, std::vector<std::string>& notes) {
   for (PlacedChain& chain : geometry.chains) {
     const int wanted = chain.name.hole == 0 ? 1 : -1;
@@ -88,34 +112,41 @@ void orient(PlacedGeometry& geometry, const std::string& input, std::vector<std:
   }
 }
 
-Region region_in(const PlacedGeometry& geometry) {
+/// Exchanges the vertices of the geometry's chains with those of the region's.
+void exchange_vertices(PlacedGeometry& geometry, Region& region) {
+  auto placed = geometry.chains.begin();
+  for (Component& component : region.components) {
+    component.outer.swap(placed++->vertices);
+    for (Chain& hole : component.holes) hole.swap(placed++->vertices);
+  }
+}
+
+/// The region of the geometry's chains, which are without vertices afterwards.
+Region region_in(PlacedGeometry& geometry) {
   Region region;
   for (const PlacedChain& chain : geometry.chains) {
     if (chain.name.hole == 0)
-      region.components.push_back({chain.vertices, {}});
+      region.components.emplace_back();
     else
-      region.components.back().holes.push_back(chain.vertices);
+      region.components.back().holes.emplace_back();
+  }
+  exchange_vertices(geometry, region);
+  return region;
+}
+
+Region valid_region(Parsed& parsed, std::vector<std::string>& notes) {
+  orient(parsed.geometry, parsed.input.name, notes);
+  Region region = region_in(parsed.geometry);
+  if (const std::optional<Defect> defect = find_defect(region)) {
+    exchange_vertices(parsed.geometry, region);
+    refuse_defect(parsed.input, parsed.geometry, *defect);
   }
   return region;
 }
 
-Region valid_region(const InputText& input, PlacedGeometry& geometry,
-                    std::vector<std::string>& notes) {
-  orient(geometry, input.name, notes);
-  Region region = region_in(geometry);
-  if (const std::optional<Defect> defect = find_defect(region))
-    refuse_defect(input, geometry, *defect);
-  return region;
-}
-
-ReadRegion oriented_and_checked(const InputText& input, PlacedGeometry geometry) {
-  ReadRegion result;
-  result.region = valid_region(input, geometry, result.notes);
-  return result;
-}
-
-/// The edges of the line strings, none of zero length.
-std::vector<Segment> edges_of_line_strings(const InputText& input, const PlacedGeometry& geometry) {
+/// The edges of the line strings. Throws InvalidInput where one has zero length.
+std::vector<Segment> edges_of_line_strings(const Parsed& parsed) {
+  const auto& [input, geometry] = parsed;
   std::vector<Segment> result;
   for (std::size_t l = 0; l < geometry.line_strings.size(); ++l) {
     const PlacedChain& line = geometry.line_strings[l];
@@ -135,8 +166,8 @@ std::vector<Segment> edges_of_line_strings(const InputText& input, const PlacedG
 }
 
 /// The points, each isolated from the other points and from the dangling edges.
-std::vector<Point> isolated_vertices(const InputText& input, const PlacedGeometry& geometry,
-                                     const std::vector<Segment>& dangling) {
+std::vector<Point> isolated_vertices(const Parsed& parsed, const std::vector<Segment>& dangling) {
+  const auto& [input, geometry] = parsed;
   const PlacedChain& points = geometry.points;
   std::map<Point, std::size_t> seen;
   for (std::size_t i = 0; i < points.vertices.size(); ++i) {
@@ -159,71 +190,70 @@ std::vector<Point> isolated_vertices(const InputText& input, const PlacedGeometr
   return result;
 }
 
-template <typename Read>
-auto read_file(const std::string& path, Read read) {
-  if (path == "-") return read(whole_text(std::cin, "standard input"), "standard input");
-  errno = 0;
-  std::ifstream in(path, std::ios::binary);
-  if (!in)
-    throw InvalidInput({path, 0, 0}, std::string("cannot be opened (") + std::strerror(errno) + ")",
-                       "a file that can be read");
-  return read(whole_text(in, path), path);
+ReadRegion read_region(Parsed parsed) {
+  ReadRegion result;
+  result.region = valid_region(parsed, result.notes);
+  return result;
 }
 
-GivenSum read_unchecked_sum(const std::string& text, const std::string& name) {
-  const InputText input = input_text(text, name);
-  const PlacedGeometry geometry = parse(input, Wanted::sum);
-  return {region_in(geometry), edges_of_line_strings(input, geometry), geometry.points.vertices};
+ReadSum read_sum(Parsed parsed) {
+  ReadSum result;
+  result.sum = canonical_sum(valid_region(parsed, result.notes));
+  result.sum.dangling_edges = maximal_segments(edges_of_line_strings(parsed));
+  result.sum.isolated_vertices = isolated_vertices(parsed, result.sum.dangling_edges);
+  return result;
 }
 
 }  // namespace
 
-ReadRegion read_region(const std::string& text, const std::string& name) {
-  const InputText input = input_text(text, name);
-  return oriented_and_checked(input, parse(input, Wanted::region));
+ReadRegion read_region(const std::string& text, const std::string& name,
+                       const ReadingProgress& progress) {
+  return read_region(parsed(text, name, Wanted::region, progress));
 }
 
 ReadRegion read_region_in(Format format, const std::string& text, const std::string& name) {
-  const InputText input = input_text(text, name);
-  refuse_binary(input);
-  return oriented_and_checked(input, parse_as(format, input, Wanted::region));
+  return read_region(parsed(text, name, Wanted::region, {}, format));
 }
 
-ReadRegion oriented_and_checked(const Region& region, const std::string& name) {
+ReadRegion oriented_and_checked(Region region, const std::string& name) {
   constexpr Position nowhere{0, 0};
-  PlacedGeometry geometry;
-  const auto add = [&](const ChainName& chain_name, const Chain& chain) {
-    if (chain.size() < 3) refuse_too_few_vertices({name, {}}, nowhere, chain_name, chain.size());
+  Parsed parsed{{name}, {}};
+  PlacedGeometry& geometry = parsed.geometry;
+  const auto add = [&](const ChainName& chain_name, Chain& chain) {
+    if (chain.size() < 3) refuse_too_few_vertices(parsed.input, nowhere, chain_name, chain.size());
+    const std::size_t length = chain.size();
     geometry.chains.push_back({.name = chain_name,
-                               .vertices = chain,
-                               .places = std::vector<Position>(chain.size(), nowhere),
+                               .vertices = std::move(chain),
+                               .places = std::vector<Position>(length, nowhere),
                                .start = nowhere});
   };
-  for (const Component& component : region.components) {
+  for (Component& component : region.components) {
     const std::size_t number = geometry.next_component();
     add({number, 0}, component.outer);
     for (std::size_t h = 0; h < component.holes.size(); ++h)
       add({number, h + 1}, component.holes[h]);
   }
-  return oriented_and_checked(InputText{name, {}}, std::move(geometry));
+  return read_region(std::move(parsed));
 }
 
-ReadSum read_sum(const std::string& text, const std::string& name) {
-  const InputText input = input_text(text, name);
-  PlacedGeometry geometry = parse(input, Wanted::sum);
-  ReadSum result;
-  result.sum = canonical_sum(valid_region(input, geometry, result.notes));
-  result.sum.dangling_edges = maximal_segments(edges_of_line_strings(input, geometry));
-  result.sum.isolated_vertices = isolated_vertices(input, geometry, result.sum.dangling_edges);
-  return result;
+ReadSum read_sum(const std::string& text, const std::string& name,
+                 const ReadingProgress& progress) {
+  return read_sum(parsed(text, name, Wanted::sum, progress));
 }
 
-ReadRegion read_region_file(const std::string& path) { return read_file(path, read_region); }
+ReadRegion read_region_file(const std::string& path, const ReadingProgress& progress) {
+  return read_region(parsed_file(path, Wanted::region, progress));
+}
 
-ReadSum read_sum_file(const std::string& path) { return read_file(path, read_sum); }
+ReadSum read_sum_file(const std::string& path, const ReadingProgress& progress) {
+  return read_sum(parsed_file(path, Wanted::sum, progress));
+}
 
-GivenSum read_unchecked_sum_file(const std::string& path) {
-  return read_file(path, read_unchecked_sum);
+GivenSum read_unchecked_sum_file(const std::string& path, const ReadingProgress& progress) {
+  Parsed parsed = parsed_file(path, Wanted::sum, progress);
+  std::vector<Segment> dangling = edges_of_line_strings(parsed);
+  return {region_in(parsed.geometry), std::move(dangling),
+          std::move(parsed.geometry.points.vertices)};
 }
 
 }  // namespace oplus

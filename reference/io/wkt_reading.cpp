@@ -127,6 +127,9 @@ class WktReader {
 
   PlacedChain vertices_of(const std::string& name) {
     PlacedChain chain{.start = tokens_.peek().at};
+    const std::string_view ring = tokens_.rest().substr(0, tokens_.rest().find(')'));
+    const auto commas = static_cast<std::size_t>(std::count(ring.begin(), ring.end(), ','));
+    chain.reserve(commas + 1, ring.size());
     list(name, [&] {
       add_vertex(chain,
                  [&](char axis) { return coordinate_name(axis, chain.vertices.size() + 1, name); });

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <boost/algorithm/string/case_conv.hpp>
-#include <cctype>
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "reference/definitions/contract.hpp"
@@ -46,11 +47,6 @@ std::string rounded(const Rational& value, unsigned long digits) {
   return decimal(sign(value) < 0 ? mpz_class(-magnitude) : magnitude, digits);
 }
 
-Chain closed(Chain chain) {
-  chain.push_back(chain.front());
-  return chain;
-}
-
 std::string dat(const Region& region, std::optional<int> digits) {
   if (region.components.empty()) return "0\n";
   std::string text;
@@ -74,53 +70,74 @@ class GeometryText {
   GeometryText(Format format, std::optional<int> digits)
       : is_json_(format == Format::geojson), digits_(digits) {}
 
-  std::string of(const Region& region) const {
-    const auto in_brackets = [&](const Component& c) {
-      return list(chains({{c}}), [&](const Chain& chain) { return vertices(closed(chain)); });
+  void add(const Region& region) {
+    const auto add_component = [&](const Component& c) {
+      std::vector<const Chain*> rings = {&c.outer};
+      for (const Chain& hole : c.holes) rings.push_back(&hole);
+      add_list(rings, [&](const Chain* ring) { add_vertices(*ring, true); });
     };
     if (region.components.size() == 1)
-      return tagged("Polygon", in_brackets(region.components.front()));
-    if (region.components.empty() && !is_json_) return "POLYGON EMPTY";
-    return tagged("MultiPolygon", list(region.components, in_brackets));
+      add_tagged("Polygon", [&] { add_component(region.components.front()); });
+    else if (region.components.empty() && !is_json_)
+      text_ += "POLYGON EMPTY";
+    else
+      add_tagged("MultiPolygon", [&] { add_list(region.components, add_component); });
   }
 
-  std::string of(const Region& region, const MinkowskiSum& features) const {
-    std::vector<std::string> geometries;
-    if (!region.components.empty()) geometries.push_back(of(region));
+  void add(const Region& region, const MinkowskiSum& features) {
+    std::vector<std::function<void()>> geometries;
+    if (!region.components.empty()) geometries.emplace_back([&] { add(region); });
     for (const Segment& s : features.dangling_edges)
-      geometries.push_back(tagged("LineString", vertices({s.source, s.target})));
+      geometries.emplace_back([&] {
+        add_tagged("LineString", [&] { add_vertices({s.source, s.target}, false); });
+      });
     for (const Point& p : features.isolated_vertices)
-      geometries.push_back(tagged("Point", is_json_ ? vertex(p) : vertices({p})));
-    return tagged("GeometryCollection",
-                  list(geometries, [](const std::string& geometry) { return geometry; }),
-                  "geometries");
+      geometries.emplace_back([&] {
+        add_tagged("Point", [&] { is_json_ ? add_vertex(p) : add_vertices({p}, false); });
+      });
+    add_tagged(
+        "GeometryCollection",
+        [&] { add_list(geometries, [](const auto& add_geometry) { add_geometry(); }); },
+        "geometries");
   }
+
+  /// Returns all that was added, as a line.
+  std::string line() && { return std::move(text_ += '\n'); }
 
  private:
-  std::string tagged(std::string type, const std::string& content,
-                     const std::string& member = "coordinates") const {
-    if (is_json_) return R"({"type": ")" + type + R"(", ")" + member + "\": " + content + '}';
-    for (char& c : type) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    return type + ' ' + content;
+  template <typename Add>
+  void add_tagged(const std::string& type, Add add_content,
+                  const std::string& member = "coordinates") {
+    text_ += is_json_ ? R"({"type": ")" + type + R"(", ")" + member + "\": "
+                      : boost::algorithm::to_upper_copy(type) + ' ';
+    add_content();
+    if (is_json_) text_ += '}';
   }
 
-  template <typename Items, typename Text>
-  std::string list(const Items& items, Text text) const {
-    std::string result(1, is_json_ ? '[' : '(');
+  template <typename Items, typename Add>
+  void add_list(const Items& items, Add add_item) {
+    text_ += is_json_ ? '[' : '(';
+    bool is_first = true;
     for (const auto& item : items) {
-      if (result.size() > 1) result += ", ";
-      result += text(item);
+      if (!is_first) text_ += ", ";
+      is_first = false;
+      add_item(item);
     }
-    return result + (is_json_ ? ']' : ')');
+    text_ += is_json_ ? ']' : ')';
   }
 
-  std::string vertices(const Chain& chain) const {
-    return list(chain, [&](const Point& p) { return vertex(p); });
+  void add_vertices(const Chain& chain, bool is_closed) {
+    std::vector<const Point*> vertices;
+    for (const Point& p : chain) vertices.push_back(&p);
+    if (is_closed) vertices.push_back(&chain.front());
+    add_list(vertices, [&](const Point* p) { add_vertex(*p); });
   }
 
-  std::string vertex(const Point& p) const {
-    if (is_json_) return '[' + json_number(p.x) + ", " + json_number(p.y) + ']';
-    return to_string(p.x, digits_) + ' ' + to_string(p.y, digits_);
+  void add_vertex(const Point& p) {
+    if (is_json_)
+      text_ += '[' + json_number(p.x) + ", " + json_number(p.y) + ']';
+    else
+      text_ += to_string(p.x, digits_) + ' ' + to_string(p.y, digits_);
   }
 
   std::string json_number(const Rational& value) const {
@@ -132,6 +149,7 @@ class GeometryText {
 
   bool is_json_;
   std::optional<int> digits_;
+  std::string text_;
 };
 
 std::string without_line_end(std::string text) {
@@ -162,7 +180,9 @@ bool can_hold(Format format, const MinkowskiSum& sum) {
 
 std::string written(const Region& region, Format format, std::optional<int> digits) {
   if (format == Format::dat) return dat(region, digits);
-  return GeometryText(format, digits).of(region) + '\n';
+  GeometryText text(format, digits);
+  text.add(region);
+  return std::move(text).line();
 }
 
 std::string written(const MinkowskiSum& sum, Format format, std::optional<int> digits) {
@@ -170,7 +190,9 @@ std::string written(const MinkowskiSum& sum, Format format, std::optional<int> d
   const Region region = region_of(sum);
   if (sum.dangling_edges.empty() && sum.isolated_vertices.empty())
     return written(region, format, digits);
-  return GeometryText(format, digits).of(region, sum) + '\n';
+  GeometryText text(format, digits);
+  text.add(region, sum);
+  return std::move(text).line();
 }
 
 std::string wkt(const Region& region) { return without_line_end(written(region, Format::wkt)); }

@@ -72,9 +72,15 @@ std::string drawn_segments(const std::vector<std::array<Pixel, 2>>& segments, co
 
 std::string drawn_cross(const Pixel& p, const Style& s) {
   const double r = 5;
-  const std::string cross = step('M', {p.x - r, p.y - r}) + step('L', {p.x + r, p.y + r}) +
-                            step('M', {p.x - r, p.y + r}) + step('L', {p.x + r, p.y - r});
-  return path(cross, attributes({{"fill", "none"}, {"stroke", "#ffffff"}, {"stroke-width", "5"}})) +
+  const bool is_upright = s.sample == Sample::plus;
+  const std::string cross = is_upright
+                                ? step('M', {p.x - r, p.y}) + step('L', {p.x + r, p.y}) +
+                                      step('M', {p.x, p.y - r}) + step('L', {p.x, p.y + r})
+                                : step('M', {p.x - r, p.y - r}) + step('L', {p.x + r, p.y + r}) +
+                                      step('M', {p.x - r, p.y + r}) + step('L', {p.x + r, p.y - r});
+  return path(cross, attributes({{"fill", "none"},
+                                 {"stroke", "#ffffff"},
+                                 {"stroke-width", number(s.width + 2.8)}})) +
          path(cross, line_attributes(s, s.width, "none"));
 }
 
@@ -98,6 +104,7 @@ std::string drawn_contact(const Pixel& p, const Style& s, bool is_ring) {
 std::string drawn_point(const Pixel& p, const Style& s) {
   switch (s.sample) {
     case Sample::cross:
+    case Sample::plus:
       return drawn_cross(p, s);
     case Sample::dot:
     case Sample::ring:

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/pictures/panel_frame.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace oplus::picture {
 
@@ -25,29 +27,31 @@ std::optional<BoundingBox> bounding_box(const Panel& panel) {
   return box;
 }
 
-Frame::Frame(const Panel& panel, double left, double top)
-    : box_(bounding_box(panel).value_or(BoundingBox{})),
-      longest_side_(panel.longest_side),
-      left_(left),
-      top_(top) {
-  const Rational w = box_.high.x - box_.low.x;
-  const Rational h = box_.high.y - box_.low.y;
-  extent_ = w > h ? w : h;
-  if (extent_ == 0) extent_ = 1;
-  width_ = pixels(w);
-  height_ = pixels(h);
+Rational extent(const Panel& panel) {
+  const BoundingBox box = bounding_box(panel).value_or(BoundingBox{});
+  return std::max(Rational(box.high.x - box.low.x), Rational(box.high.y - box.low.y));
 }
 
+Frame::Frame(const Panel& panel, Scale scale, double left, double top)
+    : box_(bounding_box(panel).value_or(BoundingBox{})),
+      scale_(std::move(scale)),
+      left_(left),
+      top_(top),
+      width_(scale_(box_.high.x - box_.low.x)),
+      height_(scale_(box_.high.y - box_.low.y)) {}
+
 Pixel Frame::operator()(const Point& p) const {
-  return {left_ + pixels(p.x - box_.low.x), top_ + pixels(box_.high.y - p.y)};
+  return {left_ + scale_(p.x - box_.low.x), top_ + scale_(box_.high.y - p.y)};
+}
+
+bool Frame::has_near(const Point& p, double margin) const {
+  const Pixel at = (*this)(p);
+  return at.x >= left_ - margin && at.x <= left_ + width_ + margin && at.y >= top_ - margin &&
+         at.y <= top_ + height_ + margin;
 }
 
 double Frame::radius(const Rational& squared) const {
-  return longest_side_ * std::sqrt(Rational(squared / (extent_ * extent_)).get_d());
-}
-
-double Frame::pixels(const Rational& length) const {
-  return longest_side_ * Rational(length / extent_).get_d();
+  return scale_.pixels * std::sqrt(Rational(squared / (scale_.length * scale_.length)).get_d());
 }
 
 }  // namespace oplus::picture

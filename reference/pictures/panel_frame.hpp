@@ -13,33 +13,44 @@ struct BoundingBox {
   Point high;
 };
 
-/// None for a panel without a point.
+/// Empty for a panel without a point.
 std::optional<BoundingBox> bounding_box(const Panel& panel);
 
-/// Where a panel stands on the page and how its coordinates become pixels. The difference to the
-/// corner is divided by the extent exactly, so huge and tiny coordinates do not overflow.
+/// A length and the pixels that stand for it. Lengths are divided by it exactly, so huge and tiny coordinates
+/// do not overflow.
+struct Scale {
+  double pixels;
+  Rational length;
+
+  double operator()(const Rational& l) const { return pixels * Rational(l / length).get_d(); }
+};
+
+/// The longer side of a panel's bounding box; 0 for a panel without a point.
+Rational extent(const Panel& panel);
+
+/// Where a panel stands on the page and how its coordinates become pixels.
 class Frame {
  public:
-  Frame(const Panel& panel, double left, double top);
+  Frame(const Panel& panel, Scale scale, double left, double top);
 
   double width() const { return width_; }
   double height() const { return height_; }
 
   Pixel operator()(const Point& p) const;
 
+  /// Whether a point is in the panel or at most `margin` pixels outside.
+  bool has_near(const Point& p, double margin) const;
+
   /// The radius in pixels of a disk whose radius has this square.
   double radius(const Rational& squared) const;
 
  private:
-  double pixels(const Rational& length) const;
-
   BoundingBox box_;
-  Rational extent_;
-  double longest_side_;
+  Scale scale_;
   double left_;
   double top_;
-  double width_ = 0;
-  double height_ = 0;
+  double width_;
+  double height_;
 };
 
 }  // namespace oplus::picture

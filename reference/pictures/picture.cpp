@@ -11,6 +11,7 @@
 #include "reference/io/counted.hpp"
 #include "reference/pictures/layer_drawing.hpp"
 #include "reference/pictures/panel_frame.hpp"
+#include "reference/pictures/styles.hpp"
 #include "reference/pictures/svg_elements.hpp"
 
 namespace oplus {
@@ -37,7 +38,7 @@ struct Drawing {
   double height;
 };
 
-/// What the layers drawn have to say.
+/// The labels of the layers drawn.
 struct Legend {
   std::map<std::tuple<int, int, std::string>, Style> entries;  ///< by place, number, label
   std::size_t notes_left_out = 0;
@@ -81,6 +82,19 @@ Drawing drawn(const Legend& legend, double top, double page_width) {
   return {content + "</g>\n", x == margin && y == top ? 0 : y + row - top};
 }
 
+/// A panel with its scale and caption.
+struct Scaled {
+  const Panel& panel;
+  Scale scale;
+  std::string caption;
+
+  Frame frame(double left, double top) const { return {panel, scale, left, top}; }
+  double width() const { return frame(0, 0).width(); }
+  double height() const { return frame(0, 0).height(); }
+};
+
+using Column = std::vector<Scaled>;
+
 std::string caption(const Panel& panel) {
   const std::optional<BoundingBox> box = bounding_box(panel);
   if (!box) return "empty";
@@ -88,37 +102,66 @@ std::string caption(const Panel& panel) {
          approximate(box->low.y) + " \u2026 " + approximate(box->high.y);
 }
 
+/// In the scale of the picture, unless it would be too small to see.
+Scaled scaled(const Panel& panel, const Scale& scale) {
+  constexpr double smallest_side = 16;
+  const Rational size = extent(panel);
+  if (size == 0 || scale(size) >= smallest_side) return {panel, scale, caption(panel)};
+  const Rational times = Rational(smallest_side / scale.pixels) * scale.length / size;
+  return {panel,
+          {smallest_side, size},
+          caption(panel) + ",  enlarged " + approximate(times) + "\u00d7"};
+}
+
+std::vector<Column> in_one_scale(const std::vector<std::vector<Panel>>& columns,
+                                 double longest_side) {
+  Rational largest = 0;
+  for (const std::vector<Panel>& column : columns)
+    for (const Panel& panel : column) largest = std::max(largest, extent(panel));
+  const Scale scale{longest_side, largest == 0 ? Rational(1) : largest};
+  std::vector<Column> result;
+  for (const std::vector<Panel>& column : columns) {
+    result.emplace_back();
+    for (const Panel& panel : column) result.back().push_back(scaled(panel, scale));
+  }
+  return result;
+}
+
 /// The panel with the top of its drawing, its title and the line above its caption at given heights.
-std::string drawn(const Panel& panel, double centre, double top, double title, double bottom,
+std::string drawn(const Scaled& scaled, double centre, double top, double title, double bottom,
                   Legend& legend) {
-  const Frame frame(panel, centre - Frame(panel, 0, 0).width() / 2, top);
+  const Panel& panel = scaled.panel;
+  const Frame frame = scaled.frame(centre - scaled.width() / 2, top);
   std::string content = "<g class=\"panel\">\n";
   content += text(centre, title, title_size, "middle", "#1a1a1a", panel.title);
-  for (const Layer& layer : panel.layers) {
-    if (is_empty(layer)) continue;
+  const auto draw = [&](const Layer& layer) {
+    if (is_empty(layer)) return;
     const Style& style = layer.style;
     legend.entries.try_emplace({style.place, style.number, style.label}, style);
     const DrawnLayer of_layer = drawn(layer, frame);
     legend.notes_left_out += of_layer.notes_left_out;
     content += of_layer.content;
-  }
-  content += text(centre, bottom + below, caption_size, "middle", "#6a6a6a", caption(panel));
+  };
+  for (const Layer& layer : panel.layers) draw(layer);
+  constexpr double near = 10;
+  if (bounding_box(panel) && frame.has_near({0, 0}, near)) draw({style::origin, {}, {}, {{0, 0}}});
+  content += text(centre, bottom + below, caption_size, "middle", "#6a6a6a", scaled.caption);
   return content + "</g>\n";
 }
 
 /// The height of a column's drawings and of what is between them.
-double height_of(const std::vector<Panel>& column) {
+double height_of(const Column& column) {
   double height = 0;
-  for (const Panel& panel : column) height += Frame(panel, 0, 0).height();
+  for (const Scaled& panel : column) height += panel.height();
   if (column.size() > 1) height += static_cast<double>(column.size() - 1) * between;
   return height;
 }
 
-double width_of(const std::vector<Panel>& column) {
+double width_of(const Column& column) {
   double width = 0;
-  for (const Panel& panel : column)
-    width = std::max({width, Frame(panel, 0, 0).width(), text_width(panel.title, title_size),
-                      text_width(caption(panel), caption_size)});
+  for (const Scaled& scaled : column)
+    width = std::max({width, scaled.width(), text_width(scaled.panel.title, title_size),
+                      text_width(scaled.caption, caption_size)});
   return width;
 }
 
@@ -137,21 +180,22 @@ std::string approximate(const Rational& value) {
   return digits.data();
 }
 
-std::string svg(const std::vector<Panel>& panels) {
+std::string svg(const std::vector<Panel>& panels, double longest_side) {
   std::vector<std::vector<Panel>> columns;
   for (const Panel& panel : panels) columns.push_back({panel});
-  return svg_in_columns(columns);
+  return svg_in_columns(columns, longest_side);
 }
 
-std::string svg_in_columns(const std::vector<std::vector<Panel>>& columns) {
+std::string svg_in_columns(const std::vector<std::vector<Panel>>& panels, double longest_side) {
+  const std::vector<Column> columns = in_one_scale(panels, longest_side);
   double height = 60;
-  for (const std::vector<Panel>& column : columns) height = std::max(height, height_of(column));
+  for (const Column& column : columns) height = std::max(height, height_of(column));
   const double top = above + margin;
 
   std::string content;
   Legend legend;
   double x = margin;
-  for (const std::vector<Panel>& column : columns) {
+  for (const Column& column : columns) {
     const double width = width_of(column);
     const double centre = x + width / 2;
     if (column.size() == 1) {
@@ -159,8 +203,8 @@ std::string svg_in_columns(const std::vector<std::vector<Panel>>& columns) {
       content += drawn(column[0], centre, top + free / 2, top - margin, top + height, legend);
     } else {
       double y = top;
-      for (const Panel& panel : column) {
-        const double bottom = y + Frame(panel, 0, 0).height();
+      for (const Scaled& panel : column) {
+        const double bottom = y + panel.height();
         content += drawn(panel, centre, y, y - margin, bottom, legend);
         y = bottom + between;
       }

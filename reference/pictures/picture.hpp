@@ -10,11 +10,11 @@
 
 namespace oplus {
 
-/// How a layer is drawn, and what the legend says of it.
+/// How a layer is drawn, and its label in the legend.
 struct Style {
-  /// What stands for the layer in the legend. The last four are points, and how points are drawn; in
+  /// What stands for the layer in the legend. The last five are points, and how points are drawn; in
   /// layers of areas and lines they are disks.
-  enum class Sample { area, line, disk, cross, dot, ring };
+  enum class Sample { area, line, disk, cross, dot, ring, plus };
 
   std::string name;   ///< the class of the SVG group
   std::string label;  ///< in the legend, where `place` decides the order, then `number`
@@ -32,8 +32,10 @@ struct Style {
 /// The same with another label.
 Style labelled(Style style, std::string label);
 
-/// A drawing in panels side by side, each with a title, layers and its own scale, and a legend that
-/// names every layer drawn. Coordinates are rounded to doubles, for the eye only.
+/// A drawing in panels, each with a title and layers, and a legend that names every layer drawn. All
+/// panels have one scale, so that shapes can be compared; a panel that would be too small to see is
+/// enlarged, and its caption says how many times. The origin is marked where it is in or near a panel.
+/// Coordinates are rounded to doubles, for the eye only.
 struct Layer {
   /// A short text for a place where a disk is free.
   struct Note {
@@ -52,7 +54,6 @@ struct Layer {
 struct Panel {
   std::string title;
   std::vector<Layer> layers;  ///< the first lowest; empty ones are neither drawn nor in the legend
-  double longest_side = 320;  ///< of the drawing, in pixels
 };
 
 /// A summand, its title its size.
@@ -67,10 +68,12 @@ std::vector<Layer> layers_of(const MinkowskiSum& sum);
 /// Returns about five digits of a number, for the eye.
 std::string approximate(const Rational& value);
 
-/// Returns an SVG document, y axis up. Same panels, same bytes.
-std::string svg(const std::vector<Panel>& panels);
+/// Returns an SVG document of panels side by side, y axis up. The longest side of the largest drawing
+/// is given in pixels. Same panels, same bytes.
+std::string svg(const std::vector<Panel>& panels, double longest_side = 320);
 
 /// The same with panels one below another in columns.
-std::string svg_in_columns(const std::vector<std::vector<Panel>>& columns);
+std::string svg_in_columns(const std::vector<std::vector<Panel>>& columns,
+                           double longest_side = 320);
 
 }  // namespace oplus

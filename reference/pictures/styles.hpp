@@ -3,8 +3,8 @@
 
 #include "reference/pictures/picture.hpp"
 
-/// How the things that the definitions know are drawn. The colours are those of Okabe and Ito, told
-/// apart by colour-blind readers.
+/// Styles of the sets of the definitions. The colours are those of Okabe and Ito, which colour-blind
+/// readers can distinguish.
 namespace oplus::style {
 
 inline const Style summand_p{.name = "summand-p",
@@ -55,8 +55,15 @@ inline const Style difference{.name = "difference",
                               .sample = Style::Sample::cross,
                               .line = "#000000",
                               .width = 2.2};
+/// The mark of the point (0, 0).
+inline const Style origin{.name = "origin",
+                          .label = "origin",
+                          .place = 30,
+                          .sample = Style::Sample::plus,
+                          .line = "#1a1a1a",
+                          .width = 1.2};
 
-/// Lines of several sorts, numbered from zero. Where the colours are used up, they come again with
+/// Lines of several kinds, numbered from zero. After the last colour, the colours are repeated with
 /// dashes.
 Style cycle(int number);
 

@@ -24,7 +24,7 @@ std::string number(double pixels);
 std::string attributes(
     std::initializer_list<std::pair<std::string_view, std::string>> names_and_values);
 
-/// Text that XML can hold: markup escaped; what is no character there becomes a question mark.
+/// Text for XML: markup is escaped; characters that are invalid there become question marks.
 std::string escaped(const std::string& text);
 
 /// An upper estimate of a text's width: fonts differ.
@@ -44,7 +44,7 @@ std::string circle(const Pixel& centre, double radius, const std::string& more);
 std::string document(double width, double height, const std::string& definitions,
                      const std::string& content);
 
-/// The path of a small triangle in the middle of a segment, none where it would hide the segment.
+/// The path of a small triangle in the middle of a segment; empty for a segment that it would hide.
 std::string arrow_head(const Pixel& source, const Pixel& target, double largest);
 
 }  // namespace oplus::picture

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <boost/algorithm/string/split.hpp>
 #include <utility>
 
 namespace oplus {
@@ -11,7 +12,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-/// What is said first: "how to compute".
+/// The word and the first part of its description, such as "how to compute".
 std::string line(const std::string& word, const std::string& what) {
   std::size_t end = what.size();
   for (const char* const mark : {": ", "; ", ". "}) end = std::min(end, what.find(mark));
@@ -21,8 +22,11 @@ std::string line(const std::string& word, const std::string& what) {
 /// CLI11 keeps the names that an option takes in its type: "NAME:{a,b}".
 Lines values(const CLI::Option& option) {
   const std::string type = option.get_type_name();
-  if (const std::size_t names = type.find(":{"); names != std::string::npos)
-    return CLI::detail::split(type.substr(names + 2, type.rfind('}') - names - 2), ',');
+  if (const std::size_t names = type.find(":{"); names != std::string::npos) {
+    Lines lines;
+    return boost::algorithm::split(lines, type.substr(names + 2, type.rfind('}') - names - 2),
+                                   [](char c) { return c == ','; });
+  }
   if (type == "DIR") return {":folders"};
   const bool files =
       type.find("FILE") != std::string::npos || type.starts_with("P Q") || type == "REPORT";
@@ -44,9 +48,10 @@ struct ReadSoFar {
     return own != nullptr ? own : program->get_option_no_throw(name);
   }
 
-  /// Returns whether it makes sense.
+  /// Returns whether it is possible here.
   bool read(const std::string& word) {
     if (word == "=") return true;  // bash makes --option=value three words
+    if (word == "help" && command == program && due == 0) return true;
     if (due > 0) {
       --due;
     } else if (word.size() > 1 && word[0] == '-') {
@@ -87,8 +92,7 @@ struct ReadSoFar {
   Lines of_argument() const {
     const auto all = command->get_options(is_argument);
     if (arguments < all.size()) return values(*all[arguments]);
-    const bool repeats =
-        !all.empty() && all.back()->get_expected_max() >= CLI::detail::expected_max_vector_size;
+    const bool repeats = !all.empty() && all.back()->get_expected_max() > 1;
     return repeats ? values(*all.back()) : Lines{};
   }
 };

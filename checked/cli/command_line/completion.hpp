@@ -10,9 +10,9 @@ class App;
 
 namespace oplus {
 
-/// What may stand where the last of these words stands, by the definitions by which the program
-/// parses: a line each, of the word and, behind a tab, what it is. Where the name of a file or a
-/// folder is due, the one line ":files" or ":folders": the shell knows better.
+/// The completions of the last of these words, by the definitions that the program parses with: a line
+/// each, the word and, behind a tab, what it is. Where the name of a file or a folder is expected, the
+/// one line ":files" or ":folders": the shell completes them.
 /// Requires: words are those behind the program's name, with at least one, which may be empty.
 std::string completions(const CLI::App& program, const std::vector<std::string>& words);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CLI/CLI.hpp>
+#include <boost/algorithm/string/replace.hpp>
 #include <map>
 #include <memory>
 
@@ -86,11 +87,11 @@ void add_completion_command(CLI::App& program) {
                  "bash: into ~/.local/share/bash-completion/completions/" +
                  name + ", or source it;\nzsh: as _" + name +
                  " into a folder of $fpath; fish: into ~/.config/fish/completions.\n"
-                 "An installed oplus has brought all three along.");
+                 "An installation of oplus contains all three.");
   command.callback([options, name] {
     write_text(options->output,
-               CLI::detail::find_and_replace(scripts.at(options->shell), "PROGRAM", name));
-    throw CLI::Success();  // nothing else is to be done, as with --help
+               boost::algorithm::replace_all_copy(scripts.at(options->shell), "PROGRAM", name));
+    throw CLI::Success();  // ends the program, as --help does
   });
 }
 

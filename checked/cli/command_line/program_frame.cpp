@@ -37,7 +37,7 @@ void set_up(CLI::App& program) {
   program.set_version_flag("-V,--version", program.get_name() + " " + version, "show the version");
   program.require_subcommand(1);
   program.fallthrough();
-  // Both hold at once: a command line that is not understood is complained about in their manner.
+  // Both take effect while parsing, so that they hold for error messages about the command line.
   program
       .add_flag_callback(
           "--quiet", [] { speech().quiet = true; },
@@ -54,6 +54,14 @@ void set_up(CLI::App& program) {
       ->type_name("WHEN");
 }
 
+/// The complaint about a first word that is neither a command nor an option; empty if there is none.
+std::string unknown_word(const CLI::App& program) {
+  const std::vector<std::string> unknown = program.remaining();
+  if (!program.get_subcommands().empty() || unknown.empty()) return "";
+  return "there is no " + std::string(unknown.front().starts_with("-") ? "option " : "command ") +
+         unknown.front();
+}
+
 /// What is wrong with a command line, and which help to read.
 std::string complaint(const CLI::App& program, const CLI::ParseError& error) {
   const auto used = program.get_subcommands();
@@ -62,13 +70,9 @@ std::string complaint(const CLI::App& program, const CLI::ParseError& error) {
     return std::string(error.what()) + "; see " + program.get_name() + " " +
            (used.empty() ? "" : used.front()->get_name() + " ") + "--help";
   // CLI11 would ask for a command first.
-  const std::vector<std::string> unknown = program.remaining();
-  return (unknown.empty()
-              ? "a command is needed"
-              : "there is no " +
-                    std::string(unknown.front().starts_with("-") ? "option " : "command ") +
-                    unknown.front()) +
-         "; see " + program.get_name() + " --help";
+  const std::string unknown = unknown_word(program);
+  return (unknown.empty() ? "a command is needed" : unknown) + "; see " + program.get_name() +
+         " --help";
 }
 
 /// Opens standard streams that were closed before the start, the wrong way round, so that their use
@@ -80,21 +84,22 @@ void occupy_closed_streams() {
   }
 }
 
-/// A command that says nothing else of its exit codes has these.
+/// Adds the exit codes to the help of a command that does not list its own.
 void add_exit_codes(CLI::App& command) {
   const std::string footer = command.get_footer();
   if (footer.find("Exit codes:") != std::string::npos) return;
   command.footer(footer + (footer.empty() ? "" : "\n\n") +
                  "Exit codes:\n"
                  "  0  done\n"
-                 "  2  invalid input or usage, or a file that cannot be read or written");
+                 "  2  invalid input or usage, or a file that cannot be read or written\n"
+                 "  3  a bug in oplus; please report it");
 }
 
 /// The words of the command line; `help COMMAND` is `COMMAND --help`.
 std::vector<std::string> words_of(int argc, const char* const* argv) {
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   if (!words.empty() && words.front() == "help") {
-    words.erase(words.begin());
+    std::erase(words, "help");
     words.push_back("--help");
   }
   return words;
@@ -104,7 +109,8 @@ int parse_and_do(const ProgramFrame& frame, const AddCommands& add_commands, int
                  const char* const* argv) {
   CLI::App program(frame.what, frame.name);
   set_up(program);
-  program.footer(frame.footer);
+  program.footer("'" + frame.name + " help COMMAND' shows a command's help, as does '" +
+                 frame.name + " COMMAND --help'.\n\n" + frame.footer);
   const std::function<int()> work = add_commands(program);
   add_completion_command(program);
   for (CLI::App* command : program.get_subcommands({})) add_exit_codes(*command);
@@ -117,6 +123,9 @@ int parse_and_do(const ProgramFrame& frame, const AddCommands& add_commands, int
     std::ranges::reverse(words);  // as CLI11 takes them
     program.parse(std::move(words));
   } catch (const CLI::Success& asked) {
+    // Help and version are no answer to a command that does not exist.
+    if (const std::string unknown = unknown_word(program); !unknown.empty())
+      throw UsageError(unknown + "; see " + program.get_name() + " --help");
     std::ostringstream text;
     program.exit(asked, text, text);
     write_text("-", text.str());
@@ -125,7 +134,7 @@ int parse_and_do(const ProgramFrame& frame, const AddCommands& add_commands, int
     throw UsageError(complaint(program, error));
   }
   const int exit_code = work();
-  // Results that nobody received are no success.
+  // Output that was not written is an error.
   if (!std::cout.flush()) throw UsageError("cannot write standard output");
   return exit_code;
 }

@@ -10,15 +10,15 @@ class App;
 
 namespace oplus {
 
-/// What a program says of itself in its help.
+/// The name, description and footer of a program's help.
 struct ProgramFrame {
   std::string name;
   std::string what;
   std::string footer;
 };
 
-/// Adds the commands of a program. Returns what is left to do, and to return as the exit code, when
-/// all of the command line was understood.
+/// Adds the commands of a program. Returns the work to do after the command line is parsed, which
+/// returns the exit code.
 using AddCommands = std::function<std::function<int()>(CLI::App&)>;
 
 /// A whole program: its commands and `completion`; --help, --version, --quiet and --color, which may
@@ -27,8 +27,8 @@ using AddCommands = std::function<std::function<int()>(CLI::App&)>;
 int run_program(const ProgramFrame& frame, const AddCommands& add_commands, int argc,
                 const char* const* argv) noexcept;
 
-/// Does the work. Returns its exit code, or that of what it throws (exit_code.hpp), after saying in
-/// one line on standard error what that was.
+/// Does the work. Returns its exit code, or that of what it throws (exit_code.hpp), after writing
+/// the reason to standard error, in one line.
 int exit_code_of(const std::function<int()>& work) noexcept;
 
 /// Writes all of the text or nothing to a file or standard output (-). Throws UsageError.

@@ -8,7 +8,7 @@ namespace oplus {
 
 enum class ColourUse { automatic, always, never };
 
-/// How the program speaks, the same for all of it: its name, --quiet and --color.
+/// How the program writes messages: its name, --quiet and --color.
 struct Speech {
   std::string program = "oplus";
   bool quiet = false;
@@ -18,12 +18,12 @@ Speech& speech();
 
 enum class Paint { good, bad };
 
-/// Returns the text in green or red where the stream shows colours: of itself only where it is a
-/// standard stream on a terminal, and neither NO_COLOR (https://no-color.org) nor TERM=dumb forbids
-/// it. Elsewhere it returns the text.
+/// Returns the text in green or red where the stream shows colours: by default only a standard stream
+/// on a terminal, unless NO_COLOR (https://no-color.org) or TERM=dumb forbids it. Otherwise returns the
+/// text.
 std::string painted(Paint paint, const std::string& text, const std::ostream& where);
 
-/// Standard output; nowhere, where the answer is JSON and text would spoil it.
+/// Standard output, or a stream that writes nothing if the answer is JSON.
 std::ostream& text_output(bool in_json);
 
 /// The text with its last line, the verdict, in colour.
@@ -32,7 +32,7 @@ std::string with_painted_verdict(const std::string& text, Paint paint, const std
 /// Writes "program: message" to standard error, as one line whatever the message contains.
 void say(const std::string& message);
 
-/// The same for what went wrong, with colour; and for what one can do without, unless --quiet.
+/// The same for errors, in colour; and for notes, unless --quiet.
 void say_error(const std::string& message);
 void say_note(const std::string& message);
 

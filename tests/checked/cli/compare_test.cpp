@@ -22,7 +22,7 @@ class Compare : public ShellWithRegions {
   }
 };
 
-TEST_F(Compare, equal_however_it_is_written) {
+TEST_F(Compare, equal_in_any_format_and_from_any_first_vertex) {
   put("other.dat", "5\n4 4\n0 4\n0 0\n2 0\n4 0\n");
   for (const std::string files :
        {"full.wkt other.dat", "full.wkt - <other.dat", "- full.wkt <full.wkt", "slit.wkt slit.wkt"})

@@ -9,7 +9,7 @@
 namespace oplus {
 namespace {
 
-/// Lets one leave a function that throws none.
+/// Throws from a noexcept function.
 void lose_an_exception() noexcept { std::vector<int>().at(0); }
 
 TEST(CrashDeathTest, becomes_a_line_and_the_exit_code_of_a_bug) {

@@ -10,7 +10,7 @@ class Draw : public ShellWithRegions {
   Draw() { put("<odd> & \xff name.wkt", "POLYGON EMPTY"); }
 };
 
-TEST_F(Draw, has_a_panel_a_file) {
+TEST_F(Draw, has_a_panel_per_file) {
   expect_output("oplus draw frame.wkt triangle.dat *odd* - -o all.svg <triangle.dat", "");
   std::set<std::string> titles;
   for (const auto& panel : groups(parsed(content("all.svg")), "panel"))
@@ -61,7 +61,7 @@ TEST_F(Draw, views_are_drawn_of_any_two_regions) {
   }
 }
 
-TEST_F(Draw, takes_a_placement_for_exactly_what_it_says) {
+TEST_F(Draw, takes_placements_exactly) {
   const auto title = [&](const std::string& at) {
     const Ran ran =
         run("oplus draw frame.wkt - --view placement --at " + at + " -o - <triangle.dat");

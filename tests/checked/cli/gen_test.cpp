@@ -40,7 +40,7 @@ TEST_F(Gen, the_seed_decides) {
   EXPECT_NE(run("oplus gen grid --n 8 --seed 18446744073709551615").out, first);
 }
 
-TEST_F(Gen, refuses_what_no_family_makes) {
+TEST_F(Gen, refuses_unknown_families_and_invalid_options) {
   expect_refusal("oplus gen", "--list");
   expect_refusal("oplus gen nothing -o p.wkt", "'nothing'");
   expect_refusal("oplus gen star --n 2 -o p.wkt", "3 or more");

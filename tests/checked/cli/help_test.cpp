@@ -55,6 +55,16 @@ TEST_F(Help, is_also_asked_for_by_help) {
   expect_output("oplus help", run("oplus --help").out);
   expect_output("oplus help sum", run("oplus sum --help").out);
   expect_output("oplus-check help diff", run("oplus-check diff --help").out);
+  for (const std::string program : {"oplus", "oplus-check"})
+    EXPECT_TRUE(has(run(program + " --help").out, "\n'" + program + " help COMMAND' shows"));
+}
+
+TEST_F(Help, of_a_command_that_does_not_exist_is_refused) {
+  for (const std::string command :
+       {"help nothing", "nothing --help", "nothing -h", "--help nothing", "nothing --version"})
+    expect_refusal("oplus " + command, "there is no command nothing; see oplus --help");
+  expect_refusal("oplus --nothing --help", "there is no option --nothing");
+  EXPECT_EQ(run("oplus sum nothing --help").exit_code, 0);  // a file
 }
 
 TEST_F(Help, of_every_command_says_its_exit_codes_and_of_sum_its_default_engine) {

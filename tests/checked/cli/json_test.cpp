@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// docs/json.md: what it says, and that it is what the text says.
+/// docs/json.md: the fields, and that they agree with the text output.
 class JsonAnswers : public ShellWithRegions {
  protected:
   JsonAnswers() { put("third.wkt", "POLYGON ((0 0, 1/3 0, 0 1/3, 0 0))"); }
@@ -71,8 +71,8 @@ TEST_F(JsonAnswers, gen_list) {
 
 TEST_F(JsonAnswers, statistics_of_sum_are_those_of_the_text) {
   for (const std::string engine : {"slide", "rca", "oracle"}) {
-    const Ran ran =
-        run("oplus sum frame.wkt third.wkt --stats --stats-json stats.json --engine " + engine);
+    const Ran ran = run(
+        "oplus sum frame.wkt third.wkt --quiet --stats --stats-json stats.json --engine " + engine);
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
     const Json all = Json::parse(content("stats.json"));
     EXPECT_EQ(all.at("engine"), engine);
@@ -105,7 +105,7 @@ TEST_F(JsonAnswers, numbers_are_exact) {
   EXPECT_EQ(answer("oplus compare third.wkt third.wkt --json").at("first").at("area"), "1/18");
 }
 
-TEST_F(JsonAnswers, of_sum_go_where_nothing_else_goes) {
+TEST_F(JsonAnswers, of_sum_need_an_output_of_their_own) {
   expect_refusal("oplus sum full.wkt third.wkt --stats-json -", "standard output");
   expect_refusal("oplus sum full.wkt third.wkt -o s.wkt --stats-json s.wkt", "s.wkt");
   expect_refusal("oplus sum full.wkt third.wkt --stats-json missing/s.json", "missing");

@@ -11,7 +11,7 @@ namespace {
 
 class Readme : public Shell {};
 
-TEST_F(Readme, commands_do_what_it_says_and_draw_its_picture) {
+TEST_F(Readme, commands_work_and_draw_its_picture) {
   const std::vector<std::string> commands = commands_of(text_of_file(source_root() / "README.md"));
   ASSERT_EQ(commands.size(), 11U);
   for (const std::string& command : commands) {

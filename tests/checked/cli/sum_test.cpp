@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "properties/runner/source_tree.hpp"
@@ -24,15 +25,54 @@ TEST_F(Sum, is_wkt_on_standard_output) {
 }
 
 TEST_F(Sum, is_exact) {
-  expect_output("oplus sum square.wkt triangle.dat",
+  expect_output("oplus --quiet sum square.wkt triangle.dat",
                 "POLYGON ((0 0, 2 0, 2 1, 1 4/3, 0 4/3, 0 0))\n");
+}
+
+TEST_F(Sum, with_fractions_says_that_others_do_not_read_them) {
+  for (const std::string format : {"wkt", "geojson"}) {
+    const Ran ran = run("oplus sum square.wkt triangle.dat --format " + format);
+    EXPECT_EQ(ran.exit_code, 0);
+    EXPECT_EQ(
+        ran.err,
+        "oplus: coordinates such as '4/3' are written as fractions p/q, which other programs do "
+        "not read; --digits 15 writes decimals\n");
+    EXPECT_EQ(run("oplus sum square.wkt triangle.dat --digits 15 --format " + format).out.find('/'),
+              std::string::npos);
+  }
+  expect_output("oplus --quiet sum square.wkt triangle.dat -o s.geojson", "");
+  // Decimals that end are no fractions, and .dat is the format of programs that read fractions.
+  put("half.dat", "3\n0 0\n0.5 0\n0 1/8\n");
+  for (const std::string command : {"sum half.dat square.wkt -o s.wkt", "sum square.wkt square.wkt",
+                                    "sum square.wkt triangle.dat -o s.dat"})
+    EXPECT_EQ(run("oplus " + command).err, "") << command;
 }
 
 TEST_F(Sum, is_rounded_with_digits_and_says_so) {
   const Ran ran = run("oplus sum square.wkt triangle.dat --digits 2");
   EXPECT_EQ(ran.out, "POLYGON ((0 0, 2 0, 2 1, 1 1.33, 0 1.33, 0 0))\n");
   EXPECT_EQ(ran.exit_code, 0);
-  EXPECT_TRUE(has(ran.err, "rounded to 2 decimals"));
+  EXPECT_EQ(ran.err, "oplus: the output is rounded to 2 decimals; without --digits it is exact\n");
+}
+
+TEST_F(Sum, that_rounding_made_invalid_says_why) {
+  put("thin.wkt", "POLYGON ((0 0, 0.25 0, 9 5, 0 0))");
+  put("notch.wkt", "POLYGON ((0 0, 4 0, 4 4, 2 0.25, 0 4, 0 0))");
+  put("point.wkt", "POLYGON ((0 0, 0.25 0, 0.25 0.25, 0 0))");
+  const std::string invalid = "rounded to 0 decimals and no longer valid: ";
+  for (const auto& [command, expected] : std::map<std::string, std::string>{
+           {"reflect thin.wkt", invalid + "outer chain of component 1 has an edge of zero length: "
+                                          "vertices 1 and 2 are both (0, 0)"},
+           {"reflect notch.wkt",
+            invalid + "outer chain of component 1 touches itself at (-2, 0): "},
+           {"sum square.wkt notch.wkt", "rounded to 0 decimals; without --digits it is exact"},
+           {"sum frame.wkt point.wkt --open -o s.geojson", invalid}}) {
+    const Ran ran = run("oplus " + command + " --digits 0");
+    EXPECT_EQ(ran.exit_code, 0) << command;
+    EXPECT_EQ(ran.lines_of_err(), 1) << ran.err;
+    EXPECT_TRUE(has(ran.err, expected)) << command << content("s.geojson");
+    EXPECT_EQ(run("oplus --quiet " + command + " --digits 0").err, "");
+  }
 }
 
 TEST_F(Sum, takes_the_format_from_the_ending) {
@@ -53,8 +93,8 @@ TEST_F(Sum, takes_the_format_that_is_asked_for) {
 
 TEST_F(Sum, reads_standard_input) {
   const std::string expected = run("oplus sum square.wkt triangle.dat").out;
-  expect_output("oplus sum - triangle.dat <square.wkt", expected);
-  expect_output("oplus sum square.wkt - <triangle.dat", expected);
+  expect_output("oplus --quiet sum - triangle.dat <square.wkt", expected);
+  expect_output("oplus --quiet sum square.wkt - <triangle.dat", expected);
   expect_refusal("oplus sum - - <square.wkt", "standard input");
 }
 
@@ -102,11 +142,11 @@ TEST_F(Sum, every_engine_finds_the_same) {
   expect_refusal("oplus sum square.wkt square.wkt --engine none", "--engine");
   expect_refusal("oplus sum square.wkt square.wkt --hole-test none", "--hole-test");
   expect_refusal("oplus sum square.wkt square.wkt --engine oracle --hole-test ray",
-                 "no difference to the engine oracle");
+                 "--hole-test is unsupported by the engine oracle");
   expect_refusal("oplus sum square.wkt square.wkt --hole-test ray",
-                 "no difference to the engine slide");
+                 "--hole-test is unsupported by the engine slide");
   expect_refusal("oplus sum square.wkt square.wkt --engine rca --threads 2",
-                 "no difference to the engine rca");
+                 "--threads is unsupported by the engine rca");
   expect_refusal("oplus sum square.wkt square.wkt --threads 0", "--threads");
 }
 

@@ -21,7 +21,7 @@ class VerifyCommand : public ShellWithRegions {
     expect_output("oplus verify " + arguments, text, exit_code);
   }
 
-  /// Expects a no that says all of this.
+  /// Expects the answer no with all of these parts.
   void expect_no(const std::string& arguments, const std::vector<std::string>& parts) const {
     const Ran ran = run("oplus verify " + arguments);
     EXPECT_EQ(ran.exit_code, 1);
@@ -38,14 +38,14 @@ TEST_F(VerifyCommand, yes) {
 TEST_F(VerifyCommand, no_with_the_reason_and_a_witness_outside_the_sum) {
   expect_answer("frame.wkt square.wkt filled.wkt", 1,
                 "no: missing hole: a hole of area 1 of the sum is filled\n"
-                "witness: (2.5, 2.5) is given, and not in the sum: the interiors of P and "
+                "witness: (2.5, 2.5) is in S, but not in the sum: the interiors of P and "
                 "-Q + (2.5, 2.5) do not meet\n");
 }
 
 TEST_F(VerifyCommand, no_with_points_that_add_up_to_the_witness) {
   expect_answer("frame.wkt square.wkt less.wkt", 1,
                 "no: in the sum but not given: a place of area 5 of the sum is left out\n"
-                "witness: (2.5, 4.5) is in the sum, and not given: (2, 3.75) of P + (0.5, 0.75) of "
+                "witness: (2.5, 4.5) is in the sum, but not in S: (2, 3.75) of P + (0.5, 0.75) of "
                 "Q\n");
 }
 
@@ -54,7 +54,7 @@ TEST_F(VerifyCommand, each_kind_of_reason_once_and_how_often) {
       "MULTIPOLYGON (((0 0, 0 5, 5 5, 5 0, 0 0)), ((6 0, 7 0, 7 1, 6 0)), ((8 0, 9 0, 9 1, 8 0)))");
   expect_answer("frame.wkt square.wkt turned.wkt", 1,
                 "no: missing hole: a hole of area 1 of the sum is filled\n"
-                "witness: (2.5, 2.5) is given, and not in the sum: the interiors of P and "
+                "witness: (2.5, 2.5) is in S, but not in the sum: the interiors of P and "
                 "-Q + (2.5, 2.5) do not meet\n"
                 "also: additional component: a component of area 0.5 is outside the sum; at (6.7, "
                 "0.2)\n"
@@ -74,7 +74,7 @@ TEST_F(VerifyCommand, the_kind_of_boundary) {
             {"no: additional isolated vertex: ", "it is the sum of the regions' interiors"});
 }
 
-TEST_F(VerifyCommand, foreign_habits_are_noted) {
+TEST_F(VerifyCommand, conventions_of_other_programs_are_noted) {
   put("s.wkt", "POLYGON ((0 0, 0 0, 3 0, 5 0, 5 5, 0 5, 0 0), (2 2, 2 3, 3 3, 3 2, 2 2))");
   expect_answer("frame.wkt square.wkt s.wkt", 0,
                 "yes\nnote: 1 vertex repeats the one before\n"

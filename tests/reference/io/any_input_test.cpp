@@ -64,8 +64,8 @@ class Mutations {
   std::mt19937 bits_{20};
 };
 
-/// Whatever the input: either a valid value that survives being written, or one line that says
-/// where, what and what else. `check` throws where neither holds.
+/// Any input gives either a valid value that can be written and read again, or one line with the place,
+/// what is wrong, and what was expected. `check` throws where neither holds.
 void expect_value_or_refusal(FuzzOutcome (*check)(std::string_view), int least_accepted) {
   Mutations mutations;
   int accepted = 0;

@@ -26,6 +26,11 @@ TEST(Number, is_read_exactly) {
       {"-2e0002", -200},
       {"0e4096", 0},
       {"6/4", Rational(3, 2)},
+      // As many digits as an integer of 64 bits holds for certain, one more, and many more.
+      {"999999999.9999999999", Rational("9999999999999999999/10000000000")},
+      {"-0.0000000000000000005", Rational("-1/2000000000000000000")},
+      {"99999999999999999999", Rational("99999999999999999999")},
+      {"-18446744073709551616.5", Rational("-36893488147419103233/2")},
       {"-1/3", Rational(-1, 3)},
       {"0/5", 0},
       {"90000000000000000000000000000001/3", Rational("90000000000000000000000000000001/3")},
@@ -54,14 +59,14 @@ TEST(Number, of_the_largest_exponents_is_exact) {
   EXPECT_EQ(*large * *small, 1);
 }
 
-/// Texts that are no number, each refused as "'text' " + wrong.
+/// Texts that are not numbers, each refused as "'text' " + wrong.
 struct Refused {
   std::string wrong;
   std::string expected;
   std::vector<std::string> texts;
 };
 
-TEST(Number, that_is_not_one_says_why) {
+TEST(Number, that_is_invalid_is_refused_with_the_reason) {
   const std::vector<Refused> all{
       {"is not a number",
        "an integer, a decimal or a fraction p/q",

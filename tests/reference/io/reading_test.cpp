@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "properties/runner/temporary_folder.hpp"
@@ -51,6 +52,25 @@ TEST(Reading, where_says_file_line_and_column) {
     EXPECT_EQ(refused.where().file, "file");
     EXPECT_EQ(refused.where().line, 2U);
     EXPECT_EQ(refused.where().column, 4U);
+  }
+}
+
+TEST(Reading, reports_its_progress_and_where_the_check_starts) {
+  const std::string megabytes(3 << 20, ' ');
+  const std::string points = " 1 0," + megabytes + "0 1," + megabytes;
+  for (const std::string& text :
+       {"POLYGON ((0 0," + points + "0 0))", "3 0 0 " + megabytes + "1 0" + megabytes + " 0 1",
+        R"({"type": "Polygon", "coordinates": [[[0, 0], [1, 0],)" + megabytes + "[0, 1]," +
+            megabytes + "[0, 0]]]}"}) {
+    std::vector<int> percents;
+    const ReadRegion read =
+        read_region(text, "file", [&](int percent) { percents.push_back(percent); });
+    EXPECT_EQ(read.region, polygon({{0, 0}, {1, 0}, {0, 1}}));
+    EXPECT_GE(percents.size(), 3U) << text.substr(0, 7);
+    EXPECT_TRUE(std::is_sorted(percents.begin(), percents.end()));
+    EXPECT_EQ(std::count(percents.begin(), percents.end(), 100), 1);
+    EXPECT_EQ(percents.back(), 100);
+    EXPECT_LT(percents.front(), 60);
   }
 }
 

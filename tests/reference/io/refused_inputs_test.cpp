@@ -8,8 +8,7 @@
 namespace oplus {
 namespace {
 
-/// tests/corpus/refused_inputs.json: texts that are no region or no sum, and the whole line that must
-/// say where and why.
+/// tests/corpus/refused_inputs.json: texts that are not regions or sums, and the message for each.
 TEST(RefusedInputs, are_refused_in_the_line_that_is_recorded) {
   std::ifstream file(source_root() / "tests/corpus/refused_inputs.json");
   const nlohmann::json all = nlohmann::json::parse(file);
@@ -24,7 +23,7 @@ TEST(RefusedInputs, are_refused_in_the_line_that_is_recorded) {
   }
 }
 
-// What JSON cannot hold, or nobody would read there.
+// What JSON cannot hold, or would be unreadable there.
 
 TEST(RefusedInputs, may_be_no_text) {
   const std::string expected = "' is not text; expected a region in .dat, WKT or GeoJSON";
@@ -36,7 +35,7 @@ TEST(RefusedInputs, may_be_no_text) {
   }
 }
 
-TEST(RefusedInputs, are_quoted_as_far_as_anybody_would_read) {
+TEST(RefusedInputs, are_quoted_up_to_a_length) {
   EXPECT_EQ(refusal([] { region_from(std::string(50, '?')); }),
             "file:1:1: '" + std::string(40, '?') +
                 "...' where the number of vertices of outer chain of component 1 should be; "

@@ -29,21 +29,22 @@ std::vector<Style> all_styles() {
           style::dangling_edges,
           style::isolated_vertices,
           style::difference,
+          style::origin,
           style::cycle(0),
           area_style,
           dot_style,
           {.name = "ring", .label = "a ring", .place = 11, .sample = Sample::ring}};
 }
 
-/// Something in a style: a region, a segment or a point, as it suits.
+/// Something in a style, far from the origin: a region, a segment or a point, as it suits.
 Layer some(const Style& style) {
   switch (style.sample) {
     case Sample::line:
-      return {style, {}, {{{0, 0}, {1, 2}}, {{1, 2}, {3, 0}}}};
+      return {style, {}, {{{10, 10}, {11, 12}}, {{11, 12}, {13, 10}}}};
     case Sample::area:
-      return {style, polygon(box(0, 0, 2, 2))};
+      return {style, polygon(box(10, 10, 12, 12))};
     default:
-      return {style, {}, {}, {{1, 1}}};
+      return {style, {}, {}, {{11, 11}}};
   }
 }
 
@@ -53,11 +54,11 @@ ptree first_panel(const std::string& document) { return groups(parsed(document),
 /// The panel of a picture of one layer.
 ptree panel_of(const Layer& layer) { return first_panel(svg({{"", {layer}}})); }
 
-/// Every number in the path data of a panel, as pairs.
+/// Every number in the path data of a panel, but for the mark of the origin, as pairs.
 std::vector<std::pair<double, double>> drawn_points(const ptree& panel) {
   std::vector<std::pair<double, double>> points;
   for (const auto& [tag, layer] : panel) {
-    if (tag != "g") continue;
+    if (tag != "g" || layer.get<std::string>("<xmlattr>.class") == "origin") continue;
     for (const auto& [shape, content] : layer) {
       if (shape != "path") continue;
       std::string data = content.get<std::string>("<xmlattr>.d");
@@ -240,20 +241,21 @@ std::multiset<std::string> notes_of(const std::string& document) {
 
 TEST(Picture, notes_are_written_where_they_fit_and_counted_where_not) {
   Layer layer = some(area_style);
-  layer.notes = {{"7", {1, 1}, Rational(1, 4)}, {"8", {1, 1}, Rational(1, 10000)}, {"9", {}, 0}};
+  layer.notes = {
+      {"7", {11, 11}, Rational(1, 4)}, {"8", {11, 11}, Rational(1, 10000)}, {"9", {}, 0}};
   const std::string document = svg({{"", {layer}}});
   EXPECT_EQ(notes_of(document), std::multiset<std::string>{"7"});
   EXPECT_EQ(legend_of(parsed(document)).count("no room for 2 numbers"), 1U);
   // What fits depends on the size of the drawing and on the length of the text.
-  EXPECT_EQ(notes_of(svg({{"", {layer}, 3200}})), (std::multiset<std::string>{"7", "8"}));
-  layer.notes = {{"12345678901234567890123456789012345678901234", {1, 1}, Rational(1, 4)}};
+  EXPECT_EQ(notes_of(svg({{"", {layer}}}, 3200)), (std::multiset<std::string>{"7", "8"}));
+  layer.notes = {{"12345678901234567890123456789012345678901234", {11, 11}, Rational(1, 4)}};
   EXPECT_TRUE(notes_of(svg({{"", {layer}}})).empty());
 }
 
 TEST(Picture, a_written_note_stays_in_its_disk) {
   for (const Rational& radius : {Rational(1, 20), Rational(1, 10), Rational(1, 2)}) {
     Layer layer = some(area_style);
-    layer.notes = {{"12", {1, 1}, radius * radius}};
+    layer.notes = {{"12", {11, 11}, radius * radius}};
     const ptree note = groups(panel_of(layer), "area").at(0).get_child("text");
     const auto size = note.get<double>("<xmlattr>.font-size");
     EXPECT_GT(size, 6);
@@ -263,27 +265,73 @@ TEST(Picture, a_written_note_stays_in_its_disk) {
   }
 }
 
-TEST(Picture, columns_stand_beside_each_other_and_their_panels_below) {
-  const Panel flat{"flat", {{style::sum, polygon(box(0, 0, 8, 1))}}, 100};
-  const Panel square{"square", {{style::sum, polygon(box(0, 0, 1, 1))}}, 300};
-  const std::vector<ptree> panels =
-      groups(parsed(svg_in_columns({{flat, flat}, {square}})), "panel");
-  ASSERT_EQ(panels.size(), 3U);
-  const auto range = [&](std::size_t panel, auto coordinate) {
-    std::set<double> values;
-    for (const auto& point : drawn_points(panels[panel])) values.insert(coordinate(point));
-    return std::pair{*values.begin(), *values.rbegin()};
-  };
-  const auto x = [](const auto& point) { return point.first; };
-  const auto y = [](const auto& point) { return point.second; };
-  EXPECT_EQ(range(0, x), range(1, x));
-  EXPECT_GT(range(1, y).first, range(0, y).second + 40);  // caption and title between
-  EXPECT_GT(range(2, x).first, range(0, x).second);
-  EXPECT_NEAR(range(0, x).second - range(0, x).first, 100, 0.01);
-  EXPECT_NEAR(range(2, y).second - range(2, y).first, 300, 0.01);
+/// The least and the largest coordinates that are drawn in each panel.
+struct Drawn {
+  double left, right, top, bottom;
+};
+std::vector<Drawn> drawn_panels(const std::string& document) {
+  std::vector<Drawn> result;
+  for (const ptree& panel : groups(parsed(document), "panel")) {
+    std::set<double> x, y;
+    for (const auto& point : drawn_points(panel)) {
+      x.insert(point.first);
+      y.insert(point.second);
+    }
+    result.push_back({*x.begin(), *x.rbegin(), *y.begin(), *y.rbegin()});
+  }
+  return result;
 }
 
-TEST(Picture, a_panel_a_column_is_the_picture_of_the_panels) {
+Panel filled(const Region& region) { return {"filled", {{style::sum, region}}}; }
+
+TEST(Picture, columns_stand_beside_each_other_and_their_panels_below) {
+  const Panel flat = filled(polygon(box(0, 0, 3, 1))), square = filled(polygon(box(0, 0, 2, 2)));
+  const std::vector<Drawn> panels = drawn_panels(svg_in_columns({{flat, flat}, {square}}));
+  ASSERT_EQ(panels.size(), 3U);
+  EXPECT_EQ(panels[0].left, panels[1].left);
+  EXPECT_EQ(panels[0].right, panels[1].right);
+  EXPECT_GT(panels[1].top, panels[0].bottom + 40);  // caption and title between
+  EXPECT_GT(panels[2].left, panels[0].right);
+}
+
+TEST(Picture, has_one_scale_in_all_panels) {
+  const Panel small = filled(polygon(box(5, 5, 6, 6))), large = filled(polygon(box(0, 0, 4, 8)));
+  for (const std::string& document :
+       {svg({small, large}, 400), svg_in_columns({{small}, {small, large}}, 400)}) {
+    for (const Drawn& panel : {drawn_panels(document).front(), drawn_panels(document).back()}) {
+      const bool is_large = panel.bottom - panel.top > 200;
+      EXPECT_NEAR(panel.right - panel.left, is_large ? 200 : 50, 0.02);
+      EXPECT_NEAR(panel.bottom - panel.top, is_large ? 400 : 50, 0.02);
+    }
+    EXPECT_EQ(document.find("enlarged"), std::string::npos);
+  }
+}
+
+TEST(Picture, a_panel_that_would_be_too_small_to_see_is_enlarged_and_says_so) {
+  const std::string document =
+      svg({filled(polygon(box(0, 0, 1, 1))), filled(polygon(box(0, 0, 200, 100)))}, 400);
+  const std::vector<Drawn> panels = drawn_panels(document);
+  EXPECT_NEAR(panels[0].right - panels[0].left, 16, 0.02);
+  EXPECT_NEAR(panels[1].right - panels[1].left, 400, 0.02);
+  EXPECT_NE(document.find(">x 0 \u2026 1,  y 0 \u2026 1,  enlarged 8\u00d7<"), std::string::npos)
+      << document;
+}
+
+TEST(Picture, the_origin_is_marked_where_it_is_in_or_near_a_panel) {
+  const Region square = polygon(box(0, 0, 10, 10));
+  const auto marks = [&](const Vector& by) {
+    const ptree tree = parsed(svg({filled(translated(square, by))}));
+    EXPECT_EQ(legend_of(tree).count("origin"),
+              groups(groups(tree, "panel").at(0), "origin").size());
+    return legend_of(tree).count("origin");
+  };
+  for (const Vector& near : {Vector{0, 0}, Vector{-5, -10}, Vector{Rational(1, 4), 0}})
+    EXPECT_EQ(marks(near), 1U);
+  for (const Vector& far : {Vector{1, 0}, Vector{0, 1}, Vector{-11, 0}, Vector{0, -11}})
+    EXPECT_EQ(marks(far), 0U);
+}
+
+TEST(Picture, with_one_panel_per_column_is_the_picture_of_the_panels) {
   const std::vector<Panel> panels = panels_of(shapes()[0].region, shapes()[1].region);
   EXPECT_EQ(svg_in_columns({{panels[0]}, {panels[1]}, {panels[2]}, {panels[3]}}), svg(panels));
 }

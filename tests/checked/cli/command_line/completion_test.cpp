@@ -15,7 +15,7 @@ class Completion : public HelpPages {
     ASSERT_EQ(run("mkdir parts && touch a.wkt b.wkt 'with space.wkt'").exit_code, 0);
   }
 
-  /// What bash offers behind these words, of which the last is being typed.
+  /// What bash offers for the last of these words.
   Words offered(const std::string& words) const {
     const Ran ran = run("eval \"typed=(" + words +
                         ")\"\n"
@@ -61,6 +61,7 @@ TEST_F(Completion, offers_names_where_only_they_are_taken) {
   EXPECT_EQ(offered("oplus sum --engine ="), engines);
   EXPECT_EQ(offered("oplus sum --engine l"), Words({"loops"}));
   EXPECT_EQ(offered("oplus sum --format ''"), Words({"wkt", "dat", "geojson"}));
+  EXPECT_EQ(offered("oplus help re"), Words({"reflect"}));
   EXPECT_EQ(offered("oplus gen st"), Words({"star"}));
   EXPECT_EQ(offered("oplus gen star --summand ''"), Words({"P", "Q"}));
   EXPECT_EQ(offered("oplus draw --view fa"), Words({"faces"}));

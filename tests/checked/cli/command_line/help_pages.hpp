@@ -11,7 +11,7 @@ namespace oplus {
 
 inline const std::vector<std::string> programs = {"oplus", "oplus-check"};
 
-/// Reads off help texts what there is, for tests of what is made of the same definitions.
+/// Commands and options as the help texts list them.
 class HelpPages : public Shell {
  protected:
   std::string help(const std::string& command) const { return run(command + " --help").out; }

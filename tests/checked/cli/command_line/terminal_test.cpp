@@ -4,6 +4,7 @@
 #include <iostream>
 #include <sstream>
 
+#include "checked/cli/command_line/progress.hpp"
 #include "tests/checked/cli/shell.hpp"
 
 namespace oplus {
@@ -13,7 +14,7 @@ class Terminal : public ShellWithRegions {
  protected:
   Terminal() { put("turned.wkt", "POLYGON ((0 0, 0 2, 2 2, 2 0, 0 0))"); }  // clockwise
 
-  /// What the command says on a terminal of its own.
+  /// The output of the command on a new terminal.
   std::string on_terminal(const std::string& settings, const std::string& command) const {
     return run("env -u NO_COLOR TERM=xterm " + settings + " script -qec '" + command +
                "' /dev/null")
@@ -69,7 +70,27 @@ TEST_F(Terminal, quiet_leaves_results_and_errors) {
             "1 passed, 0 failed\n");
 }
 
-TEST_F(Terminal, what_is_no_standard_stream_is_not_painted_of_itself) {
+TEST_F(Terminal, a_file_that_takes_long_to_read_shows_how_far_it_is) {
+  // The writer into the pipe waits until it is shown, but not for ever.
+  put("slow",
+      "(for i in {1..600}; do grep -q reading ../out && break; sleep 0.1; done; cat square.wkt) |\n"
+      "oplus reflect -");
+  const std::string shown = on_terminal("", "bash slow");
+  EXPECT_TRUE(has(shown, "\rreading standard input ...\033[K"));
+  EXPECT_TRUE(has(shown, "\r\033[KPOLYGON ((0 0, -1 0"));
+  put("slow", "(sleep 1.5; cat square.wkt) | oplus reflect - $*");
+  EXPECT_EQ(on_terminal("", "bash slow --quiet").substr(0, 7), "POLYGON");
+  EXPECT_EQ(run("bash slow").err, "");
+}
+
+TEST_F(Terminal, a_bar_is_as_long_as_what_is_done) {
+  EXPECT_EQ(bar("reading", 1, 4, std::chrono::seconds(2)),
+            "reading [" + std::string(10, '#') + std::string(30, ' ') + "] 1/4, 6 s left");
+  EXPECT_EQ(bar("x", 7, 7, std::chrono::seconds(2)),
+            "x [" + std::string(40, '#') + "] 7/7, 0 s left");
+}
+
+TEST_F(Terminal, other_streams_are_not_coloured) {
   std::ostringstream elsewhere;
   EXPECT_EQ(painted(Paint::bad, "text", elsewhere), "text");
 }
@@ -83,7 +104,7 @@ TEST_F(Terminal, the_last_line_is_the_verdict) {
   speech().colours = ColourUse::automatic;
 }
 
-/// Both programs, whatever is wrong: one line and exit code 2.
+/// Of both programs: one line and exit code 2.
 TEST_F(Terminal, usage_errors_are_a_line) {
   for (const std::string program : {"oplus", "oplus-check"}) {
     for (const std::string rest :
@@ -100,7 +121,7 @@ TEST_F(Terminal, usage_errors_are_a_line) {
   EXPECT_TRUE(has(run("oplus nonsense").err, "there is no command nonsense"));
 }
 
-TEST_F(Terminal, results_that_nobody_receives_are_no_success) {
+TEST_F(Terminal, output_that_cannot_be_written_is_an_error) {
   for (const std::string command :
        {"oplus --help", "oplus gen --list", "oplus completion bash",
         "oplus compare square.wkt square.wkt", "oplus-check --help", "oplus-check theorems",

@@ -7,6 +7,11 @@
 
 namespace oplus {
 
+/// Returns a line for a terminal: "what [####    ] 4/8, 3 s left", given the time taken so far.
+/// Requires: 0 < done <= total.
+std::string bar(const std::string& what, std::size_t done, std::size_t total,
+                std::chrono::duration<double> taken);
+
 /// Shows on standard error how far a run is: a bar on a terminal, else a plain line every tenth;
 /// nothing with --quiet.
 class Progress {

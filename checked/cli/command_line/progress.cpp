@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/runner/progress.hpp"
+#include "checked/cli/command_line/progress.hpp"
 
 #include <unistd.h>
 
@@ -10,6 +10,16 @@
 #include "reference/io/counted.hpp"
 
 namespace oplus {
+
+std::string bar(const std::string& what, std::size_t done, std::size_t total,
+                std::chrono::duration<double> taken) {
+  constexpr std::size_t width = 40;
+  const std::size_t filled = width * done / total;
+  const double left = taken.count() / static_cast<double>(done) * static_cast<double>(total - done);
+  return what + " [" + std::string(filled, '#') + std::string(width - filled, ' ') + "] " +
+         std::to_string(done) + '/' + std::to_string(total) + ", " +
+         std::to_string(static_cast<long>(left)) + " s left";
+}
 
 Progress::Progress(std::string what, std::size_t total)
     : what_(std::move(what)),
@@ -47,13 +57,8 @@ void Progress::end_line() {
 }
 
 void Progress::draw_bar() {
-  constexpr std::size_t width = 40;
-  const std::size_t filled = width * done_ / total_;
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start_;
-  const double left =
-      taken.count() / static_cast<double>(done_) * static_cast<double>(total_ - done_);
-  std::cerr << '\r' << what_ << " [" << std::string(filled, '#') << std::string(width - filled, ' ')
-            << "] " << done_ << '/' << total_ << ", " << static_cast<long>(left) << " s left   ";
+  std::cerr << '\r' << bar(what_, done_, total_, std::chrono::steady_clock::now() - start_)
+            << "   ";
   std::cerr.flush();
   has_open_line_ = true;
   if (done_ == total_) end_line();
