@@ -43,6 +43,7 @@ class Number {
   template <std::floating_point T>
   requires(sizeof(T) <= sizeof(double)) Number(T value) : Number(from_double(value)) {}
 
+  /// Signed or unsigned, of at most 64 bits.
   template <std::integral T>
   Number(T value) : Number(from_integer(value < 0, static_cast<std::uint64_t>(value))) {
     static_assert(sizeof(T) <= sizeof(std::uint64_t));
@@ -57,10 +58,10 @@ class Number {
   /// An integer, a decimal, with or without an exponent, or a fraction. Throws InvalidInput.
   Number(const char* text) : Number(from_text(text)) {}
   Number(std::nullptr_t) = delete;
-  Number(std::string_view text) : Number(from_text(text)) {}
-  Number(const std::string& text) : Number(from_text(text)) {}
+  Number(std::string_view text) : Number(from_text(text)) {}    ///< The same.
+  Number(const std::string& text) : Number(from_text(text)) {}  ///< The same.
 
-  const Rational& value() const { return value_; }
+  const Rational& value() const { return value_; }  ///< Returns the number, in lowest terms.
 
  private:
   struct Exact {
@@ -80,8 +81,10 @@ class Number {
 /// as those of std::array and std::pair.
 class Coordinates {
  public:
+  /// The point {x, y}.
   Coordinates(const Number& x, const Number& y) : point_{x.value(), y.value()} {}
 
+  /// A point with members x and y.
   template <typename T>
   requires requires(const T& p) {
     { p.x } -> std::convertible_to<Number>;
@@ -89,11 +92,12 @@ class Coordinates {
   }
   Coordinates(const T& p) : Coordinates(Number(p.x), Number(p.y)) {}
 
+  /// A point with two elements.
   template <typename T>
   requires(std::tuple_size<T>::value == 2) Coordinates(const T& p)
       : Coordinates(Number(std::get<0>(p)), Number(std::get<1>(p))) {}
 
-  const Point& point() const { return point_; }
+  const Point& point() const { return point_; }  ///< Returns the point, exactly.
 
  private:
   Point point_;
@@ -112,8 +116,10 @@ class ValidRegion {
   /// counted from one.
   explicit ValidRegion(Region region);
 
+  /// Returns the components, in the order of the input.
   const std::vector<Component>& components() const { return region_.components; }
-  const Region& region() const { return region_; }
+
+  const Region& region() const { return region_; }  ///< Returns the same as a plain value.
 
   friend bool operator==(const ValidRegion&, const ValidRegion&) = default;
 
@@ -167,32 +173,37 @@ struct SumOptions {
   bool with_origins = false;             ///< whether the result has origins()
 };
 
-/// A Minkowski sum, exact. Copies share what they hold, which never changes.
+/// A Minkowski sum, exact. Copies share what they hold, which never changes. References into it are
+/// valid as long as one of them exists: name a sum before a loop over its components().
 class Sum {
  public:
+  /// The empty sum.
   Sum() : Sum(MinkowskiSum{}, Boundary::closed, {}, {}) {}
 
-  Boundary boundary() const;
+  Boundary boundary() const;  ///< Returns what was asked for: closed or open.
 
-  /// The regularized sum: simple outer chains, each with the holes in it. Computed when first asked
-  /// for.
+  /// Returns the regularized sum: simple outer chains, each with the holes in it. Computed when first
+  /// asked for, once, on whichever thread asks.
   const std::vector<Component>& components() const;
 
-  /// The same as a region, to be summed again.
+  /// Returns the same as a region, to be summed again.
   const ValidRegion& region() const;
 
-  /// Where one summand just fits into the other: edges and points of an open sum's complement that
-  /// bound no face of it. None for Boundary::closed.
+  /// Returns where one summand just fits into the other and can be moved: edges of an open sum's
+  /// complement that bound no face of it. None for Boundary::closed.
   const std::vector<Segment>& dangling_edges() const;
+
+  /// Returns where one summand just fits into the other and cannot be moved: points of an open sum's
+  /// complement that bound no face or edge of it. None for Boundary::closed.
   const std::vector<Point>& isolated_vertices() const;
 
-  /// All of it in canonical form, chains cut at no touching point.
+  /// Returns all of it in canonical form, chains cut at no touching point.
   const MinkowskiSum& value() const;
 
-  /// Of each edge of value(), where it came from. Empty unless asked for.
+  /// Returns for each edge of value() where it came from. Empty unless asked for.
   const Origins& origins() const;
 
-  /// What it took: counts and times, which differ from engine to engine.
+  /// Returns what it took: counts and times, which differ from engine to engine.
   const Statistics& statistics() const;
 
   /// Whether two sums are the same set. Cost: their size.
@@ -211,17 +222,23 @@ class Sum {
 /// and the result. Throws nothing for valid regions but std::bad_alloc.
 Sum minkowski_sum(const ValidRegion& p, const ValidRegion& q, const SumOptions& options = {});
 
-/// The area, holes and dangling edges not counted. Cost: the size.
+/// Returns the area, holes not counted. Cost: the size.
 Rational area(const ValidRegion& region);
+
+/// Returns the same of a sum.
 Rational area(const Sum& sum);
 
-/// Whether a point is inside, outside, or on the boundary, to which an open sum's dangling edges and
-/// isolated vertices belong. Cost: the size.
+/// Returns whether a point is inside, outside, or on the boundary. Cost: the size.
 Location locate(const Coordinates& point, const ValidRegion& region);
+
+/// Returns the same of a sum. An open sum's dangling edges and isolated vertices belong to its
+/// boundary.
 Location locate(const Coordinates& point, const Sum& sum);
 
-/// Whether a point belongs to the set: boundary points do, but for an open sum. Cost: the size.
+/// Whether a point belongs to the region; its boundary does. Cost: the size.
 bool contains(const ValidRegion& region, const Coordinates& point);
+
+/// Whether a point belongs to the sum; its boundary does iff the sum is closed. Cost: the size.
 bool contains(const Sum& sum, const Coordinates& point);
 
 /// Decides whether a sum from anywhere is P ⊕ Q, by the definitions and by no engine
@@ -230,16 +247,25 @@ bool contains(const Sum& sum, const Coordinates& point);
 /// convolution segments against each other near by.
 Verdict verify(const ValidRegion& p, const ValidRegion& q, const GivenSum& given,
                Boundary boundary = Boundary::closed);
+
+/// The same of a sum from here, with its own boundary().
 Verdict verify(const ValidRegion& p, const ValidRegion& q, const Sum& sum);
 
-/// Return the text without the end of its last line, exactly: decimals where they end, fractions
-/// p/q elsewhere, which in GeoJSON are strings. With `digits`, rounded to that many decimals, half
-/// away from zero, which may be no valid region. Dangling edges and isolated vertices are line
-/// strings and points of a collection. Cost: the size. Throws std::invalid_argument unless
+/// Returns the region as WKT, without the end of the line. Exactly: decimals where they end, fractions
+/// p/q elsewhere, which few other readers take. With `digits`, rounded to that many decimals, half away
+/// from zero: it may then be invalid. Cost: the size. Throws std::invalid_argument unless
 /// 0 <= digits <= 4096.
 std::string to_wkt(const ValidRegion& region, std::optional<int> digits = std::nullopt);
+
+/// Returns the same of a sum's region(), in a GEOMETRYCOLLECTION with its dangling edges as line
+/// strings and its isolated vertices as points, where it has such.
 std::string to_wkt(const Sum& sum, std::optional<int> digits = std::nullopt);
+
+/// Returns the region as a GeoJSON geometry, as to_wkt does. Fractions p/q are strings, which is
+/// GeoJSON to no other reader.
 std::string to_geojson(const ValidRegion& region, std::optional<int> digits = std::nullopt);
+
+/// Returns the same of a sum, as to_wkt does.
 std::string to_geojson(const Sum& sum, std::optional<int> digits = std::nullopt);
 
 /// Returns the double nearest to a number, ties to even; an infinity beyond the largest.

@@ -15,8 +15,8 @@ using Rational = mpq_class;
 
 /// A point of the plane and, equally, its radius vector: Minkowski sums add points.
 struct Point {
-  Rational x;
-  Rational y;
+  Rational x;  ///< to the right
+  Rational y;  ///< upwards
 
   friend bool operator==(const Point& a, const Point& b) { return a.x == b.x && a.y == b.y; }
 
@@ -33,12 +33,12 @@ struct Point {
   }
 };
 
-using Vector = Point;
+using Vector = Point;  ///< A point, where it is used as a vector.
 
 /// A directed segment (thesis, Definition 2.1.7).
 struct Segment {
-  Point source;
-  Point target;
+  Point source;  ///< where it starts
+  Point target;  ///< where it ends
 
   friend bool operator==(const Segment&, const Segment&) = default;
   friend std::strong_ordering operator<=>(const Segment&, const Segment&) = default;
@@ -50,8 +50,8 @@ using Chain = std::vector<Point>;
 /// An outer chain, counterclockwise, with holes, clockwise: the interior is to the left of each
 /// edge.
 struct Component {
-  Chain outer;
-  std::vector<Chain> holes;
+  Chain outer;               ///< counterclockwise
+  std::vector<Chain> holes;  ///< clockwise, each inside `outer`
 
   friend bool operator==(const Component&, const Component&) = default;
 };
@@ -59,7 +59,7 @@ struct Component {
 /// A general polygonal set (thesis, Definition 2.1.17). No component at all is the empty set. A valid
 /// region has simple chains that may touch each other in points, but neither cross nor overlap.
 struct Region {
-  std::vector<Component> components;
+  std::vector<Component> components;  ///< in any order
 
   friend bool operator==(const Region&, const Region&) = default;
 };
@@ -82,10 +82,10 @@ enum class Boundary { closed, open };
 ///  4. dangling edges are maximal, directed from their smaller end, and sorted; so are isolated
 ///     vertices. Both are empty for Boundary::closed.
 struct MinkowskiSum {
-  std::vector<Chain> outer;
-  std::vector<Chain> holes;
-  std::vector<Segment> dangling_edges;
-  std::vector<Point> isolated_vertices;
+  std::vector<Chain> outer;              ///< around components of the sum, counterclockwise
+  std::vector<Chain> holes;              ///< around holes of the sum, clockwise
+  std::vector<Segment> dangling_edges;   ///< of the open sum's complement
+  std::vector<Point> isolated_vertices;  ///< likewise
 
   friend bool operator==(const MinkowskiSum&, const MinkowskiSum&) = default;
 };
@@ -93,8 +93,8 @@ struct MinkowskiSum {
 /// A vertex of a region, and the edge that leaves it: vertex `vertex` of chain `chain`, both from
 /// zero; chains are counted component by component, the outer one, then the holes.
 struct VertexIndex {
-  std::size_t chain = 0;
-  std::size_t vertex = 0;
+  std::size_t chain = 0;   ///< of the region, from zero
+  std::size_t vertex = 0;  ///< of the chain, from zero
 
   friend auto operator<=>(const VertexIndex&, const VertexIndex&) = default;
 };
@@ -120,9 +120,9 @@ using Origins = std::vector<std::vector<Origin>>;
 /// around it, in either direction, and none of that component's holes does; the set is the closure
 /// of these points, for Boundary::open its interior without dangling edges and isolated vertices.
 struct GivenSum {
-  Region region;
-  std::vector<Segment> dangling_edges;
-  std::vector<Point> isolated_vertices;
+  Region region;                         ///< chains as they were written down
+  std::vector<Segment> dangling_edges;   ///< likewise
+  std::vector<Point> isolated_vertices;  ///< likewise
 
   friend bool operator==(const GivenSum&, const GivenSum&) = default;
 };

@@ -12,6 +12,7 @@ LINES = (
      "checked", "checked/cli", "properties", "tests"),
     ("reference/definitions", "reference/oracle", "checked/cli", "properties", "tests"),
     ("docs/findings",),
+    ("oplus", "docs/examples"),
 )
 OURS = ("reference", "checked", "properties", "tests", "docs", "oplus")
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// How a robot's places are blocked: README's program.
 #include <iostream>
 #include <oplus/oplus.hpp>
 

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "checked/oplus/oplus.hpp"
+
+namespace oplus {
+namespace {
+
+const ValidRegion triangle = polygon({{0, 0}, {1, 0}, {0.5, "1/3"}});
+const ValidRegion frame =
+    polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{{1, 1}, {1, 3}, {3, 3}, {3, 1}}});
+
+Sum open_sum() {
+  return minkowski_sum(frame, polygon({{0, 0}, {-2, 0}, {-2, -1}, {0, -1}}),
+                       {.boundary = Boundary::open});
+}
+
+TEST(Text, of_a_region_is_exact_by_default) {
+  EXPECT_EQ(to_wkt(triangle), "POLYGON ((0 0, 1 0, 0.5 1/3, 0 0))");
+  EXPECT_EQ(to_geojson(triangle),
+            R"({"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [0.5, "1/3"], [0, 0]]]})");
+  EXPECT_EQ(to_wkt(ValidRegion()), "POLYGON EMPTY");
+}
+
+TEST(Text, is_read_again) {
+  for (const ValidRegion& region : {triangle, frame, ValidRegion()}) {
+    EXPECT_EQ(read_wkt(to_wkt(region)), region);
+    EXPECT_EQ(read_geojson(to_geojson(region)), region);
+  }
+}
+
+TEST(Text, of_a_sum_is_that_of_its_region) {
+  const Sum sum = minkowski_sum(frame, triangle);
+  EXPECT_EQ(to_wkt(sum), to_wkt(sum.region()));
+  EXPECT_EQ(to_geojson(sum), to_geojson(sum.region()));
+  EXPECT_EQ(to_wkt(Sum()), "POLYGON EMPTY");
+}
+
+TEST(Text, has_dangling_edges_and_isolated_vertices) {
+  EXPECT_NE(to_wkt(open_sum()).find("GEOMETRYCOLLECTION (POLYGON (("), std::string::npos)
+      << to_wkt(open_sum());
+  EXPECT_NE(to_wkt(open_sum()).find("LINESTRING (1 1, 1 2)"), std::string::npos)
+      << to_wkt(open_sum());
+  EXPECT_NE(to_geojson(open_sum()).find(R"("type": "LineString", "coordinates": [[1, 1], [1, 2]])"),
+            std::string::npos)
+      << to_geojson(open_sum());
+}
+
+TEST(Text, is_rounded_if_asked) {
+  EXPECT_EQ(to_wkt(triangle, 3), "POLYGON ((0 0, 1 0, 0.5 0.333, 0 0))");
+  EXPECT_EQ(to_wkt(triangle, 0), "POLYGON ((0 0, 1 0, 1 0, 0 0))");
+  EXPECT_EQ(to_geojson(triangle, 1),
+            R"({"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [0.5, 0.3], [0, 0]]]})");
+  const Sum sum = minkowski_sum(triangle, triangle);
+  EXPECT_EQ(to_wkt(sum, 2), "POLYGON ((0 0, 2 0, 1 0.67, 0 0))");
+  EXPECT_EQ(to_geojson(sum, 2),
+            R"({"type": "Polygon", "coordinates": [[[0, 0], [2, 0], [1, 0.67], [0, 0]]]})");
+}
+
+TEST(Text, refuses_other_numbers_of_digits) {
+  for (const int digits : {-1, 4097}) {
+    EXPECT_THROW(to_wkt(triangle, digits), std::invalid_argument);
+    EXPECT_THROW(to_geojson(triangle, digits), std::invalid_argument);
+    EXPECT_THROW(to_wkt(Sum(), digits), std::invalid_argument);
+    EXPECT_THROW(to_geojson(Sum(), digits), std::invalid_argument);
+  }
+  EXPECT_NO_THROW(to_wkt(triangle, 4096));
+}
+
+}  // namespace
+}  // namespace oplus
