@@ -4,18 +4,41 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace oplus {
 
 namespace {
 
+/// The chains as chains(region) has them, not copied: a region may have millions of vertices.
+using Chains = std::vector<const Chain*>;
+
+Chains chains_in(const Region& region) {
+  Chains result;
+  for (const Component& component : region.components) {
+    result.push_back(&component.outer);
+    for (const Chain& hole : component.holes) result.push_back(&hole);
+  }
+  return result;
+}
+
 struct NamedEdge {
-  Segment segment;
+  const Point* source;
+  const Point* target;
   VertexIndex index;
   std::size_t chain_length;
-  Rational min_x, max_x;
+  const Rational* min_x;
+  const Rational* max_x;
+
+  Segment segment() const { return {*source, *target}; }
 };
+
+bool are_apart_in_y(const NamedEdge& a, const NamedEdge& b) {
+  const auto [low_a, high_a] = std::minmax(a.source->y, a.target->y);
+  const auto [low_b, high_b] = std::minmax(b.source->y, b.target->y);
+  return high_a < low_b || high_b < low_a;
+}
 
 bool adjacent(const NamedEdge& a, const NamedEdge& b) {
   return a.index.chain == b.index.chain &&
@@ -32,19 +55,26 @@ std::optional<Defect> defect_of_chain(const Chain& chain, std::size_t index) {
     if (chain[i] == chain[j])
       return Defect{DefectKind::zero_length_edge, {index, i}, {index, j}, chain[i]};
   }
-  std::map<Point, std::size_t> seen;
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    const auto [first, is_new] = seen.emplace(chain[i], i);
-    if (!is_new)
-      return Defect{DefectKind::repeated_vertex, {index, first->second}, {index, i}, chain[i]};
+  std::vector<std::size_t> sorted(chain.size());
+  std::iota(sorted.begin(), sorted.end(), 0);
+  std::sort(sorted.begin(), sorted.end(), [&](std::size_t a, std::size_t b) {
+    const auto compared = chain[a] <=> chain[b];
+    return compared != 0 ? compared < 0 : a < b;
+  });
+  // Of equal vertices, the first two in the chain's order.
+  std::optional<Defect> found;
+  for (std::size_t i = 1; i < sorted.size(); ++i) {
+    const std::size_t first = sorted[i - 1], second = sorted[i];
+    if (chain[first] == chain[second] && (!found || second < found->second.vertex))
+      found = Defect{DefectKind::repeated_vertex, {index, first}, {index, second}, chain[second]};
   }
-  return std::nullopt;
+  return found;
 }
 
 /// A defect of two edges, or none. Touching points of different chains go into `touching`.
 std::optional<Defect> defect_of_pair(const NamedEdge& a, const NamedEdge& b,
                                      std::map<VertexIndex, std::vector<Point>>& touching) {
-  const std::vector<Point> common = intersection(a.segment, b.segment);
+  const std::vector<Point> common = intersection(a.segment(), b.segment());
   if (common.empty()) return std::nullopt;
   const bool same_chain = a.index.chain == b.index.chain;
   const auto defect = [&](DefectKind kind) {
@@ -52,7 +82,7 @@ std::optional<Defect> defect_of_pair(const NamedEdge& a, const NamedEdge& b,
   };
   if (common.size() == 2)
     return defect(same_chain ? DefectKind::self_overlap : DefectKind::chains_overlap);
-  if (cross_properly(a.segment, b.segment))
+  if (cross_properly(a.segment(), b.segment()))
     return defect(same_chain ? DefectKind::self_crossing : DefectKind::chains_cross);
   if (same_chain) {
     if (!adjacent(a, b)) return defect(DefectKind::self_touching);
@@ -64,20 +94,26 @@ std::optional<Defect> defect_of_pair(const NamedEdge& a, const NamedEdge& b,
 }
 
 /// Compares all pairs of edges whose boxes meet, by a sweep over x.
-std::optional<Defect> defect_of_edges(const std::vector<Chain>& all,
+std::optional<Defect> defect_of_edges(const Chains& all,
                                       std::map<VertexIndex, std::vector<Point>>& touching) {
   std::vector<NamedEdge> named;
+  std::size_t count = 0;
+  for (const Chain* chain : all) count += chain->size();
+  named.reserve(count);
   for (std::size_t c = 0; c < all.size(); ++c) {
-    const std::vector<Segment> of_chain = edges(all[c]);
-    for (std::size_t i = 0; i < of_chain.size(); ++i) {
-      const auto [min_x, max_x] = std::minmax(of_chain[i].source.x, of_chain[i].target.x);
-      named.push_back({of_chain[i], {c, i}, of_chain.size(), min_x, max_x});
+    const Chain& chain = *all[c];
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+      const Point& source = chain[i];
+      const Point& target = chain[next(i, chain.size())];
+      const auto [min_x, max_x] = std::minmax(source.x, target.x);
+      named.push_back({&source, &target, {c, i}, chain.size(), &min_x, &max_x});
     }
   }
   std::sort(named.begin(), named.end(),
-            [](const NamedEdge& a, const NamedEdge& b) { return a.min_x < b.min_x; });
+            [](const NamedEdge& a, const NamedEdge& b) { return *a.min_x < *b.min_x; });
   for (std::size_t i = 0; i < named.size(); ++i) {
-    for (std::size_t j = i + 1; j < named.size() && named[j].min_x <= named[i].max_x; ++j) {
+    for (std::size_t j = i + 1; j < named.size() && *named[j].min_x <= *named[i].max_x; ++j) {
+      if (are_apart_in_y(named[i], named[j])) continue;
       if (const auto defect = defect_of_pair(named[i], named[j], touching)) return defect;
     }
   }
@@ -160,9 +196,9 @@ std::string describe(DefectKind kind) {
 }
 
 std::optional<Defect> find_defect(const Region& region) {
-  const std::vector<Chain> all = chains(region);
+  const Chains all = chains_in(region);
   for (std::size_t c = 0; c < all.size(); ++c) {
-    if (const auto defect = defect_of_chain(all[c], c)) return defect;
+    if (const auto defect = defect_of_chain(*all[c], c)) return defect;
   }
   std::map<VertexIndex, std::vector<Point>> touching;
   if (const auto defect = defect_of_edges(all, touching)) return defect;
@@ -170,20 +206,21 @@ std::optional<Defect> find_defect(const Region& region) {
   std::vector<std::size_t> outer_of;
   for (const Component& component : region.components)
     outer_of.insert(outer_of.end(), 1 + component.holes.size(), outer_of.size());
-  const std::vector<Box> boxes(all.begin(), all.end());
+  std::vector<Box> boxes;
+  for (const Chain* chain : all) boxes.emplace_back(*chain);
   std::vector<std::vector<bool>> is_inside(all.size(), std::vector<bool>(all.size(), false));
   for (std::size_t a = 0; a < all.size(); ++a) {
     for (std::size_t b = 0; b < all.size(); ++b) {
       if (a == b || boxes[a].is_apart_from(boxes[b])) continue;
-      const Side side = side_of(all[a], a, all[b], touching);
+      const Side side = side_of(*all[a], a, *all[b], touching);
       if (side.inside && side.outside)
-        return Defect{DefectKind::chains_cross, side.edge, edge_through(side.where, all[b], b),
+        return Defect{DefectKind::chains_cross, side.edge, edge_through(side.where, *all[b], b),
                       side.where};
       is_inside[a][b] = side.inside;
     }
   }
   const auto defect = [&](DefectKind kind, std::size_t a, std::size_t b) {
-    return Defect{kind, {a, 0}, {b, 0}, all[a][0]};
+    return Defect{kind, {a, 0}, {b, 0}, (*all[a])[0]};
   };
   const auto is_outer = [&](std::size_t c) { return outer_of[c] == c; };
   for (std::size_t a = 0; a < all.size(); ++a) {

@@ -11,7 +11,7 @@ namespace oplus {
 
 enum class Format { dat, wkt, geojson };
 
-/// By the ending: .dat, .wkt, .json and .geojson; none for any other.
+/// Returns the format by the path's ending, .dat, .wkt, .json or .geojson; nothing for any other.
 std::optional<Format> format_of(const std::string& path);
 
 /// More decimals are not written: they would fill the memory with zeros.
@@ -42,7 +42,7 @@ std::string wkt(const Region& region);
 std::string wkt(const MinkowskiSum& sum);
 
 /// Writes a file as a whole or not at all: to a temporary one beside it, then renamed. "-" is
-/// standard output. What exists and is no file, such as a device, is written to and not replaced.
+/// standard output. A device or another special file is written to, not replaced.
 /// Throws std::system_error.
 void write_file(const std::string& path, const std::string& content);
 
