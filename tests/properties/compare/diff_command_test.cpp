@@ -131,10 +131,10 @@ TEST_F(DiffCommand, reproduces_a_failure_by_the_printed_line) {
   run("mkdir 'my programs'");
   put("my programs/sum", "#!/bin/sh\ncat \"$1\"\n");
   run("chmod +x 'my programs/sum'");
-  for (const std::string out : {"", "--out 'else where/it'\''s' ", "--out \"$PWD/found\" "}) {
+  for (const std::string out : {"", "--out 'else where/it'\\''s' ", "--out \"$PWD/found\" "}) {
     const Ran first = diff(
         "--pair square.dat frame.dat --engine \"exec:'./my programs/sum' {p} {q}\" --time-limit 500 "
-        "--shrink-tries 20 --report r.json --report r.md " +
+        "--report r.json --report r.md " +
         out);
     EXPECT_EQ(first.exit_code, 1) << first.err;
     const std::string line = last_line_after(first.out, "  reproduce: ");

@@ -68,8 +68,11 @@ TEST(FailureKind,
   EXPECT_EQ(kind(right, with_vertex(1, {8, 0})), "area smaller");
   // On any grid.
   const Rational millionth(9, 1000000);
-  EXPECT_EQ(kind(right, with_vertex(1, {9 + millionth, 0})), "rounded");
-  EXPECT_EQ(kind(right, with_vertex(1, {9 + millionth * 2, 0})), "area larger");
+  MinkowskiSum nearly = right;
+  nearly.outer[0][1].x += millionth;
+  EXPECT_EQ(kind(right, nearly), "rounded");
+  nearly.outer[0][1].x += millionth;
+  EXPECT_EQ(kind(right, nearly), "area larger");
 }
 
 TEST(FailureKind, rounded_needs_the_same_vertices) {

@@ -292,13 +292,13 @@ TEST(RunCampaign, interrupted_with_threads_has_the_first_pairs) {
 }
 
 TEST(RunCampaign, interrupted_while_shrinking_keeps_the_smallest_pair_so_far) {
-  const TaskSource grid = grid_source(3, 4, 200);
+  const TaskSource stars = family_source(*find_family("star"), 2, 1, 8);
   const Rules faulty{.engines = {changed([](MinkowskiSum& sum) { sum.outer.clear(); })}};
   std::vector<std::size_t> tries;
   RunWatch watch;
   watch.while_shrinking = [&](const ShrunkFailure& found) { tries.push_back(found.tries); };
   watch.is_interrupted = [&] { return tries.size() >= 8; };
-  const CampaignReport report = run_campaign(begun(grid), {grid}, faulty, 2, watch);
+  const CampaignReport report = run_campaign(begun(stars), {stars}, faulty, 2, watch);
   EXPECT_EQ(report.done, report.pairs);
   EXPECT_TRUE(report.is_interrupted());
   EXPECT_EQ(report.verdict(), "does not conform, interrupted while shrinking");
