@@ -134,6 +134,10 @@ inline Interval cross(const IntervalPoint& u, const IntervalPoint& v) {
   return u.x * v.y - u.y * v.x;
 }
 
+/// orientation, where rounded numbers do not tell.
+std::optional<int> orientation_of_intervals(const IntervalPoint& a, const IntervalPoint& b,
+                                            const IntervalPoint& c);
+
 /// The orientation of three points; empty where the intervals do not tell.
 inline std::optional<int> orientation(const IntervalPoint& a, const IntervalPoint& b,
                                       const IntervalPoint& c) {
@@ -142,7 +146,7 @@ inline std::optional<int> orientation(const IntervalPoint& a, const IntervalPoin
         (b.x.low - a.x.low) * (c.y.low - a.y.low), (b.y.low - a.y.low) * (c.x.low - a.x.low));
     if (rounded) return rounded;
   }
-  return sign(cross(b - a, c - a));
+  return orientation_of_intervals(a, b, c);
 }
 
 struct IntervalSegment {
