@@ -26,6 +26,10 @@ FilteredDirection::FilteredDirection(Direction exact)
 
 std::optional<int> FilteredDirection::filtered_compare_slope(const FilteredDirection& a,
                                                              const FilteredDirection& b) {
+  if (is_exact(a.x_) && is_exact(a.y_) && is_exact(b.x_) && is_exact(b.y_)) {
+    const std::optional<int> rounded = sign_of_difference(a.y_.low * b.x_.low, a.x_.low * b.y_.low);
+    if (rounded) return rounded;
+  }
   return compare(a.y_ * b.x_, a.x_ * b.y_);
 }
 

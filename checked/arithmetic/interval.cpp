@@ -27,4 +27,9 @@ Interval interval(const Rational& value) {
   return sgn(value) < 0 ? -of_size : of_size;
 }
 
+std::optional<int> orientation_of_intervals(const IntervalPoint& a, const IntervalPoint& b,
+                                            const IntervalPoint& c) {
+  return sign(cross(b - a, c - a));
+}
+
 }  // namespace oplus

@@ -97,6 +97,20 @@ inline std::optional<int> compare(const Interval& a, const Interval& b) {
 
 inline std::optional<int> sign(const Interval& a) { return compare(a, Interval{}); }
 
+/// The sign of x - y, of two products of exact numbers, or of sums of two such, that were rounded to
+/// these doubles; empty where they are too close.
+///
+/// With ε = 2^-53, each factor has a relative error of ε at most and a product another ε, or 2^-1074 where
+/// it underflows, so that x is within 4ε |left| + 2^-1073 of `left`, and the same for y; the difference has
+/// another ε. The bound has 8ε, which leaves room for its own rounding. It is infinite, or NaN, where
+/// anything overflows.
+inline std::optional<int> sign_of_difference(double left, double right) {
+  const double difference = left - right;
+  if (std::abs(difference) > (std::abs(left) + std::abs(right)) * 0x1p-50 + 0x1p-1000)
+    return difference > 0 ? 1 : -1;
+  return std::nullopt;
+}
+
 /// Exact where the number is a double.
 Interval interval(const Rational& value);
 
@@ -114,14 +128,25 @@ inline IntervalPoint operator-(const IntervalPoint& a, const IntervalPoint& b) {
   return {a.x - b.x, a.y - b.y};
 }
 
+inline bool is_exact(const IntervalPoint& p) { return is_exact(p.x) && is_exact(p.y); }
+
 inline Interval cross(const IntervalPoint& u, const IntervalPoint& v) {
   return u.x * v.y - u.y * v.x;
 }
 
+/// orientation, where rounded numbers do not tell.
+std::optional<int> orientation_of_intervals(const IntervalPoint& a, const IntervalPoint& b,
+                                            const IntervalPoint& c);
+
 /// The orientation of three points; empty where the intervals do not tell.
 inline std::optional<int> orientation(const IntervalPoint& a, const IntervalPoint& b,
                                       const IntervalPoint& c) {
-  return sign(cross(b - a, c - a));
+  if (is_exact(a) && is_exact(b) && is_exact(c)) {
+    const std::optional<int> rounded = sign_of_difference(
+        (b.x.low - a.x.low) * (c.y.low - a.y.low), (b.y.low - a.y.low) * (c.x.low - a.x.low));
+    if (rounded) return rounded;
+  }
+  return orientation_of_intervals(a, b, c);
 }
 
 struct IntervalSegment {

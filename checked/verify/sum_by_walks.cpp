@@ -85,10 +85,9 @@ class Walks {
 
   /// On which side of the track's line each point is: 1 on the left, -1 on the right, 0 on it.
   void find_sides() {
-    const IntervalPoint& from = near_[walked_.source];
-    const IntervalPoint along = near_[walked_.target] - from;
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      const std::optional<int> side = sign(cross(along, near_[i] - from));
+      const std::optional<int> side =
+          orientation(near_[walked_.source], near_[walked_.target], near_[i]);
       side_[i] =
           static_cast<std::int8_t>(side ? *side : orientation(source(), target(), points_[i]));
     }

@@ -11,16 +11,20 @@ from fixture import TreeTest
 from list_mutants import mutants, source
 from sources import ROOT, report
 
-SPDX = licence_lines.LINE
+MIT, SPDX = (licence_lines.LINE + one for one in (licence_lines.MIT, licence_lines.GPL))
 
 
 class LicenceLines(TreeTest):
     def test_where_the_line_must_be(self):
-        self.write("reference/io/right.cpp", "// " + SPDX)
+        self.write("reference/io/right.cpp", "// " + MIT)
+        self.write("reference/io/wrong.cpp", "// " + SPDX)
+        self.write("checked/engine.hpp", "// " + MIT)
+        self.write("checked/sweep/right.cpp", "// " + SPDX)
+        self.write("checked/sweep/wrong.cpp", "// " + MIT)
         self.write("tests/run", "#!/bin/sh", "# " + SPDX)
         self.write("tests/CMakeLists.txt", "# " + SPDX)
         self.write("tests/corpus/some.dat", "data")
-        self.write("reference/io/late.cpp", "", "// " + SPDX)
+        self.write("reference/io/late.cpp", "", "// " + MIT)
         self.write("reference/io/empty.hpp")
         self.write("properties/run", "#!/bin/sh", "echo", "# " + SPDX)
         self.write("CMakeLists.txt", "project(oplus)")
@@ -29,8 +33,28 @@ class LicenceLines(TreeTest):
         self.write("properties/smt/right.smt2", "; " + SPDX)
         found = licence_lines.violations(self.root, licence_lines.sources(self.root))
         self.assertEqual([line.split(":")[0] for line in found],
-                         ["CMakeLists.txt", "properties/proofs/unclosed.v", "properties/run",
-                          "reference/io/empty.hpp", "reference/io/late.cpp"])
+                         ["CMakeLists.txt", "checked/sweep/wrong.cpp",
+                          "properties/proofs/unclosed.v", "properties/run", "reference/io/empty.hpp",
+                          "reference/io/late.cpp", "reference/io/wrong.cpp"])
+
+    def test_what_the_core_includes(self):
+        self.write("checked/sweep/a.cpp", "#include <CGAL/a.h>", '#include "checked/slide/a.hpp"')
+        self.write("reference/io/a.cpp", "#include <gmpxx.h>", "#include <boost/a.hpp>",
+                   '#include "reference/definitions/a.hpp"', '#include "checked/statistics.hpp"')
+        self.assertEqual(licence_lines.wrong_includes(self.root), [])
+        for line in ["<CGAL/a.h>", '"CGAL/a.h"', "<tbb/a.h>", "<mpfr.h>", '"checked/sweep/a.hpp"',
+                     '"checked/engines/engines.hpp"', '"properties/a.hpp"']:
+            with self.subTest(line=line):
+                self.write("checked/slide/a.hpp", "#include <vector>", "#include " + line)
+                self.assertEqual(licence_lines.wrong_includes(self.root),
+                                 [f"checked/slide/a.hpp:2: the core may not include {line[1:-1]}"])
+
+    def test_the_texts_of_the_licences(self):
+        self.write("LICENSES/MIT.txt")
+        self.assertEqual(licence_lines.missing_licences(self.root),
+                         ["LICENSES/GPL-3.0-or-later.txt: missing"])
+        self.write("LICENSES/GPL-3.0-or-later.txt")
+        self.assertEqual(licence_lines.missing_licences(self.root), [])
 
 
 class Format(TreeTest):

@@ -1,10 +1,18 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fails on a source file or script whose first line, after a #! line, is not the SPDX line."""
+"""Fails on a source file or script whose first line, after a #! line, is not the SPDX line of its
+folder's licence, on an include that takes GPL code into the core, and on a missing licence."""
 
-from sources import ROOT, files, report
+from includes import includes
+from sources import ROOT, cpp, files, report
 
-LINE = "SPDX-License-Identifier: GPL-3.0-or-later"
+MIT, GPL = "MIT", "GPL-3.0-or-later"
+# The library oplus_core; of `checked`, what is not in a folder. All else is over CGAL, or may be.
+CORE = ("reference/definitions", "reference/io", "reference/oracle", "reference/pictures", "checked",
+        "checked/arithmetic", "checked/collision", "checked/cycles", "checked/slide", "checked/verify")
+NOT_IN_CORE = ("CGAL", "tbb", "oneapi", "mpfr.h")
+OURS = ("reference", "checked", "properties", "tests", "oplus")
+LINE = "SPDX-License-Identifier: "
 COMMENT = {".cpp": ("// ", ""), ".hpp": ("// ", ""), ".smt2": ("; ", ""),
            ".v": ("(* ", " *)"), ".ml": ("(* ", " *)"), ".mli": ("(* ", " *)")}
 SCRIPTS = (".py", ".sh", ".cmake")
@@ -17,6 +25,28 @@ def is_source(path):
         return file.read(2) == b"#!"
 
 
+def licence(name):
+    return MIT if name.rpartition("/")[0] in CORE else GPL
+
+
+def wrong_includes(root):
+    found = []
+    for path in cpp(root):
+        name = path.relative_to(root).as_posix()
+        if licence(name) != MIT:
+            continue
+        for include in includes(path):
+            first = (include.path or "").split("/")[0]
+            if first in NOT_IN_CORE or first in OURS and licence(include.path) != MIT:
+                found.append(f"{name}:{include.line}: the core may not include {include.path}")
+    return found
+
+
+def missing_licences(root):
+    return [f"LICENSES/{one}.txt: missing" for one in (GPL, MIT)
+            if not (root / "LICENSES" / f"{one}.txt").is_file()]
+
+
 def violations(root, paths):
     found = []
     for path in paths:
@@ -24,7 +54,7 @@ def violations(root, paths):
         if lines and lines[0].startswith("#!"):
             lines = lines[1:]
         opened, closed = COMMENT.get(path.suffix, ("# ", ""))
-        expected = opened + LINE + closed
+        expected = opened + LINE + licence(path.relative_to(root).as_posix()) + closed
         if not lines or lines[0] != expected:
             found.append(f"{path.relative_to(root)}: does not start with `{expected}`")
     return found
@@ -35,4 +65,5 @@ def sources(root):
 
 
 if __name__ == "__main__":
-    report("licence lines", len(sources(ROOT)), violations(ROOT, sources(ROOT)))
+    report("licences", len(sources(ROOT)),
+           violations(ROOT, sources(ROOT)) + wrong_includes(ROOT) + missing_licences(ROOT))

@@ -40,8 +40,9 @@ TEST(Interval, of_another_number_is_around_it) {
     const Interval around = interval(value);
     EXPECT_TRUE(contains(around, value)) << value;
     EXPECT_LT(around.low, around.high) << value;
-    if (abs(value) < beyond)
+    if (abs(value) < beyond) {
       EXPECT_LE(around.high - around.low, std::abs(around.low) * 0x1p-50 + 3 * least) << value;
+    }
   }
 }
 
@@ -143,6 +144,36 @@ TEST(Interval, signs_and_orders_are_those_of_all_numbers_inside) {
   EXPECT_EQ(compare(Interval{1, 2}, Interval{3, infinity}), -1);
   EXPECT_EQ(compare(Interval{1, 2}, Interval{2, 3}), std::nullopt);
   EXPECT_EQ(compare(Interval{2, 2}, Interval{2, 2}), 0);
+}
+
+TEST(Interval, orientation_is_right_or_missing_for_random_doubles) {
+  Random random(11);
+  int certain = 0, uncertain = 0, zero = 0;
+  for (int i = 0; i < 40000; ++i) {
+    const auto point = [&] {
+      const double x = draw_double(random);
+      return std::pair(x, one_in(random, 3) ? x : draw_double(random));
+    };
+    const auto a = point(), b = point();
+    const double factor = one_in(random, 2) ? 3 : 1 + 0x1p-52;
+    // Often on the line through a and b, or nearly.
+    const auto c = one_in(random, 2) ? point()
+                                     : std::pair(a.first + factor * (b.first - a.first),
+                                                 a.second + factor * (b.second - a.second));
+    if (!std::isfinite(c.first) || !std::isfinite(c.second)) continue;
+    const auto exact = [](const auto& p) { return Point{Rational(p.first), Rational(p.second)}; };
+    const int expected = orientation(exact(a), exact(b), exact(c));
+    const std::optional<int> found =
+        orientation(interval(exact(a)), interval(exact(b)), interval(exact(c)));
+    ++(found ? certain : uncertain);
+    if (found) {
+      ASSERT_EQ(*found, expected);
+    }
+    zero += found == 0;
+  }
+  EXPECT_GT(certain, 5000);
+  EXPECT_GT(uncertain, 1000);
+  EXPECT_GT(zero, 50);
 }
 
 std::optional<int> turn(const Point& a, const Point& b, const Point& c) {

@@ -116,15 +116,18 @@ TEST(Cells, are_those_of_cgals_arrangement) {
   Random random(7);
   Kinds kinds;
   for (int i = 0; i < 3000; ++i) {
-    const int side = uniform(random, 2, 12);
+    const int side = uniform(random, 2, 16);
     std::vector<Segment> segments;
     const auto add_box = [&](int x, int y, int width, int height) {
       const Point a{x, y}, b{x + width, y}, c{x + width, y + height}, d{x, y + height};
       segments.insert(segments.end(), {{a, b}, {c, b}, {c, d}, {d, a}});
     };
-    for (int count = uniform(random, 0, 4); count > 0; --count) {
+    // Boxes in each other: holes in holes.
+    for (int depth = uniform(random, 0, 3), at = 0; depth > 0 && at < side - at; --depth, at += 2)
+      add_box(at, at, side - 2 * at, side - 2 * at);
+    for (int count = uniform(random, 0, 5); count > 0; --count) {
       const int x = uniform(random, 0, side), y = uniform(random, 0, side);
-      const int width = uniform(random, 1, side), height = uniform(random, 1, side);
+      const int width = uniform(random, 1, 3), height = uniform(random, 1, 3);
       add_box(x, y, width, height);
     }
     for (int count = uniform(random, 0, 6); count > 0; --count) {
