@@ -9,7 +9,12 @@ from sources import ROOT, cpp, files, report
 MIT, GPL = "MIT", "GPL-3.0-or-later"
 # The library oplus_core; of `checked`, what is not in a folder. All else is over CGAL, or may be.
 CORE = ("reference/definitions", "reference/io", "reference/oracle", "reference/pictures", "checked",
-        "checked/arithmetic", "checked/collision", "checked/cycles", "checked/slide", "checked/verify")
+        "checked/arithmetic", "checked/collision", "checked/cycles", "checked/oplus", "checked/slide",
+        "checked/verify")
+# What users copy from.
+EXAMPLES = ("docs/examples/cpp", "tests/consumer")
+# Only for those who have CGAL; of it, what is under the LGPL (tests/checked/oplus/cgal_licence).
+ADAPTERS = ("checked/oplus/cgal.hpp",)
 NOT_IN_CORE = ("CGAL", "tbb", "oneapi", "mpfr.h")
 OURS = ("reference", "checked", "properties", "tests", "oplus")
 LINE = "SPDX-License-Identifier: "
@@ -26,14 +31,14 @@ def is_source(path):
 
 
 def licence(name):
-    return MIT if name.rpartition("/")[0] in CORE else GPL
+    return MIT if name.rpartition("/")[0] in CORE + EXAMPLES else GPL
 
 
 def wrong_includes(root):
     found = []
     for path in cpp(root):
         name = path.relative_to(root).as_posix()
-        if licence(name) != MIT:
+        if name.rpartition("/")[0] not in CORE or name in ADAPTERS:
             continue
         for include in includes(path):
             first = (include.path or "").split("/")[0]
