@@ -41,7 +41,7 @@ std::optional<Defect> defect_of_chain(const Chain& chain, std::size_t index) {
   return std::nullopt;
 }
 
-/// A defect of two edges, or none. Touching points of different chains go into `touching`.
+/// A defect of two edges; empty if there is no defect. Touching points of different chains go into `touching`.
 std::optional<Defect> defect_of_pair(const NamedEdge& a, const NamedEdge& b,
                                      std::map<VertexIndex, std::vector<Point>>& touching) {
   const std::vector<Point> common = intersection(a.segment, b.segment);
