@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <algorithm>
@@ -36,8 +36,8 @@ struct EngineOptions {
   SlideNumbers numbers = SlideNumbers::as_needed;
 };
 
-/// Anything that maps two regions to their sum: an algorithm of ours, the oracle, a library or a
-/// program of somebody else's.
+/// Anything that maps two regions to their sum: an algorithm of ours, the oracle, another
+/// library or program.
 struct Engine {
   std::string name;
   std::string what = {};       ///< a line for a list

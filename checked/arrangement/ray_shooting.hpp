@@ -18,7 +18,7 @@ class RayShooting {
   ~RayShooting();
 
   /// The winding number of the points directly to the right of the middle of a segment, which may
-  /// be a part of the convolution's segments, cross some, or be none of them.
+  /// be a part of the convolution's segments, cross some, or be another segment.
   int winding_number_right_of(const Segment& edge) const;
 
  private:

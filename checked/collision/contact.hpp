@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 namespace oplus {
 
 /// For each summand, whether its interior is counterclockwise of a ray from a contact point, or
-/// clockwise; none where its boundary does not run along the ray.
+/// clockwise; empty where its boundary does not run along the ray.
 using InteriorSides = std::array<std::optional<bool>, 2>;
 
 /// Whether the interiors of the two summands meet in every neighbourhood of a contact point, given

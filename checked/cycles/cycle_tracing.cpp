@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: MIT
 #include "checked/cycles/cycle_tracing.hpp"
 
 #include <array>
@@ -100,7 +100,7 @@ class Tracer {
   }
 
   /// Which edge a cycle takes that came to a state along this summand's. If it cannot go on, it need
-  /// not ask whether it can turn, as little as Algorithm 2 does.
+  /// not test whether it can turn; Algorithm 2 does not either.
   Summand summand_after(Summand came_by, const State& at) {
     ++result_.states_looked_at;
     if (OPLUS_MUTANT("edge-of-p-though-visited",

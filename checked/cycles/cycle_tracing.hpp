@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>
@@ -53,7 +53,7 @@ struct GridCycles {
 /// unvisited, Algorithm 2 may choose: here a cycle goes on along the summand it came by. So away
 /// from its start, which segment follows depends on the segment before it alone, and on different
 /// ones follow different ones; a cycle therefore cannot run into another, or into itself before it
-/// is back, and nobody has to ask whether a segment was visited. Only those that leave starting
+/// is back, and no test whether a segment was visited is needed. Only those that leave starting
 /// states are marked. Both are traced before the next start is looked at, so a start where two
 /// cycles are joined otherwise is one that no later cycle enters.
 GridCycles trace_cycles(const TracedChain& p, const TracedChain& q);

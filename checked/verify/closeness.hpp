@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
@@ -24,7 +24,7 @@ struct BoundaryDistance {
 
 /// How far a given sum is from the right one.
 struct Closeness {
-  /// Of the boundaries; none where one of the two sums is empty and the other is not.
+  /// Of the boundaries; empty where one of the two sums is empty and the other is not.
   std::optional<BoundaryDistance> distance;
   bool is_within;                        ///< decided exactly: whether the distance is at most D
   std::vector<std::string> no_partners;  ///< a line for each chain without a partner

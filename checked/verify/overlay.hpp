@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>
@@ -25,7 +25,7 @@ class Overlay {
     Segment piece;
     bool in_given;      ///< whether the set is on both sides, or on neither; where one only:
     bool is_boundary;   ///< the set is on one side,
-    std::size_t times;  ///< and so many chains run there; one: it crosses another, or itself
+    std::size_t times;  ///< the number of chains that run there; one: it crosses another, or itself
   };
 
   /// All such pieces, those in line and connected as one.

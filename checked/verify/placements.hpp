@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <memory>
@@ -21,7 +21,7 @@ class Placements {
   bool interiors_meet_at(const Point& x) const;
 
   /// A point of P that is one of -Q+x: an inner point of both, or, where their interiors do not
-  /// meet, of both boundaries; none where P and -Q+x are disjoint.
+  /// meet, of both boundaries; empty where P and -Q+x are disjoint.
   std::optional<Point> common_point_at(const Point& x) const;
 
  private:

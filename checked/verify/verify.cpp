@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: MIT
 #include "checked/verify/verify.hpp"
 
 #include <algorithm>
@@ -210,7 +210,7 @@ class FeatureReasons {
   std::vector<Reason> reasons_;
 };
 
-/// Exactly, or rounded where nobody would read it.
+/// Exactly, or rounded where the exact value is too long to read.
 std::string legible(const Rational& value) {
   const std::string exact = to_string(value);
   return exact.size() <= 24 ? exact : "about " + approximate(value);

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// OPLUS_MUTANT("name", "what goes wrong") is true where the fault of that name is switched on. Only

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 namespace oplus {
 
 /// Returns the least t > 0 at which start + t·along is on one of the segments, which may be points;
-/// none if the ray meets no segment. Requires: the direction is not zero.
+/// empty if the ray meets no segment. Requires: the direction is not zero.
 std::optional<Rational> first_met(const Point& start, const Vector& along,
                                   const std::vector<Segment>& segments);
 

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: MIT
 #include "reference/definitions/tangent_set.hpp"
 
 #include "reference/definitions/cyclic_order.hpp"

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: MIT
 #include "reference/definitions/validity.hpp"
 
 #include <algorithm>
@@ -71,7 +71,7 @@ std::optional<Defect> defect_of_chain(const Chain& chain, std::size_t index) {
   return found;
 }
 
-/// A defect of two edges, or none. Touching points of different chains go into `touching`.
+/// A defect of two edges; empty if there is no defect. Touching points of different chains go into `touching`.
 std::optional<Defect> defect_of_pair(const NamedEdge& a, const NamedEdge& b,
                                      std::map<VertexIndex, std::vector<Point>>& touching) {
   const std::vector<Point> common = intersection(a.segment(), b.segment());

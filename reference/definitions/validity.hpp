@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
@@ -34,7 +34,7 @@ struct Defect {
 /// Returns a short phrase in the field's words, such as "edges cross".
 std::string describe(DefectKind kind);
 
-/// Returns a defect of the region, or none if it is valid.
+/// Returns a defect of the region; empty if it is valid.
 /// Requires: outer chains counterclockwise, holes clockwise, where they enclose an area.
 std::optional<Defect> find_defect(const Region& region);
 

@@ -30,7 +30,7 @@ std::optional<Chain> polygon_through(Random& random, std::vector<LatticePoint> p
 Chain lattice_polygon(Random& random, int side, std::size_t most);
 
 /// Returns a simple polygon of 3 to `most` vertices on integer points inside or on `around`, or
-/// none where the draw failed. Its edges may still cross those of `around`.
+/// empty where the draw failed. Its edges may still cross those of `around`.
 /// Requires: integer coordinates.
 std::optional<Chain> lattice_polygon_within(Random& random, const Chain& around, std::size_t most);
 

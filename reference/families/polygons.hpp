@@ -12,7 +12,7 @@ namespace oplus {
 /// chain of exactly n vertices. Require: n >= 3.
 
 /// Vertices on a circle about the origin, of radius 10^5 to 10^6, or n² where the grid would be too
-/// coarse for so many vertices. No vertex is inside a straight line.
+/// coarse for that number of vertices. No vertex is inside a straight line.
 Region convex_polygon(Random& random, std::size_t n);
 
 /// Star-shaped about the origin: random directions, each with a random radius up to 10^6.

@@ -131,7 +131,7 @@ Summands tight_pair(Random& random, std::size_t n) {
                   : one_in(random, 3) ? mould(random)
                                       : passage(random, n);
   if (one_in(random, 4)) {
-    // A little wider, narrower or both: what just fitted now has room to move, or none.
+    // A little wider, narrower or both: what just fitted now has room to move, or does not fit.
     const Rational factors[] = {Rational(7, 8), Rational(1), Rational(9, 8)};
     const Rational& x = factors[uniform_index(random, 3)];
     const Rational& y = factors[uniform_index(random, 3)];

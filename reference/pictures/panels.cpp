@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: MIT
 #include "reference/definitions/convolution.hpp"
 #include "reference/io/counted.hpp"
 #include "reference/pictures/styles.hpp"

@@ -56,7 +56,7 @@ TEST_F(VerifyCommand, each_kind_of_reason_once_and_how_often) {
                 "no: missing hole: a hole of area 1 of the sum is filled\n"
                 "witness: (2.5, 2.5) is in S, but not in the sum: the interiors of P and "
                 "-Q + (2.5, 2.5) do not meet\n"
-                "also: additional component: a component of area 0.5 is outside the sum; at (6.7, "
+                "also: additional component: a component of area 0.5 is outside the sum; at (6.5, "
                 "0.2)\n"
                 "also: wrong orientation: the outer chain of component 1 runs clockwise, not "
                 "counterclockwise; at (0, 2.5)\n"

@@ -15,7 +15,7 @@ template <typename Numbers>
 class FractionIn : public testing::Test {};
 TYPED_TEST_SUITE(FractionIn, AllNumbers);
 
-/// A fraction's numbers have less than so many bits, here.
+/// An upper bound for the number of bits of a fraction's numbers here.
 template <typename Numbers>
 constexpr unsigned bits = is_small<Numbers>                      ? 62
                           : std::is_same_v<Numbers, WideNumbers> ? 253

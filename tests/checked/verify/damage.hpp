@@ -72,7 +72,7 @@ inline Component* component_around(Region& region, const Point& place) {
 }
 
 /// A narrow bridge between two edges of a sum that see each other: its side from the first to the
-/// second, then that back; none where they do not.
+/// second, then that back; empty where they do not.
 inline std::optional<Chain> bridge(const Segment& a, const Segment& b, const MinkowskiSum& sum) {
   const auto at = [](const Segment& s, const Rational& t) {
     return s.source + t * direction_of(s);
