@@ -85,9 +85,12 @@ class Walks {
 
   /// On which side of the track's line each point is: 1 on the left, -1 on the right, 0 on it.
   void find_sides() {
+    const IntervalPoint from = near_[walked_.source];
+    const IntervalPoint to = near_[walked_.target];
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      const std::optional<int> side =
-          orientation(near_[walked_.source], near_[walked_.target], near_[i]);
+      side_[i] = static_cast<std::int8_t>(orientation_in_doubles(from, to, near_[i]));
+      if (side_[i] != 0) continue;
+      const std::optional<int> side = orientation(from, to, near_[i]);
       side_[i] =
           static_cast<std::int8_t>(side ? *side : orientation(source(), target(), points_[i]));
     }
@@ -95,6 +98,8 @@ class Walks {
 
   /// On which side of a track's line an end of the one that is walked along is.
   int side_of_track(std::size_t point, const Track& t) const {
+    if (const int side = orientation_in_doubles(near_[t.source], near_[t.target], near_[point]))
+      return side;
     const std::optional<int> side = orientation(near_[t.source], near_[t.target], near_[point]);
     return side ? *side : orientation(points_[t.source], points_[t.target], points_[point]);
   }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -178,6 +179,36 @@ TEST(Interval, orientation_is_right_or_missing_for_random_doubles) {
 
 std::optional<int> turn(const Point& a, const Point& b, const Point& c) {
   return orientation(interval(a), interval(b), interval(c));
+}
+
+/// Points near a line, where naive doubles are wrong (Kettner and others, "Classroom examples of
+/// robustness problems").
+TEST(IntervalStage, in_doubles_is_right_for_all_numbers_inside_or_zero) {
+  std::map<int, int> seen;
+  for (int i = 0; i < 1200; ++i) {
+    const double step = std::ldexp(1, -53 + i % 3 * 8);
+    for (const double width : {0., 0x1p-53, 0x1p-50, 0x1p-20}) {
+      for (const double far : {0., 0x1p-20}) {
+        const double x = 0.5 + i / 3 % 20 * step, y = 0.5 + i / 60 * step;
+        const std::array<IntervalPoint, 3> points{
+            {{{x, x + width}, {y, y + width}}, {{12, 12}, {12, 12 + far}}, {{24, 24}, {24, 24}}}};
+        for (std::size_t first = 0; first < 3; ++first) {
+          const auto point = [&](std::size_t k) { return points[(first + k) % 3]; };
+          const int sign = orientation_in_doubles(point(0), point(1), point(2));
+          ++seen[sign];
+          for (unsigned corner = 0; sign != 0 && corner < 64; ++corner) {
+            const auto at = [&](std::size_t k) {
+              const auto& [of_x, of_y] = point(k);
+              return Point{corner >> k & 1 ? of_x.high : of_x.low,
+                           corner >> (k + 3) & 1 ? of_y.high : of_y.low};
+            };
+            ASSERT_EQ(orientation(at(0), at(1), at(2)), sign);
+          }
+        }
+      }
+    }
+  }
+  for (const int sign : {-1, 0, 1}) EXPECT_GT(seen[sign], 1000) << sign;
 }
 
 TEST(IntervalStage, must_answer_for_small_integers) {
