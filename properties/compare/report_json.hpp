@@ -10,8 +10,8 @@ namespace oplus {
 /// Returns the report as JSON (docs/json.md), with a checksum of all of it.
 std::string sealed(const CampaignReport& report);
 
-/// Returns the report of such a text. Throws InvalidInput where it is none or its checksum is not that
-/// of the rest; `file` is what messages call it.
+/// Returns the report of such a text. Throws InvalidInput where the text is not a report or its checksum
+/// is wrong; `file` is what messages call it.
 CampaignReport opened(const std::string& text, const std::string& file);
 
 /// What differs first between the commands, versions and campaigns of two reports, as "seed is 2, not

@@ -56,8 +56,8 @@ constexpr std::size_t cases_to_judge_shares = 50;
 std::uint64_t seed_of(const std::string& id, std::uint64_t seed);
 
 /// Goes through the statement's enumeration; unless that fails, tries the statement on pairs from
-/// its sources, with RapidCheck. A case of the enumeration that fails is a complaint, and that there
-/// is none. Of the pairs, everything that is not "as many cases as asked, all hold, every promised
+/// its sources, with RapidCheck. A failing case of the enumeration is a complaint, and so is an empty
+/// enumeration. Of the pairs, everything that is not "as many cases as asked, all hold, every promised
 /// share kept" is a complaint: a failure, zero cases, fewer cases than asked, too many discarded, a
 /// generator that throws. Same options, same run, on every compiler; nothing in the environment
 /// changes it.

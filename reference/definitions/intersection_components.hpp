@@ -21,7 +21,7 @@ struct ComponentsAndHoles {
 
 /// CCC(x) (thesis, Definition 4.2.9) with holes: the topology of the intersection of the interiors
 /// of P and -Q+x. Parts that touch in points only are several components; a hole that touches the
-/// outside is none. From the arrangement of both boundaries.
+/// outside does not count. From the arrangement of both boundaries.
 /// Requires: P and Q are valid; x is on no segment of the vertex-edge sum, so that no vertex of
 /// either is on the other's boundary and edges cross properly or not at all.
 ComponentsAndHoles intersection_components(const Region& p, const Region& q, const Point& x);

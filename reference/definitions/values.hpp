@@ -113,8 +113,8 @@ struct Origin {
 /// have its direction (for a dangling edge, either). Sorted.
 using Origins = std::vector<std::vector<Origin>>;
 
-/// A sum as somebody wrote it down. Nothing is required: chains may be turned the wrong way, cross,
-/// overlap, touch or repeat each other and themselves.
+/// A sum from any source, as it was written down. Nothing is required: chains may have the wrong
+/// orientation, cross, overlap, touch or repeat each other and themselves.
 ///
 /// The set it stands for: a point on no chain belongs to it iff some component's outer chain winds
 /// around it, in either direction, and none of that component's holes does; the set is the closure

@@ -19,7 +19,7 @@ class Description {
   void say(const std::string& words) { said_ += words; }
   void say(const std::vector<Segment>& segments);
 
-  /// Exact sums are in canonical form; the chains of others are counted as they are.
+  /// Exact sums are in canonical form; chains of other sums are counted as they are.
   void add(const MinkowskiSum& sum, bool is_rounded = false);
 
   /// Adds the numbers, the total area, and a digest of 64 bits of the text, if it is not empty.

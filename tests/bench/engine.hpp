@@ -80,7 +80,7 @@ class EachPair : public PreparedPairs {
   std::vector<Sum> sums_;
 };
 
-/// Throws NotTaken.
+/// Throws Unsupported.
 using Preparing = std::function<std::unique_ptr<PreparedPairs>(const Row& row,
                                                                const std::vector<Summands>& pairs)>;
 

@@ -121,7 +121,7 @@ void write_agreement(std::ostream& out, const Row& row) {
 Measurement measured(const BenchEngine& engine, const Row& row, double min_time,
                      const ProcessLimits& limits) {
   const auto work = [&](const std::function<void()>& beat) {
-    if (!row.make) throw NotTaken("missing");
+    if (!row.make) throw Unsupported("missing");
     const std::vector<Summands> made = row.make();
     const std::unique_ptr<PreparedPairs> pairs = engine.prepare(row, made);
     beat();

@@ -55,7 +55,7 @@ int measure(const Measuring& work, int output) {
     });
   } catch (const std::bad_alloc&) {
     return exit_out_of_memory;
-  } catch (const NotTaken& e) {
+  } catch (const Unsupported& e) {
     measurement = {.outcome = Ending::unsupported, .note = e.what()};
   } catch (const std::exception& e) {
     measurement = {.outcome = Ending::failed, .note = e.what()};

@@ -49,7 +49,7 @@ TEST(OwnProcess, work_that_is_killed_or_throws_is_reported) {
             "failed: why, then");
   EXPECT_EQ(measured([]() -> std::string { throw 1; }).outcome, Ending::failed);
   EXPECT_EQ(measured([]() -> std::string { ::_exit(1); }).outcome, Ending::failed);
-  EXPECT_EQ(measured([]() -> std::string { throw NotTaken("no holes"); }).outcome,
+  EXPECT_EQ(measured([]() -> std::string { throw Unsupported("no holes"); }).outcome,
             Ending::unsupported);
 }
 

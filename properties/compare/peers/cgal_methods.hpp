@@ -80,7 +80,7 @@ struct CgalMethod {
   /// CGAL wants chains to touch in common vertices only (is_valid_polygon_with_holes), so a vertex is
   /// added where one touches an edge of another.
   static PolygonWithHoles polygon_of(const Region& region) {
-    if (region.components.size() != 1) throw NotTaken("supports one component only");
+    if (region.components.size() != 1) throw Unsupported("supports one component only");
     PolygonWithHoles polygon;
     for (const std::vector<Segment>& pieces : pieces_by_chain(region)) {
       Chain chain;
@@ -101,7 +101,7 @@ struct CgalMethod {
 struct CgalWithoutHoles : CgalMethod {
   Input converted(const Summands& pair) const {
     Input result = CgalMethod::converted(pair);
-    if (!result.is_simple()) throw NotTaken("does not support holes");
+    if (!result.is_simple()) throw Unsupported("does not support holes");
     return result;
   }
 };

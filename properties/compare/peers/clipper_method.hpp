@@ -24,14 +24,14 @@ struct ClipperMethod {
 
   Input converted(const Summands& pair) const {
     if (pair.p.components.size() != 1 || pair.q.components.size() != 1)
-      throw NotTaken("supports one component only");
+      throw Unsupported("supports one component only");
     const Vector p = extent(pair.p);
     const Vector q = extent(pair.q);
     const bool p_may_fit_into_q = p.x < q.x && p.y < q.y;
     const Region& outer = p_may_fit_into_q ? pair.q : pair.p;
     const Region& inner = p_may_fit_into_q ? pair.p : pair.q;
     if (!inner.components[0].holes.empty())
-      throw NotTaken("does not support holes in the smaller summand");
+      throw Unsupported("does not support holes in the smaller summand");
     const IntegerScale scale = IntegerScale::of(pair, most);
     Input result{scale, path_of(inner.components[0].outer, scale), {}};
     for (const Chain& chain : oplus::chains(outer)) result.paths.push_back(path_of(chain, scale));

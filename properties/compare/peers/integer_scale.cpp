@@ -19,7 +19,7 @@ IntegerScale IntegerScale::of(const Summands& pair, const mpz_class& most) {
     reach += largest;
   }
   Rational factor = denominator;
-  if (factor * reach > most) throw NotTaken("does not support such large coordinates");
+  if (factor * reach > most) throw Unsupported("does not support such large coordinates");
   while (reach > 0 && 2 * factor * reach <= most) factor *= 2;
   return {factor};
 }

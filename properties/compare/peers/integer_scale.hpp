@@ -11,7 +11,7 @@ struct IntegerScale {
   Rational factor;
 
   /// The largest power of two, times the common denominator, with which all coordinates of the
-  /// summands and of their sum are at most `most`. Throws NotTaken where that is less than 1.
+  /// summands and of their sum are at most `most`. Throws Unsupported where that is less than 1.
   static IntegerScale of(const Summands& pair, const mpz_class& most);
 
   /// Requires: value is a coordinate of the pair.

@@ -40,7 +40,7 @@ int sum(const std::function<MethodFunction>& method, const std::string& p, const
   }
   try {
     std::cout << written(sum_of_chains(method(pair)), Format::wkt);
-  } catch (const NotTaken& e) {
+  } catch (const Unsupported& e) {
     std::cerr << e.what() << '\n';
     return exit_refused;
   } catch (const NoSum& e) {

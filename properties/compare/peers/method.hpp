@@ -13,14 +13,14 @@ namespace oplus {
 //   using Input = …;  a pair in its own form
 //   using Sum = …;    a sum in its own form
 //   static constexpr bool rounds = …;  its sums may be inexact
-//   Input converted(const Summands& pair) const;  throws NotTaken
+//   Input converted(const Summands& pair) const;  throws Unsupported
 //   Sum sum(const Input& input) const;
 //   ReturnedChains chains(const Input& input, const Sum& sum) const;
 //   and, if it leaves coordinates unevaluated, static void evaluate(const Sum& sum);
 //   and, if it knows, static std::size_t segments(const Sum& sum);
 
 /// The library does not support the pair, such as polygons with holes.
-class NotTaken : public std::runtime_error {
+class Unsupported : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };

@@ -5,7 +5,7 @@
 
 namespace oplus {
 
-/// Methods as functions: what each returns for a pair. They throw NotTaken, and may crash or throw
+/// Methods as functions: what each returns for a pair. They throw Unsupported, and may crash or throw
 /// anything else, as the library does.
 using MethodFunction = ReturnedChains(const Summands& pair);
 MethodFunction cgal_reduced, cgal_full, cgal_vertical, cgal_triangulation, cgal_small_side,
