@@ -73,6 +73,7 @@ Measurement measurement_from(const EndedProcess& ended, double limit) {
       return {.outcome = Ending::over_limit, .note = "> " + plain(limit) + " s"};
     case EndedProcess::How::killed_by_signal:
       return {.outcome = Ending::crashed, .note = "signal " + std::to_string(ended.code)};
+    case EndedProcess::How::interrupted:  // only where limits.is_interrupted is set
     case EndedProcess::How::exited:
       break;
   }
