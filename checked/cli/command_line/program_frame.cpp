@@ -54,25 +54,27 @@ void set_up(CLI::App& program) {
       ->type_name("WHEN");
 }
 
-/// The complaint about a first word that is neither a command nor an option; empty if there is none.
-std::string unknown_word(const CLI::App& program) {
+/// The complaint about a word in the place of the command that is neither one nor an option; else empty.
+std::string unknown_word(const CLI::App& program, const std::string& first_word) {
   const std::vector<std::string> unknown = program.remaining();
-  if (!program.get_subcommands().empty() || unknown.empty()) return "";
+  if (unknown.empty()) return "";
+  // What a command does not expect is among them.
+  if (!program.get_subcommands().empty() && unknown.front() != first_word) return "";
   return "there is no " + std::string(unknown.front().starts_with("-") ? "option " : "command ") +
          unknown.front();
 }
 
 /// What is wrong with a command line, and which help to read.
-std::string complaint(const CLI::App& program, const CLI::ParseError& error) {
+std::string complaint(const CLI::App& program, const std::string& first_word,
+                      const CLI::ParseError& error) {
   const auto used = program.get_subcommands();
-  const std::string name = error.get_name();
-  if (!used.empty() || (name != "RequiredError" && name != "ExtrasError"))
-    return std::string(error.what()) + "; see " + program.get_name() + " " +
-           (used.empty() ? "" : used.front()->get_name() + " ") + "--help";
-  // CLI11 would ask for a command first.
-  const std::string unknown = unknown_word(program);
-  return (unknown.empty() ? "a command is needed" : unknown) + "; see " + program.get_name() +
-         " --help";
+  const std::string see = "; see " + program.get_name() + " ";
+  // CLI11 would ask for a command, or for its arguments, first.
+  if (const std::string unknown = unknown_word(program, first_word); !unknown.empty())
+    return unknown + see + "--help";
+  if (used.empty() && error.get_name() == "RequiredError")
+    return "a command is needed" + see + "--help";
+  return error.what() + see + (used.empty() ? "" : used.front()->get_name() + " ") + "--help";
 }
 
 /// Opens standard streams that were closed before the start, the wrong way round, so that their use
@@ -118,20 +120,21 @@ int parse_and_do(const ProgramFrame& frame, const AddCommands& add_commands, int
     write_text("-", completions(program, {argv + 2, argv + argc}));
     return 0;
   }
+  std::vector<std::string> words = words_of(argc, argv);
+  const std::string first_word = words.empty() ? "" : words.front();
   try {
-    std::vector<std::string> words = words_of(argc, argv);
     std::ranges::reverse(words);  // as CLI11 takes them
     program.parse(std::move(words));
   } catch (const CLI::Success& asked) {
     // Help and version are no answer to a command that does not exist.
-    if (const std::string unknown = unknown_word(program); !unknown.empty())
+    if (const std::string unknown = unknown_word(program, first_word); !unknown.empty())
       throw UsageError(unknown + "; see " + program.get_name() + " --help");
     std::ostringstream text;
     program.exit(asked, text, text);
     write_text("-", text.str());
     return 0;
   } catch (const CLI::ParseError& error) {
-    throw UsageError(complaint(program, error));
+    throw UsageError(complaint(program, first_word, error));
   }
   const int exit_code = work();
   // Output that was not written is an error.

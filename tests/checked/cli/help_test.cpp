@@ -61,9 +61,11 @@ TEST_F(Help, is_also_asked_for_by_help) {
 
 TEST_F(Help, of_a_command_that_does_not_exist_is_refused) {
   for (const std::string command :
-       {"help nothing", "nothing --help", "nothing -h", "--help nothing", "nothing --version"})
+       {"help nothing", "nothing --help", "nothing -h", "--help nothing", "nothing --version",
+        "nothing sum", "nothing"})
     expect_refusal("oplus " + command, "there is no command nothing; see oplus --help");
   expect_refusal("oplus --nothing --help", "there is no option --nothing");
+  expect_refusal("oplus sum a b nothing", "not expected: nothing; see oplus sum --help");
   EXPECT_EQ(run("oplus sum nothing --help").exit_code, 0);  // a file
 }
 
