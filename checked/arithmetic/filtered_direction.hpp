@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "checked/arithmetic/interval.hpp"
+#include "reference/arithmetic/interval.hpp"
 #include "reference/definitions/direction.hpp"
 
 namespace oplus {

@@ -8,7 +8,7 @@
 #include <iterator>
 #include <utility>
 
-#include "checked/arithmetic/interval.hpp"
+#include "reference/arithmetic/interval.hpp"
 #include "reference/definitions/contract.hpp"
 #include "reference/definitions/mutant.hpp"
 #include "reference/definitions/sorted_without_copies.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "checked/arithmetic/interval.hpp"
+#include "reference/arithmetic/interval.hpp"
 
 namespace oplus {
 

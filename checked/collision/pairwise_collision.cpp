@@ -6,11 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "checked/arithmetic/interval.hpp"
 #include "checked/collision/bounding_volume_hierarchy.hpp"
 #include "checked/collision/collision_test.hpp"
 #include "checked/collision/contact.hpp"
 #include "checked/collision/summand_boundary.hpp"
+#include "reference/arithmetic/interval.hpp"
 #include "reference/definitions/mutant.hpp"
 
 namespace oplus {

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "checked/arithmetic/interval.hpp"
+#include "reference/arithmetic/interval.hpp"
 #include "reference/definitions/cells.hpp"
 #include "reference/definitions/collision.hpp"
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "checked/arithmetic/interval.hpp"
+#include "reference/arithmetic/interval.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/definitions/difference.hpp"
 #include "reference/definitions/mutant.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "checked/arithmetic/interval.hpp"
+#include "reference/arithmetic/interval.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "checked/arithmetic/interval.hpp"
+#include "reference/arithmetic/interval.hpp"
 
 namespace oplus {
 
