@@ -25,9 +25,6 @@ struct GenOptions {
   bool json = false;
 };
 
-/// No family overflows up to this size.
-constexpr std::uint64_t largest_n = 10000;
-
 /// By CLI11, -1 would be a huge number.
 std::uint64_t whole_number(const std::string& option, const std::string& digits,
                            std::uint64_t largest) {
@@ -45,7 +42,8 @@ ExitCode list_as_json() {
     list.push_back({{"name", family.name},
                     {"what", family.what},
                     {"smallest", family.smallest},
-                    {"typical", family.typical}});
+                    {"typical", family.typical},
+                    {"largest", family.largest}});
   write_text("-", Json{{"families", list}}.dump(2) + "\n");
   return ExitCode::done;
 }
@@ -72,7 +70,8 @@ ExitCode gen(const GenOptions& options) {
   const Family* family = find_family(*options.family);
   if (family == nullptr)
     throw UsageError("there is no family '" + *options.family + "'; 'oplus gen --list' lists them");
-  const std::uint64_t n = options.n ? whole_number("--n", *options.n, largest_n) : family->typical;
+  const std::uint64_t n =
+      options.n ? whole_number("--n", *options.n, family->largest) : family->typical;
   const std::uint64_t seed = whole_number("--seed", options.seed, UINT64_MAX);
   if (n < family->smallest)
     throw UsageError("the family " + family->name + " takes --n of " +

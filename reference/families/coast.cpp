@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <initializer_list>
 #include <iterator>
 #include <list>
 #include <queue>
+#include <utility>
+#include <vector>
 
 #include "reference/families/integer_segments.hpp"
+#include "reference/families/pairs.hpp"
 #include "reference/families/polygons.hpp"
 
 namespace oplus {
 
 namespace {
 
-/// Machine integers: each new vertex is compared with all edges. Products stay below 2^43.
+/// Machine integers; products stay below 2^43.
 struct Place {
   std::int64_t x;
   std::int64_t y;
@@ -26,10 +31,58 @@ std::int64_t squared_length(const Place& a, const Place& b) {
 
 bool inside_square(const Place& a) { return a.x >= 0 && a.x <= side && a.y >= 0 && a.y <= side; }
 
+using Vertices = std::list<Place>;
+
+/// The edges of a boundary in equal cells, by their first vertices.
+class EdgeGrid {
+ public:
+  using Vertex = Vertices::const_iterator;
+
+  explicit EdgeGrid(std::size_t count)
+      : count_(static_cast<std::int64_t>(count)), cells_(count * count) {}
+
+  std::size_t size() const { return cells_.size(); }
+
+  void add(Vertex from, const Place& to) {
+    each_cell({*from, to}, [&](std::vector<Vertex>& cell) { cell.push_back(from); });
+  }
+  void remove(Vertex from, const Place& to) {
+    each_cell({*from, to}, [&](std::vector<Vertex>& cell) { std::erase(cell, from); });
+  }
+
+  /// Calls `visit` for each edge in the cells around some places, at least once, until it returns true.
+  /// Returns whether it did.
+  template <typename Visit>
+  bool any_near(std::initializer_list<Place> places, const Visit& visit) {
+    bool found = false;
+    each_cell(places, [&](const std::vector<Vertex>& cell) {
+      found = found || std::any_of(cell.begin(), cell.end(), visit);
+    });
+    return found;
+  }
+
+ private:
+  template <typename Visit>
+  void each_cell(std::initializer_list<Place> places, const Visit& visit) {
+    const auto [left, right] =
+        std::minmax(places, [](const Place& a, const Place& b) { return a.x < b.x; });
+    const auto [low, high] =
+        std::minmax(places, [](const Place& a, const Place& b) { return a.y < b.y; });
+    const auto part = [&](std::int64_t c) { return std::min(c * count_ / side, count_ - 1); };
+    for (std::int64_t column = part(left.x); column <= part(right.x); ++column)
+      for (std::int64_t row = part(low.y); row <= part(high.y); ++row)
+        visit(cells_[static_cast<std::size_t>(column * count_ + row)]);
+  }
+
+  std::int64_t count_;  ///< of columns, and of rows
+  std::vector<std::vector<Vertex>> cells_;
+};
+
 class Coast {
  public:
   Coast() : vertices_{{side / 4, side / 4}, {3 * side / 4, side / 4}, {side / 2, 3 * side / 4}} {
     for (auto v = vertices_.begin(); v != vertices_.end(); ++v) push(v);
+    renew_grid();
   }
 
   std::size_t size() const { return vertices_.size(); }
@@ -42,7 +95,12 @@ class Coast {
     for (int attempt = 0; attempt < 8; ++attempt) {
       const Place m = beside_middle(random, *a, *after(a));
       if (!fits(m, a)) continue;
-      push(a, vertices_.insert(std::next(a), m));
+      grid_.remove(a, *after(a));
+      const Vertex added = vertices_.insert(std::next(a), m);
+      grid_.add(a, m);
+      grid_.add(added, *after(added));
+      push(a, added);
+      if (vertices_.size() > 4 * grid_.size()) renew_grid();
       return;
     }
   }
@@ -54,7 +112,7 @@ class Coast {
   }
 
  private:
-  using Vertex = std::list<Place>::iterator;
+  using Vertex = Vertices::iterator;
 
   struct Edge {
     std::int64_t squared_length;
@@ -67,9 +125,16 @@ class Coast {
     }
   };
 
-  Vertex after(Vertex v) {
+  template <typename Iterator>
+  Iterator after(Iterator v) {
     ++v;
     return v == vertices_.end() ? vertices_.begin() : v;
+  }
+
+  void renew_grid() {
+    grid_ =
+        EdgeGrid(2 * static_cast<std::size_t>(std::sqrt(static_cast<double>(vertices_.size()))));
+    for (auto v = vertices_.begin(); v != vertices_.end(); ++v) grid_.add(v, *after(v));
   }
 
   void push(Vertex from) { edges_.push({squared_length(*from, *after(from)), pushed_++, from}); }
@@ -90,16 +155,16 @@ class Coast {
   bool fits(const Place& m, Vertex a) {
     const Vertex b = after(a);
     if (!inside_square(m) || turn(*a, *b, m) == 0) return false;
-    for (Vertex c = vertices_.begin(); c != vertices_.end(); ++c) {
-      const Vertex d = after(c);
-      if (c == a) continue;
-      if (d == a ? runs_into(*c, *a, m) : segments_meet(*a, m, *c, *d)) return false;
-      if (c == b ? runs_into(*d, *b, m) : segments_meet(m, *b, *c, *d)) return false;
-    }
-    return true;
+    return !grid_.any_near({*a, m, *b}, [&](Vertices::const_iterator c) {
+      const Vertices::const_iterator d = after(c);
+      if (c == a) return false;
+      return (d == a ? runs_into(*c, *a, m) : segments_meet(*a, m, *c, *d)) ||
+             (c == b ? runs_into(*d, *b, m) : segments_meet(m, *b, *c, *d));
+    });
   }
 
-  std::list<Place> vertices_;
+  Vertices vertices_;
+  EdgeGrid grid_{1};
   std::priority_queue<Edge> edges_;
   std::size_t pushed_ = 0;
 };
@@ -113,6 +178,12 @@ Region coast_polygon(Random& random, std::size_t n) {
     Chain chain = coast.chain();
     if (chain.size() == n && twice_area(chain) > 0) return polygon(std::move(chain));
   }
+}
+
+Summands coast_pair(Random& random, std::size_t n) {
+  const Region coast = coast_polygon(random, n);
+  return {mapped(coast, [](const Point& p) { return 32 * p; }),
+          star_polygon(random, std::min<std::size_t>(n, 20))};
 }
 
 }  // namespace oplus

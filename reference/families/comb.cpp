@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <utility>
+
 #include "reference/families/pairs.hpp"
 #include "reference/families/polygons.hpp"
 
 namespace oplus {
 
-namespace {
-
-/// A flat back and n pointed teeth upwards, 2n + 3 vertices.
-Chain comb(Random& random, std::size_t teeth) {
+Region comb_polygon(Random& random, std::size_t teeth) {
   Chain zigzag{{0, uniform(random, 1, 2)}};
   Rational x = 0;
   for (std::size_t i = 0; i < teeth; ++i) {
@@ -18,16 +17,14 @@ Chain comb(Random& random, std::size_t teeth) {
   }
   Chain chain{{0, 0}, {x, 0}};
   chain.insert(chain.end(), zigzag.rbegin(), zigzag.rend());
-  return chain;
+  return polygon(std::move(chain));
 }
 
-}  // namespace
-
 Summands comb_pair(Random& random, std::size_t n) {
-  Chain p = comb(random, n);
+  Region p = comb_polygon(random, n);
   const std::size_t points = 3 + uniform_index(random, 6);
   const int side = uniform(random, 2, 6);
-  return {polygon(std::move(p)), convex_grid_polygon(random, points, side)};
+  return {std::move(p), convex_grid_polygon(random, points, side)};
 }
 
 }  // namespace oplus

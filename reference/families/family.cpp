@@ -9,6 +9,8 @@
 
 namespace oplus {
 
+constexpr std::size_t large = 1'000'000;
+
 const std::vector<Family>& families() {
   static const std::vector<Family> all{
       {"grid", "simple polygons of 3 to n vertices on grids of 3x3 to 7x7 points", grid_pair, 3, 8},
@@ -24,11 +26,31 @@ const std::vector<Family>& families() {
       {"star", "two star-shaped polygons of n vertices", two<star_polygon>, 3, 8},
       {"simple", "two simple polygons of n vertices, from Delaunay triangulations",
        two<simple_polygon>, 3, 8},
-      {"comb", "a comb of n teeth, and a small convex polygon", comb_pair, 1, 4},
+      {"comb", "a comb of n teeth, and a small convex polygon", comb_pair, 1, 4, large},
       {"fork", "a fork with n teeth on each arm, and an L: their sum has n^2 holes", fork_pair, 1,
        3},
       {"diamond-u", "a room with a hatch, and a diamond that just fits it or nearly; n is not used",
        diamond_and_u_pair, 1, 1},
+      {"coast", "a coastline of n vertices, and a much smaller star of at most 20", coast_pair, 3,
+       8, large},
+      {"maze", "the corridors of a maze of n rooms, 4n vertices, and a small convex polygon",
+       maze_pair, 1, 3, large},
+      {"spiral", "a square spiral corridor of n corners, and a small convex polygon", spiral_pair,
+       1, 4, large},
+      {"thin", "a long thin saw of n teeth, and a long thin bar across it", thin_pair, 1, 3, large},
+      {"outlier", "a comb of n teeth, one of them 10^9 long, and a small convex polygon",
+       outlier_pair, 1, 4, large},
+      {"scales", "a star of n vertices, and one of at most 20 that is 10^12 times as large",
+       scales_pair, 3, 6},
+      {"fractions",
+       "a comb of n teeth and a triangle, each coordinate with a denominator of its own",
+       fractions_pair, 1, 3, large},
+      {"dots", "n small convex polygons each, far apart, in random order", dots_pair, 1, 3, large},
+      {"sieve", "a square with n convex holes in random order, and a small convex polygon",
+       sieve_pair, 1, 3, large},
+      {"pockets", "a square with n holes into which Q just fits or nearly, and Q", pockets_pair, 1,
+       3, large},
+      {"touching", "n squares each, in a row from corner to corner", touching_pair, 1, 3, large},
   };
   return all;
 }

@@ -24,8 +24,9 @@ struct Family {
   std::string name;
   std::string what;  ///< one line, says what n is
   Summands (*make)(Random& random, std::size_t n);
-  std::size_t smallest;  ///< the least n the family takes
-  std::size_t typical;   ///< the n that differential runs use at most
+  std::size_t smallest;          ///< the least n the family takes
+  std::size_t typical;           ///< the n that differential runs use at most
+  std::size_t largest = 10'000;  ///< no machine integer overflows up to this n
 };
 
 /// All families, in the order in which they are listed.

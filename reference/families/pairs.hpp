@@ -18,5 +18,16 @@ Summands diamond_and_u_pair(Random& random, std::size_t n);
 Summands holes_pair(Random& random, std::size_t n);
 Summands components_pair(Random& random, std::size_t n);
 Summands islands_pair(Random& random, std::size_t n);
+Summands coast_pair(Random& random, std::size_t n);
+Summands maze_pair(Random& random, std::size_t n);
+Summands spiral_pair(Random& random, std::size_t n);
+Summands thin_pair(Random& random, std::size_t n);
+Summands outlier_pair(Random& random, std::size_t n);
+Summands scales_pair(Random& random, std::size_t n);
+Summands fractions_pair(Random& random, std::size_t n);
+Summands dots_pair(Random& random, std::size_t n);
+Summands sieve_pair(Random& random, std::size_t n);
+Summands pockets_pair(Random& random, std::size_t n);
+Summands touching_pair(Random& random, std::size_t n);
 
 }  // namespace oplus

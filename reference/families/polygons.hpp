@@ -27,6 +27,9 @@ Region simple_polygon(Random& random, std::size_t n);
 /// integers from 0 to 2^20.
 Region coast_polygon(Random& random, std::size_t n);
 
+/// n teeth upwards on a flat back, 2n + 3 vertices; from left to right the teeth come last to first.
+Region comb_polygon(Random& random, std::size_t n);
+
 /// The convex hull of `points` random points with coordinates 0 to side - 1. Vertices at most
 /// `points`. Requires: points >= 3, side >= 2.
 Region convex_grid_polygon(Random& random, std::size_t points, int side);

@@ -100,13 +100,14 @@ struct BenchEngine {
   Subject subject = Subject::sums;
   bool rounds = false;
   bool is_ours = true;
-  bool is_at_fault = false;  ///< faulty on purpose
+  bool is_at_fault = false;    ///< faulty on purpose
+  bool is_of_all_rows = true;  ///< otherwise only of rows of commands
 };
 
 /// All engines, in the order in which they are listed.
 const std::vector<BenchEngine>& bench_engines();
 
-/// Returns nullptr for an unknown name. Rows of growth are for engines of sums.
+/// Returns nullptr for an unknown name. Rows of growth and of commands are for engines of sums.
 const BenchEngine* find_bench_engine(Subject subject, const std::string& name);
 
 // The parts of the list.
@@ -114,6 +115,9 @@ const BenchEngine* find_bench_engine(Subject subject, const std::string& name);
 /// Engines of sums: oplus's, also slide on two threads, and other libraries'.
 std::vector<BenchEngine> own_engines();
 std::vector<BenchEngine> peer_engines();
+
+/// Engines of sums that are programs: oplus's, CGAL's and Clipper's, from files to a file.
+std::vector<BenchEngine> command_engines();
 
 /// The convolution itself, not a sum: by cycle tracing, the same without coordinates, and by all pairs
 /// (thesis, Section 3.2.1).

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <utility>
 
 #include "tests/bench/numbers.hpp"
@@ -30,7 +31,7 @@ Goal none_is_faster(const std::string& text, const Rows& rows, double limit) {
   for (const Row& row : rows) {
     for (const Measurement& m : row.measurements) {
       const auto of_m = ratio(row, "seconds", m.engine, "slide", limit);
-      if (m.engine == "slide" || m.engine == "slide2" || !of_m) continue;
+      if (m.engine.starts_with("slide") || !of_m) continue;
       measured = true;
       if (!of_m->is_lower_bound && of_m->value < 1)
         faster += (faster.empty() ? "" : "; ") + row.what + ": " + m.engine + ", " +
@@ -39,6 +40,22 @@ Goal none_is_faster(const std::string& text, const Rows& rows, double limit) {
   }
   if (!measured) return goal(text, "", std::nullopt);
   return goal(text, faster.empty() ? "none" : faster, faster.empty());
+}
+
+/// The largest quotient of an engine's time and slide's on rows of sums, after `spare` seconds are taken
+/// off.
+Goal at_most(double most, const std::string& text, const Rows& rows, const std::string& engine,
+             double spare = 0) {
+  double largest = -1;
+  std::string measured;
+  for (const Row& row : rows) {
+    const std::optional<double> slide = row.number("slide.seconds"),
+                                other = row.number(engine + ".seconds");
+    if (!slide || !other || (*other - spare) / *slide <= largest) continue;
+    largest = (*other - spare) / *slide;
+    measured = "at most " + three_digits(std::max(largest, 0.0)) + ", " + row.what;
+  }
+  return goal(text, measured, measured.empty() ? std::nullopt : std::optional(largest <= most));
 }
 
 /// The largest number of microseconds per segment on rows without holes.
@@ -106,6 +123,12 @@ Table goals_of(const Report& report) {
                          rows_for(report.rows, Subject::sums), limit),
           time_a_segment("sums without holes: at most 3 µs per segment of the reduced convolution",
                          report.rows, 3),
+          at_most(1.3, "whole command: at most 1.3 times the call, and 10 ms",
+                  rows_for(report.rows, Subject::commands), "oplus-sum", 0.01),
+          at_most(2, "open sums: at most twice the time of closed ones",
+                  rows_for(report.rows, Subject::sums), "slide-open"),
+          at_most(20, "verify: at most 20 times the time of slide",
+                  rows_for(report.rows, Subject::sums), "verify"),
           at_least(1.7, "two threads: at least 1.7 times one, on the largest sum of the growth",
                    two_threads),
       }};

@@ -2,9 +2,9 @@
 #include "tests/bench/measuring.hpp"
 
 #include <benchmark/benchmark.h>
+#include <sys/resource.h>
 
 #include <algorithm>
-#include <ctime>
 #include <iomanip>
 #include <regex>
 
@@ -41,9 +41,16 @@ class Repetitions : public benchmark::BenchmarkReporter {
   std::vector<Run> runs_;
 };
 
-/// Of all threads of this process.
+/// Of all threads of this process, and of programs that it has run.
 double processor_seconds() {
-  return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
+  double seconds = 0;
+  for (const auto who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+    ::rusage usage{};
+    ::getrusage(who, &usage);
+    for (const ::timeval& time : {usage.ru_utime, usage.ru_stime})
+      seconds += static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  }
+  return seconds;
 }
 
 /// The times of the pairs, and the peak memory until they have been computed once.

@@ -5,6 +5,9 @@
 
 #include "checked/arrangement/rca.hpp"
 #include "checked/engines/engines.hpp"
+#include "checked/slide/slide.hpp"
+#include "checked/verify/verify.hpp"
+#include "reference/definitions/given_sum.hpp"
 #include "tests/bench/engine.hpp"
 
 namespace oplus {
@@ -73,6 +76,33 @@ BenchEngine bench_engine(const std::string& name, const std::string& what, const
                                       })};
 }
 
+/// The open sum, of which nothing is compared: the other engines of a row compute the closed one.
+struct OpenSums : OwnSums {
+  void describe(const Summands&, const ComputedSum& computed, Description& description) const {
+    description.count("sum_dangling", computed.sum.dangling_edges.size());
+    description.count("sum_isolated", computed.sum.isolated_vertices.size());
+  }
+};
+
+/// Whether slide's sum is right.
+struct Verifying {
+  struct Input {
+    const Summands& pair;
+    GivenSum sum;
+  };
+  using Sum = Verdict;
+
+  Input converted(const Summands& pair) const {
+    return {pair, given(slide_sum(pair.p, pair.q, Boundary::closed).sum)};
+  }
+  Verdict sum(const Input& input) const {
+    return verify(input.pair.p, input.pair.q, Boundary::closed, input.sum);
+  }
+  void describe(const Input&, const Verdict& verdict, Description& description) const {
+    description.add(verdict.right);
+  }
+};
+
 BenchEngine at_fault(const std::string& name, const std::string& what, const Computing& compute) {
   BenchEngine engine = bench_engine(name, what, compute);
   engine.is_ours = false;
@@ -91,6 +121,14 @@ std::vector<BenchEngine> own_engines() {
       own.push_back(bench_engine(engine.name + '2', "oplus: " + engine.name + " on two threads",
                                  engine.compute, 2));
   }
+  own.push_back({.name = "slide-open",
+                 .what = "oplus: slide, the open sum",
+                 .prepare = each_pair([](const Row&) {
+                   return OpenSums{{slide_sum, Boundary::open, {}}};
+                 })});
+  own.push_back({.name = "verify",
+                 .what = "oplus: verify, asked about slide's sum",
+                 .prepare = each_pair([](const Row&) { return Verifying(); })});
   return own;
 }
 

@@ -17,7 +17,7 @@ using Names = std::vector<std::string>;
 Names sum_engines(const Rows& rows) {
   Names names;
   for (const BenchEngine& engine : bench_engines())
-    if (engine.name != "slide2" &&
+    if (engine.name != "slide2" && engine.is_of_all_rows &&
         std::ranges::any_of(rows, [&](const Row& row) { return row.of(engine.name); }))
       names.push_back(engine.name);
   return names;
@@ -151,6 +151,7 @@ PageData benchmarks_data(const Report& report) {
       {"lazy_engines", table_section(sums, lazy)},
       {"rounding_engines", table_section(sums, rounding)},
       {"growth", table_section(where_done(rows_for(report.rows, Subject::growth), {"slide"}))},
+      {"commands", table_section(rows_for(report.rows, Subject::commands))},
       {"threads", table_section(where_done(report.rows, {"slide", "slide2"}))},
       {"convolutions", table_section(where_done(report.rows, {"traced", "naive"}))},
       {"goals", page_data(goals_of(report))},

@@ -17,6 +17,7 @@ namespace oplus {
 enum class Subject {
   sums,         ///< engines of sums
   growth,       ///< slide only, for growing convolutions
+  commands,     ///< whole programs, from files to a file, beside slide
   convolution,  ///< algorithms for the convolution
   hole_tests    ///< hole tests, on the questions of rca
 };

@@ -28,12 +28,18 @@ const Kind convex{"convex", "convex polygon", convex_polygon};
 
 /// Much larger than the other summand, as a coast is larger than a ship.
 Region large_coast(Random& random, std::size_t n) {
-  Region coast = coast_polygon(random, n);
-  for (Point& p : coast.components[0].outer) p = Rational(32) * p;
-  return coast;
+  return mapped(coast_polygon(random, n), [](const Point& p) { return 32 * p; });
 }
 
 const Kind coast{"coast", "coastline", large_coast};
+
+Region maze(Random& random, std::size_t n) { return maze_pair(random, n / 4).p; }
+
+const Kind maze_kind{"maze", "maze", maze};
+
+Region unit_square(Random&, std::size_t) { return polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}); }
+
+const Kind square{"square", "unit square", unit_square};
 
 Row pair_of(const std::string& group, const Kind& p, std::size_t n, const Kind& q, std::size_t m) {
   const std::string of_n = std::to_string(n);
@@ -98,6 +104,21 @@ Row growth_row(std::size_t n) {
   return row;
 }
 
+Row command_row(Row row) {
+  row.name = "command_" + row.name;
+  row.group = "commands";
+  row.subject = Subject::commands;
+  return row;
+}
+
+/// A pair of a family on which an earlier slide took long, by what makes it hard.
+Row hard_row(const std::string& family, std::size_t n) {
+  return {.name = family + '_' + std::to_string(n),
+          .group = "hard",
+          .what = family + " of " + std::to_string(n),
+          .make = [=] { return std::vector<Summands>{generate(*find_family(family), n, 1)}; }};
+}
+
 Row convolution_row(const Kind& kind, std::size_t n) {
   Row row = pair_of("convolution", kind, n, kind, n);
   row.name = "convolution_of_" + kind.name + '_' + std::to_string(n);
@@ -109,12 +130,14 @@ Row convolution_row(const Kind& kind, std::size_t n) {
 std::vector<std::string> engines_for(const Row& row) {
   if (row.subject == Subject::convolution) return {"traced", "without-points", "naive"};
   if (row.subject == Subject::growth) return {"slide", "slide2"};
+  if (row.subject == Subject::commands) return {"slide", "oplus-sum", "cgal-sum", "clipper-sum"};
   std::vector<std::string> names;
   for (const BenchEngine& engine : bench_engines()) {
     // On short rows this would only measure the start of the second thread.
     const bool is_for_row =
         engine.name != "slide2" || row.group == "stars" || row.group == "coastlines";
-    if (engine.subject == Subject::sums && is_for_row) names.push_back(engine.name);
+    if (engine.subject == Subject::sums && engine.is_of_all_rows && is_for_row)
+      names.push_back(engine.name);
   }
   return names;
 }
@@ -145,7 +168,28 @@ const Rows& benchmark_rows() {
                     .what = std::to_string(small_pairs) + " pairs of polygons of 4 to 8 vertices",
                     .pairs = small_pairs,
                     .make = make_small_pairs});
+    for (const auto& [family, n] :
+         std::initializer_list<std::pair<const char*, std::size_t>>{{"outlier", 2000},
+                                                                    {"scales", 100},
+                                                                    {"fractions", 640},
+                                                                    {"dots", 300},
+                                                                    {"sieve", 2500},
+                                                                    {"spiral", 20000},
+                                                                    {"thin", 1000},
+                                                                    {"pockets", 800},
+                                                                    {"touching", 100}})
+      made.push_back(hard_row(family, n));
     add({55, 95, 175, 300, 388}, growth_row);
+    for (const std::size_t n : {10'000, 100'000, 1'000'000})
+      for (const Kind* const p : {&coast, &maze_kind})
+        for (const std::size_t m : {4, 20, 100}) {
+          Row row = pair_of("growth of " + p->words, *p, n, convex, m);
+          row.subject = Subject::growth;
+          made.push_back(std::move(row));
+        }
+    made.push_back(command_row(pair_of("", convex, 5000, square, 4)));
+    made.push_back(command_row(fork_and_l_row(100)));
+    made.push_back(command_row(pair_of("", coast, 5000, star, 100)));
     for (const Kind& kind : {convex, star})
       add({50, 100, 200, 400}, [&](std::size_t n) { return convolution_row(kind, n); });
     for (Row& row : made) row.engines = engines_for(row);

@@ -61,8 +61,11 @@ std::string digest(const std::string& text) {
 TEST(Family, has_the_families_of_the_design) {
   std::set<std::string> names;
   for (const Family& family : families()) names.insert(family.name);
-  EXPECT_EQ(names, (std::set<std::string>{"grid", "tight", "holes", "components", "convex", "star",
-                                          "simple", "comb", "fork", "diamond-u", "islands"}));
+  EXPECT_EQ(names, (std::set<std::string>{
+                       "grid",   "tight",  "holes",   "components", "convex",  "star",
+                       "simple", "comb",   "fork",    "diamond-u",  "islands", "coast",
+                       "maze",   "spiral", "thin",    "outlier",    "scales",  "fractions",
+                       "dots",   "sieve",  "pockets", "touching"}));
   EXPECT_EQ(names.size(), families().size());
 }
 
