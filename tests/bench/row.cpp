@@ -64,7 +64,7 @@ std::optional<double> Row::number(const std::string& path) const {
   const Measurement* m = dot == std::string::npos ? exact : done(path.substr(0, dot));
   if (m == nullptr) return std::nullopt;
   if (!path.ends_with("area_error")) return m->number(path.substr(dot + 1));
-  if (exact == nullptr || exact->area.empty()) return std::nullopt;
+  if (exact == nullptr || exact->area.empty() || m->area.empty()) return std::nullopt;
   const Rational area = area_of(*exact);
   const Rational error = area_of(*m) - area;
   return path.ends_with(".area_error") ? error.get_d() : Rational(error / area).get_d();
