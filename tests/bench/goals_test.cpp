@@ -30,7 +30,7 @@ Found goal(const Rows& rows, const std::string& part_of_text) {
 
 TEST(Goals, without_a_run_are_neither_reached_nor_missed) {
   const Table goals = goals_of({});
-  EXPECT_EQ(goals.rows.size(), 13U);
+  EXPECT_EQ(goals.rows.size(), 17U);
   for (const auto& cells : goals.rows) EXPECT_EQ(cells.at(2), "not measured") << cells[0];
 }
 
@@ -40,8 +40,8 @@ TEST(Goals, are_reached_at_their_number) {
         {row_of("small_pairs", "small pairs", {of("slide", 1), of("cgal-reduced", seconds)})},
         "small pairs");
   };
-  EXPECT_EQ(small_pairs(20), Found("20.0", "yes"));
-  EXPECT_EQ(small_pairs(19.9), Found("19.9", "**no**"));
+  EXPECT_EQ(small_pairs(10), Found("10.0", "yes"));
+  EXPECT_EQ(small_pairs(9.9), Found("9.90", "**no**"));
 }
 
 TEST(Goals, a_lower_bound_below_the_goal_decides_nothing) {
@@ -67,18 +67,44 @@ TEST(Goals, the_time_per_segment_counts_without_holes) {
   const auto row = [](double seconds, double holes) {
     Measurement slide = of("slide", seconds);
     slide.numbers["sum_holes"] = holes;
-    return goal({row_of("comb_20", "combs", {slide})}, "µs per segment");
+    return goal({row_of("comb_20", "combs", {slide})}, "sums without holes");
   };
   EXPECT_EQ(row(3, 0), Found("at most 3.00, comb_20", "yes"));
   EXPECT_EQ(row(3.1, 0), Found("at most 3.10, comb_20", "**no**"));
   EXPECT_EQ(row(3.1, 1), Found("", "not measured"));
 }
 
+TEST(Goals, of_hard_pairs_are_of_their_group) {
+  const auto row = [](const std::string& group, double seconds) {
+    return goal({row_of("dots_300", group, {of("slide", seconds)})}, "hard pairs");
+  };
+  EXPECT_EQ(row("hard", 10), Found("at most 10.0, dots_300", "yes"));
+  EXPECT_EQ(row("hard", 11), Found("at most 11.0, dots_300", "**no**"));
+  EXPECT_EQ(row("combs", 11), Found("", "not measured"));
+}
+
+TEST(Goals, of_whole_commands_spare_ten_milliseconds) {
+  const auto row = [](double command) {
+    Row made = row_of("fork_100", "commands", {of("slide", 1), of("oplus-sum", command)});
+    made.subject = Subject::commands;
+    return goal({made}, "whole command");
+  };
+  EXPECT_EQ(row(1.31), Found("at most 1.30, fork_100", "yes"));
+  EXPECT_EQ(row(1.4), Found("at most 1.39, fork_100", "**no**"));
+}
+
+TEST(Goals, compare_open_sums_and_verify_with_slide) {
+  const Rows rows = {
+      row_of("comb_20", "combs", {of("slide", 1), of("slide-open", 2.5), of("verify", 19)})};
+  EXPECT_EQ(goal(rows, "open sums"), Found("at most 2.50, comb_20", "**no**"));
+  EXPECT_EQ(goal(rows, "verify"), Found("at most 19.0, comb_20", "yes"));
+}
+
 TEST(Goals, for_published_pairs_use_the_mean_and_the_least) {
-  const Rows rows = {row_of("a", "published", {of("slide", 1), of("cgal-reduced", 2)}),
+  const Rows rows = {row_of("a", "published", {of("slide", 1), of("cgal-reduced", 2.5)}),
                      row_of("b", "published", {of("slide", 1), of("cgal-reduced", 50)})};
-  EXPECT_EQ(goal(rows, "geometric mean"), Found("10.0", "yes"));
-  EXPECT_EQ(goal(rows, "none less"), Found("2.00, a", "**no**"));
+  EXPECT_EQ(goal(rows, "geometric mean"), Found("11.2", "yes"));
+  EXPECT_EQ(goal(rows, "none less"), Found("2.50, a", "**no**"));
 }
 
 }  // namespace
