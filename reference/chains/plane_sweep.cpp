@@ -6,32 +6,13 @@
 #include <numeric>
 #include <utility>
 
-#include "reference/arithmetic/interval.hpp"
+#include "reference/chains/near_point.hpp"
 
 namespace oplus {
 
 namespace {
 
 using Index = std::uint32_t;
-
-/// A point with intervals around its coordinates.
-struct NearPoint {
-  IntervalPoint near;
-  const Point* exact;
-};
-
-int compare(const NearPoint& a, const NearPoint& b) {
-  const auto of = [](const Interval& near_a, const Interval& near_b, const Rational& x,
-                     const Rational& y) { return compare(near_a, near_b).value_or(cmp(x, y)); };
-  if (a.exact == b.exact) return 0;
-  const int by_x = of(a.near.x, b.near.x, a.exact->x, b.exact->x);
-  return by_x != 0 ? by_x : of(a.near.y, b.near.y, a.exact->y, b.exact->y);
-}
-
-int orientation(const NearPoint& a, const NearPoint& b, const NearPoint& c) {
-  if (const std::optional<int> known = orientation(a.near, b.near, c.near)) return *known;
-  return orientation(*a.exact, *b.exact, *c.exact);
-}
 
 /// An edge in the status; of which index, its address says.
 struct Node
@@ -56,7 +37,7 @@ class Sweep {
  public:
   explicit Sweep(const SweptEdges& of) : of_(of), nodes_(of.edges.size()) {
     points_.reserve(of.points.size());
-    for (const Point* p : of.points) points_.push_back({interval(*p), p});
+    for (const Point* p : of.points) points_.push_back(near_point(*p));
     sort_points();
     sort_edges();
   }

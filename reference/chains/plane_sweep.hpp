@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -40,7 +41,7 @@ struct SweptEdges {
 /// the plane, turned clockwise by an infinitesimal: below a vertical edge is what is to its right.
 struct SweptPlace {
   const Point& point;
-  std::span<const std::uint32_t> points;  ///< the given points that are equal to it
+  std::span<const std::uint32_t> points;  ///< the given points that are equal to it, sorted
   /// Edges that have a piece directly to the left of it; from the lowest to the highest. Where edges
   /// overlap, the one with the smaller index comes first.
   std::span<const std::uint32_t> left;
@@ -48,6 +49,13 @@ struct SweptPlace {
   std::optional<std::uint32_t> below;    ///< the edge directly below it, not through it
   std::optional<std::uint32_t> above;
 };
+
+/// Whether neither end of an edge is at the place. Requires: the edge is in `left` or `right`.
+inline bool passes(const SweptEdges& edges, std::uint32_t edge, const SweptPlace& place) {
+  const auto [source, target] = edges.edges[edge];
+  return !std::binary_search(place.points.begin(), place.points.end(), source) &&
+         !std::binary_search(place.points.begin(), place.points.end(), target);
+}
 
 /// Visits all places in lexicographic order, until `visit` returns false. (Bentley and Ottmann: a line
 /// from left to right passes over the edges, and a balanced tree has those that it meets, in order.)
