@@ -25,4 +25,24 @@ std::vector<std::vector<Segment>> swept_pieces(const std::vector<Segment>& segme
   return pieces;
 }
 
+Cells swept_cells_of_pieces(const std::vector<std::vector<Segment>>& pieces) {
+  return cells_of_pieces(pieces, [](const Cells& cells) {
+    SweptEdges edges;
+    for (const Point& vertex : cells.vertices) edges.add(vertex);
+    for (const Cells::Edge& e : cells.edges)
+      edges.edges.push_back(
+          {static_cast<std::uint32_t>(e.source), static_cast<std::uint32_t>(e.target)});
+    EdgesBelow result;
+    sweep(edges, [&](const SweptPlace& place) {
+      result.push_back(place.below);  // places are the vertices, in their order
+      return true;
+    });
+    return result;
+  });
+}
+
+Cells swept_cells(const std::vector<Segment>& segments) {
+  return swept_cells_of_pieces(swept_pieces(segments));
+}
+
 }  // namespace oplus
