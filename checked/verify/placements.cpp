@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "reference/arithmetic/interval.hpp"
+#include "reference/chains/touching_points.hpp"
 #include "reference/definitions/cells.hpp"
 #include "reference/definitions/collision.hpp"
 
