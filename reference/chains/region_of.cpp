@@ -9,6 +9,7 @@
 #include "reference/chains/nesting.hpp"
 #include "reference/chains/touching_points.hpp"
 #include "reference/definitions/contract.hpp"
+#include "reference/definitions/mutant.hpp"
 
 namespace oplus {
 
@@ -31,7 +32,7 @@ class Turns {
     Chain corners;
     corners.reserve(chain_.size());
     for (std::size_t i = 0; i < chain_.size(); ++i)
-      if (turns_[i] != 0) corners.push_back(chain_[i]);
+      if (turns_[i] != 0 || OPLUS_MUTANT("edges-in-line-stay-apart")) corners.push_back(chain_[i]);
     return corners;
   }
 

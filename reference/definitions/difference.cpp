@@ -58,6 +58,27 @@ Pieces cut_at(const Segment& edge, const std::vector<Segment>& of_b, std::vector
   return result;
 }
 
+/// Segments regardless of direction, to be found among.
+class Undirected {
+ public:
+  explicit Undirected(std::vector<Segment> segments) : sorted_(std::move(segments)) {
+    for (Segment& s : sorted_) s = from_smaller_end(std::move(s));
+    std::sort(sorted_.begin(), sorted_.end());
+  }
+
+  bool contains(const Segment& s) const {
+    return std::binary_search(sorted_.begin(), sorted_.end(), from_smaller_end(s));
+  }
+
+ private:
+  static Segment from_smaller_end(Segment s) {
+    if (s.target < s.source) std::swap(s.source, s.target);
+    return s;
+  }
+
+  std::vector<Segment> sorted_;
+};
+
 std::vector<Point> ends_of(const Overlaid& a, const Overlaid& b) {
   std::vector<Point> ends;
   for (const Overlaid* of : {&a, &b}) {
@@ -83,7 +104,9 @@ std::optional<Difference> regular_difference(const Overlaid& a, const Overlaid& 
   // Where another chain or a dangling edge touches an edge in its middle, the normal would run into
   // it.
   const std::vector<Point> ends = ends_of(a, b);
+  const Undirected of_b(b.regular);
   for (const Segment& edge : a.regular) {
+    if (of_b.contains(edge)) continue;
     const Vector d = direction_of(edge);
     const Pieces cuts = cut_at(edge, b.regular, ends);
     for (const Segment& piece : cuts.pieces) {
@@ -99,7 +122,9 @@ std::optional<Difference> regular_difference(const Overlaid& a, const Overlaid& 
 }
 
 std::optional<Difference> dangling_difference(const Overlaid& a, const Overlaid& b) {
+  const Undirected of_b(b.all);
   for (const Segment& edge : a.sum.dangling_edges) {
+    if (of_b.contains(edge)) continue;
     for (const Segment& piece : cut_at(edge, b.all, b.sum.isolated_vertices).pieces) {
       if (auto found = tells_apart(midpoint(piece.source, piece.target), a, b)) return found;
     }
@@ -108,7 +133,10 @@ std::optional<Difference> dangling_difference(const Overlaid& a, const Overlaid&
 }
 
 std::optional<Difference> isolated_difference(const Overlaid& a, const Overlaid& b) {
+  std::vector<Point> of_b = b.sum.isolated_vertices;
+  std::sort(of_b.begin(), of_b.end());
   for (const Point& p : a.sum.isolated_vertices) {
+    if (std::binary_search(of_b.begin(), of_b.end(), p)) continue;
     if (auto found = tells_apart(p, a, b)) return found;
   }
   return std::nullopt;

@@ -23,8 +23,8 @@ struct Difference {
 /// Returns none iff a == b. Where the regularized sums differ, the witness is inside one and
 /// outside the other. Where only dangling edges or isolated vertices differ, it is a point of one
 /// that is inside or outside the other. Where the point sets are equal, so that one of the values
-/// is not in canonical form, in_a == in_b. Exact: O(nm) for n and m edges, and O(n + m) more for
-/// each piece of an edge that is looked at.
+/// is not in canonical form, in_a == in_b. Exact: O(n log n) for n edges of both, and O(n) for each edge
+/// that only one of them has, until one shows a difference; which most do.
 std::optional<Difference> difference(const MinkowskiSum& a, const MinkowskiSum& b);
 
 }  // namespace oplus

@@ -2,6 +2,8 @@
 #include "reference/definitions/segment.hpp"
 
 #include <algorithm>
+#include <map>
+#include <tuple>
 #include <utility>
 
 #include "reference/definitions/contract.hpp"
@@ -83,25 +85,41 @@ std::vector<Segment> cut(const Segment& s, std::vector<Point> points) {
 }
 
 std::vector<Segment> maximal_segments(std::vector<Segment> segments) {
-  for (Segment& s : segments)
+  // By the line that each is on, by its slope and where it meets the y-axis, or, if vertical, the x-axis.
+  std::map<std::tuple<bool, Rational, Rational>, std::vector<Segment>> lines;
+  std::vector<Point> points;
+  for (Segment& s : segments) {
     if (s.target < s.source) std::swap(s.source, s.target);
-  std::sort(segments.begin(), segments.end());
-  std::vector<Segment> maximal;
-  for (const Segment& s : segments) {
-    // A segment seen later starts no further left, so it can only extend one to the right.
-    const auto extended = std::find_if(maximal.begin(), maximal.end(), [&](const Segment& m) {
-      if (OPLUS_MUTANT("segments-end-to-end-stay-apart",
-                       "collinear segments that share only an end are not joined") &&
-          s.source == m.target)
-        return false;
-      return s.source <= m.target && orientation(m.source, m.target, s.source) == 0 &&
-             orientation(m.source, m.target, s.target) == 0;
-    });
-    if (extended == maximal.end())
-      maximal.push_back(s);
-    else if (extended->target < s.target)
-      extended->target = s.target;
+    const Vector along = direction_of(s);
+    if (sign(along.x) != 0) {
+      const Rational slope = along.y / along.x;
+      const Rational height = s.source.y - slope * s.source.x;
+      lines[{false, slope, height}].push_back(std::move(s));
+    } else if (sign(along.y) != 0) {
+      const Rational x = s.source.x;
+      lines[{true, 0, x}].push_back(std::move(s));
+    } else {
+      points.push_back(std::move(s.source));
+    }
   }
+  std::vector<Segment> maximal;
+  for (auto& [line, on_line] : lines) {
+    std::sort(on_line.begin(), on_line.end());
+    const std::size_t first = maximal.size();
+    for (Segment& s : on_line) {
+      const bool is_apart =
+          maximal.size() == first || maximal.back().target < s.source ||
+          (OPLUS_MUTANT("segments-end-to-end-stay-apart",
+                        "collinear segments that share only an end are not joined") &&
+           s.source == maximal.back().target);
+      if (is_apart)
+        maximal.push_back(std::move(s));
+      else if (maximal.back().target < s.target)
+        maximal.back().target = std::move(s.target);
+    }
+  }
+  for (Point& p : points)
+    if (!lies_on_one(p, maximal)) maximal.push_back({p, p});
   std::sort(maximal.begin(), maximal.end());
   return maximal;
 }

@@ -136,6 +136,13 @@ TEST(Segment, maximal_segments_join_what_is_collinear_and_shares_a_point) {
                 {{0, 0}, {2, 0}}, {{0, 1}, {2, 1}}, {{1, 0}, {1, 3}}, {{5, 0}, {9, 0}}}));
 }
 
+TEST(Segment, maximal_segments_of_vertical_lines_and_of_points) {
+  const std::vector<Segment> given{{{1, 5}, {1, 3}}, {{1, 1}, {1, 3}}, {{2, 4}, {2, 3}},
+                                   {{1, 2}, {1, 2}}, {{1, 6}, {1, 6}}, {{1, 6}, {1, 6}}};
+  EXPECT_EQ(maximal_segments(given),
+            (std::vector<Segment>{{{1, 1}, {1, 5}}, {{1, 6}, {1, 6}}, {{2, 3}, {2, 4}}}));
+}
+
 TEST(Segment, maximal_segments_do_not_depend_on_the_order) {
   std::vector<Segment> given{
       {{0, 0}, {1, 1}}, {{1, 1}, {3, 3}}, {{2, 2}, {4, 4}}, {{5, 5}, {6, 6}}};
