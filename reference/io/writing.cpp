@@ -287,8 +287,12 @@ std::string written(const Region& region, Format format, std::optional<int> digi
 }
 
 std::string written(const MinkowskiSum& sum, Format format, std::optional<int> digits) {
+  return written(sum, region_of(sum), format, digits);
+}
+
+std::string written(const MinkowskiSum& sum, const Region& region, Format format,
+                    std::optional<int> digits) {
   OPLUS_REQUIRES(can_hold(format, sum), "written");
-  const Region region = region_of(sum);
   if (sum.dangling_edges.empty() && sum.isolated_vertices.empty())
     return written(region, format, digits);
   GeometryText text(format, digits);
