@@ -34,6 +34,10 @@ struct EngineOptions {
   unsigned threads = 1;           ///< at least 1
   HoleTestMethod hole_test = {};  ///< DEFAULT: by hierarchies of bounding volumes
   SlideNumbers numbers = SlideNumbers::as_needed;
+
+  /// Called while slide searches, now and then and on any of its threads: how many segments are done.
+  /// DEFAULT: nobody is told.
+  std::function<void(std::size_t done, std::size_t total)> progress = {};
 };
 
 /// Anything that maps two regions to their sum: an algorithm of ours, the oracle, another
@@ -49,6 +53,13 @@ struct Engine {
                             const EngineOptions& options)>
       compute = {};
 };
+
+/// Returns their names, in the same order.
+inline std::vector<std::string> names_of(const std::vector<Engine>& engines) {
+  std::vector<std::string> names;
+  for (const Engine& engine : engines) names.push_back(engine.name);
+  return names;
+}
 
 /// Returns nullptr for an unknown name.
 inline const Engine* find_engine(const std::vector<Engine>& engines, std::string_view name) {

@@ -94,9 +94,7 @@ void add_compare(CLI::App& program, Action& chosen) {
       "\n"
       "Exit codes:\n"
       "  0  equal\n"
-      "  1  not equal\n"
-      "  2  invalid input or usage, or a file that cannot be read or written\n"
-      "  3  a bug in oplus; please report it");
+      "  1  not equal");
 }
 
 }  // namespace oplus

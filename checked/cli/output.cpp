@@ -85,6 +85,10 @@ Format output_format(const RegionOutput& output) {
 
 void write_region(const RegionOutput& output, Format format, const std::string& text) {
   write_text(output.path, text);
+  say_what_was_written(output, format, text);
+}
+
+void say_what_was_written(const RegionOutput& output, Format format, const std::string& text) {
   if (speech().quiet) return;
   if (output.digits) {
     const std::string rounded =

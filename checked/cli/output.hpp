@@ -20,10 +20,13 @@ struct RegionOutput {
 /// output. Throws UsageError for an ending that names no format.
 Format output_format(const RegionOutput& output);
 
-/// Writes the text of a region or a sum, which is `written` in this format with the output's digits.
-/// Says on standard error that it was rounded and whether it is still valid, or that it contains
-/// fractions that other programs do not read. Throws UsageError where it cannot write.
+/// Writes the text of a region or a sum, which is `written` in this format with the output's digits, and
+/// says what is to be known of it. Throws UsageError where it cannot write.
 void write_region(const RegionOutput& output, Format format, const std::string& text);
+
+/// Says on standard error that such a text was rounded and whether it is still valid, or that it contains
+/// fractions that other programs do not read.
+void say_what_was_written(const RegionOutput& output, Format format, const std::string& text);
 
 /// Throws UsageError where an output could not be written, two would be written to one place, or a
 /// picture's path does not end in .svg (in capitals or not), so that it is known before anything is

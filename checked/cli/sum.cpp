@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <iostream>
 #include <thread>
+#include <tuple>
 
 #include "checked/arrangement/hole_test.hpp"
 #include "checked/cli/command_line/program_frame.hpp"
+#include "checked/cli/command_line/progress.hpp"
+#include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/engines_and_oracle.hpp"
 #include "checked/cli/input.hpp"
 #include "checked/cli/json_values.hpp"
@@ -42,9 +47,30 @@ std::vector<std::string> outputs(const SumOptions& options) {
   return paths;
 }
 
+/// More segments are not drawn: nobody could tell them apart.
+constexpr std::size_t most_drawn = 20000;
+
+/// The segments in the order of the definition: by the edge's summand, by chains, by edge and vertex.
+std::vector<Segment> in_order(std::vector<ConvolutionSegment> convolution) {
+  const auto place = [](const ConvolutionSegment& s) {
+    const auto& [edge_of, edge, vertex] = s.origin;
+    return std::tuple(edge_of, edge.chain, vertex.chain, edge.vertex, vertex.vertex);
+  };
+  std::ranges::sort(convolution, {}, place);
+  return segments(convolution);
+}
+
 std::string picture(const Region& p, const Region& q, const MinkowskiSum& sum) {
-  std::vector<Panel> panels = panels_of(p, q);
+  const ConvolutionSize size = convolution_size(p, q);
+  std::vector<Panel> panels = {panel_of(Summand::P, p), panel_of(Summand::Q, q)};
+  if (size.segments <= most_drawn)
+    panels.push_back(convolution_panel(in_order(traced_convolution(p, q))));
+  if (size.reduced_segments <= most_drawn)
+    panels.push_back(reduced_convolution_panel(in_order(traced_reduced_convolution(p, q))));
   panels.push_back({"P \u2295 Q", layers_of(sum)});
+  if (size.segments > most_drawn)
+    say_note("the picture is without convolutions of more than " + std::to_string(most_drawn) +
+             " segments");
   return svg(panels);
 }
 
@@ -55,23 +81,51 @@ void print(const Statistics& statistics) {
 
 /// Sizes of the summands and of their convolution.
 Statistics statistics_of(const Region& p, const Region& q) {
-  const ConvolutionCycles cycles = convolution_cycles(p, q);
+  const ConvolutionSize size = convolution_size(p, q);
   return {{"vertices of P", vertex_count(p)},
           {"vertices of Q", vertex_count(q)},
-          {"segments of the convolution", full_convolution(cycles).size()},
-          {"segments of the reduced convolution", reduced_convolution(cycles).size()},
-          {"convolution cycles", cycles.cycles.size()},
-          {"steps to trace them", cycles.steps}};
+          {"segments of the convolution", size.segments},
+          {"segments of the reduced convolution", size.reduced_segments},
+          {"convolution cycles", size.cycles},
+          {"steps to trace them", size.steps}};
 }
 
-std::string statistics_json(const SumOptions& options, const Region& p, const Region& q,
-                            const ComputedSum& computed, Seconds seconds) {
-  const Json object = {{"engine", options.engine},
-                       {"boundary", name(options.boundary)},
-                       {"summands", json(statistics_of(p, q))},
-                       {"run", json(computed.statistics)},
-                       {"sum", json(statistics_of(computed.sum))},
-                       {"seconds", json(Quantity(seconds))}};
+/// What a run was, but for what only its end shows.
+struct Run {
+  Statistics summands;  ///< empty unless asked for; so is `sum`
+  Statistics engine;
+  Statistics sum;
+  ReadingTimes input;
+  Seconds counting{};
+  Seconds computing{};
+  Seconds region{};
+  Seconds drawing{};
+  Seconds writing{};
+};
+
+/// What the user waited for: each stage, and all together since the command was understood. The rest of
+/// the time is mostly that of freeing memory.
+Statistics times_of(const Run& run, Seconds all) {
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  return {{"seconds for reading", run.input.reading},
+          {"seconds for validation", run.input.validation},
+          {"seconds for counting the convolution", run.counting},
+          {"seconds for the sum", run.computing},
+          {"seconds for the region", run.region},
+          {"seconds for the picture", run.drawing},
+          {"seconds for writing", run.writing},
+          {"seconds", all},
+          {"peak memory in kilobytes", static_cast<std::size_t>(used.ru_maxrss)}};
+}
+
+std::string statistics_json(const SumOptions& options, const Run& run, const Statistics& times) {
+  Json object = {{"engine", options.engine},
+                 {"boundary", name(options.boundary)},
+                 {"summands", json(run.summands)},
+                 {"run", json(run.engine)},
+                 {"sum", json(run.sum)}};
+  object.update(json(times));
   return object.dump(2) + "\n";
 }
 
@@ -91,6 +145,43 @@ unsigned chosen_threads(const SumOptions& options, const Engine& engine) {
   return *options.threads;
 }
 
+/// All that a user waits for: at its end all memory is free again.
+Run done(const SumOptions& options, const Engine& engine, EngineOptions engine_options,
+         Format format) {
+  Run run;
+  const bool with_statistics = options.stats || options.stats_json;
+  const Region p = read_summand(options.p, &run.input);
+  const Region q = read_summand(options.q, &run.input);
+  if (with_statistics) run.summands = timed(run.counting, [&] { return statistics_of(p, q); });
+
+  std::optional<ShownStep> step("computing the sum");
+  engine_options.progress = [&](std::size_t segments, std::size_t total) {
+    step->advance(segments, total);
+  };
+  ComputedSum computed =
+      timed(run.computing, [&] { return engine.compute(p, q, options.boundary, engine_options); });
+  if (!can_hold(format, computed.sum))
+    throw UsageError(
+        ".dat cannot hold the dangling edges and isolated vertices of this sum; write .wkt or "
+        ".geojson");
+  step->next("writing the sum");
+  const Region region = timed(run.region, [&] { return region_of(computed.sum); });
+  timed(run.writing, [&] {
+    const std::string content = written(computed.sum, region, format, options.output.digits);
+    if (options.output.path == "-") step.reset();  // both may be on one terminal
+    write_text(options.output.path, content);
+    step.reset();
+    say_what_was_written(options.output, format, content);
+    if (options.origins)
+      write_text(*options.origins, origins_json(computed.sum, computed.origins, p, q));
+  });
+  if (options.svg)
+    timed(run.drawing, [&] { write_text(*options.svg, picture(p, q, computed.sum)); });
+  if (with_statistics) run.sum = timed(run.counting, [&] { return statistics_of(computed.sum); });
+  run.engine = std::move(computed.statistics);
+  return run;
+}
+
 ExitCode sum(const SumOptions& options) {
   const Engine& engine = *find_engine(engines_and_oracle(), options.engine);
   const EngineOptions engine_options = {.with_origins = options.origins.has_value(),
@@ -99,31 +190,13 @@ ExitCode sum(const SumOptions& options) {
   require_one_standard_input({options.p, options.q});
   require_writable(outputs(options), options.svg);
   const Format format = output_format(options.output);
-  const Region p = read_summand(options.p);
-  const Region q = read_summand(options.q);
 
-  Seconds seconds{};
-  const ComputedSum computed =
-      timed(seconds, [&] { return engine.compute(p, q, options.boundary, engine_options); });
-
-  if (!can_hold(format, computed.sum))
-    throw UsageError(
-        ".dat cannot hold the dangling edges and isolated vertices of this sum; write .wkt or "
-        ".geojson");
-  const std::string content = written(computed.sum, format, options.output.digits);
-  if (options.svg) write_text(*options.svg, picture(p, q, computed.sum));
-  if (options.origins)
-    write_text(*options.origins, origins_json(computed.sum, computed.origins, p, q));
-  if (options.stats_json)
-    write_text(*options.stats_json, statistics_json(options, p, q, computed, seconds));
-  write_region(options.output, format, content);
-
-  if (options.stats) {
-    print(statistics_of(p, q));
-    print(computed.statistics);
-    print(statistics_of(computed.sum));
-    print({{"seconds", seconds}});
-  }
+  Seconds all{};
+  const Run run = timed(all, [&] { return done(options, engine, engine_options, format); });
+  const Statistics times = times_of(run, all);
+  if (options.stats_json) write_text(*options.stats_json, statistics_json(options, run, times));
+  if (options.stats)
+    for (const Statistics& part : {run.summands, run.engine, run.sum, times}) print(part);
   return ExitCode::done;
 }
 
@@ -132,12 +205,6 @@ std::string engine_help() {
          joined(
              engines_and_oracle(),
              [](const Engine& engine) { return engine.name + ", " + engine.what; }, "; ");
-}
-
-std::vector<std::string> engine_names() {
-  std::vector<std::string> names;
-  for (const Engine& engine : engines_and_oracle()) names.push_back(engine.name);
-  return names;
 }
 
 }  // namespace
@@ -152,7 +219,7 @@ void add_sum(CLI::App& program, Action& chosen) {
   add_open(command, options.boundary,
            "sum the regions' interiors: keeps dangling edges and isolated vertices");
   command.add_option("--engine", options.engine, engine_help())
-      ->check(CLI::IsMember(engine_names()))
+      ->check(CLI::IsMember(names_of(engines_and_oracle())))
       ->type_name("NAME");
   command
       .add_option("--hole-test", options.hole_test,
@@ -168,12 +235,15 @@ void add_sum(CLI::App& program, Action& chosen) {
                   "the same")
       ->check(CLI::Range(1, 1024))
       ->type_name("N");
-  add_file(command, "--svg", options.svg, "draw summands, convolutions and sum there, as SVG");
+  add_file(
+      command, "--svg", options.svg,
+      "draw summands, convolutions and sum there, as SVG; convolutions of up to 20000 segments");
   add_file(command, "--origins", options.origins,
            "write there, as JSON, which vertex and edge each edge of the sum came from");
-  command.add_flag("--stats", options.stats, "print sizes and times to standard error");
+  command.add_flag("--stats", options.stats,
+                   "print sizes, times of all stages and memory to standard error");
   add_file(command, "--stats-json", options.stats_json,
-           "write sizes and times there, as JSON (docs/json.md); - is standard output");
+           "write the same there, as JSON (docs/json.md); - is standard output");
   command.footer(
       "Example:\n"
       "  oplus gen comb --n 5 --summand P -o p.wkt\n"

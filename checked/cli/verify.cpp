@@ -234,9 +234,7 @@ void add_verify(CLI::App& program, Action& chosen) {
       "\n"
       "Exit codes:\n"
       "  0  it is their sum\n"
-      "  1  it is not\n"
-      "  2  invalid input or usage, or a file that cannot be read or written\n"
-      "  3  a bug in oplus; please report it");
+      "  1  it is not");
 }
 
 }  // namespace oplus

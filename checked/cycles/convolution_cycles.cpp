@@ -135,6 +135,22 @@ ConvolutionCycles convolution_cycles(const Region& p, const Region& q) {
   return result;
 }
 
+ConvolutionSize convolution_size(const Region& p, const Region& q) {
+  const std::vector<TracedChain> traced_p = traced(chains(p), Summand::P);
+  const std::vector<TracedChain> traced_q = traced(chains(q), Summand::Q);
+  ConvolutionSize size;
+  for (const TracedChain& a : traced_p) {
+    for (const TracedChain& b : traced_q) {
+      const GridCounts of_pair = count_cycles(a, b);
+      size.segments += of_pair.segments;
+      size.reduced_segments += of_pair.reduced_segments;
+      size.cycles += of_pair.cycles;
+      size.steps += of_pair.states_looked_at;
+    }
+  }
+  return size;
+}
+
 std::vector<ConvolutionSegment> full_convolution(ConvolutionCycles cycles) {
   std::vector<ConvolutionSegment> result;
   std::size_t size = 0;

@@ -27,6 +27,18 @@ struct ConvolutionCycles {
 /// Requires: p and q are valid (validity.hpp).
 ConvolutionCycles convolution_cycles(const Region& p, const Region& q);
 
+/// How large 𝒞 is.
+struct ConvolutionSize {
+  std::size_t segments = 0;
+  std::size_t reduced_segments = 0;  ///< of the reduced convolution (thesis, Definition 2.3.1)
+  std::size_t cycles = 0;
+  std::size_t steps = 0;  ///< to trace them, as above
+};
+
+/// Returns what there would be to count in convolution_cycles(p, q). It is traced, but nothing is kept of it:
+/// O(n + m + K) time, O(n + m) memory. Requires: p and q are valid (validity.hpp).
+ConvolutionSize convolution_size(const Region& p, const Region& q);
+
 /// The segments of all cycles, cycle by cycle: 𝒞.
 std::vector<ConvolutionSegment> full_convolution(ConvolutionCycles cycles);
 

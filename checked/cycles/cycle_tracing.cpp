@@ -46,23 +46,26 @@ struct State {
   friend bool operator==(const State&, const State&) = default;
 };
 
+/// `Cycles` is told of each cycle that starts, and then of its steps in turn.
+template <typename Cycles>
 class Tracer {
  public:
-  Tracer(const TracedChain& p, const TracedChain& q)
-      : p_(p), q_(q), visited_in_row_(p.size()), visited_in_column_(q.size()) {}
+  Tracer(const TracedChain& p, const TracedChain& q, Cycles& cycles)
+      : p_(p), q_(q), cycles_(cycles), visited_in_row_(p.size()), visited_in_column_(q.size()) {}
 
-  GridCycles run() {
+  /// Returns how many states it looked at.
+  std::size_t run() {
     for (std::size_t i = 0; i < p_.size(); ++i) start_at({i, 0});
     if (OPLUS_MUTANT("no-start-in-the-first-column",
                      "tracing starts from the states of one row only"))
-      return std::move(result_);
+      return states_looked_at_;
     for (std::size_t j = 1; j < q_.size(); ++j) start_at({0, j});
     for (std::size_t i = 1; OPLUS_MUTANT("every-state-is-a-start",
                                          "tracing starts from every state of the fiber grid") &&
                             i < p_.size();
          ++i)
       for (std::size_t j = 1; j < q_.size(); ++j) start_at({i, j});
-    return std::move(result_);
+    return states_looked_at_;
   }
 
  private:
@@ -74,18 +77,18 @@ class Tracer {
   }
 
   void start_at(const State& start) {
-    ++result_.states_looked_at;
+    ++states_looked_at_;
     for (const Summand edge_of : {Summand::P, Summand::Q})
       if (leaves_along(edge_of, start) && !visited(edge_of, start)) trace(start, edge_of);
   }
 
   void trace(const State& start, Summand edge_of) {
-    std::vector<Summand> steps;
+    cycles_.start(start);
     State at = start;
-    while (true) {
+    for (std::size_t steps = 1;; ++steps) {
       mark_visited(edge_of, at);
-      steps.push_back(edge_of);
-      OPLUS_ENSURES(steps.size() <= 2 * p_.size() * q_.size(), "Theorem 4.1.6");
+      cycles_.step(edge_of, at);
+      OPLUS_ENSURES(steps <= 2 * p_.size() * q_.size(), "Theorem 4.1.6");
       std::size_t& index = edge_of == Summand::P ? at.i : at.j;
       index = next(index, edge_of == Summand::P ? p_.size() : q_.size());
       if (at == start ||
@@ -93,16 +96,15 @@ class Tracer {
                "cycle-ends-in-its-column",
                "a cycle ends when it is back in the column of its start, whatever the row") &&
            at.i == start.i))
-        break;
+        return;
       edge_of = summand_after(edge_of, at);
     }
-    result_.cycles.push_back({start.i, start.j, std::move(steps)});
   }
 
   /// Which edge a cycle takes that came to a state along this summand's. If it cannot go on, it need
   /// not test whether it can turn; Algorithm 2 does not either.
   Summand summand_after(Summand came_by, const State& at) {
-    ++result_.states_looked_at;
+    ++states_looked_at_;
     if (OPLUS_MUTANT("edge-of-p-though-visited",
                      "where both segments leave a state, tracing takes P's, visited or not"))
       came_by = Summand::P;
@@ -132,13 +134,46 @@ class Tracer {
 
   const TracedChain& p_;
   const TracedChain& q_;
+  Cycles& cycles_;
   std::vector<std::array<bool, 2>> visited_in_row_;
   std::vector<std::array<bool, 2>> visited_in_column_;
-  GridCycles result_;
+  std::size_t states_looked_at_ = 0;
+};
+
+struct KeptCycles {
+  GridCycles result;
+
+  void start(const State& at) { result.cycles.push_back({at.i, at.j, {}}); }
+  void step(Summand edge_of, const State&) { result.cycles.back().steps.push_back(edge_of); }
+};
+
+struct CountedCycles {
+  const TracedChain& p;
+  const TracedChain& q;
+  GridCounts result;
+
+  void start(const State&) { ++result.cycles; }
+  void step(Summand edge_of, const State& at) {
+    ++result.segments;
+    const bool at_reflex = edge_of == Summand::P ? q.is_reflex(at.j) : p.is_reflex(at.i);
+    if (!at_reflex) ++result.reduced_segments;
+  }
 };
 
 }  // namespace
 
-GridCycles trace_cycles(const TracedChain& p, const TracedChain& q) { return Tracer(p, q).run(); }
+GridCycles trace_cycles(const TracedChain& p, const TracedChain& q) {
+  KeptCycles cycles;
+  const std::size_t states = Tracer(p, q, cycles).run();
+  cycles.result.states_looked_at = states;
+  return std::move(cycles.result);
+}
+
+GridCounts count_cycles(const TracedChain& p, const TracedChain& q) {
+  CountedCycles cycles{p, q, {}};
+  const std::size_t states = Tracer(p, q, cycles).run();
+  cycles.result.states_looked_at = states;
+  return cycles.result;
+}
 
 }  // namespace oplus

@@ -58,4 +58,13 @@ struct GridCycles {
 /// cycles are joined otherwise is one that no later cycle enters.
 GridCycles trace_cycles(const TracedChain& p, const TracedChain& q);
 
+/// How large the convolution of two chains is, without keeping a step of it.
+struct GridCounts {
+  std::size_t segments = 0;
+  std::size_t reduced_segments = 0;  ///< those whose vertex is not reflex
+  std::size_t cycles = 0;
+  std::size_t states_looked_at = 0;
+};
+GridCounts count_cycles(const TracedChain& p, const TracedChain& q);
+
 }  // namespace oplus

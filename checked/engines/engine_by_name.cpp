@@ -5,11 +5,7 @@
 
 namespace oplus {
 
-std::vector<std::string> engine_names() {
-  std::vector<std::string> names;
-  for (const Engine& one : engines()) names.push_back(one.name);
-  return names;
-}
+std::vector<std::string> engine_names() { return names_of(engines()); }
 
 const Engine* engine(std::string_view name) {
   const Engine* const found = find_engine(engines(), name);

@@ -34,7 +34,7 @@ Number::Exact Number::from_integer(bool is_negative, std::uint64_t bits) {
 
 Number::Exact Number::from_rational(Rational value) {
   if (value.get_den() == 0) refuse("the denominator is zero", "a rational number");
-  value.canonicalize();
+  if (value.get_den() != 1) value.canonicalize();
   return {std::move(value)};
 }
 

@@ -117,9 +117,11 @@ class ValidRegion {
   explicit ValidRegion(Region region);
 
   /// Returns the components, in the order of the input.
-  const std::vector<Component>& components() const { return region_.components; }
+  const std::vector<Component>& components() const& { return region_.components; }
+  std::vector<Component> components() && { return std::move(region_.components); }  ///< The same.
 
-  const Region& region() const { return region_; }  ///< Returns the same as a plain value.
+  const Region& region() const& { return region_; }  ///< Returns the same as a plain value.
+  Region region() && { return std::move(region_); }  ///< The same.
 
   friend bool operator==(const ValidRegion&, const ValidRegion&) = default;
 
@@ -129,7 +131,10 @@ class ValidRegion {
   friend ValidRegion read_geojson(const std::string& text);
   friend ValidRegion read_file(const std::string& path);
   friend ValidRegion operator-(const ValidRegion& region);
+  friend ValidRegion polygon(const std::vector<Coordinates>& outer,
+                             const std::vector<std::vector<Coordinates>>& holes);
   static ValidRegion found_valid(Region region);
+  static ValidRegion checked(Region region);  ///< Requires: in lowest terms.
 
   Region region_;
 };
@@ -174,7 +179,8 @@ struct SumOptions {
 };
 
 /// A Minkowski sum, exact. Copies share what they hold, which never changes. References into it are
-/// valid as long as one of them exists: name a sum before a loop over its components().
+/// valid as long as one of them exists. A sum without a name returns copies instead, so that a loop
+/// over minkowski_sum(p, q).components() is right too.
 class Sum {
  public:
   /// The empty sum.
@@ -184,27 +190,40 @@ class Sum {
 
   /// Returns the regularized sum: simple outer chains, each with the holes in it. Computed when first
   /// asked for, once, on whichever thread asks.
-  const std::vector<Component>& components() const;
+  const std::vector<Component>& components() const&;
+  std::vector<Component> components() && {
+    return std::as_const(*this).components();
+  }  ///< The same.
 
   /// Returns the same as a region, to be summed again.
-  const ValidRegion& region() const;
+  const ValidRegion& region() const&;
+  ValidRegion region() && { return std::as_const(*this).region(); }  ///< The same.
 
   /// Returns where one summand just fits into the other and can be moved: edges of an open sum's
   /// complement that bound no face of it. None for Boundary::closed.
-  const std::vector<Segment>& dangling_edges() const;
+  const std::vector<Segment>& dangling_edges() const&;
+  std::vector<Segment> dangling_edges() && {
+    return std::as_const(*this).dangling_edges();
+  }  ///< The same.
 
   /// Returns where one summand just fits into the other and cannot be moved: points of an open sum's
   /// complement that bound no face or edge of it. None for Boundary::closed.
-  const std::vector<Point>& isolated_vertices() const;
+  const std::vector<Point>& isolated_vertices() const&;
+  std::vector<Point> isolated_vertices() && {
+    return std::as_const(*this).isolated_vertices();
+  }  ///< The same.
 
   /// Returns all of it in canonical form, chains cut at no touching point.
-  const MinkowskiSum& value() const;
+  const MinkowskiSum& value() const&;
+  MinkowskiSum value() && { return std::as_const(*this).value(); }  ///< The same.
 
   /// Returns for each edge of value() where it came from. Empty unless asked for.
-  const Origins& origins() const;
+  const Origins& origins() const&;
+  Origins origins() && { return std::as_const(*this).origins(); }  ///< The same.
 
   /// Returns what it took: counts and times, which differ from engine to engine.
-  const Statistics& statistics() const;
+  const Statistics& statistics() const&;
+  Statistics statistics() && { return std::as_const(*this).statistics(); }  ///< The same.
 
   /// Whether two sums are the same set. Cost: their size.
   friend bool operator==(const Sum& a, const Sum& b) { return a.value() == b.value(); }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "checked/engine.hpp"
+#include "checked/oplus/lowest_terms.hpp"
 #include "checked/oplus/oplus.hpp"
 #include "checked/slide/slide.hpp"
 #include "checked/verify/verify.hpp"
@@ -29,23 +30,23 @@ Sum::Sum(MinkowskiSum value, Boundary boundary, Origins origins, Statistics stat
 
 Boundary Sum::boundary() const { return state_->boundary; }
 
-const ValidRegion& Sum::region() const {
+const ValidRegion& Sum::region() const& {
   std::call_once(state_->is_region_computed,
                  [&] { state_->region = ValidRegion::found_valid(region_of(state_->value)); });
   return state_->region;
 }
 
-const std::vector<Component>& Sum::components() const { return region().components(); }
+const std::vector<Component>& Sum::components() const& { return region().components(); }
 
-const std::vector<Segment>& Sum::dangling_edges() const { return value().dangling_edges; }
+const std::vector<Segment>& Sum::dangling_edges() const& { return value().dangling_edges; }
 
-const std::vector<Point>& Sum::isolated_vertices() const { return value().isolated_vertices; }
+const std::vector<Point>& Sum::isolated_vertices() const& { return value().isolated_vertices; }
 
-const MinkowskiSum& Sum::value() const { return state_->value; }
+const MinkowskiSum& Sum::value() const& { return state_->value; }
 
-const Origins& Sum::origins() const { return state_->origins; }
+const Origins& Sum::origins() const& { return state_->origins; }
 
-const Statistics& Sum::statistics() const { return state_->statistics; }
+const Statistics& Sum::statistics() const& { return state_->statistics; }
 
 Sum minkowski_sum(const ValidRegion& p, const ValidRegion& q, const SumOptions& options) {
   const EngineOptions how = {.with_origins = options.with_origins,
@@ -74,10 +75,11 @@ bool contains(const Sum& sum, const Coordinates& point) {
 
 Verdict verify(const ValidRegion& p, const ValidRegion& q, const GivenSum& given,
                Boundary boundary) {
-  const auto canonical = [](const Point& point) { return Coordinates(point).point(); };
-  GivenSum sum = {mapped(given.region, canonical), given.dangling_edges, given.isolated_vertices};
-  for (Segment& edge : sum.dangling_edges) edge = {canonical(edge.source), canonical(edge.target)};
-  for (Point& vertex : sum.isolated_vertices) vertex = canonical(vertex);
+  GivenSum sum = {mapped(given.region, in_lowest_terms), given.dangling_edges,
+                  given.isolated_vertices};
+  for (Segment& edge : sum.dangling_edges)
+    edge = {in_lowest_terms(edge.source), in_lowest_terms(edge.target)};
+  for (Point& vertex : sum.isolated_vertices) vertex = in_lowest_terms(vertex);
   return verify(p.region(), q.region(), boundary, sum);
 }
 

@@ -6,12 +6,12 @@ namespace oplus {
 
 namespace {
 
-template <typename Value>
-std::string text(const Value& value, Format format, std::optional<int> digits) {
+std::string text(const MinkowskiSum& features, const ValidRegion& region, Format format,
+                 std::optional<int> digits) {
   if (digits && (*digits < 0 || *digits > most_digits))
     throw std::invalid_argument("digits: " + std::to_string(*digits) + "; expected 0 to " +
                                 std::to_string(most_digits));
-  std::string result = written(value, format, digits);
+  std::string result = written(features, region.region(), format, digits);
   if (result.ends_with('\n')) result.pop_back();
   return result;
 }
@@ -19,19 +19,19 @@ std::string text(const Value& value, Format format, std::optional<int> digits) {
 }  // namespace
 
 std::string to_wkt(const ValidRegion& region, std::optional<int> digits) {
-  return text(region.region(), Format::wkt, digits);
+  return text({}, region, Format::wkt, digits);
 }
 
 std::string to_wkt(const Sum& sum, std::optional<int> digits) {
-  return text(sum.value(), Format::wkt, digits);
+  return text(sum.value(), sum.region(), Format::wkt, digits);
 }
 
 std::string to_geojson(const ValidRegion& region, std::optional<int> digits) {
-  return text(region.region(), Format::geojson, digits);
+  return text({}, region, Format::geojson, digits);
 }
 
 std::string to_geojson(const Sum& sum, std::optional<int> digits) {
-  return text(sum.value(), Format::geojson, digits);
+  return text(sum.value(), sum.region(), Format::geojson, digits);
 }
 
 }  // namespace oplus

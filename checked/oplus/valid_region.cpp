@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <utility>
 
+#include "checked/oplus/lowest_terms.hpp"
 #include "checked/oplus/oplus.hpp"
 #include "reference/definitions/region.hpp"
 #include "reference/io/reading.hpp"
@@ -19,10 +20,11 @@ Chain chain_of(const std::vector<Coordinates>& points) {
 }  // namespace
 
 ValidRegion::ValidRegion(Region region)
-    : region_(oriented_and_checked(
-                  mapped(std::move(region), [](const Point& p) { return Coordinates(p).point(); }),
-                  "region")
-                  .region) {}
+    : ValidRegion(checked(mapped(std::move(region), in_lowest_terms))) {}
+
+ValidRegion ValidRegion::checked(Region region) {
+  return found_valid(oriented_and_checked(std::move(region), "region").region);
+}
 
 ValidRegion ValidRegion::found_valid(Region region) {
   ValidRegion result;
@@ -34,7 +36,7 @@ ValidRegion polygon(const std::vector<Coordinates>& outer,
                     const std::vector<std::vector<Coordinates>>& holes) {
   Component component{chain_of(outer), {}};
   for (const std::vector<Coordinates>& hole : holes) component.holes.push_back(chain_of(hole));
-  return ValidRegion(Region{{std::move(component)}});
+  return ValidRegion::checked(Region{{std::move(component)}});
 }
 
 ValidRegion read_wkt(const std::string& text) {

@@ -2,6 +2,7 @@
 #include "checked/slide/slide.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <iterator>
 #include <span>
 
@@ -27,11 +28,13 @@ struct FoundPieces {
 /// Segments are independent. They are handed out in lots of the same size, whatever the number of
 /// threads, so that neither the result nor the effort depends on it.
 template <typename Numbers>
-FoundPieces<Numbers> find_free_pieces(const Tracks<Numbers>& tracks, unsigned threads) {
+FoundPieces<Numbers> find_free_pieces(const Tracks<Numbers>& tracks, const EngineOptions& options) {
   constexpr std::size_t in_a_lot = 128;
   constexpr std::size_t too_few = 8;  // to start threads for
   std::vector<FoundPieces<Numbers>> lots((tracks.size() + in_a_lot - 1) / in_a_lot);
-  for_each_number(lots.size(), lots.size() < too_few ? 1 : threads, [&](std::size_t lot) {
+  const unsigned threads = lots.size() < too_few ? 1 : options.threads;
+  std::atomic<std::size_t> done = 0;
+  for_each_number(lots.size(), threads, [&](std::size_t lot) {
     FreePieces<Numbers> search(tracks.summands());
     lots[lot].pieces.reserve(in_a_lot / 4);
     const std::size_t end = std::min((lot + 1) * in_a_lot, tracks.size());
@@ -40,6 +43,7 @@ FoundPieces<Numbers> find_free_pieces(const Tracks<Numbers>& tracks, unsigned th
         lots[lot].pieces.push_back({i, std::move(piece)});
       });
     lots[lot].effort = search.effort();
+    if (options.progress) options.progress(done += end - lot * in_a_lot, tracks.size());
   });
   if (lots.size() == 1) return std::move(lots[0]);
   FoundPieces<Numbers> all;
@@ -113,7 +117,7 @@ template <typename Numbers>
 ComputedSum sum_in(const Region& p, const Region& q, const Scaling& scaling, Boundary boundary,
                    const EngineOptions& options) {
   const Tracks<Numbers> tracks(p, q, scaling);
-  const auto [pieces, effort] = find_free_pieces(tracks, options.threads);
+  const auto [pieces, effort] = find_free_pieces(tracks, options);
 
   const NamedEnds<Numbers> ends = named_ends(pieces, tracks, scaling);
   const auto point = [&](std::uint32_t i) { return ends.points[i].in_the_plane(scaling); };

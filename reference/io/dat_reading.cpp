@@ -70,11 +70,10 @@ class DatReader {
     if (count < 3) refuse_too_few_vertices(input_, token.at, name, count);
     result.reserve(count, tokens_.rest().size());
     while (result.vertices.size() < count) {
-      const Position place = tokens_.peek().at;
-      Rational x = take_coordinate('x', result, token, name);
-      Rational y = take_coordinate('y', result, token, name);
-      result.vertices.push_back({std::move(x), std::move(y)});
-      result.places.push_back(place);
+      result.places.push_back(tokens_.peek().at);
+      Point& vertex = result.vertices.emplace_back();
+      put_coordinate(vertex.x, 'x', result, token, name);
+      put_coordinate(vertex.y, 'y', result, token, name);
     }
     return result;
   }
@@ -87,18 +86,19 @@ class DatReader {
     return count_value(token.text);
   }
 
-  Rational take_coordinate(char axis, const PlacedChain& so_far, const Token& count,
-                           const ChainName& name) {
+  /// The next token, a coordinate of the last vertex so far.
+  void put_coordinate(Rational& value, char axis, const PlacedChain& so_far, const Token& count,
+                      const ChainName& name) {
     const Token token = tokens_.take();
     const auto coordinate_called = [&] {
-      return coordinate_name(axis, so_far.vertices.size() + 1, describe(name));
+      return coordinate_name(axis, so_far.vertices.size(), describe(name));
     };
     if (token.is_end())
       input_.refuse(token.at,
-                    "the end of the input after " + std::to_string(so_far.vertices.size()) +
+                    "the end of the input after " + std::to_string(so_far.vertices.size() - 1) +
                         " of " + quote(count.text) + " vertices of " + describe(name),
                     coordinate_called());
-    return coordinate(input_, token.text, token.at, coordinate_called);
+    oplus::put_coordinate(input_, token.text, token.at, value, coordinate_called);
   }
 
   const InputText& input_;

@@ -10,7 +10,9 @@ std::string describe(const Token& token) {
 }
 
 Tokenizer::Tokenizer(const InputText& input, std::string_view punctuation)
-    : input_(input), rest_(input.text), punctuation_(punctuation) {
+    : input_(input), rest_(input.text) {
+  for (const char c : blanks) ends_word_[static_cast<unsigned char>(c)] = true;
+  for (const char c : punctuation) ends_word_[static_cast<unsigned char>(c)] = true;
   advance();
 }
 
@@ -23,22 +25,18 @@ Token Tokenizer::take() {
 void Tokenizer::advance() {
   const std::size_t start = input_.text.size() - rest_.size();
   const Position after_last = position_;
-  std::size_t blanks = 0;
-  for (; blanks < rest_.size() && is_blank(rest_[blanks]); ++blanks) position_.pass(rest_[blanks]);
-  rest_.remove_prefix(blanks);
+  std::size_t skipped = 0;
+  for (; skipped < rest_.size() && is_blank(rest_[skipped]); ++skipped)
+    position_.pass(rest_[skipped]);
+  rest_.remove_prefix(skipped);
   if (rest_.empty()) {
     current_ = {{}, after_last};
     position_ = after_last;
     return;
   }
-  const auto is_punctuation = [&](char c) {
-    return punctuation_.find(c) != std::string_view::npos;
-  };
   std::size_t length = 1;
-  if (!is_punctuation(rest_[0])) {
-    while (length < rest_.size() && !is_blank(rest_[length]) && !is_punctuation(rest_[length]))
-      ++length;
-  }
+  if (!ends_word(rest_[0]))
+    while (length < rest_.size() && !ends_word(rest_[length])) ++length;
   current_ = {rest_.substr(0, length), position_};
   position_.column += length;
   rest_.remove_prefix(length);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <compare>
 #include <cstddef>
 #include <functional>
@@ -48,9 +49,9 @@ struct InputText {
   }
 };
 
-inline bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\v' || c == '\f';
-}
+inline constexpr std::string_view blanks = " \t\n\r\v\f";
+
+inline bool is_blank(char c) { return c == ' ' || ('\t' <= c && c <= '\r'); }
 
 struct Token {
   std::string_view text;  ///< empty at the end of the input
@@ -77,9 +78,11 @@ class Tokenizer {
  private:
   void advance();
 
+  bool ends_word(char c) const { return ends_word_[static_cast<unsigned char>(c)]; }
+
   const InputText& input_;
   std::string_view rest_;
-  std::string_view punctuation_;
+  std::array<bool, 256> ends_word_{};  ///< of each byte: blanks and punctuation
   Position position_;
   Token current_;
 };

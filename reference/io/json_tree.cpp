@@ -53,92 +53,95 @@ class JsonStream {
   char before_ = '"';
 };
 
-/// Builds the tree from RapidJSON's events.
+}  // namespace
+
+/// Builds a tree from RapidJSON's events.
 class TreeBuilder : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, TreeBuilder> {
  public:
-  explicit TreeBuilder(const InputText& input) : input_(input), stream_(input.text) {}
+  TreeBuilder(const InputText& input, JsonTree& tree)
+      : input_(input), tree_(tree), stream_(input.text) {}
 
-  JsonValue tree() {
+  void build() {
     rapidjson::Reader reader;
     go_on(0);
     const rapidjson::ParseResult result =
         reader.Parse<rapidjson::kParseIterativeFlag | rapidjson::kParseNumbersAsStringsFlag |
                      rapidjson::kParseValidateEncodingFlag>(stream_, *this);
     if (result.IsError()) refuse(result.Code(), result.Offset());
-    return std::move(root_);
   }
 
-  bool Null() { return add(JsonValue::Kind::null, "null"); }
-  bool Bool(bool) { return add(JsonValue::Kind::boolean); }
-  bool RawNumber(const char*, rapidjson::SizeType, bool) {
-    return add(JsonValue::Kind::number, std::string(rest().substr(0, stream_.Tell() - offset_)));
-  }
+  bool Null() { return add(); }
+  bool Bool(bool) { return add(); }
+  bool RawNumber(const char*, rapidjson::SizeType, bool) { return add(); }
   bool String(const char* text, rapidjson::SizeType size, bool) {
-    return add(JsonValue::Kind::string, {text, size});
+    const std::size_t written = stream_.Tell() - offset_ - 2;  // between the quotes
+    if (size != written) tree_.unescaped_.emplace(tree_.nodes_.size(), std::string(text, size));
+    return add();
   }
-  bool StartObject() { return open(JsonValue::Kind::object); }
-  bool StartArray() { return open(JsonValue::Kind::array); }
+  bool StartObject() { return open(); }
+  bool StartArray() { return open(); }
   bool EndObject(rapidjson::SizeType) { return close(); }
   bool EndArray(rapidjson::SizeType) { return close(); }
-  bool Key(const char* text, rapidjson::SizeType size, bool) {
+  bool Key(const char* text, rapidjson::SizeType size, bool is_copy) {
     const std::string key(text, size);
-    if (!seen_.back().insert(key).second)
-      input_.refuse(position_, "the member " + quote(key) + " is repeated", "each member once");
-    open_.back()->keys.push_back(key);
-    return go_on(stream_.Tell());
+    if (!open_.back().keys.insert(key).second)
+      input_.refuse(tree_.place(offset_), "the member " + quote(key) + " is repeated",
+                    "each member once");
+    return String(text, size, is_copy);
   }
 
  private:
+  struct Open {
+    std::size_t node;
+    std::set<std::string> keys;
+  };
+
   /// Passes to where the first value or key behind an offset starts, if there is one.
   bool go_on(std::size_t from) {
-    const std::size_t start = input_.text.find_first_not_of(" \t\r\n,:]}", from);
+    constexpr auto is_between = [](char c) {
+      return c == ' ' || c == ',' || c == '\n' || c == ']' || c == '\t' || c == '\r' || c == ':' ||
+             c == '}';
+    };
     const std::size_t before = offset_;
-    for (; offset_ < std::min(start, input_.text.size()); ++offset_)
-      position_.pass(input_.text[offset_]);
+    for (offset_ = std::max(offset_, from);
+         offset_ < input_.text.size() && is_between(input_.text[offset_]);)
+      ++offset_;
     input_.passed(before, offset_);
-    stream_.in_string = rest().starts_with('"');
+    stream_.in_string = offset_ < input_.text.size() && input_.text[offset_] == '"';
     return true;
   }
 
-  std::string_view rest() const { return input_.text.substr(offset_); }
-
   [[noreturn]] void refuse(rapidjson::ParseErrorCode code, std::size_t offset);
 
-  bool add(JsonValue::Kind kind, std::string text = {}) {
-    JsonValue& value = open_.empty() ? root_ : open_.back()->items.emplace_back();
-    value.kind = kind;
-    value.at = position_;
-    value.text = std::move(text);
+  bool add() {
+    tree_.nodes_.push_back({offset_, stream_.Tell()});
     // RapidJSON has taken a value, but not an opening bracket.
     return go_on(std::max(stream_.Tell(), offset_ + 1));
   }
 
-  bool open(JsonValue::Kind kind) {
+  bool open() {
     if (open_.size() == deepest_json)
-      input_.refuse(position_,
+      input_.refuse(tree_.place(offset_),
                     "JSON nested deeper than " + std::to_string(deepest_json) + " levels",
                     "a geometry");
-    add(kind);
-    // Stays valid: its siblings come only after it is closed.
-    open_.push_back(open_.empty() ? &root_ : &open_.back()->items.back());
-    seen_.emplace_back();
-    return true;
+    open_.push_back({tree_.nodes_.size(), {}});
+    return add();
   }
 
   bool close() {
+    tree_.nodes_[open_.back().node].end = tree_.nodes_.size();
     open_.pop_back();
-    seen_.pop_back();
     return go_on(stream_.Tell());
   }
 
   const InputText& input_;
+  JsonTree& tree_;
   JsonStream stream_;
-  std::size_t offset_ = 0;  ///< of the value or key that is read, and its place
-  Position position_;
-  JsonValue root_;
-  std::vector<JsonValue*> open_;
-  std::vector<std::set<std::string>> seen_;
+  std::size_t offset_ = 0;  ///< of the value or key that is read
+  std::vector<Open> open_;
 };
+
+namespace {
 
 /// What RapidJSON expects at an error; empty where the value itself is malformed.
 std::string expected_at(rapidjson::ParseErrorCode code) {
@@ -153,11 +156,12 @@ std::string expected_at(rapidjson::ParseErrorCode code) {
   return found == expected.end() ? "" : found->second;
 }
 
+}  // namespace
+
 void TreeBuilder::refuse(rapidjson::ParseErrorCode code, std::size_t offset) {
   // A literal is wrong as a whole.
   if (code == rapidjson::kParseErrorValueInvalid) offset = std::min(offset, offset_);
-  Position at;
-  for (const char c : input_.text.substr(0, offset)) at.pass(c);
+  const Position at = tree_.place(std::min(offset, input_.text.size()));
   const std::string expected = expected_at(code);
   if (expected.empty()) {
     const std::string_view wrong = rapidjson::GetParseError_En(code);
@@ -170,18 +174,83 @@ void TreeBuilder::refuse(rapidjson::ParseErrorCode code, std::size_t offset) {
   input_.refuse(at, describe(Token{here.substr(0, size), at}) + " in JSON", expected);
 }
 
-}  // namespace
+JsonTree::JsonTree(const InputText& input) : text_(input.text) {
+  TreeBuilder(input, *this).build();
+}
 
-JsonValue* JsonValue::member(const std::string& key) {
-  const auto found = std::find(keys.begin(), keys.end(), key);
-  return found == keys.end() ? nullptr : &items[static_cast<std::size_t>(found - keys.begin())];
+std::size_t JsonTree::next(std::size_t node) const {
+  const char first = text_[nodes_[node].at];
+  return first == '[' || first == '{' ? nodes_[node].end : node + 1;
+}
+
+Position JsonTree::place(std::size_t at) const {
+  if (at < known_at_) {
+    known_at_ = 0;
+    known_place_ = {};
+  }
+  for (; known_at_ < at; ++known_at_) known_place_.pass(text_[known_at_]);
+  return known_place_;
+}
+
+JsonValue::Iterator& JsonValue::Iterator::operator++() {
+  node_ = tree_->next(node_);
+  return *this;
+}
+
+JsonValue::Kind JsonValue::kind() const {
+  switch (tree_->text_[tree_->nodes_[node_].at]) {
+    case 'n':
+      return Kind::null;
+    case 't':
+    case 'f':
+      return Kind::boolean;
+    case '"':
+      return Kind::string;
+    case '[':
+      return Kind::array;
+    case '{':
+      return Kind::object;
+    default:
+      return Kind::number;
+  }
+}
+
+Position JsonValue::at() const { return tree_->place(tree_->nodes_[node_].at); }
+
+std::string_view JsonValue::text() const {
+  const JsonTree::Node& node = tree_->nodes_[node_];
+  const std::string_view written = tree_->text_.substr(node.at, node.end - node.at);
+  if (kind() != Kind::string) return written;
+  const auto unescaped = tree_->unescaped_.find(node_);
+  return unescaped == tree_->unescaped_.end() ? written.substr(1, written.size() - 2)
+                                              : unescaped->second;
+}
+
+JsonValue::Iterator JsonValue::begin() const {
+  return {*tree_, kind() == Kind::array ? node_ + 1 : tree_->next(node_)};
+}
+
+JsonValue::Iterator JsonValue::end() const { return {*tree_, tree_->next(node_)}; }
+
+std::size_t JsonValue::size() const {
+  std::size_t count = 0;
+  for (Iterator item = begin(); item != end(); ++item) ++count;
+  return count;
+}
+
+std::optional<JsonValue> JsonValue::member(std::string_view key) const {
+  if (kind() != Kind::object) return std::nullopt;
+  for (std::size_t name = node_ + 1; name != tree_->next(node_);) {
+    const std::size_t value = tree_->next(name);
+    if (JsonValue(*tree_, name).text() == key) return JsonValue(*tree_, value);
+    name = tree_->next(value);
+  }
+  return std::nullopt;
 }
 
 std::string describe(JsonValue::Kind kind) {
   constexpr std::array names{"null", "a boolean", "a number", "a string", "an array", "an object"};
   return names.at(static_cast<std::size_t>(kind));
 }
-
-JsonValue parse_json(const InputText& input) { return TreeBuilder(input).tree(); }
 
 }  // namespace oplus

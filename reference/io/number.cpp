@@ -5,7 +5,6 @@
 #include <cctype>
 #include <charconv>
 #include <limits>
-#include <numeric>
 
 #include "reference/io/power_of_ten.hpp"
 #include "reference/io/quoting.hpp"
@@ -38,22 +37,31 @@ bool take_letter(std::string_view& text, std::string_view letters) {
   return found;
 }
 
-/// The decimal with these digits before and behind the point, or none where an integer does not hold
-/// them. Most coordinates are so short, and GMP would take longer.
-std::optional<Rational> short_decimal(std::string_view whole, std::string_view decimals) {
-  if (whole.size() + decimals.size() > std::numeric_limits<unsigned long>::digits10)
-    return std::nullopt;
+/// Whether an integer holds every number of this many digits.
+bool is_short(std::size_t digits) { return digits <= std::numeric_limits<unsigned long>::digits10; }
+
+/// Puts a decimal with these digits before and behind the point there, in lowest terms: most coordinates
+/// are so short, and GMP would take longer. Requires: is_short(all of them).
+void put_short(bool is_negative, std::string_view whole, std::string_view decimals,
+               Rational& value) {
   unsigned long numerator = 0;
-  unsigned long denominator = 1;
   for (const char digit : whole) numerator = 10 * numerator + static_cast<unsigned>(digit - '0');
-  for (const char digit : decimals) {
-    numerator = 10 * numerator + static_cast<unsigned>(digit - '0');
-    denominator *= 10;
+  for (const char digit : decimals) numerator = 10 * numerator + static_cast<unsigned>(digit - '0');
+  unsigned long denominator = 1;
+  for (std::size_t twos = decimals.size(); twos > 0; --twos) {
+    if (numerator % 2 == 0)
+      numerator /= 2;
+    else
+      denominator *= 2;
   }
-  const unsigned long divisor = std::gcd(numerator, denominator);
-  Rational value;
-  mpq_set_ui(value.get_mpq_t(), numerator / divisor, denominator / divisor);
-  return value;
+  for (std::size_t fives = decimals.size(); fives > 0; --fives) {
+    if (numerator % 5 == 0)
+      numerator /= 5;
+    else
+      denominator *= 5;
+  }
+  mpq_set_ui(value.get_mpq_t(), numerator, denominator);
+  if (is_negative) mpq_neg(value.get_mpq_t(), value.get_mpq_t());
 }
 
 mpz_class integer(std::string_view digits) { return mpz_class(std::string(digits), 10); }
@@ -75,26 +83,27 @@ bool is_nan_or_infinity(std::string_view unsigned_text) {
 
 }  // namespace
 
-std::optional<Rational> parse_number(std::string_view text, NumberFault& fault) {
+bool put_number(std::string_view text, Rational& value, NumberFault& fault) {
   const auto refused = [&](const std::string& wrong, const std::string& expected) {
     fault = {quote(text) + ' ' + wrong, expected};
-    return std::nullopt;
+    return false;
   };
   const auto not_a_number = [&] {
     return refused("is not a number", "an integer, a decimal or a fraction p/q");
   };
   std::string_view rest = text;
   const bool is_negative = take_sign(rest);
-  if (is_nan_or_infinity(rest)) return refused("is not finite", "a finite number");
-
   const std::string_view whole = take_digits(rest);
+  if (whole.empty() && is_nan_or_infinity(rest)) return refused("is not finite", "a finite number");
   if (take_letter(rest, "/")) {
     const std::string_view denominator = take_digits(rest);
     if (whole.empty() || denominator.empty() || !rest.empty()) return not_a_number();
-    Rational value(integer(whole), integer(denominator));
-    if (value.get_den() == 0) return refused("has the denominator 0", "a fraction p/q with q > 0");
-    value.canonicalize();
-    return is_negative ? Rational(-value) : value;
+    Rational fraction(integer(whole), integer(denominator));
+    if (fraction.get_den() == 0)
+      return refused("has the denominator 0", "a fraction p/q with q > 0");
+    fraction.canonicalize();
+    value = is_negative ? Rational(-fraction) : fraction;
+    return true;
   }
 
   const std::string_view decimals = take_letter(rest, ".") ? take_digits(rest) : "";
@@ -104,30 +113,36 @@ std::optional<Rational> parse_number(std::string_view text, NumberFault& fault) 
     const bool is_negative_exponent = take_sign(rest);
     const std::string_view digits = take_digits(rest);
     if (digits.empty() || !rest.empty()) return not_a_number();
-    const std::optional<int> value = exponent_value(digits);
-    if (!value) {
+    const std::optional<int> size = exponent_value(digits);
+    if (!size) {
       const std::string limit = std::to_string(largest_exponent);
       return refused("has too large an exponent", "an exponent from -" + limit + " to " + limit);
     }
-    exponent = is_negative_exponent ? -*value : *value;
+    exponent = is_negative_exponent ? -*size : *size;
   }
   if (!rest.empty()) return not_a_number();
 
-  if (std::optional<Rational> value =
-          exponent == 0 ? short_decimal(whole, decimals) : std::nullopt) {
-    if (is_negative) mpq_neg(value->get_mpq_t(), value->get_mpq_t());
-    return value;
+  if (exponent == 0 && is_short(whole.size() + decimals.size())) {
+    put_short(is_negative, whole, decimals, value);
+    return true;
   }
   std::string digits(whole);
   digits += decimals;
-  Rational value(integer(digits), power_of_ten(decimals.size()));
-  value.canonicalize();
+  Rational decimal(integer(digits), power_of_ten(decimals.size()));
+  decimal.canonicalize();
   const Rational scale(power_of_ten(static_cast<unsigned long>(std::abs(exponent))));
   if (exponent < 0)
-    value /= scale;
+    decimal /= scale;
   else
-    value *= scale;
-  return is_negative ? Rational(-value) : value;
+    decimal *= scale;
+  value = is_negative ? Rational(-decimal) : decimal;
+  return true;
+}
+
+std::optional<Rational> parse_number(std::string_view text, NumberFault& fault) {
+  Rational value;
+  if (!put_number(text, value, fault)) return std::nullopt;
+  return value;
 }
 
 }  // namespace oplus

@@ -23,4 +23,8 @@ struct NumberFault {
 /// the reason in `fault`.
 std::optional<Rational> parse_number(std::string_view text, NumberFault& fault);
 
+/// The same, put into `value`, which saves allocations; returns whether the text is valid. Else `value`
+/// is as before.
+bool put_number(std::string_view text, Rational& value, NumberFault& fault);
+
 }  // namespace oplus

@@ -64,14 +64,14 @@ std::string coordinate_name(char axis, std::size_t vertex, const std::string& ch
 /// Returns "3 vertices", "1 vertex".
 std::string vertices(std::size_t count);
 
-/// Returns the coordinate that the text at a place denotes. `name()` is what messages call it.
+/// Puts the coordinate that the text at a place denotes into `value`. `name()` is what messages call it.
 /// Throws InvalidInput.
 template <typename Name>
-Rational coordinate(const InputText& input, std::string_view text, const Position& at, Name name) {
+void put_coordinate(const InputText& input, std::string_view text, const Position& at,
+                    Rational& value, Name name) {
   NumberFault fault;
-  std::optional<Rational> value = parse_number(text, fault);
-  if (!value) input.refuse(at, name() + ": " + fault.wrong, fault.expected);
-  return std::move(*value);
+  if (!put_number(text, value, fault))
+    input.refuse(at, name() + ": " + fault.wrong, fault.expected);
 }
 
 /// Removes the last vertex of a ring, which must be the first one again. A ring of one vertex or none

@@ -44,12 +44,14 @@ std::string whole_text(std::istream& in, const std::string& name) {
 
 /// Control characters are invalid in text, and in a message they would confuse the terminal.
 void refuse_binary(const InputText& input) {
+  const auto is_control = [](char c) {
+    return (static_cast<unsigned char>(c) < ' ' && !is_blank(c)) || c == '\x7f';
+  };
+  const auto found = std::find_if(input.text.begin(), input.text.end(), is_control);
+  if (found == input.text.end()) return;
   Position at;
-  for (const char c : input.text) {
-    if (std::iscntrl(static_cast<unsigned char>(c)) != 0 && !is_blank(c))
-      input.refuse(at, "the byte " + quote({&c, 1}) + " is not text", formats);
-    at.pass(c);
-  }
+  std::for_each(input.text.begin(), found, [&](char c) { at.pass(c); });
+  input.refuse(at, "the byte " + quote({&*found, 1}) + " is not text", formats);
 }
 
 /// What was parsed, and the name of the input. Without its text, whose memory is free by now.

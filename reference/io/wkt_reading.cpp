@@ -132,28 +132,27 @@ class WktReader {
     chain.reserve(commas + 1, ring.size());
     list(name, [&] {
       add_vertex(chain,
-                 [&](char axis) { return coordinate_name(axis, chain.vertices.size() + 1, name); });
+                 [&](char axis) { return coordinate_name(axis, chain.vertices.size(), name); });
     });
     return chain;
   }
 
   template <typename Name>
   void add_vertex(PlacedChain& chain, Name name) {
-    const Position place = tokens_.peek().at;
-    Rational x = take_coordinate([&] { return name('x'); });
-    Rational y = take_coordinate([&] { return name('y'); });
-    chain.vertices.push_back({std::move(x), std::move(y)});
-    chain.places.push_back(place);
+    chain.places.push_back(tokens_.peek().at);
+    Point& vertex = chain.vertices.emplace_back();
+    put_coordinate(vertex.x, [&] { return name('x'); });
+    put_coordinate(vertex.y, [&] { return name('y'); });
   }
 
   template <typename Name>
-  Rational take_coordinate(Name name) {
+  void put_coordinate(Rational& value, Name name) {
     const Token token = tokens_.take();
     const bool is_word =
         !token.is_end() && punctuation.find(token.text[0]) == std::string_view::npos;
     if (!is_word)
       input_.refuse(token.at, describe(token) + " where " + name() + " should be", "a number");
-    return coordinate(input_, token.text, token.at, name);
+    oplus::put_coordinate(input_, token.text, token.at, value, name);
   }
 
   void take(std::string_view symbol, const std::string& where, const std::string& expected) {

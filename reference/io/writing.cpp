@@ -2,9 +2,13 @@
 #include "reference/io/writing.hpp"
 
 #include <algorithm>
+#include <array>
 #include <boost/algorithm/string/case_conv.hpp>
+#include <charconv>
 #include <functional>
+#include <limits>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -19,48 +23,134 @@ namespace {
 /// Longer numbers are strings in GeoJSON: a reader that converts them would overflow.
 constexpr std::size_t longest_json_number = 4000;
 
+/// Without zeros at its end.
+void add_decimal(std::string& text, bool is_negative, std::string_view digits,
+                 std::size_t decimals) {
+  if (is_negative && digits != "0") text += '-';
+  const std::size_t whole = digits.size() > decimals ? digits.size() - decimals : 0;
+  if (whole == 0)
+    text += '0';
+  else
+    text += digits.substr(0, whole);
+  const std::size_t last = digits.find_last_not_of('0');
+  if (decimals == 0 || last == std::string_view::npos || last < whole) return;
+  text += '.';
+  text.append(decimals - (digits.size() - whole), '0');
+  text += digits.substr(whole, last + 1 - whole);
+}
+
+using Word = unsigned long;
+
+void add_decimal(std::string& text, bool is_negative, Word digits, std::size_t decimals) {
+  std::array<char, std::numeric_limits<Word>::digits10 + 1> buffer{};
+  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), digits);
+  add_decimal(text, is_negative, {buffer.data(), end}, decimals);
+}
+
+/// The size of a number that a word holds; none of a larger one.
+std::optional<Word> word(const mpz_class& number) {
+  const mpz_srcptr limbs = number.get_mpz_t();
+  return mpz_size(limbs) <= 1 ? std::optional<Word>(mpz_getlimbn(limbs, 0)) : std::nullopt;
+}
+
 /// How often the factor divides the number; divides it out.
 unsigned long take_out(mpz_class& number, unsigned long factor) {
   return mpz_remove(number.get_mpz_t(), number.get_mpz_t(), mpz_class(factor).get_mpz_t());
 }
 
-/// The decimal that is `scaled` divided by 10^decimals, without zeros at its end.
-std::string decimal(const mpz_class& scaled, unsigned long decimals) {
-  std::string digits = mpz_class(abs(scaled)).get_str();
-  if (digits.size() <= decimals) digits.insert(0, decimals + 1 - digits.size(), '0');
-  std::string text = digits.substr(0, digits.size() - decimals);
-  std::string fraction = digits.substr(digits.size() - decimals);
-  fraction.erase(fraction.find_last_not_of('0') + 1);
-  if (!fraction.empty()) text += '.' + fraction;
-  return sgn(scaled) < 0 ? '-' + text : text;
+/// The same of a number that is not zero.
+Word take_out(Word& number, Word factor) {
+  Word count = 0;
+  for (; number % factor == 0; ++count) number /= factor;
+  return count;
 }
 
-std::string exact(const Rational& value) {
+/// Adds the exact number; returns whether words were large enough for it.
+bool add_exact_word(std::string& text, const Rational& value) {
+  const std::optional<Word> numerator = word(value.get_num());
+  const std::optional<Word> denominator = word(value.get_den());
+  if (!numerator || !denominator) return false;
+  Word rest = *denominator;
+  const Word twos = rest == 1 ? 0 : take_out(rest, 2), fives = rest == 1 ? 0 : take_out(rest, 5);
+  if (rest != 1) {
+    add_decimal(text, sgn(value) < 0, *numerator, 0);
+    text += '/';
+    add_decimal(text, false, *denominator, 0);
+    return true;
+  }
+  Word scaled = *numerator;
+  for (Word i = twos; i < fives; ++i)
+    if (__builtin_mul_overflow(scaled, Word{2}, &scaled)) return false;
+  for (Word i = fives; i < twos; ++i)
+    if (__builtin_mul_overflow(scaled, Word{5}, &scaled)) return false;
+  add_decimal(text, sgn(value) < 0, scaled, std::max(twos, fives));
+  return true;
+}
+
+void add_exact(std::string& text, const Rational& value) {
+  if (add_exact_word(text, value)) return;
   mpz_class rest = value.get_den();
   const unsigned long decimals = std::max(take_out(rest, 2), take_out(rest, 5));
-  if (rest != 1) return value.get_str();
-  return decimal(value.get_num() * power_of_ten(decimals) / value.get_den(), decimals);
+  if (rest != 1) {
+    text += value.get_str();
+    return;
+  }
+  const mpz_class scaled = abs(value.get_num()) * power_of_ten(decimals) / value.get_den();
+  add_decimal(text, sgn(value) < 0, scaled.get_str(), decimals);
 }
 
-std::string rounded(const Rational& value, unsigned long digits) {
+/// Adds the rounded number; returns whether words were large enough for it.
+bool add_rounded_word(std::string& text, const Rational& value, unsigned long digits) {
+  const std::optional<Word> numerator = word(value.get_num());
+  const std::optional<Word> denominator = word(value.get_den());
+  Word twice = 0, divisor = 0;
+  if (!numerator || !denominator || __builtin_mul_overflow(*numerator, Word{2}, &twice) ||
+      __builtin_mul_overflow(*denominator, Word{2}, &divisor))
+    return false;
+  for (unsigned long i = 0; i < digits; ++i)
+    if (__builtin_mul_overflow(twice, Word{10}, &twice)) return false;
+  if (__builtin_add_overflow(twice, *denominator, &twice)) return false;
+  add_decimal(text, sgn(value) < 0, twice / divisor, digits);
+  return true;
+}
+
+void add_rounded(std::string& text, const Rational& value, unsigned long digits) {
+  if (value.get_den() == 1) return add_exact(text, value);
+  if (add_rounded_word(text, value, digits)) return;
   const mpz_class twice = 2 * abs(value.get_num()) * power_of_ten(digits);
   const mpz_class magnitude = (twice + value.get_den()) / (2 * value.get_den());
-  return decimal(sign(value) < 0 ? mpz_class(-magnitude) : magnitude, digits);
+  add_decimal(text, sgn(value) < 0, magnitude.get_str(), digits);
+}
+
+void add(std::string& text, const Rational& value, std::optional<int> digits) {
+  OPLUS_REQUIRES(!digits || (0 <= *digits && *digits <= most_digits), "to_string");
+  if (digits)
+    add_rounded(text, value, static_cast<unsigned long>(*digits));
+  else
+    add_exact(text, value);
+}
+
+void add(std::string& text, const Point& p, std::optional<int> digits) {
+  add(text, p.x, digits);
+  text += ' ';
+  add(text, p.y, digits);
 }
 
 std::string dat(const Region& region, std::optional<int> digits) {
   if (region.components.empty()) return "0\n";
   std::string text;
-  const auto add = [&](const Chain& chain) {
+  const auto add_chain = [&](const Chain& chain) {
     text += std::to_string(chain.size()) + '\n';
-    for (const Point& p : chain)
-      text += to_string(p.x, digits) + ' ' + to_string(p.y, digits) + '\n';
+    for (const Point& p : chain) {
+      add(text, p, digits);
+      text += '\n';
+    }
   };
   for (const Component& component : region.components) {
-    add(component.outer);
+    add_chain(component.outer);
     if (region.components.size() == 1 && component.holes.empty()) break;
     text += std::to_string(component.holes.size()) + '\n';
-    for (const Chain& hole : component.holes) add(hole);
+    for (const Chain& hole : component.holes) add_chain(hole);
   }
   return text;
 }
@@ -128,24 +218,34 @@ class GeometryText {
   }
 
   void add_vertices(const Chain& chain, bool is_closed) {
-    std::vector<const Point*> vertices;
-    for (const Point& p : chain) vertices.push_back(&p);
-    if (is_closed) vertices.push_back(&chain.front());
-    add_list(vertices, [&](const Point* p) { add_vertex(*p); });
+    text_ += is_json_ ? '[' : '(';
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+      if (i > 0) text_ += ", ";
+      add_vertex(chain[i]);
+    }
+    if (is_closed) {
+      text_ += ", ";
+      add_vertex(chain.front());
+    }
+    text_ += is_json_ ? ']' : ')';
   }
 
   void add_vertex(const Point& p) {
-    if (is_json_)
-      text_ += '[' + json_number(p.x) + ", " + json_number(p.y) + ']';
-    else
-      text_ += to_string(p.x, digits_) + ' ' + to_string(p.y, digits_);
+    if (!is_json_) return oplus::add(text_, p, digits_);
+    text_ += '[';
+    add_json_number(p.x);
+    text_ += ", ";
+    add_json_number(p.y);
+    text_ += ']';
   }
 
-  std::string json_number(const Rational& value) const {
-    const std::string text = to_string(value, digits_);
-    const bool is_number =
-        text.find('/') == std::string::npos && text.size() <= longest_json_number;
-    return is_number ? text : '"' + text + '"';
+  void add_json_number(const Rational& value) {
+    const std::size_t start = text_.size();
+    oplus::add(text_, value, digits_);
+    const std::string_view added = std::string_view(text_).substr(start);
+    if (added.size() <= longest_json_number && added.find('/') == std::string_view::npos) return;
+    text_.insert(start, 1, '"');
+    text_ += '"';
   }
 
   bool is_json_;
@@ -169,8 +269,9 @@ std::optional<Format> format_of(const std::string& path) {
 }
 
 std::string to_string(const Rational& value, std::optional<int> digits) {
-  OPLUS_REQUIRES(!digits || (0 <= *digits && *digits <= most_digits), "to_string");
-  return digits ? rounded(value, static_cast<unsigned long>(*digits)) : exact(value);
+  std::string text;
+  add(text, value, digits);
+  return text;
 }
 
 std::string to_string(const Point& p) { return '(' + to_string(p.x) + ", " + to_string(p.y) + ')'; }
@@ -187,8 +288,12 @@ std::string written(const Region& region, Format format, std::optional<int> digi
 }
 
 std::string written(const MinkowskiSum& sum, Format format, std::optional<int> digits) {
+  return written(sum, region_of(sum), format, digits);
+}
+
+std::string written(const MinkowskiSum& sum, const Region& region, Format format,
+                    std::optional<int> digits) {
   OPLUS_REQUIRES(can_hold(format, sum), "written");
-  const Region region = region_of(sum);
   if (sum.dangling_edges.empty() && sum.isolated_vertices.empty())
     return written(region, format, digits);
   GeometryText text(format, digits);

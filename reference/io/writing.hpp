@@ -37,6 +37,10 @@ std::string written(const Region& region, Format format, std::optional<int> digi
 std::string written(const MinkowskiSum& sum, Format format,
                     std::optional<int> digits = std::nullopt);
 
+/// The same of a sum whose region is known. Requires also: region == region_of(sum).
+std::string written(const MinkowskiSum& sum, const Region& region, Format format,
+                    std::optional<int> digits = std::nullopt);
+
 /// The same in WKT, exactly, without the end of the line.
 std::string wkt(const Region& region);
 std::string wkt(const MinkowskiSum& sum);

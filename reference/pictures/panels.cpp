@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <utility>
+
 #include "reference/chains/region_of.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/io/counted.hpp"
@@ -12,15 +14,20 @@ Panel panel_of(Summand which, const Region& summand) {
           {{is_p ? style::summand_p : style::summand_q, summand}}};
 }
 
+Panel convolution_panel(std::vector<Segment> convolution) {
+  return {"Convolution: " + counted(convolution.size(), "segment", "segments"),
+          {{style::convolution, {}, std::move(convolution)}}};
+}
+
+Panel reduced_convolution_panel(std::vector<Segment> reduced) {
+  return {"Reduced convolution: " + counted(reduced.size(), "segment", "segments"),
+          {{style::reduced_convolution, {}, std::move(reduced)}}};
+}
+
 std::vector<Panel> panels_of(const Region& p, const Region& q) {
-  const std::vector<Segment> full = segments(convolution(p, q));
-  const std::vector<Segment> reduced = segments(reduced_convolution(p, q));
-  return {panel_of(Summand::P, p),
-          panel_of(Summand::Q, q),
-          {"Convolution: " + counted(full.size(), "segment", "segments"),
-           {{style::convolution, {}, full}}},
-          {"Reduced convolution: " + counted(reduced.size(), "segment", "segments"),
-           {{style::reduced_convolution, {}, reduced}}}};
+  return {panel_of(Summand::P, p), panel_of(Summand::Q, q),
+          convolution_panel(segments(convolution(p, q))),
+          reduced_convolution_panel(segments(reduced_convolution(p, q)))};
 }
 
 std::vector<Layer> layers_of(const MinkowskiSum& sum) {

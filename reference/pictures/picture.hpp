@@ -59,7 +59,11 @@ struct Panel {
 /// A summand, its title its size.
 Panel panel_of(Summand which, const Region& summand);
 
-/// Panels for P, Q, their convolution and their reduced convolution, titled with their sizes.
+/// A convolution or a reduced one, titled with its size.
+Panel convolution_panel(std::vector<Segment> convolution);
+Panel reduced_convolution_panel(std::vector<Segment> reduced);
+
+/// Panels for P, Q, their convolution and their reduced convolution.
 std::vector<Panel> panels_of(const Region& p, const Region& q);
 
 /// The layers of a sum: its holes, its region, its low-dimensional features; empty ones left out.

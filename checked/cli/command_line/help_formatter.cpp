@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/cli/command_line/help_formatter.hpp"
 
+#include <boost/algorithm/string/replace.hpp>
 #include <sstream>
 
 namespace oplus {
@@ -46,10 +47,12 @@ std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {
 }
 
 std::string HelpFormatter::make_subcommand(const CLI::App* command) const {
-  std::ostringstream text;
-  CLI::detail::format_help(text, command->get_name(), in_lines(command->get_description()),
-                           left_column);
-  return text.str();
+  std::string name = "  " + command->get_name() + " ";
+  if (name.size() < left_column) name.resize(left_column, ' ');
+  return name +
+         boost::algorithm::replace_all_copy(in_lines(command->get_description()), "\n",
+                                            "\n" + std::string(left_column, ' ')) +
+         "\n";
 }
 
 std::string HelpFormatter::make_subcommands(const CLI::App* app, CLI::AppFormatMode mode) const {

@@ -86,13 +86,16 @@ void occupy_closed_streams() {
   }
 }
 
-/// Adds the exit codes to the help of a command that does not list its own.
+/// Adds the exit codes to the help of a command that does not list its own; 2 and 3 also where it lists
+/// only 0 and 1.
 void add_exit_codes(CLI::App& command) {
-  const std::string footer = command.get_footer();
-  if (footer.find("Exit codes:") != std::string::npos) return;
-  command.footer(footer + (footer.empty() ? "" : "\n\n") +
-                 "Exit codes:\n"
-                 "  0  done\n"
+  std::string footer = command.get_footer();
+  if (footer.find("Exit codes:") == std::string::npos)
+    footer += (footer.empty() ? "" : "\n\n") + std::string("Exit codes:\n  0  done");
+  else if (footer.find("\n  2  ") != std::string::npos)
+    return;
+  command.footer(footer +
+                 "\n"
                  "  2  invalid input or usage, or a file that cannot be read or written\n"
                  "  3  a bug in oplus; please report it");
 }

@@ -51,6 +51,43 @@ void Progress::shrink(const std::string& kind, std::size_t vertices, std::size_t
   std::cerr.flush();
 }
 
+ShownStep::ShownStep(std::string what)
+    : what_(std::move(what)), start_(std::chrono::steady_clock::now()) {
+  if (isatty(STDERR_FILENO) == 1 && !speech().quiet)
+    thread_ = std::jthread([this](const std::stop_token& stop) { show(stop); });
+}
+
+void ShownStep::next(std::string what) {
+  const std::lock_guard lock(mutex_);
+  what_ = std::move(what);
+  done_ = 0;
+  start_ = std::chrono::steady_clock::now();
+}
+
+void ShownStep::advance(std::size_t done, std::size_t total) {
+  const std::lock_guard lock(mutex_);
+  done_ = done;
+  total_ = total;
+}
+
+std::string ShownStep::line() const {
+  return done_ == 0 ? what_ + " ..."
+                    : bar(what_, done_, total_, std::chrono::steady_clock::now() - start_);
+}
+
+void ShownStep::show(const std::stop_token& stop) {
+  constexpr const char* to_the_end = "\033[K";  // erases
+  std::unique_lock lock(mutex_);
+  const auto stopped_within = [&](std::chrono::milliseconds time) {
+    return stopped_.wait_for(lock, stop, time, [&] { return stop.stop_requested(); });
+  };
+  if (stopped_within(std::chrono::seconds(1))) return;
+  do {
+    std::cerr << "\r" << line() << to_the_end << std::flush;
+  } while (!stopped_within(std::chrono::milliseconds(200)));
+  std::cerr << "\r" << to_the_end << std::flush;
+}
+
 void Progress::end_line() {
   if (has_open_line_) std::cerr << std::endl;
   has_open_line_ = false;

@@ -176,12 +176,31 @@ TEST_F(Sum, origins_are_sums_along_the_edge) {
 TEST_F(Sum, stats_are_lines_of_name_and_value) {
   const Ran ran = run("oplus sum frame.wkt plug.wkt --open --engine rca --stats");
   EXPECT_EQ(ran.exit_code, 0);
-  for (const std::string line :
-       {"vertices of P: 8\n", "vertices of Q: 4\n", "segments of the convolution: 24\n",
-        "segments of the reduced convolution: 12\n", "convolution cycles: ",
-        "steps to trace them: ", "arrangement edges: ", "arrangement faces: ", "hole tests: ",
-        "tests of low-dimensional features: ", "seconds for cycles: ", "outer chains: 1\n",
-        "holes: 0\n", "dangling edges: 0\n", "isolated vertices: 1\n", "area: 36\n", "seconds: "})
+  for (const std::string line : {"vertices of P: 8\n",
+                                 "vertices of Q: 4\n",
+                                 "segments of the convolution: 24\n",
+                                 "segments of the reduced convolution: 12\n",
+                                 "convolution cycles: ",
+                                 "steps to trace them: ",
+                                 "arrangement edges: ",
+                                 "arrangement faces: ",
+                                 "hole tests: ",
+                                 "tests of low-dimensional features: ",
+                                 "seconds for cycles: ",
+                                 "outer chains: 1\n",
+                                 "holes: 0\n",
+                                 "dangling edges: 0\n",
+                                 "isolated vertices: 1\n",
+                                 "area: 36\n",
+                                 "seconds for reading: ",
+                                 "seconds for validation: ",
+                                 "seconds for counting the convolution: ",
+                                 "seconds for the sum: ",
+                                 "seconds for the region: ",
+                                 "seconds for the picture: ",
+                                 "seconds for writing: ",
+                                 "seconds: ",
+                                 "peak memory in kilobytes: "})
     EXPECT_TRUE(has("\n" + ran.err, "\n" + line));
 
   const Ran by_default = run("oplus sum frame.wkt plug.wkt --open --stats");
@@ -211,6 +230,17 @@ TEST_F(Sum, svg_is_a_picture_of_everything) {
   for (const std::string kind :
        {"summand-p", "summand-q", "convolution", "reduced-convolution", "sum", "isolated-vertices"})
     EXPECT_TRUE(has(content("s.svg"), "class=\"" + kind + "\""));
+}
+
+TEST_F(Sum, svg_is_without_convolutions_that_nobody_could_see) {
+  run("oplus gen star --n 150 --summand P -o p.wkt");
+  run("oplus gen star --n 150 --summand Q -o q.wkt");
+  const Ran ran = run("oplus sum p.wkt q.wkt --svg s.svg -o s.wkt");
+  EXPECT_EQ(ran.err.substr(0, ran.err.find('\n')),
+            "oplus: the picture is without convolutions of more than 20000 segments");
+  EXPECT_TRUE(has(content("s.svg"), "class=\"summand-p\""));
+  EXPECT_TRUE(has(content("s.svg"), "class=\"sum\""));
+  EXPECT_EQ(content("s.svg").find("class=\"convolution\""), std::string::npos);
 }
 
 TEST_F(Sum, empty_summand) {

@@ -43,6 +43,11 @@ void expect_as_defined(const Region& p, const Region& q) {
   expect_equal(reduced_convolution(cycles), reduced_convolution(p, q));
   expect_equal(traced_convolution(p, q), convolution(p, q));
   expect_equal(traced_reduced_convolution(p, q), reduced_convolution(p, q));
+  const ConvolutionSize size = convolution_size(p, q);
+  EXPECT_EQ(size.segments, convolution(p, q).size());
+  EXPECT_EQ(size.reduced_segments, reduced_convolution(p, q).size());
+  EXPECT_EQ(size.cycles, cycles.cycles.size());
+  EXPECT_EQ(size.steps, cycles.steps);
 }
 
 TEST(ConvolutionCycles, are_the_convolution_for_shapes_of_every_kind) {
@@ -160,6 +165,7 @@ TEST(ConvolutionCycles, of_the_empty_region_are_none) {
   EXPECT_TRUE(none.cycles.empty());
   EXPECT_EQ(none.steps, 0U);
   EXPECT_TRUE(traced_reduced_convolution(triangle, Region{}).empty());
+  EXPECT_EQ(convolution_size(Region{}, triangle).segments, 0U);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <thread>
+#include <type_traits>
 #include <utility>
 
 #include "checked/oplus/engines.hpp"
@@ -45,6 +46,24 @@ TEST(MinkowskiSum, is_taken_of_several_components) {
       read_wkt("MULTIPOLYGON(((0 0,1 0,1 1,0 1,0 0)),((9 0,10 0,10 1,9 1,9 0)))");
   EXPECT_EQ(minkowski_sum(two, square).components().size(), 2U);
   EXPECT_EQ(area(minkowski_sum(two, two)), 12);
+}
+
+/// With the address sanitizer, references into what is gone would end the test.
+TEST(MinkowskiSum, without_a_name_can_be_looped_over) {
+  std::size_t vertices = 0;
+  for (const Component& component : minkowski_sum(frame, square).components())
+    vertices += component.outer.size() + component.holes.at(0).size();
+  for (const Component& component : minkowski_sum(frame, square).region().components())
+    vertices += component.outer.size();
+  for (const Chain& chain : minkowski_sum(frame, square).value().holes) vertices += chain.size();
+  for (const Component& component : polygon({{0, 0}, {1, 0}, {0, 1}}).components())
+    vertices += component.outer.size();
+  EXPECT_EQ(vertices, 19U);
+  for (const Segment& edge :
+       minkowski_sum(frame, -bar, {.boundary = Boundary::open}).dangling_edges())
+    EXPECT_NE(edge.source, edge.target);
+  static_assert(!std::is_reference_v<decltype(minkowski_sum(frame, square).components())>);
+  static_assert(!std::is_reference_v<decltype(minkowski_sum(frame, square).isolated_vertices())>);
 }
 
 TEST(MinkowskiSum, splits_chains_into_components_at_touching_points) {

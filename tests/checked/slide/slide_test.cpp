@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -213,6 +215,25 @@ TEST(Slide, of_stretched_summands_is_the_sum_stretched) {
               << name << ' ' << seed << ' ' << factor;
       }
     }
+  }
+}
+
+TEST(Slide, says_how_many_segments_are_done) {
+  const Summands pair = generate(*find_family("star"), 40, 3);
+  for (const unsigned threads : {1U, 2U}) {
+    std::mutex mutex;
+    std::vector<std::size_t> seen;
+    const ComputedSum result =
+        slide_sum(pair.p, pair.q, Boundary::closed,
+                  {.threads = threads, .progress = [&](std::size_t done, std::size_t total) {
+                     const std::lock_guard lock(mutex);
+                     seen.push_back(done);
+                     EXPECT_LE(done, total);
+                     EXPECT_EQ(total, reduced_convolution(pair.p, pair.q).size());
+                   }});
+    EXPECT_GT(seen.size(), 5U);
+    EXPECT_EQ(*std::max_element(seen.begin(), seen.end()),
+              result.statistics.count("segments slid along"));
   }
 }
 

@@ -83,6 +83,17 @@ TEST_F(Terminal, a_file_that_takes_long_to_read_shows_how_far_it_is) {
   EXPECT_EQ(run("bash slow").err, "");
 }
 
+TEST_F(Terminal, a_sum_that_takes_long_to_write_says_so) {
+  // The reader of the pipe waits until it is shown, but not for ever.
+  put("slow",
+      "mkfifo pipe\n"
+      "(for i in {1..600}; do grep -q writing ../out && break; sleep 0.1; done; cat pipe >got) &\n"
+      "oplus sum square.wkt square.wkt -o pipe --format wkt; wait; cat got");
+  const std::string shown = on_terminal("", "bash slow");
+  EXPECT_TRUE(has(shown, "\rwriting the sum ...\033[K"));
+  EXPECT_TRUE(has(shown, "\r\033[KPOLYGON ((0 0, 2 0"));
+}
+
 TEST_F(Terminal, a_bar_is_as_long_as_what_is_done) {
   EXPECT_EQ(bar("reading", 1, 4, std::chrono::seconds(2)),
             "reading [" + std::string(10, '#') + std::string(30, ' ') + "] 1/4, 6 s left");
