@@ -132,7 +132,7 @@ struct SummandParts {
       walls.push_back({&e.source, {0, 1}, near(source), {{0, 0}, {1, 0}}});
       corners.push_back({e.source, near(source), is_small(e.source, source)});
     }
-    const std::vector<Trapezoid> parts = trapezoids(edges);
+    const std::vector<Trapezoid> parts = trapezoids(region);
     cut_corners.reserve(4 * parts.size());
     for (const Trapezoid& t : parts) {
       pieces.push_back({&lines[t.below],

@@ -2,81 +2,46 @@
 #include "checked/verify/sum_by_convex_parts.hpp"
 
 #include <algorithm>
-#include <iterator>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
-#include "checked/collision/bounding_volume_hierarchy.hpp"
 #include "checked/verify/convex_sums.hpp"
-#include "reference/arithmetic/interval.hpp"
-#include "reference/definitions/mutant.hpp"
+#include "reference/chains/plane_sweep.hpp"
 #include "reference/definitions/sorted_without_copies.hpp"
 
 namespace oplus {
 
 namespace {
 
-std::vector<Point> ends_of(const std::vector<Segment>& segments) {
-  std::vector<Point> ends;
-  for (const Segment& s : segments) {
-    ends.push_back(s.source);
-    ends.push_back(s.target);
-  }
-  return sorted_without_copies(std::move(ends));
-}
+/// Cuts edges where others end, so that they meet at common ends only, and leaves out copies; leaves
+/// out isolated vertices that are on an edge.
+void cut_at_ends(BoundaryFeatures& features) {
+  const std::vector<Segment>& whole = features.edges;
+  SweptEdges swept;
+  for (const Segment& edge : whole) swept.add(edge);
+  for (const Segment& edge : features.dangling_edges) swept.add(edge);
+  for (const Point& point : features.isolated_vertices) swept.add(point);
 
-/// For each segment, the points inside it.
-std::vector<std::vector<Point>> points_inside(const std::vector<Segment>& segments,
-                                              const std::vector<Point>& points) {
-  std::vector<Segment> as_segments;
-  std::vector<IntervalPoint> near_points;
-  for (const Point& p : points) {
-    as_segments.push_back({p, p});
-    near_points.push_back(interval(p));
-  }
-  std::vector<IntervalSegment> near;
-  for (const Segment& s : segments) near.push_back(interval(s));
-  std::vector<std::vector<Point>> result(segments.size());
-  BoundingVolumeHierarchy(segments).visit_meeting(
-      BoundingVolumeHierarchy(as_segments), {0, 0}, [&](std::size_t i, std::size_t j) {
-        const std::optional<int> side =
-            orientation(near[i].source, near[i].target, near_points[j]);
-        const Segment& s = segments[i];
-        if ((!side || *side == 0) && points[j] != s.source && points[j] != s.target &&
-            lies_on(points[j], s))
-          result[i].push_back(points[j]);
-        return false;
-      });
-  return result;
-}
-
-/// The same segments, once each, cut where others end.
-std::vector<Segment> cut_at_ends(std::vector<Segment> segments) {
-  segments = sorted_without_copies(std::move(segments));
-  std::vector<std::vector<Point>> inside = points_inside(segments, ends_of(segments));
-  std::vector<Segment> pieces;
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    const std::vector<Segment> of_segment = cut(segments[i], std::move(inside[i]));
-    pieces.insert(pieces.end(), of_segment.begin(), of_segment.end());
-  }
-  return sorted_without_copies(std::move(pieces));
-}
-
-/// Those of the points that are on none of the segments.
-std::vector<Point> off_all(std::vector<Point> points, const std::vector<Segment>& segments) {
-  points = sorted_without_copies(std::move(points));
-  const std::vector<Point> ends = ends_of(segments);
-  std::vector<Point> left;
-  std::set_difference(points.begin(), points.end(), ends.begin(), ends.end(),
-                      std::back_inserter(left));
-  std::vector<Point> inside;
-  for (const std::vector<Point>& of_segment : points_inside(segments, left))
-    inside.insert(inside.end(), of_segment.begin(), of_segment.end());
-  inside = sorted_without_copies(std::move(inside));
-  points.clear();
-  std::set_difference(left.begin(), left.end(), inside.begin(), inside.end(),
-                      std::back_inserter(points));
-  return points;
+  std::vector<Point> places;
+  std::vector<std::size_t> begin(swept.edges.size());  // of the piece of an edge that is passed over
+  std::vector<std::pair<std::size_t, std::size_t>> pieces;
+  std::vector<Point> isolated;
+  sweep(swept, [&](const SweptPlace& place) {
+    for (const std::uint32_t edge : place.left) {
+      if (edge >= whole.size()) continue;
+      pieces.emplace_back(begin[edge], places.size());
+      if (!swept.runs_right(edge)) std::swap(pieces.back().first, pieces.back().second);
+    }
+    for (const std::uint32_t edge : place.right) begin[edge] = places.size();
+    places.push_back(place.point);
+    if (place.left.empty() && place.right.empty()) isolated.push_back(place.point);
+    return true;
+  });
+  features.isolated_vertices = std::move(isolated);
+  features.edges.clear();
+  for (const auto& [source, target] : sorted_without_copies(std::move(pieces)))
+    features.edges.push_back({places[source], places[target]});
 }
 
 std::vector<std::size_t> starting_at(const std::vector<Segment>& edges,
@@ -125,11 +90,7 @@ MinkowskiSum sum_by_convex_parts(const Region& p, const Region& q, Boundary boun
   if (boundary == Boundary::open)
     add_sums_of_touching_points(p, q, sums, features.isolated_vertices);
 
-  features.edges = cut_at_ends(std::move(features.edges));
-  features.dangling_edges = sorted_without_copies(std::move(features.dangling_edges));
-  std::vector<Segment> all = features.edges;
-  all.insert(all.end(), features.dangling_edges.begin(), features.dangling_edges.end());
-  features.isolated_vertices = off_all(std::move(features.isolated_vertices), all);
+  cut_at_ends(features);
   return canonical_sum(features);
 }
 

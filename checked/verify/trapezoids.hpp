@@ -4,12 +4,13 @@
 #include <cstddef>
 #include <vector>
 
-#include "reference/definitions/segment.hpp"
+#include "reference/definitions/region.hpp"
 
 namespace oplus {
 
-/// A part of a region between two of its edges and the vertical lines through two of its vertices,
-/// the left one really left of the right one. A vertex is named by an edge that starts there.
+/// A part of a region between two of its edges and the vertical lines through two of its vertices, the
+/// left one really left of the right one. Numbers are those of `edges(region)`; a vertex has that of
+/// the edge that leaves it.
 struct Trapezoid {
   std::size_t below;
   std::size_t above;
@@ -17,10 +18,10 @@ struct Trapezoid {
   std::size_t right;
 };
 
-/// Returns trapezoids whose interiors are disjoint and whose union is the region with these edges,
-/// by a sweep from left to right. From each vertex walls go up and down inside the region, as far as
-/// the next edge. O(n log n); at most three trapezoids per vertex.
-/// Requires: the edges are those of a valid region (edges(region)).
-std::vector<Trapezoid> trapezoids(const std::vector<Segment>& edges);
+/// Returns trapezoids whose interiors are disjoint and whose union is the region: from each vertex
+/// walls go up and down inside the region, as far as the next edge. O(n log n), for at most two
+/// trapezoids per vertex.
+/// Requires: the region is valid (validity.hpp).
+std::vector<Trapezoid> trapezoids(const Region& region);
 
 }  // namespace oplus
