@@ -176,8 +176,7 @@ struct SummandParts {
     return &cut_corners.back();
   }
 
-  void build(std::vector<std::uint32_t>::iterator begin,
-             std::vector<std::uint32_t>::iterator end) {
+  void build(std::vector<std::uint32_t>::iterator begin, std::vector<std::uint32_t>::iterator end) {
     const std::size_t self = nodes.size();
     Box around;
     const auto middle = [](double low, double high) {
@@ -256,9 +255,8 @@ class ConvexSums::Search {
         return of_edge.lines[a].rank < of_edge.lines[b].rank;
       });
       const auto first_from = [&](int rank) {
-        return std::lower_bound(
-            order.begin(), order.end(), rank,
-            [&](std::size_t e, int r) { return of_edge.lines[e].rank < r; });
+        return std::lower_bound(order.begin(), order.end(), rank,
+                                [&](std::size_t e, int r) { return of_edge.lines[e].rank < r; });
       };
       for (std::size_t v = 0; v < of_vertex.lines.size(); ++v) {
         // Of equal directions that of Q comes after that of P (thesis, Definition 2.2.7).
@@ -305,7 +303,10 @@ class ConvexSums::Search {
       }
       End from = gap.from;
       const auto inside_until = [&](const End& to) {
-        if (compare(from, to) < 0) result.inside_closed_sum.push_back(between({from, to}));
+        if (compare(from, to) < 0 &&
+            !OPLUS_MUTANT("verify-sees-no-dangling-edges",
+                          "verify finds no parts with the sum on both sides"))
+          result.inside_closed_sum.push_back(between({from, to}));
       };
       for (const Gap& boundary : uncovered(gap, true)) {
         inside_until(boundary.from);
@@ -430,18 +431,17 @@ class ConvexSums::Search {
     const double wy_error = unit * (std::abs(to_y) + std::abs(wy)) +
                             2 * (y_.error + line.near_from.y.error + corner.near.y.error);
     const double left = ux.value * wy, right = uy.value * wx;
-    const double error = 2 * (unit * (std::abs(left) + std::abs(right)) +
-                              std::abs(ux.value) * wy_error + std::abs(uy.value) * wx_error +
-                              ux.error * (std::abs(wy) + wy_error) +
-                              uy.error * (std::abs(wx) + wx_error)) +
-                         least_;
-    const double moves_left = ux.value * dy.value, moves_right = uy.value * dx.value;
-    const double speed_error =
-        2 * (rounding_ * (std::abs(moves_left) + std::abs(moves_right)) +
-             std::abs(ux.value) * dy.error + std::abs(uy.value) * dx.error +
-             ux.error * (std::abs(dy.value) + dy.error) +
-             uy.error * (std::abs(dx.value) + dx.error)) +
+    const double error =
+        2 * (unit * (std::abs(left) + std::abs(right)) + std::abs(ux.value) * wy_error +
+             std::abs(uy.value) * wx_error + ux.error * (std::abs(wy) + wy_error) +
+             uy.error * (std::abs(wx) + wx_error)) +
         least_;
+    const double moves_left = ux.value * dy.value, moves_right = uy.value * dx.value;
+    const double speed_error = 2 * (rounding_ * (std::abs(moves_left) + std::abs(moves_right)) +
+                                    std::abs(ux.value) * dy.error + std::abs(uy.value) * dx.error +
+                                    ux.error * (std::abs(dy.value) + dy.error) +
+                                    uy.error * (std::abs(dx.value) + dx.error)) +
+                               least_;
     return {left - right, error, moves_left - moves_right, speed_error};
   }
 
@@ -477,8 +477,8 @@ class ConvexSums::Search {
     const Side side = side_of(line, corner);
     const int turn = ranks_.turn(direction, along_->rank);
     if (turn == 0) {
-      const int sign = direction == line.rank ? sign_of(line, corner, side)
-                                              : -sign_of(line, corner, side);
+      const int sign =
+          direction == line.rank ? sign_of(line, corner, side) : -sign_of(line, corner, side);
       if (sign != 0) return sign > 0;
       // The track runs along an edge of the convex sum. To its right is the interior iff the edge
       // runs the other way.
@@ -506,7 +506,10 @@ class ConvexSums::Search {
       return false;
     // The edge that turns further to the right comes first from left to right, below; above, from right
     // to left.
-    const bool t_first_below = ranks_.turn(t.below->rank, u.below->rank) > 0;
+    const bool t_first_below =
+        OPLUS_MUTANT("lower-edges-of-a-convex-sum-are-exchanged",
+                     "below a convex sum of verify, the steeper of two edges comes first") !=
+        (ranks_.turn(t.below->rank, u.below->rank) > 0);
     if (!clip(*t.below, *u.lower[t_first_below ? 0 : 1], t.below->rank) ||
         !clip(*u.below, *t.lower[t_first_below ? 1 : 0], u.below->rank) || !in_window())
       return false;
@@ -522,7 +525,12 @@ class ConvexSums::Search {
   bool covers(std::uint32_t i, std::uint32_t j) {
     if (!meets(parts_[0].pieces[i], parts_[1].pieces[j])) return false;
     const int from = compare(*low_, probe_);
-    if (from < 0 && compare(probe_, *high_) < 0) return true;
+    const int to = compare(probe_, *high_);
+    if (from < 0 && to < 0) return true;
+    if (OPLUS_MUTANT("convex-sums-contain-their-boundary",
+                     "verify takes a point on the boundary of a convex sum for inside it") &&
+        from <= 0 && to <= 0)
+      return true;
     if (from < 0) {  // before the probe
       if (compare(*high_, window_.from) > 0) {
         window_.from = *high_;
@@ -542,9 +550,8 @@ class ConvexSums::Search {
     const auto reach = [&](const Near& start, const Near& step, double& low, double& high) {
       const double from = std::max(window_.from.low, 0.0) * step.value;
       const double to = std::min(window_.to.high, 1.0) * step.value;
-      const double error =
-          2 * start.error + step.error * 2 +
-          4 * rounding * (std::abs(start.value) + std::abs(step.value)) + least_;
+      const double error = 2 * start.error + step.error * 2 +
+                           4 * rounding * (std::abs(start.value) + std::abs(step.value)) + least_;
       low = start.value + std::min(from, to) - error;
       high = start.value + std::max(from, to) + error;
     };
@@ -565,10 +572,9 @@ class ConvexSums::Search {
     const double dx = along_->near_along.x.value, dy = along_->near_along.y.value;
     const double error_x = 0x1p-45 * (std::abs(x_low) + std::abs(x_high) + std::abs(x_.value));
     const double error_y = 0x1p-45 * (std::abs(y_low) + std::abs(y_high) + std::abs(y_.value));
-    return !(std::abs(dx * y - dy * x) >
-             std::abs(dx) * (half_y + error_y) * (1 + 0x1p-40) +
-                 std::abs(dy) * (half_x + error_x) * (1 + 0x1p-40) +
-                 0x1p-40 * (std::abs(dx * y) + std::abs(dy * x)));
+    return !(std::abs(dx * y - dy * x) > std::abs(dx) * (half_y + error_y) * (1 + 0x1p-40) +
+                                             std::abs(dy) * (half_x + error_x) * (1 + 0x1p-40) +
+                                             0x1p-40 * (std::abs(dx * y) + std::abs(dy * x)));
   }
 
   bool has_probe(const Box& a, const Box& b) const {

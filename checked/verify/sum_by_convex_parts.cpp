@@ -24,7 +24,8 @@ void cut_at_ends(BoundaryFeatures& features) {
   for (const Point& point : features.isolated_vertices) swept.add(point);
 
   std::vector<Point> places;
-  std::vector<std::size_t> begin(swept.edges.size());  // of the piece of an edge that is passed over
+  std::vector<std::size_t> begin(
+      swept.edges.size());  // of the piece of an edge that is passed over
   std::vector<std::pair<std::size_t, std::size_t>> pieces;
   std::vector<Point> isolated;
   sweep(swept, [&](const SweptPlace& place) {

@@ -2,6 +2,7 @@
 #include "checked/verify/trapezoids.hpp"
 
 #include "reference/chains/plane_sweep.hpp"
+#include "reference/definitions/mutant.hpp"
 
 namespace oplus {
 
@@ -25,7 +26,11 @@ std::vector<Trapezoid> trapezoids(const Region& region) {
     };
     for (const std::uint32_t edge : place.left) close(edge);
     if (place.above) close(*place.above);
-    if (place.below) wall_of[*place.below] = vertex;
+    if (place.below &&
+        !OPLUS_MUTANT("trapezoids-pass-through-walls",
+                      "a trapezoid of verify begins where the gap above its lower edge "
+                      "did, before a vertex that divided the gap"))
+      wall_of[*place.below] = vertex;
     for (const std::uint32_t edge : place.right) wall_of[edge] = vertex;
     return true;
   });
