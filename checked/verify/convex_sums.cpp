@@ -102,7 +102,7 @@ struct Box {
     y_low = std::min(y_low, other.y_low);
     y_high = std::max(y_high, other.y_high);
   }
-  double size() const { return std::max(x_high - x_low, y_high - y_low); }
+  double size() const { return (x_high - x_low) + (y_high - y_low); }
 };
 
 /// The left child follows its parent directly.
@@ -110,6 +110,7 @@ struct Node {
   Box box;
   std::uint32_t right = 0;  ///< the right child; 0 in a leaf
   std::uint32_t piece = 0;  ///< in a leaf
+  double slack = 0;         ///< by how much it is larger than its pieces, on average
 };
 
 }  // namespace
@@ -120,9 +121,13 @@ struct SummandParts {
     std::vector<std::size_t> lengths;
     for (const Chain& chain : chains(region)) lengths.push_back(chain.size());
     before.resize(edges.size());
+    after.resize(edges.size());
     std::size_t first = 0;
     for (const std::size_t length : lengths) {
-      for (std::size_t i = 0; i < length; ++i) before[first + i] = first + previous(i, length);
+      for (std::size_t i = 0; i < length; ++i) {
+        before[first + i] = first + previous(i, length);
+        after[first + i] = first + next(i, length);
+      }
       first += length;
     }
     for (const Segment& e : edges) {
@@ -196,13 +201,17 @@ struct SummandParts {
     build(begin, half);
     nodes[self].right = static_cast<std::uint32_t>(nodes.size());
     build(half, end);
+    double of_pieces = 0;
+    for (auto i = begin; i != end; ++i) of_pieces += boxes[*i].size();
+    nodes[self].slack = around.size() - of_pieces / static_cast<double>(end - begin);
   }
 
   std::vector<Segment> edges;
   std::vector<std::size_t> before;  ///< of each edge, the one that ends where it starts
-  std::vector<Line> lines;          ///< of the edges
-  std::vector<Line> walls;          ///< through their sources
-  std::vector<Corner> corners;      ///< their sources
+  std::vector<std::size_t> after;
+  std::vector<Line> lines;      ///< of the edges
+  std::vector<Line> walls;      ///< through their sources
+  std::vector<Corner> corners;  ///< their sources
   std::vector<Corner> cut_corners;
   std::vector<Piece> pieces;
   std::vector<Box> boxes;  ///< of the pieces
@@ -368,8 +377,17 @@ class ConvexSums::Search {
   }
 
   void start(const Track& track) {
-    along_ = &part(track.edge_of).lines[track.edge];
-    by_ = &part(other(track.edge_of)).corners[track.vertex];
+    const SummandParts& of_edge = part(track.edge_of);
+    const SummandParts& of_vertex = part(other(track.edge_of));
+    const std::size_t after = of_edge.after[track.edge];
+    along_ = &of_edge.lines[track.edge];
+    by_ = &of_vertex.corners[track.vertex];
+    from_ = &of_edge.corners[track.edge];
+    to_ = &of_edge.corners[after];
+    at_from_ = {&of_edge.lines[of_edge.before[track.edge]], &of_edge.walls[track.edge]};
+    at_to_ = {&of_edge.lines[after], &of_edge.walls[after]};
+    at_by_ = {&of_vertex.lines[of_vertex.before[track.vertex]], &of_vertex.lines[track.vertex],
+              &of_vertex.walls[track.vertex]};
     source_.reset();
     const auto plus = [](const Near& a, const Near& b) {
       const Near sum{a.value + b.value, 0};
@@ -408,7 +426,8 @@ class ConvexSums::Search {
   }
 
   Point place(const End& end) {
-    if (end.low == 0 && end.high == 0) return source();
+    if (end.line == nullptr && end.low == 0) return source();
+    if (end.line == nullptr && end.low == 1) return to_->point + by_->point;
     return source() + exact(end) * along_->along;
   }
   Segment between(const Gap& gap) { return {place(gap.from), place(gap.to)}; }
@@ -446,6 +465,15 @@ class ConvexSums::Search {
   }
 
   End crossing(const Line& line, const Corner& corner, const Side& side) const {
+    // At an end of the track, where doubles would not decide.
+    const auto is_one_of = [&](const auto& lines) {
+      return std::find(lines.begin(), lines.end(), &line) != lines.end();
+    };
+    if (&corner == by_) {
+      if (is_one_of(at_from_)) return whole(0);
+      if (is_one_of(at_to_)) return whole(1);
+    }
+    if ((&corner == from_ || &corner == to_) && is_one_of(at_by_)) return whole(&corner == to_);
     const double size = std::abs(side.speed);
     const double numerator = side.speed < 0 ? side.at_source : -side.at_source;
     End end{-infinity, infinity, numerator, size, false, &line, &corner};
@@ -613,7 +641,7 @@ class ConvexSums::Search {
         }
         continue;
       }
-      const bool halve_p = q.right == 0 || (p.right != 0 && p.box.size() > q.box.size());
+      const bool halve_p = q.right == 0 || (p.right != 0 && p.slack > q.slack);
       std::pair<std::uint32_t, std::uint32_t> first{halve_p ? a + 1 : a, halve_p ? b : b + 1};
       std::pair<std::uint32_t, std::uint32_t> second{halve_p ? p.right : a, halve_p ? b : q.right};
       const auto distance = [&](const std::pair<std::uint32_t, std::uint32_t>& nodes) {
@@ -679,7 +707,11 @@ class ConvexSums::Search {
   // Of the track.
   const Line* along_ = nullptr;
   const Corner* by_ = nullptr;
-  Near x_, y_;  ///< its source
+  const Corner* from_ = nullptr;  ///< the ends of its edge
+  const Corner* to_ = nullptr;
+  std::array<const Line*, 2> at_from_{}, at_to_{};  ///< other lines through them,
+  std::array<const Line*, 3> at_by_{};              ///< and through its vertex
+  Near x_, y_;                                      ///< its source
   std::optional<Point> source_;
 
   // Of the search.
