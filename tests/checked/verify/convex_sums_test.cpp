@@ -117,5 +117,13 @@ TEST(SumByConvexParts, does_not_depend_on_the_size_of_numbers) {
   EXPECT_GT(features, 10U);
 }
 
+/// On no segment of the reduced convolution (docs/findings.md, Theorem 2.3.2).
+TEST(SumByConvexParts, isolated_vertices_where_chains_of_both_summands_touch) {
+  const Region room{{{{{0, 0}, {4, 0}, {8, 0}, {8, 4}, {8, 8}, {4, 8}, {0, 8}, {0, 4}},
+                      {{{0, 4}, {4, 8}, {8, 4}, {4, 0}}}}}};
+  EXPECT_EQ(sum_by_convex_parts(room, room, Boundary::open).isolated_vertices,
+            (std::vector<Point>{{4, 4}, {4, 12}, {12, 4}, {12, 12}}));
+}
+
 }  // namespace
 }  // namespace oplus
