@@ -7,9 +7,10 @@
 #include <tuple>
 #include <utility>
 
+#include "checked/verify/exceptional_places.hpp"
 #include "checked/verify/overlay.hpp"
 #include "checked/verify/placements.hpp"
-#include "checked/verify/sum_by_walks.hpp"
+#include "checked/verify/sum_by_convex_parts.hpp"
 #include "checked/verify/witness.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/definitions/cut_at_intersections.hpp"
@@ -249,7 +250,7 @@ std::vector<Reason> face_reasons(const Overlay& overlay, const Placements& place
   std::vector<Reason> reasons = overlay.differing_faces();
   for (Reason& reason : reasons) {
     if (placements.interiors_meet_at(reason.witness) != reason.in_sum)
-      throw VerdictsDiffer("winding numbers and the collision test differ at " +
+      throw VerdictsDiffer("convex parts and the collision test differ at " +
                            to_string(reason.witness));
     const Words& words = words_for(reason.kind);
     reason.detail = words.face + (" of area " + legible(reason.size / 2)) + words.difference;
@@ -324,7 +325,7 @@ void ask_collision_test(const MinkowskiSum& sum, const std::vector<Segment>& exc
         const Segment first = left ? Segment{chain[0], chain[1]} : Segment{chain[1], chain[0]};
         const Point x = point_left_of(first, all, exceptional);
         if (placements.interiors_meet_at(x) != left)
-          throw VerdictsDiffer("winding numbers and the collision test differ at " + to_string(x));
+          throw VerdictsDiffer("convex parts and the collision test differ at " + to_string(x));
       }
     }
   }
@@ -332,7 +333,7 @@ void ask_collision_test(const MinkowskiSum& sum, const std::vector<Segment>& exc
 
 MinkowskiSum decided_sum(const Region& p, const Region& q, Boundary boundary,
                          const Placements& placements) {
-  MinkowskiSum sum = sum_by_walks(p, q, boundary, placements);
+  MinkowskiSum sum = sum_by_convex_parts(p, q, boundary);
   ask_collision_test(sum, exceptional_places(p, q), placements);
   return sum;
 }
@@ -361,9 +362,8 @@ Verdict verdict(MinkowskiSum computed, const Region& p, const Region& q, Boundar
 
   if (same_chains && !result.reasons.empty()) {
     const bool open = boundary == Boundary::open;
-    const bool is_the_other =
-        open ? has_features(right) && !has_features(sum)
-             : same_features(sum, sum_by_walks(p, q, Boundary::open, placements));
+    const bool is_the_other = open ? has_features(right) && !has_features(sum)
+                                   : same_features(sum, sum_by_convex_parts(p, q, Boundary::open));
     if (is_the_other) {
       Reason other = result.reasons.front();
       other.kind = ReasonKind::wrong_boundary;

@@ -133,7 +133,7 @@ inline Interval cross(const IntervalPoint& u, const IntervalPoint& v) {
 }
 
 /// The orientation of three points if doubles show it, otherwise 0. An int, since std::optional made
-/// Walks (checked/verify) a third slower.
+/// a loop over millions of points a third slower.
 ///
 /// Computed with the low ends, as in sign_of_difference. The high ends are at most x and y away, which
 /// changes the cross product by at most (|ux| + |vx|) y + (|uy| + |vy|) x + 2 x y. The bound is larger than
