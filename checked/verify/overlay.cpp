@@ -11,6 +11,9 @@
 #include "checked/verify/witness.hpp"
 #include "reference/definitions/cells.hpp"
 #include "reference/definitions/cut_at_intersections.hpp"
+#include "reference/definitions/mutant.hpp"
+#include "reference/definitions/sorted_without_copies.hpp"
+#include "reference/definitions/winding_number.hpp"
 
 namespace oplus {
 
@@ -84,18 +87,21 @@ Overlay::Overlay(const GivenSum& given, const MinkowskiSum& right, std::vector<S
   const std::size_t of_right = chains.size();
   std::vector<Segment> segments;
   std::vector<std::size_t> chain_of;
+  std::vector<Point> points;  // chains without length
   const auto add = [&](const Chain& chain, std::size_t number) {
+    const std::size_t before = segments.size();
     for (const Segment& e : edges(chain)) {
       if (e.source == e.target) continue;
       segments.push_back(e);
       chain_of.push_back(number);
     }
+    if (segments.size() == before &&
+        !OPLUS_MUTANT("points-need-not-bound", "verify overlooks a chain that is a point"))
+      points.push_back(chain[0]);
   };
   for (std::size_t c = 0; c < chains.size(); ++c) add(*chains[c].vertices, c);
   for (const std::vector<Chain>* of_sum : {&right.outer, &right.holes})
     for (const Chain& chain : *of_sum) add(chain, of_right);
-  if (segments.empty()) return;
-
   const std::vector<std::vector<Segment>> pieces = cut_at_intersections(segments);
   const Cells cells = cells_of_pieces(pieces);
   std::map<Segment, std::size_t> number_of;
@@ -154,6 +160,14 @@ Overlay::Overlay(const GivenSum& given, const MinkowskiSum& right, std::vector<S
     const bool is_right_way = left ? uses[i].chains_back == 0 : uses[i].chains_forth == 0;
     if (times > 0 && (left == right_side || times > 1 || !is_right_way))
       unsimple_.push_back({e.segment, left, left != right_side, times});
+  }
+  for (const Point& p : sorted_without_copies(std::move(points))) {
+    const bool on_boundary = lies_on_one(p, boundary_of_given_);
+    const bool inside = std::any_of(faces_.begin(), faces_.end(), [&](const Face& face) {
+      return face.in_given &&
+             (lies_on_one(p, face.boundary) || winding_number(p, face.boundary) > 0);
+    });
+    unsimple_points_.push_back({{p, p}, inside && !on_boundary, on_boundary, 1});
   }
 }
 
@@ -217,7 +231,7 @@ std::vector<Overlay::Unsimple> Overlay::unsimple_pieces() const {
   std::map<std::tuple<bool, bool, std::size_t>, std::vector<Segment>> sorts;
   for (const Unsimple& u : unsimple_)
     sorts[{u.in_given, u.is_boundary, u.times}].push_back(u.piece);
-  std::vector<Unsimple> result;
+  std::vector<Unsimple> result = unsimple_points_;
   for (auto& [sort, pieces] : sorts)
     for (const Segment& s : maximal_segments(std::move(pieces)))
       result.push_back({s, std::get<0>(sort), std::get<1>(sort), std::get<2>(sort)});

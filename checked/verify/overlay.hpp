@@ -22,13 +22,13 @@ class Overlay {
 
   /// A piece of a chain of the given sum that is no simple boundary of its set.
   struct Unsimple {
-    Segment piece;
+    Segment piece;      ///< a point, where all of a chain is one
     bool in_given;      ///< whether the set is on both sides, or on neither; where one only:
     bool is_boundary;   ///< the set is on one side,
     std::size_t times;  ///< the number of chains that run there; one: it crosses another, or itself
   };
 
-  /// All such pieces, those in line and connected as one.
+  /// All such pieces, those in line and connected as one; no point twice.
   std::vector<Unsimple> unsimple_pieces() const;
 
   /// The boundary of the given set, the set to the left, however its chains are turned.
@@ -50,6 +50,7 @@ class Overlay {
   std::vector<std::pair<std::size_t, std::size_t>> neighbours_;  ///< faces on both sides of an edge
   std::vector<Segment> avoided_;
   std::vector<Unsimple> unsimple_;
+  std::vector<Unsimple> unsimple_points_;
   std::vector<Segment> boundary_of_given_;
 };
 

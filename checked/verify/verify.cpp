@@ -281,7 +281,9 @@ std::vector<Reason> unsimple_reasons(const Overlay& overlay, const MinkowskiSum&
     const Point middle = midpoint(u.piece.source, u.piece.target);
     const std::string chain = "a chain runs " + from_to(u.piece);
     std::string detail;
-    if (!u.is_boundary)
+    if (u.piece.source == u.piece.target)
+      detail = "a chain is only the point " + to_string(middle) + ", and bounds nothing";
+    else if (!u.is_boundary)
       detail =
           chain + ", where the given set is on " + (u.in_given ? "both sides" : "neither side");
     else if (u.times > 1)

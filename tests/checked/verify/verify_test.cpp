@@ -174,6 +174,34 @@ TEST(Verify, takes_chains_of_too_few_points) {
     EXPECT_EQ(reason.kind, ReasonKind::unsimple_boundary) << reason.detail;
 }
 
+/// Wherever it is: outside, inside, or a vertex of the sum.
+TEST(Verify, refuses_a_chain_that_is_a_point) {
+  for (const Point& x : {Point{9, 9}, {1, 1}, {0, 0}, {Rational(5, 2), Rational(5, 2)}}) {
+    for (const std::size_t times : {1U, 2U, 3U, 4U}) {
+      for (const bool hole : {true, false}) {
+        for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
+          Region given = sum_of_frame;
+          if (hole)
+            given.components[0].holes.push_back(Chain(times, x));
+          else
+            given.components.push_back({Chain(times, x), {}});
+          const Verdict verdict = verify(frame, unit, boundary, {given, {}, {}});
+          ASSERT_EQ(kinds(verdict), Kinds{ReasonKind::unsimple_boundary});
+          EXPECT_EQ(verdict.reasons[0].witness, x);
+          EXPECT_EQ(verdict.reasons[0].in_sum, x == (Point{1, 1}) || x == (Point{0, 0}));
+          EXPECT_EQ(verdict.reasons[0].in_given, verdict.reasons[0].in_sum);
+          EXPECT_EQ(verdict.addends.has_value(), verdict.reasons[0].in_sum);
+        }
+      }
+    }
+  }
+}
+
+TEST(Verify, refuses_a_point_for_an_empty_sum) {
+  EXPECT_EQ(kinds(verify({}, unit, Boundary::closed, GivenSum{polygon({{1, 1}}), {}, {}})),
+            Kinds{ReasonKind::unsimple_boundary});
+}
+
 TEST(Verify, a_sum_by_its_chains_may_have_a_hole_in_nothing) {
   MinkowskiSum sum = sum_by_definition(frame, unit, Boundary::closed);
   EXPECT_TRUE(verify(frame, unit, Boundary::closed, sum).is_sum());
