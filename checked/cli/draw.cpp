@@ -10,6 +10,7 @@
 #include "checked/cli/shared_options.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "checked/cli/view.hpp"
+#include "reference/chains/region_of.hpp"
 #include "reference/io/number.hpp"
 #include "reference/io/quoting.hpp"
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "checked/collision/isolated_touching_points.hpp"
 
+#include "reference/chains/region_of.hpp"
+#include "reference/chains/touching_points.hpp"
 #include "reference/definitions/mutant.hpp"
 
 namespace oplus {

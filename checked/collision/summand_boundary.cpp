@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "reference/chains/touching_points.hpp"
+
 namespace oplus {
 
 SummandBoundary::SummandBoundary(Region of) : region(std::move(of)) {

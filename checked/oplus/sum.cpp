@@ -8,6 +8,7 @@
 #include "checked/oplus/oplus.hpp"
 #include "checked/slide/slide.hpp"
 #include "checked/verify/verify.hpp"
+#include "reference/chains/region_of.hpp"
 #include "reference/definitions/difference.hpp"
 #include "reference/definitions/minkowski_sum.hpp"
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "checked/verify/overlay.hpp"
+#include "reference/chains/region_of.hpp"
 #include "reference/io/counted.hpp"
 #include "reference/io/writing.hpp"
 

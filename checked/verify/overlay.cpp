@@ -7,8 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "reference/definitions/cells.hpp"
-#include "reference/definitions/cut_at_intersections.hpp"
+#include "reference/chains/swept_cells.hpp"
 #include "reference/definitions/mutant.hpp"
 #include "reference/definitions/sorted_without_copies.hpp"
 
@@ -185,8 +184,8 @@ Overlay::Overlay(const GivenSum& given, const MinkowskiSum& right) {
   for (std::size_t c = 0; c < chains.size(); ++c) add(*chains[c].vertices, c);
   for (const std::vector<Chain>* of_sum : {&right.outer, &right.holes})
     for (const Chain& chain : *of_sum) add(chain, of_right);
-  const std::vector<std::vector<Segment>> pieces = cut_at_intersections(segments);
-  Cells cells = cells_of_pieces(pieces);
+  const std::vector<std::vector<Segment>> pieces = swept_pieces(segments);
+  Cells cells = swept_cells_of_pieces(pieces);
   std::vector<Uses> uses(cells.edges.size());
   const auto use_of = [&](const Segment& piece) -> Uses& {
     const auto edge = std::lower_bound(

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "reference/arithmetic/interval.hpp"
+#include "reference/chains/touching_points.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/definitions/difference.hpp"
 #include "reference/definitions/mutant.hpp"

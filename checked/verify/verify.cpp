@@ -11,6 +11,7 @@
 #include "checked/verify/placements.hpp"
 #include "checked/verify/sum_by_walks.hpp"
 #include "checked/verify/witness.hpp"
+#include "reference/chains/region_of.hpp"
 #include "reference/definitions/mutant.hpp"
 #include "reference/definitions/sorted_without_copies.hpp"
 #include "reference/definitions/squared_distance.hpp"

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "checked/verify/closeness.hpp"
+#include "reference/chains/region_of.hpp"
 #include "reference/definitions/collision.hpp"
 #include "reference/definitions/difference.hpp"
 #include "reference/definitions/winding_number.hpp"

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <array>
 
-#include "reference/definitions/validity.hpp"
+#include "reference/chains/region_of.hpp"
+#include "reference/chains/validity.hpp"
 
 namespace oplus {
 

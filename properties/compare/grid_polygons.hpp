@@ -8,6 +8,8 @@
 
 #include "reference/families/lattice_polygon.hpp"
 
+#include "reference/chains/region_of.hpp"
+
 namespace oplus {
 
 /// A counterclockwise simple polygon on a grid, moved to its lower left corner: its least x and its

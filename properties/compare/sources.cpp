@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "properties/compare/grid_polygons.hpp"
+#include "reference/chains/region_of.hpp"
 #include "reference/io/reading.hpp"
 #include "reference/io/writing.hpp"
 

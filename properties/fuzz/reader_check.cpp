@@ -7,8 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "reference/chains/region_of.hpp"
+#include "reference/chains/validity.hpp"
 #include "reference/definitions/minkowski_sum.hpp"
-#include "reference/definitions/validity.hpp"
 #include "reference/io/reading.hpp"
 #include "reference/io/writing.hpp"
 

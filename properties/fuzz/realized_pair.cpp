@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-#include "reference/definitions/validity.hpp"
+#include "reference/chains/validity.hpp"
 #include "reference/families/lattice_polygon.hpp"
 
 namespace oplus {

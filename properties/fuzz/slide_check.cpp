@@ -7,8 +7,9 @@
 
 #include "checked/arrangement/sum_by_winding_numbers.hpp"
 #include "checked/slide/slide.hpp"
+#include "reference/chains/region_of.hpp"
+#include "reference/chains/validity.hpp"
 #include "reference/definitions/difference.hpp"
-#include "reference/definitions/validity.hpp"
 #include "reference/io/boundary_name.hpp"
 #include "reference/io/writing.hpp"
 

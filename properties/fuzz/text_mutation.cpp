@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "reference/chains/region_of.hpp"
 #include "reference/families/rich_regions.hpp"
 #include "reference/io/writing.hpp"
 

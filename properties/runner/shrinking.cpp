@@ -8,8 +8,8 @@
 #include <set>
 #include <utility>
 
+#include "reference/chains/validity.hpp"
 #include "reference/definitions/contract.hpp"
-#include "reference/definitions/validity.hpp"
 
 namespace oplus {
 

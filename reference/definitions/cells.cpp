@@ -58,9 +58,9 @@ class Halfedges {
 };
 
 /// Finds the edge directly below the points that are infinitely near to a vertex, to its left.
-class EdgesBelow {
+class BelowVertices {
  public:
-  explicit EdgesBelow(const Cells& cells) : cells_(cells) {
+  explicit BelowVertices(const Cells& cells) : cells_(cells) {
     for (std::size_t v = 0; v < cells.vertices.size(); ++v)
       column_.push_back(v == 0 ? 0
                                : column_.back() + (cells.vertices[v - 1].x < cells.vertices[v].x));
@@ -103,6 +103,19 @@ Cells cells(const std::vector<Segment>& segments) {
 }
 
 Cells cells_of_pieces(const std::vector<std::vector<Segment>>& pieces) {
+  return cells_of_pieces(pieces, [](const Cells& cells) {
+    std::vector<bool> is_larger_end(cells.vertices.size(), false);
+    for (const Cells::Edge& e : cells.edges) is_larger_end[e.target] = true;
+    const BelowVertices below(cells);
+    EdgesBelow result(cells.vertices.size());
+    for (std::size_t v = 0; v < result.size(); ++v)
+      if (!is_larger_end[v]) result[v] = below.below(v);
+    return result;
+  });
+}
+
+Cells cells_of_pieces(const std::vector<std::vector<Segment>>& pieces,
+                      const std::function<EdgesBelow(const Cells&)>& edges_below) {
   std::vector<Segment> edges;
   Cells result;
   for (const std::vector<Segment>& of_segment : pieces) {
@@ -124,7 +137,7 @@ Cells cells_of_pieces(const std::vector<std::vector<Segment>>& pieces) {
   }
 
   const Halfedges halfedges(result);
-  const EdgesBelow edges_below(result);
+  const EdgesBelow below = edges_below(result);
   result.faces.resize(1);
   std::vector<bool> is_walked(halfedges.size(), false);
   const auto walk = [&](std::size_t first, std::size_t face) {
@@ -142,8 +155,7 @@ Cells cells_of_pieces(const std::vector<std::vector<Segment>>& pieces) {
   for (std::size_t v = 0; v < result.vertices.size(); ++v) {
     const std::size_t last = halfedges.leaving(v).back();
     if (Halfedges::is_to_the_right(last) && !is_walked[last]) {
-      const std::optional<std::size_t> below = edges_below.below(v);
-      walk(last, below ? result.edges[*below].left_face : 0);
+      walk(last, below[v] ? result.edges[*below[v]].left_face : 0);
     }
     for (const std::size_t h : halfedges.leaving(v)) {
       if (!Halfedges::is_to_the_right(h) || is_walked[h]) continue;

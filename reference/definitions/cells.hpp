@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "reference/definitions/segment.hpp"
@@ -32,6 +34,14 @@ Cells cells(const std::vector<Segment>& segments);
 /// The same of segments that are cut already.
 /// Requires: `pieces` as cut_at_intersections returns them.
 Cells cells_of_pieces(const std::vector<std::vector<Segment>>& pieces);
+
+/// For each vertex that is no edge's larger end, an edge that has on its left the face that is to the left of
+/// the vertex; empty where that is the unbounded face.
+using EdgesBelow = std::vector<std::optional<std::size_t>>;
+
+/// The same, where a function finds these edges, given vertices and edges: O(n log n) besides.
+Cells cells_of_pieces(const std::vector<std::vector<Segment>>& pieces,
+                      const std::function<EdgesBelow(const Cells&)>& edges_below);
 
 /// A point inside a face: from the middle of its first edge to the left, half way to what is met
 /// first. Requires: the boundary is not empty.

@@ -2,6 +2,7 @@
 #include "reference/definitions/collision.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "reference/definitions/cut_at_intersections.hpp"
 #include "reference/definitions/mutant.hpp"
@@ -9,6 +10,15 @@
 namespace oplus {
 
 namespace {
+
+/// The edges of a region, cut where its chains touch.
+std::vector<Segment> boundary_pieces(const std::vector<Segment>& edges) {
+  if (OPLUS_MUTANT("edges-are-not-cut-where-chains-touch")) return edges;
+  std::vector<Segment> pieces;
+  for (const Segment& edge : edges)
+    for (Segment& piece : cut_where_met(edge, edges)) pieces.push_back(std::move(piece));
+  return pieces;
+}
 
 /// Whether a piece of an edge of a, between two contacts with b's boundary, shows common interior:
 /// the piece is inside b, or it runs along an edge of b in the same direction, so that both
@@ -50,8 +60,8 @@ bool boundary_enters(const std::vector<Segment>& edges_of_a, const Region& b,
 
 bool interiors_meet(const Region& a, const Region& b) {
   // Cut where chains touch: only inside such pieces does a crossing show common interior.
-  const std::vector<Segment> edges_of_a = boundary_pieces(a);
-  const std::vector<Segment> edges_of_b = boundary_pieces(b);
+  const std::vector<Segment> edges_of_a = boundary_pieces(edges(a));
+  const std::vector<Segment> edges_of_b = boundary_pieces(edges(b));
   for (const Segment& s : edges_of_a) {
     for (const Segment& t : edges_of_b) {
       if (cross_properly(s, t)) return true;

@@ -4,14 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "reference/definitions/minkowski_sum.hpp"
 #include "reference/definitions/region.hpp"
 
 namespace oplus {
-
-/// A sum by its chains. A hole goes to the smallest outer chain around it; one around which there is
-/// none is the only chain of its component, whose outer chain is empty.
-GivenSum given(const MinkowskiSum& sum);
 
 /// A chain of a given sum, numbered as it was given, both from one; hole 0 is the outer chain.
 struct GivenChain {

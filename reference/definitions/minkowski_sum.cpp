@@ -12,37 +12,59 @@ namespace oplus {
 
 namespace {
 
-/// Whether, turning counterclockwise from the way back along `in`, a is met before b: then a is
-/// the larger clockwise turn (thesis, Definition 3.2.1).
-bool turns_more_clockwise(const Vector& in, const Vector& a, const Vector& b) {
-  return counterclockwise_between({a, Summand::P}, {-in, Summand::P}, {b, Summand::P});
-}
+/// Edges by the points they leave, counterclockwise around each.
+class LeavingEdges {
+ public:
+  explicit LeavingEdges(std::vector<Segment> edges) : edges_(std::move(edges)) {
+    std::sort(edges_.begin(), edges_.end());
+    for (auto first = edges_.begin(); first != edges_.end();) {
+      auto last = first;
+      while (last != edges_.end() && last->source == first->source) ++last;
+      if (last - first > 1)
+        std::stable_sort(first, last, [](const Segment& a, const Segment& b) {
+          return compare_angle(direction_of(a), direction_of(b)) < 0;
+        });
+      first = last;
+    }
+  }
+
+  std::size_t size() const { return edges_.size(); }
+  const Segment& operator[](std::size_t i) const { return edges_[i]; }
+
+  /// The edge after edge i that turns clockwise most: the first one counterclockwise from the way back
+  /// (thesis, Definition 3.2.1).
+  std::size_t after(std::size_t i) const {
+    const Point& at = edges_[i].target;
+    const auto first = std::partition_point(
+        edges_.begin(), edges_.end(), [&](const Segment& e) { return (e.source <=> at) < 0; });
+    const auto last =
+        std::partition_point(first, edges_.end(), [&](const Segment& e) { return e.source == at; });
+    OPLUS_REQUIRES(first != last, "Observation 3.2.4");
+    if (last - first == 1) return static_cast<std::size_t>(first - edges_.begin());
+    const Vector back = -direction_of(edges_[i]);
+    auto next = std::partition_point(
+        first, last, [&](const Segment& e) { return compare_angle(direction_of(e), back) <= 0; });
+    if (OPLUS_MUTANT("chains-turn-counterclockwise-most",
+                     "where the boundary touches itself, its chains go round faces of the sum"))
+      next = (next == first ? last : next) - 1;
+    return static_cast<std::size_t>((next == last ? first : next) - edges_.begin());
+  }
+
+ private:
+  std::vector<Segment> edges_;
+};
 
 /// Follows edges to closed chains, turning clockwise most at each vertex.
 std::vector<Chain> stitch(std::vector<Segment> edges) {
-  std::sort(edges.begin(), edges.end());
-  const auto best_direction = [&](const Segment& edge) {
-    const auto leaving =
-        std::equal_range(edges.begin(), edges.end(), Segment{edge.target, {}},
-                         [](const Segment& a, const Segment& b) { return a.source < b.source; });
-    OPLUS_REQUIRES(leaving.first != leaving.second, "Observation 3.2.4");
-    return std::max_element(leaving.first, leaving.second, [&](const Segment& a, const Segment& b) {
-      const bool b_first =
-          turns_more_clockwise(direction_of(edge), direction_of(b), direction_of(a));
-      return b_first !=
-             OPLUS_MUTANT(
-                 "chains-turn-counterclockwise-most",
-                 "where the boundary touches itself, its chains go round faces of the sum");
-    });
-  };
+  const LeavingEdges leaving(std::move(edges));
   std::vector<Chain> stitched;
-  std::vector<bool> visited(edges.size(), false);
-  for (auto first = edges.begin(); first != edges.end(); ++first) {
+  std::vector<bool> visited(leaving.size(), false);
+  for (std::size_t first = 0; first < leaving.size(); ++first) {
     Chain chain;
-    auto edge = first;
-    for (; !visited[edge - edges.begin()]; edge = best_direction(*edge)) {
-      visited[edge - edges.begin()] = true;
-      chain.push_back(edge->source);
+    std::size_t edge = first;
+    for (; !visited[edge]; edge = leaving.after(edge)) {
+      visited[edge] = true;
+      chain.push_back(leaving[edge].source);
     }
     OPLUS_REQUIRES(chain.empty() || edge == first, "Observation 3.2.4");
     if (!chain.empty()) stitched.push_back(std::move(chain));
@@ -63,46 +85,21 @@ Chain without_collinear_vertices(const Chain& chain) {
   return corners;
 }
 
-/// Takes a chain that touches itself apart into chains that do not.
-std::vector<Chain> simple_chains(const Chain& chain) {
-  std::vector<Chain> simple;
-  Chain open;
-  // A chain may pass straight through a point that it touches elsewhere.
-  for (const Segment& piece : cut_edges(chain, chain)) {
-    const auto met = std::find(open.begin(), open.end(), piece.source);
-    if (met != open.end()) {
-      simple.push_back(without_collinear_vertices({met, open.end()}));
-      open.erase(met, open.end());
-    }
-    open.push_back(piece.source);
-  }
-  simple.push_back(without_collinear_vertices(open));
-  return simple;
-}
-
-/// Whether a hole is inside an outer chain. They may touch in points, so that one of the hole's
-/// pieces between the outer chain's vertices decides.
-bool is_inside(const Chain& hole, const Chain& outer) {
-  for (const Segment& piece : cut_edges(hole, outer)) {
-    const Location where = locate(midpoint(piece.source, piece.target), polygon(outer));
-    if (where != Location::boundary) return where == Location::inside;
-  }
-  return false;
-}
-
 }  // namespace
 
 std::size_t start_of_smallest_rotation(const Chain& chain) {
-  const auto rotated = [&](std::size_t start) {
-    Chain result(chain.begin() + static_cast<std::ptrdiff_t>(start), chain.end());
-    result.insert(result.end(), chain.begin(), chain.begin() + static_cast<std::ptrdiff_t>(start));
-    return result;
+  const auto is_smaller = [&](std::size_t a, std::size_t b) {
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+      const auto compared = chain[a] <=> chain[b];
+      if (compared != 0) return compared < 0;
+      a = next(a, chain.size());
+      b = next(b, chain.size());
+    }
+    return false;
   };
   std::size_t best = 0;
-  for (std::size_t i = 1; i < chain.size(); ++i) {
-    const auto compared = chain[i] <=> chain[best];
-    if (compared < 0 || (compared == 0 && rotated(i) < rotated(best))) best = i;
-  }
+  for (std::size_t i = 1; i < chain.size(); ++i)
+    if (is_smaller(i, best)) best = i;
   return best;
 }
 
@@ -124,37 +121,6 @@ MinkowskiSum canonical_sum(const BoundaryFeatures& features) {
       std::unique(sum.isolated_vertices.begin(), sum.isolated_vertices.end()),
       sum.isolated_vertices.end());
   return sum;
-}
-
-MinkowskiSum canonical_sum(const Region& region) {
-  return canonical_sum(BoundaryFeatures{boundary_pieces(region), {}, {}});
-}
-
-Region region_of(const MinkowskiSum& sum) {
-  Region region;
-  std::vector<Chain> holes;
-  for (const std::vector<Chain>* of_sum : {&sum.outer, &sum.holes}) {
-    for (const Chain& chain : *of_sum) {
-      for (Chain& simple : simple_chains(chain)) {
-        if (sign(twice_area(simple)) > 0)
-          region.components.push_back({std::move(simple), {}});
-        else
-          holes.push_back(std::move(simple));
-      }
-    }
-  }
-  for (Chain& hole : holes) {
-    // Of the outer chains around it, the smallest.
-    Component* around = nullptr;
-    for (Component& component : region.components) {
-      if (is_inside(hole, component.outer) &&
-          (around == nullptr || twice_area(component.outer) < twice_area(around->outer)))
-        around = &component;
-    }
-    OPLUS_REQUIRES(around != nullptr, "Observation 3.1.4");
-    around->holes.push_back(std::move(hole));
-  }
-  return region;
 }
 
 Rational area(const MinkowskiSum& sum) {

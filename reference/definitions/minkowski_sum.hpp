@@ -23,13 +23,6 @@ std::size_t start_of_smallest_rotation(const Chain& chain);
 /// Requires: as many edges enter each point as leave it.
 MinkowskiSum canonical_sum(const BoundaryFeatures& features);
 
-/// The sum that is just this valid region: its chains in canonical form.
-MinkowskiSum canonical_sum(const Region& region);
-
-/// The regularized sum as a region (thesis, Definition 2.1.17): chains that touch themselves are
-/// taken apart into simple ones, and each hole goes to the outer chain directly around it.
-Region region_of(const MinkowskiSum& sum);
-
 /// The area of the regularized sum.
 Rational area(const MinkowskiSum& sum);
 

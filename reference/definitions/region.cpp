@@ -2,10 +2,8 @@
 #include "reference/definitions/region.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
-#include "reference/definitions/mutant.hpp"
 #include "reference/definitions/winding_number.hpp"
 
 namespace oplus {
@@ -25,15 +23,6 @@ std::vector<Segment> edges(const Chain& chain) {
   for (std::size_t i = 0; i < chain.size(); ++i)
     result.push_back({chain[i], chain[next(i, chain.size())]});
   return result;
-}
-
-std::vector<Segment> cut_edges(const Chain& chain, const std::vector<Point>& at) {
-  std::vector<Segment> pieces;
-  for (const Segment& edge : edges(chain)) {
-    const std::vector<Segment> of_edge = cut(edge, at);
-    pieces.insert(pieces.end(), of_edge.begin(), of_edge.end());
-  }
-  return pieces;
 }
 
 std::vector<Segment> edges(const Region& region) {
@@ -83,39 +72,6 @@ Region translated(Region region, const Vector& by) {
 
 Region reflected(Region region) {
   return mapped(std::move(region), [](const Point& p) { return -p; });
-}
-
-std::vector<Point> touching_points(const Region& region) {
-  const std::vector<Chain> all = chains(region);
-  std::vector<Point> touching;
-  for (std::size_t a = 0; a < all.size(); ++a) {
-    for (std::size_t b = 0; b < all.size(); ++b) {
-      if (a == b) continue;
-      const std::vector<Segment> edges_of_b = edges(all[b]);
-      std::copy_if(all[a].begin(), all[a].end(), std::back_inserter(touching),
-                   [&](const Point& v) { return lies_on_one(v, edges_of_b); });
-    }
-  }
-  std::sort(touching.begin(), touching.end());
-  touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
-  return touching;
-}
-
-std::vector<std::vector<Segment>> pieces_by_chain(const Region& region) {
-  std::vector<Point> touching = touching_points(region);
-  if (OPLUS_MUTANT("edges-are-not-cut-where-chains-touch",
-                   "an edge that another chain touches from within counts as one piece"))
-    touching.clear();
-  std::vector<std::vector<Segment>> pieces;
-  for (const Chain& chain : chains(region)) pieces.push_back(cut_edges(chain, touching));
-  return pieces;
-}
-
-std::vector<Segment> boundary_pieces(const Region& region) {
-  std::vector<Segment> all;
-  for (const std::vector<Segment>& of_chain : pieces_by_chain(region))
-    all.insert(all.end(), of_chain.begin(), of_chain.end());
-  return all;
 }
 
 Region polygon(Chain outer) { return {{{std::move(outer), {}}}}; }

@@ -15,9 +15,6 @@ std::vector<Chain> chains(const Region& region);
 /// Returns the edges of a chain, edge i leaving vertex i.
 std::vector<Segment> edges(const Chain& chain);
 
-/// Returns the edges of a chain, cut at those of the points that lie inside them.
-std::vector<Segment> cut_edges(const Chain& chain, const std::vector<Point>& at);
-
 /// Returns the edges of all chains of a region, in the order of `chains`.
 std::vector<Segment> edges(const Region& region);
 
@@ -52,16 +49,6 @@ Region translated(Region region, const Vector& by);
 
 /// Returns -R: each point p becomes -p. Turns by π, so orientations stay.
 Region reflected(Region region);
-
-/// Returns the points in which different chains of a valid region touch, sorted.
-std::vector<Point> touching_points(const Region& region);
-
-/// Returns the edges of each chain, cut where another chain touches it: around each point inside
-/// such a piece, the region fills exactly the half disk to its left.
-std::vector<std::vector<Segment>> pieces_by_chain(const Region& region);
-
-/// The same of all chains together.
-std::vector<Segment> boundary_pieces(const Region& region);
 
 /// A region of one component without holes.
 Region polygon(Chain outer);

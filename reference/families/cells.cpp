@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/families/cells.hpp"
 
+#include "reference/chains/region_of.hpp"
 #include "reference/definitions/minkowski_sum.hpp"
 
 namespace oplus {

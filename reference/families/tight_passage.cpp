@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "reference/definitions/validity.hpp"
+#include "reference/chains/validity.hpp"
 #include "reference/families/cells.hpp"
 #include "reference/families/lattice_polygon.hpp"
 #include "reference/families/pairs.hpp"

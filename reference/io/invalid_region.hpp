@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "reference/definitions/validity.hpp"
 #include "reference/io/placed_geometry.hpp"
+
+#include "reference/chains/validity.hpp"
 
 namespace oplus {
 

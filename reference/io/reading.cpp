@@ -13,7 +13,8 @@
 #include <optional>
 #include <utility>
 
-#include "reference/definitions/validity.hpp"
+#include "reference/chains/region_of.hpp"
+#include "reference/chains/validity.hpp"
 #include "reference/io/invalid_region.hpp"
 #include "reference/io/placed_geometry.hpp"
 #include "reference/io/quoting.hpp"

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "reference/chains/region_of.hpp"
 #include "reference/definitions/contract.hpp"
 #include "reference/io/power_of_ten.hpp"
 

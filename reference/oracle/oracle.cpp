@@ -7,6 +7,7 @@
 #include "reference/definitions/cells.hpp"
 #include "reference/definitions/collision.hpp"
 #include "reference/definitions/convolution.hpp"
+#include "reference/definitions/difference.hpp"
 #include "reference/definitions/winding_number.hpp"
 
 namespace oplus {
@@ -75,7 +76,7 @@ std::vector<bool> surrounded(const Cells& cells, const CellVerdicts& in_sum) {
 
 /// The same for a point that need not be a vertex of the arrangement.
 bool surrounded(const Point& x, const MinkowskiSum& closed, const std::vector<Segment>& dangling) {
-  return locate(x, region_of(closed)) == Location::inside && !lies_on_one(x, dangling);
+  return locate(x, closed) == Location::inside && !lies_on_one(x, dangling);
 }
 
 std::vector<Point> vertex_sums(const Region& p, const Region& q) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "reference/chains/region_of.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/io/counted.hpp"
 #include "reference/pictures/styles.hpp"

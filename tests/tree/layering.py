@@ -8,8 +8,8 @@ from sources import ROOT, cpp, report
 # The arrows of the design: a file includes what is in its own folder of a line, or before it. The longest
 # folder of a line that holds a file is its folder there; one line that allows an include is enough.
 LINES = (
-    ("reference/definitions", "reference/arithmetic", "reference/io", "reference/pictures",
-     "reference/families", "checked", "checked/cli", "properties", "tests"),
+    ("reference/definitions", "reference/arithmetic", "reference/chains", "reference/io",
+     "reference/pictures", "reference/families", "checked", "checked/cli", "properties", "tests"),
     ("reference/definitions", "reference/oracle", "checked/cli", "properties", "tests"),
     ("docs/findings",),
     ("oplus", "docs/examples"),

@@ -12,6 +12,8 @@
 
 #include "properties/compare/peers/method.hpp"
 
+#include "reference/chains/touching_points.hpp"
+
 namespace oplus {
 
 /// What CGAL's methods share. The kernel is that of its manual's examples.

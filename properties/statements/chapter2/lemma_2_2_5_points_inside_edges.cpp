@@ -5,6 +5,7 @@
 
 #include "properties/runner/registry.hpp"
 #include "properties/statements/places/overlay.hpp"
+#include "reference/chains/touching_points.hpp"
 #include "reference/definitions/collision.hpp"
 #include "reference/io/writing.hpp"
 

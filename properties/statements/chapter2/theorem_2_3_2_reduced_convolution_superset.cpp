@@ -7,6 +7,7 @@
 #include "properties/runner/registry.hpp"
 #include "properties/statements/chapter2/boundary_coverage.hpp"
 #include "properties/statements/places/covered_sum.hpp"
+#include "reference/chains/touching_points.hpp"
 #include "reference/definitions/cut_at_intersections.hpp"
 #include "reference/io/writing.hpp"
 

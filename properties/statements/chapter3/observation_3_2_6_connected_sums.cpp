@@ -2,6 +2,7 @@
 #include "checked/arrangement/sum_by_loops.hpp"
 #include "properties/runner/each_engine.hpp"
 #include "properties/runner/registry.hpp"
+#include "reference/chains/region_of.hpp"
 #include "reference/oracle/oracle.hpp"
 
 namespace oplus {

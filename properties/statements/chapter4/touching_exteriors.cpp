@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "reference/chains/touching_points.hpp"
 #include "reference/definitions/direction.hpp"
 
 namespace oplus {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "reference/chains/touching_points.hpp"
+
 namespace oplus {
 
 namespace {

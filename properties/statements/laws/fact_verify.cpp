@@ -3,6 +3,7 @@
 
 #include "checked/verify/verify.hpp"
 #include "properties/runner/registry.hpp"
+#include "reference/chains/region_of.hpp"
 #include "reference/definitions/given_sum.hpp"
 #include "reference/oracle/oracle.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "properties/runner/each_engine.hpp"
 #include "properties/runner/registry.hpp"
+#include "reference/chains/region_of.hpp"
 
 namespace oplus {
 

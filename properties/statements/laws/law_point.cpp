@@ -3,6 +3,7 @@
 #include "properties/runner/registry.hpp"
 #include "properties/statements/laws/linear_map.hpp"
 #include "properties/statements/places/overlay.hpp"
+#include "reference/chains/region_of.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {

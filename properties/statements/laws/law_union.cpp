@@ -4,7 +4,7 @@
 #include "properties/runner/each_engine.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/places/overlay.hpp"
-#include "reference/definitions/validity.hpp"
+#include "reference/chains/validity.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "reference/chains/touching_points.hpp"
 #include "reference/definitions/direction.hpp"
 #include "reference/io/writing.hpp"
 

@@ -3,7 +3,7 @@
 #include "checked/slide/slide.hpp"
 #include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
-#include "reference/definitions/validity.hpp"
+#include "reference/chains/validity.hpp"
 
 namespace oplus {
 

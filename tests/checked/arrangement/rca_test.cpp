@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "properties/compare/corpus.hpp"
+#include "reference/chains/region_of.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/families/fork.hpp"
 #include "tests/reference/definitions/print.hpp"

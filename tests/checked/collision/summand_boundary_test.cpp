@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "reference/chains/touching_points.hpp"
 #include "tests/reference/definitions/print.hpp"
 #include "tests/reference/definitions/shapes.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "checked/arrangement/rca.hpp"
 #include "properties/compare/corpus.hpp"
-#include "reference/definitions/validity.hpp"
+#include "reference/chains/validity.hpp"
 #include "reference/families/family.hpp"
 #include "reference/families/polygons.hpp"
 #include "reference/io/boundary_name.hpp"

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "checked/slide/numbers.hpp"
+#include "reference/chains/region_of.hpp"
+#include "reference/chains/touching_points.hpp"
 #include "reference/definitions/minkowski_sum.hpp"
 #include "reference/definitions/sorted_without_copies.hpp"
 #include "reference/families/polygons.hpp"

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "checked/slide/slide.hpp"
+#include "reference/chains/region_of.hpp"
 #include "reference/definitions/collision.hpp"
 #include "reference/families/family.hpp"
 #include "tests/checked/verify/damage.hpp"

@@ -6,6 +6,7 @@
 #include "checked/cli/engines_and_oracle.hpp"
 #include "checked/verify/sum_by_walks.hpp"
 #include "properties/compare/corpus.hpp"
+#include "reference/chains/region_of.hpp"
 #include "reference/families/family.hpp"
 #include "reference/oracle/oracle.hpp"
 #include "tests/reference/definitions/print.hpp"

@@ -20,6 +20,7 @@
 #include "properties/compare/sources.hpp"
 #include "properties/runner/finding.hpp"
 #include "properties/runner/temporary_folder.hpp"
+#include "reference/chains/region_of.hpp"
 #include "tests/checked/cli/shell.hpp"
 
 namespace oplus {

@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <set>
 
-#include "reference/definitions/validity.hpp"
+#include "reference/chains/region_of.hpp"
+#include "reference/chains/validity.hpp"
 
 namespace oplus {
 namespace {

@@ -5,6 +5,8 @@
 
 #include <stdexcept>
 
+#include "reference/chains/region_of.hpp"
+
 namespace oplus {
 namespace {
 

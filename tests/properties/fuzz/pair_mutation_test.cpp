@@ -8,7 +8,8 @@
 #include "checked/slide/numbers.hpp"
 #include "checked/slide/scaling.hpp"
 #include "properties/fuzz/realized_pair.hpp"
-#include "reference/definitions/validity.hpp"
+#include "reference/chains/touching_points.hpp"
+#include "reference/chains/validity.hpp"
 
 namespace oplus {
 namespace {

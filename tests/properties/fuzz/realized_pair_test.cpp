@@ -4,7 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "properties/fuzz/pair_mutation.hpp"
-#include "reference/definitions/validity.hpp"
+#include "reference/chains/touching_points.hpp"
+#include "reference/chains/validity.hpp"
 
 namespace oplus {
 namespace {

@@ -19,6 +19,7 @@
 #include "checked/cycles/cycle_tracing.hpp"
 #include "properties/compare/grid_polygons.hpp"
 #include "properties/runner/child_process.hpp"
+#include "reference/chains/region_of.hpp"
 #include "reference/definitions/contract.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/definitions/mutant.hpp"

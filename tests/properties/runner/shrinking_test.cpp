@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "reference/chains/validity.hpp"
 #include "reference/definitions/contract.hpp"
 #include "reference/definitions/tangent_set.hpp"
-#include "reference/definitions/validity.hpp"
 
 namespace oplus {
 namespace {

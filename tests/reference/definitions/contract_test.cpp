@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "reference/chains/region_of.hpp"
 #include "reference/definitions/direction.hpp"
 #include "reference/definitions/minkowski_sum.hpp"
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "reference/chains/region_of.hpp"
 #include "reference/families/family.hpp"
 #include "tests/reference/definitions/print.hpp"
 #include "tests/reference/definitions/shapes.hpp"

@@ -5,7 +5,8 @@
 
 #include <algorithm>
 
-#include "reference/definitions/validity.hpp"
+#include "reference/chains/region_of.hpp"
+#include "reference/chains/validity.hpp"
 #include "tests/reference/definitions/print.hpp"
 #include "tests/reference/definitions/shapes.hpp"
 

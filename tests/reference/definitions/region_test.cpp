@@ -34,12 +34,6 @@ TEST(Region, edges_are_in_the_order_of_chains) {
   EXPECT_EQ(vertex_count(two_holes_and_an_island), 16u);
 }
 
-TEST(Region, cut_edges_end_at_the_points_inside_them) {
-  EXPECT_EQ(cut_edges({{0, 0}, {3, 0}, {0, 3}}, {{1, 0}, {0, 0}, {5, 5}}),
-            (std::vector<Segment>{
-                {{0, 0}, {1, 0}}, {{1, 0}, {3, 0}}, {{3, 0}, {0, 3}}, {{0, 3}, {0, 0}}}));
-}
-
 TEST(Region, previous_and_next_go_around) {
   EXPECT_EQ(previous(0, 3), 2u);
   EXPECT_EQ(previous(2, 3), 1u);
@@ -69,21 +63,6 @@ TEST(Region, reflected_turns_every_point_over_and_keeps_orientations) {
   EXPECT_EQ(area(turned), area(two_holes_and_an_island));
   EXPECT_EQ(turned.components[0].holes[0][0], -hole[0]);
   EXPECT_EQ(reflected(turned), two_holes_and_an_island);
-}
-
-TEST(Region, touching_points_are_those_of_different_chains) {
-  // A hole touching an edge and a vertex of its outer chain; an island whose edge has the corner.
-  const Region region{{{box(0, 0, 4, 4), {backwards({{2, 0}, {4, 4}, {1, 1}})}},
-                       {{{4, 4}, {6, 4}, {6, 6}, {4, 6}}, {}}}};
-  EXPECT_EQ(touching_points(region), (std::vector<Point>{{2, 0}, {4, 4}}));
-  EXPECT_TRUE(touching_points(two_holes_and_an_island).empty());
-}
-
-TEST(Region, touching_points_are_found_whichever_chain_has_the_vertex) {
-  const Component triangle{{{1, 2}, {2, 1}, {3, 2}}, {}};
-  const Component flat{{{0, 0}, {4, 0}, {4, 1}, {0, 1}}, {}};
-  EXPECT_EQ(touching_points({{triangle, flat}}), (std::vector<Point>{{2, 1}}));
-  EXPECT_EQ(touching_points({{flat, triangle}}), (std::vector<Point>{{2, 1}}));
 }
 
 TEST(Region, locate_tells_inside_boundary_and_outside) {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "reference/definitions/validity.hpp"
+#include "reference/chains/validity.hpp"
 
 namespace oplus {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "reference/definitions/validity.hpp"
+#include "reference/chains/validity.hpp"
 #include "reference/oracle/oracle.hpp"
 
 namespace oplus {

@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "reference/definitions/validity.hpp"
+#include "reference/chains/validity.hpp"
 
 namespace oplus {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-#include "reference/definitions/validity.hpp"
+#include "reference/chains/validity.hpp"
 
 namespace oplus {
 namespace {

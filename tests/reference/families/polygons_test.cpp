@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "reference/chains/validity.hpp"
 #include "reference/definitions/original_convolution.hpp"
-#include "reference/definitions/validity.hpp"
 #include "reference/families/family.hpp"
 
 namespace oplus {

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "properties/runner/temporary_folder.hpp"
+#include "reference/chains/region_of.hpp"
 #include "tests/reference/io/from_text.hpp"
 
 namespace oplus {

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "reference/chains/region_of.hpp"
 #include "reference/io/writing.hpp"
 #include "tests/reference/io/from_text.hpp"
 #include "tests/reference/io/published_data.hpp"

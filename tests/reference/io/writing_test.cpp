@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "reference/chains/region_of.hpp"
 #include "tests/reference/io/from_text.hpp"
 
 namespace oplus {

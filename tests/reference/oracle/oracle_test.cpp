@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "properties/statements/laws/linear_map.hpp"
+#include "reference/chains/region_of.hpp"
 #include "reference/definitions/difference.hpp"
 #include "tests/reference/definitions/cells.hpp"
 #include "tests/reference/definitions/print.hpp"

@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 
+#include "reference/chains/region_of.hpp"
 #include "tests/reference/definitions/shapes.hpp"
 #include "tests/reference/pictures/parsed_picture.hpp"
 

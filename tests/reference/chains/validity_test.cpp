@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/definitions/validity.hpp"
+#include "reference/chains/validity.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
+#include "tests/reference/chains/defects_of_all_pairs.hpp"
+#include "tests/reference/chains/random_regions.hpp"
 #include "tests/reference/definitions/print.hpp"
 #include "tests/reference/definitions/shapes.hpp"
 
@@ -171,6 +174,43 @@ TEST(Validity, sees_a_crossing_by_less_than_a_double_can_hold) {
   const auto defect = defect_beside(translated(outside, {-tiny, 0}));
   ASSERT_TRUE(defect);
   EXPECT_EQ(defect->kind, DefectKind::chains_cross);
+}
+
+std::string text(const Region& region) {
+  std::string result;
+  for (const Component& component : region.components)
+    result += testing::PrintToString(component.outer) + " without " +
+              testing::PrintToString(component.holes) + "\n";
+  return result;
+}
+
+TEST(Validity, of_random_regions_is_what_all_pairs_show) {
+  Random random(22);
+  std::map<std::optional<DefectKind>, int> seen;
+  for (int i = 0; i < 6000; ++i) {
+    const Region region = random_region(random);
+    const DefectsOfAllPairs expected(region);
+    const std::optional<Defect> found = find_defect(region);
+    ASSERT_EQ(found.has_value(), !expected.empty()) << text(region);
+    ++seen[found ? std::optional(found->kind) : std::nullopt];
+    if (!found) continue;
+    const DefectsOfAllPairs::Named named{found->kind, found->first.chain, found->second.chain};
+    const std::string wrong = describe(found->kind) + "\n" + text(region);
+    if (!expected.of_vertices.empty()) {
+      ASSERT_TRUE(expected.of_vertices.contains(named)) << wrong;
+    } else if (!expected.of_edges.empty()) {
+      ASSERT_EQ(found->where, expected.of_edges.begin()->first) << wrong;
+      ASSERT_TRUE(expected.of_edges.contains({found->where, named})) << wrong;
+      const std::vector<Chain> all = chains(region);
+      for (const VertexIndex& at : {found->first, found->second})
+        ASSERT_TRUE(lies_on(found->where, edges(all[at.chain])[at.vertex])) << wrong;
+    } else {
+      ASSERT_TRUE(expected.of_nesting.contains(named)) << wrong;
+    }
+  }
+  EXPECT_GE(seen[std::nullopt], 500) << "valid";
+  for (int kind = 1; kind <= static_cast<int>(DefectKind::components_overlap); ++kind)
+    EXPECT_GE(seen[static_cast<DefectKind>(kind)], 5) << describe(static_cast<DefectKind>(kind));
 }
 
 }  // namespace

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/region.hpp"
+
+namespace oplus {
+
+// A sum as a region, and a region as a sum. Each takes O(n log n) for n vertices and touching points.
+
+/// The regularized sum as a region (thesis, Definition 2.1.17): chains that touch themselves are
+/// taken apart into simple ones, and each hole goes to the outer chain directly around it.
+Region region_of(const MinkowskiSum& sum);
+
+/// The sum that is just this valid region: its chains in canonical form.
+MinkowskiSum canonical_sum(const Region& region);
+
+/// A sum by its chains. A hole goes to the outer chain directly around it; one around which there is
+/// none is the only chain of its component, whose outer chain is empty.
+/// Requires, to know what is around what: chains don't cross.
+GivenSum given(const MinkowskiSum& sum);
+
+}  // namespace oplus
