@@ -7,9 +7,10 @@
 #include <tuple>
 #include <utility>
 
+#include "checked/verify/exceptional_places.hpp"
 #include "checked/verify/overlay.hpp"
 #include "checked/verify/placements.hpp"
-#include "checked/verify/sum_by_walks.hpp"
+#include "checked/verify/sum_by_convex_parts.hpp"
 #include "checked/verify/witness.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/definitions/mutant.hpp"
@@ -250,7 +251,7 @@ std::vector<Reason> face_reasons(const Overlay& overlay, const Placements& place
       // A point inside the closed sum may be on a dangling edge.
       if (reason.in_sum) reason.witness = point_of_face(*boundary, exceptional.places());
       if (!reason.in_sum || !placements.interiors_meet_at(reason.witness))
-        throw VerdictsDiffer("winding numbers and the collision test differ at " +
+        throw VerdictsDiffer("convex parts and the collision test differ at " +
                              to_string(reason.witness));
     }
     const Words& words = words_for(reason.kind);
@@ -338,7 +339,7 @@ void ask_collision_test(const MinkowskiSum& sum, Boundary boundary, const Placem
           meet = placements.interiors_meet_at(x);
         }
         if (meet != left)
-          throw VerdictsDiffer("winding numbers and the collision test differ at " + to_string(x));
+          throw VerdictsDiffer("convex parts and the collision test differ at " + to_string(x));
       }
       edge += chain.size();
     }
@@ -347,7 +348,7 @@ void ask_collision_test(const MinkowskiSum& sum, Boundary boundary, const Placem
 
 MinkowskiSum decided_sum(const Region& p, const Region& q, Boundary boundary,
                          const Placements& placements, Exceptional& exceptional) {
-  MinkowskiSum sum = sum_by_walks(p, q, boundary, placements);
+  MinkowskiSum sum = sum_by_convex_parts(p, q, boundary);
   ask_collision_test(sum, boundary, placements, exceptional);
   return sum;
 }
@@ -376,9 +377,8 @@ Verdict verdict(MinkowskiSum computed, const Region& p, const Region& q, Boundar
 
   if (same_chains && !result.reasons.empty()) {
     const bool open = boundary == Boundary::open;
-    const bool is_the_other =
-        open ? has_features(right) && !has_features(sum)
-             : same_features(sum, sum_by_walks(p, q, Boundary::open, placements));
+    const bool is_the_other = open ? has_features(right) && !has_features(sum)
+                                   : same_features(sum, sum_by_convex_parts(p, q, Boundary::open));
     if (is_the_other) {
       Reason other = result.reasons.front();
       other.kind = ReasonKind::wrong_boundary;

@@ -9,11 +9,11 @@ namespace oplus {
 
 /// Whether a given sum is exactly P ⊕ Q, decided by the definitions and by no engine:
 /// docs/verify.md. Requires: p and q are valid (validity.hpp); of the given sum nothing. Throws
-/// VerdictsDiffer (reference/definitions/verdicts_differ.hpp) where winding numbers and the collision test differ.
+/// VerdictsDiffer (reference/definitions/verdicts_differ.hpp) where convex parts and the collision test differ.
 Verdict verify(const Region& p, const Region& q, Boundary boundary, const GivenSum& sum);
 Verdict verify(const Region& p, const Region& q, Boundary boundary, const MinkowskiSum& sum);
 
-/// P ⊕ Q by the definitions, as `verify` computes it: sum_by_walks.hpp. Asks the collision test on
+/// P ⊕ Q by the definitions, as `verify` computes it: sum_by_convex_parts.hpp. Asks the collision test on
 /// both sides of each chain. Requires: p and q are valid. Throws VerdictsDiffer.
 MinkowskiSum sum_by_definition(const Region& p, const Region& q, Boundary boundary);
 

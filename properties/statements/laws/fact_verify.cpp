@@ -56,18 +56,17 @@ const Registered registered({
     .id = "fact-verify",
     .title = "What oplus verify accepts",
     .statement =
-        "oplus verify computes the sum by walks along the segments of the convolution, with a "
-        "collision test where segments of opposite directions overlap or segments of three "
-        "directions meet. This is the oracle's sum, closed and open. It is accepted; a sum with a "
-        "chain reversed, with a chain that is a point, without one of its holes, or of the other kind of boundary is not.",
-    .why = "The winding number of the points just to the right of a segment changes by one where "
-           "another segment ends or crosses on that side, and nowhere else. So between two such "
-           "places the sum is on a side of the whole piece or not at all (Theorem 4.2.1). Dangling "
-           "edges need segments of opposite directions, isolated vertices segments of three "
-           "directions (Theorems 3.2.8 and 3.2.10), except where chains touch; there verify walks "
-           "along all contacts.",
+        "oplus verify cuts P and Q into trapezoids and takes the union of the interiors of their "
+        "sums: of each segment of the reduced convolution, it finds what is in none of them. This is "
+        "the oracle's sum, closed and open. It is accepted; a sum with a chain reversed, with a chain "
+        "that is a point, without one of its holes, or of the other kind of boundary is not.",
+    .why =
+        "The interiors of P and -Q+x are open, and the interiors of their trapezoids are dense in "
+        "them: so they meet iff those of two trapezoids do. What bounds the sum is on segments of "
+        "the reduced convolution, or is the sum of two points in which chains touch (Theorem "
+        "2.3.2, as corrected).",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
-    .rests_on = {"theorem-3.2.8", "theorem-3.2.10", "theorem-4.2.1"},
+    .rests_on = {"theorem-2.3.2"},
     .sources = {{"tight", 4, 6},
                 {"grid", 8, 3},
                 {"holes", 4, 2},
@@ -78,9 +77,10 @@ const Registered registered({
                  {"reflex vertices", 10},
                  {"parallel edges", 40},
                  {"overlapping segments", 5}},
-    .kills = {"chains-may-run-either-way", "four-directions-do-not-isolate",
-              "points-need-not-bound", "walks-count-what-is-on-the-left",
-              "walks-see-no-dangling-edges"},
+    .kills = {"chains-may-run-either-way", "convex-sums-contain-their-boundary",
+              "edges-of-convex-sums-count-on-either-side",
+              "lower-edges-of-a-convex-sum-are-exchanged", "points-need-not-bound",
+              "trapezoids-pass-through-walls", "verify-sees-no-dangling-edges"},
     .cases = 100,
     .check = check,
 });

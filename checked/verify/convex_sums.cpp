@@ -1,0 +1,752 @@
+// SPDX-License-Identifier: MIT
+#include "checked/verify/convex_sums.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "checked/verify/trapezoids.hpp"
+#include "reference/arithmetic/interval.hpp"
+#include "reference/definitions/cyclic_order.hpp"
+#include "reference/definitions/direction.hpp"
+#include "reference/definitions/mutant.hpp"
+
+namespace oplus {
+
+namespace {
+
+__extension__ using Integer128 = __int128;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// What is not an integer below 2^23 is computed with relative errors of less than this.
+constexpr double rounding = 0x1p-50;
+
+/// A number of which a double is known and how far it may be away.
+struct Near {
+  double value = 0;
+  double error = 0;
+};
+
+Near near(const Interval& a) {
+  if (is_exact(a)) return {a.low, 0};
+  const double error = (a.high - a.low) * (1 + rounding);
+  return error <= DBL_MAX ? Near{a.low, error} : Near{0, infinity};
+}
+
+struct NearPoint {
+  Near x;
+  Near y;
+};
+
+NearPoint near(const IntervalPoint& p) { return {near(p.x), near(p.y)}; }
+
+/// Where directions are in their cyclic order, without computing: equal ones have equal ranks, and
+/// opposite ones are `half` apart.
+struct Ranks {
+  int half = 1;
+
+  int opposite(int rank) const { return rank < half ? rank + half : rank - half; }
+
+  /// The sign of the cross product.
+  int turn(int from, int to) const {
+    const int ahead = to < from ? to - from + 2 * half : to - from;
+    return ahead % half == 0 ? 0 : ahead < half ? 1 : -1;
+  }
+};
+
+/// The line of an edge, or a wall: up through a vertex.
+struct Line {
+  const Point* from;
+  Vector along;
+  NearPoint near_from;
+  NearPoint near_along;
+  int rank = 0;
+};
+
+struct Corner {
+  Point point;
+  NearPoint near;
+  bool is_small;  ///< an integer below 2^23
+};
+
+/// With its interior to the left of `below` and of `above`.
+struct Piece {
+  const Line* below;
+  const Line* above;
+  const Line* left;  ///< the walls,
+  const Line* right;
+  const Corner* on_left;  ///< and the vertices that they pass through
+  const Corner* on_right;
+  std::array<const Corner*, 2> lower;  ///< on the left wall and on the right one
+  std::array<const Corner*, 2> upper;
+};
+
+struct Box {
+  double x_low = infinity, x_high = -infinity, y_low = infinity, y_high = -infinity;
+
+  void add(const Corner& corner) {
+    const auto& [x, y] = corner.near;
+    x_low = std::min(x_low, x.value - x.error - std::abs(x.value) * rounding);
+    x_high = std::max(x_high, x.value + x.error + std::abs(x.value) * rounding);
+    y_low = std::min(y_low, y.value - y.error - std::abs(y.value) * rounding);
+    y_high = std::max(y_high, y.value + y.error + std::abs(y.value) * rounding);
+  }
+  void add(const Box& other) {
+    x_low = std::min(x_low, other.x_low);
+    x_high = std::max(x_high, other.x_high);
+    y_low = std::min(y_low, other.y_low);
+    y_high = std::max(y_high, other.y_high);
+  }
+  double size() const { return (x_high - x_low) + (y_high - y_low); }
+};
+
+/// The left child follows its parent directly.
+struct Node {
+  Box box;
+  std::uint32_t right = 0;  ///< the right child; 0 in a leaf
+  std::uint32_t piece = 0;  ///< in a leaf
+  double slack = 0;         ///< by how much it is larger than its pieces, on average
+};
+
+}  // namespace
+
+/// A summand in the form in which its parts are added.
+struct SummandParts {
+  explicit SummandParts(const Region& region) : edges(oplus::edges(region)) {
+    std::vector<std::size_t> lengths;
+    for (const Chain& chain : chains(region)) lengths.push_back(chain.size());
+    before.resize(edges.size());
+    after.resize(edges.size());
+    std::size_t first = 0;
+    for (const std::size_t length : lengths) {
+      for (std::size_t i = 0; i < length; ++i) {
+        before[first + i] = first + previous(i, length);
+        after[first + i] = first + next(i, length);
+      }
+      first += length;
+    }
+    for (const Segment& e : edges) {
+      const Vector along = direction_of(e);
+      const IntervalPoint source = interval(e.source);
+      lines.push_back({&e.source, along, near(source), near(interval(along))});
+      walls.push_back({&e.source, {0, 1}, near(source), {{0, 0}, {1, 0}}});
+      corners.push_back({e.source, near(source), is_small(e.source, source)});
+    }
+    const std::vector<Trapezoid> parts = trapezoids(region);
+    cut_corners.reserve(4 * parts.size());
+    for (const Trapezoid& t : parts) {
+      pieces.push_back({&lines[t.below],
+                        &lines[t.above],
+                        &walls[t.left],
+                        &walls[t.right],
+                        &corners[t.left],
+                        &corners[t.right],
+                        {at(t.below, t.left), at(t.below, t.right)},
+                        {at(t.above, t.left), at(t.above, t.right)}});
+    }
+    std::vector<std::uint32_t> order(pieces.size());
+    std::iota(order.begin(), order.end(), 0U);
+    for (const Piece& piece : pieces) {
+      Box box;
+      for (const auto* side : {&piece.lower, &piece.upper})
+        for (const Corner* corner : *side) box.add(*corner);
+      boxes.push_back(box);
+    }
+    nodes.reserve(2 * pieces.size());
+    if (!pieces.empty()) build(order.begin(), order.end());
+  }
+
+  static bool is_small(const Point& p, const IntervalPoint& near) {
+    const auto small = [](const Rational& exact, const Interval& x) {
+      return std::abs(x.low) < 0x1p23 && exact.get_den() == 1;
+    };
+    return small(p.x, near.x) && small(p.y, near.y);
+  }
+
+  /// Where an edge is on the vertical line through a vertex.
+  const Corner* at(std::size_t edge, std::size_t vertex) {
+    const Segment& e = edges[edge];
+    const Rational& x = edges[vertex].source.x;
+    if (e.source.x == x) return &corners[edge];
+    const Vector& along = lines[edge].along;
+    Point cut{x, e.source.y + (x - e.source.x) / along.x * along.y};
+    const IntervalPoint near_cut = interval(cut);
+    const bool small = is_small(cut, near_cut);
+    cut_corners.push_back({std::move(cut), near(near_cut), small});
+    return &cut_corners.back();
+  }
+
+  void build(std::vector<std::uint32_t>::iterator begin, std::vector<std::uint32_t>::iterator end) {
+    const std::size_t self = nodes.size();
+    Box around;
+    const auto middle = [](double low, double high) {
+      return std::max(low, -DBL_MAX) / 2 + std::min(high, DBL_MAX) / 2;
+    };
+    for (auto i = begin; i != end; ++i) around.add(boxes[*i]);
+    nodes.push_back({around, 0, *begin});
+    if (end - begin == 1) return;
+    const bool wide = around.x_high - around.x_low > around.y_high - around.y_low;
+    const auto half = begin + (end - begin) / 2;
+    std::nth_element(begin, half, end, [&](std::uint32_t a, std::uint32_t b) {
+      const Box& of_a = boxes[a];
+      const Box& of_b = boxes[b];
+      return wide ? middle(of_a.x_low, of_a.x_high) < middle(of_b.x_low, of_b.x_high)
+                  : middle(of_a.y_low, of_a.y_high) < middle(of_b.y_low, of_b.y_high);
+    });
+    build(begin, half);
+    nodes[self].right = static_cast<std::uint32_t>(nodes.size());
+    build(half, end);
+    double of_pieces = 0;
+    for (auto i = begin; i != end; ++i) of_pieces += boxes[*i].size();
+    nodes[self].slack = around.size() - of_pieces / static_cast<double>(end - begin);
+  }
+
+  std::vector<Segment> edges;
+  std::vector<std::size_t> before;  ///< of each edge, the one that ends where it starts
+  std::vector<std::size_t> after;
+  std::vector<Line> lines;      ///< of the edges
+  std::vector<Line> walls;      ///< through their sources
+  std::vector<Corner> corners;  ///< their sources
+  std::vector<Corner> cut_corners;
+  std::vector<Piece> pieces;
+  std::vector<Box> boxes;  ///< of the pieces
+  std::vector<Node> nodes;
+};
+
+namespace {
+
+/// How far along a track, from 0 to 1: where it meets the line of one summand, moved by a corner of
+/// the other, or a number.
+struct End {
+  double low;
+  double high;
+  double numerator;    ///< the exact quotient, where `is_quotient`: integers
+  double denominator;  ///< positive
+  bool is_quotient;
+  const Line* line = nullptr;
+  const Corner* corner = nullptr;
+  const Rational* number = nullptr;
+};
+
+End whole(double number) { return {number, number, number, 1, true}; }
+
+struct Gap {
+  End from;
+  End to;
+};
+
+}  // namespace
+
+class ConvexSums::Search {
+ public:
+  Search(const Region& p, const Region& q) : parts_{SummandParts(p), SummandParts(q)} {
+    rank_directions();
+    bool small = true;
+    for (const SummandParts& part : parts_)
+      for (const Corner& corner : part.corners) small = small && corner.is_small;
+    rounding_ = small ? 0 : rounding;
+    least_ = small ? 0 : DBL_MIN * 16;
+  }
+
+  std::vector<Track> reduced_convolution() const {
+    std::vector<Track> result;
+    for (const Summand edge_of : {Summand::P, Summand::Q}) {
+      const SummandParts& of_edge = part(edge_of);
+      const SummandParts& of_vertex = part(other(edge_of));
+      std::vector<std::size_t> order(of_edge.lines.size());
+      std::iota(order.begin(), order.end(), 0);
+      std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return of_edge.lines[a].rank < of_edge.lines[b].rank;
+      });
+      const auto first_from = [&](int rank) {
+        return std::lower_bound(order.begin(), order.end(), rank,
+                                [&](std::size_t e, int r) { return of_edge.lines[e].rank < r; });
+      };
+      for (std::size_t v = 0; v < of_vertex.lines.size(); ++v) {
+        // Of equal directions that of Q comes after that of P (thesis, Definition 2.2.7).
+        const int in = of_vertex.lines[of_vertex.before[v]].rank;
+        const int out = of_vertex.lines[v].rank;
+        if (ranks_.turn(in, out) <= 0) continue;
+        const int after = edge_of == Summand::P ? 1 : 0;
+        const auto from = first_from(in + after);
+        const auto to = first_from(out + after);
+        const auto add = [&](auto begin, auto end) {
+          for (auto e = begin; e != end; ++e) result.push_back({edge_of, *e, v});
+        };
+        if (in < out) {
+          add(from, to);
+        } else {
+          add(from, order.end());
+          add(order.begin(), to);
+        }
+      }
+    }
+    return result;
+  }
+
+  Segment segment(const Track& track) const {
+    const Segment& edge = part(track.edge_of).edges[track.edge];
+    const Point& vertex = part(other(track.edge_of)).corners[track.vertex].point;
+    return {edge.source + vertex, edge.target + vertex};
+  }
+
+  std::vector<Segment> boundary_parts(const Track& track) {
+    start(track);
+    std::vector<Segment> result;
+    for (const Gap& gap : uncovered({whole(0), whole(1)}, true)) result.push_back(between(gap));
+    return result;
+  }
+
+  Outside outside_parts(const Track& track) {
+    start(track);
+    Outside result;
+    for (const Gap& gap : uncovered({whole(0), whole(1)}, false)) {
+      if (compare(gap.from, gap.to) == 0) {
+        result.points.push_back(place(gap.from));
+        continue;
+      }
+      End from = gap.from;
+      const auto inside_until = [&](const End& to) {
+        if (compare(from, to) < 0 &&
+            !OPLUS_MUTANT("verify-sees-no-dangling-edges",
+                          "verify finds no parts with the sum on both sides"))
+          result.inside_closed_sum.push_back(between({from, to}));
+      };
+      for (const Gap& boundary : uncovered(gap, true)) {
+        inside_until(boundary.from);
+        result.boundary.push_back(between(boundary));
+        from = boundary.to;
+      }
+      inside_until(gap.to);
+    }
+    return result;
+  }
+
+  bool source_is_outside(const Track& track) {
+    start(track);
+    return !uncovered({whole(0), whole(0)}, false).empty();
+  }
+
+ private:
+  const SummandParts& part(Summand s) const { return parts_[static_cast<std::size_t>(s)]; }
+
+  /// All directions and their opposites.
+  void rank_directions() {
+    struct Upwards {
+      Line* line;
+      bool is_turned;
+      Vector up;  ///< in [0, π)
+      IntervalPoint near;
+    };
+    std::vector<Upwards> all;
+    for (SummandParts& part : parts_) {
+      for (Line& line : part.lines) {
+        const bool turned = cyclic_order::half(line.along) == 1;
+        Vector up = turned ? -line.along : line.along;
+        const IntervalPoint near_up = interval(up);
+        all.push_back({&line, turned, std::move(up), near_up});
+      }
+    }
+    Line up{nullptr, {0, 1}, {}, {}};
+    all.push_back({&up, false, up.along, interval(up.along)});
+    std::vector<std::size_t> order(all.size());
+    std::iota(order.begin(), order.end(), 0);
+    const auto turn = [&](std::size_t a, std::size_t b) {
+      const IntervalPoint origin{};
+      const std::optional<int> known = orientation(origin, all[a].near, all[b].near);
+      return known ? *known : sign(cross(all[a].up, all[b].up));
+    };
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return turn(a, b) > 0; });
+    int rank = 0;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      if (i > 0 && turn(order[i - 1], order[i]) > 0) ++rank;
+      all[order[i]].line->rank = rank;
+    }
+    ranks_.half = rank + 1;
+    for (const Upwards& u : all)
+      if (u.is_turned) u.line->rank += ranks_.half;
+    up_ = up.rank;
+    for (SummandParts& part : parts_)
+      for (Line& wall : part.walls) wall.rank = up_;
+  }
+
+  void start(const Track& track) {
+    const SummandParts& of_edge = part(track.edge_of);
+    const SummandParts& of_vertex = part(other(track.edge_of));
+    const std::size_t after = of_edge.after[track.edge];
+    along_ = &of_edge.lines[track.edge];
+    by_ = &of_vertex.corners[track.vertex];
+    from_ = &of_edge.corners[track.edge];
+    to_ = &of_edge.corners[after];
+    at_from_ = {&of_edge.lines[of_edge.before[track.edge]], &of_edge.walls[track.edge]};
+    at_to_ = {&of_edge.lines[after], &of_edge.walls[after]};
+    at_by_ = {&of_vertex.lines[of_vertex.before[track.vertex]], &of_vertex.lines[track.vertex],
+              &of_vertex.walls[track.vertex]};
+    source_.reset();
+    const auto plus = [](const Near& a, const Near& b) {
+      const Near sum{a.value + b.value, 0};
+      return Near{sum.value, a.error + b.error + std::abs(sum.value) * rounding};
+    };
+    x_ = plus(along_->near_from.x, by_->near.x);
+    y_ = plus(along_->near_from.y, by_->near.y);
+    if (rounding_ == 0) x_.error = y_.error = 0;
+  }
+
+  const Point& source() {
+    if (!source_) source_ = *along_->from + by_->point;
+    return *source_;
+  }
+
+  Rational exact(const End& end) {
+    if (end.number != nullptr) return *end.number;
+    if (end.line == nullptr) return Rational(end.numerator) / Rational(end.denominator);
+    const Vector& u = end.line->along;
+    return cross(u, *end.line->from + end.corner->point - source()) / cross(u, along_->along);
+  }
+
+  int compare(const End& a, const End& b) {
+    if (a.high < b.low) return -1;
+    if (a.low > b.high) return 1;
+    if (a.line == b.line && a.corner == b.corner && a.line != nullptr) return 0;
+    if (a.is_quotient && b.is_quotient) {
+      const auto product = [](double x, double y) {
+        return static_cast<Integer128>(static_cast<std::int64_t>(x)) * static_cast<std::int64_t>(y);
+      };
+      const Integer128 left = product(a.numerator, b.denominator);
+      const Integer128 right = product(b.numerator, a.denominator);
+      return (left > right) - (left < right);
+    }
+    return cmp(exact(a), exact(b));
+  }
+
+  Point place(const End& end) {
+    if (end.line == nullptr && end.low == 0) return source();
+    if (end.line == nullptr && end.low == 1) return to_->point + by_->point;
+    return source() + exact(end) * along_->along;
+  }
+  Segment between(const Gap& gap) { return {place(gap.from), place(gap.to)}; }
+
+  /// On which side of a line, moved by a corner, the track's source is, times the length of `along`,
+  /// with error; and how fast it moves to the left of it.
+  struct Side {
+    double at_source, error, speed, speed_error;
+  };
+  Side side_of(const Line& line, const Corner& corner) const {
+    const double unit = corner.is_small ? rounding_ : rounding;
+    const auto& [ux, uy] = line.near_along;
+    const auto& [dx, dy] = along_->near_along;
+    const double to_x = x_.value - line.near_from.x.value;
+    const double to_y = y_.value - line.near_from.y.value;
+    const double wx = to_x - corner.near.x.value;
+    const double wy = to_y - corner.near.y.value;
+    const double wx_error = unit * (std::abs(to_x) + std::abs(wx)) +
+                            2 * (x_.error + line.near_from.x.error + corner.near.x.error);
+    const double wy_error = unit * (std::abs(to_y) + std::abs(wy)) +
+                            2 * (y_.error + line.near_from.y.error + corner.near.y.error);
+    const double left = ux.value * wy, right = uy.value * wx;
+    const double error =
+        2 * (unit * (std::abs(left) + std::abs(right)) + std::abs(ux.value) * wy_error +
+             std::abs(uy.value) * wx_error + ux.error * (std::abs(wy) + wy_error) +
+             uy.error * (std::abs(wx) + wx_error)) +
+        least_;
+    const double moves_left = ux.value * dy.value, moves_right = uy.value * dx.value;
+    const double speed_error = 2 * (rounding_ * (std::abs(moves_left) + std::abs(moves_right)) +
+                                    std::abs(ux.value) * dy.error + std::abs(uy.value) * dx.error +
+                                    ux.error * (std::abs(dy.value) + dy.error) +
+                                    uy.error * (std::abs(dx.value) + dx.error)) +
+                               least_;
+    return {left - right, error, moves_left - moves_right, speed_error};
+  }
+
+  End crossing(const Line& line, const Corner& corner, const Side& side) const {
+    // At an end of the track, where doubles would not decide.
+    const auto is_one_of = [&](const auto& lines) {
+      return std::find(lines.begin(), lines.end(), &line) != lines.end();
+    };
+    if (&corner == by_) {
+      if (is_one_of(at_from_)) return whole(0);
+      if (is_one_of(at_to_)) return whole(1);
+    }
+    if ((&corner == from_ || &corner == to_) && is_one_of(at_by_)) return whole(&corner == to_);
+    const double size = std::abs(side.speed);
+    const double numerator = side.speed < 0 ? side.at_source : -side.at_source;
+    End end{-infinity, infinity, numerator, size, false, &line, &corner};
+    if (size > 4 * side.speed_error) {
+      const double at = numerator / size;
+      const double error = 2 * (side.error + std::abs(at) * side.speed_error) / size +
+                           std::abs(at) * rounding + DBL_MIN;
+      if (at - error <= at + error) {
+        end.low = at - error;
+        end.high = at + error;
+      }
+    }
+    end.is_quotient = rounding_ == 0 && side.error == 0;
+    return end;
+  }
+
+  /// For a line that is parallel to the track.
+  int sign_of(const Line& line, const Corner& corner, const Side& side) {
+    if (&line == along_ && &corner == by_) return 0;
+    if (side.at_source > side.error) return 1;
+    if (side.at_source < -side.error) return -1;
+    if (side.error == 0) return 0;
+    return sign(cross(line.along, source() - *line.from - corner.point));
+  }
+
+  /// Cuts off what is not to the left of a line, moved by a corner. Returns whether anything is left.
+  /// `direction` is that in which the polygon is to the left: that of a wall may be the opposite.
+  bool clip(const Line& line, const Corner& corner, int direction) {
+    const Side side = side_of(line, corner);
+    const int turn = ranks_.turn(direction, along_->rank);
+    if (turn == 0) {
+      const int sign =
+          direction == line.rank ? sign_of(line, corner, side) : -sign_of(line, corner, side);
+      if (sign != 0) return sign > 0;
+      // The track runs along an edge of the convex sum. To its right is the interior iff the edge
+      // runs the other way.
+      return OPLUS_MUTANT("edges-of-convex-sums-count-on-either-side",
+                          "verify takes what is beside a track for inside a convex sum on its left")
+                 ? beside_
+                 : beside_ && direction != along_->rank;
+    }
+    const End end = crossing(line, corner, side);
+    std::optional<End>& cut = turn > 0 ? low_ : high_;
+    if (!cut || compare(end, *cut) * turn > 0) cut = end;
+    return !low_ || !high_ || !(low_->low > high_->high);
+  }
+
+  /// Finds where a track is inside the sum of two pieces, if it is inside the window at all; sets low_
+  /// and high_.
+  bool meets(const Piece& t, const Piece& u) {
+    low_.reset();
+    high_.reset();
+    const auto in_window = [&] {
+      return !(low_ && low_->low > window_.to.high) && !(high_ && high_->high < window_.from.low);
+    };
+    if (!clip(*t.left, *u.on_left, ranks_.opposite(up_)) || !clip(*t.right, *u.on_right, up_) ||
+        !in_window())
+      return false;
+    // The edge that turns further to the right comes first from left to right, below; above, from right
+    // to left.
+    const bool t_first_below =
+        OPLUS_MUTANT("lower-edges-of-a-convex-sum-are-exchanged",
+                     "below a convex sum of verify, the steeper of two edges comes first") !=
+        (ranks_.turn(t.below->rank, u.below->rank) > 0);
+    if (!clip(*t.below, *u.lower[t_first_below ? 0 : 1], t.below->rank) ||
+        !clip(*u.below, *t.lower[t_first_below ? 1 : 0], u.below->rank) || !in_window())
+      return false;
+    const bool t_first_above = ranks_.turn(t.above->rank, u.above->rank) > 0;
+    if (!clip(*t.above, *u.upper[t_first_above ? 1 : 0], t.above->rank) ||
+        !clip(*u.above, *t.upper[t_first_above ? 0 : 1], u.above->rank) || !in_window())
+      return false;
+    return compare(*low_, *high_) < 0;
+  }
+
+  /// Whether the convex sum of two pieces contains the probe. If not, what it contains of the window
+  /// is taken away.
+  bool covers(std::uint32_t i, std::uint32_t j) {
+    if (!meets(parts_[0].pieces[i], parts_[1].pieces[j])) return false;
+    const int from = compare(*low_, probe_);
+    const int to = compare(probe_, *high_);
+    if (from < 0 && to < 0) return true;
+    if (OPLUS_MUTANT("convex-sums-contain-their-boundary",
+                     "verify takes a point on the boundary of a convex sum for inside it") &&
+        from <= 0 && to <= 0)
+      return true;
+    if (from < 0) {  // before the probe
+      if (compare(*high_, window_.from) > 0) {
+        window_.from = *high_;
+        rest_before_ = low_;
+        set_reach();
+      }
+    } else if (compare(*low_, window_.to) < 0) {
+      window_.to = *low_;
+      rest_after_ = high_;
+      set_reach();
+    }
+    return false;
+  }
+
+  /// A box around the part of the track in the window.
+  void set_reach() {
+    const auto reach = [&](const Near& start, const Near& step, double& low, double& high) {
+      const double from = std::max(window_.from.low, 0.0) * step.value;
+      const double to = std::min(window_.to.high, 1.0) * step.value;
+      const double error = 2 * start.error + step.error * 2 +
+                           4 * rounding * (std::abs(start.value) + std::abs(step.value)) + least_;
+      low = start.value + std::min(from, to) - error;
+      high = start.value + std::max(from, to) + error;
+    };
+    reach(x_, along_->near_along.x, reach_.x_low, reach_.x_high);
+    reach(y_, along_->near_along.y, reach_.y_low, reach_.y_high);
+  }
+
+  /// False only if no point of the track in the window is in a sum of the two boxes.
+  bool may_meet(const Box& a, const Box& b) const {
+    const double x_low = a.x_low + b.x_low, x_high = a.x_high + b.x_high;
+    const double y_low = a.y_low + b.y_low, y_high = a.y_high + b.y_high;
+    if (x_low > reach_.x_high || x_high < reach_.x_low || y_low > reach_.y_high ||
+        y_high < reach_.y_low)
+      return false;
+    const double half_x = (x_high - x_low) / 2, half_y = (y_high - y_low) / 2;
+    const double x = (x_low / 2 + x_high / 2) - x_.value;
+    const double y = (y_low / 2 + y_high / 2) - y_.value;
+    const double dx = along_->near_along.x.value, dy = along_->near_along.y.value;
+    const double error_x = 0x1p-45 * (std::abs(x_low) + std::abs(x_high) + std::abs(x_.value));
+    const double error_y = 0x1p-45 * (std::abs(y_low) + std::abs(y_high) + std::abs(y_.value));
+    return !(std::abs(dx * y - dy * x) > std::abs(dx) * (half_y + error_y) * (1 + 0x1p-40) +
+                                             std::abs(dy) * (half_x + error_x) * (1 + 0x1p-40) +
+                                             0x1p-40 * (std::abs(dx * y) + std::abs(dy * x)));
+  }
+
+  bool has_probe(const Box& a, const Box& b) const {
+    return a.x_low + b.x_low <= probe_x_ && probe_x_ <= a.x_high + b.x_high &&
+           a.y_low + b.y_low <= probe_y_ && probe_y_ <= a.y_high + b.y_high;
+  }
+
+  /// Finds a pair that covers the probe: then low_ and high_ are where. Otherwise the window becomes
+  /// what no pair covers around the probe.
+  bool find_cover(const End& probe) {
+    probe_ = probe;
+    const double t = (probe.low + probe.high) / 2;
+    probe_x_ = x_.value + t * along_->near_along.x.value;
+    probe_y_ = y_.value + t * along_->near_along.y.value;
+    set_reach();
+    for (const auto& [i, j] : recent_)
+      if (covers(i, j)) return true;
+
+    const std::vector<Node>& ps = parts_[0].nodes;
+    const std::vector<Node>& qs = parts_[1].nodes;
+    near_.assign(1, {0, 0});
+    later_.clear();
+    while (!near_.empty() || !later_.empty()) {
+      std::vector<std::pair<std::uint32_t, std::uint32_t>>& pending =
+          near_.empty() ? later_ : near_;
+      const auto [a, b] = pending.back();
+      pending.pop_back();
+      const Node& p = ps[a];
+      const Node& q = qs[b];
+      if (!may_meet(p.box, q.box)) continue;
+      if (p.right == 0 && q.right == 0) {
+        if (covers(p.piece, q.piece)) {
+          recent_[next_recent_] = {p.piece, q.piece};
+          next_recent_ = (next_recent_ + 1) % recent_.size();
+          return true;
+        }
+        continue;
+      }
+      const bool halve_p = q.right == 0 || (p.right != 0 && p.slack > q.slack);
+      std::pair<std::uint32_t, std::uint32_t> first{halve_p ? a + 1 : a, halve_p ? b : b + 1};
+      std::pair<std::uint32_t, std::uint32_t> second{halve_p ? p.right : a, halve_p ? b : q.right};
+      const auto distance = [&](const std::pair<std::uint32_t, std::uint32_t>& nodes) {
+        const Box& of_p = ps[nodes.first].box;
+        const Box& of_q = qs[nodes.second].box;
+        return std::abs((of_p.x_low + of_p.x_high + of_q.x_low + of_q.x_high) / 2 - probe_x_) +
+               std::abs((of_p.y_low + of_p.y_high + of_q.y_low + of_q.y_high) / 2 - probe_y_);
+      };
+      if (distance(first) < distance(second)) std::swap(first, second);
+      for (const auto& nodes : {first, second})
+        (has_probe(ps[nodes.first].box, qs[nodes.second].box) ? near_ : later_).push_back(nodes);
+    }
+    return false;
+  }
+
+  /// A number inside a gap, with few digits if the gap is not short.
+  End inside(const Gap& gap) {
+    const double from = std::max(gap.from.high, 0.0);
+    const double to = std::min(gap.to.low, 1.0);
+    const double middle = from + 0.4716796875 * (to - from);
+    const double scaled = std::floor(middle * 0x1p30);
+    if (from < scaled * 0x1p-30 && scaled * 0x1p-30 < to)
+      return {scaled * 0x1p-30, scaled * 0x1p-30, scaled, 0x1p30, true};
+    if (from < middle && middle < to) return {middle, middle, middle, 1, false};
+    middle_ = (exact(gap.from) + exact(gap.to)) / 2;
+    return {gap.from.low, gap.to.high, 0, 1, false, nullptr, nullptr, &middle_};
+  }
+
+  /// The closed parts of a gap that are in no open convex sum; if `beside`, those that are so after a
+  /// shift to the right of the track by an infinitesimal, except points. Sorted.
+  std::vector<Gap> uncovered(const Gap& all, bool beside) {
+    beside_ = beside;
+    std::vector<Gap> result;
+    gaps_.assign(1, all);
+    while (!gaps_.empty()) {
+      const Gap gap = gaps_.back();
+      gaps_.pop_back();
+      const int order = compare(gap.from, gap.to);
+      if (order > 0 || (order == 0 && beside)) continue;
+      window_ = gap;
+      rest_before_.reset();
+      rest_after_.reset();
+      if (find_cover(order == 0 ? gap.from : inside(gap))) {
+        rest_before_ = low_;
+        rest_after_ = high_;
+      } else {
+        result.push_back(window_);
+      }
+      if (rest_before_) gaps_.push_back({gap.from, *rest_before_});
+      if (rest_after_) gaps_.push_back({*rest_after_, gap.to});
+    }
+    std::sort(result.begin(), result.end(),
+              [&](const Gap& a, const Gap& b) { return compare(a.from, b.from) < 0; });
+    return result;
+  }
+
+  std::array<SummandParts, 2> parts_;
+  Ranks ranks_;
+  int up_ = 0;       ///< the rank of walls
+  double rounding_;  ///< 0 where doubles are exact on the summands' own coordinates
+  double least_;
+
+  // Of the track.
+  const Line* along_ = nullptr;
+  const Corner* by_ = nullptr;
+  const Corner* from_ = nullptr;  ///< the ends of its edge
+  const Corner* to_ = nullptr;
+  std::array<const Line*, 2> at_from_{}, at_to_{};  ///< other lines through them,
+  std::array<const Line*, 3> at_by_{};              ///< and through its vertex
+  Near x_, y_;                                      ///< its source
+  std::optional<Point> source_;
+
+  // Of the search.
+  bool beside_ = false;
+  std::vector<Gap> gaps_;
+  Gap window_{};
+  std::optional<End> rest_before_, rest_after_;
+  Box reach_;
+  End probe_{};
+  double probe_x_ = 0, probe_y_ = 0;
+  Rational middle_;
+  std::optional<End> low_, high_;
+  std::array<std::pair<std::uint32_t, std::uint32_t>, 4> recent_{};
+  std::size_t next_recent_ = 0;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> near_, later_;
+};
+
+ConvexSums::ConvexSums(const Region& p, const Region& q) : search_(new Search(p, q)) {}
+
+ConvexSums::~ConvexSums() = default;
+
+std::vector<ConvexSums::Track> ConvexSums::reduced_convolution() const {
+  return search_->reduced_convolution();
+}
+
+Segment ConvexSums::segment(const Track& track) const { return search_->segment(track); }
+
+std::vector<Segment> ConvexSums::boundary_parts(const Track& track) {
+  return search_->boundary_parts(track);
+}
+
+ConvexSums::Outside ConvexSums::outside_parts(const Track& track) {
+  return search_->outside_parts(track);
+}
+
+bool ConvexSums::source_is_outside(const Track& track) { return search_->source_is_outside(track); }
+
+}  // namespace oplus

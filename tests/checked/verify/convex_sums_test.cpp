@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/verify/convex_sums.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "checked/verify/placements.hpp"
+#include "checked/verify/sum_by_convex_parts.hpp"
+#include "reference/definitions/convolution.hpp"
+#include "reference/families/family.hpp"
+#include "reference/io/writing.hpp"
+#include "tests/reference/definitions/print.hpp"
+
+namespace oplus {
+namespace {
+
+struct Pair {
+  std::string name;
+  Region p;
+  Region q;
+};
+
+/// Of all families, with at most that many pairs of vertices each.
+std::vector<Pair> pairs_of_families(std::size_t largest) {
+  std::vector<Pair> pairs;
+  for (const Family& family : families()) {
+    for (const std::uint64_t seed : {4U, 5U, 6U, 7U, 8U, 9U}) {
+      auto [p, q] = generate(family, family.smallest + 1, seed);
+      if (vertex_count(p) * vertex_count(q) <= largest)
+        pairs.push_back({family.name + " " + std::to_string(seed), std::move(p), std::move(q)});
+    }
+  }
+  return pairs;
+}
+
+TEST(ConvexSums, the_tracks_are_the_reduced_convolution) {
+  std::size_t tracks = 0;
+  for (const auto& [name, p, q] : pairs_of_families(3000)) {
+    const ConvexSums sums(p, q);
+    std::vector<Segment> found;
+    for (const ConvexSums::Track& track : sums.reduced_convolution())
+      found.push_back(sums.segment(track));
+    std::vector<Segment> defined = segments(reduced_convolution(p, q));
+    std::sort(found.begin(), found.end());
+    std::sort(defined.begin(), defined.end());
+    EXPECT_EQ(found, defined) << name;
+    tracks += found.size();
+  }
+  EXPECT_GT(tracks, 1000U);
+}
+
+/// At places where boundaries touch: not by the sweep, the convolution, or the search.
+TEST(ConvexSums, a_sum_of_vertices_is_outside_iff_the_interiors_do_not_meet) {
+  std::size_t outside = 0;
+  for (const auto& [name, p, q] : pairs_of_families(150)) {
+    ConvexSums sums(p, q);
+    const Placements placements(p, q);
+    for (std::size_t e = 0; e < vertex_count(p); ++e) {
+      for (std::size_t v = 0; v < vertex_count(q); ++v) {
+        const ConvexSums::Track track{Summand::P, e, v};
+        const Point x = sums.segment(track).source;
+        EXPECT_EQ(sums.source_is_outside(track), !placements.interiors_meet_at(x))
+            << name << ", " << to_string(x);
+        outside += sums.source_is_outside(track);
+      }
+    }
+  }
+  EXPECT_GT(outside, 100U);
+}
+
+/// A map that keeps directions, convexity and the order of points.
+struct Stretch {
+  Rational x, y;
+  Vector of_p, of_q;
+
+  Point operator()(const Point& p, const Vector& by) const {
+    return {x * p.x + by.x, y * p.y + by.y};
+  }
+  Region operator()(const Region& region, const Vector& by) const {
+    return mapped(region, [&](const Point& p) { return (*this)(p, by); });
+  }
+  MinkowskiSum operator()(MinkowskiSum sum) const {
+    const Vector by = of_p + of_q;
+    for (std::vector<Chain>* of_sum : {&sum.outer, &sum.holes})
+      for (Chain& chain : *of_sum)
+        for (Point& p : chain) p = (*this)(p, by);
+    for (Segment& s : sum.dangling_edges) s = {(*this)(s.source, by), (*this)(s.target, by)};
+    for (Point& p : sum.isolated_vertices) p = (*this)(p, by);
+    return sum;
+  }
+};
+
+/// Integers below 2^23, beyond, fractions that are no doubles, and what is no double at all.
+TEST(SumByConvexParts, does_not_depend_on_the_size_of_numbers) {
+  Rational huge = 1;
+  for (int i = 0; i < 400; ++i) huge *= 10;
+  const Stretch stretches[] = {
+      {Rational(1, 3), Rational(5, 7), {Rational(1, 11), 0}, {0, Rational(1, 13)}},
+      {1, 1, {8388607, 0}, {8388607, -8388608}},
+      {1, 1, {1048583 * Rational(1048573), 5}, {-5, 1048583}},
+      {Rational(1, 1024), 1024, {0, 0}, {0, Rational(1, 1048576)}},
+      {huge, 1, {0, huge}, {1, 1}},
+      {1 / huge, huge, {1, 1}, {-huge, Rational(1, 3)}},
+  };
+  std::size_t features = 0;
+  for (const auto& [name, p, q] : pairs_of_families(200)) {
+    for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
+      const MinkowskiSum sum = sum_by_convex_parts(p, q, boundary);
+      features += sum.dangling_edges.size() + sum.isolated_vertices.size();
+      for (const Stretch& stretch : stretches)
+        EXPECT_EQ(sum_by_convex_parts(stretch(p, stretch.of_p), stretch(q, stretch.of_q), boundary),
+                  stretch(sum))
+            << name << ", " << &stretch - stretches;
+    }
+  }
+  EXPECT_GT(features, 10U);
+}
+
+}  // namespace
+}  // namespace oplus
