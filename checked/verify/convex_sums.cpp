@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "checked/verify/trapezoids.hpp"
+#include "checked/verify/summand_parts.hpp"
 #include "reference/arithmetic/interval.hpp"
 #include "reference/definitions/cyclic_order.hpp"
 #include "reference/definitions/direction.hpp"
@@ -19,31 +19,18 @@ namespace oplus {
 
 namespace {
 
+using convex_parts::Box;
+using convex_parts::Corner;
+using convex_parts::Line;
+using convex_parts::Near;
+using convex_parts::Node;
+using convex_parts::Piece;
+using convex_parts::rounding;
+using convex_parts::SummandParts;
+
 __extension__ using Integer128 = __int128;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// What is not an integer below 2^23 is computed with relative errors of less than this.
-constexpr double rounding = 0x1p-50;
-
-/// A number of which a double is known and how far it may be away.
-struct Near {
-  double value = 0;
-  double error = 0;
-};
-
-Near near(const Interval& a) {
-  if (is_exact(a)) return {a.low, 0};
-  const double error = (a.high - a.low) * (1 + rounding);
-  return error <= DBL_MAX ? Near{a.low, error} : Near{0, infinity};
-}
-
-struct NearPoint {
-  Near x;
-  Near y;
-};
-
-NearPoint near(const IntervalPoint& p) { return {near(p.x), near(p.y)}; }
 
 /// Where directions are in their cyclic order, without computing: equal ones have equal ranks, and
 /// opposite ones are `half` apart.
@@ -55,170 +42,9 @@ struct Ranks {
   /// The sign of the cross product.
   int turn(int from, int to) const {
     const int ahead = to < from ? to - from + 2 * half : to - from;
-    return ahead % half == 0 ? 0 : ahead < half ? 1 : -1;
+    return ahead == 0 || ahead == half ? 0 : ahead < half ? 1 : -1;
   }
 };
-
-/// The line of an edge, or a wall: up through a vertex.
-struct Line {
-  const Point* from;
-  Vector along;
-  NearPoint near_from;
-  NearPoint near_along;
-  int rank = 0;
-};
-
-struct Corner {
-  Point point;
-  NearPoint near;
-  bool is_small;  ///< an integer below 2^23
-};
-
-/// With its interior to the left of `below` and of `above`.
-struct Piece {
-  const Line* below;
-  const Line* above;
-  const Line* left;  ///< the walls,
-  const Line* right;
-  const Corner* on_left;  ///< and the vertices that they pass through
-  const Corner* on_right;
-  std::array<const Corner*, 2> lower;  ///< on the left wall and on the right one
-  std::array<const Corner*, 2> upper;
-};
-
-struct Box {
-  double x_low = infinity, x_high = -infinity, y_low = infinity, y_high = -infinity;
-
-  void add(const Corner& corner) {
-    const auto& [x, y] = corner.near;
-    x_low = std::min(x_low, x.value - x.error - std::abs(x.value) * rounding);
-    x_high = std::max(x_high, x.value + x.error + std::abs(x.value) * rounding);
-    y_low = std::min(y_low, y.value - y.error - std::abs(y.value) * rounding);
-    y_high = std::max(y_high, y.value + y.error + std::abs(y.value) * rounding);
-  }
-  void add(const Box& other) {
-    x_low = std::min(x_low, other.x_low);
-    x_high = std::max(x_high, other.x_high);
-    y_low = std::min(y_low, other.y_low);
-    y_high = std::max(y_high, other.y_high);
-  }
-  double size() const { return (x_high - x_low) + (y_high - y_low); }
-};
-
-/// The left child follows its parent directly.
-struct Node {
-  Box box;
-  std::uint32_t right = 0;  ///< the right child; 0 in a leaf
-  std::uint32_t piece = 0;  ///< in a leaf
-  double slack = 0;         ///< by how much it is larger than its pieces, on average
-};
-
-}  // namespace
-
-/// A summand in the form in which its parts are added.
-struct SummandParts {
-  explicit SummandParts(const Region& region) : edges(oplus::edges(region)) {
-    std::vector<std::size_t> lengths;
-    for (const Chain& chain : chains(region)) lengths.push_back(chain.size());
-    before.resize(edges.size());
-    after.resize(edges.size());
-    std::size_t first = 0;
-    for (const std::size_t length : lengths) {
-      for (std::size_t i = 0; i < length; ++i) {
-        before[first + i] = first + previous(i, length);
-        after[first + i] = first + next(i, length);
-      }
-      first += length;
-    }
-    for (const Segment& e : edges) {
-      const Vector along = direction_of(e);
-      const IntervalPoint source = interval(e.source);
-      lines.push_back({&e.source, along, near(source), near(interval(along))});
-      walls.push_back({&e.source, {0, 1}, near(source), {{0, 0}, {1, 0}}});
-      corners.push_back({e.source, near(source), is_small(e.source, source)});
-    }
-    const std::vector<Trapezoid> parts = trapezoids(region);
-    cut_corners.reserve(4 * parts.size());
-    for (const Trapezoid& t : parts) {
-      pieces.push_back({&lines[t.below],
-                        &lines[t.above],
-                        &walls[t.left],
-                        &walls[t.right],
-                        &corners[t.left],
-                        &corners[t.right],
-                        {at(t.below, t.left), at(t.below, t.right)},
-                        {at(t.above, t.left), at(t.above, t.right)}});
-    }
-    std::vector<std::uint32_t> order(pieces.size());
-    std::iota(order.begin(), order.end(), 0U);
-    for (const Piece& piece : pieces) {
-      Box box;
-      for (const auto* side : {&piece.lower, &piece.upper})
-        for (const Corner* corner : *side) box.add(*corner);
-      boxes.push_back(box);
-    }
-    nodes.reserve(2 * pieces.size());
-    if (!pieces.empty()) build(order.begin(), order.end());
-  }
-
-  static bool is_small(const Point& p, const IntervalPoint& near) {
-    const auto small = [](const Rational& exact, const Interval& x) {
-      return std::abs(x.low) < 0x1p23 && exact.get_den() == 1;
-    };
-    return small(p.x, near.x) && small(p.y, near.y);
-  }
-
-  /// Where an edge is on the vertical line through a vertex.
-  const Corner* at(std::size_t edge, std::size_t vertex) {
-    const Segment& e = edges[edge];
-    const Rational& x = edges[vertex].source.x;
-    if (e.source.x == x) return &corners[edge];
-    const Vector& along = lines[edge].along;
-    Point cut{x, e.source.y + (x - e.source.x) / along.x * along.y};
-    const IntervalPoint near_cut = interval(cut);
-    const bool small = is_small(cut, near_cut);
-    cut_corners.push_back({std::move(cut), near(near_cut), small});
-    return &cut_corners.back();
-  }
-
-  void build(std::vector<std::uint32_t>::iterator begin, std::vector<std::uint32_t>::iterator end) {
-    const std::size_t self = nodes.size();
-    Box around;
-    const auto middle = [](double low, double high) {
-      return std::max(low, -DBL_MAX) / 2 + std::min(high, DBL_MAX) / 2;
-    };
-    for (auto i = begin; i != end; ++i) around.add(boxes[*i]);
-    nodes.push_back({around, 0, *begin});
-    if (end - begin == 1) return;
-    const bool wide = around.x_high - around.x_low > around.y_high - around.y_low;
-    const auto half = begin + (end - begin) / 2;
-    std::nth_element(begin, half, end, [&](std::uint32_t a, std::uint32_t b) {
-      const Box& of_a = boxes[a];
-      const Box& of_b = boxes[b];
-      return wide ? middle(of_a.x_low, of_a.x_high) < middle(of_b.x_low, of_b.x_high)
-                  : middle(of_a.y_low, of_a.y_high) < middle(of_b.y_low, of_b.y_high);
-    });
-    build(begin, half);
-    nodes[self].right = static_cast<std::uint32_t>(nodes.size());
-    build(half, end);
-    double of_pieces = 0;
-    for (auto i = begin; i != end; ++i) of_pieces += boxes[*i].size();
-    nodes[self].slack = around.size() - of_pieces / static_cast<double>(end - begin);
-  }
-
-  std::vector<Segment> edges;
-  std::vector<std::size_t> before;  ///< of each edge, the one that ends where it starts
-  std::vector<std::size_t> after;
-  std::vector<Line> lines;      ///< of the edges
-  std::vector<Line> walls;      ///< through their sources
-  std::vector<Corner> corners;  ///< their sources
-  std::vector<Corner> cut_corners;
-  std::vector<Piece> pieces;
-  std::vector<Box> boxes;  ///< of the pieces
-  std::vector<Node> nodes;
-};
-
-namespace {
 
 /// How far along a track, from 0 to 1: where it meets the line of one summand, moved by a corner of
 /// the other, or a number.
