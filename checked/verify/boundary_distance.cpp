@@ -8,21 +8,11 @@
 
 #include "checked/verify/closeness.hpp"
 #include "checked/verify/root_number.hpp"
-#include "reference/definitions/cut_at_intersections.hpp"
 #include "reference/definitions/squared_distance.hpp"
 
 namespace oplus {
 
 namespace {
-
-Rational squared_distance(const Point& x, const std::vector<Segment>& to) {
-  Rational least = squared_distance(x, to[0]);
-  for (const Segment& s : to) {
-    if (sign(least) == 0) break;
-    least = std::min(least, squared_distance(x, s));
-  }
-  return least;
-}
 
 /// A part of an edge, and how far from the other set it is at most: the distance from one segment is
 /// convex, so it is largest at an end.
@@ -34,12 +24,30 @@ struct Part {
 };
 
 /// `enough`: more than that need not be known.
-Part part_of(const Segment& s, const std::vector<Segment>& to, const Rational& enough) {
+Part part_of(const Segment& s, const SegmentTree& to, const Rational& enough) {
+  const IntervalSegment near_s = interval(s);
+  const Box source = box_of(near_s.source);
+  const Box target = box_of(near_s.target);
+  const double enough_in_doubles = interval(enough).low;
+  double most_in_doubles = SegmentTree::nothing;
+  std::vector<std::pair<double, std::size_t>> candidates;
+  to.look_for(
+      most_in_doubles,
+      [&](const Box& box) { return std::max(squared_gap(source, box), squared_gap(target, box)); },
+      [&](std::size_t i) {
+        const Interval first = squared_distance(near_s.source, to.certified(i));
+        const Interval last = squared_distance(near_s.target, to.certified(i));
+        candidates.emplace_back(std::max(first.low, last.low), i);
+        most_in_doubles = std::min(most_in_doubles, std::max(first.high, last.high));
+        return most_in_doubles <= enough_in_doubles ? -1 : most_in_doubles;
+      });
+  if (most_in_doubles <= enough_in_doubles) return {s, enough};
   std::optional<Rational> most;
-  for (const Segment& t : to) {
-    Rational here = squared_distance(s.source, t);
+  for (const auto& [low, i] : candidates) {
+    if (low > most_in_doubles) continue;
+    Rational here = squared_distance(s.source, to[i]);
     if (most && here >= *most) continue;
-    here = std::max(here, squared_distance(s.target, t));
+    here = std::max(here, squared_distance(s.target, to[i]));
     if (!most || here < *most) most = std::move(here);
     if (*most <= enough) break;
   }
@@ -54,10 +62,9 @@ struct Farthest {
 
 /// The directed distance, by branch and bound: parts are halved until no part can be much farther
 /// away than a point that was seen.
-void look_for_farther(const std::vector<Segment>& from, const std::vector<Segment>& to,
-                      Farthest& farthest) {
+void look_for_farther(const std::vector<Segment>& from, const SegmentTree& to, Farthest& farthest) {
   const auto see = [&](const Point& x) {
-    Rational here = squared_distance(x, to);
+    Rational here = squared_distance(x, to, farthest.least);
     if (here <= farthest.least) return;
     farthest.least = std::move(here);
     farthest.point = x;
@@ -156,12 +163,19 @@ std::optional<Stretch> near_part(const Segment& s, const Segment& to, const Rati
   return result;
 }
 
-bool is_covered(const Segment& s, const std::vector<Segment>& to, const Rational& squared) {
-  if (s.source == s.target) return squared_distance(s.source, to) <= squared;
+bool is_covered(const Segment& s, const SegmentTree& to, const Rational& squared) {
+  if (s.source == s.target) return squared_distance(s.source, to, squared) <= squared;
   if (part_of(s, to, squared).most <= squared) return true;
   std::vector<Stretch> near;
-  for (const Segment& t : to)
-    if (std::optional<Stretch> part = near_part(s, t, squared)) near.push_back(std::move(*part));
+  const Box around = box_of(interval(s));
+  const double most = interval(squared).high;
+  to.look_for(
+      most, [&](const Box& box) { return squared_gap(around, box); },
+      [&](std::size_t i) {
+        if (std::optional<Stretch> part = near_part(s, to[i], squared))
+          near.push_back(std::move(*part));
+        return most;
+      });
   std::sort(near.begin(), near.end(),
             [](const Stretch& a, const Stretch& b) { return a.low < b.low; });
   RootNumber reached{0};
@@ -177,8 +191,7 @@ bool is_covered(const Segment& s, const std::vector<Segment>& to, const Rational
 
 }  // namespace
 
-bool is_within(const std::vector<Segment>& from, const std::vector<Segment>& to,
-               const Rational& squared) {
+bool is_within(const std::vector<Segment>& from, const SegmentTree& to, const Rational& squared) {
   return std::all_of(from.begin(), from.end(),
                      [&](const Segment& s) { return !to.empty() && is_covered(s, to, squared); });
 }

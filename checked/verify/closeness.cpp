@@ -30,13 +30,13 @@ std::vector<Segment> boundary_of(const GivenSum& sum) {
   return with_points(std::move(all), sum.isolated_vertices);
 }
 
-struct Box {
+struct ExactBox {
   Point low;
   Point high;
 };
 
-Box box_of(const Chain& chain) {
-  Box box{chain[0], chain[0]};
+ExactBox box_of(const Chain& chain) {
+  ExactBox box{chain[0], chain[0]};
   for (const Point& p : chain) {
     box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
     box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
@@ -45,7 +45,7 @@ Box box_of(const Chain& chain) {
 }
 
 /// Where boxes differ by more, so do chains.
-bool boxes_within(const Box& a, const Box& b, const Rational& distance) {
+bool boxes_within(const ExactBox& a, const ExactBox& b, const Rational& distance) {
   return abs(a.low.x - b.low.x) <= distance && abs(a.low.y - b.low.y) <= distance &&
          abs(a.high.x - b.high.x) <= distance && abs(a.high.y - b.high.y) <= distance;
 }
@@ -55,22 +55,46 @@ std::string described(const Chain& chain, bool is_hole) {
          to_string(*std::min_element(chain.begin(), chain.end()));
 }
 
+struct Partner {
+  explicit Partner(const Chain& chain)
+      : box(box_of(chain)), edges(oplus::edges(chain)), tree(edges) {}
+
+  ExactBox box;
+  std::vector<Segment> edges;
+  SegmentTree tree;
+};
+
+std::vector<Partner> partners(const std::vector<Chain>& chains) {
+  return {chains.begin(), chains.end()};
+}
+
 /// Pairs as many chains as possible, and names the others.
 void find_partners(const std::vector<Chain>& right, const std::vector<Chain>& given,
                    const Rational& tolerance, bool are_holes, std::vector<std::string>& left_over) {
   using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;
   Graph graph(right.size() + given.size());
-  std::vector<Box> boxes;
-  for (const Chain& chain : given) boxes.push_back(box_of(chain));
+  const std::vector<Partner> of_right = partners(right);
+  const std::vector<Partner> of_given = partners(given);
+  std::vector<Segment> corners;
+  for (const Partner& one : of_given) corners.push_back({one.box.low, one.box.low});
+  const SegmentTree by_corner(std::move(corners));
   const Rational squared = tolerance * tolerance;
+  const double most = interval(2 * squared).high;
   for (std::size_t i = 0; i < right.size(); ++i) {
-    const Box box = box_of(right[i]);
-    for (std::size_t j = 0; j < given.size(); ++j) {
-      if (boxes_within(box, boxes[j], tolerance) &&
-          is_within(edges(right[i]), edges(given[j]), squared) &&
-          is_within(edges(given[j]), edges(right[i]), squared))
+    const Partner& one = of_right[i];
+    const Box corner = box_of(interval(one.box.low));
+    std::vector<std::size_t> candidates;
+    by_corner.look_for(
+        most, [&](const Box& box) { return squared_gap(corner, box); },
+        [&](std::size_t j) {
+          if (boxes_within(one.box, of_given[j].box, tolerance)) candidates.push_back(j);
+          return most;
+        });
+    std::sort(candidates.begin(), candidates.end());
+    for (const std::size_t j : candidates)
+      if (is_within(one.edges, of_given[j].tree, squared) &&
+          is_within(of_given[j].edges, one.tree, squared))
         boost::add_edge(i, right.size() + j, graph);
-    }
   }
   std::vector<Graph::vertex_descriptor> mate(boost::num_vertices(graph));
   if (!mate.empty()) boost::edmonds_maximum_cardinality_matching(graph, mate.data());

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "checked/verify/segment_tree.hpp"
 #include "reference/definitions/given_sum.hpp"
 #include "reference/definitions/minkowski_sum.hpp"
 
@@ -41,8 +42,7 @@ Closeness closeness(const MinkowskiSum& right, const GivenSum& sum, const Ration
 
 /// Whether each point of `from` is at most as far from `to` as the square root of `squared`; decided
 /// exactly. A segment may be a point.
-bool is_within(const std::vector<Segment>& from, const std::vector<Segment>& to,
-               const Rational& squared);
+bool is_within(const std::vector<Segment>& from, const SegmentTree& to, const Rational& squared);
 
 /// The Hausdorff distance. Requires: neither is empty.
 BoundaryDistance distance(const std::vector<Segment>& right, const std::vector<Segment>& given);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "checked/verify/exceptional_places.hpp"
 
+#include "reference/chains/touching_points.hpp"
 #include "reference/definitions/convolution.hpp"
 
 namespace oplus {

@@ -4,24 +4,27 @@
 #include <algorithm>
 #include <boost/pending/disjoint_sets.hpp>
 #include <map>
-#include <set>
 #include <tuple>
 #include <utility>
 
-#include "checked/verify/witness.hpp"
-#include "reference/definitions/cells.hpp"
-#include "reference/definitions/cut_at_intersections.hpp"
+#include "reference/chains/swept_cells.hpp"
+#include "reference/definitions/mutant.hpp"
+#include "reference/definitions/sorted_without_copies.hpp"
 
 namespace oplus {
 
 namespace {
 
-/// How often a chain, or the right sum, runs along a piece: forth counts 1, back -1.
-using Turns = std::map<std::size_t, int>;
+/// How often a chain, or the right sum, runs along a piece: forth counts 1, back -1. The right sum is
+/// called by a number that no chain has.
+struct Turns {
+  std::size_t chain;
+  int turns;
+};
 
-/// What runs along a piece. The right sum is called by a number that no chain has.
+/// What runs along a piece.
 struct Uses {
-  Turns turns;
+  std::vector<Turns> turns;
   std::size_t chains_forth = 0;
   std::size_t chains_back = 0;
 };
@@ -38,98 +41,179 @@ std::vector<std::size_t> parts(std::size_t nodes, const std::vector<Cells::Edge>
   return result;
 }
 
-/// The winding numbers of all chains around each face, zeros left out.
-std::vector<Turns> winding_numbers(const Cells& cells, const std::vector<Uses>& uses) {
+/// In which sets the faces are that a walk is in, which passes from face to face.
+class Membership {
+ public:
+  explicit Membership(const std::vector<GivenChain>& chains)
+      : chains_(chains), around_(chains.size() + 1, 0) {
+    for (const GivenChain& chain : chains)
+      if (chain.component >= outer_.size()) outer_.resize(chain.component + 1, 0);
+    holes_.resize(outer_.size(), 0);
+  }
+
+  /// Passes an edge to its left, or to its right.
+  void pass(const Uses& uses, bool to_left) {
+    for (const auto& [chain, turns] : uses.turns) {
+      const bool was_inside = around_[chain] != 0;
+      around_[chain] += to_left ? turns : -turns;
+      const bool is_inside = around_[chain] != 0;
+      if (chain == chains_.size() || was_inside == is_inside) continue;
+      const std::size_t component = chains_[chain].component;
+      within_ -= is_within(component);
+      std::size_t& count = (chains_[chain].hole == 0 ? outer_ : holes_)[component];
+      is_inside ? ++count : --count;
+      within_ += is_within(component);
+    }
+  }
+
+  bool in_given() const { return within_ > 0; }
+  bool in_right() const { return around_.back() > 0; }
+
+ private:
+  bool is_within(std::size_t component) const {
+    return outer_[component] > 0 && holes_[component] == 0;
+  }
+
+  const std::vector<GivenChain>& chains_;
+  std::vector<int> around_;         ///< winding numbers of the chains, and of the right sum
+  std::vector<std::size_t> outer_;  ///< of each component, how many outer chains wind around,
+  std::vector<std::size_t> holes_;  ///< and how many of its holes
+  std::size_t within_ = 0;          ///< the number of components that have the face inside
+};
+
+/// Calls `see(face)` for each face when the walk is in it. Each edge is passed twice at most.
+template <typename See>
+void walk_through_faces(const Cells& cells, const std::vector<Uses>& uses, Membership& membership,
+                        const See& see) {
   std::vector<std::vector<std::size_t>> edges_of(cells.faces.size());
   for (std::size_t i = 0; i < cells.edges.size(); ++i) {
     edges_of[cells.edges[i].left_face].push_back(i);
     edges_of[cells.edges[i].right_face].push_back(i);
   }
-  std::vector<Turns> around(cells.faces.size());
+  struct Visit {
+    std::size_t face;
+    std::size_t next;        // of the face's edges
+    std::size_t entered_by;  // an edge, or none
+  };
+  constexpr auto none = static_cast<std::size_t>(-1);
   std::vector<bool> seen(cells.faces.size(), false);
-  std::vector<std::size_t> open = {cells.unbounded_face};
+  std::vector<Visit> way = {{cells.unbounded_face, 0, none}};
   seen[cells.unbounded_face] = true;
-  while (!open.empty()) {
-    const std::size_t face = open.back();
-    open.pop_back();
-    for (const std::size_t i : edges_of[face]) {
-      const Cells::Edge& e = cells.edges[i];
-      const bool to_left = e.right_face == face;
-      const std::size_t other = to_left ? e.left_face : e.right_face;
-      if (seen[other]) continue;
-      seen[other] = true;
-      around[other] = around[face];
-      for (const auto& [chain, turns] : uses[i].turns) {
-        int& number = around[other][chain];
-        number += to_left ? turns : -turns;
-        if (number == 0) around[other].erase(chain);
-      }
-      open.push_back(other);
+  see(cells.unbounded_face);
+  while (!way.empty()) {
+    Visit& here = way.back();
+    if (here.next == edges_of[here.face].size()) {
+      if (here.entered_by != none)
+        membership.pass(uses[here.entered_by],
+                        cells.edges[here.entered_by].right_face == here.face);
+      way.pop_back();
+      continue;
     }
+    const std::size_t i = edges_of[here.face][here.next++];
+    const Cells::Edge& e = cells.edges[i];
+    const bool to_left = e.right_face == here.face;
+    const std::size_t other = to_left ? e.left_face : e.right_face;
+    if (seen[other]) continue;
+    seen[other] = true;
+    membership.pass(uses[i], to_left);
+    see(other);
+    way.push_back({other, 0, i});
   }
-  return around;
 }
 
-Rational twice_area_inside(const std::vector<Segment>& boundary) {
-  Rational twice = 0;
-  for (const Segment& e : boundary) twice += cross(e.source, e.target);
-  return twice;
+/// Pairwise: of fractions with unlike denominators, few sums are long.
+Rational sum(const std::vector<Rational>& values, std::size_t begin, std::size_t end) {
+  if (end - begin == 0) return 0;
+  if (end - begin == 1) return values[begin];
+  const std::size_t half = begin + (end - begin) / 2;
+  return sum(values, begin, half) + sum(values, half, end);
+}
+
+/// At a place between the ends of an edge from left to right.
+Rational height(const Segment& s, const Rational& x) {
+  const Vector along = direction_of(s);
+  return s.source.y + (x - s.source.x) * along.y / along.x;
+}
+
+/// Of two edges that do not cross and are both to the left of some place.
+bool is_above(const Segment& a, const Segment& b, const Rational& x) {
+  const int compared = cmp(height(a, x), height(b, x));
+  if (compared != 0) return compared > 0;
+  return sign(cross(direction_of(a), direction_of(b))) > 0;
 }
 
 }  // namespace
 
-Overlay::Overlay(const GivenSum& given, const MinkowskiSum& right, std::vector<Segment> avoided)
-    : avoided_(std::move(avoided)) {
+int sign_of_area(const Chain& chain) {
+  Interval twice;
+  const IntervalPoint first = interval(chain[0]);
+  IntervalPoint last;
+  for (const Point& p : chain) {
+    const IntervalPoint here = interval(p) - first;
+    twice = twice + cross(last, here);
+    last = here;
+  }
+  const std::optional<int> known = sign(twice);
+  return known ? *known : sign(twice_area_inside(edges(chain)));
+}
+
+Rational twice_area_inside(const std::vector<Segment>& boundary) {
+  std::vector<Rational> parts;
+  parts.reserve(boundary.size());
+  for (const Segment& e : boundary) parts.push_back(cross(e.source, e.target));
+  return sum(parts, 0, parts.size());
+}
+
+Overlay::Overlay(const GivenSum& given, const MinkowskiSum& right) {
   const std::vector<GivenChain> chains = given_chains(given);
   const std::size_t of_right = chains.size();
   std::vector<Segment> segments;
   std::vector<std::size_t> chain_of;
+  std::vector<Point> points;  // chains without length
   const auto add = [&](const Chain& chain, std::size_t number) {
+    const std::size_t before = segments.size();
     for (const Segment& e : edges(chain)) {
       if (e.source == e.target) continue;
       segments.push_back(e);
       chain_of.push_back(number);
     }
+    if (segments.size() == before &&
+        !OPLUS_MUTANT("points-need-not-bound", "verify overlooks a chain that is a point"))
+      points.push_back(chain[0]);
   };
   for (std::size_t c = 0; c < chains.size(); ++c) add(*chains[c].vertices, c);
   for (const std::vector<Chain>* of_sum : {&right.outer, &right.holes})
     for (const Chain& chain : *of_sum) add(chain, of_right);
-  if (segments.empty()) return;
-
-  const std::vector<std::vector<Segment>> pieces = cut_at_intersections(segments);
-  const Cells cells = cells_of_pieces(pieces);
-  std::map<Segment, std::size_t> number_of;
-  for (std::size_t i = 0; i < cells.edges.size(); ++i) number_of[cells.edges[i].segment] = i;
+  const std::vector<std::vector<Segment>> pieces = swept_pieces(segments);
+  Cells cells = swept_cells_of_pieces(pieces);
   std::vector<Uses> uses(cells.edges.size());
+  const auto use_of = [&](const Segment& piece) -> Uses& {
+    const auto edge = std::lower_bound(
+        cells.edges.begin(), cells.edges.end(), piece,
+        [](const Cells::Edge& e, const Segment& sought) { return e.segment < sought; });
+    return uses[static_cast<std::size_t>(edge - cells.edges.begin())];
+  };
+  std::vector<bool> turned;  // as what a chain is to be
+  for (const GivenChain& chain : chains)
+    turned.push_back((sign_of_area(*chain.vertices) < 0) != (chain.hole != 0));
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const std::size_t chain = chain_of[i];
-    bool turned = false;  // as what its chain is to be
-    if (chain != of_right)
-      turned = (sign(twice_area(*chains[chain].vertices)) < 0) != (chains[chain].hole != 0);
     for (const Segment& piece : pieces[i]) {
       const bool forth = piece.source < piece.target;
-      Uses& of_edge = uses[number_of.at(forth ? piece : reversed(piece))];
-      of_edge.turns[chain] += forth ? 1 : -1;
-      if (chain != of_right) ++(forth != turned ? of_edge.chains_forth : of_edge.chains_back);
+      Uses& of_edge = use_of(forth ? piece : reversed(piece));
+      of_edge.turns.push_back({chain, forth ? 1 : -1});
+      if (chain != of_right)
+        ++(forth != turned[chain] ? of_edge.chains_forth : of_edge.chains_back);
     }
   }
 
-  const std::vector<Turns> around = winding_numbers(cells, uses);
   faces_.resize(cells.faces.size());
-  for (std::size_t f = 0; f < faces_.size(); ++f) {
-    Face& face = faces_[f];
-    face.boundary = cells.faces[f];
-    std::set<std::size_t> in_outer;
-    std::set<std::size_t> in_hole;
-    for (const auto& [chain, turns] : around[f]) {
-      if (chain == of_right)
-        face.in_right = turns > 0;
-      else
-        (chains[chain].hole == 0 ? in_outer : in_hole).insert(chains[chain].component);
-    }
-    face.in_given = std::any_of(in_outer.begin(), in_outer.end(),
-                                [&](std::size_t c) { return !in_hole.contains(c); });
-  }
+  Membership membership(chains);
+  walk_through_faces(cells, uses, membership, [&](std::size_t f) {
+    faces_[f].boundary = std::move(cells.faces[f]);
+    faces_[f].in_given = membership.in_given();
+    faces_[f].in_right = membership.in_right();
+  });
   const auto same = [&](bool Face::*in) {
     return [this, in](std::size_t a, std::size_t b) { return faces_[a].*in == faces_[b].*in; };
   };
@@ -146,7 +230,6 @@ Overlay::Overlay(const GivenSum& given, const MinkowskiSum& right, std::vector<S
 
   for (std::size_t i = 0; i < cells.edges.size(); ++i) {
     const Cells::Edge& e = cells.edges[i];
-    neighbours_.emplace_back(e.left_face, e.right_face);
     const bool left = faces_[e.left_face].in_given;
     const bool right_side = faces_[e.right_face].in_given;
     if (left != right_side) boundary_of_given_.push_back(left ? e.segment : reversed(e.segment));
@@ -155,61 +238,130 @@ Overlay::Overlay(const GivenSum& given, const MinkowskiSum& right, std::vector<S
     if (times > 0 && (left == right_side || times > 1 || !is_right_way))
       unsimple_.push_back({e.segment, left, left != right_side, times});
   }
-}
-
-std::vector<Reason> Overlay::differing_faces() const {
-  std::map<std::size_t, std::vector<std::size_t>> together;
-  for (std::size_t f = 0; f < faces_.size(); ++f)
-    if (faces_[f].in_given != faces_[f].in_right) together[faces_[f].difference].push_back(f);
-  std::vector<Reason> reasons;
-  for (const auto& [part, faces] : together) reasons.push_back(reason_for(faces));
-  return reasons;
-}
-
-Reason Overlay::reason_for(const std::vector<std::size_t>& faces) const {
-  const Face& one = faces_[faces[0]];
-  Reason reason{};
-  reason.in_sum = one.in_right;
-  reason.in_given = one.in_given;
-  Rational largest = -1;
-  std::size_t at = 0;
-  for (const std::size_t f : faces) {
-    const Rational twice = twice_area_inside(faces_[f].boundary);
-    reason.size += twice;
-    if (twice <= largest) continue;
-    largest = twice;
-    at = f;
+  edges_ = std::move(cells.edges);
+  for (const Point& p : sorted_without_copies(std::move(points))) {
+    const Location where = locate(p).of_given;
+    unsimple_points_.push_back({{p, p}, where == Location::inside, where == Location::boundary, 1});
   }
-  reason.witness = point_of_face(faces_[at].boundary, avoided_);
+}
 
-  const auto is_all_of = [&](std::size_t Face::*part) {
-    const auto size = static_cast<std::size_t>(std::count_if(
-        faces_.begin(), faces_.end(), [&](const Face& face) { return face.*part == one.*part; }));
-    return size == faces.size();
+std::vector<Overlay::Difference> Overlay::differences() const {
+  // Faces by the connected part that they are in, and the parts of the sets beside a difference, which
+  // it connects or would connect: one of them, and whether there is another.
+  struct Part {
+    std::vector<std::size_t> faces;
+    std::optional<std::size_t> given_beside, right_beside;
+    bool are_more_given = false, are_more_right = false;
   };
-  // The parts of the one set that the difference connects, or would connect: those beside it.
-  const auto parts_beside = [&](std::size_t Face::*part) {
-    std::set<std::size_t> beside;
-    for (const auto& [a, b] : neighbours_) {
-      for (const auto& [in, out] : {std::pair(a, b), {b, a}}) {
-        if (faces_[in].difference != one.difference) continue;
-        if (faces_[out].in_given && faces_[out].in_right) beside.insert(faces_[out].*part);
-      }
+  std::vector<Part> parts(faces_.size());
+  std::vector<std::size_t> size_in_given(faces_.size(), 0), size_in_right(faces_.size(), 0);
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    ++size_in_given[faces_[f].part_of_given];
+    ++size_in_right[faces_[f].part_of_right];
+    if (faces_[f].in_given != faces_[f].in_right) parts[faces_[f].difference].faces.push_back(f);
+  }
+  const auto see = [](std::size_t part, std::optional<std::size_t>& beside, bool& are_more) {
+    if (!beside) beside = part;
+    are_more = are_more || *beside != part;
+  };
+  for (const Cells::Edge& e : edges_) {
+    for (const auto& [in, out] :
+         {std::pair(e.left_face, e.right_face), {e.right_face, e.left_face}}) {
+      const Face& other = faces_[out];
+      if (!other.in_given || !other.in_right) continue;
+      Part& part = parts[faces_[in].difference];
+      see(other.part_of_given, part.given_beside, part.are_more_given);
+      see(other.part_of_right, part.right_beside, part.are_more_right);
     }
-    return beside.size();
-  };
-  if (reason.in_given) {
-    reason.kind = is_all_of(&Face::part_of_right)          ? ReasonKind::missing_hole
-                  : is_all_of(&Face::part_of_given)        ? ReasonKind::additional_component
-                  : parts_beside(&Face::part_of_right) > 1 ? ReasonKind::joined_components
-                                                           : ReasonKind::not_in_sum;
-  } else {
-    reason.kind = is_all_of(&Face::part_of_right)          ? ReasonKind::missing_component
-                  : is_all_of(&Face::part_of_given)        ? ReasonKind::additional_hole
-                  : parts_beside(&Face::part_of_given) > 1 ? ReasonKind::split_component
-                                                           : ReasonKind::not_in_given;
   }
-  return reason;
+
+  std::vector<Difference> result;
+  for (const Part& part : parts) {
+    if (part.faces.empty()) continue;
+    const Face& one = faces_[part.faces[0]];
+    Difference difference{};
+    Reason& reason = difference.reason;
+    reason.in_sum = one.in_right;
+    reason.in_given = one.in_given;
+    Rational largest = -1;
+    std::vector<Rational> sizes;
+    for (const std::size_t f : part.faces) {
+      sizes.push_back(twice_area_inside(faces_[f].boundary));
+      if (sizes.back() <= largest) continue;
+      largest = sizes.back();
+      difference.boundary = &faces_[f].boundary;
+    }
+    reason.size = sum(sizes, 0, sizes.size());
+    const bool is_all_of_given = size_in_given[one.part_of_given] == part.faces.size();
+    const bool is_all_of_right = size_in_right[one.part_of_right] == part.faces.size();
+    if (reason.in_given) {
+      reason.kind = is_all_of_right       ? ReasonKind::missing_hole
+                    : is_all_of_given     ? ReasonKind::additional_component
+                    : part.are_more_right ? ReasonKind::joined_components
+                                          : ReasonKind::not_in_sum;
+    } else {
+      reason.kind = is_all_of_right       ? ReasonKind::missing_component
+                    : is_all_of_given     ? ReasonKind::additional_hole
+                    : part.are_more_given ? ReasonKind::split_component
+                                          : ReasonKind::not_in_given;
+    }
+    result.push_back(std::move(difference));
+  }
+  return result;
+}
+
+std::optional<Point> Overlay::common_point() const {
+  for (const Face& face : faces_)
+    if (face.in_given && face.in_right) return point_inside(face.boundary);
+  return std::nullopt;
+}
+
+const Overlay::Face& Overlay::face_around(const Point& p) const {
+  const IntervalPoint place = interval(p);
+  std::optional<std::size_t> highest;
+  tree_->look_for(
+      std::numeric_limits<double>::max(),
+      [&](const Box& box) {
+        const bool may_be_below =
+            box.low_x <= place.x.high && place.x.low <= box.high_x && box.low_y <= place.y.high;
+        return may_be_below ? -box.high_y : SegmentTree::nothing;
+      },
+      [&](std::size_t i) {
+        const Segment& s = edges_[i].segment;
+        const IntervalSegment& t = tree_->certified(i);
+        const int side = orientation_in_doubles(t.source, t.target, place);
+        if (side >= 0 && s.source.x < p.x && p.x <= s.target.x &&
+            (side > 0 || orientation(s.source, s.target, p) > 0) &&
+            (!highest || is_above(s, edges_[*highest].segment, p.x)))
+          highest = i;
+        if (!highest) return std::numeric_limits<double>::max();
+        const IntervalSegment& best = tree_->certified(*highest);
+        return -std::min(best.source.y.low, best.target.y.low);
+      });
+  return faces_[highest ? edges_[*highest].left_face : 0];
+}
+
+Overlay::Place Overlay::locate(const Point& p) const {
+  if (!tree_) {
+    std::vector<Segment> segments;
+    for (const Cells::Edge& e : edges_) segments.push_back(e.segment);
+    tree_.emplace(std::move(segments));
+  }
+  std::vector<const Face*> around;
+  for (const std::size_t i : near({p, p}, *tree_)) {
+    if (!lies_on(p, edges_[i].segment)) continue;
+    around.push_back(&faces_[edges_[i].left_face]);
+    around.push_back(&faces_[edges_[i].right_face]);
+  }
+  if (around.empty()) around.push_back(&face_around(p));
+  const auto location = [&](bool Face::*in) {
+    const auto inside = static_cast<std::size_t>(
+        std::count_if(around.begin(), around.end(), [&](const Face* face) { return face->*in; }));
+    return inside == 0               ? Location::outside
+           : inside == around.size() ? Location::inside
+                                     : Location::boundary;
+  };
+  return {location(&Face::in_given), location(&Face::in_right)};
 }
 
 std::vector<Overlay::Unsimple> Overlay::unsimple_pieces() const {
@@ -217,7 +369,7 @@ std::vector<Overlay::Unsimple> Overlay::unsimple_pieces() const {
   std::map<std::tuple<bool, bool, std::size_t>, std::vector<Segment>> sorts;
   for (const Unsimple& u : unsimple_)
     sorts[{u.in_given, u.is_boundary, u.times}].push_back(u.piece);
-  std::vector<Unsimple> result;
+  std::vector<Unsimple> result = unsimple_points_;
   for (auto& [sort, pieces] : sorts)
     for (const Segment& s : maximal_segments(std::move(pieces)))
       result.push_back({s, std::get<0>(sort), std::get<1>(sort), std::get<2>(sort)});

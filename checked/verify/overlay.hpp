@@ -2,33 +2,59 @@
 #pragma once
 
 #include <cstddef>
-#include <utility>
+#include <optional>
 #include <vector>
 
-#include "checked/verify/verify.hpp"
+#include "checked/verify/segment_tree.hpp"
+#include "checked/verify/verdict.hpp"
+#include "reference/definitions/cells.hpp"
 #include "reference/definitions/given_sum.hpp"
 #include "reference/definitions/minkowski_sum.hpp"
 
 namespace oplus {
 
-/// A given sum's chains and the right sum's, laid over each other.
+/// The sign of the area that a chain encloses.
+int sign_of_area(const Chain& chain);
+
+/// Twice the area to the left of a boundary.
+Rational twice_area_inside(const std::vector<Segment>& boundary);
+
+/// A given sum's chains and the right sum's, laid over each other. Near-linear in their edges and their
+/// intersections.
 class Overlay {
  public:
-  /// Low-dimensional features are left out. Witnesses are on none of `avoided`.
-  Overlay(const GivenSum& given, const MinkowskiSum& right, std::vector<Segment> avoided = {});
+  /// Low-dimensional features are left out.
+  Overlay(const GivenSum& given, const MinkowskiSum& right);
 
-  /// Faces in which the two differ, connected ones together: a reason each, without details.
-  std::vector<Reason> differing_faces() const;
+  /// Faces in which the two differ, connected ones together.
+  struct Difference {
+    Reason reason;                         ///< without a witness and details
+    const std::vector<Segment>* boundary;  ///< of the largest of the faces
+  };
+
+  std::vector<Difference> differences() const;
+
+  /// A point inside both; empty where no face is in both.
+  std::optional<Point> common_point() const;
+
+  /// What is at a point. A point on the boundary of a set is not in it.
+  struct Place {
+    Location of_given;
+    Location of_right;
+  };
+
+  /// O(log n) by experience.
+  Place locate(const Point& p) const;
 
   /// A piece of a chain of the given sum that is no simple boundary of its set.
   struct Unsimple {
-    Segment piece;
+    Segment piece;      ///< a point, where all of a chain is one
     bool in_given;      ///< whether the set is on both sides, or on neither; where one only:
     bool is_boundary;   ///< the set is on one side,
     std::size_t times;  ///< the number of chains that run there; one: it crosses another, or itself
   };
 
-  /// All such pieces, those in line and connected as one.
+  /// All such pieces, those in line and connected as one; no point twice.
   std::vector<Unsimple> unsimple_pieces() const;
 
   /// The boundary of the given set, the set to the left, however its chains are turned.
@@ -44,12 +70,14 @@ class Overlay {
     std::size_t difference = 0;  ///< the connected part of where both are the same
   };
 
-  Reason reason_for(const std::vector<std::size_t>& faces) const;
+  /// The face that the points infinitely near to p, to its left, are in. Requires: p is on no edge.
+  const Face& face_around(const Point& p) const;
 
   std::vector<Face> faces_;
-  std::vector<std::pair<std::size_t, std::size_t>> neighbours_;  ///< faces on both sides of an edge
-  std::vector<Segment> avoided_;
+  std::vector<Cells::Edge> edges_;
+  mutable std::optional<SegmentTree> tree_;  ///< of these, once it is needed
   std::vector<Unsimple> unsimple_;
+  std::vector<Unsimple> unsimple_points_;
   std::vector<Segment> boundary_of_given_;
 };
 

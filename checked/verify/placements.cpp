@@ -1,75 +1,68 @@
 // SPDX-License-Identifier: MIT
 #include "checked/verify/placements.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 #include <vector>
 
-#include "reference/arithmetic/interval.hpp"
-#include "reference/chains/touching_points.hpp"
+#include "checked/verify/overlay.hpp"
 #include "reference/definitions/cells.hpp"
 #include "reference/definitions/collision.hpp"
+#include "reference/definitions/cut_at_intersections.hpp"
+#include "reference/definitions/sorted_without_copies.hpp"
+#include "reference/definitions/verdicts_differ.hpp"
+#include "reference/io/writing.hpp"
 
 namespace oplus {
 
 namespace {
 
-/// Whether the ends of b are certainly on different sides of the line through a.
-bool certainly_between(const IntervalSegment& a, const IntervalSegment& b) {
-  const IntervalPoint along = a.target - a.source;
-  const std::optional<int> of_source = sign(cross(along, b.source - a.source));
-  if (!of_source || *of_source == 0) return false;
-  const std::optional<int> of_target = sign(cross(along, b.target - a.source));
-  return of_target && *of_target == -*of_source;
-}
+/// Orientations: some hundredths of a second.
+constexpr std::size_t most_spent_on_definition = 1 << 17;
 
-/// Cut where chains touch, as in the definition: only inside such pieces does a crossing show
-/// common interior.
-std::vector<IntervalSegment> pieces(const Region& region) {
-  std::vector<IntervalSegment> result;
-  for (const Segment& piece : boundary_pieces(region)) result.push_back(interval(piece));
-  return result;
+std::vector<Point> vertices(const Region& region, const std::vector<Segment>& other) {
+  std::vector<Point> all;
+  const SegmentTree met(other);
+  for (const Segment& e : edges(region))
+    for (const Segment& piece : cut_where_met(e, met)) all.push_back(piece.source);
+  return sorted_without_copies(std::move(all));
 }
 
 }  // namespace
 
-struct Placements::Certified {
-  bool a_crossing_shows(const Point& x) const {
-    const IntervalPoint by = interval(x);
-    for (const IntervalSegment& of_q : of_minus_q) {
-      const IntervalSegment moved = translated(of_q, by);
-      for (const IntervalSegment& piece : of_p)
-        if (certainly_between(piece, moved) && certainly_between(moved, piece)) return true;
-    }
-    return false;
-  }
-
-  std::vector<IntervalSegment> of_p;
-  std::vector<IntervalSegment> of_minus_q;
-};
-
 Placements::Placements(const Region& p, const Region& q)
-    : p_(p), minus_q_(reflected(q)), certified_(new Certified{pieces(p_), pieces(minus_q_)}) {}
+    : p_(p),
+      minus_q_(reflected(q)),
+      test_(hierarchy_collision(p, q)),
+      cost_of_definition_((vertex_count(p) + vertex_count(q)) *
+                          (vertex_count(p) + vertex_count(q))) {}
 
 Placements::~Placements() = default;
 
 bool Placements::interiors_meet_at(const Point& x) const {
-  return certified_->a_crossing_shows(x) || interiors_meet(p_, translated(minus_q_, x));
+  const bool meet = test_->interiors_meet_at(x);
+  if (spent_on_it_ + cost_of_definition_ > most_spent_on_definition) return meet;
+  spent_on_it_ += cost_of_definition_;
+  if (interiors_meet(p_, translated(minus_q_, x)) != meet)
+    throw VerdictsDiffer("the collision test and its definition differ at " + to_string(x));
+  return meet;
 }
 
 std::optional<Point> Placements::common_point_at(const Point& x) const {
   const Region placed = translated(minus_q_, x);
-  std::vector<Segment> both = edges(p_);
-  for (const Segment& e : edges(placed)) both.push_back(e);
-  const Cells cut = cells(both);
-  for (const std::vector<Segment>& boundary : cut.faces) {
-    if (boundary.empty()) continue;
-    const Point inside = point_inside(boundary);
-    if (locate(inside, p_) == Location::inside && locate(inside, placed) == Location::inside)
-      return inside;
+  MinkowskiSum chains;
+  for (const Component& component : placed.components) {
+    chains.outer.push_back(component.outer);
+    chains.holes.insert(chains.holes.end(), component.holes.begin(), component.holes.end());
   }
-  for (const Point& v : cut.vertices)
-    if (locate(v, p_) != Location::outside && locate(v, placed) != Location::outside) return v;
-  return std::nullopt;
+  if (std::optional<Point> inside = Overlay({p_, {}, {}}, chains).common_point()) return inside;
+  const std::vector<Point> of_p = vertices(p_, edges(placed));
+  const std::vector<Point> of_q = vertices(placed, edges(p_));
+  std::vector<Point> common;
+  std::set_intersection(of_p.begin(), of_p.end(), of_q.begin(), of_q.end(),
+                        std::back_inserter(common));
+  return common.empty() ? std::nullopt : std::optional(common[0]);
 }
 
 }  // namespace oplus

@@ -1,23 +1,27 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
+#include <cstddef>
 #include <memory>
 #include <optional>
 
+#include "checked/collision/collision_test.hpp"
 #include "reference/definitions/region.hpp"
 
 namespace oplus {
 
-/// The collision test of two fixed regions P and Q by the definition (collision.hpp), asked at many
-/// placements. A proper crossing of two edges that certified intervals show is enough for a yes;
-/// everything else is the definition's own answer.
+/// The collision test of two fixed regions P and Q, asked at many placements: by hierarchies
+/// (collision_test.hpp), and the first times by the definition (collision.hpp) as well, as long as that
+/// costs little.
 class Placements {
  public:
   /// Requires: p and q are valid (validity.hpp).
   Placements(const Region& p, const Region& q);
   ~Placements();
 
-  /// Whether the interiors of P and -Q+x meet, so that x is in the open sum.
+  /// Whether the interiors of P and -Q+x meet, so that x is in the open sum. Throws VerdictsDiffer
+  /// (verdicts_differ.hpp) where the two tests differ.
   bool interiors_meet_at(const Point& x) const;
 
   /// A point of P that is one of -Q+x: an inner point of both, or, where their interiors do not
@@ -25,11 +29,11 @@ class Placements {
   std::optional<Point> common_point_at(const Point& x) const;
 
  private:
-  struct Certified;
-
   const Region p_;
   const Region minus_q_;
-  std::unique_ptr<const Certified> certified_;
+  const std::unique_ptr<CollisionTest> test_;
+  const std::size_t cost_of_definition_;  ///< of asking it once
+  mutable std::atomic<std::size_t> spent_on_it_ = 0;
 };
 
 }  // namespace oplus

@@ -8,6 +8,7 @@
 
 #include "checked/verify/convex_sums.hpp"
 #include "reference/chains/plane_sweep.hpp"
+#include "reference/chains/touching_points.hpp"
 #include "reference/definitions/sorted_without_copies.hpp"
 
 namespace oplus {

@@ -13,13 +13,10 @@
 #include "checked/verify/sum_by_convex_parts.hpp"
 #include "checked/verify/witness.hpp"
 #include "reference/chains/region_of.hpp"
-#include "reference/definitions/cut_at_intersections.hpp"
-#include "reference/definitions/difference.hpp"
 #include "reference/definitions/mutant.hpp"
 #include "reference/definitions/sorted_without_copies.hpp"
 #include "reference/definitions/squared_distance.hpp"
 #include "reference/definitions/verdicts_differ.hpp"
-#include "reference/definitions/winding_number.hpp"
 #include "reference/io/counted.hpp"
 #include "reference/io/writing.hpp"
 #include "reference/pictures/picture.hpp"
@@ -98,33 +95,6 @@ std::vector<std::string> notes_of(const GivenSum& sum, const Oddities& oddities)
   return notes;
 }
 
-/// Whether a point is in the given set: on its chains, inside, or outside.
-class GivenSet {
- public:
-  explicit GivenSet(const GivenSum& sum) {
-    for (const Component& component : sum.region.components) {
-      components_.emplace_back();
-      components_.back().push_back(edges(component.outer));
-      for (const Chain& hole : component.holes) components_.back().push_back(edges(hole));
-    }
-  }
-
-  /// Chains that bound nothing make no boundary.
-  bool is_inside(const Point& p, const std::vector<Segment>& boundary) const {
-    return !lies_on_one(p, boundary) &&
-           std::any_of(components_.begin(), components_.end(), [&](const auto& chains) {
-             for (std::size_t c = 0; c < chains.size(); ++c)
-               if ((winding_number(p, chains[c]) != 0) != (c == 0)) return false;
-             return true;
-           });
-  }
-
- private:
-  std::vector<std::vector<std::vector<Segment>>> components_;
-};
-
-MinkowskiSum regularized(const MinkowskiSum& sum) { return {sum.outer, sum.holes, {}, {}}; }
-
 std::string from_to(const Segment& s) {
   return "from " + to_string(s.source) + " to " + to_string(s.target);
 }
@@ -134,31 +104,29 @@ class FeatureReasons {
  public:
   FeatureReasons(const GivenSum& given, const MinkowskiSum& right, const Overlay& overlay,
                  Boundary boundary)
-      : given_(given),
-        right_(right),
-        regular_(regularized(right)),
+      : right_(right),
+        overlay_(overlay),
         boundary_(boundary),
-        set_(given),
-        chains_(overlay.boundary_of_given()),
-        cutting_(given.dangling_edges) {
-    for (const std::vector<Segment>& more : {chains_, edges(right)})
-      cutting_.insert(cutting_.end(), more.begin(), more.end());
-  }
+        given_edges_(maximal_segments(given.dangling_edges)),
+        given_vertices_(sorted_without_copies(given.isolated_vertices)),
+        on_given_edges_(given.dangling_edges),
+        on_right_edges_(right.dangling_edges),
+        cutting_(together(given.dangling_edges, overlay.boundary_of_given(), edges(right))) {}
 
   std::vector<Reason> find() {
     for (const Segment& e : right_.dangling_edges) {
       for (const Segment& piece : cut_where_met(e, cutting_)) {
         const Point middle = midpoint(piece.source, piece.target);
-        if (!lies_on_one(middle, given_.dangling_edges) && is_inside_given(middle))
+        if (!lies_on_one(middle, on_given_edges_) && is_inside_given(middle))
           add(ReasonKind::missing_dangling_edge, middle, false, true,
               squared_length(direction_of(piece)),
               "the dangling edge " + from_to(e) + " is missing" + part_of(piece, e));
       }
     }
-    for (const Segment& e : maximal_segments(given_.dangling_edges)) {
+    for (const Segment& e : given_edges_) {
       for (const Segment& piece : cut_where_met(e, cutting_)) {
         const Point middle = midpoint(piece.source, piece.target);
-        if (lies_on_one(middle, right_.dangling_edges)) continue;
+        if (lies_on_one(middle, on_right_edges_)) continue;
         add(ReasonKind::additional_dangling_edge, middle, is_in_sum(middle), false,
             squared_length(direction_of(piece)),
             "the line string " + from_to(e) + " is no dangling edge of the sum" +
@@ -166,12 +134,11 @@ class FeatureReasons {
       }
     }
     for (const Point& p : right_.isolated_vertices) {
-      if (!is_one_of(p, given_.isolated_vertices) && !lies_on_one(p, given_.dangling_edges) &&
-          is_inside_given(p))
+      if (!is_one_of(p, given_vertices_) && !lies_on_one(p, on_given_edges_) && is_inside_given(p))
         add(ReasonKind::missing_isolated_vertex, p, false, true, 0,
             "the isolated vertex " + to_string(p) + " is missing");
     }
-    for (const Point& p : sorted_without_copies(given_.isolated_vertices)) {
+    for (const Point& p : given_vertices_) {
       if (!is_one_of(p, right_.isolated_vertices))
         add(ReasonKind::additional_isolated_vertex, p, is_in_sum(p), false, 0,
             "the point " + to_string(p) + " is no isolated vertex of the sum");
@@ -180,15 +147,26 @@ class FeatureReasons {
   }
 
  private:
-  static bool is_one_of(const Point& p, const std::vector<Point>& points) {
-    return std::find(points.begin(), points.end(), p) != points.end();
+  static std::vector<Segment> together(std::vector<Segment> all, const std::vector<Segment>& more,
+                                       const std::vector<Segment>& others) {
+    all.insert(all.end(), more.begin(), more.end());
+    all.insert(all.end(), others.begin(), others.end());
+    return all;
   }
 
-  bool is_inside_given(const Point& p) const { return set_.is_inside(p, chains_); }
+  static bool is_one_of(const Point& p, const std::vector<Point>& sorted) {
+    return std::binary_search(sorted.begin(), sorted.end(), p);
+  }
+
+  bool is_inside_given(const Point& p) const {
+    return overlay_.locate(p).of_given == Location::inside;
+  }
 
   bool is_in_sum(const Point& p) const {
-    if (boundary_ == Boundary::closed) return locate(p, regular_) != Location::outside;
-    return locate(p, right_) == Location::inside;
+    const Location where = overlay_.locate(p).of_right;
+    if (boundary_ == Boundary::closed) return where != Location::outside;
+    return where == Location::inside && !is_one_of(p, right_.isolated_vertices) &&
+           !lies_on_one(p, on_right_edges_);
   }
 
   static std::string part_of(const Segment& piece, const Segment& whole) {
@@ -202,13 +180,14 @@ class FeatureReasons {
     reasons_.push_back({kind, witness, in_sum, in_given, std::move(size), std::move(detail)});
   }
 
-  const GivenSum& given_;
   const MinkowskiSum& right_;
-  MinkowskiSum regular_;
+  const Overlay& overlay_;
   Boundary boundary_;
-  GivenSet set_;
-  std::vector<Segment> chains_;
-  std::vector<Segment> cutting_;  ///< membership in both sets is constant between these
+  std::vector<Segment> given_edges_;
+  std::vector<Point> given_vertices_;
+  SegmentTree on_given_edges_;
+  SegmentTree on_right_edges_;
+  SegmentTree cutting_;  ///< membership in both sets is constant between these
   std::vector<Reason> reasons_;
 };
 
@@ -246,44 +225,69 @@ const Words& words_for(ReasonKind kind) {
   return words.at(static_cast<std::size_t>(kind));
 }
 
-std::vector<Reason> face_reasons(const Overlay& overlay, const Placements& placements) {
-  std::vector<Reason> reasons = overlay.differing_faces();
-  for (Reason& reason : reasons) {
-    if (placements.interiors_meet_at(reason.witness) != reason.in_sum)
-      throw VerdictsDiffer("convex parts and the collision test differ at " +
-                           to_string(reason.witness));
+/// Segments on which all points lie that are inside the closed sum and not in the open one: computed
+/// where they are needed.
+class Exceptional {
+ public:
+  Exceptional(const Region& p, const Region& q) : p_(p), q_(q) {}
+
+  const std::vector<Segment>& places() {
+    if (!places_) places_ = exceptional_places(p_, q_);
+    return *places_;
+  }
+
+ private:
+  const Region& p_;
+  const Region& q_;
+  std::optional<std::vector<Segment>> places_;
+};
+
+std::vector<Reason> face_reasons(const Overlay& overlay, const Placements& placements,
+                                 Exceptional& exceptional) {
+  std::vector<Reason> reasons;
+  for (auto& [reason, boundary] : overlay.differences()) {
+    reason.witness = point_of_face(*boundary, {});
+    if (placements.interiors_meet_at(reason.witness) != reason.in_sum) {
+      // A point inside the closed sum may be on a dangling edge.
+      if (reason.in_sum) reason.witness = point_of_face(*boundary, exceptional.places());
+      if (!reason.in_sum || !placements.interiors_meet_at(reason.witness))
+        throw VerdictsDiffer("convex parts and the collision test differ at " +
+                             to_string(reason.witness));
+    }
     const Words& words = words_for(reason.kind);
     reason.detail = words.face + (" of area " + legible(reason.size / 2)) + words.difference;
+    reasons.push_back(std::move(reason));
   }
   return reasons;
 }
 
-std::vector<Reason> orientation_reasons(const GivenSum& given, const MinkowskiSum& right) {
+std::vector<Reason> orientation_reasons(const GivenSum& given, const Overlay& overlay) {
   std::vector<Reason> reasons;
-  const MinkowskiSum regular = regularized(right);
   for (const GivenChain& chain : given_chains(given)) {
-    const Rational twice = twice_area(*chain.vertices);
-    if (sign(twice) == 0 || (sign(twice) > 0) == (chain.hole == 0) ||
+    const int turn = sign_of_area(*chain.vertices);
+    if (turn == 0 || (turn > 0) == (chain.hole == 0) ||
         OPLUS_MUTANT("chains-may-run-either-way",
                      "verify accepts clockwise outer chains and counterclockwise holes"))
       continue;
     const Point witness = midpoint((*chain.vertices)[0], (*chain.vertices)[1]);
-    reasons.push_back(
-        {ReasonKind::wrong_orientation, witness, locate(witness, regular) != Location::outside,
-         true, abs(twice),
-         describe(chain) + (sign(twice) > 0 ? " runs counterclockwise, not clockwise"
-                                            : " runs clockwise, not counterclockwise")});
+    reasons.push_back({ReasonKind::wrong_orientation, witness,
+                       overlay.locate(witness).of_right != Location::outside, true,
+                       abs(twice_area_inside(edges(*chain.vertices))),
+                       describe(chain) + (turn > 0 ? " runs counterclockwise, not clockwise"
+                                                   : " runs clockwise, not counterclockwise")});
   }
   return reasons;
 }
 
-std::vector<Reason> unsimple_reasons(const Overlay& overlay, const MinkowskiSum& right) {
+std::vector<Reason> unsimple_reasons(const Overlay& overlay) {
   std::vector<Reason> reasons;
   for (const Overlay::Unsimple& u : overlay.unsimple_pieces()) {
     const Point middle = midpoint(u.piece.source, u.piece.target);
     const std::string chain = "a chain runs " + from_to(u.piece);
     std::string detail;
-    if (!u.is_boundary)
+    if (u.piece.source == u.piece.target)
+      detail = "a chain is only the point " + to_string(middle) + ", and bounds nothing";
+    else if (!u.is_boundary)
       detail =
           chain + ", where the given set is on " + (u.in_given ? "both sides" : "neither side");
     else if (u.times > 1)
@@ -291,8 +295,9 @@ std::vector<Reason> unsimple_reasons(const Overlay& overlay, const MinkowskiSum&
     else
       detail = chain + " the wrong way: it crosses itself or another";
     reasons.push_back({ReasonKind::unsimple_boundary, middle,
-                       locate(middle, right) != Location::outside, u.in_given || u.is_boundary,
-                       squared_length(direction_of(u.piece)), std::move(detail)});
+                       overlay.locate(middle).of_right != Location::outside,
+                       u.in_given || u.is_boundary, squared_length(direction_of(u.piece)),
+                       std::move(detail)});
   }
   return reasons;
 }
@@ -315,31 +320,41 @@ bool same_features(const GivenSum& given, const MinkowskiSum& right) {
          sorted_without_copies(given.isolated_vertices) == right.isolated_vertices;
 }
 
-/// A second verdict: a point on either side of each chain of the sum, by the collision test.
-void ask_collision_test(const MinkowskiSum& sum, const std::vector<Segment>& exceptional,
-                        const Placements& placements) {
-  const std::vector<Segment> all = edges(sum);
+/// A second verdict: a point on either side of each chain of the sum, by the collision test. The points
+/// are on no edge of the sum, but one inside it may be on a dangling edge, of which a closed sum says
+/// nothing: then another point decides, which is on none.
+void ask_collision_test(const MinkowskiSum& sum, Boundary boundary, const Placements& placements,
+                        Exceptional& exceptional) {
+  std::vector<Segment> all = edges(sum);
+  for (const Point& p : sum.isolated_vertices) all.push_back({p, p});
+  const SegmentTree tree(all);
+  std::size_t edge = 0;
   for (const std::vector<Chain>* of_sum : {&sum.outer, &sum.holes}) {
     for (const Chain& chain : *of_sum) {
       for (const bool left : {true, false}) {
-        const Segment first = left ? Segment{chain[0], chain[1]} : Segment{chain[1], chain[0]};
-        const Point x = point_left_of(first, all, exceptional);
-        if (placements.interiors_meet_at(x) != left)
+        Point x = point_near(tree, edge, left);
+        bool meet = placements.interiors_meet_at(x);
+        if (left && !meet && boundary == Boundary::closed) {
+          x = point_left_of(all[edge], all, exceptional.places());
+          meet = placements.interiors_meet_at(x);
+        }
+        if (meet != left)
           throw VerdictsDiffer("convex parts and the collision test differ at " + to_string(x));
       }
+      edge += chain.size();
     }
   }
 }
 
 MinkowskiSum decided_sum(const Region& p, const Region& q, Boundary boundary,
-                         const Placements& placements) {
+                         const Placements& placements, Exceptional& exceptional) {
   MinkowskiSum sum = sum_by_convex_parts(p, q, boundary);
-  ask_collision_test(sum, exceptional_places(p, q), placements);
+  ask_collision_test(sum, boundary, placements, exceptional);
   return sum;
 }
 
 Verdict verdict(MinkowskiSum computed, const Region& p, const Region& q, Boundary boundary,
-                const GivenSum& sum, const Placements& placements) {
+                const GivenSum& sum, const Placements& placements, Exceptional& exceptional) {
   Verdict result;
   result.right = std::move(computed);
   const MinkowskiSum& right = result.right;
@@ -353,10 +368,10 @@ Verdict verdict(MinkowskiSum computed, const Region& p, const Region& q, Boundar
   const bool same_region = given_normal == right_normal;
   if (same_region && same_features(sum, right)) return result;
 
-  const Overlay overlay(sum, right, exceptional_places(p, q));
-  append(result.reasons, face_reasons(overlay, placements));
-  append(result.reasons, orientation_reasons(sum, right));
-  append(result.reasons, unsimple_reasons(overlay, right));
+  const Overlay overlay(sum, right);
+  append(result.reasons, face_reasons(overlay, placements, exceptional));
+  append(result.reasons, orientation_reasons(sum, overlay));
+  append(result.reasons, unsimple_reasons(overlay));
   const bool same_chains = result.reasons.empty();
   append(result.reasons, FeatureReasons(sum, right, overlay, boundary).find());
 
@@ -387,7 +402,9 @@ std::string describe(ReasonKind kind) { return words_for(kind).name; }
 
 Verdict verify(const Region& p, const Region& q, Boundary boundary, const GivenSum& sum) {
   const Placements placements(p, q);
-  return verdict(decided_sum(p, q, boundary, placements), p, q, boundary, sum, placements);
+  Exceptional exceptional(p, q);
+  return verdict(decided_sum(p, q, boundary, placements, exceptional), p, q, boundary, sum,
+                 placements, exceptional);
 }
 
 Verdict verify(const Region& p, const Region& q, Boundary boundary, const MinkowskiSum& sum) {
@@ -395,7 +412,8 @@ Verdict verify(const Region& p, const Region& q, Boundary boundary, const Minkow
 }
 
 MinkowskiSum sum_by_definition(const Region& p, const Region& q, Boundary boundary) {
-  return decided_sum(p, q, boundary, Placements(p, q));
+  Exceptional exceptional(p, q);
+  return decided_sum(p, q, boundary, Placements(p, q), exceptional);
 }
 
 }  // namespace oplus

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "checked/verify/segment_tree.hpp"
 #include "reference/definitions/segment.hpp"
 
 namespace oplus {
@@ -15,5 +16,10 @@ Point point_left_of(const Segment& segment, const std::vector<Segment>& edges,
 /// The same for a bounded face by its boundary, the face to the left: a point with few decimals, if
 /// one is found.
 Point point_of_face(const std::vector<Segment>& boundary, const std::vector<Segment>& avoided);
+
+/// A point near the middle of edge `edge`, to its left or to its right, with few digits, if one is near
+/// enough. It is nearer to that edge than to any other, and so on no edge and in a face beside it.
+/// Requires: edges do not cross, and only points touch the edge.
+Point point_near(const SegmentTree& edges, std::size_t edge, bool left);
 
 }  // namespace oplus

@@ -88,7 +88,8 @@ struct Rounding {
   Chain corners(const Chain& chain) const {
     Chain kept = {chain[0]};
     for (std::size_t i = 1; i < chain.size(); ++i)
-      if (!is_within({{chain[i], chain[i]}}, {{kept.back(), chain[next(i, chain.size())]}},
+      if (!is_within({{chain[i], chain[i]}},
+                     std::vector<Segment>{{kept.back(), chain[next(i, chain.size())]}},
                      most * most))
         kept.push_back(chain[i]);
     return kept;

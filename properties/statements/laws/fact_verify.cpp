@@ -32,6 +32,9 @@ Outcome check(const Summands& summands) {
       if (accepts(turned)) return outcome.fail("verify accepts a clockwise outer chain");
       std::reverse(component.outer.begin(), component.outer.end());
     }
+    GivenSum with_a_point = given(sum);
+    with_a_point.region.components.push_back({Chain(3, Point{}), {}});
+    if (accepts(with_a_point)) return outcome.fail("verify accepts a chain that is a point");
     for (std::size_t i = 0; i < sum.holes.size(); ++i) {
       MinkowskiSum filled = sum;
       filled.holes.erase(filled.holes.begin() + static_cast<std::ptrdiff_t>(i));
@@ -55,8 +58,8 @@ const Registered registered({
     .statement =
         "oplus verify cuts P and Q into trapezoids and takes the union of the interiors of their "
         "sums: of each segment of the reduced convolution, it finds what is in none of them. This is "
-        "the oracle's sum, closed and open. It is accepted; a sum with a chain reversed, without one "
-        "of its holes, or of the other kind of boundary is not.",
+        "the oracle's sum, closed and open. It is accepted; a sum with a chain reversed, with a chain "
+        "that is a point, without one of its holes, or of the other kind of boundary is not.",
     .why =
         "The interiors of P and -Q+x are open, and the interiors of their trapezoids are dense in "
         "them: so they meet iff those of two trapezoids do. What bounds the sum is on segments of "
@@ -76,7 +79,8 @@ const Registered registered({
                  {"overlapping segments", 5}},
     .kills = {"chains-may-run-either-way", "edges-of-convex-sums-count-on-either-side",
               "lower-edges-of-a-convex-sum-are-exchanged", "points-between-convex-sums-are-inside",
-              "trapezoids-end-where-edges-do", "verify-sees-no-dangling-edges"},
+              "points-need-not-bound", "trapezoids-end-where-edges-do",
+              "verify-sees-no-dangling-edges"},
     .cases = 100,
     .check = check,
 });

@@ -213,6 +213,18 @@ inline std::vector<Damage> damages() {
     const Point tip = triangle_beside(reversed(e), sum)[0];
     chain.insert(chain.begin() + 1, {middle, tip, middle});
   });
+  damage("a chain that is a point", {K::unsimple_boundary}, [](GivenSum& given, Sum sum) {
+    const Point outside = triangle_beside(reversed(first_edge(sum.outer.front())), sum)[0];
+    given.region.components.push_back({Chain(4, outside), {}});
+  });
+  damage("a hole that is a point", {K::unsimple_boundary}, [](GivenSum& given, Sum sum) {
+    const Point inside = triangle_beside(first_edge(sum.outer.front()), sum)[0];
+    given.region.components.back().holes.push_back(Chain(1, inside));
+  });
+  damage("a chain forth and back", {K::unsimple_boundary}, [](GivenSum& given, Sum sum) {
+    const Chain outside = triangle_beside(reversed(first_edge(sum.outer.front())), sum);
+    given.region.components.push_back({{outside[0], outside[1], outside[1]}, {}});
+  });
   damage("the other kind of boundary", {K::wrong_boundary}, [](GivenSum& given, Sum) {
     given.dangling_edges.clear();
     given.isolated_vertices.clear();

@@ -5,6 +5,7 @@
 
 #include "checked/cli/engines_and_oracle.hpp"
 #include "checked/verify/sum_by_convex_parts.hpp"
+#include "checked/verify/witness.hpp"
 #include "properties/compare/corpus.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/families/family.hpp"
@@ -174,6 +175,34 @@ TEST(Verify, takes_chains_of_too_few_points) {
     EXPECT_EQ(reason.kind, ReasonKind::unsimple_boundary) << reason.detail;
 }
 
+/// Wherever it is: outside, inside, or a vertex of the sum.
+TEST(Verify, refuses_a_chain_that_is_a_point) {
+  for (const Point& x : {Point{9, 9}, {1, 1}, {0, 0}, {Rational(5, 2), Rational(5, 2)}}) {
+    for (const std::size_t times : {1U, 2U, 3U, 4U}) {
+      for (const bool hole : {true, false}) {
+        for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
+          Region given = sum_of_frame;
+          if (hole)
+            given.components[0].holes.push_back(Chain(times, x));
+          else
+            given.components.push_back({Chain(times, x), {}});
+          const Verdict verdict = verify(frame, unit, boundary, {given, {}, {}});
+          ASSERT_EQ(kinds(verdict), Kinds{ReasonKind::unsimple_boundary});
+          EXPECT_EQ(verdict.reasons[0].witness, x);
+          EXPECT_EQ(verdict.reasons[0].in_sum, x == (Point{1, 1}) || x == (Point{0, 0}));
+          EXPECT_EQ(verdict.reasons[0].in_given, verdict.reasons[0].in_sum);
+          EXPECT_EQ(verdict.addends.has_value(), verdict.reasons[0].in_sum);
+        }
+      }
+    }
+  }
+}
+
+TEST(Verify, refuses_a_point_for_an_empty_sum) {
+  EXPECT_EQ(kinds(verify({}, unit, Boundary::closed, GivenSum{polygon({{1, 1}}), {}, {}})),
+            Kinds{ReasonKind::unsimple_boundary});
+}
+
 TEST(Verify, a_sum_by_its_chains_may_have_a_hole_in_nothing) {
   MinkowskiSum sum = sum_by_definition(frame, unit, Boundary::closed);
   EXPECT_TRUE(verify(frame, unit, Boundary::closed, sum).is_sum());
@@ -205,6 +234,27 @@ TEST(Verify, the_kind_of_boundary_matters) {
             (Kinds{ReasonKind::missing_isolated_vertex, ReasonKind::wrong_boundary}));
   EXPECT_EQ(kinds(verify(frame, plug, Boundary::closed, open)),
             (Kinds{ReasonKind::additional_isolated_vertex, ReasonKind::wrong_boundary}));
+}
+
+/// The plug fits the hole, so that the open sum lacks the middle of the square; the closed sum does not.
+TEST(Verify, a_witness_is_on_no_isolated_vertex) {
+  const Region plug = polygon(box(0, 0, 2, 2));
+  const Verdict verdict = verify(frame, plug, Boundary::closed, GivenSum{});
+  ASSERT_EQ(kinds(verdict), Kinds{ReasonKind::missing_component});
+  EXPECT_NE(verdict.reasons[0].witness, (Point{3, 3}));
+  EXPECT_TRUE(verdict.addends.has_value());
+}
+
+TEST(Verify, the_second_verdict_may_meet_an_isolated_vertex) {
+  const Rational half(1, 2);
+  const Chain sum = box(0, 0, 6, 6);
+  const Point x = point_near(edges(sum), 0, true);
+  const Region around{
+      {{box(0, 0, 6 - half, 6 - half), {backwards(box(x.x - half, x.y - half, x.x, x.y))}}}};
+  const Region plug = polygon(box(0, 0, half, half));
+  ASSERT_EQ(sum_by_definition(around, plug, Boundary::open).isolated_vertices,
+            std::vector<Point>{x});
+  EXPECT_TRUE(verify(around, plug, Boundary::closed, {polygon(sum), {}, {}}).is_sum());
 }
 
 TEST(Verify, features_that_lie_elsewhere_are_too_many) {
