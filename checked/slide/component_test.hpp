@@ -22,7 +22,7 @@ class ComponentTest {
   bool is_needed() const { return summands_.has_several_components(); }
 
   /// O(log n + log m) for each pair of components the sum of whose boxes contains x(t), where chains
-  /// are not wound around a place. Requires: is_needed(), no edges cross at t, and t is not at
+  /// are not wound around a place. Requires: prepare_component_test(), no edges cross at t, and t is not at
   /// an end of a free piece.
   bool overlap_at(const Track<Numbers>& track, const Fraction<Numbers>& t) const {
     if (OPLUS_MUTANT("slide-components-never-overlap",

@@ -25,6 +25,10 @@ struct IntegerSummands {
   bool has_several_components() const {
     return p.first_of_component.size() > 2 || q.first_of_component.size() > 2;
   }
+  void prepare_component_test() {
+    components_of_p = ComponentTree(p);
+    components_of_q = ComponentTree(q);
+  }
 };
 
 template <typename Numbers>
@@ -35,10 +39,7 @@ IntegerSummands<Numbers> integer_summands(const Region& p, const Region& q,
   BoxTree tree_of_p = box_tree(of_p), tree_of_q = box_tree(of_q);
   IntegerSummands<Numbers> both{std::move(of_p), std::move(of_q), std::move(tree_of_p),
                                 std::move(tree_of_q), margins(scaling)};
-  if (both.has_several_components()) {
-    both.components_of_p = ComponentTree(both.p);
-    both.components_of_q = ComponentTree(both.q);
-  }
+  if (both.has_several_components()) both.prepare_component_test();
   return both;
 }
 

@@ -90,6 +90,7 @@ class PointGrid {
         from = std::max(low, std::min(enters, leaves) - around);
         to = std::min(high, std::max(enters, leaves) + around);
       }
+      if (from > cells.rows.end() + off || to < cells.rows.low - off) continue;
       const std::size_t column_begin = column * cells.rows.count;
       const std::size_t first = column_begin + cells.rows.of(from);
       const std::size_t last = column_begin + cells.rows.of(to);

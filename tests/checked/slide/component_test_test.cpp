@@ -31,7 +31,8 @@ template <typename Numbers>
 bool overlap_at(const Region& p, const Region& q, const Segment& segment, const mpz_class& n,
                 const mpz_class& d) {
   const Scaling scaling = scaling_of(p, q);
-  const auto both = integer_summands<Numbers>(p, q, scaling);
+  auto both = integer_summands<Numbers>(p, q, scaling);
+  both.prepare_component_test();
   const IntegerSegment<Numbers> exact = integer_segment<Numbers>(segment);
   return ComponentTest<Numbers>(both).overlap_at({exact, near(exact, scaling)},
                                                  fraction<Numbers>(n, d));
