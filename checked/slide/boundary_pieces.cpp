@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
+#include "checked/slide/for_each_number.hpp"
 #include "checked/slide/point_grid.hpp"
 #include "reference/definitions/mutant.hpp"
 
@@ -11,50 +13,77 @@ namespace oplus::slide {
 
 namespace {
 
-void sort_along(const BoundaryPiece& piece, const std::function<Point(std::uint32_t)>& exact,
-                ShortList<std::uint32_t>& inside) {
-  std::sort(inside.begin(), inside.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return exact(a) < exact(b); });
-  if (exact(piece.to) < exact(piece.from)) std::reverse(inside.begin(), inside.end());
+/// Calls add(part) for the parts of a piece, in the order along it.
+template <typename Add>
+void cut_piece(const BoundaryPiece& piece, const PointGrid& grid, const BoundaryPoints& points,
+               ShortList<std::uint32_t>& inside, const Add& add) {
+  const std::vector<double>& near_x = points.near_x;
+  const std::vector<double>& near_y = points.near_y;
+  const double ax = near_x[piece.from], ay = near_y[piece.from];
+  const double bx = near_x[piece.to], by = near_y[piece.to];
+  const double dx = bx - ax, dy = by - ay;
+  const double margin =
+      PointGrid::margin(std::max({std::abs(ax), std::abs(ay), std::abs(bx), std::abs(by)}));
+  const double off = 4 * margin * (std::abs(dx) + std::abs(dy) + 4 * margin);
+  inside.clear();
+  grid.each_near_segment(piece.from, piece.to, [&](std::uint32_t i) {
+    if (i == piece.from || i == piece.to ||
+        OPLUS_MUTANT("slide-pieces-stay-uncut",
+                     "free pieces are not cut where others end inside them"))
+      return;
+    const double x = near_x[i] - ax, y = near_y[i] - ay;
+    if (std::abs(dx * y - dy * x) > off) return;
+    // Behind one end or the other.
+    if (dx * x + dy * y < -off || dx * (x - dx) + dy * (y - dy) > off) return;
+    if (points.is_on(i, piece)) inside.push_back(i);
+  });
+  std::sort(inside.begin(), inside.end());
+  if (piece.to < piece.from) std::reverse(inside.begin(), inside.end());
+  std::uint32_t from = piece.from;
+  for (const std::uint32_t i : inside) {
+    add({from, i, piece.segment});
+    from = i;
+  }
+  add({from, piece.to, piece.segment});
+}
+
+/// Sorted, by counting how many leave each point.
+std::vector<BoundaryPiece> sorted(const std::vector<BoundaryPiece>& pieces, std::size_t points) {
+  ShortList<std::uint32_t> first(points + 1, 0);
+  for (const BoundaryPiece& piece : pieces) ++first[piece.from + 1];
+  for (std::size_t i = 0; i < points; ++i) first[i + 1] += first[i];
+  ShortList<std::uint32_t> next(first.begin(), first.end() - 1);
+  std::vector<BoundaryPiece> result(pieces.size());
+  for (const BoundaryPiece& piece : pieces) result[next[piece.from]++] = piece;
+  for (std::size_t i = 0; i < points; ++i)
+    if (first[i + 1] - first[i] > 1)
+      std::sort(result.begin() + first[i], result.begin() + first[i + 1]);
+  return result;
 }
 
 }  // namespace
 
 std::vector<BoundaryPiece> cut_at_points(const std::vector<BoundaryPiece>& pieces,
-                                         const BoundaryPoints& points) {
-  const std::vector<double>& near_x = points.near_x;
-  const std::vector<double>& near_y = points.near_y;
-  const double margin = points.margin;
-  const PointGrid grid(near_x, near_y, margin);
-  std::vector<BoundaryPiece> result;
-  result.reserve(pieces.size());
-  ShortList<std::uint32_t> inside;
-  for (const BoundaryPiece& piece : pieces) {
-    const double ax = near_x[piece.from], ay = near_y[piece.from];
-    const double dx = near_x[piece.to] - ax, dy = near_y[piece.to] - ay;
-    const double off = 4 * margin * (std::abs(dx) + std::abs(dy) + 4 * margin);
-    inside.clear();
-    grid.each_near_segment(piece.from, piece.to, [&](std::uint32_t i) {
-      if (i == piece.from || i == piece.to ||
-          OPLUS_MUTANT("slide-pieces-stay-uncut",
-                       "free pieces are not cut where others end inside them"))
-        return;
-      const double x = near_x[i] - ax, y = near_y[i] - ay;
-      if (std::abs(dx * y - dy * x) > off) return;
-      // Behind one end or the other.
-      if (dx * x + dy * y < -off || dx * (x - dx) + dy * (y - dy) > off) return;
-      if (points.is_on(i, piece)) inside.push_back(i);
-    });
-    if (inside.size() > 1) sort_along(piece, points.exact, inside);
-    std::uint32_t from = piece.from;
-    for (const std::uint32_t i : inside) {
-      result.push_back({from, i, piece.segment});
-      from = i;
-    }
-    result.push_back({from, piece.to, piece.segment});
-  }
-  std::sort(result.begin(), result.end());
-  return result;
+                                         const BoundaryPoints& points, unsigned threads) {
+  const PointGrid grid(points.near_x, points.near_y);
+  // Most pieces stay whole: parts behind the first one come after all pieces.
+  std::vector<BoundaryPiece> cut = pieces, others;
+  std::mutex mutex;
+  for_each_part(pieces.size(), threads, [&](std::size_t first, std::size_t last) {
+    ShortList<std::uint32_t> inside;
+    ShortList<BoundaryPiece> found;
+    for (std::size_t k = first; k < last; ++k)
+      cut_piece(pieces[k], grid, points, inside, [&](const BoundaryPiece& part) {
+        if (part.from == pieces[k].from)
+          cut[k] = part;
+        else
+          found.push_back(part);
+      });
+    const std::lock_guard lock(mutex);
+    others.insert(others.end(), found.begin(), found.end());
+  });
+  cut.insert(cut.end(), others.begin(), others.end());
+  return sorted(cut, points.near_x.size());
 }
 
 }  // namespace oplus::slide

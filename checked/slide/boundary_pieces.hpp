@@ -6,8 +6,6 @@
 #include <functional>
 #include <vector>
 
-#include "reference/definitions/point.hpp"
-
 namespace oplus::slide {
 
 /// A part of a segment of the reduced convolution that is on the boundary of the sum.
@@ -19,17 +17,17 @@ struct BoundaryPiece {
   friend auto operator<=>(const BoundaryPiece&, const BoundaryPiece&) = default;
 };
 
-/// Different points: in doubles, off by at most `margin`, and exact on demand.
+/// Different points, numbered in the order of the plane: in doubles, off by at most 2^-50 of their size.
 struct BoundaryPoints {
-  std::function<Point(std::uint32_t)> exact;
+  /// Exactly; called by several threads.
   std::function<bool(std::uint32_t point, const BoundaryPiece&)> is_on;
   const std::vector<double>& near_x;
   const std::vector<double>& near_y;
-  double margin;
 };
 
-/// Cuts pieces where others end inside them. Sorted.
+/// Cuts pieces where others end inside them. Sorted. O(n log n) where few cells of the points' grid are
+/// on a piece.
 std::vector<BoundaryPiece> cut_at_points(const std::vector<BoundaryPiece>& pieces,
-                                         const BoundaryPoints& points);
+                                         const BoundaryPoints& points, unsigned threads);
 
 }  // namespace oplus::slide

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
+#include <optional>
+
 #include "checked/slide/integer_summands.hpp"
 #include "reference/definitions/mutant.hpp"
 
@@ -16,69 +19,97 @@ class ComponentTest {
 
   /// Whether there is anything to test. The two components that touch each other as the segment says
   /// do not overlap where their edges do not cross (docs/slide.md, step 4).
-  bool is_needed() const { return components(summands_.p) > 1 || components(summands_.q) > 1; }
+  bool is_needed() const { return summands_.has_several_components(); }
 
-  /// Requires: no edges cross at t, and t is not at an end of a free piece.
+  /// O(log n + log m) for each pair of components the sum of whose boxes contains x(t), where chains
+  /// are not wound around a place. Requires: prepare_component_test(), no edges cross at t, and t is not at
+  /// an end of a free piece.
   bool overlap_at(const Track<Numbers>& track, const Fraction<Numbers>& t) const {
-    const IntegerSummand<Numbers>& p = summands_.p;
-    const IntegerSummand<Numbers>& q = summands_.q;
-    const Box point = near_place(track, t).box(summands_.margins.coordinate);
-    for (std::size_t c = 0; c < components(p); ++c) {
-      for (std::size_t d = 0; d < components(q); ++d) {
-        if (OPLUS_MUTANT("slide-components-never-overlap",
-                         "where no edges cross, a component inside another one is not seen"))
-          continue;
-        if (!contains(p.boxes_of_components[c] + q.boxes_of_components[d], point)) continue;
-        const auto& vertex_of_p = p.edges[p.first_of_component[c]].source;
-        const auto& vertex_of_q = q.edges[q.first_of_component[d]].source;
-        if (is_inside(p, c, track.exact, t, vertex_of_q) ||
-            is_inside(q, d, track.exact, t, vertex_of_p))
-          return true;
-      }
-    }
-    return false;
+    if (OPLUS_MUTANT("slide-components-never-overlap",
+                     "where no edges cross, a component inside another one is not seen"))
+      return false;
+    return overlap_below(0, 0, track, t, near_place(track, t));
   }
 
  private:
   using Value = typename Numbers::Value;
   using Product = typename Numbers::Product;
 
-  static std::size_t components(const IntegerSummand<Numbers>& summand) {
-    return summand.boxes_of_components.size();
+  /// Places, and differences of a place and a vertex, are off by less.
+  double margin() const { return 8 * summands_.margins.point; }
+
+  /// Whether components below two nodes of the trees overlap.
+  bool overlap_below(std::uint32_t i, std::uint32_t j, const Track<Numbers>& track,
+                     const Fraction<Numbers>& t, const NearPoint& x) const {
+    const ComponentTree::Node& a = summands_.components_of_p.components()[i];
+    const ComponentTree::Node& b = summands_.components_of_q.components()[j];
+    if (!(a.box + b.box).contains(x, margin())) return false;
+    if (a.is_leaf() && b.is_leaf()) {
+      const IntegerSummand<Numbers>& p = summands_.p;
+      const IntegerSummand<Numbers>& q = summands_.q;
+      return is_inside(p, summands_.components_of_p, a.first, track, t, q,
+                       q.first_of_component[b.first]) ||
+             is_inside(q, summands_.components_of_q, b.first, track, t, p,
+                       p.first_of_component[a.first]);
+    }
+    if (b.is_leaf() || (!a.is_leaf() && a.box.size() > b.box.size()))
+      return overlap_below(i + 1, j, track, t, x) || overlap_below(a.right, j, track, t, x);
+    return overlap_below(i, j + 1, track, t, x) || overlap_below(i, b.right, track, t, x);
   }
 
-  /// Whether x(t) - v, shifted, is in a component: by the parity of the edges to the right of it.
-  static bool is_inside(const IntegerSummand<Numbers>& summand, std::size_t component,
-                        const IntegerSegment<Numbers>& segment, const Fraction<Numbers>& t,
-                        const IntegerVector<Numbers>& v) {
+  /// Of three numbers, each infinitely smaller than the one before, the sign of the first that is not
+  /// zero.
+  template <typename A, typename B, typename C>
+  static int first_sign(const A& a, const B& b, const C& c) {
+    const int sign = sign_of(a) != 0 ? sign_of(a) : sign_of(b);
+    return sign != 0 ? sign : sign_of(c);
+  }
+
+  /// Whether x(t) - v, shifted, is in a component of a summand: by the parity of the edges to the right
+  /// of it. v is a vertex of the other summand.
+  bool is_inside(const IntegerSummand<Numbers>& summand, const ComponentTree& tree,
+                 std::uint32_t component, const Track<Numbers>& track, const Fraction<Numbers>& t,
+                 const IntegerSummand<Numbers>& other, std::uint32_t vertex) const {
+    const IntegerVector<Numbers>& v = other.edges[vertex].source;
+    const IntegerVector<Numbers>& d = track.exact.direction;
+    const NearPoint place = near_place(track, t);
+    const NearPoint near = {place.x - other.near[vertex].x, place.y - other.near[vertex].y};
+    // The place times the denominator of t, computed once it is needed.
     const Product scale(t.denominator());
-    const auto& d = segment.direction;
-    const auto place = [&](const auto& source, const auto& less, const auto& along) {
+    const auto scaled = [&](const Value& source, const Value& less, const Value& along) {
       return Product(Product(source - less) * scale + Product(along) * Product(t.numerator()));
     };
-    const Product x = place(segment.source.x, v.x, d.x), y = place(segment.source.y, v.y, d.y);
-    // Of three numbers, each infinitely smaller than the one before, the first that is not zero.
-    const auto first_sign = [](const auto& a, const auto& b, const auto& c) {
-      const int sign = sign_of(a) != 0 ? sign_of(a) : sign_of(b);
-      return sign != 0 ? sign : sign_of(c);
+    struct Place {
+      Product x, y;
+    };
+    std::optional<Place> computed;
+    const auto exact = [&]() -> const Place& {
+      if (!computed)
+        computed = {scaled(track.exact.source.x, v.x, d.x), scaled(track.exact.source.y, v.y, d.y)};
+      return *computed;
     };
     // The right normal of d is (d.y, -d.x).
-    const auto is_above = [&](const auto& height) {
-      return first_sign(Product(Product(height) * scale - y), Value(-d.y), d.x) > 0;
+    const auto is_above = [&](std::uint32_t i) {
+      const double height = summand.near[i].y - near.y;
+      if (std::abs(height) > margin()) return height > 0;
+      return first_sign(Product(Product(summand.edges[i].source.y) * scale - exact().y),
+                        Value(-d.y), d.x) > 0;
     };
-    bool inside = false;
-    for (std::size_t i = summand.first_of_component[component];
-         i < summand.first_of_component[component + 1]; ++i) {
+    const auto crosses = [&](std::uint32_t i, std::uint32_t next) {
+      const bool ends_above = is_above(next);
+      if (is_above(i) == ends_above) return false;
+      const NearSegment& e = summand.near[i];
       const auto& a = summand.edges[i].source;
       const auto& u = summand.edges[i].direction;
-      const bool ends_above = is_above(a.y + u.y);
-      if (is_above(a.y) == ends_above) continue;
-      const Product turn =
-          Product(u.x) * (y - Product(a.y) * scale) - Product(u.y) * (x - Product(a.x) * scale);
-      const int side = first_sign(turn, cross(u, d), Value(-dot(u, d)));
-      if ((side > 0) == ends_above) inside = !inside;
-    }
-    return inside;
+      const double turn = e.dx * (near.y - e.y) - e.dy * (near.x - e.x);
+      // The differences are off by less than two margins, and less than 2^50 margins.
+      if (std::abs(turn) > 4 * margin() * (std::abs(e.dx) + std::abs(e.dy) + margin()))
+        return (turn > 0) == ends_above;
+      const Product exact_turn = Product(u.x) * (exact().y - Product(a.y) * scale) -
+                                 Product(u.y) * (exact().x - Product(a.x) * scale);
+      return (first_sign(exact_turn, cross(u, d), Value(-dot(u, d))) > 0) == ends_above;
+    };
+    return tree.is_inside(component, near, margin(), is_above, crosses);
   }
 
   const IntegerSummands<Numbers>& summands_;

@@ -2,10 +2,8 @@
 #pragma once
 
 #include <array>
-#include <compare>
 #include <numeric>
 #include <optional>
-#include <tuple>
 
 #include "checked/slide/fraction.hpp"
 #include "checked/slide/integer_summands.hpp"
@@ -14,10 +12,11 @@
 namespace oplus::slide {
 
 /// x(t) with coordinates in lowest terms, so that equal points have equal numbers. Their order is
-/// that of the numbers, not of the plane.
+/// that of the plane.
 template <typename Numbers>
 class ExactPoint {
  public:
+  ExactPoint() = default;
   ExactPoint(const IntegerSegment<Numbers>& segment, const Fraction<Numbers>& t)
       : point_{coordinate(segment.source.x, segment.direction.x, t),
                coordinate(segment.source.y, segment.direction.y, t)} {}
@@ -37,6 +36,8 @@ class ExactPoint {
     return point;
   }
 
+  bool has_x_of(const ExactPoint& other) const { return point_.x == other.point_.x; }
+
   friend bool operator==(const ExactPoint& a, const ExactPoint& b) { return a.point_ == b.point_; }
   friend bool operator<(const ExactPoint& a, const ExactPoint& b) { return a.point_ < b.point_; }
 
@@ -48,15 +49,17 @@ class ExactPoint {
     return coordinate.get_d();
   }
 
-  static mpz_class integer(const Value& value) {
-    return mpz_class(boost::multiprecision::mpz_int(value).backend().data());
+  static Rational rational(const Value& value) {
+    if constexpr (is_rational<Numbers>)
+      return Rational(value.backend().data());
+    else
+      return mpz_class(boost::multiprecision::mpz_int(value).backend().data());
   }
 
   static Rational coordinate(const Value& source, const Value& direction,
                              const Fraction<Numbers>& t) {
-    Rational along(integer(t.numerator()), integer(t.denominator()));
-    along.canonicalize();
-    return integer(source) + integer(direction) * along;
+    return rational(source) +
+           rational(direction) * (rational(t.numerator()) / rational(t.denominator()));
   }
 
   Point point_;
@@ -65,6 +68,7 @@ class ExactPoint {
 template <>
 class ExactPoint<SmallNumbers> {
  public:
+  ExactPoint() = default;
   ExactPoint(const IntegerSegment<SmallNumbers>& segment, const Fraction<SmallNumbers>& t) {
     Value n = t.numerator(), d = t.denominator();
     if (d != 1) {
@@ -92,11 +96,13 @@ class ExactPoint<SmallNumbers> {
     return point;
   }
 
+  bool has_x_of(const ExactPoint& other) const { return x_ == other.x_; }
+
   friend bool operator==(const ExactPoint& a, const ExactPoint& b) {
-    return a.numbers() == b.numbers();
+    return a.x_ == b.x_ && a.y_ == b.y_;
   }
   friend bool operator<(const ExactPoint& a, const ExactPoint& b) {
-    return a.numbers() < b.numbers();
+    return a.x_ == b.x_ ? a.y_ < b.y_ : a.x_ < b.x_;
   }
 
   /// Whether x is on the segment from a to b; no answer where one of them has a denominator.
@@ -117,8 +123,23 @@ class ExactPoint<SmallNumbers> {
   __extension__ typedef unsigned __int128 Size;
 
   struct Coordinate {
-    Product numerator;
-    Value denominator;
+    Product numerator = 0;
+    Value denominator = 1;
+
+    friend bool operator==(const Coordinate&, const Coordinate&) = default;
+    /// By what is before the point, then by what is behind it: a product of both numbers of different
+    /// coordinates may not fit.
+    bool operator<(const Coordinate& other) const {
+      const Product before = floor(), other_before = other.floor();
+      if (before != other_before) return before < other_before;
+      return (numerator - before * denominator) * other.denominator <
+             (other.numerator - other_before * other.denominator) * denominator;
+    }
+
+    Product floor() const {
+      const Product towards_zero = numerator / denominator;
+      return towards_zero * denominator > numerator ? towards_zero - 1 : towards_zero;
+    }
 
     double near() const {
       return static_cast<double>(numerator) / static_cast<double>(denominator);
@@ -144,10 +165,6 @@ class ExactPoint<SmallNumbers> {
     const Value common = std::gcd(direction, d);
     d /= common;
     return {Product(source) * d + Product(direction / common) * n, d};
-  }
-
-  std::tuple<const Product&, const Value&, const Product&, const Value&> numbers() const {
-    return {x_.numerator, x_.denominator, y_.numerator, y_.denominator};
   }
 
   Coordinate x_;

@@ -17,13 +17,37 @@ double to_double(const Value& value) {
     return value.template convert_to<double>();
 }
 
-/// value / 2^shift as a double, however large it is, off by a rounding.
+/// A number is near mantissa 2^exponent, off by at most 2^-51 of its size.
+struct NearNumber {
+  double mantissa;
+  long exponent;
+
+  double scaled_down(std::size_t shift) const {
+    return std::ldexp(mantissa, static_cast<int>(exponent - static_cast<long>(shift)));
+  }
+  friend NearNumber operator/(const NearNumber& a, const NearNumber& b) {
+    return {a.mantissa / b.mantissa, a.exponent - b.exponent};
+  }
+};
+
+inline NearNumber near_number(mpz_srcptr value) {
+  NearNumber near;
+  near.mantissa = mpz_get_d_2exp(&near.exponent, value);
+  return near;
+}
+
+inline NearNumber near_number(const boost::multiprecision::mpq_rational& value) {
+  mpq_srcptr quotient = value.backend().data();
+  return near_number(mpq_numref(quotient)) / near_number(mpq_denref(quotient));
+}
+
+/// value / 2^shift as a double, however large it is, off by a rounding, or two if it is a rational.
 template <typename Value>
 double scaled_down(const Value& value, std::size_t shift) {
   if constexpr (std::is_same_v<Value, boost::multiprecision::mpz_int>) {
-    long exponent = 0;
-    const double mantissa = mpz_get_d_2exp(&exponent, value.backend().data());
-    return std::ldexp(mantissa, static_cast<int>(exponent - static_cast<long>(shift)));
+    return near_number(value.backend().data()).scaled_down(shift);
+  } else if constexpr (std::is_same_v<Value, boost::multiprecision::mpq_rational>) {
+    return near_number(value).scaled_down(shift);
   } else {
     return std::ldexp(to_double(value), -static_cast<int>(shift));
   }
@@ -35,6 +59,8 @@ double quotient(const Value& n, const Value& d) {
   if constexpr (std::is_same_v<Value, boost::multiprecision::mpz_int>) {
     const std::size_t shift = mpz_sizeinbase(d.backend().data(), 2);
     return scaled_down(n, shift) / scaled_down(d, shift);
+  } else if constexpr (std::is_same_v<Value, boost::multiprecision::mpq_rational>) {
+    return (near_number(n) / near_number(d)).scaled_down(0);
   } else {
     return to_double(n) / to_double(d);
   }

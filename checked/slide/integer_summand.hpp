@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "checked/slide/box_tree.hpp"
+#include "checked/slide/fraction.hpp"
 #include "checked/slide/integer_vector.hpp"
 #include "checked/slide/scaling.hpp"
 
@@ -26,7 +27,6 @@ struct IntegerSummand {
   std::vector<std::uint32_t> previous;  ///< the edge that enters the vertex
   std::vector<VertexIndex> names;
   std::vector<std::uint32_t> first_of_component;  ///< its first edge; then the number of all
-  std::vector<Box> boxes_of_components;
 };
 
 /// More than anything computed in doubles or floats can be off, given the largest coordinate.
@@ -50,6 +50,8 @@ typename Numbers::Value value_of(const Rational& coordinate, const Scaling& scal
   if constexpr (is_small<Numbers>) {
     if (scaling.is_trivial()) return coordinate.get_num().get_si();
     return scaled(coordinate, scaling, offset).get_si();
+  } else if constexpr (is_rational<Numbers>) {
+    return typename Numbers::Value(Rational(coordinate * scaling.denominator).get_mpq_t());
   } else {
     return typename Numbers::Value(
         boost::multiprecision::mpz_int(scaled(coordinate, scaling, offset).get_mpz_t()));
@@ -97,13 +99,8 @@ IntegerSummand<Numbers> integer_summand(const Region& region, const Scaling& sca
     ++chain_name;
   };
   for (const Component& component : region.components) {
-    const std::size_t first = summand.edges.size();
-    summand.first_of_component.push_back(static_cast<std::uint32_t>(first));
+    summand.first_of_component.push_back(static_cast<std::uint32_t>(summand.edges.size()));
     add(component.outer);
-    summand.boxes_of_components.push_back(box_around(summand.near[first]));
-    for (std::size_t i = first + 1; i < summand.edges.size(); ++i)
-      summand.boxes_of_components.back() =
-          around(summand.boxes_of_components.back(), box_around(summand.near[i]));
     for (const Chain& hole : component.holes) add(hole);
   }
   summand.first_of_component.push_back(static_cast<std::uint32_t>(summand.edges.size()));

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "checked/slide/component_tree.hpp"
 #include "checked/slide/fraction.hpp"
 #include "checked/slide/integer_summand.hpp"
 
@@ -17,6 +18,17 @@ struct IntegerSummands {
   BoxTree tree_of_p;
   BoxTree tree_of_q;
   Margins margins;
+  /// Empty unless there are several components.
+  ComponentTree components_of_p = {};
+  ComponentTree components_of_q = {};
+
+  bool has_several_components() const {
+    return p.first_of_component.size() > 2 || q.first_of_component.size() > 2;
+  }
+  void prepare_component_test() {
+    components_of_p = ComponentTree(p);
+    components_of_q = ComponentTree(q);
+  }
 };
 
 template <typename Numbers>
@@ -25,8 +37,10 @@ IntegerSummands<Numbers> integer_summands(const Region& p, const Region& q,
   auto of_p = integer_summand<Numbers>(p, scaling, scaling.of_p);
   auto of_q = integer_summand<Numbers>(q, scaling, scaling.of_q);
   BoxTree tree_of_p = box_tree(of_p), tree_of_q = box_tree(of_q);
-  return {std::move(of_p), std::move(of_q), std::move(tree_of_p), std::move(tree_of_q),
-          margins(scaling)};
+  IntegerSummands<Numbers> both{std::move(of_p), std::move(of_q), std::move(tree_of_p),
+                                std::move(tree_of_q), margins(scaling)};
+  if (both.has_several_components()) both.prepare_component_test();
+  return both;
 }
 
 /// The numbers of an edge of P and one of Q.

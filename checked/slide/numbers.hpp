@@ -31,8 +31,18 @@ struct AnyNumbers {
   using Product = Value;
 };
 
+/// Where a common denominator would be much longer than each coordinate, coordinates stay rationals.
+/// Whatever is said of integers then holds for these.
+struct RationalNumbers {
+  using Value = boost::multiprecision::mpq_rational;
+  using Product = Value;
+};
+
 template <typename Numbers>
 constexpr bool is_small = std::is_same_v<Numbers, SmallNumbers>;
+
+template <typename Numbers>
+constexpr bool is_rational = std::is_same_v<Numbers, RationalNumbers>;
 
 template <typename Value>
 int sign_of(const Value& value) {

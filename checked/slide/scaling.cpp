@@ -2,6 +2,7 @@
 #include "checked/slide/scaling.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "checked/slide/numbers.hpp"
 
@@ -80,6 +81,46 @@ Scaling scaling_of(const Region& p, const Region& q) {
   }
   scaling.shift = scaling.bits > 60 ? scaling.bits - 60 : 0;
   return scaling;
+}
+
+Scaling scaling_of_rationals(const Region& p, const Region& q) {
+  constexpr long bits_wanted = 62;
+  long bits_now = std::numeric_limits<long>::min();
+  for (const Region* region : {&p, &q})
+    each_vertex(*region, [&](const Point& v) {
+      for (const Rational* c : {&v.x, &v.y})
+        if (*c != 0)
+          bits_now = std::max(bits_now, static_cast<long>(bits(c->get_num())) -
+                                            static_cast<long>(bits(c->get_den())) + 1);
+    });
+  Scaling scaling;
+  const long more = std::max(0L, bits_wanted - bits_now);
+  scaling.denominator <<= static_cast<mp_bitcnt_t>(more);
+  scaling.bits = static_cast<std::size_t>(bits_now + more);
+  scaling.shift = scaling.bits - 60;
+  return scaling;
+}
+
+bool has_unlike_denominators(const Region& p, const Region& q) {
+  constexpr std::size_t many_times = 4;
+  mpz_class common = 1;
+  std::size_t longest = WideNumbers::bits / many_times;
+  for (const Region* region : {&p, &q})
+    each_vertex(*region, [&](const Point& v) {
+      for (const Rational* c : {&v.x, &v.y})
+        if (c->get_den() != 1)
+          longest = std::max({longest, bits(c->get_num()), bits(c->get_den())});
+    });
+  bool unlike = false;
+  for (const Region* region : {&p, &q})
+    each_vertex(*region, [&](const Point& v) {
+      for (const Rational* c : {&v.x, &v.y}) {
+        if (unlike || c->get_den() == 1) continue;
+        mpz_lcm(common.get_mpz_t(), common.get_mpz_t(), c->get_den_mpz_t());
+        unlike = bits(common) > many_times * longest;
+      }
+    });
+  return unlike;
 }
 
 }  // namespace oplus::slide

@@ -31,6 +31,14 @@ struct Scaling {
 /// Requires: both have a vertex.
 Scaling scaling_of(const Region& p, const Region& q);
 
+/// For RationalNumbers: the denominator is a power of two, with which coordinates have about 60 bits
+/// before the point. Requires: both have a vertex.
+Scaling scaling_of_rationals(const Region& p, const Region& q);
+
+/// Whether the common denominator has many more bits than any coordinate, so that computing with
+/// rationals is faster.
+bool has_unlike_denominators(const Region& p, const Region& q);
+
 /// A coordinate as an integer.
 mpz_class scaled(const Rational& coordinate, const Scaling& scaling, const mpz_class& offset);
 

@@ -55,46 +55,14 @@ FoundPieces<Numbers> find_free_pieces(const Tracks<Numbers>& tracks, const Engin
   return all;
 }
 
-struct ChainWithOrigins {
-  Chain chain;
-  Origins origins;
-};
-
-/// `origins` of a chain's edge: whatever turns its segments into origins, or nothing.
-template <typename PutPoint, typename OriginsOf>
-ChainWithOrigins in_the_plane(const StitchedChain& stitched, const PutPoint& put_point,
-                              const OriginsOf& origins_of, bool with_origins) {
-  ChainWithOrigins result;
-  result.chain.resize(stitched.edges.size());
-  for (std::size_t i = 0; i < stitched.edges.size(); ++i)
-    put_point(stitched.edges[i].from, result.chain[i]);
-  if (with_origins)
-    for (const StitchedChain::Edge& edge : stitched.edges)
-      result.origins.push_back(origins_of(stitched.segments_of(edge)));
-  const auto start = static_cast<std::ptrdiff_t>(start_of_smallest_rotation(result.chain));
-  std::rotate(result.chain.begin(), result.chain.begin() + start, result.chain.end());
-  if (with_origins)
-    std::rotate(result.origins.begin(), result.origins.begin() + start, result.origins.end());
-  return result;
-}
-
-void add(std::vector<ChainWithOrigins> chains, std::vector<Chain>& to, Origins& origins) {
-  std::sort(chains.begin(), chains.end(),
-            [](const auto& a, const auto& b) { return a.chain < b.chain; });
-  for (ChainWithOrigins& chain : chains) {
-    to.push_back(std::move(chain.chain));
-    std::move(chain.origins.begin(), chain.origins.end(), std::back_inserter(origins));
-  }
-}
-
 /// Which arithmetic the pairs of edges that took integers are counted for.
-enum class Integers { of_64_bits, of_256_bits, of_gmp };
+enum class Integers { of_64_bits, of_256_bits, of_gmp, rationals };
 
 template <typename Numbers>
 constexpr Integers integers_of() {
   if constexpr (is_small<Numbers>) return Integers::of_64_bits;
   if constexpr (std::is_same_v<Numbers, WideNumbers>) return Integers::of_256_bits;
-  return Integers::of_gmp;
+  return is_rational<Numbers> ? Integers::rationals : Integers::of_gmp;
 }
 
 Statistics statistics(std::size_t segments, std::size_t bits, std::size_t free_pieces,
@@ -110,7 +78,8 @@ Statistics statistics(std::size_t segments, std::size_t bits, std::size_t free_p
           {"pairs of edges decided by doubles", effort.by_doubles},
           {"in integers of 64 bits", decided_in(Integers::of_64_bits)},
           {"in integers of 256 bits", decided_in(Integers::of_256_bits)},
-          {"in integers of GMP", decided_in(Integers::of_gmp)}};
+          {"in integers of GMP", decided_in(Integers::of_gmp)},
+          {"in rationals", decided_in(Integers::rationals)}};
 }
 
 template <typename Numbers>
@@ -119,15 +88,19 @@ ComputedSum sum_in(const Region& p, const Region& q, const Scaling& scaling, Bou
   const Tracks<Numbers> tracks(p, q, scaling);
   const auto [pieces, effort] = find_free_pieces(tracks, options);
 
-  const NamedEnds<Numbers> ends = named_ends(pieces, tracks, scaling);
-  const auto point = [&](std::uint32_t i) { return ends.points[i].in_the_plane(scaling); };
+  const unsigned threads = options.threads;
+  const NamedEnds<Numbers> ends = named_ends(pieces, tracks, scaling, threads);
   const auto is_on = [&](std::uint32_t i, const BoundaryPiece& piece) {
     return lies_between(ends.points[i], ends.points[piece.from], ends.points[piece.to], scaling);
   };
   const std::vector<BoundaryPiece> cut =
-      cut_at_points(ends.pieces, {point, is_on, ends.near_x, ends.near_y, margins(scaling).point});
-  const std::vector<StitchedChain> chains = stitched(
-      cut, ends.points.size(), [&](std::uint32_t segment) { return tracks.direction(segment); });
+      cut_at_points(ends.pieces, {is_on, ends.near_x, ends.near_y}, threads);
+  const StitchedChains stitched_chains = stitched(
+      cut, ends.points.size(),
+      [&](std::uint32_t segment) -> const IntegerVector<Numbers>& {
+        return tracks.direction(segment);
+      },
+      threads);
 
   ComputedSum result;
   const auto origins_of = [&](std::span<const std::uint32_t> segments) {
@@ -137,17 +110,35 @@ ComputedSum sum_in(const Region& p, const Region& q, const Scaling& scaling, Bou
     origins.erase(std::unique(origins.begin(), origins.end()), origins.end());
     return origins;
   };
-  const auto put_point = [&](std::uint32_t i, Point& at) { ends.points[i].put_into(at, scaling); };
-  std::vector<ChainWithOrigins> outer, holes;
-  for (const StitchedChain& chain : chains)
-    (chain.is_outer ? outer : holes)
-        .push_back(in_the_plane(chain, put_point, origins_of, options.with_origins));
-  add(std::move(outer), result.sum.outer, result.origins);
-  add(std::move(holes), result.sum.holes, result.origins);
+  for (const bool is_outer : {true, false}) {
+    std::vector<StitchedChains::Chain> chains;
+    std::copy_if(stitched_chains.chains.begin(), stitched_chains.chains.end(),
+                 std::back_inserter(chains),
+                 [&](const StitchedChains::Chain& chain) { return chain.is_outer == is_outer; });
+    std::vector<Chain>& of_sum = is_outer ? result.sum.outer : result.sum.holes;
+    of_sum.resize(chains.size());
+    constexpr std::size_t chains_in_a_part = 512;
+    // Most of the time goes into allocating the numbers of the points.
+    for_each_part(
+        chains.size(), threads,
+        [&](std::size_t first, std::size_t last) {
+          for (std::size_t k = first; k < last; ++k) {
+            const auto edges = stitched_chains.edges_of(chains[k]);
+            of_sum[k].resize(edges.size());
+            for (std::size_t i = 0; i < edges.size(); ++i)
+              ends.points[edges[i].from].put_into(of_sum[k][i], scaling);
+          }
+        },
+        chains_in_a_part);
+    if (options.with_origins)
+      for (const StitchedChains::Chain& chain : chains)
+        for (const StitchedChains::Edge& edge : stitched_chains.edges_of(chain))
+          result.origins.push_back(origins_of(stitched_chains.segments_of(edge)));
+  }
 
   if (boundary == Boundary::open) {
     std::vector<Point> corners;
-    for (std::uint32_t i = 0; i < ends.points.size(); ++i) corners.push_back(point(i));
+    for (const auto& x : ends.points) corners.push_back(x.in_the_plane(scaling));
     add_low_dimensional_features(
         low_dimensional_candidates(tracks, pieces, scaling, options.threads), p, q,
         std::move(corners), result.sum);
@@ -171,6 +162,9 @@ ComputedSum slide_sum(const Region& p, const Region& q, Boundary boundary,
                       const EngineOptions& options) {
   if (p.components.empty() || q.components.empty())
     return {{}, {}, statistics(0, 0, 0, {}, Integers::of_64_bits)};
+  if (options.numbers == SlideNumbers::rationals ||
+      (options.numbers == SlideNumbers::as_needed && has_unlike_denominators(p, q)))
+    return sum_in<RationalNumbers>(p, q, scaling_of_rationals(p, q), boundary, options);
   const Scaling scaling = scaling_of(p, q);
   if (options.numbers == SlideNumbers::as_needed && scaling.bits <= SmallNumbers::bits)
     return sum_in<SmallNumbers>(p, q, scaling, boundary, options);

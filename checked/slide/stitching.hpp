@@ -2,10 +2,12 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "checked/slide/boundary_pieces.hpp"
+#include "checked/slide/for_each_number.hpp"
 #include "checked/slide/integer_vector.hpp"
 #include "checked/slide/short_list.hpp"
 #include "reference/definitions/contract.hpp"
@@ -13,17 +15,26 @@
 
 namespace oplus::slide {
 
-/// A closed chain, from corner to corner.
-struct StitchedChain {
+/// Closed chains, each from corner to corner and rotated so that the numbers of its points are smallest,
+/// in the order of these: the canonical order, where points are numbered in the order of the plane.
+struct StitchedChains {
   struct Edge {
     std::uint32_t from;           ///< the number of a point
     std::uint32_t first_segment;  ///< of those on which the edge runs, in `segments`
     std::uint32_t last_segment;   ///< behind these
   };
+  struct Chain {
+    std::uint32_t first_edge;
+    std::uint32_t last_edge;  ///< behind these
+    bool is_outer;
+  };
+  std::vector<Chain> chains;
   std::vector<Edge> edges;
   std::vector<std::uint32_t> segments;
-  bool is_outer = false;
 
+  std::span<const Edge> edges_of(const Chain& chain) const {
+    return {edges.begin() + chain.first_edge, edges.begin() + chain.last_edge};
+  }
   std::span<const std::uint32_t> segments_of(const Edge& edge) const {
     return {segments.begin() + edge.first_segment, segments.begin() + edge.last_segment};
   }
@@ -41,24 +52,38 @@ bool turns_more_clockwise(const IntegerVector<Numbers>& in, const IntegerVector<
   return cross(a, b) > 0;
 }
 
-/// By how many full turns the direction changes along a chain, each corner less than half a turn
-/// (thesis, Definition 2.1.9).
-template <typename Directions>
-int turning_number(const Directions& directions) {
-  using Vector = typename Directions::value_type;
+/// What a corner, less than half a turn, adds to the number of full turns of a chain: 1 where the
+/// direction passes that of the x axis to the left, -1 to the right (thesis, Definition 2.1.9).
+template <typename Vector>
+int full_turns(const Vector& in, const Vector& out) {
   const auto is_lower = [](const Vector& d) { return d.y < 0 || (d.y == 0 && d.x < 0); };
-  int turns = 0;
-  const Vector* in = &directions.back();
-  for (const Vector& out : directions) {
-    const bool left = cross(*in, out) > 0;
-    if (left && is_lower(*in) && !is_lower(out)) ++turns;
-    if (!left && !is_lower(*in) && is_lower(out) &&
-        !OPLUS_MUTANT("slide-sees-no-right-turn",
-                      "the turning number of a chain counts left turns only"))
-      --turns;
-    in = &out;
-  }
-  return turns;
+  const bool lower_in = is_lower(in), lower_out = is_lower(out);
+  if (lower_in == lower_out) return 0;
+  const bool left = cross(in, out) > 0;
+  if (left && lower_in) return 1;
+  if (!left && lower_out &&
+      !OPLUS_MUTANT("slide-sees-no-right-turn",
+                    "the turning number of a chain counts left turns only"))
+    return -1;
+  return 0;
+}
+
+/// Rotates the edges of a chain so that the numbers of their points are the smallest.
+inline void rotate_to_smallest(std::span<StitchedChains::Edge> chain) {
+  const std::size_t n = chain.size();
+  const auto is_smaller = [&](std::size_t a, std::size_t b) {
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::uint32_t of_a = chain[(a + k) % n].from, of_b = chain[(b + k) % n].from;
+      if (of_a != of_b) return of_a < of_b;
+    }
+    return false;
+  };
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < n; ++i)
+    if (chain[i].from < chain[best].from ||
+        (chain[i].from == chain[best].from && is_smaller(i, best)))
+      best = i;
+  std::rotate(chain.begin(), chain.begin() + static_cast<std::ptrdiff_t>(best), chain.end());
 }
 
 }  // namespace detail
@@ -67,8 +92,8 @@ int turning_number(const Directions& directions) {
 /// Requires: the pieces are sorted and meet at common ends only, or are equal but for the segment;
 /// direction(segment) is its direction as an IntegerVector.
 template <typename Direction>
-std::vector<StitchedChain> stitched(std::span<const BoundaryPiece> pieces, std::size_t points,
-                                    const Direction& direction) {
+StitchedChains stitched(std::span<const BoundaryPiece> pieces, std::size_t points,
+                        const Direction& direction, unsigned threads) {
   // Equal pieces are one, named by the first of them.
   ShortList<std::uint32_t> distinct;
   distinct.reserve(pieces.size());
@@ -80,64 +105,73 @@ std::vector<StitchedChain> stitched(std::span<const BoundaryPiece> pieces, std::
   }
   for (std::size_t i = 0; i < points; ++i) leaving[i + 1] += leaving[i];
   const auto piece = [&](std::uint32_t k) -> const BoundaryPiece& { return pieces[distinct[k]]; };
-  const auto next = [&](std::uint32_t k) {
+  // Which piece follows each, and how the boundary turns there.
+  struct Step {
+    std::uint32_t next;
+    bool is_corner;
+    std::int8_t full_turns;
+  };
+  ShortList<Step> steps(distinct.size());
+  const auto step_from = [&](std::uint32_t k) -> Step {
     const std::uint32_t at = piece(k).to;
+    const auto& in = direction(piece(k).segment);
     std::uint32_t best = leaving[at];
     OPLUS_REQUIRES(best != leaving[at + 1], "Observation 3.2.4");
     for (std::uint32_t other = best + 1; other < leaving[at + 1]; ++other) {
-      const bool is_better =
-          detail::turns_more_clockwise(direction(piece(k).segment), direction(piece(other).segment),
-                                       direction(piece(best).segment));
+      const bool is_better = detail::turns_more_clockwise(in, direction(piece(other).segment),
+                                                          direction(piece(best).segment));
       if (is_better !=
           OPLUS_MUTANT(
               "slide-turns-counterclockwise-most",
               "where the boundary touches itself, slide's chains go round faces of the sum"))
         best = other;
     }
-    return best;
+    const auto& out = direction(piece(best).segment);
+    return {best, cross(in, out) != 0, static_cast<std::int8_t>(detail::full_turns(in, out))};
   };
+  for_each_part(distinct.size(), threads, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) steps[k] = step_from(static_cast<std::uint32_t>(k));
+  });
 
-  std::vector<StitchedChain> chains;
+  StitchedChains result;
+  result.edges.reserve(distinct.size());
+  result.segments.reserve(pieces.size());
   ShortList<char> visited(distinct.size(), false);
-  ShortList<std::uint32_t> around;
-  around.reserve(pieces.size());
-  ShortList<std::decay_t<decltype(direction(0))>> directions;
-  directions.reserve(pieces.size());
-  for (std::uint32_t first = 0; first < distinct.size(); ++first) {
-    if (visited[first]) continue;
-    around.clear();
-    std::uint32_t k = first;
-    for (; !visited[k]; k = next(k)) {
-      visited[k] = true;
-      around.push_back(k);
-    }
-    OPLUS_REQUIRES(k == first, "Observation 3.2.4");
-    directions.clear();
-    for (const std::uint32_t i : around) directions.push_back(direction(piece(i).segment));
-    const auto is_corner = [&](std::size_t i) {
-      return cross(directions[i == 0 ? around.size() - 1 : i - 1], directions[i]) != 0;
-    };
+  for (std::uint32_t any = 0; any < distinct.size(); ++any) {
+    if (visited[any]) continue;
     // Start at a corner.
-    std::size_t start = 0;
-    while (!is_corner(start)) ++start;
-    StitchedChain chain;
-    chain.edges.reserve(around.size());
-    chain.segments.reserve(around.size());
-    for (std::size_t step = 0; step < around.size(); ++step) {
-      const std::size_t i = (start + step) % around.size();
-      const auto first_segment = static_cast<std::uint32_t>(chain.segments.size());
-      if (is_corner(i)) chain.edges.push_back({piece(around[i]).from, first_segment, 0});
-      const std::uint32_t end = around[i] + 1 < distinct.size()
-                                    ? distinct[around[i] + 1]
-                                    : static_cast<std::uint32_t>(pieces.size());
-      for (std::uint32_t j = distinct[around[i]]; j < end; ++j)
-        chain.segments.push_back(pieces[j].segment);
-      chain.edges.back().last_segment = static_cast<std::uint32_t>(chain.segments.size());
+    std::uint32_t start = any;
+    while (!steps[start].is_corner) start = steps[start].next;
+    start = steps[start].next;
+    const auto first_edge = static_cast<std::uint32_t>(result.edges.size());
+    bool is_corner = true;
+    int turns = 0;
+    std::uint32_t k = start;
+    for (; !visited[k]; k = steps[k].next) {
+      visited[k] = true;
+      const auto first_segment = static_cast<std::uint32_t>(result.segments.size());
+      if (is_corner) result.edges.push_back({piece(k).from, first_segment, 0});
+      const std::uint32_t end =
+          k + 1 < distinct.size() ? distinct[k + 1] : static_cast<std::uint32_t>(pieces.size());
+      for (std::uint32_t j = distinct[k]; j < end; ++j)
+        result.segments.push_back(pieces[j].segment);
+      result.edges.back().last_segment = static_cast<std::uint32_t>(result.segments.size());
+      is_corner = steps[k].is_corner;
+      turns += steps[k].full_turns;
     }
-    chain.is_outer = detail::turning_number(directions) > 0;
-    chains.push_back(std::move(chain));
+    OPLUS_REQUIRES(k == start, "Observation 3.2.4");
+    const auto last_edge = static_cast<std::uint32_t>(result.edges.size());
+    detail::rotate_to_smallest(std::span(result.edges).subspan(first_edge));
+    result.chains.push_back({first_edge, last_edge, turns > 0});
   }
-  return chains;
+  std::sort(result.chains.begin(), result.chains.end(),
+            [&](const StitchedChains::Chain& a, const StitchedChains::Chain& b) {
+              const auto of_a = result.edges_of(a), of_b = result.edges_of(b);
+              return std::lexicographical_compare(
+                  of_a.begin(), of_a.end(), of_b.begin(), of_b.end(),
+                  [](const auto& e, const auto& f) { return e.from < f.from; });
+            });
+  return result;
 }
 
 }  // namespace oplus::slide

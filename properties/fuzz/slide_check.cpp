@@ -17,10 +17,11 @@ namespace oplus {
 
 namespace {
 
-constexpr std::array<std::pair<SlideNumbers, const char*>, 3> stages{{
+constexpr std::array<std::pair<SlideNumbers, const char*>, 4> stages{{
     {SlideNumbers::as_needed, ""},
     {SlideNumbers::at_least_256_bits, " in 256 bits or more"},
     {SlideNumbers::gmp, " in GMP"},
+    {SlideNumbers::rationals, " in rationals"},
 }};
 
 void require_same(const MinkowskiSum& sum, const MinkowskiSum& expected, const std::string& what) {
@@ -53,8 +54,7 @@ void check(const Summands& summands, Boundary boundary) {
     const Statistics& s = result.statistics;
     require(is_in_right_stage(s, numbers), which + "decided in the wrong numbers" + in_these);
     if (numbers == SlideNumbers::as_needed) first = s;
-    for (const char* same :
-         {"segments slid along", "bits of a coordinate", "free pieces of segments"})
+    for (const char* same : {"segments slid along", "free pieces of segments"})
       require(s.count(same) == first.count(same), which + "other pieces" + in_these);
   }
   require_same(slide_sum(q, p, boundary).sum, expected.sum,

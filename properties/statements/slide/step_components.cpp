@@ -12,7 +12,8 @@ namespace {
 
 Outcome check(const Summands& summands) {
   const SlidPair pair(summands);
-  const auto& integers = pair.tracks.summands();
+  auto integers = pair.tracks.summands();
+  integers.prepare_component_test();  // also where there is one component
   const slide::ComponentTest<SlidPair::Numbers> components(integers);
   slide::BlockingSearch<SlidPair::Numbers> search(integers, slide::Shift::to_the_right);
   Outcome outcome;

@@ -10,16 +10,14 @@ namespace {
 Outcome check(const Summands& summands) {
   const SlidPair pair(summands);
   std::vector<slide::FreePiece<SlidPair::Numbers>> pieces = pair.free_pieces();
-  const auto ends = slide::named_ends(pieces, pair.tracks, pair.scaling);
+  const auto ends = slide::named_ends(pieces, pair.tracks, pair.scaling, 1);
   std::vector<Point> points;
   for (const auto& x : ends.points) points.push_back(x.in_the_plane(pair.scaling));
   const auto is_on = [&](std::uint32_t i, const slide::BoundaryPiece& piece) {
     return slide::lies_between(ends.points[i], ends.points[piece.from], ends.points[piece.to],
                                pair.scaling);
   };
-  const auto cut = slide::cut_at_points(
-      ends.pieces, {[&](std::uint32_t i) { return points[i]; }, is_on, ends.near_x, ends.near_y,
-                    slide::margins(pair.scaling).point});
+  const auto cut = slide::cut_at_points(ends.pieces, {is_on, ends.near_x, ends.near_y}, 1);
   Outcome outcome;
   outcome.counts["free pieces"] = pieces.size();
   outcome.counts["pieces after cutting"] = cut.size();
@@ -30,6 +28,8 @@ Outcome check(const Summands& summands) {
             "two ends at the same point have different "
             "numbers",
             points[i]);
+  if (!std::is_sorted(points.begin(), points.end()))
+    return outcome.fail("ends are not numbered in the order of the plane");
   std::vector<Segment> before, after;
   for (const auto& piece : pieces)
     before.push_back(
@@ -51,7 +51,8 @@ const Registered registered({
     .statement =
         "After numbering and cutting, two pieces of the boundary have at most ends in common, or "
         "are the same piece on two segments; two ends have the same number iff they are the same "
-        "point; and the pieces cover the same points as before.",
+        "point, and the numbers have the order of the plane; and the pieces cover the same points as "
+        "before.",
     .why =
         "The coordinates of an end are quotients in lowest terms, so equal points have equal "
         "coordinates and get the same number. Free pieces cannot cross, since the sum is to the "

@@ -30,7 +30,8 @@ Outcome check(const Summands& summands) {
     EngineOptions options{.with_origins = true};
     const ComputedSum small = slide_sum(summands.p, summands.q, boundary, options);
     outcome.counts["in 64-bit integers"] += small.statistics.count("in integers of 64 bits") > 0;
-    for (const SlideNumbers numbers : {SlideNumbers::at_least_256_bits, SlideNumbers::gmp}) {
+    for (const SlideNumbers numbers :
+         {SlideNumbers::at_least_256_bits, SlideNumbers::gmp, SlideNumbers::rationals}) {
       options.numbers = numbers;
       const ComputedSum other = slide_sum(summands.p, summands.q, boundary, options);
       if (other.sum != small.sum || other.origins != small.origins)
@@ -51,13 +52,12 @@ const Registered registered({
     .id = "step-numbers",
     .title = "The size of the numbers does not matter",
     .statement =
-        "In 64-bit integers, in 256-bit integers and in GMP, slide finds the same sum and the "
+        "In 64-bit integers, in 256-bit integers, in GMP and in rationals, slide finds the same sum and the "
         "same origins. If the pair is stretched until its coordinates exceed 64 bits, or is also "
         "bent, so that doubles cannot decide what is parallel, slide finds the same sum as rca.",
-    .why =
-        "Each stage computes the same integers as long as none overflows, and the number of bits "
-        "of the coordinates shows that none does. Stages with larger numbers compute in doubles "
-        "first, and use the result only if it exceeds the possible error.",
+    .why = "Each stage computes the same numbers as long as none overflows, and the number of bits "
+           "of the coordinates shows that none does. Stages with larger numbers compute in doubles "
+           "first, and use the result only if it exceeds the possible error.",
     .hypotheses = {"P and Q are valid regions"},
     .rests_on = {"step-boundary", "law-linear"},
     .sources = small_mixture(),

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 #include "reference/definitions/segment.hpp"
@@ -19,19 +20,31 @@ namespace {
 
 using Pieces = std::vector<BoundaryPiece>;
 
-constexpr double margin = 0x1p-30;
-
-Pieces cut_at(const std::vector<Point>& points, const Pieces& pieces) {
+/// The points have any order; cut_at_points() wants that of the plane.
+Pieces cut_at(const std::vector<Point>& points, const Pieces& pieces, unsigned threads = 1) {
+  std::vector<std::uint32_t> in_order(points.size()), place(points.size());
+  std::iota(in_order.begin(), in_order.end(), 0);
+  std::sort(in_order.begin(), in_order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return points[a] < points[b]; });
   std::vector<double> near_x, near_y;
-  for (const Point& p : points) {
-    near_x.push_back(p.x.get_d());
-    near_y.push_back(p.y.get_d());
+  for (std::uint32_t k = 0; k < points.size(); ++k) {
+    place[in_order[k]] = k;
+    near_x.push_back(points[in_order[k]].x.get_d());
+    near_y.push_back(points[in_order[k]].y.get_d());
   }
-  const auto is_on = [&](std::uint32_t i, const BoundaryPiece& piece) {
-    return lies_on(points[i], {points[piece.from], points[piece.to]});
+  const auto renamed = [](Pieces all, const std::vector<std::uint32_t>& names) {
+    for (BoundaryPiece& piece : all) piece = {names[piece.from], names[piece.to], piece.segment};
+    return all;
   };
-  return cut_at_points(pieces,
-                       {[&](std::uint32_t i) { return points[i]; }, is_on, near_x, near_y, margin});
+  const auto point = [&](std::uint32_t k) { return points[in_order[k]]; };
+  const auto is_on = [&](std::uint32_t i, const BoundaryPiece& piece) {
+    return lies_on(point(i), {point(piece.from), point(piece.to)});
+  };
+  const Pieces cut = cut_at_points(renamed(pieces, place), {is_on, near_x, near_y}, threads);
+  EXPECT_TRUE(std::is_sorted(cut.begin(), cut.end()));
+  Pieces result = renamed(cut, in_order);
+  std::sort(result.begin(), result.end());
+  return result;
 }
 
 TEST(CutAtPoints, leaves_what_has_no_point_inside) {
@@ -53,6 +66,24 @@ TEST(CutAtPoints, makes_equal_pieces_of_what_overlaps) {
   const std::vector<Point> points{{0, 0}, {2, 0}, {4, 0}, {6, 0}};
   EXPECT_EQ(cut_at(points, {{0, 2, 0}, {1, 3, 1}}),
             (Pieces{{0, 1, 0}, {1, 2, 0}, {1, 2, 1}, {2, 3, 1}}));
+}
+
+TEST(CutAtPoints, sees_detail_beside_points_that_are_far_away) {
+  const Rational far(mpz_class(1) << 100);
+  const std::vector<Point> points{{0, 0}, {2, 0}, {1, 0}, {far, far}, {-far, 0}, {1, 1}};
+  EXPECT_EQ(cut_at(points, {{0, 1, 0}}), (Pieces{{0, 2, 0}, {2, 1, 0}}));
+  EXPECT_EQ(cut_at(points, {{4, 0, 0}, {0, 3, 1}}), (Pieces{{0, 5, 1}, {4, 0, 0}, {5, 3, 1}}));
+}
+
+TEST(CutAtPoints, does_not_depend_on_the_number_of_threads) {
+  std::vector<Point> points;
+  for (int i = 0; i < 150; ++i)
+    for (int j = 0; j < 80; ++j) points.push_back({i, j});
+  Pieces pieces;
+  for (std::uint32_t i = 0; i + 2 < points.size(); ++i) pieces.push_back({i, i + 2, i});
+  const Pieces one = cut_at(points, pieces);
+  EXPECT_GT(one.size(), pieces.size() + 9000);
+  EXPECT_EQ(cut_at(points, pieces, 3), one);
 }
 
 TEST(CutAtPoints, is_exact_where_doubles_are_not) {

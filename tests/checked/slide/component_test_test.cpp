@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "reference/definitions/collision.hpp"
+#include "reference/families/polygons.hpp"
 #include "reference/families/rich_regions.hpp"
 #include "tests/checked/slide/exact_values.hpp"
 #include "tests/reference/definitions/print.hpp"
@@ -30,7 +31,8 @@ template <typename Numbers>
 bool overlap_at(const Region& p, const Region& q, const Segment& segment, const mpz_class& n,
                 const mpz_class& d) {
   const Scaling scaling = scaling_of(p, q);
-  const auto both = integer_summands<Numbers>(p, q, scaling);
+  auto both = integer_summands<Numbers>(p, q, scaling);
+  both.prepare_component_test();
   const IntegerSegment<Numbers> exact = integer_segment<Numbers>(segment);
   return ComponentTest<Numbers>(both).overlap_at({exact, near(exact, scaling)},
                                                  fraction<Numbers>(n, d));
@@ -163,6 +165,30 @@ TEST(ComponentTest, tells_whether_the_interiors_meet_where_no_edges_do) {
   EXPECT_GT(overlapping, 20u);
   EXPECT_GT(apart, 200u);
   EXPECT_GT(touching, 20u);
+}
+
+TYPED_TEST(ComponentTestIn, locates_places_in_long_chains) {
+  Random random(16);
+  const int size = 2'000'000;
+  const Component square{box(2 * size, 0, 2 * size + 1, 1), {}};
+  const Region tiny = polygon({{0, 0}, {1, 0}, {0, 1}});
+  std::size_t inside = 0, outside = 0;
+  for (int k = 0; k < 5; ++k) {
+    // A star, or a frame around one; and a component far away.
+    Region p = star_polygon(random, 60);
+    if (k % 2 == 0) p = {{{box(-size, -size, size, size), {backwards(p.components[0].outer)}}}};
+    p.components.insert(one_in(random, 2) ? p.components.begin() : p.components.end(), square);
+    for (int places = 0; places < 100; ++places) {
+      const Point x{uniform(random, -size, size), uniform(random, -size, size)};
+      const Region minus_q = translated(reflected(tiny), x + Vector{0, Rational(1, 1000)});
+      if (edges_meet(p, minus_q)) continue;
+      const bool expected = interiors_meet(p, minus_q);
+      ++(expected ? inside : outside);
+      expect_overlap<TypeParam>(expected, p, tiny, x);
+    }
+  }
+  EXPECT_GT(inside, 20u);
+  EXPECT_GT(outside, 20u);
 }
 
 template <typename Numbers>

@@ -73,7 +73,8 @@ TYPED_TEST(ExactPointIn, is_the_point_in_the_plane) {
   for (const auto& [exact, point] : all) {
     for (const auto& [other_exact, other_point] : all) {
       EXPECT_EQ(exact == other_exact, point == other_point);
-      EXPECT_EQ(exact < other_exact || other_exact < exact, point != other_point);
+      EXPECT_EQ(exact < other_exact, point < other_point);
+      EXPECT_EQ(exact.has_x_of(other_exact), point.x == other_point.x);
       if (point != other_point) continue;
       ++equal;
       EXPECT_EQ(exact.near_x({}), other_exact.near_x({})) << "named_ends() relies on it";
@@ -108,6 +109,9 @@ TYPED_TEST(ExactPointIn, is_exact_at_the_limits) {
         EXPECT_EQ(at<TypeParam>({a, b}, n, d).in_the_plane({}), expected);
         expect_equal(at<TypeParam>({a, b}, n, d), at<TypeParam>({b, a}, d - n, d));
         expect_different(at<TypeParam>({a, b}, n, d), at<TypeParam>({a, b}, n + 1, d));
+        for (const mpz_class& other : {mpz_class(n - 1), mpz_class(n + 1)})
+          EXPECT_EQ(at<TypeParam>({a, b}, n, d) < at<TypeParam>({a, b}, other, d - 2),
+                    expected < a + (Rational(other) / mpz_class(d - 2)) * (b - a));
       }
     }
   }

@@ -16,7 +16,7 @@ namespace oplus::slide {
 
 // What the stages of arithmetic compute, as rationals that know nothing of stages.
 
-using AllNumbers = testing::Types<SmallNumbers, WideNumbers, AnyNumbers>;
+using AllNumbers = testing::Types<SmallNumbers, WideNumbers, AnyNumbers, RationalNumbers>;
 using LimitedNumbers = testing::Types<SmallNumbers, WideNumbers>;
 
 template <typename Value>

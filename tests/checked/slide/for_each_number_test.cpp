@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 #include <pthread.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <mutex>
 #include <set>
 #include <stdexcept>
@@ -74,6 +76,40 @@ TEST(ForEachNumber, needs_no_other_thread) {
   pthread_setattr_default_np(&before);
   EXPECT_EQ(calls, 100u);
   EXPECT_EQ(ids, std::set{std::this_thread::get_id()});
+}
+
+TEST(ForEachPart, covers_all_in_parts_that_threads_do_not_change) {
+  for (const std::size_t n : {0u, 1u, 9u, 10u, 11u, 1000u}) {
+    std::set<std::pair<std::size_t, std::size_t>> expected;
+    for (std::size_t first = 0; first < n; first += 10)
+      expected.emplace(first, std::min(first + 10, n));
+    for (const unsigned threads : {1u, 3u}) {
+      std::mutex mutex;
+      std::set<std::pair<std::size_t, std::size_t>> parts;
+      for_each_part(
+          n, threads,
+          [&](std::size_t first, std::size_t last) {
+            const std::lock_guard lock(mutex);
+            EXPECT_TRUE(parts.emplace(first, last).second);
+          },
+          10);
+      EXPECT_EQ(parts, expected) << n << ' ' << threads;
+    }
+  }
+}
+
+TEST(SortInParts, sorts) {
+  for (const std::size_t n : {0u, 1u, 16'383u, 16'384u, 50'001u}) {
+    std::vector<std::size_t> numbers(n);
+    for (std::size_t i = 0; i < n; ++i) numbers[i] = (i * 7919) % 50'021;
+    std::vector<std::size_t> expected = numbers;
+    std::sort(expected.begin(), expected.end());
+    for (const unsigned threads : {1u, 2u, 3u}) {
+      std::vector<std::size_t> sorted = numbers;
+      sort_in_parts(sorted, threads, std::less<>());
+      EXPECT_EQ(sorted, expected) << n << ' ' << threads;
+    }
+  }
 }
 
 }  // namespace

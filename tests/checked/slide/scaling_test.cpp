@@ -98,6 +98,45 @@ TEST(Scaling, shifts_doubles_to_60_bits) {
   EXPECT_EQ(shift(5000), 4940u);
 }
 
+/// A polygon with n denominators of the given number of bits, no two with a common factor.
+Region with_denominators(std::size_t n, unsigned bits) {
+  Chain chain{{0, 0}};
+  mpz_class denominator = mpz_class(1) << bits;
+  for (std::size_t k = 0; k < n; ++k) {
+    mpz_nextprime(denominator.get_mpz_t(), denominator.get_mpz_t());
+    const int x = static_cast<int>(k) + 1;
+    chain.push_back({Rational(1, denominator) + x, x * x});
+  }
+  return polygon(chain);
+}
+
+TEST(Scaling, of_unlike_denominators_are_those_with_a_long_common_one) {
+  const Region integers = polygon(box(0, 0, 9, 9));
+  EXPECT_FALSE(has_unlike_denominators(integers, integers));
+  EXPECT_FALSE(has_unlike_denominators(with_denominators(3, 32), integers));
+  const Region unlike = with_denominators(40, 32);
+  EXPECT_TRUE(has_unlike_denominators(unlike, integers));
+  EXPECT_TRUE(has_unlike_denominators(integers, unlike));
+  EXPECT_TRUE(has_unlike_denominators(with_denominators(3, 32), unlike));
+  const Region large = polygon(box(0, 0, Rational(1, power_of_two(5000).get_num()), 9));
+  EXPECT_FALSE(has_unlike_denominators(large, large));
+}
+
+TEST(Scaling, of_rationals_is_a_power_of_two) {
+  for (const int exponent : {-300, -61, 0, 3, 61, 62, 63, 300}) {
+    const Rational size = power_of_two(exponent) / 3;
+    const Region p = polygon(box(-size, 0, size / 7, size / 5));
+    const Scaling scaling = scaling_of_rationals(p, p);
+    EXPECT_EQ(mpz_popcount(scaling.denominator.get_mpz_t()), 1u);
+    EXPECT_FALSE(scaling.is_trivial());
+    EXPECT_GE(scaling.bits, 62u) << "doubles are never exact";
+    EXPECT_EQ(scaling.bits - scaling.shift, 60u);
+    const Rational largest = size * scaling.denominator;
+    EXPECT_LE(largest, power_of_two(static_cast<int>(scaling.bits)));
+    EXPECT_GE(largest, power_of_two(static_cast<int>(scaling.bits) - 3));
+  }
+}
+
 TEST(Scaling, puts_back) {
   const Rational far = power_of_two(40) / 3;
   const Region p = polygon({{far, 0}, {far + 1, Rational(1, 7)}, {far, 9}});

@@ -32,6 +32,7 @@ std::string stage(const Statistics& statistics) {
   if (statistics.count("in integers of 64 bits") > 0) stages += "64";
   if (statistics.count("in integers of 256 bits") > 0) stages += "256";
   if (statistics.count("in integers of GMP") > 0) stages += "gmp";
+  if (statistics.count("in rationals") > 0) stages += "rationals";
   return stages;
 }
 
@@ -109,6 +110,27 @@ TEST(SlideStages, of_what_is_small_but_far_from_the_origin_are_64_bits) {
   }
 }
 
+TEST(SlideStages, rationals_are_taken_where_a_common_denominator_would_be_long) {
+  Random random(18);
+  mpz_class prime = mpz_class(1) << 31;
+  const auto with_denominators = [&](Region region) {
+    for (Point& v : region.components[0].outer)
+      for (Rational* c : {&v.x, &v.y}) {
+        mpz_nextprime(prime.get_mpz_t(), prime.get_mpz_t());
+        *c += Rational(1, prime);
+      }
+    return region;
+  };
+  const Region star = with_denominators(star_polygon(random, 16));
+  const Region other = with_denominators(star_polygon(random, 6));
+  EXPECT_EQ(stage(star, other), "rationals");
+  EXPECT_EQ(stage(star, triangle), "rationals");
+  expect_as_rca(star, other, "unlike denominators");
+  const Region twice{{star.components[0], translated(star, {3'000'000, 0}).components[0]}};
+  expect_as_rca(twice, other, "of two components");
+  expect_as_rca(star, reflected(star), "that fits itself");
+}
+
 TEST(SlideStages, that_are_asked_for_are_taken) {
   const auto with = [](SlideNumbers numbers) {
     return stage(slide_sum(triangle, triangle, Boundary::closed, {.numbers = numbers}).statistics);
@@ -116,6 +138,7 @@ TEST(SlideStages, that_are_asked_for_are_taken) {
   EXPECT_EQ(with(SlideNumbers::as_needed), "64");
   EXPECT_EQ(with(SlideNumbers::at_least_256_bits), "256");
   EXPECT_EQ(with(SlideNumbers::gmp), "gmp");
+  EXPECT_EQ(with(SlideNumbers::rationals), "rationals");
   const EngineOptions at_least{.numbers = SlideNumbers::at_least_256_bits};
   EXPECT_EQ(stage(slide_sum(triangle_to(power_of_two(200)), square_around_origin(1),
                             Boundary::closed, at_least)
@@ -246,7 +269,8 @@ TEST(SlideNumbers, do_not_change_the_result) {
           return slide_sum(p, q, boundary, {.with_origins = true, .numbers = numbers});
         };
         const ComputedSum needed = with(SlideNumbers::as_needed);
-        for (const SlideNumbers larger : {SlideNumbers::at_least_256_bits, SlideNumbers::gmp}) {
+        for (const SlideNumbers larger :
+             {SlideNumbers::at_least_256_bits, SlideNumbers::gmp, SlideNumbers::rationals}) {
           const ComputedSum result = with(larger);
           EXPECT_EQ(result.sum, needed.sum) << family.name << ' ' << seed;
           EXPECT_EQ(result.origins, needed.origins) << family.name << ' ' << seed;

@@ -32,27 +32,27 @@ class Stitched {
     for (std::uint32_t i = 0; i < edges.size(); ++i)
       pieces.push_back({number_of(edges[i].source), number_of(edges[i].target), i});
     std::sort(pieces.begin(), pieces.end());
-    chains = stitched(pieces, points_.size(), [&](std::uint32_t segment) {
-      return integer_segment<SmallNumbers>(edges[segment]).direction;
-    });
+    chains = stitched(
+        pieces, points_.size(),
+        [&](std::uint32_t segment) {
+          return integer_segment<SmallNumbers>(edges[segment]).direction;
+        },
+        1);
   }
 
-  /// As the sum that has these chains.
+  /// As the sum that has these chains, which are in the canonical order already.
   MinkowskiSum sum() const {
     MinkowskiSum result;
-    for (const StitchedChain& stitched : chains) {
+    for (const StitchedChains::Chain& stitched : chains.chains) {
       Chain chain;
-      for (const StitchedChain::Edge& edge : stitched.edges) chain.push_back(points_[edge.from]);
-      const auto start = static_cast<std::ptrdiff_t>(start_of_smallest_rotation(chain));
-      std::rotate(chain.begin(), chain.begin() + start, chain.end());
+      for (const StitchedChains::Edge& edge : chains.edges_of(stitched))
+        chain.push_back(points_[edge.from]);
       (stitched.is_outer ? result.outer : result.holes).push_back(chain);
     }
-    std::sort(result.outer.begin(), result.outer.end());
-    std::sort(result.holes.begin(), result.holes.end());
     return result;
   }
 
-  std::vector<StitchedChain> chains;
+  StitchedChains chains;
 
  private:
   std::uint32_t number_of(const Point& p) const {
@@ -127,10 +127,10 @@ TEST(Stitching, drops_collinear_vertices_and_joins_their_segments) {
                                    {{0, 3}, {0, 0}}, {{0, 0}, {1, 0}}, {{1, 0}, {2, 0}}};
   const Stitched result(edges);
   EXPECT_EQ(result.sum().outer, (std::vector<Chain>{{{0, 0}, {3, 0}, {0, 3}}}));
-  ASSERT_EQ(result.chains.size(), 1u);
+  ASSERT_EQ(result.chains.chains.size(), 1u);
   std::vector<std::vector<std::uint32_t>> segments;
-  for (const StitchedChain::Edge& edge : result.chains[0].edges) {
-    const auto of_edge = result.chains[0].segments_of(edge);
+  for (const StitchedChains::Edge& edge : result.chains.edges) {
+    const auto of_edge = result.chains.segments_of(edge);
     segments.emplace_back(of_edge.begin(), of_edge.end());
     std::sort(segments.back().begin(), segments.back().end());
   }
@@ -151,6 +151,13 @@ TEST(Stitching, gives_the_canonical_chains_of_any_region) {
   }
   EXPECT_GT(touching, 20u);
   EXPECT_GT(several, 50u);
+}
+
+TEST(Stitching, starts_a_chain_that_passes_its_smallest_point_twice_as_the_plane_says) {
+  // Two loops at (0, 0); what follows it first is smaller in one of them.
+  const Chain upper{{0, 0}, {3, 1}, {1, 3}}, lower{{0, 0}, {1, -3}, {3, -1}};
+  EXPECT_EQ(stitched_sum({upper, lower}).outer,
+            (std::vector<Chain>{{{0, 0}, {1, -3}, {3, -1}, {0, 0}, {3, 1}, {1, 3}}}));
 }
 
 TEST(TurnsMoreClockwise, is_the_order_from_the_way_back) {
@@ -182,13 +189,20 @@ std::vector<Small> directions(const Chain& chain) {
   return result;
 }
 
+int turning_number(const std::vector<Small>& directions) {
+  int turns = 0;
+  for (std::size_t i = 0; i < directions.size(); ++i)
+    turns += detail::full_turns(directions[i], directions[(i + 1) % directions.size()]);
+  return turns;
+}
+
 TEST(TurningNumber, is_one_or_minus_one_of_simple_chains) {
   Random random(13);
   for (int k = 0; k < 100; ++k) {
     const Chain chain = k % 2 == 0 ? plain_region(random, 9).components[0].outer
                                    : star_polygon(random, 20).components[0].outer;
-    EXPECT_EQ(detail::turning_number(directions(chain)), 1);
-    EXPECT_EQ(detail::turning_number(directions(backwards(chain))), -1);
+    EXPECT_EQ(turning_number(directions(chain)), 1);
+    EXPECT_EQ(turning_number(directions(backwards(chain))), -1);
   }
 }
 
@@ -198,22 +212,22 @@ TEST(TurningNumber, of_a_spiral_is_one) {
   for (std::size_t start = 0; start < spiral.size(); ++start) {
     Chain chain = spiral;
     std::rotate(chain.begin(), chain.begin() + static_cast<std::ptrdiff_t>(start), chain.end());
-    EXPECT_EQ(detail::turning_number(directions(chain)), 1) << start;
-    EXPECT_EQ(detail::turning_number(directions(backwards(chain))), -1) << start;
+    EXPECT_EQ(turning_number(directions(chain)), 1) << start;
+    EXPECT_EQ(turning_number(directions(backwards(chain))), -1) << start;
   }
 }
 
 TEST(TurningNumber, of_chains_that_cross_themselves) {
   const Chain twice_around{{0, 0}, {9, 0}, {9, 9}, {1, 9}, {1, 1}, {8, 1}, {8, 8}, {0, 8}};
-  EXPECT_EQ(detail::turning_number(directions(twice_around)), 2);
+  EXPECT_EQ(turning_number(directions(twice_around)), 2);
   const Chain eight{{0, 0}, {2, 2}, {2, 0}, {0, 2}};
-  EXPECT_EQ(detail::turning_number(directions(eight)), 0);
+  EXPECT_EQ(turning_number(directions(eight)), 0);
 }
 
 TEST(TurningNumber, counts_straight_corners_as_none) {
   const Chain square{{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
-  EXPECT_EQ(detail::turning_number(directions(square)), 1);
-  EXPECT_EQ(detail::turning_number(directions(backwards(square))), -1);
+  EXPECT_EQ(turning_number(directions(square)), 1);
+  EXPECT_EQ(turning_number(directions(backwards(square))), -1);
 }
 
 }  // namespace
