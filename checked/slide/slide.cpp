@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <span>
 
 #include "checked/slide/for_each_number.hpp"
 #include "checked/slide/free_pieces.hpp"
-#include "checked/slide/low_dimensional_candidates.hpp"
+#include "checked/slide/low_dimensional_features.hpp"
 #include "checked/slide/named_ends.hpp"
+#include "checked/slide/open_places.hpp"
 #include "checked/slide/stitching.hpp"
 #include "checked/slide/tracks.hpp"
 
@@ -21,31 +23,43 @@ using namespace slide;
 template <typename Numbers>
 struct FoundPieces {
   std::vector<FreePiece<Numbers>> pieces;  ///< segment by segment
+  OpenCandidates<Numbers> open;            ///< where low-dimensional features may be
   SearchEffort effort;
 };
 
 /// Segments are independent. They are handed out in lots of the same size, whatever the number of
-/// threads, so that neither the result nor the effort depends on it.
+/// threads, so that neither the result nor the effort depends on it. With `rays`, for the open sum too.
 template <typename Numbers>
-FoundPieces<Numbers> find_free_pieces(const Tracks<Numbers>& tracks, unsigned threads) {
+FoundPieces<Numbers> find_free_pieces(const Tracks<Numbers>& tracks, unsigned threads,
+                                      const std::optional<RaysOfBoth<Numbers>>& rays) {
   constexpr std::size_t in_a_lot = 128;
   constexpr std::size_t too_few = 8;  // to start threads for
   std::vector<FoundPieces<Numbers>> lots((tracks.size() + in_a_lot - 1) / in_a_lot);
   for_each_number(lots.size(), lots.size() < too_few ? 1 : threads, [&](std::size_t lot) {
     FreePieces<Numbers> search(tracks.summands());
+    std::optional<OpenPlaces<Numbers>> open;
+    if (rays) open.emplace(tracks.summands(), *rays);
     lots[lot].pieces.reserve(in_a_lot / 4);
     const std::size_t end = std::min((lot + 1) * in_a_lot, tracks.size());
-    for (auto i = static_cast<std::uint32_t>(lot * in_a_lot); i < end; ++i)
-      search.find(tracks[i], [&](Piece<Numbers> piece) {
+    for (auto i = static_cast<std::uint32_t>(lot * in_a_lot); i < end; ++i) {
+      const auto add = [&](Piece<Numbers> piece) {
         lots[lot].pieces.push_back({i, std::move(piece)});
-      });
+      };
+      // Of segments along a dangling edge, or through an isolated vertex, some lead to the right.
+      if (open && is_to_the_right(tracks.direction(i)))
+        open->find(search, i, tracks[i], add);
+      else
+        search.find(tracks[i], add);
+    }
     lots[lot].effort = search.effort();
+    if (open) lots[lot].open = std::move(open->found);
   });
   if (lots.size() == 1) return std::move(lots[0]);
   FoundPieces<Numbers> all;
   for (FoundPieces<Numbers>& lot : lots) {
     all.pieces.insert(all.pieces.end(), std::make_move_iterator(lot.pieces.begin()),
                       std::make_move_iterator(lot.pieces.end()));
+    all.open.take(std::move(lot.open));
     all.effort += lot.effort;
   }
   return all;
@@ -113,7 +127,9 @@ template <typename Numbers>
 ComputedSum sum_in(const Region& p, const Region& q, const Scaling& scaling, Boundary boundary,
                    const EngineOptions& options) {
   const Tracks<Numbers> tracks(p, q, scaling);
-  const auto [pieces, effort] = find_free_pieces(tracks, options.threads);
+  std::optional<RaysOfBoth<Numbers>> rays;
+  if (boundary == Boundary::open) rays.emplace(rays_of(tracks.summands()));
+  auto [pieces, open, effort] = find_free_pieces(tracks, options.threads, rays);
 
   const NamedEnds<Numbers> ends = named_ends(pieces, tracks, scaling);
   const auto point = [&](std::uint32_t i) { return ends.points[i].in_the_plane(scaling); };
@@ -142,11 +158,11 @@ ComputedSum sum_in(const Region& p, const Region& q, const Scaling& scaling, Bou
   add(std::move(holes), result.sum.holes, result.origins);
 
   if (boundary == Boundary::open) {
-    std::vector<Point> corners;
-    for (std::uint32_t i = 0; i < ends.points.size(); ++i) corners.push_back(point(i));
-    add_low_dimensional_features(
-        low_dimensional_candidates(tracks, pieces, scaling, options.threads), p, q,
-        std::move(corners), result.sum);
+    LowDimensionalFeatures found = low_dimensional_features(
+        tracks, *rays, low_dimensional_candidates(tracks, *rays, std::move(open), options.threads),
+        ends, scaling, options.threads);
+    result.sum.dangling_edges = std::move(found.dangling_edges);
+    result.sum.isolated_vertices = std::move(found.isolated_vertices);
     if (options.with_origins)
       for (const Segment& edge : result.sum.dangling_edges) {
         std::vector<std::uint32_t> along;
