@@ -11,6 +11,7 @@
 #include "checked/slide/low_dimensional_features.hpp"
 #include "checked/slide/named_ends.hpp"
 #include "checked/slide/open_places.hpp"
+#include "checked/slide/segments_along.hpp"
 #include "checked/slide/stitching.hpp"
 #include "checked/slide/tracks.hpp"
 
@@ -163,13 +164,11 @@ ComputedSum sum_in(const Region& p, const Region& q, const Scaling& scaling, Bou
         ends, scaling, options.threads);
     result.sum.dangling_edges = std::move(found.dangling_edges);
     result.sum.isolated_vertices = std::move(found.isolated_vertices);
-    if (options.with_origins)
-      for (const Segment& edge : result.sum.dangling_edges) {
-        std::vector<std::uint32_t> along;
-        for (std::uint32_t i = 0; i < tracks.size(); ++i)
-          if (overlap(in_the_plane(tracks[i], scaling), edge)) along.push_back(i);
-        result.origins.push_back(origins_of(along));
-      }
+    if (options.with_origins && !result.sum.dangling_edges.empty()) {
+      const SegmentsAlong<Numbers> segments(tracks, scaling);
+      for (const Segment& edge : result.sum.dangling_edges)
+        result.origins.push_back(origins_of(segments.along(edge)));
+    }
   }
 
   result.statistics =
