@@ -62,6 +62,7 @@ class BoundaryRays {
     return {first, last};
   }
 
+  /// Whether several chains touch in a vertex.
   bool is_touching_point(const Feature& feature) const {
     return feature.is_vertex && touching_at(feature.number) != nullptr;
   }
@@ -113,7 +114,7 @@ class BoundaryRays {
     touching_of_.assign(next_.size(), none);
     for (std::uint32_t v = 0; v < next_.size(); ++v) {
       if (touching_of_[v] != none) continue;
-      Touching found{{v}, {}};
+      ShortList<std::uint32_t> vertices{v}, edges;
       const NearPoint near{summand_.near[v].x, summand_.near[v].y};
       any_leaf_around(tree, near.box(margins.coordinate), [&](std::uint32_t edge) {
         if (summand_.names[edge].chain == summand_.names[v].chain) return false;
@@ -121,16 +122,16 @@ class BoundaryRays {
         const auto to = summand_.edges[v].source - summand_.edges[edge].source;
         if (cross(along, to) != 0) return false;
         const auto place = dot(along, to);
-        if (place == 0) found.vertices.push_back(edge);
+        if (place == 0) vertices.push_back(edge);
         // What is at the target is at the source of the next edge.
-        if (place > 0 && place < dot(along, along)) found.edges.push_back(edge);
+        if (place > 0 && place < dot(along, along)) edges.push_back(edge);
         return false;
       });
-      if (found.vertices.size() == 1 && found.edges.empty()) continue;
-      for (const std::uint32_t vertex : found.vertices)
+      if (vertices.size() == 1 && edges.empty()) continue;
+      for (const std::uint32_t vertex : vertices)
         touching_of_[vertex] = static_cast<std::uint32_t>(touching_.size());
-      for (const std::uint32_t edge : found.edges) inside_.emplace_back(edge, v);
-      touching_.push_back(std::move(found));
+      for (const std::uint32_t edge : edges) inside_.emplace_back(edge, v);
+      touching_.push_back({{vertices.begin(), vertices.end()}, {edges.begin(), edges.end()}});
     }
     std::sort(inside_.begin(), inside_.end());
   }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <vector>
-
 #include "checked/slide/box_tree.hpp"
+#include "checked/slide/short_list.hpp"
 
 namespace oplus::slide {
 
@@ -12,7 +11,7 @@ namespace oplus::slide {
 template <typename Visit>
 bool any_leaf_around(const BoxTree& tree, const Box& place, const Visit& visit,
                      const Box& by = Box(0)) {
-  std::vector<std::uint32_t> waiting;
+  ShortList<std::uint32_t> waiting;
   std::uint32_t node = 0;
   while (true) {
     const BoxTree::Node& here = tree[node];

@@ -101,6 +101,25 @@ class Contacts {
 
   /// Whether the interiors have a sector around the contact in common.
   bool interiors_meet_at(const Contact& contact) {
+    return !OPLUS_MUTANT(
+               "slide-ignores-weak-intersections",
+               "slide takes boundaries that meet without a proper crossing to touch only") &&
+           (contact.of_p.is_vertex == contact.of_q.is_vertex ||
+                    rays_[0].is_touching_point(contact.of_p) ||
+                    rays_[1].is_touching_point(contact.of_q)
+                ? is_sector_common(contact)
+                : is_sector_beside_edge(contact));
+  }
+
+ private:
+  struct Around {
+    IntegerVector<Numbers> direction;
+    bool is_lower;  ///< its angle is at least π
+    Summand of;
+    bool interior_is_counterclockwise;
+  };
+
+  bool is_sector_common(const Contact& contact) {
     around_.clear();
     const auto add_to = [&](Summand of) {
       return [this, of](const Ray<Numbers>& ray) {
@@ -122,19 +141,25 @@ class Contacts {
       in_order_.back()[static_cast<std::size_t>(around_[i].of)] =
           around_[i].interior_is_counterclockwise;
     }
-    return is_sector_inside_both(in_order_) &&
-           !OPLUS_MUTANT(
-               "slide-ignores-weak-intersections",
-               "slide takes boundaries that meet without a proper crossing to touch only");
+    return is_sector_inside_both(in_order_);
   }
 
- private:
-  struct Around {
-    IntegerVector<Numbers> direction;
-    bool is_lower;  ///< its angle is at least π
-    Summand of;
-    bool interior_is_counterclockwise;
-  };
+  /// The same for a vertex in an edge, no other chain there: whether not all of the sector at the vertex
+  /// is to the right of the edge. In -Q, directions are turned round.
+  bool is_sector_beside_edge(const Contact& contact) const {
+    const bool is_of_p = contact.of_p.is_vertex;
+    const auto& with_vertex = is_of_p ? summands_.p : summands_.q;
+    const std::uint32_t vertex = (is_of_p ? contact.of_p : contact.of_q).number;
+    const auto& edge = is_of_p ? summands_.q.edges[contact.of_q.number].direction
+                               : summands_.p.edges[contact.of_p.number].direction;
+    // The sector is counterclockwise of the ray ahead, up to the ray back.
+    const auto& ahead = with_vertex.edges[vertex].direction;
+    const auto& entering = with_vertex.edges[with_vertex.previous[vertex]].direction;
+    if (cross(edge, ahead) < 0 || cross(edge, entering) > 0) return true;
+    const Value turn = cross(entering, ahead);
+    // Straight on, the sector is a half plane.
+    return turn < 0 || (turn == 0 && dot(edge, ahead) < 0);
+  }
 
   struct Parallelogram {
     const IntegerVector<Numbers>& u;

@@ -54,7 +54,7 @@ class PointLocation {
   BoxTree tree_;
 };
 
-constexpr std::size_t in_a_lot = 32;
+constexpr std::size_t in_a_lot = 128;
 inline std::size_t lots_of(std::size_t n) { return (n + in_a_lot - 1) / in_a_lot; }
 
 /// Calls work(lot, begin, end) with parts of n numbers.
@@ -166,12 +166,13 @@ LowDimensionalFeatures low_dimensional_features(const Tracks<Numbers>& tracks,
     of_boundary.emplace_back(&boundary.points[piece.from], &boundary.points[piece.to]);
   const PointLocation<Numbers> on_boundary(std::move(of_boundary), scaling);
   std::vector<char> is_outside(pieces.size() + points.size());
+  const ComponentTrees<Numbers> components(summands);
   each_lot(is_outside.size(), threads, [&](std::size_t, std::size_t begin, std::size_t end) {
-    OpenSumTest<Numbers> open_sum(summands, rays);
+    OpenSumTest<Numbers> open_sum(summands, rays, components);
     for (std::size_t i = begin; i < end; ++i) {
       if (i < pieces.size()) {
         const auto& [segment, piece] = pieces[i];
-        is_outside[i] = !open_sum.contains(tracks[segment], place_inside(piece));
+        is_outside[i] = !open_sum.contains_by_components(tracks[segment], place_inside(piece));
       } else {
         const auto& [track, t, point, near] = points[i - pieces.size()];
         is_outside[i] = !on_boundary.is_on_one(point) && !open_sum.contains(track, t);

@@ -11,19 +11,40 @@
 
 namespace oplus::slide {
 
+/// The first vertices of the components of both summands.
+template <typename Numbers>
+struct ComponentTrees {
+  explicit ComponentTrees(const IntegerSummands<Numbers>& summands)
+      : of_p(boxes(summands.p)), of_q(boxes(summands.q)) {}
+
+  BoxTree of_p, of_q;
+
+ private:
+  static std::vector<Box> boxes(const IntegerSummand<Numbers>& summand) {
+    std::vector<Box> boxes;
+    for (std::size_t c = 0; c + 1 < summand.first_of_component.size(); ++c) {
+      const NearSegment& first = summand.near[summand.first_of_component[c]];
+      boxes.push_back(box_around(first.x, first.y, first.x, first.y));
+    }
+    return boxes;
+  }
+};
+
 /// Whether points of segments are in the open sum: whether the interiors of P and -Q + x(t) meet, x(t)
 /// not shifted. One object a thread.
 template <typename Numbers>
 class OpenSumTest {
  public:
-  OpenSumTest(const IntegerSummands<Numbers>& summands, const RaysOfBoth<Numbers>& rays)
+  OpenSumTest(const IntegerSummands<Numbers>& summands, const RaysOfBoth<Numbers>& rays,
+              const ComponentTrees<Numbers>& components)
       : summands_(summands),
+        components_(components),
         search_(summands, Shift::none),
         contacts_(summands, rays),
         // Edges that cross where both are touched by other chains show no common interior.
         crossings_decide_(!rays[0].has_inside() || !rays[1].has_inside()),
-        of_p_(summands.p),
-        of_q_(summands.q) {}
+        touched_of_p_(summands.p.names.back().chain + 1, 0),
+        touched_of_q_(summands.q.names.back().chain + 1, 0) {}
 
   /// A proper crossing decides, else a sector around a contact, else a component without contact that
   /// is inside the other summand (docs/collision.md).
@@ -40,34 +61,35 @@ class OpenSumTest {
       if (!crossings_decide_ && contacts_.cross_at(track.exact, t, pair)) {
         meet = true;
       } else if (const auto contact = contacts_.at(track.exact, t, pair)) {
-        of_p_.touched[summands_.p.names[pair.first].chain] = test_;
-        of_q_.touched[summands_.q.names[pair.second].chain] = test_;
+        touch(pair);
         meet = is_new(*contact) && contacts_.interiors_meet_at(*contact);
       }
     });
-    return meet || is_component_inside(track, t);
+    return meet || (has_several_components() && is_component_inside(track, t));
+  }
+
+  /// The same where neither a crossing nor a contact shows that interiors meet.
+  bool contains_by_components(const Track<Numbers>& track, const Fraction<Numbers>& t) {
+    if (!has_several_components()) return false;
+    ++test_;
+    search_.leave_out_all();
+    search_.each_pair(track, {t, t}, [&](const EdgePair& pair) {
+      if (contacts_.at(track.exact, t, pair)) touch(pair);
+    });
+    return is_component_inside(track, t);
   }
 
  private:
   using Product = typename Numbers::Product;
 
-  /// Which chains the last tests saw in contact, and where components are.
-  struct Components {
-    explicit Components(const IntegerSummand<Numbers>& summand)
-        : touched(summand.names.back().chain + 1, 0), first_vertices(boxes(summand)) {}
+  void touch(const EdgePair& pair) {
+    touched_of_p_[summands_.p.names[pair.first].chain] = test_;
+    touched_of_q_[summands_.q.names[pair.second].chain] = test_;
+  }
 
-    static std::vector<Box> boxes(const IntegerSummand<Numbers>& summand) {
-      std::vector<Box> boxes;
-      for (std::size_t c = 0; c + 1 < summand.first_of_component.size(); ++c) {
-        const NearSegment& first = summand.near[summand.first_of_component[c]];
-        boxes.push_back(box_around(first.x, first.y, first.x, first.y));
-      }
-      return boxes;
-    }
-
-    std::vector<std::size_t> touched;  ///< the last test that saw a contact of the chain
-    BoxTree first_vertices;
-  };
+  bool has_several_components() const {
+    return summands_.p.boxes_of_components.size() > 1 || summands_.q.boxes_of_components.size() > 1;
+  }
 
   /// Where many chains touch, a contact is seen many times.
   bool is_new(const Contact& contact) {
@@ -79,22 +101,23 @@ class OpenSumTest {
 
   /// Of two components that touch and have no sector in common, none is inside the other: the boundary
   /// at the contact, which the other does not enter, divides them. So it is enough to look at outer
-  /// chains, and at none if both summands are connected.
+  /// chains, and at none if both summands are connected, since those of the segment touch.
   bool is_component_inside(const Track<Numbers>& track, const Fraction<Numbers>& t) const {
-    if (summands_.p.boxes_of_components.size() == 1 && summands_.q.boxes_of_components.size() == 1)
-      return false;
-    return is_one_inside(summands_.p, of_p_, summands_.q, summands_.tree_of_q, track, t) ||
-           is_one_inside(summands_.q, of_q_, summands_.p, summands_.tree_of_p, track, t);
+    return is_one_inside(summands_.p, components_.of_p, touched_of_p_, summands_.q,
+                         summands_.tree_of_q, track, t) ||
+           is_one_inside(summands_.q, components_.of_q, touched_of_q_, summands_.p,
+                         summands_.tree_of_p, track, t);
   }
 
-  bool is_one_inside(const IntegerSummand<Numbers>& inner, const Components& components,
-                     const IntegerSummand<Numbers>& outer, const BoxTree& tree_of_outer,
-                     const Track<Numbers>& track, const Fraction<Numbers>& t) const {
+  bool is_one_inside(const IntegerSummand<Numbers>& inner, const BoxTree& first_vertices,
+                     const std::vector<std::size_t>& touched, const IntegerSummand<Numbers>& outer,
+                     const BoxTree& tree_of_outer, const Track<Numbers>& track,
+                     const Fraction<Numbers>& t) const {
     return any_leaf_around(
-        components.first_vertices, near_place(track, t).box(summands_.margins.coordinate),
+        first_vertices, near_place(track, t).box(summands_.margins.coordinate),
         [&](std::uint32_t component) {
           const std::uint32_t first = inner.first_of_component[component];
-          return components.touched[inner.names[first].chain] != test_ &&
+          return touched[inner.names[first].chain] != test_ &&
                  is_inside(outer, tree_of_outer, track, t, inner, first);
         },
         tree_of_outer[0].box);
@@ -130,12 +153,14 @@ class OpenSumTest {
   }
 
   const IntegerSummands<Numbers>& summands_;
+  const ComponentTrees<Numbers>& components_;
   BlockingSearch<Numbers> search_;
   Contacts<Numbers> contacts_;
   bool crossings_decide_;
-  Components of_p_, of_q_;
-  std::set<std::pair<std::uint32_t, std::uint32_t>> seen_;
   std::size_t test_ = 0;
+  std::vector<std::size_t> touched_of_p_,
+      touched_of_q_;  ///< the last test that saw a contact of a chain
+  std::set<std::pair<std::uint32_t, std::uint32_t>> seen_;
 };
 
 }  // namespace oplus::slide
