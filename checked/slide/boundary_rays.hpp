@@ -77,6 +77,8 @@ class BoundaryRays {
   /// Whether another chain touches some edge from within.
   bool has_inside() const { return !inside_.empty(); }
 
+  bool has_touching_points() const { return !touching_.empty(); }
+
   /// One vertex for each point in which chains touch.
   std::vector<std::uint32_t> touching_points() const {
     std::vector<std::uint32_t> points;

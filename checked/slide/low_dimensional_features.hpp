@@ -123,14 +123,22 @@ void remove_copies(std::vector<PointOnTrack<Numbers>>& points) {
   points = std::move(kept);
 }
 
-/// What no pair of edges blocks of the places that were found; each line is looked at once or twice.
+/// What no pair of edges blocks of the places that were found. Each place on a line is looked at once or
+/// twice, on segments to the right.
 template <typename Numbers>
 OpenCandidates<Numbers> low_dimensional_candidates(const Tracks<Numbers>& tracks,
                                                    const RaysOfBoth<Numbers>& rays,
                                                    OpenCandidates<Numbers> found,
                                                    unsigned threads) {
-  const std::vector<FreePiece<Numbers>> pieces =
+  const auto is_right = [&](const FreePiece<Numbers>& piece) {
+    return is_to_the_right(tracks.direction(piece.segment));
+  };
+  const auto left = std::stable_partition(found.pieces.begin(), found.pieces.end(), is_right);
+  const std::vector<FreePiece<Numbers>> others(left, found.pieces.end());
+  found.pieces.erase(left, found.pieces.end());
+  std::vector<FreePiece<Numbers>> pieces =
       PiecesOnLines<Numbers>(tracks, found.pieces, tracks.summands().margins).cover();
+  pieces.insert(pieces.end(), others.begin(), others.end());
   found.pieces.clear();
   std::vector<OpenCandidates<Numbers>> of_lots(lots_of(pieces.size()));
   each_lot(pieces.size(), threads, [&](std::size_t lot, std::size_t begin, std::size_t end) {
@@ -140,6 +148,8 @@ OpenCandidates<Numbers> low_dimensional_candidates(const Tracks<Numbers>& tracks
     of_lots[lot] = std::move(open.found);
   });
   for (OpenCandidates<Numbers>& of_lot : of_lots) found.take(std::move(of_lot));
+  // Of dangling edges the others show nothing new.
+  std::erase_if(found.pieces, [&](const auto& piece) { return !is_right(piece); });
   return found;
 }
 

@@ -13,6 +13,19 @@
 
 namespace oplus::slide {
 
+/// Whether a segment leads to the right or straight up.
+template <typename Numbers>
+bool is_to_the_right(const IntegerVector<Numbers>& direction) {
+  return direction.x > 0 || (direction.x == 0 && direction.y > 0);
+}
+
+/// Whether each dangling edge and isolated vertex can be found on segments to the right: if the chains
+/// of one summand at least do not touch (docs/slide.md). Dangling edges always can.
+template <typename Numbers>
+bool right_is_enough(const RaysOfBoth<Numbers>& rays) {
+  return !rays[0].has_touching_points() || !rays[1].has_touching_points();
+}
+
 /// Where something of dimension one or zero may be missing in the open sum (thesis, Section 3.2.4):
 /// pieces of segments, and points, which are pieces that end where they begin.
 template <typename Numbers>

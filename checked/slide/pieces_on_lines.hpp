@@ -8,15 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "checked/slide/named_ends.hpp"
+#include "checked/slide/open_places.hpp"
 
 namespace oplus::slide {
-
-/// Whether a segment leads to the right or straight up.
-template <typename Numbers>
-bool is_to_the_right(const IntegerVector<Numbers>& direction) {
-  return direction.x > 0 || (direction.x == 0 && direction.y > 0);
-}
 
 /// Pieces of segments to the right, in the order of their lines and along them.
 template <typename Numbers>

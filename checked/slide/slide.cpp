@@ -35,6 +35,7 @@ FoundPieces<Numbers> find_free_pieces(const Tracks<Numbers>& tracks, unsigned th
                                       const std::optional<RaysOfBoth<Numbers>>& rays) {
   constexpr std::size_t in_a_lot = 128;
   constexpr std::size_t too_few = 8;  // to start threads for
+  const bool all_ways = rays && !right_is_enough(*rays);
   std::vector<FoundPieces<Numbers>> lots((tracks.size() + in_a_lot - 1) / in_a_lot);
   for_each_number(lots.size(), lots.size() < too_few ? 1 : threads, [&](std::size_t lot) {
     FreePieces<Numbers> search(tracks.summands());
@@ -46,8 +47,7 @@ FoundPieces<Numbers> find_free_pieces(const Tracks<Numbers>& tracks, unsigned th
       const auto add = [&](Piece<Numbers> piece) {
         lots[lot].pieces.push_back({i, std::move(piece)});
       };
-      // Of segments along a dangling edge, or through an isolated vertex, some lead to the right.
-      if (open && is_to_the_right(tracks.direction(i)))
+      if (open && (all_ways || is_to_the_right(tracks.direction(i))))
         open->find(search, i, tracks[i], add);
       else
         search.find(tracks[i], add);

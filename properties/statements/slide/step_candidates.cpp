@@ -14,7 +14,7 @@ slide::OpenCandidates<SlidPair::Numbers> candidates_of(const SlidPair& pair) {
   slide::FreePieces<SlidPair::Numbers> closed(pair.tracks.summands());
   slide::OpenPlaces<SlidPair::Numbers> open(pair.tracks.summands(), rays);
   for (std::uint32_t i = 0; i < pair.tracks.size(); ++i)
-    if (slide::is_to_the_right(pair.tracks.direction(i)))
+    if (!slide::right_is_enough(rays) || slide::is_to_the_right(pair.tracks.direction(i)))
       open.find(closed, i, pair.tracks[i], [](const SlidPair::Piece&) {});
   return slide::low_dimensional_candidates(pair.tracks, rays, std::move(open.found), 1);
 }
@@ -57,7 +57,7 @@ const Registered registered({
         "Every dangling edge of the open sum is covered by candidate pieces of slide, every "
         "isolated vertex is a candidate point or the sum of points in which chains of each "
         "summand touch; and each candidate piece is in the open sum as a whole or not at all. "
-        "Segments to the right and straight up are enough for this.",
+        "Segments to the right and straight up are enough, if the chains of one summand do not touch.",
     .why =
         "A dangling edge or isolated vertex is on segments of the reduced convolution and surrounded "
         "by the sum. It is in a closed piece on which no pair of edges shows that interiors meet: by "
