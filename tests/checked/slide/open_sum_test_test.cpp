@@ -73,13 +73,13 @@ TYPED_TEST(OpenSumTestIn, answers_as_the_definition) {
   Random random(11);
   std::size_t outside = 0;
   for (const char* name : {"tight", "grid", "holes", "components", "islands"}) {
-    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
       const Summands pair = generate(*find_family(name), 5, seed);
       if (!scaling_of(pair.p, pair.q).is_trivial()) continue;
       expect_as_defined<TypeParam>(pair.p, pair.q, random, outside);
     }
   }
-  EXPECT_GT(outside, 500u);
+  EXPECT_GT(outside, 150u);
 }
 
 /// The square from (0, 0) to (2, 2) with a hole that touches all its sides from within.
