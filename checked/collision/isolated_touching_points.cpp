@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "checked/collision/isolated_touching_points.hpp"
 
+#include <algorithm>
+
 #include "reference/chains/region_of.hpp"
 #include "reference/chains/touching_points.hpp"
 #include "reference/definitions/mutant.hpp"
+#include "reference/definitions/sorted_without_copies.hpp"
 
 namespace oplus {
 
@@ -12,21 +15,20 @@ std::vector<Point> isolated_touching_points(
     const MinkowskiSum& found) {
   const std::vector<Point> of_p = touching_points(p);
   const std::vector<Point> of_q = of_p.empty() ? of_p : touching_points(q);
-  std::vector<Point> isolated;
+  std::vector<Point> sums;
   if (of_q.empty() ||
       OPLUS_MUTANT("touching-points-are-not-tested",
                    "isolated vertices are looked for on the reduced convolution only"))
-    return isolated;
-  const Region closed = region_of(found);
-  for (const Point& a : of_p) {
-    for (const Point& b : of_q) {
-      const Point x = a + b;
-      if (!lies_on_one(x, found.dangling_edges) && locate(x, closed) == Location::inside &&
-          !interiors_meet_at(x))
-        isolated.push_back(x);
-    }
-  }
-  return isolated;
+    return sums;
+  for (const Point& a : of_p)
+    for (const Point& b : of_q) sums.push_back(a + b);
+  sums = sorted_without_copies(std::move(sums));
+  // A sum of points of both is in the closure of the open sum: so, if it is not in the open sum, it is
+  // on an edge of its boundary or isolated.
+  const std::vector<Segment> boundary = edges(found);
+  std::erase_if(sums,
+                [&](const Point& x) { return interiors_meet_at(x) || lies_on_one(x, boundary); });
+  return sums;
 }
 
 }  // namespace oplus

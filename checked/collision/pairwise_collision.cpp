@@ -2,11 +2,10 @@
 #include <algorithm>
 #include <functional>
 #include <optional>
-#include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
-#include "checked/collision/bounding_volume_hierarchy.hpp"
 #include "checked/collision/collision_test.hpp"
 #include "checked/collision/contact.hpp"
 #include "checked/collision/summand_boundary.hpp"
@@ -70,28 +69,45 @@ class Query {
 
   Segment piece_of_q(std::size_t j) const { return translated(minus_q_.pieces[j], x_); }
 
+  /// A pair that meets in a point, or at an end of an overlap.
+  struct Contact {
+    Point at;
+    std::size_t i, j;
+  };
+
+  /// Pieces meet others of their summand in common ends only: so all that pass through a contact are in
+  /// pairs that meet there, and no vertex is inside an overlap.
   bool meet_at_contacts() const {
-    std::set<Point> points;
-    for (const auto& [i, j] : contacts_) {
-      for (const Point& at : intersection(p_.pieces[i], piece_of_q(j))) points.insert(at);
+    std::vector<Contact> contacts;
+    for (const auto& [i, j] : contacts_)
+      for (Point& at : intersection(p_.pieces[i], piece_of_q(j)))
+        contacts.push_back({std::move(at), i, j});
+    std::sort(contacts.begin(), contacts.end(),
+              [](const Contact& a, const Contact& b) { return a.at < b.at; });
+    for (auto first = contacts.begin(); first != contacts.end();) {
+      const auto last = std::find_if(first, contacts.end(),
+                                     [&](const Contact& other) { return other.at != first->at; });
+      if (interiors_meet_around(rays({first, last})) &&
+          !OPLUS_MUTANT("weak-intersections-never-meet",
+                        "boundaries that meet without a proper crossing are taken to touch only"))
+        return true;
+      first = last;
     }
-    return std::any_of(points.begin(), points.end(), [&](const Point& at) {
-      return !OPLUS_MUTANT(
-                 "weak-intersections-never-meet",
-                 "boundaries that meet without a proper crossing are taken to touch only") &&
-             interiors_meet_around(rays(at));
-    });
+    return false;
   }
 
-  /// All rays of both boundaries at a contact. A piece may pass through it that overlaps another
-  /// from before it to behind it.
-  std::vector<BoundaryRay> rays(const Point& at) const {
-    std::set<std::size_t> of_p;
-    std::set<std::size_t> of_q;
-    for (const auto& [i, j] : contacts_) {
-      if (lies_on(at, p_.pieces[i])) of_p.insert(i);
-      if (lies_on(at, piece_of_q(j))) of_q.insert(j);
+  /// All rays of both boundaries at a contact.
+  std::vector<BoundaryRay> rays(std::span<const Contact> at_one_point) const {
+    std::vector<std::size_t> of_p, of_q;
+    for (const Contact& contact : at_one_point) {
+      of_p.push_back(contact.i);
+      of_q.push_back(contact.j);
     }
+    for (std::vector<std::size_t>* pieces : {&of_p, &of_q}) {
+      std::sort(pieces->begin(), pieces->end());
+      pieces->erase(std::unique(pieces->begin(), pieces->end()), pieces->end());
+    }
+    const Point& at = at_one_point.front().at;
     std::vector<BoundaryRay> result;
     for (const std::size_t i : of_p) add_rays(p_.pieces[i], Summand::P, at, result);
     for (const std::size_t j : of_q) add_rays(piece_of_q(j), Summand::Q, at, result);
@@ -131,8 +147,8 @@ class PairwiseCollision : public CollisionTest {
   /// Whether piece i of P and piece j of -Q+x settle that the interiors meet.
   using Visit = std::function<bool(std::size_t i, std::size_t j)>;
 
-  const std::vector<Segment>& pieces_of_p() const { return p_.pieces; }
-  const std::vector<Segment>& pieces_of_minus_q() const { return minus_q_.pieces; }
+  const SummandBoundary& p() const { return p_; }
+  const SummandBoundary& minus_q() const { return minus_q_; }
 
  private:
   /// Calls `visit` for each pair that has a point in common, and for as many others as it likes,
@@ -149,11 +165,8 @@ class HierarchyCollision : public PairwiseCollision {
 
  private:
   bool visit_pairs(const Point& x, const Visit& visit) const override {
-    return of_p_.visit_meeting(of_minus_q_, x, visit);
+    return p().hierarchy.visit_meeting(minus_q().hierarchy, x, visit);
   }
-
-  BoundingVolumeHierarchy of_p_{pieces_of_p()};
-  BoundingVolumeHierarchy of_minus_q_{pieces_of_minus_q()};
 };
 
 class NaiveCollision : public PairwiseCollision {
@@ -162,8 +175,8 @@ class NaiveCollision : public PairwiseCollision {
 
  private:
   bool visit_pairs(const Point&, const Visit& visit) const override {
-    for (std::size_t i = 0; i < pieces_of_p().size(); ++i) {
-      for (std::size_t j = 0; j < pieces_of_minus_q().size(); ++j) {
+    for (std::size_t i = 0; i < p().pieces.size(); ++i) {
+      for (std::size_t j = 0; j < minus_q().pieces.size(); ++j) {
         if (visit(i, j)) return true;
       }
     }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "checked/collision/bounding_volume_hierarchy.hpp"
 #include "reference/definitions/direction.hpp"
 #include "reference/definitions/region.hpp"
 
@@ -13,12 +14,21 @@ namespace oplus {
 /// A summand and the pieces of its boundary, which meet at common ends only and have its interior
 /// to their left (pieces_by_chain).
 struct SummandBoundary {
-  explicit SummandBoundary(Region of);
+  explicit SummandBoundary(const Region& of);
 
-  Region region;
   std::vector<Segment> pieces;
   std::vector<std::size_t> chain_of;   ///< of each piece
   std::vector<Point> vertex_of_chain;  ///< one vertex each
+  BoundingVolumeHierarchy hierarchy;   ///< of the pieces
+
+  /// Whether a point that is on no piece is inside: by the pieces to the right of it, in practice
+  /// O(log n) and the number of these.
+  bool contains(const Point& x) const;
+
+ private:
+  explicit SummandBoundary(const std::vector<std::vector<Segment>>& of_chains);
+
+  Rational right_;  ///< the largest x
 };
 
 inline Segment translated(const Segment& s, const Vector& by) {
@@ -33,7 +43,7 @@ TouchedChains untouched(const SummandBoundary& p, const SummandBoundary& minus_q
 
 /// Whether the interiors of P and -Q+x meet, where no crossing and no contact shows that they do.
 /// Then a chain that touches the other boundary runs outside the other interior; one that does not
-/// is inside or outside as a whole.
+/// is inside or outside as a whole, as one vertex is.
 bool one_contains_untouched_chain(const SummandBoundary& p, const SummandBoundary& minus_q,
                                   const Point& x, const TouchedChains& touched);
 

@@ -91,6 +91,9 @@ class BlockingSearch {
     }
   }
 
+  /// Of the last interval that at() found.
+  const EdgePair& last_pair() const { return recent_[0]; }
+
   /// Prepares each_pair() without a probe.
   void leave_out_all() { left_out_.assign(1, {0, 0}); }
 

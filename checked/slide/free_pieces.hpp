@@ -10,6 +10,14 @@
 
 namespace oplus::slide {
 
+/// What FreePieces tells about the rest of a segment, ignored.
+struct IgnoreRest {
+  template <typename Pair, typename Interval>
+  void blocked(const Pair&, const Interval&) {}
+  template <typename Piece>
+  void overlapping(const Piece&) {}
+};
+
 /// Finds what no pair of edges blocks of segments. One object a thread.
 template <typename Numbers>
 class FreePieces {
@@ -19,14 +27,16 @@ class FreePieces {
     gaps_.reserve(16);
   }
 
-  /// Calls `add` with the maximal free pieces longer than a point.
-  template <typename Add>
-  void find(const Track<Numbers>& track, const Add& add) {
+  /// Calls `add` with the maximal free pieces longer than a point; rest.blocked() with intervals that
+  /// cover all but these and the pairs that block them, and rest.overlapping() with closed pieces on
+  /// which components overlap.
+  template <typename Add, typename Rest = IgnoreRest>
+  void find(const Track<Numbers>& track, const Add& add, Rest&& rest = {}) {
     gaps_.assign(1, {{0, 1}, {1, 1}});
     // After a segment that is free from end to end, the next one is likely to be.
     if (last_was_free_) {
       search_.leave_out_all();
-      last_was_free_ = uncovered(track, gaps_.back(), add);
+      last_was_free_ = uncovered(track, gaps_.back(), add, rest);
       return;
     }
     bool is_whole = true;
@@ -35,10 +45,11 @@ class FreePieces {
       gaps_.pop_back();
       if (const auto blocked = search_.at(track, place_inside(gap))) {
         is_whole = false;
+        rest.blocked(search_.last_pair(), *blocked);
         if (gap.from < blocked->from) gaps_.push_back({gap.from, blocked->from});
         if (blocked->to < gap.to) gaps_.push_back({blocked->to, gap.to});
       } else {
-        const bool is_free = uncovered(track, gap, add);
+        const bool is_free = uncovered(track, gap, add, rest);
         last_was_free_ = is_whole && is_free;
       }
     }
@@ -48,12 +59,15 @@ class FreePieces {
 
  private:
   /// Returns whether that is all of the gap.
-  template <typename Add>
-  bool uncovered(const Track<Numbers>& track, const Piece<Numbers>& gap, const Add& add) {
+  template <typename Add, typename Rest>
+  bool uncovered(const Track<Numbers>& track, const Piece<Numbers>& gap, const Add& add,
+                 Rest& rest) {
     intervals_.clear();
     search_.each_pair(track, gap, [&](const EdgePair& pair) {
-      if (auto blocked = search_.interval_of(track, pair))
+      if (auto blocked = search_.interval_of(track, pair)) {
+        rest.blocked(pair, *blocked);
         intervals_.push_back(std::move(*blocked));
+      }
     });
     std::sort(intervals_.begin(), intervals_.end(),
               [](const auto& a, const auto& b) { return a.from < b.from; });
@@ -61,7 +75,8 @@ class FreePieces {
       if (!(low < high)) return;
       Piece<Numbers> piece{low, high};
       // Along a piece, whether components overlap does not change.
-      if (components_.is_needed() && components_.overlap_at(track, place_inside(piece))) return;
+      if (components_.is_needed() && components_.overlap_at(track, place_inside(piece)))
+        return rest.overlapping(piece);
       add(std::move(piece));
     };
     bool is_all = true;

@@ -18,6 +18,7 @@ struct IntegerVector {
   friend IntegerVector operator-(const IntegerVector& a, const IntegerVector& b) {
     return {a.x - b.x, a.y - b.y};
   }
+  friend IntegerVector operator-(const IntegerVector& a) { return {-a.x, -a.y}; }
   friend Value cross(const IntegerVector& a, const IntegerVector& b) {
     return a.x * b.y - a.y * b.x;
   }

@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <atomic>
 #include <iterator>
+#include <optional>
 #include <span>
 
 #include "checked/slide/for_each_number.hpp"
 #include "checked/slide/free_pieces.hpp"
-#include "checked/slide/low_dimensional_candidates.hpp"
+#include "checked/slide/low_dimensional_features.hpp"
 #include "checked/slide/named_ends.hpp"
+#include "checked/slide/open_places.hpp"
+#include "checked/slide/segments_along.hpp"
 #include "checked/slide/stitching.hpp"
 #include "checked/slide/tracks.hpp"
 
@@ -22,27 +25,38 @@ using namespace slide;
 template <typename Numbers>
 struct FoundPieces {
   std::vector<FreePiece<Numbers>> pieces;  ///< segment by segment
+  OpenCandidates<Numbers> open;            ///< where low-dimensional features may be
   SearchEffort effort;
 };
 
 /// Segments are independent. They are handed out in lots of the same size, whatever the number of
-/// threads, so that neither the result nor the effort depends on it.
+/// threads, so that neither the result nor the effort depends on it. With `rays`, for the open sum too.
 template <typename Numbers>
-FoundPieces<Numbers> find_free_pieces(const Tracks<Numbers>& tracks, const EngineOptions& options) {
+FoundPieces<Numbers> find_free_pieces(const Tracks<Numbers>& tracks, const EngineOptions& options,
+                                       const std::optional<RaysOfBoth<Numbers>>& rays) {
   constexpr std::size_t in_a_lot = 128;
   constexpr std::size_t too_few = 8;  // to start threads for
+  const bool all_ways = rays && !right_is_enough(*rays);
   std::vector<FoundPieces<Numbers>> lots((tracks.size() + in_a_lot - 1) / in_a_lot);
   const unsigned threads = lots.size() < too_few ? 1 : options.threads;
   std::atomic<std::size_t> done = 0;
   for_each_number(lots.size(), threads, [&](std::size_t lot) {
     FreePieces<Numbers> search(tracks.summands());
+    std::optional<OpenPlaces<Numbers>> open;
+    if (rays) open.emplace(tracks.summands(), *rays);
     lots[lot].pieces.reserve(in_a_lot / 4);
     const std::size_t end = std::min((lot + 1) * in_a_lot, tracks.size());
-    for (auto i = static_cast<std::uint32_t>(lot * in_a_lot); i < end; ++i)
-      search.find(tracks[i], [&](Piece<Numbers> piece) {
+    for (auto i = static_cast<std::uint32_t>(lot * in_a_lot); i < end; ++i) {
+      const auto add = [&](Piece<Numbers> piece) {
         lots[lot].pieces.push_back({i, std::move(piece)});
-      });
+      };
+      if (open && (all_ways || is_to_the_right(tracks.direction(i))))
+        open->find(search, i, tracks[i], add);
+      else
+        search.find(tracks[i], add);
+    }
     lots[lot].effort = search.effort();
+    if (open) lots[lot].open = std::move(open->found);
     if (options.progress) options.progress(done += end - lot * in_a_lot, tracks.size());
   });
   if (lots.size() == 1) return std::move(lots[0]);
@@ -50,6 +64,7 @@ FoundPieces<Numbers> find_free_pieces(const Tracks<Numbers>& tracks, const Engin
   for (FoundPieces<Numbers>& lot : lots) {
     all.pieces.insert(all.pieces.end(), std::make_move_iterator(lot.pieces.begin()),
                       std::make_move_iterator(lot.pieces.end()));
+    all.open.take(std::move(lot.open));
     all.effort += lot.effort;
   }
   return all;
@@ -86,7 +101,9 @@ template <typename Numbers>
 ComputedSum sum_in(const Region& p, const Region& q, const Scaling& scaling, Boundary boundary,
                    const EngineOptions& options) {
   const Tracks<Numbers> tracks(p, q, scaling);
-  const auto [pieces, effort] = find_free_pieces(tracks, options);
+  std::optional<RaysOfBoth<Numbers>> rays;
+  if (boundary == Boundary::open) rays.emplace(rays_of(tracks.summands()));
+  auto [pieces, open, effort] = find_free_pieces(tracks, options, rays);
 
   const unsigned threads = options.threads;
   const NamedEnds<Numbers> ends = named_ends(pieces, tracks, scaling, threads);
@@ -137,18 +154,16 @@ ComputedSum sum_in(const Region& p, const Region& q, const Scaling& scaling, Bou
   }
 
   if (boundary == Boundary::open) {
-    std::vector<Point> corners;
-    for (const auto& x : ends.points) corners.push_back(x.in_the_plane(scaling));
-    add_low_dimensional_features(
-        low_dimensional_candidates(tracks, pieces, scaling, options.threads), p, q,
-        std::move(corners), result.sum);
-    if (options.with_origins)
-      for (const Segment& edge : result.sum.dangling_edges) {
-        std::vector<std::uint32_t> along;
-        for (std::uint32_t i = 0; i < tracks.size(); ++i)
-          if (overlap(in_the_plane(tracks[i], scaling), edge)) along.push_back(i);
-        result.origins.push_back(origins_of(along));
-      }
+    LowDimensionalFeatures found = low_dimensional_features(
+        tracks, *rays, low_dimensional_candidates(tracks, *rays, std::move(open), options.threads),
+        ends, scaling, options.threads);
+    result.sum.dangling_edges = std::move(found.dangling_edges);
+    result.sum.isolated_vertices = std::move(found.isolated_vertices);
+    if (options.with_origins && !result.sum.dangling_edges.empty()) {
+      const SegmentsAlong<Numbers> segments(tracks, scaling);
+      for (const Segment& edge : result.sum.dangling_edges)
+        result.origins.push_back(origins_of(segments.along(edge)));
+    }
   }
 
   result.statistics =

@@ -66,6 +66,87 @@ TEST(Slide, slides_along_the_reduced_convolution) {
         << row.name;
 }
 
+/// A square with n by n holes.
+template <typename HoleAt>
+Region perforated(int n, const HoleAt& hole_at) {
+  Region plate = polygon(box(-10, -10, 10 * n, 10 * n));
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      plate.components[0].holes.push_back(backwards(hole_at(Vector{10 * i, 10 * j})));
+  return plate;
+}
+
+/// Bars above and below a passage of height 4, with teeth that reach into its sides.
+Region passage(int teeth) {
+  Chain low{{-3, -9}, {4 * teeth + 3, -9}, {4 * teeth + 3, -3}};
+  for (int i = teeth; i-- > 0;) low.insert(low.end(), {{4 * i + 2, 0}, {4 * i, -3}});
+  Chain high;
+  for (const Point& v : low) high.push_back({4 * teeth - v.x, 4 - v.y});
+  return {{{low, {}}, {high, {}}}};
+}
+
+/// n squares in a staircase, each of which touches the next one.
+Region staircase(int n) {
+  Region squares;
+  for (int i = 0; i < n; ++i)
+    squares.components.push_back({box(2 * i, 2 * i, 2 * i + 2, 2 * i + 2), {}});
+  return squares;
+}
+
+/// n triangles that touch in the origin.
+Region fan(int n) {
+  Region triangles;
+  for (int i = 0; i < n; ++i)
+    triangles.components.push_back({{{0, 0}, {9, 4 * i - 8}, {9, 4 * i - 5}}, {}});
+  return triangles;
+}
+
+/// A bar with n holes, each of which touches the next one and both sides.
+Region chain_of_holes(int n) {
+  Region bar = polygon(box(0, 0, 4 * n, 4));
+  for (int i = 0; i < n; ++i)
+    bar.components[0].holes.push_back({{4 * i, 2}, {4 * i + 2, 4}, {4 * i + 4, 2}, {4 * i + 2, 0}});
+  return bar;
+}
+
+TEST(Slide, finds_where_one_just_fits_into_the_other) {
+  const Region q = polygon({{0, 0}, {3, 0}, {4, 2}, {1, 4}});
+  const Region square = polygon(box(0, 0, 4, 4));
+  const Region pockets = perforated(
+      3, [&](const Vector& at) { return translated(reflected(q), at).components[0].outer; });
+  const Region slots =
+      perforated(3, [&](const Vector& at) { return box(at.x, at.y, at.x + 7, at.y + 4); });
+  EXPECT_EQ(slide_sum(pockets, q, Boundary::open).sum.isolated_vertices.size(), 9u);
+  EXPECT_EQ(slide_sum(slots, square, Boundary::open).sum.dangling_edges.size(), 9u);
+  EXPECT_EQ(slide_sum(passage(5), square, Boundary::open).sum.dangling_edges.size(), 1u);
+  expect_as_rca(pockets, q, "pockets");
+  expect_as_rca(slots, square, "slots");
+  expect_as_rca(perforated(2, [](const Vector& at) { return box(at.x, at.y, at.x + 5, at.y + 5); }),
+                square, "holes with room");
+  expect_as_rca(passage(5), square, "a passage");
+  expect_as_rca(passage(5), polygon(box(0, 0, 11, 4)), "a passage for what is long");
+  expect_as_rca(staircase(5), staircase(4), "staircases");
+  expect_as_rca(staircase(4), reflected(staircase(4)), "staircases the other way round");
+  expect_as_rca(fan(5), fan(4), "fans");
+  expect_as_rca(fan(4), reflected(fan(5)), "fans the other way round");
+  expect_as_rca(chain_of_holes(3), chain_of_holes(2), "holes that touch");
+  expect_as_rca(chain_of_holes(3), polygon(box(0, 0, 2, 2)), "holes that touch, and a square");
+}
+
+TEST(Slide, finds_open_sums_in_all_numbers_and_threads) {
+  for (const auto& [p, q] : {std::pair{passage(12), polygon(box(0, 0, 7, 4))},
+                             {chain_of_holes(3), chain_of_holes(2)},
+                             {staircase(6), fan(3)}}) {
+    const ComputedSum expected = slide_sum(p, q, Boundary::open, {.with_origins = true});
+    for (const SlideNumbers numbers : {SlideNumbers::at_least_256_bits, SlideNumbers::gmp}) {
+      const ComputedSum sum =
+          slide_sum(p, q, Boundary::open, {.with_origins = true, .threads = 3, .numbers = numbers});
+      EXPECT_EQ(sum.sum, expected.sum);
+      EXPECT_EQ(sum.origins, expected.origins);
+    }
+  }
+}
+
 TEST(SlideStages, are_the_first_that_hold_the_bits_of_a_coordinate) {
   const auto power = power_of_two;
   const auto tiny = [](int denominator) { return triangle_to(Rational(1, denominator)); };
