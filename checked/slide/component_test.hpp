@@ -22,7 +22,7 @@ class ComponentTest {
   bool overlap_at(const Track<Numbers>& track, const Fraction<Numbers>& t) const {
     const IntegerSummand<Numbers>& p = summands_.p;
     const IntegerSummand<Numbers>& q = summands_.q;
-    const Box point = near_place(track, t).box(summands_.margins.coordinate);
+    const Box point = near_place(track, t).box();
     for (std::size_t c = 0; c < components(p); ++c) {
       for (std::size_t d = 0; d < components(q); ++d) {
         if (OPLUS_MUTANT("slide-components-never-overlap",
