@@ -9,6 +9,7 @@
 #include "checked/slide/blocked_interval.hpp"
 #include "checked/slide/integer_summands.hpp"
 #include "checked/slide/short_list.hpp"
+#include "checked/slide/strip.hpp"
 #include "checked/slide/swept_box.hpp"
 #include "reference/definitions/mutant.hpp"
 
@@ -51,7 +52,8 @@ class BlockingSearch {
         return found;
       }
     }
-    const Box point = near.box(summands_.margins.coordinate);
+    const Box point = near.box();
+    strips_from_ = effort.box_pairs + without_strips;
     left_out_.clear();
     std::size_t waiting = 0;
     Pair boxes{0, 0};
@@ -63,7 +65,9 @@ class BlockingSearch {
       ++effort.box_pairs;
       if (const auto halves = halves_of(boxes)) {
         const Box first = sum_of(halves->first), second = sum_of(halves->second);
-        const bool in_first = contains(first, point), in_second = contains(second, point);
+        const bool in_first = contains(first, point) && !beside_strips(halves->first, near, near);
+        const bool in_second =
+            contains(second, point) && !beside_strips(halves->second, near, near);
         if (in_first && in_second) {
           const bool swap = distance(second, near) < distance(first, near);
           waiting_[waiting++] = swap ? halves->first : halves->second;
@@ -107,11 +111,17 @@ class BlockingSearch {
                          piece.from.denominator() == 1 && piece.to.denominator() == 1;
     const auto visit_if_near = [&](const EdgePair& pair) {
       if (comes_apart(track, pair)) return;
-      if (!(exactly ? outside_exactly(pair, from, to) : certainly_outside(pair, from, to)))
-        visit(pair);
+      if (exactly ? outside_exactly(pair, from, to)
+                  : certainly_outside(pair, from, to) ||
+                        outside_closely(track, pair, piece.from.near(), piece.to.near()))
+        return;
+      visit(pair);
     };
-    const SweptBox swept(from, to, 2 * summands_.margins.coordinate);
-    const auto may_meet = [&](const Pair& boxes) { return swept.may_meet(sum_of(boxes)); };
+    const SweptBox swept(from, to);
+    strips_from_ = effort.box_pairs + without_strips;
+    const auto may_meet = [&](const Pair& boxes) {
+      return swept.may_meet(sum_of(boxes)) && !beside_strips(boxes, from, to);
+    };
     for (Pair boxes : left_out_) {
       if (!may_meet(boxes)) continue;
       std::size_t waiting = 0;
@@ -194,10 +204,67 @@ class BlockingSearch {
     return true;
   }
 
+  /// The same as certainly_outside() for the places between two on the track, with regard to how large
+  /// the numbers of this pair are: for where others are much larger.
+  bool outside_closely(const Track<Numbers>& track, const EdgePair& pair, double from, double to) {
+    if (summands_.margins.area_is_exact) return false;
+    const NearSegment& e = summands_.p.near[pair.first];
+    const NearSegment& f = summands_.q.near[pair.second];
+    const auto corner = track.exact.source - summands_.p.edges[pair.first].source -
+                        summands_.q.edges[pair.second].source;
+    const std::size_t shift = summands_.margins.shift;
+    const double x = near(corner.x, shift), y = near(corner.y, shift);
+    const double dx = track.near.dx, dy = track.near.dy;
+    const double most_x = std::abs(x) + std::abs(dx), most_y = std::abs(y) + std::abs(dy);
+    const auto is_beside = [&](const NearSegment& along, const NearSegment& across) {
+      const double area = std::abs(across.dx * along.dy - across.dy * along.dx);
+      const auto place = [&](double t) {
+        return (x + t * dx) * along.dy - (y + t * dy) * along.dx;
+      };
+      const double margin = 0x1p-47 * ((most_x + std::abs(across.dx)) * std::abs(along.dy) +
+                                       (most_y + std::abs(across.dy)) * std::abs(along.dx)) +
+                            0x1p-400;
+      const bool turns_left = across.dx * along.dy > across.dy * along.dx;
+      const double low = (turns_left ? 0 : -area) - margin, high = (turns_left ? area : 0) + margin;
+      return std::max(place(from), place(to)) < low || std::min(place(from), place(to)) > high;
+    };
+    if (!is_beside(f, e) && !is_beside(e, f)) return false;
+    ++effort.by_doubles;
+    return true;
+  }
+
+  /// Whether a strip around one of two nodes shows that no place between two is in the sum of what both
+  /// are around. Boxes are enough for most searches: strips are only looked at in one that takes long.
+  bool beside_strips(const Pair& boxes, const NearPoint& from, const NearPoint& to) const {
+    if (effort.box_pairs < strips_from_) return false;
+    const BoxTree::Node& a = summands_.tree_of_p[boxes.first];
+    const BoxTree::Node& b = summands_.tree_of_q[boxes.second];
+    if (a.is_leaf() && b.is_leaf()) return false;  // certainly_outside() tells more
+    return beside_strip(summands_.tree_of_p, a, summands_.p, b, summands_.q, from, to) ||
+           beside_strip(summands_.tree_of_q, b, summands_.q, a, summands_.p, from, to);
+  }
+
+  /// The same with the strip around `node`, if it has one.
+  static bool beside_strip(const BoxTree& tree, const BoxTree::Node& node,
+                           const IntegerSummand<Numbers>& summand, const BoxTree::Node& other,
+                           const IntegerSummand<Numbers>& other_summand, const NearPoint& from,
+                           const NearPoint& to) {
+    const auto beside = [&](const Strip& strip) {
+      return other.is_leaf() ? is_beside(strip, other_summand.near[other.edge], from, to)
+                             : is_beside(strip, other.box, from, to);
+    };
+    // The line of a short edge separates little.
+    if (node.is_leaf())
+      return node.size > other.size && beside(strip_along(summand.near[node.edge]));
+    return node.strip != BoxTree::none && beside(tree.strip(node.strip));
+  }
+
   /// The interval of a pair, if it contains t.
   std::optional<Interval> containing(const Track<Numbers>& track, const Fraction<Numbers>& t,
                                      const NearPoint& near, const EdgePair& pair) {
-    if (comes_apart(track, pair) || certainly_outside(pair, near, near)) return std::nullopt;
+    if (comes_apart(track, pair) || certainly_outside(pair, near, near) ||
+        outside_closely(track, pair, t.near(), t.near()))
+      return std::nullopt;
     auto interval = interval_of(track, pair);
     if (interval && interval->from < t && t < interval->to) return interval;
     return std::nullopt;
@@ -243,8 +310,10 @@ class BlockingSearch {
   Shift shift_;
   std::array<EdgePair, 4> recent_;
   std::size_t remembered_ = 0;
-  std::array<Pair, 72> waiting_;  ///< one a level of either tree
-  ShortList<Pair> left_out_;      ///< by the last probe
+  static constexpr std::size_t without_strips = 48;  ///< pairs of boxes
+  std::size_t strips_from_ = 0;                      ///< when as many were opened
+  std::array<Pair, 72> waiting_;                     ///< one a level of either tree
+  ShortList<Pair> left_out_;                         ///< by the last probe
 };
 
 }  // namespace oplus::slide

@@ -29,18 +29,33 @@ inline bool contains(const Box& box, const Box& point) {
   return std::experimental::all_of(box <= point);
 }
 
-/// A point in doubles, off by little.
+/// A point in doubles, off by less than `error`.
 struct NearPoint {
   double x, y;
+  double error = 0;
 
-  /// For contains(): what is not in a box is farther from it than the margin.
-  Box box(double margin) const {
-    return box_of(static_cast<float>(x + margin), static_cast<float>(y + margin),
-                  static_cast<float>(margin - x), static_cast<float>(margin - y));
+  /// For contains(): a sum of boxes in which the point is contains it, since rounding to the nearest
+  /// float changes no order.
+  Box box() const {
+    return box_of(static_cast<float>(x + error), static_cast<float>(y + error),
+                  static_cast<float>(error - x), static_cast<float>(error - y));
   }
 };
 
-/// Boxes over the edges of a summand, halved in the order of the boundary. The root is node 0.
+/// A segment in doubles, each off by at most a rounding.
+struct NearSegment {
+  double x, y;    ///< of the source
+  double dx, dy;  ///< of the direction
+};
+
+/// The points v with low <= [d, v] <= high, where [,] is the skew product.
+struct Strip {
+  double dx, dy;
+  double low, high;
+};
+
+/// Boxes over the edges of a summand. The root is node 0. A set of edges is halved in the order of the
+/// boundary, or by place where that gives much smaller boxes.
 class BoxTree {
  public:
   static constexpr std::uint32_t none = ~std::uint32_t{0};
@@ -50,19 +65,25 @@ class BoxTree {
     std::uint32_t edge;   ///< of a leaf, else none
     std::uint32_t right;  ///< of an inner node, else none; the left child is the next node
     float size;           ///< half the circumference of the box, to choose which node to open
+    std::uint32_t strip;  ///< the number of a strip around what the box is around, or none
 
     bool is_leaf() const { return right == none; }
   };
 
-  /// Requires: at least one box.
+  /// Requires: at least one box. O(n log n).
   explicit BoxTree(const std::vector<Box>& of_edges);
+  /// The same, with strips around inner nodes that are much narrower than their boxes.
+  BoxTree(const std::vector<Box>& of_edges, const std::vector<NearSegment>& edges);
 
   const Node& operator[](std::uint32_t node) const { return nodes_[node]; }
+  const Strip& strip(std::uint32_t number) const { return strips_[number]; }
 
  private:
-  void add(const std::vector<Box>& of_edges, std::uint32_t first, std::uint32_t last);
+  struct Edges;
+  void add(const Edges& edges, std::uint32_t first, std::uint32_t last);
 
   std::vector<Node> nodes_;
+  std::vector<Strip> strips_;
 };
 
 }  // namespace oplus::slide

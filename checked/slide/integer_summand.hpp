@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "checked/slide/box_tree.hpp"
@@ -11,37 +13,48 @@
 
 namespace oplus::slide {
 
-/// A segment in doubles, off by little: see `Margins`.
-struct NearSegment {
-  double x, y;    ///< of the source
-  double dx, dy;  ///< of the direction
-};
-
-inline Box box_around(const NearSegment& s) { return box_around(s.x, s.y, s.x + s.dx, s.y + s.dy); }
+/// Around the segment, whose doubles may be rounded.
+template <typename Numbers>
+Box box_around(const NearSegment& s) {
+  if constexpr (is_small<Numbers>) return box_around(s.x, s.y, s.x + s.dx, s.y + s.dy);
+  const auto ends = [](double source, double direction) {
+    const double error = 0x1p-50 * (std::abs(source) + std::abs(direction)) + 0x1p-400;
+    return std::pair(source + std::min(direction, 0.0) - error,
+                     source + std::max(direction, 0.0) + error);
+  };
+  const auto [low_x, high_x] = ends(s.x, s.dx);
+  const auto [low_y, high_y] = ends(s.y, s.dy);
+  return box_around(low_x, low_y, high_x, high_y);
+}
 
 /// A summand in integers. An edge and the vertex that it leaves have the same number.
 template <typename Numbers>
 struct IntegerSummand {
   std::vector<IntegerSegment<Numbers>> edges;
-  std::vector<NearSegment> near;
+  std::vector<NearSegment> near;        ///< less `place_of_most`
   std::vector<std::uint32_t> previous;  ///< the edge that enters the vertex
   std::vector<VertexIndex> names;
   std::vector<std::uint32_t> first_of_component;  ///< its first edge; then the number of all
 };
 
-/// More than anything computed in doubles or floats can be off, given the largest coordinate.
+/// Whether floats can be exact.
+inline bool has_short_numbers(const Scaling& scaling) {
+  return scaling.bits <= 24 && scaling.shift == 0;
+}
+
+/// More than anything computed in doubles can be off, given the largest coordinate.
 struct Margins {
-  double coordinate;   ///< sums of boxes and places on segments
   double point;        ///< coordinates of exact points, rounded
   double area;         ///< skew products of sums and differences of at most four coordinates
   bool area_is_exact;  ///< at ends of segments, such products are not off at all
+  std::size_t shift;   ///< doubles are near to coordinates divided by 2^shift
 };
 
 inline Margins margins(const Scaling& scaling) {
   const double largest = std::ldexp(1.0, static_cast<int>(scaling.bits - scaling.shift));
-  // A float has 24 bits, a double 53; what is shifted out is less than one in 2^60.
-  return {largest * 0x1p-20, largest * 0x1p-45, largest * largest * 0x1p-42,
-          scaling.bits <= 24 && scaling.shift == 0};
+  // A double has 53 bits; what is shifted out is less than one in 2^60.
+  return {largest * 0x1p-45, largest * largest * 0x1p-40, has_short_numbers(scaling),
+          scaling.shift};
 }
 
 template <typename Numbers>
@@ -59,17 +72,34 @@ typename Numbers::Value value_of(const Rational& coordinate, const Scaling& scal
 }
 
 template <typename Value>
-double near(const Value& value, const Scaling& scaling) {
+double near(const Value& value, std::size_t shift) {
   if constexpr (std::is_same_v<Value, std::int64_t>)
     return static_cast<double>(value);
   else
-    return scaled_down(value, scaling.shift);
+    return scaled_down(value, shift);
 }
 
 template <typename Numbers>
 NearSegment near(const IntegerSegment<Numbers>& segment, const Scaling& scaling) {
-  return {near(segment.source.x, scaling), near(segment.source.y, scaling),
-          near(segment.direction.x, scaling), near(segment.direction.y, scaling)};
+  return {near(segment.source.x, scaling.shift), near(segment.source.y, scaling.shift),
+          near(segment.direction.x, scaling.shift), near(segment.direction.y, scaling.shift)};
+}
+
+/// The median of the coordinates, so that a few vertices that are far from all others do not make
+/// floats too coarse for those; the origin where no float is.
+template <typename Numbers>
+IntegerVector<Numbers> place_of_most(const std::vector<IntegerSegment<Numbers>>& edges,
+                                     const Scaling& scaling) {
+  if (has_short_numbers(scaling)) return {0, 0};
+  const auto median = [&](const auto& coordinate) {
+    std::vector<typename Numbers::Value> all;
+    all.reserve(edges.size());
+    for (const auto& edge : edges) all.push_back(coordinate(edge.source));
+    const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+    std::nth_element(all.begin(), middle, all.end());
+    return *middle;
+  };
+  return {median([](const auto& v) { return v.x; }), median([](const auto& v) { return v.y; })};
 }
 
 template <typename Numbers>
@@ -92,7 +122,6 @@ IntegerSummand<Numbers> integer_summand(const Region& region, const Scaling& sca
     for (std::uint32_t i = 0; i < length; ++i) {
       auto& edge = summand.edges[first + i];
       edge.direction = summand.edges[first + (i + 1 == length ? 0 : i + 1)].source - edge.source;
-      summand.near.push_back(near(edge, scaling));
       summand.previous.push_back(first + (i == 0 ? length : i) - 1);
       summand.names.push_back({chain_name, i});
     }
@@ -103,7 +132,18 @@ IntegerSummand<Numbers> integer_summand(const Region& region, const Scaling& sca
     add(component.outer);
     for (const Chain& hole : component.holes) add(hole);
   }
+  const IntegerVector<Numbers> most = place_of_most(summand.edges, scaling);
+  for (const IntegerSegment<Numbers>& edge : summand.edges)
+    summand.near.push_back(
+        near(IntegerSegment<Numbers>{edge.source - most, edge.direction}, scaling));
   summand.first_of_component.push_back(static_cast<std::uint32_t>(summand.edges.size()));
+  for (std::size_t c = 0; c + 1 < summand.first_of_component.size(); ++c) {
+    const std::size_t first = summand.first_of_component[c];
+    Box box = box_around<Numbers>(summand.near[first]);
+    for (std::size_t i = first + 1; i < summand.first_of_component[c + 1]; ++i)
+      box = around(box, box_around<Numbers>(summand.near[i]));
+    summand.boxes_of_components.push_back(box);
+  }
   return summand;
 }
 
@@ -111,8 +151,8 @@ template <typename Numbers>
 BoxTree box_tree(const IntegerSummand<Numbers>& summand) {
   std::vector<Box> boxes;
   boxes.reserve(summand.near.size());
-  for (const NearSegment& s : summand.near) boxes.push_back(box_around(s));
-  return BoxTree(boxes);
+  for (const NearSegment& s : summand.near) boxes.push_back(box_around<Numbers>(s));
+  return BoxTree(boxes, summand.near);
 }
 
 }  // namespace oplus::slide

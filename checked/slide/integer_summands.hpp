@@ -51,14 +51,23 @@ template <typename Numbers>
 struct Track {
   IntegerSegment<Numbers> exact;
   NearSegment near;
+  double error;  ///< more than a place on it in doubles can be off
   /// The edge that touches, with both edges at the vertex that touches it.
   std::array<EdgePair, 2> contact = {};
 };
 
+/// Of the places on the sum of an edge and a vertex, and on the line of the segment as far as it goes.
+inline double error_of_places(const NearSegment& edge, const NearSegment& vertex) {
+  return 0x1p-49 * (std::abs(edge.x) + std::abs(edge.y) + std::abs(edge.dx) + std::abs(edge.dy) +
+                    std::abs(vertex.x) + std::abs(vertex.y)) +
+         0x1p-400;
+}
+
 template <typename Numbers>
 NearPoint near_place(const Track<Numbers>& track, const Fraction<Numbers>& t) {
   const double near_t = t.near();
-  return {track.near.x + near_t * track.near.dx, track.near.y + near_t * track.near.dy};
+  return {track.near.x + near_t * track.near.dx, track.near.y + near_t * track.near.dy,
+          track.error};
 }
 
 }  // namespace oplus::slide

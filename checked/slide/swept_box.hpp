@@ -8,19 +8,27 @@
 
 namespace oplus::slide {
 
-/// A segment from a to b, and all around it that is nearer than a margin.
+/// A segment from a to b, which are off by at most the error of a.
 class SweptBox {
  public:
-  SweptBox(const NearPoint& a, const NearPoint& b, double margin)
+  SweptBox(const NearPoint& a, const NearPoint& b)
       : dx_(static_cast<float>(b.x - a.x)),
         dy_(static_cast<float>(b.y - a.y)),
         twice_x_(static_cast<float>(2 * a.x)),
         twice_y_(static_cast<float>(2 * a.y)),
-        high_(box_of(static_cast<float>(std::max(a.x, b.x) + margin),
-                     static_cast<float>(std::max(a.y, b.y) + margin),
-                     static_cast<float>(margin - std::min(a.x, b.x)),
-                     static_cast<float>(margin - std::min(a.y, b.y)))),
-        around_(4 * static_cast<float>(margin) * (std::abs(dx_) + std::abs(dy_))) {}
+        high_(box_of(static_cast<float>(std::max(a.x, b.x) + a.error),
+                     static_cast<float>(std::max(a.y, b.y) + a.error),
+                     static_cast<float>(a.error - std::min(a.x, b.x)),
+                     static_cast<float>(a.error - std::min(a.y, b.y)))) {
+    // Where a box meets that of the segment, floats are off by less than 2^-19 of the box's size and
+    // of the segment's coordinates, and by what its ends are off.
+    const float largest =
+        std::max({std::abs(high_[0]), std::abs(high_[1]), std::abs(high_[2]), std::abs(high_[3])});
+    const float error = 4 * static_cast<float>(a.error);
+    most_dx_ = std::abs(dx_) * (1 + 0x1p-18F) + error;
+    most_dy_ = std::abs(dy_) * (1 + 0x1p-18F) + error;
+    around_ = (0x1p-19F * largest + 2 * error) * (most_dx_ + most_dy_) + 0x1p-100F;
+  }
 
   /// Whether the box, and the segment's line and the box, may have a point in common.
   bool may_meet(const Box& box) const {
@@ -28,7 +36,7 @@ class SweptBox {
     const float low_x = box[0], low_y = box[1], high_x = -box[2], high_y = -box[3];
     const float x = low_x + high_x - twice_x_, y = low_y + high_y - twice_y_;
     return std::abs(dx_ * y - dy_ * x) <=
-           std::abs(dx_) * (high_y - low_y) + std::abs(dy_) * (high_x - low_x) + around_;
+           most_dx_ * (high_y - low_y) + most_dy_ * (high_x - low_x) + around_;
   }
 
  private:
@@ -36,6 +44,7 @@ class SweptBox {
   float twice_x_, twice_y_;
   Box high_;
   float around_;
+  float most_dx_, most_dy_;  ///< more than their sizes
 };
 
 }  // namespace oplus::slide

@@ -35,6 +35,7 @@ class Tracks {
     const bool of_p = s.edge_of == Summand::P;
     return {{edge.source + with_vertex(s).edges[s.vertex].source, edge.direction},
             {e.x + v.x, e.y + v.y, e.dx, e.dy},
+            error_of_places(e, v),
             {of_p ? EdgePair{s.edge, entering} : EdgePair{entering, s.edge},
              of_p ? EdgePair{s.edge, s.vertex} : EdgePair{s.vertex, s.edge}}};
   }

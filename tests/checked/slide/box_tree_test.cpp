@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 #include "reference/families/random.hpp"
@@ -58,7 +60,7 @@ TEST(BoxAround, contains_its_points_and_is_the_smallest_that_does) {
 
 TEST(Box, contains_what_is_inside_or_on_its_boundary) {
   const Box box = box_around(-1, 2, 5, 7);
-  const auto is_inside = [&](double x, double y) { return contains(box, NearPoint{x, y}.box(0)); };
+  const auto is_inside = [&](double x, double y) { return contains(box, NearPoint{x, y}.box()); };
   EXPECT_TRUE(is_inside(0, 3));
   for (const double x : {-1.0, 5.0}) {
     EXPECT_TRUE(is_inside(x, 2));
@@ -68,9 +70,9 @@ TEST(Box, contains_what_is_inside_or_on_its_boundary) {
   }
   EXPECT_FALSE(is_inside(-1.25, 3));
   EXPECT_FALSE(is_inside(5.25, 3));
-  EXPECT_TRUE(contains(box, NearPoint{5.25, 3}.box(0.25)));
-  EXPECT_TRUE(contains(box, NearPoint{-1.25, 7.25}.box(0.25)));
-  EXPECT_FALSE(contains(box, NearPoint{5.5, 3}.box(0.25)));
+  EXPECT_TRUE(contains(box, NearPoint{5.25, 3, 0.25}.box()));
+  EXPECT_TRUE(contains(box, NearPoint{-1.25, 7.25, 0.25}.box()));
+  EXPECT_FALSE(contains(box, NearPoint{5.5, 3, 0.25}.box()));
 }
 
 TEST(Box, sums_are_around_the_sums) {
@@ -82,7 +84,6 @@ TEST(Box, sums_are_around_the_sums) {
 }
 
 TEST(NearPoint, is_in_a_box_that_it_is_in_but_for_rounding) {
-  // What is rounded, the box's sums and the point, is off by less than the margin of 2^-20.
   Random random(6);
   for (int k = 0; k < 20000; ++k) {
     const auto number = [&] {
@@ -91,7 +92,7 @@ TEST(NearPoint, is_in_a_box_that_it_is_in_but_for_rounding) {
     };
     const double ax = number(), ay = number(), bx = number(), by = number();
     const Box box = box_around(ax, ay, ax, ay) + box_around(bx, by, bx, by);
-    EXPECT_TRUE(contains(box, NearPoint{ax + bx, ay + by}.box(0x1p30 * 0x1p-20)));
+    EXPECT_TRUE(contains(box, NearPoint{ax + bx, ay + by}.box()));
   }
 }
 
@@ -116,6 +117,7 @@ std::size_t walk(const BoxTree& tree, std::uint32_t node, std::vector<std::uint3
   const double circumference =
       2 * (high_x(here.box) - low_x(here.box) + high_y(here.box) - low_y(here.box));
   EXPECT_NEAR(static_cast<double>(here.size), circumference / 2, 1e-3);
+  EXPECT_EQ(here.strip, BoxTree::none);
   if (here.is_leaf()) {
     leaves.push_back(here.edge);
     return 1;
@@ -126,11 +128,12 @@ std::size_t walk(const BoxTree& tree, std::uint32_t node, std::vector<std::uint3
   return 1 + std::max(left, walk(tree, here.right, leaves));
 }
 
-TEST_P(BoxTreeOf, boxes_has_each_once_in_order_and_is_balanced) {
+TEST_P(BoxTreeOf, boxes_has_each_once_and_is_balanced) {
   const std::vector<Box> boxes = some_boxes(GetParam());
   const BoxTree tree(boxes);
   std::vector<std::uint32_t> leaves;
   const std::size_t levels = walk(tree, 0, leaves);
+  std::sort(leaves.begin(), leaves.end());
   ASSERT_EQ(leaves.size(), boxes.size());
   for (std::uint32_t i = 0; i < leaves.size(); ++i) EXPECT_EQ(leaves[i], i);
   std::size_t least = 1;
@@ -155,6 +158,92 @@ TEST_P(BoxTreeOf, boxes_has_each_at_its_leaf) {
 
 INSTANTIATE_TEST_SUITE_P(Some, BoxTreeOf, testing::Values(1, 2, 3, 4, 5, 64, 100, 129),
                          testing::PrintToStringParamName());
+
+/// Unit squares in a row.
+std::vector<Box> squares(const std::vector<int>& places) {
+  std::vector<Box> boxes;
+  for (const int x : places) boxes.push_back(box_around(x, 0, x + 1, 1));
+  return boxes;
+}
+
+std::vector<std::uint32_t> leaves_of(const BoxTree& tree) {
+  std::vector<std::uint32_t> leaves;
+  walk(tree, 0, leaves);
+  return leaves;
+}
+
+/// The number of nodes whose boxes contain a point.
+std::size_t nodes_at(const BoxTree& tree, const NearPoint& point, std::uint32_t node = 0) {
+  if (!contains(tree[node].box, point.box())) return 0;
+  if (tree[node].is_leaf()) return 1;
+  return 1 + nodes_at(tree, point, node + 1) + nodes_at(tree, point, tree[node].right);
+}
+
+TEST(BoxTree, halves_by_place_what_is_in_random_order_and_leaves_the_boundary_in_order) {
+  std::vector<int> places(1000);
+  std::iota(places.begin(), places.end(), 0);
+  const BoxTree in_order(squares(places));
+  const std::vector<std::uint32_t> leaves = leaves_of(in_order);
+  EXPECT_TRUE(std::is_sorted(leaves.begin(), leaves.end()));
+
+  Random random(4);
+  shuffle(random, places);
+  const BoxTree by_place(squares(places));
+  for (const double x : {0.5, 123.5, 500.5, 999.5})
+    EXPECT_LE(nodes_at(by_place, {x, 0.5}), 3 * nodes_at(in_order, {x, 0.5})) << x;
+}
+
+/// Of a comb with slanted teeth, each from the baseline to the top and back.
+std::vector<NearSegment> slanted_teeth(int count, double scale) {
+  std::vector<NearSegment> edges;
+  for (int i = 0; i < count; ++i) {
+    edges.push_back({4 * i * scale, 0, 1001 * scale, 1000 * scale});
+    edges.push_back({(4 * i + 1001) * scale, 1000 * scale, -999 * scale, -1000 * scale});
+  }
+  return edges;
+}
+
+std::vector<Box> boxes_around(const std::vector<NearSegment>& edges) {
+  std::vector<Box> boxes;
+  for (const NearSegment& e : edges) boxes.push_back(box_around(e.x, e.y, e.x + e.dx, e.y + e.dy));
+  return boxes;
+}
+
+/// Checks that all edges under each node are in its strip. Returns how many have one.
+std::size_t check_strips(const BoxTree& tree, const std::vector<NearSegment>& edges) {
+  std::size_t strips = 0;
+  for (std::uint32_t node = 0; node < 2 * edges.size() - 1; ++node) {
+    if (tree[node].strip == BoxTree::none) continue;
+    ++strips;
+    const Strip& strip = tree.strip(tree[node].strip);
+    std::vector<std::uint32_t> nodes{node};
+    while (!nodes.empty()) {
+      const std::uint32_t next = nodes.back();
+      nodes.pop_back();
+      if (!tree[next].is_leaf()) {
+        nodes.insert(nodes.end(), {next + 1, tree[next].right});
+        continue;
+      }
+      const NearSegment& e = edges[tree[next].edge];
+      for (const double t : {0.0, 1.0}) {
+        const double place = strip.dx * (e.y + t * e.dy) - strip.dy * (e.x + t * e.dx);
+        EXPECT_LE(strip.low, place);
+        EXPECT_GE(strip.high, place);
+      }
+    }
+  }
+  return strips;
+}
+
+TEST(BoxTree, has_strips_where_boxes_are_much_wider) {
+  for (const double scale : {1.0, 0x1p50}) {
+    const std::vector<NearSegment> teeth = slanted_teeth(64, scale);
+    EXPECT_GT(check_strips(BoxTree(boxes_around(teeth), teeth), teeth), 60u);
+  }
+  std::vector<NearSegment> upright = slanted_teeth(64, 1);
+  for (NearSegment& e : upright) e.dx = 0;
+  EXPECT_EQ(check_strips(BoxTree(boxes_around(upright), upright), upright), 0u);
+}
 
 }  // namespace
 }  // namespace oplus::slide

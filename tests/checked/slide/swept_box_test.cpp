@@ -29,7 +29,7 @@ bool meet(const Point& a, const Point& b, const Corners& c) {
   return clip(a.x, b.x, c.low_x, c.high_x) && clip(a.y, b.y, c.low_y, c.high_y);
 }
 
-/// `reach` is the largest coordinate, and the margin what slide takes for that.
+/// `reach` is the largest coordinate.
 void expect_no_meeting_rejected(int reach, std::uint64_t seed) {
   Random random(seed);
   const auto number = [&] { return uniform(random, -reach, reach); };
@@ -37,8 +37,7 @@ void expect_no_meeting_rejected(int reach, std::uint64_t seed) {
   for (int k = 0; k < 5000; ++k) {
     const int ax = number(), ay = number(), dx = number() - ax, dy = number() - ay;
     const Point a{ax, ay}, b{ax + dx, ay + dy};
-    const SweptBox swept({double(ax), double(ay)}, {double(ax + dx), double(ay + dy)},
-                         2 * 0x1p-20 * reach);
+    const SweptBox swept({double(ax), double(ay)}, {double(ax + dx), double(ay + dy)});
     Corners c{number(), number(), 0, 0};
     if (one_in(random, 2)) {
       // A corner on the segment, or nearly.
@@ -73,7 +72,7 @@ TEST(SweptBox, never_rejects_what_the_segment_meets) {
 }
 
 TEST(SweptBox, rejects_what_is_beside_the_segment_though_in_its_box) {
-  const SweptBox swept({0, 0}, {8, 8}, 1e-5);
+  const SweptBox swept({0, 0}, {8, 8});
   EXPECT_FALSE(swept.may_meet(box_of(Corners{5, 1, 7, 3})));
   EXPECT_FALSE(swept.may_meet(box_of(Corners{1, 5, 3, 7})));
   EXPECT_TRUE(swept.may_meet(box_of(Corners{5, 1, 7, 5}))) << "a corner";
@@ -83,21 +82,21 @@ TEST(SweptBox, rejects_what_is_beside_the_segment_though_in_its_box) {
 }
 
 TEST(SweptBox, of_a_point_or_along_an_axis) {
-  const SweptBox point({3, 4}, {3, 4}, 1e-5);
+  const SweptBox point({3, 4}, {3, 4});
   EXPECT_TRUE(point.may_meet(box_of(Corners{3, 4, 3, 4})));
   EXPECT_TRUE(point.may_meet(box_of(Corners{0, 4, 3, 9})));
   EXPECT_FALSE(point.may_meet(box_of(Corners{4, 4, 5, 5})));
-  const SweptBox across({0, 2}, {9, 2}, 1e-5);
+  const SweptBox across({0, 2}, {9, 2});
   EXPECT_TRUE(across.may_meet(box_of(Corners{3, 0, 4, 2})));
   EXPECT_TRUE(across.may_meet(box_of(Corners{9, 2, 9, 2})));
   EXPECT_FALSE(across.may_meet(box_of(Corners{3, 0, 4, 1})));
-  const SweptBox up({2, 0}, {2, 9}, 1e-5);
+  const SweptBox up({2, 0}, {2, 9});
   EXPECT_TRUE(up.may_meet(box_of(Corners{2, 3, 5, 4})));
   EXPECT_FALSE(up.may_meet(box_of(Corners{3, 3, 5, 4})));
 }
 
-TEST(SweptBox, meets_what_is_nearer_than_the_margin) {
-  const SweptBox swept({0, 0}, {8, 8}, 2);
+TEST(SweptBox, meets_what_is_nearer_than_its_ends_can_be_off) {
+  const SweptBox swept({0, 0, 2}, {8, 8, 2});
   EXPECT_TRUE(swept.may_meet(box_of(Corners{5, 1, 7, 4})));
   EXPECT_TRUE(swept.may_meet(box_of(Corners{9, 9, 10, 10})));
   EXPECT_FALSE(swept.may_meet(box_of(Corners{11, 11, 12, 12})));
