@@ -32,10 +32,10 @@ struct Ray {
 template <typename Numbers>
 class BoundaryRays {
  public:
-  BoundaryRays(const IntegerSummand<Numbers>& summand, const BoxTree& tree, const Margins& margins)
+  BoundaryRays(const IntegerSummand<Numbers>& summand, const BoxTree& tree)
       : summand_(summand), next_(summand.edges.size()) {
     for (std::uint32_t i = 0; i < next_.size(); ++i) next_[summand.previous[i]] = i;
-    if (summand.names.front().chain != summand.names.back().chain) find_touching(tree, margins);
+    if (summand.names.front().chain != summand.names.back().chain) find_touching(tree);
   }
 
   /// The vertex that an edge enters.
@@ -112,13 +112,12 @@ class BoundaryRays {
     add(Ray<Numbers>{-summand_.edges[edge].direction, false});
   }
 
-  void find_touching(const BoxTree& tree, const Margins& margins) {
+  void find_touching(const BoxTree& tree) {
     touching_of_.assign(next_.size(), none);
     for (std::uint32_t v = 0; v < next_.size(); ++v) {
       if (touching_of_[v] != none) continue;
       ShortList<std::uint32_t> vertices{v}, edges;
-      const NearPoint near{summand_.near[v].x, summand_.near[v].y};
-      any_leaf_around(tree, near.box(margins.coordinate), [&](std::uint32_t edge) {
+      any_leaf_around(tree, near_source(summand_.near[v]).box(), [&](std::uint32_t edge) {
         if (summand_.names[edge].chain == summand_.names[v].chain) return false;
         const auto& along = summand_.edges[edge].direction;
         const auto to = summand_.edges[v].source - summand_.edges[edge].source;
@@ -151,8 +150,8 @@ using RaysOfBoth = std::array<BoundaryRays<Numbers>, 2>;
 
 template <typename Numbers>
 RaysOfBoth<Numbers> rays_of(const IntegerSummands<Numbers>& summands) {
-  return {BoundaryRays<Numbers>(summands.p, summands.tree_of_p, summands.margins),
-          BoundaryRays<Numbers>(summands.q, summands.tree_of_q, summands.margins)};
+  return {BoundaryRays<Numbers>(summands.p, summands.tree_of_p),
+          BoundaryRays<Numbers>(summands.q, summands.tree_of_q)};
 }
 
 }  // namespace oplus::slide

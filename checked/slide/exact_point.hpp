@@ -11,6 +11,19 @@
 
 namespace oplus::slide {
 
+template <typename Value>
+Rational rational(const Value& value) {
+  if constexpr (std::is_same_v<Value, boost::multiprecision::mpq_rational>)
+    return Rational(value.backend().data());
+  else
+    return mpz_class(boost::multiprecision::mpz_int(value).backend().data());
+}
+
+template <typename Numbers>
+Rational rational(const Fraction<Numbers>& t) {
+  return rational(t.numerator()) / rational(t.denominator());
+}
+
 /// x(t) with coordinates in lowest terms, so that equal points have equal numbers. Their order is
 /// that of the plane.
 template <typename Numbers>
@@ -49,17 +62,9 @@ class ExactPoint {
     return coordinate.get_d();
   }
 
-  static Rational rational(const Value& value) {
-    if constexpr (is_rational<Numbers>)
-      return Rational(value.backend().data());
-    else
-      return mpz_class(boost::multiprecision::mpz_int(value).backend().data());
-  }
-
   static Rational coordinate(const Value& source, const Value& direction,
                              const Fraction<Numbers>& t) {
-    return rational(source) +
-           rational(direction) * (rational(t.numerator()) / rational(t.denominator()));
+    return rational(source) + rational(direction) * rational(t);
   }
 
   Point point_;

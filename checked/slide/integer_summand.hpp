@@ -137,13 +137,6 @@ IntegerSummand<Numbers> integer_summand(const Region& region, const Scaling& sca
     summand.near.push_back(
         near(IntegerSegment<Numbers>{edge.source - most, edge.direction}, scaling));
   summand.first_of_component.push_back(static_cast<std::uint32_t>(summand.edges.size()));
-  for (std::size_t c = 0; c + 1 < summand.first_of_component.size(); ++c) {
-    const std::size_t first = summand.first_of_component[c];
-    Box box = box_around<Numbers>(summand.near[first]);
-    for (std::size_t i = first + 1; i < summand.first_of_component[c + 1]; ++i)
-      box = around(box, box_around<Numbers>(summand.near[i]));
-    summand.boxes_of_components.push_back(box);
-  }
   return summand;
 }
 

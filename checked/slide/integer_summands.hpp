@@ -70,4 +70,16 @@ NearPoint near_place(const Track<Numbers>& track, const Fraction<Numbers>& t) {
           track.error};
 }
 
+/// The source of an edge, off by at most a rounding.
+inline NearPoint near_source(const NearSegment& edge) {
+  return {edge.x, edge.y, 0x1p-50 * (std::abs(edge.x) + std::abs(edge.y)) + 0x1p-400};
+}
+
+/// A place less the source of an edge.
+inline NearPoint difference(const NearPoint& place, const NearSegment& edge) {
+  const NearPoint source = near_source(edge);
+  return {place.x - source.x, place.y - source.y,
+          place.error + source.error + 0x1p-50 * (std::abs(place.x) + std::abs(place.y))};
+}
+
 }  // namespace oplus::slide

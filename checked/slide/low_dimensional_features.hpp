@@ -32,8 +32,8 @@ class PointLocation {
       : segments_(std::move(segments)), scaling_(scaling), tree_(boxes()) {}
 
   bool is_on_one(const ExactPoint<Numbers>& x) const {
-    const NearPoint near{x.near_x(scaling_), x.near_y(scaling_)};
-    return any_leaf_around(tree_, near.box(margins(scaling_).coordinate), [&](std::uint32_t i) {
+    const NearPoint near{x.near_x(scaling_), x.near_y(scaling_), 2 * margins(scaling_).point};
+    return any_leaf_around(tree_, near.box(), [&](std::uint32_t i) {
       const auto& [a, b] = segments_[i];
       return x == *a || x == *b || lies_between(x, *a, *b, scaling_);
     });
@@ -90,7 +90,8 @@ void add_sums_of_touching_points(const IntegerSummands<Numbers>& summands,
       const NearSegment& near_w = summands.q.near[w];
       // On a line in some direction.
       points.push_back({{{summands.p.edges[v].source + summands.q.edges[w].source, {1, 0}},
-                         {near_v.x + near_w.x, near_v.y + near_w.y, 0, 0}},
+                         {near_v.x + near_w.x, near_v.y + near_w.y, 0, 0},
+                         error_of_places(near_v, near_w)},
                         {0, 1},
                         scaling});
     }

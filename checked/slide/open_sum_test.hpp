@@ -24,7 +24,7 @@ struct ComponentTrees {
     std::vector<Box> boxes;
     for (std::size_t c = 0; c + 1 < summand.first_of_component.size(); ++c) {
       const NearSegment& first = summand.near[summand.first_of_component[c]];
-      boxes.push_back(box_around(first.x, first.y, first.x, first.y));
+      boxes.push_back(box_around<Numbers>({first.x, first.y, 0, 0}));
     }
     return boxes;
   }
@@ -87,9 +87,7 @@ class OpenSumTest {
     touched_of_q_[summands_.q.names[pair.second].chain] = test_;
   }
 
-  bool has_several_components() const {
-    return summands_.p.boxes_of_components.size() > 1 || summands_.q.boxes_of_components.size() > 1;
-  }
+  bool has_several_components() const { return summands_.has_several_components(); }
 
   /// Where many chains touch, a contact is seen many times.
   bool is_new(const Contact& contact) {
@@ -114,7 +112,7 @@ class OpenSumTest {
                      const BoxTree& tree_of_outer, const Track<Numbers>& track,
                      const Fraction<Numbers>& t) const {
     return any_leaf_around(
-        first_vertices, near_place(track, t).box(summands_.margins.coordinate),
+        first_vertices, near_place(track, t).box(),
         [&](std::uint32_t component) {
           const std::uint32_t first = inner.first_of_component[component];
           return touched[inner.names[first].chain] != test_ &&
@@ -133,9 +131,7 @@ class OpenSumTest {
     const Product whole(t.denominator()), n(t.numerator());
     const Product x = Product(from.x) * whole + Product(d.x) * n;
     const Product y = Product(from.y) * whole + Product(d.y) * n;
-    const NearPoint place = near_place(track, t);
-    Box right_of = NearPoint{place.x - of_v.near[v].x, place.y - of_v.near[v].y}.box(
-        2 * summands_.margins.coordinate);
+    Box right_of = difference(near_place(track, t), of_v.near[v]).box();
     right_of[0] = std::numeric_limits<float>::infinity();
     bool inside = false;
     any_leaf_around(tree, right_of, [&](std::uint32_t edge) {

@@ -54,7 +54,7 @@ class PiecesOnLines {
   };
 
   struct OnLine {
-    IntegerVector<Numbers> direction;  ///< without a common factor
+    IntegerVector<Numbers> direction;  ///< divided by its common factor
     Value line;                        ///< the skew product of the direction and each point
     Position from, to;
     FreePiece<Numbers> piece;
@@ -79,9 +79,12 @@ class PiecesOnLines {
             position(piece.piece.to), piece};
   }
 
+  /// What directions are divided by, so that equal ones have equal numbers.
   static Value common_factor(const Value& a, const Value& b) {
     if constexpr (is_small<Numbers>)
       return std::gcd(a, b);
+    else if constexpr (is_rational<Numbers>)
+      return abs(a != 0 ? a : b);
     else
       return gcd(a, b);
   }
@@ -93,13 +96,7 @@ class PiecesOnLines {
   }
 
   static Rational exact(const Position& position) {
-    Rational t(integer(position.t.numerator()), integer(position.t.denominator()));
-    t.canonicalize();
-    return integer(position.source) + integer(position.direction) * t;
-  }
-
-  static mpz_class integer(const Value& value) {
-    return mpz_class(boost::multiprecision::mpz_int(value).backend().data());
+    return rational(position.source) + rational(position.direction) * rational(position.t);
   }
 
   /// Calls visit(pieces) with pieces that cover each maximal connected union, in order.
