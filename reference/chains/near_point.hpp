@@ -2,6 +2,7 @@
 #pragma once
 
 #include "reference/arithmetic/interval.hpp"
+#include "reference/definitions/region.hpp"
 
 namespace oplus {
 
@@ -29,6 +30,17 @@ inline int compare(const NearPoint& a, const NearPoint& b) {
 inline int orientation(const NearPoint& a, const NearPoint& b, const NearPoint& c) {
   const std::optional<int> known = orientation(a.near, b.near, c.near);
   return known ? *known : orientation(*a.exact, *b.exact, *c.exact);
+}
+
+/// The sign of twice_area(chain), whose own denominator grows with the chain.
+inline int sign_of_area(const Chain& chain) {
+  Interval twice;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const IntervalPoint a = interval(chain[i]), b = interval(chain[next(i, chain.size())]);
+    twice = twice + cross(a, b);
+  }
+  const std::optional<int> known = sign(twice);
+  return known ? *known : sgn(twice_area(chain));
 }
 
 }  // namespace oplus

@@ -13,6 +13,7 @@
 #include <optional>
 #include <utility>
 
+#include "reference/chains/near_point.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/chains/validity.hpp"
 #include "reference/io/invalid_region.hpp"
@@ -106,7 +107,7 @@ Parsed parsed_file(const std::string& path, Wanted wanted, const ReadingProgress
 void orient(PlacedGeometry& geometry, const std::string& input, std::vector<std::string>& notes) {
   for (PlacedChain& chain : geometry.chains) {
     const int wanted = chain.name.hole == 0 ? 1 : -1;
-    if (sign(twice_area(chain.vertices)) != -wanted) continue;
+    if (sign_of_area(chain.vertices) != -wanted) continue;
     std::reverse(std::next(chain.vertices.begin()), chain.vertices.end());
     std::reverse(std::next(chain.places.begin()), chain.places.end());
     chain.is_turned = true;
