@@ -233,11 +233,11 @@ TEST_F(Sum, svg_is_a_picture_of_everything) {
 }
 
 TEST_F(Sum, svg_is_without_convolutions_that_nobody_could_see) {
-  run("oplus gen star --n 150 --summand P -o p.wkt");
-  run("oplus gen star --n 150 --summand Q -o q.wkt");
+  run("oplus gen star --n 200 --summand P -o p.wkt");
+  run("oplus gen star --n 200 --summand Q -o q.wkt");
   const Ran ran = run("oplus sum p.wkt q.wkt --svg s.svg -o s.wkt");
-  EXPECT_EQ(ran.err.substr(0, ran.err.find('\n')),
-            "oplus: the picture is without convolutions of more than 20000 segments");
+  EXPECT_TRUE(
+      has(ran.err, "oplus: the picture is without convolutions of more than 20000 segments\n"));
   EXPECT_TRUE(has(content("s.svg"), "class=\"summand-p\""));
   EXPECT_TRUE(has(content("s.svg"), "class=\"sum\""));
   EXPECT_EQ(content("s.svg").find("class=\"convolution\""), std::string::npos);

@@ -335,7 +335,7 @@ TEST(Slide, says_how_many_segments_are_done) {
                      EXPECT_LE(done, total);
                      EXPECT_EQ(total, reduced_convolution(pair.p, pair.q).size());
                    }});
-    EXPECT_GT(seen.size(), 5U);
+    EXPECT_GT(seen.size(), 1U);
     EXPECT_EQ(*std::max_element(seen.begin(), seen.end()),
               result.statistics.count("segments slid along"));
   }

@@ -33,6 +33,24 @@ TEST(GeoJson, numbers_beyond_a_double_are_exact) {
             Rational(long_number));
 }
 
+TEST(GeoJson, members_come_in_any_order_and_strings_may_have_escapes) {
+  const Region expected =
+      region_from(R"({"type": "Polygon", "coordinates": [[[0, 0], [3, 0], [0, "1/3"], [0, 0]]]})")
+          .region;
+  for (const std::string text :
+       {R"({"coordinates": [[[0, 0], [3, 0], [0, "1\/3"], [0, 0]]], "type": "Polygon"})",
+        R"({"x": [{"type": [1, {}, ""]}, null, "]}"], "coordinates": [[[0,0],[3,0],[0,
+            "\u0031/3"],[0,0]]], "t\u0079pe": "Pol\u0079gon", "y": {"a": {"a": [true, -1.5e3]}}})"})
+    EXPECT_EQ(region_from(text).region, expected) << text;
+  // Wrong syntax behind a wrong value is what is refused, wherever the type stands.
+  EXPECT_EQ(refusal([] { region_from(R"({"coordinates": [[[0, true]]], "type": "Polygon")"); }),
+            "file:1:49: the end of the input in JSON; expected ',' or '}'");
+  EXPECT_EQ(
+      refusal([] { region_from("{\"coordinates\": [[[0,\n true]]], \"type\": \"Polygon\"}"); }),
+      "file:2:2: y of vertex 1 of outer chain of component 1 is a boolean; expected a number or "
+      "a string \"p/q\"");
+}
+
 std::string nested(std::size_t depth, const std::string& open) {
   std::string text;
   for (std::size_t i = 0; i < depth; ++i) text += open;

@@ -52,6 +52,25 @@ TEST(Number, is_rounded_half_away_from_zero) {
   EXPECT_EQ(to_string(Rational(1, 4), most_digits), "0.25");
 }
 
+TEST(Number, is_written_alike_where_it_needs_more_than_64_bits) {
+  const auto text = [](const char* value, std::optional<int> digits = std::nullopt) {
+    return to_string(Rational(value), digits);
+  };
+  EXPECT_EQ(text("18446744073709551615"), "18446744073709551615");
+  EXPECT_EQ(text("-18446744073709551616"), "-18446744073709551616");
+  EXPECT_EQ(text("18446744073709551615/2"), "9223372036854775807.5");
+  EXPECT_EQ(text("-18446744073709551617/2"), "-9223372036854775808.5");
+  EXPECT_EQ(text("1/18446744073709551616").size(), 66U);
+  EXPECT_EQ(text("18446744073709551615/7"), "18446744073709551615/7");
+  EXPECT_EQ(text("7/18446744073709551616000000001"), "7/18446744073709551616000000001");
+  EXPECT_EQ(text("9223372036854775807/7", 0), "1317624576693539401");
+  EXPECT_EQ(text("9223372036854775807/6", 0), "1537228672809129301");
+  EXPECT_EQ(text("18446744073709551615/2", 0), "9223372036854775808");
+  EXPECT_EQ(text("18446744073709551613/3", 1), "6148914691236517204.3");
+  EXPECT_EQ(text("-1/18446744073709551616", 19), "-0.0000000000000000001");
+  EXPECT_EQ(text("-1/18446744073709551616", 18), "0");
+}
+
 TEST(Number, of_a_point_is_exact) {
   EXPECT_EQ(to_string(Point{Rational(1, 3), Rational(-1, 2)}), "(1/3, -0.5)");
 }
