@@ -57,51 +57,66 @@ NamedEnds<Numbers> named_ends(const std::vector<FreePiece<Numbers>>& pieces,
     if (a.near_y != b.near_y) return a.near_y < b.near_y;
     return a.end < b.end;
   });
+  // Whether each has the x of the one before, and whether it is the same point.
+  ShortList<char> same_x(ends.size()), same(ends.size());
+  const auto compare = [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = std::max<std::size_t>(first, 1); k < last; ++k) {
+      const ExactPoint<Numbers>& a = ends[sorted[k - 1].end];
+      const ExactPoint<Numbers>& b = ends[sorted[k].end];
+      same_x[k] = a.has_x_of(b);
+      same[k] = a == b;
+    }
+  };
+  for_each_part(ends.size(), threads, compare);
   // Equal coordinates are equal in doubles. Where doubles are equal or close and coordinates are not,
   // these decide.
-  const auto each_close = [](auto first, auto last, double Place::*near, const auto& visit) {
-    while (first != last) {
-      auto next = first + 1;
-      while (next != last && (*next).*near - (*(next - 1)).*near <=
-                                 0x1p-48 * (std::abs((*next).*near) + std::abs((*first).*near)))
-        ++next;
+  const auto each_close = [&](std::size_t first, std::size_t last, double Place::*near,
+                              const auto& visit) {
+    while (first < last) {
+      const auto is_close = [&](double a, double b) {
+        return b - a <= 0x1p-48 * (std::abs(b) + std::abs(sorted[first].*near));
+      };
+      std::size_t next = first + 1;
+      while (next < last && is_close(sorted[next - 1].*near, sorted[next].*near)) ++next;
       visit(first, next);
       first = next;
     }
   };
-  const auto sort_unless = [&](const auto& is_equal, auto first, auto last) {
-    const auto& point = ends[first->end];
-    if (std::all_of(first + 1, last,
-                    [&](const Place& place) { return is_equal(ends[place.end], point); }))
-      return true;
-    std::sort(first, last,
+  const auto sort_unless = [&](const ShortList<char>& equal, std::size_t first, std::size_t last) {
+    const auto at = [](auto& list, std::size_t k) {
+      return list.begin() + static_cast<std::ptrdiff_t>(k);
+    };
+    if (std::find(at(equal, first + 1), at(equal, last), false) == at(equal, last)) return true;
+    std::sort(at(sorted, first), at(sorted, last),
               [&](const Place& a, const Place& b) { return ends[a.end] < ends[b.end]; });
+    compare(first + 1, last);
     return false;
   };
-  each_close(sorted.begin(), sorted.end(), &Place::near_x, [&](auto first, auto last) {
-    if (!sort_unless([](const auto& a, const auto& b) { return a.has_x_of(b); }, first, last))
-      return;
-    each_close(first, last, &Place::near_y, [&](auto from, auto to) {
-      sort_unless([](const auto& a, const auto& b) { return a == b; }, from, to);
-    });
+  each_close(0, sorted.size(), &Place::near_x, [&](std::size_t first, std::size_t last) {
+    if (sort_unless(same_x, first, last))
+      each_close(first, last, &Place::near_y,
+                 [&](std::size_t from, std::size_t to) { sort_unless(same, from, to); });
   });
+  ShortList<std::uint32_t> names(ends.size());
+  std::uint32_t different = 0;
+  for (std::size_t k = 0; k < names.size(); ++k) names[k] = (different += !same[k]) - 1;
   NamedEnds<Numbers> named;
   named.pieces.resize(pieces.size());
-  named.points.reserve(pieces.size() + 8);
-  named.near_x.reserve(pieces.size() + 8);
-  named.near_y.reserve(pieces.size() + 8);
-  for (const Place& place : sorted) {
-    ExactPoint<Numbers>& point = ends[place.end];
-    if (named.points.empty() || !(named.points.back() == point)) {
-      named.points.push_back(std::move(point));
-      named.near_x.push_back(place.near_x);
-      named.near_y.push_back(place.near_y);
+  named.points.resize(different);
+  named.near_x.resize(different);
+  named.near_y.resize(different);
+  for_each_part(ends.size(), threads, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) {
+      const auto& [near_x, near_y, end] = sorted[k];
+      BoundaryPiece& piece = named.pieces[end / 2];
+      (end % 2 == 0 ? piece.from : piece.to) = names[k];
+      if (end % 2 == 0) piece.segment = pieces[end / 2].segment;
+      if (same[k]) continue;
+      named.points[names[k]] = std::move(ends[end]);
+      named.near_x[names[k]] = near_x;
+      named.near_y[names[k]] = near_y;
     }
-    const auto name = static_cast<std::uint32_t>(named.points.size() - 1);
-    BoundaryPiece& piece = named.pieces[place.end / 2];
-    (place.end % 2 == 0 ? piece.from : piece.to) = name;
-    piece.segment = pieces[place.end / 2].segment;
-  }
+  });
   return named;
 }
 
