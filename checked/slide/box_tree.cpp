@@ -35,17 +35,6 @@ struct BoxTree::Edges {
   std::vector<std::uint32_t>& order;         ///< that of the leaves
 };
 
-BoxTree::BoxTree(const std::vector<Box>& of_edges) : BoxTree(of_edges, {}) {}
-
-BoxTree::BoxTree(const std::vector<Box>& of_edges, const std::vector<NearSegment>& edges) {
-  constexpr std::size_t too_few = 32;  // for strips to save time
-  const auto size = static_cast<std::uint32_t>(of_edges.size());
-  std::vector<std::uint32_t> order(size);
-  std::iota(order.begin(), order.end(), 0u);
-  nodes_.reserve(2 * of_edges.size());
-  add({of_edges, edges.size() < too_few ? nullptr : &edges, order}, 0, size);
-}
-
 namespace {
 
 float half_circumference(const Box& box) { return -(box[0] + box[1] + box[2] + box[3]); }
@@ -56,11 +45,17 @@ Box box_around(const std::vector<Box>& boxes, std::span<const std::uint32_t> edg
   return box;
 }
 
-/// How far the halves of a set of edges, in the given order, reach: the sum of their circumferences.
-float reach_of_halves(const std::vector<Box>& boxes, std::span<const std::uint32_t> edges) {
+/// The boxes around the halves of a set of edges in an order.
+struct Halves {
+  Box first;
+  Box second;
+
+  float reach() const { return half_circumference(first) + half_circumference(second); }
+};
+
+Halves halves_of(const std::vector<Box>& boxes, std::span<const std::uint32_t> edges) {
   const std::size_t half = edges.size() / 2;
-  return half_circumference(box_around(boxes, edges.first(half))) +
-         half_circumference(box_around(boxes, edges.subspan(half)));
+  return {box_around(boxes, edges.first(half)), box_around(boxes, edges.subspan(half))};
 }
 
 /// Orders edges so that the first half has the smaller middles along the axis along which the middles
@@ -89,27 +84,14 @@ void halve_by_place(const std::vector<Box>& boxes, std::span<std::uint32_t> edge
                         [&](std::uint32_t edge) { return key(edge) < first_of_second; });
 }
 
-/// A strip around edges, in the direction in which they are spread most, if it is much narrower than
-/// their box.
-std::optional<Strip> narrow_strip(const std::vector<NearSegment>& segments,
-                                  std::span<const std::uint32_t> edges, const Box& box) {
-  // The moments of the middles and the directions, about the middle of the box.
-  const double middle_x = (static_cast<double>(box[0]) - static_cast<double>(box[2])) / 2;
-  const double middle_y = (static_cast<double>(box[1]) - static_cast<double>(box[3])) / 2;
-  double xx = 0, xy = 0, yy = 0;
-  for (const std::uint32_t edge : edges) {
-    const NearSegment& s = segments[edge];
-    const double x = s.x + s.dx / 2 - middle_x, y = s.y + s.dy / 2 - middle_y;
-    xx += x * x + s.dx * s.dx / 12;
-    xy += x * y + s.dx * s.dy / 12;
-    yy += y * y + s.dy * s.dy / 12;
-  }
-  const double angle = std::atan2(2 * xy, xx - yy) / 2;
-  Strip strip{std::cos(angle), std::sin(angle), std::numeric_limits<double>::infinity(),
-              -std::numeric_limits<double>::infinity()};
+/// A strip in a direction around edges.
+Strip strip_around(const std::vector<NearSegment>& segments, std::span<const std::uint32_t> edges,
+                   double dx, double dy) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Strip strip{dx, dy, infinity, -infinity};
   double largest = 0;
   const auto add = [&](double x, double y) {
-    const double place = strip.dx * y - strip.dy * x;
+    const double place = dx * y - dy * x;
     strip.low = std::min(strip.low, place);
     strip.high = std::max(strip.high, place);
     largest = std::max({largest, std::abs(x), std::abs(y)});
@@ -121,50 +103,95 @@ std::optional<Strip> narrow_strip(const std::vector<NearSegment>& segments,
   }
   strip.low -= largest * 0x1p-48 + 0x1p-400;
   strip.high += largest * 0x1p-48 + 0x1p-400;
-  const double across_box = std::abs(strip.dx) * -static_cast<double>(box[1] + box[3]) +
-                            std::abs(strip.dy) * -static_cast<double>(box[0] + box[2]);
-  if (2 * (strip.high - strip.low) > across_box) return std::nullopt;
   return strip;
 }
 
 }  // namespace
 
-void BoxTree::add(const Edges& edges, std::uint32_t first, std::uint32_t last) {
+/// Of the points of edges, each edge with the same weight: how many edges, the mean, and the second
+/// moments about it.
+struct BoxTree::Moments {
+  double count, x, y;
+  double xx, xy, yy;
+
+  static Moments of(const NearSegment& s) {
+    return {
+        1, s.x + s.dx / 2, s.y + s.dy / 2, s.dx * s.dx / 12, s.dx * s.dy / 12, s.dy * s.dy / 12};
+  }
+
+  friend Moments operator+(const Moments& a, const Moments& b) {
+    const double count = a.count + b.count, share = b.count / count, weight = a.count * share;
+    const double x = b.x - a.x, y = b.y - a.y;
+    return {count,
+            a.x + share * x,
+            a.y + share * y,
+            a.xx + b.xx + weight * x * x,
+            a.xy + b.xy + weight * x * y,
+            a.yy + b.yy + weight * y * y};
+  }
+};
+
+BoxTree::BoxTree(const std::vector<Box>& of_edges) : BoxTree(of_edges, {}) {}
+
+BoxTree::BoxTree(const std::vector<Box>& of_edges, const std::vector<NearSegment>& edges) {
+  constexpr std::size_t too_few = 32;  // for strips to save time
+  const auto size = static_cast<std::uint32_t>(of_edges.size());
+  std::vector<std::uint32_t> order(size);
+  std::iota(order.begin(), order.end(), 0u);
+  nodes_.reserve(2 * of_edges.size());
+  add({of_edges, edges.size() < too_few ? nullptr : &edges, order}, 0, size,
+      box_around(of_edges, order));
+}
+
+BoxTree::Moments BoxTree::add(const Edges& edges, std::uint32_t first, std::uint32_t last,
+                              const Box& box) {
   const std::size_t here = nodes_.size();
   const std::span<std::uint32_t> these(edges.order.data() + first, last - first);
-  nodes_.push_back({edges.boxes[these[0]], none, none, 0, none});
+  nodes_.push_back({box, none, none, half_circumference(box), none});
   if (these.size() == 1) {
     nodes_[here].edge = these[0];
-  } else {
-    const Box box = box_around(edges.boxes, these);
-    constexpr std::size_t too_few = 4;  // for the order to matter
-    if (these.size() > too_few) {
-      // A box that is cut in two across its longer side.
-      const float width = -(box[0] + box[2]), height = -(box[1] + box[3]);
-      const float least = std::max(width, height) + 2 * std::min(width, height);
-      const float by_order = reach_of_halves(edges.boxes, these);
-      if (by_order > 1.1F * least) {
-        const std::vector<std::uint32_t> in_order(these.begin(), these.end());
-        halve_by_place(edges.boxes, these);
-        if (by_order <= reach_of_halves(edges.boxes, these))
-          std::copy(in_order.begin(), in_order.end(), these.begin());
-      }
-    }
-    if (edges.segments != nullptr) {
-      if (const auto strip = narrow_strip(*edges.segments, these, box)) {
-        nodes_[here].strip = static_cast<std::uint32_t>(strips_.size());
-        strips_.push_back(*strip);
-        nodes_[here].size = static_cast<float>(2 * (strip->high - strip->low));
-      }
-    }
-    const std::uint32_t middle = first + (last - first) / 2;
-    add(edges, first, middle);
-    const auto right = static_cast<std::uint32_t>(nodes_.size());
-    add(edges, middle, last);
-    nodes_[here].right = right;
-    nodes_[here].box = box;
+    return edges.segments == nullptr ? Moments{} : Moments::of((*edges.segments)[these[0]]);
   }
-  if (nodes_[here].strip == none) nodes_[here].size = half_circumference(nodes_[here].box);
+  Halves halves = halves_of(edges.boxes, these);
+  constexpr std::size_t too_few = 4;  // for the order to matter
+  if (these.size() > too_few) {
+    // A box that is cut in two across its longer side.
+    const float width = -(box[0] + box[2]), height = -(box[1] + box[3]);
+    const float least = std::max(width, height) + 2 * std::min(width, height);
+    if (halves.reach() > 1.1F * least) {
+      const std::vector<std::uint32_t> in_order(these.begin(), these.end());
+      halve_by_place(edges.boxes, these);
+      const Halves by_place = halves_of(edges.boxes, these);
+      if (by_place.reach() < halves.reach())
+        halves = by_place;
+      else
+        std::copy(in_order.begin(), in_order.end(), these.begin());
+    }
+  }
+  const std::uint32_t middle = first + (last - first) / 2;
+  const Moments left = add(edges, first, middle, halves.first);
+  nodes_[here].right = static_cast<std::uint32_t>(nodes_.size());
+  const Moments right = add(edges, middle, last, halves.second);
+  if (edges.segments == nullptr) return {};
+
+  // The direction in which the edges are spread most, and their variance across it: a strip is at
+  // least twice as wide as the root of that.
+  const Moments all = left + right;
+  const double difference = std::hypot(all.xx - all.yy, 2 * all.xy);
+  const double cosine = difference > 0 ? (all.xx - all.yy) / difference : 1;  // of twice the angle
+  const double dx = std::sqrt(std::max(0.0, (1 + cosine) / 2));
+  const double dy = std::copysign(std::sqrt(std::max(0.0, (1 - cosine) / 2)), all.xy);
+  const double across_box = dx * -static_cast<double>(box[1] + box[3]) +
+                            std::abs(dy) * -static_cast<double>(box[0] + box[2]);
+  const double variance = (all.xx + all.yy - difference) / 2 / all.count;
+  if (16 * variance > across_box * across_box) return all;
+  const Strip strip = strip_around(*edges.segments, these, dx, dy);
+  const double width = strip.high - strip.low;
+  if (2 * width > across_box) return all;
+  nodes_[here].strip = static_cast<std::uint32_t>(strips_.size());
+  nodes_[here].size = static_cast<float>(2 * width);
+  strips_.push_back(strip);
+  return all;
 }
 
 }  // namespace oplus::slide

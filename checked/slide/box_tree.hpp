@@ -80,7 +80,8 @@ class BoxTree {
 
  private:
   struct Edges;
-  void add(const Edges& edges, std::uint32_t first, std::uint32_t last);
+  struct Moments;
+  Moments add(const Edges& edges, std::uint32_t first, std::uint32_t last, const Box& box);
 
   std::vector<Node> nodes_;
   std::vector<Strip> strips_;
