@@ -54,6 +54,8 @@ class BoxTree {
     bool is_leaf() const { return right == none; }
   };
 
+  BoxTree() = default;  ///< of no boxes
+
   /// Requires: at least one box.
   explicit BoxTree(const std::vector<Box>& of_edges);
 

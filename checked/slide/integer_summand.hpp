@@ -7,6 +7,7 @@
 #include "checked/slide/box_tree.hpp"
 #include "checked/slide/integer_vector.hpp"
 #include "checked/slide/scaling.hpp"
+#include "checked/slide/short_list.hpp"
 
 namespace oplus::slide {
 
@@ -21,10 +22,10 @@ inline Box box_around(const NearSegment& s) { return box_around(s.x, s.y, s.x + 
 /// A summand in integers. An edge and the vertex that it leaves have the same number.
 template <typename Numbers>
 struct IntegerSummand {
-  std::vector<IntegerSegment<Numbers>> edges;
-  std::vector<NearSegment> near;
-  std::vector<std::uint32_t> previous;  ///< the edge that enters the vertex
-  std::vector<VertexIndex> names;
+  ShortList<IntegerSegment<Numbers>> edges;
+  ShortList<NearSegment> near;
+  ShortList<std::uint32_t> previous;  ///< the edge that enters the vertex
+  ShortList<VertexIndex> names;
   std::vector<std::uint32_t> first_of_component;  ///< its first edge; then the number of all
   std::vector<Box> boxes_of_components;
 };

@@ -15,7 +15,7 @@ namespace oplus::slide {
 /// closed sum is to their right as well. `pieces` are the free ones.
 template <typename Numbers>
 Candidates low_dimensional_candidates(const Tracks<Numbers>& tracks,
-                                      const std::vector<FreePiece<Numbers>>& pieces,
+                                      const ShortList<FreePiece<Numbers>>& pieces,
                                       const Scaling& scaling, unsigned threads) {
   std::vector<std::vector<Piece<Numbers>>> free(tracks.size());
   for (const FreePiece<Numbers>& piece : pieces) free[piece.segment].push_back(piece.piece);

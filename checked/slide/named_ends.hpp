@@ -21,13 +21,13 @@ struct FreePiece {
 /// Free pieces, the ends of which have numbers: equal points the same.
 template <typename Numbers>
 struct NamedEnds {
-  std::vector<ExactPoint<Numbers>> points;
+  ShortList<ExactPoint<Numbers>> points;
   std::vector<double> near_x, near_y;
   std::vector<BoundaryPiece> pieces;
 };
 
 template <typename Numbers>
-NamedEnds<Numbers> named_ends(const std::vector<FreePiece<Numbers>>& pieces,
+NamedEnds<Numbers> named_ends(const ShortList<FreePiece<Numbers>>& pieces,
                               const Tracks<Numbers>& tracks, const Scaling& scaling) {
   // End 2 k is the source of piece k, end 2 k + 1 its target.
   ShortList<ExactPoint<Numbers>> ends;

@@ -9,6 +9,7 @@
 #include "checked/slide/free_pieces.hpp"
 #include "checked/slide/low_dimensional_candidates.hpp"
 #include "checked/slide/named_ends.hpp"
+#include "checked/slide/short_list.hpp"
 #include "checked/slide/stitching.hpp"
 #include "checked/slide/tracks.hpp"
 
@@ -20,7 +21,7 @@ using namespace slide;
 
 template <typename Numbers>
 struct FoundPieces {
-  std::vector<FreePiece<Numbers>> pieces;  ///< segment by segment
+  ShortList<FreePiece<Numbers>> pieces;  ///< segment by segment
   SearchEffort effort;
 };
 
@@ -30,19 +31,23 @@ template <typename Numbers>
 FoundPieces<Numbers> find_free_pieces(const Tracks<Numbers>& tracks, unsigned threads) {
   constexpr std::size_t in_a_lot = 128;
   constexpr std::size_t too_few = 8;  // to start threads for
-  std::vector<FoundPieces<Numbers>> lots((tracks.size() + in_a_lot - 1) / in_a_lot);
-  for_each_number(lots.size(), lots.size() < too_few ? 1 : threads, [&](std::size_t lot) {
+  const auto find_in = [&](std::size_t lot, FoundPieces<Numbers>& found) {
     FreePieces<Numbers> search(tracks.summands());
-    lots[lot].pieces.reserve(in_a_lot / 4);
     const std::size_t end = std::min((lot + 1) * in_a_lot, tracks.size());
     for (auto i = static_cast<std::uint32_t>(lot * in_a_lot); i < end; ++i)
       search.find(tracks[i], [&](Piece<Numbers> piece) {
-        lots[lot].pieces.push_back({i, std::move(piece)});
+        found.pieces.push_back({i, std::move(piece)});
       });
-    lots[lot].effort = search.effort();
-  });
-  if (lots.size() == 1) return std::move(lots[0]);
+    found.effort = search.effort();
+  };
   FoundPieces<Numbers> all;
+  if (tracks.size() <= in_a_lot) {
+    find_in(0, all);
+    return all;
+  }
+  std::vector<FoundPieces<Numbers>> lots((tracks.size() + in_a_lot - 1) / in_a_lot);
+  for_each_number(lots.size(), lots.size() < too_few ? 1 : threads,
+                  [&](std::size_t lot) { find_in(lot, lots[lot]); });
   for (FoundPieces<Numbers>& lot : lots) {
     all.pieces.insert(all.pieces.end(), std::make_move_iterator(lot.pieces.begin()),
                       std::make_move_iterator(lot.pieces.end()));

@@ -15,8 +15,7 @@ template <typename Numbers>
 class Tracks {
  public:
   Tracks(const Region& p, const Region& q, const Scaling& scaling)
-      : summands_(integer_summands<Numbers>(p, q, scaling)),
-        segments_(reduced_segments(summands_.p, summands_.q)) {}
+      : summands_(p, q, scaling), segments_(reduced_segments(summands_.p, summands_.q)) {}
 
   const IntegerSummands<Numbers>& summands() const { return summands_; }
   std::size_t size() const { return segments_.size(); }
