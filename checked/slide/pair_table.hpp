@@ -46,14 +46,20 @@ class PairTable {
     }
     for (const NearSegment& e : of_p) {
       const auto row = static_cast<std::uint32_t>(rows_.size());
-      rows_.push_back(e);
+      double low = std::numeric_limits<double>::infinity(), high = -low;
       for (std::uint32_t j = 0; j < columns_.size(); ++j) {
         const Columns& f = columns_[j];
         const Doubles area = e.dx * f.dy - e.dy * f.dx;
         pairs_.push_back({2 * (e.x * f.dy - e.y * f.dx) + area,
                           2 * (e.dx * f.y - e.dy * f.x) + area, abs(area)});
         first_of_pairs_.emplace_back(row, j * static_cast<std::uint32_t>(at_once));
+        const Pairs& pairs = pairs_.back();
+        for (std::size_t lane = 0; lane < at_once; ++lane) {
+          low = std::min(low, pairs.along_e[lane] - pairs.width[lane]);
+          high = std::max(high, pairs.along_e[lane] + pairs.width[lane]);
+        }
       }
+      rows_.push_back({e, low, high});
     }
   }
 
@@ -89,12 +95,19 @@ class PairTable {
       bit = 1;
     };
     const Pairs* pairs = pairs_.data();
-    for (const NearSegment& e : rows_) {
+    const bool are_many = rows_.size() > few_rows;
+    for (const auto& [e, low, high] : rows_) {
       if (remembered + columns_.size() > bits_of_a_double) visit_remembered();
       remembered += columns_.size();
       const double slope = e.dx * segment.dy - e.dy * segment.dx;
-      const Doubles place = 2 * (e.dx * (segment.y - e.y) - e.dy * (segment.x - e.x)) + slope;
-      const Doubles width = slope == 0 ? margins.along : std::abs(slope) + margins.across;
+      const double place_of_row = 2 * (e.dx * (segment.y - e.y) - e.dy * (segment.x - e.x)) + slope;
+      const double width_of_row = slope == 0 ? margins.along : std::abs(slope) + margins.across;
+      if (are_many && (place_of_row - width_of_row > high || place_of_row + width_of_row < low)) {
+        pairs += columns_.size();
+        bit *= static_cast<double>(std::uint64_t{1} << columns_.size());
+        continue;
+      }
+      const Doubles place = place_of_row, width = width_of_row;
       for (std::size_t j = 0; j < columns_.size(); ++j, ++pairs) {
         const Doubles beyond = max(abs(place_of_columns[j] - pairs->along_f) - width_of_columns[j],
                                    abs(place - pairs->along_e) - width);
@@ -109,10 +122,16 @@ class PairTable {
   using Doubles = std::experimental::native_simd<double>;
   static constexpr std::size_t at_once = Doubles::size();
   static constexpr std::size_t bits_of_a_double = std::numeric_limits<double>::digits;
+  static constexpr std::size_t few_rows = 10;  ///< of fewer it is faster to look at all of them
   static constexpr std::size_t most_columns = bits_of_a_double - 5;
 
   struct Columns {
     Doubles x, y, dx, dy;  ///< of edges of Q; no numbers behind the last one
+  };
+
+  struct Row {
+    NearSegment edge;  ///< of P
+    double low, high;  ///< where the strips along it are
   };
 
   struct Pairs {
@@ -122,7 +141,7 @@ class PairTable {
   };
 
   ShortList<Columns> columns_;
-  ShortList<NearSegment> rows_;
+  ShortList<Row> rows_;
   ShortList<Pairs> pairs_;  ///< row by row
   ShortList<std::pair<std::uint32_t, std::uint32_t>> first_of_pairs_;
 };

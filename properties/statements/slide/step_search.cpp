@@ -8,7 +8,7 @@ namespace oplus {
 namespace {
 
 /// Adds to `outcome` what the search finds, by boxes or in the table of all pairs.
-void check(const SlidPair& pair, std::size_t most_pairs, Outcome& outcome) {
+void compare(const SlidPair& pair, std::size_t most_pairs, Outcome& outcome) {
   const slide::IntegerSummands<SlidPair::Numbers> integers(pair.summands.p, pair.summands.q,
                                                            pair.scaling, most_pairs);
   slide::FreePieces<SlidPair::Numbers> search(integers);
@@ -56,8 +56,8 @@ void check(const SlidPair& pair, std::size_t most_pairs, Outcome& outcome) {
 Outcome check(const Summands& summands) {
   const SlidPair pair(summands);
   Outcome outcome;
-  check(pair, 0, outcome);
-  if (outcome.kind == Outcome::Kind::holds) check(pair, slide::few_pairs, outcome);
+  compare(pair, 0, outcome);
+  if (outcome.kind == Outcome::Kind::holds) compare(pair, slide::few_pairs, outcome);
   return outcome;
 }
 
