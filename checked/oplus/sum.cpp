@@ -49,10 +49,10 @@ const Origins& Sum::origins() const& { return state_->origins; }
 const Statistics& Sum::statistics() const& { return state_->statistics; }
 
 Sum minkowski_sum(const ValidRegion& p, const ValidRegion& q, const SumOptions& options) {
+  // A system call, which would take longer than some sums.
+  static const unsigned processors = std::max(std::thread::hardware_concurrency(), 1U);
   const EngineOptions how = {.with_origins = options.with_origins,
-                             .threads = options.threads != 0
-                                            ? options.threads
-                                            : std::max(std::thread::hardware_concurrency(), 1U)};
+                             .threads = options.threads != 0 ? options.threads : processors};
   ComputedSum computed =
       options.engine == nullptr
           ? slide_sum(p.region(), q.region(), options.boundary, how)

@@ -52,6 +52,15 @@ class BlockingSearch {
         return found;
       }
     }
+    if (compares_all_pairs()) {
+      std::optional<Interval> found;
+      each_near_pair(track, [&](const EdgePair& pair) {
+        if (found) return;
+        found = containing(track, t, near, pair);
+        if (found) remember(pair);
+      });
+      return found;
+    }
     const Box point = near.box();
     strips_from_ = effort.box_pairs + without_strips;
     left_out_.clear();
@@ -97,6 +106,8 @@ class BlockingSearch {
 
   /// Of the last interval that at() found.
   const EdgePair& last_pair() const { return recent_[0]; }
+  /// Whether each_pair() needs no probe before it.
+  bool compares_all_pairs() const { return !summands_.pairs.is_empty(); }
 
   /// Prepares each_pair() without a probe.
   void leave_out_all() { left_out_.assign(1, {0, 0}); }
@@ -106,6 +117,7 @@ class BlockingSearch {
   /// Requires: at() was asked about a place on this piece last, and found none; or leave_out_all().
   template <typename Visit>
   void each_pair(const Track<Numbers>& track, const Piece<Numbers>& piece, const Visit& visit) {
+    if (compares_all_pairs()) return each_near_pair(track, visit);
     const NearPoint from = near_place(track, piece.from), to = near_place(track, piece.to);
     const bool exactly = shift_ == Shift::to_the_right && summands_.margins.area_is_exact &&
                          piece.from.denominator() == 1 && piece.to.denominator() == 1;
@@ -152,12 +164,31 @@ class BlockingSearch {
   SearchEffort effort;
 
  private:
+  /// Visits all pairs of edges that can block a place on the track.
+  template <typename Visit>
+  void each_near_pair(const Track<Numbers>& track, const Visit& visit) {
+    const Margins& margins = summands_.margins;
+    const double margin = margins.area_is_exact ? 0 : 4 * margins.area;
+    // Where doubles are exact, a segment beside a strip may touch its side; along it, the shift decides.
+    const double touching = OPLUS_MUTANT("slide-passes-sides-by") ? margin : std::max(margin, 0.5);
+    effort.by_doubles += summands_.p.near.size() * summands_.q.near.size();
+    summands_.pairs.each_near(track.near, {shift_ == Shift::none ? touching : margin, touching},
+                              [&](const EdgePair& pair) {
+                                --effort.by_doubles;
+                                if (!comes_apart(track, pair)) visit(pair);
+                              });
+  }
+
   using Pair = std::pair<std::uint32_t, std::uint32_t>;  ///< of nodes
 
   /// Whether these are edges that touch each other all along the track, and that the shift moves apart;
   /// without it they count, since their contact begins and ends.
   bool comes_apart(const Track<Numbers>& track, const EdgePair& pair) const {
-    return shift_ == Shift::to_the_right && (pair == track.contact[0] || pair == track.contact[1]);
+    // Without jumps that cannot be predicted.
+    const auto is = [&](const EdgePair& other) {
+      return ((pair.first ^ other.first) | (pair.second ^ other.second)) == 0;
+    };
+    return shift_ == Shift::to_the_right && (is(track.contact[0]) | is(track.contact[1]));
   }
 
   /// Whether no place between two is in the sum of a pair of edges, a parallelogram, or its boundary,

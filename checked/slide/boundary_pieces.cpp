@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <optional>
 
 #include "checked/slide/for_each_number.hpp"
 #include "checked/slide/point_grid.hpp"
@@ -15,8 +16,8 @@ namespace {
 
 /// Calls add(part) for the parts of a piece, in the order along it.
 template <typename Add>
-void cut_piece(const BoundaryPiece& piece, const PointGrid& grid, const BoundaryPoints& points,
-               ShortList<std::uint32_t>& inside, const Add& add) {
+void cut_piece(const BoundaryPiece& piece, const std::optional<PointGrid>& grid,
+               const BoundaryPoints& points, ShortList<std::uint32_t>& inside, const Add& add) {
   const std::vector<double>& near_x = points.near_x;
   const std::vector<double>& near_y = points.near_y;
   const double ax = near_x[piece.from], ay = near_y[piece.from];
@@ -26,7 +27,7 @@ void cut_piece(const BoundaryPiece& piece, const PointGrid& grid, const Boundary
       PointGrid::margin(std::max({std::abs(ax), std::abs(ay), std::abs(bx), std::abs(by)}));
   const double off = 4 * margin * (std::abs(dx) + std::abs(dy) + 4 * margin);
   inside.clear();
-  grid.each_near_segment(piece.from, piece.to, [&](std::uint32_t i) {
+  const auto add_if_inside = [&](std::uint32_t i) {
     if (i == piece.from || i == piece.to ||
         OPLUS_MUTANT("slide-pieces-stay-uncut",
                      "free pieces are not cut where others end inside them"))
@@ -36,7 +37,16 @@ void cut_piece(const BoundaryPiece& piece, const PointGrid& grid, const Boundary
     // Behind one end or the other.
     if (dx * x + dy * y < -off || dx * (x - dx) + dy * (y - dy) > off) return;
     if (points.is_on(i, piece)) inside.push_back(i);
-  });
+  };
+  if (grid) {
+    grid->each_near_segment(piece.from, piece.to, add_if_inside);
+  } else {
+    // Points are in the order of the plane.
+    const auto [first, last] = std::minmax(piece.from, piece.to);
+    const double low = std::min(ay, by) - 4 * margin, high = std::max(ay, by) + 4 * margin;
+    for (std::uint32_t i = first + 1; i < last; ++i)
+      if (near_y[i] >= low && near_y[i] <= high) add_if_inside(i);
+  }
   std::sort(inside.begin(), inside.end());
   if (piece.to < piece.from) std::reverse(inside.begin(), inside.end());
   std::uint32_t from = piece.from;
@@ -65,7 +75,9 @@ std::vector<BoundaryPiece> sorted(const std::vector<BoundaryPiece>& pieces, std:
 
 std::vector<BoundaryPiece> cut_at_points(const std::vector<BoundaryPiece>& pieces,
                                          const BoundaryPoints& points, unsigned threads) {
-  const PointGrid grid(points.near_x, points.near_y);
+  constexpr std::size_t few_points = 32;  // comparing all of them is faster than a grid
+  std::optional<PointGrid> grid;
+  if (points.near_x.size() > few_points) grid.emplace(points.near_x, points.near_y);
   // Most pieces stay whole: parts behind the first one come after all pieces.
   std::vector<BoundaryPiece> cut = pieces, others;
   std::mutex mutex;

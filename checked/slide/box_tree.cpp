@@ -31,8 +31,8 @@ Box box_around(double ax, double ay, double bx, double by) {
 /// What a tree is built of.
 struct BoxTree::Edges {
   const std::vector<Box>& boxes;
-  const std::vector<NearSegment>* segments;  ///< if there are strips
-  std::vector<std::uint32_t>& order;         ///< that of the leaves
+  std::span<const NearSegment> segments;  ///< empty if there are no strips
+  std::vector<std::uint32_t>& order;      ///< that of the leaves
 };
 
 namespace {
@@ -85,7 +85,7 @@ void halve_by_place(const std::vector<Box>& boxes, std::span<std::uint32_t> edge
 }
 
 /// A strip in a direction around edges.
-Strip strip_around(const std::vector<NearSegment>& segments, std::span<const std::uint32_t> edges,
+Strip strip_around(std::span<const NearSegment> segments, std::span<const std::uint32_t> edges,
                    double dx, double dy) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Strip strip{dx, dy, infinity, -infinity};
@@ -133,13 +133,13 @@ struct BoxTree::Moments {
 
 BoxTree::BoxTree(const std::vector<Box>& of_edges) : BoxTree(of_edges, {}) {}
 
-BoxTree::BoxTree(const std::vector<Box>& of_edges, const std::vector<NearSegment>& edges) {
+BoxTree::BoxTree(const std::vector<Box>& of_edges, std::span<const NearSegment> edges) {
   constexpr std::size_t too_few = 32;  // for strips to save time
   const auto size = static_cast<std::uint32_t>(of_edges.size());
   std::vector<std::uint32_t> order(size);
   std::iota(order.begin(), order.end(), 0u);
   nodes_.reserve(2 * of_edges.size());
-  add({of_edges, edges.size() < too_few ? nullptr : &edges, order}, 0, size,
+  add({of_edges, edges.size() < too_few ? std::span<const NearSegment>() : edges, order}, 0, size,
       box_around(of_edges, order));
 }
 
@@ -150,7 +150,7 @@ BoxTree::Moments BoxTree::add(const Edges& edges, std::uint32_t first, std::uint
   nodes_.push_back({box, none, none, half_circumference(box), none});
   if (these.size() == 1) {
     nodes_[here].edge = these[0];
-    return edges.segments == nullptr ? Moments{} : Moments::of((*edges.segments)[these[0]]);
+    return edges.segments.empty() ? Moments{} : Moments::of(edges.segments[these[0]]);
   }
   Halves halves = halves_of(edges.boxes, these);
   constexpr std::size_t too_few = 4;  // for the order to matter
@@ -172,7 +172,7 @@ BoxTree::Moments BoxTree::add(const Edges& edges, std::uint32_t first, std::uint
   const Moments left = add(edges, first, middle, halves.first);
   nodes_[here].right = static_cast<std::uint32_t>(nodes_.size());
   const Moments right = add(edges, middle, last, halves.second);
-  if (edges.segments == nullptr) return {};
+  if (edges.segments.empty()) return {};
 
   // The direction in which the edges are spread most, and their variance across it: a strip is at
   // least twice as wide as the root of that.
@@ -185,7 +185,7 @@ BoxTree::Moments BoxTree::add(const Edges& edges, std::uint32_t first, std::uint
                             std::abs(dy) * -static_cast<double>(box[0] + box[2]);
   const double variance = (all.xx + all.yy - difference) / 2 / all.count;
   if (16 * variance > across_box * across_box) return all;
-  const Strip strip = strip_around(*edges.segments, these, dx, dy);
+  const Strip strip = strip_around(edges.segments, these, dx, dy);
   const double width = strip.high - strip.low;
   if (2 * width > across_box) return all;
   nodes_[here].strip = static_cast<std::uint32_t>(strips_.size());

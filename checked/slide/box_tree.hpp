@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <experimental/simd>
+#include <span>
 #include <vector>
 
 namespace oplus::slide {
@@ -70,10 +71,12 @@ class BoxTree {
     bool is_leaf() const { return right == none; }
   };
 
+  BoxTree() = default;  ///< of no boxes
+
   /// Requires: at least one box. O(n log n).
   explicit BoxTree(const std::vector<Box>& of_edges);
   /// The same, with strips around inner nodes that are much narrower than their boxes.
-  BoxTree(const std::vector<Box>& of_edges, const std::vector<NearSegment>& edges);
+  BoxTree(const std::vector<Box>& of_edges, std::span<const NearSegment> edges);
 
   const Node& operator[](std::uint32_t node) const { return nodes_[node]; }
   const Strip& strip(std::uint32_t number) const { return strips_[number]; }

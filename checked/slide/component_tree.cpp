@@ -50,8 +50,7 @@ void add_tree(std::vector<Node>& nodes, std::span<Item> items, const MakeLeaf& m
 
 }  // namespace
 
-ComponentTree::ComponentTree(const std::vector<NearSegment>& near,
-                             const std::vector<VertexIndex>& names,
+ComponentTree::ComponentTree(std::span<const NearSegment> near, std::span<const VertexIndex> names,
                              const std::vector<std::uint32_t>& first_of_component)
     : next_(near.size()) {
   std::vector<Item> components, chains;
@@ -83,7 +82,7 @@ ComponentTree::ComponentTree(const std::vector<NearSegment>& near,
   });
 }
 
-void ComponentTree::add_part(const std::vector<NearSegment>& near, std::uint32_t first,
+void ComponentTree::add_part(std::span<const NearSegment> near, std::uint32_t first,
                              std::uint32_t last) {
   constexpr std::uint32_t in_a_leaf = 4;
   const std::size_t here = parts_.size();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "checked/slide/integer_summand.hpp"
@@ -45,7 +46,7 @@ class ComponentTree {
 
   template <typename Numbers>
   explicit ComponentTree(const IntegerSummand<Numbers>& summand)
-      : ComponentTree(summand.near, summand.names, summand.first_of_component) {}
+      : ComponentTree(span_of(summand.near), span_of(summand.names), summand.first_of_component) {}
 
   /// Over the components, halved where they are. The root is node 0.
   const std::vector<Node>& components() const { return components_; }
@@ -61,11 +62,11 @@ class ComponentTree {
   }
 
  private:
-  ComponentTree(const std::vector<NearSegment>& near, const std::vector<VertexIndex>& names,
+  ComponentTree(std::span<const NearSegment> near, std::span<const VertexIndex> names,
                 const std::vector<std::uint32_t>& first_of_component);
 
   /// Appends a tree over a part of a chain, halved along the chain.
-  void add_part(const std::vector<NearSegment>& near, std::uint32_t first, std::uint32_t last);
+  void add_part(std::span<const NearSegment> near, std::uint32_t first, std::uint32_t last);
 
   template <typename IsAbove, typename Crosses>
   bool crosses_oddly(std::uint32_t here, const NearPoint& x, double margin, const IsAbove& is_above,

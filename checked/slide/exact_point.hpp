@@ -147,6 +147,8 @@ class ExactPoint<SmallNumbers> {
     }
 
     double near() const {
+      if (const auto value = static_cast<Value>(numerator); value == numerator && denominator == 1)
+        return static_cast<double>(value);
       return static_cast<double>(numerator) / static_cast<double>(denominator);
     }
 
@@ -167,6 +169,7 @@ class ExactPoint<SmallNumbers> {
 
   /// source + direction n / d, where n and d have no common factor.
   static Coordinate coordinate(Value source, Value direction, Value n, Value d) {
+    if (d == 1) return {source + Product(direction) * n, 1};
     const Value common = std::gcd(direction, d);
     d /= common;
     return {Product(source) * d + Product(direction / common) * n, d};

@@ -34,7 +34,7 @@ class FreePieces {
   void find(const Track<Numbers>& track, const Add& add, Rest&& rest = {}) {
     gaps_.assign(1, {{0, 1}, {1, 1}});
     // After a segment that is free from end to end, the next one is likely to be.
-    if (last_was_free_) {
+    if (last_was_free_ || search_.compares_all_pairs()) {
       search_.leave_out_all();
       last_was_free_ = uncovered(track, gaps_.back(), add, rest);
       return;
@@ -63,12 +63,16 @@ class FreePieces {
   bool uncovered(const Track<Numbers>& track, const Piece<Numbers>& gap, const Add& add,
                  Rest& rest) {
     intervals_.clear();
+    bool is_blocked = false;
     search_.each_pair(track, gap, [&](const EdgePair& pair) {
-      if (auto blocked = search_.interval_of(track, pair)) {
-        rest.blocked(pair, *blocked);
-        intervals_.push_back(std::move(*blocked));
-      }
+      if (is_blocked) return;
+      auto blocked = search_.interval_of(track, pair);
+      if (!blocked) return;
+      rest.blocked(pair, *blocked);
+      is_blocked = !(gap.from < blocked->from) && !(blocked->to < gap.to);
+      intervals_.push_back(std::move(*blocked));
     });
+    if (is_blocked) return false;
     std::sort(intervals_.begin(), intervals_.end(),
               [](const auto& a, const auto& b) { return a.from < b.from; });
     const auto add_if_free = [&](const Fraction<Numbers>& low, const Fraction<Numbers>& high) {

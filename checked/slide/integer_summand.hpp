@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "checked/slide/fraction.hpp"
 #include "checked/slide/integer_vector.hpp"
 #include "checked/slide/scaling.hpp"
+#include "checked/slide/short_list.hpp"
 
 namespace oplus::slide {
 
@@ -30,10 +32,10 @@ Box box_around(const NearSegment& s) {
 /// A summand in integers. An edge and the vertex that it leaves have the same number.
 template <typename Numbers>
 struct IntegerSummand {
-  std::vector<IntegerSegment<Numbers>> edges;
-  std::vector<NearSegment> near;        ///< less `place_of_most`
-  std::vector<std::uint32_t> previous;  ///< the edge that enters the vertex
-  std::vector<VertexIndex> names;
+  ShortList<IntegerSegment<Numbers>> edges;
+  ShortList<NearSegment> near;        ///< less `place_of_most`
+  ShortList<std::uint32_t> previous;  ///< the edge that enters the vertex
+  ShortList<VertexIndex> names;
   std::vector<std::uint32_t> first_of_component;  ///< its first edge; then the number of all
 };
 
@@ -88,7 +90,7 @@ NearSegment near(const IntegerSegment<Numbers>& segment, const Scaling& scaling)
 /// The median of the coordinates, so that a few vertices that are far from all others do not make
 /// floats too coarse for those; the origin where no float is.
 template <typename Numbers>
-IntegerVector<Numbers> place_of_most(const std::vector<IntegerSegment<Numbers>>& edges,
+IntegerVector<Numbers> place_of_most(std::span<const IntegerSegment<Numbers>> edges,
                                      const Scaling& scaling) {
   if (has_short_numbers(scaling)) return {0, 0};
   const auto median = [&](const auto& coordinate) {
@@ -132,7 +134,7 @@ IntegerSummand<Numbers> integer_summand(const Region& region, const Scaling& sca
     add(component.outer);
     for (const Chain& hole : component.holes) add(hole);
   }
-  const IntegerVector<Numbers> most = place_of_most(summand.edges, scaling);
+  const IntegerVector<Numbers> most = place_of_most<Numbers>(span_of(summand.edges), scaling);
   for (const IntegerSegment<Numbers>& edge : summand.edges)
     summand.near.push_back(
         near(IntegerSegment<Numbers>{edge.source - most, edge.direction}, scaling));
@@ -145,7 +147,7 @@ BoxTree box_tree(const IntegerSummand<Numbers>& summand) {
   std::vector<Box> boxes;
   boxes.reserve(summand.near.size());
   for (const NearSegment& s : summand.near) boxes.push_back(box_around<Numbers>(s));
-  return BoxTree(boxes, summand.near);
+  return BoxTree(boxes, span_of(summand.near));
 }
 
 }  // namespace oplus::slide

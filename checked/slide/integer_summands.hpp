@@ -7,14 +7,29 @@
 #include "checked/slide/component_tree.hpp"
 #include "checked/slide/fraction.hpp"
 #include "checked/slide/integer_summand.hpp"
+#include "checked/slide/pair_table.hpp"
 
 namespace oplus::slide {
 
-/// Both summands and their boxes.
+/// Up to so many pairs of edges, comparing all of them is faster than boxes.
+constexpr std::size_t few_pairs = 512;
+
+/// Both summands, and either all pairs of their edges or their boxes.
 template <typename Numbers>
 struct IntegerSummands {
+  IntegerSummands(const Region& region_p, const Region& region_q, const Scaling& scaling,
+                  std::size_t most_pairs = few_pairs)
+      : p(integer_summand<Numbers>(region_p, scaling, scaling.of_p)),
+        q(integer_summand<Numbers>(region_q, scaling, scaling.of_q)),
+        pairs(p.near, q.near, most_pairs),
+        margins(slide::margins(scaling)) {
+    if (pairs.is_empty()) prepare_boxes();
+    if (has_several_components()) prepare_component_test();
+  }
+
   IntegerSummand<Numbers> p;
   IntegerSummand<Numbers> q;
+  PairTable pairs;
   BoxTree tree_of_p;
   BoxTree tree_of_q;
   Margins margins;
@@ -25,23 +40,15 @@ struct IntegerSummands {
   bool has_several_components() const {
     return p.first_of_component.size() > 2 || q.first_of_component.size() > 2;
   }
+  void prepare_boxes() {
+    tree_of_p = box_tree(p);
+    tree_of_q = box_tree(q);
+  }
   void prepare_component_test() {
     components_of_p = ComponentTree(p);
     components_of_q = ComponentTree(q);
   }
 };
-
-template <typename Numbers>
-IntegerSummands<Numbers> integer_summands(const Region& p, const Region& q,
-                                          const Scaling& scaling) {
-  auto of_p = integer_summand<Numbers>(p, scaling, scaling.of_p);
-  auto of_q = integer_summand<Numbers>(q, scaling, scaling.of_q);
-  BoxTree tree_of_p = box_tree(of_p), tree_of_q = box_tree(of_q);
-  IntegerSummands<Numbers> both{std::move(of_p), std::move(of_q), std::move(tree_of_p),
-                                std::move(tree_of_q), margins(scaling)};
-  if (both.has_several_components()) both.prepare_component_test();
-  return both;
-}
 
 /// The numbers of an edge of P and one of Q.
 using EdgePair = std::pair<std::uint32_t, std::uint32_t>;

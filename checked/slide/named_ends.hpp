@@ -24,13 +24,13 @@ struct FreePiece {
 /// Free pieces, the ends of which have numbers: equal points the same, and all in the order of the plane.
 template <typename Numbers>
 struct NamedEnds {
-  std::vector<ExactPoint<Numbers>> points;
+  ShortList<ExactPoint<Numbers>> points;
   std::vector<double> near_x, near_y;
   std::vector<BoundaryPiece> pieces;
 };
 
 template <typename Numbers>
-NamedEnds<Numbers> named_ends(const std::vector<FreePiece<Numbers>>& pieces,
+NamedEnds<Numbers> named_ends(const ShortList<FreePiece<Numbers>>& pieces,
                               const Tracks<Numbers>& tracks, const Scaling& scaling,
                               unsigned threads) {
   struct Place {

@@ -61,7 +61,7 @@ Scaling scaling_of(const Region& p, const Region& q) {
   for (const Region* region : {&p, &q}) {
     each_vertex(*region, [&](const Point& v) {
       for (const Rational* c : {&v.x, &v.y}) {
-        if (c->get_den() != 1)
+        if (!is_one(c->get_den()))
           mpz_lcm(scaling.denominator.get_mpz_t(), scaling.denominator.get_mpz_t(),
                   c->get_den_mpz_t());
         scaling.bits = std::max(scaling.bits, bits(c->get_num()));

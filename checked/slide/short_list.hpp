@@ -2,6 +2,7 @@
 #pragma once
 
 #include <boost/container/small_vector.hpp>
+#include <span>
 
 namespace oplus::slide {
 
@@ -9,5 +10,11 @@ namespace oplus::slide {
 /// sums is half allocations.
 template <typename T>
 using ShortList = boost::container::small_vector<T, 48>;
+
+/// Boost's iterators are not contiguous for std::span.
+template <typename T>
+std::span<const T> span_of(const ShortList<T>& list) {
+  return {list.data(), list.size()};
+}
 
 }  // namespace oplus::slide

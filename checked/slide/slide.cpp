@@ -13,6 +13,7 @@
 #include "checked/slide/named_ends.hpp"
 #include "checked/slide/open_places.hpp"
 #include "checked/slide/segments_along.hpp"
+#include "checked/slide/short_list.hpp"
 #include "checked/slide/stitching.hpp"
 #include "checked/slide/tracks.hpp"
 
@@ -24,8 +25,8 @@ using namespace slide;
 
 template <typename Numbers>
 struct FoundPieces {
-  std::vector<FreePiece<Numbers>> pieces;  ///< segment by segment
-  OpenCandidates<Numbers> open;            ///< where low-dimensional features may be
+  ShortList<FreePiece<Numbers>> pieces;  ///< segment by segment
+  OpenCandidates<Numbers> open;          ///< where low-dimensional features may be
   SearchEffort effort;
 };
 
@@ -33,34 +34,35 @@ struct FoundPieces {
 /// threads, so that neither the result nor the effort depends on it. With `rays`, for the open sum too.
 template <typename Numbers>
 FoundPieces<Numbers> find_free_pieces(const Tracks<Numbers>& tracks, const EngineOptions& options,
-                                       const std::optional<RaysOfBoth<Numbers>>& rays) {
+                                      const std::optional<RaysOfBoth<Numbers>>& rays) {
   constexpr std::size_t in_a_lot = 128;
   constexpr std::size_t too_few = 8;  // to start threads for
   const bool all_ways = rays && !right_is_enough(*rays);
-  std::vector<FoundPieces<Numbers>> lots((tracks.size() + in_a_lot - 1) / in_a_lot);
-  const unsigned threads = lots.size() < too_few ? 1 : options.threads;
   std::atomic<std::size_t> done = 0;
-  for_each_number(lots.size(), threads, [&](std::size_t lot) {
+  const auto find_in = [&](std::size_t lot, FoundPieces<Numbers>& found) {
     FreePieces<Numbers> search(tracks.summands());
     std::optional<OpenPlaces<Numbers>> open;
     if (rays) open.emplace(tracks.summands(), *rays);
-    lots[lot].pieces.reserve(in_a_lot / 4);
     const std::size_t end = std::min((lot + 1) * in_a_lot, tracks.size());
     for (auto i = static_cast<std::uint32_t>(lot * in_a_lot); i < end; ++i) {
-      const auto add = [&](Piece<Numbers> piece) {
-        lots[lot].pieces.push_back({i, std::move(piece)});
-      };
+      const auto add = [&](Piece<Numbers> piece) { found.pieces.push_back({i, std::move(piece)}); };
       if (open && (all_ways || is_to_the_right(tracks.direction(i))))
         open->find(search, i, tracks[i], add);
       else
         search.find(tracks[i], add);
     }
-    lots[lot].effort = search.effort();
-    if (open) lots[lot].open = std::move(open->found);
+    found.effort = search.effort();
+    if (open) found.open = std::move(open->found);
     if (options.progress) options.progress(done += end - lot * in_a_lot, tracks.size());
-  });
-  if (lots.size() == 1) return std::move(lots[0]);
+  };
   FoundPieces<Numbers> all;
+  if (tracks.size() <= in_a_lot) {
+    find_in(0, all);
+    return all;
+  }
+  std::vector<FoundPieces<Numbers>> lots((tracks.size() + in_a_lot - 1) / in_a_lot);
+  for_each_number(lots.size(), lots.size() < too_few ? 1 : options.threads,
+                  [&](std::size_t lot) { find_in(lot, lots[lot]); });
   for (FoundPieces<Numbers>& lot : lots) {
     all.pieces.insert(all.pieces.end(), std::make_move_iterator(lot.pieces.begin()),
                       std::make_move_iterator(lot.pieces.end()));
@@ -100,9 +102,12 @@ Statistics statistics(std::size_t segments, std::size_t bits, std::size_t free_p
 template <typename Numbers>
 ComputedSum sum_in(const Region& p, const Region& q, const Scaling& scaling, Boundary boundary,
                    const EngineOptions& options) {
-  const Tracks<Numbers> tracks(p, q, scaling);
+  Tracks<Numbers> tracks(p, q, scaling);
   std::optional<RaysOfBoth<Numbers>> rays;
-  if (boundary == Boundary::open) rays.emplace(rays_of(tracks.summands()));
+  if (boundary == Boundary::open) {
+    tracks.prepare_boxes();
+    rays.emplace(rays_of(tracks.summands()));
+  }
   auto [pieces, open, effort] = find_free_pieces(tracks, options, rays);
 
   const unsigned threads = options.threads;

@@ -15,10 +15,10 @@ template <typename Numbers>
 class Tracks {
  public:
   Tracks(const Region& p, const Region& q, const Scaling& scaling)
-      : summands_(integer_summands<Numbers>(p, q, scaling)),
-        segments_(reduced_segments(summands_.p, summands_.q)) {}
+      : summands_(p, q, scaling), segments_(reduced_segments(summands_.p, summands_.q)) {}
 
   const IntegerSummands<Numbers>& summands() const { return summands_; }
+  void prepare_boxes() { summands_.prepare_boxes(); }
   std::size_t size() const { return segments_.size(); }
 
   const IntegerVector<Numbers>& direction(std::uint32_t segment) const {

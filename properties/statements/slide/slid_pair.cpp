@@ -54,9 +54,9 @@ std::vector<SlidPair::Place> SlidPair::between(std::vector<Place> places) const 
   return inside;
 }
 
-std::vector<slide::FreePiece<SlidPair::Numbers>> SlidPair::free_pieces() const {
+slide::ShortList<slide::FreePiece<SlidPair::Numbers>> SlidPair::free_pieces() const {
   slide::FreePieces<Numbers> search(tracks.summands());
-  std::vector<slide::FreePiece<Numbers>> pieces;
+  slide::ShortList<slide::FreePiece<Numbers>> pieces;
   for (std::uint32_t i = 0; i < tracks.size(); ++i)
     search.find(tracks[i], [&](Piece piece) { pieces.push_back({i, std::move(piece)}); });
   return pieces;

@@ -35,7 +35,7 @@ struct SlidPair {
   std::vector<Place> between(std::vector<Place> places) const;
 
   /// What slide finds free, segment by segment.
-  std::vector<slide::FreePiece<Numbers>> free_pieces() const;
+  slide::ShortList<slide::FreePiece<Numbers>> free_pieces() const;
 
   const Summands& summands;
   slide::Scaling scaling;

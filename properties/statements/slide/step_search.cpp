@@ -7,12 +7,12 @@ namespace oplus {
 
 namespace {
 
-Outcome check(const Summands& summands) {
-  const SlidPair pair(summands);
-  const auto& integers = pair.tracks.summands();
+/// Adds to `outcome` what the search finds, by boxes or in the table of all pairs.
+void compare(const SlidPair& pair, std::size_t most_pairs, Outcome& outcome) {
+  const slide::IntegerSummands<SlidPair::Numbers> integers(pair.summands.p, pair.summands.q,
+                                                           pair.scaling, most_pairs);
   slide::FreePieces<SlidPair::Numbers> search(integers);
   const slide::ComponentTest<SlidPair::Numbers> components(integers);
-  Outcome outcome;
   for (std::uint32_t i = 0; i < pair.tracks.size(); ++i) {
     const SlidPair::Track track = pair.tracks[i];
     std::vector<SlidPair::Piece> found, defined;
@@ -45,10 +45,19 @@ Outcome check(const Summands& summands) {
       return !(a.from < b.from) && !(b.from < a.from) && !(a.to < b.to) && !(b.to < a.to);
     };
     if (std::equal(found.begin(), found.end(), defined.begin(), defined.end(), same)) continue;
-    return outcome.fail("segment " + std::to_string(i) + " has " + std::to_string(found.size()) +
-                        " free pieces by search, " + std::to_string(defined.size()) +
-                        " by all pairs");
+    outcome.fail("segment " + std::to_string(i) + " has " + std::to_string(found.size()) +
+                 " free pieces by search" +
+                 (integers.pairs.is_empty() ? " in boxes, " : " in the table, ") +
+                 std::to_string(defined.size()) + " by all pairs");
+    return;
   }
+}
+
+Outcome check(const Summands& summands) {
+  const SlidPair pair(summands);
+  Outcome outcome;
+  compare(pair, 0, outcome);
+  if (outcome.kind == Outcome::Kind::holds) compare(pair, slide::few_pairs, outcome);
   return outcome;
 }
 

@@ -20,7 +20,7 @@ using Numbers = SmallNumbers;
 
 struct Prepared {
   explicit Prepared(const Region& region)
-      : both(integer_summands<Numbers>(region, region, scaling_of(region, region))),
+      : both(region, region, scaling_of(region, region), 0),
         rays(both.p, both.tree_of_p, both.margins) {}
 
   Point vertex(std::uint32_t number) const {

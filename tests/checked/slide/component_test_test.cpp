@@ -21,7 +21,7 @@ TYPED_TEST_SUITE(ComponentTestIn, AllNumbers);
 
 template <typename Numbers>
 bool is_needed(const Region& p, const Region& q) {
-  const auto both = integer_summands<Numbers>(p, q, scaling_of(p, q));
+  const IntegerSummands<Numbers> both(p, q, scaling_of(p, q));
   return ComponentTest<Numbers>(both).is_needed();
 }
 
@@ -31,7 +31,7 @@ template <typename Numbers>
 bool overlap_at(const Region& p, const Region& q, const Segment& segment, const mpz_class& n,
                 const mpz_class& d) {
   const Scaling scaling = scaling_of(p, q);
-  auto both = integer_summands<Numbers>(p, q, scaling);
+  IntegerSummands<Numbers> both(p, q, scaling);
   both.prepare_component_test();
   const IntegerSegment<Numbers> exact = integer_segment<Numbers>(segment);
   return ComponentTest<Numbers>(both).overlap_at({exact, near(exact, scaling)},

@@ -26,7 +26,7 @@ class Asked {
  public:
   Asked(const Region& p, const Region& q)
       : scaling_(scaling_of(p, q)),
-        summands_(integer_summands<Numbers>(p, q, scaling_)),
+        summands_(p, q, scaling_, 0),
         rays_(rays_of(summands_)),
         components_(summands_),
         test_(summands_, rays_, components_) {}
