@@ -85,7 +85,7 @@ class Tracer {
   void trace(const State& start, Summand edge_of) {
     cycles_.start(start);
     State at = start;
-    for (std::size_t steps = 1;; ++steps) {
+    for ([[maybe_unused]] std::size_t steps = 1;; ++steps) {
       mark_visited(edge_of, at);
       cycles_.step(edge_of, at);
       OPLUS_ENSURES(steps <= 2 * p_.size() * q_.size(), "Theorem 4.1.6");

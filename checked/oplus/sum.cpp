@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "checked/engine.hpp"
-#include "checked/oplus/lowest_terms.hpp"
 #include "checked/oplus/oplus.hpp"
 #include "checked/slide/slide.hpp"
 #include "checked/verify/verify.hpp"
@@ -75,11 +74,10 @@ bool contains(const Sum& sum, const Coordinates& point) {
 
 Verdict verify(const ValidRegion& p, const ValidRegion& q, const GivenSum& given,
                Boundary boundary) {
-  GivenSum sum = {mapped(given.region, in_lowest_terms), given.dangling_edges,
-                  given.isolated_vertices};
-  for (Segment& edge : sum.dangling_edges)
-    edge = {in_lowest_terms(edge.source), in_lowest_terms(edge.target)};
-  for (Point& vertex : sum.isolated_vertices) vertex = in_lowest_terms(vertex);
+  const auto canonical = [](const Point& point) { return Coordinates(point).point(); };
+  GivenSum sum = {mapped(given.region, canonical), given.dangling_edges, given.isolated_vertices};
+  for (Segment& edge : sum.dangling_edges) edge = {canonical(edge.source), canonical(edge.target)};
+  for (Point& vertex : sum.isolated_vertices) vertex = canonical(vertex);
   return verify(p.region(), q.region(), boundary, sum);
 }
 

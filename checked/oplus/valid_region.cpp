@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <utility>
 
-#include "checked/oplus/lowest_terms.hpp"
 #include "checked/oplus/oplus.hpp"
 #include "reference/definitions/region.hpp"
 #include "reference/io/reading.hpp"
@@ -20,7 +19,8 @@ Chain chain_of(const std::vector<Coordinates>& points) {
 }  // namespace
 
 ValidRegion::ValidRegion(Region region)
-    : ValidRegion(checked(mapped(std::move(region), in_lowest_terms))) {}
+    : ValidRegion(checked(
+          mapped(std::move(region), [](const Point& p) { return Coordinates(p).point(); }))) {}
 
 ValidRegion ValidRegion::checked(Region region) {
   return found_valid(oriented_and_checked(std::move(region), "region").region);
