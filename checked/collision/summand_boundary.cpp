@@ -3,9 +3,8 @@
 
 #include <algorithm>
 
-#include "reference/definitions/winding_number.hpp"
-
 #include "reference/chains/touching_points.hpp"
+#include "reference/definitions/winding_number.hpp"
 
 namespace oplus {
 
@@ -18,12 +17,36 @@ std::vector<Segment> joined(const std::vector<std::vector<Segment>>& of_chains) 
   return all;
 }
 
+std::vector<Segment> first_vertices(const std::vector<std::vector<Segment>>& of_chains) {
+  std::vector<Segment> all;
+  for (const std::vector<Segment>& of_chain : of_chains)
+    all.push_back({of_chain.front().source, of_chain.front().source});
+  return all;
+}
+
+/// From corner to corner of the box around segments.
+std::vector<Segment> diagonal(const std::vector<Segment>& segments) {
+  if (segments.empty()) return {};
+  Point low = segments[0].source;
+  Point high = low;
+  for (const Segment& s : segments) {
+    for (const Point* end : {&s.source, &s.target}) {
+      low = {std::min(low.x, end->x), std::min(low.y, end->y)};
+      high = {std::max(high.x, end->x), std::max(high.y, end->y)};
+    }
+  }
+  return {{low, high}};
+}
+
 }  // namespace
 
 SummandBoundary::SummandBoundary(const Region& of) : SummandBoundary(pieces_by_chain(of)) {}
 
 SummandBoundary::SummandBoundary(const std::vector<std::vector<Segment>>& of_chains)
-    : pieces(joined(of_chains)), hierarchy(pieces) {
+    : pieces(joined(of_chains)),
+      hierarchy(pieces),
+      vertices(first_vertices(of_chains)),
+      around(diagonal(pieces)) {
   for (const std::vector<Segment>& of_chain : of_chains) {
     chain_of.insert(chain_of.end(), of_chain.size(), vertex_of_chain.size());
     vertex_of_chain.push_back(of_chain.front().source);
@@ -52,21 +75,21 @@ TouchedChains untouched(const SummandBoundary& p, const SummandBoundary& minus_q
 
 namespace {
 
-/// Whether a chain that is not touched, moved by `by`, is inside a summand.
-bool contains_untouched_chain(const SummandBoundary& summand,
-                              const std::vector<Point>& vertex_of_chain,
+/// Whether a chain of `other` that is not touched is inside a summand moved by `by`. Only chains with
+/// their vertex in the box around that are looked at.
+bool contains_untouched_chain(const SummandBoundary& summand, const SummandBoundary& other,
                               const std::vector<bool>& touched, const Vector& by) {
-  for (std::size_t chain = 0; chain < touched.size(); ++chain)
-    if (!touched[chain] && summand.contains(vertex_of_chain[chain] + by)) return true;
-  return false;
+  return other.vertices.visit_meeting(summand.around, by, [&](std::size_t chain, std::size_t) {
+    return !touched[chain] && summand.contains(other.vertex_of_chain[chain] - by);
+  });
 }
 
 }  // namespace
 
 bool one_contains_untouched_chain(const SummandBoundary& p, const SummandBoundary& minus_q,
                                   const Point& x, const TouchedChains& touched) {
-  return contains_untouched_chain(minus_q, p.vertex_of_chain, touched[0], -x) ||
-         contains_untouched_chain(p, minus_q.vertex_of_chain, touched[1], x);
+  return contains_untouched_chain(minus_q, p, touched[0], x) ||
+         contains_untouched_chain(p, minus_q, touched[1], -x);
 }
 
 }  // namespace oplus

@@ -20,6 +20,8 @@ struct SummandBoundary {
   std::vector<std::size_t> chain_of;   ///< of each piece
   std::vector<Point> vertex_of_chain;  ///< one vertex each
   BoundingVolumeHierarchy hierarchy;   ///< of the pieces
+  BoundingVolumeHierarchy vertices;    ///< those of `vertex_of_chain`
+  BoundingVolumeHierarchy around;      ///< one box around all pieces
 
   /// Whether a point that is on no piece is inside: by the pieces to the right of it, in practice
   /// O(log n) and the number of these.
