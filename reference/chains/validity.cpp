@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <utility>
 
 #include "reference/arithmetic/interval.hpp"
@@ -24,6 +25,23 @@ std::optional<Defect> defect_of_chain(const Chain& chain, std::size_t index) {
       return Defect{DefectKind::zero_length_edge, {index, i}, {index, j}, chain[i]};
   }
   return std::nullopt;
+}
+
+/// Of equal vertices, the first two in the chain's order.
+std::optional<Defect> repeated_vertex(const Chain& chain, std::size_t index) {
+  std::vector<std::size_t> sorted(chain.size());
+  std::iota(sorted.begin(), sorted.end(), 0);
+  std::sort(sorted.begin(), sorted.end(), [&](std::size_t a, std::size_t b) {
+    const auto compared = chain[a] <=> chain[b];
+    return compared != 0 ? compared < 0 : a < b;
+  });
+  std::optional<Defect> found;
+  for (std::size_t i = 1; i < sorted.size(); ++i) {
+    const std::size_t first = sorted[i - 1], second = sorted[i];
+    if (chain[first] == chain[second] && (!found || second < found->second.vertex))
+      found = Defect{DefectKind::repeated_vertex, {index, first}, {index, second}, chain[second]};
+  }
+  return found;
 }
 
 /// Finds what is wrong at one place of a sweep.
@@ -175,7 +193,12 @@ std::optional<Defect> find_defect(const Region& region) {
     nesting.pass(place);
     return !found;
   });
-  return found ? found : defect_of_nesting(region, all, nesting);
+  if (!found) return defect_of_nesting(region, all, nesting);
+  // A repeated vertex says more than the edges that overlap or cross because of it.
+  for (std::size_t c = 0; c < all.size(); ++c) {
+    if (const auto defect = repeated_vertex(*all[c], c)) return defect;
+  }
+  return found;
 }
 
 }  // namespace oplus

@@ -35,7 +35,7 @@ struct Defect {
 std::string describe(DefectKind kind);
 
 /// Returns a defect of the region; empty if it is valid. Of several, it is one of the vertices of a chain
-/// (too few, or equal to the next one); otherwise one of those at the smallest point at which edges have
+/// (too few, or equal ones); otherwise one of those at the smallest point at which edges have
 /// one; otherwise one of a chain that is where it may not be. The order of a chain's vertices, whether
 /// counterclockwise or not, does not matter. O(n log n) for n vertices; a plane sweep decides.
 std::optional<Defect> find_defect(const Region& region);

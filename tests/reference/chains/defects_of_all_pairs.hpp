@@ -23,6 +23,7 @@ class DefectsOfAllPairs {
 
   explicit DefectsOfAllPairs(const Region& region) : all_(chains(region)) {
     for (std::size_t c = 0; c < all_.size(); ++c) look_at_vertices(c);
+    if (of_vertices.empty()) of_vertices = repeated_;
     if (!of_vertices.empty()) return;
     for (std::size_t a = 0; a < all_.size(); ++a)
       for (std::size_t b = a; b < all_.size(); ++b) look_at_edges(a, b);
@@ -31,7 +32,7 @@ class DefectsOfAllPairs {
 
   bool empty() const { return of_vertices.empty() && of_edges.empty() && of_nesting.empty(); }
 
-  std::set<Named> of_vertices;                 ///< too few, or two in a row that are equal
+  std::set<Named> of_vertices;                 ///< too few, or equal
   std::set<std::pair<Point, Named>> of_edges;  ///< where there are none of vertices
   std::set<Named> of_nesting;                  ///< where there are none of edges either
 
@@ -42,6 +43,8 @@ class DefectsOfAllPairs {
     for (std::size_t i = 0; i < chain.size(); ++i)
       if (chain.size() > 1 && chain[i] == chain[next(i, chain.size())])
         of_vertices.insert({DefectKind::zero_length_edge, c, c});
+    if (of_vertices.empty() && std::set<Point>(chain.begin(), chain.end()).size() < chain.size())
+      repeated_.insert({DefectKind::repeated_vertex, c, c});
   }
 
   void look_at_edges(std::size_t a, std::size_t b) {
@@ -57,8 +60,6 @@ class DefectsOfAllPairs {
           found(a == b ? DefectKind::self_overlap : DefectKind::chains_overlap);
         } else if (a != b) {
           if (cross_at(met[0], of_a, of_b)) found(DefectKind::chains_cross);
-        } else if (of_a[i].source == of_a[j].source) {
-          found(DefectKind::repeated_vertex);
         } else if (cross_properly(of_a[i], of_a[j])) {
           found(DefectKind::self_crossing);
         } else if (is_inside(met[0], of_a[i]) || is_inside(met[0], of_a[j])) {
@@ -123,6 +124,7 @@ class DefectsOfAllPairs {
   }
 
   std::vector<Chain> all_;
+  std::set<Named> repeated_;
 };
 
 }  // namespace oplus
