@@ -19,6 +19,7 @@
 #include "checked/cli/usage_error.hpp"
 #include "checked/cycles/convolution_cycles.hpp"
 #include "checked/timed.hpp"
+#include "reference/chains/region_of.hpp"
 #include "reference/io/boundary_name.hpp"
 #include "reference/pictures/picture.hpp"
 

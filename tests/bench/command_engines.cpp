@@ -7,6 +7,7 @@
 #include "properties/compare/peers/method.hpp"
 #include "properties/runner/child_process.hpp"
 #include "properties/runner/temporary_folder.hpp"
+#include "reference/chains/region_of.hpp"
 #include "reference/io/reading.hpp"
 #include "reference/io/writing.hpp"
 #include "tests/bench/engine.hpp"

@@ -7,7 +7,7 @@
 #include "checked/engines/engines.hpp"
 #include "checked/slide/slide.hpp"
 #include "checked/verify/verify.hpp"
-#include "reference/definitions/given_sum.hpp"
+#include "reference/chains/region_of.hpp"
 #include "tests/bench/engine.hpp"
 
 namespace oplus {

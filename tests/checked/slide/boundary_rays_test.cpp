@@ -6,6 +6,7 @@
 #include <set>
 #include <vector>
 
+#include "reference/chains/touching_points.hpp"
 #include "reference/families/family.hpp"
 #include "tests/checked/slide/exact_values.hpp"
 #include "tests/reference/definitions/print.hpp"
@@ -20,8 +21,7 @@ using Numbers = SmallNumbers;
 
 struct Prepared {
   explicit Prepared(const Region& region)
-      : both(region, region, scaling_of(region, region), 0),
-        rays(both.p, both.tree_of_p, both.margins) {}
+      : both(region, region, scaling_of(region, region), 0), rays(both.p, both.tree_of_p) {}
 
   Point vertex(std::uint32_t number) const {
     const auto& v = both.p.edges[number].source;

@@ -34,8 +34,7 @@ bool overlap_at(const Region& p, const Region& q, const Segment& segment, const 
   IntegerSummands<Numbers> both(p, q, scaling);
   both.prepare_component_test();
   const IntegerSegment<Numbers> exact = integer_segment<Numbers>(segment);
-  return ComponentTest<Numbers>(both).overlap_at({exact, near(exact, scaling)},
-                                                 fraction<Numbers>(n, d));
+  return ComponentTest<Numbers>(both).overlap_at(track_on(exact, scaling), fraction<Numbers>(n, d));
 }
 
 /// Either way round.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "checked/slide/fraction.hpp"
+#include "checked/slide/integer_summands.hpp"
 #include "checked/slide/integer_vector.hpp"
 #include "properties/statements/laws/linear_map.hpp"
 #include "reference/definitions/segment.hpp"
@@ -42,8 +43,15 @@ Fraction<Numbers> fraction(const mpz_class& n, const mpz_class& d) {
 }
 
 template <typename Numbers>
-Rational rational(const Fraction<Numbers>& fraction) {
+Rational place_of(const Fraction<Numbers>& fraction) {
   return Rational(integer(fraction.numerator())) / integer(fraction.denominator());
+}
+
+/// A segment that need not be of the convolution.
+template <typename Numbers>
+Track<Numbers> track_on(const IntegerSegment<Numbers>& segment, const Scaling& scaling) {
+  const NearSegment near = slide::near(segment, scaling);
+  return {segment, near, error_of_places(near, near)};
 }
 
 /// Of a segment's line, open or closed.
@@ -57,7 +65,7 @@ struct Places {
 template <typename Found>
 std::optional<Places> places(const std::optional<Found>& found) {
   if (!found) return std::nullopt;
-  return Places{rational(found->from), rational(found->to)};
+  return Places{place_of(found->from), place_of(found->to)};
 }
 
 /// Of the same segment the other way round.

@@ -30,14 +30,14 @@ mpz_class odd_number(Random& random, unsigned of_bits) {
 
 template <typename Numbers>
 void expect_less(const Fraction<Numbers>& a, const Fraction<Numbers>& b) {
-  EXPECT_TRUE(a < b) << rational(a) << ' ' << rational(b);
-  EXPECT_FALSE(b < a) << rational(a) << ' ' << rational(b);
+  EXPECT_TRUE(a < b) << place_of(a) << ' ' << place_of(b);
+  EXPECT_FALSE(b < a) << place_of(a) << ' ' << place_of(b);
 }
 
 template <typename Numbers>
 void expect_equal(const Fraction<Numbers>& a, const Fraction<Numbers>& b) {
-  EXPECT_FALSE(a < b) << rational(a) << ' ' << rational(b);
-  EXPECT_FALSE(b < a) << rational(a) << ' ' << rational(b);
+  EXPECT_FALSE(a < b) << place_of(a) << ' ' << place_of(b);
+  EXPECT_FALSE(b < a) << place_of(a) << ' ' << place_of(b);
 }
 
 TYPED_TEST(FractionIn, a_sum_too_small_for_doubles_is_ordered) {
@@ -84,7 +84,7 @@ TYPED_TEST(FractionIn, order_is_that_of_rationals) {
       return fraction<TypeParam>(n, odd_number(random, size()));
     };
     const auto a = any(), b = any();
-    EXPECT_EQ(a < b, rational(a) < rational(b)) << rational(a) << ' ' << rational(b);
+    EXPECT_EQ(a < b, place_of(a) < place_of(b)) << place_of(a) << ' ' << place_of(b);
   }
 }
 
@@ -97,7 +97,7 @@ TYPED_TEST(FractionIn, near_is_within_its_bound) {
     const auto length = static_cast<unsigned>(mpz_sizeinbase(n.get_mpz_t(), 2));
     const unsigned least = std::max(length, 1000u) - 999;
     const auto t = fraction<TypeParam>(n, odd_number(random, std::max(size(), least)));
-    const Rational exact = rational(t);
+    const Rational exact = place_of(t);
     const Rational bound = std::max(Rational(abs(exact) * power_of_two(-50)), power_of_two(-1000));
     EXPECT_LE(abs(Rational(t.near()) - exact), bound) << exact;
   }

@@ -33,7 +33,7 @@ class Asked {
 
   bool contains(const Segment& segment, const mpz_class& n, const mpz_class& d) {
     const IntegerSegment<Numbers> exact = integer_segment<Numbers>(segment);
-    return test_.contains({exact, near(exact, scaling_)}, fraction<Numbers>(n, d));
+    return test_.contains(track_on(exact, scaling_), fraction<Numbers>(n, d));
   }
 
  private:
