@@ -13,7 +13,24 @@ TEST(SlideCheck, finds_nothing_in_the_corpus) {
   for (const CorpusPair& row : corpus()) EXPECT_NO_THROW(check_slide({row.p, row.q})) << row.name;
 }
 
-/// It requires valid summands; of invalid ones both engines make something, and not the same.
+/// What slide finds is compared as a whole: sums and origins, closed and open.
+TEST(SlideCheck, throws_where_slide_and_the_expected_sums_differ) {
+  const Region p = polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}});
+  const Region q = polygon({{0, 0}, {1, 0}, {0, 1}});
+  const SumsAlongLines right = sums_along_lines(p, q);
+  const auto is_found = [&](const auto& change) {
+    SumsAlongLines wrong = right;
+    change(wrong);
+    EXPECT_THROW(check_slide({p, q}, wrong, SlideLaws::without_other_numbers), FuzzFinding);
+  };
+  EXPECT_NO_THROW(check_slide({p, q}, right, SlideLaws::all));
+  is_found([](SumsAlongLines& sums) { sums.closed.outer[0].pop_back(); });
+  is_found([](SumsAlongLines& sums) { sums.open.isolated_vertices.push_back({2, 2}); });
+  is_found([](SumsAlongLines& sums) { sums.origins_of_closed[0].clear(); });
+  is_found([](SumsAlongLines& sums) { sums.origins_of_open[0].clear(); });
+}
+
+/// It requires valid summands; of invalid ones both algorithms make something, and not the same.
 TEST(SlideCheck, throws_for_an_invalid_region) {
   const Region triangle = polygon({{0, 0}, {1, 0}, {0, 1}});
   const Region clockwise = polygon({{0, 0}, {0, 8}, {8, 8}, {8, 0}});
