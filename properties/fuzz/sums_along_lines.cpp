@@ -685,6 +685,7 @@ class Lines {
 }  // namespace
 
 SumsAlongLines sums_along_lines(const Region& p, const Region& q) {
+  if (p.components.empty() || q.components.empty()) return {};
   const Frame frame = frame_of(p, q);
   // Positions are compared in products of 5 bits + 9.
   if (frame.bits <= 10) return Lines<std::int64_t>(p, q, frame).sums();

@@ -18,7 +18,7 @@ struct SumsAlongLines {
 /// change where segments cross it: a piece is on the boundary iff one of both is positive (thesis, Theorem
 /// 4.2.1). Of the open sum, points and pieces where something may be missing are decided by the definition
 /// (collision.hpp). For K segments O(K² log K), and as many collision tests as vertex sums.
-/// Requires: p and q are valid and have a component.
+/// Requires: p and q are valid.
 SumsAlongLines sums_along_lines(const Region& p, const Region& q);
 
 }  // namespace oplus
