@@ -186,9 +186,9 @@ class BlockingSearch {
   bool comes_apart(const Track<Numbers>& track, const EdgePair& pair) const {
     // Without jumps that cannot be predicted.
     const auto is = [&](const EdgePair& other) {
-      return ((pair.first ^ other.first) | (pair.second ^ other.second)) == 0;
+      return int{((pair.first ^ other.first) | (pair.second ^ other.second)) == 0};
     };
-    return shift_ == Shift::to_the_right && (is(track.contact[0]) | is(track.contact[1]));
+    return shift_ == Shift::to_the_right && (is(track.contact[0]) | is(track.contact[1])) != 0;
   }
 
   /// Whether no place between two is in the sum of a pair of edges, a parallelogram, or its boundary,

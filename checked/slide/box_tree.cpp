@@ -120,14 +120,14 @@ struct BoxTree::Moments {
   }
 
   friend Moments operator+(const Moments& a, const Moments& b) {
-    const double count = a.count + b.count, share = b.count / count, weight = a.count * share;
-    const double x = b.x - a.x, y = b.y - a.y;
-    return {count,
-            a.x + share * x,
-            a.y + share * y,
-            a.xx + b.xx + weight * x * x,
-            a.xy + b.xy + weight * x * y,
-            a.yy + b.yy + weight * y * y};
+    const double all = a.count + b.count, share = b.count / all, weight = a.count * share;
+    const double dx = b.x - a.x, dy = b.y - a.y;
+    return {all,
+            a.x + share * dx,
+            a.y + share * dy,
+            a.xx + b.xx + weight * dx * dx,
+            a.xy + b.xy + weight * dx * dy,
+            a.yy + b.yy + weight * dy * dy};
   }
 };
 

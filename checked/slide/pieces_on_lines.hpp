@@ -70,7 +70,7 @@ class PiecesOnLines {
     const Value common = common_factor(d.x, d.y);
     const IntegerVector<Numbers> direction{d.x / common, d.y / common};
     const bool is_steep = d.x == 0;
-    const auto position = [&](const Fraction<Numbers>& t) {
+    const auto position = [&, &source = source, &d = d](const Fraction<Numbers>& t) {
       const NearPoint near = near_place(track, t);
       return Position{is_steep ? source.y : source.x, is_steep ? d.y : d.x, t,
                       is_steep ? near.y : near.x};

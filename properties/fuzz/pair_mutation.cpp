@@ -78,8 +78,11 @@ std::size_t vertices_in(const PlannedSummand& summand) {
   return n;
 }
 
+/// Most inputs stay as small as this; `enlarge` makes others.
+constexpr std::size_t few_vertices = 14;
+
 bool has_room(const PlannedSummand& summand, std::size_t more) {
-  return summand.chains.size() < most_chains && vertices_in(summand) + more <= most_vertices_in_all;
+  return summand.chains.size() < most_chains && vertices_in(summand) + more <= few_vertices;
 }
 
 Vertices vertices_of(const Chain& chain) {
@@ -128,7 +131,7 @@ std::optional<PlannedVertex> near_edge(Random& random, const PlannedVertex& a,
 template <auto between>
 bool grow(Random& random, PairPlan& plan) {
   PlannedSummand& summand = a_summand(random, plan);
-  if (vertices_in(summand) == most_vertices_in_all) return false;
+  if (vertices_in(summand) >= few_vertices) return false;
   Vertices& vertices = one_of(random, summand.chains).vertices;
   if (vertices.size() == most_vertices) return false;
   const std::size_t i = uniform_index(random, vertices.size());
@@ -249,10 +252,12 @@ bool fit_hole(Random& random, PairPlan& plan) {
 
 PlannedSummand new_summand(Random& random) {
   while (true) {
-    const int kind = uniform(random, 0, 3);
-    const Region region = kind == 0   ? plain_region(random, 8)
-                          : kind == 1 ? scattered_region(random, 5)
-                                      : holed_region(random, 6);
+    // Small ones mostly: what they do not show, larger ones hardly do, and slower.
+    const int kind = uniform(random, 0, 7);
+    const Region region = kind <= 2   ? plain_region(random, 4)
+                          : kind == 3 ? plain_region(random, 8)
+                          : kind <= 5 ? scattered_region(random, 4)
+                                      : holed_region(random, 4);
     // A plan takes regions of a limited size only.
     if (const auto plan = plan_of(Summands{region, region})) return plan->p;
   }
@@ -260,6 +265,22 @@ PlannedSummand new_summand(Random& random) {
 
 bool renew_summand(Random& random, PairPlan& plan) {
   a_summand(random, plan).chains = new_summand(random).chains;
+  return true;
+}
+
+/// Both summands as large as a plan takes, so that slide searches boxes instead of all pairs of edges.
+bool enlarge(Random& random, PairPlan& plan) {
+  if (!one_in(random, 4)) return false;
+  for (PlannedSummand* const summand : {&plan.p, &plan.q}) {
+    summand->chains.clear();
+    for (int k = 0; k < int{most_chains}; ++k) {
+      const std::size_t room = most_vertices_in_all - vertices_in(*summand);
+      if (room < 3) break;
+      Vertices vertices = vertices_of(lattice_polygon(random, 8, std::min(room, most_vertices)));
+      for (PlannedVertex& v : vertices) v = moved(v, 9 * (k % 3), 9 * (k / 3));
+      summand->chains.push_back({false, std::move(vertices)});
+    }
+  }
   return true;
 }
 
@@ -342,6 +363,7 @@ const std::vector<PairChange>& pair_changes() {
       {"change_shear", change_shear},
       {"copy_chain", copy_chain},
       {"copy_summand", copy_summand},
+      {"enlarge", enlarge},
       {"fit_hole", fit_hole},
       {"insert_vertex", grow<near_edge>},
       {"make_parallel", make_parallel},

@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "checked/arrangement/sum_by_winding_numbers.hpp"
 #include "checked/slide/slide.hpp"
+#include "properties/fuzz/sums_along_lines.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/chains/validity.hpp"
 #include "reference/definitions/difference.hpp"
@@ -40,12 +40,18 @@ bool is_in_right_stage(const Statistics& s, SlideNumbers numbers) {
          (s.count("in integers of GMP") == 0 || !may_be_wide);
 }
 
-void check(const Summands& summands, Boundary boundary) {
+/// A sum and the origins of its edges.
+struct Expected {
+  const MinkowskiSum& sum;
+  const Origins& origins;
+};
+
+void check(const Summands& summands, Boundary boundary, const Expected& expected, SlideLaws laws) {
   const auto& [p, q] = summands;
   const std::string which = name(boundary) + " sum: ";
-  const ComputedSum expected = sum_by_winding_numbers(p, q, boundary, {.with_origins = true});
   Statistics first;
   for (const auto& [numbers, in_these] : stages) {
+    if (numbers != SlideNumbers::as_needed && laws != SlideLaws::all) continue;
     const ComputedSum result =
         slide_sum(p, q, boundary, {.with_origins = true, .numbers = numbers});
     require_same(result.sum, expected.sum,
@@ -57,22 +63,35 @@ void check(const Summands& summands, Boundary boundary) {
     for (const char* same : {"segments slid along", "free pieces of segments"})
       require(s.count(same) == first.count(same), which + "other pieces" + in_these);
   }
-  require_same(slide_sum(q, p, boundary).sum, expected.sum,
-               which + "slide, the first, with both summands exchanged differs: ");
-  const Region region = region_of(expected.sum);
+  if (laws == SlideLaws::all)
+    require_same(slide_sum(q, p, boundary).sum, expected.sum,
+                 which + "slide, the first, with both summands exchanged differs: ");
+}
+
+/// Of the sum that slide found, too, as both are equal by now.
+void check_region(const MinkowskiSum& sum) {
+  const Region region = region_of(sum);
   if (const auto defect = find_defect(region))
-    throw FuzzFinding(which + "no valid region: " + describe(defect->kind));
-  MinkowskiSum regularized = expected.sum;
-  regularized.dangling_edges.clear();
-  regularized.isolated_vertices.clear();
-  require_same(canonical_sum(region), regularized, which + "the first is the region of the sum: ");
+    throw FuzzFinding("no valid region: " + describe(defect->kind));
+  require_same(canonical_sum(region), sum, "the first is the region of the sum: ");
 }
 
 }  // namespace
 
-void check_slide(const Summands& summands) {
-  check(summands, Boundary::closed);
-  check(summands, Boundary::open);
+void check_slide(const Summands& summands, const SumsAlongLines& expected, SlideLaws laws) {
+  check(summands, Boundary::closed, {expected.closed, expected.origins_of_closed}, laws);
+  check(summands, Boundary::open, {expected.open, expected.origins_of_open}, laws);
+  check_region(expected.closed);
+}
+
+SlideLaws laws_for(std::string_view bytes) {
+  unsigned mixed = 0;
+  for (const char byte : bytes) mixed = 31 * mixed + static_cast<unsigned char>(byte);
+  return mixed % 8 == 0 ? SlideLaws::all : SlideLaws::without_other_numbers;
+}
+
+void check_slide(const Summands& summands, SlideLaws laws) {
+  check_slide(summands, sums_along_lines(summands.p, summands.q), laws);
 }
 
 }  // namespace oplus

@@ -2,17 +2,27 @@
 #pragma once
 
 #include "properties/fuzz/fuzz_target.hpp"
+#include "properties/fuzz/sums_along_lines.hpp"
 #include "reference/families/family.hpp"
 
 namespace oplus {
 
+/// Which laws of check_slide: 2 and 4 take most of the time.
+enum class SlideLaws { all, without_other_numbers };
+
 /// What slide must do with a pair, closed and open:
-///  1. it finds the sum that winding numbers find, origins included;
+///  1. it finds the sum that winding numbers find (sums_along_lines.hpp), origins included;
 ///  2. also with larger numbers than are needed, from as many pieces;
 ///  3. it decides pairs of edges with the numbers that the coordinates need, or that were asked for;
 ///  4. it finds the same with P and Q exchanged;
 ///  5. the sum is a valid region, whose canonical form it is.
 /// Throws FuzzFinding. Requires: both are valid.
-void check_slide(const Summands& summands);
+void check_slide(const Summands& summands, SlideLaws laws = SlideLaws::all);
+
+/// The same where the sums are already known.
+void check_slide(const Summands& summands, const SumsAlongLines& expected, SlideLaws laws);
+
+/// One input of slide in eight is checked for all laws: which, depends on its bytes only.
+SlideLaws laws_for(std::string_view bytes);
 
 }  // namespace oplus

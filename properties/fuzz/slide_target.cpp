@@ -7,11 +7,11 @@
 namespace oplus {
 
 const FuzzTarget slide_target{"slide",
-                              "slide against winding numbers, closed and open, in all numbers",
+                              "slide against winding numbers, closed and open",
                               [](std::string_view bytes) {
                                 const auto pair = realized(decoded(bytes));
                                 if (!pair) return FuzzOutcome::rejected;
-                                check_slide(pair->summands);
+                                check_slide(pair->summands, laws_for(bytes));
                                 return FuzzOutcome::reached;
                               },
                               mutated_pair,

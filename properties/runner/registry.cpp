@@ -131,7 +131,9 @@ std::vector<std::string> defects_of_entries(const std::vector<Statement>& statem
     add_defects_of_entry(s, mutant_names, defects);
   }
   for (const Mutant& m : mutants)
-    if (!killed.count(m.name)) defects.push_back(m.name + ": no statement names this mutant");
+    // Faults in reading and writing are found by the fuzz targets (docs/fuzz.md).
+    if (!killed.count(m.name) && !m.file.starts_with("reference/io/"))
+      defects.push_back(m.name + ": no statement names this mutant");
   return defects;
 }
 

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <limits>
 
+#include "reference/definitions/mutant.hpp"
 #include "reference/io/power_of_ten.hpp"
 #include "reference/io/quoting.hpp"
 
@@ -99,7 +100,9 @@ bool put_number(std::string_view text, Rational& value, NumberFault& fault) {
     const std::string_view denominator = take_digits(rest);
     if (whole.empty() || denominator.empty() || !rest.empty()) return not_a_number();
     Rational fraction(integer(whole), integer(denominator));
-    if (fraction.get_den() == 0)
+    if (fraction.get_den() == 0 &&
+        !OPLUS_MUTANT("denominators-may-be-zero",
+                      "a fraction with the denominator 0 is not refused"))
       return refused("has the denominator 0", "a fraction p/q with q > 0");
     fraction.canonicalize();
     value = is_negative ? Rational(-fraction) : fraction;

@@ -16,6 +16,7 @@
 #include "reference/chains/near_point.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/chains/validity.hpp"
+#include "reference/definitions/mutant.hpp"
 #include "reference/io/invalid_region.hpp"
 #include "reference/io/placed_geometry.hpp"
 #include "reference/io/quoting.hpp"
@@ -141,7 +142,8 @@ Region region_in(PlacedGeometry& geometry) {
 Region valid_region(Parsed& parsed, std::vector<std::string>& notes) {
   orient(parsed.geometry, parsed.input.name, notes);
   Region region = region_in(parsed.geometry);
-  if (const std::optional<Defect> defect = find_defect(region)) {
+  const std::optional<Defect> defect = find_defect(region);
+  if (defect && !OPLUS_MUTANT("regions-are-read-unseen", "regions are not validated when read")) {
     exchange_vertices(parsed.geometry, region);
     refuse_defect(parsed.input, parsed.geometry, *defect);
   }
@@ -190,7 +192,9 @@ std::vector<Point> isolated_vertices(const Parsed& parsed, const std::vector<Seg
     }
   }
   std::vector<Point> result = points.vertices;
-  std::sort(result.begin(), result.end());
+  if (!OPLUS_MUTANT("points-stay-in-any-order",
+                    "the isolated vertices of a sum are not sorted when read"))
+    std::sort(result.begin(), result.end());
   return result;
 }
 

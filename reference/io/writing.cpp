@@ -14,6 +14,7 @@
 
 #include "reference/chains/region_of.hpp"
 #include "reference/definitions/contract.hpp"
+#include "reference/definitions/mutant.hpp"
 #include "reference/io/power_of_ten.hpp"
 
 namespace oplus {
@@ -35,7 +36,8 @@ void add_decimal(std::string& text, bool is_negative, std::string_view digits,
   const std::size_t last = digits.find_last_not_of('0');
   if (decimals == 0 || last == std::string_view::npos || last < whole) return;
   text += '.';
-  text.append(decimals - (digits.size() - whole), '0');
+  if (!OPLUS_MUTANT("decimals-lose-their-zeros", "zeros after a decimal point are not written"))
+    text.append(decimals - (digits.size() - whole), '0');
   text += digits.substr(whole, last + 1 - whole);
 }
 

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// planted_faults PAGE: switches on each fault of slide and of the readers, and counts the inputs of a fuzz
+// target, always with the same random numbers, until it finds the fault. The page must say how many.
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <functional>
+#include <iostream>
+#include <memory>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "properties/compare/corpus.hpp"
+#include "properties/fuzz/fuzz_target.hpp"
+#include "properties/fuzz/pair_mutation.hpp"
+#include "properties/fuzz/realized_pair.hpp"
+#include "properties/fuzz/shown_input.hpp"
+#include "properties/fuzz/slide_check.hpp"
+#include "properties/fuzz/text_mutation.hpp"
+#include "properties/mutants/mutants.hpp"
+#include "reference/definitions/mutant.hpp"
+#include "reference/io/file_text.hpp"
+
+namespace oplus {
+namespace {
+
+constexpr std::size_t pairs = 2000, texts = 6000;
+
+/// Runs input after input. One that is wrong throws, crashes or does not end.
+using Inputs = std::function<void(std::size_t)>;
+
+/// The inputs of slide, with what is right, which no fault of slide changes.
+Inputs inputs_of_slide() {
+  struct Known {
+    Summands pair;
+    SumsAlongLines sums;
+    SlideLaws laws;
+  };
+  auto known = std::make_shared<std::vector<Known>>();
+  Random random(1);
+  std::vector<std::string> pool;
+  for (const CorpusPair& row : corpus())
+    if (const auto input = input_of_pair({row.p, row.q})) pool.push_back(*input);
+  while (known->size() < pairs) {
+    const std::string& base = pool[uniform_index(random, pool.size())];
+    const std::string bytes =
+        one_in(random, 8) ? crossed_pair(random, base, pool[uniform_index(random, pool.size())])
+                          : mutated_pair(random, base);
+    const auto pair = realized(decoded(bytes));
+    if (!pair) continue;
+    pool.push_back(bytes);
+    known->push_back(
+        {pair->summands, sums_along_lines(pair->summands.p, pair->summands.q), laws_for(bytes)});
+  }
+  return [known](std::size_t i) {
+    const Known& input = known->at(i);
+    check_slide(input.pair, input.sums, input.laws);
+  };
+}
+
+Inputs inputs_of(const FuzzTarget& target) {
+  auto all = std::make_shared<std::vector<std::string>>();
+  Random random(1);
+  while (all->size() < texts)
+    all->push_back(target.mutated(
+        random, one_in(random, 4) || all->empty()
+                    ? new_sum_text(random, Format::wkt)
+                    : all->at(all->size() - 1 -
+                              uniform_index(random, std::min<std::size_t>(all->size(), 50)))));
+  return [all, &target](std::size_t i) { target.run(all->at(i)); };
+}
+
+/// How many inputs it takes in a process of its own; one more than `most` where none is wrong.
+std::size_t inputs_until_found(const std::string& fault, const Inputs& inputs, std::size_t most) {
+  void* const shared =
+      mmap(nullptr, sizeof(std::size_t), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (shared == MAP_FAILED) throw std::bad_alloc();
+  auto* const count = static_cast<volatile std::size_t*>(shared);
+  *count = 0;
+  std::cout.flush();
+  const pid_t child = fork();
+  if (child == 0) {
+#ifdef OPLUS_MUTANTS
+    active_mutant = fault;
+#endif
+    bool is_found = false;
+    try {
+      while (*count < most) {
+        *count = *count + 1;
+        alarm(60);
+        inputs(*count - 1);
+      }
+    } catch (const std::exception& e) {
+      is_found = true;
+      if (fault.empty()) std::cerr << "without a fault: " << e.what() << '\n';
+    }
+    _exit(is_found ? 1 : 0);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  const std::size_t result = status == 0 ? most + 1 : *count;
+  munmap(shared, sizeof(std::size_t));
+  return result;
+}
+
+struct Stream {
+  const FuzzTarget* target;
+  Inputs inputs;
+  std::size_t most;
+};
+
+/// A row of the table; empty where no target finds the fault.
+std::string row(const Mutant& fault, const std::vector<Stream>& streams) {
+  const Stream* best = nullptr;
+  std::size_t least = 0;
+  for (const Stream& stream : streams) {
+    const std::size_t count = inputs_until_found(fault.name, stream.inputs, stream.most);
+    if (count > stream.most || (best != nullptr && count >= least)) continue;
+    best = &stream;
+    least = count;
+  }
+  if (best == nullptr) return "";
+  return "| `" + fault.name + "`: " + fault.what + " | `" + best->target->name + "` | " +
+         std::to_string(least) + " |";
+}
+
+int run(const std::string& page_file) {
+  const std::string page = text_of_file(page_file, "the page on fuzzing");
+  const std::vector<Stream> of_slide = {{&slide_target, inputs_of_slide(), pairs}};
+  std::vector<Stream> of_readers;
+  for (const FuzzTarget* target : {&dat_target, &wkt_target, &geojson_target, &sums_target})
+    of_readers.push_back({target, inputs_of(*target), texts});
+  int wrong = 0;
+  const auto fail = [&](const std::string& what) {
+    std::cout << what << '\n';
+    ++wrong;
+  };
+  for (const std::vector<Stream>& streams : {of_slide, of_readers})
+    for (const Stream& stream : streams)
+      if (inputs_until_found("", stream.inputs, stream.most) <= stream.most)
+        fail(std::string(stream.target->name) + " finds something where there is no fault");
+  for (const Mutant& fault : mutants()) {
+    const bool of_a_reader = fault.file.starts_with("reference/io/");
+    const bool of_slide_too = fault.name == "touching-points-are-not-tested";
+    if (!of_a_reader && !of_slide_too && !fault.file.starts_with("checked/slide/")) continue;
+    const std::string line = row(fault, of_a_reader ? of_readers : of_slide);
+    if (line.empty())
+      fail("not found: " + fault.name);
+    else if (page.find(line + '\n') == std::string::npos)
+      fail(page_file + " lacks this row:\n" + line);
+    else
+      std::cout << line << '\n';
+  }
+  return wrong == 0 ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace oplus
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::cerr << "usage: planted_faults PAGE\n";
+    return 2;
+  }
+#ifdef OPLUS_MUTANTS
+  return oplus::run(argv[1]);
+#else
+  (void)&oplus::run;
+  std::cerr << "this build contains no faults; use the preset check\n";
+  return 2;
+#endif
+}
