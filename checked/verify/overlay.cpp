@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "reference/chains/near_point.hpp"
 #include "reference/chains/swept_cells.hpp"
 #include "reference/definitions/mutant.hpp"
 #include "reference/definitions/sorted_without_copies.hpp"
@@ -143,19 +144,6 @@ bool is_above(const Segment& a, const Segment& b, const Rational& x) {
 }
 
 }  // namespace
-
-int sign_of_area(const Chain& chain) {
-  Interval twice;
-  const IntervalPoint first = interval(chain[0]);
-  IntervalPoint last;
-  for (const Point& p : chain) {
-    const IntervalPoint here = interval(p) - first;
-    twice = twice + cross(last, here);
-    last = here;
-  }
-  const std::optional<int> known = sign(twice);
-  return known ? *known : sign(twice_area_inside(edges(chain)));
-}
 
 Rational twice_area_inside(const std::vector<Segment>& boundary) {
   std::vector<Rational> parts;

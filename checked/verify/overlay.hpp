@@ -13,9 +13,6 @@
 
 namespace oplus {
 
-/// The sign of the area that a chain encloses.
-int sign_of_area(const Chain& chain);
-
 /// Twice the area to the left of a boundary.
 Rational twice_area_inside(const std::vector<Segment>& boundary);
 

@@ -12,6 +12,7 @@
 #include "checked/verify/placements.hpp"
 #include "checked/verify/sum_by_convex_parts.hpp"
 #include "checked/verify/witness.hpp"
+#include "reference/chains/near_point.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/definitions/mutant.hpp"
 #include "reference/definitions/sorted_without_copies.hpp"

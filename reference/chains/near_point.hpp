@@ -34,10 +34,14 @@ inline int orientation(const NearPoint& a, const NearPoint& b, const NearPoint& 
 
 /// The sign of twice_area(chain), whose own denominator grows with the chain.
 inline int sign_of_area(const Chain& chain) {
+  if (chain.empty()) return 0;
   Interval twice;
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    const IntervalPoint a = interval(chain[i]), b = interval(chain[next(i, chain.size())]);
-    twice = twice + cross(a, b);
+  const IntervalPoint first = interval(chain[0]);
+  IntervalPoint last;
+  for (const Point& p : chain) {
+    const IntervalPoint here = interval(p) - first;
+    twice = twice + cross(last, here);
+    last = here;
   }
   const std::optional<int> known = sign(twice);
   return known ? *known : sgn(twice_area(chain));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <cmath>
-#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -27,7 +27,7 @@ class Maze {
  public:
   Maze(Random& random, std::size_t rooms)
       : side_(static_cast<int>(std::ceil(std::sqrt(static_cast<double>(rooms))))),
-        doors_(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_), 0),
+        doors_(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_)),
         entered_(doors_.size(), false) {
     std::vector<Place> path{{0, 0}};
     entered_[0] = true;
@@ -42,8 +42,8 @@ class Maze {
       }
       const int way = ways[uniform_index(random, ways.size())];
       const Place there = after(here, way);
-      doors_[number(here)] |= 1U << way;
-      doors_[number(there)] |= 1U << (way + 2) % 4;
+      doors_[number(here)].set(static_cast<std::size_t>(way));
+      doors_[number(there)].set(static_cast<std::size_t>((way + 2) % 4));
       entered_[number(there)] = true;
       path.push_back(there);
       ++entered;
@@ -64,7 +64,7 @@ class Maze {
         visit(room, way % 4);
         if (--corners == 0) return;
         way = (way + 1) % 4;
-      } while ((doors_[number(room)] >> way & 1U) == 0);
+      } while (!doors_[number(room)][static_cast<std::size_t>(way)]);
       room = after(room, way);
       from = (way + 2) % 4;
     }
@@ -84,7 +84,7 @@ class Maze {
   }
 
   int side_;
-  std::vector<std::uint8_t> doors_;  ///< of each room, a bit a way
+  std::vector<std::bitset<4>> doors_;  ///< of each room, by the way
   std::vector<bool> entered_;
 };
 

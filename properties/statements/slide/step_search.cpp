@@ -9,8 +9,9 @@ namespace {
 
 /// Adds to `outcome` what the search finds, by boxes or in the table of all pairs.
 void compare(const SlidPair& pair, std::size_t most_pairs, Outcome& outcome) {
-  const slide::IntegerSummands<SlidPair::Numbers> integers(pair.summands.p, pair.summands.q,
-                                                           pair.scaling, most_pairs);
+  slide::IntegerSummands<SlidPair::Numbers> integers(pair.summands.p, pair.summands.q, pair.scaling,
+                                                     most_pairs);
+  integers.prepare_component_test();
   slide::FreePieces<SlidPair::Numbers> search(integers);
   const slide::ComponentTest<SlidPair::Numbers> components(integers);
   for (std::uint32_t i = 0; i < pair.tracks.size(); ++i) {

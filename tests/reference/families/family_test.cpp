@@ -125,17 +125,18 @@ TEST(Family, same_seed_same_polygons_on_every_compiler) {
     }
     digests[family.name] = digest(text);
   }
-  EXPECT_EQ(digests, (std::map<std::string, std::string>{{"comb", "f1ab9bc67ccb6bb4"},
-                                                         {"components", "5b58503fd66cabd4"},
-                                                         {"convex", "67bd526d7a3186f4"},
-                                                         {"diamond-u", "d1bc13c1a25bdf7f"},
-                                                         {"fork", "f43118ec6e4ca0c1"},
-                                                         {"grid", "fcb7656619c0b5b3"},
-                                                         {"holes", "fd155b03caf92893"},
-                                                         {"islands", "25b221315d82bed5"},
-                                                         {"simple", "ff4e4d4db550144c"},
-                                                         {"star", "f5563cf689f420cd"},
-                                                         {"tight", "ff3e5d9fb397aca5"}}));
+  EXPECT_EQ(digests, (std::map<std::string, std::string>{
+                         {"coast", "7f003ec63e472d63"},      {"comb", "f1ab9bc67ccb6bb4"},
+                         {"components", "5b58503fd66cabd4"}, {"convex", "67bd526d7a3186f4"},
+                         {"diamond-u", "d1bc13c1a25bdf7f"},  {"dots", "84c6664f70c4e551"},
+                         {"fork", "f43118ec6e4ca0c1"},       {"fractions", "dc535c71fd1a46dd"},
+                         {"grid", "fcb7656619c0b5b3"},       {"holes", "fd155b03caf92893"},
+                         {"islands", "25b221315d82bed5"},    {"maze", "6e6ae8ca8a108d06"},
+                         {"outlier", "58209459578561fb"},    {"pockets", "199b6603fadb052d"},
+                         {"scales", "33673bca27079321"},     {"sieve", "884df1e9be175c3e"},
+                         {"simple", "ff4e4d4db550144c"},     {"spiral", "7efefd16c8d191a3"},
+                         {"star", "f5563cf689f420cd"},       {"thin", "2198b3673b0d3fbf"},
+                         {"tight", "ff3e5d9fb397aca5"},      {"touching", "955ca567060e51c5"}}));
 }
 
 }  // namespace
