@@ -59,7 +59,7 @@ void expect_as_defined(const Region& p, const Region& q, Random& random, std::si
     for (const Segment& slid : {Segment{e.source + f.source, e.target + f.source},
                                 Segment{e.source + f.source, e.source + f.target}}) {
       for (const int n : {0, 1, 2, 4}) {
-        const Point x = slid.source + Rational(n, 4) * direction_of(slid);
+        const Point x = slid.source + Rational(Rational(n) / 4) * direction_of(slid);
         const bool expected = contains_by_definition(p, q, x);
         outside += expected ? 0 : 1;
         ASSERT_EQ(asked.contains(slid, n, 4), expected)

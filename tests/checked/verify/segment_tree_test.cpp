@@ -16,7 +16,7 @@ namespace {
 /// Short and long ones, equal ones, points; by a seed's own arithmetic.
 std::vector<Segment> mixed_segments(std::size_t count, unsigned seed) {
   std::vector<Segment> result;
-  const auto number = [&](int most) {
+  const auto number = [&](int most) -> Rational {
     seed = seed * 1664525U + 1013904223U;
     const int whole = static_cast<int>((seed >> 8) % static_cast<unsigned>(2 * most + 1)) - most;
     return Rational(whole) / ((seed >> 28) % 3 + 1);
