@@ -26,7 +26,7 @@ inline Box around(const Box& a, const Box& b) { return std::experimental::min(a,
 
 /// Whether a point, or a box that is given by its smallest and largest coordinates the other way
 /// round, has something in common with a box.
-inline bool contains(const Box& box, const Box& point) {
+[[gnu::always_inline]] inline bool contains(const Box& box, const Box& point) {
   return std::experimental::all_of(box <= point);
 }
 

@@ -73,7 +73,7 @@ TYPED_TEST(OpenSumTestIn, answers_as_the_definition) {
   Random random(11);
   std::size_t outside = 0;
   for (const char* name : {"tight", "grid", "holes", "components", "islands"}) {
-    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
       const Summands pair = generate(*find_family(name), 5, seed);
       if (!scaling_of(pair.p, pair.q).is_trivial()) continue;
       expect_as_defined<TypeParam>(pair.p, pair.q, random, outside);
