@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "checked/engine.hpp"
+#include "checked/slide/for_each_number.hpp"
+#include "checked/slide/free_pieces.hpp"
+#include "checked/slide/open_places.hpp"
+#include "checked/slide/short_list.hpp"
+#include "checked/slide/tracks.hpp"
+
+namespace oplus::slide {
+
+template <typename Numbers>
+struct FoundPieces {
+  ShortList<FreePiece<Numbers>> pieces;  ///< segment by segment
+  OpenCandidates<Numbers> open;          ///< where low-dimensional features may be
+  SearchEffort effort;
+};
+
+/// Segments are independent. They are handed out in lots of the same size, whatever the number of
+/// threads, so that neither the result nor the effort depends on it. With `rays`, for the open sum too.
+template <typename Numbers>
+FoundPieces<Numbers> all_free_pieces(const Tracks<Numbers>& tracks, const EngineOptions& options,
+                                     const std::optional<RaysOfBoth<Numbers>>& rays) {
+  constexpr std::size_t in_a_lot = 128;
+  constexpr std::size_t too_few = 8;  // to start threads for
+  const bool all_ways = rays && !right_is_enough(*rays);
+  std::atomic<std::size_t> done = 0;
+  const auto find_in = [&](std::size_t lot, FoundPieces<Numbers>& found) {
+    FreePieces<Numbers> search(tracks.summands());
+    std::optional<OpenPlaces<Numbers>> open;
+    if (rays) open.emplace(tracks.summands(), *rays);
+    const std::size_t end = std::min((lot + 1) * in_a_lot, tracks.size());
+    for (auto i = static_cast<std::uint32_t>(lot * in_a_lot); i < end; ++i) {
+      const auto add = [&](Piece<Numbers> piece) { found.pieces.push_back({i, std::move(piece)}); };
+      if (open && (all_ways || is_to_the_right(tracks.direction(i))))
+        open->find(search, i, tracks[i], add);
+      else
+        search.find(tracks[i], add);
+    }
+    found.effort = search.effort();
+    if (open) found.open = std::move(open->found);
+    if (options.progress) options.progress(done += end - lot * in_a_lot, tracks.size());
+  };
+  FoundPieces<Numbers> all;
+  if (tracks.size() <= in_a_lot) {
+    find_in(0, all);
+    return all;
+  }
+  std::vector<FoundPieces<Numbers>> lots((tracks.size() + in_a_lot - 1) / in_a_lot);
+  for_each_number(lots.size(), lots.size() < too_few ? 1 : options.threads,
+                  [&](std::size_t lot) { find_in(lot, lots[lot]); });
+  for (FoundPieces<Numbers>& lot : lots) {
+    all.pieces.insert(all.pieces.end(), std::make_move_iterator(lot.pieces.begin()),
+                      std::make_move_iterator(lot.pieces.end()));
+    all.open.take(std::move(lot.open));
+    all.effort += lot.effort;
+  }
+  return all;
+}
+
+}  // namespace oplus::slide
