@@ -16,6 +16,8 @@ void for_each_number(std::size_t n, unsigned threads, const std::function<void(s
 template <typename Work>
 void for_each_part(std::size_t n, unsigned threads, const Work& work,
                    std::size_t in_a_part = 4096) {
+  // Where there is little to do, a call through std::function is much.
+  if (n <= in_a_part) return n > 0 ? work(std::size_t{0}, n) : void();
   for_each_number((n + in_a_part - 1) / in_a_part, threads, [&](std::size_t part) {
     work(part * in_a_part, std::min((part + 1) * in_a_part, n));
   });
