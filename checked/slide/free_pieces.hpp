@@ -6,6 +6,7 @@
 
 #include "checked/slide/blocking_search.hpp"
 #include "checked/slide/component_test.hpp"
+#include "checked/slide/convex_cover.hpp"
 #include "checked/slide/place_inside.hpp"
 
 namespace oplus::slide {
@@ -14,6 +15,7 @@ namespace oplus::slide {
 struct IgnoreRest {
   template <typename Pair, typename Interval>
   void blocked(const Pair&, const Interval&) {}
+  void all_is_inside() {}
   template <typename Piece>
   void overlapping(const Piece&) {}
 };
@@ -23,12 +25,13 @@ template <typename Numbers>
 class FreePieces {
  public:
   explicit FreePieces(const IntegerSummands<Numbers>& summands)
-      : search_(summands, Shift::to_the_right), components_(summands) {
+      : search_(summands, Shift::to_the_right), cover_(summands), components_(summands) {
     gaps_.reserve(16);
   }
 
   /// Calls `add` with the maximal free pieces longer than a point; rest.blocked() with intervals that
-  /// cover all but these and the pairs that block them, and rest.overlapping() with closed pieces on
+  /// cover all but these and the pairs that block them, rest.all_is_inside() instead where all is in the
+  /// open sum, and rest.overlapping() with closed pieces on
   /// which components overlap.
   template <typename Add, typename Rest = IgnoreRest>
   void find(const Track<Numbers>& track, const Add& add, Rest&& rest = {}) {
@@ -39,11 +42,16 @@ class FreePieces {
       last_was_free_ = uncovered(track, gaps_.back(), add, rest);
       return;
     }
+    // Segments that one pair blocks need no cover, unless it is found at once.
+    const bool was_asked = cover_.contained_the_last();
+    if (was_asked && cover_.contains(track)) return rest.all_is_inside();
     bool is_whole = true;
     while (!gaps_.empty()) {
       const Piece<Numbers> gap = std::move(gaps_.back());
       gaps_.pop_back();
       if (const auto blocked = search_.at(track, place_inside(gap))) {
+        if (is_whole && !was_asked && !contains_whole(*blocked) && cover_.contains(track))
+          return rest.all_is_inside();
         is_whole = false;
         rest.blocked(search_.last_pair(), *blocked);
         if (gap.from < blocked->from) gaps_.push_back({gap.from, blocked->from});
@@ -97,7 +105,12 @@ class FreePieces {
     return is_all;
   }
 
+  static bool contains_whole(const BlockedInterval<Numbers>& interval) {
+    return interval.from.numerator() < 0 && interval.to.denominator() < interval.to.numerator();
+  }
+
   BlockingSearch<Numbers> search_;
+  ConvexCover<Numbers> cover_;
   ComponentTest<Numbers> components_;
   std::vector<Piece<Numbers>> gaps_;
   ShortList<BlockedInterval<Numbers>> intervals_;
