@@ -58,30 +58,42 @@ Halves halves_of(const std::vector<Box>& boxes, std::span<const std::uint32_t> e
   return {box_around(boxes, edges.first(half)), box_around(boxes, edges.subspan(half))};
 }
 
-/// Orders edges so that the first half has the smaller middles along the axis along which the middles
-/// are spread more. Either half stays in order.
-void halve_by_place(const std::vector<Box>& boxes, std::span<std::uint32_t> edges) {
-  const auto twice_middle = [&](std::uint32_t edge, std::size_t axis) {
-    return boxes[edge][axis] - boxes[edge][axis + 2];
-  };
-  std::array<float, 2> spread;
-  for (const std::size_t axis : {0u, 1u}) {
-    float low = twice_middle(edges[0], axis), high = low;
-    for (const std::uint32_t edge : edges) {
-      low = std::min(low, twice_middle(edge, axis));
-      high = std::max(high, twice_middle(edge, axis));
-    }
-    spread[axis] = high - low;
+constexpr std::size_t too_few = 4;  // edges, for their order to matter
+
+/// Orders edges by one of the sides of their boxes, that along which they are spread most; then each
+/// half of them, so many times. What is not divided stays in order.
+void order_by_sides(const std::vector<Box>& boxes, std::span<std::uint32_t> edges,
+                    unsigned halvings) {
+  if (halvings == 0 || edges.size() <= too_few) return;
+  Box low = boxes[edges[0]], high = low;
+  for (const std::uint32_t edge : edges) {
+    low = std::experimental::min(low, boxes[edge]);
+    high = std::experimental::max(high, boxes[edge]);
   }
-  const std::size_t axis = spread[0] < spread[1];
-  const auto key = [&](std::uint32_t edge) { return std::pair(twice_middle(edge, axis), edge); };
-  std::vector<std::uint32_t> by_place(edges.begin(), edges.end());
-  const auto middle = by_place.begin() + static_cast<std::ptrdiff_t>(edges.size() / 2);
-  std::nth_element(by_place.begin(), middle, by_place.end(),
+  std::size_t side = 0;
+  for (std::size_t other = 1; other < 4; ++other)
+    if (high[other] - low[other] > high[side] - low[side]) side = other;
+  const auto key = [&](std::uint32_t edge) { return std::pair<float, std::uint32_t>(boxes[edge][side], edge); };
+  std::vector<std::uint32_t> by_side(edges.begin(), edges.end());
+  const std::size_t half = edges.size() / 2;
+  const auto middle = by_side.begin() + static_cast<std::ptrdiff_t>(half);
+  std::nth_element(by_side.begin(), middle, by_side.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
   const auto first_of_second = key(*middle);
   std::stable_partition(edges.begin(), edges.end(),
                         [&](std::uint32_t edge) { return key(edge) < first_of_second; });
+  order_by_sides(boxes, edges.first(half), halvings - 1);
+  order_by_sides(boxes, edges.subspan(half), halvings - 1);
+}
+
+/// How large the boxes are around what halvings leave together.
+float reach(const std::vector<Box>& boxes, std::span<const std::uint32_t> edges,
+            unsigned halvings) {
+  if (halvings == 0 || edges.size() <= too_few)
+    return half_circumference(box_around(boxes, edges));
+  const std::size_t half = edges.size() / 2;
+  return reach(boxes, edges.first(half), halvings - 1) +
+         reach(boxes, edges.subspan(half), halvings - 1);
 }
 
 /// A strip in a direction around edges.
@@ -140,11 +152,11 @@ BoxTree::BoxTree(const std::vector<Box>& of_edges, std::span<const NearSegment> 
   std::iota(order.begin(), order.end(), 0u);
   nodes_.reserve(2 * of_edges.size());
   add({of_edges, edges.size() < too_few ? std::span<const NearSegment>() : edges, order}, 0, size,
-      box_around(of_edges, order));
+      box_around(of_edges, order), 0);
 }
 
 BoxTree::Moments BoxTree::add(const Edges& edges, std::uint32_t first, std::uint32_t last,
-                              const Box& box) {
+                              const Box& box, unsigned settled) {
   const std::size_t here = nodes_.size();
   const std::span<std::uint32_t> these(edges.order.data() + first, last - first);
   nodes_.push_back({box, none, none, half_circumference(box), none});
@@ -153,25 +165,29 @@ BoxTree::Moments BoxTree::add(const Edges& edges, std::uint32_t first, std::uint
     return edges.segments.empty() ? Moments{} : Moments::of(edges.segments[these[0]]);
   }
   Halves halves = halves_of(edges.boxes, these);
-  constexpr std::size_t too_few = 4;  // for the order to matter
-  if (these.size() > too_few) {
+  if (settled > 0) {
+    --settled;
+  } else if (these.size() > too_few) {
     // A box that is cut in two across its longer side.
     const float width = -(box[0] + box[2]), height = -(box[1] + box[3]);
     const float least = std::max(width, height) + 2 * std::min(width, height);
     if (halves.reach() > 1.1F * least) {
-      const std::vector<std::uint32_t> in_order(these.begin(), these.end());
-      halve_by_place(edges.boxes, these);
-      const Halves by_place = halves_of(edges.boxes, these);
-      if (by_place.reach() < halves.reach())
-        halves = by_place;
-      else
-        std::copy(in_order.begin(), in_order.end(), these.begin());
+      // One halving may show nothing: rings around each other share no place only once each is
+      // divided into its sides.
+      constexpr unsigned halvings = 4;
+      std::vector<std::uint32_t> by_sides(these.begin(), these.end());
+      order_by_sides(edges.boxes, by_sides, halvings);
+      if (reach(edges.boxes, by_sides, halvings) < reach(edges.boxes, these, halvings)) {
+        std::copy(by_sides.begin(), by_sides.end(), these.begin());
+        halves = halves_of(edges.boxes, these);
+        settled = halvings - 1;
+      }
     }
   }
   const std::uint32_t middle = first + (last - first) / 2;
-  const Moments left = add(edges, first, middle, halves.first);
+  const Moments left = add(edges, first, middle, halves.first, settled);
   nodes_[here].right = static_cast<std::uint32_t>(nodes_.size());
-  const Moments right = add(edges, middle, last, halves.second);
+  const Moments right = add(edges, middle, last, halves.second, settled);
   if (edges.segments.empty()) return {};
 
   // The direction in which the edges are spread most, and their variance across it: a strip is at

@@ -84,7 +84,9 @@ class BoxTree {
  private:
   struct Edges;
   struct Moments;
-  Moments add(const Edges& edges, std::uint32_t first, std::uint32_t last, const Box& box);
+  /// Appends a tree over a range of the order, which is settled for so many halvings.
+  Moments add(const Edges& edges, std::uint32_t first, std::uint32_t last, const Box& box,
+              unsigned settled);
 
   std::vector<Node> nodes_;
   std::vector<Strip> strips_;
