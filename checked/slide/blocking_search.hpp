@@ -343,7 +343,7 @@ class BlockingSearch {
   std::size_t remembered_ = 0;
   static constexpr std::size_t without_strips = 48;  ///< pairs of boxes
   std::size_t strips_from_ = 0;                      ///< when as many were opened
-  std::array<Pair, 72> waiting_;                     ///< one a level of either tree
+  std::array<Pair, 288> waiting_;                    ///< one a level of either tree
   ShortList<Pair> left_out_;                         ///< by the last probe
 };
 
