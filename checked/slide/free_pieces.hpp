@@ -33,13 +33,12 @@ class FreePieces {
   template <typename Add, typename Rest = IgnoreRest>
   void find(const Track<Numbers>& track, const Add& add, Rest&& rest = {}) {
     gaps_.assign(1, {{0, 1}, {1, 1}});
-    // After a segment that is free from end to end, the next one is likely to be.
-    if (last_was_free_ || search_.compares_all_pairs()) {
+    if (search_.compares_all_pairs() || (last_was_free_ && trust_ > 0)) {
       search_.leave_out_all();
-      last_was_free_ = uncovered(track, gaps_.back(), add, rest);
+      remember(uncovered(track, gaps_.back(), add, rest));
       return;
     }
-    bool is_whole = true;
+    bool is_whole = true, was_free = false;
     while (!gaps_.empty()) {
       const Piece<Numbers> gap = std::move(gaps_.back());
       gaps_.pop_back();
@@ -50,9 +49,10 @@ class FreePieces {
         if (blocked->to < gap.to) gaps_.push_back({blocked->to, gap.to});
       } else {
         const bool is_free = uncovered(track, gap, add, rest);
-        last_was_free_ = is_whole && is_free;
+        was_free = is_whole && is_free;
       }
     }
+    remember(was_free);
   }
 
   const SearchEffort& effort() const { return search_.effort; }
@@ -97,11 +97,19 @@ class FreePieces {
     return is_all;
   }
 
+  /// After a segment that is free from end to end, the next one is likely to be, unless it often was not.
+  void remember(bool is_free) {
+    constexpr int most_trust = 3;
+    if (last_was_free_) trust_ = std::clamp(trust_ + (is_free ? 1 : -1), 0, most_trust);
+    last_was_free_ = is_free;
+  }
+
   BlockingSearch<Numbers> search_;
   ComponentTest<Numbers> components_;
   std::vector<Piece<Numbers>> gaps_;
   ShortList<BlockedInterval<Numbers>> intervals_;
   bool last_was_free_ = false;
+  int trust_ = 1;  ///< that a segment is free if the last one was
 };
 
 }  // namespace oplus::slide
