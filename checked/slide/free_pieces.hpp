@@ -33,7 +33,7 @@ class FreePieces {
   template <typename Add, typename Rest = IgnoreRest>
   void find(const Track<Numbers>& track, const Add& add, Rest&& rest = {}) {
     gaps_.assign(1, {{0, 1}, {1, 1}});
-    if (search_.compares_all_pairs() || (last_was_free_ && trust_ > 0)) {
+    if (search_.compares_all_pairs() || (last_was_free_ && trust_ >= enough_trust)) {
       search_.leave_out_all();
       remember(uncovered(track, gaps_.back(), add, rest));
       return;
@@ -109,6 +109,7 @@ class FreePieces {
   std::vector<Piece<Numbers>> gaps_;
   ShortList<BlockedInterval<Numbers>> intervals_;
   bool last_was_free_ = false;
+  static constexpr int enough_trust = 2;
   int trust_ = 1;  ///< that a segment is free if the last one was
 };
 
