@@ -87,7 +87,9 @@ void order_by_sides(const std::vector<Box>& boxes, std::span<std::uint32_t> edge
   if (halvings == 0 || edges.size() <= too_few) return;
   const std::size_t side =
       side_of_most_spread(edges, [&](std::uint32_t edge) -> const Box& { return boxes[edge]; });
-  const auto key = [&](std::uint32_t edge) { return std::pair<float, std::uint32_t>(boxes[edge][side], edge); };
+  const auto key = [&](std::uint32_t edge) {
+    return std::pair<float, std::uint32_t>(boxes[edge][side], edge);
+  };
   std::vector<std::uint32_t> by_side(edges.begin(), edges.end());
   const std::size_t half = edges.size() / 2;
   const auto middle = by_side.begin() + static_cast<std::ptrdiff_t>(half);
@@ -103,8 +105,7 @@ void order_by_sides(const std::vector<Box>& boxes, std::span<std::uint32_t> edge
 /// How large the boxes are around what halvings leave together.
 float reach(const std::vector<Box>& boxes, std::span<const std::uint32_t> edges,
             unsigned halvings) {
-  if (halvings == 0 || edges.size() <= too_few)
-    return half_circumference(box_around(boxes, edges));
+  if (halvings == 0 || edges.size() <= too_few) return half_circumference(box_around(boxes, edges));
   const std::size_t half = edges.size() / 2;
   return reach(boxes, edges.first(half), halvings - 1) +
          reach(boxes, edges.subspan(half), halvings - 1);
@@ -162,7 +163,8 @@ BoxTree::BoxTree(const std::vector<Box>& of_edges, std::span<const NearSegment> 
                  std::span<const std::uint32_t> chains) {
   constexpr std::size_t too_few_for_strips = 32;
   const auto size = static_cast<std::uint32_t>(of_edges.size());
-  Edges edges{of_edges, segments.size() < too_few_for_strips ? std::span<const NearSegment>() : segments,
+  Edges edges{of_edges,
+              segments.size() < too_few_for_strips ? std::span<const NearSegment>() : segments,
               std::vector<std::uint32_t>(size)};
   std::iota(edges.order.begin(), edges.order.end(), 0u);
   nodes_.reserve(2 * of_edges.size());
@@ -170,8 +172,8 @@ BoxTree::BoxTree(const std::vector<Box>& of_edges, std::span<const NearSegment> 
   for (std::size_t k = 0; k < std::max<std::size_t>(chains.size(), 1); ++k) {
     const std::uint32_t first = chains.empty() ? 0 : chains[k];
     const std::uint32_t last = k + 1 < chains.size() ? chains[k + 1] : size;
-    parts.push_back({box_around(of_edges, std::span(edges.order).subspan(first, last - first)),
-                     first, last});
+    parts.push_back(
+        {box_around(of_edges, std::span(edges.order).subspan(first, last - first)), first, last});
   }
   add(edges, parts);
 }
@@ -207,8 +209,8 @@ BoxTree::Moments BoxTree::add(Edges& edges, std::span<PartOfBoundary> chains) {
   });
 }
 
-BoxTree::Moments BoxTree::add(Edges& edges, std::uint32_t first, std::uint32_t last,
-                              const Box& box, unsigned settled) {
+BoxTree::Moments BoxTree::add(Edges& edges, std::uint32_t first, std::uint32_t last, const Box& box,
+                              unsigned settled) {
   const std::size_t here = nodes_.size();
   const std::span<std::uint32_t> these(edges.order.data() + first, last - first);
   nodes_.push_back({box, none, none, half_circumference(box), none});
