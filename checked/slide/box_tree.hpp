@@ -55,8 +55,8 @@ struct Strip {
   double low, high;
 };
 
-/// Boxes over the edges of a summand. The root is node 0. A set of edges is halved in the order of the
-/// boundary, or by place where that gives much smaller boxes.
+/// Boxes over the edges of a summand, chain by chain. The root is node 0. The edges of a chain are halved
+/// in the order of the boundary, or by the sides of their boxes where that gives smaller boxes.
 class BoxTree {
  public:
   static constexpr std::uint32_t none = ~std::uint32_t{0};
