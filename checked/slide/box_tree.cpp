@@ -263,10 +263,10 @@ BoxTree::Moments BoxTree::with_strip(const Edges& edges, std::size_t here, const
   const double across_box = dx * -static_cast<double>(box[1] + box[3]) +
                             std::abs(dy) * -static_cast<double>(box[0] + box[2]);
   const double variance = (all.xx + all.yy - difference) / 2 / all.count;
-  if (16 * variance > across_box * across_box) return all;
+  if (64 * variance > across_box * across_box) return all;
   const Strip strip = strip_around(edges.segments, each_edge, dx, dy);
   const double width = strip.high - strip.low;
-  if (2 * width > across_box) return all;
+  if (4 * width > across_box) return all;
   nodes_[here].strip = static_cast<std::uint32_t>(strips_.size());
   nodes_[here].size = static_cast<float>(2 * width);
   strips_.push_back(strip);
