@@ -30,37 +30,42 @@ class FreePieces {
   }
 
   /// Calls `add` with the maximal free pieces longer than a point; rest.blocked() with intervals that
-  /// cover all but these and the pairs that block them, rest.all_is_inside() instead where all is in the
-  /// open sum, and rest.overlapping() with closed pieces on
-  /// which components overlap.
+  /// cover all but these and the pairs that block them, or with all_is_inside() if all is in the open sum;
+  /// and rest.overlapping() with closed pieces on which components overlap.
   template <typename Add, typename Rest = IgnoreRest>
   void find(const Track<Numbers>& track, const Add& add, Rest&& rest = {}) {
     gaps_.assign(1, {{0, 1}, {1, 1}});
-    // After a segment that is free from end to end, the next one is likely to be.
-    if (last_was_free_ || search_.compares_all_pairs()) {
+    if (search_.compares_all_pairs() || (last_was_free_ && trust_ >= enough_trust)) {
       search_.leave_out_all();
-      last_was_free_ = uncovered(track, gaps_.back(), add, rest);
+      remember(uncovered(track, gaps_.back(), add, rest));
       return;
     }
-    // Segments that one pair blocks need no cover, unless it is found at once.
+    const auto is_covered = [&] {
+      if (!cover_.contains(track)) return false;
+      ++search_.effort.covered;
+      remember(false);
+      rest.all_is_inside();
+      return true;
+    };
+    // A segment that one pair blocks needs no cover, but a cover that is found at once needs no probe.
     const bool was_asked = cover_.contained_the_last();
-    if (was_asked && cover_.contains(track)) return rest.all_is_inside();
-    bool is_whole = true;
+    if (was_asked && is_covered()) return;
+    bool is_whole = true, was_free = false;
     while (!gaps_.empty()) {
       const Piece<Numbers> gap = std::move(gaps_.back());
       gaps_.pop_back();
       if (const auto blocked = search_.at(track, place_inside(gap))) {
-        if (is_whole && !was_asked && !contains_whole(*blocked) && cover_.contains(track))
-          return rest.all_is_inside();
+        if (is_whole && !was_asked && !contains_whole(*blocked) && is_covered()) return;
         is_whole = false;
         rest.blocked(search_.last_pair(), *blocked);
         if (gap.from < blocked->from) gaps_.push_back({gap.from, blocked->from});
         if (blocked->to < gap.to) gaps_.push_back({blocked->to, gap.to});
       } else {
         const bool is_free = uncovered(track, gap, add, rest);
-        last_was_free_ = is_whole && is_free;
+        was_free = is_whole && is_free;
       }
     }
+    remember(was_free);
   }
 
   const SearchEffort& effort() const { return search_.effort; }
@@ -105,8 +110,16 @@ class FreePieces {
     return is_all;
   }
 
+<<<<<<< HEAD
   static bool contains_whole(const BlockedInterval<Numbers>& interval) {
     return interval.from.numerator() < 0 && interval.to.denominator() < interval.to.numerator();
+=======
+  /// After a segment that is free from end to end, the next one is likely to be, unless it often was not.
+  void remember(bool is_free) {
+    constexpr int most_trust = 3;
+    if (last_was_free_) trust_ = std::clamp(trust_ + (is_free ? 1 : -1), 0, most_trust);
+    last_was_free_ = is_free;
+>>>>>>> hard
   }
 
   BlockingSearch<Numbers> search_;
@@ -115,6 +128,8 @@ class FreePieces {
   std::vector<Piece<Numbers>> gaps_;
   ShortList<BlockedInterval<Numbers>> intervals_;
   bool last_was_free_ = false;
+  static constexpr int enough_trust = 2;
+  int trust_ = 1;  ///< that a segment is free if the last one was
 };
 
 }  // namespace oplus::slide
