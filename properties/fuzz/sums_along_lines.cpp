@@ -6,9 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "properties/fuzz/along_lines/interiors_at.hpp"
+#include "properties/fuzz/along_lines/interiors_meet.hpp"
 #include "properties/fuzz/along_lines/line_walk.hpp"
-#include "reference/definitions/collision.hpp"
 
 namespace oplus {
 
@@ -19,11 +18,7 @@ template <typename T>
 class Sums {
  public:
   Sums(const Region& p, const Region& q, const Frame& frame)
-      : region_p_(p),
-        region_minus_q_(reflected(q)),
-        frame_(frame),
-        sums_(vertex_sums<T>(p, q, frame)),
-        tracks_(tracks(sums_)) {}
+      : frame_(frame), sums_(vertex_sums<T>(p, q, frame)), tracks_(tracks(sums_)) {}
 
   SumsAlongLines sums() {
     const FoundAlongLines found = found_along_lines(sums_, tracks_, frame_);
@@ -39,39 +34,28 @@ class Sums {
   }
 
  private:
-  /// What the definition says.
-  bool interiors_meet_at(const Point& x) const {
-    const Point in_frame = frame_.in(x);
-    return doubles_see_them_meet(sums_, {in_frame.x.get_d(), in_frame.y.get_d()}) ||
-           interiors_meet(region_p_, translated(region_minus_q_, x));
-  }
-
-  /// What vertex sums mostly show before it is asked.
-  bool certainly_meet_at(const Vec<T>& x) const {
-    return (std::is_same_v<T, mpz_class> &&
-            doubles_see_them_meet(sums_, {as_double(x.x), as_double(x.y)})) ||
-           edges_show_them_meet(sums_, x) || one_is_inside_the_other(sums_, x);
-  }
+  bool meet_at(const Point& x) const { return interiors_meet_at(sums_, frame_.in(x), frame_.bits); }
 
   void decide_dangling(const FoundAlongLines& found, MinkowskiSum& open) const {
     std::vector<Segment> dangling;
     for (const Segment& piece : found.may_dangle)
-      if (!interiors_meet_at(midpoint(piece.source, piece.target))) dangling.push_back(piece);
+      if (!meet_at(midpoint(piece.source, piece.target))) dangling.push_back(piece);
     open.dangling_edges = maximal_segments(std::move(dangling));
   }
 
   void decide_isolated(const FoundAlongLines& found, MinkowskiSum& open) const {
-    std::vector<Point> points = found.may_be_isolated;
+    std::vector<Point> points;
+    for (const Point& x : found.may_be_isolated)
+      if (!meet_at(x)) points.push_back(x);
     for (const std::uint32_t k : found.isolated_sums)
-      if (!certainly_meet_at(sums_.at[k])) {
+      if (!interiors_meet_at(sums_, sums_.at[k], frame_.bits)) {
         const Point in_frame = exact(k);
         points.push_back(frame_.back(in_frame.x, in_frame.y));
       }
     std::sort(points.begin(), points.end());
     points.erase(std::unique(points.begin(), points.end()), points.end());
     for (const Point& x : points)
-      if (!interiors_meet_at(x) && !lies_on_one(x, found.boundary) &&
-          !lies_on_one(x, open.dangling_edges))
+      if (!lies_on_one(x, found.boundary) && !lies_on_one(x, open.dangling_edges))
         open.isolated_vertices.push_back(x);
   }
 
@@ -101,8 +85,6 @@ class Sums {
     return {Rational(as_mpz(sums_.at[sum].x)), Rational(as_mpz(sums_.at[sum].y))};
   }
 
-  const Region& region_p_;
-  Region region_minus_q_;
   const Frame& frame_;
   VertexSums<T> sums_;
   std::vector<Track> tracks_;

@@ -23,13 +23,21 @@ inline mpz_class as_mpz(Int128 value) {
 }
 inline const mpz_class& as_mpz(const mpz_class& value) { return value; }
 
-/// Requires: the value fits a long, unless T is mpz_class.
-template <typename T>
-T from_mpz(const mpz_class& value) {
-  if constexpr (std::is_same_v<T, mpz_class>)
+/// The same value. Requires: To can hold it.
+template <typename To, typename From>
+To number(const From& value) {
+  if constexpr (std::is_same_v<To, From>) {
     return value;
-  else
-    return value.get_si();
+  } else if constexpr (std::is_same_v<To, mpz_class>) {
+    return as_mpz(value);
+  } else if constexpr (std::is_same_v<From, mpz_class>) {
+    if (std::is_same_v<To, std::int64_t> || value.fits_slong_p()) return value.get_si();
+    constexpr unsigned low_part = 62;
+    const mpz_class high = value >> low_part;
+    return (To(high.get_si()) << low_part) + mpz_class(value - (high << low_part)).get_si();
+  } else {
+    return static_cast<To>(value);
+  }
 }
 
 template <typename T>

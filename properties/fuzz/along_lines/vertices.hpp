@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "properties/fuzz/along_lines/frame.hpp"
@@ -18,7 +19,8 @@ struct Vertices {
   std::vector<Vec<double>> near;
   std::vector<std::size_t> next, before;
   std::vector<VertexIndex> name;
-  std::vector<bool> is_touched;  ///< the edge that leaves it, by another vertex inside it
+  /// The edges, from vertex to vertex, cut where another vertex touches them.
+  std::vector<std::pair<std::size_t, std::size_t>> pieces;
 
   Vec<T> edge(std::size_t i) const { return at[next[i]] - at[i]; }
   std::size_t size() const { return at.size(); }
@@ -33,24 +35,29 @@ Vertices<T> vertices_of(const Region& region, const Point& first, const Frame& f
     for (std::size_t i = 0; i < n; ++i) {
       const Rational x = (all[c][i].x - first.x) * frame.factor;
       const Rational y = (all[c][i].y - first.y) * frame.factor;
-      result.at.push_back({from_mpz<T>(x.get_num()), from_mpz<T>(y.get_num())});
+      result.at.push_back({number<T>(x.get_num()), number<T>(y.get_num())});
       result.near.push_back({as_double(result.at.back().x), as_double(result.at.back().y)});
       result.next.push_back(start + (i + 1) % n);
       result.before.push_back(start + (i + n - 1) % n);
       result.name.push_back({c, i});
     }
   }
+  std::vector<std::size_t> on_edge;
   for (std::size_t i = 0; i < result.size(); ++i) {
-    const Vec<T> d = result.edge(i);
-    const T length = scalar(d, d);
-    bool touched = false;
-    for (std::size_t k = 0; k < result.size() && !touched; ++k) {
-      const Vec<T> to = result.at[k] - result.at[i];
-      if (sign_of(skew(d, to)) != 0) continue;
-      const T along = scalar(d, to);
-      touched = along > 0 && along < length;
+    const Vec<T>&source = result.at[i], &target = result.at[result.next[i]];
+    const Vec<T> d = target - source;
+    on_edge.assign({i, result.next[i]});
+    for (std::size_t k = 0; k < result.size(); ++k) {
+      const Vec<T> to = result.at[k] - source;
+      if (sign_of(skew(d, to)) == 0 && scalar(to, result.at[k] - target) < 0) on_edge.push_back(k);
     }
-    result.is_touched.push_back(touched);
+    if (on_edge.size() > 2)
+      std::sort(on_edge.begin(), on_edge.end(), [&](std::size_t a, std::size_t b) {
+        return scalar(d, result.at[a] - result.at[b]) < 0;
+      });
+    for (std::size_t k = 0; k + 1 < on_edge.size(); ++k)
+      if (scalar(d, result.at[on_edge[k + 1]] - result.at[on_edge[k]]) > 0)
+        result.pieces.emplace_back(on_edge[k], on_edge[k + 1]);
   }
   return result;
 }
