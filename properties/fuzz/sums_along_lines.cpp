@@ -59,23 +59,48 @@ class Sums {
         open.isolated_vertices.push_back(x);
   }
 
+  /// An edge of the sum in the frame. Differences of its coordinates and integers are multiples of a step.
+  struct EdgeInFrame {
+    Segment exact;
+    Vec<double> source, target;
+    double step;
+  };
+
+  EdgeInFrame in_frame(const Segment& edge) const {
+    const Point source = frame_.in(edge.source), target = frame_.in(edge.target);
+    mpz_class denominator = lcm(source.x.get_den(), source.y.get_den());
+    denominator = lcm(denominator, lcm(target.x.get_den(), target.y.get_den()));
+    return {{source, target},
+            {source.x.get_d(), source.y.get_d()},
+            {target.x.get_d(), target.y.get_d()},
+            1 / denominator.get_d()};
+  }
+
+  /// Whether more than a point of the track is on the edge.
+  bool runs_along(const Track& track, const EdgeInFrame& edge, bool either_way) const {
+    const Vec<double>& a = sums_.near[track.source];
+    const Vec<double> d = sums_.near[track.target] - a;
+    const Vec<double> source = edge.source - a, target = edge.target - a;
+    const double error = sums_.largest * sums_.largest * 1e-14;
+    if (std::abs(skew(d, source)) > error || std::abs(skew(d, target)) > error) return false;
+    const double from = scalar(d, source), to = scalar(d, target);
+    // All these are multiples of a step, so what is smaller than one is zero.
+    if (2 * error < edge.step)
+      return (either_way || from < to) && std::min(from, to) < scalar(d, d) - error &&
+             std::max(from, to) > error;
+    const Segment s{exact(track.source), exact(track.target)};
+    return (either_way || sign(dot(direction_of(s), direction_of(edge.exact))) > 0) &&
+           overlap(s, edge.exact);
+  }
+
   /// The tracks of the reduced convolution along each edge.
   Origins origins(const std::vector<Segment>& of_sum, bool either_way) const {
     Origins result(of_sum.size());
     for (std::size_t e = 0; e < of_sum.size(); ++e) {
-      const Point source = frame_.in(of_sum[e].source), target = frame_.in(of_sum[e].target);
-      const Vec<double> near_source = {source.x.get_d(), source.y.get_d()};
-      for (const Track& track : tracks_) {
-        if (!track.is_reduced) continue;
-        const Vec<double>& a = sums_.near[track.source];
-        const Vec<double>& b = sums_.near[track.target];
-        if (std::abs(skew(b - a, near_source - a)) > sums_.largest * sums_.largest * 1e-13)
-          continue;
-        const Segment s{exact(track.source), exact(track.target)};
-        if ((either_way || sign(dot(direction_of(s), Vector(target - source))) > 0) &&
-            overlap(s, {source, target}))
+      const EdgeInFrame edge = in_frame(of_sum[e]);
+      for (const Track& track : tracks_)
+        if (track.is_reduced && runs_along(track, edge, either_way))
           result[e].push_back(track.origin);
-      }
       std::sort(result[e].begin(), result[e].end());
     }
     return result;
