@@ -79,10 +79,15 @@ std::size_t vertices_in(const PlannedSummand& summand) {
 }
 
 /// Most summands stay as small as this, since faults show on few vertices; `enlarge` makes others.
-constexpr std::size_t few_vertices = 8;
+constexpr std::size_t few_vertices = 10;
 
 bool has_room(const PlannedSummand& summand, std::size_t more) {
   return summand.chains.size() < most_chains && vertices_in(summand) + more <= few_vertices;
+}
+
+/// The vertices of a chain more; fewer than 3 where there is no room.
+std::size_t most_for_one_more(const PlannedSummand& summand) {
+  return has_room(summand, 3) ? std::min<std::size_t>(few_vertices - vertices_in(summand), 5) : 0;
 }
 
 Vertices vertices_of(const Chain& chain) {
@@ -185,8 +190,9 @@ bool make_parallel(Random& random, PairPlan& plan) {
 
 bool add_component(Random& random, PairPlan& plan) {
   PlannedSummand& summand = a_summand(random, plan);
-  if (!has_room(summand, 5)) return false;
-  Vertices vertices = vertices_of(lattice_polygon(random, uniform(random, 2, 4), 5));
+  const std::size_t most = most_for_one_more(summand);
+  if (most < 3) return false;
+  Vertices vertices = vertices_of(lattice_polygon(random, uniform(random, 2, 4), most));
   move_all(random, vertices, 12);
   summand.chains.push_back({false, std::move(vertices)});
   return true;
@@ -195,13 +201,14 @@ bool add_component(Random& random, PairPlan& plan) {
 /// A hole in a component, or an island in a hole.
 bool add_inside(Random& random, PairPlan& plan) {
   PlannedSummand& summand = a_summand(random, plan);
-  if (!has_room(summand, 5)) return false;
+  const std::size_t most = most_for_one_more(summand);
+  if (most < 3) return false;
   const PlannedChain& around = one_of(random, summand.chains);
   Chain chain;
   for (const PlannedVertex& v : around.vertices) chain.push_back({v.x, v.y});
   // All grid points inside are listed, and those of no polygon may be too few.
   if (!is_small(around.vertices) || sign(twice_area(chain)) == 0) return false;
-  const auto inside = lattice_polygon_within(random, chain, 5);
+  const auto inside = lattice_polygon_within(random, chain, most);
   if (!inside) return false;
   summand.chains.push_back({!around.is_hole, vertices_of(*inside)});
   return true;
@@ -251,8 +258,8 @@ bool fit_hole(Random& random, PairPlan& plan) {
 // Summands.
 
 PlannedSummand new_summand(Random& random) {
+  const int kind = uniform(random, 0, 7);
   while (true) {
-    const int kind = uniform(random, 0, 7);
     const Region region = kind <= 2   ? plain_region(random, 4)
                           : kind == 3 ? plain_region(random, 8)
                           : kind <= 5 ? scattered_region(random, 4)
