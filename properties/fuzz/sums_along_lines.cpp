@@ -2,6 +2,7 @@
 #include "properties/fuzz/sums_along_lines.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
