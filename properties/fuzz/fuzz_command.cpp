@@ -105,7 +105,8 @@ FuzzReport run_program_of(const FuzzTarget& target, const fs::path& program,
   const EndedProcess ended = run_program(
       {"/bin/sh", "-c", R"(exec "$@" >"$0" 2>&1)", log, program,
        "-seed=" + std::to_string(settings.seed), "-max_len=" + std::to_string(target.longest),
-       "-print_final_stats=1", "-timeout=120", "-rss_limit_mb=4096",
+       // Weighing inputs by their coverage takes as long as running them.
+       "-entropic=0", "-print_final_stats=1", "-timeout=120", "-rss_limit_mb=4096",
        "-artifact_prefix=" + (out / target.name).string() + "-", limit,
        "-dict=" + (inputs / "dictionaries" / target.name).string() + ".dict", corpus,
        inputs / "seeds" / target.name},

@@ -78,11 +78,16 @@ std::size_t vertices_in(const PlannedSummand& summand) {
   return n;
 }
 
-/// Most inputs stay as small as this; `enlarge` makes others.
-constexpr std::size_t few_vertices = 14;
+/// Most summands stay as small as this, since faults show on few vertices; `enlarge` makes others.
+constexpr std::size_t few_vertices = 10;
 
 bool has_room(const PlannedSummand& summand, std::size_t more) {
   return summand.chains.size() < most_chains && vertices_in(summand) + more <= few_vertices;
+}
+
+/// The vertices of a chain more; fewer than 3 where there is no room.
+std::size_t most_for_one_more(const PlannedSummand& summand) {
+  return has_room(summand, 3) ? std::min<std::size_t>(few_vertices - vertices_in(summand), 5) : 0;
 }
 
 Vertices vertices_of(const Chain& chain) {
@@ -185,8 +190,9 @@ bool make_parallel(Random& random, PairPlan& plan) {
 
 bool add_component(Random& random, PairPlan& plan) {
   PlannedSummand& summand = a_summand(random, plan);
-  if (!has_room(summand, 5)) return false;
-  Vertices vertices = vertices_of(lattice_polygon(random, uniform(random, 2, 4), 5));
+  const std::size_t most = most_for_one_more(summand);
+  if (most < 3) return false;
+  Vertices vertices = vertices_of(lattice_polygon(random, uniform(random, 2, 4), most));
   move_all(random, vertices, 12);
   summand.chains.push_back({false, std::move(vertices)});
   return true;
@@ -195,13 +201,14 @@ bool add_component(Random& random, PairPlan& plan) {
 /// A hole in a component, or an island in a hole.
 bool add_inside(Random& random, PairPlan& plan) {
   PlannedSummand& summand = a_summand(random, plan);
-  if (!has_room(summand, 5)) return false;
+  const std::size_t most = most_for_one_more(summand);
+  if (most < 3) return false;
   const PlannedChain& around = one_of(random, summand.chains);
   Chain chain;
   for (const PlannedVertex& v : around.vertices) chain.push_back({v.x, v.y});
   // All grid points inside are listed, and those of no polygon may be too few.
   if (!is_small(around.vertices) || sign(twice_area(chain)) == 0) return false;
-  const auto inside = lattice_polygon_within(random, chain, 5);
+  const auto inside = lattice_polygon_within(random, chain, most);
   if (!inside) return false;
   summand.chains.push_back({!around.is_hole, vertices_of(*inside)});
   return true;
@@ -251,13 +258,13 @@ bool fit_hole(Random& random, PairPlan& plan) {
 // Summands.
 
 PlannedSummand new_summand(Random& random) {
+  const int kind = uniform(random, 0, 7);
   while (true) {
-    // Small ones mostly: what they do not show, larger ones hardly do, and slower.
-    const int kind = uniform(random, 0, 7);
     const Region region = kind <= 2   ? plain_region(random, 4)
                           : kind == 3 ? plain_region(random, 8)
                           : kind <= 5 ? scattered_region(random, 4)
                                       : holed_region(random, 4);
+    if (vertex_count(region) > few_vertices && !one_in(random, 16)) continue;
     // A plan takes regions of a limited size only.
     if (const auto plan = plan_of(Summands{region, region})) return plan->p;
   }
@@ -270,7 +277,7 @@ bool renew_summand(Random& random, PairPlan& plan) {
 
 /// Both summands as large as a plan takes, so that slide searches boxes instead of all pairs of edges.
 bool enlarge(Random& random, PairPlan& plan) {
-  if (!one_in(random, 4)) return false;
+  if (!one_in(random, 12)) return false;
   for (PlannedSummand* const summand : {&plan.p, &plan.q}) {
     summand->chains.clear();
     for (int k = 0; k < int{most_chains}; ++k) {
@@ -385,11 +392,16 @@ PairPlan new_plan(Random& random) {
   PairPlan plan;
   plan.p = new_summand(random);
   plan.q = new_summand(random);
+  if (one_in(random, 4)) change_magnitude(random, plan);
   return plan;
 }
 
 std::string mutated_pair(Random& random, std::string_view bytes) {
-  const PairPlan plan = decoded(bytes);
+  PairPlan plan = decoded(bytes);
+  // Large pairs take most of the time, so they have few descendants.
+  for (PlannedSummand* const summand : {&plan.p, &plan.q})
+    if (vertices_in(*summand) > few_vertices && !one_in(random, 4))
+      summand->chains = new_summand(random).chains;
   for (int tries = can_be_changed(plan) ? 16 : 0; tries > 0; --tries) {
     PairPlan changed = plan;
     for (int changes = uniform(random, 1, 3); changes > 0; --changes)

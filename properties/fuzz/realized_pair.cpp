@@ -32,6 +32,8 @@ class Realization {
       : scale_(scale_of(plan)), is_sheared_(plan.is_sheared), result_(result) {}
 
   Region region(const PlannedSummand& summand) {
+    // Mostly it is valid as it is planned, which takes one test of the whole.
+    if (auto planned = as_planned(summand); planned && !find_defect(*planned)) return *planned;
     Region region;
     for (const PlannedChain& planned : summand.chains)
       if (!add(planned, summand, region)) ++result_.left_out;
@@ -57,6 +59,20 @@ class Realization {
     Chain result;
     for (const PlannedVertex& v : vertices) result.push_back(point(v, summand));
     return result;
+  }
+
+  /// With each hole in the last component before it; nullopt where there is none.
+  std::optional<Region> as_planned(const PlannedSummand& summand) const {
+    Region region;
+    for (const PlannedChain& planned : summand.chains) {
+      if (planned.is_hole && region.components.empty()) return std::nullopt;
+      Chain oriented_chain = oriented(chain(planned.vertices, summand), planned.is_hole ? -1 : 1);
+      if (planned.is_hole)
+        region.components.back().holes.push_back(std::move(oriented_chain));
+      else
+        region.components.push_back({std::move(oriented_chain), {}});
+    }
+    return region;
   }
 
   /// A simple chain of the same vertices or, of those in one place, one: none where that does not

@@ -7,8 +7,9 @@
 
 namespace oplus {
 
-/// Which laws of check_slide: 2 and 4 take most of the time.
-enum class SlideLaws { all, without_other_numbers };
+/// Which laws of check_slide: 1, 3 and 5 always; with `all`, 2 in all numbers, and 4. These take most of
+/// the time.
+enum class SlideLaws { as_needed, at_least_256_bits, gmp, rationals, exchanged, all };
 
 /// What slide must do with a pair, closed and open:
 ///  1. it finds the sum that winding numbers find (sums_along_lines.hpp), origins included;
@@ -22,7 +23,8 @@ void check_slide(const Summands& summands, SlideLaws laws = SlideLaws::all);
 /// The same where the sums are already known.
 void check_slide(const Summands& summands, const SumsAlongLines& expected, SlideLaws laws);
 
-/// One input of slide in eight is checked for all laws: which, depends on its bytes only.
+/// One input of slide in eight is checked for law 2 in some numbers, or for law 4: which, depends on its
+/// bytes only.
 SlideLaws laws_for(std::string_view bytes);
 
 }  // namespace oplus

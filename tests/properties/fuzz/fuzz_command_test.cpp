@@ -43,8 +43,8 @@ TEST_F(FuzzCommand, passes_its_options_to_the_program) {
   EXPECT_EQ(ran.exit_code, 0) << ran.err;
   const std::string log = content("found/dat.log");
   for (const std::string argument :
-       {"-seed=3 ", "-max_total_time=7 ", "-artifact_prefix=found/dat-", " kept/dat ", "/seeds/dat",
-        "/dictionaries/dat.dict"})
+       {"-seed=3 ", "-entropic=0 ", "-max_total_time=7 ", "-artifact_prefix=found/dat-",
+        " kept/dat ", "/seeds/dat", "/dictionaries/dat.dict"})
     EXPECT_NE(log.find(argument), std::string::npos) << argument << " in " << log;
 }
 
