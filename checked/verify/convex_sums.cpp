@@ -29,6 +29,7 @@ using convex_parts::rounding;
 using convex_parts::SummandParts;
 
 __extension__ using Integer128 = __int128;
+__extension__ using Unsigned128 = unsigned __int128;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -58,6 +59,22 @@ struct End {
   const Corner* corner = nullptr;
   const Rational* number = nullptr;
 };
+
+/// Requires: the denominator is positive.
+Rational quotient(Integer128 numerator, std::int64_t denominator) {
+  const auto whole = static_cast<std::uint64_t>(denominator);
+  const auto absolute = static_cast<Unsigned128>(numerator < 0 ? -numerator : numerator);
+  const std::uint64_t common = std::gcd(static_cast<std::uint64_t>(absolute % whole), whole);
+  const auto reduced = absolute / common;
+  Rational result;
+  mpz_set_ui(result.get_den_mpz_t(), whole / common);
+  const mpz_ptr top = result.get_num_mpz_t();
+  mpz_set_ui(top, static_cast<std::uint64_t>(reduced >> 64));
+  if (mpz_sgn(top) != 0) mpz_mul_2exp(top, top, 64);
+  mpz_add_ui(top, top, static_cast<std::uint64_t>(reduced));
+  if (numerator < 0) mpz_neg(top, top);
+  return result;
+}
 
 End whole(double number) { return {number, number, number, 1, true}; }
 
@@ -252,6 +269,17 @@ class ConvexSums::Search {
   }
 
   Point place(const End& end) {
+    if (rounding_ == 0 && end.is_quotient) {
+      // The numerator is below 2^50, the denominator below 2^49, coordinates are below 2^24.
+      const auto numerator = static_cast<std::int64_t>(end.numerator);
+      const auto denominator = static_cast<std::int64_t>(end.denominator);
+      const auto coordinate = [&](const Near& source, const Near& along) {
+        return quotient(static_cast<Integer128>(source.value) * denominator +
+                            static_cast<Integer128>(along.value) * numerator,
+                        denominator);
+      };
+      return {coordinate(x_, along_->near_along.x), coordinate(y_, along_->near_along.y)};
+    }
     if (end.line == nullptr && end.low == 0) return source();
     if (end.line == nullptr && end.low == 1) return to_->point + by_->point;
     return source() + exact(end) * along_->along;
