@@ -388,7 +388,10 @@ class ConvexSums::Search {
     std::uint32_t count;
     std::uint32_t first = 0;
 
-    const Side& operator[](std::uint32_t i) const { return sides[(first + i) % count]; }
+    const Side& operator[](std::uint32_t i) const {
+      const std::uint32_t place = first + i;
+      return sides[place < count ? place : place - count];
+    }
 
     /// The number of sides from the first one to those that turn at least as far as `turned`, or, if `past`,
     /// further.
@@ -396,7 +399,7 @@ class ConvexSums::Search {
       const Side* const found =
           std::lower_bound(sides, sides + count, turned + (past ? 1 : 0),
                            [](const Side& side, int t) { return side.turned < t; });
-      const auto place = static_cast<std::uint32_t>(found - sides) % count;
+      const auto place = found == sides + count ? 0 : static_cast<std::uint32_t>(found - sides);
       return place < first ? place + count - first : place - first;
     }
     Walk from(int turned, bool past) const {
