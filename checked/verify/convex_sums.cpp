@@ -393,8 +393,8 @@ class ConvexSums::Search {
       return sides[place < count ? place : place - count];
     }
 
-    /// The number of sides from the first one to those that turn at least as far as `turned`, or, if `past`,
-    /// further.
+    /// The number of sides from the first one to the next that turns at least as far as `turned`, or, if
+    /// `past`, further.
     std::uint32_t until(int turned, bool past = false) const {
       const Side* const found =
           std::lower_bound(sides, sides + count, turned + (past ? 1 : 0),
@@ -411,8 +411,8 @@ class ConvexSums::Search {
     return {&part.sides[piece.first], piece.count};
   }
 
-  /// The smallest number in (low, high] of which something holds that then holds of all larger ones, of
-  /// which high is assumed to be one.
+  /// The smallest number in (low, high] of which something holds that also holds of all larger ones. Of
+  /// `high` it is not asked.
   template <typename Holds>
   static std::uint32_t first_in(std::uint32_t low, std::uint32_t high, const Holds& holds) {
     while (high - low > 1) {
@@ -422,9 +422,9 @@ class ConvexSums::Search {
     return high;
   }
 
-  /// Where the boundary of the sum of two parts passes the track, between the direction `from`, where it is
-  /// on one side of it, and the direction `to`, where it is on the other. The sides of the sum are
-  /// those of both parts in the order of their directions. Whether a corner is beyond is monotone.
+  /// Where the boundary of the sum of two parts passes the track, from where two walks start, on one side of
+  /// it, to where their sides turn as far as `to`, beyond it. The sides of the sum are those of both parts in the
+  /// order of their directions, so binary search finds the one that ends beyond.
   template <typename IsBeyond>
   End passing(const Walk& t, const Walk& u, int to, const IsBeyond& is_beyond) {
     const std::uint32_t sides_of_t = t.until(to), sides_of_u = u.until(to);

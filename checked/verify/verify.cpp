@@ -385,6 +385,7 @@ void ask_collision_test(const MinkowskiSum& sum, Boundary boundary, const Placem
   std::size_t edge = 0;
   for (const std::vector<Chain>* of_sum : {&sum.outer, &sum.holes}) {
     for (const Chain& chain : *of_sum) {
+      if (chain.size() < 3) throw VerdictsDiffer("convex parts leave a chain that bounds nothing");
       for (const bool left : {true, false}) {
         Point x = point_near(tree, edge, left);
         bool meet = placements.interiors_meet_at(x);

@@ -8,7 +8,9 @@
 
 #include "reference/definitions/ray.hpp"
 #include "reference/definitions/squared_distance.hpp"
+#include "reference/definitions/verdicts_differ.hpp"
 #include "reference/definitions/winding_number.hpp"
+#include "reference/io/writing.hpp"
 
 namespace oplus {
 
@@ -110,6 +112,7 @@ Point point_near(const SegmentTree& edges, std::size_t edge, bool left) {
   const Segment piece = cut_where_met(edges[edge], edges)[0];
   const Point middle = midpoint(piece.source, piece.target);
   const Rational room = squared_distance(middle, edges, -1, edge);
+  if (sign(room) == 0) throw VerdictsDiffer("edges of the sum overlap at " + to_string(middle));
   const Vector along = direction_of(piece);
   const Vector beside = left ? Vector{-along.y, along.x} : Vector{along.y, -along.x};
   Vector way = beside + Rational(1, 8) * along;
