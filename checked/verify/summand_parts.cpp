@@ -10,6 +10,8 @@ namespace oplus::convex_parts {
 
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 Near near(const Interval& a) {
   if (is_exact(a)) return {a.low, 0};
   const double error = (a.high - a.low) * (1 + rounding);
@@ -144,7 +146,15 @@ void SummandParts::build(std::vector<std::uint32_t>::iterator begin,
   for (auto i = begin; i != end; ++i) around.add(boxes[*i]);
   nodes.push_back({around, 0, *begin});
   if (end - begin == 1) return;
-  const bool wide = around.x_high - around.x_low > around.y_high - around.y_low;
+  // Where the middles are further apart: long boxes are told apart by their short sides.
+  std::array<double, 4> middles{infinity, -infinity, infinity, -infinity};
+  for (auto i = begin; i != end; ++i) {
+    const double x = middle(boxes[*i].x_low, boxes[*i].x_high);
+    const double y = middle(boxes[*i].y_low, boxes[*i].y_high);
+    middles = {std::min(middles[0], x), std::max(middles[1], x), std::min(middles[2], y),
+               std::max(middles[3], y)};
+  }
+  const bool wide = middles[1] - middles[0] > middles[3] - middles[2];
   const auto half = begin + (end - begin) / 2;
   std::nth_element(begin, half, end, [&](std::uint32_t a, std::uint32_t b) {
     const Box& of_a = boxes[a];
