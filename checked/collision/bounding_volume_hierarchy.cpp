@@ -66,7 +66,15 @@ void BoundingVolumeHierarchy::build(std::vector<Leaf>& leaves, std::size_t begin
   const std::size_t self = nodes_.size();
   nodes_.push_back({around, 0, leaves[begin].segment});
   if (end - begin == 1) return;
-  const bool wide = around.x.high - around.x.low > around.y.high - around.y.low;
+  // Where the middles are further apart: long boxes are told apart by their short sides.
+  Interval of_x{middle(leaves[begin].box.x), middle(leaves[begin].box.x)};
+  Interval of_y{middle(leaves[begin].box.y), middle(leaves[begin].box.y)};
+  for (std::size_t i = begin + 1; i < end; ++i) {
+    const double x = middle(leaves[i].box.x), y = middle(leaves[i].box.y);
+    of_x = hull(of_x, {x, x});
+    of_y = hull(of_y, {y, y});
+  }
+  const bool wide = of_x.high - of_x.low > of_y.high - of_y.low;
   const std::size_t half = begin + (end - begin) / 2;
   const auto at = [&](std::size_t i) { return leaves.begin() + static_cast<std::ptrdiff_t>(i); };
   std::nth_element(at(begin), at(half), at(end), [&](const Leaf& a, const Leaf& b) {

@@ -3,15 +3,18 @@
 
 #include <algorithm>
 
+#include "reference/chains/near_point.hpp"
 #include "reference/chains/touching_points.hpp"
-#include "reference/definitions/winding_number.hpp"
 
 namespace oplus {
 
 namespace {
 
 std::vector<Segment> joined(const std::vector<std::vector<Segment>>& of_chains) {
+  std::size_t count = 0;
+  for (const std::vector<Segment>& of_chain : of_chains) count += of_chain.size();
   std::vector<Segment> all;
+  all.reserve(count);
   for (const std::vector<Segment>& of_chain : of_chains)
     all.insert(all.end(), of_chain.begin(), of_chain.end());
   return all;
@@ -59,13 +62,18 @@ SummandBoundary::SummandBoundary(const std::vector<std::vector<Segment>>& of_cha
 
 bool SummandBoundary::contains(const Point& x) const {
   if (right_ < x.x) return false;
-  std::vector<Segment> met;
+  int crossings = 0;  // as in winding_number
+  const NearPoint near_x = near_point(x);
   const BoundingVolumeHierarchy ray({{x, {right_ + 1, x.y}}});
   hierarchy.visit_meeting(ray, {0, 0}, [&](std::size_t i, std::size_t) {
-    met.push_back(pieces[i]);
+    const auto& [source, target] = pieces[i];
+    const bool source_below = source.y <= x.y, target_below = target.y <= x.y;
+    if (source_below == target_below) return false;
+    const int side = orientation(near_point(source), near_point(target), near_x);
+    crossings += (source_below && side > 0) - (target_below && side < 0);
     return false;
   });
-  return winding_number(x, met) > 0;
+  return crossings > 0;
 }
 
 TouchedChains untouched(const SummandBoundary& p, const SummandBoundary& minus_q) {

@@ -26,9 +26,11 @@ using convex_parts::Near;
 using convex_parts::Node;
 using convex_parts::Piece;
 using convex_parts::rounding;
+using convex_parts::Side;
 using convex_parts::SummandParts;
 
 __extension__ using Integer128 = __int128;
+__extension__ using Unsigned128 = unsigned __int128;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -58,6 +60,22 @@ struct End {
   const Corner* corner = nullptr;
   const Rational* number = nullptr;
 };
+
+/// Requires: the denominator is positive.
+Rational quotient(Integer128 numerator, std::int64_t denominator) {
+  const auto whole = static_cast<std::uint64_t>(denominator);
+  const auto absolute = static_cast<Unsigned128>(numerator < 0 ? -numerator : numerator);
+  const std::uint64_t common = std::gcd(static_cast<std::uint64_t>(absolute % whole), whole);
+  const auto reduced = absolute / common;
+  Rational result;
+  mpz_set_ui(result.get_den_mpz_t(), whole / common);
+  const mpz_ptr top = result.get_num_mpz_t();
+  mpz_set_ui(top, static_cast<std::uint64_t>(reduced >> 64));
+  if (mpz_sgn(top) != 0) mpz_mul_2exp(top, top, 64);
+  mpz_add_ui(top, top, static_cast<std::uint64_t>(reduced));
+  if (numerator < 0) mpz_neg(top, top);
+  return result;
+}
 
 End whole(double number) { return {number, number, number, 1, true}; }
 
@@ -199,7 +217,18 @@ class ConvexSums::Search {
       if (u.is_turned) u.line->rank += ranks_.half;
     up_ = up.rank;
     for (SummandParts& part : parts_)
-      for (Line& wall : part.walls) wall.rank = up_;
+      for (const Piece& piece : part.pieces)
+        for (std::uint32_t i = 0; i < piece.count; ++i)
+          part.sides[piece.first + i].turned = i == 0 ? 0
+                                               : i == piece.right_wall
+                                                   ? ranks_.half
+                                                   : turned(*part.sides[piece.first + i].line);
+  }
+
+  /// How far the direction of an edge is turned from straight down.
+  int turned(const Line& edge) const {
+    const int down = ranks_.opposite(up_);
+    return edge.rank < down ? edge.rank + 2 * ranks_.half - down : edge.rank - down;
   }
 
   void start(const Track& track) {
@@ -252,6 +281,17 @@ class ConvexSums::Search {
   }
 
   Point place(const End& end) {
+    if (rounding_ == 0 && end.is_quotient) {
+      // The numerator is below 2^50, the denominator below 2^49, coordinates are below 2^24.
+      const auto numerator = static_cast<std::int64_t>(end.numerator);
+      const auto denominator = static_cast<std::int64_t>(end.denominator);
+      const auto coordinate = [&](const Near& source, const Near& along) {
+        return quotient(static_cast<Integer128>(source.value) * denominator +
+                            static_cast<Integer128>(along.value) * numerator,
+                        denominator);
+      };
+      return {coordinate(x_, along_->near_along.x), coordinate(y_, along_->near_along.y)};
+    }
     if (end.line == nullptr && end.low == 0) return source();
     if (end.line == nullptr && end.low == 1) return to_->point + by_->point;
     return source() + exact(end) * along_->along;
@@ -260,10 +300,10 @@ class ConvexSums::Search {
 
   /// On which side of a line, moved by a corner, the track's source is, times the length of `along`,
   /// with error; and how fast it moves to the left of it.
-  struct Side {
+  struct Motion {
     double at_source, error, speed, speed_error;
   };
-  Side side_of(const Line& line, const Corner& corner) const {
+  Motion motion_at(const Line& line, const Corner& corner) const {
     const double unit = corner.is_small ? rounding_ : rounding;
     const auto& [ux, uy] = line.near_along;
     const auto& [dx, dy] = along_->near_along;
@@ -290,7 +330,8 @@ class ConvexSums::Search {
     return {left - right, error, moves_left - moves_right, speed_error};
   }
 
-  End crossing(const Line& line, const Corner& corner, const Side& side) const {
+  End crossing(const Line& line, const Corner& corner) const {
+    const Motion side = motion_at(line, corner);
     // At an end of the track, where doubles would not decide.
     const auto is_one_of = [&](const auto& lines) {
       return std::find(lines.begin(), lines.end(), &line) != lines.end();
@@ -316,61 +357,118 @@ class ConvexSums::Search {
     return end;
   }
 
-  /// For a line that is parallel to the track.
-  int sign_of(const Line& line, const Corner& corner, const Side& side) {
-    if (&line == along_ && &corner == by_) return 0;
-    if (side.at_source > side.error) return 1;
-    if (side.at_source < -side.error) return -1;
-    if (side.error == 0) return 0;
-    return sign(cross(line.along, source() - *line.from - corner.point));
+  /// On which side of the track the sum of two corners is: positive to the left.
+  int side_of(const Corner& a, const Corner& b) {
+    if ((&a == by_ && (&b == from_ || &b == to_)) || (&b == by_ && (&a == from_ || &a == to_)))
+      return 0;
+    const double unit = a.is_small && b.is_small ? rounding_ : rounding;
+    const auto& [dx, dy] = along_->near_along;
+    const auto from_source = [&](const Near& of_a, const Near& of_b, const Near& source) {
+      const double sum = of_a.value + of_b.value;
+      const double to = sum - source.value;
+      return Near{
+          to, unit * (std::abs(sum) + std::abs(to)) + 2 * (of_a.error + of_b.error + source.error)};
+    };
+    const Near wx = from_source(a.near.x, b.near.x, x_), wy = from_source(a.near.y, b.near.y, y_);
+    const double left = dx.value * wy.value, right = dy.value * wx.value;
+    const double error =
+        2 * (unit * (std::abs(left) + std::abs(right)) + std::abs(dx.value) * wy.error +
+             std::abs(dy.value) * wx.error + dx.error * (std::abs(wy.value) + wy.error) +
+             dy.error * (std::abs(wx.value) + wx.error)) +
+        least_;
+    if (left - right > error) return 1;
+    if (left - right < -error) return -1;
+    if (error == 0) return 0;
+    return sign(cross(along_->along, a.point + b.point - source()));
   }
 
-  /// Cuts off what is not to the left of a line, moved by a corner. Returns whether anything is left.
-  /// `direction` is that in which the polygon is to the left: that of a wall may be the opposite.
-  bool clip(const Line& line, const Corner& corner, int direction) {
-    const Side side = side_of(line, corner);
-    const int turn = ranks_.turn(direction, along_->rank);
-    if (turn == 0) {
-      const int sign =
-          direction == line.rank ? sign_of(line, corner, side) : -sign_of(line, corner, side);
-      if (sign != 0) return sign > 0;
-      // The track runs along an edge of the convex sum. To its right is the interior iff the edge
-      // runs the other way.
-      return OPLUS_MUTANT("edges-of-convex-sums-count-on-either-side",
-                          "verify takes what is beside a track for inside a convex sum on its left")
-                 ? beside_
-                 : beside_ && direction != along_->rank;
+  /// A convex part, its sides counted from one of them on, around and around.
+  struct Walk {
+    const Side* sides;
+    std::uint32_t count;
+    std::uint32_t first = 0;
+
+    const Side& operator[](std::uint32_t i) const {
+      const std::uint32_t place = first + i;
+      return sides[place < count ? place : place - count];
     }
-    const End end = crossing(line, corner, side);
-    std::optional<End>& cut = turn > 0 ? low_ : high_;
-    if (!cut || compare(end, *cut) * turn > 0) cut = end;
-    return !low_ || !high_ || !(low_->low > high_->high);
+
+    /// The number of sides from the first one to the next that turns at least as far as `turned`, or, if
+    /// `past`, further.
+    std::uint32_t until(int turned, bool past = false) const {
+      const Side* const found =
+          std::lower_bound(sides, sides + count, turned + (past ? 1 : 0),
+                           [](const Side& side, int t) { return side.turned < t; });
+      const auto place = found == sides + count ? 0 : static_cast<std::uint32_t>(found - sides);
+      return place < first ? place + count - first : place - first;
+    }
+    Walk from(int turned, bool past) const {
+      return {sides, count, Walk{sides, count}.until(turned, past)};
+    }
+  };
+
+  Walk walk(const SummandParts& part, const Piece& piece) const {
+    return {&part.sides[piece.first], piece.count};
   }
 
-  /// Finds where a track is inside the sum of two pieces, if it is inside the window at all; sets low_
-  /// and high_.
-  bool meets(const Piece& t, const Piece& u) {
+  /// The smallest number in (low, high] of which something holds that also holds of all larger ones. Of
+  /// `high` it is not asked.
+  template <typename Holds>
+  static std::uint32_t first_in(std::uint32_t low, std::uint32_t high, const Holds& holds) {
+    while (high - low > 1) {
+      const std::uint32_t middle = low + (high - low) / 2;
+      (holds(middle) ? high : low) = middle;
+    }
+    return high;
+  }
+
+  /// Where the boundary of the sum of two parts passes the track, from where two walks start, on one side of
+  /// it, to where their sides turn as far as `to`, beyond it. The sides of the sum are those of both parts in the
+  /// order of their directions, so binary search finds the one that ends beyond.
+  template <typename IsBeyond>
+  End passing(const Walk& t, const Walk& u, int to, const IsBeyond& is_beyond) {
+    const std::uint32_t sides_of_t = t.until(to), sides_of_u = u.until(to);
+    // After side i - 1 of t, those of u that turn less far are passed.
+    const auto with = [&](std::uint32_t i) { return u.until(t[i - 1].turned); };
+    const std::uint32_t i = first_in(0, sides_of_t + 1, [&](std::uint32_t k) {
+      return is_beyond(*t[k].start, *u[with(k)].start);
+    });
+    const std::uint32_t low = i == 1 ? 0 : with(i - 1);
+    const std::uint32_t high = i > sides_of_t ? sides_of_u : with(i);
+    const Corner& of_t = *t[i - 1].start;
+    if (high > low && (i > sides_of_t || is_beyond(of_t, *u[high].start))) {
+      const std::uint32_t j =
+          first_in(low, high, [&](std::uint32_t k) { return is_beyond(of_t, *u[k].start); });
+      return crossing(*u[j - 1].line, of_t);
+    }
+    const std::uint32_t corner =
+        OPLUS_MUTANT("sides-of-convex-sums-start-anywhere",
+                     "verify moves a side of a convex part by the wrong corner of the other")
+            ? high + 1
+            : high;
+    return crossing(*t[i - 1].line, *u[corner].start);
+  }
+
+  /// Finds where a track is inside the sum of two pieces; sets low_ and high_.
+  bool meets(const Piece& of_p, const Piece& of_q) {
     low_.reset();
     high_.reset();
-    const auto in_window = [&] {
-      return !(low_ && low_->low > window_.to.high) && !(high_ && high_->high < window_.from.low);
-    };
-    if (!clip(*t.left, *u.on_left, ranks_.opposite(up_)) || !clip(*t.right, *u.on_right, up_) ||
-        !in_window())
-      return false;
-    // The edge that turns further to the right comes first from left to right, below; above, from right
-    // to left.
-    const bool t_first_below =
-        OPLUS_MUTANT("lower-edges-of-a-convex-sum-are-exchanged",
-                     "below a convex sum of verify, the steeper of two edges comes first") !=
-        (ranks_.turn(t.below->rank, u.below->rank) > 0);
-    if (!clip(*t.below, *u.lower[t_first_below ? 0 : 1], t.below->rank) ||
-        !clip(*u.below, *t.lower[t_first_below ? 1 : 0], u.below->rank) || !in_window())
-      return false;
-    const bool t_first_above = ranks_.turn(t.above->rank, u.above->rank) > 0;
-    if (!clip(*t.above, *u.upper[t_first_above ? 1 : 0], t.above->rank) ||
-        !clip(*u.above, *t.upper[t_first_above ? 0 : 1], u.above->rank) || !in_window())
-      return false;
+    const Walk t = walk(parts_[0], of_p), u = walk(parts_[1], of_q);
+    const int along = turned(*along_);
+    const int back = along < ranks_.half ? along + ranks_.half : along - ranks_.half;
+    // The corners that are furthest to the right of the track, and to its left.
+    if (side_of(*t[t.until(along)].start, *u[u.until(along)].start) >= 0) return false;
+    const int left = side_of(*t[t.until(back)].start, *u[u.until(back)].start);
+    // A track along a side, with the sum to its right, is inside it if it is moved there.
+    const bool may_run_along =
+        beside_ &&
+        !OPLUS_MUTANT("edges-of-convex-sums-count-on-neither-side",
+                      "verify takes what is beside a track for outside a convex sum on its right");
+    if (left < 0 || (left == 0 && !may_run_along)) return false;
+    low_ = passing(t.from(back, true), u.from(back, true), along,
+                   [&](const Corner& a, const Corner& b) { return side_of(a, b) < 0; });
+    high_ = passing(t.from(along, true), u.from(along, true), back,
+                    [&](const Corner& a, const Corner& b) { return side_of(a, b) >= 0; });
     return compare(*low_, *high_) < 0;
   }
 

@@ -8,10 +8,10 @@
 
 namespace oplus {
 
-/// The sum of two regions as the union of sums of convex parts. P and Q are cut into trapezoids T and
-/// U (trapezoids.hpp). The interiors of P and -Q+x meet iff those of some T and -U+x do: they are open,
-/// and the interiors of the trapezoids are dense in them. So the open sum is the union of all open
-/// T ⊕ U, each a convex polygon with at most eight edges, which a line meets in one open interval.
+/// The sum of two regions as the union of sums of convex parts. P and Q are cut into convex parts T and
+/// U (summand_parts.hpp). The interiors of P and -Q+x meet iff those of some T and -U+x do: they are
+/// open, and the interiors of the parts are dense in them. So the open sum is the union of all open
+/// T ⊕ U, each a convex polygon, which a line meets in one open interval.
 class ConvexSums {
  public:
   /// Requires: p and q are valid (validity.hpp).

@@ -11,18 +11,20 @@
 
 namespace oplus {
 
-/// The collision test of two fixed regions P and Q, asked at many placements: by hierarchies
-/// (collision_test.hpp), and the first times by the definition (collision.hpp) as well, as long as that
-/// costs little.
+/// The collision test of two fixed regions P and Q, asked at many placements.
 class Placements {
  public:
   /// Requires: p and q are valid (validity.hpp).
   Placements(const Region& p, const Region& q);
   ~Placements();
 
-  /// Whether the interiors of P and -Q+x meet, so that x is in the open sum. Throws VerdictsDiffer
-  /// (verdicts_differ.hpp) where the two tests differ.
+  /// Whether the interiors of P and -Q+x meet, so that x is in the open sum: by hierarchies
+  /// (collision_test.hpp).
   bool interiors_meet_at(const Point& x) const;
+
+  /// The same, and by the definition (collision.hpp) as well, as long as that costs little: for what is
+  /// said against a given sum. Throws VerdictsDiffer (verdicts_differ.hpp) where the two differ.
+  bool interiors_meet_by_definition_at(const Point& x) const;
 
   /// A point of P that is one of -Q+x: an inner point of both, or, where their interiors do not
   /// meet, of both boundaries; empty where P and -Q+x are disjoint.

@@ -25,6 +25,7 @@ void cut_at_ends(BoundaryFeatures& features) {
   for (const Point& point : features.isolated_vertices) swept.add(point);
 
   std::vector<Point> places;
+  places.reserve(whole.size());
   std::vector<std::size_t> begin(
       swept.edges.size());  // of the piece of an edge that is passed over
   std::vector<std::pair<std::size_t, std::size_t>> pieces;
@@ -41,8 +42,10 @@ void cut_at_ends(BoundaryFeatures& features) {
     return true;
   });
   features.isolated_vertices = std::move(isolated);
+  pieces = sorted_without_copies(std::move(pieces));
   features.edges.clear();
-  for (const auto& [source, target] : sorted_without_copies(std::move(pieces)))
+  features.edges.reserve(pieces.size());
+  for (const auto& [source, target] : pieces)
     features.edges.push_back({places[source], places[target]});
 }
 
@@ -76,8 +79,7 @@ MinkowskiSum sum_by_convex_parts(const Region& p, const Region& q, Boundary boun
   BoundaryFeatures features;
   for (const ConvexSums::Track& track : sums.reduced_convolution()) {
     if (boundary == Boundary::closed) {
-      const std::vector<Segment> parts = sums.boundary_parts(track);
-      features.edges.insert(features.edges.end(), parts.begin(), parts.end());
+      for (Segment& s : sums.boundary_parts(track)) features.edges.push_back(std::move(s));
       continue;
     }
     ConvexSums::Outside outside = sums.outside_parts(track);

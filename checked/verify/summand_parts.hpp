@@ -9,6 +9,7 @@
 #include <limits>
 #include <vector>
 
+#include "checked/verify/trapezoids.hpp"
 #include "reference/arithmetic/interval.hpp"
 #include "reference/definitions/region.hpp"
 
@@ -43,16 +44,19 @@ struct Corner {
   bool is_small;  ///< an integer below 2^23
 };
 
-/// A trapezoid, with its interior to the left of `below` and of `above`.
+/// A side of a convex part, counterclockwise: the part is to its left.
+struct Side {
+  const Line* line;  ///< of an edge, or a wall, which may be a point
+  const Corner* start;
+  int turned = 0;  ///< how far its direction is turned from that of the left wall, in ranks
+};
+
+/// A convex part: its sides among those of the summand. First the left wall, down; in the middle the
+/// right one.
 struct Piece {
-  const Line* below;
-  const Line* above;
-  const Line* left;  ///< the walls,
-  const Line* right;
-  const Corner* on_left;  ///< and the vertices that they pass through
-  const Corner* on_right;
-  std::array<const Corner*, 2> lower;  ///< on the left wall and on the right one
-  std::array<const Corner*, 2> upper;
+  std::uint32_t first;
+  std::uint32_t count;
+  std::uint32_t right_wall;
 };
 
 struct Box {
@@ -83,23 +87,27 @@ struct Node {
   double slack = 0;         ///< by how much it is larger than its pieces, on average
 };
 
-/// A summand in the form in which its parts are added: trapezoids, and a tree of boxes around them.
+/// A summand in the form in which its parts are added: convex parts, of trapezoids that are joined from
+/// left to right as long as what they form is convex, and a tree of boxes around them.
 struct SummandParts {
   /// Requires: the region is valid (validity.hpp).
   explicit SummandParts(const Region& region);
 
   std::vector<Segment> edges;
-  std::vector<std::size_t> before;  ///< of each edge, the one that ends where it starts,
-  std::vector<std::size_t> after;   ///< and the one that starts where it ends
-  std::vector<Line> lines;          ///< of the edges
-  std::vector<Line> walls;          ///< through their sources
-  std::vector<Corner> corners;      ///< their sources
-  std::vector<Corner> cut_corners;  ///< of trapezoids, where there is no vertex
+  std::vector<std::size_t> before;         ///< of each edge, the one that ends where it starts,
+  std::vector<std::size_t> after;          ///< and the one that starts where it ends
+  std::vector<Line> lines;                 ///< of the edges
+  std::vector<Line> walls;                 ///< through their sources
+  std::vector<Corner> corners;             ///< their sources,
+  std::vector<IntervalPoint> near_points;  ///< and intervals around these
+  std::vector<Corner> cut_corners;         ///< of walls, where there is no vertex
+  std::vector<Side> sides;
   std::vector<Piece> pieces;
   std::vector<Box> boxes;   ///< of the pieces
   std::vector<Node> nodes;  ///< the root first; empty if there are no pieces
 
  private:
+  void add_pieces(const std::vector<Trapezoid>& trapezoids);
   const Corner* at(std::size_t edge, std::size_t vertex);
   void build(std::vector<std::uint32_t>::iterator begin, std::vector<std::uint32_t>::iterator end);
 };

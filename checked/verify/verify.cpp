@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <tuple>
 #include <utility>
 
 #include "checked/verify/exceptional_places.hpp"
@@ -32,24 +31,34 @@ struct Oddities {
   std::size_t collinear = 0;  ///< vertices inside a straight line
 };
 
-Chain without_oddities(const Chain& chain, Oddities& oddities) {
-  Chain distinct;
+/// Vertices of chains, which must stay where they are.
+using Corners = std::vector<NearPoint>;
+
+bool is_less(const NearPoint& a, const NearPoint& b) { return compare(a, b) < 0; }
+bool are_equal(const NearPoint& a, const NearPoint& b) { return compare(a, b) == 0; }
+
+Corners without_oddities(const Chain& chain, Oddities& oddities) {
+  Corners distinct;
+  distinct.reserve(chain.size());
   for (const Point& p : chain) {
-    if (!distinct.empty() && distinct.back() == p)
+    const NearPoint here = near_point(p);
+    if (!distinct.empty() && are_equal(distinct.back(), here))
       ++oddities.repeated;
     else
-      distinct.push_back(p);
+      distinct.push_back(here);
   }
-  while (distinct.size() > 1 && distinct.back() == distinct.front()) {
+  while (distinct.size() > 1 && are_equal(distinct.back(), distinct.front())) {
     distinct.pop_back();
     ++oddities.repeated;
   }
-  Chain corners;
+  Corners corners;
+  corners.reserve(distinct.size());
   for (std::size_t i = 0; i < distinct.size(); ++i) {
-    const Vector in = distinct[i] - distinct[previous(i, distinct.size())];
-    const Vector out = distinct[next(i, distinct.size())] - distinct[i];
-    if (sign(cross(in, out)) == 0 &&
-        sign(dot(in, out)) > 0)  // the tip of a spike is no such vertex
+    const NearPoint& before = distinct[previous(i, distinct.size())];
+    const NearPoint& after = distinct[next(i, distinct.size())];
+    if (orientation(before, distinct[i], after) == 0 &&
+        sign(dot(*distinct[i].exact - *before.exact, *after.exact - *distinct[i].exact)) >
+            0)  // the tip of a spike is no such vertex
       ++oddities.collinear;
     else
       corners.push_back(distinct[i]);
@@ -57,26 +66,77 @@ Chain without_oddities(const Chain& chain, Oddities& oddities) {
   return corners;
 }
 
-void to_normal_form(Region& region, Oddities& oddities) {
-  const auto normal = [&](Chain& chain) {
-    chain = without_oddities(chain, oddities);
-    if (chain.empty()) return;
-    std::rotate(chain.begin(),
-                chain.begin() + static_cast<std::ptrdiff_t>(start_of_smallest_rotation(chain)),
-                chain.end());
-  };
-  for (Component& component : region.components) {
-    normal(component.outer);
-    for (Chain& hole : component.holes) normal(hole);
-    std::sort(component.holes.begin(), component.holes.end());
-  }
-  std::sort(region.components.begin(), region.components.end(),
-            [](const Component& a, const Component& b) {
-              return std::tie(a.outer, a.holes) < std::tie(b.outer, b.holes);
-            });
+bool touches_itself(Corners corners) {
+  std::sort(corners.begin(), corners.end(), is_less);
+  return std::adjacent_find(corners.begin(), corners.end(), are_equal) != corners.end();
 }
 
-std::vector<std::string> notes_of(const GivenSum& sum, const Oddities& oddities) {
+/// What the chains of two regions have in common that are equal but for the order of components, of
+/// holes, and of the vertices of each chain.
+struct NormalForm {
+  struct Component {
+    Corners outer;
+    std::vector<Corners> holes;
+  };
+
+  explicit NormalForm(const Region& region) {
+    const auto normal = [&](const Chain& chain) {
+      Corners corners = without_oddities(chain, oddities);
+      chains_that_touch_themselves += touches_itself(corners);
+      to_smallest_rotation(corners);
+      return corners;
+    };
+    for (const oplus::Component& component : region.components) {
+      components.push_back({normal(component.outer), {}});
+      std::vector<Corners>& holes = components.back().holes;
+      for (const Chain& hole : component.holes) holes.push_back(normal(hole));
+      std::sort(holes.begin(), holes.end(), chain_is_less);
+    }
+    std::sort(components.begin(), components.end(), [](const Component& a, const Component& b) {
+      if (chain_is_less(a.outer, b.outer)) return true;
+      return !chain_is_less(b.outer, a.outer) &&
+             std::lexicographical_compare(a.holes.begin(), a.holes.end(), b.holes.begin(),
+                                          b.holes.end(), chain_is_less);
+    });
+  }
+
+  bool operator==(const NormalForm& other) const {
+    const auto are_equal_chains = [](const Corners& a, const Corners& b) {
+      return std::equal(a.begin(), a.end(), b.begin(), b.end(), are_equal);
+    };
+    return std::equal(components.begin(), components.end(), other.components.begin(),
+                      other.components.end(), [&](const Component& a, const Component& b) {
+                        return are_equal_chains(a.outer, b.outer) &&
+                               std::equal(a.holes.begin(), a.holes.end(), b.holes.begin(),
+                                          b.holes.end(), are_equal_chains);
+                      });
+  }
+
+  std::vector<Component> components;
+  Oddities oddities;
+  std::size_t chains_that_touch_themselves = 0;
+
+ private:
+  static bool chain_is_less(const Corners& a, const Corners& b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), is_less);
+  }
+
+  static void to_smallest_rotation(Corners& chain) {
+    const auto smallest = std::min_element(chain.begin(), chain.end(), is_less);
+    if (smallest == chain.end()) return;
+    std::rotate(chain.begin(), smallest, chain.end());
+    const Corners all = chain;
+    for (auto i = all.begin(); i != all.end(); ++i) {
+      if (i == all.begin() || !are_equal(*i, all[0])) continue;
+      Corners other(i, all.end());
+      other.insert(other.end(), all.begin(), i);
+      if (chain_is_less(other, chain)) chain = std::move(other);
+    }
+  }
+};
+
+std::vector<std::string> notes_of(const NormalForm& given) {
+  const Oddities& oddities = given.oddities;
   std::vector<std::string> notes;
   if (oddities.repeated > 0)
     notes.push_back(counted(oddities.repeated, "vertex repeats", "vertices repeat") +
@@ -84,14 +144,7 @@ std::vector<std::string> notes_of(const GivenSum& sum, const Oddities& oddities)
   if (oddities.collinear > 0)
     notes.push_back(counted(oddities.collinear, "vertex is", "vertices are") +
                     " inside a straight line");
-  std::size_t touching = 0;
-  for (const GivenChain& chain : given_chains(sum)) {
-    Oddities ignored;
-    Chain vertices = without_oddities(*chain.vertices, ignored);
-    std::sort(vertices.begin(), vertices.end());
-    touching += std::adjacent_find(vertices.begin(), vertices.end()) != vertices.end();
-  }
-  if (touching > 0)
+  if (const std::size_t touching = given.chains_that_touch_themselves; touching > 0)
     notes.push_back(counted(touching, "chain touches itself", "chains touch themselves"));
   return notes;
 }
@@ -248,10 +301,10 @@ std::vector<Reason> face_reasons(const Overlay& overlay, const Placements& place
   std::vector<Reason> reasons;
   for (auto& [reason, boundary] : overlay.differences()) {
     reason.witness = point_of_face(*boundary, {});
-    if (placements.interiors_meet_at(reason.witness) != reason.in_sum) {
+    if (placements.interiors_meet_by_definition_at(reason.witness) != reason.in_sum) {
       // A point inside the closed sum may be on a dangling edge.
       if (reason.in_sum) reason.witness = point_of_face(*boundary, exceptional.places());
-      if (!reason.in_sum || !placements.interiors_meet_at(reason.witness))
+      if (!reason.in_sum || !placements.interiors_meet_by_definition_at(reason.witness))
         throw VerdictsDiffer("convex parts and the collision test differ at " +
                              to_string(reason.witness));
     }
@@ -332,6 +385,7 @@ void ask_collision_test(const MinkowskiSum& sum, Boundary boundary, const Placem
   std::size_t edge = 0;
   for (const std::vector<Chain>* of_sum : {&sum.outer, &sum.holes}) {
     for (const Chain& chain : *of_sum) {
+      if (chain.size() < 3) throw VerdictsDiffer("convex parts leave a chain that bounds nothing");
       for (const bool left : {true, false}) {
         Point x = point_near(tree, edge, left);
         bool meet = placements.interiors_meet_at(x);
@@ -359,15 +413,10 @@ Verdict verdict(MinkowskiSum computed, const Region& p, const Region& q, Boundar
   Verdict result;
   result.right = std::move(computed);
   const MinkowskiSum& right = result.right;
-  Oddities oddities;
-  Region given_normal = sum.region;
-  to_normal_form(given_normal, oddities);
-  result.notes = notes_of(sum, oddities);
-  Region right_normal = region_of(right);
-  Oddities ignored;
-  to_normal_form(right_normal, ignored);
-  const bool same_region = given_normal == right_normal;
-  if (same_region && same_features(sum, right)) return result;
+  const NormalForm given_normal(sum.region);
+  result.notes = notes_of(given_normal);
+  const Region region = region_of(right);
+  if (given_normal == NormalForm(region) && same_features(sum, right)) return result;
 
   const Overlay overlay(sum, right);
   append(result.reasons, face_reasons(overlay, placements, exceptional));

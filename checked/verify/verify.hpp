@@ -8,7 +8,8 @@
 namespace oplus {
 
 /// Whether a given sum is exactly P ⊕ Q, decided by the definitions and by no engine:
-/// docs/verify.md. Requires: p and q are valid (validity.hpp); of the given sum nothing. Throws
+/// docs/verify.md. Requires: p and q are valid (validity.hpp); of the given sum nothing: where its chains
+/// cross, it is refused, whichever outer chain the holes of a MinkowskiSum go to (region_of.hpp). Throws
 /// VerdictsDiffer (reference/definitions/verdicts_differ.hpp) where convex parts and the collision test differ.
 Verdict verify(const Region& p, const Region& q, Boundary boundary, const GivenSum& sum);
 Verdict verify(const Region& p, const Region& q, Boundary boundary, const MinkowskiSum& sum);

@@ -2,11 +2,15 @@
 #include "checked/verify/witness.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <utility>
 
 #include "reference/definitions/ray.hpp"
 #include "reference/definitions/squared_distance.hpp"
+#include "reference/definitions/verdicts_differ.hpp"
 #include "reference/definitions/winding_number.hpp"
+#include "reference/io/writing.hpp"
 
 namespace oplus {
 
@@ -30,6 +34,41 @@ Point point_left_of(const Segment& segment, const std::vector<Segment>& edges) {
   const Segment piece = cut(segment, std::move(ends))[0];
   const Vector along = direction_of(piece);
   return point_beside(midpoint(piece.source, piece.target), {-along.y, along.x}, edges);
+}
+
+/// point_near, where doubles are exact enough. Of all segments, only the edge meets a circle around its
+/// middle, and cuts it in two. So a point in the circle is in the face on its side of the edge.
+std::optional<Point> point_near_in_doubles(const SegmentTree& edges, std::size_t edge, bool left) {
+  const IntervalSegment& e = edges.certified(edge);
+  const auto exactly = [](double x) { return Interval{x, x}; };
+  const IntervalPoint middle{exactly(e.source.x.low / 2 + e.target.x.low / 2),
+                             exactly(e.source.y.low / 2 + e.target.y.low / 2)};
+  const Box box = box_of(middle);
+  double room = SegmentTree::nothing;  // squared
+  edges.look_for(
+      room, [&](const Box& b) { return squared_gap(b, box); },
+      [&](std::size_t i) {
+        if (i != edge) room = std::min(room, squared_distance(middle, edges.certified(i)).low);
+        return room;
+      });
+  if (!(squared_distance(middle, e).high < room / 16)) return std::nullopt;
+  const double along_x = e.target.x.low - e.source.x.low;
+  const double along_y = e.target.y.low - e.source.y.low;
+  const double step = std::sqrt(room / (along_x * along_x + along_y * along_y)) / (left ? 4 : -4);
+  if (!std::isnormal(step)) return std::nullopt;
+  // Not at a right angle, so that it is hardly ever where something else is that is regular; with few
+  // digits.
+  const int digits = std::ilogb(room) / 2 - 6;
+  const auto at = [&](double from, double by) {
+    return exactly(std::ldexp(std::nearbyint(std::ldexp(from + by, -digits)), digits));
+  };
+  const IntervalPoint x{at(middle.x.low, step * (along_x / 8 - along_y)),
+                        at(middle.y.low, step * (along_y / 8 + along_x))};
+  const IntervalPoint way = x - middle;
+  if (!((way.x * way.x + way.y * way.y).high < room / 9) ||
+      orientation(e.source, e.target, x) != std::optional(left ? 1 : -1))
+    return std::nullopt;
+  return Point{Rational(x.x.low), Rational(x.y.low)};
 }
 
 }  // namespace
@@ -68,11 +107,12 @@ Point point_of_face(const std::vector<Segment>& boundary, const std::vector<Segm
 }
 
 Point point_near(const SegmentTree& edges, std::size_t edge, bool left) {
+  if (std::optional<Point> point = point_near_in_doubles(edges, edge, left)) return *point;
   // Between two places where others touch it.
   const Segment piece = cut_where_met(edges[edge], edges)[0];
   const Point middle = midpoint(piece.source, piece.target);
   const Rational room = squared_distance(middle, edges, -1, edge);
-  // Not at a right angle, so that it is hardly ever where something else is that is regular.
+  if (sign(room) == 0) throw VerdictsDiffer("edges of the sum overlap at " + to_string(middle));
   const Vector along = direction_of(piece);
   const Vector beside = left ? Vector{-along.y, along.x} : Vector{along.y, -along.x};
   Vector way = beside + Rational(1, 8) * along;

@@ -19,7 +19,8 @@ Point point_of_face(const std::vector<Segment>& boundary, const std::vector<Segm
 
 /// A point near the middle of edge `edge`, to its left or to its right, with few digits, if one is near
 /// enough. It is nearer to that edge than to any other, and so on no edge and in a face beside it.
-/// Requires: edges do not cross, and only points touch the edge.
+/// Requires: edges do not cross. Throws VerdictsDiffer (verdicts_differ.hpp) where others touch the edge in
+/// more than points: those of a sum do not.
 Point point_near(const SegmentTree& edges, std::size_t edge, bool left);
 
 }  // namespace oplus

@@ -33,7 +33,8 @@ struct SweptChains {
 /// Which chain is directly around another one.
 ///
 /// Requires: chains don't cross or overlap, themselves or each other; they may touch. No chain winds
-/// around a point twice, or around two points in different directions.
+/// around a point twice, or around two points in different directions. Otherwise any chain may count as
+/// the one around another, but none as one around itself, by way of others.
 class Nesting {
  public:
   explicit Nesting(const SweptChains& chains);

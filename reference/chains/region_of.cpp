@@ -144,7 +144,7 @@ void add_simple_chains(const Chain& chain, std::vector<SimpleChain>& simple) {
   close(0);
 }
 
-/// Finds the outer chain directly around each hole. Requires: chains don't cross.
+/// Finds the outer chain directly around each hole; where chains cross, any, or none.
 class OuterChains {
  public:
   OuterChains(const std::vector<const Chain*>& outer, const std::vector<const Chain*>& holes)

@@ -16,8 +16,8 @@ Region region_of(const MinkowskiSum& sum);
 MinkowskiSum canonical_sum(const Region& region);
 
 /// A sum by its chains. A hole goes to the outer chain directly around it; one around which there is
-/// none is the only chain of its component, whose outer chain is empty.
-/// Requires, to know what is around what: chains don't cross.
+/// none is the only chain of its component, whose outer chain is empty. Nothing is required: where chains
+/// cross, any outer chain, or none, may count as the one around a hole.
 GivenSum given(const MinkowskiSum& sum);
 
 }  // namespace oplus

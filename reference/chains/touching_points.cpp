@@ -45,6 +45,7 @@ std::vector<std::vector<Segment>> pieces_by_chain(const Region& region) {
   auto cut = cuts.begin();
   for (std::uint32_t e = 0; e < chains.edges.edges.size(); ++e) {
     std::vector<Segment>& of_chain = pieces[chains.chain_of[e]];
+    if (of_chain.empty()) of_chain.reserve(all[chains.chain_of[e]]->size());
     const auto first = cut;
     while (cut != cuts.end() && cut->first == e) ++cut;
     if (!chains.edges.runs_right(e)) std::reverse(first, cut);

@@ -12,38 +12,41 @@ namespace oplus {
 
 namespace {
 
-/// Edges by the points they leave, counterclockwise around each.
+/// Edges, which must stay where they are, by the points they leave, counterclockwise around each.
 class LeavingEdges {
  public:
-  explicit LeavingEdges(std::vector<Segment> edges) : edges_(std::move(edges)) {
-    std::sort(edges_.begin(), edges_.end());
+  explicit LeavingEdges(const std::vector<Segment>& edges) {
+    edges_.reserve(edges.size());
+    for (const Segment& e : edges) edges_.push_back(&e);
+    std::sort(edges_.begin(), edges_.end(),
+              [](const Segment* a, const Segment* b) { return *a < *b; });
     for (auto first = edges_.begin(); first != edges_.end();) {
       auto last = first;
-      while (last != edges_.end() && last->source == first->source) ++last;
+      while (last != edges_.end() && (*last)->source == (*first)->source) ++last;
       if (last - first > 1)
-        std::stable_sort(first, last, [](const Segment& a, const Segment& b) {
-          return compare_angle(direction_of(a), direction_of(b)) < 0;
+        std::stable_sort(first, last, [](const Segment* a, const Segment* b) {
+          return compare_angle(direction_of(*a), direction_of(*b)) < 0;
         });
       first = last;
     }
   }
 
   std::size_t size() const { return edges_.size(); }
-  const Segment& operator[](std::size_t i) const { return edges_[i]; }
+  const Segment& operator[](std::size_t i) const { return *edges_[i]; }
 
   /// The edge after edge i that turns clockwise most: the first one counterclockwise from the way back
   /// (thesis, Definition 3.2.1).
   std::size_t after(std::size_t i) const {
-    const Point& at = edges_[i].target;
+    const Point& at = edges_[i]->target;
     const auto first = std::partition_point(
-        edges_.begin(), edges_.end(), [&](const Segment& e) { return (e.source <=> at) < 0; });
-    const auto last =
-        std::partition_point(first, edges_.end(), [&](const Segment& e) { return e.source == at; });
+        edges_.begin(), edges_.end(), [&](const Segment* e) { return (e->source <=> at) < 0; });
+    const auto last = std::partition_point(first, edges_.end(),
+                                           [&](const Segment* e) { return e->source == at; });
     OPLUS_REQUIRES(first != last, "Observation 3.2.4");
     if (last - first == 1) return static_cast<std::size_t>(first - edges_.begin());
-    const Vector back = -direction_of(edges_[i]);
+    const Vector back = -direction_of(*edges_[i]);
     auto next = std::partition_point(
-        first, last, [&](const Segment& e) { return compare_angle(direction_of(e), back) <= 0; });
+        first, last, [&](const Segment* e) { return compare_angle(direction_of(*e), back) <= 0; });
     if (OPLUS_MUTANT("chains-turn-counterclockwise-most",
                      "where the boundary touches itself, its chains go round faces of the sum"))
       next = (next == first ? last : next) - 1;
@@ -51,12 +54,12 @@ class LeavingEdges {
   }
 
  private:
-  std::vector<Segment> edges_;
+  std::vector<const Segment*> edges_;
 };
 
 /// Follows edges to closed chains, turning clockwise most at each vertex.
-std::vector<Chain> stitch(std::vector<Segment> edges) {
-  const LeavingEdges leaving(std::move(edges));
+std::vector<Chain> stitch(const std::vector<Segment>& edges) {
+  const LeavingEdges leaving(edges);
   std::vector<Chain> stitched;
   std::vector<bool> visited(leaving.size(), false);
   for (std::size_t first = 0; first < leaving.size(); ++first) {
@@ -74,6 +77,7 @@ std::vector<Chain> stitch(std::vector<Segment> edges) {
 
 Chain without_collinear_vertices(const Chain& chain) {
   Chain corners;
+  corners.reserve(chain.size());
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const Point& before = chain[previous(i, chain.size())];
     const Point& after = chain[next(i, chain.size())];
@@ -135,13 +139,15 @@ Rational area(const MinkowskiSum& sum) {
 }
 
 std::vector<Segment> edges(const MinkowskiSum& sum) {
+  std::size_t count = sum.dangling_edges.size();
+  for (const std::vector<Chain>* of_sum : {&sum.outer, &sum.holes})
+    for (const Chain& chain : *of_sum) count += chain.size();
   std::vector<Segment> result;
-  for (const std::vector<Chain>* of_sum : {&sum.outer, &sum.holes}) {
-    for (const Chain& chain : *of_sum) {
-      const std::vector<Segment> of_chain = edges(chain);
-      result.insert(result.end(), of_chain.begin(), of_chain.end());
-    }
-  }
+  result.reserve(count);
+  for (const std::vector<Chain>* of_sum : {&sum.outer, &sum.holes})
+    for (const Chain& chain : *of_sum)
+      for (std::size_t i = 0; i < chain.size(); ++i)
+        result.push_back({chain[i], chain[next(i, chain.size())]});
   result.insert(result.end(), sum.dangling_edges.begin(), sum.dangling_edges.end());
   return result;
 }

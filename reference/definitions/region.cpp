@@ -8,6 +8,15 @@
 
 namespace oplus {
 
+namespace {
+
+void add_edges(const Chain& chain, std::vector<Segment>& edges) {
+  for (std::size_t i = 0; i < chain.size(); ++i)
+    edges.push_back({chain[i], chain[next(i, chain.size())]});
+}
+
+}  // namespace
+
 std::vector<Chain> chains(const Region& region) {
   std::vector<Chain> result;
   for (const Component& component : region.components) {
@@ -20,16 +29,16 @@ std::vector<Chain> chains(const Region& region) {
 std::vector<Segment> edges(const Chain& chain) {
   std::vector<Segment> result;
   result.reserve(chain.size());
-  for (std::size_t i = 0; i < chain.size(); ++i)
-    result.push_back({chain[i], chain[next(i, chain.size())]});
+  add_edges(chain, result);
   return result;
 }
 
 std::vector<Segment> edges(const Region& region) {
   std::vector<Segment> result;
-  for (const Chain& chain : chains(region)) {
-    const std::vector<Segment> of_chain = edges(chain);
-    result.insert(result.end(), of_chain.begin(), of_chain.end());
+  result.reserve(vertex_count(region));
+  for (const Component& component : region.components) {
+    add_edges(component.outer, result);
+    for (const Chain& hole : component.holes) add_edges(hole, result);
   }
   return result;
 }

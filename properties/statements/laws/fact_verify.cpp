@@ -56,13 +56,13 @@ const Registered registered({
     .id = "fact-verify",
     .title = "What oplus verify accepts",
     .statement =
-        "oplus verify cuts P and Q into trapezoids and takes the union of the interiors of their "
+        "oplus verify cuts P and Q into convex parts and takes the union of the interiors of their "
         "sums: of each segment of the reduced convolution, it finds what is in none of them. This is "
         "the oracle's sum, closed and open. It is accepted; a sum with a chain reversed, with a chain "
         "that is a point, without one of its holes, or of the other kind of boundary is not.",
     .why =
-        "The interiors of P and -Q+x are open, and the interiors of their trapezoids are dense in "
-        "them: so they meet iff those of two trapezoids do. What bounds the sum is on segments of "
+        "The interiors of P and -Q+x are open, and the interiors of their convex parts are dense in "
+        "them: so they meet iff those of two parts do. What bounds the sum is on segments of "
         "the reduced convolution, or is the sum of two points in which chains touch (Theorem "
         "2.3.2, as corrected).",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
@@ -77,9 +77,9 @@ const Registered registered({
                  {"reflex vertices", 10},
                  {"parallel edges", 40},
                  {"overlapping segments", 5}},
-    .kills = {"chains-may-run-either-way", "edges-of-convex-sums-count-on-either-side",
-              "lower-edges-of-a-convex-sum-are-exchanged", "points-between-convex-sums-are-inside",
-              "points-need-not-bound", "trapezoids-end-where-edges-do",
+    .kills = {"chains-may-run-either-way", "edges-of-convex-sums-count-on-neither-side",
+              "points-between-convex-sums-are-inside", "points-need-not-bound",
+              "sides-of-convex-sums-start-anywhere", "trapezoids-end-where-edges-do",
               "verify-sees-no-dangling-edges"},
     .cases = 100,
     .check = check,

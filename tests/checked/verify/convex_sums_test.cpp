@@ -60,7 +60,7 @@ TEST(ConvexSums, a_sum_of_vertices_is_outside_iff_the_interiors_do_not_meet) {
       for (std::size_t v = 0; v < vertex_count(q); ++v) {
         const ConvexSums::Track track{Summand::P, e, v};
         const Point x = sums.segment(track).source;
-        EXPECT_EQ(sums.source_is_outside(track), !placements.interiors_meet_at(x))
+        EXPECT_EQ(sums.source_is_outside(track), !placements.interiors_meet_by_definition_at(x))
             << name << ", " << to_string(x);
         outside += sums.source_is_outside(track);
       }

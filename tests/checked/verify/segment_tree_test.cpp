@@ -6,6 +6,7 @@
 #include "checked/verify/witness.hpp"
 #include "reference/definitions/cut_at_intersections.hpp"
 #include "reference/definitions/squared_distance.hpp"
+#include "reference/definitions/verdicts_differ.hpp"
 #include "reference/families/family.hpp"
 #include "tests/reference/definitions/print.hpp"
 #include "tests/reference/definitions/shapes.hpp"
@@ -91,6 +92,11 @@ TEST(PointNear, is_beside_its_edge_and_nearer_to_it_than_to_others) {
       }
     }
   }
+}
+
+TEST(PointNear, is_not_found_where_edges_overlap) {
+  const SegmentTree tree({{{0, 0}, {1, 0}}, {{1, 0}, {0, 0}}});
+  EXPECT_THROW(point_near(tree, 0, true), VerdictsDiffer);
 }
 
 }  // namespace

@@ -212,6 +212,22 @@ TEST(Verify, a_sum_by_its_chains_may_have_a_hole_in_nothing) {
   EXPECT_EQ(verdict.reasons.front().kind, ReasonKind::missing_component);
 }
 
+/// Which outer chain a hole goes to is then arbitrary, but nothing is accepted.
+TEST(Verify, refuses_a_sum_by_its_chains_where_they_cross) {
+  const MinkowskiSum right = sum_by_definition(frame, unit, Boundary::closed);
+  for (const Chain& outer : {box(3, 3, 7, 7), box(-1, 1, 6, 4), box(4, 4, 6, 6)}) {
+    for (const Chain& hole : {backwards(box(1, 1, 4, 6)), backwards(box(2, 2, 4, 4))}) {
+      MinkowskiSum crossing = right;
+      crossing.outer.push_back(outer);
+      EXPECT_FALSE(verify(frame, unit, Boundary::closed, crossing).is_sum());
+      crossing.holes.push_back(hole);
+      EXPECT_FALSE(verify(frame, unit, Boundary::closed, crossing).is_sum());
+      crossing.outer.pop_back();
+      EXPECT_FALSE(verify(frame, unit, Boundary::closed, crossing).is_sum());
+    }
+  }
+}
+
 TEST(Verify, of_huge_and_tiny_coordinates) {
   Rational huge = 1;
   for (int i = 0; i < 300; ++i) huge *= 10;

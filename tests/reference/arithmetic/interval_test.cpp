@@ -37,7 +37,8 @@ TEST(Interval, of_another_number_is_around_it) {
        {Rational(1, 3), Rational(-2, 7), Rational(1 / huge), Rational(-1 / huge), beyond,
         Rational(-beyond), huge, Rational(-huge), Rational(Rational(1) + 1 / huge),
         Rational(Rational(least) / 2), Rational(Rational(least) * 5 / 2),
-        Rational((mpz_class(1) << 53) + 1)}) {
+        Rational((mpz_class(1) << 53) + 1), Rational(-(mpz_class(1) << 53) - 1),
+        Rational((mpz_class(1) << 63) - 1), Rational((mpz_class(1) << 64) + 1)}) {
     const Interval around = interval(value);
     EXPECT_TRUE(contains(around, value)) << value;
     EXPECT_LT(around.low, around.high) << value;
