@@ -32,15 +32,15 @@ template <typename Numbers>
 FoundPieces<Numbers> all_free_pieces(const Tracks<Numbers>& tracks, const EngineOptions& options,
                                      const std::optional<RaysOfBoth<Numbers>>& rays) {
   constexpr std::size_t in_a_lot = 128;
-  constexpr std::size_t too_few = 8;  // to start threads for
+  constexpr std::size_t too_few = 8;  // lots to start threads for
   const bool all_ways = rays && !right_is_enough(*rays);
   std::atomic<std::size_t> done = 0;
-  const auto find_in = [&](std::size_t lot, FoundPieces<Numbers>& found) {
+  const auto find_in = [&](std::size_t first, std::size_t last) {
+    FoundPieces<Numbers> found;
     FreePieces<Numbers> search(tracks.summands());
     std::optional<OpenPlaces<Numbers>> open;
     if (rays) open.emplace(tracks.summands(), *rays);
-    const std::size_t end = std::min((lot + 1) * in_a_lot, tracks.size());
-    for (auto i = static_cast<std::uint32_t>(lot * in_a_lot); i < end; ++i) {
+    for (auto i = static_cast<std::uint32_t>(first); i < last; ++i) {
       const auto add = [&](Piece<Numbers> piece) { found.pieces.push_back({i, std::move(piece)}); };
       if (open && (all_ways || is_to_the_right(tracks.direction(i))))
         open->find(search, i, tracks[i], add);
@@ -49,17 +49,13 @@ FoundPieces<Numbers> all_free_pieces(const Tracks<Numbers>& tracks, const Engine
     }
     found.effort = search.effort();
     if (open) found.open = std::move(open->found);
-    if (options.progress) options.progress(done += end - lot * in_a_lot, tracks.size());
+    if (options.progress) options.progress(done += last - first, tracks.size());
+    return found;
   };
+  if (tracks.size() <= in_a_lot) return find_in(0, tracks.size());
+  const unsigned threads = tracks.size() <= too_few * in_a_lot ? 1 : options.threads;
   FoundPieces<Numbers> all;
-  if (tracks.size() <= in_a_lot) {
-    find_in(0, all);
-    return all;
-  }
-  std::vector<FoundPieces<Numbers>> lots((tracks.size() + in_a_lot - 1) / in_a_lot);
-  for_each_number(lots.size(), lots.size() < too_few ? 1 : options.threads,
-                  [&](std::size_t lot) { find_in(lot, lots[lot]); });
-  for (FoundPieces<Numbers>& lot : lots) {
+  for (FoundPieces<Numbers>& lot : found_in_parts(tracks.size(), threads, find_in, in_a_lot)) {
     all.pieces.insert(all.pieces.end(), std::make_move_iterator(lot.pieces.begin()),
                       std::make_move_iterator(lot.pieces.end()));
     all.open.take(std::move(lot.open));

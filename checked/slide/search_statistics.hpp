@@ -28,6 +28,7 @@ inline Statistics search_statistics(std::size_t segments, std::size_t bits, std:
   return {{"segments slid along", segments},
           {"bits of a coordinate", bits},
           {"free pieces of segments", free_pieces},
+          {"segments inside a convex summand, moved", effort.covered},
           {"probes", effort.probes},
           {"pairs of boxes", effort.box_pairs},
           {"pairs of edges decided by doubles", effort.by_doubles},
