@@ -110,16 +110,15 @@ class FreePieces {
     return is_all;
   }
 
-<<<<<<< HEAD
   static bool contains_whole(const BlockedInterval<Numbers>& interval) {
     return interval.from.numerator() < 0 && interval.to.denominator() < interval.to.numerator();
-=======
+  }
+
   /// After a segment that is free from end to end, the next one is likely to be, unless it often was not.
   void remember(bool is_free) {
     constexpr int most_trust = 3;
     if (last_was_free_) trust_ = std::clamp(trust_ + (is_free ? 1 : -1), 0, most_trust);
     last_was_free_ = is_free;
->>>>>>> hard
   }
 
   BlockingSearch<Numbers> search_;
