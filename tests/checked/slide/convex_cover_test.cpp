@@ -5,7 +5,7 @@
 
 #include "checked/slide/slide.hpp"
 #include "checked/slide/tracks.hpp"
-#include "reference/definitions/predicates.hpp"
+#include "reference/definitions/point.hpp"
 #include "tests/reference/definitions/shapes.hpp"
 
 namespace oplus {
