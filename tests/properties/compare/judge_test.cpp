@@ -7,6 +7,7 @@
 
 #include "reference/definitions/difference.hpp"
 #include "reference/families/fork.hpp"
+#include "reference/oracle/oracle.hpp"
 #include "tests/properties/compare/faulty_engines.hpp"
 
 namespace oplus {
