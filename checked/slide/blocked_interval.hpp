@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 
 #include "checked/slide/fraction.hpp"
@@ -57,6 +59,37 @@ class Strips {
   std::optional<BlockedInterval<Numbers>> left_;
 };
 
+/// Segments whose x, and whose y, are multiplied by the common denominator of theirs: so no quotient of
+/// skew products changes. Integers are faster than rationals, which are reduced after each operation.
+template <std::size_t n>
+std::array<IntegerSegment<AnyNumbers>, n> with_common_denominators(
+    const std::array<const IntegerSegment<RationalNumbers>*, n>& segments) {
+  using Integer = AnyNumbers::Value;
+  std::array<IntegerSegment<AnyNumbers>, n> result;
+  const auto scale = [&](auto coordinate_of) {
+    const auto each = [&](const auto& visit) {
+      for (std::size_t i = 0; i < n; ++i) {
+        visit(coordinate_of(segments[i]->source), coordinate_of(result[i].source));
+        visit(coordinate_of(segments[i]->direction), coordinate_of(result[i].direction));
+      }
+    };
+    Integer common = 1;
+    mpz_ptr multiple = common.backend().data();
+    each([&](const RationalNumbers::Value& value, const Integer&) {
+      mpz_lcm(multiple, multiple, mpq_denref(value.backend().data()));
+    });
+    each([&](const RationalNumbers::Value& value, Integer& scaled) {
+      mpq_srcptr quotient = value.backend().data();
+      mpz_ptr product = scaled.backend().data();
+      mpz_divexact(product, multiple, mpq_denref(quotient));
+      mpz_mul(product, product, mpq_numref(quotient));
+    });
+  };
+  scale([](auto& v) -> auto& { return v.x; });
+  scale([](auto& v) -> auto& { return v.y; });
+  return result;
+}
+
 }  // namespace detail
 
 /// The places on the line of a segment at which an edge of P and one of -Q + x(t) cross properly:
@@ -67,6 +100,15 @@ std::optional<BlockedInterval<Numbers>> blocked_interval(const IntegerSegment<Nu
                                                          const IntegerSegment<Numbers>& of_p,
                                                          const IntegerSegment<Numbers>& of_q,
                                                          Shift shift) {
+  if constexpr (is_rational<Numbers>) {
+    const auto scaled = detail::with_common_denominators<3>({&segment, &of_p, &of_q});
+    const auto interval = blocked_interval(scaled[0], scaled[1], scaled[2], shift);
+    if (!interval) return std::nullopt;
+    const auto as_rational = [](const Fraction<AnyNumbers>& t) {
+      return Fraction<Numbers>(t.numerator(), t.denominator());
+    };
+    return BlockedInterval<Numbers>{as_rational(interval->from), as_rational(interval->to)};
+  }
   using Value = typename Numbers::Value;
   // x = of_p.source + of_q.source + a u + b w, where 0 < a < 1 and 0 < b < 1 inside.
   const auto& u = of_p.direction;

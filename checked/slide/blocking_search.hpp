@@ -17,12 +17,14 @@ namespace oplus::slide {
 
 /// How much a search had to do.
 struct SearchEffort {
+  std::size_t covered = 0;  ///< segments inside a convex summand, moved to a vertex
   std::size_t probes = 0;
   std::size_t box_pairs = 0;    ///< pairs of boxes opened or found to be edges
   std::size_t by_doubles = 0;   ///< pairs of edges that doubles told not to block
   std::size_t by_integers = 0;  ///< pairs of edges that took integers
 
   SearchEffort& operator+=(const SearchEffort& more) {
+    covered += more.covered;
     probes += more.probes;
     box_pairs += more.box_pairs;
     by_doubles += more.by_doubles;
@@ -343,7 +345,7 @@ class BlockingSearch {
   std::size_t remembered_ = 0;
   static constexpr std::size_t without_strips = 48;  ///< pairs of boxes
   std::size_t strips_from_ = 0;                      ///< when as many were opened
-  std::array<Pair, 72> waiting_;                     ///< one a level of either tree
+  std::array<Pair, 288> waiting_;                    ///< one a level of either tree
   ShortList<Pair> left_out_;                         ///< by the last probe
 };
 

@@ -32,7 +32,13 @@ Box box_around(double ax, double ay, double bx, double by) {
 struct BoxTree::Edges {
   const std::vector<Box>& boxes;
   std::span<const NearSegment> segments;  ///< empty if there are no strips
-  std::vector<std::uint32_t>& order;      ///< that of the leaves
+  std::vector<std::uint32_t> order;       ///< that of the leaves
+};
+
+/// The edges from the first up to, not including, the last.
+struct BoxTree::PartOfBoundary {
+  Box box;
+  std::uint32_t first, last;
 };
 
 namespace {
@@ -58,35 +64,57 @@ Halves halves_of(const std::vector<Box>& boxes, std::span<const std::uint32_t> e
   return {box_around(boxes, edges.first(half)), box_around(boxes, edges.subspan(half))};
 }
 
-/// Orders edges so that the first half has the smaller middles along the axis along which the middles
-/// are spread more. Either half stays in order.
-void halve_by_place(const std::vector<Box>& boxes, std::span<std::uint32_t> edges) {
-  const auto twice_middle = [&](std::uint32_t edge, std::size_t axis) {
-    return boxes[edge][axis] - boxes[edge][axis + 2];
-  };
-  std::array<float, 2> spread;
-  for (const std::size_t axis : {0u, 1u}) {
-    float low = twice_middle(edges[0], axis), high = low;
-    for (const std::uint32_t edge : edges) {
-      low = std::min(low, twice_middle(edge, axis));
-      high = std::max(high, twice_middle(edge, axis));
-    }
-    spread[axis] = high - low;
+constexpr std::size_t too_few = 4;  // edges, for their order to matter
+
+/// The side of the boxes of items along which they are spread most.
+template <typename Items, typename BoxOf>
+std::size_t side_of_most_spread(const Items& items, const BoxOf& box_of) {
+  Box low = box_of(items[0]), high = low;
+  for (const auto& item : items) {
+    low = std::experimental::min(low, box_of(item));
+    high = std::experimental::max(high, box_of(item));
   }
-  const std::size_t axis = spread[0] < spread[1];
-  const auto key = [&](std::uint32_t edge) { return std::pair(twice_middle(edge, axis), edge); };
-  std::vector<std::uint32_t> by_place(edges.begin(), edges.end());
-  const auto middle = by_place.begin() + static_cast<std::ptrdiff_t>(edges.size() / 2);
-  std::nth_element(by_place.begin(), middle, by_place.end(),
+  std::size_t side = 0;
+  for (std::size_t other = 1; other < 4; ++other)
+    if (high[other] - low[other] > high[side] - low[side]) side = other;
+  return side;
+}
+
+/// Orders edges by one of the sides of their boxes, that along which they are spread most; then each
+/// half of them, so many times. What is not divided stays in order.
+void order_by_sides(const std::vector<Box>& boxes, std::span<std::uint32_t> edges,
+                    unsigned halvings) {
+  if (halvings == 0 || edges.size() <= too_few) return;
+  const std::size_t side =
+      side_of_most_spread(edges, [&](std::uint32_t edge) -> const Box& { return boxes[edge]; });
+  const auto key = [&](std::uint32_t edge) {
+    return std::pair<float, std::uint32_t>(boxes[edge][side], edge);
+  };
+  std::vector<std::uint32_t> by_side(edges.begin(), edges.end());
+  const std::size_t half = edges.size() / 2;
+  const auto middle = by_side.begin() + static_cast<std::ptrdiff_t>(half);
+  std::nth_element(by_side.begin(), middle, by_side.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
   const auto first_of_second = key(*middle);
   std::stable_partition(edges.begin(), edges.end(),
                         [&](std::uint32_t edge) { return key(edge) < first_of_second; });
+  order_by_sides(boxes, edges.first(half), halvings - 1);
+  order_by_sides(boxes, edges.subspan(half), halvings - 1);
+}
+
+/// How large the boxes are around what halvings leave together.
+float reach(const std::vector<Box>& boxes, std::span<const std::uint32_t> edges,
+            unsigned halvings) {
+  if (halvings == 0 || edges.size() <= too_few) return half_circumference(box_around(boxes, edges));
+  const std::size_t half = edges.size() / 2;
+  return reach(boxes, edges.first(half), halvings - 1) +
+         reach(boxes, edges.subspan(half), halvings - 1);
 }
 
 /// A strip in a direction around edges.
-Strip strip_around(std::span<const NearSegment> segments, std::span<const std::uint32_t> edges,
-                   double dx, double dy) {
+template <typename EachEdge>
+Strip strip_around(std::span<const NearSegment> segments, const EachEdge& each_edge, double dx,
+                   double dy) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Strip strip{dx, dy, infinity, -infinity};
   double largest = 0;
@@ -96,11 +124,11 @@ Strip strip_around(std::span<const NearSegment> segments, std::span<const std::u
     strip.high = std::max(strip.high, place);
     largest = std::max({largest, std::abs(x), std::abs(y)});
   };
-  for (const std::uint32_t edge : edges) {
+  each_edge([&](std::uint32_t edge) {
     const NearSegment& s = segments[edge];
     add(s.x, s.y);
     add(s.x + s.dx, s.y + s.dy);
-  }
+  });
   strip.low -= largest * 0x1p-48 + 0x1p-400;
   strip.high += largest * 0x1p-48 + 0x1p-400;
   return strip;
@@ -131,20 +159,58 @@ struct BoxTree::Moments {
   }
 };
 
-BoxTree::BoxTree(const std::vector<Box>& of_edges) : BoxTree(of_edges, {}) {}
-
-BoxTree::BoxTree(const std::vector<Box>& of_edges, std::span<const NearSegment> edges) {
-  constexpr std::size_t too_few = 32;  // for strips to save time
+BoxTree::BoxTree(const std::vector<Box>& of_edges, std::span<const NearSegment> segments,
+                 std::span<const std::uint32_t> chains) {
+  constexpr std::size_t too_few_for_strips = 32;
   const auto size = static_cast<std::uint32_t>(of_edges.size());
-  std::vector<std::uint32_t> order(size);
-  std::iota(order.begin(), order.end(), 0u);
+  Edges edges{of_edges,
+              segments.size() < too_few_for_strips ? std::span<const NearSegment>() : segments,
+              std::vector<std::uint32_t>(size)};
+  std::iota(edges.order.begin(), edges.order.end(), 0u);
   nodes_.reserve(2 * of_edges.size());
-  add({of_edges, edges.size() < too_few ? std::span<const NearSegment>() : edges, order}, 0, size,
-      box_around(of_edges, order));
+  std::vector<PartOfBoundary> parts;
+  for (std::size_t k = 0; k < std::max<std::size_t>(chains.size(), 1); ++k) {
+    const std::uint32_t first = chains.empty() ? 0 : chains[k];
+    const std::uint32_t last = k + 1 < chains.size() ? chains[k + 1] : size;
+    parts.push_back(
+        {box_around(of_edges, std::span(edges.order).subspan(first, last - first)), first, last});
+  }
+  add(edges, parts);
 }
 
-BoxTree::Moments BoxTree::add(const Edges& edges, std::uint32_t first, std::uint32_t last,
-                              const Box& box) {
+BoxTree::Moments BoxTree::add(Edges& edges, std::span<PartOfBoundary> chains) {
+  if (chains.size() == 1) return add(edges, chains[0].first, chains[0].last, chains[0].box, 0);
+  const std::size_t side = side_of_most_spread(
+      chains, [](const PartOfBoundary& chain) -> const Box& { return chain.box; });
+  std::sort(chains.begin(), chains.end(), [&](const PartOfBoundary& a, const PartOfBoundary& b) {
+    return std::pair<float, std::uint32_t>(a.box[side], a.first) <
+           std::pair<float, std::uint32_t>(b.box[side], b.first);
+  });
+  // As equally as can be by the number of edges.
+  std::size_t all = 0, before = 0, middle = 1;
+  Box box = chains[0].box;
+  for (const PartOfBoundary& chain : chains) {
+    all += chain.last - chain.first;
+    box = around(box, chain.box);
+  }
+  for (std::size_t k = 0; k + 1 < chains.size(); ++k) {
+    before += chains[k].last - chains[k].first;
+    middle = k + 1;
+    if (2 * before + (chains[k + 1].last - chains[k + 1].first) >= all) break;
+  }
+  const std::size_t here = nodes_.size();
+  nodes_.push_back({box, none, none, half_circumference(box), none});
+  const Moments left = add(edges, chains.first(middle));
+  nodes_[here].right = static_cast<std::uint32_t>(nodes_.size());
+  const Moments right = add(edges, chains.subspan(middle));
+  return with_strip(edges, here, left, right, [&](const auto& visit) {
+    for (const PartOfBoundary& chain : chains)
+      for (std::uint32_t edge = chain.first; edge < chain.last; ++edge) visit(edge);
+  });
+}
+
+BoxTree::Moments BoxTree::add(Edges& edges, std::uint32_t first, std::uint32_t last, const Box& box,
+                              unsigned settled) {
   const std::size_t here = nodes_.size();
   const std::span<std::uint32_t> these(edges.order.data() + first, last - first);
   nodes_.push_back({box, none, none, half_circumference(box), none});
@@ -153,26 +219,39 @@ BoxTree::Moments BoxTree::add(const Edges& edges, std::uint32_t first, std::uint
     return edges.segments.empty() ? Moments{} : Moments::of(edges.segments[these[0]]);
   }
   Halves halves = halves_of(edges.boxes, these);
-  constexpr std::size_t too_few = 4;  // for the order to matter
-  if (these.size() > too_few) {
+  if (settled > 0) {
+    --settled;
+  } else if (these.size() > too_few) {
     // A box that is cut in two across its longer side.
     const float width = -(box[0] + box[2]), height = -(box[1] + box[3]);
     const float least = std::max(width, height) + 2 * std::min(width, height);
     if (halves.reach() > 1.1F * least) {
-      const std::vector<std::uint32_t> in_order(these.begin(), these.end());
-      halve_by_place(edges.boxes, these);
-      const Halves by_place = halves_of(edges.boxes, these);
-      if (by_place.reach() < halves.reach())
-        halves = by_place;
-      else
-        std::copy(in_order.begin(), in_order.end(), these.begin());
+      // One halving may show nothing: rings around each other share no place only once each is
+      // divided into its sides.
+      constexpr unsigned halvings = 4;
+      std::vector<std::uint32_t> by_sides(these.begin(), these.end());
+      order_by_sides(edges.boxes, by_sides, halvings);
+      if (reach(edges.boxes, by_sides, halvings) < reach(edges.boxes, these, halvings)) {
+        std::copy(by_sides.begin(), by_sides.end(), these.begin());
+        halves = halves_of(edges.boxes, these);
+        settled = halvings - 1;
+      }
     }
   }
   const std::uint32_t middle = first + (last - first) / 2;
-  const Moments left = add(edges, first, middle, halves.first);
+  const Moments left = add(edges, first, middle, halves.first, settled);
   nodes_[here].right = static_cast<std::uint32_t>(nodes_.size());
-  const Moments right = add(edges, middle, last, halves.second);
+  const Moments right = add(edges, middle, last, halves.second, settled);
+  return with_strip(edges, here, left, right, [&](const auto& visit) {
+    for (const std::uint32_t edge : these) visit(edge);
+  });
+}
+
+template <typename EachEdge>
+BoxTree::Moments BoxTree::with_strip(const Edges& edges, std::size_t here, const Moments& left,
+                                     const Moments& right, const EachEdge& each_edge) {
   if (edges.segments.empty()) return {};
+  const Box box = nodes_[here].box;
 
   // The direction in which the edges are spread most, and their variance across it: a strip is at
   // least twice as wide as the root of that.
@@ -184,10 +263,10 @@ BoxTree::Moments BoxTree::add(const Edges& edges, std::uint32_t first, std::uint
   const double across_box = dx * -static_cast<double>(box[1] + box[3]) +
                             std::abs(dy) * -static_cast<double>(box[0] + box[2]);
   const double variance = (all.xx + all.yy - difference) / 2 / all.count;
-  if (16 * variance > across_box * across_box) return all;
-  const Strip strip = strip_around(edges.segments, these, dx, dy);
+  if (64 * variance > across_box * across_box) return all;
+  const Strip strip = strip_around(edges.segments, each_edge, dx, dy);
   const double width = strip.high - strip.low;
-  if (2 * width > across_box) return all;
+  if (4 * width > across_box) return all;
   nodes_[here].strip = static_cast<std::uint32_t>(strips_.size());
   nodes_[here].size = static_cast<float>(2 * width);
   strips_.push_back(strip);

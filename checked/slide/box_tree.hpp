@@ -55,8 +55,8 @@ struct Strip {
   double low, high;
 };
 
-/// Boxes over the edges of a summand. The root is node 0. A set of edges is halved in the order of the
-/// boundary, or by place where that gives much smaller boxes.
+/// Boxes over the edges of a summand, chain by chain. The root is node 0. The edges of a chain are halved
+/// in the order of the boundary, or by the sides of their boxes where that gives smaller boxes.
 class BoxTree {
  public:
   static constexpr std::uint32_t none = ~std::uint32_t{0};
@@ -73,10 +73,10 @@ class BoxTree {
 
   BoxTree() = default;  ///< of no boxes
 
-  /// Requires: at least one box. O(n log n).
-  explicit BoxTree(const std::vector<Box>& of_edges);
-  /// The same, with strips around inner nodes that are much narrower than their boxes.
-  BoxTree(const std::vector<Box>& of_edges, std::span<const NearSegment> edges);
+  /// With strips around inner nodes that are much narrower than their boxes, if there are segments. Chains
+  /// are given by their first edges, and kept together. Requires: at least one box. O(n log^2 n).
+  explicit BoxTree(const std::vector<Box>& of_edges, std::span<const NearSegment> edges = {},
+                   std::span<const std::uint32_t> chains = {});
 
   const Node& operator[](std::uint32_t node) const { return nodes_[node]; }
   const Strip& strip(std::uint32_t number) const { return strips_[number]; }
@@ -84,7 +84,16 @@ class BoxTree {
  private:
   struct Edges;
   struct Moments;
-  Moments add(const Edges& edges, std::uint32_t first, std::uint32_t last, const Box& box);
+  struct PartOfBoundary;
+  /// Appends a tree over chains.
+  Moments add(Edges& edges, std::span<PartOfBoundary> chains);
+  /// Appends a tree over a range of the order, which is settled for so many halvings.
+  Moments add(Edges& edges, std::uint32_t first, std::uint32_t last, const Box& box,
+              unsigned settled);
+  /// Adds a strip to a node, if it is narrow.
+  template <typename EachEdge>
+  Moments with_strip(const Edges& edges, std::size_t node, const Moments& left,
+                     const Moments& right, const EachEdge& each_edge);
 
   std::vector<Node> nodes_;
   std::vector<Strip> strips_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 namespace oplus::slide {
 
@@ -15,9 +16,22 @@ void for_each_number(std::size_t n, unsigned threads, const std::function<void(s
 template <typename Work>
 void for_each_part(std::size_t n, unsigned threads, const Work& work,
                    std::size_t in_a_part = 4096) {
+  // Where there is little to do, a call through std::function is much.
+  if (n <= in_a_part) return n > 0 ? work(std::size_t{0}, n) : void();
   for_each_number((n + in_a_part - 1) / in_a_part, threads, [&](std::size_t part) {
     work(part * in_a_part, std::min((part + 1) * in_a_part, n));
   });
+}
+
+/// Returns find(first, last) of each such part, in order.
+template <typename Find>
+auto found_in_parts(std::size_t n, unsigned threads, const Find& find, std::size_t in_a_part) {
+  std::vector<decltype(find(n, n))> found((n + in_a_part - 1) / in_a_part);
+  for_each_part(
+      n, threads,
+      [&](std::size_t first, std::size_t last) { found[first / in_a_part] = find(first, last); },
+      in_a_part);
+  return found;
 }
 
 /// Sorts; the result does not depend on the number of threads if no two elements are equivalent.

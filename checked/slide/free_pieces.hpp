@@ -6,6 +6,7 @@
 
 #include "checked/slide/blocking_search.hpp"
 #include "checked/slide/component_test.hpp"
+#include "checked/slide/convex_cover.hpp"
 #include "checked/slide/place_inside.hpp"
 
 namespace oplus::slide {
@@ -14,6 +15,7 @@ namespace oplus::slide {
 struct IgnoreRest {
   template <typename Pair, typename Interval>
   void blocked(const Pair&, const Interval&) {}
+  void all_is_inside() {}
   template <typename Piece>
   void overlapping(const Piece&) {}
 };
@@ -23,36 +25,47 @@ template <typename Numbers>
 class FreePieces {
  public:
   explicit FreePieces(const IntegerSummands<Numbers>& summands)
-      : search_(summands, Shift::to_the_right), components_(summands) {
+      : search_(summands, Shift::to_the_right), cover_(summands), components_(summands) {
     gaps_.reserve(16);
   }
 
   /// Calls `add` with the maximal free pieces longer than a point; rest.blocked() with intervals that
-  /// cover all but these and the pairs that block them, and rest.overlapping() with closed pieces on
-  /// which components overlap.
+  /// cover all but these and the pairs that block them, or with all_is_inside() if all is in the open sum;
+  /// and rest.overlapping() with closed pieces on which components overlap.
   template <typename Add, typename Rest = IgnoreRest>
   void find(const Track<Numbers>& track, const Add& add, Rest&& rest = {}) {
     gaps_.assign(1, {{0, 1}, {1, 1}});
-    // After a segment that is free from end to end, the next one is likely to be.
-    if (last_was_free_ || search_.compares_all_pairs()) {
+    if (search_.compares_all_pairs() || (last_was_free_ && trust_ >= enough_trust)) {
       search_.leave_out_all();
-      last_was_free_ = uncovered(track, gaps_.back(), add, rest);
+      remember(uncovered(track, gaps_.back(), add, rest));
       return;
     }
-    bool is_whole = true;
+    const auto is_covered = [&] {
+      if (!cover_.contains(track)) return false;
+      ++search_.effort.covered;
+      remember(false);
+      rest.all_is_inside();
+      return true;
+    };
+    // A segment that one pair blocks needs no cover, but a cover that is found at once needs no probe.
+    const bool was_asked = cover_.contained_the_last();
+    if (was_asked && is_covered()) return;
+    bool is_whole = true, was_free = false;
     while (!gaps_.empty()) {
       const Piece<Numbers> gap = std::move(gaps_.back());
       gaps_.pop_back();
       if (const auto blocked = search_.at(track, place_inside(gap))) {
+        if (is_whole && !was_asked && !contains_whole(*blocked) && is_covered()) return;
         is_whole = false;
         rest.blocked(search_.last_pair(), *blocked);
         if (gap.from < blocked->from) gaps_.push_back({gap.from, blocked->from});
         if (blocked->to < gap.to) gaps_.push_back({blocked->to, gap.to});
       } else {
         const bool is_free = uncovered(track, gap, add, rest);
-        last_was_free_ = is_whole && is_free;
+        was_free = is_whole && is_free;
       }
     }
+    remember(was_free);
   }
 
   const SearchEffort& effort() const { return search_.effort; }
@@ -97,11 +110,25 @@ class FreePieces {
     return is_all;
   }
 
+  static bool contains_whole(const BlockedInterval<Numbers>& interval) {
+    return interval.from.numerator() < 0 && interval.to.denominator() < interval.to.numerator();
+  }
+
+  /// After a segment that is free from end to end, the next one is likely to be, unless it often was not.
+  void remember(bool is_free) {
+    constexpr int most_trust = 3;
+    if (last_was_free_) trust_ = std::clamp(trust_ + (is_free ? 1 : -1), 0, most_trust);
+    last_was_free_ = is_free;
+  }
+
   BlockingSearch<Numbers> search_;
+  ConvexCover<Numbers> cover_;
   ComponentTest<Numbers> components_;
   std::vector<Piece<Numbers>> gaps_;
   ShortList<BlockedInterval<Numbers>> intervals_;
   bool last_was_free_ = false;
+  static constexpr int enough_trust = 2;
+  int trust_ = 1;  ///< that a segment is free if the last one was
 };
 
 }  // namespace oplus::slide

@@ -147,7 +147,10 @@ BoxTree box_tree(const IntegerSummand<Numbers>& summand) {
   std::vector<Box> boxes;
   boxes.reserve(summand.near.size());
   for (const NearSegment& s : summand.near) boxes.push_back(box_around<Numbers>(s));
-  return BoxTree(boxes, span_of(summand.near));
+  std::vector<std::uint32_t> chains;  // their first edges
+  for (std::uint32_t i = 0; i < summand.names.size(); ++i)
+    if (summand.names[i].vertex == 0) chains.push_back(i);
+  return BoxTree(boxes, span_of(summand.near), chains);
 }
 
 }  // namespace oplus::slide

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <utility>
 
 #include "checked/slide/component_tree.hpp"
@@ -14,6 +15,17 @@ namespace oplus::slide {
 /// Up to so many pairs of edges, comparing all of them is faster than boxes.
 constexpr std::size_t few_pairs = 512;
 
+/// Whether a summand is convex.
+template <typename Numbers>
+bool is_convex(const IntegerSummand<Numbers>& summand) {
+  for (std::uint32_t i = 0; i < summand.edges.size(); ++i) {
+    if (summand.names[i].chain > 0) return false;
+    const auto& entering = summand.edges[summand.previous[i]];
+    if (sign_of(cross(entering.direction, summand.edges[i].direction)) < 0) return false;
+  }
+  return true;
+}
+
 /// Both summands, and either all pairs of their edges or their boxes.
 template <typename Numbers>
 struct IntegerSummands {
@@ -23,7 +35,10 @@ struct IntegerSummands {
         q(integer_summand<Numbers>(region_q, scaling, scaling.of_q)),
         pairs(p.near, q.near, most_pairs),
         margins(slide::margins(scaling)) {
-    if (pairs.is_empty()) prepare_boxes();
+    if (pairs.is_empty()) {
+      prepare_boxes();
+      prepare_cover();
+    }
     if (has_several_components()) prepare_component_test();
   }
 
@@ -37,12 +52,23 @@ struct IntegerSummands {
   ComponentTree components_of_p = {};
   ComponentTree components_of_q = {};
 
+  /// That of the two which is convex, if it has few edges and there are boxes: see ConvexCover.
+  std::optional<Summand> convex = {};
+
   bool has_several_components() const {
     return p.first_of_component.size() > 2 || q.first_of_component.size() > 2;
   }
   void prepare_boxes() {
     tree_of_p = box_tree(p);
     tree_of_q = box_tree(q);
+  }
+  void prepare_cover() {
+    constexpr std::size_t most_edges = 128;  // each is looked at for each box
+    const auto is_fit = [](const auto& summand) {
+      return summand.edges.size() <= most_edges && is_convex(summand);
+    };
+    const bool of_p = is_fit(p), of_q = is_fit(q);
+    if (of_p != of_q) convex = of_p ? Summand::P : Summand::Q;
   }
   void prepare_component_test() {
     components_of_p = ComponentTree(p);

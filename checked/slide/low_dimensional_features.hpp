@@ -22,6 +22,8 @@ struct LowDimensionalFeatures {
   std::vector<Point> isolated_vertices;
 };
 
+constexpr std::size_t in_a_lot = 128;  ///< segments or places, for one thread at a time
+
 /// Segments from one point to another, for the question whether a point is on one of them.
 template <typename Numbers>
 class PointLocation {
@@ -53,17 +55,6 @@ class PointLocation {
   const Scaling& scaling_;
   BoxTree tree_;
 };
-
-constexpr std::size_t in_a_lot = 128;
-inline std::size_t lots_of(std::size_t n) { return (n + in_a_lot - 1) / in_a_lot; }
-
-/// Calls work(lot, begin, end) with parts of n numbers.
-template <typename Work>
-void each_lot(std::size_t n, unsigned threads, const Work& work) {
-  for_each_number(lots_of(n), threads, [&](std::size_t lot) {
-    work(lot, lot * in_a_lot, std::min((lot + 1) * in_a_lot, n));
-  });
-}
 
 /// A place on a line, as a point, too.
 template <typename Numbers>
@@ -141,14 +132,14 @@ OpenCandidates<Numbers> low_dimensional_candidates(const Tracks<Numbers>& tracks
       PiecesOnLines<Numbers>(tracks, found.pieces, tracks.summands().margins).cover();
   pieces.insert(pieces.end(), others.begin(), others.end());
   found.pieces.clear();
-  std::vector<OpenCandidates<Numbers>> of_lots(lots_of(pieces.size()));
-  each_lot(pieces.size(), threads, [&](std::size_t lot, std::size_t begin, std::size_t end) {
+  const auto find_in = [&](std::size_t first, std::size_t last) {
     OpenPlaces<Numbers> open(tracks.summands(), rays);
-    for (std::size_t i = begin; i < end; ++i)
+    for (std::size_t i = first; i < last; ++i)
       open.look_into(pieces[i].segment, tracks[pieces[i].segment], pieces[i].piece);
-    of_lots[lot] = std::move(open.found);
-  });
-  for (OpenCandidates<Numbers>& of_lot : of_lots) found.take(std::move(of_lot));
+    return std::move(open.found);
+  };
+  for (OpenCandidates<Numbers>& of_lot : found_in_parts(pieces.size(), threads, find_in, in_a_lot))
+    found.take(std::move(of_lot));
   // Of dangling edges the others show nothing new.
   std::erase_if(found.pieces, [&](const auto& piece) { return !is_right(piece); });
   return found;
@@ -178,9 +169,9 @@ LowDimensionalFeatures low_dimensional_features(const Tracks<Numbers>& tracks,
   const PointLocation<Numbers> on_boundary(std::move(of_boundary), scaling);
   std::vector<char> is_outside(pieces.size() + points.size());
   const ComponentTrees<Numbers> components(summands);
-  each_lot(is_outside.size(), threads, [&](std::size_t, std::size_t begin, std::size_t end) {
+  const auto decide = [&](std::size_t first, std::size_t last) {
     OpenSumTest<Numbers> open_sum(summands, rays, components);
-    for (std::size_t i = begin; i < end; ++i) {
+    for (std::size_t i = first; i < last; ++i) {
       if (i < pieces.size()) {
         const auto& [segment, piece] = pieces[i];
         is_outside[i] = !open_sum.contains_by_components(tracks[segment], place_inside(piece));
@@ -189,7 +180,8 @@ LowDimensionalFeatures low_dimensional_features(const Tracks<Numbers>& tracks,
         is_outside[i] = !on_boundary.is_on_one(point) && !open_sum.contains(track, t);
       }
     }
-  });
+  };
+  for_each_part(is_outside.size(), threads, decide, in_a_lot);
 
   std::vector<FreePiece<Numbers>> dangling;
   for (std::size_t i = 0; i < pieces.size(); ++i)

@@ -96,6 +96,7 @@ class OpenPlaces {
   void blocked(const EdgePair& pair, const BlockedInterval<Numbers>& shifted) {
     if (!covers_all_) add_interval(pair, &shifted);
   }
+  void all_is_inside() { covers_all_ = true; }
   void overlapping(const Piece<Numbers>& piece) { settled_.push_back(piece); }
 
  private:

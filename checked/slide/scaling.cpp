@@ -108,14 +108,14 @@ bool has_unlike_denominators(const Region& p, const Region& q) {
   for (const Region* region : {&p, &q})
     each_vertex(*region, [&](const Point& v) {
       for (const Rational* c : {&v.x, &v.y})
-        if (c->get_den() != 1)
+        if (!is_one(c->get_den()))
           longest = std::max({longest, bits(c->get_num()), bits(c->get_den())});
     });
   bool unlike = false;
   for (const Region* region : {&p, &q})
     each_vertex(*region, [&](const Point& v) {
       for (const Rational* c : {&v.x, &v.y}) {
-        if (unlike || c->get_den() == 1) continue;
+        if (unlike || is_one(c->get_den())) continue;
         mpz_lcm(common.get_mpz_t(), common.get_mpz_t(), c->get_den_mpz_t());
         unlike = bits(common) > many_times * longest;
       }

@@ -108,23 +108,17 @@ Summands spiral_pair(Random& random, std::size_t n) {
   const int width = uniform(random, 1, pitch - 1);
   Chain out{{0, 0}}, back{{0, width}};
   int x = 0, y = 0;
-  for (std::size_t corner = 0; corner < n; ++corner) {
+  for (std::size_t corner = 0; corner <= n; ++corner) {
     const Place& step = steps.at(corner % 4);
     const Place& next = steps.at((corner + 1) % 4);
     const int length = pitch * (static_cast<int>(corner) / 2 + 2);
     x += length * step.x;
     y += length * step.y;
     out.push_back({x, y});
-    back.push_back({x + width * (next.x - step.x), y + width * (next.y - step.y)});
+    const int back_along = corner < n ? width : 0;  // both walls end beside each other
+    back.push_back(
+        {x + width * next.x - back_along * step.x, y + width * next.y - back_along * step.y});
   }
-  // The last leg.
-  const Place& step = steps.at(n % 4);
-  const Place& next = steps.at((n + 1) % 4);
-  const int length = pitch * (static_cast<int>(n) / 2 + 2);
-  x += length * step.x;
-  y += length * step.y;
-  out.push_back({x, y});
-  back.push_back({x + width * next.x, y + width * next.y});
   out.insert(out.end(), back.rbegin(), back.rend());
   return {polygon(std::move(out)), convex_grid_polygon(random, 6, pitch)};
 }

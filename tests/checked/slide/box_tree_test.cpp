@@ -193,6 +193,50 @@ TEST(BoxTree, halves_by_place_what_is_in_random_order_and_leaves_the_boundary_in
     EXPECT_LE(nodes_at(by_place, {x, 0.5}), 3 * nodes_at(in_order, {x, 0.5})) << x;
 }
 
+TEST(BoxTree, divides_rings_into_their_sides) {
+  std::vector<Box> boxes;
+  for (int r = 1; r <= 1000; ++r) {
+    boxes.push_back(box_around(-r, -r, r, -r));
+    boxes.push_back(box_around(r, -r, r, r));
+    boxes.push_back(box_around(-r, r, r, r));
+    boxes.push_back(box_around(-r, -r, -r, r));
+  }
+  const BoxTree tree(boxes);
+  for (const NearPoint& at : {NearPoint{0, 0}, NearPoint{10, 500}, NearPoint{-999, 3}})
+    EXPECT_LE(nodes_at(tree, at), 100u) << at.x;
+}
+
+TEST(BoxTree, keeps_chains_together_and_has_few_levels) {
+  std::vector<int> places(500);
+  std::iota(places.begin(), places.end(), 0);
+  Random random(5);
+  shuffle(random, places);
+  std::vector<Box> boxes;
+  std::vector<std::uint32_t> chains;
+  const auto begin_chain = [&] { chains.push_back(static_cast<std::uint32_t>(boxes.size())); };
+  for (const int place : places) {
+    begin_chain();
+    for (int i = 0; i < 5; ++i)
+      boxes.push_back(box_around(10 * place + i, i, 10 * place + i + 1, i));
+    if (chains.size() != 100) continue;
+    begin_chain();
+    for (int i = 0; i < 5000; ++i) boxes.push_back(box_around(i, 6, i + 1, 7));
+  }
+  const BoxTree tree(boxes, {}, chains);
+  std::vector<std::uint32_t> leaves;
+  EXPECT_LE(walk(tree, 0, leaves), 26u);
+  ASSERT_EQ(leaves.size(), boxes.size());
+  const auto chain = [&](std::uint32_t edge) {
+    return std::upper_bound(chains.begin(), chains.end(), edge) - chains.begin();
+  };
+  std::size_t changes = 0;
+  for (std::size_t k = 1; k < leaves.size(); ++k)
+    changes += chain(leaves[k - 1]) != chain(leaves[k]);
+  EXPECT_EQ(changes, chains.size() - 1);
+  std::sort(leaves.begin(), leaves.end());
+  for (std::uint32_t i = 0; i < leaves.size(); ++i) ASSERT_EQ(leaves[i], i);
+}
+
 /// Of a comb with slanted teeth, each from the baseline to the top and back.
 std::vector<NearSegment> slanted_teeth(int count, double scale) {
   std::vector<NearSegment> edges;

@@ -387,5 +387,13 @@ TEST(SlideThreads, do_not_change_the_result) {
   }
 }
 
+TEST(Slide, opens_few_boxes_in_spirals_and_among_many_components) {
+  for (const auto& [family, n] : {std::pair("spiral", 1000u), std::pair("dots", 60u)}) {
+    const auto [p, q] = generate(*find_family(family), n, 1);
+    const Statistics found = slide_sum(p, q, Boundary::closed).statistics;
+    EXPECT_LE(found.count("pairs of boxes"), 150 * found.count("segments slid along")) << family;
+  }
+}
+
 }  // namespace
 }  // namespace oplus

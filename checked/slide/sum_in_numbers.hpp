@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "checked/slide/all_free_pieces.hpp"
+#include "checked/slide/for_each_number.hpp"
+#include "checked/slide/low_dimensional_features.hpp"
+#include "checked/slide/named_ends.hpp"
+#include "checked/slide/open_places.hpp"
+#include "checked/slide/search_statistics.hpp"
+#include "checked/slide/segments_along.hpp"
+#include "checked/slide/stitching.hpp"
+#include "checked/slide/sum_in.hpp"
+#include "checked/slide/tracks.hpp"
+
+namespace oplus::slide {
+
+template <typename Numbers>
+ComputedSum sum_in(const Region& p, const Region& q, const Scaling& scaling, Boundary boundary,
+                   const EngineOptions& options) {
+  Tracks<Numbers> tracks(p, q, scaling);
+  std::optional<RaysOfBoth<Numbers>> rays;
+  if (boundary == Boundary::open) {
+    tracks.prepare_boxes();
+    rays.emplace(rays_of(tracks.summands()));
+  }
+  auto [pieces, open, effort] = all_free_pieces(tracks, options, rays);
+
+  const unsigned threads = options.threads;
+  const NamedEnds<Numbers> ends = named_ends(pieces, tracks, scaling, threads);
+  const auto is_on = [&](std::uint32_t i, const BoundaryPiece& piece) {
+    return lies_between(ends.points[i], ends.points[piece.from], ends.points[piece.to], scaling);
+  };
+  const std::vector<BoundaryPiece> cut =
+      cut_at_points(ends.pieces, {is_on, ends.near_x, ends.near_y}, threads);
+  const StitchedChains stitched_chains = stitched(
+      cut, ends.points.size(),
+      [&](std::uint32_t segment) -> const IntegerVector<Numbers>& {
+        return tracks.direction(segment);
+      },
+      threads);
+
+  ComputedSum result;
+  const auto origins_of = [&](std::span<const std::uint32_t> segments) {
+    std::vector<Origin> origins;
+    for (const std::uint32_t segment : segments) origins.push_back(tracks.origin(segment));
+    std::sort(origins.begin(), origins.end());
+    origins.erase(std::unique(origins.begin(), origins.end()), origins.end());
+    return origins;
+  };
+  for (const bool is_outer : {true, false}) {
+    std::vector<StitchedChains::Chain> chains;
+    std::copy_if(stitched_chains.chains.begin(), stitched_chains.chains.end(),
+                 std::back_inserter(chains),
+                 [&](const StitchedChains::Chain& chain) { return chain.is_outer == is_outer; });
+    std::vector<Chain>& of_sum = is_outer ? result.sum.outer : result.sum.holes;
+    of_sum.resize(chains.size());
+    constexpr std::size_t chains_in_a_part = 512;
+    // Most of the time goes into allocating the numbers of the points.
+    for_each_part(
+        chains.size(), threads,
+        [&](std::size_t first, std::size_t last) {
+          for (std::size_t k = first; k < last; ++k) {
+            const auto edges = stitched_chains.edges_of(chains[k]);
+            of_sum[k].resize(edges.size());
+            for (std::size_t i = 0; i < edges.size(); ++i)
+              ends.points[edges[i].from].put_into(of_sum[k][i], scaling);
+          }
+        },
+        chains_in_a_part);
+    if (options.with_origins)
+      for (const StitchedChains::Chain& chain : chains)
+        for (const StitchedChains::Edge& edge : stitched_chains.edges_of(chain))
+          result.origins.push_back(origins_of(stitched_chains.segments_of(edge)));
+  }
+
+  if (boundary == Boundary::open) {
+    LowDimensionalFeatures found = low_dimensional_features(
+        tracks, *rays, low_dimensional_candidates(tracks, *rays, std::move(open), options.threads),
+        ends, scaling, options.threads);
+    result.sum.dangling_edges = std::move(found.dangling_edges);
+    result.sum.isolated_vertices = std::move(found.isolated_vertices);
+    if (options.with_origins && !result.sum.dangling_edges.empty()) {
+      const SegmentsAlong<Numbers> segments(tracks, scaling);
+      for (const Segment& edge : result.sum.dangling_edges)
+        result.origins.push_back(origins_of(segments.along(edge)));
+    }
+  }
+
+  result.statistics =
+      search_statistics(tracks.size(), scaling.bits, pieces.size(), effort, integers_of<Numbers>());
+  return result;
+}
+
+}  // namespace oplus::slide

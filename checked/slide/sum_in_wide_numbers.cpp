@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+#include "checked/slide/sum_in_numbers.hpp"
+
+namespace oplus::slide {
+
+template ComputedSum sum_in<WideNumbers>(const Region&, const Region&, const Scaling&, Boundary,
+                                         const EngineOptions&);
+
+}  // namespace oplus::slide
