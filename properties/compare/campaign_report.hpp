@@ -18,9 +18,10 @@ namespace oplus {
 struct Campaign {
   std::vector<std::string> engines;
   std::string hole_test = "all";
+  std::string judge = judges().front().name;
   std::uint64_t seed = 1;
   std::optional<std::size_t> n = {};  ///< largest size of generated pairs; default: the family's
-  std::size_t largest = 1300;         ///< see Rules
+  std::size_t largest = judges().front().largest;  ///< see Rules
   std::optional<std::size_t> shrink = {};  ///< the most counterexamples to keep; default: unlimited
   std::size_t shrink_tries = 5000;         ///< per counterexample; a twentieth for one that hangs
   double time_limit = 10;                  ///< of programs and peers, in seconds
@@ -113,7 +114,7 @@ struct CampaignReport {
   std::map<std::string, SkippedPairs> skipped;  ///< by reason
   std::map<std::string, ShrunkFailure>
       counterexamples;  ///< by kind, of several engines also by name
-  SumDigest digest;     ///< of the oracle's sums
+  SumDigest digest;     ///< of the judge's sums
 
   Tally all() const;
   bool conforms() const { return all().disagreed == 0; }

@@ -54,6 +54,12 @@ std::optional<Shard> shard_of(const std::string& text) {
   return shard;
 }
 
+std::vector<std::string> judge_names() {
+  std::vector<std::string> names;
+  for (const Judge& judge : judges()) names.push_back(judge.name);
+  return names;
+}
+
 HoleTestMethod hole_test_named(const std::string& name) {
   for (const auto& [known, method] : hole_test_methods())
     if (known == name) return method;
@@ -111,6 +117,15 @@ CampaignReport run(const CompareOptions& options, CampaignReport report,
 }  // namespace
 
 void add_run_options(CLI::App& command, CompareOptions& options) {
+  command
+      .add_option(
+          "--judge", options.campaign.judge,
+          "What computes the right sums. oracle: executes the definitions, about a minute for "
+          "1000 segments of the convolution; winding-numbers: counts them along the line of "
+          "each segment, in integers, half a second for 5000, more if coordinates are large")
+      ->type_name("NAME")
+      ->check(CLI::IsMember(judge_names()))
+      ->capture_default_str();
   command.add_option("--shard", options.shard, "Only pairs of the I-th of N parts")
       ->type_name("I/N")
       ->capture_default_str();
@@ -136,11 +151,15 @@ void add_engine_option(CLI::App& command, CompareOptions& options, const std::st
       ->check(engine_name());
 }
 
-void add_limit_options(CLI::App& command, Campaign& campaign) {
-  command
-      .add_option("--largest", campaign.largest,
-                  "Skip, and count, pairs whose convolution has more segments")
-      ->capture_default_str();
+void add_limit_options(CLI::App& command, CompareOptions& options) {
+  Campaign& campaign = options.campaign;
+  std::string defaults;
+  for (const Judge& judge : judges())
+    defaults +=
+        (defaults.empty() ? "" : ", ") + std::to_string(judge.largest) + " for " + judge.name;
+  command.add_option(
+      "--largest", options.largest,
+      "Skip, and count, pairs whose convolution has more segments; default: " + defaults);
   command
       .add_option("--time-limit", campaign.time_limit, "Seconds per sum of a peer or of exec:CMD")
       ->check(CLI::PositiveNumber)
@@ -189,9 +208,12 @@ int compare(const std::string& command, CompareOptions options,
     if (normal(std::filesystem::path(file).parent_path()) != normal(options.out))
       require_writable({file});
   finish_when_interrupted();
+  const Judge& judge = judge_named(options.campaign.judge);
+  options.campaign.largest = options.largest.value_or(judge.largest);
   const Rules rules{.engines = chosen_engines(options.campaign),
                     .largest = options.campaign.largest,
-                    .asks_beyond = command == "conformance"};
+                    .asks_beyond = command == "conformance",
+                    .judge = judge};
   options.campaign.engines.clear();
   for (const Engine& engine : rules.engines) options.campaign.engines.push_back(engine.name);
 

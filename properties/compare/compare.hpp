@@ -12,6 +12,7 @@ namespace oplus {
 /// The options of every command that compares; the campaign's engines as named on the command line.
 struct CompareOptions {
   Campaign campaign;
+  std::optional<std::size_t> largest;           ///< default: the judge's
   std::vector<std::vector<std::string>> pairs;  ///< of files
   std::string shard = "1/1";
   unsigned threads = 0;  ///< 0: one per core
@@ -24,7 +25,7 @@ struct CompareOptions {
 /// Add options; the target must live as long as the command.
 void add_run_options(CLI::App& command, CompareOptions& options);
 void add_engine_option(CLI::App& command, CompareOptions& options, const std::string& what);
-void add_limit_options(CLI::App& command, Campaign& campaign);
+void add_limit_options(CLI::App& command, CompareOptions& options);
 void add_shrink_option(CLI::App& command, Campaign& campaign);
 void add_pair_option(CLI::App& command, CompareOptions& options);
 
@@ -32,7 +33,7 @@ void add_pair_option(CLI::App& command, CompareOptions& options);
 std::vector<Task> given_pairs(CompareOptions& options);
 
 /// Compares: runs the shard, writes the counterexamples, the reports and the text. Returns the exit code,
-/// see compare_commands.hpp. Only `conformance` asks engines for sums that are too large for the oracle.
+/// see compare_commands.hpp. Only `conformance` asks engines for sums that are too large for the judge.
 int compare(const std::string& command, CompareOptions options,
             const std::vector<TaskSource>& sources);
 

@@ -18,7 +18,7 @@ struct Settings : CompareOptions {
 void add_conformance_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "conformance",
-      "Check the sums of one implementation against the oracle, statements and laws");
+      "Check the sums of one implementation against the oracle or winding numbers, statements and laws");
   const auto settings = std::make_shared<Settings>();
   Campaign& campaign = settings->campaign;
   ConformanceChoice& choice = settings->choice;
@@ -41,11 +41,11 @@ void add_conformance_command(CLI::App& app, int& exit_code) {
       ->add_option("--shrink", campaign.shrink_tries,
                    "The most pairs to try when a counterexample is shrunk; for hangs a twentieth")
       ->capture_default_str();
-  add_limit_options(*command, campaign);
+  add_limit_options(*command, *settings);
   add_run_options(*command, *settings);
   command->footer(
       "Parts, in the order of the run: grids (all pairs of small polygons on small grids, or an even\n"
-      "selection), corpus, families (random pairs against the oracle), statements (of the thesis),\n"
+      "selection), corpus, families (random pairs against the judge), statements (of the thesis),\n"
       "laws (of the sum).\n"
       "\n"
       "Example:\n"

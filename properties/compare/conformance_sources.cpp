@@ -95,7 +95,7 @@ std::vector<TaskSource> conformance_sources(const std::vector<Task>& pairs) {
       sources.push_back(
           {"pairs", pair.name + ", by " + by, 1, [task](std::size_t) { return task; }});
     };
-    add("the oracle", nullptr);
+    add("the judge", nullptr);
     for (const Statement& statement : statements_on_results()) add(statement.id, &statement);
   }
   return sources;

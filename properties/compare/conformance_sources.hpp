@@ -20,13 +20,13 @@ struct ConformanceChoice {
 };
 
 /// "grids": every pair of small polygons on small grids, or an even selection of them; "corpus";
-/// "families": random pairs against the oracle; "statements": of the thesis, on results; "laws" of the
+/// "families": random pairs against the judge; "statements": of the thesis, on results; "laws" of the
 /// sum. In the order in which they are run: what finds small pairs comes first.
 const std::vector<std::string>& conformance_parts();
 
 std::vector<TaskSource> conformance_sources(const ConformanceChoice& choice);
 
-/// Given pairs instead, each by the oracle and by every statement: the part "pairs".
+/// Given pairs instead, each by the judge and by every statement: the part "pairs".
 std::vector<TaskSource> conformance_sources(const std::vector<Task>& pairs);
 
 }  // namespace oplus

@@ -29,14 +29,14 @@ std::string slug(const std::string& kind) {
   return result;
 }
 
-std::string picture(const WrongSum& sum) {
+std::string picture(const WrongSum& sum, const std::string& judge) {
   std::vector<Panel> panels = panels_of(sum.pair.p, sum.pair.q);
   const auto add = [&](const std::string& title, const MinkowskiSum& drawn) {
     std::vector<Layer> layers = layers_of(drawn);
     if (sum.failure.witness) layers.push_back({style::difference, {}, {}, {*sum.failure.witness}});
     panels.push_back({title, std::move(layers)});
   };
-  if (sum.right) add("oracle", *sum.right);
+  if (sum.right) add(judge, *sum.right);
   // Only a region can be filled.
   if (sum.given && !malformed(*sum.given)) add(sum.engine, *sum.given);
   return svg(panels);
@@ -74,7 +74,7 @@ void write_counterexamples(const CampaignReport& report) {
     put(files.q, written(found.sum.pair.q, Format::dat));
     if (!files.right.empty()) put(files.right, written(*found.sum.right, Format::wkt));
     if (!files.given.empty()) put(files.given, written(*found.sum.given, Format::wkt));
-    put(files.picture, picture(found.sum));
+    put(files.picture, picture(found.sum, report.campaign.judge));
   }
 }
 
@@ -85,15 +85,17 @@ std::string replay_line(const CampaignReport& report, const ShrunkFailure& found
   };
   std::string line =
       "oplus-check " + std::string(report.report == "conformance" ? "conformance" : "diff");
-  // Where the oracle threw, any engine will do.
-  if (found.sum.engine != "oracle")
+  // Where the judge threw, any engine will do.
+  if (found.sum.engine != report.campaign.judge)
     line += " --engine " + for_shell(found.sum.engine);
   else if (report.report == "conformance")
     line += " --engine slide";
   const Campaign defaults, &campaign = report.campaign;
   std::ostringstream options;
   if (campaign.hole_test != defaults.hole_test) options << " --hole-test " << campaign.hole_test;
-  if (campaign.largest != defaults.largest) options << " --largest " << campaign.largest;
+  if (campaign.judge != defaults.judge) options << " --judge " << campaign.judge;
+  if (campaign.largest != judge_named(campaign.judge).largest)
+    options << " --largest " << campaign.largest;
   if (campaign.time_limit != defaults.time_limit)
     options << " --time-limit " << campaign.time_limit;
   if (campaign.memory_limit != defaults.memory_limit)

@@ -84,7 +84,8 @@ std::vector<TaskSource> chosen_sources(Settings& settings) {
 void add_diff_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "diff",
-      "Compare engines with the oracle, on pairs that are named or on those of the main job");
+      "Compare engines with the oracle, or with winding numbers, on pairs that are named or on those "
+      "of the main job");
   const auto settings = std::make_shared<Settings>();
   Campaign& campaign = settings->campaign;
   add_engine_option(
@@ -118,7 +119,7 @@ void add_diff_command(CLI::App& app, int& exit_code) {
   add_shrink_option(*command, campaign);
   command->add_option("--shrink-tries", campaign.shrink_tries, "Pairs tried to shrink one")
       ->capture_default_str();
-  add_limit_options(*command, campaign);
+  add_limit_options(*command, *settings);
   add_run_options(*command, *settings);
   command->footer(
       "Without --report the report is written to diff.json in --out.\n"

@@ -18,7 +18,8 @@ struct Settings : CompareOptions {
 
 void add_exhaustive_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
-      "exhaustive", "Compare engines with the oracle on every pair of small grid polygons");
+      "exhaustive",
+      "Compare engines with the oracle, or with winding numbers, on every pair of small grid polygons");
   const auto settings = std::make_shared<Settings>();
   command->add_option("--grid", settings->side, "Points along a side of the grid")
       ->check(CLI::Range(2, 16))

@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <cctype>
 #include <exception>
+#include <stdexcept>
 #include <system_error>
 #include <variant>
 
+#include "properties/fuzz/sums_along_lines.hpp"
 #include "properties/runner/checked_engines.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/io/quoting.hpp"
+#include "reference/oracle/oracle.hpp"
 
 namespace oplus {
 
@@ -64,11 +67,11 @@ void rule(JudgedSum& sum, const EngineAnswer& answer, const MinkowskiSum* right,
   }
 }
 
-std::string too_large(const Summands& pair, std::size_t largest) {
+std::string too_large(const Summands& pair, const Rules& rules) {
   const std::size_t size = convolution(pair.p, pair.q).size();
-  if (size <= largest) return "";
-  return "its convolution has " + std::to_string(size) + " segments, the oracle takes at most " +
-         std::to_string(largest);
+  if (size <= rules.largest) return "";
+  return "its convolution has " + std::to_string(size) + " segments, " + rules.judge.in_words +
+         " takes at most " + std::to_string(rules.largest);
 }
 
 /// A sum that a statement asked for.
@@ -79,7 +82,7 @@ struct Question {
 };
 
 JudgedSum by_statement(const Task& task, const Engine& engine, Boundary boundary,
-                       std::size_t largest, Probes& probes) {
+                       const Rules& rules, Probes& probes) {
   JudgedSum sum{engine.name, boundary};
   std::vector<Question> asked;
   // Answers that no statement could work with are thrown.
@@ -111,8 +114,8 @@ JudgedSum by_statement(const Task& task, const Engine& engine, Boundary boundary
     JudgedSum blamed{engine.name, question.boundary};
     std::optional<MinkowskiSum> right;
     if (std::holds_alternative<MinkowskiSum>(question.answer) &&
-        too_large(question.pair, largest).empty())
-      right = oracle_sum(question.pair.p, question.pair.q, question.boundary);
+        too_large(question.pair, rules).empty())
+      right = rules.judge.sums(question.pair.p, question.pair.q).of(question.boundary);
     rule(blamed, question.answer, right ? &*right : nullptr, question.pair);
     if (blamed.ruling == "passed" || blamed.ruling == "skipped") continue;
     blamed.boundary = boundary;
@@ -125,6 +128,26 @@ JudgedSum by_statement(const Task& task, const Engine& engine, Boundary boundary
 }
 
 }  // namespace
+
+const std::vector<Judge>& judges() {
+  static const std::vector<Judge> all = {{"oracle", "the oracle", 1300,
+                                          [](const Region& p, const Region& q) -> RightSums {
+                                            OracleSums sums = oracle_sums(p, q);
+                                            return {std::move(sums.closed), std::move(sums.open)};
+                                          }},
+                                         {"winding-numbers", "the check by winding numbers", 5000,
+                                          [](const Region& p, const Region& q) -> RightSums {
+                                            SumsAlongLines sums = sums_along_lines(p, q);
+                                            return {std::move(sums.closed), std::move(sums.open)};
+                                          }}};
+  return all;
+}
+
+const Judge& judge_named(const std::string& name) {
+  for (const Judge& judge : judges())
+    if (judge.name == name) return judge;
+  throw std::invalid_argument("unknown judge " + one_line(name));
+}
 
 const std::vector<std::string>& rulings() {
   static const std::vector<std::string> all = {
@@ -142,11 +165,11 @@ JudgedPair judged(const Task& task, const Rules& rules) {
   };
   if (task.statement != nullptr) {
     each([&](const Engine& engine, Boundary boundary) {
-      return by_statement(task, engine, boundary, rules.largest, result.probes);
+      return by_statement(task, engine, boundary, rules, result.probes);
     });
     return result;
   }
-  const std::string why_skipped = task.known ? "" : too_large(task.pair, rules.largest);
+  const std::string why_skipped = task.known ? "" : too_large(task.pair, rules);
   if (!why_skipped.empty() && !rules.asks_beyond) {
     each([&](const Engine& engine, Boundary boundary) {
       return JudgedSum{engine.name, boundary, "skipped", why_skipped};
@@ -164,25 +187,24 @@ JudgedPair judged(const Task& task, const Rules& rules) {
   };
   // One arrangement for both sums, and only where there is something to compare.
   if (task.known) {
-    result.right = OracleSums{task.known->closed, task.known->open, {}};
+    result.right = RightSums{task.known->closed, task.known->open};
   } else if (why_skipped.empty() &&
              (answers.empty() || std::any_of(answers.begin(), answers.end(), is_to_judge))) {
     try {
-      result.right = oracle_sums(task.pair.p, task.pair.q);
+      result.right = rules.judge.sums(task.pair.p, task.pair.q);
     } catch (const std::exception& e) {
-      JudgedSum oracle{"oracle", Boundary::closed};
-      rule(oracle, of_exception(e.what()), nullptr, task.pair);
-      result.sums.push_back(std::move(oracle));
+      JudgedSum thrown{rules.judge.name, Boundary::closed};
+      rule(thrown, of_exception(e.what()), nullptr, task.pair);
+      result.sums.push_back(std::move(thrown));
     }
   }
   for (std::size_t i = 0; i < result.sums.size(); ++i) {
     JudgedSum& sum = result.sums[i];
     if (sum.wrong) continue;
-    const MinkowskiSum* const right = !result.right                      ? nullptr
-                                      : sum.boundary == Boundary::closed ? &result.right->closed
-                                                                         : &result.right->open;
+    const MinkowskiSum* const right = result.right ? &result.right->of(sum.boundary) : nullptr;
     rule(sum, answers[i], right, task.pair);
-    if (sum.ruling == "skipped") sum.why = why_skipped.empty() ? "the oracle threw" : why_skipped;
+    if (sum.ruling == "skipped")
+      sum.why = why_skipped.empty() ? rules.judge.in_words + " threw" : why_skipped;
   }
   return result;
 }

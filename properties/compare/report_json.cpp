@@ -81,7 +81,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Tally, pairs, ran, skipped, disagreed, holes_
                                    open_unsupported, refused)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FirstFailure, index, found_in, what, pair)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CountedSource, part, name, counts, first_failures)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Campaign, engines, hole_test, seed, n, largest, shrink,
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Campaign, engines, hole_test, judge, seed, n, largest, shrink,
                                    shrink_tries, time_limit, memory_limit, pairs, sources)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Shard, index, of)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CampaignReport, report, version, campaign, shard, pairs, done,
@@ -116,6 +116,7 @@ CampaignReport opened(const std::string& text, const std::string& file) {
     auto report = json.get<CampaignReport>();
     if (report.done > report.pairs || report.sources.size() != report.campaign.sources.size())
       throw refuse("its counts contradict each other");
+    judge_named(report.campaign.judge);
     return report;
   } catch (const nlohmann::json::exception& e) {
     throw refuse(e.what());

@@ -69,7 +69,7 @@ void counterexample(std::ostream& out, const CampaignReport& report, const std::
       << cell(found.source) << ", with " << found.found_size.vertices << " vertices.\n\n```text\n"
       << explanation(report, found) << "P      " << written(sum.pair.p, Format::wkt) << "Q      "
       << written(sum.pair.q, Format::wkt);
-  if (sum.right) out << "oracle " << in_words(*sum.right);
+  if (sum.right) out << "judge  " << in_words(*sum.right);
   if (sum.given) out << "engine " << in_words(*sum.given);
   out << "```\n\n![both summands, their convolution, and the sums](<"
       << link_to(files_of(found).picture, report, folder) << ">)\n";
@@ -93,7 +93,8 @@ std::string to_markdown(const CampaignReport& report, const std::string& folder)
   else
     out << counted(campaign.pairs.size(), "given pair", "given pairs");
   if (report.shard.of > 1) out << ", shard " << report.shard.index << " of " << report.shard.of;
-  out << ". Two sums per pair are counted, the closed one and the open one. Paths are from the folder "
+  out << ". Compared with " << judge_named(campaign.judge).in_words
+      << ". Two sums per pair are counted, the closed one and the open one. Paths are from the folder "
          "in which the command was run.\n\n## Parts\n\n";
   head(out, {"part"});
   for (const CountedPart& part : parts_of(report)) row(out, {part.part}, part.all);

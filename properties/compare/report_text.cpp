@@ -122,8 +122,10 @@ std::string summary_of_conformance(const CampaignReport& report) {
 }  // namespace
 
 std::string summary(const CampaignReport& report) {
-  if (report.report == "exhaustive") return summary_of_exhaustive(report);
-  return report.report == "conformance" ? summary_of_conformance(report) : summary_of_diff(report);
+  return "compared with " + judge_named(report.campaign.judge).in_words + ":\n" +
+         (report.report == "exhaustive"    ? summary_of_exhaustive(report)
+          : report.report == "conformance" ? summary_of_conformance(report)
+                                           : summary_of_diff(report));
 }
 
 std::string explanation(const CampaignReport& report, const ShrunkFailure& found) {
@@ -136,7 +138,9 @@ std::string explanation(const CampaignReport& report, const ShrunkFailure& found
     out << "  not repeatable: it did not fail in this way when asked again, so it is not shrunk\n";
   else if (!found.is_shrunk)
     out << "  there may be a smaller pair: " << found.tries << " were tried\n";
-  if (right) out << "  the first is the oracle: " << description(*right) << '\n';
+  if (right)
+    out << "  the first is " << judge_named(report.campaign.judge).in_words << ": "
+        << description(*right) << '\n';
   out << "  the second is " << engine << ": " << (given ? description(*given) : "no sum") << '\n';
   if (!failure.what.empty()) out << "  " << failure.what << '\n';
   if (failure.witness) out << "  they differ at " << to_string(*failure.witness) << '\n';

@@ -11,7 +11,7 @@ namespace oplus {
 /// line.
 std::string summary(const CampaignReport& report);
 
-/// Describes a counterexample: how engine and oracle differ, where its files are, and how to reproduce it.
+/// Describes a counterexample: how engine and judge differ, where its files are, and how to reproduce it.
 std::string explanation(const CampaignReport& report, const ShrunkFailure& found);
 
 /// For people. `folder` is that of the Markdown's own file, for the links to pictures.

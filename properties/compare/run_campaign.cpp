@@ -48,7 +48,7 @@ bool shrink(ShrunkFailure& found, const Statement* statement, const Campaign& ca
   again.boundaries = {found.sum.boundary};
   again.asks_beyond = true;
   std::erase_if(again.engines, [&](const auto& engine) { return engine.name != found.sum.engine; });
-  // Without a sum there is nothing for the oracle to judge.
+  // Without a sum there is nothing to judge.
   if (!found.sum.given && !again.engines.empty() && !breaks_statement) again.largest = 0;
   // Each pair that hangs takes the whole time limit.
   const bool hangs = found.sum.failure.kind == "hung";

@@ -11,7 +11,7 @@
 
 namespace oplus {
 
-/// A pair, and what its sums are compared with: the oracle, or the corpus, or a statement on sums.
+/// A pair, and what its sums are compared with: the judge, or the corpus, or a statement on sums.
 struct Task {
   std::string name;  ///< how to make the pair again
   Summands pair;

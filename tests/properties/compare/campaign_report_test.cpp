@@ -114,6 +114,18 @@ TEST(Explanation, says_how_they_differ_and_how_to_reproduce_it) {
   EXPECT_TRUE(has(text, "--engine 'a|b <c> & \"d\"' --pair folder/" + files.p + " folder/"));
 }
 
+TEST(Report, says_who_judged) {
+  CampaignReport report = report_of_many_kinds();
+  report.campaign.judge = "winding-numbers";
+  const std::string who = "the check by winding numbers";
+  EXPECT_TRUE(has(summary(report), "compared with " + who + ":\n"));
+  EXPECT_TRUE(has(to_markdown(report), "Compared with " + who + "."));
+  EXPECT_TRUE(has(sealed(report), R"("judge": "winding-numbers")"));
+  const ShrunkFailure& found = report.counterexamples.at("isolated vertex invented");
+  EXPECT_TRUE(has(explanation(report, found), "the first is " + who + ": 1 outer chain"));
+  EXPECT_TRUE(has(replay_line(report, found), " --judge winding-numbers "));
+}
+
 TEST(ReportJson, survives_reading) {
   const CampaignReport& report = report_of_many_kinds();
   const CampaignReport read = opened(sealed(report), "r.json");
@@ -137,6 +149,10 @@ TEST(ReportJson, sees_what_was_changed) {
   CampaignReport odd = report_of_many_kinds();
   odd.done = odd.pairs + 1;
   EXPECT_THROW(opened(sealed(odd), "r.json"), InvalidInput);
+  CampaignReport unknown = report_of_many_kinds();
+  unknown.campaign.judge = "nobody";
+  unknown.counterexamples.clear();  // their lines to reproduce them name the judge
+  EXPECT_THROW(opened(sealed(unknown), "r.json"), InvalidInput);
 }
 
 }  // namespace

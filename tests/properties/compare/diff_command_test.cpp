@@ -8,6 +8,12 @@
 namespace oplus {
 namespace {
 
+/// The last line of a text that starts so, without the start.
+std::string last_line_after(const std::string& text, const std::string& start) {
+  const std::size_t at = text.rfind(start) + start.size();
+  return text.substr(at, text.find('\n', at) - at);
+}
+
 class DiffCommand : public Shell {
  protected:
   void SetUp() override {
@@ -68,6 +74,42 @@ TEST_F(DiffCommand, counts_what_it_skips_and_does_not_pass_with_nothing_compared
   EXPECT_TRUE(has(ran.out, "0 cases run, each closed and open, 1 skipped"));
 }
 
+TEST_F(DiffCommand, compares_with_the_judge_that_is_named) {
+  const std::string pairs = "--family tight --cases 6 --engine slide --report ";
+  const Ran by_oracle = diff(pairs + "oracle.json");
+  const Ran by_winding_numbers = diff(pairs + "winding.json --judge winding-numbers");
+  EXPECT_EQ(by_oracle.exit_code, 0) << by_oracle.err;
+  EXPECT_EQ(by_winding_numbers.exit_code, 0) << by_winding_numbers.err;
+  EXPECT_TRUE(has(by_oracle.out, "compared with the oracle:\n"));
+  EXPECT_TRUE(has(by_winding_numbers.out, "compared with the check by winding numbers:\n"));
+  const auto one = nlohmann::json::parse(content("oracle.json"));
+  const auto other = nlohmann::json::parse(content("winding.json"));
+  EXPECT_EQ(one.at("digest"), other.at("digest"));
+  EXPECT_EQ(one.at("campaign").at("judge"), "oracle");
+  EXPECT_EQ(other.at("campaign").at("judge"), "winding-numbers");
+  EXPECT_LT(one.at("campaign").at("largest"), other.at("campaign").at("largest"));
+  EXPECT_EQ(diff(pairs + "no.json --judge nobody").exit_code, 2);
+}
+
+TEST_F(DiffCommand, finds_a_wrong_sum_by_winding_numbers_and_reproduces_it) {
+  const Ran ran = diff(
+      "--pair square.dat frame.dat --judge winding-numbers --engine 'exec:cat {p} #' --shrink-tries "
+      "20");
+  EXPECT_EQ(ran.exit_code, 1) << ran.err;
+  EXPECT_TRUE(has(ran.out, "the first is the check by winding numbers: 1 outer chain"));
+  const Ran again = run(last_line_after(ran.out, "  reproduce: "));
+  EXPECT_EQ(again.exit_code, 1) << again.err;
+  EXPECT_TRUE(has(again.out, "the first is the check by winding numbers: 1 outer chain"));
+}
+
+TEST_F(DiffCommand, does_not_go_on_with_another_judge) {
+  const std::string pairs = "--family grid --cases 3 --engine slide --resume state.json";
+  EXPECT_EQ(diff(pairs).exit_code, 0);
+  const Ran other = diff(pairs + " --judge winding-numbers");
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_TRUE(has(other.err, R"(judge is "oracle", not "winding-numbers")"));
+}
+
 TEST_F(DiffCommand, refuses_invalid_input_and_usage) {
   put("bad.dat", "4\n0 0\n2 2\n2 0\n0 2\n");
   const Ran bad = diff("--pair bad.dat square.dat");
@@ -119,12 +161,6 @@ TEST_F(DiffCommand, reports_how_a_program_ends_and_skips_what_it_refuses) {
           "skipped: square.dat frame.dat: exec:exit 77 #: it gives no reason; exec:exit 77 #: "
           "it computes closed sums only"));
   EXPECT_TRUE(has(none.out, "1 open sum unsupported, 1 sum refused, 1 skipped"));
-}
-
-/// The last line of a text that starts so, without the start.
-std::string last_line_after(const std::string& text, const std::string& start) {
-  const std::size_t at = text.rfind(start) + start.size();
-  return text.substr(at, text.find('\n', at) - at);
 }
 
 TEST_F(DiffCommand, reproduces_a_failure_by_the_printed_line) {

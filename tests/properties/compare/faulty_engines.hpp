@@ -45,6 +45,7 @@ struct SmallRun {
   std::size_t largest = 1300;
   Shard shard = {};
   unsigned threads = 2;
+  std::string judge = "oracle";
 
   std::vector<TaskSource> sources() const {
     return conformance_sources({.cases = cases, .parts = parts});
@@ -55,8 +56,11 @@ struct SmallRun {
     campaign.engines = {engine.name};
     campaign.shrink_tries = shrink_tries;
     campaign.largest = largest;
-    return run_campaign(begun_report("conformance", campaign, shard, sources()), sources(),
-                        {.engines = {engine}, .largest = largest, .asks_beyond = true}, threads);
+    campaign.judge = judge;
+    return run_campaign(
+        begun_report("conformance", campaign, shard, sources()), sources(),
+        {.engines = {engine}, .largest = largest, .asks_beyond = true, .judge = judge_named(judge)},
+        threads);
   }
 };
 

@@ -7,6 +7,7 @@
 
 #include "reference/definitions/difference.hpp"
 #include "reference/families/fork.hpp"
+#include "reference/oracle/oracle.hpp"
 #include "tests/properties/compare/faulty_engines.hpp"
 
 namespace oplus {
@@ -64,11 +65,47 @@ TEST(Judge, an_exception_is_a_crash_with_its_message_as_site) {
   EXPECT_FALSE(wrong.given);
 }
 
+TEST(Judge, whoever_judges_finds_the_same) {
+  std::size_t faults = 0;
+  for (const Task& task : {frame_and_square, frame_and_plug}) {
+    const Rules by_oracle{.engines = {right, without_holes, without_isolated_vertices, throwing}};
+    Rules by_winding_numbers = by_oracle;
+    by_winding_numbers.judge = judge_named("winding-numbers");
+    const JudgedPair expected = judged(task, by_oracle), found = judged(task, by_winding_numbers);
+    ASSERT_EQ(found.sums.size(), expected.sums.size());
+    for (std::size_t i = 0; i < found.sums.size(); ++i) {
+      EXPECT_EQ(found.sums[i].ruling, expected.sums[i].ruling);
+      ASSERT_EQ(found.sums[i].wrong.has_value(), expected.sums[i].wrong.has_value());
+      if (!found.sums[i].wrong) continue;
+      ++faults;
+      EXPECT_EQ(found.sums[i].wrong->failure.kind, expected.sums[i].wrong->failure.kind);
+      EXPECT_EQ(found.sums[i].wrong->right, expected.sums[i].wrong->right);
+    }
+    EXPECT_EQ(found.right.value().closed, expected.right.value().closed);
+    EXPECT_EQ(found.right->open, expected.right->open);
+  }
+  // A lost hole in the closed and in the open sum, a lost vertex in the open one, two crashes each.
+  EXPECT_EQ(faults, 3U + 4U);
+}
+
+TEST(Judge, a_judge_that_throws_is_counted_and_its_sums_are_not_passed) {
+  Rules rules{.engines = {right}};
+  rules.judge = {"broken", "the broken judge", 1300, [](const Region&, const Region&) -> RightSums {
+                   throw std::runtime_error("no luck");
+                 }};
+  const JudgedPair result = judged(frame_and_square, rules);
+  ASSERT_EQ(result.sums.size(), 3U);
+  EXPECT_EQ(result.sums[0].why, "the broken judge threw");
+  EXPECT_EQ(result.sums[1].ruling, "skipped");
+  EXPECT_EQ(result.sums[2].ruling, "crashed");
+  EXPECT_EQ(result.sums[2].wrong.value().engine, "broken");
+}
+
 TEST(Judge, skips_what_is_too_large_and_says_so) {
   const Task large{"", fork_and_l(3)};
   const JudgedSum skipped = judged(large, {.engines = {throwing}, .largest = 10}).sums.at(0);
   EXPECT_EQ(skipped.ruling, "skipped");
-  EXPECT_NE(skipped.why.find("at most 10"), std::string::npos) << skipped.why;
+  EXPECT_NE(skipped.why.find("the oracle takes at most 10"), std::string::npos) << skipped.why;
   const Rules beyond{.engines = {throwing, right}, .largest = 10, .asks_beyond = true};
   EXPECT_EQ(judged(large, beyond).sums.at(0).ruling, "crashed");
   EXPECT_EQ(judged(large, beyond).sums.at(2).ruling, "skipped");

@@ -231,6 +231,23 @@ TEST(Conformance, an_answer_that_is_not_repeated_is_reported_and_not_shrunk) {
   EXPECT_FALSE(report.counterexamples.at("crashed: once").is_repeatable);
 }
 
+/// Rulings, kinds, shrunk pairs, the digest: all but the name.
+TEST(RunCampaign, same_report_whoever_judges) {
+  for (const Engine& faulty :
+       {of_many_kinds("faulty"), changed([](MinkowskiSum& sum) { sum.holes.clear(); }),
+        changed([](MinkowskiSum& sum) { sum.dangling_edges.clear(); }),
+        changed([](MinkowskiSum& sum) { sum.isolated_vertices.clear(); })}) {
+    SmallRun run{.parts = {"families", "laws"}, .cases = 2, .shrink_tries = 20};
+    const CampaignReport expected = run.of(faulty);
+    run.judge = "winding-numbers";
+    CampaignReport found = run.of(faulty);
+    EXPECT_FALSE(found.conforms());
+    EXPECT_EQ(other_campaign(expected, found), R"(judge is "winding-numbers", not "oracle")");
+    found.campaign.judge = "oracle";
+    EXPECT_EQ(sealed(found), sealed(expected));
+  }
+}
+
 TEST(RunCampaign, same_report_however_many_threads) {
   const Engine loses = changed([](MinkowskiSum& sum) { sum.holes.clear(); });
   const CampaignReport one = SmallRun{.cases = 1, .shrink_tries = 20, .threads = 1}.of(loses);

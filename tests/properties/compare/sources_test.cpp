@@ -49,7 +49,7 @@ TEST(Sources, of_a_grid_are_all_orbits_or_an_even_selection) {
 TEST(Sources, of_given_pairs_ask_the_oracle_and_every_statement) {
   const Summands pair{polygon({{0, 0}, {1, 0}, {0, 1}}), polygon({{0, 0}, {1, 0}, {0, 1}})};
   const std::vector<TaskSource> sources = conformance_sources({Task{"a b", pair}});
-  EXPECT_EQ(sources.at(0).name, "a b, by the oracle");
+  EXPECT_EQ(sources.at(0).name, "a b, by the judge");
   EXPECT_GT(sources.size(), 15U);
   for (const TaskSource& source : sources) {
     EXPECT_EQ(source.task(0).pair, pair);
