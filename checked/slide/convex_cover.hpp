@@ -4,16 +4,19 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "checked/slide/blocked_interval.hpp"
 #include "checked/slide/integer_summands.hpp"
 #include "reference/definitions/mutant.hpp"
 
 namespace oplus::slide {
 
-/// Finds segments that are inside a + Q for a vertex a of P, where Q is convex, or the other way round:
-/// all of such a segment is inside the sum, the open one too. Where the edges of P are short beside Q, it
-/// would take many pairs of edges to block it. One object a thread.
+/// Finds segments, and parts of them, that are inside a + Q for a vertex a of P, where Q is convex, or the
+/// other way round: these are inside the sum, the open one too. Where the edges of P are short beside Q, it
+/// would take many pairs of edges to block them. What is inside may not be found: searches are short, and
+/// rare after such that found nothing. One object a thread.
 template <typename Numbers>
 class ConvexCover {
  public:
@@ -27,53 +30,106 @@ class ConvexCover {
 
   bool contained_the_last() const { return contained_the_last_; }
 
-  /// Whether it is found that all of the track, its ends too, is inside. It may be without being found:
-  /// the search is short, and shorter where it found nothing lately.
+  /// Whether all of a track, its ends too, is found to be inside.
   bool contains(const Track<Numbers>& track) {
     if (!convex_) return false;
-    constexpr int most_patience = 16;
-    const bool is_tired = patience_ <= 0 && ++waited_ % most_patience != 0;
-    const auto size = static_cast<std::uint32_t>(other_->edges.size());
-    bool is_inside = contains_at(recent_, track);
-    for (const std::uint32_t next : {recent_ + 1, other_->previous[recent_]}) {
-      if (is_inside) break;
-      is_inside = contains_at(next == size ? 0 : next, track);
-    }
-    if (!is_inside && !is_tired) is_inside = search(track);
-    contained_the_last_ = is_inside;
-    patience_ = std::clamp(patience_ + (is_inside ? 2 : -1), 0, most_patience);
-    return is_inside;
+    contained_the_last_ = find(of_all_, track.near, {0, 1},
+                               [&](std::uint32_t vertex) { return contains_at(vertex, track); });
+    return contained_the_last_;
+  }
+
+  /// An interval in which t is and all of which is inside, if one is found.
+  std::optional<BlockedInterval<Numbers>> interval_at(const Track<Numbers>& track,
+                                                      const Fraction<Numbers>& t) {
+    std::optional<BlockedInterval<Numbers>> interval;
+    if (convex_)
+      find(of_parts_, track.near, {t.near(), t.near()}, [&](std::uint32_t vertex) {
+        interval = interval_at(vertex, track, t);
+        return interval.has_value();
+      });
+    return interval;
   }
 
  private:
   using Vector = IntegerVector<Numbers>;
+  using Value = typename Numbers::Value;
 
-  bool contains_at(std::uint32_t vertex, const Track<Numbers>& track) {
+  bool contains_at(std::uint32_t vertex, const Track<Numbers>& track) const {
     const Vector from = track.exact.source - other_->edges[vertex].source;
     const Vector to = from + track.exact.direction;
-    for (const IntegerSegment<Numbers>& edge : convex_->edges) {
-      const int side = std::min(sign_of(cross(edge.direction, from - edge.source)),
-                                sign_of(cross(edge.direction, to - edge.source)));
-      const bool is_beside =
-          OPLUS_MUTANT("slide-covers-with-closed-summands",
-                       "segments on the boundary of a convex summand, moved, count as inside it")
-              ? side < 0
-              : side <= 0;
-      if (is_beside) return false;
-    }
-    recent_ = vertex;
-    return true;
+    return std::all_of(convex_->edges.begin(), convex_->edges.end(), [&](const auto& edge) {
+      return is_inside(cross(edge.direction, from - edge.source)) &&
+             is_inside(cross(edge.direction, to - edge.source));
+    });
   }
 
-  /// Looks for a vertex in the boxes in which one can be, by doubles: contains_at() decides.
-  bool search(const Track<Numbers>& track) {
+  /// Given a skew product with an edge: whether the place is on the inner side.
+  static bool is_inside(const Value& side) {
+    return OPLUS_MUTANT("slide-covers-with-closed-summands",
+                        "segments on the boundary of a convex summand, moved, count as inside it")
+               ? side >= 0
+               : side > 0;
+  }
+
+  std::optional<BlockedInterval<Numbers>> interval_at(std::uint32_t vertex,
+                                                      const Track<Numbers>& track,
+                                                      const Fraction<Numbers>& t) const {
+    const Vector from = track.exact.source - other_->edges[vertex].source;
+    std::optional<Fraction<Numbers>> first, last;
+    for (const IntegerSegment<Numbers>& edge : convex_->edges) {
+      const Value side = cross(edge.direction, from - edge.source);
+      const Value slope = cross(edge.direction, track.exact.direction);
+      if (slope == 0) {
+        if (!is_inside(side)) return std::nullopt;
+        continue;
+      }
+      Fraction<Numbers> end =
+          slope > 0 ? Fraction<Numbers>(-side, slope) : Fraction<Numbers>(side, -slope);
+      if (!(slope > 0 ? end < t : t < end)) return std::nullopt;
+      std::optional<Fraction<Numbers>>& so_far = slope > 0 ? first : last;
+      if (!so_far || (slope > 0 ? *so_far < end : end < *so_far)) so_far = std::move(end);
+    }
+    return BlockedInterval<Numbers>{*first, *last};
+  }
+
+  struct Searches {
+    std::uint32_t vertex = 0;  ///< of the last that found one
+    int patience = 4;
+    int left_out = 0;
+  };
+  struct Range {
+    double from, to;
+  };
+
+  /// Looks for a vertex that is accepted: the last one, its neighbours, then those in boxes.
+  template <typename Accept>
+  bool find(Searches& searches, const NearSegment& segment, const Range& range,
+            const Accept& accept) {
+    constexpr int most_patience = 16;
+    const auto is_found = [&](std::uint32_t vertex) {
+      if (!accept(vertex)) return false;
+      searches.vertex = vertex;
+      return true;
+    };
+    const std::uint32_t last = searches.vertex;
+    const std::uint32_t next = last + 1 == other_->edges.size() ? 0 : last + 1;
+    const bool is_rare = searches.patience == 0 && ++searches.left_out % most_patience != 0;
+    const bool found = is_found(last) || is_found(next) || is_found(other_->previous[last]) ||
+                       (!is_rare && find_in_boxes(segment, range, is_found));
+    searches.patience = std::clamp(searches.patience + (found ? 2 : -1), 0, most_patience);
+    return found;
+  }
+
+  /// Looks into boxes that can have a vertex a such that the range is inside a + Q, by doubles, which may
+  /// err.
+  template <typename IsFound>
+  bool find_in_boxes(const NearSegment& s, const Range& range, const IsFound& is_found) {
     constexpr int most_nodes = 48;
-    const NearSegment& s = track.near;
-    // [d, a] is less than these for the direction d of each edge.
-    limits_.clear();
+    limits_.clear();  // of [d, a] for the direction d of each edge
     for (const NearSegment& e : convex_->near) {
-      const double x = s.x - e.x, y = s.y - e.y;
-      limits_.push_back(e.dx * y - e.dy * x + std::min(0.0, e.dx * s.dy - e.dy * s.dx));
+      const double slope = e.dx * s.dy - e.dy * s.dx;
+      limits_.push_back(e.dx * (s.y - e.y) - e.dy * (s.x - e.x) +
+                        std::min(range.from * slope, range.to * slope));
     }
     std::size_t waiting = 0;
     waiting_[waiting++] = 0;
@@ -82,7 +138,7 @@ class ConvexCover {
       const BoxTree::Node& node = (*tree_)[number];
       if (is_beside(node.box)) continue;
       if (node.is_leaf()) {
-        if (contains_at(node.edge, track)) return true;
+        if (is_found(node.edge)) return true;
       } else if (waiting + 2 <= waiting_.size()) {
         waiting_[waiting++] = node.right;
         waiting_[waiting++] = number + 1;
@@ -104,10 +160,9 @@ class ConvexCover {
   const IntegerSummand<Numbers>* convex_ = nullptr;
   const IntegerSummand<Numbers>* other_ = nullptr;
   const BoxTree* tree_ = nullptr;
-  std::uint32_t recent_ = 0;  ///< the last vertex at which a segment was covered
+  Searches of_all_;
+  Searches of_parts_;
   bool contained_the_last_ = false;
-  int patience_ = 4;
-  int waited_ = 0;
   std::vector<double> limits_;
   std::array<std::uint32_t, 64> waiting_;
 };

@@ -16,6 +16,8 @@ struct IgnoreRest {
   template <typename Pair, typename Interval>
   void blocked(const Pair&, const Interval&) {}
   void all_is_inside() {}
+  template <typename Interval>
+  void inside(const Interval&) {}
   template <typename Piece>
   void overlapping(const Piece&) {}
 };
@@ -30,8 +32,8 @@ class FreePieces {
   }
 
   /// Calls `add` with the maximal free pieces longer than a point; rest.blocked() with intervals that
-  /// cover all but these and the pairs that block them, or with all_is_inside() if all is in the open sum;
-  /// and rest.overlapping() with closed pieces on which components overlap.
+  /// cover all but these and the pairs that block them, or with inside() and all_is_inside() those that
+  /// are in the open sum; and rest.overlapping() with closed pieces on which components overlap.
   template <typename Add, typename Rest = IgnoreRest>
   void find(const Track<Numbers>& track, const Add& add, Rest&& rest = {}) {
     gaps_.assign(1, {{0, 1}, {1, 1}});
@@ -54,10 +56,18 @@ class FreePieces {
     while (!gaps_.empty()) {
       const Piece<Numbers> gap = std::move(gaps_.back());
       gaps_.pop_back();
-      if (const auto blocked = search_.at(track, place_inside(gap))) {
+      const Fraction<Numbers> t = place_inside(gap);
+      if (auto blocked = search_.at(track, t)) {
         if (is_whole && !was_asked && !contains_whole(*blocked) && is_covered()) return;
-        is_whole = false;
         rest.blocked(search_.last_pair(), *blocked);
+        if (!is_whole) {
+          if (const auto inside = cover_.interval_at(track, t)) {
+            rest.inside(*inside);
+            if (inside->from < blocked->from) blocked->from = inside->from;
+            if (blocked->to < inside->to) blocked->to = inside->to;
+          }
+        }
+        is_whole = false;
         if (gap.from < blocked->from) gaps_.push_back({gap.from, blocked->from});
         if (blocked->to < gap.to) gaps_.push_back({blocked->to, gap.to});
       } else {

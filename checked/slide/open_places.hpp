@@ -97,6 +97,10 @@ class OpenPlaces {
     if (!covers_all_) add_interval(pair, &shifted);
   }
   void all_is_inside() { covers_all_ = true; }
+  void inside(const BlockedInterval<Numbers>& interval) {
+    // By no pair: that of the segment is as good as any at the ends.
+    intervals_.push_back({interval.from, interval.to, track_->contact[0]});
+  }
   void overlapping(const Piece<Numbers>& piece) { settled_.push_back(piece); }
 
  private:
