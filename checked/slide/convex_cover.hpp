@@ -9,7 +9,6 @@
 
 #include "checked/slide/blocked_interval.hpp"
 #include "checked/slide/integer_summands.hpp"
-#include "reference/definitions/mutant.hpp"
 
 namespace oplus::slide {
 
@@ -58,17 +57,9 @@ class ConvexCover {
     const Vector from = track.exact.source - other_->edges[vertex].source;
     const Vector to = from + track.exact.direction;
     return std::all_of(convex_->edges.begin(), convex_->edges.end(), [&](const auto& edge) {
-      return is_inside(cross(edge.direction, from - edge.source)) &&
-             is_inside(cross(edge.direction, to - edge.source));
+      return cross(edge.direction, from - edge.source) > 0 &&
+             cross(edge.direction, to - edge.source) > 0;
     });
-  }
-
-  /// Given a skew product with an edge: whether the place is on the inner side.
-  static bool is_inside(const Value& side) {
-    return OPLUS_MUTANT("slide-covers-with-closed-summands",
-                        "segments on the boundary of a convex summand, moved, count as inside it")
-               ? side >= 0
-               : side > 0;
   }
 
   std::optional<BlockedInterval<Numbers>> interval_at(std::uint32_t vertex,
@@ -80,7 +71,7 @@ class ConvexCover {
       const Value side = cross(edge.direction, from - edge.source);
       const Value slope = cross(edge.direction, track.exact.direction);
       if (slope == 0) {
-        if (!is_inside(side)) return std::nullopt;
+        if (side <= 0) return std::nullopt;
         continue;
       }
       Fraction<Numbers> end =
