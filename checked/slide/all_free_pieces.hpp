@@ -31,7 +31,6 @@ struct FoundPieces {
 template <typename Numbers>
 FoundPieces<Numbers> all_free_pieces(const Tracks<Numbers>& tracks, const EngineOptions& options,
                                      const std::optional<RaysOfBoth<Numbers>>& rays) {
-  constexpr std::size_t in_a_lot = 128;
   constexpr std::size_t too_few = 8;  // lots to start threads for
   const bool all_ways = rays && !right_is_enough(*rays);
   std::atomic<std::size_t> done = 0;

@@ -16,6 +16,11 @@ template <typename Numbers>
 struct BlockedInterval {
   Fraction<Numbers> from;
   Fraction<Numbers> to;
+
+  /// Whether the whole segment, its ends too, is inside.
+  bool contains_segment() const {
+    return from.numerator() < 0 && to.denominator() < to.numerator();
+  }
 };
 
 /// Whether x(t) is shifted by an infinitesimal to the segment's right before it is asked whether it

@@ -8,6 +8,8 @@
 
 namespace oplus::slide {
 
+constexpr std::size_t in_a_lot = 128;  ///< segments or places, for one thread at a time
+
 /// Calls work(0), ..., work(n - 1), each once, on the calling thread and up to threads - 1 others, or as
 /// many as can be started. Throws one of the exceptions that work throws; then some calls are left out.
 void for_each_number(std::size_t n, unsigned threads, const std::function<void(std::size_t)>& work);

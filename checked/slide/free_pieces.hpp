@@ -58,7 +58,7 @@ class FreePieces {
       gaps_.pop_back();
       const Fraction<Numbers> t = place_inside(gap);
       if (auto blocked = search_.at(track, t)) {
-        if (is_whole && !was_asked && !contains_whole(*blocked) && is_covered()) return;
+        if (is_whole && !was_asked && !blocked->contains_segment() && is_covered()) return;
         rest.blocked(search_.last_pair(), *blocked);
         if (!is_whole) {
           if (const auto inside = cover_.interval_at(track, t)) {
@@ -118,10 +118,6 @@ class FreePieces {
     }
     add_if_free(from, gap.to);
     return is_all;
-  }
-
-  static bool contains_whole(const BlockedInterval<Numbers>& interval) {
-    return interval.from.numerator() < 0 && interval.to.denominator() < interval.to.numerator();
   }
 
   /// After a segment that is free from end to end, the next one is likely to be, unless it often was not.

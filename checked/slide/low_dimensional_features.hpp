@@ -22,8 +22,6 @@ struct LowDimensionalFeatures {
   std::vector<Point> isolated_vertices;
 };
 
-constexpr std::size_t in_a_lot = 128;  ///< segments or places, for one thread at a time
-
 /// Segments from one point to another, for the question whether a point is on one of them.
 template <typename Numbers>
 class PointLocation {

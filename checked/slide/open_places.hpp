@@ -145,8 +145,7 @@ class OpenPlaces {
     }
     if (crossing) {
       intervals_.push_back({crossing->from, crossing->to, pair});
-      covers_all_ =
-          crossing->from.numerator() < 0 && crossing->to.denominator() < crossing->to.numerator();
+      covers_all_ = crossing->contains_segment();
     } else if (const auto blocked = search_.interval_of(*track_, pair)) {
       intervals_.push_back({blocked->from, blocked->to, pair});
     }

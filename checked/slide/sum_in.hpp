@@ -7,8 +7,7 @@
 namespace oplus::slide {
 
 /// The sum, computed in these numbers, which are large enough for both regions. Neither is empty.
-/// Each kind of numbers has a file of its own, sum_in_*.cpp: one file with all four takes four times
-/// as long to compile, and GCC inlines less in it, which costs a fifth of the speed.
+/// Each kind of numbers has a file of its own, sum_in_*.cpp, so that they are compiled at the same time.
 template <typename Numbers>
 ComputedSum sum_in(const Region& p, const Region& q, const Scaling& scaling, Boundary boundary,
                    const EngineOptions& options);
