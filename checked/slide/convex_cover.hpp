@@ -9,6 +9,7 @@
 
 #include "checked/slide/blocked_interval.hpp"
 #include "checked/slide/integer_summands.hpp"
+#include "reference/definitions/mutant.hpp"
 
 namespace oplus::slide {
 
@@ -57,9 +58,17 @@ class ConvexCover {
     const Vector from = track.exact.source - other_->edges[vertex].source;
     const Vector to = from + track.exact.direction;
     return std::all_of(convex_->edges.begin(), convex_->edges.end(), [&](const auto& edge) {
-      return cross(edge.direction, from - edge.source) > 0 &&
-             cross(edge.direction, to - edge.source) > 0;
+      return is_inside(cross(edge.direction, from - edge.source)) &&
+             is_inside(cross(edge.direction, to - edge.source));
     });
+  }
+
+  /// Given a skew product with an edge: whether the place is on the inner side.
+  static bool is_inside(const Value& side) {
+    return OPLUS_MUTANT("slide-covers-with-closed-summands",
+                        "segments on the boundary of a convex summand, moved, count as inside it")
+               ? side >= 0
+               : side > 0;
   }
 
   std::optional<BlockedInterval<Numbers>> interval_at(std::uint32_t vertex,
@@ -71,7 +80,7 @@ class ConvexCover {
       const Value side = cross(edge.direction, from - edge.source);
       const Value slope = cross(edge.direction, track.exact.direction);
       if (slope == 0) {
-        if (side <= 0) return std::nullopt;
+        if (!is_inside(side)) return std::nullopt;
         continue;
       }
       Fraction<Numbers> end =

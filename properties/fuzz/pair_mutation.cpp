@@ -2,6 +2,7 @@
 #include "properties/fuzz/pair_mutation.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -275,19 +276,43 @@ bool renew_summand(Random& random, PairPlan& plan) {
   return true;
 }
 
-/// Both summands as large as a plan takes, so that slide searches boxes instead of all pairs of edges.
+/// Polygons beside each other, with as many vertices as there is room for.
+PlannedSummand large_summand(Random& random, std::size_t most) {
+  PlannedSummand summand;
+  for (int k = 0; k < int{most_chains}; ++k) {
+    const std::size_t room = most - vertices_in(summand);
+    if (room < 3) break;
+    Vertices vertices = vertices_of(lattice_polygon(random, 8, std::min(room, most_vertices)));
+    for (PlannedVertex& v : vertices) v = moved(v, 9 * (k % 3), 9 * (k / 3));
+    summand.chains.push_back({false, std::move(vertices)});
+  }
+  return summand;
+}
+
+/// As many vertices as a chain may have; each edge is parallel to another one.
+PlannedSummand convex_summand(Random& random) {
+  constexpr std::array<std::array<int, 2>, 8> directions{
+      {{1, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 1}, {-1, 2}, {-1, 1}, {-2, 1}}};
+  std::array<int, 8> lengths;
+  for (int& length : lengths) length = uniform(random, 1, 3);
+  Vertices vertices;
+  PlannedVertex v{};
+  for (const int side : {1, -1})
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      vertices.push_back(v);
+      v = moved(v, side * lengths[i] * directions[i][0], side * lengths[i] * directions[i][1]);
+    }
+  return {{{false, std::move(vertices)}}};
+}
+
+/// So many pairs of edges that slide searches boxes instead of all of them.
 bool enlarge(Random& random, PairPlan& plan) {
   if (!one_in(random, 12)) return false;
-  for (PlannedSummand* const summand : {&plan.p, &plan.q}) {
-    summand->chains.clear();
-    for (int k = 0; k < int{most_chains}; ++k) {
-      const std::size_t room = most_vertices_in_all - vertices_in(*summand);
-      if (room < 3) break;
-      Vertices vertices = vertices_of(lattice_polygon(random, 8, std::min(room, most_vertices)));
-      for (PlannedVertex& v : vertices) v = moved(v, 9 * (k % 3), 9 * (k / 3));
-      summand->chains.push_back({false, std::move(vertices)});
-    }
-  }
+  const auto [larger, other] = both(random, plan);
+  const bool is_convex = one_in(random, 2);
+  constexpr std::size_t many_vertices = 24;
+  larger.chains = large_summand(random, is_convex ? most_vertices_in_all : many_vertices).chains;
+  other.chains = (is_convex ? convex_summand(random) : large_summand(random, many_vertices)).chains;
   return true;
 }
 

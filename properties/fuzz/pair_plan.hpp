@@ -63,7 +63,7 @@ const std::vector<Rational>& offsets();
 
 inline constexpr std::size_t most_chains = 7;
 inline constexpr std::size_t most_vertices = 16;         ///< of a chain
-inline constexpr std::size_t most_vertices_in_all = 24;  ///< of a summand
+inline constexpr std::size_t most_vertices_in_all = 40;  ///< of a summand
 
 /// Any bytes are a plan; what exceeds the limits, or is missing, is left out.
 PairPlan decoded(std::string_view bytes);

@@ -87,7 +87,8 @@ const Registered registered({
     .rests_on = {"step-interval"},
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
-    .kills = {"slide-leaves-boxes-out", "slide-passes-sides-by"},
+    .kills = {"slide-covers-with-closed-summands", "slide-leaves-boxes-out",
+              "slide-passes-sides-by"},
     .cases = 1000,
     .check = check,
 });
