@@ -4,7 +4,7 @@
    that line, so what is passed is passed at that vertex, once. Secants are in secants.v; simple_chain.v
    says that simple chains are such chains, simple_chains_turn_once.v proves the theorem for all of them. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
-From Oplus Require Import direction angle cyclic_order tangent_set sweep winding_number turning_number
+From Oplus Require Import direction angle rotation tangent_set sweep winding_number turning_number
   secants.
 Import ListNotations.
 
@@ -20,12 +20,6 @@ Lemma half_turn_nonzero (s : summand) (d u : vector) : in_half_turn s d u -> non
 Proof.
   unfold in_half_turn, cross, dot, nonzero. intros [o | [_ o]] [x_is y_is];
     [| destruct s]; rewrite x_is, y_is in o; lra.
-Qed.
-
-Lemma nonzero_square (d : vector) : nonzero d -> 0 < dot d d.
-Proof.
-  intros n. unfold dot. destruct (Qlt_le_dec 0 (vx d * vx d + vy d * vy d)) as [| none]; [assumption |].
-  now apply no_squares in none.
 Qed.
 
 Lemma opposite_cross (d u : vector) :
@@ -44,7 +38,7 @@ Lemma crossed_between_half_turns (s : summand) (d u v : vector) :
   reflect (in_half_turn s d (opposite u) /\ in_half_turn s d v)
     (negb (left_of_ray s d u) && left_of_ray s d v).
 Proof.
-  intros nd positive. pose proof (nonzero_square d nd) as square.
+  intros nd positive. pose proof (square_positive d nd) as square.
   assert (turn : dot d d * cross u v == dot d u * cross d v - cross d u * dot d v)
     by (unfold cross, dot; ring).
   assert (above : 0 < dot d u * cross d v - cross d u * dot d v) by nra.
@@ -105,7 +99,7 @@ Proof.
     by (unfold cross, opposite; cbn [vx vy]; ring).
   assert (back_turn : cross (opposite v) (opposite u) == cross v u)
     by (unfold cross, opposite; cbn [vx vy]; ring).
-  pose proof (cross_reversed u v) as reversed. pose proof (nonzero_square d nd) as square.
+  pose proof (cross_reversed u v) as reversed. pose proof (square_positive d nd) as square.
   assert (turn : dot d d * cross u v == dot d u * cross d v - cross d u * dot d v)
     by (unfold cross, dot; ring).
   assert (scalar : dot d d * dot u v == dot d u * dot d v + cross d u * cross d v)
