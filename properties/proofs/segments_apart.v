@@ -13,10 +13,13 @@ Definition is_positive (q : Q) : bool := negative (- q).
 Lemma is_positive_spec (q : Q) : reflect (0 < q) (is_positive q).
 Proof. unfold is_positive. destruct (negative_spec (- q)); constructor; lra. Qed.
 
+(* To the left, by a right angle. *)
+Definition normal (u : vector) : vector := Vector (- vy u) (vx u).
+
 (* Normals of the two segments, and the direction of the first, which decides if both are on one line. *)
 Definition candidates (a b c e : vector) : list vector :=
   let u := minus b a in let v := minus e c in
-  [Vector (- vy u) (vx u); Vector (- vy v) (vx v); u].
+  [normal u; normal v; u].
 
 Definition is_separated_by (w a b c e : vector) : bool :=
   let sides := map (dot w) [minus c a; minus c b; minus e a; minus e b] in
@@ -134,14 +137,17 @@ Proof.
   nra.
 Qed.
 
+Definition have_a_common_point (a b c e : vector) : Prop :=
+  exists x, lies_on x (Segment a b) /\ lies_on x (Segment c e).
+
 (* Lines that are not parallel meet; if not within one of two segments, the other's line separates them. *)
 Lemma meeting_lines (a b c e : vector) :
   let u := minus b a in let v := minus e c in
   ~ cross u v == 0 ->
-  (forall x, lies_on x (Segment a b) -> ~ lies_on x (Segment c e)) ->
-  are_apart a b c e = true.
+  have_a_common_point a b c e \/
+  is_separated_by (normal u) a b c e = true \/ is_separated_by (normal v) a b c e = true.
 Proof.
-  intros u v crossing_lines no_common.
+  intros u v crossing_lines.
   assert (nonzero_square : 0 < cross u v * cross u v) by (destruct (Q_dec (cross u v) 0) as [[? | ?] | ?]; nra).
   set (s := cross (minus c a) v / cross u v). set (t := cross (minus c a) u / cross u v).
   assert (s_is : s * cross u v == cross (minus c a) v) by (unfold s; field; assumption).
@@ -155,15 +161,15 @@ Proof.
     - setoid_replace (cross u v * (vy a + s * vy u)) with (cross u v * vy a + (s * cross u v) * vy u) by ring.
       setoid_replace (cross u v * (vy c + t * vy v)) with (cross u v * vy c + (t * cross u v) * vy v) by ring.
       rewrite s_is, t_is. unfold cross, minus. cbn [vx vy]. ring. }
-  assert (outside : ~ (0 <= s <= 1) \/ ~ (0 <= t <= 1)).
+  assert (within_or_outside : have_a_common_point a b c e \/ ~ (0 <= s <= 1) \/ ~ (0 <= t <= 1)).
   { destruct (Qlt_le_dec s 0), (Qlt_le_dec 1 s), (Qlt_le_dec t 0), (Qlt_le_dec 1 t);
-      try (left; lra); try (right; lra). exfalso. apply (no_common x).
+      try (right; left; lra); try (right; right; lra). left. exists x. split.
     - apply (on_segment a b x s); [lra |]. split; reflexivity.
     - apply (on_segment c e x t); [lra | exact x_on_both]. }
-  clearbody s t. clear x x_on_both no_common.
-  unfold are_apart. rewrite existsb_exists. destruct outside as [outside | outside].
-  - exists (Vector (- vy v) (vx v)). split; [right; left; reflexivity |]. apply separated_spec.
-    assert (sides : dot (Vector (- vy v) (vx v)) (minus c a) == - s * cross u v /\
+  clearbody s t. clear x x_on_both.
+  destruct within_or_outside as [common | outside]; [now left | right].
+  unfold normal. destruct outside as [outside | outside]; [right | left]; apply separated_spec.
+  - assert (sides : dot (Vector (- vy v) (vx v)) (minus c a) == - s * cross u v /\
                     dot (Vector (- vy v) (vx v)) (minus c b) == (1 - s) * cross u v /\
                     dot (Vector (- vy v) (vx v)) (minus e a) == - s * cross u v /\
                     dot (Vector (- vy v) (vx v)) (minus e b) == (1 - s) * cross u v).
@@ -174,8 +180,7 @@ Proof.
     destruct (Q_dec (cross u v) 0) as [[? | ?] | ?]; [| | contradiction];
       (destruct (Qlt_le_dec s 0); [| assert (1 < s) by (apply Qnot_le_lt; intro; apply outside; lra)]);
       first [left; nra | right; nra].
-  - exists (Vector (- vy u) (vx u)). split; [left; reflexivity |]. apply separated_spec.
-    assert (sides : dot (Vector (- vy u) (vx u)) (minus c a) == - t * cross u v /\
+  - assert (sides : dot (Vector (- vy u) (vx u)) (minus c a) == - t * cross u v /\
                     dot (Vector (- vy u) (vx u)) (minus c b) == - t * cross u v /\
                     dot (Vector (- vy u) (vx u)) (minus e a) == (1 - t) * cross u v /\
                     dot (Vector (- vy u) (vx u)) (minus e b) == (1 - t) * cross u v).
@@ -188,56 +193,70 @@ Proof.
       first [left; nra | right; nra].
 Qed.
 
-Lemma parallel_segments (a b c e : vector) :
-  let u := minus b a in let v := minus e c in
-  nonzero u -> cross u v == 0 ->
-  (forall x, lies_on x (Segment a b) -> ~ lies_on x (Segment c e)) ->
-  are_apart a b c e = true.
+(* Parallel lines that are not one separate the segments. *)
+Lemma parallel_lines (a b c e : vector) :
+  let u := minus b a in
+  cross u (minus e c) == 0 -> ~ cross u (minus c a) == 0 -> is_separated_by (normal u) a b c e = true.
 Proof.
-  intros u v nu parallel no_common. pose proof (square_positive u nu) as square.
-  set (n := Vector (- vy u) (vx u)).
-  assert (sides : dot n (minus c a) == cross u (minus c a) /\ dot n (minus c b) == cross u (minus c a) /\
-                  dot n (minus e a) == cross u (minus c a) /\ dot n (minus e b) == cross u (minus c a)).
-  { repeat split; unfold n, dot, cross, u, v, minus in *; cbn [vx vy] in *; lra. }
-  unfold are_apart. rewrite existsb_exists.
-  destruct (Q_dec (cross u (minus c a)) 0) as [beside | on_c].
-  - exists n. split; [left; reflexivity |]. apply separated_spec. destruct sides as (-> & -> & -> & ->).
-    destruct beside; lra.
-  - assert (on_e : cross u (minus e a) == 0)
-      by (unfold cross, u, v, minus in *; cbn [vx vy] in *; lra).
-    exists u. split; [right; right; left; reflexivity |]. apply separated_spec.
-    assert (whole : forall z, dot u (minus z b) == dot u (minus z a) - dot u u)
-      by (intros z; unfold dot, u, minus; cbn [vx vy]; ring).
-    pose proof (whole c) as at_c. pose proof (whole e) as at_e. fold u in nu.
-    destruct (Qlt_le_dec (dot u (minus c a)) 0) as [c_before | c_after].
-    + destruct (Qlt_le_dec (dot u (minus e a)) 0) as [e_before | e_after]; [right; lra |].
-      exfalso. apply (no_common a).
-      * apply (on_segment a b a 0); [lra | split; cbn [vx vy]; ring].
-      * apply (one_on_the_other u a c e); trivial; lra.
-    + destruct (Qlt_le_dec 0 (dot u (minus c b))) as [c_beyond | c_within].
-      * destruct (Qlt_le_dec 0 (dot u (minus e b))) as [e_beyond | e_within]; [left; lra |].
-        exfalso. apply (no_common b).
-        { apply (on_segment a b b 1); [lra | split; cbn [vx vy]; ring]. }
-        destruct (one_on_the_other u b e c) as (t & range & x_is & y_is); trivial; try lra;
-          try (unfold cross, u, minus in *; cbn [vx vy] in *; lra).
-        exists (1 - t). cbn [source target] in *. repeat split; lra.
-      * exfalso. apply (no_common c); [now apply between_the_ends |].
-        apply (on_segment c e c 0); [lra | split; cbn [vx vy]; ring].
+  intros u parallel beside.
+  assert (sides : dot (normal u) (minus c a) == cross u (minus c a) /\
+                  dot (normal u) (minus c b) == cross u (minus c a) /\
+                  dot (normal u) (minus e a) == cross u (minus c a) /\
+                  dot (normal u) (minus e b) == cross u (minus c a)).
+  { repeat split; unfold normal, dot, cross, u, minus in *; cbn [vx vy] in *; lra. }
+  apply separated_spec. destruct sides as (-> & -> & -> & ->).
+  destruct (Q_dec (cross u (minus c a)) 0) as [[? | ?] | ?]; [right | left | contradiction]; lra.
 Qed.
 
-(* Theorem. Two segments, the first of which is not a point, have no point in common iff they are found to be
-   apart. *)
+Lemma parallel_segments (a b c e : vector) :
+  let u := minus b a in let v := minus e c in
+  nonzero u -> cross u v == 0 -> have_a_common_point a b c e \/ are_apart a b c e = true.
+Proof.
+  intros u v nu parallel. pose proof (square_positive u nu) as square.
+  unfold are_apart. rewrite existsb_exists.
+  destruct (zero_spec (cross u (minus c a))) as [on_c | beside].
+  2: { right. exists (normal u). split; [left; reflexivity | now apply parallel_lines]. }
+  assert (on_e : cross u (minus e a) == 0)
+    by (unfold cross, u, v, minus in *; cbn [vx vy] in *; lra).
+  assert (whole : forall z, dot u (minus z b) == dot u (minus z a) - dot u u)
+    by (intros z; unfold dot, u, minus; cbn [vx vy]; ring).
+  pose proof (whole c) as at_c. pose proof (whole e) as at_e. fold u in nu.
+  assert (by_u : is_separated_by u a b c e = true ->
+    have_a_common_point a b c e \/
+    exists w, In w (candidates a b c e) /\ is_separated_by w a b c e = true).
+  { intros separated. right. exists u. split; [right; right; left; reflexivity | exact separated]. }
+  rewrite separated_spec in by_u.
+  destruct (Qlt_le_dec (dot u (minus c a)) 0) as [c_before | c_after].
+  - destruct (Qlt_le_dec (dot u (minus e a)) 0) as [e_before | e_after]; [apply by_u; right; lra |].
+    left. exists a. split.
+    + apply (on_segment a b a 0); [lra | split; cbn [vx vy]; ring].
+    + apply (one_on_the_other u a c e); trivial; lra.
+  - destruct (Qlt_le_dec 0 (dot u (minus c b))) as [c_beyond | c_within].
+    + destruct (Qlt_le_dec 0 (dot u (minus e b))) as [e_beyond | e_within]; [apply by_u; left; lra |].
+      left. exists b. split.
+      { apply (on_segment a b b 1); [lra | split; cbn [vx vy]; ring]. }
+      destruct (one_on_the_other u b e c) as (t & range & x_is & y_is); trivial; try lra;
+        try (unfold cross, u, minus in *; cbn [vx vy] in *; lra).
+      exists (1 - t). cbn [source target] in *. repeat split; lra.
+    + left. exists c. split; [now apply between_the_ends |].
+      apply (on_segment c e c 0); [lra | split; cbn [vx vy]; ring].
+Qed.
+
+(* Theorem. Two segments, the first of which is not a point, are found to be apart, or have a point in common;
+   never both. *)
 Theorem are_apart_decides (a b c e : vector) :
   nonzero (minus b a) ->
-  are_apart a b c e = true <->
-  (forall x, lies_on x (Segment a b) -> ~ lies_on x (Segment c e)).
+  (are_apart a b c e = true \/ have_a_common_point a b c e) /\
+  ~ (are_apart a b c e = true /\ have_a_common_point a b c e).
 Proof.
   intros n. split.
-  - intros found x. apply apart_have_no_common_point. now apply are_apart_sound.
-  - intros no_common.
-    destruct (Q_dec (cross (minus b a) (minus e c)) 0) as [crossing_lines | parallel].
-    + apply meeting_lines; [| exact no_common]. intros parallel. destruct crossing_lines; lra.
-    + now apply parallel_segments.
+  - destruct (zero_spec (cross (minus b a) (minus e c))) as [parallel | crossing_lines].
+    + destruct (parallel_segments a b c e n parallel); [now right | now left].
+    + unfold are_apart. cbn [existsb candidates]. rewrite !orb_true_iff.
+      destruct (meeting_lines a b c e crossing_lines) as [common | [found | found]];
+        [now right | left; now left | left; right; now left].
+  - intros [found (x & on_one & on_other)]. revert on_other.
+    apply (apart_have_no_common_point a b); [now apply are_apart_sound | exact on_one].
 Qed.
 
 (* Whether a chain may turn from one edge to the next. *)

@@ -99,8 +99,10 @@ Lemma simple_chain_edges_apart chain i j : simple chain -> i < length chain -> j
   are_apart (vertex chain i) (vertex chain (next i n)) (vertex chain j) (vertex chain (next j n)) = true.
 Proof.
   intros (N & e & common) I J n differ not_next not_before.
-  apply are_apart_decides; [now apply edges_of_simple_chains |].
-  intros x on_i on_j. rewrite <- edge_is in on_i, on_j by assumption.
+  destruct (are_apart_decides (vertex chain i) (vertex chain (next i n)) (vertex chain j)
+              (vertex chain (next j n))) as [[found | (x & on_i & on_j)] _];
+    [now apply edges_of_simple_chains | exact found | exfalso].
+  rewrite <- edge_is in on_i, on_j by assumption.
   destruct (common i j x I J differ on_i on_j) as [[? _] | [? _]]; contradiction.
 Qed.
 
