@@ -3,7 +3,7 @@
    segments' skew product, and points where it is not 0 are sums (docs/winding.md). Winding numbers are counted
    as in winding_number.v, on the boundary too. *)
 From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import direction sweep winding_number in_out_degree.
+From Oplus Require Import direction sweep winding_number in_out_degree regions.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -12,8 +12,6 @@ Open Scope Q_scope.
 Definition parallelogram (e f : segment) : list segment :=
   edges [plus (source e) (source f); plus (target e) (source f); plus (target e) (target f);
          plus (source e) (target f)].
-
-Definition along (s : segment) : vector := minus (target s) (source s).
 
 (* x is the sum of a point of one segment and a point of another. *)
 Definition is_sum_of_points (x : vector) (e f : segment) : Prop :=
