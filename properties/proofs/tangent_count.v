@@ -51,6 +51,15 @@ Proof.
   - unfold orientation. apply compare_as_difference. cbn. ring.
 Qed.
 
+Lemma vertices_by_index (chain : list vector) (f : vector * corner -> Z) :
+  sum_of f (combine chain (corners chain)) =
+  sum_below (length chain) (fun i => f (nth i chain nowhere, corner_of_chain chain i)).
+Proof.
+  rewrite (sum_by_index _ _ (nowhere, Corner nowhere nowhere) _ (length chain))
+    by (rewrite combine_length, corners_length; lia).
+  apply sum_below_equally. intros i _. f_equal. apply combine_nth. symmetry. apply corners_length.
+Qed.
+
 Section TwoChains.
   Variables p q : list vector.
   Variables d x : vector.
@@ -140,13 +149,6 @@ Section TwoChains.
     rewrite winding_number_over_the_grid.
     rewrite (grid_by_parts n m _ _ (fun i j => weight d (edge_of_chain p i) (edge_of_chain q j)) of_p of_q
       _ _ p_by_weights q_by_weights).
-    assert (vertices_by_index : forall (chain : list vector) (f : vector * corner -> Z),
-      sum_of f (combine chain (corners chain)) =
-      sum_below (length chain) (fun i => f (nth i chain nowhere, corner_of_chain chain i))).
-    { intros chain f.
-      rewrite (sum_by_index _ _ (nowhere, Corner nowhere nowhere) _ (length chain))
-        by (rewrite combine_length, corners_length; lia).
-      apply sum_below_equally. intros i _. f_equal. apply combine_nth. symmetry. apply corners_length. }
     f_equal; [f_equal |].
     - unfold tangent_vertices_of_p. rewrite vertices_by_index. apply sum_below_equally. intros i _.
       cbn [fst snd]. now rewrite row_of_q.
