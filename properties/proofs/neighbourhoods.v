@@ -157,14 +157,27 @@ Proof.
 Qed.
 
 (* A square is convex. *)
-Lemma within_along (radius : Q) (x y w : vector) :
-  0 < radius -> within radius x y -> lies_on w (Segment x y) -> within radius x w.
+Lemma between_bounds (a b h radius : Q) :
+  - radius < a < radius -> - radius < b < radius -> 0 <= h <= 1 -> - radius < (1 - h) * a + h * b < radius.
 Proof.
-  intros R [X Y] (t & range & wx & wy). cbn [source target] in *. unfold within.
-  rewrite wx, wy.
-  setoid_replace ((1 - t) * vx x + t * vx y - vx x) with (t * (vx y - vx x)) by ring.
-  setoid_replace ((1 - t) * vy x + t * vy y - vy x) with (t * (vy y - vy x)) by ring.
-  split; split; nra.
+  intros range_a range_b range.
+  assert (mixed : forall u v : Q, 0 < u -> 0 < v -> 0 < (1 - h) * u + h * v).
+  { intros u v U V. destruct (Qlt_le_dec 0 h) as [some | none].
+    - assert (0 < h * v) by now apply Qmult_lt_0_compat.
+      assert (0 <= (1 - h) * u) by (apply Qmult_le_0_compat; lra). lra.
+    - assert (0 < (1 - h) * u) by (apply Qmult_lt_0_compat; lra).
+      assert (h == 0) as -> by lra. lra. }
+  pose proof (mixed (radius - a) (radius - b)). pose proof (mixed (radius + a) (radius + b)). lra.
+Qed.
+
+Lemma within_along (radius : Q) (w x y v : vector) :
+  within radius w x -> within radius w y -> lies_on v (Segment x y) -> within radius w v.
+Proof.
+  intros [X1 Y1] [X2 Y2] (h & range & vx_is & vy_is). cbn [source target] in *. unfold within.
+  rewrite vx_is, vy_is.
+  setoid_replace ((1 - h) * vx x + h * vx y - vx w) with ((1 - h) * (vx x - vx w) + h * (vx y - vx w)) by ring.
+  setoid_replace ((1 - h) * vy x + h * vy y - vy w) with ((1 - h) * (vy x - vy w) + h * (vy y - vy w)) by ring.
+  split; now apply between_bounds.
 Qed.
 
 (* Theorem. Around every point off closed chains there is a square of points off them that have its winding
@@ -177,7 +190,7 @@ Proof.
   intros closed free. destruct (off_near x segments free) as (radius & R & near).
   exists radius. split; [exact R |]. intros y close. split; [now apply near |]. symmetry.
   apply (winding_number_along (Segment x y) segments closed).
-  intros w on. apply near. now apply (within_along radius x y).
+  intros w on. apply near. apply (within_along radius x x y); trivial. unfold within. lra.
 Qed.
 
 (* A small step in any direction stays in the square. *)
