@@ -14,6 +14,10 @@ Definition on_boundary_of_sum (x : vector) (p q : region) : Prop :=
   forall radius, 0 < radius ->
     (exists y, within radius x y /\ in_sum y p q) /\ (exists y, within radius x y /\ ~ in_sum y p q).
 
+(* All points near x are in the sum. *)
+Definition inner_point_of_sum (x : vector) (p q : region) : Prop :=
+  exists radius, 0 < radius /\ forall y, within radius x y -> in_sum y p q.
+
 (* Theorem. Every point off the convolution that is in the sum is an inner point of it: all points near it are in the
    sum. And every point off both has no point of the sum near it. *)
 Theorem off_the_convolution_all_near_are_alike (p q : region) (x : vector) :
@@ -26,6 +30,16 @@ Proof.
   rewrite <- (positive_winding_number_iff_common_point p q x p_region q_region free).
   rewrite <- (positive_winding_number_iff_common_point p q y p_region q_region free_y).
   now rewrite same_number.
+Qed.
+
+(* Theorem. Every point of the sum that is off the convolution is an inner point of the sum. *)
+Theorem off_the_convolution_means_inner_point (p q : region) (x : vector) :
+  valid_region p -> valid_region q -> off x (convolution_segments p q) -> in_sum x p q ->
+  inner_point_of_sum x p q.
+Proof.
+  intros p_region q_region free common.
+  destruct (off_the_convolution_all_near_are_alike p q x p_region q_region free) as (radius & R & alike).
+  exists radius. split; [exact R |]. intros y near. now apply alike.
 Qed.
 
 (* Theorem 2.2.10. The boundary of the sum is part of the convolution. *)
