@@ -2,6 +2,7 @@
 #include "checked/slide/scaling.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 
 #include "checked/slide/numbers.hpp"
@@ -19,7 +20,11 @@ void each_vertex(const Region& region, const Visit& visit) {
   }
 }
 
-std::size_t bits(const mpz_class& value) { return mpz_sizeinbase(value.get_mpz_t(), 2); }
+std::size_t bits(const mpz_class& value) {
+  // Without a call.
+  if (mpz_size(value.get_mpz_t()) == 1) return std::bit_width(mpz_getlimbn(value.get_mpz_t(), 0));
+  return mpz_sizeinbase(value.get_mpz_t(), 2);
+}
 
 std::size_t largest_bits(const Region& region, const Scaling& scaling,
                          const Scaling::Offset& offset) {
