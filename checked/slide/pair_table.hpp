@@ -47,6 +47,7 @@ class PairTable {
         pairs_.push_back({2 * (e.x * f.dy - e.y * f.dx) + area,
                           2 * (e.dx * f.y - e.dy * f.x) + area, abs(area)});
         first_of_pairs_.emplace_back(row, j * static_cast<std::uint32_t>(at_once));
+        if (of_p.size() <= few_rows) continue;
         const Pairs& pairs = pairs_.back();
         for (std::size_t lane = 0; lane < at_once; ++lane) {
           low = std::min(low, pairs.along_e[lane] - pairs.width[lane]);
@@ -131,7 +132,7 @@ class PairTable {
   };
 
   struct Row {
-    double low, high;  ///< where the strips along its edge are
+    double low, high;  ///< where the strips along its edge are; unknown of few rows
   };
 
   struct Pairs {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <vector>
 
 #include "checked/slide/integer_summand.hpp"
 #include "checked/slide/short_list.hpp"
@@ -82,11 +81,10 @@ Ranks ranks(const IntegerSummand<Numbers>& p, const IntegerSummand<Numbers>& q) 
 /// The reduced convolution, vertex by vertex along the boundary, and at each vertex edge by edge: so
 /// that neighbours are near each other. O((n + m + K) log(n + m + K)).
 template <typename Numbers>
-std::vector<ReducedSegment> reduced_segments(const IntegerSummand<Numbers>& p,
-                                             const IntegerSummand<Numbers>& q) {
+ShortList<ReducedSegment> reduced_segments(const IntegerSummand<Numbers>& p,
+                                           const IntegerSummand<Numbers>& q) {
   const detail::Ranks ranks = detail::ranks(p, q);
-  std::vector<ReducedSegment> segments;
-  segments.reserve(4 * (p.edges.size() + q.edges.size()));
+  ShortList<ReducedSegment> segments;
   const auto add = [&](const IntegerSummand<Numbers>& at, const ShortList<std::uint32_t>& ranks_at,
                        Summand edge_of, const ShortList<std::uint32_t>& sorted,
                        const ShortList<std::uint32_t>& before) {
