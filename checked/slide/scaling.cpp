@@ -53,12 +53,23 @@ Scaling::Offset middle(const Region& region, const Scaling& scaling) {
 }  // namespace
 
 void Scaling::put_back(Point& point) const {
-  point.x = (point.x + of_p.x + of_q.x) / denominator;
-  point.y = (point.y + of_p.y + of_q.y) / denominator;
+  if (is_moved) {
+    point.x += of_p.x + of_q.x;
+    point.y += of_p.y + of_q.y;
+  }
+  if (is_one(denominator)) return;
+  for (Rational* c : {&point.x, &point.y}) {
+    c->get_den() *= denominator;
+    c->canonicalize();
+  }
 }
 
 mpz_class scaled(const Rational& coordinate, const Scaling& scaling, const mpz_class& offset) {
-  return coordinate.get_num() * (scaling.denominator / coordinate.get_den()) - offset;
+  mpz_class value;
+  mpz_divexact(value.get_mpz_t(), scaling.denominator.get_mpz_t(), coordinate.get_den_mpz_t());
+  value *= coordinate.get_num();
+  value -= offset;
+  return value;
 }
 
 Scaling scaling_of(const Region& p, const Region& q) {
