@@ -30,7 +30,7 @@ class PairTable {
     double along;   ///< of those along the strip
   };
 
-  /// Empty where there are more pairs than `most` or more edges of Q than fit.
+  /// Empty where there are more pairs than `most` or more edges than fit.
   template <typename Edges>
   PairTable(const Edges& of_p, const Edges& of_q, std::size_t most) {
     if (of_p.size() * of_q.size() > most || of_q.size() > most_columns * at_once ||
