@@ -18,8 +18,7 @@ namespace {
 template <typename Add>
 void cut_piece(const BoundaryPiece& piece, const std::optional<PointGrid>& grid,
                const BoundaryPoints& points, ShortList<std::uint32_t>& inside, const Add& add) {
-  const std::vector<double>& near_x = points.near_x;
-  const std::vector<double>& near_y = points.near_y;
+  const std::span<const double> near_x = points.near_x, near_y = points.near_y;
   const double ax = near_x[piece.from], ay = near_y[piece.from];
   const double bx = near_x[piece.to], by = near_y[piece.to];
   const double dx = bx - ax, dy = by - ay;
@@ -58,7 +57,7 @@ void cut_piece(const BoundaryPiece& piece, const std::optional<PointGrid>& grid,
 }
 
 /// Sorted, by counting how many leave each point.
-std::vector<BoundaryPiece> sorted(const std::vector<BoundaryPiece>& pieces, std::size_t points) {
+std::vector<BoundaryPiece> sorted(std::span<const BoundaryPiece> pieces, std::size_t points) {
   ShortList<std::uint32_t> first(points + 1, 0);
   for (const BoundaryPiece& piece : pieces) ++first[piece.from + 1];
   for (std::size_t i = 0; i < points; ++i) first[i + 1] += first[i];
@@ -73,13 +72,13 @@ std::vector<BoundaryPiece> sorted(const std::vector<BoundaryPiece>& pieces, std:
 
 }  // namespace
 
-std::vector<BoundaryPiece> cut_at_points(const std::vector<BoundaryPiece>& pieces,
+std::vector<BoundaryPiece> cut_at_points(std::span<const BoundaryPiece> pieces,
                                          const BoundaryPoints& points, unsigned threads) {
   constexpr std::size_t few_points = 32;  // comparing all of them is faster than a grid
   std::optional<PointGrid> grid;
   if (points.near_x.size() > few_points) grid.emplace(points.near_x, points.near_y);
   // Most pieces stay whole: parts behind the first one come after all pieces.
-  std::vector<BoundaryPiece> cut = pieces, others;
+  ShortList<BoundaryPiece> cut(pieces.begin(), pieces.end()), others;
   std::mutex mutex;
   for_each_part(pieces.size(), threads, [&](std::size_t first, std::size_t last) {
     ShortList<std::uint32_t> inside;
@@ -95,7 +94,7 @@ std::vector<BoundaryPiece> cut_at_points(const std::vector<BoundaryPiece>& piece
     others.insert(others.end(), found.begin(), found.end());
   });
   cut.insert(cut.end(), others.begin(), others.end());
-  return sorted(cut, points.near_x.size());
+  return sorted(span_of(cut), points.near_x.size());
 }
 
 }  // namespace oplus::slide

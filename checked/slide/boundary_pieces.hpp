@@ -4,6 +4,7 @@
 #include <compare>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace oplus::slide {
@@ -21,13 +22,13 @@ struct BoundaryPiece {
 struct BoundaryPoints {
   /// Exactly; called by several threads.
   std::function<bool(std::uint32_t point, const BoundaryPiece&)> is_on;
-  const std::vector<double>& near_x;
-  const std::vector<double>& near_y;
+  std::span<const double> near_x;
+  std::span<const double> near_y;
 };
 
 /// Cuts pieces where others end inside them. Sorted. O(n log n) where few cells of the points' grid are
 /// on a piece.
-std::vector<BoundaryPiece> cut_at_points(const std::vector<BoundaryPiece>& pieces,
+std::vector<BoundaryPiece> cut_at_points(std::span<const BoundaryPiece> pieces,
                                          const BoundaryPoints& points, unsigned threads);
 
 }  // namespace oplus::slide

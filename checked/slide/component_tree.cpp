@@ -51,7 +51,7 @@ void add_tree(std::vector<Node>& nodes, std::span<Item> items, const MakeLeaf& m
 }  // namespace
 
 ComponentTree::ComponentTree(std::span<const NearSegment> near, std::span<const VertexIndex> names,
-                             const std::vector<std::uint32_t>& first_of_component)
+                             std::span<const std::uint32_t> first_of_component)
     : next_(near.size()) {
   std::vector<Item> components, chains;
   std::vector<std::uint32_t> behind(near.size());  // of the first edge of a chain

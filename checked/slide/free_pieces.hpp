@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <vector>
 
 #include "checked/slide/blocking_search.hpp"
 #include "checked/slide/component_test.hpp"
@@ -27,16 +26,14 @@ template <typename Numbers>
 class FreePieces {
  public:
   explicit FreePieces(const IntegerSummands<Numbers>& summands)
-      : search_(summands, Shift::to_the_right), cover_(summands), components_(summands) {
-    gaps_.reserve(16);
-  }
+      : search_(summands, Shift::to_the_right), cover_(summands), components_(summands) {}
 
   /// Calls `add` with the maximal free pieces longer than a point; rest.blocked() with intervals that
   /// cover all but these and the pairs that block them, or with inside() and all_is_inside() those that
   /// are in the open sum; and rest.overlapping() with closed pieces on which components overlap.
   template <typename Add, typename Rest = IgnoreRest>
   void find(const Track<Numbers>& track, const Add& add, Rest&& rest = {}) {
-    gaps_.assign(1, {{0, 1}, {1, 1}});
+    gaps_.assign(1, Piece<Numbers>{{0, 1}, {1, 1}});
     if (search_.compares_all_pairs() || (last_was_free_ && trust_ >= enough_trust)) {
       search_.leave_out_all();
       remember(uncovered(track, gaps_.back(), add, rest));
@@ -130,7 +127,7 @@ class FreePieces {
   BlockingSearch<Numbers> search_;
   ConvexCover<Numbers> cover_;
   ComponentTest<Numbers> components_;
-  std::vector<Piece<Numbers>> gaps_;
+  ShortList<Piece<Numbers>> gaps_;
   ShortList<BlockedInterval<Numbers>> intervals_;
   bool last_was_free_ = false;
   static constexpr int enough_trust = 2;

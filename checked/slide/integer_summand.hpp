@@ -36,7 +36,7 @@ struct IntegerSummand {
   ShortList<NearSegment> near;        ///< less `place_of_most`
   ShortList<std::uint32_t> previous;  ///< the edge that enters the vertex
   ShortList<VertexIndex> names;
-  std::vector<std::uint32_t> first_of_component;  ///< its first edge; then the number of all
+  ShortList<std::uint32_t> first_of_component;  ///< its first edge; then the number of all
 };
 
 /// Whether floats can be exact.

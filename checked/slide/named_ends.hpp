@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <vector>
 
 #include "checked/slide/boundary_pieces.hpp"
 #include "checked/slide/exact_point.hpp"
@@ -25,8 +24,8 @@ struct FreePiece {
 template <typename Numbers>
 struct NamedEnds {
   ShortList<ExactPoint<Numbers>> points;
-  std::vector<double> near_x, near_y;
-  std::vector<BoundaryPiece> pieces;
+  ShortList<double> near_x, near_y;
+  ShortList<BoundaryPiece> pieces;
 };
 
 template <typename Numbers>
@@ -43,7 +42,7 @@ NamedEnds<Numbers> named_ends(const ShortList<FreePiece<Numbers>>& pieces,
   ShortList<Place> sorted(ends.size());
   for_each_part(pieces.size(), threads, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) {
-      const IntegerSegment<Numbers> segment = tracks[pieces[k].segment].exact;
+      const IntegerSegment<Numbers> segment = tracks.exact(pieces[k].segment);
       for (std::size_t i = 2 * k; i < 2 * k + 2; ++i) {
         const Piece<Numbers>& piece = pieces[k].piece;
         ends[i] = ExactPoint<Numbers>(segment, i == 2 * k ? piece.from : piece.to);

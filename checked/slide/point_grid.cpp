@@ -6,7 +6,7 @@
 namespace oplus::slide {
 
 PointGrid::Parts PointGrid::parts(std::span<const std::uint32_t> points,
-                                  const std::vector<double>& coordinates, std::size_t count) {
+                                  std::span<const double> coordinates, std::size_t count) {
   if (points.empty()) return {};
   double low = coordinates[points[0]], high = low;
   for (const std::uint32_t i : points) {
@@ -17,7 +17,7 @@ PointGrid::Parts PointGrid::parts(std::span<const std::uint32_t> points,
   return size > 0 ? Parts{low, size, count} : Parts{low, 1, 1};
 }
 
-PointGrid::PointGrid(const std::vector<double>& near_x, const std::vector<double>& near_y)
+PointGrid::PointGrid(std::span<const double> near_x, std::span<const double> near_y)
     : near_x_(near_x), near_y_(near_y) {
   ShortList<std::uint32_t> all(near_x.size());
   std::iota(all.begin(), all.end(), 0);

@@ -16,7 +16,7 @@ namespace oplus::slide {
 /// are points; where many are in a cell, that cell has such a grid of its own.
 class PointGrid {
  public:
-  PointGrid(const std::vector<double>& near_x, const std::vector<double>& near_y);
+  PointGrid(std::span<const double> near_x, std::span<const double> near_y);
 
   /// Visits the points in the cells that the segment between two points runs through: all those that
   /// are on it, and some that are not.
@@ -60,7 +60,7 @@ class PointGrid {
     double margin;
   };
 
-  static Parts parts(std::span<const std::uint32_t> points, const std::vector<double>& coordinates,
+  static Parts parts(std::span<const std::uint32_t> points, std::span<const double> coordinates,
                      std::size_t count);
 
   Cells cells_of(std::span<const std::uint32_t> points) const;
@@ -109,8 +109,8 @@ class PointGrid {
     }
   }
 
-  const std::vector<double>& near_x_;
-  const std::vector<double>& near_y_;
+  std::span<const double> near_x_;
+  std::span<const double> near_y_;
   Cells cells_;
 };
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <vector>
 
 #include "checked/slide/integer_summand.hpp"
 #include "checked/slide/short_list.hpp"
@@ -22,10 +21,12 @@ struct ReducedSegment {
 namespace detail {
 
 /// The places of all edges' directions in counterclockwise order, ties as Definition 2.2.7 has them;
-/// equal ones have the same. And the edges of each summand in that order.
+/// equal ones have the same. And the edges of each summand in that order, with the number of those before
+/// each place.
 struct Ranks {
   ShortList<std::uint32_t> of_p, of_q;
   ShortList<std::uint32_t> sorted_p, sorted_q;
+  ShortList<std::uint32_t> before_p, before_q;
 };
 
 template <typename Numbers>
@@ -62,9 +63,12 @@ Ranks ranks(const IntegerSummand<Numbers>& p, const IntegerSummand<Numbers>& q) 
   ranks.of_q.resize(q.edges.size());
   ranks.sorted_p.reserve(p.edges.size());
   ranks.sorted_q.reserve(q.edges.size());
-  std::uint32_t rank = 0;
   for (std::size_t k = 0; k < all.size(); ++k) {
-    if (k > 0 && compared(all[k - 1], all[k]) != 0) ++rank;
+    if (k == 0 || compared(all[k - 1], all[k]) != 0) {
+      ranks.before_p.push_back(static_cast<std::uint32_t>(ranks.sorted_p.size()));
+      ranks.before_q.push_back(static_cast<std::uint32_t>(ranks.sorted_q.size()));
+    }
+    const auto rank = static_cast<std::uint32_t>(ranks.before_p.size() - 1);
     const bool is_of_p = all[k].of == Summand::P;
     (is_of_p ? ranks.of_p : ranks.of_q)[all[k].number] = rank;
     (is_of_p ? ranks.sorted_p : ranks.sorted_q).push_back(all[k].number);
@@ -77,22 +81,18 @@ Ranks ranks(const IntegerSummand<Numbers>& p, const IntegerSummand<Numbers>& q) 
 /// The reduced convolution, vertex by vertex along the boundary, and at each vertex edge by edge: so
 /// that neighbours are near each other. O((n + m + K) log(n + m + K)).
 template <typename Numbers>
-std::vector<ReducedSegment> reduced_segments(const IntegerSummand<Numbers>& p,
-                                             const IntegerSummand<Numbers>& q) {
+ShortList<ReducedSegment> reduced_segments(const IntegerSummand<Numbers>& p,
+                                           const IntegerSummand<Numbers>& q) {
   const detail::Ranks ranks = detail::ranks(p, q);
-  std::vector<ReducedSegment> segments;
-  segments.reserve(4 * (p.edges.size() + q.edges.size()));
+  ShortList<ReducedSegment> segments;
   const auto add = [&](const IntegerSummand<Numbers>& at, const ShortList<std::uint32_t>& ranks_at,
                        Summand edge_of, const ShortList<std::uint32_t>& sorted,
-                       const ShortList<std::uint32_t>& ranks_of_edges) {
-    const auto first_after = [&](std::uint32_t rank) {
-      return std::partition_point(sorted.begin(), sorted.end(),
-                                  [&](std::uint32_t edge) { return ranks_of_edges[edge] < rank; });
-    };
+                       const ShortList<std::uint32_t>& before) {
     for (std::uint32_t v = 0; v < at.edges.size(); ++v) {
       const std::uint32_t entering = at.previous[v];
       if (cross(at.edges[entering].direction, at.edges[v].direction) <= 0) continue;
-      const auto from = first_after(ranks_at[entering]), to = first_after(ranks_at[v]);
+      const auto from = sorted.begin() + before[ranks_at[entering]];
+      const auto to = sorted.begin() + before[ranks_at[v]];
       const std::size_t begin = segments.size();
       const auto take = [&](auto edge, auto end) {
         for (; edge != end; ++edge) segments.push_back({edge_of, *edge, v});
@@ -107,8 +107,8 @@ std::vector<ReducedSegment> reduced_segments(const IntegerSummand<Numbers>& p,
                 [](const ReducedSegment& a, const ReducedSegment& b) { return a.edge < b.edge; });
     }
   };
-  add(p, ranks.of_p, Summand::Q, ranks.sorted_q, ranks.of_q);
-  add(q, ranks.of_q, Summand::P, ranks.sorted_p, ranks.of_p);
+  add(p, ranks.of_p, Summand::Q, ranks.sorted_q, ranks.before_q);
+  add(q, ranks.of_q, Summand::P, ranks.sorted_p, ranks.before_p);
   return segments;
 }
 

@@ -2,6 +2,7 @@
 #include "checked/slide/scaling.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 
 #include "checked/slide/numbers.hpp"
@@ -19,7 +20,11 @@ void each_vertex(const Region& region, const Visit& visit) {
   }
 }
 
-std::size_t bits(const mpz_class& value) { return mpz_sizeinbase(value.get_mpz_t(), 2); }
+std::size_t bits(const mpz_class& value) {
+  // Without a call.
+  if (mpz_size(value.get_mpz_t()) == 1) return std::bit_width(mpz_getlimbn(value.get_mpz_t(), 0));
+  return mpz_sizeinbase(value.get_mpz_t(), 2);
+}
 
 std::size_t largest_bits(const Region& region, const Scaling& scaling,
                          const Scaling::Offset& offset) {
@@ -48,12 +53,23 @@ Scaling::Offset middle(const Region& region, const Scaling& scaling) {
 }  // namespace
 
 void Scaling::put_back(Point& point) const {
-  point.x = (point.x + of_p.x + of_q.x) / denominator;
-  point.y = (point.y + of_p.y + of_q.y) / denominator;
+  if (is_moved) {
+    point.x += of_p.x + of_q.x;
+    point.y += of_p.y + of_q.y;
+  }
+  if (is_one(denominator)) return;
+  for (Rational* c : {&point.x, &point.y}) {
+    c->get_den() *= denominator;
+    c->canonicalize();
+  }
 }
 
 mpz_class scaled(const Rational& coordinate, const Scaling& scaling, const mpz_class& offset) {
-  return coordinate.get_num() * (scaling.denominator / coordinate.get_den()) - offset;
+  mpz_class value;
+  mpz_divexact(value.get_mpz_t(), scaling.denominator.get_mpz_t(), coordinate.get_den_mpz_t());
+  value *= coordinate.get_num();
+  value -= offset;
+  return value;
 }
 
 Scaling scaling_of(const Region& p, const Region& q) {

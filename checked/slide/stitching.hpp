@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "checked/slide/boundary_pieces.hpp"
 #include "checked/slide/for_each_number.hpp"
@@ -28,15 +27,15 @@ struct StitchedChains {
     std::uint32_t last_edge;  ///< behind these
     bool is_outer;
   };
-  std::vector<Chain> chains;
-  std::vector<Edge> edges;
-  std::vector<std::uint32_t> segments;
+  ShortList<Chain> chains;
+  ShortList<Edge> edges;
+  ShortList<std::uint32_t> segments;
 
   std::span<const Edge> edges_of(const Chain& chain) const {
-    return {edges.begin() + chain.first_edge, edges.begin() + chain.last_edge};
+    return span_of(edges).subspan(chain.first_edge, chain.last_edge - chain.first_edge);
   }
   std::span<const std::uint32_t> segments_of(const Edge& edge) const {
-    return {segments.begin() + edge.first_segment, segments.begin() + edge.last_segment};
+    return span_of(segments).subspan(edge.first_segment, edge.last_segment - edge.first_segment);
   }
 };
 
@@ -161,7 +160,8 @@ StitchedChains stitched(std::span<const BoundaryPiece> pieces, std::size_t point
     }
     OPLUS_REQUIRES(k == start, "Observation 3.2.4");
     const auto last_edge = static_cast<std::uint32_t>(result.edges.size());
-    detail::rotate_to_smallest(std::span(result.edges).subspan(first_edge));
+    detail::rotate_to_smallest(
+        {result.edges.data() + first_edge, result.edges.size() - first_edge});
     result.chains.push_back({first_edge, last_edge, turns > 0});
   }
   std::sort(result.chains.begin(), result.chains.end(),

@@ -39,8 +39,8 @@ ComputedSum sum_in(const Region& p, const Region& q, const Scaling& scaling, Bou
   const auto is_on = [&](std::uint32_t i, const BoundaryPiece& piece) {
     return lies_between(ends.points[i], ends.points[piece.from], ends.points[piece.to], scaling);
   };
-  const std::vector<BoundaryPiece> cut =
-      cut_at_points(ends.pieces, {is_on, ends.near_x, ends.near_y}, threads);
+  const std::vector<BoundaryPiece> cut = cut_at_points(
+      span_of(ends.pieces), {is_on, span_of(ends.near_x), span_of(ends.near_y)}, threads);
   const StitchedChains stitched_chains = stitched(
       cut, ends.points.size(),
       [&](std::uint32_t segment) -> const IntegerVector<Numbers>& {
@@ -57,7 +57,7 @@ ComputedSum sum_in(const Region& p, const Region& q, const Scaling& scaling, Bou
     return origins;
   };
   for (const bool is_outer : {true, false}) {
-    std::vector<StitchedChains::Chain> chains;
+    ShortList<StitchedChains::Chain> chains;
     std::copy_if(stitched_chains.chains.begin(), stitched_chains.chains.end(),
                  std::back_inserter(chains),
                  [&](const StitchedChains::Chain& chain) { return chain.is_outer == is_outer; });

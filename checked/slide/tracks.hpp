@@ -2,7 +2,6 @@
 #pragma once
 
 #include <utility>
-#include <vector>
 
 #include "checked/slide/integer_summands.hpp"
 #include "checked/slide/reduced_segments.hpp"
@@ -26,14 +25,19 @@ class Tracks {
     return with_edge(s).edges[s.edge].direction;
   }
 
-  Track<Numbers> operator[](std::uint32_t segment) const {
+  IntegerSegment<Numbers> exact(std::uint32_t segment) const {
     const ReducedSegment& s = segments_[segment];
     const IntegerSegment<Numbers>& edge = with_edge(s).edges[s.edge];
+    return {edge.source + with_vertex(s).edges[s.vertex].source, edge.direction};
+  }
+
+  Track<Numbers> operator[](std::uint32_t segment) const {
+    const ReducedSegment& s = segments_[segment];
     const NearSegment& e = with_edge(s).near[s.edge];
     const NearSegment& v = with_vertex(s).near[s.vertex];
     const std::uint32_t entering = with_vertex(s).previous[s.vertex];
     const bool of_p = s.edge_of == Summand::P;
-    return {{edge.source + with_vertex(s).edges[s.vertex].source, edge.direction},
+    return {exact(segment),
             {e.x + v.x, e.y + v.y, e.dx, e.dy},
             error_of_places(e, v),
             {of_p ? EdgePair{s.edge, entering} : EdgePair{entering, s.edge},
@@ -54,7 +58,7 @@ class Tracks {
   }
 
   IntegerSummands<Numbers> summands_;
-  std::vector<ReducedSegment> segments_;
+  ShortList<ReducedSegment> segments_;
 };
 
 }  // namespace oplus::slide

@@ -17,7 +17,9 @@ Outcome check(const Summands& summands) {
     return slide::lies_between(ends.points[i], ends.points[piece.from], ends.points[piece.to],
                                pair.scaling);
   };
-  const auto cut = slide::cut_at_points(ends.pieces, {is_on, ends.near_x, ends.near_y}, 1);
+  const auto cut =
+      slide::cut_at_points(slide::span_of(ends.pieces),
+                           {is_on, slide::span_of(ends.near_x), slide::span_of(ends.near_y)}, 1);
   Outcome outcome;
   outcome.counts["free pieces"] = pieces.size();
   outcome.counts["pieces after cutting"] = cut.size();

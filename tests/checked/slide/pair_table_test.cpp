@@ -84,6 +84,7 @@ TEST(PairTable, leaves_nothing_out_that_a_segment_meets) {
 
 TEST(PairTable, leaves_nothing_out_where_many_pairs_are_remembered_at_a_time) {
   expect_none_left_out(17, 13, 8, 3);
+  expect_none_left_out(256, 2, 8, 6);
   expect_none_left_out(3, 90, 8, 4);
 }
 
@@ -102,6 +103,9 @@ TEST(PairTable, is_empty_where_there_are_too_many_pairs) {
   EXPECT_FALSE(PairTable(near(three), near(three), 9).is_empty());
   EXPECT_TRUE(PairTable(near(three), near(three), 8).is_empty());
   EXPECT_TRUE(PairTable(near(three), near(many), 1000).is_empty());
+  const Edges most(256, {{0, 0}, {1, 1}}), too_many(257, {{0, 0}, {1, 1}});
+  EXPECT_FALSE(PairTable(near(most), near(three), 1000).is_empty());
+  EXPECT_TRUE(PairTable(near(too_many), near(three), 1000).is_empty());
 }
 
 }  // namespace
