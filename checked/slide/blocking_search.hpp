@@ -126,7 +126,7 @@ class BlockingSearch {
     const auto visit_if_near = [&](const EdgePair& pair) {
       if (comes_apart(track, pair)) return;
       if (exactly ? outside_exactly(pair, from, to)
-                  : certainly_outside(pair, from, to) ||
+                  : certainly_outside(pair, from, to) || meets_end_only(track, pair) ||
                         outside_closely(track, pair, piece.from.near(), piece.to.near()))
         return;
       visit(pair);
@@ -191,6 +191,35 @@ class BlockingSearch {
       return int{((pair.first ^ other.first) | (pair.second ^ other.second)) == 0};
     };
     return shift_ == Shift::to_the_right && (is(track.contact[0]) | is(track.contact[1])) != 0;
+  }
+
+  /// Whether doubles tell that a track, which has an end at a corner of the sum of a pair of edges, leads
+  /// away from there: most pairs that share a vertex with those that touch.
+  bool meets_end_only(const Track<Numbers>& track, const EdgePair& pair) {
+    if (shift_ == Shift::none || summands_.margins.area_is_exact) return false;
+    const bool edge_of_p = track.contact[0].first == track.contact[1].first;
+    const auto of = [&](const EdgePair& both, bool p) { return p ? both.first : both.second; };
+    const std::uint32_t vertex = of(track.contact[1], !edge_of_p);
+    const std::uint32_t at_vertex = of(pair, !edge_of_p);
+    if (at_vertex != vertex && at_vertex != of(track.contact[0], !edge_of_p)) return false;
+    const auto& previous = (edge_of_p ? summands_.p : summands_.q).previous;
+    const std::uint32_t edge = of(track.contact[0], edge_of_p), beside = of(pair, edge_of_p);
+    const bool before = previous[edge] == beside;
+    if (!before && previous[beside] != edge) return false;
+    // The sides of the parallelogram lead away from the corner, and so does the track.
+    const NearSegment& u = (edge_of_p ? summands_.p : summands_.q).near[beside];
+    const NearSegment& w = (edge_of_p ? summands_.q : summands_.p).near[at_vertex];
+    const NearSegment& d = track.near;
+    const int turn = certain_turn(u.dx, u.dy, w.dx, w.dy);
+    const int sign_u = before ? -1 : 1, sign_w = at_vertex == vertex ? 1 : -1;
+    const int from_u = certain_turn(u.dx, u.dy, d.dx, d.dy);
+    const int to_w = certain_turn(d.dx, d.dy, w.dx, w.dy);
+    const int sign_d = before ? 1 : -1;
+    const int inside = turn * sign_u * sign_w;
+    if (inside * from_u * sign_u * sign_d >= 0 && inside * to_w * sign_d * sign_w >= 0)
+      return false;
+    ++effort.by_doubles;
+    return true;
   }
 
   /// Whether no place between two is in the sum of a pair of edges, a parallelogram, or its boundary,
@@ -296,7 +325,7 @@ class BlockingSearch {
   std::optional<Interval> containing(const Track<Numbers>& track, const Fraction<Numbers>& t,
                                      const NearPoint& near, const EdgePair& pair) {
     if (comes_apart(track, pair) || certainly_outside(pair, near, near) ||
-        outside_closely(track, pair, t.near(), t.near()))
+        meets_end_only(track, pair) || outside_closely(track, pair, t.near(), t.near()))
       return std::nullopt;
     auto interval = interval_of(track, pair);
     if (interval && interval->from < t && t < interval->to) return interval;

@@ -55,6 +55,7 @@ class ConvexCover {
   using Value = typename Numbers::Value;
 
   bool contains_at(std::uint32_t vertex, const Track<Numbers>& track) const {
+    if (is_certainly_outside(vertex, track)) return false;
     const Vector from = track.exact.source - other_->edges[vertex].source;
     const Vector to = from + track.exact.direction;
     return std::all_of(convex_->edges.begin(), convex_->edges.end(), [&](const auto& edge) {
@@ -69,6 +70,22 @@ class ConvexCover {
                         "segments on the boundary of a convex summand, moved, count as inside it")
                ? side >= 0
                : side > 0;
+  }
+
+  /// Whether doubles tell that an end of a track is outside or on the boundary.
+  bool is_certainly_outside(std::uint32_t vertex, const Track<Numbers>& track) const {
+    const NearSegment& s = track.near;
+    const NearPoint from = difference({s.x, s.y, track.error}, other_->near[vertex]);
+    const NearPoint to = difference({s.x + s.dx, s.y + s.dy, track.error}, other_->near[vertex]);
+    const auto is_right = [](const NearSegment& edge, const NearPoint& at) {
+      const NearPoint d = difference(at, edge);
+      const double left = edge.dx * d.y, right = edge.dy * d.x;
+      return left - right < -0x1p-48 * (std::abs(left) + std::abs(right)) -
+                                d.error * (std::abs(edge.dx) + std::abs(edge.dy)) * 2;
+    };
+    return std::any_of(convex_->near.begin(), convex_->near.end(), [&](const NearSegment& edge) {
+      return is_right(edge, from) || is_right(edge, to);
+    });
   }
 
   std::optional<BlockedInterval<Numbers>> interval_at(std::uint32_t vertex,

@@ -31,8 +31,12 @@ class ExactPoint {
  public:
   ExactPoint() = default;
   ExactPoint(const IntegerSegment<Numbers>& segment, const Fraction<Numbers>& t)
-      : point_{coordinate(segment.source.x, segment.direction.x, t),
-               coordinate(segment.source.y, segment.direction.y, t)} {}
+      : point_{rational(segment.source.x), rational(segment.source.y)} {
+    if (t.numerator() == 0) return;
+    const Rational place = rational(t);
+    point_.x += rational(segment.direction.x) * place;
+    point_.y += rational(segment.direction.y) * place;
+  }
 
   /// Coordinates in units of 2^shift, off by less than one in 2^50.
   double near_x(const Scaling& scaling) const { return near(point_.x, scaling); }
@@ -55,16 +59,9 @@ class ExactPoint {
   friend bool operator<(const ExactPoint& a, const ExactPoint& b) { return a.point_ < b.point_; }
 
  private:
-  using Value = typename Numbers::Value;
-
   static double near(Rational coordinate, const Scaling& scaling) {
     mpq_div_2exp(coordinate.get_mpq_t(), coordinate.get_mpq_t(), scaling.shift);
     return coordinate.get_d();
-  }
-
-  static Rational coordinate(const Value& source, const Value& direction,
-                             const Fraction<Numbers>& t) {
-    return rational(source) + rational(direction) * rational(t);
   }
 
   Point point_;

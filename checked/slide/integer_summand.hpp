@@ -29,6 +29,14 @@ Box box_around(const NearSegment& s) {
   return box_around(low_x, low_y, high_x, high_y);
 }
 
+/// The sign of the skew product of two directions where doubles tell it, else 0.
+inline int certain_turn(double ax, double ay, double bx, double by) {
+  const double left = ax * by, right = ay * bx;
+  // Each factor is off by at most 2^-50 of its size or 2^-1074.
+  const double error = 0x1p-48 * (std::abs(left) + std::abs(right)) + 0x1p-1000;
+  return (left - right > error) - (right - left > error);
+}
+
 /// A summand in integers. An edge and the vertex that it leaves have the same number.
 template <typename Numbers>
 struct IntegerSummand {
