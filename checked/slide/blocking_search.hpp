@@ -272,25 +272,39 @@ class BlockingSearch {
     if (summands_.margins.area_is_exact) return false;
     const NearSegment& e = summands_.p.near[pair.first];
     const NearSegment& f = summands_.q.near[pair.second];
-    const auto corner = track.exact.source - summands_.p.edges[pair.first].source -
-                        summands_.q.edges[pair.second].source;
-    const std::size_t shift = summands_.margins.shift;
-    const double x = near(corner.x, shift), y = near(corner.y, shift);
     const double dx = track.near.dx, dy = track.near.dy;
-    const double most_x = std::abs(x) + std::abs(dx), most_y = std::abs(y) + std::abs(dy);
-    const auto is_beside = [&](const NearSegment& along, const NearSegment& across) {
-      const double area = std::abs(across.dx * along.dy - across.dy * along.dx);
-      const auto place = [&](double t) {
-        return (x + t * dx) * along.dy - (y + t * dy) * along.dx;
+    const auto is_beside_one = [&](const NearPoint& corner) {
+      const double most_x = std::abs(corner.x) + std::abs(dx) + 0x1p47 * corner.error;
+      const double most_y = std::abs(corner.y) + std::abs(dy) + 0x1p47 * corner.error;
+      const auto is_beside = [&](const NearSegment& along, const NearSegment& across) {
+        const double area = std::abs(across.dx * along.dy - across.dy * along.dx);
+        const auto place = [&](double t) {
+          return (corner.x + t * dx) * along.dy - (corner.y + t * dy) * along.dx;
+        };
+        const double margin = 0x1p-47 * ((most_x + std::abs(across.dx)) * std::abs(along.dy) +
+                                         (most_y + std::abs(across.dy)) * std::abs(along.dx)) +
+                              0x1p-400;
+        const bool turns_left = across.dx * along.dy > across.dy * along.dx;
+        const double low = (turns_left ? 0 : -area) - margin;
+        const double high = (turns_left ? area : 0) + margin;
+        return std::max(place(from), place(to)) < low || std::min(place(from), place(to)) > high;
       };
-      const double margin = 0x1p-47 * ((most_x + std::abs(across.dx)) * std::abs(along.dy) +
-                                       (most_y + std::abs(across.dy)) * std::abs(along.dx)) +
-                            0x1p-400;
-      const bool turns_left = across.dx * along.dy > across.dy * along.dx;
-      const double low = (turns_left ? 0 : -area) - margin, high = (turns_left ? area : 0) + margin;
-      return std::max(place(from), place(to)) < low || std::min(place(from), place(to)) > high;
+      return is_beside(f, e) || is_beside(e, f);
     };
-    if (!is_beside(f, e) && !is_beside(e, f)) return false;
+    const auto is_beside = [&] {
+      if constexpr (!is_small<Numbers>) {
+        const NearPoint near =
+            difference(difference({track.near.x, track.near.y, track.error}, e), f);
+        if (is_beside_one(near)) return true;
+        // Exact differences would tell little more.
+        if (near.error < 0x1p-30 * (std::abs(near.x) + std::abs(near.y))) return false;
+      }
+      const auto corner = track.exact.source - summands_.p.edges[pair.first].source -
+                          summands_.q.edges[pair.second].source;
+      const std::size_t shift = summands_.margins.shift;
+      return is_beside_one({near(corner.x, shift), near(corner.y, shift)});
+    };
+    if (!is_beside()) return false;
     ++effort.by_doubles;
     return true;
   }
