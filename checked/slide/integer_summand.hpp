@@ -37,6 +37,19 @@ inline int certain_turn(double ax, double ay, double bx, double by) {
   return (left - right > error) - (right - left > error);
 }
 
+/// The direction of an edge: doubles tell most turns.
+template <typename Numbers>
+struct EdgeDirection {
+  const IntegerVector<Numbers>& exact;
+  const NearSegment& near;
+
+  friend int turn(const EdgeDirection& a, const EdgeDirection& b) {
+    const int certain = certain_turn(a.near.dx, a.near.dy, b.near.dx, b.near.dy);
+    return certain != 0 ? certain : turn(a.exact, b.exact);
+  }
+  bool is_lower() const { return exact.is_lower(); }
+};
+
 /// A summand in integers. An edge and the vertex that it leaves have the same number.
 template <typename Numbers>
 struct IntegerSummand {
@@ -45,6 +58,10 @@ struct IntegerSummand {
   ShortList<std::uint32_t> previous;  ///< the edge that enters the vertex
   ShortList<VertexIndex> names;
   std::vector<std::uint32_t> first_of_component;  ///< its first edge; then the number of all
+
+  EdgeDirection<Numbers> direction(std::uint32_t edge) const {
+    return {edges[edge].direction, near[edge]};
+  }
 };
 
 /// Whether floats can be exact.

@@ -40,24 +40,23 @@ Ranks ranks(const IntegerSummand<Numbers>& p, const IntegerSummand<Numbers>& q) 
   all.reserve(p.edges.size() + q.edges.size());
   const auto add = [&](const IntegerSummand<Numbers>& summand, Summand of) {
     for (std::uint32_t i = 0; i < summand.edges.size(); ++i) {
-      const auto& d = summand.edges[i].direction;
-      all.push_back(
-          {summand.near[i].dx, summand.near[i].dy, of, d.y < 0 || (d.y == 0 && d.x < 0), i});
+      const EdgeDirection<Numbers> d = summand.direction(i);
+      all.push_back({d.near.dx, d.near.dy, of, d.is_lower(), i});
     }
   };
   add(p, Summand::P);
   add(q, Summand::Q);
-  const auto direction = [&](const Edge& edge) -> const IntegerVector<Numbers>& {
-    return (edge.of == Summand::P ? p : q).edges[edge.number].direction;
+  const auto direction = [&](const Edge& edge) {
+    return (edge.of == Summand::P ? p : q).direction(edge.number);
   };
   static const int p_and_q = compare(Direction{{1, 0}, Summand::P}, Direction{{1, 0}, Summand::Q});
   const auto compared = [&](const Edge& a, const Edge& b) {
     if (a.lower != b.lower) return a.lower ? 1 : -1;
-    int turn = certain_turn(b.dx, b.dy, a.dx, a.dy);
-    if (turn == 0) turn = sign_of(cross(direction(b), direction(a)));
-    if (turn != 0 || a.of == b.of ||
+    int sign = certain_turn(b.dx, b.dy, a.dx, a.dy);
+    if (sign == 0) sign = turn(direction(b).exact, direction(a).exact);
+    if (sign != 0 || a.of == b.of ||
         OPLUS_MUTANT("slide-ranks-without-ties", "equal directions of P and Q have one rank"))
-      return turn;
+      return sign;
     return a.of == Summand::P ? p_and_q : -p_and_q;
   };
   std::sort(all.begin(), all.end(),
@@ -75,15 +74,6 @@ Ranks ranks(const IntegerSummand<Numbers>& p, const IntegerSummand<Numbers>& q) 
     (is_of_p ? ranks.sorted_p : ranks.sorted_q).push_back(all[k].number);
   }
   return ranks;
-}
-
-/// Whether the boundary turns left from one edge to another.
-template <typename Numbers>
-bool turns_left(const IntegerSummand<Numbers>& summand, std::uint32_t a, std::uint32_t b) {
-  const NearSegment &in = summand.near[a], &out = summand.near[b];
-  const int turn = certain_turn(in.dx, in.dy, out.dx, out.dy);
-  if (turn != 0) return turn > 0;
-  return sign_of(cross(summand.edges[a].direction, summand.edges[b].direction)) > 0;
 }
 
 }  // namespace detail
@@ -105,7 +95,7 @@ std::vector<ReducedSegment> reduced_segments(const IntegerSummand<Numbers>& p,
     };
     for (std::uint32_t v = 0; v < at.edges.size(); ++v) {
       const std::uint32_t entering = at.previous[v];
-      if (!detail::turns_left(at, entering, v)) continue;
+      if (turn(at.direction(entering), at.direction(v)) <= 0) continue;
       const auto from = first_after(ranks_at[entering]), to = first_after(ranks_at[v]);
       const std::size_t begin = segments.size();
       const auto take = [&](auto edge, auto end) {

@@ -48,8 +48,18 @@ Scaling::Offset middle(const Region& region, const Scaling& scaling) {
 }  // namespace
 
 void Scaling::put_back(Point& point) const {
-  point.x = (point.x + of_p.x + of_q.x) / denominator;
-  point.y = (point.y + of_p.y + of_q.y) / denominator;
+  if (is_moved) {
+    point.x += of_p.x + of_q.x;
+    point.y += of_p.y + of_q.y;
+  }
+  const mp_bitcnt_t twos = mpz_scan1(denominator.get_mpz_t(), 0);
+  const bool is_power_of_two = mpz_sizeinbase(denominator.get_mpz_t(), 2) == twos + 1;
+  for (Rational* c : {&point.x, &point.y}) {
+    if (is_power_of_two)
+      mpq_div_2exp(c->get_mpq_t(), c->get_mpq_t(), twos);
+    else
+      *c /= denominator;
+  }
 }
 
 mpz_class scaled(const Rational& coordinate, const Scaling& scaling, const mpz_class& offset) {
