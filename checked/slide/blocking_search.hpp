@@ -63,7 +63,9 @@ class BlockingSearch {
       });
       return found;
     }
-    const Box point = near.box();
+    // What a probe leaves out, each_pair() looks into.
+    const bool shifts = shift_ == Shift::to_the_right && summands_.margins.area_is_exact;
+    const Box point = (shifts ? shifted_to_the_right(track, near) : near).box();
     strips_from_ = effort.box_pairs + without_strips;
     left_out_.clear();
     std::size_t waiting = 0;
@@ -131,7 +133,9 @@ class BlockingSearch {
         return;
       visit(pair);
     };
-    const SweptBox swept(from, to);
+    SweptBox swept(from, to);
+    if (shift_ == Shift::to_the_right && summands_.margins.area_is_exact)
+      swept.leave_out_touching(exactly);
     strips_from_ = effort.box_pairs + without_strips;
     const auto may_meet = [&](const Pair& boxes) {
       return swept.may_meet(sum_of(boxes)) && !beside_strips(boxes, from, to);
@@ -226,17 +230,17 @@ class BlockingSearch {
   /// given points near the two.
   bool certainly_outside(const EdgePair& pair, const NearPoint& from, const NearPoint& to) {
     return beside(pair, from, to, summands_.margins.area,
-                  [](double low, double high, double a, double b) {
+                  [](double low, double high, double a, double b, double /*right*/) {
                     return std::max(a, b) < low || std::min(a, b) > high;
                   });
   }
 
   /// Whether no place between two ends of segments, shifted, is inside the sum of a pair of edges.
   bool outside_exactly(const EdgePair& pair, const NearPoint& from, const NearPoint& to) {
-    return beside(pair, from, to, 0, [](double low, double high, double a, double b) {
+    return beside(pair, from, to, 0, [](double low, double high, double a, double b, double right) {
       // Along a side, the shift decides.
       const bool is_along =
-          a == b && (a == low || a == high) &&
+          a == b && (a == low ? right > 0 : a == high && right < 0) && low < high &&
           !OPLUS_MUTANT("slide-passes-sides-by",
                         "doubles leave out parallelograms along whose sides a segment runs");
       return !is_along && (std::max(a, b) <= low || std::min(a, b) >= high);
@@ -244,7 +248,8 @@ class BlockingSearch {
   }
 
   /// Whether the part of a line between two points is beside one of the two strips of which the sum of a
-  /// pair of edges is the intersection.
+  /// pair of edges is the intersection; beside_strip() is told across which part of the line is, and
+  /// whether a shift to the right moves it that way.
   template <typename BesideStrip>
   bool beside(const EdgePair& pair, const NearPoint& from, const NearPoint& to, double margin,
               const BesideStrip& beside_strip) {
@@ -259,8 +264,10 @@ class BlockingSearch {
     const auto along_f = [&](const NearPoint& c) {
       return e.dx * (c.y - corner_y) - e.dy * (c.x - corner_x);
     };
-    if (!beside_strip(low, high, along_e(from), along_e(to)) &&
-        !beside_strip(low, high, along_f(from), along_f(to)))
+    const double dx = to.x - from.x, dy = to.y - from.y;
+    // The right normal n has [n, f] = d f and [e, n] = -d e.
+    if (!beside_strip(low, high, along_e(from), along_e(to), dx * f.dx + dy * f.dy) &&
+        !beside_strip(low, high, along_f(from), along_f(to), -(dx * e.dx + dy * e.dy)))
       return false;
     ++effort.by_doubles;
     return true;
@@ -329,9 +336,11 @@ class BlockingSearch {
       return other.is_leaf() ? is_beside(strip, other_summand.near[other.edge], from, to)
                              : is_beside(strip, other.box, from, to);
     };
-    // The line of a short edge separates little.
-    if (node.is_leaf())
-      return node.size > other.size && beside(strip_along(summand.near[node.edge]));
+    // The line of a short edge separates little, and one along an axis no more than its box.
+    if (node.is_leaf()) {
+      const NearSegment& edge = summand.near[node.edge];
+      return node.size > other.size && edge.dx != 0 && edge.dy != 0 && beside(strip_along(edge));
+    }
     return node.strip != BoxTree::none && beside(tree.strip(node.strip));
   }
 
