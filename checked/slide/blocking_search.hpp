@@ -135,7 +135,7 @@ class BlockingSearch {
     };
     SweptBox swept(from, to);
     if (shift_ == Shift::to_the_right && summands_.margins.area_is_exact)
-      swept.leave_out_touching(exactly);
+      swept.leave_out_touching(track.near, exactly);
     strips_from_ = effort.box_pairs + without_strips;
     const auto may_meet = [&](const Pair& boxes) {
       return swept.may_meet(sum_of(boxes)) && !beside_strips(boxes, from, to);
