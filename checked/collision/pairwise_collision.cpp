@@ -16,22 +16,12 @@ namespace oplus {
 
 namespace {
 
-/// A summand's boundary, and its pieces as certified intervals.
-struct CertifiedBoundary : SummandBoundary {
-  explicit CertifiedBoundary(const Region& of) : SummandBoundary(of) {
-    certified.reserve(pieces.size());
-    for (const Segment& piece : pieces) certified.push_back(interval(piece));
-  }
-
-  std::vector<IntervalSegment> certified;
-};
-
 enum class Meeting { none, crossing, contact };
 
 /// One placement, and the contacts seen so far.
 class Query {
  public:
-  Query(const CertifiedBoundary& p, const CertifiedBoundary& minus_q, const Point& x)
+  Query(const SummandBoundary& p, const SummandBoundary& minus_q, const Point& x)
       : p_(p), minus_q_(minus_q), x_(x), by_(interval(x)) {}
 
   /// Returns whether the pair crosses; remembers it where it touches.
@@ -48,8 +38,8 @@ class Query {
 
  private:
   Meeting meeting_of(std::size_t i, std::size_t j) const {
-    const auto& [a, b] = p_.certified[i];
-    const auto [c, d] = translated(minus_q_.certified[j], by_);
+    const auto& [a, b] = p_.pieces.certified(i);
+    const auto [c, d] = translated(minus_q_.pieces.certified(j), by_);
     const std::optional<int> ab_c = orientation(a, b, c);
     const std::optional<int> ab_d = orientation(a, b, d);
     if (ab_c && ab_d) {
@@ -123,8 +113,8 @@ class Query {
     return touched;
   }
 
-  const CertifiedBoundary& p_;
-  const CertifiedBoundary& minus_q_;
+  const SummandBoundary& p_;
+  const SummandBoundary& minus_q_;
   const Point& x_;
   const IntervalPoint by_;
   std::vector<std::pair<std::size_t, std::size_t>> contacts_;
@@ -155,8 +145,8 @@ class PairwiseCollision : public CollisionTest {
   /// each once, until a call returns true. Returns whether one did.
   virtual bool visit_pairs(const Point& x, const Visit& visit) const = 0;
 
-  const CertifiedBoundary p_;
-  const CertifiedBoundary minus_q_;
+  const SummandBoundary p_;
+  const SummandBoundary minus_q_;
 };
 
 class HierarchyCollision : public PairwiseCollision {
@@ -165,7 +155,7 @@ class HierarchyCollision : public PairwiseCollision {
 
  private:
   bool visit_pairs(const Point& x, const Visit& visit) const override {
-    return p().hierarchy.visit_meeting(minus_q().hierarchy, x, visit);
+    return p().pieces.visit_meeting(minus_q().pieces, x, visit);
   }
 };
 

@@ -2,6 +2,8 @@
 #include "checked/collision/summand_boundary.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 
 #include "reference/chains/near_point.hpp"
 #include "reference/chains/touching_points.hpp"
@@ -27,18 +29,38 @@ std::vector<Segment> first_vertices(const std::vector<std::vector<Segment>>& of_
   return all;
 }
 
-/// From corner to corner of the box around segments.
-std::vector<Segment> diagonal(const std::vector<Segment>& segments) {
-  if (segments.empty()) return {};
-  Point low = segments[0].source;
+/// From corner to corner of the box around chains.
+std::vector<Segment> diagonal(const std::vector<std::vector<Segment>>& of_chains) {
+  if (of_chains.empty()) return {};
+  Point low = of_chains[0][0].source;
   Point high = low;
-  for (const Segment& s : segments) {
-    for (const Point* end : {&s.source, &s.target}) {
-      low = {std::min(low.x, end->x), std::min(low.y, end->y)};
-      high = {std::max(high.x, end->x), std::max(high.y, end->y)};
+  for (const std::vector<Segment>& of_chain : of_chains) {
+    for (const Segment& s : of_chain) {
+      low = {std::min(low.x, s.source.x), std::min(low.y, s.source.y)};
+      high = {std::max(high.x, s.source.x), std::max(high.y, s.source.y)};
     }
   }
   return {{low, high}};
+}
+
+bool is_above(const NearPoint& a, const NearPoint& b) {
+  const std::optional<int> known = compare(a.near.y, b.near.y);
+  return known ? *known > 0 : a.exact->y > b.exact->y;
+}
+
+/// A piece to the right of a point, from its lower to its upper end.
+struct Crossed {
+  NearPoint low;
+  NearPoint high;
+  bool runs_up;
+};
+
+/// Of two pieces that one ray crosses.
+bool is_left_of(const Crossed& a, const Crossed& b) {
+  if (is_above(b.low, a.low)) return !is_left_of(b, a);
+  // They meet in ends at most.
+  const int side = orientation(b.low, b.high, a.low);
+  return (side != 0 ? side : orientation(b.low, b.high, a.high)) > 0;
 }
 
 }  // namespace
@@ -46,34 +68,43 @@ std::vector<Segment> diagonal(const std::vector<Segment>& segments) {
 SummandBoundary::SummandBoundary(const Region& of) : SummandBoundary(pieces_by_chain(of)) {}
 
 SummandBoundary::SummandBoundary(const std::vector<std::vector<Segment>>& of_chains)
-    : pieces(joined(of_chains)),
-      hierarchy(pieces),
-      vertices(first_vertices(of_chains)),
-      around(diagonal(pieces)) {
+    : pieces(joined(of_chains)), vertices(first_vertices(of_chains)), around(diagonal(of_chains)) {
   for (const std::vector<Segment>& of_chain : of_chains) {
     chain_of.insert(chain_of.end(), of_chain.size(), vertex_of_chain.size());
     vertex_of_chain.push_back(of_chain.front().source);
   }
-  if (pieces.empty()) return;
-  right_ = std::max_element(pieces.begin(), pieces.end(), [](const Segment& a, const Segment& b) {
-             return a.source.x < b.source.x;
-           })->source.x;
 }
 
 bool SummandBoundary::contains(const Point& x) const {
-  if (right_ < x.x) return false;
-  int crossings = 0;  // as in winding_number
-  const NearPoint near_x = near_point(x);
-  const BoundingVolumeHierarchy ray({{x, {right_ + 1, x.y}}});
-  hierarchy.visit_meeting(ray, {0, 0}, [&](std::size_t i, std::size_t) {
-    const auto& [source, target] = pieces[i];
-    const bool source_below = source.y <= x.y, target_below = target.y <= x.y;
-    if (source_below == target_below) return false;
-    const int side = orientation(near_point(source), near_point(target), near_x);
-    crossings += (source_below && side > 0) - (target_below && side < 0);
-    return false;
-  });
-  return crossings > 0;
+  // The ray is an infinitesimal above x, so that it meets no vertex.
+  const NearPoint from = near_point(x);
+  const auto crossed = [&](std::size_t i) -> std::optional<Crossed> {
+    const NearPoint source{pieces.certified(i).source, &pieces[i].source};
+    const NearPoint target{pieces.certified(i).target, &pieces[i].target};
+    const bool runs_up = is_above(target, from);
+    if (is_above(source, from) == runs_up) return std::nullopt;
+    const Crossed piece = runs_up ? Crossed{source, target, true} : Crossed{target, source, false};
+    if (orientation(piece.low, piece.high, from) < 0) return std::nullopt;
+    return piece;
+  };
+  std::optional<Crossed> first;
+  double limit = std::numeric_limits<double>::max();
+  pieces.look_for(
+      limit,
+      [&](const Box& box) {
+        const bool may_cross = from.near.x.low <= box.high_x && box.low_y <= from.near.y.high &&
+                               from.near.y.low <= box.high_y;
+        return may_cross ? box.low_x : SegmentTree::nothing;
+      },
+      [&](std::size_t i) {
+        const std::optional<Crossed> here = crossed(i);
+        if (here && (!first || is_left_of(*here, *first))) {
+          first = here;
+          limit = std::max(here->low.near.x.high, here->high.near.x.high);
+        }
+        return limit;
+      });
+  return first && first->runs_up;
 }
 
 TouchedChains untouched(const SummandBoundary& p, const SummandBoundary& minus_q) {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "checked/collision/bounding_volume_hierarchy.hpp"
+#include "checked/collision/segment_tree.hpp"
 #include "reference/definitions/direction.hpp"
 #include "reference/definitions/region.hpp"
 
@@ -16,21 +16,18 @@ namespace oplus {
 struct SummandBoundary {
   explicit SummandBoundary(const Region& of);
 
-  std::vector<Segment> pieces;
+  SegmentTree pieces;
   std::vector<std::size_t> chain_of;   ///< of each piece
   std::vector<Point> vertex_of_chain;  ///< one vertex each
-  BoundingVolumeHierarchy hierarchy;   ///< of the pieces
-  BoundingVolumeHierarchy vertices;    ///< those of `vertex_of_chain`
-  BoundingVolumeHierarchy around;      ///< one box around all pieces
+  SegmentTree vertices;                ///< those of `vertex_of_chain`
+  SegmentTree around;                  ///< one box around all pieces
 
-  /// Whether a point that is on no piece is inside: by the pieces to the right of it, in practice
-  /// O(log n) and the number of these.
+  /// Whether a point that is on no piece is inside: whether it is to the left of the first piece to the right
+  /// of it. O(log n) in practice.
   bool contains(const Point& x) const;
 
  private:
   explicit SummandBoundary(const std::vector<std::vector<Segment>>& of_chains);
-
-  Rational right_;  ///< the largest x
 };
 
 inline Segment translated(const Segment& s, const Vector& by) {

@@ -6,16 +6,15 @@
 
 namespace oplus::slide {
 
-/// Visits the leaves of a tree whose boxes, moved by `by`, contain a place; as contains() takes it. Stops
-/// where a visit returns true; returns whether one did.
+/// Visits the leaves of a tree whose boxes contain a place, as contains() takes it. Stops where a visit
+/// returns true; returns whether one did.
 template <typename Visit>
-bool any_leaf_around(const BoxTree& tree, const Box& place, const Visit& visit,
-                     const Box& by = Box(0)) {
+bool any_leaf_around(const BoxTree& tree, const Box& place, const Visit& visit) {
   ShortList<std::uint32_t> waiting;
   std::uint32_t node = 0;
   while (true) {
     const BoxTree::Node& here = tree[node];
-    if (contains(here.box + by, place)) {
+    if (contains(here.box, place)) {
       if (!here.is_leaf()) {
         waiting.push_back(here.right);
         ++node;

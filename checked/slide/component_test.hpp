@@ -4,18 +4,21 @@
 #include <cmath>
 #include <optional>
 
+#include "checked/slide/blocked_interval.hpp"
 #include "checked/slide/integer_summands.hpp"
 #include "reference/definitions/mutant.hpp"
 
 namespace oplus::slide {
 
 /// Whether components of P and -Q + x(t) overlap where no edges cross: one is inside the other then.
-/// x(t) is shifted by an infinitesimal along the segment and a yet smaller one to its right. So no
+/// Shifted, x(t) is moved by an infinitesimal along the segment and a yet smaller one to its right. So no
 /// vertex is on an edge, and the edges that touch at x(t) have come apart.
 template <typename Numbers>
 class ComponentTest {
  public:
-  explicit ComponentTest(const IntegerSummands<Numbers>& summands) : summands_(summands) {}
+  explicit ComponentTest(const IntegerSummands<Numbers>& summands,
+                         Shift shift = Shift::to_the_right)
+      : summands_(summands), shift_(shift) {}
 
   /// Whether there is anything to test. The two components that touch each other as the segment says
   /// do not overlap where their edges do not cross (docs/slide.md, step 4).
@@ -25,12 +28,21 @@ class ComponentTest {
   /// are not wound around a place. Requires: prepare_component_test(), no edges cross at t, and t is not at
   /// an end of a free piece.
   bool overlap_at(const Track<Numbers>& track, const Fraction<Numbers>& t) const {
+    return overlap_at(track, t, [](Summand, std::uint32_t) { return true; });
+  }
+
+  /// The same, where only those components can be inside another one of which may_be_inside(summand,
+  /// first vertex) holds. Requires: without a shift, it does not hold of those that touch another one at x(t).
+  template <typename MayBeInside>
+  bool overlap_at(const Track<Numbers>& track, const Fraction<Numbers>& t,
+                  const MayBeInside& may_be_inside) const {
     if (OPLUS_MUTANT("slide-components-never-overlap",
                      "where no edges cross, a component inside another one is not seen"))
       return false;
     NearPoint near = near_place(track, t);
-    if (summands_.margins.area_is_exact) near = shifted_to_the_right(track, near);
-    return overlap_below(0, 0, track, t, near);
+    if (shift_ == Shift::to_the_right && summands_.margins.area_is_exact)
+      near = shifted_to_the_right(track, near);
+    return overlap_below(0, 0, track, t, near, may_be_inside);
   }
 
  private:
@@ -41,33 +53,41 @@ class ComponentTest {
   double margin() const { return 8 * summands_.margins.point; }
 
   /// Whether components below two nodes of the trees overlap.
+  template <typename MayBeInside>
   bool overlap_below(std::uint32_t i, std::uint32_t j, const Track<Numbers>& track,
-                     const Fraction<Numbers>& t, const NearPoint& x) const {
+                     const Fraction<Numbers>& t, const NearPoint& x,
+                     const MayBeInside& may_be_inside) const {
     const ComponentTree::Node& a = summands_.components_of_p.components()[i];
     const ComponentTree::Node& b = summands_.components_of_q.components()[j];
     if (!(a.box + b.box).contains(x, margin())) return false;
     if (a.is_leaf() && b.is_leaf()) {
       const IntegerSummand<Numbers>& p = summands_.p;
       const IntegerSummand<Numbers>& q = summands_.q;
-      return is_inside(p, summands_.components_of_p, a.first, track, t, q,
-                       q.first_of_component[b.first]) ||
-             is_inside(q, summands_.components_of_q, b.first, track, t, p,
-                       p.first_of_component[a.first]);
+      const std::uint32_t of_p = p.first_of_component[a.first],
+                          of_q = q.first_of_component[b.first];
+      return (may_be_inside(Summand::Q, of_q) &&
+              is_inside(p, summands_.components_of_p, a.first, track, t, q, of_q)) ||
+             (may_be_inside(Summand::P, of_p) &&
+              is_inside(q, summands_.components_of_q, b.first, track, t, p, of_p));
     }
+    const auto overlap = [&](std::uint32_t in_p, std::uint32_t in_q) {
+      return overlap_below(in_p, in_q, track, t, x, may_be_inside);
+    };
     if (b.is_leaf() || (!a.is_leaf() && a.box.size() > b.box.size()))
-      return overlap_below(i + 1, j, track, t, x) || overlap_below(a.right, j, track, t, x);
-    return overlap_below(i, j + 1, track, t, x) || overlap_below(i, b.right, track, t, x);
+      return overlap(i + 1, j) || overlap(a.right, j);
+    return overlap(i, j + 1) || overlap(i, b.right);
   }
 
   /// Of three numbers, each infinitely smaller than the one before, the sign of the first that is not
-  /// zero.
+  /// zero; without a shift, only the first counts.
   template <typename A, typename B, typename C>
-  static int first_sign(const A& a, const B& b, const C& c) {
+  int first_sign(const A& a, const B& b, const C& c) const {
+    if (shift_ == Shift::none) return sign_of(a);
     const int sign = sign_of(a) != 0 ? sign_of(a) : sign_of(b);
     return sign != 0 ? sign : sign_of(c);
   }
 
-  /// Whether x(t) - v, shifted, is in a component of a summand: by the parity of the edges to the right
+  /// Whether x(t) - v is in a component of a summand: by the parity of the edges to the right
   /// of it. v is a vertex of the other summand.
   bool is_inside(const IntegerSummand<Numbers>& summand, const ComponentTree& tree,
                  std::uint32_t component, const Track<Numbers>& track, const Fraction<Numbers>& t,
@@ -115,6 +135,7 @@ class ComponentTest {
   }
 
   const IntegerSummands<Numbers>& summands_;
+  Shift shift_;
 };
 
 }  // namespace oplus::slide

@@ -166,9 +166,8 @@ LowDimensionalFeatures low_dimensional_features(const Tracks<Numbers>& tracks,
     of_boundary.emplace_back(&boundary.points[piece.from], &boundary.points[piece.to]);
   const PointLocation<Numbers> on_boundary(std::move(of_boundary), scaling);
   std::vector<char> is_outside(pieces.size() + points.size());
-  const ComponentTrees<Numbers> components(summands);
   const auto decide = [&](std::size_t first, std::size_t last) {
-    OpenSumTest<Numbers> open_sum(summands, rays, components);
+    OpenSumTest<Numbers> open_sum(summands, rays);
     for (std::size_t i = first; i < last; ++i) {
       if (i < pieces.size()) {
         const auto& [segment, piece] = pieces[i];

@@ -147,12 +147,12 @@ struct BySlope {
 };
 
 /// Which of the pieces are parallel to some of the others, so that they may overlap one.
-std::vector<bool> parallel_to_some(const std::vector<Segment>& pieces,
-                                   const std::vector<Segment>& others) {
+std::vector<bool> parallel_to_some(const SegmentTree& pieces, const SegmentTree& others) {
   std::set<Vector, BySlope> slopes;
-  for (const Segment& other : others) slopes.insert(slope_of(other));
+  for (std::size_t i = 0; i < others.size(); ++i) slopes.insert(slope_of(others[i]));
   std::vector<bool> parallel;
-  for (const Segment& piece : pieces) parallel.push_back(slopes.contains(slope_of(piece)));
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    parallel.push_back(slopes.contains(slope_of(pieces[i])));
   return parallel;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "checked/verify/segment_tree.hpp"
+#include "checked/collision/segment_tree.hpp"
 #include "reference/definitions/given_sum.hpp"
 #include "reference/definitions/minkowski_sum.hpp"
 

@@ -119,6 +119,7 @@ class ConvexSums::Search {
         const int after = edge_of == Summand::P ? 1 : 0;
         const auto from = first_from(in + after);
         const auto to = first_from(out + after);
+        const auto first_of_vertex = static_cast<std::ptrdiff_t>(result.size());
         const auto add = [&](auto begin, auto end) {
           for (auto e = begin; e != end; ++e) result.push_back({edge_of, *e, v});
         };
@@ -128,6 +129,9 @@ class ConvexSums::Search {
           add(from, order.end());
           add(order.begin(), to);
         }
+        // Along the boundary: what covers one often covers the next.
+        std::sort(result.begin() + first_of_vertex, result.end(),
+                  [](const Track& a, const Track& b) { return a.edge < b.edge; });
       }
     }
     return result;
@@ -537,8 +541,11 @@ class ConvexSums::Search {
     probe_x_ = x_.value + t * along_->near_along.x.value;
     probe_y_ = y_.value + t * along_->near_along.y.value;
     set_reach();
-    for (const auto& [i, j] : recent_)
-      if (covers(i, j)) return true;
+    for (auto pair = recent_.begin(); pair != recent_.end(); ++pair) {
+      if (!covers(pair->first, pair->second)) continue;
+      std::rotate(recent_.begin(), pair, pair + 1);
+      return true;
+    }
 
     const std::vector<Node>& ps = parts_[0].nodes;
     const std::vector<Node>& qs = parts_[1].nodes;
@@ -554,8 +561,8 @@ class ConvexSums::Search {
       if (!may_meet(p.box, q.box)) continue;
       if (p.right == 0 && q.right == 0) {
         if (covers(p.piece, q.piece)) {
-          recent_[next_recent_] = {p.piece, q.piece};
-          next_recent_ = (next_recent_ + 1) % recent_.size();
+          std::rotate(recent_.begin(), recent_.end() - 1, recent_.end());
+          recent_.front() = {p.piece, q.piece};
           return true;
         }
         continue;
@@ -647,8 +654,8 @@ class ConvexSums::Search {
   double probe_x_ = 0, probe_y_ = 0;
   Rational middle_;
   std::optional<End> low_, high_;
-  std::array<std::pair<std::uint32_t, std::uint32_t>, 4> recent_{};
-  std::size_t next_recent_ = 0;
+  std::array<std::pair<std::uint32_t, std::uint32_t>, 8>
+      recent_{};  ///< that covered a probe, the last one first
   std::vector<std::pair<std::uint32_t, std::uint32_t>> near_, later_;
 };
 

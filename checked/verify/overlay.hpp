@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "checked/verify/segment_tree.hpp"
+#include "checked/collision/segment_tree.hpp"
 #include "checked/verify/verdict.hpp"
 #include "reference/definitions/cells.hpp"
 #include "reference/definitions/given_sum.hpp"

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "checked/verify/segment_tree.hpp"
+#include "checked/collision/segment_tree.hpp"
 #include "reference/definitions/segment.hpp"
 
 namespace oplus {

@@ -5,7 +5,7 @@
 
 namespace oplus {
 
-/// Two verdicts on whether a point is in the sum differ, one by winding number, one by collision:
+/// Verdicts on whether a point is in the sum differ, by winding number, by collision, by tangents:
 /// Theorem 4.2.1 is false, or one of the definitions is wrong. Never seen on a valid region.
 class VerdictsDiffer : public std::logic_error {
  public:

@@ -8,6 +8,7 @@
 #include "reference/definitions/collision.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/definitions/difference.hpp"
+#include "reference/definitions/tangent_count.hpp"
 #include "reference/definitions/winding_number.hpp"
 
 namespace oplus {
@@ -23,7 +24,7 @@ struct CellVerdicts {
 class Verdicts {
  public:
   Verdicts(const Region& p, const Region& q, const std::vector<Segment>& convolution)
-      : p_(p), minus_q_(reflected(q)), convolution_(convolution) {}
+      : p_(p), q_(q), minus_q_(reflected(q)), convolution_(convolution) {}
 
   CellVerdicts decide(const Cells& cells) const {
     CellVerdicts in_sum;
@@ -35,6 +36,7 @@ class Verdicts {
       const Point x = point_inside(boundary);
       in_sum.faces.push_back(interiors_meet_at(x));
       require((winding_number(x, convolution_) > 0) == in_sum.faces.back(), x);
+      require((tangent_count(x, p_, q_, {1, 0}) > 0) == in_sum.faces.back(), x);
     }
     for (const Cells::Edge& e : cells.edges) {
       const Point x = midpoint(e.segment.source, e.segment.target);
@@ -53,11 +55,12 @@ class Verdicts {
  private:
   static void require(bool agree, const Point& x) {
     if (!agree)
-      throw VerdictsDiffer("the oracle's two verdicts differ at (" + x.x.get_str() + ", " +
+      throw VerdictsDiffer("the oracle's verdicts differ at (" + x.x.get_str() + ", " +
                            x.y.get_str() + ")");
   }
 
   const Region& p_;
+  const Region& q_;
   Region minus_q_;
   const std::vector<Segment>& convolution_;
 };

@@ -23,10 +23,10 @@ struct OracleSums {
 };
 
 /// Computes P ⊕ Q by the definitions, O(n²m²) and more: the arrangement of the convolution 𝒞; a
-/// face is in the sum iff its winding number is positive (thesis, Theorem 4.2.1) and,
-/// independently, iff the interiors of P and -Q+x meet for a point x in it. The second verdict
-/// alone decides edges and vertices, that is, dangling edges and isolated vertices. Requires: p and
-/// q are valid (validity.hpp). Throws VerdictsDiffer.
+/// face is in the sum iff its winding number is positive (thesis, Theorem 4.2.1), iff the interiors of
+/// P and -Q+x meet for a point x in it, and iff the tangent count of x is positive; the three are
+/// independent. The second verdict alone decides edges and vertices, that is, dangling edges and
+/// isolated vertices. Requires: p and q are valid (validity.hpp). Throws VerdictsDiffer.
 OracleSums oracle_sums(const Region& p, const Region& q);
 
 /// One of the two.

@@ -4,7 +4,7 @@
 #include "checked/cycles/convolution_cycles.hpp"
 #include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
-#include "properties/statements/chapter4/directions_around.hpp"
+#include "properties/statements/directions_around.hpp"
 #include "properties/statements/chapter4/state.hpp"
 #include "reference/definitions/tangent_set.hpp"
 #include "reference/io/writing.hpp"

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "properties/runner/registry.hpp"
-#include "properties/statements/chapter4/directions_around.hpp"
+#include "properties/statements/directions_around.hpp"
 #include "properties/statements/chapter4/euler_characteristic.hpp"
 #include "properties/statements/chapter4/vertex_edge_events.hpp"
 #include "reference/definitions/original_convolution.hpp"

@@ -36,7 +36,7 @@ const Registered registered({
         "are a range of ranks, which may continue from the last rank to the first. At a reflex "
         "vertex and inside a straight line there is no such segment.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
-    .rests_on = {"definition-2.2.7-and-2.2.8", "theorem-2.3.2"},
+    .rests_on = {"definition-2.2.7", "theorem-2.3.2"},
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"slide-ranks-without-ties"},

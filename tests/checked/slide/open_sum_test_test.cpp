@@ -28,8 +28,7 @@ class Asked {
       : scaling_(scaling_of(p, q)),
         summands_(p, q, scaling_, 0),
         rays_(rays_of(summands_)),
-        components_(summands_),
-        test_(summands_, rays_, components_) {}
+        test_(summands_, rays_) {}
 
   bool contains(const Segment& segment, const mpz_class& n, const mpz_class& d) {
     const IntegerSegment<Numbers> exact = integer_segment<Numbers>(segment);
@@ -40,7 +39,6 @@ class Asked {
   Scaling scaling_;
   IntegerSummands<Numbers> summands_;
   RaysOfBoth<Numbers> rays_;
-  ComponentTrees<Numbers> components_;
   OpenSumTest<Numbers> test_;
 };
 

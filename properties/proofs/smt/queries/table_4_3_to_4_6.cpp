@@ -5,7 +5,7 @@
 // sector in one component. While it does not, it contains a ray from some point on if the ray
 // points to the left of the edge, and no point of it otherwise: so there are as many components as
 // there are arcs of directions in the sector and to the left of the edge. Edges parallel to those
-// of the corner are turned apart by the tie rule: definition-2.2.7-and-2.2.8.tie-rule.
+// of the corner are turned apart by the tie rule: definition-2.2.7.tie-rule.
 #include "properties/proofs/smt/built_regions.hpp"
 #include "properties/proofs/smt/sectors.hpp"
 #include "properties/statements/chapter4/euler_characteristic.hpp"

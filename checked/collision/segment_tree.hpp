@@ -21,6 +21,13 @@ struct Box {
 Box box_of(const IntervalPoint& p);
 Box box_of(const IntervalSegment& s);
 
+/// Around all places that a box is moved to.
+inline Box translated(const Box& box, const IntervalPoint& by) {
+  const Interval x = outward(box.low_x + by.x.low, box.high_x + by.x.high);
+  const Interval y = outward(box.low_y + by.y.low, box.high_y + by.y.high);
+  return {x.low, y.low, x.high, y.high};
+}
+
 inline bool meet(const Box& a, const Box& b) {
   return a.low_x <= b.high_x && b.low_x <= a.high_x && a.low_y <= b.high_y && b.low_y <= a.high_y;
 }
@@ -28,13 +35,16 @@ inline bool meet(const Box& a, const Box& b) {
 /// At most the squared distance of any two points of the boxes.
 double squared_gap(const Box& a, const Box& b);
 
-/// Segments, or points, in a tree of boxes: those near a place are found without a look at all.
-/// Built in O(n log n). No box is too small, so that none is left out.
+/// Segments, or points, in a tree of boxes: those near a place, or near those of another tree (thesis,
+/// Section 5.1.2), are found without a look at all. Built in O(n log n): each box is halved across the side
+/// along which the middles of its segments are furthest apart. Boxes are of certified intervals, so that none is too
+/// small.
 class SegmentTree {
  public:
   SegmentTree(std::vector<Segment> segments);  // NOLINT(google-explicit-constructor)
 
   bool empty() const { return segments_.empty(); }
+  std::size_t size() const { return segments_.size(); }
   const Segment& operator[](std::size_t i) const { return segments_[i]; }
   const IntervalSegment& certified(std::size_t i) const { return certified_[i]; }
 
@@ -55,6 +65,11 @@ class SegmentTree {
         });
   }
 
+  /// Calls `visit(i, j)` for segment i of this tree and segment j of `moved` wherever their boxes meet,
+  /// `moved` translated by `by`, until a call returns true. Returns whether one did.
+  template <typename Visit>
+  bool visit_meeting(const SegmentTree& moved, const Vector& by, const Visit& visit) const;
+
   static constexpr double nothing = std::numeric_limits<double>::infinity();
 
  private:
@@ -63,6 +78,7 @@ class SegmentTree {
     Box box;
     std::size_t begin, end;
     std::size_t right = 0;
+    bool is_leaf() const { return right == 0; }
   };
 
   void build(std::size_t begin, std::size_t end);
@@ -100,7 +116,7 @@ void SegmentTree::look_for(double limit, const Bound& bound, const Look& look) c
     const auto [least, number] = pending[--size];
     if (least > limit) continue;
     const Node& node = nodes_[number];
-    if (node.right == 0) {
+    if (node.is_leaf()) {
       for (std::size_t i = node.begin; i < node.end; ++i)
         if (bound(boxes_[order_[i]]) <= limit) limit = look(order_[i]);
       continue;
@@ -111,6 +127,37 @@ void SegmentTree::look_for(double limit, const Bound& bound, const Look& look) c
     pending[size++] = far;
     pending[size++] = near;
   }
+}
+
+template <typename Visit>
+bool SegmentTree::visit_meeting(const SegmentTree& moved, const Vector& by,
+                                const Visit& visit) const {
+  if (empty() || moved.empty()) return false;
+  const IntervalPoint way = interval(by);
+  std::array<std::pair<std::size_t, std::size_t>, 256> pending;  // each halves a box
+  std::size_t size = 0;
+  pending[size++] = {0, 0};
+  while (size > 0) {
+    const auto [a, b] = pending[--size];
+    const Node& node = nodes_[a];
+    const Node& other = moved.nodes_[b];
+    if (!meet(node.box, translated(other.box, way))) continue;
+    if (node.is_leaf() && other.is_leaf()) {
+      for (std::size_t j = other.begin; j < other.end; ++j) {
+        const Box box = translated(moved.boxes_[moved.order_[j]], way);
+        for (std::size_t i = node.begin; i < node.end; ++i)
+          if (meet(boxes_[order_[i]], box) && visit(order_[i], moved.order_[j])) return true;
+      }
+    } else if (other.is_leaf() ||
+               (!node.is_leaf() && node.end - node.begin > other.end - other.begin)) {
+      pending[size++] = {a + 1, b};
+      pending[size++] = {node.right, b};
+    } else {
+      pending[size++] = {a, b + 1};
+      pending[size++] = {a, other.right};
+    }
+  }
+  return false;
 }
 
 }  // namespace oplus

@@ -146,7 +146,7 @@ Outcome check(const Summands& summands) {
 }
 
 const Registered registered({
-    .id = "definition-2.2.7-and-2.2.8",
+    .id = "definition-2.2.8",
     .title = "Both definitions of the convolution have the same points",
     .statement =
         "Definition 2.2.7: the convolution consists of the sums of an edge and a vertex whose "

@@ -31,7 +31,7 @@ Claim is_turned_a_little(Summand of) {
 Query tie_rule(Summand of) {
   const std::string letter = of == Summand::P ? "p" : "q";
   return {
-      .id = "definition-2.2.7-and-2.2.8.tie-rule-" + letter,
+      .id = "definition-2.2.7.tie-rule-" + letter,
       .unknowns = {any_direction("e"), any_direction("f"), any_direction("in"),
                    any_direction("out")},
       .hypotheses = {{"turned",
@@ -63,7 +63,7 @@ Claim angles_compare(bool is_scaled, int how) {
 Query scaling(int how) {
   const std::string name = how < 0 ? "before" : how > 0 ? "after" : "equal";
   return {
-      .id = "definition-2.2.7-and-2.2.8.scaling-" + name,
+      .id = "definition-2.2.7.scaling-" + name,
       .unknowns = {any_number("k"), any_vector("u"), any_vector("v")},
       .hypotheses = {{"positive",
                       {"k > 0",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "checked/verify/segment_tree.hpp"
+#include "checked/collision/segment_tree.hpp"
 
 #include <cfloat>
 #include <cmath>
@@ -67,7 +67,18 @@ void SegmentTree::build(std::size_t begin, std::size_t end) {
   const std::size_t self = nodes_.size();
   nodes_.push_back({box, begin, end});
   if (end - begin <= leaf_size) return;
-  const bool wide = box.high_x - box.low_x > box.high_y - box.low_y;
+  // Where the middles are further apart: long boxes are told apart by their short sides.
+  const auto middle_of = [&](std::size_t i) -> std::pair<double, double> {
+    const Box& b = boxes_[order_[i]];
+    return {middle(b.low_x, b.high_x), middle(b.low_y, b.high_y)};
+  };
+  const auto [first_x, first_y] = middle_of(begin);
+  Box middles{first_x, first_y, first_x, first_y};
+  for (std::size_t i = begin + 1; i < end; ++i) {
+    const auto [x, y] = middle_of(i);
+    middles = around(middles, {x, y, x, y});
+  }
+  const bool wide = middles.high_x - middles.low_x > middles.high_y - middles.low_y;
   const auto key = [&](std::size_t i) {
     const Box& b = boxes_[i];
     return wide ? middle(b.low_x, b.high_x) : middle(b.low_y, b.high_y);
