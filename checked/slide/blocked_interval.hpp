@@ -67,10 +67,11 @@ class Strips {
 /// Segments whose x, and whose y, are multiplied by the common denominator of theirs: so no quotient of
 /// skew products changes. Integers are faster than rationals, which are reduced after each operation.
 template <std::size_t n>
-std::array<IntegerSegment<AnyNumbers>, n> with_common_denominators(
+const std::array<IntegerSegment<AnyNumbers>, n>& with_common_denominators(
     const std::array<const IntegerSegment<RationalNumbers>*, n>& segments) {
   using Integer = AnyNumbers::Value;
-  std::array<IntegerSegment<AnyNumbers>, n> result;
+  // Kept, since it would take as long to allocate the numbers as to compute them.
+  thread_local std::array<IntegerSegment<AnyNumbers>, n> result;
   const auto scale = [&](auto coordinate_of) {
     const auto each = [&](const auto& visit) {
       for (std::size_t i = 0; i < n; ++i) {
@@ -106,7 +107,7 @@ std::optional<BlockedInterval<Numbers>> blocked_interval(const IntegerSegment<Nu
                                                          const IntegerSegment<Numbers>& of_q,
                                                          Shift shift) {
   if constexpr (is_rational<Numbers>) {
-    const auto scaled = detail::with_common_denominators<3>({&segment, &of_p, &of_q});
+    const auto& scaled = detail::with_common_denominators<3>({&segment, &of_p, &of_q});
     const auto interval = blocked_interval(scaled[0], scaled[1], scaled[2], shift);
     if (!interval) return std::nullopt;
     const auto as_rational = [](const Fraction<AnyNumbers>& t) {

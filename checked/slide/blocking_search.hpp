@@ -63,7 +63,9 @@ class BlockingSearch {
       });
       return found;
     }
-    const Box point = near.box();
+    // What a probe leaves out, each_pair() looks into.
+    const bool shifts = shift_ == Shift::to_the_right && summands_.margins.area_is_exact;
+    const Box point = (shifts ? shifted_to_the_right(track, near) : near).box();
     strips_from_ = effort.box_pairs + without_strips;
     left_out_.clear();
     std::size_t waiting = 0;
@@ -126,12 +128,14 @@ class BlockingSearch {
     const auto visit_if_near = [&](const EdgePair& pair) {
       if (comes_apart(track, pair)) return;
       if (exactly ? outside_exactly(pair, from, to)
-                  : certainly_outside(pair, from, to) ||
+                  : certainly_outside(pair, from, to) || meets_end_only(track, pair) ||
                         outside_closely(track, pair, piece.from.near(), piece.to.near()))
         return;
       visit(pair);
     };
-    const SweptBox swept(from, to);
+    SweptBox swept(from, to);
+    if (shift_ == Shift::to_the_right && summands_.margins.area_is_exact)
+      swept.leave_out_touching(track.near, exactly);
     strips_from_ = effort.box_pairs + without_strips;
     const auto may_meet = [&](const Pair& boxes) {
       return swept.may_meet(sum_of(boxes)) && !beside_strips(boxes, from, to);
@@ -193,21 +197,50 @@ class BlockingSearch {
     return shift_ == Shift::to_the_right && (is(track.contact[0]) | is(track.contact[1])) != 0;
   }
 
+  /// Whether doubles tell that a track, which has an end at a corner of the sum of a pair of edges, leads
+  /// away from there: most pairs that share a vertex with those that touch.
+  bool meets_end_only(const Track<Numbers>& track, const EdgePair& pair) {
+    if (shift_ == Shift::none || summands_.margins.area_is_exact) return false;
+    const bool edge_of_p = track.contact[0].first == track.contact[1].first;
+    const auto of = [&](const EdgePair& both, bool p) { return p ? both.first : both.second; };
+    const std::uint32_t vertex = of(track.contact[1], !edge_of_p);
+    const std::uint32_t at_vertex = of(pair, !edge_of_p);
+    if (at_vertex != vertex && at_vertex != of(track.contact[0], !edge_of_p)) return false;
+    const auto& previous = (edge_of_p ? summands_.p : summands_.q).previous;
+    const std::uint32_t edge = of(track.contact[0], edge_of_p), beside = of(pair, edge_of_p);
+    const bool before = previous[edge] == beside;
+    if (!before && previous[beside] != edge) return false;
+    // The sides of the parallelogram lead away from the corner, and so does the track.
+    const NearSegment& u = (edge_of_p ? summands_.p : summands_.q).near[beside];
+    const NearSegment& w = (edge_of_p ? summands_.q : summands_.p).near[at_vertex];
+    const NearSegment& d = track.near;
+    const int turn = certain_turn(u.dx, u.dy, w.dx, w.dy);
+    const int sign_u = before ? -1 : 1, sign_w = at_vertex == vertex ? 1 : -1;
+    const int from_u = certain_turn(u.dx, u.dy, d.dx, d.dy);
+    const int to_w = certain_turn(d.dx, d.dy, w.dx, w.dy);
+    const int sign_d = before ? 1 : -1;
+    const int inside = turn * sign_u * sign_w;
+    if (inside * from_u * sign_u * sign_d >= 0 && inside * to_w * sign_d * sign_w >= 0)
+      return false;
+    ++effort.by_doubles;
+    return true;
+  }
+
   /// Whether no place between two is in the sum of a pair of edges, a parallelogram, or its boundary,
   /// given points near the two.
   bool certainly_outside(const EdgePair& pair, const NearPoint& from, const NearPoint& to) {
     return beside(pair, from, to, summands_.margins.area,
-                  [](double low, double high, double a, double b) {
+                  [](double low, double high, double a, double b, double /*right*/) {
                     return std::max(a, b) < low || std::min(a, b) > high;
                   });
   }
 
   /// Whether no place between two ends of segments, shifted, is inside the sum of a pair of edges.
   bool outside_exactly(const EdgePair& pair, const NearPoint& from, const NearPoint& to) {
-    return beside(pair, from, to, 0, [](double low, double high, double a, double b) {
+    return beside(pair, from, to, 0, [](double low, double high, double a, double b, double right) {
       // Along a side, the shift decides.
       const bool is_along =
-          a == b && (a == low || a == high) &&
+          a == b && (a == low ? right > 0 : a == high && right < 0) && low < high &&
           !OPLUS_MUTANT("slide-passes-sides-by",
                         "doubles leave out parallelograms along whose sides a segment runs");
       return !is_along && (std::max(a, b) <= low || std::min(a, b) >= high);
@@ -215,7 +248,8 @@ class BlockingSearch {
   }
 
   /// Whether the part of a line between two points is beside one of the two strips of which the sum of a
-  /// pair of edges is the intersection.
+  /// pair of edges is the intersection; beside_strip() is told across which part of the line is, and
+  /// whether a shift to the right moves it that way.
   template <typename BesideStrip>
   bool beside(const EdgePair& pair, const NearPoint& from, const NearPoint& to, double margin,
               const BesideStrip& beside_strip) {
@@ -230,8 +264,10 @@ class BlockingSearch {
     const auto along_f = [&](const NearPoint& c) {
       return e.dx * (c.y - corner_y) - e.dy * (c.x - corner_x);
     };
-    if (!beside_strip(low, high, along_e(from), along_e(to)) &&
-        !beside_strip(low, high, along_f(from), along_f(to)))
+    const double dx = to.x - from.x, dy = to.y - from.y;
+    // The right normal n has [n, f] = d f and [e, n] = -d e.
+    if (!beside_strip(low, high, along_e(from), along_e(to), dx * f.dx + dy * f.dy) &&
+        !beside_strip(low, high, along_f(from), along_f(to), -(dx * e.dx + dy * e.dy)))
       return false;
     ++effort.by_doubles;
     return true;
@@ -243,25 +279,39 @@ class BlockingSearch {
     if (summands_.margins.area_is_exact) return false;
     const NearSegment& e = summands_.p.near[pair.first];
     const NearSegment& f = summands_.q.near[pair.second];
-    const auto corner = track.exact.source - summands_.p.edges[pair.first].source -
-                        summands_.q.edges[pair.second].source;
-    const std::size_t shift = summands_.margins.shift;
-    const double x = near(corner.x, shift), y = near(corner.y, shift);
     const double dx = track.near.dx, dy = track.near.dy;
-    const double most_x = std::abs(x) + std::abs(dx), most_y = std::abs(y) + std::abs(dy);
-    const auto is_beside = [&](const NearSegment& along, const NearSegment& across) {
-      const double area = std::abs(across.dx * along.dy - across.dy * along.dx);
-      const auto place = [&](double t) {
-        return (x + t * dx) * along.dy - (y + t * dy) * along.dx;
+    const auto is_beside_one = [&](const NearPoint& corner) {
+      const double most_x = std::abs(corner.x) + std::abs(dx) + 0x1p47 * corner.error;
+      const double most_y = std::abs(corner.y) + std::abs(dy) + 0x1p47 * corner.error;
+      const auto is_beside = [&](const NearSegment& along, const NearSegment& across) {
+        const double area = std::abs(across.dx * along.dy - across.dy * along.dx);
+        const auto place = [&](double t) {
+          return (corner.x + t * dx) * along.dy - (corner.y + t * dy) * along.dx;
+        };
+        const double margin = 0x1p-47 * ((most_x + std::abs(across.dx)) * std::abs(along.dy) +
+                                         (most_y + std::abs(across.dy)) * std::abs(along.dx)) +
+                              0x1p-400;
+        const bool turns_left = across.dx * along.dy > across.dy * along.dx;
+        const double low = (turns_left ? 0 : -area) - margin;
+        const double high = (turns_left ? area : 0) + margin;
+        return std::max(place(from), place(to)) < low || std::min(place(from), place(to)) > high;
       };
-      const double margin = 0x1p-47 * ((most_x + std::abs(across.dx)) * std::abs(along.dy) +
-                                       (most_y + std::abs(across.dy)) * std::abs(along.dx)) +
-                            0x1p-400;
-      const bool turns_left = across.dx * along.dy > across.dy * along.dx;
-      const double low = (turns_left ? 0 : -area) - margin, high = (turns_left ? area : 0) + margin;
-      return std::max(place(from), place(to)) < low || std::min(place(from), place(to)) > high;
+      return is_beside(f, e) || is_beside(e, f);
     };
-    if (!is_beside(f, e) && !is_beside(e, f)) return false;
+    const auto is_beside = [&] {
+      if constexpr (!is_small<Numbers>) {
+        const NearPoint near =
+            difference(difference({track.near.x, track.near.y, track.error}, e), f);
+        if (is_beside_one(near)) return true;
+        // Exact differences would tell little more.
+        if (near.error < 0x1p-30 * (std::abs(near.x) + std::abs(near.y))) return false;
+      }
+      const auto corner = track.exact.source - summands_.p.edges[pair.first].source -
+                          summands_.q.edges[pair.second].source;
+      const std::size_t shift = summands_.margins.shift;
+      return is_beside_one({near(corner.x, shift), near(corner.y, shift)});
+    };
+    if (!is_beside()) return false;
     ++effort.by_doubles;
     return true;
   }
@@ -286,9 +336,11 @@ class BlockingSearch {
       return other.is_leaf() ? is_beside(strip, other_summand.near[other.edge], from, to)
                              : is_beside(strip, other.box, from, to);
     };
-    // The line of a short edge separates little.
-    if (node.is_leaf())
-      return node.size > other.size && beside(strip_along(summand.near[node.edge]));
+    // The line of a short edge separates little, and one along an axis no more than its box.
+    if (node.is_leaf()) {
+      const NearSegment& edge = summand.near[node.edge];
+      return node.size > other.size && edge.dx != 0 && edge.dy != 0 && beside(strip_along(edge));
+    }
     return node.strip != BoxTree::none && beside(tree.strip(node.strip));
   }
 
@@ -296,7 +348,7 @@ class BlockingSearch {
   std::optional<Interval> containing(const Track<Numbers>& track, const Fraction<Numbers>& t,
                                      const NearPoint& near, const EdgePair& pair) {
     if (comes_apart(track, pair) || certainly_outside(pair, near, near) ||
-        outside_closely(track, pair, t.near(), t.near()))
+        meets_end_only(track, pair) || outside_closely(track, pair, t.near(), t.near()))
       return std::nullopt;
     auto interval = interval_of(track, pair);
     if (interval && interval->from < t && t < interval->to) return interval;

@@ -39,7 +39,10 @@ class ComponentTest {
     if (OPLUS_MUTANT("slide-components-never-overlap",
                      "where no edges cross, a component inside another one is not seen"))
       return false;
-    return overlap_below(0, 0, track, t, near_place(track, t), may_be_inside);
+    NearPoint near = near_place(track, t);
+    if (shift_ == Shift::to_the_right && summands_.margins.area_is_exact)
+      near = shifted_to_the_right(track, near);
+    return overlap_below(0, 0, track, t, near, may_be_inside);
   }
 
  private:

@@ -55,6 +55,10 @@ class ConvexCover {
   using Value = typename Numbers::Value;
 
   bool contains_at(std::uint32_t vertex, const Track<Numbers>& track) const {
+    const NearSegment& s = track.near;
+    if (is_certainly_outside(vertex, {s.x, s.y, track.error}) ||
+        is_certainly_outside(vertex, {s.x + s.dx, s.y + s.dy, track.error}))
+      return false;
     const Vector from = track.exact.source - other_->edges[vertex].source;
     const Vector to = from + track.exact.direction;
     return std::all_of(convex_->edges.begin(), convex_->edges.end(), [&](const auto& edge) {
@@ -71,9 +75,21 @@ class ConvexCover {
                : side > 0;
   }
 
+  /// Whether doubles tell that a place is outside.
+  bool is_certainly_outside(std::uint32_t vertex, const NearPoint& place) const {
+    const NearPoint at = difference(place, other_->near[vertex]);
+    return std::any_of(convex_->near.begin(), convex_->near.end(), [&](const NearSegment& edge) {
+      const NearPoint d = difference(at, edge);
+      const double left = edge.dx * d.y, right = edge.dy * d.x;
+      return right - left > 0x1p-48 * (std::abs(left) + std::abs(right)) +
+                                2 * d.error * (std::abs(edge.dx) + std::abs(edge.dy));
+    });
+  }
+
   std::optional<BlockedInterval<Numbers>> interval_at(std::uint32_t vertex,
                                                       const Track<Numbers>& track,
                                                       const Fraction<Numbers>& t) const {
+    if (is_certainly_outside(vertex, near_place(track, t))) return std::nullopt;
     const Vector from = track.exact.source - other_->edges[vertex].source;
     std::optional<Fraction<Numbers>> first, last;
     for (const IntegerSegment<Numbers>& edge : convex_->edges) {

@@ -24,8 +24,8 @@ Rational rational(const Fraction<Numbers>& t) {
   return rational(t.numerator()) / rational(t.denominator());
 }
 
-/// x(t) with coordinates in lowest terms, so that equal points have equal numbers. Their order is
-/// that of the plane.
+/// x(t), ordered as in the plane. Coordinates are reduced to lowest terms only when they are put into a
+/// point: several pieces end in most of them.
 template <typename Numbers>
 class ExactPoint {
  public:
@@ -40,6 +40,8 @@ class ExactPoint {
 
   void put_into(Point& point, const Scaling& scaling) const {
     point = point_;
+    point.x.canonicalize();
+    point.y.canonicalize();
     scaling.put_back(point);
   }
 
@@ -49,22 +51,39 @@ class ExactPoint {
     return point;
   }
 
-  bool has_x_of(const ExactPoint& other) const { return point_.x == other.point_.x; }
+  bool has_x_of(const ExactPoint& other) const { return cmp(point_.x, other.point_.x) == 0; }
 
-  friend bool operator==(const ExactPoint& a, const ExactPoint& b) { return a.point_ == b.point_; }
-  friend bool operator<(const ExactPoint& a, const ExactPoint& b) { return a.point_ < b.point_; }
+  friend bool operator==(const ExactPoint& a, const ExactPoint& b) {
+    return a.has_x_of(b) && cmp(a.point_.y, b.point_.y) == 0;
+  }
+  friend bool operator<(const ExactPoint& a, const ExactPoint& b) {
+    const int order = cmp(a.point_.x, b.point_.x);
+    return order != 0 ? order < 0 : cmp(a.point_.y, b.point_.y) < 0;
+  }
 
  private:
   using Value = typename Numbers::Value;
 
+  /// source + t direction, not in lowest terms.
+  static Rational coordinate(const Value& source, const Value& direction,
+                             const Fraction<Numbers>& t) {
+    Rational result = rational(source);
+    if (t.numerator() == 0 || direction == 0) return result;
+    Rational more = rational(direction);
+    const Rational n = rational(t.numerator()), d = rational(t.denominator());
+    if (n != d) {
+      more.get_num() *= n.get_num() * d.get_den();
+      more.get_den() *= n.get_den() * d.get_num();
+    }
+    result.get_num() *= more.get_den();
+    result.get_num() += more.get_num() * result.get_den();
+    result.get_den() *= more.get_den();
+    return result;
+  }
+
   static double near(Rational coordinate, const Scaling& scaling) {
     mpq_div_2exp(coordinate.get_mpq_t(), coordinate.get_mpq_t(), scaling.shift);
     return coordinate.get_d();
-  }
-
-  static Rational coordinate(const Value& source, const Value& direction,
-                             const Fraction<Numbers>& t) {
-    return rational(source) + rational(direction) * rational(t);
   }
 
   Point point_;

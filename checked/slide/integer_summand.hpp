@@ -29,6 +29,27 @@ Box box_around(const NearSegment& s) {
   return box_around(low_x, low_y, high_x, high_y);
 }
 
+/// The sign of the skew product of two directions where doubles tell it, else 0.
+inline int certain_turn(double ax, double ay, double bx, double by) {
+  const double left = ax * by, right = ay * bx;
+  // Each factor is off by at most 2^-50 of its size or 2^-1074.
+  const double error = 0x1p-48 * (std::abs(left) + std::abs(right)) + 0x1p-1000;
+  return (left - right > error) - (right - left > error);
+}
+
+/// The direction of an edge: doubles tell most turns.
+template <typename Numbers>
+struct EdgeDirection {
+  const IntegerVector<Numbers>& exact;
+  const NearSegment& near;
+
+  friend int turn(const EdgeDirection& a, const EdgeDirection& b) {
+    const int certain = certain_turn(a.near.dx, a.near.dy, b.near.dx, b.near.dy);
+    return certain != 0 ? certain : turn(a.exact, b.exact);
+  }
+  bool is_lower() const { return exact.is_lower(); }
+};
+
 /// A summand in integers. An edge and the vertex that it leaves have the same number.
 template <typename Numbers>
 struct IntegerSummand {
@@ -37,6 +58,10 @@ struct IntegerSummand {
   ShortList<std::uint32_t> previous;  ///< the edge that enters the vertex
   ShortList<VertexIndex> names;
   ShortList<std::uint32_t> first_of_component;  ///< its first edge; then the number of all
+
+  EdgeDirection<Numbers> direction(std::uint32_t edge) const {
+    return {edges[edge].direction, near[edge]};
+  }
 };
 
 /// Whether floats can be exact.

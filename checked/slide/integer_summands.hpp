@@ -103,6 +103,16 @@ NearPoint near_place(const Track<Numbers>& track, const Fraction<Numbers>& t) {
           track.error};
 }
 
+/// A place on a track along an axis, moved to its right by less than there is between integers: so it
+/// leaves those boxes around integers that it only touches.
+template <typename Numbers>
+NearPoint shifted_to_the_right(const Track<Numbers>& track, NearPoint place) {
+  constexpr double part = 0.25;
+  if (track.near.dx == 0) place.x += track.near.dy > 0 ? part : -part;
+  if (track.near.dy == 0) place.y += track.near.dx > 0 ? -part : part;
+  return place;
+}
+
 /// The source of an edge, off by at most a rounding.
 inline NearPoint near_source(const NearSegment& edge) {
   return {edge.x, edge.y, 0x1p-50 * (std::abs(edge.x) + std::abs(edge.y)) + 0x1p-400};

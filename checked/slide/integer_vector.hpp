@@ -22,6 +22,10 @@ struct IntegerVector {
   friend Value cross(const IntegerVector& a, const IntegerVector& b) {
     return a.x * b.y - a.y * b.x;
   }
+  /// Whether b is to the left of a, 1, or to the right, -1.
+  friend int turn(const IntegerVector& a, const IntegerVector& b) { return sign_of(cross(a, b)); }
+  /// Whether its angle is at least π.
+  bool is_lower() const { return y < 0 || (y == 0 && x < 0); }
   friend Value dot(const IntegerVector& a, const IntegerVector& b) { return a.x * b.x + a.y * b.y; }
 };
 

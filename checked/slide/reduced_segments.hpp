@@ -32,7 +32,7 @@ struct Ranks {
 template <typename Numbers>
 Ranks ranks(const IntegerSummand<Numbers>& p, const IntegerSummand<Numbers>& q) {
   struct Edge {
-    IntegerVector<Numbers> direction;
+    double dx, dy;  ///< near its direction
     Summand of;
     bool lower;  ///< its angle is at least π
     std::uint32_t number;
@@ -41,19 +41,23 @@ Ranks ranks(const IntegerSummand<Numbers>& p, const IntegerSummand<Numbers>& q) 
   all.reserve(p.edges.size() + q.edges.size());
   const auto add = [&](const IntegerSummand<Numbers>& summand, Summand of) {
     for (std::uint32_t i = 0; i < summand.edges.size(); ++i) {
-      const auto& d = summand.edges[i].direction;
-      all.push_back({d, of, d.y < 0 || (d.y == 0 && d.x < 0), i});
+      const EdgeDirection<Numbers> d = summand.direction(i);
+      all.push_back({d.near.dx, d.near.dy, of, d.is_lower(), i});
     }
   };
   add(p, Summand::P);
   add(q, Summand::Q);
+  const auto direction = [&](const Edge& edge) {
+    return (edge.of == Summand::P ? p : q).direction(edge.number);
+  };
   static const int p_and_q = compare(Direction{{1, 0}, Summand::P}, Direction{{1, 0}, Summand::Q});
-  const auto compared = [](const Edge& a, const Edge& b) {
+  const auto compared = [&](const Edge& a, const Edge& b) {
     if (a.lower != b.lower) return a.lower ? 1 : -1;
-    const int turn = sign_of(cross(b.direction, a.direction));
-    if (turn != 0 || a.of == b.of ||
+    int sign = certain_turn(b.dx, b.dy, a.dx, a.dy);
+    if (sign == 0) sign = turn(direction(b).exact, direction(a).exact);
+    if (sign != 0 || a.of == b.of ||
         OPLUS_MUTANT("slide-ranks-without-ties", "equal directions of P and Q have one rank"))
-      return turn;
+      return sign;
     return a.of == Summand::P ? p_and_q : -p_and_q;
   };
   std::sort(all.begin(), all.end(),
@@ -90,7 +94,7 @@ ShortList<ReducedSegment> reduced_segments(const IntegerSummand<Numbers>& p,
                        const ShortList<std::uint32_t>& before) {
     for (std::uint32_t v = 0; v < at.edges.size(); ++v) {
       const std::uint32_t entering = at.previous[v];
-      if (cross(at.edges[entering].direction, at.edges[v].direction) <= 0) continue;
+      if (turn(at.direction(entering), at.direction(v)) <= 0) continue;
       const auto from = sorted.begin() + before[ranks_at[entering]];
       const auto to = sorted.begin() + before[ranks_at[v]];
       const std::size_t begin = segments.size();

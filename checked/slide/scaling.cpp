@@ -58,9 +58,15 @@ void Scaling::put_back(Point& point) const {
     point.y += of_p.y + of_q.y;
   }
   if (is_one(denominator)) return;
+  const mp_bitcnt_t twos = mpz_scan1(denominator.get_mpz_t(), 0);
+  const bool is_power_of_two = mpz_sizeinbase(denominator.get_mpz_t(), 2) == twos + 1;
   for (Rational* c : {&point.x, &point.y}) {
-    c->get_den() *= denominator;
-    c->canonicalize();
+    if (is_power_of_two) {
+      mpq_div_2exp(c->get_mpq_t(), c->get_mpq_t(), twos);
+    } else {
+      c->get_den() *= denominator;
+      c->canonicalize();
+    }
   }
 }
 

@@ -43,22 +43,20 @@ namespace detail {
 
 /// Whether, turning counterclockwise from the way back along `in`, a is met before b: then a is the
 /// larger clockwise turn (thesis, Definition 3.2.1). Neither is the way back.
-template <typename Numbers>
-bool turns_more_clockwise(const IntegerVector<Numbers>& in, const IntegerVector<Numbers>& a,
-                          const IntegerVector<Numbers>& b) {
-  const int turn_a = sign_of(cross(in, a)), turn_b = sign_of(cross(in, b));
+template <typename Vector>
+bool turns_more_clockwise(const Vector& in, const Vector& a, const Vector& b) {
+  const int turn_a = turn(in, a), turn_b = turn(in, b);
   if (turn_a != turn_b) return turn_a < turn_b;
-  return cross(a, b) > 0;
+  return turn(a, b) > 0;
 }
 
 /// What a corner, less than half a turn, adds to the number of full turns of a chain: 1 where the
 /// direction passes that of the x axis to the left, -1 to the right (thesis, Definition 2.1.9).
 template <typename Vector>
 int full_turns(const Vector& in, const Vector& out) {
-  const auto is_lower = [](const Vector& d) { return d.y < 0 || (d.y == 0 && d.x < 0); };
-  const bool lower_in = is_lower(in), lower_out = is_lower(out);
+  const bool lower_in = in.is_lower(), lower_out = out.is_lower();
   if (lower_in == lower_out) return 0;
-  const bool left = cross(in, out) > 0;
+  const bool left = turn(in, out) > 0;
   if (left && lower_in) return 1;
   if (!left && lower_out &&
       !OPLUS_MUTANT("slide-sees-no-right-turn",
@@ -89,7 +87,7 @@ inline void rotate_to_smallest(std::span<StitchedChains::Edge> chain) {
 
 /// Follows pieces to closed chains, turning clockwise most at each point (thesis, Definition 3.2.1).
 /// Requires: the pieces are sorted and meet at common ends only, or are equal but for the segment;
-/// direction(segment) is its direction as an IntegerVector.
+/// direction(segment) is its direction, with turn() and is_lower().
 template <typename Direction>
 StitchedChains stitched(std::span<const BoundaryPiece> pieces, std::size_t points,
                         const Direction& direction, unsigned threads) {
@@ -126,7 +124,7 @@ StitchedChains stitched(std::span<const BoundaryPiece> pieces, std::size_t point
         best = other;
     }
     const auto& out = direction(piece(best).segment);
-    return {best, cross(in, out) != 0, static_cast<std::int8_t>(detail::full_turns(in, out))};
+    return {best, turn(in, out) != 0, static_cast<std::int8_t>(detail::full_turns(in, out))};
   };
   for_each_part(distinct.size(), threads, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) steps[k] = step_from(static_cast<std::uint32_t>(k));

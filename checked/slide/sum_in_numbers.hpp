@@ -43,10 +43,7 @@ ComputedSum sum_in(const Region& p, const Region& q, const Scaling& scaling, Bou
       span_of(ends.pieces), {is_on, span_of(ends.near_x), span_of(ends.near_y)}, threads);
   const StitchedChains stitched_chains = stitched(
       cut, ends.points.size(),
-      [&](std::uint32_t segment) -> const IntegerVector<Numbers>& {
-        return tracks.direction(segment);
-      },
-      threads);
+      [&](std::uint32_t segment) { return tracks.edge_direction(segment); }, threads);
 
   ComputedSum result;
   const auto origins_of = [&](std::span<const std::uint32_t> segments) {

@@ -30,6 +30,18 @@ class SweptBox {
     around_ = (0x1p-19F * largest + 2 * error) * (most_dx_ + most_dy_) + 0x1p-100F;
   }
 
+  /// Leaves out boxes that the segment, shifted to the right by an infinitesimal, only touches. Requires:
+  /// the corners of boxes are integers; the line is that of `track`, in integers. If the ends are
+  /// integers too, boxes beyond an end are left out that begin there.
+  void leave_out_touching(const NearSegment& track, bool has_integer_ends) {
+    constexpr float part = 0.25F;
+    const auto moved = [](double right) { return right > 0 ? part : -part; };
+    const float x = track.dx == 0 ? moved(track.dy) : 0, y = track.dy == 0 ? moved(-track.dx) : 0;
+    const float less_x = has_integer_ends && track.dx != 0 ? part : 0;
+    const float less_y = has_integer_ends && track.dy != 0 ? part : 0;
+    high_ += box_of(x - less_x, y - less_y, -x - less_x, -y - less_y);
+  }
+
   /// Whether the box, and the segment's line and the box, may have a point in common.
   bool may_meet(const Box& box) const {
     if (!contains(box, high_)) return false;

@@ -21,8 +21,11 @@ class Tracks {
   std::size_t size() const { return segments_.size(); }
 
   const IntegerVector<Numbers>& direction(std::uint32_t segment) const {
+    return edge_direction(segment).exact;
+  }
+  EdgeDirection<Numbers> edge_direction(std::uint32_t segment) const {
     const ReducedSegment& s = segments_[segment];
-    return with_edge(s).edges[s.edge].direction;
+    return with_edge(s).direction(s.edge);
   }
 
   IntegerSegment<Numbers> exact(std::uint32_t segment) const {

@@ -102,5 +102,34 @@ TEST(SweptBox, meets_what_is_nearer_than_its_ends_can_be_off) {
   EXPECT_FALSE(swept.may_meet(box_of(Corners{11, 11, 12, 12})));
 }
 
+TEST(SweptBox, leaves_out_what_the_segment_shifted_to_the_right_only_touches) {
+  const auto meets = [](const NearPoint& b, const Corners& box, bool has_integer_ends) {
+    SweptBox swept({0, 0}, b);
+    swept.leave_out_touching({0, 0, b.x, b.y}, has_integer_ends);
+    return swept.may_meet(box_of(box));
+  };
+  for (const bool has_integer_ends : {false, true}) {
+    EXPECT_TRUE(meets({4, 0}, {1, -2, 3, 0}, has_integer_ends)) << "on its right";
+    EXPECT_FALSE(meets({4, 0}, {1, 0, 3, 2}, has_integer_ends)) << "on its left";
+    EXPECT_FALSE(meets({4, 0}, {1, 0, 3, 0}, has_integer_ends)) << "flat";
+    EXPECT_TRUE(meets({-4, 0}, {-3, 0, -1, 2}, has_integer_ends));
+    EXPECT_FALSE(meets({-4, 0}, {-3, -2, -1, 0}, has_integer_ends));
+    EXPECT_TRUE(meets({0, 4}, {0, 1, 2, 3}, has_integer_ends));
+    EXPECT_FALSE(meets({0, 4}, {-2, 1, 0, 3}, has_integer_ends));
+    EXPECT_TRUE(meets({0, -4}, {-2, -3, 0, -1}, has_integer_ends));
+    EXPECT_FALSE(meets({0, -4}, {0, -3, 2, -1}, has_integer_ends));
+    EXPECT_EQ(meets({4, 0}, {4, -2, 5, 0}, has_integer_ends), !has_integer_ends) << "at its end";
+    EXPECT_EQ(meets({4, 4}, {4, 3, 5, 5}, has_integer_ends), !has_integer_ends);
+    EXPECT_TRUE(meets({4, 4}, {3, 3, 5, 5}, has_integer_ends));
+  }
+}
+
+TEST(SweptBox, leaves_nothing_out_beside_a_short_piece_of_a_steep_line) {
+  // In doubles, the ends have one x.
+  SweptBox swept({1023.875, 0}, {1023.875, 0x1p-20});
+  swept.leave_out_touching({1023, 0, 1, 0x1p23}, false);
+  EXPECT_TRUE(swept.may_meet(box_of({1000, -1, 1024, 1})));
+}
+
 }  // namespace
 }  // namespace oplus::slide
