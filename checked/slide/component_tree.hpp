@@ -46,7 +46,8 @@ class ComponentTree {
 
   template <typename Numbers>
   explicit ComponentTree(const IntegerSummand<Numbers>& summand)
-      : ComponentTree(span_of(summand.near), span_of(summand.names), summand.first_of_component) {}
+      : ComponentTree(span_of(summand.near), span_of(summand.chain_of),
+                      summand.first_of_component) {}
 
   /// Over the components, halved where they are. The root is node 0.
   const std::vector<Node>& components() const { return components_; }
@@ -62,7 +63,7 @@ class ComponentTree {
   }
 
  private:
-  ComponentTree(std::span<const NearSegment> near, std::span<const VertexIndex> names,
+  ComponentTree(std::span<const NearSegment> near, std::span<const std::uint32_t> chain_of,
                 const std::vector<std::uint32_t>& first_of_component);
 
   /// Appends a tree over a part of a chain, halved along the chain.

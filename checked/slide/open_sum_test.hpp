@@ -43,8 +43,8 @@ class OpenSumTest {
         contacts_(summands, rays),
         // Edges that cross where both are touched by other chains show no common interior.
         crossings_decide_(!rays[0].has_inside() || !rays[1].has_inside()),
-        touched_of_p_(summands.p.names.back().chain + 1, 0),
-        touched_of_q_(summands.q.names.back().chain + 1, 0) {}
+        touched_of_p_(summands.p.first_of_chain.size(), 0),
+        touched_of_q_(summands.q.first_of_chain.size(), 0) {}
 
   /// A proper crossing decides, else a sector around a contact, else a component without contact that
   /// is inside the other summand (docs/collision.md).
@@ -83,8 +83,8 @@ class OpenSumTest {
   using Product = typename Numbers::Product;
 
   void touch(const EdgePair& pair) {
-    touched_of_p_[summands_.p.names[pair.first].chain] = test_;
-    touched_of_q_[summands_.q.names[pair.second].chain] = test_;
+    touched_of_p_[summands_.p.chain_of[pair.first]] = test_;
+    touched_of_q_[summands_.q.chain_of[pair.second]] = test_;
   }
 
   bool has_several_components() const { return summands_.has_several_components(); }
@@ -115,7 +115,7 @@ class OpenSumTest {
         first_vertices, near_place(track, t).box(),
         [&](std::uint32_t component) {
           const std::uint32_t first = inner.first_of_component[component];
-          return touched[inner.names[first].chain] != test_ &&
+          return touched[inner.chain_of[first]] != test_ &&
                  is_inside(outer, tree_of_outer, track, t, inner, first);
         },
         tree_of_outer[0].box);
