@@ -5,16 +5,17 @@
 #include <utility>
 
 #include "checked/cycles/cycle_tracing.hpp"
+#include "reference/chains/nesting.hpp"
 #include "reference/definitions/mutant.hpp"
 
 namespace oplus {
 
 namespace {
 
-std::vector<TracedChain> traced(const std::vector<Chain>& chains, Summand of) {
+std::vector<TracedChain> traced(const std::vector<const Chain*>& chains, Summand of) {
   std::vector<TracedChain> result;
   result.reserve(chains.size());
-  for (const Chain& chain : chains) result.emplace_back(chain, of);
+  for (const Chain* chain : chains) result.emplace_back(*chain, of);
   return result;
 }
 
@@ -32,8 +33,8 @@ void add(const Point& a, const Point& b, Point& result) {
   add(a.y, b.y, result.y);
 }
 
-/// The cycles of all pairs of chains of two regions, as steps in fiber grids. Points are added only
-/// where someone wants a segment.
+/// The cycles of all pairs of chains of two regions, to which it refers, as steps in fiber grids.
+/// Points are added only where someone wants a segment.
 class Tracing {
  public:
   struct Pair {
@@ -43,15 +44,15 @@ class Tracing {
   };
 
   Tracing(const Region& p, const Region& q)
-      : p_(chains(p)),
-        q_(chains(q)),
+      : p_(chains_in(p)),
+        q_(chains_in(q)),
         traced_p_(traced(p_, Summand::P)),
         traced_q_(traced(q_, Summand::Q)) {
     for (std::size_t a = 0; a < p_.size(); ++a)
       for (std::size_t b = 0; b < q_.size(); ++b)
         if (!OPLUS_MUTANT("holes-of-q-are-left-out",
                           "cycles are traced along the outer chains of Q only") ||
-            sign(twice_area(q_[b])) > 0)
+            sign(twice_area(*q_[b])) > 0)
           pairs_.push_back({a, b, trace_cycles(traced_p_[a], traced_q_[b])});
   }
 
@@ -67,10 +68,10 @@ class Tracing {
       const VertexIndex of_q{pair.b, j};
       if (edge_of == Summand::P) {
         action(TracedOrigin{{edge_of, of_p, of_q}, traced_q_[pair.b].is_reflex(j)});
-        i = next(i, p_[pair.a].size());
+        i = next(i, p_[pair.a]->size());
       } else {
         action(TracedOrigin{{edge_of, of_q, of_p}, traced_p_[pair.a].is_reflex(i)});
-        j = next(j, q_[pair.b].size());
+        j = next(j, q_[pair.b]->size());
       }
     }
   }
@@ -79,8 +80,8 @@ class Tracing {
   void make_segment(const TracedOrigin& step, ConvolutionSegment& result) const {
     const auto& [edge_of, edge, vertex] = step.origin;
     const bool of_p = edge_of == Summand::P;
-    const Chain& with_edge = (of_p ? p_ : q_)[edge.chain];
-    const Point& at = (of_p ? q_ : p_)[vertex.chain][vertex.vertex];
+    const Chain& with_edge = *(of_p ? p_ : q_)[edge.chain];
+    const Point& at = (*(of_p ? q_ : p_)[vertex.chain])[vertex.vertex];
     add(with_edge[edge.vertex], at, result.segment.source);
     add(with_edge[next(edge.vertex, with_edge.size())], at, result.segment.target);
     result.origin = step.origin;
@@ -107,8 +108,8 @@ class Tracing {
   }
 
  private:
-  std::vector<Chain> p_;
-  std::vector<Chain> q_;
+  std::vector<const Chain*> p_;
+  std::vector<const Chain*> q_;
   std::vector<TracedChain> traced_p_;
   std::vector<TracedChain> traced_q_;
   std::vector<Pair> pairs_;
@@ -136,8 +137,8 @@ ConvolutionCycles convolution_cycles(const Region& p, const Region& q) {
 }
 
 ConvolutionSize convolution_size(const Region& p, const Region& q) {
-  const std::vector<TracedChain> traced_p = traced(chains(p), Summand::P);
-  const std::vector<TracedChain> traced_q = traced(chains(q), Summand::Q);
+  const std::vector<TracedChain> traced_p = traced(chains_in(p), Summand::P);
+  const std::vector<TracedChain> traced_q = traced(chains_in(q), Summand::Q);
   ConvolutionSize size;
   for (const TracedChain& a : traced_p) {
     for (const TracedChain& b : traced_q) {

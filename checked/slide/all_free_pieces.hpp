@@ -53,8 +53,21 @@ FoundPieces<Numbers> all_free_pieces(const Tracks<Numbers>& tracks, const Engine
   };
   if (tracks.size() <= in_a_lot) return find_in(0, tracks.size());
   const unsigned threads = tracks.size() <= too_few * in_a_lot ? 1 : options.threads;
+  // There are many lots, and most have few pieces: a ShortList each would take 2 KB.
+  struct Lot {
+    std::vector<FreePiece<Numbers>> pieces;
+    OpenCandidates<Numbers> open;
+    SearchEffort effort;
+  };
+  const auto lot_of = [&](std::size_t first, std::size_t last) {
+    FoundPieces<Numbers> found = find_in(first, last);
+    return Lot{{std::make_move_iterator(found.pieces.begin()),
+                std::make_move_iterator(found.pieces.end())},
+               std::move(found.open),
+               found.effort};
+  };
   FoundPieces<Numbers> all;
-  for (FoundPieces<Numbers>& lot : found_in_parts(tracks.size(), threads, find_in, in_a_lot)) {
+  for (Lot& lot : found_in_parts(tracks.size(), threads, lot_of, in_a_lot)) {
     all.pieces.insert(all.pieces.end(), std::make_move_iterator(lot.pieces.begin()),
                       std::make_move_iterator(lot.pieces.end()));
     all.open.take(std::move(lot.open));

@@ -35,7 +35,7 @@ class BoundaryRays {
   BoundaryRays(const IntegerSummand<Numbers>& summand, const BoxTree& tree)
       : summand_(summand), next_(summand.edges.size()) {
     for (std::uint32_t i = 0; i < next_.size(); ++i) next_[summand.previous[i]] = i;
-    if (summand.names.front().chain != summand.names.back().chain) find_touching(tree);
+    if (summand.first_of_chain.size() > 1) find_touching(tree);
   }
 
   /// The vertex that an edge enters.
@@ -118,7 +118,7 @@ class BoundaryRays {
       if (touching_of_[v] != none) continue;
       ShortList<std::uint32_t> vertices{v}, edges;
       any_leaf_around(tree, near_source(summand_.near[v]).box(), [&](std::uint32_t edge) {
-        if (summand_.names[edge].chain == summand_.names[v].chain) return false;
+        if (summand_.chain_of[edge] == summand_.chain_of[v]) return false;
         const auto& along = summand_.edges[edge].direction;
         const auto to = summand_.edges[v].source - summand_.edges[edge].source;
         if (cross(along, to) != 0) return false;

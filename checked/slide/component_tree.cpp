@@ -50,7 +50,8 @@ void add_tree(std::vector<Node>& nodes, std::span<Item> items, const MakeLeaf& m
 
 }  // namespace
 
-ComponentTree::ComponentTree(std::span<const NearSegment> near, std::span<const VertexIndex> names,
+ComponentTree::ComponentTree(std::span<const NearSegment> near,
+                             std::span<const std::uint32_t> chain_of,
                              std::span<const std::uint32_t> first_of_component)
     : next_(near.size()) {
   std::vector<Item> components, chains;
@@ -60,7 +61,7 @@ ComponentTree::ComponentTree(std::span<const NearSegment> near, std::span<const 
     const std::uint32_t last = first_of_component[c + 1];
     for (std::uint32_t first = first_of_component[c]; first < last;) {
       std::uint32_t end = first + 1;
-      while (end < last && names[end].chain == names[first].chain) ++end;
+      while (end < last && chain_of[end] == chain_of[first]) ++end;
       NearBox box = near_box(near[end - 1], near[first]);
       next_[end - 1] = first;
       for (std::uint32_t i = first; i + 1 < end; ++i) {

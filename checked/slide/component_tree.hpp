@@ -46,7 +46,7 @@ class ComponentTree {
 
   template <typename Numbers>
   explicit ComponentTree(const IntegerSummand<Numbers>& summand)
-      : ComponentTree(span_of(summand.near), span_of(summand.names),
+      : ComponentTree(span_of(summand.near), span_of(summand.chain_of),
                       span_of(summand.first_of_component)) {}
 
   /// Over the components, halved where they are. The root is node 0.
@@ -63,7 +63,7 @@ class ComponentTree {
   }
 
  private:
-  ComponentTree(std::span<const NearSegment> near, std::span<const VertexIndex> names,
+  ComponentTree(std::span<const NearSegment> near, std::span<const std::uint32_t> chain_of,
                 std::span<const std::uint32_t> first_of_component);
 
   /// Appends a tree over a part of a chain, halved along the chain.

@@ -140,7 +140,7 @@ class ConvexCover {
   /// err.
   template <typename IsFound>
   bool find_in_boxes(const NearSegment& s, const Range& range, const IsFound& is_found) {
-    constexpr int most_nodes = 48;
+    constexpr int most_nodes = 256;
     limits_.clear();  // of [d, a] for the direction d of each edge
     for (const NearSegment& e : convex_->near) {
       const double slope = e.dx * s.dy - e.dy * s.dx;

@@ -54,11 +54,15 @@ struct EdgeDirection {
 template <typename Numbers>
 struct IntegerSummand {
   ShortList<IntegerSegment<Numbers>> edges;
-  ShortList<NearSegment> near;        ///< less `place_of_most`
-  ShortList<std::uint32_t> previous;  ///< the edge that enters the vertex
-  ShortList<VertexIndex> names;
+  ShortList<NearSegment> near;                  ///< less `place_of_most`
+  ShortList<std::uint32_t> previous;            ///< the edge that enters the vertex
+  ShortList<std::uint32_t> chain_of;            ///< the number of its chain
+  ShortList<std::uint32_t> first_of_chain;      ///< its first edge
   ShortList<std::uint32_t> first_of_component;  ///< its first edge; then the number of all
 
+  VertexIndex name(std::uint32_t vertex) const {
+    return {chain_of[vertex], vertex - first_of_chain[chain_of[vertex]]};
+  }
   EdgeDirection<Numbers> direction(std::uint32_t edge) const {
     return {edges[edge].direction, near[edge]};
   }
@@ -137,11 +141,13 @@ IntegerSummand<Numbers> integer_summand(const Region& region, const Scaling& sca
   summand.edges.reserve(size);
   summand.near.reserve(size);
   summand.previous.reserve(size);
-  summand.names.reserve(size);
-  std::size_t chain_name = 0;
+  summand.chain_of.reserve(size);
   const auto add = [&](const Chain& chain) {
     const auto first = static_cast<std::uint32_t>(summand.edges.size());
     const auto length = static_cast<std::uint32_t>(chain.size());
+    summand.chain_of.insert(summand.chain_of.end(), length,
+                            static_cast<std::uint32_t>(summand.first_of_chain.size()));
+    summand.first_of_chain.push_back(first);
     for (const Point& v : chain)
       summand.edges.push_back(
           {{value_of<Numbers>(v.x, scaling, offset.x), value_of<Numbers>(v.y, scaling, offset.y)},
@@ -150,9 +156,7 @@ IntegerSummand<Numbers> integer_summand(const Region& region, const Scaling& sca
       auto& edge = summand.edges[first + i];
       edge.direction = summand.edges[first + (i + 1 == length ? 0 : i + 1)].source - edge.source;
       summand.previous.push_back(first + (i == 0 ? length : i) - 1);
-      summand.names.push_back({chain_name, i});
     }
-    ++chain_name;
   };
   for (const Component& component : region.components) {
     summand.first_of_component.push_back(static_cast<std::uint32_t>(summand.edges.size()));
@@ -172,10 +176,7 @@ BoxTree box_tree(const IntegerSummand<Numbers>& summand) {
   std::vector<Box> boxes;
   boxes.reserve(summand.near.size());
   for (const NearSegment& s : summand.near) boxes.push_back(box_around<Numbers>(s));
-  std::vector<std::uint32_t> chains;  // their first edges
-  for (std::uint32_t i = 0; i < summand.names.size(); ++i)
-    if (summand.names[i].vertex == 0) chains.push_back(i);
-  return BoxTree(boxes, span_of(summand.near), chains);
+  return BoxTree(boxes, span_of(summand.near), summand.first_of_chain);
 }
 
 }  // namespace oplus::slide

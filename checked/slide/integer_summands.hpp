@@ -18,8 +18,8 @@ constexpr std::size_t few_pairs = 512;
 /// Whether a summand is convex.
 template <typename Numbers>
 bool is_convex(const IntegerSummand<Numbers>& summand) {
+  if (summand.first_of_chain.size() > 1) return false;
   for (std::uint32_t i = 0; i < summand.edges.size(); ++i) {
-    if (summand.names[i].chain > 0) return false;
     const auto& entering = summand.edges[summand.previous[i]];
     if (sign_of(cross(entering.direction, summand.edges[i].direction)) < 0) return false;
   }

@@ -23,8 +23,8 @@ class OpenSumTest {
         contacts_(summands, rays),
         // Edges that cross where both are touched by other chains show no common interior.
         crossings_decide_(!rays[0].has_inside() || !rays[1].has_inside()),
-        touched_of_p_(summands.p.names.back().chain + 1, 0),
-        touched_of_q_(summands.q.names.back().chain + 1, 0) {}
+        touched_of_p_(summands.p.first_of_chain.size(), 0),
+        touched_of_q_(summands.q.first_of_chain.size(), 0) {}
 
   /// A proper crossing decides, else a sector around a contact, else a component without contact that
   /// is inside the other summand (docs/collision.md).
@@ -61,8 +61,8 @@ class OpenSumTest {
 
  private:
   void touch(const EdgePair& pair) {
-    touched_of_p_[summands_.p.names[pair.first].chain] = test_;
-    touched_of_q_[summands_.q.names[pair.second].chain] = test_;
+    touched_of_p_[summands_.p.chain_of[pair.first]] = test_;
+    touched_of_q_[summands_.q.chain_of[pair.second]] = test_;
   }
 
   /// Where many chains touch, a contact is seen many times.
@@ -78,8 +78,8 @@ class OpenSumTest {
   /// chains, and at none if both summands are connected, since those of the segment touch.
   bool is_component_inside(const Track<Numbers>& track, const Fraction<Numbers>& t) const {
     return components_.overlap_at(track, t, [&](Summand of, std::uint32_t first) {
-      return of == Summand::P ? touched_of_p_[summands_.p.names[first].chain] != test_
-                              : touched_of_q_[summands_.q.names[first].chain] != test_;
+      return of == Summand::P ? touched_of_p_[summands_.p.chain_of[first]] != test_
+                              : touched_of_q_[summands_.q.chain_of[first]] != test_;
     });
   }
 

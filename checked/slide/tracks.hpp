@@ -49,7 +49,7 @@ class Tracks {
 
   Origin origin(std::uint32_t segment) const {
     const ReducedSegment& s = segments_[segment];
-    return {s.edge_of, with_edge(s).names[s.edge], with_vertex(s).names[s.vertex]};
+    return {s.edge_of, with_edge(s).name(s.edge), with_vertex(s).name(s.vertex)};
   }
 
  private:

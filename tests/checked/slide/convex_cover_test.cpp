@@ -100,6 +100,14 @@ TEST(ConvexCover, finds_intervals_inside_a_convex_summand_at_a_vertex) {
   EXPECT_GT(found, tracks.size() / 2);
 }
 
+/// On a coast, most boxes that can have such a vertex have none: the search must be long enough to find it.
+TEST(ConvexCover, finds_nearly_all_that_is_inside_a_coast_of_short_edges) {
+  const Region coast = generate(*find_family("coast"), 50'000, 1).p;
+  const Region disc = generate(*find_family("convex"), 20, 1).q;
+  const Statistics found = slide_sum(coast, disc, Boundary::closed).statistics;
+  EXPECT_LT(10 * found.count("probes"), found.count("segments slid along"));
+}
+
 TEST(ConvexCover, changes_no_sum) {
   const Engine& rca = *find_engine(engines(), "rca");
   std::size_t features = 0;
