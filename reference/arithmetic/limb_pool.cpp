@@ -29,7 +29,7 @@ struct List {
   std::size_t size = 0;
 };
 
-struct Functions {
+struct {
   void* (*allocate)(std::size_t);
   void* (*reallocate)(void*, std::size_t, std::size_t);
   void (*free)(void*, std::size_t);
@@ -139,10 +139,7 @@ void* reallocate(void* memory, std::size_t bytes, std::size_t wanted) {
 }  // namespace
 
 void pool_limbs() {
-  Functions now;
-  mp_get_memory_functions(&now.allocate, &now.reallocate, &now.free);
-  if (now.allocate == allocate) return;
-  others = now;
+  mp_get_memory_functions(&others.allocate, &others.reallocate, &others.free);
   mp_set_memory_functions(allocate, reallocate, release);
 }
 

@@ -7,7 +7,6 @@ namespace oplus {
 /// and 4 limbs, for all threads: half the memory of a coordinate, since malloc takes 32 bytes for a limb.
 /// Memory in these lists is never returned to the system. Larger numbers are allocated as before.
 /// For programs, in which nothing else decides how GMP allocates; before they start threads.
-/// Again, it changes nothing.
 void pool_limbs();
 
 }  // namespace oplus

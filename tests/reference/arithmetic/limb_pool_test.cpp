@@ -60,11 +60,6 @@ TEST_F(LimbPool, keeps_numbers_that_grow_and_shrink) {
   EXPECT_EQ(powers[100].get_str(), "515377520732011331036461129765621272702107522001");
 }
 
-TEST_F(LimbPool, asked_for_again_is_the_same) {
-  pool_limbs();
-  EXPECT_EQ(powers_of_three(400).back() % 1000, 667);
-}
-
 TEST_F(LimbPool, takes_eight_bytes_for_a_limb) {
   constexpr std::size_t count = 100'000;
   std::vector<mpz_class> numbers(count);
