@@ -6,7 +6,6 @@
 #include "checked/cli/command_line/program_frame.hpp"
 #include "checked/cli/crash.hpp"
 #include "checked/cli/subcommands.hpp"
-#include "reference/arithmetic/limb_pool.hpp"
 
 namespace oplus {
 
@@ -36,7 +35,6 @@ std::function<int()> add_commands(CLI::App& program) {
 
 int run(int argc, const char* const* argv) noexcept {
   report_crashes();
-  pool_limbs();
   return run_program(frame, add_commands, argc, argv);
 }
 

@@ -12,7 +12,6 @@
 #include <stdexcept>
 
 #include "properties/compare/peers/method.hpp"
-#include "reference/arithmetic/limb_pool.hpp"
 #include "tests/bench/numbers.hpp"
 #include "tests/bench/report.hpp"
 
@@ -39,7 +38,6 @@ void stop_where_memory_ends() {
                               return or_out_of_memory(std::realloc(old, size));
                             },
                             [](void* memory, std::size_t) { std::free(memory); });
-  pool_limbs();  // as oplus does, for all engines
 }
 
 /// The work of the forked process. Returns its exit code.
