@@ -176,7 +176,7 @@ BoxTree box_tree(const IntegerSummand<Numbers>& summand) {
   std::vector<Box> boxes;
   boxes.reserve(summand.near.size());
   for (const NearSegment& s : summand.near) boxes.push_back(box_around<Numbers>(s));
-  return BoxTree(boxes, span_of(summand.near), summand.first_of_chain);
+  return BoxTree(boxes, span_of(summand.near), span_of(summand.first_of_chain));
 }
 
 }  // namespace oplus::slide
