@@ -102,14 +102,6 @@ Proof.
   - left. lra.
 Qed.
 
-(* The same with numbers: A and B are the angles inside the two corners, c and d the gaps between them. If each gap is at
-   least the turn at each corner, the corners are equal. *)
-Lemma gaps_and_turns (A B c d at_p at_q : Q) :
-  A + B + c + d == 4 -> 0 < A -> 0 < B -> 0 < c -> 0 < d ->
-  (A <= 2 /\ at_p == 2 - A) \/ (2 < A /\ at_p == 6 - A) -> (B <= 2 /\ at_q == 2 - B) \/ (2 < B /\ at_q == 6 - B) ->
-  at_p <= c -> at_p <= d -> at_q <= c -> at_q < d -> False.
-Proof. intros. lra. Qed.
-
 Section Corners.
   Variables u v f g : vector.
   Hypothesis proper_u : nonzero u.
@@ -196,13 +188,15 @@ Section Corners.
 
   (* Theorem. u and v are the edges that enter and leave a vertex of P, f and g those of a vertex of Q. Then
      - the edge g reversed leads from the one vertex inside P, or v reversed from the other inside Q, or
-     - an edge of one is in the tangent set of the vertex of the other, or
+     - an edge of one is in the tangent set of the vertex of the other, and that vertex is convex, or
      - v and f, or u and g, have the same direction, or v and g opposite ones. *)
   Theorem touching_corners : turns u v -> turns f g ->
     ~ angle v == angle f -> ~ angle u == angle g -> ~ angle v == angle (opposite g) ->
     leads_inside u v (opposite g) \/ leads_inside f g (opposite v) \/
-    in_tangent_set (Direction g OfQ) (Corner u v) = true \/ in_tangent_set (Direction f OfQ) (Corner u v) = true \/
-    in_tangent_set (Direction u OfP) (Corner f g) = true \/ in_tangent_set (Direction v OfP) (Corner f g) = true.
+    (0 < cross u v /\ (in_tangent_set (Direction g OfQ) (Corner u v) = true \/
+                       in_tangent_set (Direction f OfQ) (Corner u v) = true)) \/
+    (0 < cross f g /\ (in_tangent_set (Direction u OfP) (Corner f g) = true \/
+                       in_tangent_set (Direction v OfP) (Corner f g) = true)).
   Proof.
     intros p_turns q_turns v_f u_g v_back.
     pose proof (opposite_nonzero g proper_g) as proper_og. pose proof (opposite_nonzero v proper_v) as proper_ov.
@@ -217,34 +211,48 @@ Section Corners.
     destruct (Qlt_le_dec (turn_to v f) (turn_to v (opposite g))) as [inside_q | outside_q].
     { right. left. apply leads_inside_by_turn; trivial. now apply reflected_v_inside. }
     assert (apart_q : turn_to v (opposite g) < turn_to v f).
-    { pose proof (turn_from_another v (opposite g) f proper_v proper_og proper_f) as turned_.
-      pose proof (turn_to_opposite v g proper_v proper_g) as back_g.
+    { pose proof (turn_to_opposite v g proper_v proper_g) as back_g.
       pose proof (turn_from_another v f g proper_v proper_f proper_g) as f_to_g.
       pose proof (side_by_turn f g proper_f proper_g) as side_. destruct q_turns as (_ & _ & ahead).
       destruct (Qlt_le_dec (turn_to v (opposite g)) (turn_to v f)) as [| none]; [assumption | exfalso].
-      assert (turn_to f g == 2) as back by (clear turned_ side_; lra).
+      assert (turn_to f g == 2) as back by (clear side_; lra).
       assert (cross f g == 0) as along_ by lra. specialize (ahead along_). lra. }
     right. right.
     pose proof (turn_at_p ltac:(lra)) as at_p. pose proof (turn_at_q apart_q) as at_q. cbv zeta in at_q.
     pose proof (turn_of_f_to_v some_f) as gap_1. pose proof (turn_of_u_to_g outside_p) as gap_2.
     pose proof (turn_range v f proper_v proper_f) as range_f.
-    destruct (Qlt_le_dec (turn_to u g) (turn_to u v)) as [g_in | g_out].
-    { left. apply tangent_by_turn; trivial. cbn [vec incoming outgoing]. lra. }
-    destruct (Qlt_le_dec (turn_to f v) (turn_to u v)) as [f_in | f_out].
-    { right. left. apply tangent_by_turn; trivial. cbn [vec incoming outgoing].
-      pose proof (turn_to_middle u f v proper_u proper_f proper_v). clear at_p at_q. lra. }
+    set (A := turn_to v (opposite u)) in *. set (B := turn_to v f - turn_to v (opposite g)) in *.
+    assert (p_convex : A < 2 -> 0 < cross u v /\ turn_to u v == 2 - A).
+    { intros small. pose proof (side_by_turn u v proper_u proper_v) as side_. clear at_q gap_1 gap_2. lra. }
+    assert (q_convex : B < 2 -> 0 < cross f g /\ turn_to f g == 2 - B).
+    { intros small. pose proof (side_by_turn f g proper_f proper_g) as side_.
+      assert (0 < B) by (unfold B; lra). clear at_p gap_1 gap_2. lra. }
+    clear at_p at_q.
+    destruct (Qlt_le_dec A 2) as [convex_p | reflex_p].
+    { destruct (p_convex convex_p) as [side_ turn_].
+      destruct (Qlt_le_dec (turn_to u g) (turn_to u v)) as [g_in | g_out].
+      { left. split; [exact side_ |]. left. apply tangent_by_turn; trivial. cbn [vec incoming outgoing]. lra. }
+      destruct (Qlt_le_dec (turn_to f v) (turn_to u v)) as [f_in | f_out].
+      { left. split; [exact side_ |]. right. apply tangent_by_turn; trivial. cbn [vec incoming outgoing].
+        pose proof (turn_to_middle u f v proper_u proper_f proper_v). lra. }
+      right. destruct (Qlt_le_dec B 2) as [convex_q | reflex_q]; [| exfalso; unfold B in *; lra].
+      destruct (q_convex convex_q) as [side_q turn_q]. split; [exact side_q |].
+      destruct (Qlt_le_dec (turn_to u g) (turn_to f g)) as [u_in | u_out].
+      { left. apply tangent_by_turn; trivial. cbn [vec incoming outgoing].
+        pose proof (turn_to_middle f u g proper_f proper_u proper_g). lra. }
+      right. destruct (Qlt_le_dec (turn_to f v) (turn_to f g)) as [v_in | v_out].
+      { apply tangent_by_turn; trivial. cbn [vec incoming outgoing]. lra. }
+      destruct (Qeq_dec (turn_to f v) (turn_to f g)) as [tie | no_tie].
+      - apply tangent_by_tie; trivial.
+        pose proof (angle_range v proper_v) as of_v. pose proof (angle_range g proper_g) as of_g.
+        pose proof (angle_range f proper_f) as of_f. unfold turn_to in tie. clear - tie of_v of_g of_f.
+        destruct (Qlt_le_dec (angle v) (angle f)), (Qlt_le_dec (angle g) (angle f)); lra.
+      - exfalso. unfold B in *. lra. }
+    right. destruct (Qlt_le_dec B 2) as [convex_q | reflex_q]; [| exfalso; unfold B in *; lra].
+    destruct (q_convex convex_q) as [side_q turn_q]. split; [exact side_q |].
     destruct (Qlt_le_dec (turn_to u g) (turn_to f g)) as [u_in | u_out].
-    { right. right. left. apply tangent_by_turn; trivial. cbn [vec incoming outgoing].
-      pose proof (turn_to_middle f u g proper_f proper_u proper_g). clear at_p at_q. lra. }
-    destruct (Qlt_le_dec (turn_to f v) (turn_to f g)) as [v_in | v_out].
-    { right. right. right. apply tangent_by_turn; trivial. cbn [vec incoming outgoing]. clear at_p at_q. lra. }
-    right. right. right.
-    destruct (Qeq_dec (turn_to f v) (turn_to f g)) as [tie | no_tie].
-    - apply tangent_by_tie; trivial.
-      pose proof (angle_range v proper_v) as of_v. pose proof (angle_range g proper_g) as of_g.
-      pose proof (angle_range f proper_f) as of_f. unfold turn_to in tie. clear - tie of_v of_g of_f.
-      destruct (Qlt_le_dec (angle v) (angle f)), (Qlt_le_dec (angle g) (angle f)); lra.
-    - exfalso. apply (gaps_and_turns (turn_to v (opposite u)) (turn_to v f - turn_to v (opposite g))
-        (turn_to u g) (turn_to f v) (turn_to u v) (turn_to f g)); trivial; lra.
+    { left. apply tangent_by_turn; trivial. cbn [vec incoming outgoing].
+      pose proof (turn_to_middle f u g proper_f proper_u proper_g). lra. }
+    right. apply tangent_by_turn; trivial. cbn [vec incoming outgoing]. unfold B in *. lra.
   Qed.
 End Corners.
