@@ -1,12 +1,13 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Theorem 4.2.14 and Section 4.2.4 for an intersection whose boundary is given: if the corners of closed chains R are
+(* Theorem 4.2.14 and Section 4.2.4, as numbers of tangent features in every direction, and for an intersection whose
+   boundary is given: if the corners of closed chains R are
    those of the boundary of the intersection of P and -Q + x (vertices of one inside the other, and crossings of edges),
    then the winding number of the original convolution at x is the sum of the turning numbers of R: outer chains less
    holes, if each chain turns once. From tangent_features.v, in a direction that no edge has. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List SetoidList SetoidPermutation.
 From Oplus Require Import direction angle cyclic_order tangent_set sweep winding_number tie_rule turning_number
   convolution_size states in_out_degree convolution_winding sums weight regions parallelogram tangent_count
-  tangent_features replaced_segments region_size rows_and_columns.
+  tangent_features replaced_segments lemma_4_2_15 region_size rows_and_columns.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -301,6 +302,16 @@ Lemma turning_numbers_by_corners (r : region) (d : vector) : turns_in_all_chains
 Proof.
   intros turning proper_d. rewrite sum_of_flat_map. apply sum_equally. intros chain I.
   exact (turns_past_every_direction chain (Direction d OfQ) (turning chain I) proper_d).
+Qed.
+
+(* Theorem. The winding number of the original convolution at x is the signed number of features of the intersection
+   of P and -Q + x at which d is tangent, in every direction d. *)
+Theorem original_winding_number_counts_tangent_features (p q : region) (d x : vector) :
+  turns_in_all_chains p -> turns_in_all_chains q -> nonzero d ->
+  winding_number x (original_convolution p q) = tangent_features d x p q.
+Proof.
+  intros p_turns q_turns proper_d. rewrite <- winding_number_less_reflex_vertices by assumption.
+  apply winding_number_of_replaced_segments.
 Qed.
 
 (* Theorem. P and Q are regions of which no vertex is more than once inside the other. If the corners of the closed
