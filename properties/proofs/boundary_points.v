@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The boundary of a region at each of its points: an edge that enters and one that leaves, which at a point inside an edge
-   are the same, their tangent set, and what is inside near the point. Chains do not touch here: only the two edges of
-   a vertex meet there. What is inside near is from left_of_an_edge.v and inside_a_corner.v. *)
+(* The boundary of a region at each of its points: an edge that enters and one that leaves, which at a point
+   inside an edge are the same, their tangent set, and what is inside near the point. Chains do not touch here:
+   only the two edges of a vertex meet there. What is inside near is from left_of_an_edge.v and inside_a_corner.v. *)
 From Coq Require Import QArith Qminmax Lqa Qfield ZArith Lia Bool List Arith.
 From Oplus Require Import direction angle cyclic_order tangent_set sweep winding_number signed_crossings tie_rule
   turning_number convolution_size fiber_grid forward_traversal states in_out_degree regions weight
@@ -138,7 +138,8 @@ Proof.
     pose proof (direction_by_index chain _ before_) as in_is.
     fold (edge_at chain i) in out_is. fold (edge_at chain (previous (length chain) i)) in in_is.
     rewrite <- out_is, <- in_is in turn.
-    exists chain, (previous (length chain) i), i, (edge_of_chain chain (previous (length chain) i)), (edge_of_chain chain i).
+    exists chain, (previous (length chain) i), i, (edge_of_chain chain (previous (length chain) i)),
+      (edge_of_chain chain i).
     split; trivial.
     + exists 1. split; [lra |]. rewrite edge_of_chain_is, next_previous by assumption.
       rewrite edge_at_is in vertex by exact below. destruct vertex as [X Y]. unfold moved_along, minus.

@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Theorem 4.2.1 for interiors, at every x off the convolution: where P and -Q + x touch without common inner points, x is
-   on the convolution, even on the reduced one (Definition 2.3.1). Chains do not touch here: where a point at which
+(* Theorem 4.2.1 for interiors, at every x off the convolution: where P and -Q + x touch without common inner
+   points, x is on the convolution, even on the reduced one (Definition 2.3.1). Chains do not touch here: where a point at which
    chains of P touch meets such a point of Q, it is false (docs/findings.md). Around the common point both are corners,
    or edges (boundary_points.v); touching_corners.v says which edge is in a tangent set, parallel_edges.v is about
    edges along each other. In general position it is in theorem_4_2_1.v. *)
@@ -95,7 +95,8 @@ Proof.
     forall t, lies_on w t -> lies_on (minus x (nth k b nowhere)) t).
   { intros k _ [ux uy] t on. destruct equal as [X Y]. refine (lies_on_equal _ _ _ _ on).
     unfold plus, minus in *; cbn [vx vy] in *. split; cbn [vx vy]; lra. }
-  destruct (touching_corners eu ev fu fv proper_eu proper_ev proper_fu proper_fv p_turns q_turns apart_1 apart_2 apart_3)
+  destruct (touching_corners eu ev fu fv proper_eu proper_ev proper_fu proper_fv p_turns q_turns apart_1 apart_2
+    apart_3)
     as [leads | [leads | [[is_convex [tangent | tangent]] | [is_convex [tangent | tangent]]]]].
   - destruct (eventually_and _ _ (p_inside _ leads) q_ahead) as (limit & L & near).
     destruct (near ((1 # 2) * limit)) as [inside_p on_q]; [lra | lra |].

@@ -63,7 +63,8 @@ Qed.
 Lemma vertex_edge_sums_are_in_the_sum (p q : region) (x : vector) : on_vertex_edge_sum x p q -> in_sum x p q.
 Proof.
   assert (vertex_in : forall v r, is_vertex v r -> in_region v r).
-  { intros v r (s & I & [X Y]). right. exists s. split; [exact I |]. exists 0. rewrite X, Y. split; [lra |]. split; ring. }
+  { intros v r (s & I & [X Y]). right. exists s. split; [exact I |]. exists 0. rewrite X, Y. split; [lra |].
+    split; ring. }
   intros [(v & f & vertex & I & on) | (v & e & vertex & I & on)].
   - apply (in_sum_of x v (minus x v)); [now apply vertex_in | right; now exists f |].
     unfold plus, minus. split; cbn [vx vy]; ring.

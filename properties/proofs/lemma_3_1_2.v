@@ -90,7 +90,8 @@ Qed.
 Lemma segments_pass (p q : region) (x : vector) (s : segment) (k : Q) :
   valid_region p -> valid_region q -> chains_do_not_touch p -> chains_do_not_touch q ->
   In s (convolution_segments p q) -> 0 < k < 1 ->
-  equal_vectors x (Vector ((1 - k) * vx (source s) + k * vx (target s)) ((1 - k) * vy (source s) + k * vy (target s))) ->
+  equal_vectors x (Vector ((1 - k) * vx (source s) + k * vx (target s))
+                          ((1 - k) * vy (source s) + k * vy (target s))) ->
   exists d, passes x d p q /\ equal_vectors d (along s).
 Proof.
   intros p_region q_region p_apart q_apart I range [X Y].
@@ -102,7 +103,8 @@ Proof.
   assert (vertex_in : forall chain r m, In chain r -> (m < length chain)%nat -> in_region (nth m chain nowhere) r).
   { intros chain r m chain_in below. right. exists (edge_at chain m). split; [now apply edge_at_in_region |].
     exists 0. rewrite edge_at_is by exact below. cbn [source target]. split; [lra |]. split; ring. }
-  assert (edge_point : forall chain r m, valid_region r -> chains_do_not_touch r -> In chain r -> (m < length chain)%nat ->
+  assert (edge_point : forall chain r m, valid_region r -> chains_do_not_touch r -> In chain r ->
+    (m < length chain)%nat ->
     let w := Vector ((1 - k) * vx (source (edge_at chain m)) + k * vx (target (edge_at chain m)))
                     ((1 - k) * vy (source (edge_at chain m)) + k * vy (target (edge_at chain m))) in
     In (edge_at chain m) (region_edges r) /\ lies_on w (edge_at chain m) /\ ~ is_vertex w r).
@@ -116,13 +118,15 @@ Proof.
     exists (along (edge_at a i)). split.
     + left. eexists (edge_at a i), _, (nth j b nowhere). split; [exact E |]. split; [exact on |].
       split; [exact no_vertex |]. split; [now apply vertex_in |]. split; [| reflexivity].
-      rewrite edge_at_is by exact i_below. cbn [source target]. unfold plus. split; cbn [vx vy]; [rewrite X | rewrite Y]; ring.
+      rewrite edge_at_is by exact i_below. cbn [source target]. unfold plus. split; cbn [vx vy];
+        [rewrite X | rewrite Y]; ring.
     + rewrite edge_at_is by exact i_below. unfold along, minus; cbn [source target vx vy]. split; cbn [vx vy]; ring.
   - destruct (edge_point b q j q_region q_apart in_q j_below) as (F & on & no_vertex). cbv zeta in on, no_vertex.
     exists (along (edge_at b j)). split.
     + right. eexists (edge_at b j), _, (nth i a nowhere). split; [exact F |]. split; [exact on |].
       split; [exact no_vertex |]. split; [now apply vertex_in |]. split; [| reflexivity].
-      rewrite edge_at_is by exact j_below. cbn [source target]. unfold plus. split; cbn [vx vy]; [rewrite X | rewrite Y]; ring.
+      rewrite edge_at_is by exact j_below. cbn [source target]. unfold plus. split; cbn [vx vy];
+        [rewrite X | rewrite Y]; ring.
     + rewrite edge_at_is by exact j_below. unfold along, minus; cbn [source target vx vy]. split; cbn [vx vy]; ring.
 Qed.
 

@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Where an edge of P and an edge of Q of the same direction lie along each other in the placement -Q + x, x is on the
-   reduced convolution, or the interiors meet near. By the tie rule the edge of Q is in the tangent set where the edge of
-   P ends, and the edge of P where that of Q begins. If that vertex is reflex, the next edge leads inside the
+   reduced convolution, or the interiors meet near. By the tie rule the edge of Q is in the tangent set where the
+   edge of P ends, and the edge of P where that of Q begins. If that vertex is reflex, the next edge leads inside the
    other; if it is inside a straight line, the next edge takes the place of the edge: no chain is straight
    everywhere (tangent_direction.v). *)
 From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List Arith.
@@ -51,8 +51,10 @@ Lemma some_vertex_turns (chain : list vector) : no_edge_is_a_point chain -> chai
 Proof.
   intros proper some. destruct (some_tangent_set_is_not_empty chain proper some) as (i & d & I & D & tangent).
   exists i. split; [exact I |]. intros straight. specialize (tangent OfP).
-  rewrite corner_is in tangent by exact I. unfold in_tangent_set in tangent. cbn [of other incoming outgoing] in tangent.
-  pose proof (edge_nonzero chain i proper I) as out_. pose proof (edge_nonzero chain _ proper (previous_below _ _ I)) as in_.
+  rewrite corner_is in tangent by exact I. unfold in_tangent_set in tangent.
+  cbn [of other incoming outgoing] in tangent.
+  pose proof (edge_nonzero chain i proper I) as out_.
+  pose proof (edge_nonzero chain _ proper (previous_below _ _ I)) as in_.
   destruct (ccw_spec (Direction d OfP) (Direction (edge_of_chain chain (previous (length chain) i)) OfQ)
               (Direction (edge_of_chain chain i) OfQ) D in_ out_) as [order_ |]; [| discriminate tangent].
   unfold in_order, earlier, place in order_. cbn [vec of] in order_. lra.
@@ -111,7 +113,8 @@ Proof.
   { exists k. split; [lra |]. rewrite <- sx, <- sy. now split. }
   apply long. unfold along, minus. cbn [vx vy].
   destruct (alone _ (edge_at_in_region r chain i I below) on) as [is_in | is_out].
-  - rewrite <- is_in in tx, ty. rewrite <- tx, X in sx. rewrite <- ty, Y in sy. split; apply (Qmult_inj_r _ _ (1 - k)); lra.
+  - rewrite <- is_in in tx, ty. rewrite <- tx, X in sx. rewrite <- ty, Y in sy.
+    split; apply (Qmult_inj_r _ _ (1 - k)); lra.
   - rewrite <- is_out in sx, sy. rewrite X in sx. rewrite Y in sy. split; apply (Qmult_inj_r _ _ k); lra.
 Qed.
 
@@ -364,8 +367,8 @@ Section TwoChains.
           apply q_inside; [now right | right; now apply f_left].
   Qed.
 
-  (* Theorem. If a point of an edge of P, not its end, and one of an edge of Q of the same direction, not its beginning, add
-     up to x, then x is on the reduced convolution, or the interiors of P and -Q + x meet. *)
+  (* Theorem. If a point of an edge of P, not its end, and one of an edge of Q of the same direction, not its
+     beginning, add up to x, then x is on the reduced convolution, or the interiors of P and -Q + x meet. *)
   Theorem parallel_edges i j k l : (i < length a)%nat -> (j < length b)%nat ->
     angle (edge_of_chain a i) == angle (edge_of_chain b j) -> 0 <= k < 1 -> 0 < l <= 1 ->
     equal_vectors x (plus (moved_along (nth i a nowhere) (edge_of_chain a i) k)
@@ -373,8 +376,10 @@ Section TwoChains.
     reduced_or_meet.
   Proof.
     intros I J parallel k_range l_range x_is.
-    destruct (some_vertex_turns a a_edges) as (ip & ip_below & ip_turns); [destruct a; [cbn in I; lia | discriminate] |].
-    destruct (some_vertex_turns b b_edges) as (jq & jq_below & jq_turns); [destruct b; [cbn in J; lia | discriminate] |].
+    destruct (some_vertex_turns a a_edges) as (ip & ip_below & ip_turns);
+      [destruct a; [cbn in I; lia | discriminate] |].
+    destruct (some_vertex_turns b b_edges) as (jq & jq_below & jq_turns);
+      [destruct b; [cbn in J; lia | discriminate] |].
     destruct (some_steps_forward (length a) (next i (length a)) ip (next_in_range _ _ I) ip_below) as (s & s_steps).
     destruct (some_steps_forward (length b) jq j jq_below J) as (t & t_steps).
     apply (parallel_edges_by_steps ip jq ip_below jq_below ip_turns jq_turns s t i j k l); trivial.

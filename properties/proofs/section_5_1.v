@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Section 5.1, in general position: whether interiors meet is seen at the boundaries. They meet if and only if a vertex of
-   one region is inside the other, or two edges cross. From the terms of the identity (winding_number_of_the_sum.v)
+(* Section 5.1, in general position: whether interiors meet is seen at the boundaries.
+   They meet if and only if a vertex of one region is inside the other, or two edges cross. From the terms of the identity (winding_number_of_the_sum.v)
    and Theorem 4.2.1. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
 From Oplus Require Import direction sweep winding_number in_out_degree convolution_winding weight regions

@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* A check, by finitely many comparisons, of what the theorems on Minkowski sums ask of a region: no edge is a point, edges
-   meet in vertices only, and winding numbers are nowhere negative; and a check that chains do not touch. Pairs of edges
+(* A check, by finitely many comparisons, of what the theorems on Minkowski sums ask of a region: no edge is a
+   point, edges meet in vertices only, and winding numbers are nowhere negative; and a check that chains do not touch. Pairs of edges
    are checked by signs of areas, winding numbers beside the middles of edges (right_of_an_edge.v). Some regions that
    pass. *)
 From Coq Require Import QArith Qminmax Lqa Qfield ZArith Lia Bool List Arith.
@@ -91,7 +91,8 @@ Proof.
   destruct (negative_spec a), (negative_spec b), (negative_spec (- a)), (negative_spec (- b)); try discriminate check;
     try lra;
     (destruct (Qlt_le_dec 0 k) as [some | none]; [| assert (k == 0) as k_is by lra; rewrite k_is in zero_; lra]).
-  - assert (0 < k * - b) by (apply Qmult_lt_0_compat; lra). assert (0 <= (1 - k) * - a) by (apply Qmult_le_0_compat; lra).
+  - assert (0 < k * - b) by (apply Qmult_lt_0_compat; lra).
+    assert (0 <= (1 - k) * - a) by (apply Qmult_le_0_compat; lra).
     lra.
   - assert (0 < k * b) by (apply Qmult_lt_0_compat; lra). assert (0 <= (1 - k) * a) by (apply Qmult_le_0_compat; lra).
     lra.
@@ -101,7 +102,8 @@ Lemma one_end_is_common (s t : segment) (w : vector) :
   one_end_on_the_line s t = true -> lies_on w s -> lies_on w t -> is_end w t.
 Proof.
   intros check on_s (k & [k0 k1] & X & Y). pose proof (area_of_common_point s t w k on_s X Y) as zero_.
-  unfold one_end_on_the_line in check. set (a := area s (source t)) in *. set (b := area s (target t)) in *. clearbody a b.
+  unfold one_end_on_the_line in check. set (a := area s (source t)) in *. set (b := area s (target t)) in *.
+  clearbody a b.
   destruct (zero_spec a) as [a_zero | a_some], (zero_spec b) as [b_zero | b_some]; try discriminate check.
   - left. rewrite a_zero in zero_. assert (k == 0) as k_is.
     { apply (Qmult_inj_r _ _ b b_some). lra. }
@@ -160,7 +162,8 @@ Lemma all_meet_at_ends_is_right (segments : list segment) : all_meet_at_ends seg
   forall earlier s later t, segments = earlier ++ s :: later -> In t (earlier ++ later) ->
     meet_at_ends s t = true \/ meet_at_ends t s = true.
 Proof.
-  induction segments as [| u rest IH]; intros check earlier s later t split_ I; [destruct earlier; discriminate split_ |].
+  induction segments as [| u rest IH]; intros check earlier s later t split_ I;
+    [destruct earlier; discriminate split_ |].
   cbn in check. apply andb_prop in check. destruct check as [first_ others].
   rewrite forallb_forall in first_. destruct earlier as [| v earlier]; cbn in split_; injection split_ as -> ->.
   - left. now apply first_.
@@ -179,7 +182,8 @@ Lemma on_segment_is_right (p : vector) (s : segment) : lies_on p s -> on_segment
 Proof.
   intros on. apply lies_on_by_signs in on. destruct on as [line between_]. unfold on_segment.
   destruct (zero_spec (cross (minus (source s) p) (minus (target s) p))) as [_ | some]; [| now destruct some].
-  destruct (negative_spec (- dot (minus (source s) p) (minus (target s) p))) as [outside |]; [exfalso; lra | reflexivity].
+  destruct (negative_spec (- dot (minus (source s) p) (minus (target s) p))) as [outside |];
+    [exfalso; lra | reflexivity].
 Qed.
 
 Lemma same_segment_is_right (s t : segment) : same_segment s t = true -> s = t.
@@ -197,7 +201,8 @@ Proof.
   assert (on : lies_on (source t) s) by (exists k; rewrite <- tx, <- ty; split; [lra | now split]).
   rewrite (on_segment_is_right _ _ on) in check. cbn [negb orb] in check. unfold at_an_end in check.
   rewrite tx in X. rewrite ty in Y. apply long. unfold along, minus; cbn [vx vy].
-  destruct (zero_spec (vx (source t) - vx (source s))), (zero_spec (vy (source t) - vy (source s))); cbn [andb orb] in check;
+  destruct (zero_spec (vx (source t) - vx (source s))), (zero_spec (vy (source t) - vy (source s)));
+    cbn [andb orb] in check;
     try (split; apply (Qmult_inj_r _ _ k); lra);
     destruct (zero_spec (vx (source t) - vx (target s))), (zero_spec (vy (source t) - vy (target s)));
     try discriminate check; split; apply (Qmult_inj_r _ _ (1 - k)); lra.
@@ -247,8 +252,8 @@ Proof.
   destruct alone as [same_ | same_]; apply same_segment_is_right in same_; tauto.
 Qed.
 
-(* Theorem. So for all regions that pass the first check, off the convolution, the winding number is positive if and only
-   if P and -Q + x have a point in common; if they pass both, if and only if the interiors meet. *)
+(* Theorem. So for all regions that pass the first check, off the convolution, the winding number is positive if
+   and only if P and -Q + x have a point in common; if they pass both, if and only if the interiors meet. *)
 Theorem collision_of_checked_regions (p q : region) (x : vector) :
   is_valid p = true -> is_valid q = true -> off x (convolution_segments p q) ->
   ((0 < winding_number x (convolution_segments p q))%Z <-> in_sum x p q) /\
@@ -274,8 +279,8 @@ Example small_regions_are_valid :
   does_not_touch [square] = true /\ does_not_touch [letter_l] = true /\ does_not_touch square_with_hole = true.
 Proof. repeat split; vm_compute; reflexivity. Qed.
 
-(* A chain that is clockwise, one that is there twice, and one that crosses itself are not; nor is a hole that touches the
-   inside of an edge. *)
+(* A chain that is clockwise, one that is there twice, and one that crosses itself are not;
+   nor is a hole that touches the inside of an edge. *)
 Example other_regions_are_not :
   is_valid [square_hole] = false /\ is_valid [square; square] = false /\
   is_valid [[Vector 0 0; Vector 2 2; Vector 2 0; Vector 0 2]] = false /\
