@@ -133,7 +133,8 @@ Proof.
       split; [lra |]. rewrite x_is, y_is. unfold plus; cbn [vx vy]. rewrite ax, ay, bx, by_, t_is. split; ring. }
   clear no_end s0 s1 t0 t1.
   (* A ray along e crosses the two sides along f only. *)
-  rewrite <- (winding_number_by_any_ray x (parallelogram e f) OfQ (along e) (closed_chain_cycles _) off_boundary proper_e).
+  rewrite <- (winding_number_by_any_ray x (parallelogram e f) OfQ (along e) (closed_chain_cycles _) off_boundary
+    proper_e).
   set (D := cross (along e) (along f)) in *.
   unfold plus in x_is, y_is; cbn [vx vy] in x_is, y_is. rewrite ax, bx in x_is. rewrite ay, by_ in y_is.
   clear off_boundary ax ay bx by_ a b.

@@ -109,7 +109,8 @@ Proof.
       assert (in_2 : cross (along f_in) (minus y u) == 0).
       { unfold minus at 1. unfold cross at 1. cbn [vx vy]. rewrite X, Y, <- tx, <- ty.
         unfold cross, along, minus; cbn [vx vy]. ring. }
-      rewrite in_2 in in_1. rewrite out_2 in out_1. clearbody a b c. destruct rest as [right_turn | [left_turn left_of_in]].
+      rewrite in_2 in in_1. rewrite out_2 in out_1. clearbody a b c.
+      destruct rest as [right_turn | [left_turn left_of_in]].
       * assert (0 <= (1 - k) * - c) by (apply Qmult_le_0_compat; lra). lra.
       * assert (0 <= (1 - h) * s * c)
           by (apply Qmult_le_0_compat; [apply Qmult_le_0_compat; lra | lra]).
