@@ -177,6 +177,24 @@ Proof.
   intros (((-> & ->) & -> & ->) & (-> & ->) & -> & ->). reflexivity.
 Qed.
 
+(* Where chains do not touch, no vertex is between the ends of an edge. *)
+Lemma edges_are_clear (r : region) : no_edges_are_points r -> chains_do_not_touch r ->
+  forall s, In s (region_edges r) -> clear_edge r s.
+Proof.
+  intros not_points apart_ s I k w range X Y vertex. destruct vertex as (u & U & [ux uy]).
+  destruct (edge_by_chain r s I) as (chain & i & J & below & ->).
+  destruct (edge_by_chain r u U) as (c & m & c_in & m_below & ->).
+  destruct (apart_ c m c_in m_below) as (_ & _ & [tx ty] & only).
+  pose proof (winding_number_of_the_sum.region_edges_are_directions r not_points _ I) as some.
+  assert (on : lies_on (source (edge_at c m)) (edge_at chain i))
+    by (exists k; split; [lra |]; rewrite <- ux, <- uy; now split).
+  apply some. unfold along, minus; cbn [vx vy].
+  destruct (only _ I on) as [is_in | is_out].
+  - rewrite <- is_in in tx, ty. rewrite <- tx, X in ux. rewrite <- ty, Y in uy.
+    split; apply (Qmult_inj_r _ _ (1 - k)); lra.
+  - rewrite <- is_out in ux, uy. rewrite X in ux. rewrite Y in uy. split; apply (Qmult_inj_r _ _ k); lra.
+Qed.
+
 (* Theorem. What passes the check is a valid region whose chains do not touch. *)
 Theorem is_valid_is_right (r : region) : is_valid r = true -> valid_region r /\ chains_do_not_touch r.
 Proof.
@@ -212,18 +230,7 @@ Proof.
     destruct alone as [same_ | same_]; apply same_segment_is_right in same_; tauto. }
   split; [| exact apart_]. split; [exact r_edges |]. split; [| exact meet].
   apply nowhere_negative_by_middles; trivial.
-  - intros s I k w range X Y vertex. destruct vertex as (u & U & [ux uy]).
-    destruct (edge_by_chain r s I) as (chain & i & J & below & ->).
-    destruct (edge_by_chain r u U) as (c & m & c_in & m_below & ->).
-    destruct (apart_ c m c_in m_below) as (_ & _ & [tx ty] & only).
-    pose proof (not_points _ I) as some.
-    assert (on : lies_on (source (edge_at c m)) (edge_at chain i))
-      by (exists k; split; [lra |]; rewrite <- ux, <- uy; now split).
-    apply some. unfold along, minus; cbn [vx vy].
-    destruct (only _ I on) as [is_in | is_out].
-    + rewrite <- is_in in tx, ty. rewrite <- tx, X in ux. rewrite <- ty, Y in uy.
-      split; apply (Qmult_inj_r _ _ (1 - k)); lra.
-    + rewrite <- is_out in ux, uy. rewrite X in ux. rewrite Y in uy. split; apply (Qmult_inj_r _ _ k); lra.
+  - now apply edges_are_clear.
   - intros s I. apply Z.leb_le. now apply middles.
 Qed.
 
