@@ -284,7 +284,7 @@ Section TwoRegions.
     intros (s & w & I & on & in_b). destruct (point_of_segment s w on) as (k & range & at_w).
     assert (J : In s all) by (apply in_app_iff; now left). pose proof (proper_edge s J) as proper_s.
     assert (in_b' : inside (point_on s k) b) by (apply (inside_equal w); [now symmetry | exact in_b]).
-    destruct (cut_or_between s all k range) as [(c & K & c_is) | (lo & hi & L & H & k_between & lo0 & hi1 & gap)].
+    destruct (cut_or_between s all k range) as [(c & K & c_is) | (lo & hi & lo_in & hi_in & k_between & lo0 & hi1 & gap)].
     - apply (shown s c I); [apply in_app_iff; now left | lra |]. unfold shows.
       assert (here : inside_test (point_on s c) b = true); [| now rewrite here].
       apply inside_spec. apply (inside_equal (point_on s k)); [| exact in_b'].
@@ -322,7 +322,7 @@ Section TwoRegions.
     intros (s & t & w & I & T & on_s & on_t & no_a & no_b & turn).
     destruct (point_of_segment s w on_s) as (k & range & at_w).
     assert (J : In s all) by (apply in_app_iff; now left). pose proof (proper_edge s J) as proper_s.
-    destruct (cut_or_between s all k range) as [(c & K & c_is) | (lo & hi & L & H & k_between & lo0 & hi1 & gap)].
+    destruct (cut_or_between s all k range) as [(c & K & c_is) | (lo & hi & lo_in & hi_in & k_between & lo0 & hi1 & gap)].
     - apply (shown s c I); [apply in_app_iff; now left | lra |].
       assert (at_c : equal_vectors (point_on s c) w).
       { destruct at_w as [X Y]. unfold point_on in *. cbn [vx vy] in *. split; cbn [vx vy]; rewrite c_is; assumption. }
