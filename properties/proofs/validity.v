@@ -1,7 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* A check, by finitely many comparisons, of what the theorems on Minkowski sums ask of a region: no edge is a point, edges
-   meet in vertices only, chains do not touch, and winding numbers are nowhere negative. Pairs of edges are checked by
-   signs of areas, winding numbers beside the middles of edges (right_of_an_edge.v). Some regions that pass. *)
+   meet in vertices only, and winding numbers are nowhere negative; and a check that chains do not touch. Pairs of edges
+   are checked by signs of areas, winding numbers beside the middles of edges (right_of_an_edge.v). Some regions that
+   pass. *)
 From Coq Require Import QArith Qminmax Lqa Qfield ZArith Lia Bool List Arith.
 From Oplus Require Import direction angle sweep winding_number shifted_ray signed_crossings turning_number
   convolution_size fiber_grid states in_out_degree regions weight winding_number_of_the_sum meeting_of_segments
@@ -52,11 +53,22 @@ Definition vertex_is_alone (r : region) (chain : list vector) (i : nat) : bool :
                     same_segment t (edge_at chain (previous (length chain) i)) ||
                     same_segment t (edge_at chain i)) (region_edges r).
 
+(* A vertex on the edge is at one of its ends. *)
+Definition at_an_end (v : vector) (s : segment) : bool :=
+  (zero (vx v - vx (source s)) && zero (vy v - vy (source s))) ||
+  (zero (vx v - vx (target s)) && zero (vy v - vy (target s))).
+
+Definition edge_is_clear (r : region) (s : segment) : bool :=
+  forallb (fun t => negb (on_segment (source t) s) || at_an_end (source t) s) (region_edges r).
+
+(* Chains may touch in vertices; where a vertex touches the inside of an edge, the edge has to have a vertex, too. *)
 Definition is_valid (r : region) : bool :=
   forallb (fun s => negb (zero (vx (along s)) && zero (vy (along s)))) (region_edges r) &&
-  all_meet_at_ends (region_edges r) &&
-  forallb (fun chain => forallb (vertex_is_alone r chain) (seq 0 (length chain))) r &&
+  all_meet_at_ends (region_edges r) && forallb (edge_is_clear r) (region_edges r) &&
   forallb (fun s => (0 <=? winding_number_shifted (right_of_middle s) (region_edges r))%Z) (region_edges r).
+
+Definition does_not_touch (r : region) : bool :=
+  forallb (fun chain => forallb (vertex_is_alone r chain) (seq 0 (length chain))) r.
 
 Lemma area_of_common_point (s t : segment) (w : vector) (k : Q) :
   lies_on w s -> vx w == (1 - k) * vx (source t) + k * vx (target t) ->
@@ -177,28 +189,24 @@ Proof.
   intros (((-> & ->) & -> & ->) & (-> & ->) & -> & ->). reflexivity.
 Qed.
 
-(* Where chains do not touch, no vertex is between the ends of an edge. *)
-Lemma edges_are_clear (r : region) : no_edges_are_points r -> chains_do_not_touch r ->
-  forall s, In s (region_edges r) -> clear_edge r s.
+Lemma edge_is_clear_is_right (r : region) (s : segment) :
+  nonzero (along s) -> edge_is_clear r s = true -> clear_edge r s.
 Proof.
-  intros not_points apart_ s I k w range X Y vertex. destruct vertex as (u & U & [ux uy]).
-  destruct (edge_by_chain r s I) as (chain & i & J & below & ->).
-  destruct (edge_by_chain r u U) as (c & m & c_in & m_below & ->).
-  destruct (apart_ c m c_in m_below) as (_ & _ & [tx ty] & only).
-  pose proof (winding_number_of_the_sum.region_edges_are_directions r not_points _ I) as some.
-  assert (on : lies_on (source (edge_at c m)) (edge_at chain i))
-    by (exists k; split; [lra |]; rewrite <- ux, <- uy; now split).
-  apply some. unfold along, minus; cbn [vx vy].
-  destruct (only _ I on) as [is_in | is_out].
-  - rewrite <- is_in in tx, ty. rewrite <- tx, X in ux. rewrite <- ty, Y in uy.
-    split; apply (Qmult_inj_r _ _ (1 - k)); lra.
-  - rewrite <- is_out in ux, uy. rewrite X in ux. rewrite Y in uy. split; apply (Qmult_inj_r _ _ k); lra.
+  intros long check k w range X Y (t & I & [tx ty]). unfold edge_is_clear in check.
+  rewrite forallb_forall in check. specialize (check t I).
+  assert (on : lies_on (source t) s) by (exists k; rewrite <- tx, <- ty; split; [lra | now split]).
+  rewrite (on_segment_is_right _ _ on) in check. cbn [negb orb] in check. unfold at_an_end in check.
+  rewrite tx in X. rewrite ty in Y. apply long. unfold along, minus; cbn [vx vy].
+  destruct (zero_spec (vx (source t) - vx (source s))), (zero_spec (vy (source t) - vy (source s))); cbn [andb orb] in check;
+    try (split; apply (Qmult_inj_r _ _ k); lra);
+    destruct (zero_spec (vx (source t) - vx (target s))), (zero_spec (vy (source t) - vy (target s)));
+    try discriminate check; split; apply (Qmult_inj_r _ _ (1 - k)); lra.
 Qed.
 
-(* Theorem. What passes the check is a valid region whose chains do not touch. *)
-Theorem is_valid_is_right (r : region) : is_valid r = true -> valid_region r /\ chains_do_not_touch r.
+(* Theorem. What passes the first check is a valid region. *)
+Theorem is_valid_is_right (r : region) : is_valid r = true -> valid_region r.
 Proof.
-  unfold is_valid. rewrite !andb_true_iff, !forallb_forall. intros (((long & pairs) & alone) & middles).
+  unfold is_valid. rewrite !andb_true_iff, !forallb_forall. intros (((long & pairs) & clear_) & middles).
   assert (not_points : forall s, In s (region_edges r) -> nonzero (along s)).
   { intros s I [X Y]. specialize (long s I).
     destruct (zero_spec (vx (along s))), (zero_spec (vy (along s))); try discriminate long; contradiction. }
@@ -217,42 +225,60 @@ Proof.
     - destruct (meet_at_ends_is_right t s w (not_points t K) check on_t on_s) as [end_ | end_].
       + exact (end_is_vertex r t w K end_).
       + exact (end_is_vertex r s w I end_). }
-  assert (apart_ : chains_do_not_touch r).
-  { intros chain i I below. split; [now apply edge_at_in_region; [| apply previous_below] |].
-    split; [now apply edge_at_in_region |]. rewrite !edge_at_is by (trivial; now apply previous_below).
-    cbn [source target]. rewrite next_previous by exact below. split; [split; reflexivity |].
-    intros t J on. specialize (alone chain I). rewrite forallb_forall in alone.
-    assert (in_range : In i (seq 0 (length chain))) by (apply in_seq; lia).
-    specialize (alone i in_range). unfold vertex_is_alone in alone.
-    rewrite forallb_forall in alone. specialize (alone t J). rewrite (on_segment_is_right _ _ on) in alone.
-    cbn [negb orb] in alone. apply orb_prop in alone.
-    rewrite !edge_at_is, next_previous in alone by (trivial; now apply previous_below).
-    destruct alone as [same_ | same_]; apply same_segment_is_right in same_; tauto. }
-  split; [| exact apart_]. split; [exact r_edges |]. split; [| exact meet].
+  split; [exact r_edges |]. split; [| exact meet].
   apply nowhere_negative_by_middles; trivial.
-  - now apply edges_are_clear.
+  - intros s I. apply edge_is_clear_is_right; [now apply not_points | now apply clear_].
   - intros s I. apply Z.leb_le. now apply middles.
 Qed.
 
-(* Theorem. So for all regions that pass it: off the convolution, the winding number is positive if and only if the
-   interiors meet. *)
-Theorem collision_of_checked_regions (p q : region) (x : vector) :
-  is_valid p = true -> is_valid q = true -> off x (convolution_segments p q) ->
-  ((0 < winding_number x (convolution_segments p q))%Z <-> interiors_meet x p q).
+(* Theorem. What passes the second has no chains that touch. *)
+Theorem does_not_touch_is_right (r : region) : does_not_touch r = true -> chains_do_not_touch r.
 Proof.
-  intros p_check q_check. apply is_valid_is_right in p_check, q_check.
-  now apply positive_winding_number_iff_common_inner_point.
+  unfold does_not_touch. rewrite forallb_forall. intros alone chain i I below.
+  split; [now apply edge_at_in_region; [| apply previous_below] |].
+  split; [now apply edge_at_in_region |]. rewrite !edge_at_is by (trivial; now apply previous_below).
+  cbn [source target]. rewrite next_previous by exact below. split; [split; reflexivity |].
+  intros t J on. specialize (alone chain I). rewrite forallb_forall in alone.
+  assert (in_range : In i (seq 0 (length chain))) by (apply in_seq; lia).
+  specialize (alone i in_range). unfold vertex_is_alone in alone.
+  rewrite forallb_forall in alone. specialize (alone t J). rewrite (on_segment_is_right _ _ on) in alone.
+  cbn [negb orb] in alone. apply orb_prop in alone.
+  rewrite !edge_at_is, next_previous in alone by (trivial; now apply previous_below).
+  destruct alone as [same_ | same_]; apply same_segment_is_right in same_; tauto.
 Qed.
 
-(* A square, the letter L, which has a vertex inside a straight line and a reflex one, and a square with a hole. *)
+(* Theorem. So for all regions that pass the first check, off the convolution, the winding number is positive if and only
+   if P and -Q + x have a point in common; if they pass both, if and only if the interiors meet. *)
+Theorem collision_of_checked_regions (p q : region) (x : vector) :
+  is_valid p = true -> is_valid q = true -> off x (convolution_segments p q) ->
+  ((0 < winding_number x (convolution_segments p q))%Z <-> in_sum x p q) /\
+  (does_not_touch p = true -> does_not_touch q = true ->
+   ((0 < winding_number x (convolution_segments p q))%Z <-> interiors_meet x p q)).
+Proof.
+  intros p_check q_check free. apply is_valid_is_right in p_check, q_check. split.
+  - now apply positive_winding_number_iff_common_point.
+  - intros p_apart q_apart. apply does_not_touch_is_right in p_apart, q_apart.
+    now apply positive_winding_number_iff_common_inner_point.
+Qed.
+
+(* A square with a hole, and one with a hole that touches its side in a vertex. *)
+Definition square_with_hole : region :=
+  [[Vector 0 0; Vector 6 0; Vector 6 6; Vector 0 6]; [Vector 2 2; Vector 2 4; Vector 4 4; Vector 4 2]].
+Definition square_with_touching_hole : region :=
+  [[Vector 0 0; Vector 6 0; Vector 6 6; Vector 0 6; Vector 0 3]; [Vector 0 3; Vector 3 4; Vector 3 2]].
+
+(* The letter L has a vertex inside a straight line and a reflex one. *)
 Example small_regions_are_valid :
-  is_valid [square] = true /\ is_valid [letter_l] = true /\
-  is_valid [[Vector 0 0; Vector 6 0; Vector 6 6; Vector 0 6]; [Vector 2 2; Vector 2 4; Vector 4 4; Vector 4 2]] = true.
+  is_valid [square] = true /\ is_valid [letter_l] = true /\ is_valid square_with_hole = true /\
+  is_valid square_with_touching_hole = true /\
+  does_not_touch [square] = true /\ does_not_touch [letter_l] = true /\ does_not_touch square_with_hole = true.
 Proof. repeat split; vm_compute; reflexivity. Qed.
 
-(* A clockwise chain, one that is there twice, one that crosses itself, and a hole that touches are not. *)
+(* A chain that is clockwise, one that is there twice, and one that crosses itself are not; nor is a hole that touches the
+   inside of an edge. *)
 Example other_regions_are_not :
   is_valid [square_hole] = false /\ is_valid [square; square] = false /\
   is_valid [[Vector 0 0; Vector 2 2; Vector 2 0; Vector 0 2]] = false /\
-  is_valid [[Vector 0 0; Vector 6 0; Vector 6 6; Vector 0 6]; [Vector 0 3; Vector 3 4; Vector 3 2]] = false.
+  is_valid [[Vector 0 0; Vector 6 0; Vector 6 6; Vector 0 6]; [Vector 0 3; Vector 3 4; Vector 3 2]] = false /\
+  does_not_touch square_with_touching_hole = false.
 Proof. repeat split; vm_compute; reflexivity. Qed.
