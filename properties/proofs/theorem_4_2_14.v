@@ -1,13 +1,13 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Theorem 4.2.14 and Section 4.2.4, as numbers of tangent features in every direction, and for an intersection whose
-   boundary is given: if the corners of closed chains R are
-   those of the boundary of the intersection of P and -Q + x (vertices of one inside the other, and crossings of edges),
-   then the winding number of the original convolution at x is the sum of the turning numbers of R: outer chains less
-   holes, if each chain turns once. From tangent_features.v, in a direction that no edge has. *)
+   boundary is given: if the corners of closed chains R are those of the boundary of the intersection of P and -Q + x
+   (vertices of one inside the other, and crossings of edges), then the winding number of the original convolution at
+   x is the sum of the turning numbers of R: outer chains less holes, if each chain turns once. From
+   tangent_features.v, in a direction that no edge has. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List SetoidList SetoidPermutation.
-From Oplus Require Import direction angle cyclic_order tangent_set sweep winding_number tie_rule turning_number
-  convolution_size states in_out_degree convolution_winding sums weight regions parallelogram tangent_count
-  tangent_features replaced_segments lemma_4_2_15 region_size rows_and_columns.
+From Oplus Require Import direction angle cyclic_order tangent_set sweep forward_traversal winding_number tie_rule
+  turning_number convolution_size states in_out_degree convolution_winding sums weight regions parallelogram
+  tangent_count tangent_features beside_every_point replaced_segments lemma_4_2_15 region_size rows_and_columns.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -44,8 +44,8 @@ Definition bounds_the_intersection (r : region) (x : vector) (p q : region) : Pr
 
 Lemma bend_is_proper (c : corner) : bends c = true -> nonzero (incoming c) /\ nonzero (outgoing c).
 Proof.
-  destruct c as [a b]. unfold bends. cbn [incoming outgoing]. destruct (zero_spec (cross a b)); [discriminate |].
-  intros _. split; intros [X Y]; apply n; unfold cross; rewrite X, Y; ring.
+  destruct c as [a b]. unfold bends. cbn [incoming outgoing]. destruct (zero_spec (cross a b)) as [| turn]; [discriminate |].
+  intros _. split; intros [X Y]; apply turn; unfold cross; rewrite X, Y; ring.
 Qed.
 
 Lemma sweep_of_same (d : direction) (c c' : corner) :
@@ -112,11 +112,11 @@ Qed.
    intersection's corner there passes d. *)
 Lemma sweep_of_crossing (d e f : vector) :
   nonzero d -> nonzero e -> nonzero f -> ~ cross d e == 0 -> ~ cross d f == 0 ->
-  (0 < cross e f -> weight d e f = sweep (Direction d OfQ) (incoming (crossing_corner e f)) (outgoing (crossing_corner e f))) /\
-  (cross e f < 0 -> (- weight d e f)%Z =
-     sweep (Direction d OfQ) (incoming (crossing_corner e f)) (outgoing (crossing_corner e f))).
+  let c := crossing_corner e f in
+  (0 < cross e f -> weight d e f = sweep (Direction d OfQ) (incoming c) (outgoing c)) /\
+  (cross e f < 0 -> (- weight d e f)%Z = sweep (Direction d OfQ) (incoming c) (outgoing c)).
 Proof.
-  intros proper_d proper_e proper_f beside_e beside_f. unfold crossing_corner.
+  intros proper_d proper_e proper_f beside_e beside_f c. unfold c, crossing_corner. clear c.
   pose proof (opposite_nonzero f proper_f) as proper_f'. pose proof (opposite_nonzero d proper_d) as proper_d'.
   pose proof (opposite_angle f proper_f) as of_. pose proof (opposite_angle d proper_d) as od.
   pose proof (angle_range d proper_d). pose proof (angle_range e proper_e). pose proof (angle_range f proper_f).
@@ -126,15 +126,11 @@ Proof.
   assert (apart : ~ cross e f == 0 ->
     compare (Direction e OfP) (Direction (opposite f) OfP) <> Eq /\
     compare (Direction (opposite f) OfP) (Direction e OfP) <> Eq).
-  { intros turn. assert (~ angle e == angle (opposite f)) by lra. split; intros same_.
-    - assert (CompareSpec (equal (Direction e OfP) (Direction (opposite f) OfP))
-        (earlier (Direction e OfP) (Direction (opposite f) OfP)) (earlier (Direction (opposite f) OfP) (Direction e OfP))
-        (compare (Direction e OfP) (Direction (opposite f) OfP))) as c by (now apply compare_spec).
-      rewrite same_ in c. inversion c as [[equal_ _] | |]. cbn [vec] in equal_. lra.
-    - assert (CompareSpec (equal (Direction (opposite f) OfP) (Direction e OfP))
-        (earlier (Direction (opposite f) OfP) (Direction e OfP)) (earlier (Direction e OfP) (Direction (opposite f) OfP))
-        (compare (Direction (opposite f) OfP) (Direction e OfP))) as c by (now apply compare_spec).
-      rewrite same_ in c. inversion c as [[equal_ _] | |]. cbn [vec] in equal_. lra. }
+  { intros turn. assert (differ : ~ angle e == angle (opposite f)) by lra. split.
+    - destruct (compare_equal (Direction e OfP) (Direction (opposite f) OfP) proper_e proper_f') as [[equal_ _] |];
+        [contradiction | assumption].
+    - destruct (compare_equal (Direction (opposite f) OfP) (Direction e OfP) proper_f' proper_e) as [[equal_ _] |];
+        [exfalso; apply differ; now symmetry | assumption]. }
   assert (turn_back : cross e (opposite f) == - cross e f /\ cross (opposite f) e == cross e f)
     by (split; unfold cross, opposite; cbn; ring).
   destruct turn_back as [turn_e turn_f].
@@ -342,17 +338,27 @@ Proof.
   - apply beside, in_map, in_app_iff. now right.
 Qed.
 
-(* Theorem. So if r consists of outer chains and holes, it is the number of outer chains less that of holes. *)
+(* As valid regions have. *)
+Definition numbers_are_0_or_1 (r : region) : Prop :=
+  forall x, off x (region_edges r) -> (0 <= winding_number x (region_edges r) <= 1)%Z.
+
+Lemma numbers_are_0_or_1_everywhere (r : region) (x : vector) :
+  numbers_are_0_or_1 r -> (0 <= winding_number x (region_edges r) <= 1)%Z.
+Proof.
+  intros valid. destruct (winding_number_beside x (region_edges r)) as (y & beside & <-). now apply valid.
+Qed.
+
+(* Theorem. So if winding numbers of P and of Q are 0 and 1, and r consists of outer chains and holes, it is the number
+   of outer chains less that of holes. *)
 Theorem original_winding_number_counts_components_less_holes (p q outer_chains holes : region) (x : vector) :
   turns_in_all_chains p -> turns_in_all_chains q -> turns_in_all_chains (outer_chains ++ holes) ->
-  (forall v, In v (region_vertices p) -> (0 <= winding_number (minus x (fst v)) (region_edges q) <= 1)%Z) ->
-  (forall v, In v (region_vertices q) -> (0 <= winding_number (minus x (fst v)) (region_edges p) <= 1)%Z) ->
-  bounds_the_intersection (outer_chains ++ holes) x p q ->
+  numbers_are_0_or_1 p -> numbers_are_0_or_1 q -> bounds_the_intersection (outer_chains ++ holes) x p q ->
   (forall chain, In chain outer_chains -> outer chain) -> (forall chain, In chain holes -> hole chain) ->
   winding_number x (original_convolution p q) = (Z.of_nat (length outer_chains) - Z.of_nat (length holes))%Z.
 Proof.
-  intros p_turns q_turns r_turns p_once q_once bounds are_outer are_holes.
-  rewrite (original_winding_number_is_the_turning_number_of_the_intersection p q (outer_chains ++ holes) x); trivial.
+  intros p_turns q_turns r_turns p_valid q_valid bounds are_outer are_holes.
+  rewrite (original_winding_number_is_the_turning_number_of_the_intersection p q (outer_chains ++ holes) x); trivial;
+    [| intros v _; now apply numbers_are_0_or_1_everywhere ..].
   change (turning_numbers (outer_chains ++ holes)) with (sum_of turning_number (outer_chains ++ holes)).
   rewrite sum_of_two_lists.
   assert (constant : forall (l : region) k, (forall chain, In chain l -> turning_number chain = k) ->
