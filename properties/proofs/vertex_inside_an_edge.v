@@ -9,6 +9,12 @@ Import ListNotations.
 
 Open Scope Q_scope.
 
+Lemma next_below i k : (S i < k)%nat -> next i k = S i.
+Proof. intros L. unfold next. destruct (Nat.eqb_spec (S i) k); lia. Qed.
+
+Lemma next_last k : (0 < k)%nat -> next (k - 1) k = 0%nat.
+Proof. intros L. unfold next. destruct (Nat.eqb_spec (S (k - 1)) k); lia. Qed.
+
 Section OneMore.
 Variable chain : list vector.
 Hypothesis chain_simple : simple chain.
@@ -86,12 +92,6 @@ Proof.
   - assert (0 < part * (1 - part)) by nra. nra.
   - unfold dot, minus. cbn [vx vy]. rewrite x_is, y_is. ring.
 Qed.
-
-Lemma next_below i k : (S i < k)%nat -> next i k = S i.
-Proof. intros L. unfold next. destruct (Nat.eqb_spec (S i) k); lia. Qed.
-
-Lemma next_last k : (0 < k)%nat -> next (k - 1) k = 0%nat.
-Proof. intros L. unfold next. destruct (Nat.eqb_spec (S (k - 1)) k); lia. Qed.
 
 Lemma edges_with_y :
   edge (y :: chain) 0 = Segment y a /\
