@@ -5,7 +5,7 @@
    first_edge_of_a_ray.v, what that says in winding_by_first_edge.v. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
 From Oplus Require Import direction angle sweep winding_number turning_number convolution_size
-  sizes_of_cycles fiber_grid states secants segments_apart turning_tangents simple_chain
+  fiber_grid states secants segments_apart turning_tangents simple_chain
   simple_chains_turn_once vertex_inside_an_edge winding_by_first_edge first_edge_of_a_ray.
 Import ListNotations.
 
@@ -158,33 +158,36 @@ Theorem simple_chain_winds_at_most_once chain x :
   winding_number x (edges chain) = 0%Z \/ winding_number x (edges chain) = turning_number chain.
 Proof.
   intros chain_simple x_off. set (n := length chain).
-  destruct (all_or_one (fun k => zero (cross (from_x chain x k) (from_x chain x (next k n)))) (seq 0 n))
-    as [in_line | (k & K & across)].
-  - left. rewrite winding_number_as_sweeps by exact x_off. unfold total. rewrite map_map.
-    unfold sum. transitivity (fold_right Z.add 0%Z (map (fun _ : segment => 0%Z) (edges chain))).
-    + f_equal. apply map_ext_in. intros e I. apply (In_nth _ _ (Segment nowhere nowhere)) in I.
-      destruct I as (j & J & <-). rewrite <- (map_length source) in J.
-      destruct (edges_ends chain) as [sources _]. rewrite sources in J. fold (edge chain j).
-      rewrite edge_is by exact J. apply no_turn_passes_nothing. cbn [seen_from fst snd source target].
-      assert (listed : In j (seq 0 n)) by (apply in_seq; unfold n; lia).
-      specialize (in_line j listed). cbv beta in in_line.
-      destruct (zero_spec (cross (from_x chain x j) (from_x chain x (next j n)))) as [none |];
-        [exact none | discriminate].
-    + clear. now induction (edges chain).
-  - apply in_seq in K. assert (k_below : (k < n)%nat) by lia.
-    destruct (zero_spec (cross (from_x chain x k) (from_x chain x (next k n)))) as [| turn]; [discriminate |].
-    destruct (ray_between_vertices chain x x_off k k_below turn) as (t & range & between). cbv zeta in between.
-    set (u := Vector _ _) in between.
-    assert (on_k : lies_on (on_ray x u 1) (edge chain k)).
-    { rewrite edge_is by exact k_below. fold n. exists t. cbn [source target].
-      unfold on_ray, u, from_x, minus. cbn [vx vy]. fold n. repeat split; try lra; ring. }
-    destruct (ray_has_a_first_edge chain chain_simple x x_off u between k 1 k_below ltac:(lra) on_k)
-      as (m & first & part & M & first_positive & after_start & before_end & across_m & there & first_edge).
-    apply (winds_at_most_once_by_edge m chain x (on_ray x u first) part); trivial; [now split |].
-    rewrite <- edge_of_chain_is by exact M. intros none. apply across_m.
-    apply (Qmult_inj_l _ _ first); [lra |].
+  destruct (Z.eq_dec (winding_number x (edges chain)) 0) as [none | winds]; [now left |].
+  destruct (ray_to_a_segment (edges chain) (edges chain) x x_off (incl_refl _) winds)
+    as (u & k & avoided & K & on_k).
+  destruct (ray_meets_one_first x u (edges chain) k 1 x_off avoided K ltac:(lra) on_k)
+    as (s & first & part & S & first_positive & after_start & before_end & across & there & only).
+  assert (by_index : forall e, In e (edges chain) -> exists m, (m < n)%nat /\ edge chain m = e).
+  { intros e I. apply (In_nth _ _ (Segment nowhere nowhere)) in I. destruct I as (m & M & m_is).
+    exists m. split; [| exact m_is]. rewrite <- (map_length source) in M.
+    destruct (edges_ends chain) as [sources _]. now rewrite sources in M. }
+  assert (listed : forall j, (j < n)%nat -> In (edge chain j) (edges chain)).
+  { intros j J. unfold edge. apply nth_In. rewrite <- (map_length source).
+    now destruct (edges_ends chain) as [-> _]. }
+  destruct (by_index s S) as (m & M & <-).
+  assert (on_m : lies_on (on_ray x u first) (edge chain m)).
+  { rewrite edge_is in there |- * by exact M. apply (on_segment _ _ _ part); [lra | exact there]. }
+  rewrite edge_is in across, there by exact M.
+  apply (winds_at_most_once_by_edge m chain x (on_ray x u first) part); trivial; [now split | |].
+  - intros none. apply across. apply (Qmult_inj_l _ _ first); [lra |].
     etransitivity; [| etransitivity; [exact none | ring]].
-    unfold cross, on_ray, minus. cbn [vx vy]. ring.
+    unfold along_segment, cross, on_ray, minus. cbn [source target vx vy]. ring.
+  - fold n. intros j J differ z on_ray_ on_j.
+    pose proof (only _ z (listed j J) on_ray_ on_j) as z_is.
+    apply (lies_on_equal z (on_ray x u first)) in on_j; [| exact z_is].
+    assert (no_vertex : forall i, (i < n)%nat -> ~ equal_vectors (on_ray x u first) (vertex chain i)).
+    { intros i I [xi yi]. destruct (avoided _ (listed i I)) as [off_line _].
+      rewrite edge_is in off_line by exact I. apply off_line. unfold side_of, cross, on_ray, minus in *.
+      cbn [source vx vy] in *. rewrite <- xi, <- yi. ring. }
+    destruct chain_simple as (_ & _ & common).
+    destruct (common j m _ J M differ on_j on_m) as [[_ at_vertex] | [_ at_vertex]];
+      revert at_vertex; now apply no_vertex.
 Qed.
 
 (* So a counterclockwise one has winding numbers 0 and 1 only, a clockwise one 0 and -1. *)
