@@ -169,3 +169,19 @@ Proof.
   - now left.
   - now right.
 Qed.
+
+(* The same of the region as a list of chains, whose edges are those of all chains together. *)
+Lemma edges_of_region_are_its_chains' (components : list component) :
+  edges_of_region components = flat_map edges (region_of components).
+Proof.
+  unfold edges_of_region, region_of, edges_of_component.
+  induction components as [| c rest IH]; [reflexivity |]. cbn [flat_map]. now rewrite flat_map_app, IH.
+Qed.
+
+Corollary valid_regions_are_nowhere_negative (components : list component) (x : vector) :
+  valid_region components -> off x (flat_map edges (region_of components)) ->
+  (0 <= winding_number x (flat_map edges (region_of components)) <= 1)%Z.
+Proof.
+  rewrite <- edges_of_region_are_its_chains'. intros valid x_off.
+  destruct (winding_numbers_of_valid_regions components x valid x_off) as [-> | ->]; lia.
+Qed.
