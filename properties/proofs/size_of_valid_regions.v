@@ -10,7 +10,7 @@ Import ListNotations.
 Open Scope Z_scope.
 
 Lemma chains_of_valid_regions_are_simple (components : list component) (chain : list vector) :
-  valid_region components -> In chain (region_of components) -> simple chain.
+  valid_components components -> In chain (region_of components) -> simple chain.
 Proof.
   intros [each _] I. apply in_flat_map in I. destruct I as (c & C & I).
   destruct (each c C) as (outer_simple & _ & holes_valid & _).
@@ -40,7 +40,7 @@ Proof.
 Qed.
 
 Lemma chains_of_valid_regions (components : list component) :
-  valid_region components ->
+  valid_components components ->
   outer_chains (region_of components) = Z.of_nat (length components) /\
   holes (region_of components) = number_of_holes components.
 Proof.
@@ -61,7 +61,7 @@ Qed.
 (* Theorem. The convolution of two valid regions with n_P and n_Q vertices, r_P and r_Q reflex ones, c_P and c_Q
    components and h_P and h_Q holes has n_P (c_Q - h_Q + r_Q) + n_Q (c_P - h_P + r_P) segments. *)
 Theorem convolution_size_of_valid_regions (p q : list component) :
-  valid_region p -> valid_region q ->
+  valid_components p -> valid_components q ->
   Z.of_nat (length (segments_of_regions (region_of p) (region_of q))) =
   vertices (region_of p) *
     (Z.of_nat (length q) - number_of_holes q + all_reflex_vertices (region_of q)) +

@@ -44,7 +44,7 @@ Definition valid_component (c : component) : Prop :=
      simple h /\ is_counterclockwise h = false /\ is_inside (edges h) (edges (outer_chain c))) /\
   ForallOrdPairs (fun g h => beside_each_other (edges g) (edges h)) (hole_chains c).
 
-Definition valid_region (components : list component) : Prop :=
+Definition valid_components (components : list component) : Prop :=
   (forall c, In c components -> valid_component c) /\
   ForallOrdPairs (fun b c => beside_each_other (edges_of_component b) (edges_of_component c)) components.
 

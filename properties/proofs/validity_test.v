@@ -142,7 +142,7 @@ Proof.
 Qed.
 
 (* Theorem. What the test accepts is valid. *)
-Theorem is_valid_sound (components : list component) : is_valid components = true -> valid_region components.
+Theorem is_valid_sound (components : list component) : is_valid components = true -> valid_components components.
 Proof.
   unfold is_valid. rewrite andb_true_iff, forallb_forall. intros [each beside]. split.
   - intros c I. specialize (each c I). unfold is_valid_component in each.

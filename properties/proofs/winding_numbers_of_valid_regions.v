@@ -158,7 +158,7 @@ Qed.
 
 (* Theorem. Off its boundary, the winding numbers of a valid region are 0 and 1. *)
 Theorem winding_numbers_of_valid_regions (components : list component) (x : vector) :
-  valid_region components -> off x (edges_of_region components) ->
+  valid_components components -> off x (edges_of_region components) ->
   winding_number x (edges_of_region components) = 0%Z \/ winding_number x (edges_of_region components) = 1%Z.
 Proof.
   intros [each beside] x_off.
@@ -171,7 +171,7 @@ Proof.
 Qed.
 
 (* The same of the region as a list of chains, whose edges are those of all chains together. *)
-Lemma edges_of_region_are_its_chains' (components : list component) :
+Lemma edges_of_region_are_its_chains (components : list component) :
   edges_of_region components = flat_map edges (region_of components).
 Proof.
   unfold edges_of_region, region_of, edges_of_component.
@@ -179,9 +179,9 @@ Proof.
 Qed.
 
 Corollary valid_regions_are_nowhere_negative (components : list component) (x : vector) :
-  valid_region components -> off x (flat_map edges (region_of components)) ->
+  valid_components components -> off x (flat_map edges (region_of components)) ->
   (0 <= winding_number x (flat_map edges (region_of components)) <= 1)%Z.
 Proof.
-  rewrite <- edges_of_region_are_its_chains'. intros valid x_off.
+  rewrite <- edges_of_region_are_its_chains. intros valid x_off.
   destruct (winding_numbers_of_valid_regions components x valid x_off) as [-> | ->]; lia.
 Qed.
