@@ -1,9 +1,9 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Two edges of a valid region have no point in common but vertices of it, whether they are of one chain, of two, or
-   of two components. Valid regions are in validity.v. *)
+   of two components. Valid regions are in valid_components.v. *)
 From Coq Require Import QArith Lqa Lia Bool List.
 From Oplus Require Import direction sweep winding_number convolution_size fiber_grid states in_out_degree
-  simple_chain simple_chains_turn_once validity winding_numbers_of_valid_regions.
+  simple_chain simple_chains_turn_once valid_components winding_numbers_of_valid_regions.
 Import ListNotations.
 
 Open Scope nat_scope.

@@ -1,10 +1,10 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* The size of the convolution of two valid regions, by numbers of vertices, reflex vertices, components and
    holes. All their chains are simple, so Lemma 4.1.8 (lemma_4_1_8.v) and Corollary 4.1.9 (corollary_4_1_9.v) hold
-   for any two of them; valid regions are in validity.v. *)
+   for any two of them; valid regions are in valid_components.v. *)
 From Coq Require Import ZArith Lia Bool List.
 From Oplus Require Import direction turning_number in_out_degree region_size simple_chain
-  simple_chains_turn_once size_of_simple_regions validity.
+  simple_chains_turn_once size_of_simple_regions valid_components.
 Import ListNotations.
 
 Open Scope Z_scope.

@@ -4,7 +4,7 @@
 From Coq Require Import QArith ZArith Bool List.
 From Oplus Require Import direction winding_number turning_number convolution_size in_out_degree
   region_size small_polygons simple_chain simple_chains_turn_once size_of_simple_regions simple_polygons
-  validity validity_test.
+  valid_components validity_test.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -1,10 +1,10 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* A test by signs and winding numbers that accepts valid regions whose chains do not touch, and no region that is
-   not valid (validity.v). Of a chain that does not meet other segments it looks at one vertex only: around
+   not valid (valid_components.v). Of a chain that does not meet other segments it looks at one vertex only: around
    all its points they go as often. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
 From Oplus Require Import direction sweep winding_number convolution_size fiber_grid secants segments_apart simple_chain
-  simple_chains_turn_once validity winding_numbers_of_valid_regions.
+  simple_chains_turn_once valid_components winding_numbers_of_valid_regions.
 Import ListNotations.
 
 Open Scope nat_scope.

@@ -2,10 +2,10 @@
 (* The winding numbers of a valid region are 0 and 1: 1 inside, 0 outside and in holes. Were a point inside two
    parts that are beside each other, the first edge that a ray from it meets would be inside the other part.
    Winding numbers of single chains are in winding_numbers_of_simple_chains.v, first edges in
-   first_edge_of_a_ray.v, valid regions in validity.v. *)
+   first_edge_of_a_ray.v, valid regions in valid_components.v. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
 From Oplus Require Import direction sweep winding_number signed_crossings crossing_of_a_step
-  simple_chain simple_chains_turn_once first_edge_of_a_ray winding_numbers_of_simple_chains validity.
+  simple_chain simple_chains_turn_once first_edge_of_a_ray winding_numbers_of_simple_chains valid_components.
 Import ListNotations.
 
 Open Scope Q_scope.
