@@ -31,8 +31,8 @@ Definition turns_past (d : direction) (chain : list vector) : Z :=
   sum (map (fun c => sweep d (incoming c) (outgoing c)) (corners chain)).
 
 (* The turning number: how often the tangent passes the direction of the positive x-axis. It is 1 for
-   simple polygons that are counterclockwise, -1 for their holes, which are clockwise; that is not
-   proved here. *)
+   simple polygons that are counterclockwise, -1 for their holes, which are clockwise; that is proved
+   in simple_chains_turn_once.v. *)
 Definition turning_number (chain : list vector) : Z := turns_past (Direction right OfQ) chain.
 
 Definition count {A} (f : A -> bool) (l : list A) : nat := length (filter f l).

@@ -279,23 +279,17 @@ Proof.
   intros [xu yu] [xv yv]. unfold turns, nonzero, cross, dot. now rewrite xu, yu, xv, yv.
 Qed.
 
-(* Theorem. A chain from v over a, more vertices, and z back to v, all but v on one side of a line through
-   v, nowhere turning back and without crossings, turns once: to the left if it does so at v. *)
-Theorem turns_once_at_an_extreme_vertex (d : vector) (s : summand) (v a z : vector) (middle : list vector) :
-  nonzero d ->
-  turns_everywhere (v :: a :: middle ++ [z]) ->
+(* What a chain from v over a, more vertices, and z back to v passes: what its secants from v pass and those to
+   v, and twice what is passed at v. *)
+Theorem chain_turns_as_the_secants_of_a_vertex (d : vector) (s : summand) (v a z : vector)
+    (middle : list vector) :
+  nonzero d -> turns (minus v z) (minus a v) ->
   without_crossings (v :: a :: middle ++ [z]) -> without_crossings (a :: middle ++ [z; v]) ->
-  (forall b, In b (a :: middle ++ [z]) -> in_half_turn s d (minus b v)) ->
-  turning_number (v :: a :: middle ++ [z]) =
-  if is_reflex (Corner (minus v z) (minus a v)) then (-1)%Z else 1%Z.
+  turns_past (Direction d s) (v :: a :: middle ++ [z]) =
+  (seen_along d s v (a :: middle ++ [z]) + seen_towards d s v (a :: middle ++ [z]) +
+   sweep (Direction d s) (minus v z) (minus a v) + sweep (Direction d s) (minus z v) (minus v a))%Z.
 Proof.
-  intros nd everywhere first_free last_free extreme.
-  assert (at_v : turns (minus v z) (minus a v)).
-  { apply (everywhere (Corner (minus v z) (minus a v))).
-    unfold corners. rewrite steps_of_edges, <- app_comm_cons, <- app_assoc. cbn [app].
-    change (v :: a :: middle ++ [z; v]) with ((v :: a :: middle) ++ [z; v]). rewrite steps_more.
-    unfold from_the_last. rewrite rev_unit. left. reflexivity. }
-  rewrite <- (turns_past_every_direction _ (Direction d s) everywhere nd).
+  intros nd at_v first_free last_free.
   change (v :: a :: middle ++ [z]) with (v :: (a :: middle) ++ [z]) at 1. rewrite turns_past_is_along.
   set (turn u w := sweep (Direction d s) u w).
   destruct (middle ++ [z]) as [| b rest] eqn:e; [destruct middle; discriminate e |].
@@ -310,26 +304,17 @@ Proof.
   pose proof (path_turns_as_its_secants d s v (middle ++ [z]) nd a) as secants.
   rewrite <- closing in secants. specialize (secants last_free). rewrite secants. clear secants.
   rewrite seen_along_more.
-  rewrite nothing_seen_towards_it; [| exact nd | unfold beyond; rewrite e; exact extreme].
-  cbn [without_crossings] in first_free. destruct first_free as (at_a & far & _). rewrite <- e in far.
+  cbn [without_crossings] in first_free. destruct first_free as (at_a & far & _). rewrite <- e in far |- *.
   pose proof (strip d s v a z middle nd far) as cells. cbv zeta in cells. rewrite second in cells.
-  assert (legs : seen_along d s v (a :: middle ++ [z]) = 0%Z)
-    by (apply nothing_seen_from_it; [exact nd | unfold beyond; rewrite e; exact extreme]).
-  rewrite e in legs. change (turn (minus a v) (minus b v) + seen_along d s v (b :: rest) = 0)%Z in legs.
-  rewrite <- e in legs.
+  assert (first_leg : seen_along d s v (a :: middle ++ [z]) =
+    (turn (minus a v) (minus b v) + seen_along d s v (middle ++ [z]))%Z) by (rewrite e; reflexivity).
+  rewrite first_leg.
   pose proof (by_way_of_the_sum d (minus a v) (minus b a) (minus b v) s nd at_a) as corner_a.
   pose proof (by_way_of_the_sum d (minus z v) (minus v a) (minus z a) s nd) as corner_v.
   assert (back : turns (minus z v) (minus v a)).
   { apply (turns_of_equal (opposite (minus v z)) (opposite (minus a v))); [apply reversed .. |].
     now apply turns_opposite. }
   specialize (corner_v back).
-  destruct (there_and_back s d (minus v z) (minus a v) nd at_v) as [_ once].
-  { apply (half_turn_of_equal s d (minus z v)); [symmetry; apply reversed |]. apply extreme.
-    right. rewrite <- e. apply in_app_iff. right. now left. }
-  { apply extreme. now left. }
-  rewrite (sweep_of_equal _ (opposite (minus v z)) (opposite (minus a v)) (minus z v) (minus v a)) in once
-    by apply reversed.
-  unfold is_reflex. cbn [incoming outgoing]. rewrite <- once.
   assert (sum_a : vx (minus b v) == vx (minus a v) + vx (minus b a) /\
                   vy (minus b v) == vy (minus a v) + vy (minus b a))
     by (unfold minus; cbn [vx vy]; split; ring).
@@ -338,4 +323,36 @@ Proof.
     by (unfold minus; cbn [vx vy]; split; ring).
   destruct sum_a as [xa ya], sum_v as [xv yv].
   specialize (corner_a xa ya). specialize (corner_v xv yv). unfold turn in *. lia.
+Qed.
+
+Lemma first_corner (v a z : vector) (middle : list vector) :
+  In (Corner (minus v z) (minus a v)) (corners (v :: a :: middle ++ [z])).
+Proof.
+  unfold corners. rewrite steps_of_edges, <- app_comm_cons, <- app_assoc. cbn [app].
+  change (v :: a :: middle ++ [z; v]) with ((v :: a :: middle) ++ [z; v]). rewrite steps_more.
+  unfold from_the_last. rewrite rev_unit. left. reflexivity.
+Qed.
+
+(* Theorem. A chain from v over a, more vertices, and z back to v, all but v on one side of a line through
+   v, nowhere turning back and without crossings, turns once: to the left if it does so at v. *)
+Theorem turns_once_at_an_extreme_vertex (d : vector) (s : summand) (v a z : vector) (middle : list vector) :
+  nonzero d ->
+  turns_everywhere (v :: a :: middle ++ [z]) ->
+  without_crossings (v :: a :: middle ++ [z]) -> without_crossings (a :: middle ++ [z; v]) ->
+  (forall b, In b (a :: middle ++ [z]) -> in_half_turn s d (minus b v)) ->
+  turning_number (v :: a :: middle ++ [z]) =
+  if is_reflex (Corner (minus v z) (minus a v)) then (-1)%Z else 1%Z.
+Proof.
+  intros nd everywhere first_free last_free extreme.
+  pose proof (everywhere _ (first_corner v a z middle)) as at_v. cbn [incoming outgoing] in at_v.
+  rewrite <- (turns_past_every_direction _ (Direction d s) everywhere nd).
+  rewrite chain_turns_as_the_secants_of_a_vertex by assumption.
+  rewrite (nothing_seen_from_it d s v nd _ extreme), (nothing_seen_towards_it d s v nd _ extreme).
+  destruct (there_and_back s d (minus v z) (minus a v) nd at_v) as [_ once].
+  { apply (half_turn_of_equal s d (minus z v)); [symmetry; apply reversed |]. apply extreme.
+    right. apply in_app_iff. right. now left. }
+  { apply extreme. now left. }
+  rewrite (sweep_of_equal _ (opposite (minus v z)) (opposite (minus a v)) (minus z v) (minus v a)) in once
+    by apply reversed.
+  unfold is_reflex. cbn [incoming outgoing]. rewrite <- once. lia.
 Qed.
