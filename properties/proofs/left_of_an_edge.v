@@ -74,13 +74,17 @@ Proof.
   apply equal_comparison in on. destruct s. exact on.
 Qed.
 
-(* Theorem. Where an edge meets no other, at a point that is no vertex, what is close to its left is inside. *)
-Theorem left_of_an_edge_is_inside (r : region) (s : segment) (w n : vector) :
-  nowhere_negative r -> edges_meet_in_vertices r ->
+(* Where an edge meets no other, at a point that is no vertex, the winding number close to its left is one more than
+   close to its right. *)
+Lemma left_of_an_edge_is_one_more (r : region) (s : segment) (w n : vector) :
+  edges_meet_in_vertices r ->
   In s (region_edges r) -> lies_on w s -> ~ is_vertex w r -> 0 < cross (along s) n ->
-  eventually (fun e => inside (moved_along w n e) r).
+  eventually (fun e =>
+    off (moved_along w n (- e)) (region_edges r) /\ off (moved_along w n e) (region_edges r) /\
+    winding_number (moved_along w n e) (region_edges r) =
+    (winding_number (moved_along w n (- e)) (region_edges r) + 1)%Z).
 Proof.
-  intros valid meet I on no_vertex left_.
+  intros meet I on no_vertex left_.
   destruct (in_split _ _ I) as (earlier & later & edges_are).
   assert (free : off w (earlier ++ later)).
   { intros t J on_t. apply no_vertex. exact (meet earlier s later t w edges_are J on on_t). }
@@ -126,7 +130,18 @@ Proof.
       with (signed_crossing_of_step from to s + sum (map (signed_crossing_of_step from to) later))%Z.
     rewrite once, (others earlier), (others later); [reflexivity | |];
       intros t J; apply in_app_iff; tauto. }
-  split; [exact off_to |]. pose proof (valid from off_from). lia.
+  split; [exact off_from |]. split; [exact off_to |]. lia.
+Qed.
+
+(* Theorem. Where an edge meets no other, at a point that is no vertex, what is close to its left is inside. *)
+Theorem left_of_an_edge_is_inside (r : region) (s : segment) (w n : vector) :
+  nowhere_negative r -> edges_meet_in_vertices r ->
+  In s (region_edges r) -> lies_on w s -> ~ is_vertex w r -> 0 < cross (along s) n ->
+  eventually (fun e => inside (moved_along w n e) r).
+Proof.
+  intros valid meet I on no_vertex left_.
+  refine (eventually_implied _ _ _ (left_of_an_edge_is_one_more r s w n meet I on no_vertex left_)).
+  intros e (off_right & off_left & more). split; [exact off_left |]. pose proof (valid _ off_right). lia.
 Qed.
 
 (* Of the points close to w in a direction, at most one is a given point. *)
