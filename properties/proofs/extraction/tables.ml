@@ -150,6 +150,22 @@ let collisions_of_orbits file pairs xs =
       let placed = Array.map (reflected_at x) all in
       each chosen (fun (a, b) -> write_bit (collide fixed.(a) placed.(b))))
 
+(* The segments of the convolution of each two regions of a file, a line each pair, as coordinates. *)
+let convolutions_of_regions file =
+  let all = List.map region (regions file) in
+  let write_coordinate q =
+    match q with
+    | { qnum; qden = XH } -> write_number qnum
+    | _ -> failwith "a coordinate that is no integer"
+  in
+  let rec write_segments = function
+    | Nil -> print_char '\n'
+    | Cons ({ source; target }, rest) ->
+        each [ source.vx; source.vy; target.vx; target.vy ] write_coordinate;
+        write_segments rest
+  in
+  each all (fun p -> each all (fun q -> write_segments (convolution_segments p q)))
+
 (* Winding numbers of the convolution, and tangents that are counted in some directions. *)
 let convolution_windings ps qs xs =
   let of_p = List.map region (regions ps) and of_q = List.map region (regions qs) in
@@ -249,11 +265,13 @@ let () =
   | [ "locations"; side; file ] -> locations (int_of_string side) file
   | "collisions" :: ps :: qs :: xs -> collisions ps qs (halves xs)
   | "collisions-of-orbits" :: file :: pairs :: xs -> collisions_of_orbits file pairs (halves xs)
+  | [ "convolutions-of-regions"; file ] -> convolutions_of_regions file
   | "convolution-windings" :: ps :: qs :: xs -> convolution_windings ps qs (halves xs)
   | "tangent-counts" :: ps :: qs :: xs -> tangent_counts ps qs (halves xs)
   | _ ->
       prerr_endline "usage: (orders | betweens | reflex | tangents | crossings | steps) RADIUS, \
-                     (windings | shots) RADIUS FILE, (turnings | convolutions | cycles) FILE, \
+                     (windings | shots) RADIUS FILE, \
+                     (turnings | convolutions | cycles | convolutions-of-regions) FILE, \
                      (paths | locations) SIDE FILE, collisions-of-orbits FILE PAIRS HALVES..., or \
                      (collisions | convolution-windings | tangent-counts) FILE-OF-P FILE-OF-Q HALVES...";
       exit 2

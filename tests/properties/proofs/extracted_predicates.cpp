@@ -300,6 +300,56 @@ void convolutions(const std::vector<GridPolygon>& polygons, Convolved convolved,
   }
 }
 
+/// Chain of P, chain of Q, along whose edge, vertex of P, vertex of Q.
+using NamedByChains = std::tuple<std::size_t, std::size_t, Summand, std::size_t, std::size_t>;
+
+NamedByChains named_by_chains(const Origin& origin) {
+  const VertexIndex& of_p = origin.edge_of == Summand::P ? origin.edge : origin.vertex;
+  const VertexIndex& of_q = origin.edge_of == Summand::P ? origin.vertex : origin.edge;
+  return {of_p.chain, of_q.chain, origin.edge_of, of_p.vertex, of_q.vertex};
+}
+
+using NamedSegments = std::multimap<NamedByChains, Segment>;
+
+NamedSegments segments_of_the_definition(const Region& p, const Region& q) {
+  NamedSegments all;
+  for (const ConvolutionSegment& s : convolution(p, q))
+    all.insert({named_by_chains(s.origin), s.segment});
+  return all;
+}
+
+NamedSegments traced_segments(const Region& p, const Region& q) {
+  const std::vector<Chain> of_p = chains(p), of_q = chains(q);
+  NamedSegments all;
+  for (const TracedOrigin& s : traced_origins(p, q)) {
+    const NamedByChains name = named_by_chains(s.origin);
+    const auto& [a, b, along, i, j] = name;
+    const Chain &chain_p = of_p[a], &chain_q = of_q[b];
+    const Point from = chain_p[i] + chain_q[j];
+    const Point to = along == Summand::P ? chain_p[next(i, chain_p.size())] + chain_q[j]
+                                         : chain_p[i] + chain_q[next(j, chain_q.size())];
+    all.insert({name, {from, to}});
+  }
+  return all;
+}
+
+/// The segments of each pair of regions, a line each pair, as coordinates.
+template <typename Named>
+void convolutions_of_regions(const std::vector<Region>& regions, Named segments_of,
+                             Comparison& table) {
+  const auto coordinate = [](const Rational& value) {
+    return number(static_cast<int>(value.get_d()));
+  };
+  for (const Region& p : regions)
+    for (const Region& q : regions) {
+      const auto where = [&] { return "P " + words(p) + ", Q " + words(q); };
+      for (const auto& [name, s] : segments_of(p, q))
+        for (const Rational* value : {&s.source.x, &s.source.y, &s.target.x, &s.target.y})
+          table.entry(coordinate(*value), where);
+      table.entry('\n', where);
+    }
+}
+
 /// The cycles of each pair as text, line by line.
 void cycles(const std::vector<GridPolygon>& polygons, Comparison& table) {
   std::vector<std::array<TracedChain, 2>> traced;
@@ -609,6 +659,14 @@ std::vector<Predicate> predicates_of_regions(const Subjects& of) {
        }},
       {"interiors_meet, of regions", with({"collisions", regions, regions}, all),
        [&, all](Comparison& table) { collisions(of.regions, of.regions, all, table); }},
+      {"convolution, of regions",
+       {"convolutions-of-regions", regions},
+       [&](Comparison& table) {
+         convolutions_of_regions(of.regions, segments_of_the_definition, table);
+       }},
+      {"traced_origins, of regions",
+       {"convolutions-of-regions", regions},
+       [&](Comparison& table) { convolutions_of_regions(of.regions, traced_segments, table); }},
       {"winding_number, of the convolution of polygons",
        with({"convolution-windings", polygons, polygons}, two),
        [&, two](Comparison& table) {
@@ -689,7 +747,7 @@ const std::vector<std::pair<std::string, std::vector<std::string>>>& faults() {
        {"signed_crossing", "signed_crossings, of polygons", "signed_crossings, of regions"}},
       {"tangent-set-without-ties",
        {"in_tangent_set", "convolution", "winding_number, of the convolution of regions"}},
-      {"tie-rule-depends-on-who-asks", {"convolution"}},
+      {"tie-rule-depends-on-who-asks", {"convolution", "convolution, of regions"}},
       {"ties-go-the-other-way",
        {"compare, of directions", "counterclockwise_between", "in_tangent_set", "convolution"}},
   };
