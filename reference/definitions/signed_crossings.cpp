@@ -9,8 +9,9 @@ namespace {
 
 /// The sign of [v, (ε, ε²)] for an infinitesimal ε > 0. Requires: v is not zero.
 int turn_to_shift(const Vector& v) {
-  if (OPLUS_MUTANT("steps-are-not-shifted",
-                   "a step through a vertex or along a segment counts points on a line as to its left"))
+  if (OPLUS_MUTANT(
+          "steps-are-not-shifted",
+          "a step through a vertex or along a segment counts points on a line as to its left"))
     return 1;
   return sign(v.y) != 0 ? -sign(v.y) : sign(v.x);
 }
