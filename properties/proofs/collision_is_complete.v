@@ -203,13 +203,13 @@ Section FirstHit.
   Proof.
     intros (_ & _ & meet) simple [_ positive_] part G on no_vertex left_.
     destruct hit_is_ahead as [_ ahead].
-    destruct (left_of_an_edge_is_one_more r g w (Vector 1 0) meet G on no_vertex left_) as (limit & L & near).
+    destruct (left_is_one_more r g w (Vector 1 0) meet G on no_vertex left_) as (limit & L & near).
     set (e := (1 # 2) * Qmin limit (vx w - vx z)).
     assert (0 < Qmin limit (vx w - vx z)) by (apply Q.min_glb_lt; lra).
     pose proof (Q.le_min_l limit (vx w - vx z)). pose proof (Q.le_min_r limit (vx w - vx z)).
     assert (E : 0 < e) by (unfold e; lra). assert (E_limit : e < limit) by (unfold e; lra).
     assert (E_ahead : e < vx w - vx z) by (unfold e; lra). clearbody e.
-    destruct (near e E E_limit) as (_ & off_ & more). pose proof (simple _ off_) as at_most_one.
+    destruct (near e E E_limit) as (off_ & _ & more). pose proof (simple _ off_) as at_most_one.
     rewrite (same_before_the_hit r (moved_along w (Vector 1 0) (- e)) part) in more; [lia | |].
     - assert (quotient : e / (vx w - vx z) * (vx w - vx z) == e) by (field; lra).
       set (k := e / (vx w - vx z)) in *. clearbody k. exists (1 - k). cbn [source target].

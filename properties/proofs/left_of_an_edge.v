@@ -74,15 +74,14 @@ Proof.
   apply equal_comparison in on. destruct s. exact on.
 Qed.
 
-(* Where an edge meets no other, at a point that is no vertex, the winding number close to its left is one more than
-   close to its right. *)
-Lemma left_of_an_edge_is_one_more (r : region) (s : segment) (w n : vector) :
-  edges_meet_in_vertices r ->
-  In s (region_edges r) -> lies_on w s -> ~ is_vertex w r -> 0 < cross (along s) n ->
+(* Theorem. Where an edge meets no other, at a point that is no vertex, the winding number to its left is one more than
+   to its right. *)
+Theorem left_is_one_more (r : region) (s : segment) (w n : vector) :
+  edges_meet_in_vertices r -> In s (region_edges r) -> lies_on w s -> ~ is_vertex w r -> 0 < cross (along s) n ->
   eventually (fun e =>
-    off (moved_along w n (- e)) (region_edges r) /\ off (moved_along w n e) (region_edges r) /\
+    off (moved_along w n e) (region_edges r) /\ off (moved_along w n (- e)) (region_edges r) /\
     winding_number (moved_along w n e) (region_edges r) =
-    (winding_number (moved_along w n (- e)) (region_edges r) + 1)%Z).
+      (winding_number (moved_along w n (- e)) (region_edges r) + 1)%Z).
 Proof.
   intros meet I on no_vertex left_.
   destruct (in_split _ _ I) as (earlier & later & edges_are).
@@ -130,35 +129,40 @@ Proof.
       with (signed_crossing_of_step from to s + sum (map (signed_crossing_of_step from to) later))%Z.
     rewrite once, (others earlier), (others later); [reflexivity | |];
       intros t J; apply in_app_iff; tauto. }
-  split; [exact off_from |]. split; [exact off_to |]. lia.
+  split; [exact off_to |]. split; [exact off_from |]. lia.
 Qed.
 
-(* Theorem. Where an edge meets no other, at a point that is no vertex, what is close to its left is inside. *)
+(* Theorem. So what is close to its left is inside, if no winding number is negative. *)
 Theorem left_of_an_edge_is_inside (r : region) (s : segment) (w n : vector) :
   nowhere_negative r -> edges_meet_in_vertices r ->
   In s (region_edges r) -> lies_on w s -> ~ is_vertex w r -> 0 < cross (along s) n ->
   eventually (fun e => inside (moved_along w n e) r).
 Proof.
   intros valid meet I on no_vertex left_.
-  refine (eventually_implied _ _ _ (left_of_an_edge_is_one_more r s w n meet I on no_vertex left_)).
-  intros e (off_right & off_left & more). split; [exact off_left |]. pose proof (valid _ off_right). lia.
+  refine (eventually_implied _ _ _ (left_is_one_more r s w n meet I on no_vertex left_)).
+  intros e (off_to & off_from & more). split; [exact off_to |].
+  pose proof (valid _ off_from). lia.
+Qed.
+
+(* Adding small multiples of a number, one leaves every number. *)
+Lemma leaves_a_number (a b c : Q) : ~ b == 0 -> eventually (fun e => ~ a + e * b == c).
+Proof.
+  intros some. destruct (Qlt_le_dec 0 ((c - a) / b)) as [ahead | behind].
+  - exists ((c - a) / b). split; [exact ahead |]. intros e _ below equal.
+    assert (e == (c - a) / b); [| lra]. rewrite <- equal. field. exact some.
+  - exists 1. split; [lra |]. intros e positive_ _ equal.
+    assert (e == (c - a) / b); [| lra]. rewrite <- equal. field. exact some.
 Qed.
 
 (* Of the points close to w in a direction, at most one is a given point. *)
 Lemma leaves_a_point (w u v : vector) : nonzero u -> eventually (fun e => ~ equal_vectors (moved_along w u e) v).
 Proof.
   intros moves.
-  assert (one : forall a b c : Q, ~ b == 0 -> eventually (fun e => ~ a + e * b == c)).
-  { intros a b c some. destruct (Qlt_le_dec 0 ((c - a) / b)) as [ahead | behind].
-    - exists ((c - a) / b). split; [exact ahead |]. intros e _ below equal.
-      assert (e == (c - a) / b); [| lra]. rewrite <- equal. field. exact some.
-    - exists 1. split; [lra |]. intros e positive_ _ equal.
-      assert (e == (c - a) / b); [| lra]. rewrite <- equal. field. exact some. }
   destruct (Qeq_dec (vx u) 0) as [no_x | some_x].
   - destruct (Qeq_dec (vy u) 0) as [no_y | some_y]; [exfalso; now apply moves |].
-    refine (eventually_implied _ _ _ (one (vy w) (vy u) (vy v) some_y)).
+    refine (eventually_implied _ _ _ (leaves_a_number (vy w) (vy u) (vy v) some_y)).
     intros e differ [_ equal]. exact (differ equal).
-  - refine (eventually_implied _ _ _ (one (vx w) (vx u) (vx v) some_x)).
+  - refine (eventually_implied _ _ _ (leaves_a_number (vx w) (vx u) (vx v) some_x)).
     intros e differ [equal _]. exact (differ equal).
 Qed.
 
