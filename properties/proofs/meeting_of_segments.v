@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* A step with a signed crossing (docs: Definition 4.2.3 and Observation 4.2.5 of the thesis) meets the
+(* A step with a signed crossing (thesis, Definition 4.2.3 and Observation 4.2.5) meets the
    segment that it crosses, so that the winding number is constant along a step that meets no segment.
    Signed crossings of steps and that they add up are in signed_crossings.v. *)
 From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.

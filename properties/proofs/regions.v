@@ -82,3 +82,27 @@ Proof.
   - apply in_flat_map. now exists chain.
   - exists 0%Q. repeat split; try (intro; discriminate); cbn; ring.
 Qed.
+
+(* A vertex's two edges. *)
+Lemma edges_of_vertex (v : vector) (c : corner) (r : region) :
+  In (v, c) (region_vertices r) ->
+  (exists s, In s (region_edges r) /\ target s = v /\ along s = incoming c) /\
+  (exists s, In s (region_edges r) /\ source s = v /\ along s = outgoing c).
+Proof.
+  intros I. apply in_flat_map in I. destruct I as (chain & J & I).
+  apply (In_nth _ _ (nowhere, Corner nowhere nowhere)) in I. destruct I as (i & below & at_i).
+  rewrite combine_length, corners_length in below. assert (range : (i < length chain)%nat) by lia.
+  rewrite combine_nth in at_i by (symmetry; apply corners_length).
+  injection at_i as v_is c_is. change (corner_of_chain chain i = c) in c_is. rewrite corner_is in c_is by exact range.
+  subst c. cbn [incoming outgoing].
+  pose proof (previous_below _ _ range) as range'.
+  assert (there : forall k, (k < length chain)%nat -> In (nth k (edges chain) no_segment) (region_edges r)).
+  { intros k K. apply in_flat_map. exists chain. split; [exact J |]. apply nth_In. now rewrite edges_are_as_many. }
+  split.
+  - exists (nth (previous (length chain) i) (edges chain) no_segment). split; [now apply there |].
+    rewrite direction_by_index by exact range'. split; [| reflexivity].
+    rewrite edge_by_index by exact range'. cbn [target]. now rewrite next_previous.
+  - exists (nth i (edges chain) no_segment). split; [now apply there |].
+    rewrite direction_by_index by exact range. split; [| reflexivity].
+    rewrite edge_by_index by exact range. exact v_is.
+Qed.

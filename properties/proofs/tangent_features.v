@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Theorem 4.2.14 and Section 4.2.4, as far as the count by directions goes: the winding number of the convolution,
+(* What Theorem 4.2.14 and Section 4.2.4 count, by directions: the winding number of the convolution,
    less the reflex vertices of one summand inside the other, is a signed number of points at which a direction is
    tangent to the intersection, the same number for every direction. From the identity of tangent_count.v: a
    tangent set is what a vertex passes, plus everything if it is reflex (turning_number.v). *)

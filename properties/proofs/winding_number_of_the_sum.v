@@ -1,7 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Theorem 4.2.1, one direction, and that winding numbers of the convolution are nowhere negative: from the
-   identity of tangent_count.v, of which no term is negative. The other direction is in first_hit.v and the files
-   after it. *)
+   identity of tangent_count.v, of which no term is negative. The other direction is in interiors_meet.v. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
 From Oplus Require Import direction tangent_set sweep winding_number turning_number convolution_size states
   in_out_degree convolution_winding sums weight regions parallelogram tangent_count beside_every_point.
@@ -122,7 +121,8 @@ Proof.
   intros p_edges q_edges p_valid q_valid positive.
   assert (proper_d : nonzero (Vector 1 0)) by (unfold nonzero; cbn; lra).
   destruct (a_term_is_positive p q (Vector 1 0) x p_edges q_edges p_valid q_valid proper_d positive)
-    as [([v c] & I & _ & inside) | [([v c] & I & _ & inside) | (e & f & in_p & in_q & _ & _ & a & b & on_e & on_f & is_sum)]].
+    as [([v c] & I & _ & inside) | [([v c] & I & _ & inside) |
+      (e & f & in_p & in_q & _ & _ & a & b & on_e & on_f & is_sum)]].
   - exists v, (minus x v). split; [| split].
     + right. now apply vertex_is_on_the_boundary with c.
     + left. exact inside.
