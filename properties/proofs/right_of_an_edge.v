@@ -351,14 +351,16 @@ Proof.
   - lra.
 Qed.
 
-(* Theorem. If winding numbers to the right of the middles of edges are not negative, none is. *)
-Theorem nowhere_negative_by_middles (r : region) :
+(* Theorem. Every winding number is zero, or that to the right of the middle of an edge, or one more. *)
+Theorem winding_numbers_by_middles (r : region) :
   no_edges_are_points r -> edges_meet_in_vertices r -> (forall s, In s (region_edges r) -> clear_edge r s) ->
-  (forall s, In s (region_edges r) ->
-     (0 <= winding_number_shifted (right_of_middle s) (region_edges r))%Z) ->
-  nowhere_negative r.
+  forall x, off x (region_edges r) ->
+  winding_number x (region_edges r) = 0%Z \/
+  exists s, In s (region_edges r) /\
+    let right_number := winding_number_shifted (right_of_middle s) (region_edges r) in
+    (winding_number x (region_edges r) = right_number \/ winding_number x (region_edges r) = right_number + 1)%Z.
 Proof.
-  intros not_points meet all_clear middles x free.
+  intros not_points meet all_clear x free.
   destruct (winding_number_near x _ (region_cycles r) free) as (radius & R & near).
   (* at a height at which there is no vertex *)
   assert (heights : eventually (fun e => forall t, In t (region_edges r) -> ~ vy x + e * 1 == vy (source t)))
@@ -377,7 +379,7 @@ Proof.
     assert (zero_ : forall l, incl l (region_edges r) -> winding_number x' l = 0%Z).
     { intros l. unfold winding_number, sum. induction l as [| s l IH]; intros part; [reflexivity |]. cbn [map fold_right].
       rewrite (none s) by (apply part; now left). rewrite IH by (intros t J; apply part; now right). reflexivity. }
-    rewrite (zero_ (region_edges r)) by (intros t J; exact J). lia.
+    left. apply zero_. intros t J. exact J.
   - destruct (first_of segment (fun s => vx (point_at_height s (vy x'))) (a :: rest)) as (s & I & first_);
       [discriminate |].
     rewrite <- hits in I, first_. apply filter_In in I. destruct I as [I met].
@@ -405,7 +407,7 @@ Proof.
     pose proof (right_value_of_the_middle r s meet I long (all_clear s I)) as middle_value.
     assert (number_is : number = winding_number_shifted (right_of_middle s) (region_edges r))
       by (apply (right_value_everywhere r s meet I long (all_clear s I) k (1 # 2)); trivial; lra).
-    pose proof (middles s I) as not_negative. rewrite <- number_is in not_negative. clear middle_value number_is.
+    right. exists s. split; [exact I |]. cbv zeta. rewrite <- number_is. clear middle_value number_is.
     destruct value as (r0 & R0 & value).
     assert (right_number : forall n, 0 < cross (along s) n ->
       eventually (fun e => winding_number (moved_along w n (- e)) (region_edges r) = number)).
@@ -428,7 +430,7 @@ Proof.
         (left_is_one_more r s w n meet I on no_vertex_w left_))) as (len & some & all).
       destruct (all ((1 # 2) * len)) as (same_number & right_ & _ & _ & more); [lra | lra |].
       rewrite <- same_number.
-      rewrite (winding_number_of_equal _ (moved_along w n ((1 # 2) * len))); [lia | |];
+      rewrite (winding_number_of_equal _ (moved_along w n ((1 # 2) * len))); [right; lia | |];
         unfold moved_along, n, w, point_at_height; cbn [vx vy]; ring.
     + (* x is to the right of it *)
       set (n := Vector 1 0).
@@ -436,6 +438,18 @@ Proof.
       destruct (eventually_and _ _ before_hit (right_number n left_)) as (len & some & all).
       destruct (all ((1 # 2) * len)) as (same_number & right_); [lra | lra |].
       rewrite <- same_number.
-      rewrite (winding_number_of_equal _ (moved_along w n (- ((1 # 2) * len)))); [lia | |];
+      rewrite (winding_number_of_equal _ (moved_along w n (- ((1 # 2) * len)))); [left; lia | |];
         unfold moved_along, n, w, point_at_height; cbn [vx vy]; ring.
+Qed.
+
+(* Theorem. If winding numbers to the right of the middles of edges are not negative, none is. *)
+Theorem nowhere_negative_by_middles (r : region) :
+  no_edges_are_points r -> edges_meet_in_vertices r -> (forall s, In s (region_edges r) -> clear_edge r s) ->
+  (forall s, In s (region_edges r) ->
+     (0 <= winding_number_shifted (right_of_middle s) (region_edges r))%Z) ->
+  nowhere_negative r.
+Proof.
+  intros not_points meet all_clear middles x free.
+  destruct (winding_numbers_by_middles r not_points meet all_clear x free) as [-> | (s & I & [-> | ->])]; [lia | |];
+    specialize (middles s I); lia.
 Qed.
