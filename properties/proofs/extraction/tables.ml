@@ -125,6 +125,8 @@ let locations side file =
       let r = region chains in
       each (positions ~over:2 (2 * side)) (fun x -> write_location (locate x r)))
 
+let validities file = each (regions file) (fun r -> write_bit (covers_nothing_twice (region r)))
+
 (* Regions as sets of points up to translation, so that -Q + x is one of them. *)
 let reflected_at x chains = region (List.map (List.map (fun v -> minus x v)) chains)
 
@@ -265,13 +267,14 @@ let () =
   | [ "locations"; side; file ] -> locations (int_of_string side) file
   | "collisions" :: ps :: qs :: xs -> collisions ps qs (halves xs)
   | "collisions-of-orbits" :: file :: pairs :: xs -> collisions_of_orbits file pairs (halves xs)
+  | [ "validities"; file ] -> validities file
   | [ "convolutions-of-regions"; file ] -> convolutions_of_regions file
   | "convolution-windings" :: ps :: qs :: xs -> convolution_windings ps qs (halves xs)
   | "tangent-counts" :: ps :: qs :: xs -> tangent_counts ps qs (halves xs)
   | _ ->
       prerr_endline "usage: (orders | betweens | reflex | tangents | crossings | steps) RADIUS, \
                      (windings | shots) RADIUS FILE, \
-                     (turnings | convolutions | cycles | convolutions-of-regions) FILE, \
+                     (turnings | convolutions | cycles | validities | convolutions-of-regions) FILE, \
                      (paths | locations) SIDE FILE, collisions-of-orbits FILE PAIRS HALVES..., or \
                      (collisions | convolution-windings | tangent-counts) FILE-OF-P FILE-OF-Q HALVES...";
       exit 2

@@ -425,6 +425,13 @@ void locations(const std::vector<Region>& regions, int most, Comparison& table) 
     }
 }
 
+/// Whether what the theorems on regions ask for is there. The proved check asks for more: chains that touch
+/// have vertices there.
+void validities(const std::vector<Region>& regions, Comparison& table) {
+  for (const Region& region : regions)
+    table.entry(bit(!find_defect(region)), [&] { return "the region " + words(region); });
+}
+
 /// A point as arguments of the extracted program.
 std::vector<std::string> halves(const std::vector<Point>& points) {
   std::vector<std::string> all;
@@ -638,6 +645,12 @@ std::vector<Predicate> predicates_of_regions(const Subjects& of) {
       {"signed_crossings, of regions",
        {"paths", "3", regions},
        [&](Comparison& table) { paths(of.regions, 3, table); }},
+      {"find_defect, of polygons",
+       {"validities", of.file("all_polygons")},
+       [&](Comparison& table) { validities(of.all_polygons, table); }},
+      {"find_defect, of plates with a hole",
+       {"validities", plates},
+       [&](Comparison& table) { validities(of.plates_with_a_hole, table); }},
       {"locate, in polygons",
        {"locations", "2", of.file("all_polygons")},
        [&](Comparison& table) { locations(of.all_polygons, 2, table); }},
