@@ -77,13 +77,15 @@ Proof.
   destruct (Qlt_le_dec (m + step) 0) as [below | above]; [exfalso | split; [exact above |]].
   - assert (quotient : - m / step * step == - m) by (field; lra).
     set (r := - m / step) in *. clearbody r. assert (r_range : 0 <= r <= 1) by (split; nra).
-    destruct (no_end (source t)) as [not_source _]; [| apply not_source; split; reflexivity]. exists r. cbn [source target]. split; [exact r_range |].
+    destruct (no_end (source t)) as [not_source _]; [| apply not_source; split; reflexivity].
+    exists r. cbn [source target]. split; [exact r_range |].
     rewrite x_is, y_is, mx, my.
     assert (m_is : m == - (r * step)) by lra. rewrite m_is. split; ring.
   - destruct (Qlt_le_dec 1 (m + step)) as [beyond | fine]; [exfalso | exact fine].
     assert (quotient : (1 - m) / step * step == 1 - m) by (field; lra).
     set (r := (1 - m) / step) in *. clearbody r. assert (r_range : 0 <= r <= 1) by (split; nra).
-    destruct (no_end (target t)) as [_ not_target]; [| apply not_target; split; reflexivity]. exists r. cbn [source target]. split; [exact r_range |].
+    destruct (no_end (target t)) as [_ not_target]; [| apply not_target; split; reflexivity].
+    exists r. cbn [source target]. split; [exact r_range |].
     rewrite x_is, y_is, mx, my.
     assert (m_is : m == 1 - r * step) by lra. rewrite m_is. split; ring.
 Qed.
@@ -253,7 +255,8 @@ Section FirstHit.
       destruct (locate (middle piece) b);
         [destruct where_ as [off_ _]; exfalso; exact (off_ f F middle_on_f) | |
          destruct where_ as [off_ _]; exfalso; exact (off_ f F middle_on_f)].
-      apply existsb_exists. exists t. split; [exact T |]. apply andb_true_iff. split; [now destruct (is_on_spec (middle piece) t) |].
+      apply existsb_exists. exists t. split; [exact T |]. apply andb_true_iff.
+      split; [now destruct (is_on_spec (middle piece) t) |].
       destruct (nothing_meets_a_piece s' _ piece t w long_s' J in_piece T) as (_ & _ & parallel).
       specialize (parallel (all_on w in_piece)).
       destruct (part_is_long piece s' part long_s') as (_ & k & K & kx & ky).

@@ -34,8 +34,10 @@ Lemma crossing_edges_show (a b : region) (e f : segment) (w : vector) :
 Proof.
   intros a_region b_region E F on_e on_f a_free b_free turn.
   destruct (Q_dec (cross (along e) (along f)) 0) as [[right_ | left_] | none]; [| | contradiction].
-  - apply (left_of_both a b e f w (minus (along e) (along f))); trivial; unfold cross, minus in *; cbn [vx vy] in *; lra.
-  - apply (left_of_both a b e f w (minus (along f) (along e))); trivial; unfold cross, minus in *; cbn [vx vy] in *; lra.
+  - apply (left_of_both a b e f w (minus (along e) (along f))); trivial;
+      unfold cross, minus in *; cbn [vx vy] in *; lra.
+  - apply (left_of_both a b e f w (minus (along f) (along e))); trivial;
+      unfold cross, minus in *; cbn [vx vy] in *; lra.
 Qed.
 
 Lemma cross_of_parts (s t e f : segment) : nonzero (along e) -> nonzero (along f) -> is_part s e -> is_part t f ->
@@ -154,7 +156,8 @@ Proof.
     destruct (cross_of_parts s t e f long_e long_f s_part t_part) as (c & C & cross_is & _).
     assert (parallel_edges : cross (along e) (along f) == 0).
     { destruct (Qmult_integral c (cross (along e) (along f))); [lra | lra | assumption]. }
-    assert (piece_of_e : exists d, 0 < d /\ vx (along piece) == d * vx (along e) /\ vy (along piece) == d * vy (along e)).
+    assert (piece_of_e : exists d, 0 < d /\
+      vx (along piece) == d * vx (along e) /\ vy (along piece) == d * vy (along e)).
     { destruct (part_is_long piece s piece_part long_s) as (_ & c1 & C1 & c1x & c1y).
       destruct (part_is_long s e s_part long_e) as (_ & c2 & C2 & c2x & c2y).
       exists (c1 * c2). split; [now apply Qmult_lt_0_compat |]. rewrite c1x, c1y, c2x, c2y. split; ring. }

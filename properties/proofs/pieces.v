@@ -142,7 +142,8 @@ Proof.
   - now split.
   - repeat split; trivial. intros b [<- | I]; [exact point_before |].
     specialize (first b I). unfold comes_first in *. lra.
-  - split; [| now apply IH]. intros b I. apply inserted in I. destruct I as [-> | I]; [exact point_after | now apply first].
+  - split; [| now apply IH]. intros b I. apply inserted in I.
+    destruct I as [-> | I]; [exact point_after | now apply first].
 Qed.
 
 Lemma sorted_in (q : vector) (l : list vector) : In q (sorted_points l) -> In q l.

@@ -23,8 +23,8 @@ Proof.
   intros proper_d [proper_in proper_out] enters leaves.
   destruct (tie_rule_is_a_rotation [d; enters; leaves]) as (bound & some & rotated).
   { intros u [<- | [<- | [<- | []]]]; assumption. }
-  destruct (eventually_and _ _ (nudged_order d enters proper_d proper_in) (nudged_order leaves leaves proper_out proper_out))
-    as (limit & L & orders).
+  destruct (eventually_and _ _ (nudged_order d enters proper_d proper_in)
+    (nudged_order leaves leaves proper_out proper_out)) as (limit & L & orders).
   exists (Qminmax.Qmin bound limit). split; [now apply Qminmax.Q.min_glb_lt |]. intros epsilon positive_ below.
   pose proof (Qminmax.Q.le_min_l bound limit). pose proof (Qminmax.Q.le_min_r bound limit).
   destruct (orders epsilon positive_) as [(of_d & of_enters & _) (of_leaves & _)]; [lra |].

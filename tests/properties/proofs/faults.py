@@ -76,6 +76,8 @@ FAULTS = [
      " && positive (dot (along f) (along piece))", "", "collision_is_sound.v"),
     ("containment is no collision", "collision_test.v",
      "| Inside => true", "| Inside => false", "collision_is_complete.v"),
+    ("a region may cover something twice", "checked_collision.v",
+     "(region_edges r) <=? 0)%Z", "(region_edges r) <=? 1)%Z", "checked_collision.v"),
 ]
 
 
