@@ -4,7 +4,7 @@
 From Coq Require Import QArith ZArith Lia Bool List.
 From Oplus Require Import direction sweep winding_number shifted_ray in_out_degree convolution_winding regions
   winding_number_of_the_sum interiors_meet left_of_an_edge theorem_4_2_1 right_of_an_edge small_polygons validity
-  location pieces collision_test collision_is_complete placed_collision.
+  location pieces naive_collision collision_is_complete placed_collision.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The naive collision test (collision_test.v) misses nothing: where a point is inside two regions whose winding numbers
+(* The naive collision test (naive_collision.v) misses nothing: where a point is inside two regions whose winding numbers
    are 0 and 1, it returns true. Of all edges that a ray from such a point meets take the first, as in first_hit.v,
    at a height at which no piece ends. Where it is met, it is inside the other region, and so is the middle of its
    piece; or an edge of the other region is met, too, which runs along the whole piece (met_pieces.v), and in the same
@@ -8,7 +8,7 @@
 From Coq Require Import QArith Qminmax Lqa Qfield ZArith Lia Bool List.
 From Oplus Require Import direction angle sweep winding_number shifted_ray signed_crossings tie_rule
   meeting_of_segments in_out_degree weight regions first_hit interiors_meet neighbourhoods left_of_an_edge
-  winding_number_of_the_sum theorem_4_2_1 location pieces collision_test met_pieces collision_is_sound.
+  winding_number_of_the_sum theorem_4_2_1 location pieces naive_collision met_pieces collision_is_sound.
 Import ListNotations.
 
 Open Scope Q_scope.

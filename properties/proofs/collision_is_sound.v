@@ -1,23 +1,23 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* What the naive collision test (collision_test.v) finds is there: where it says that the interiors of two valid
+(* What the naive collision test (naive_collision.v) finds is there: where it says that the interiors of two valid
    regions meet, there is a point inside both. Two pieces that cross do so at no vertex, and to the left of both is
    inside (left_of_an_edge.v); beside a point of one boundary inside the other region is a point inside both; and
    pieces that run along each other in the same direction have the inside on the same side. *)
 From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
 From Oplus Require Import direction angle sweep winding_number shifted_ray tie_rule meeting_of_segments in_out_degree
   weight regions first_hit interiors_meet neighbourhoods left_of_an_edge winding_number_of_the_sum theorem_4_2_1
-  location pieces collision_test met_pieces.
+  location pieces naive_collision met_pieces.
 Import ListNotations.
 
 Open Scope Q_scope.
 
 (* A point inside both. *)
-Definition common_interior (a b : region) : Prop := exists z, inside z a /\ inside z b.
+Definition meet_inside (a b : region) : Prop := exists z, inside z a /\ inside z b.
 
 Lemma left_of_both (a b : region) (e f : segment) (w n : vector) :
   valid_region a -> valid_region b -> In e (region_edges a) -> In f (region_edges b) ->
   lies_on w e -> lies_on w f -> ~ is_vertex w a -> ~ is_vertex w b ->
-  0 < cross (along e) n -> 0 < cross (along f) n -> common_interior a b.
+  0 < cross (along e) n -> 0 < cross (along f) n -> meet_inside a b.
 Proof.
   intros (_ & a_valid & a_meet) (_ & b_valid & b_meet) E F on_e on_f a_free b_free left_of_e left_of_f.
   destruct (eventually_and _ _
@@ -30,7 +30,7 @@ Qed.
 Lemma crossing_edges_show (a b : region) (e f : segment) (w : vector) :
   valid_region a -> valid_region b -> In e (region_edges a) -> In f (region_edges b) ->
   lies_on w e -> lies_on w f -> ~ is_vertex w a -> ~ is_vertex w b ->
-  ~ cross (along e) (along f) == 0 -> common_interior a b.
+  ~ cross (along e) (along f) == 0 -> meet_inside a b.
 Proof.
   intros a_region b_region E F on_e on_f a_free b_free turn.
   destruct (Q_dec (cross (along e) (along f)) 0) as [[right_ | left_] | none]; [| | contradiction].
@@ -128,7 +128,7 @@ Qed.
 
 Lemma piece_shows (a b : region) (s piece : segment) : valid_region a -> valid_region b ->
   In s (boundary_pieces a) -> In piece (cut_where_met s (boundary_pieces b)) ->
-  shows_common_interior piece b (boundary_pieces b) = true -> common_interior a b.
+  shows_common_interior piece b (boundary_pieces b) = true -> meet_inside a b.
 Proof.
   intros a_region b_region I J shows.
   pose proof a_region as (a_edges & a_valid & a_meet). pose proof b_region as (b_edges & b_valid & b_meet).
@@ -178,11 +178,11 @@ Proof.
     exists z. split; [exact in_a |]. destruct (near z close) as [off_b same_number]. split; [exact off_b | lia].
 Qed.
 
-Lemma common_interior_other_way (a b : region) : common_interior a b -> common_interior b a.
+Lemma meet_inside_other_way (a b : region) : meet_inside a b -> meet_inside b a.
 Proof. intros (z & in_a & in_b). now exists z. Qed.
 
 Lemma boundary_shows (a b : region) : valid_region a -> valid_region b ->
-  boundary_enters (boundary_pieces a) b (boundary_pieces b) = true -> common_interior a b.
+  boundary_enters (boundary_pieces a) b (boundary_pieces b) = true -> meet_inside a b.
 Proof.
   intros a_region b_region enters. apply existsb_exists in enters. destruct enters as (s & I & enters).
   apply existsb_exists in enters. destruct enters as (piece & J & shows).
@@ -204,5 +204,5 @@ Proof.
     destruct (a_free w in_s) as [on_e no_vertex_a], (b_free w in_t) as [on_f no_vertex_b].
     apply (crossing_edges_show a b e f w); trivial. intros parallel. apply turn.
     destruct (cross_of_parts s t e f long_e long_f s_part t_part) as (c & _ & -> & _). rewrite parallel. ring.
-  - apply common_interior_other_way. now apply boundary_shows.
+  - apply meet_inside_other_way. now apply boundary_shows.
 Qed.

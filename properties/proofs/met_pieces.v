@@ -4,7 +4,7 @@
    region's boundary are no vertices. *)
 From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
 From Oplus Require Import direction sweep winding_number meeting_of_segments in_out_degree regions first_hit
-  winding_number_of_the_sum left_of_an_edge location pieces collision_test.
+  winding_number_of_the_sum left_of_an_edge location pieces naive_collision.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -6,7 +6,7 @@
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
 From Oplus Require Import direction sweep winding_number signed_crossings turning_number convolution_size states
   in_out_degree convolution_winding weight regions reflected parallelogram crossing_edges winding_number_of_the_sum interiors_meet
-  left_of_an_edge theorem_4_2_1 location pieces collision_test met_pieces collision_is_complete.
+  left_of_an_edge theorem_4_2_1 location pieces naive_collision met_pieces collision_is_complete.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -3,7 +3,7 @@
    numbers are Coq's binary ones, and what runs is what was proved, but for extraction itself. *)
 From Coq Require Extraction.
 From Oplus Require Import direction tangent_set winding_number turning_number convolution_size
-  shifted_ray signed_crossings states tracing convolution_cycles in_out_degree location pieces collision_test
+  shifted_ray signed_crossings states tracing convolution_cycles in_out_degree location pieces naive_collision
   convolution_winding regions counted_tangents
   checked_collision.
 
