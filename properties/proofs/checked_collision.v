@@ -23,7 +23,7 @@ Proof.
   destruct r_region as (not_points & _ & meet).
   unfold is_valid in check. rewrite !andb_true_iff, !forallb_forall in check. destruct check as ((_ & clear_) & _).
   intros x free.
-  destruct (winding_numbers_by_middles r not_points meet) with (x := x)
+  destruct (winding_number_by_middles r x not_points meet)
     as [-> | (s & I & [-> | ->])]; trivial; [| lia | |].
   - intros s I. apply edge_is_clear_is_right; [exact (region_edges_are_directions r not_points s I) | now apply clear_].
   - pose proof (middles s I) as at_most. apply Z.leb_le in at_most. lia.

@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* All along an edge that meets others at its ends only, the winding number close to its right is the same: that right of
-   its middle, as the code counts it on symbolic shifts (shifted_ray.v). And the winding number of every point off the
+(* All along an edge that meets others at its ends only, the winding number close to its right is the same: that
+   right of its middle, as the code counts it on symbolic shifts (shifted_ray.v). And the winding number of every point off the
    chains is that to the right of some edge, one more, or zero: go to the right until the first edge (first_hit.v). So
    winding numbers are nowhere negative if they are not beside the middles of edges. *)
 From Coq Require Import QArith Qabs Qminmax Lqa Qfield ZArith Lia Bool List.
@@ -118,14 +118,16 @@ Proof.
     assert (outside : G + k0 * (H - G) < 0 \/ len < G + k0 * (H - G))
       by (destruct (Qlt_le_dec (G + k0 * (H - G)) 0) as [| not_before]; [now left |];
           destruct (Qlt_le_dec len (G + k0 * (H - G))) as [| not_after]; [now right |]; exfalso;
-          apply (apart_ z); [| exact z_on]; apply on_segment_by_coordinates; [exact some | exact z_line | fold len; rewrite z_ahead; now split]);
+          apply (apart_ z); [| exact z_on]; apply on_segment_by_coordinates;
+            [exact some | exact z_line | fold len; rewrite z_ahead; now split]);
     set (rate := len / (A - B) * (H - G));
     assert (where_ : forall e k, (1 - k) * A + k * B == - (e * len) ->
               (1 - k) * G + k * H == G + k0 * (H - G) + e * rate)
       by (intros e k side_; unfold rate, k0;
           assert (k_is : k == (A + e * len) / (A - B))
             by (apply (Qmult_inj_r _ _ (A - B) apart_ends);
-                setoid_replace ((A + e * len) / (A - B) * (A - B)) with (A + e * len) by (field; exact apart_ends); lra);
+                setoid_replace ((A + e * len) / (A - B) * (A - B)) with (A + e * len)
+                  by (field; exact apart_ends); lra);
           rewrite k_is; field; exact apart_ends);
     clearbody rate.
   all: destruct outside as [before_ | after_];
@@ -271,7 +273,8 @@ Section OneEdge.
     apply off_by_area. destruct on as (h & range & px & py). cbn [source target] in *.
     assert (value : area s p == (1 - h) * area s (moved_along w1 n e) + h * area s (moved_along w2 n e))
       by (unfold area, cross, minus; cbn [vx vy]; rewrite px, py; ring).
-    pose proof (to_the_right k1) as right_1. pose proof (to_the_right k2) as right_2. fold w1 in right_1. fold w2 in right_2.
+    pose proof (to_the_right k1) as right_1. pose proof (to_the_right k2) as right_2. fold w1 in right_1.
+    fold w2 in right_2.
     rewrite value. intros zero_. destruct (Qlt_le_dec 0 h) as [h_some | none].
     - assert (0 < h * - area s (moved_along w2 n e)) by (apply Qmult_lt_0_compat; lra).
       assert (0 <= (1 - h) * - area s (moved_along w1 n e)) by (apply Qmult_le_0_compat; lra). lra.
@@ -316,8 +319,10 @@ Section OneEdge.
     assert (e_square : 0 < e * e /\ e * e < limit) by (split; [apply Qmult_lt_0_compat; lra | nra]).
     destruct (shifts e) as [_ <-]; [lra | lra |].
     specialize (near_1 e ltac:(lra) ltac:(lra)). specialize (near_2 (e * e) ltac:(lra) ltac:(lra)).
-    assert (at_x : vx (at_ m) == vx (point_at s (1 # 2))) by (unfold m, right_of_middle, point_at; cbn [at_ vx vy]; field).
-    assert (at_y : vy (at_ m) == vy (point_at s (1 # 2))) by (unfold m, right_of_middle, point_at; cbn [at_ vx vy]; field).
+    assert (at_x : vx (at_ m) == vx (point_at s (1 # 2)))
+      by (unfold m, right_of_middle, point_at; cbn [at_ vx vy]; field).
+    assert (at_y : vy (at_ m) == vy (point_at s (1 # 2)))
+      by (unfold m, right_of_middle, point_at; cbn [at_ vx vy]; field).
     apply value.
     - unfold within, moved_along, moved in *; cbn [vx vy] in *. rewrite at_x, at_y. lra.
     - assert (area_is : area s (moved m e) ==
@@ -351,16 +356,16 @@ Proof.
   - lra.
 Qed.
 
-(* Theorem. Every winding number is zero, or that to the right of the middle of an edge, or one more. *)
-Theorem winding_numbers_by_middles (r : region) :
+(* Theorem. Off the chains, every winding number is zero, or that to the right of the middle of some edge, or one more. *)
+Theorem winding_number_by_middles (r : region) (x : vector) :
   no_edges_are_points r -> edges_meet_in_vertices r -> (forall s, In s (region_edges r) -> clear_edge r s) ->
-  forall x, off x (region_edges r) ->
+  off x (region_edges r) ->
   winding_number x (region_edges r) = 0%Z \/
   exists s, In s (region_edges r) /\
-    let right_number := winding_number_shifted (right_of_middle s) (region_edges r) in
-    (winding_number x (region_edges r) = right_number \/ winding_number x (region_edges r) = right_number + 1)%Z.
+    (winding_number x (region_edges r) = winding_number_shifted (right_of_middle s) (region_edges r) \/
+     winding_number x (region_edges r) = (winding_number_shifted (right_of_middle s) (region_edges r) + 1)%Z).
 Proof.
-  intros not_points meet all_clear x free.
+  intros not_points meet all_clear free.
   destruct (winding_number_near x _ (region_cycles r) free) as (radius & R & near).
   (* at a height at which there is no vertex *)
   assert (heights : eventually (fun e => forall t, In t (region_edges r) -> ~ vy x + e * 1 == vy (source t)))
@@ -377,7 +382,8 @@ Proof.
       assert (In s []) as []. rewrite <- hits. apply filter_In. split; [exact I |].
       apply negb_true_iff, Z.eqb_neq, met. }
     assert (zero_ : forall l, incl l (region_edges r) -> winding_number x' l = 0%Z).
-    { intros l. unfold winding_number, sum. induction l as [| s l IH]; intros part; [reflexivity |]. cbn [map fold_right].
+    { intros l. unfold winding_number, sum. induction l as [| s l IH]; intros part; [reflexivity |].
+      cbn [map fold_right].
       rewrite (none s) by (apply part; now left). rewrite IH by (intros t J; apply part; now right). reflexivity. }
     left. apply zero_. intros t J. exact J.
   - destruct (first_of segment (fun s => vx (point_at_height s (vy x'))) (a :: rest)) as (s & I & first_);
@@ -390,7 +396,8 @@ Proof.
     clear first_ hits.
     assert (hit : spans s (vy x') = true /\ vx x' < vx (point_at_height s (vy x'))).
     { rewrite signed_crossing_by_height in met. destruct (spans s (vy x')); [| now destruct met].
-      destruct (negative_spec (vx x' - vx (point_at_height s (vy x')))); [split; [reflexivity | lra] | now destruct met]. }
+      destruct (negative_spec (vx x' - vx (point_at_height s (vy x'))));
+        [split; [reflexivity | lra] | now destruct met]. }
     destruct hit as [spanning ahead_].
     pose proof (region_edges_are_directions r not_points s I) as long.
     set (w := point_at_height s (vy x')) in *.
@@ -407,7 +414,7 @@ Proof.
     pose proof (right_value_of_the_middle r s meet I long (all_clear s I)) as middle_value.
     assert (number_is : number = winding_number_shifted (right_of_middle s) (region_edges r))
       by (apply (right_value_everywhere r s meet I long (all_clear s I) k (1 # 2)); trivial; lra).
-    right. exists s. split; [exact I |]. cbv zeta. rewrite <- number_is. clear middle_value number_is.
+    right. exists s. split; [exact I |]. rewrite <- number_is. clear middle_value number_is.
     destruct value as (r0 & R0 & value).
     assert (right_number : forall n, 0 < cross (along s) n ->
       eventually (fun e => winding_number (moved_along w n (- e)) (region_edges r) = number)).
@@ -450,6 +457,6 @@ Theorem nowhere_negative_by_middles (r : region) :
   nowhere_negative r.
 Proof.
   intros not_points meet all_clear middles x free.
-  destruct (winding_numbers_by_middles r not_points meet all_clear x free) as [-> | (s & I & [-> | ->])]; [lia | |];
-    specialize (middles s I); lia.
+  destruct (winding_number_by_middles r x not_points meet all_clear free) as [zero_ | (s & I & value)]; [lia |].
+  specialize (middles s I). lia.
 Qed.
