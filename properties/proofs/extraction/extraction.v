@@ -3,9 +3,13 @@
    numbers are Coq's binary ones, and what runs is what was proved, but for extraction itself. *)
 From Coq Require Extraction.
 From Oplus Require Import direction tangent_set winding_number turning_number convolution_size
-  shifted_ray states tracing convolution_cycles.
+  shifted_ray signed_crossings states tracing convolution_cycles in_out_degree location pieces naive_collision
+  convolution_winding regions counted_tangents
+  checked_collision.
 
 Extraction Language OCaml.
 Extraction "proved.ml" compare ccw is_reflex in_tangent_set is_convolution_segment
   signed_crossing winding_number.winding_number edges right_of_middle winding_number_shifted
-  turning_number.turning_number in_convolution trace_cycles states_looked_at.
+  turning_number.turning_number in_convolution trace_cycles states_looked_at
+  signed_crossing_of_step signed_crossings_of_path region_edges locate collide count_tangents
+  convolution_segments convolution_winding_number covers_nothing_twice.

@@ -15,11 +15,11 @@ let rec coq_list = function [] -> Nil | a :: rest -> Cons (a, coq_list rest)
 let write_bit = function True -> print_char '1' | False -> print_char '0'
 let write_order = function Lt -> print_char '<' | Eq -> print_char '=' | Gt -> print_char '>'
 
-(* 0 to 9; a for -1, b for -2, and so on. *)
+(* 0 to 9, and what follows in ASCII for more; a for -1, b for -2, and so on. *)
 let write_number z =
   let rec value = function XH -> 1 | XO p -> 2 * value p | XI p -> (2 * value p) + 1 in
   let n = match z with Z0 -> 0 | Zpos p -> value p | Zneg p -> -value p in
-  assert (abs n <= 9);
+  assert (-26 <= n && n < Char.code 'a' - Char.code '0');
   print_char (Char.chr (if n >= 0 then Char.code '0' + n else Char.code 'a' - 1 - n))
 
 (* Points of a square grid around the origin. *)
@@ -60,25 +60,133 @@ let crossings radius =
       each ends (fun source ->
           each ends (fun target -> write_number (signed_crossing p { source; target }))))
 
-(* Polygons: a line each, coordinates separated by blanks. *)
-let polygons file =
+(* Steps and segments between grid points, all but those of length zero. *)
+let steps radius =
+  let segments =
+    List.concat_map
+      (fun source ->
+        List.filter_map
+          (fun target -> if source = target then None else Some { source; target })
+          (grid radius))
+      (grid radius)
+  in
+  each segments (fun step ->
+      each segments (fun s -> write_number (signed_crossing_of_step step.source step.target s)))
+
+(* Regions: a line each, chains separated by semicolons, coordinates by blanks. *)
+let regions file =
   let rec points = function
     | x :: y :: rest -> point x y :: points rest
     | [] -> []
     | [ _ ] -> failwith "a point with one coordinate"
   in
+  let chain text =
+    points (List.map int_of_string (List.filter (( <> ) "") (String.split_on_char ' ' text)))
+  in
   let channel = open_in file in
   let rec lines () =
     match input_line channel with
     | line -> (
-        match List.filter (( <> ) "") (String.split_on_char ' ' line) with
+        match List.filter (( <> ) []) (List.map chain (String.split_on_char ';' line)) with
         | [] -> lines ()
-        | words ->
-            let vertices = points (List.map int_of_string words) in
-            vertices :: lines ())
+        | chains -> chains :: lines ())
     | exception End_of_file -> close_in channel; []
   in
   lines ()
+
+(* Polygons: regions of one chain. *)
+let polygons file =
+  List.map (function [ chain ] -> chain | _ -> failwith "a region of several chains") (regions file)
+
+let region chains = coq_list (List.map coq_list chains)
+
+(* From the grid's point 0 0 to that with both coordinates `side`. *)
+let positions ?over side =
+  let range = List.init (side + 1) (fun i -> i) in
+  List.concat_map (fun x -> List.map (fun y -> point ?over x y) range) range
+
+(* Of paths of two steps, one of which may have length zero, how they cross a region's boundary. *)
+let paths side file =
+  let points = positions side in
+  each (regions file) (fun chains ->
+      let boundary = region_edges (region chains) in
+      each points (fun a ->
+          each points (fun b ->
+              each points (fun c -> write_number (signed_crossings_of_path (coq_list [ a; b; c ]) boundary)))))
+
+let write_location = function
+  | Outside -> print_char 'o'
+  | Boundary -> print_char 'b'
+  | Inside -> print_char 'i'
+
+(* At points and points halfway between. *)
+let locations side file =
+  each (regions file) (fun chains ->
+      let r = region chains in
+      each (positions ~over:2 (2 * side)) (fun x -> write_location (locate x r)))
+
+let validities file = each (regions file) (fun r -> write_bit (covers_nothing_twice (region r)))
+
+(* Regions as sets of points up to translation, so that -Q + x is one of them. *)
+let reflected_at x chains = region (List.map (List.map (fun v -> minus x v)) chains)
+
+(* Of each region of one file and each of another, placed at x as -Q + x, whether their interiors meet. *)
+let collisions ps qs xs =
+  let of_p = List.map region (regions ps) and of_q = regions qs in
+  each xs (fun x ->
+      let placed = List.map (reflected_at x) of_q in
+      each of_p (fun p -> each placed (fun q -> write_bit (collide p q))))
+
+(* The same pairs, chosen by lines of two indices. *)
+let collisions_of_orbits file pairs xs =
+  let all = Array.of_list (regions file) in
+  let fixed = Array.map region all in
+  let channel = open_in pairs in
+  let rec indices () =
+    match input_line channel with
+    | line -> let pair = Scanf.sscanf line "%d %d" (fun a b -> (a, b)) in pair :: indices ()
+    | exception End_of_file -> close_in channel; []
+  in
+  let chosen = indices () in
+  each xs (fun x ->
+      let placed = Array.map (reflected_at x) all in
+      each chosen (fun (a, b) -> write_bit (collide fixed.(a) placed.(b))))
+
+(* The segments of the convolution of each two regions of a file, a line each pair, as coordinates. *)
+let convolutions_of_regions file =
+  let all = List.map region (regions file) in
+  let write_coordinate q =
+    match q with
+    | { qnum; qden = XH } -> write_number qnum
+    | _ -> failwith "a coordinate that is no integer"
+  in
+  let rec write_segments = function
+    | Nil -> print_char '\n'
+    | Cons ({ source; target }, rest) ->
+        each [ source.vx; source.vy; target.vx; target.vy ] write_coordinate;
+        write_segments rest
+  in
+  each all (fun p -> each all (fun q -> write_segments (convolution_segments p q)))
+
+(* Winding numbers of the convolution, and tangents that are counted in some directions. *)
+let convolution_windings ps qs xs =
+  let of_p = List.map region (regions ps) and of_q = List.map region (regions qs) in
+  each of_p (fun p ->
+      each of_q (fun q -> each xs (fun x -> write_number (convolution_winding_number x p q))))
+
+let tangent_counts ps qs xs =
+  let of_p = List.map region (regions ps) and of_q = List.map region (regions qs) in
+  each of_p (fun p ->
+      each of_q (fun q ->
+          each xs (fun x ->
+              each [ point 1 0; point (-1) 1; point (-1) (-2) ] (fun d ->
+                  write_number (count_tangents x p q d)))))
+
+(* Points given by twice their coordinates. *)
+let rec halves = function
+  | x :: y :: rest -> point ~over:2 (int_of_string x) (int_of_string y) :: halves rest
+  | [] -> []
+  | [ _ ] -> failwith "a point with one coordinate"
 
 let windings radius file =
   let places = grid ~over:2 radius in
@@ -154,7 +262,19 @@ let () =
   | [ "turnings"; file ] -> turnings file
   | [ "convolutions"; file ] -> convolutions file
   | [ "cycles"; file ] -> cycles file
+  | [ "steps"; radius ] -> steps (int_of_string radius)
+  | [ "paths"; side; file ] -> paths (int_of_string side) file
+  | [ "locations"; side; file ] -> locations (int_of_string side) file
+  | "collisions" :: ps :: qs :: xs -> collisions ps qs (halves xs)
+  | "collisions-of-orbits" :: file :: pairs :: xs -> collisions_of_orbits file pairs (halves xs)
+  | [ "validities"; file ] -> validities file
+  | [ "convolutions-of-regions"; file ] -> convolutions_of_regions file
+  | "convolution-windings" :: ps :: qs :: xs -> convolution_windings ps qs (halves xs)
+  | "tangent-counts" :: ps :: qs :: xs -> tangent_counts ps qs (halves xs)
   | _ ->
-      prerr_endline "usage: (orders | betweens | reflex | tangents | crossings) RADIUS, \
-                     (windings | shots) RADIUS FILE, or (turnings | convolutions | cycles) FILE";
+      prerr_endline "usage: (orders | betweens | reflex | tangents | crossings | steps) RADIUS, \
+                     (windings | shots) RADIUS FILE, \
+                     (turnings | convolutions | cycles | validities | convolutions-of-regions) FILE, \
+                     (paths | locations) SIDE FILE, collisions-of-orbits FILE PAIRS HALVES..., or \
+                     (collisions | convolution-windings | tangent-counts) FILE-OF-P FILE-OF-Q HALVES...";
       exit 2

@@ -19,10 +19,15 @@
 #include "checked/cycles/cycle_tracing.hpp"
 #include "properties/compare/grid_polygons.hpp"
 #include "properties/runner/child_process.hpp"
+#include "properties/runner/temporary_folder.hpp"
 #include "reference/chains/region_of.hpp"
+#include "reference/chains/validity.hpp"
+#include "reference/definitions/collision.hpp"
 #include "reference/definitions/contract.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/definitions/mutant.hpp"
+#include "reference/definitions/signed_crossings.hpp"
+#include "reference/definitions/tangent_count.hpp"
 #include "reference/definitions/tangent_set.hpp"
 #include "reference/definitions/winding_number.hpp"
 #include "reference/io/writing.hpp"
@@ -34,6 +39,7 @@ namespace {
 constexpr int radius = 3;  // 7 x 7 points
 constexpr int side = 3;    // of the grid of polygons
 constexpr std::size_t most_vertices = 4;
+constexpr std::size_t any_number_of_vertices = side * side;
 
 // The same order as in properties/proofs/extraction/tables.ml.
 
@@ -60,7 +66,7 @@ std::vector<Direction> directions() {
 
 char order(int compared) { return compared < 0 ? '<' : compared > 0 ? '>' : '='; }
 char bit(bool value) { return value ? '1' : '0'; }
-/// 0 to 9; a for -1, b for -2, and so on.
+/// 0 to 9, and what follows in ASCII for more; a for -1, b for -2, and so on.
 char number(int value) { return static_cast<char>(value >= 0 ? '0' + value : 'a' - 1 - value); }
 
 std::string words(const Direction& d) {
@@ -71,6 +77,16 @@ std::string words(const GridPolygon& polygon) {
   std::string all;
   for (const LatticePoint& p : polygon)
     all += (all.empty() ? "" : " ") + std::to_string(p.x) + " " + std::to_string(p.y);
+  return all;
+}
+
+std::string words(const Region& region) {
+  std::string all;
+  for (const Chain& chain : chains(region)) {
+    if (!all.empty()) all += " ; ";
+    for (std::size_t i = 0; i < chain.size(); ++i)
+      all += (i == 0 ? "" : " ") + to_string(chain[i].x) + " " + to_string(chain[i].y);
+  }
   return all;
 }
 
@@ -284,6 +300,56 @@ void convolutions(const std::vector<GridPolygon>& polygons, Convolved convolved,
   }
 }
 
+/// Chain of P, chain of Q, along whose edge, vertex of P, vertex of Q.
+using NamedByChains = std::tuple<std::size_t, std::size_t, Summand, std::size_t, std::size_t>;
+
+NamedByChains named_by_chains(const Origin& origin) {
+  const VertexIndex& of_p = origin.edge_of == Summand::P ? origin.edge : origin.vertex;
+  const VertexIndex& of_q = origin.edge_of == Summand::P ? origin.vertex : origin.edge;
+  return {of_p.chain, of_q.chain, origin.edge_of, of_p.vertex, of_q.vertex};
+}
+
+using NamedSegments = std::multimap<NamedByChains, Segment>;
+
+NamedSegments segments_of_the_definition(const Region& p, const Region& q) {
+  NamedSegments all;
+  for (const ConvolutionSegment& s : convolution(p, q))
+    all.insert({named_by_chains(s.origin), s.segment});
+  return all;
+}
+
+NamedSegments traced_segments(const Region& p, const Region& q) {
+  const std::vector<Chain> of_p = chains(p), of_q = chains(q);
+  NamedSegments all;
+  for (const TracedOrigin& s : traced_origins(p, q)) {
+    const NamedByChains name = named_by_chains(s.origin);
+    const auto& [a, b, along, i, j] = name;
+    const Chain &chain_p = of_p[a], &chain_q = of_q[b];
+    const Point from = chain_p[i] + chain_q[j];
+    const Point to = along == Summand::P ? chain_p[next(i, chain_p.size())] + chain_q[j]
+                                         : chain_p[i] + chain_q[next(j, chain_q.size())];
+    all.insert({name, {from, to}});
+  }
+  return all;
+}
+
+/// The segments of each pair of regions, a line each pair, as coordinates.
+template <typename Named>
+void convolutions_of_regions(const std::vector<Region>& regions, Named segments_of,
+                             Comparison& table) {
+  const auto coordinate = [](const Rational& value) {
+    return number(static_cast<int>(value.get_d()));
+  };
+  for (const Region& p : regions)
+    for (const Region& q : regions) {
+      const auto where = [&] { return "P " + words(p) + ", Q " + words(q); };
+      for (const auto& [name, s] : segments_of(p, q))
+        for (const Rational* value : {&s.source.x, &s.source.y, &s.target.x, &s.target.y})
+          table.entry(coordinate(*value), where);
+      table.entry('\n', where);
+    }
+}
+
 /// The cycles of each pair as text, line by line.
 void cycles(const std::vector<GridPolygon>& polygons, Comparison& table) {
   std::vector<std::array<TracedChain, 2>> traced;
@@ -305,6 +371,176 @@ void cycles(const std::vector<GridPolygon>& polygons, Comparison& table) {
         table.entry(c, [&] { return "P " + words(polygons[a]) + ", Q " + words(polygons[b]); });
     }
   }
+}
+
+/// Steps and segments between grid points, all but those of length zero.
+void steps(int steps_radius, Comparison& table) {
+  std::vector<Segment> all;
+  std::vector<Point> points;
+  for (int x = -steps_radius; x <= steps_radius; ++x)
+    for (int y = -steps_radius; y <= steps_radius; ++y) points.push_back({x, y});
+  for (const Point& source : points)
+    for (const Point& target : points)
+      if (source != target) all.push_back({source, target});
+  for (const Segment& step : all)
+    for (const Segment& s : all)
+      table.entry(number(signed_crossing(step.source, step.target, s)), [&] {
+        return "from " + to_string(step.source) + " to " + to_string(step.target) +
+               " and the segment from " + to_string(s.source) + " to " + to_string(s.target);
+      });
+}
+
+/// From 0 to `most`, divided.
+std::vector<Point> positions(int most, int denominator = 1) {
+  std::vector<Point> all;
+  for (int x = 0; x <= most; ++x)
+    for (int y = 0; y <= most; ++y)
+      all.push_back({Rational(x) / denominator, Rational(y) / denominator});
+  return all;
+}
+
+void paths(const std::vector<Region>& regions, int most, Comparison& table) {
+  const std::vector<Point> points = positions(most);
+  for (const Region& region : regions) {
+    const std::vector<Segment> boundary = edges(region);
+    for (const Point& a : points)
+      for (const Point& b : points)
+        for (const Point& c : points)
+          table.entry(number(signed_crossings({a, b, c}, boundary)), [&] {
+            return "the path " + to_string(a) + ", " + to_string(b) + ", " + to_string(c) +
+                   " and the region " + words(region);
+          });
+  }
+}
+
+void locations(const std::vector<Region>& regions, int most, Comparison& table) {
+  const std::vector<Point> points = positions(2 * most, 2);
+  for (const Region& region : regions)
+    for (const Point& p : points) {
+      const Location where = locate(p, region);
+      table.entry(where == Location::outside    ? 'o'
+                  : where == Location::boundary ? 'b'
+                                                : 'i',
+                  [&] { return to_string(p) + " and the region " + words(region); });
+    }
+}
+
+/// Whether what the theorems on regions ask for is there. The proved check asks for more: chains that touch
+/// have vertices there.
+void validities(const std::vector<Region>& regions, Comparison& table) {
+  for (const Region& region : regions)
+    table.entry(bit(!find_defect(region)), [&] { return "the region " + words(region); });
+}
+
+/// A point as arguments of the extracted program.
+std::vector<std::string> halves(const std::vector<Point>& points) {
+  std::vector<std::string> all;
+  for (const Point& p : points) {
+    all.push_back(to_string(Rational(2 * p.x)));
+    all.push_back(to_string(Rational(2 * p.y)));
+  }
+  return all;
+}
+
+std::string words(const Region& p, const Region& q, const Point& x) {
+  return "P " + words(p) + ", Q " + words(q) + ", x " + to_string(x);
+}
+
+std::vector<Region> placed(const std::vector<Region>& regions, const Point& x) {
+  std::vector<Region> all;
+  for (const Region& region : regions) all.push_back(translated(reflected(region), x));
+  return all;
+}
+
+void collisions(const std::vector<Region>& ps, const std::vector<Region>& qs,
+                const std::vector<Point>& xs, Comparison& table) {
+  for (const Point& x : xs) {
+    const std::vector<Region> placed_qs = placed(qs, x);
+    for (const Region& p : ps)
+      for (std::size_t k = 0; k < qs.size(); ++k)
+        table.entry(bit(interiors_meet(p, placed_qs[k])), [&] { return words(p, qs[k], x); });
+  }
+}
+
+using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+/// Of pairs by their indices.
+void collisions_of_orbits(const std::vector<Region>& regions, const Pairs& pairs,
+                          const std::vector<Point>& xs, Comparison& table) {
+  for (const Point& x : xs) {
+    const std::vector<Region> placed_regions = placed(regions, x);
+    for (const auto& [a, b] : pairs)
+      table.entry(bit(interiors_meet(regions[a], placed_regions[b])),
+                  [&] { return words(regions[a], regions[b], x); });
+  }
+}
+
+void convolution_windings(const std::vector<Region>& ps, const std::vector<Region>& qs,
+                          const std::vector<Point>& xs, Comparison& table) {
+  for (const Region& p : ps)
+    for (const Region& q : qs) {
+      const std::vector<Segment> all = segments(convolution(p, q));
+      for (const Point& x : xs)
+        table.entry(number(winding_number(x, all)), [&] { return words(p, q, x); });
+    }
+}
+
+void tangent_counts(const std::vector<Region>& ps, const std::vector<Region>& qs,
+                    const std::vector<Point>& xs, Comparison& table) {
+  for (const Region& p : ps)
+    for (const Region& q : qs)
+      for (const Point& x : xs)
+        for (const Vector& d : {Vector{1, 0}, Vector{-1, 1}, Vector{-1, -2}})
+          table.entry(number(tangent_count(x, p, q, d)),
+                      [&] { return words(p, q, x) + ", direction " + to_string(d); });
+}
+
+Chain box(int left, int below, int right, int above) {
+  return {{left, below}, {right, below}, {right, above}, {left, above}};
+}
+
+Chain clockwise(Chain chain) {
+  std::reverse(chain.begin(), chain.end());
+  return chain;
+}
+
+/// Regions from 0 to 4 with holes and components that touch in all ways.
+std::vector<Region> regions_with_holes() {
+  const Chain plate = box(0, 0, 4, 4);
+  const std::vector<Region> all = {
+      {{{plate, {clockwise(box(1, 1, 3, 3))}}}},
+      {{{plate, {{{1, 1}, {2, 3}, {3, 1}}}}}},
+      // A hole that touches the outer chain inside an edge, and at a vertex.
+      {{{plate, {{{0, 2}, {2, 3}, {2, 1}}}}}},
+      {{{plate, {{{0, 0}, {1, 3}, {3, 1}}}}}},
+      // Holes that touch each other.
+      {{{plate, {clockwise(box(1, 1, 2, 2)), clockwise(box(2, 2, 3, 3))}}}},
+      {{{plate, {{{1, 1}, {1, 3}, {2, 2}}, {{2, 1}, {2, 3}, {3, 2}}}}}},
+      // Components that touch: vertex on vertex, vertex on edge.
+      {{{box(0, 0, 2, 2), {}}, {box(2, 2, 4, 4), {}}}},
+      {{{{{0, 0}, {4, 0}, {2, 2}}, {}}, {box(1, 2, 3, 4), {}}}},
+      // A component that fills a part of a hole, and touches it.
+      {{{plate, {clockwise(box(1, 1, 3, 3))}}, {{{2, 1}, {3, 2}, {2, 3}, {1, 2}}, {}}}},
+      {{{plate, {clockwise(box(1, 1, 3, 3))}}, {{{1, 1}, {3, 2}, {2, 3}}, {}}}},
+      // No holes, but what fits into them.
+      {{{box(0, 0, 2, 2), {}}}},
+      {{{box(0, 0, 1, 1), {}}}},
+      {{{{{1, 0}, {2, 1}, {1, 2}, {0, 1}}, {}}}},
+      {{{{{0, 0}, {2, 0}, {1, 2}}, {}}}},
+      {{{{{0, 0}, {4, 0}, {4, 4}, {2, 1}}, {}}}},
+  };
+  for (const Region& region : all)
+    if (find_defect(region)) throw std::logic_error("not valid: " + words(region));
+  return all;
+}
+
+/// A plate with a hole of the shape of each polygon.
+std::vector<Region> plates(const std::vector<Region>& polygons) {
+  std::vector<Region> all;
+  for (const Region& polygon : polygons)
+    all.push_back({{{box(0, 0, 4, 4),
+                     {clockwise(translated(polygon.components.front().outer, Vector{1, 1}))}}}});
+  return all;
 }
 
 /// A predicate of ours, and which of the tables says what it should be.
@@ -347,10 +583,123 @@ std::optional<std::string> difference(const Predicate& predicate, Extracted& ext
   return comparison.difference();
 }
 
-std::vector<Predicate> predicates(const std::vector<GridPolygon>& polygons,
-                                  const std::string& file) {
-  const std::string points = std::to_string(radius);
+/// What is asked about, and the files by which the extracted program knows it.
+class Subjects {
+ public:
+  Subjects() {
+    const std::vector<GridPolygon> all = grid_polygons(side, any_number_of_vertices);
+    for (const GridPolygon& polygon : polygons) few_edges.push_back(region_of(polygon));
+    for (const GridPolygon& polygon : all) all_polygons.push_back(region_of(polygon));
+    pairs = pair_orbits(all);
+    plates_with_a_hole = plates(few_edges);
+    write("polygons", few_edges);
+    write("all_polygons", all_polygons);
+    write("plates", plates_with_a_hole);
+    write("regions", regions);
+    std::ofstream lines(file("pairs"));
+    for (const auto& [a, b] : pairs) lines << a << ' ' << b << '\n';
+    if (!lines.flush()) throw std::runtime_error("cannot write " + file("pairs"));
+  }
+
+  std::string file(const std::string& name) const { return (folder_.path() / name).string(); }
+
+  const std::vector<GridPolygon> polygons = grid_polygons(side, most_vertices);
+  std::vector<Region> few_edges;  ///< the same
+  std::vector<Region> all_polygons;
+  Pairs pairs;  ///< of all polygons
+  std::vector<Region> plates_with_a_hole;
+  const std::vector<Region> regions = regions_with_holes();
+
+ private:
+  void write(const std::string& name, const std::vector<Region>& written) const {
+    std::ofstream lines(file(name));
+    for (const Region& region : written) lines << words(region) << '\n';
+    if (!lines.flush()) throw std::runtime_error("cannot write " + file(name));
+  }
+
+  TemporaryFolder folder_{"oplus-extracted"};
+};
+
+using Arguments = std::vector<std::string>;
+
+Arguments with(Arguments first, const std::vector<Point>& points) {
+  const Arguments others = halves(points);
+  first.insert(first.end(), others.begin(), others.end());
+  return first;
+}
+
+/// Functions on regions, beside all else.
+std::vector<Predicate> predicates_of_regions(const Subjects& of) {
+  const std::vector<Point> where_polygons_meet = {{2, 2}, {2, 3}, {3, 1}};
+  const std::vector<Point> some = {{2, 2}, {Rational(5, 2), Rational(3, 2)}, {3, 1}};
+  const std::vector<Point> in_holes = {{3, 3}, {Rational(7, 2), 3}};
+  const std::vector<Point> all = positions(8);
+  const std::vector<Point> one = {{2, 2}}, two = {{2, 2}, {Rational(5, 2), Rational(3, 2)}};
+  const std::string polygons = of.file("polygons"), plates = of.file("plates"),
+                    regions = of.file("regions");
   return {
+      {"signed_crossing", {"steps", "2"}, [](Comparison& table) { steps(2, table); }},
+      {"signed_crossings, of polygons",
+       {"paths", "2", polygons},
+       [&](Comparison& table) { paths(of.few_edges, 2, table); }},
+      {"signed_crossings, of regions",
+       {"paths", "3", regions},
+       [&](Comparison& table) { paths(of.regions, 3, table); }},
+      {"find_defect, of polygons",
+       {"validities", of.file("all_polygons")},
+       [&](Comparison& table) { validities(of.all_polygons, table); }},
+      {"find_defect, of plates with a hole",
+       {"validities", plates},
+       [&](Comparison& table) { validities(of.plates_with_a_hole, table); }},
+      {"locate, in polygons",
+       {"locations", "2", of.file("all_polygons")},
+       [&](Comparison& table) { locations(of.all_polygons, 2, table); }},
+      {"locate, in regions",
+       {"locations", "4", regions},
+       [&](Comparison& table) { locations(of.regions, 4, table); }},
+      {"interiors_meet, of polygons", with({"collisions", polygons, polygons}, where_polygons_meet),
+       [&, where_polygons_meet](Comparison& table) {
+         collisions(of.few_edges, of.few_edges, where_polygons_meet, table);
+       }},
+      {"interiors_meet, of all pairs of polygons",
+       with({"collisions-of-orbits", of.file("all_polygons"), of.file("pairs")}, two),
+       [&, two](Comparison& table) {
+         collisions_of_orbits(of.all_polygons, of.pairs, two, table);
+       }},
+      {"interiors_meet, of plates with a hole and polygons",
+       with({"collisions", plates, polygons}, in_holes),
+       [&, in_holes](Comparison& table) {
+         collisions(of.plates_with_a_hole, of.few_edges, in_holes, table);
+       }},
+      {"interiors_meet, of regions", with({"collisions", regions, regions}, all),
+       [&, all](Comparison& table) { collisions(of.regions, of.regions, all, table); }},
+      {"convolution, of regions",
+       {"convolutions-of-regions", regions},
+       [&](Comparison& table) {
+         convolutions_of_regions(of.regions, segments_of_the_definition, table);
+       }},
+      {"traced_origins, of regions",
+       {"convolutions-of-regions", regions},
+       [&](Comparison& table) { convolutions_of_regions(of.regions, traced_segments, table); }},
+      {"winding_number, of the convolution of polygons",
+       with({"convolution-windings", polygons, polygons}, two),
+       [&, two](Comparison& table) {
+         convolution_windings(of.few_edges, of.few_edges, two, table);
+       }},
+      {"winding_number, of the convolution of regions",
+       with({"convolution-windings", regions, regions}, all),
+       [&, all](Comparison& table) { convolution_windings(of.regions, of.regions, all, table); }},
+      {"tangent_count, of polygons", with({"tangent-counts", polygons, polygons}, one),
+       [&, one](Comparison& table) { tangent_counts(of.few_edges, of.few_edges, one, table); }},
+      {"tangent_count, of regions", with({"tangent-counts", regions, regions}, some),
+       [&, some](Comparison& table) { tangent_counts(of.regions, of.regions, some, table); }},
+  };
+}
+
+std::vector<Predicate> predicates(const Subjects& of) {
+  const std::string points = std::to_string(radius), file = of.file("polygons");
+  const std::vector<GridPolygon>& polygons = of.polygons;
+  std::vector<Predicate> all = {
       {"compare, of directions", {"orders", points}, exact_orders},
       {"compare, of filtered directions", {"orders", points}, filtered_orders},
       {"counterclockwise_between", {"betweens", points}, betweens},
@@ -375,6 +724,8 @@ std::vector<Predicate> predicates(const std::vector<GridPolygon>& polygons,
        [&](Comparison& table) { convolutions(polygons, traced, table); }},
       {"trace_cycles", {"cycles", file}, [&](Comparison& table) { cycles(polygons, table); }},
   };
+  for (Predicate& predicate : predicates_of_regions(of)) all.push_back(std::move(predicate));
+  return all;
 }
 
 #ifdef OPLUS_MUTANTS
@@ -386,19 +737,29 @@ const std::vector<std::pair<std::string, std::vector<std::string>>>& faults() {
        {"compare, of directions", "counterclockwise_between", "in_tangent_set", "convolution"}},
       {"between-is-on-the-other-arc",
        {"counterclockwise_between", "in_tangent_set", "convolution"}},
+      {"containment-is-no-collision",
+       {"interiors_meet, of plates with a hole and polygons", "interiors_meet, of regions"}},
+      {"crossings-count-with-a-sign", {"tangent_count, of polygons", "tangent_count, of regions"}},
       {"cycle-ends-in-its-column", {"traced_origins", "trace_cycles"}},
       {"edge-of-p-though-visited", {"trace_cycles"}},
+      {"ends-are-not-on-their-segment", {"locate, in regions"}},
       {"every-state-is-a-start", {"trace_cycles"}},
       {"filtered-ties-the-other-way",
        {"compare, of filtered directions", "TracedChain::has_in_tangent_set", "traced_origins"}},
       {"left-and-right-are-one-direction", {"compare, of directions", "counterclockwise_between"}},
       {"no-start-in-the-first-column", {"traced_origins", "trace_cycles"}},
-      {"ray-counts-both-ends", {"winding_number, of a segment", "winding_number, of a polygon"}},
+      {"parallel-edges-do-not-collide", {"interiors_meet, of regions"}},
+      {"ray-counts-both-ends",
+       {"winding_number, of a segment", "winding_number, of a polygon", "locate, in regions",
+        "winding_number, of the convolution of regions", "tangent_count, of regions"}},
       {"rays-shift-down", {"winding_number_right_of"}},
       {"rays-start-left-of-their-edge", {"winding_number_right_of"}},
       {"reflex-turns-clockwise", {"in_tangent_set", "convolution"}},
-      {"tangent-set-without-ties", {"in_tangent_set", "convolution"}},
-      {"tie-rule-depends-on-who-asks", {"convolution"}},
+      {"steps-are-not-shifted",
+       {"signed_crossing", "signed_crossings, of polygons", "signed_crossings, of regions"}},
+      {"tangent-set-without-ties",
+       {"in_tangent_set", "convolution", "winding_number, of the convolution of regions"}},
+      {"tie-rule-depends-on-who-asks", {"convolution", "convolution, of regions"}},
       {"ties-go-the-other-way",
        {"compare, of directions", "counterclockwise_between", "in_tangent_set", "convolution"}},
   };
@@ -407,18 +768,9 @@ const std::vector<std::pair<std::string, std::vector<std::string>>>& faults() {
 #endif
 
 int run(const std::string& program) {
-  const std::vector<GridPolygon> polygons = grid_polygons(side, most_vertices);
-  const std::string file =
-      (std::filesystem::temp_directory_path() /
-       ("oplus-grid-polygons-" + std::to_string(std::hash<std::string>{}(program))))
-          .string();
-  {
-    std::ofstream lines(file);
-    for (const GridPolygon& polygon : polygons) lines << words(polygon) << '\n';
-    if (!lines.flush()) throw std::runtime_error("cannot write " + file);
-  }
+  const Subjects subjects;
   Extracted extracted(program);
-  const std::vector<Predicate> all = predicates(polygons, file);
+  const std::vector<Predicate> all = predicates(subjects);
   bool agree = true;
   for (const Predicate& predicate : all) {
     std::size_t entries = 0;
@@ -441,7 +793,6 @@ int run(const std::string& program) {
     active_mutant.clear();
   }
 #endif
-  std::filesystem::remove(file);
   return agree ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
