@@ -61,13 +61,16 @@ std::string in_words(const Json& counterexample) {
 
 void expect_answers(const Json& query, const fs::path& file) {
   using smt::Asked;
-  for (const Asked asked : {Asked::proof, Asked::hypotheses, Asked::twin}) {
-    const std::string expected = smt::is_expected_satisfiable(asked) ? "sat" : "unsat";
-    for (const auto& [solver, answer] : query.at("answers").at(to_string(asked)).items())
+  std::vector<smt::Question> questions = {{Asked::proof}, {Asked::hypotheses}};
+  for (const auto& [name, says] : query.at("hypotheses").items())
+    questions.push_back({Asked::twin, name});
+  for (const smt::Question& question : questions) {
+    const std::string expected = smt::is_expected_satisfiable(question.asked) ? "sat" : "unsat";
+    for (const auto& [solver, answer] : query.at("answers").at(to_string(question)).items())
       if (answer != expected)
         throw InvalidInput({file.string(), 1, 0},
                            query.at("id").get<std::string>() + ": " + solver + " answers " +
-                               answer.dump() + " to " + to_string(asked),
+                               answer.dump() + " to " + to_string(question),
                            expected);
   }
 }
@@ -120,11 +123,9 @@ std::vector<AnsweredQuery> answered_queries(const fs::path& smt) {
                           .statement = entry.at("statement"),
                           .file = entry.at("file"),
                           .hypotheses = {},
-                          .conclusion = entry.at("conclusion"),
-                          .dropped = entry.at("hypotheses").at(entry.at("dropped")),
-                          .counterexample = in_words(entry.at("counterexample"))};
+                          .conclusion = entry.at("conclusion")};
       for (const auto& [name, says] : entry.at("hypotheses").items())
-        query.hypotheses.push_back(says);
+        query.hypotheses.push_back({says, in_words(entry.at("counterexamples").at(name))});
       queries.push_back(std::move(query));
     }
     return queries;

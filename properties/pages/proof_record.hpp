@@ -27,15 +27,18 @@ std::vector<ProvedTheorem> proved_theorems(const std::filesystem::path& proofs);
 /// is no such theorem.
 std::string formal_statement(const std::string& coq, const std::string& name);
 
-/// What oplus-check smt --record wrote of a query: each solver's answers.
+/// What oplus-check smt --record wrote of a query, of which each solver gave the expected answers.
 struct AnsweredQuery {
+  struct Hypothesis {
+    std::string says;
+    std::string counterexample;  ///< to the statement without it, in words
+  };
+
   std::string id;
   std::string statement;
-  std::string file;                     ///< from the root
-  std::vector<std::string> hypotheses;  ///< in words
+  std::string file;  ///< from the root
+  std::vector<Hypothesis> hypotheses;
   std::string conclusion;
-  std::string dropped;  ///< the hypothesis, in words, without which there is a counterexample
-  std::string counterexample;  ///< to the statement without it, in words
 };
 
 /// Reads results.json of this folder. Throws InvalidInput on what cannot be read, and where an answer is

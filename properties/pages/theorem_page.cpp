@@ -115,15 +115,15 @@ std::string answers(const Registry& registry, const Statement& s) {
   for (const AnsweredQuery& query : registry.queries) {
     if (query.statement != s.id) continue;
     text += "\n`" + query.id + "`, " + link_to_source(query.file) + ": if\n";
-    for (const std::string& hypothesis : query.hypotheses) text += "- " + hypothesis + '\n';
-    text += "\nthen " + query.conclusion + ". False without \"" + query.dropped +
-            "\": " + query.counterexample + ".\n";
+    for (const auto& [says, counterexample] : query.hypotheses)
+      text += "- " + says + "; false without: " + counterexample + '\n';
+    text += "\nthen " + query.conclusion + ".\n";
   }
   return text.empty()
              ? text
              : "\n## Proved by Z3 and cvc5\nEach query is proved for all real numbers by both "
-               "solvers: see [proofs by SMT](../smt.md). Where a hypothesis is dropped, Z3 gives "
-               "a counterexample, which is also one by the definitions.\n" +
+               "solvers: see [proofs by SMT](../smt.md). Behind each hypothesis stands Z3's "
+               "counterexample to the statement without it, which is also one by the definitions.\n" +
                    text;
 }
 

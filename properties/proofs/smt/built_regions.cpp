@@ -24,6 +24,7 @@ std::vector<Vector> axes_between(const Vector& from, const Vector& to) {
 
 Region region_with_corner(const Corner& corner) {
   const Vector back = -corner.in;
+  if (same_direction(corner.out, back)) return {};
   Chain chain = {{0, 0}, corner.out};
   for (const Vector& axis : axes_between(corner.out, back)) chain.push_back(axis);
   chain.push_back(back);

@@ -6,8 +6,8 @@
 
 namespace oplus::smt {
 
-/// A simple polygon with this corner at the origin, star-shaped as seen from there. Requires: the
-/// corner does not turn back.
+/// A simple polygon with this corner at the origin, star-shaped as seen from there. Empty if
+/// the corner turns back, and so has no sector.
 Region region_with_corner(const Corner& corner);
 
 /// A simple polygon with the origin inside an edge of this direction, star-shaped as seen from

@@ -17,13 +17,15 @@ std::vector<Query>& registered_queries() {
 }
 
 /// What is asserted, in words and as a formula.
-std::vector<Condition> assertions(const Query& query, Asked asked) {
-  std::vector<Condition> all;
-  for (const Hypothesis& hypothesis : query.hypotheses)
-    if (asked != Asked::twin || hypothesis.name != query.dropped)
+std::vector<Condition> assertions(const Query& query, const Question& question) {
+  std::vector<Condition> all = query.in_case;
+  for (const Hypothesis& hypothesis : query.hypotheses) {
+    if (question.asked == Asked::twin && hypothesis.name == question.dropped)
+      all.insert(all.end(), hypothesis.of_twin.begin(), hypothesis.of_twin.end());
+    else
       all.push_back(hypothesis.condition);
-  if (asked == Asked::twin) all.insert(all.end(), query.of_twin.begin(), query.of_twin.end());
-  if (asked != Asked::hypotheses)
+  }
+  if (question.asked != Asked::hypotheses)
     all.push_back({"not: " + query.conclusion.says, [&query](const Values& values) {
                      return negation(query.conclusion.in(values));
                    }});
@@ -32,8 +34,8 @@ std::vector<Condition> assertions(const Query& query, Asked asked) {
 
 Formula::Names names_in(const Query& query) {
   Formula::Names names;
-  for (const Asked asked : {Asked::proof, Asked::twin})
-    formula_of(query, asked, Values()).add_names_to(names);
+  for (const Question& question : questions(query))
+    formula_of(query, question, Values()).add_names_to(names);
   return names;
 }
 
@@ -45,19 +47,26 @@ Formula Condition::in(const Values& values) const {
   return **of_unknowns;
 }
 
-std::string to_string(Asked asked) {
-  switch (asked) {
+bool is_expected_satisfiable(Asked asked) { return asked != Asked::proof; }
+
+std::string to_string(const Question& question) {
+  switch (question.asked) {
     case Asked::hypotheses:
       return "hypotheses";
     case Asked::twin:
-      return "twin";
+      return "twin-" + question.dropped;
     case Asked::proof:
       break;
   }
   return "proof";
 }
 
-bool is_expected_satisfiable(Asked asked) { return asked != Asked::proof; }
+std::vector<Question> questions(const Query& query) {
+  std::vector<Question> all = {{Asked::proof}, {Asked::hypotheses}};
+  for (const Hypothesis& hypothesis : query.hypotheses)
+    all.push_back({Asked::twin, hypothesis.name});
+  return all;
+}
 
 const std::vector<Query>& queries() {
   static const std::vector<Query> sorted = [] {
@@ -81,9 +90,11 @@ std::vector<std::string> defects_of_queries(const std::vector<Query>& all) {
     if (!ids.insert(query.id).second) found.push_back(query.id + ": used twice");
     if (statement_ids.count(query.statement()) == 0)
       found.push_back(query.id + ": no statement " + query.statement());
-    if (std::none_of(query.hypotheses.begin(), query.hypotheses.end(),
-                     [&](const Hypothesis& h) { return h.name == query.dropped; }))
-      found.push_back(query.id + ": no hypothesis " + query.dropped);
+    if (query.hypotheses.empty()) found.push_back(query.id + ": no hypothesis");
+    std::set<std::string> named;
+    for (const Hypothesis& hypothesis : query.hypotheses)
+      if (!named.insert(hypothesis.name).second)
+        found.push_back(query.id + ": two hypotheses " + hypothesis.name);
     if (!query.is_false_by_definition) found.push_back(query.id + ": its models are not tested");
     Formula::Names names = names_in(query);
     for (const Unknown& unknown : query.unknowns) {
@@ -100,20 +111,21 @@ std::vector<std::string> defects_of_queries(const std::vector<Query>& all) {
   return found;
 }
 
-Formula formula_of(const Query& query, Asked asked, const Values& values) {
+Formula formula_of(const Query& query, const Question& question, const Values& values) {
   std::vector<Formula> parts;
-  for (const Condition& condition : assertions(query, asked)) parts.push_back(condition.in(values));
+  for (const Condition& condition : assertions(query, question))
+    parts.push_back(condition.in(values));
   return all_of(parts);
 }
 
-std::string smt_text(const Query& query, Asked asked, bool with_model) {
+std::string smt_text(const Query& query, const Question& question, bool with_model) {
   std::ostringstream text;
-  const std::vector<Condition> all = assertions(query, asked);
+  const std::vector<Condition> all = assertions(query, question);
   std::vector<Formula> formulas;
   for (const Condition& condition : all) formulas.push_back(condition.in(Values()));
-  text << "; SPDX-License-Identifier: GPL-3.0-or-later\n; " << query.id << ", " << to_string(asked)
-       << ": expected to be " << (is_expected_satisfiable(asked) ? "sat" : "unsat") << '\n';
-  if (asked == Asked::twin) text << "; dropped: " << query.dropped << '\n';
+  text << "; SPDX-License-Identifier: GPL-3.0-or-later\n; " << query.id << ", "
+       << to_string(question) << ": expected to be "
+       << (is_expected_satisfiable(question.asked) ? "sat" : "unsat") << '\n';
   if (with_model) text << "(set-option :produce-models true)\n";
   text << "(set-logic " << (all_of(formulas).degree() > 1 ? "QF_NRA" : "QF_LRA") << ")\n";
   std::string names;

@@ -11,15 +11,19 @@ nlohmann::ordered_json to_json(const Query& query) {
   nlohmann::ordered_json hypotheses = nlohmann::ordered_json::object();
   for (const Hypothesis& hypothesis : query.hypotheses)
     hypotheses[hypothesis.name] = hypothesis.condition.says;
-  nlohmann::ordered_json of_twin = nlohmann::ordered_json::array();
-  for (const Condition& condition : query.of_twin) of_twin.push_back(condition.says);
+  nlohmann::ordered_json of_twins = nlohmann::ordered_json::object();
+  for (const Hypothesis& hypothesis : query.hypotheses)
+    for (const Condition& condition : hypothesis.of_twin)
+      of_twins[hypothesis.name].push_back(condition.says);
+  nlohmann::ordered_json in_case = nlohmann::ordered_json::array();
+  for (const Condition& condition : query.in_case) in_case.push_back(condition.says);
   return {{"id", query.id},
           {"statement", query.statement()},
           {"file", relative_file(query.file)},
           {"hypotheses", hypotheses},
           {"conclusion", query.conclusion.says},
-          {"dropped", query.dropped},
-          {"of_twin", of_twin}};
+          {"in_case", in_case},
+          {"of_twins", of_twins}};
 }
 
 nlohmann::ordered_json to_json(const Model& model) {
@@ -43,9 +47,11 @@ Model model_of_json(const nlohmann::ordered_json& json) {
 nlohmann::ordered_json to_json(const Query& query, const QueryRun& run) {
   nlohmann::ordered_json json = to_json(query);
   for (const Asking& asking : run.askings) {
-    json["answers"][to_string(asking.asked)][asking.solver] = to_string(asking.answer.kind);
-    if (asking.asked == Asked::twin && asking.answer.model && !json.contains("counterexample"))
-      json["counterexample"] = to_json(*asking.answer.model);
+    const auto& [asked, dropped] = asking.question;
+    json["answers"][to_string(asking.question)][asking.solver] = to_string(asking.answer.kind);
+    nlohmann::ordered_json& found = json["counterexamples"];
+    if (asked == Asked::twin && asking.answer.model && !found.contains(dropped))
+      found[dropped] = to_json(*asking.answer.model);
   }
   return json;
 }
@@ -63,7 +69,7 @@ std::string line_of(const QueryRun& run) {
   for (const Asking& asking : run.askings) {
     char seconds[32];
     std::snprintf(seconds, sizeof seconds, "%.2f s", asking.seconds);
-    text += separator + to_string(asking.asked) + " " + to_string(asking.answer.kind) + " (" +
+    text += separator + to_string(asking.question) + " " + to_string(asking.answer.kind) + " (" +
             asking.solver + ", " + seconds + ")";
     separator = ", ";
   }

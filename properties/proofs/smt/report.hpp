@@ -19,7 +19,7 @@ nlohmann::ordered_json to_json(const Model& model);
 Model model_of_json(const nlohmann::ordered_json& json);
 
 /// The same with what each solver answered, without times, so that each run gives the same text;
-/// the counterexample is Z3's model of the twin.
+/// the counterexamples, by the names of the dropped hypotheses, are Z3's models of the twins.
 nlohmann::ordered_json to_json(const Query& query, const QueryRun& run);
 
 /// What properties/proofs/smt/results.json holds: {"queries": [...]}.

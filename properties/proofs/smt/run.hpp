@@ -14,7 +14,7 @@ namespace oplus::smt {
 /// The result of one solver for one question.
 struct Asking {
   std::string solver;
-  Asked asked;
+  Question question;
   Answer answer;
   double seconds;
 };
@@ -25,14 +25,14 @@ struct QueryRun {
   std::vector<std::string> failures;  ///< in words; empty where all is as expected
 };
 
-/// Writes the three questions of a query, ID.proof.smt2 and so on, into a folder that exists.
+/// Writes the questions of a query, ID.proof.smt2 and so on, into a folder that exists.
 void write_questions(const Query& query, const std::filesystem::path& folder);
 
-/// Asks all solvers all three. A failure is
+/// Asks all solvers all of them. A failure is
 ///  1. an answer other than the expected one, or no answer, or none in time;
 ///  2. a model that does not satisfy the formulas, or the code from which they were made when it runs
 ///  on the model's numbers; both exactly;
-///  3. a model of the twin that is not a counterexample by the definitions.
+///  3. a model of a twin that is not a counterexample by the definitions.
 QueryRun run(const Query& query, const std::filesystem::path& folder, double seconds);
 
 }  // namespace oplus::smt

@@ -47,13 +47,7 @@ Registry sound_registry() {
           {{"sign-flipped", s.id, true, false, 5, "at (1, 2) it has none", pair, Point{1, 2}}},
           {{s.id, false, "edges_exist", "edges.v", "There is one.", "All.", "Nothing.",
             "Theorem edges_exist : True."}},
-          {{"lemma-9.9.9.sign",
-            s.id,
-            "sign.cpp",
-            {"x is positive"},
-            "x is not 0",
-            "x is positive",
-            "x = 0"}},
+          {{"lemma-9.9.9.sign", s.id, "sign.cpp", {{"x is positive", "x = 0"}}, "x is not 0"}},
           {{s.id, {"rca", "slide"}}},
           {"Findings", "Lemma 9.9.9: no edges"}};
 }
@@ -143,7 +137,7 @@ TEST_F(PageFiles, ChangeWithProofs) {
             (Lines{"theorems.md: out of date", "theorems/graph.dot: out of date",
                    "theorems/lemma-9.9.9.md: out of date"}));
   registry = sound_registry();
-  registry.queries[0].counterexample = "x = -1";
+  registry.queries[0].hypotheses[0].counterexample = "x = -1";
   EXPECT_EQ(stale_files(all_pages(registry), docs_), Lines{"theorems/lemma-9.9.9.md: out of date"});
 }
 

@@ -31,12 +31,12 @@ class ProofRecord : public testing::Test {
   static std::string query(const std::string& proof, const std::string& twin) {
     return R"({"queries": [{"id": "lemma-9.a", "statement": "lemma-9",
       "file": "a.cpp", "hypotheses": {"one": "x is 1", "two": "y is 2"}, "conclusion": "x is not y",
-      "dropped": "two", "answers": {"proof": {"z3": "unsat", "cvc5": ")" +
+      "answers": {"proof": {"z3": "unsat", "cvc5": ")" +
            proof + R"("}, "hypotheses": {"z3": "sat", "cvc5": "sat"},
-      "twin": {"z3": "sat", "cvc5": ")" +
-           twin + R"("}}, "counterexample": {"x": "1/2", "f": true, "v.x": "1", "v.y": "2",
-      "d.t": "3/4", "e.t": "5", "d.positive": false, "d.slanted": true, "e.positive": true,
-      "e.slanted": false}}]})";
+      "twin-one": {"z3": "sat", "cvc5": "sat"}, "twin-two": {"z3": "sat", "cvc5": ")" +
+           twin + R"("}}, "counterexamples": {"one": {"x": "2"},
+      "two": {"x": "1/2", "f": true, "v.x": "1", "v.y": "2", "d.t": "3/4", "e.t": "5",
+      "d.positive": false, "d.slanted": true, "e.positive": true, "e.slanted": false}}}]})";
   }
   void expect_refused(const std::string& what) const {
     try {
@@ -62,14 +62,17 @@ TEST_F(ProofRecord, has_the_formal_statement_of_a_theorem) {
   EXPECT_EQ(theorems[0].not_covered, "n");
 }
 
-TEST_F(ProofRecord, names_the_hypothesis_that_was_dropped) {
+TEST_F(ProofRecord, has_a_counterexample_without_each_hypothesis) {
   write("results.json", query("unsat", "sat"));
   const std::vector<AnsweredQuery> queries = answered_queries(folder_);
   ASSERT_EQ(queries.size(), 1U);
-  EXPECT_EQ(queries[0].hypotheses, (std::vector<std::string>{"x is 1", "y is 2"}));
-  EXPECT_EQ(queries[0].dropped, "y is 2");
+  ASSERT_EQ(queries[0].hypotheses.size(), 2U);
+  EXPECT_EQ(queries[0].hypotheses[0].says, "x is 1");
+  EXPECT_EQ(queries[0].hypotheses[0].counterexample, "x = 2");
+  EXPECT_EQ(queries[0].hypotheses[1].says, "y is 2");
   EXPECT_EQ(queries[0].file, "a.cpp");
-  EXPECT_EQ(queries[0].counterexample, "x = 1/2, f = true, v = (1, 2), d = (3/4, -1), e = (1, 0)");
+  EXPECT_EQ(queries[0].hypotheses[1].counterexample,
+            "x = 1/2, f = true, v = (1, 2), d = (3/4, -1), e = (1, 0)");
 }
 
 TEST_F(ProofRecord, refuses_what_is_not_proved) {
@@ -85,7 +88,7 @@ TEST_F(ProofRecord, refuses_what_is_not_proved) {
   write("results.json", query("none", "sat"));
   expect_refused("lemma-9.a: cvc5 answers \"none\" to proof");
   write("results.json", query("unsat", "unsat"));
-  expect_refused("lemma-9.a: cvc5 answers \"unsat\" to twin");
+  expect_refused("lemma-9.a: cvc5 answers \"unsat\" to twin-two");
   std::string text = query("unsat", "sat");
   write("results.json", text.replace(text.find("\"1/2\""), 5, "\"one\""));
   expect_refused("results.json:1: not a number");

@@ -19,7 +19,7 @@ TEST(Strength, is_the_strongest_kind_of_backing) {
   };
   registry.runs["a"] = {.statement = "a", .run = 40};
   expect(Strength::sampled, "sampled, 40 pairs");
-  registry.queries = {{"a.b", "a", "", {}, "", "", ""}, {"c.d", "c", "", {}, "", "", ""}};
+  registry.queries = {{"a.b", "a", "", {}, ""}, {"c.d", "c", "", {}, ""}};
   expect(Strength::solved, "proved by SMT in local form, 1 query; sampled, 40 pairs");
   registry.theorems = {{"a", false, "", "", "", "", "", ""}, {"c", true, "", "", "", "", "", ""}};
   expect(

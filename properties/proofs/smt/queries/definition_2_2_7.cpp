@@ -37,53 +37,63 @@ Query tie_rule(Summand of) {
       .hypotheses = {{"turned",
                       {std::string("f is e turned a little ") +
                            (turns_counterclockwise(of) ? "counterclockwise" : "clockwise"),
-                       is_turned_a_little(of)}},
-                     {"not-straight",
-                      {"in and out have different directions",
-                       negation(are_equal(corner().in, corner().out))}}},
+                       is_turned_a_little(of)}}},
       .conclusion = {"e is in the tangent set of the corner iff f is",
                      same(is_in_tangent_set(e, of, corner()), is_in_tangent_set(f, of, corner()))},
-      .dropped = "turned",
       .is_false_by_definition = [of](const Model& model) {
         return in_tangent_set({direction_in(model, "e"), of}, corner_in(model)) !=
                in_tangent_set({direction_in(model, "f"), of}, corner_in(model));
       }};
 }
 
-/// Comparing the angles of k u and v, or of u and v.
-Claim angles_compare(bool is_scaled, int how) {
+/// Comparing the angles of u and v, or of k u and l v.
+Claim angles_compare(bool are_scaled, int how) {
   return executed([=](const Values& values) {
-    const TermVector u = values.vector("u"), v = values.vector("v");
-    return sign(Term(cyclic_order::compare_angle(is_scaled ? values.number("k") * u : u, v))) ==
-           how;
+    TermVector u = values.vector("u"), v = values.vector("v");
+    if (are_scaled) {
+      u = values.number("k") * u;
+      v = values.number("l") * v;
+    }
+    return sign(Term(cyclic_order::compare_angle(u, v))) == how;
   });
 }
 
-/// k u instead of u.
+/// In the twins.
+Condition with_factors(int k, int l, int how) {
+  const int of_v = how < 0 ? -1 : 1;
+  return {"k = " + std::to_string(k) + ", l = " + std::to_string(l) + ", v = (" +
+              std::to_string(of_v) + ", " + std::to_string(of_v) + "), and u is not zero",
+          executed([k, l, of_v](const Values& values) {
+            const TermVector u = values.vector("u"), v = values.vector("v");
+            return values.number("k") == k && values.number("l") == l && v.x == of_v &&
+                   v.y == of_v && !(u.x == 0 && u.y == 0);
+          })};
+}
+
+Hypothesis is_positive_factor(const std::string& name, const Condition& of_twin) {
+  return {
+      name + "-positive",
+      {name + " > 0", [name](const Values& values) { return is_positive(values.number(name)); }},
+      {of_twin}};
+}
+
+/// k u and l v instead of u and v.
 Query scaling(int how) {
   const std::string name = how < 0 ? "before" : how > 0 ? "after" : "equal";
-  return {
-      .id = "definition-2.2.7.scaling-" + name,
-      .unknowns = {any_number("k"), any_vector("u"), any_vector("v")},
-      .hypotheses = {{"positive",
-                      {"k > 0",
-                       [](const Values& values) { return is_positive(values.number("k")); }}},
-                     {"order",
-                      {"comparing the angles of u and v gives " + std::to_string(how),
-                       angles_compare(false, how)}}},
-      .conclusion = {"so does comparing those of k u and v", angles_compare(true, how)},
-      .dropped = "positive",
-      .of_twin = {{"k = -1 and v = (1, 1), and u is not zero", executed([](const Values& values) {
-                     const TermVector u = values.vector("u"), v = values.vector("v");
-                     return values.number("k") == -1 && v.x == 1 && v.y == 1 &&
-                            !(u.x == 0 && u.y == 0);
-                   })}},
-      .is_false_by_definition = [](const Model& model) {
-        const Vector u = vector_in(model, "u"), v = vector_in(model, "v");
-        const Vector scaled = model.numbers.at("k") * u;
-        return (compare_angle(u, v) < 0) != (compare_angle(scaled, v) < 0) ||
-               (compare_angle(u, v) > 0) != (compare_angle(scaled, v) > 0);
-      }};
+  return {.id = "definition-2.2.7.scaling-" + name,
+          .unknowns = {any_number("k"), any_number("l"), any_vector("u"), any_vector("v")},
+          .hypotheses = {is_positive_factor("k", with_factors(-1, 1, 1)),
+                         is_positive_factor("l", with_factors(1, -1, how)),
+                         {"order",
+                          {"comparing the angles of u and v gives " + std::to_string(how),
+                           angles_compare(false, how)},
+                          {with_factors(1, 1, 1)}}},
+          .conclusion = {"so does comparing those of k u and l v", angles_compare(true, how)},
+          .is_false_by_definition = [how](const Model& model) {
+            const int compared = compare_angle(model.numbers.at("k") * vector_in(model, "u"),
+                                               model.numbers.at("l") * vector_in(model, "v"));
+            return (compared > 0) - (compared < 0) != how;
+          }};
 }
 
 const RegisteredQueries registered({tie_rule(Summand::P), tie_rule(Summand::Q), scaling(-1),

@@ -27,14 +27,12 @@ const RegisteredQueries registered({
      .conclusion = {"e + f, its opposite, or a vector to the left of e points left of e and its "
                     "opposite left of f",
                     one_is_in({sum(e, f), opposite(sum(e, f)), leftwards(e)}, points_into_both)},
-     .dropped = "different",
      .is_false_by_definition = std::not_fn(interiors_meet_at_sum)},
     {.id = "lemma-2.2.5.equal-directions",
      .unknowns = {any_direction("e"), any_direction("f"), any_direction("n")},
      .hypotheses = {{"equal", {"the directions of e and f are equal", are_equal(e, f)}}},
      .conclusion = {"n does not point left of e, or its opposite not left of f",
                     negation(points_into_both(direction("n")))},
-     .dropped = "equal",
      .is_false_by_definition = interiors_meet_at_sum},
 });
 

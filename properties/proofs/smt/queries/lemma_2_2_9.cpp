@@ -48,19 +48,16 @@ Query nothing_slides_what_is_kept(Summand of) {
   return {.id = std::string("lemma-2.2.9.nothing-slides-what-is-kept-of-") +
                 (of == Summand::P ? "p" : "q"),
           .unknowns = edge_and_corner,
-          .hypotheses = {turns,
-                         convex,
+          .hypotheses = {convex,
                          {"kept",
                           {"e is in the tangent set of the vertex",
                            is_in_tangent_set(e, of, corner())}}},
           .conclusion = {"neither out nor the reverse of in points to the right of e",
                          negation(slides)},
-          .dropped = "convex",
-          .is_false_by_definition = [of](const Model& model) {
+          .is_false_by_definition = [](const Model& model) {
             const Corner corner = corner_in(model);
             const Vector edge = direction_in(model, "e");
-            return in_tangent_set({edge, of}, corner) &&
-                   (sign(cross(edge, corner.out)) < 0 || sign(cross(edge, -corner.in)) < 0);
+            return sign(cross(edge, corner.out)) < 0 || sign(cross(edge, -corner.in)) < 0;
           }};
 }
 
@@ -73,20 +70,21 @@ const RegisteredQueries registered({
     nothing_slides_what_is_kept(Summand::Q),
     {.id = "lemma-2.2.9.edge-that-leaves",
      .unknowns = edge_and_corner,
-     .hypotheses = {turns, {"slides", {"out points to the right of e", slides_outwards}}},
+     .hypotheses =
+         {turns,
+          {"slides", {"out points to the right of e", slides_outwards}, {not_sliding_either}}},
      .conclusion = {"out + e or out - in points right of e and into the sector",
                     one_is_in({sum(out, e), sum(out, opposite(in))}, is_to_the_right_and_inside)},
-     .dropped = "slides",
-     .of_twin = {not_sliding_either},
      .is_false_by_definition = std::not_fn(interiors_meet_at_vertex)},
     {.id = "lemma-2.2.9.edge-that-enters",
      .unknowns = edge_and_corner,
-     .hypotheses = {turns, {"slides", {"the reverse of in points to the right of e", slides_back}}},
+     .hypotheses = {turns,
+                    {"slides",
+                     {"the reverse of in points to the right of e", slides_back},
+                     {not_sliding_either}}},
      .conclusion = {"- in - e or out - in points right of e and into the sector",
                     one_is_in({opposite(sum(in, e)), sum(out, opposite(in))},
                               is_to_the_right_and_inside)},
-     .dropped = "slides",
-     .of_twin = {not_sliding_either},
      .is_false_by_definition = std::not_fn(interiors_meet_at_vertex)},
     {.id = "lemma-2.2.9.kept-where-nothing-slides",
      .unknowns = edge_and_corner,
@@ -95,23 +93,19 @@ const RegisteredQueries registered({
                      {"neither out nor the reverse of in points to the right of e",
                       negation(slides)}}},
      .conclusion = {"e is in the tangent set of the vertex", is_kept},
-     .dropped = "still",
      .is_false_by_definition = std::not_fn(is_in_convolution)},
     {.id = "lemma-2.2.9.not-kept-where-a-convex-vertex-slides",
      .unknowns = edge_and_corner,
-     .hypotheses = {apart,
-                    convex,
+     .hypotheses = {convex,
                     {"slides", {"out or the reverse of in points to the right of e", slides}}},
      .conclusion = {"e is not in the tangent set of the vertex", negation(is_kept)},
-     .dropped = "convex",
      .is_false_by_definition = is_in_convolution},
     {.id = "lemma-2.2.9.kept-by-a-convex-vertex",
      .unknowns = {any_direction("e"), any_direction("in"), any_direction("out"),
                   any_direction("m")},
-     .hypotheses = {turns, convex, {"kept", {"e is in the tangent set of the vertex", is_kept}}},
+     .hypotheses = {convex, {"kept", {"e is in the tangent set of the vertex", is_kept}}},
      .conclusion = {"m does not point right of e and into the sector",
                     negation(is_to_the_right_and_inside(direction("m")))},
-     .dropped = "kept",
      .is_false_by_definition = interiors_meet_at_vertex},
 });
 

@@ -97,11 +97,6 @@ bool corners_meet(const Model& model) {
                         region_with_corner(corner_in(model, "q.")));
 }
 
-Hypothesis turns(const std::string& of) {
-  return {"turns-" + of,
-          {"the corner of " + of + " does not turn back", negation(turns_back(corner(of + ".")))}};
-}
-
 bool edges_meet(const Model& model) {
   return interiors_meet(region_with_edge(direction_in(model, "e"), 1),
                         region_with_edge(direction_in(model, "f"), 1));
@@ -113,47 +108,40 @@ const RegisteredQueries registered({
     {.id = "section-5.1.1.said-to-meet",
      .unknowns = {any_direction("p.in"), any_direction("p.out"), any_direction("q.in"),
                   any_direction("q.out")},
-     .hypotheses = {turns("p"),
-                    turns("q"),
-                    {"said", {"from the order of the rays the code says yes", are_said_to_meet()}}},
+     .hypotheses = {{"said", {"from the order of the rays the code says yes", are_said_to_meet()}}},
      .conclusion = {"the sum of two rays or a vector to the left of one is in both sectors",
                     one_is_in(candidates(), is_in_both_sectors)},
-     .dropped = "said",
      .is_false_by_definition = std::not_fn(corners_meet)},
     {.id = "section-5.1.1.meet",
      .unknowns = {any_direction("p.in"), any_direction("p.out"), any_direction("q.in"),
                   any_direction("q.out"), any_direction("d")},
-     .hypotheses = {turns("p"),
-                    turns("q"),
-                    {"in-p", {"d is in the sector of p", is_in_sector(d, corner("p."))}},
+     .hypotheses = {{"in-p", {"d is in the sector of p", is_in_sector(d, corner("p."))}},
                     {"in-q", {"d is in the sector of q", is_in_sector(d, corner("q."))}}},
      .conclusion = {"from the order of the rays the code says yes", are_said_to_meet()},
-     .dropped = "in-q",
      .is_false_by_definition = std::not_fn(corners_meet)},
     {.id = "section-5.1.1.proper-crossing",
      .unknowns = {any_direction("e"), any_direction("f")},
-     .hypotheses = {{"cross", {"e and f are not parallel", negation(are_parallel(e, f))}}},
+     .hypotheses = {{"cross",
+                     {"e and f are not parallel", negation(are_parallel(e, f))},
+                     {{"e and f are not equal", negation(are_equal(e, f))}}}},
      .conclusion = {"e - f or f - e points to the left of both",
                     one_is_in({sum(e, opposite(f)), sum(f, opposite(e))},
                               [](const Vectors& n) {
                                 return all_of({is_left(e, n), is_left(f, n)});
                               })},
-     .dropped = "cross",
-     .of_twin = {{"e and f are not equal", negation(are_equal(e, f))}},
      .is_false_by_definition = std::not_fn(edges_meet)},
     {.id = "section-5.1.1.overlap-one-way",
      .unknowns = {any_direction("e"), any_direction("f")},
-     .hypotheses = {{"equal", {"e and f have equal directions", are_equal(e, f)}}},
+     .hypotheses = {{"equal",
+                     {"e and f have equal directions", are_equal(e, f)},
+                     {{"e and f are parallel", are_parallel(e, f)}}}},
      .conclusion = {"a vector to the left of e points to the left of f", is_left(f, leftwards(e))},
-     .dropped = "equal",
-     .of_twin = {{"e and f are parallel", are_parallel(e, f)}},
      .is_false_by_definition = std::not_fn(edges_meet)},
     {.id = "section-5.1.1.overlap-both-ways",
      .unknowns = {any_direction("e"), any_direction("f"), any_direction("d")},
      .hypotheses = {{"opposite", {"e and f have opposite directions", are_equal(e, opposite(f))}}},
      .conclusion = {"d does not point to the left of both",
                     negation(all_of({is_left(e, d), is_left(f, d)}))},
-     .dropped = "opposite",
      .is_false_by_definition = edges_meet},
 });
 

@@ -73,7 +73,6 @@ Query across(const Sides& sides, int way) {
                        const TermVector x = edges(values).c + t * edges(values).d;
                        return same(blocks(edges(values), t), is_inside_unit_square(x));
                      }},
-      .dropped = "across",
       .is_false_by_definition = [edges](const Model& model) {
         const Values values(model);
         const Term t = values.number("t");
@@ -84,56 +83,76 @@ Query across(const Sides& sides, int way) {
 
 /// k d instead of d, k t instead of t, where d is in the quadrant of (x, y).
 Query pace(const Sides& sides, int x, int y) {
-  return {.id = std::string("step-interval.pace") + (x > 0 ? "-right" : "-left") +
-                (y > 0 ? "-up" : "-down") + sides.suffix,
-          .unknowns = {any_vector("c"), any_vector("d"), any_number("k"), any_number("t")},
-          .hypotheses =
-              {{"positive",
-                {"k > 0", [](const Values& values) { return is_positive(values.number("k")); }}},
-               {"quadrant",
-                {"d is in the quadrant of (" + std::to_string(x) + ", " + std::to_string(y) + ")",
-                 [x, y](const Values& values) {
-                   const TermVector d = values.vector("d");
-                   return all_of({is_positive(x * d.x), is_positive(y * d.y)});
-                 }}}},
-          .conclusion = {"t is in the interval for k d iff k t is in that for d",
-                         [sides](const Values& values) {
-                           const TermVector c = values.vector("c"), d = values.vector("d");
-                           const Term k = values.number("k"), t = values.number("t");
-                           return same(blocks({c, k * d, sides.u, sides.w}, t),
-                                       blocks({c, d, sides.u, sides.w}, k * t));
-                         }},
-          .dropped = "positive",
-          .of_twin = {{"d is (" + std::to_string(x) + ", " + std::to_string(y) + ")",
-                       [x, y](const Values& values) {
-                         return are_equal(values.vector("d"), {x, y});
-                       }}},
-          .is_false_by_definition = [sides](const Model& model) {
-            const Values values(model);
-            const TermVector c = values.vector("c"), d = values.vector("d");
-            const Term k = values.number("k"), t = values.number("t");
-            return blocks_in_integers({c, k * d, sides.u, sides.w}, t) !=
-                   blocks_in_integers({c, d, sides.u, sides.w}, k * t);
-          }};
+  return {
+      .id = std::string("step-interval.pace") + (x > 0 ? "-right" : "-left") +
+            (y > 0 ? "-up" : "-down") + sides.suffix,
+      .unknowns = {any_vector("c"), any_vector("d"), any_number("k"), any_number("t")},
+      .hypotheses = {{"positive",
+                      {"k > 0",
+                       [](const Values& values) { return is_positive(values.number("k")); }},
+                      {{"d is (" + std::to_string(x) + ", " + std::to_string(y) + ")",
+                        [x, y](const Values& values) {
+                          return are_equal(values.vector("d"), {x, y});
+                        }}}}},
+      .conclusion = {"t is in the interval for k d iff k t is in that for d",
+                     [sides](const Values& values) {
+                       const TermVector c = values.vector("c"), d = values.vector("d");
+                       const Term k = values.number("k"), t = values.number("t");
+                       return same(blocks({c, k * d, sides.u, sides.w}, t),
+                                   blocks({c, d, sides.u, sides.w}, k * t));
+                     }},
+      .in_case = {{"d is in the quadrant of (" + std::to_string(x) + ", " + std::to_string(y) + ")",
+                   [x, y](const Values& values) {
+                     const TermVector d = values.vector("d");
+                     return all_of({is_positive(x * d.x), is_positive(y * d.y)});
+                   }}},
+      .is_false_by_definition = [sides](const Model& model) {
+        const Values values(model);
+        const TermVector c = values.vector("c"), d = values.vector("d");
+        const Term k = values.number("k"), t = values.number("t");
+        return blocks_in_integers({c, k * d, sides.u, sides.w}, t) !=
+               blocks_in_integers({c, d, sides.u, sides.w}, k * t);
+      }};
 }
 
+bool is_along_p(const Sides& sides, bool is_upright) { return is_upright != sides.suffix.empty(); }
+
 /// d is parallel to (0, 1) or to (1, 0).
+Condition is_along_side(const Sides& sides, bool is_upright) {
+  return {
+      std::string("d is parallel to the edge of ") + (is_along_p(sides, is_upright) ? "P" : "Q"),
+      [is_upright](const Values& values) {
+        const TermVector d = values.vector("d");
+        return is_zero(is_upright ? d.x : d.y);
+      }};
+}
+
+/// Along a side, with the shift.
+
 Query along(const Sides& sides, bool is_upright) {
   const auto shifted = [is_upright](const Values& values) {
     const TermVector x = place(values), d = values.vector("d");
     return is_upright ? all_of({is_in_strip_when_shifted(x.x, d, {1, 0}), is_inside_unit(x.y)})
                       : all_of({is_in_strip_when_shifted(x.y, d, {0, 1}), is_inside_unit(x.x)});
   };
-  const bool is_along_p = is_upright != (sides.suffix.empty());
+
   return {
-      .id = std::string("step-interval.along-") + (is_along_p ? "p" : "q") + sides.suffix,
+      .id = std::string("step-interval.along-") + (is_along_p(sides, is_upright) ? "p" : "q") +
+            sides.suffix,
       .unknowns = line_and_place,
       .hypotheses = {{"along",
-                      {std::string("d is parallel to the edge of ") + (is_along_p ? "P" : "Q"),
-                       [is_upright](const Values& values) {
-                         const TermVector d = values.vector("d");
-                         return is_zero(is_upright ? d.x : d.y);
-                       }}},
+                      is_along_side(sides, is_upright),
+                      {{is_upright ? "d is (1, 1), t is 1/2, and x(t) is (0, 1/2)"
+                                   : "d is (-1, -1), t is 1/2, and x(t) is (1/2, 0)",
+                        [is_upright](const Values& values) {
+                          const TermVector d = values.vector("d"), x = place(values);
+                          const Rational half(1, 2);
+                          const int way = is_upright ? 1 : -1;
+                          return all_of({is_zero(d.x - way), is_zero(d.y - way),
+                                         is_zero(values.number("t") - half),
+                                         is_zero(x.x - (is_upright ? Rational(0) : half)),
+                                         is_zero(x.y - (is_upright ? half : Rational(0)))});
+                        }}}},
                      {"moves",
                       {"d is not zero",
                        [is_upright](const Values& values) {
@@ -146,18 +165,6 @@ Query along(const Sides& sides, bool is_upright) {
                        return same(blocks(edges_of(values, sides), values.number("t")),
                                    shifted(values));
                      }},
-      .dropped = "along",
-      .of_twin = {{is_upright ? "d is (1, 1), t is 1/2, and x(t) is (0, 1/2)"
-                              : "d is (-1, -1), t is 1/2, and x(t) is (1/2, 0)",
-                   [is_upright](const Values& values) {
-                     const TermVector d = values.vector("d"), x = place(values);
-                     const Rational half(1, 2);
-                     const int way = is_upright ? 1 : -1;
-                     return all_of({is_zero(d.x - way), is_zero(d.y - way),
-                                    is_zero(values.number("t") - half),
-                                    is_zero(x.x - (is_upright ? Rational(0) : half)),
-                                    is_zero(x.y - (is_upright ? half : Rational(0)))});
-                   }}},
       .is_false_by_definition = [sides, shifted](const Model& model) {
         const Values values(model);
         return blocks_in_integers(edges_of(values, sides), values.number("t")) !=
@@ -165,30 +172,36 @@ Query along(const Sides& sides, bool is_upright) {
       }};
 }
 
-/// The same line without the shift: what open sums ask for.
-Query along_unshifted(const Sides& sides, bool is_upright) {
-  Query query = along(sides, is_upright);
+/// On such a line, without the shift: what open sums ask for.
+Query unshifted(const Sides& sides, bool is_upright) {
   const auto edges = [sides](const Values& values) {
     SlidEdges all = edges_of(values, sides);
     all.shift = Shift::none;
     return all;
   };
-  query.id = "step-candidates" + query.id.substr(query.statement().size());
-  query.conclusion = {
-      "without the shift, t is in the interval of the code iff x(t) is inside the "
-      "parallelogram",
-      [edges](const Values& values) {
-        const TermVector x = place(values);
-        return same(blocks(edges(values), values.number("t")), is_inside_unit_square(x));
-      }};
-  query.dropped = "moves";
-  query.of_twin = {{"t is 0", [](const Values& values) { return is_zero(values.number("t")); }}};
-  query.is_false_by_definition = [edges](const Model& model) {
-    const Values values(model);
-    return blocks_in_integers(edges(values), values.number("t")) !=
-           cross_at(edges(values), place(values), Shift::none);
-  };
-  return query;
+  return {.id = std::string("step-candidates.along-") +
+                (is_along_p(sides, is_upright) ? "p" : "q") + sides.suffix,
+          .unknowns = line_and_place,
+          .hypotheses = {{"moves",
+                          {"d is not zero",
+                           [](const Values& values) {
+                             const TermVector d = values.vector("d");
+                             return any_of({is_not_zero(d.x), is_not_zero(d.y)});
+                           }},
+                          {{"t is 0",
+                            [](const Values& values) { return is_zero(values.number("t")); }}}}},
+          .conclusion = {"without the shift, t is in the interval of the code iff x(t) is inside "
+                         "the parallelogram",
+                         [edges](const Values& values) {
+                           return same(blocks(edges(values), values.number("t")),
+                                       is_inside_unit_square(place(values)));
+                         }},
+          .in_case = {is_along_side(sides, is_upright)},
+          .is_false_by_definition = [edges](const Model& model) {
+            const Values values(model);
+            return blocks_in_integers(edges(values), values.number("t")) !=
+                   cross_at(edges(values), place(values), Shift::none);
+          }};
 }
 
 /// One of the four, as flags of c: that is 0 or 1 in each coordinate.
@@ -202,7 +215,9 @@ Query corner(const Sides& sides) {
                    const TermVector c = values.vector("c");
                    return all_of({any_of({is_zero(c.x), is_zero(c.x - 1)}),
                                   any_of({is_zero(c.y), is_zero(c.y - 1)})});
-                 }}},
+                 }},
+                {{"c is inside the parallelogram",
+                  [](const Values& values) { return is_inside_unit_square(values.vector("c")); }}}},
                {"passes",
                 {"neither d nor its opposite points into the parallelogram from there, or along a "
                  "side",
@@ -215,7 +230,6 @@ Query corner(const Sides& sides) {
                          [sides](const Values& values) {
                            return negation(blocks_somewhere(edges_of(values, sides)));
                          }},
-          .dropped = "passes",
           .is_false_by_definition = [sides](const Model& model) {
             const Values values(model);
             // Where the line enters, it is inside on one side of the corner.
@@ -261,39 +275,32 @@ const Query crossing = {
     .id = "step-interval.crossing",
     .unknowns = {any_vector("u"), any_vector("w"), any_vector("x")},
     .hypotheses =
-        {{"apart",
-          {"u and w are not parallel",
-           [](const Values& values) {
-             return is_not_zero(cross(values.vector("u"), values.vector("w")));
-           }}},
-         {"inside",
+        {{"inside",
           {"x is inside the parallelogram of u and w",
            [](const Values& values) {
              const TermVector u = values.vector("u"), w = values.vector("w"),
                               x = values.vector("x");
              return any_of({is_in_parallelogram(u, w, x, 1), is_in_parallelogram(u, w, x, -1)});
-           }}}},
+           }},
+          {{"u is (2, 1), and w is (1, 3)",
+            [](const Values& values) {
+              const TermVector u = values.vector("u"), w = values.vector("w");
+              return all_of(
+                  {is_zero(u.x - 2), is_zero(u.y - 1), is_zero(w.x - 1), is_zero(w.y - 3)});
+            }}}}},
     .conclusion = {"the segments from 0 to u and from x to x - w cross properly",
                    [](const Values& values) {
                      const TermVector x = values.vector("x");
                      return cross_properly_by_orientations({0, 0}, values.vector("u"), x,
                                                            x - values.vector("w"));
                    }},
-    .dropped = "inside",
-    .of_twin =
-        {{"u is (2, 1), and w is (1, 3)",
-          [](const Values& values) {
-            const TermVector u = values.vector("u"), w = values.vector("w");
-            return all_of({is_zero(u.x - 2), is_zero(u.y - 1), is_zero(w.x - 1), is_zero(w.y - 3)});
-          }}},
     .is_false_by_definition = std::not_fn(is_model_crossing)};
 
 Query only_crossing() {
   Query query = crossing;
   query.id = "step-interval.only-crossing";
-  query.hypotheses = {{"crossing", crossing.conclusion}};
-  query.conclusion = crossing.hypotheses[1].condition;
-  query.dropped = "crossing";
+  query.hypotheses = {{"crossing", crossing.conclusion, crossing.hypotheses[0].of_twin}};
+  query.conclusion = crossing.hypotheses[0].condition;
   return query;
 }
 
@@ -317,16 +324,15 @@ Query own_edge(Summand edge_of, bool leaves) {
                              const Term turn = cross(values.vector("d"), values.vector("side"));
                              return Formula::sign_of(leaves ? turn : -turn,
                                                      {.zero = true, .positive = true});
-                           }}}},
+                           }},
+                          {{"d is (2, 1)",
+                            [](const Values& values) {
+                              return are_equal(values.vector("d"), {2, 1});
+                            }}}}},
           .conclusion = {"the code finds no interval for the segment's own edge and that one",
                          [edges](const Values& values) {
                            return negation(blocks_somewhere(edges(values)));
                          }},
-          .dropped = "kept",
-          .of_twin = {{"d is (2, 1)",
-                       [](const Values& values) {
-                         return are_equal(values.vector("d"), {2, 1});
-                       }}},
           .is_false_by_definition = [edges](const Model& model) {
             const Values values(model);
             const SlidEdges own = edges(values);
@@ -341,20 +347,20 @@ const Query parallel = {
                     {"u and w are parallel",
                      [](const Values& values) {
                        return is_zero(cross(values.vector("u"), values.vector("w")));
-                     }}}},
+                     }},
+                    {{"c is (0, -1), d is (1, 2), u is (1, 0), and w is (0, w.y)",
+                      [](const Values& values) {
+                        const TermVector c = values.vector("c"), d = values.vector("d"),
+                                         u = values.vector("u"), w = values.vector("w");
+                        return all_of({is_zero(c.x), is_zero(c.y + 1), is_zero(d.x - 1),
+                                       is_zero(d.y - 2), is_zero(u.x - 1), is_zero(u.y),
+                                       is_zero(w.x)});
+                      }}}}},
     .conclusion = {"the code finds no interval",
                    [](const Values& values) {
                      return negation(blocks_somewhere({values.vector("c"), values.vector("d"),
                                                        values.vector("u"), values.vector("w")}));
                    }},
-    .dropped = "parallel",
-    .of_twin = {{"c is (0, -1), d is (1, 2), u is (1, 0), and w is (0, w.y)",
-                 [](const Values& values) {
-                   const TermVector c = values.vector("c"), d = values.vector("d"),
-                                    u = values.vector("u"), w = values.vector("w");
-                   return all_of({is_zero(c.x), is_zero(c.y + 1), is_zero(d.x - 1),
-                                  is_zero(d.y - 2), is_zero(u.x - 1), is_zero(u.y), is_zero(w.x)});
-                 }}},
     .is_false_by_definition = [](const Model& model) {
       const Values values(model);
       const SlidEdges edges{values.vector("c"), values.vector("d"), values.vector("u"),
@@ -376,15 +382,14 @@ const Query shift = {
              const Term by = values.number("k") * values.number("b");
              if (a == 0) return true;
              return a > 0 ? -a < by && by < a : a < by && by < -a;
-           })}}},
+           })},
+          {{"k = 1", [](const Values& values) { return is_zero(values.number("k") - 1); }}}}},
     .conclusion = {"a + k b has the sign of a, or, where a is zero, that of b",
                    executed([](const Values& values) {
                      const Term a = values.number("a"), b = values.number("b");
                      const Term shifted = a + values.number("k") * b;
                      return sign(shifted) == (a == 0 ? sign(b) : sign(a));
                    })},
-    .dropped = "small",
-    .of_twin = {{"k = 1", [](const Values& values) { return is_zero(values.number("k") - 1); }}},
     .is_false_by_definition = [](const Model& model) {
       const Rational &a = model.numbers.at("a"), &b = model.numbers.at("b");
       const Rational shifted = a + model.numbers.at("k") * b;
@@ -397,14 +402,14 @@ const Sides mirrored{"-mirrored", {0, 1}, {1, 0}};
 std::vector<Query> all_queries() {
   std::vector<Query> all = {crossing, only_crossing(), parallel, shift};
   for (const Sides& sides : {straight, mirrored}) {
-    for (const int x : {1, -1}) {
-      all.push_back(across(sides, x));
+    for (const int x : {1, -1}) all.push_back(across(sides, x));
+    for (const int x : {1, -1})
       for (const int y : {1, -1}) all.push_back(pace(sides, x, y));
-    }
     for (const bool is_upright : {true, false}) {
       all.push_back(along(sides, is_upright));
-      all.push_back(along_unshifted(sides, is_upright));
+      all.push_back(unshifted(sides, is_upright));
     }
+
     all.push_back(corner(sides));
   }
   for (const Summand of : {Summand::P, Summand::Q})

@@ -12,9 +12,6 @@ namespace {
 
 const Vectors d = direction("d"), e = direction("e"), in = direction("in"), out = direction("out");
 
-const Hypothesis turns = {"turns",
-                          {"the corner does not turn back", negation(turns_back(corner()))}};
-
 const Claim is_reflex_here = is_a_reflex_vertex(corner());
 
 /// What the sector is in half planes, which does not depend on how angles are compared.
@@ -23,15 +20,13 @@ Query sector(bool is_reflex) {
   return {.id = std::string("theorem-2.3.2.sector-of-a-") + (is_reflex ? "reflex" : "convex") +
                 "-vertex",
           .unknowns = {any_direction("in"), any_direction("out"), any_direction("d")},
-          .hypotheses = {turns,
-                         {"vertex",
+          .hypotheses = {{"vertex",
                           {std::string("the vertex is ") + (is_reflex ? "" : "not ") + "reflex",
                            is_reflex ? is_reflex_here : negation(is_reflex_here)}}},
           .conclusion = {std::string("d is in the sector iff it is to the left of ") +
                              (is_reflex ? "one of the edges, or both" : "both edges"),
                          same(is_in_sector(d, corner()),
                               is_reflex ? any_of(left_of_edges) : all_of(left_of_edges))},
-          .dropped = "vertex",
           .is_false_by_definition = [is_reflex](const Model& model) {
             const Corner corner = corner_in(model);
             const Vector towards = direction_in(model, "d");
@@ -50,7 +45,10 @@ const RegisteredQueries registered({
     sector(false),
     {.id = "theorem-2.3.2.reflex-vertex",
      .unknowns = {any_direction("e"), any_direction("in"), any_direction("out")},
-     .hypotheses = {turns, {"reflex", {"the vertex is reflex", is_reflex_here}}},
+     .hypotheses = {{"reflex",
+                     {"the vertex is reflex", is_reflex_here},
+                     {{"e is in the tangent set of the corner",
+                       is_in_tangent_set(e, Summand::P, corner())}}}},
      .conclusion = {"e + in, e + out, an opposite of these, or a vector to the right of e points "
                     "right of e and into the sector",
                     one_is_in({sum(e, in), sum(e, out), opposite(sum(e, in)), opposite(sum(e, out)),
@@ -58,9 +56,6 @@ const RegisteredQueries registered({
                               [](const Vectors& m) {
                                 return all_of({is_right(e, m), is_in_sector(m, corner())});
                               })},
-     .dropped = "reflex",
-     .of_twin = {{"e is in the tangent set of the corner",
-                  is_in_tangent_set(e, Summand::P, corner())}},
      .is_false_by_definition =
          [](const Model& model) {
            return !interiors_meet(region_with_edge(direction_in(model, "e"), 1),

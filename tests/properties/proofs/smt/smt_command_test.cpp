@@ -25,13 +25,13 @@ TEST_F(SmtCommand, lists_queries) {
   EXPECT_EQ(nlohmann::json::parse(ran.out).at("queries").size(), smt::queries().size());
 }
 
-TEST_F(SmtCommand, writes_three_questions_per_query) {
+TEST_F(SmtCommand, writes_a_proof_the_hypotheses_and_a_twin_for_each) {
   const Ran ran = run("oplus-check smt theorem-2.3.2.reflex-vertex --write q --only-write && ls q");
   EXPECT_EQ(ran.exit_code, 0) << ran.err;
   EXPECT_EQ(ran.out,
             "theorem-2.3.2.reflex-vertex.hypotheses.smt2\n"
             "theorem-2.3.2.reflex-vertex.proof.smt2\n"
-            "theorem-2.3.2.reflex-vertex.twin.smt2\n");
+            "theorem-2.3.2.reflex-vertex.twin-reflex.smt2\n");
   const std::string proof = content("q/theorem-2.3.2.reflex-vertex.proof.smt2");
   EXPECT_NE(proof.find("; theorem-2.3.2.reflex-vertex, proof: expected to be unsat"),
             std::string::npos);
@@ -47,7 +47,7 @@ TEST_F(SmtCommand, proves_a_statement) {
   for (const nlohmann::json& query : queries) {
     EXPECT_EQ(query.at("answers").at("proof"),
               nlohmann::json({{"z3", "unsat"}, {"cvc5", "unsat"}}));
-    EXPECT_TRUE(query.contains("counterexample"));
+    EXPECT_TRUE(query.contains("counterexamples"));
   }
 }
 
