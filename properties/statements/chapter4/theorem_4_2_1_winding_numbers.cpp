@@ -129,9 +129,11 @@ const Registered registered({
         "placements at which two vertices meet: these are the hardest cases of the collision test.",
     .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
                    "x is not on the convolution",
+                   "x is not the sum of a point where chains of P touch and one where chains of Q "
+                   "touch (docs/findings.md, on Theorem 2.3.2)",
                    "the intersection of P and -Q+x is that of the interiors: touching is not "
                    "enough"},
-    .rests_on = {"lemma-4.1.4", "theorem-2.2.10"},
+    .rests_on = {"lemma-4.1.4", "fact-tangent-count"},
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"ray-counts-both-ends", "reflex-turns-clockwise", "tangent-set-without-ties",
