@@ -92,11 +92,14 @@ TEST(Report, is_read_as_written) {
       .setting = {"processor", 2, "compiler", "libraries", "commit", "command", 60, {"fork"}},
       .rows = {row_of(
           {done("cgal-reduced", 0.25, "abc", "1/3"), crashed("cgal-full"), stopped("winding")})}};
-  report.rows[0].subject = Subject::growth;
+  for (const Subject subject : {Subject::sums, Subject::growth, Subject::commands,
+                                Subject::convolution, Subject::hole_tests}) {
+    report.rows[0].subject = subject;
+    EXPECT_EQ(report_of(to_json(report)).rows[0].subject, subject);
+  }
   const std::string written = to_json(report);
   const Report read = report_of(written);
   EXPECT_EQ(to_json(read), written);
-  EXPECT_EQ(read.rows[0].subject, Subject::growth);
   EXPECT_EQ(read.rows[0].number("cgal-reduced.seconds"), 0.25);
   EXPECT_EQ(read.rows[0].of("cgal-full")->note, "signal 6");
   EXPECT_EQ(read.rows[0].done("cgal-full"), nullptr);
