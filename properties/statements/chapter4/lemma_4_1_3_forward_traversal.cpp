@@ -4,8 +4,8 @@
 #include "checked/cycles/convolution_cycles.hpp"
 #include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
-#include "properties/statements/directions_around.hpp"
 #include "properties/statements/chapter4/state.hpp"
+#include "properties/statements/directions_around.hpp"
 #include "reference/definitions/tangent_set.hpp"
 #include "reference/io/writing.hpp"
 

@@ -3,8 +3,8 @@
 
 #include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
-#include "properties/statements/directions_around.hpp"
 #include "properties/statements/chapter4/state.hpp"
+#include "properties/statements/directions_around.hpp"
 #include "reference/definitions/tangent_set.hpp"
 #include "reference/io/writing.hpp"
 

@@ -4,9 +4,9 @@
 #include <set>
 
 #include "properties/runner/registry.hpp"
-#include "properties/statements/directions_around.hpp"
 #include "properties/statements/chapter4/euler_characteristic.hpp"
 #include "properties/statements/chapter4/vertex_edge_events.hpp"
+#include "properties/statements/directions_around.hpp"
 #include "reference/definitions/original_convolution.hpp"
 #include "reference/definitions/winding_number.hpp"
 #include "reference/io/writing.hpp"
