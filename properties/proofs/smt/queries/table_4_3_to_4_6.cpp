@@ -109,6 +109,8 @@ Claim are_as_in_row(const TableRow& row) {
 /// The pair as regions, moved through the event: whether other numbers of components are counted.
 bool moves_otherwise(const Model& model, const TableRow& row) {
   const Vector edge = direction_in(model, "e");
+  // A vertex that slides along the edge does not pass it, and nothing changes.
+  if (sign(edge.y) == 0) return row.components != 0;
   const Corner corner = corner_in(model);
   Rational size = 1;
   for (const Vector& v : {edge, corner.in, corner.out}) size += abs(v.x);
