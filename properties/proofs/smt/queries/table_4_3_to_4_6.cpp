@@ -109,8 +109,6 @@ Claim are_as_in_row(const TableRow& row) {
 /// The pair as regions, moved through the event: whether other numbers of components are counted.
 bool moves_otherwise(const Model& model, const TableRow& row) {
   const Vector edge = direction_in(model, "e");
-  // A vertex that slides along the edge does not pass it, and nothing changes.
-  if (sign(edge.y) == 0) return row.components != 0;
   const Corner corner = corner_in(model);
   Rational size = 1;
   for (const Vector& v : {edge, corner.in, corner.out}) size += abs(v.x);
@@ -118,7 +116,9 @@ bool moves_otherwise(const Model& model, const TableRow& row) {
   const Region with_corner = region_with_corner(corner);
   const Summands pair = edge_of(row) == Summand::P ? Summands{with_edge, with_corner}
                                                    : Summands{with_corner, with_edge};
-  const Point before = {Rational(1, 1'000'000'007), 0};
+  const Rational little(1, 1'000'000'007);
+  // A horizontal edge is passed on the way up or down, into its half plane.
+  const Point before = sign(edge.y) != 0 ? Point{little, 0} : Point{0, -sign(edge.x) * little};
   const IntersectionCounter counter(pair);
   const bool has_vertex_before = half_plane_has_vertex_before(row)(Values(model)).value().value();
   return counter.at(before).euler_characteristic() !=
