@@ -14,43 +14,44 @@ Import ListNotations.
 
 Open Scope Q_scope.
 
-(* Theorem. Off the reduced convolution, where P and -Q + x have a point in common, their interiors meet. *)
-Theorem common_point_means_common_inner_point (p q : region) (x : vector) :
+(* d is a direction in which the edges at w and u are put together: both have it, or the edge that has it is at a left
+   turn of the other region. *)
+Definition direction_at_corners (eu ev fu fv d : vector) : Prop :=
+  (same_direction ev d /\ same_direction fu d) \/ (same_direction eu d /\ same_direction fv d) \/
+  (0 < cross eu ev /\ (d = fu \/ d = fv)) \/ (0 < cross fu fv /\ (d = eu \/ d = ev)).
+
+(* Theorem. Where P and -Q + x touch in a point, the interiors meet, or a segment of the reduced convolution, of the
+   direction of one of the edges there, covers x. *)
+Theorem segments_at_touching_points (p q : region) (x w u : vector) a i_in i_out eu ev b j_in j_out fu fv :
   valid_region p -> valid_region q -> chains_do_not_touch p -> chains_do_not_touch q ->
-  off x (reduced_convolution p q) -> in_sum x p q -> interiors_meet x p q.
+  boundary_point p w a i_in i_out eu ev -> boundary_point q u b j_in j_out fu fv -> equal_vectors x (plus w u) ->
+  interiors_meet x p q \/ (exists d, reduced_along p q x d /\ direction_at_corners eu ev fu fv d).
 Proof.
-  intros p_region q_region p_apart q_apart free (w & u & in_p & in_q & equal).
+  intros p_region q_region p_apart q_apart at_w at_u equal.
   pose proof p_region as (p_edges & p_valid & p_meet). pose proof q_region as (q_edges & q_valid & q_meet).
   pose proof (regions_are_regular p p_edges p_valid p_meet) as p_regular.
   pose proof (regions_are_regular q q_edges q_valid q_meet) as q_regular.
   assert (swapped : equal_vectors x (plus u w))
     by (destruct equal as [X Y]; unfold plus in *; cbn [vx vy] in *; split; cbn [vx vy]; lra).
-  destruct (on_or_off w (region_edges p)) as [(e & E & on_e) | off_p].
-  2: { apply (inner_point_and_point p q x w u q_regular); trivial. split; [exact off_p |].
-       destruct in_p as [positive_ | (s & S & on)]; [exact positive_ | exfalso; exact (off_p s S on)]. }
-  destruct (on_or_off u (region_edges q)) as [(f & F & on_f) | off_q].
-  2: { apply interiors_meet_other_way. apply (inner_point_and_point q p x u w p_regular); trivial.
-       split; [exact off_q |].
-       destruct in_q as [positive_ | (s & S & on)]; [exact positive_ | exfalso; exact (off_q s S on)]. }
-  assert (contradiction_ : on_reduced_convolution x p q -> interiors_meet x p q)
-    by (intros (s & S & on); exfalso; exact (free s S on)).
-  assert (outcome : reduced_or_meet p q x -> interiors_meet x p q)
-    by (intros [reduced | meet_]; [now apply contradiction_ | exact meet_]).
-  destruct (boundary_points p w e p_region p_apart E on_e) as (a & i_in & i_out & eu & ev & at_w).
-  destruct (boundary_points q u f q_region q_apart F on_f) as (b & j_in & j_out & fu & fv & at_u).
+  assert (outcome : forall d, direction_at_corners eu ev fu fv d -> reduced_along_or_meet p q x d ->
+    interiors_meet x p q \/ (exists d, reduced_along p q x d /\ direction_at_corners eu ev fu fv d)).
+  { intros d at_corners [along_ | meet_]; [right; now exists d | now left]. }
   destruct at_w as [a_in i_in_below i_out_below eu_is ev_is (lp & lp_range & w_in) (kp & kp_range & w_out)
     p_turns p_ahead p_tangent p_inside].
   destruct at_u as [b_in j_in_below j_out_below fu_is fv_is (lq & lq_range & u_in) (kq & kq_range & u_out)
     q_turns q_ahead q_tangent q_inside].
   pose proof p_turns as (proper_eu & proper_ev & _). pose proof q_turns as (proper_fu & proper_fv & _).
   destruct (Qeq_dec (angle ev) (angle fu)) as [along_ | apart_1].
-  { apply outcome. rewrite ev_is, fu_is in along_.
-    apply (parallel_edges p q a b p_region q_region p_apart q_apart a_in b_in x i_out j_in kp lq); trivial.
+  { apply (outcome ev).
+    { left. split; [apply same_direction_reflexive | apply same_direction_angle; trivial; now symmetry]. }
+    rewrite ev_is, fu_is in along_. rewrite ev_is.
+    apply (parallel_edges_along p q a b p_region q_region p_apart q_apart a_in b_in x i_out j_in kp lq); trivial.
     rewrite <- ev_is, <- fu_is. destruct equal as [X Y], w_out as [wx wy], u_in as [ux uy].
     unfold plus in *; cbn [vx vy] in *. split; cbn [vx vy]; lra. }
   destruct (Qeq_dec (angle eu) (angle fv)) as [along_ | apart_2].
   { (* both a little back *)
-    apply outcome.
+    apply (outcome eu).
+    { right. left. split; [apply same_direction_reflexive | apply same_direction_angle; trivial; now symmetry]. }
     assert (ratio : same_direction fv eu) by (apply same_direction_angle; trivial; now symmetry).
     destruct ratio as (r & some & r_x & r_y).
     set (step_ := Qmin lp ((1 - kq) * r)).
@@ -61,8 +62,8 @@ Proof.
     assert (quotient : 0 < step_ / r /\ step_ / r <= 1 - kq)
       by (split; [apply Qlt_shift_div_l; lra | apply Qle_shift_div_r; lra]).
     set (m := step_ / r) in *. clearbody m.
-    rewrite eu_is, fv_is in along_.
-    apply (parallel_edges p q a b p_region q_region p_apart q_apart a_in b_in x i_in j_out (lp - step_) (kq + m));
+    rewrite eu_is, fv_is in along_. rewrite eu_is.
+    apply (parallel_edges_along p q a b p_region q_region p_apart q_apart a_in b_in x i_in j_out (lp - step_) (kq + m));
       trivial; try lra.
     rewrite <- eu_is, <- fv_is. destruct equal as [X Y], w_in as [wx wy], u_out as [ux uy].
     unfold plus, moved_along in *; cbn [vx vy] in *. split; cbn [vx vy].
@@ -73,7 +74,7 @@ Proof.
   pose proof (direction_by_index a i_out i_out_below) as ev_along. fold (edge_at a i_out) in ev_along.
   pose proof (direction_by_index b j_out j_out_below) as fv_along. fold (edge_at b j_out) in fv_along.
   destruct (Qeq_dec (angle ev) (angle (opposite fv))) as [back | apart_3].
-  { rewrite ev_is, ev_along in p_ahead. rewrite fv_is, fv_along in q_ahead.
+  { rewrite ev_is, ev_along in p_ahead. rewrite fv_is, fv_along in q_ahead. left.
     apply (opposite_edges_meet p q x w u (edge_at a i_out) (edge_at b j_out)); trivial;
       try now apply edge_at_in_region.
     rewrite <- ev_along, <- fv_along, <- ev_is, <- fv_is.
@@ -99,29 +100,58 @@ Proof.
     apart_3)
     as [leads | [leads | [[is_convex [tangent | tangent]] | [is_convex [tangent | tangent]]]]].
   - destruct (eventually_and _ _ (p_inside _ leads) q_ahead) as (limit & L & near).
-    destruct (near ((1 # 2) * limit)) as [inside_p on_q]; [lra | lra |].
+    destruct (near ((1 # 2) * limit)) as [inside_p on_q]; [lra | lra |]. left.
     refine (inner_point_and_point p q x _ _ q_regular inside_p _ _).
     + right. exists (edge_at b j_out). split; [now apply edge_at_in_region | exact on_q].
     + destruct equal as [X Y]. unfold plus, moved_along, opposite in *; cbn [vx vy] in *.
       split; cbn [vx vy]; [rewrite X | rewrite Y]; ring.
   - destruct (eventually_and _ _ (q_inside _ leads) p_ahead) as (limit & L & near).
-    destruct (near ((1 # 2) * limit)) as [inside_q on_p]; [lra | lra |].
+    destruct (near ((1 # 2) * limit)) as [inside_q on_p]; [lra | lra |]. left.
     apply interiors_meet_other_way. refine (inner_point_and_point q p x _ _ p_regular inside_q _ _).
     + right. exists (edge_at a i_out). split; [now apply edge_at_in_region | exact on_p].
     + destruct swapped as [X Y]. unfold plus, moved_along, opposite in *; cbn [vx vy] in *.
       split; cbn [vx vy]; [rewrite X | rewrite Y]; ring.
-  - apply contradiction_. destruct (p_tangent _ tangent) as (k & below & corner_ & at_vertex).
-    apply (on_reduced_by_q p q a b a_in b_in x k j_out below j_out_below); [| | now apply q_point];
+  - apply (outcome fv); [unfold direction_at_corners; tauto |]. left. rewrite fv_is.
+    destruct (p_tangent _ tangent) as (k & below & corner_ & at_vertex).
+    apply (reduced_along_by_q p q a b a_in b_in x k j_out below j_out_below); [| | now apply q_point];
       rewrite corner_, <- ?fv_is; [exact tangent | exact is_convex].
-  - apply contradiction_. destruct (p_tangent _ tangent) as (k & below & corner_ & at_vertex).
-    apply (on_reduced_by_q p q a b a_in b_in x k j_in below j_in_below); [| | now apply q_point];
+  - apply (outcome fu); [unfold direction_at_corners; tauto |]. left. rewrite fu_is.
+    destruct (p_tangent _ tangent) as (k & below & corner_ & at_vertex).
+    apply (reduced_along_by_q p q a b a_in b_in x k j_in below j_in_below); [| | now apply q_point];
       rewrite corner_, <- ?fu_is; [exact tangent | exact is_convex].
-  - apply contradiction_. destruct (q_tangent _ tangent) as (k & below & corner_ & at_vertex).
-    apply (on_reduced_by_p p q a b a_in b_in x i_in k i_in_below below); [| | now apply p_point];
+  - apply (outcome eu); [unfold direction_at_corners; tauto |]. left. rewrite eu_is.
+    destruct (q_tangent _ tangent) as (k & below & corner_ & at_vertex).
+    apply (reduced_along_by_p p q a b a_in b_in x i_in k i_in_below below); [| | now apply p_point];
       rewrite corner_, <- ?eu_is; [exact tangent | exact is_convex].
-  - apply contradiction_. destruct (q_tangent _ tangent) as (k & below & corner_ & at_vertex).
-    apply (on_reduced_by_p p q a b a_in b_in x i_out k i_out_below below); [| | now apply p_point];
+  - apply (outcome ev); [unfold direction_at_corners; tauto |]. left. rewrite ev_is.
+    destruct (q_tangent _ tangent) as (k & below & corner_ & at_vertex).
+    apply (reduced_along_by_p p q a b a_in b_in x i_out k i_out_below below); [| | now apply p_point];
       rewrite corner_, <- ?ev_is; [exact tangent | exact is_convex].
+Qed.
+
+(* Theorem. Off the reduced convolution, where P and -Q + x have a point in common, their interiors meet. *)
+Theorem common_point_means_common_inner_point (p q : region) (x : vector) :
+  valid_region p -> valid_region q -> chains_do_not_touch p -> chains_do_not_touch q ->
+  off x (reduced_convolution p q) -> in_sum x p q -> interiors_meet x p q.
+Proof.
+  intros p_region q_region p_apart q_apart free (w & u & in_p & in_q & equal).
+  pose proof p_region as (p_edges & p_valid & p_meet). pose proof q_region as (q_edges & q_valid & q_meet).
+  pose proof (regions_are_regular p p_edges p_valid p_meet) as p_regular.
+  pose proof (regions_are_regular q q_edges q_valid q_meet) as q_regular.
+  assert (swapped : equal_vectors x (plus u w))
+    by (destruct equal as [X Y]; unfold plus in *; cbn [vx vy] in *; split; cbn [vx vy]; lra).
+  destruct (on_or_off w (region_edges p)) as [(e & E & on_e) | off_p].
+  2: { apply (inner_point_and_point p q x w u q_regular); trivial. split; [exact off_p |].
+       destruct in_p as [positive_ | (s & S & on)]; [exact positive_ | exfalso; exact (off_p s S on)]. }
+  destruct (on_or_off u (region_edges q)) as [(f & F & on_f) | off_q].
+  2: { apply interiors_meet_other_way. apply (inner_point_and_point q p x u w p_regular); trivial.
+       split; [exact off_q |].
+       destruct in_q as [positive_ | (s & S & on)]; [exact positive_ | exfalso; exact (off_q s S on)]. }
+  destruct (boundary_points p w e p_region p_apart E on_e) as (a & i_in & i_out & eu & ev & at_w).
+  destruct (boundary_points q u f q_region q_apart F on_f) as (b & j_in & j_out & fu & fv & at_u).
+  destruct (segments_at_touching_points p q x w u a i_in i_out eu ev b j_in j_out fu fv) as
+    [meet_ | (d & (s & S & on & _) & _)]; trivial.
+  exfalso. exact (free s S on).
 Qed.
 
 (* Theorem. For every x off the convolution, the winding number is positive if and only if the interiors of P and

@@ -118,6 +118,21 @@ Proof.
   - rewrite <- is_out in sx, sy. rewrite X in sx. rewrite Y in sy. split; apply (Qmult_inj_r _ _ k); lra.
 Qed.
 
+Lemma same_direction_reflexive (u : vector) : same_direction u u.
+Proof. exists 1. split; [lra |]. split; ring. Qed.
+
+Lemma same_direction_symmetric (u v : vector) : same_direction u v -> same_direction v u.
+Proof.
+  intros (a & some & X & Y). exists (/ a). split; [now apply Qinv_lt_0_compat |].
+  rewrite X, Y. split; field; lra.
+Qed.
+
+Lemma same_direction_transitive (u v w : vector) : same_direction u v -> same_direction v w -> same_direction u w.
+Proof.
+  intros (a & some & X & Y) (b & some_b & X' & Y'). exists (a * b). split; [now apply Qmult_lt_0_compat |].
+  rewrite X, Y, X', Y'. split; ring.
+Qed.
+
 Section TwoChains.
   Variables p q : region.
   Variables a b : list vector.
@@ -139,6 +154,46 @@ Section TwoChains.
   Proof. destruct q_region as (q_edges & q_valid & q_meet). now apply regions_are_regular. Qed.
 
   Definition reduced_or_meet : Prop := on_reduced_convolution x p q \/ interiors_meet x p q.
+
+  (* A segment of the reduced convolution, of direction d, covers x. *)
+  Definition reduced_along (d : vector) : Prop :=
+    exists s, In s (reduced_convolution p q) /\ lies_on x s /\ same_direction (along s) d.
+  Definition reduced_along_or_meet (d : vector) : Prop := reduced_along d \/ interiors_meet x p q.
+
+  Lemma reduced_along_same (d d' : vector) : same_direction d d' -> reduced_along d -> reduced_along d'.
+  Proof.
+    intros same_ (s & I & on & direction_). exists s. split; [exact I |]. split; [exact on |].
+    exact (same_direction_transitive _ _ _ direction_ same_).
+  Qed.
+
+  (* Edge i of P and the convex vertex j of Q; edge j of Q and the convex vertex i of P. *)
+  Lemma reduced_along_by_p i j : (i < length a)%nat -> (j < length b)%nat ->
+    in_tangent_set (Direction (edge_of_chain a i) OfP) (corner_of_chain b j) = true ->
+    convex (corner_of_chain b j) ->
+    lies_on (minus x (nth j b nowhere)) (edge_at a i) -> reduced_along (edge_of_chain a i).
+  Proof.
+    intros I J tangent is_convex (k & range & X & Y). eexists.
+    split; [exact (reduced_member p q a b in_p in_q OfP i j I J tangent is_convex) |].
+    rewrite edge_at_is in X, Y by exact I. split.
+    - exists k. unfold starts_at, ends_at, point_of, plus, minus in *.
+      cbn [fst snd source target vx vy state_before state_after step] in *. split; [exact range |]. split; lra.
+    - exists 1. rewrite edge_of_chain_is by exact I. unfold along, starts_at, ends_at, point_of, plus, minus.
+      cbn [fst snd source target vx vy state_before state_after step]. split; [lra |]. split; ring.
+  Qed.
+
+  Lemma reduced_along_by_q i j : (i < length a)%nat -> (j < length b)%nat ->
+    in_tangent_set (Direction (edge_of_chain b j) OfQ) (corner_of_chain a i) = true ->
+    convex (corner_of_chain a i) ->
+    lies_on (minus x (nth i a nowhere)) (edge_at b j) -> reduced_along (edge_of_chain b j).
+  Proof.
+    intros I J tangent is_convex (k & range & X & Y). eexists.
+    split; [exact (reduced_member p q a b in_p in_q OfQ i j I J tangent is_convex) |].
+    rewrite edge_at_is in X, Y by exact J. split.
+    - exists k. unfold starts_at, ends_at, point_of, plus, minus in *.
+      cbn [fst snd source target vx vy state_before state_after step] in *. split; [exact range |]. split; lra.
+    - exists 1. rewrite edge_of_chain_is by exact J. unfold along, starts_at, ends_at, point_of, plus, minus.
+      cbn [fst snd source target vx vy state_before state_after step]. split; [lra |]. split; ring.
+  Qed.
 
   (* An edge of P leaves vertex i and leads inside Q; one of Q enters vertex j and leads, reversed, inside P. *)
   Lemma meet_by_p i (u : vector) : (i < length a)%nat -> equal_vectors x (plus (nth i a nowhere) u) ->
@@ -175,12 +230,12 @@ Section TwoChains.
   Lemma reduced_at_end_of_p i j : (i < length a)%nat -> (j < length b)%nat ->
     angle (edge_of_chain a i) == angle (edge_of_chain b j) ->
     0 < cross (edge_of_chain a i) (edge_of_chain a (next i (length a))) ->
-    lies_on (minus x (nth (next i (length a)) a nowhere)) (edge_at b j) -> on_reduced_convolution x p q.
+    lies_on (minus x (nth (next i (length a)) a nowhere)) (edge_at b j) -> reduced_along (edge_of_chain b j).
   Proof.
     intros I J parallel left_ on. pose proof (next_in_range _ _ I) as I_next.
     pose proof (edge_nonzero a i a_edges I) as proper_e. pose proof (edge_nonzero b j b_edges J) as proper_f.
     pose proof (edge_nonzero a _ a_edges I_next) as proper_next.
-    apply (on_reduced_by_q p q a b in_p in_q x (next i (length a)) j I_next J); trivial;
+    apply (reduced_along_by_q (next i (length a)) j I_next J); trivial;
       rewrite corner_is, previous_next by assumption.
     - apply tangent_by_tie_of_q; trivial; [now symmetry |]. intros equal. rewrite <- parallel in equal.
       apply same_direction_angle in equal; trivial. destruct equal as (m & _ & m_x & m_y).
@@ -191,12 +246,12 @@ Section TwoChains.
   Lemma reduced_at_start_of_q i j : (i < length a)%nat -> (j < length b)%nat ->
     angle (edge_of_chain a i) == angle (edge_of_chain b j) ->
     0 < cross (edge_of_chain b (previous (length b) j)) (edge_of_chain b j) ->
-    lies_on (minus x (nth j b nowhere)) (edge_at a i) -> on_reduced_convolution x p q.
+    lies_on (minus x (nth j b nowhere)) (edge_at a i) -> reduced_along (edge_of_chain a i).
   Proof.
     intros I J parallel left_ on. pose proof (previous_below _ _ J) as before_.
     pose proof (edge_nonzero a i a_edges I) as proper_e. pose proof (edge_nonzero b j b_edges J) as proper_f.
     pose proof (edge_nonzero b _ b_edges before_) as proper_before.
-    apply (on_reduced_by_p p q a b in_p in_q x i j I J); trivial; rewrite corner_is by assumption.
+    apply (reduced_along_by_p i j I J); trivial; rewrite corner_is by assumption.
     - apply tangent_by_tie; trivial. intros equal. rewrite parallel in equal.
       apply same_direction_angle in equal; trivial. destruct equal as (m & _ & m_x & m_y).
       unfold cross in left_. rewrite m_x, m_y in left_. lra.
@@ -208,18 +263,18 @@ Section TwoChains.
     (ip < length a)%nat -> (jq < length b)%nat ->
     ~ angle (edge_of_chain a (previous (length a) ip)) == angle (edge_of_chain a ip) ->
     ~ angle (edge_of_chain b (previous (length b) jq)) == angle (edge_of_chain b jq) ->
-    forall s t i j k l, (i < length a)%nat -> (j < length b)%nat ->
+    forall s t d i j k l, same_direction (edge_of_chain a i) d -> (i < length a)%nat -> (j < length b)%nat ->
     Nat.iter s (fun m => next m (length a)) (next i (length a)) = ip ->
     Nat.iter t (fun m => previous (length b) m) j = jq ->
     angle (edge_of_chain a i) == angle (edge_of_chain b j) ->
     0 <= k < 1 -> 0 < l <= 1 ->
     equal_vectors x (plus (moved_along (nth i a nowhere) (edge_of_chain a i) k)
                           (moved_along (nth j b nowhere) (edge_of_chain b j) l)) ->
-    reduced_or_meet.
+    reduced_along_or_meet d.
   Proof.
     intros ip_below jq_below ip_turns jq_turns s t. remember (s + t)%nat as steps eqn:total_.
     revert s t total_. induction steps as [steps IH] using lt_wf_ind.
-    intros s t total_ i j k l I J s_steps t_steps parallel k_range l_range [X Y].
+    intros s t total_ d i j k l is_d I J s_steps t_steps parallel k_range l_range [X Y].
     pose proof (edge_nonzero a i a_edges I) as proper_e. pose proof (edge_nonzero b j b_edges J) as proper_f.
     pose proof (next_in_range _ _ I) as I_next. pose proof (previous_below _ _ J) as J_before.
     pose proof (edge_nonzero a _ a_edges I_next) as proper_next.
@@ -227,6 +282,7 @@ Section TwoChains.
     pose proof (edge_of_chain_is a i I) as e_is. pose proof (edge_of_chain_is b j J) as f_is.
     assert (ratio : same_direction (edge_of_chain b j) (edge_of_chain a i))
       by (apply same_direction_angle; trivial; now symmetry).
+    pose proof (same_direction_transitive _ _ _ ratio is_d) as f_is_d.
     destruct ratio as (r & some & f_x & f_y).
     unfold plus, moved_along in X, Y; cbn [vx vy] in X, Y.
     pose proof (straight_or_turns p a _ p_region p_apart in_p I_next) as p_shape.
@@ -275,13 +331,13 @@ Section TwoChains.
         by (unfold w, plus, moved_along; split; cbn [vx vy]; [rewrite X, f_x | rewrite Y, f_y]; ring).
       destruct q_shape as [straight | [convex_ | reflex]].
       + destruct (q_steps straight) as (t' & ->).
-        apply (IH (s + t')%nat) with (s := s) (t := t') (i := i) (j := previous (length b) j) (k := k + l * r) (l := 1);
+        apply (IH (s + t')%nat) with (d := d) (s := s) (t := t') (i := i) (j := previous (length b) j) (k := k + l * r) (l := 1);
           trivial; try lia; try lra.
         * exact (eq_trans (iterated_first (fun m => previous (length b) m) t' _) t_steps).
         * fold F'. fold E. rewrite parallel. symmetry. now apply straight_angle.
         * destruct x_is as [x_x x_y]. fold F'. fold E. fold w. unfold plus, moved_along in *; cbn [vx vy] in *.
           split; cbn [vx vy]; [rewrite x_x, source_x | rewrite x_y, source_y]; reflexivity.
-      + left. apply (reduced_at_start_of_q i j I J parallel convex_).
+      + left. apply (reduced_along_same _ _ is_d). apply (reduced_at_start_of_q i j I J parallel convex_).
         rewrite edge_at_is by exact I. exists (k + l * r). destruct x_is as [x_x x_y].
         unfold plus, minus, w, moved_along in *; cbn [source target vx vy] in *. split; [lra |].
         rewrite target_x, target_y. split; [rewrite x_x | rewrite x_y]; ring.
@@ -313,13 +369,14 @@ Section TwoChains.
         by (rewrite f_is; unfold minus; cbn [vy]; ring).
       destruct p_shape as [straight | [convex_ | reflex]].
       + destruct (p_steps straight) as (s' & ->).
-        apply (IH (s' + t)%nat) with (s := s') (t := t) (i := next i (length a)) (j := j) (k := 0) (l := l - m);
+        apply (IH (s' + t)%nat) with (d := d) (s := s') (t := t) (i := next i (length a)) (j := j) (k := 0) (l := l - m);
           trivial; try lia; try lra.
+        * exact (same_direction_transitive _ _ _ (same_direction_symmetric _ _ straight) is_d).
         * exact (eq_trans (iterated_first (fun m => next m (length a)) s' _) s_steps).
         * fold E'. fold F. rewrite <- parallel. symmetry. now apply straight_angle.
         * destruct x_is as [x_x x_y]. fold E'. fold F. fold u. unfold plus, moved_along in *; cbn [vx vy] in *.
           split; cbn [vx vy]; [rewrite x_x | rewrite x_y]; ring.
-      + left. apply (reduced_at_end_of_p i j I J parallel convex_).
+      + left. apply (reduced_along_same _ _ f_is_d). apply (reduced_at_end_of_p i j I J parallel convex_).
         rewrite edge_at_is by exact J. exists (l - m). destruct x_is as [x_x x_y].
         unfold plus, minus, u, moved_along in *; cbn [source target vx vy] in *. split; [lra |].
         rewrite end_x, end_y. split; [rewrite x_x | rewrite x_y]; ring.
@@ -339,21 +396,22 @@ Section TwoChains.
       { unfold plus. split; cbn [vx vy].
         - rewrite X, target_x, f_x. setoid_replace (l * (r * vx E)) with (l * r * vx E) by ring. rewrite both. ring.
         - rewrite Y, target_y, f_y. setoid_replace (l * (r * vy E)) with (l * r * vy E) by ring. rewrite both. ring. }
-      assert (by_convex_p : 0 < cross E E' -> reduced_or_meet).
-      { intros convex_. left. apply (reduced_at_end_of_p i j I J parallel convex_).
+      assert (by_convex_p : 0 < cross E E' -> reduced_along_or_meet d).
+      { intros convex_. left. apply (reduced_along_same _ _ f_is_d). apply (reduced_at_end_of_p i j I J parallel convex_).
         rewrite edge_at_is by exact J. exists 0. destruct x_is as [x_x x_y].
         unfold plus, minus in *; cbn [source target vx vy] in *. split; [lra |].
         split; [rewrite x_x | rewrite x_y]; ring. }
-      assert (by_convex_q : 0 < cross F' F -> reduced_or_meet).
-      { intros convex_. left. apply (reduced_at_start_of_q i j I J parallel convex_).
+      assert (by_convex_q : 0 < cross F' F -> reduced_along_or_meet d).
+      { intros convex_. left. apply (reduced_along_same _ _ is_d). apply (reduced_at_start_of_q i j I J parallel convex_).
         rewrite edge_at_is by exact I. exists 1. destruct x_is as [x_x x_y].
         unfold plus, minus in *; cbn [source target vx vy] in *. split; [lra |].
         split; [rewrite x_x | rewrite x_y]; ring. }
       destruct p_shape as [straight_p | [convex_p | reflex_p]]; [| now apply by_convex_p |].
       + destruct q_shape as [straight_q | [convex_q | reflex_q]]; [| now apply by_convex_q |].
         * destruct (p_steps straight_p) as (s' & ->). destruct (q_steps straight_q) as (t' & ->).
-          apply (IH (s' + t')%nat) with (s := s') (t := t') (i := next i (length a)) (j := previous (length b) j)
+          apply (IH (s' + t')%nat) with (d := d) (s := s') (t := t') (i := next i (length a)) (j := previous (length b) j)
             (k := 0) (l := 1); trivial; try lia; try lra.
+          -- exact (same_direction_transitive _ _ _ (same_direction_symmetric _ _ straight_p) is_d).
           -- exact (eq_trans (iterated_first (fun m => next m (length a)) s' _) s_steps).
           -- exact (eq_trans (iterated_first (fun m => previous (length b) m) t' _) t_steps).
           -- fold E'. fold F'. rewrite <- (straight_angle E E'), (straight_angle F' F); trivial.
@@ -368,12 +426,13 @@ Section TwoChains.
   Qed.
 
   (* Theorem. If a point of an edge of P, not its end, and one of an edge of Q of the same direction, not its
-     beginning, add up to x, then x is on the reduced convolution, or the interiors of P and -Q + x meet. *)
-  Theorem parallel_edges i j k l : (i < length a)%nat -> (j < length b)%nat ->
+     beginning, add up to x, then a segment of the reduced convolution covers x, of the same direction, or the
+     interiors of P and -Q + x meet. *)
+  Theorem parallel_edges_along i j k l : (i < length a)%nat -> (j < length b)%nat ->
     angle (edge_of_chain a i) == angle (edge_of_chain b j) -> 0 <= k < 1 -> 0 < l <= 1 ->
     equal_vectors x (plus (moved_along (nth i a nowhere) (edge_of_chain a i) k)
                           (moved_along (nth j b nowhere) (edge_of_chain b j) l)) ->
-    reduced_or_meet.
+    reduced_along_or_meet (edge_of_chain a i).
   Proof.
     intros I J parallel k_range l_range x_is.
     destruct (some_vertex_turns a a_edges) as (ip & ip_below & ip_turns);
@@ -382,7 +441,20 @@ Section TwoChains.
       [destruct b; [cbn in J; lia | discriminate] |].
     destruct (some_steps_forward (length a) (next i (length a)) ip (next_in_range _ _ I) ip_below) as (s & s_steps).
     destruct (some_steps_forward (length b) jq j jq_below J) as (t & t_steps).
-    apply (parallel_edges_by_steps ip jq ip_below jq_below ip_turns jq_turns s t i j k l); trivial.
+    apply (parallel_edges_by_steps ip jq ip_below jq_below ip_turns jq_turns s t _ i j k l); trivial;
+      [apply same_direction_reflexive |].
     rewrite <- t_steps. now apply steps_back.
+  Qed.
+
+  (* So x is on the reduced convolution, or the interiors meet. *)
+  Corollary parallel_edges i j k l : (i < length a)%nat -> (j < length b)%nat ->
+    angle (edge_of_chain a i) == angle (edge_of_chain b j) -> 0 <= k < 1 -> 0 < l <= 1 ->
+    equal_vectors x (plus (moved_along (nth i a nowhere) (edge_of_chain a i) k)
+                          (moved_along (nth j b nowhere) (edge_of_chain b j) l)) ->
+    reduced_or_meet.
+  Proof.
+    intros I J parallel k_range l_range x_is.
+    destruct (parallel_edges_along i j k l I J parallel k_range l_range x_is) as [(s & S & on & _) | meet_];
+      [left; now exists s | now right].
   Qed.
 End TwoChains.
