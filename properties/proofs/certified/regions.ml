@@ -3,7 +3,7 @@
    and is turned if need be, so that outer chains are counterclockwise and holes clockwise. *)
 open Words
 
-let rec list_of text item =
+let list_of text item =
   expect text "(";
   let rec more items =
     let items = item text :: items in
