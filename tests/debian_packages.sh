@@ -9,7 +9,7 @@ packages=(g++ cmake ninja-build ccache python3
 packages_of_tests=(clang libclang-rt-14-dev git clang-format libgtest-dev libbenchmark-dev
                    libkainjow-mustache-dev gnuplot-nox help2man
                    parallel munge slurmctld slurmd slurm-client
-                   coq make ocaml-nox z3 cvc5 jq doxygen)
+                   coq make ocaml-nox ocaml-findlib libzarith-ocaml-dev z3 cvc5 jq doxygen)
 
 # Installs what is missing. Asks nothing; says what it installs.
 install_missing_packages() {

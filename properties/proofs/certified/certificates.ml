@@ -1,0 +1,123 @@
+(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* Certificates as docs/certificates.md has them. Nothing here need be believed: of a certificate that is read
+   wrongly the checker accepts no more than of any other. *)
+open Words
+
+let end_line text = expect text "\n"
+
+(* A line of a word and a count, and so many lines. *)
+let lines text word line =
+  expect text word;
+  let n = take_count text in
+  end_line text;
+  let rec read done_ rest = if done_ = n then List.rev rest else read (done_ + 1) (line text :: rest) in
+  read 0 []
+
+let homogeneous_point (x : Q.t) (y : Q.t) =
+  Checker.(homogeneous { x_of = { qnum = x.num; qden = x.den }; y_of = { qnum = y.num; qden = y.den } })
+
+(* The points that are put into the edges, by edges, and all vertices that pieces may have. *)
+let points text region =
+  let vertices = Array.of_list (List.concat region) in
+  let inserted = Array.make (Array.length vertices) [] in
+  let line text =
+    let edge = text.word in
+    let number = take_count text in
+    if number >= Array.length vertices then
+      refuse text ("there is no edge " ^ edge) (Printf.sprintf "one of %d edges" (Array.length vertices));
+    let x = take_number text in
+    let y = take_number text in
+    let point = homogeneous_point x y in
+    inserted.(number) <- point :: inserted.(number);
+    end_line text;
+    point
+  in
+  let added = lines text "points" line in
+  let given = Array.map (fun (x, y) -> homogeneous_point x y) vertices in
+  (Array.to_list (Array.map List.rev inserted), Array.append given (Array.of_list added))
+
+(* Vertices up to the end of the line. *)
+let piece vertices text =
+  let rec corners found =
+    let word = text.word in
+    let number = take_count text in
+    if number >= Array.length vertices then
+      refuse text ("there is no vertex " ^ word) (Printf.sprintf "one of %d vertices" (Array.length vertices));
+    let found = vertices.(number) :: found in
+    if text.word = "\n" then List.rev found else corners found
+  in
+  let polygon = corners [] in
+  end_line text;
+  polygon
+
+(* Numbers in files start from 0, those of the checker from 1. *)
+let number text = Z.succ (take_natural text)
+
+let link text =
+  let from = number text in
+  let reached = number text in
+  end_line text;
+  (from, reached)
+
+(* The first piece, and what no link leads to. *)
+let roots pieces links =
+  let is_target = Hashtbl.create 64 in
+  List.iter (fun (_, target) -> Hashtbl.replace is_target target ()) links;
+  let numbers = List.mapi (fun i _ -> Z.of_int (i + 1)) pieces in
+  List.filter (fun n -> Z.equal n Z.one || not (Hashtbl.mem is_target n)) numbers
+
+let summand text name region =
+  expect text "summand";
+  expect text name;
+  end_line text;
+  let summand_inserted, vertices = points text region in
+  let summand_pieces = lines text "pieces" (piece vertices) in
+  let links = lines text "links" link in
+  { Checker.summand_inserted; summand_pieces; roots = roots summand_pieces links; links }
+
+let deepest_tree = 100_000
+
+let rec cells depth text =
+  match take text with
+  | "in" ->
+      let i, j = link text in
+      Checker.SumsOf (i, j)
+  | "cut" when depth < deepest_tree ->
+      let coefficient () =
+        if text.word = "-" || String.exists (fun c -> not (is_digit c || c = '-')) text.word then
+          refuse_word text "an integer";
+        (take_number text).num
+      in
+      let la = coefficient () in
+      let lb = coefficient () in
+      let lc = coefficient () in
+      end_line text;
+      let one = cells (depth + 1) text in
+      let other = cells (depth + 1) text in
+      Checker.Cut ({ la; lb; lc }, one, other)
+  | word -> refuse text (quoted word) (Printf.sprintf "'in', or 'cut' in a tree of depth at most %d" deepest_tree)
+
+let certificate p q s text =
+  expect text "oplus";
+  expect text "certificate";
+  expect text "1";
+  end_line text;
+  expect text "unit";
+  let unit_ = take_natural text in
+  if Z.equal unit_ Z.zero then refuse text "the unit is 0" "a positive number";
+  end_line text;
+  let of_p = summand text "p" p in
+  let of_q = summand text "q" q in
+  expect text "sum";
+  end_line text;
+  let sum_inserted, vertices = points text s in
+  let piece_with_tree text =
+    let polygon = piece vertices text in
+    (polygon, cells 0 text)
+  in
+  let sum_pieces = lines text "pieces" piece_with_tree in
+  expect text "end";
+  end_line text;
+  { Checker.unit0 = unit_; of_p; of_q; sum_inserted; sum_pieces }
+
+let read name p q s = read_file name "\n" (certificate p q s)

@@ -1,0 +1,109 @@
+(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* oplus-certified: whether a certificate shows that S is the Minkowski sum of P and Q. *)
+
+let help =
+  "Check a certificate that S is the Minkowski sum of P and Q\n\
+   Usage: oplus-certified [OPTIONS] P Q S CERTIFICATE\n\n\
+   The checker is proved in Coq: for what it certifies, a point is in S if and only if it is the sum of a\n\
+   point of P and a point of Q. docs/certificates.md says what is proved, and what is trusted.\n\n\
+   Arguments:\n\
+  \  P Q S                     regions in WKT: POLYGON, MULTIPOLYGON or EMPTY; numbers are integers,\n\
+  \                            decimals (also 1.5e-3) and fractions p/q\n\
+  \  CERTIFICATE               what `oplus certify` writes\n\n\
+   Options:\n\
+  \  -h,--help                 show this help\n\
+  \  --version                 show the version\n\
+  \  --echo                    write P, Q and S as they were read: their chains, and of each the vertices in\n\
+  \                            order, numbered as in certificates\n\n\
+   Example:\n\
+  \  oplus sum p.wkt q.wkt -o s.wkt\n\
+  \  oplus certify p.wkt q.wkt s.wkt -o certificate\n\
+  \  oplus-certified p.wkt q.wkt s.wkt certificate\n\n\
+   Exit codes:\n\
+  \  0  certified\n\
+  \  1  not certified: S may be wrong, or only the certificate\n\
+  \  2  invalid input or usage, or a file that cannot be read\n"
+
+let described (x, y) = Printf.sprintf "(%s, %s)" (Q.to_string x) (Q.to_string y)
+
+let echo name region =
+  Printf.printf "%s has %d chains\n" name (List.length region);
+  let number = ref 0 in
+  let vertex v =
+    Printf.printf "%d: %s\n" !number (described v);
+    incr number
+  in
+  List.iter (fun chain -> Printf.printf "chain of %d vertices\n" (List.length chain); List.iter vertex chain) region
+
+(* The ends of an edge, numbered by its source. *)
+let rec ends number = function
+  | [] -> invalid_arg "ends"
+  | chain :: rest ->
+      let n = List.length chain in
+      if number < n then (List.nth chain number, List.nth chain ((number + 1) mod n)) else ends (number - n) rest
+
+let corners (polygon : Checker.polygon) =
+  let coordinate x w = Q.make x w in
+  String.concat " " (List.map (fun { Checker.px; py; pw } -> described (coordinate px pw, coordinate py pw)) polygon)
+
+let why s (certificate : Checker.certificate) = function
+  | Checker.PiecesOfP -> "the pieces of P are not convex, or are not P"
+  | PiecesOfQ -> "the pieces of Q are not convex, or are not Q"
+  | PiecesOfS -> "the pieces of S are not convex, or are not S"
+  | LinksOfP -> "the links of P do not lead to all its pieces"
+  | LinksOfQ -> "the links of Q do not lead to all its pieces"
+  | RootOutside -> "the sum of a point inside a piece of P and one inside a piece of Q is not in S"
+  | EdgeInside n ->
+      let a, b = ends (Z.to_int n) s in
+      Printf.sprintf
+        "edge %s of S, from %s to %s, is not shown to be beside the sum of each piece of P and each of Q"
+        (Z.to_string n) (described a) (described b)
+  | CellOutside n ->
+      Printf.sprintf "piece %s of S, %s, is not shown to consist of sums" (Z.to_string n)
+        (corners (fst (List.nth certificate.sum_pieces (Z.to_int n))))
+
+let refuse message =
+  prerr_endline ("oplus-certified: " ^ message);
+  exit 2
+
+let run is_echoed = function
+  | [ p; q; s; certificate ] -> (
+      let p = Regions.read p and q = Regions.read q and s = Regions.read s in
+      if is_echoed then begin
+        echo "P" p;
+        echo "Q" q;
+        echo "S" s
+      end;
+      let certificate = Certificates.read certificate p q s in
+      match Checker.check (Regions.specified p) (Regions.specified q) (Regions.specified s) certificate with
+      | None -> print_endline "certified"
+      | Some refusal ->
+          print_endline ("not certified: " ^ why s certificate refusal);
+          exit 1)
+  | files -> refuse (Printf.sprintf "%d files; expected P Q S CERTIFICATE (see --help)" (List.length files))
+
+(* Recursion is as deep as lists are long, and a heap of 2^30 words is more than any sensible input needs. *)
+let start () =
+  if Sys.getenv_opt "OPLUS_CERTIFIED" = None then begin
+    Unix.putenv "OPLUS_CERTIFIED" "stack";
+    let command = "ulimit -s unlimited 2>/dev/null || ulimit -s $(ulimit -H -s); exec \"$@\"" in
+    let shell = [| "sh"; "-c"; command; "sh"; Sys.executable_name |] in
+    try Unix.execv "/bin/sh" (Array.append shell (Array.sub Sys.argv 1 (Array.length Sys.argv - 1)))
+    with Unix.Unix_error _ -> ()
+  end;
+  Gc.set { (Gc.get ()) with minor_heap_size = 1 lsl 20; space_overhead = 200 };
+  ignore (Gc.create_alarm (fun () -> if (Gc.quick_stat ()).heap_words > 1 lsl 30 then raise Out_of_memory))
+
+let () =
+  start ();
+  let arguments = List.tl (Array.to_list Sys.argv) in
+  let options, files = List.partition (fun a -> String.length a > 1 && a.[0] = '-') arguments in
+  match options with
+  | _ when List.exists (fun o -> o = "-h" || o = "--help") options -> print_string help
+  | [ "--version" ] -> print_endline ("oplus-certified " ^ Version.version)
+  | [] | [ "--echo" ] -> (
+      try run (options <> []) files with
+      | Words.Invalid message -> refuse message
+      | Sys_error message -> refuse (String.escaped message)
+      | Out_of_memory | Stack_overflow -> refuse "the memory is too small for these files")
+  | option :: _ -> refuse (Printf.sprintf "the option '%s' is not known (see --help)" (String.escaped option))

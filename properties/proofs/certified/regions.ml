@@ -1,0 +1,67 @@
+(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* Regions in WKT: POLYGON, MULTIPOLYGON and EMPTY. A chain without its closing vertex starts at its first vertex
+   and is turned if need be, so that outer chains are counterclockwise and holes clockwise. *)
+open Words
+
+let list_of text item =
+  expect text "(";
+  let rec more items =
+    let items = item text :: items in
+    if text.word = "," then begin advance text; more items end else List.rev items
+  in
+  let items = more [] in
+  if text.word <> ")" then refuse_word text "',' or ')'";
+  advance text;
+  items
+
+let point text =
+  let x = take_number text in
+  let y = take_number text in
+  (x, y)
+
+(* Positive if c is to the left of the line from a to b. *)
+let turn (ax, ay) (bx, by) (cx, cy) =
+  Q.sign Q.(((bx - ax) * (cy - ay)) - ((by - ay) * (cx - ax)))
+
+let compare_points (ax, ay) (bx, by) = match Q.compare ax bx with 0 -> Q.compare ay by | order -> order
+
+(* Of a chain that touches itself nowhere, as its leftmost vertex, the lowest of these, is on a corner: 1 if it is
+   counterclockwise, -1 if it is clockwise. *)
+let orientation chain =
+  let v = Array.of_list chain in
+  let n = Array.length v in
+  let first = ref 0 in
+  Array.iteri (fun i p -> if compare_points p v.(!first) < 0 then first := i) v;
+  turn v.((!first + n - 1) mod n) v.(!first) v.((!first + 1) mod n)
+
+let ring wanted text =
+  match list_of text point with
+  | first :: rest -> (
+      match List.rev rest with
+      | last :: others when compare_points first last = 0 ->
+          let chain = first :: List.rev others in
+          if orientation chain = - wanted then first :: others else chain
+      | _ -> refuse text "a ring is not closed" "its first vertex again at its end")
+  | [] -> assert false
+
+let polygon text =
+  let is_outer = ref true in
+  list_of text (fun text ->
+      let wanted = if !is_outer then 1 else -1 in
+      is_outer := false;
+      ring wanted text)
+
+let region text =
+  let keyword = String.uppercase_ascii text.word in
+  if keyword <> "POLYGON" && keyword <> "MULTIPOLYGON" then refuse_word text "POLYGON or MULTIPOLYGON";
+  advance text;
+  if String.uppercase_ascii text.word = "EMPTY" then begin advance text; [] end
+  else if keyword = "POLYGON" then polygon text
+  else List.concat (list_of text polygon)
+
+let read name = read_file name "()," region
+
+(* As specification.v has it. *)
+let specified region =
+  let number (q : Q.t) = { Checker.qnum = q.num; qden = q.den } in
+  List.map (List.map (fun (x, y) -> { Checker.x_of = number x; y_of = number y })) region
