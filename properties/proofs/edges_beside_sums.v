@@ -3,7 +3,7 @@
    every piece in the one tree and every piece in the other there is a direction in which both ends of the edge are at most
    as far as every sum of two corners of the pieces. Trees made by `trees_of` have all pieces that have corners. *)
 From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import direction sweep winding_number specification checker homogeneous_points.
+From Oplus Require Import direction sweep winding_number specification checker homogeneous_points fans.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -47,10 +47,8 @@ Lemma left_turn_is_proper (a b c : hpoint) : (0 < left_turn a b c)%Z ->
   ~ equal_vectors (vector_of a) (vector_of b) /\ ~ equal_vectors (vector_of b) (vector_of c) /\
   ~ equal_vectors (vector_of c) (vector_of a).
 Proof.
-  unfold left_turn. rewrite value_positive, value_of_line_through.
-  intros left_. repeat split; intros [x_is y_is];
-    (assert (none : turn_of (vector_of a) (vector_of b) (vector_of c) == 0);
-     [unfold turn_of; rewrite ?x_is, ?y_is; ring | rewrite none in left_; lra]).
+  rewrite left_turn_is_positive. unfold turn_of. intros left_.
+  repeat split; intros [x_is y_is]; rewrite ?x_is, ?y_is in left_; ring_simplify in left_; lra.
 Qed.
 
 Lemma sides_of_a_fan (first : hpoint) (rest : polygon) : forall b,
@@ -82,14 +80,6 @@ Proof.
   intros convex lines l I. rewrite lines in I. cbn [side_lines piece_of] in I. apply in_map_iff in I.
   destruct I as (s & <- & I). apply line_has_a_normal. apply (sides_are_proper (corners t)); [| exact I].
   unfold is_convex in convex. now apply andb_true_iff in convex.
-Qed.
-
-Lemma corner_is_inside (t : piece) : is_convex t = true ->
-  forall a, In a (corners t) -> inside t (vector_of a).
-Proof.
-  unfold is_convex. rewrite andb_true_iff, !forallb_forall. intros [_ all] a I l L.
-  apply value_not_negative. specialize (all a I). unfold is_left_of_all in all. rewrite forallb_forall in all.
-  now apply Z.leb_le, all.
 Qed.
 
 (** Edges beside sums of pieces *)
@@ -153,7 +143,7 @@ Proof.
   intros convex lines beyond. unfold is_beyond_a_side in beyond. apply existsb_exists in beyond.
   destruct beyond as (l & L & beyond). rewrite forallb_forall in beyond.
   exists (normal_of l). split; [now apply (side_line_has_a_normal t) |]. intros a b A B.
-  pose proof (corner_is_inside t convex a A l L) as left_. specialize (beyond b B).
+  pose proof (corners_are_inside t a convex A l L) as left_. specialize (beyond b B).
   apply andb_true_iff in beyond. rewrite !Z.leb_le, !value_not_positive in beyond. cbn [from to placed] in beyond.
   rewrite !value_at_is in *.
   rewrite <- (dot_of_equal _ _ _ (vector_of_minus (fst e) b)), <- (dot_of_equal _ _ _ (vector_of_minus (snd e) b)).
