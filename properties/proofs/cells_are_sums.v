@@ -21,7 +21,8 @@ Theorem cells_are_in_sums (p q : numbered) (c : cells) :
   exists i j t u, PositiveMap.find i p = Some t /\ PositiveMap.find j q = Some u /\ is_in_sum t u x.
 Proof.
   intros p_convex q_convex. induction c as [i j | l one IH_one other IH_other]; intros v x; cbn [are_sums].
-  - destruct (PositiveMap.find i p) as [t |] eqn:t_is; [| easy]. destruct (PositiveMap.find j q) as [u |] eqn:u_is; [| easy].
+  - destruct (PositiveMap.find i p) as [t |] eqn:t_is; [| easy].
+    destruct (PositiveMap.find j q) as [u |] eqn:u_is; [| easy].
     rewrite andb_true_iff. intros [fan sums] x_in. exists i, j, t, u. repeat split; trivial.
     exact (polygon_is_in_sum t u _ v x (p_convex i t t_is) (q_convex j u u_is) fan sums x_in).
   - rewrite !andb_true_iff. intros (((ahead & ahead_opposite) & sums_one) & sums_other) x_in.

@@ -51,7 +51,8 @@ Proof.
   assert (m_rational : 0 < inject_Z m) by now apply (positive_rational m).
   assert (n_rational : 0 < inject_Z n) by now apply (positive_rational n).
   pose proof (positive_denominator (pw a)) as a_positive. pose proof (positive_denominator (pw b)) as b_positive.
-  pose proof (Qmult_lt_0_compat _ _ n_rational a_positive) as na. pose proof (Qmult_lt_0_compat _ _ m_rational b_positive) as mb.
+  pose proof (Qmult_lt_0_compat _ _ n_rational a_positive) as na.
+  pose proof (Qmult_lt_0_compat _ _ m_rational b_positive) as mb.
   assert (is_weighted : equal_vectors (vector_of (meet a b (value l a) (value l b)))
     (between (vector_of a) (vector_of b) (inject_Z m * inject_Z (Zpos (pw b)) /
       (inject_Z n * inject_Z (Zpos (pw a)) + inject_Z m * inject_Z (Zpos (pw b)))))).
@@ -65,7 +66,8 @@ Proof.
   - rewrite (value_at_equal _ _ _ is_weighted), value_between.
     pose proof (value_is l a) as value_a. pose proof (value_is l b) as value_b.
     assert (balanced : inject_Z n * inject_Z (value l a) + inject_Z m * inject_Z (value l b) == 0).
-    { rewrite <- !inject_Z_mult, <- inject_Z_plus. replace (n * value l a + m * value l b)%Z with 0%Z by (unfold m, n; lia). reflexivity. }
+    { rewrite <- !inject_Z_mult, <- inject_Z_plus.
+      replace (n * value l a + m * value l b)%Z with 0%Z by (unfold m, n; lia). reflexivity. }
     rewrite value_a, value_b in balanced.
     transitivity ((inject_Z n * (value_at l (vector_of a) * inject_Z (Zpos (pw a))) +
       inject_Z m * (value_at l (vector_of b) * inject_Z (Zpos (pw b)))) /
@@ -107,7 +109,8 @@ Section Clip.
     end.
 
   Lemma are_linked_app (kept_points more : polygon) : forall last,
-    are_linked last (kept_points ++ more) <-> are_linked last kept_points /\ are_linked (last_of last kept_points) more.
+    are_linked last (kept_points ++ more) <->
+      are_linked last kept_points /\ are_linked (last_of last kept_points) more.
   Proof. induction kept_points as [| k rest IH]; intros last; cbn; [tauto |]. rewrite IH. tauto. Qed.
 
   Lemma last_of_app (kept_points more : polygon) : forall last,
@@ -137,7 +140,8 @@ Section Clip.
     unfold has_on_its_left, between, equal_vectors, turn_of. cbn [vx vy].
     intros [low high] [x_is y_is] left_. rewrite x_is, y_is.
     assert (rest : 0 <= 1 - s) by lra.
-    split; [pose proof (Qmult_le_0_compat _ _ low left_) as part | pose proof (Qmult_le_0_compat _ _ rest left_) as part];
+    split;
+      [pose proof (Qmult_le_0_compat _ _ low left_) as part | pose proof (Qmult_le_0_compat _ _ rest left_) as part];
       eapply Qle_trans; [exact part | | exact part |]; apply Qle_lteq; right; ring.
   Qed.
 
@@ -154,15 +158,18 @@ Section Clip.
       + destruct (meet_is_between l a b) as (s & within & m_is & m_on); [lia |].
         destruct (part_has_on_its_left a b _ s within m_is left_) as [_ part].
         cbn [are_linked last_of]. split; [split; [| exact I] |].
-        * destruct last as [p |]; [| exact I]. right. split; [assumption |]. split; [exact (proj1 ready) |]. now apply value_zero.
+        * destruct last as [p |]; [| exact I]. right. split; [assumption |]. split; [exact (proj1 ready) |].
+          now apply value_zero.
         * unfold is_ready. replace (0 <=? value l b)%Z with true by lia. now left.
       + cbn [are_linked last_of]. split; [exact I |]. destruct last as [p |]; [| exact I]. unfold is_ready.
         destruct (Z.leb_spec 0 (value l b)) as [b_on |]; [| assumption].
         right. split; [assumption |]. split; [exact (proj1 ready) | lia].
     - assert (0 <=? value l a = true)%Z as is_left by lia. assert (0 <? value l a = false)%Z as not_left by lia.
       assert (value l a <? 0 = false)%Z as not_right by lia.
-      unfold is_ready in ready. rewrite is_left in ready. rewrite is_left, not_left, not_right. cbn [andb orb app are_linked last_of].
-      split; [split; [| exact I]; now destruct last |]. unfold is_ready. destruct (Z.leb_spec 0 (value l b)) as [| b_right]; [now left |].
+      unfold is_ready in ready. rewrite is_left in ready. rewrite is_left, not_left, not_right.
+      cbn [andb orb app are_linked last_of].
+      split; [split; [| exact I]; now destruct last |]. unfold is_ready.
+      destruct (Z.leb_spec 0 (value l b)) as [| b_right]; [now left |].
       split; [now apply (crosses_are_lines a b) | assumption].
     - assert (0 <=? value l a = true)%Z as is_left by lia. assert (0 <? value l a = true)%Z as strictly by lia.
       assert (value l a <? 0 = false)%Z as not_right by lia.
@@ -173,7 +180,8 @@ Section Clip.
         split; [split; [now destruct last |]; split; [now left | exact I] |].
         unfold is_ready. replace (0 <=? value l b)%Z with false by lia.
         split; [| assumption]. exact (crosses_are_lines _ b m_on b_right).
-      + split; [split; [now destruct last | exact I] |]. unfold is_ready. replace (0 <=? value l b)%Z with true by lia. now left.
+      + split; [split; [now destruct last | exact I] |]. unfold is_ready.
+        replace (0 <=? value l b)%Z with true by lia. now left.
   Qed.
 
   Lemma path_is_linked (path : polygon) : forall (last : option hpoint) (a z : hpoint),
@@ -186,7 +194,8 @@ Section Clip.
       exact (left_ (a, z) (or_introl eq_refl)).
     - change (consecutive (a :: (b :: path) ++ [z])) with ((a, b) :: consecutive (b :: path ++ [z])) in *.
       cbn [flat_map]. rewrite are_linked_app, last_of_app.
-      destruct (kept_is_linked last a b) as [linked ready_for_b]; [exact (left_ (a, b) (or_introl eq_refl)) | assumption |].
+      destruct (kept_is_linked last a b) as [linked ready_for_b];
+        [exact (left_ (a, b) (or_introl eq_refl)) | assumption |].
       rewrite and_assoc. split; [assumption |]. apply IH; [| assumption]. intros e in_path. apply left_. now right.
   Qed.
 
@@ -209,9 +218,11 @@ Section Clip.
       destruct (0 <=? value l a)%Z; [assumption |]. destruct step as [on_line | [no_more _]]; [assumption | easy].
     - change (consecutive (a :: (b :: path) ++ [z])) with ((a, b) :: consecutive (b :: path ++ [z])).
       cbn [flat_map]. intros first. specialize (step a b k more _ first).
-      destruct (Z.leb_spec 0 (value l a)) as [| a_right]; [assumption |]. destruct step as [on_line | [rest b_right]]; [assumption |].
+      destruct (Z.leb_spec 0 (value l a)) as [| a_right]; [assumption |].
+      destruct step as [on_line | [rest b_right]]; [assumption |].
       specialize (IH b k more rest). destruct (Z.leb_spec 0 (value l b)) as [b_left |]; [| assumption].
-      assert (b_on : value l b = 0%Z) by lia. subst k. split; [exact (crosses_are_lines b a b_on a_right) | assumption].
+      assert (b_on : value l b = 0%Z) by lia. subst k.
+      split; [exact (crosses_are_lines b a b_on a_right) | assumption].
   Qed.
 
   Lemma sides_of_clipped_are_good (v : polygon) (a b : hpoint) :
@@ -247,7 +258,8 @@ Section Clip.
     generalize (inject_Z (la l)), (inject_Z (lb l)), (inject_Z (lc l)), (vector_of a), (vector_of b).
     clear a b. intros m n k a b x_left a_on b_on forwards length_.
     apply (Qmult_lt_0_le_reg_r _ _ _ length_). rewrite Qmult_0_l.
-    pose proof (Qmult_le_0_compat _ _ forwards x_left) as product. eapply Qle_trans; [exact product |]. apply Qle_lteq. right.
+    pose proof (Qmult_le_0_compat _ _ forwards x_left) as product. eapply Qle_trans; [exact product |].
+    apply Qle_lteq. right.
     assert (k_is : k == - (m * vx a + n * vy a)) by lra.
     assert (across : n * (vy b - vy a) == - (m * (vx b - vx a))) by lra.
     rewrite k_is.

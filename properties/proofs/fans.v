@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Convex polygons of the checker (checker.v) are fans of triangles: a point to the left of all sides of a polygon is in a
-   triangle of its first corner and a side, so it is a sum of three corners with weights. Conversely such a sum is
+(* Convex polygons of the checker (checker.v) are fans of triangles: a point to the left of all sides of a polygon is in
+   a triangle of its first corner and a side, so it is a sum of three corners with weights. Conversely such a sum is
    in the polygon if it is convex. The same is true of polygons of which any corner has a fan. *)
 From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List Setoid.
 From Oplus Require Import direction sweep winding_number specification checker homogeneous_points.
@@ -72,7 +72,8 @@ Proof.
   assert (positive : 0 < inject_Z (Zpos (pw a)) * inject_Z (Zpos (pw b)))
     by (apply Qmult_lt_0_compat; apply positive_denominator).
   split; intros sign.
-  - rewrite <- (Qmult_0_l (inject_Z (Zpos (pw a)) * inject_Z (Zpos (pw b)))) in sign. now apply Qmult_lt_0_le_reg_r in sign.
+  - rewrite <- (Qmult_0_l (inject_Z (Zpos (pw a)) * inject_Z (Zpos (pw b)))) in sign.
+    now apply Qmult_lt_0_le_reg_r in sign.
   - apply Qmult_le_0_compat; lra.
 Qed.
 
@@ -95,10 +96,12 @@ Proof.
   - intros left_ l side. apply in_map_iff in side as (e & <- & side). now apply turn_of_is_value_at, left_.
 Qed.
 
-Lemma left_of_all_is_inside (t : piece) (x : hpoint) : is_left_of_all (side_lines t) x = true <-> inside t (vector_of x).
+Lemma left_of_all_is_inside (t : piece) (x : hpoint) : 
+  is_left_of_all (side_lines t) x = true <-> inside t (vector_of x).
 Proof.
   unfold is_left_of_all, inside. rewrite forallb_forall.
-  split; intros left_ l side; apply left_ in side; [apply value_not_negative; lia | apply value_not_negative in side; lia].
+  split; intros left_ l side; apply left_ in side; 
+    [apply value_not_negative; lia | apply value_not_negative in side; lia].
 Qed.
 
 Lemma corners_are_inside (t : piece) (a : hpoint) : is_convex t = true -> In a (corners t) -> inside t (vector_of a).
@@ -145,7 +148,10 @@ Definition consecutive (v : polygon) : list hedge := combine v (tl v).
 
 Lemma combine_with_more {A B} (l : list A) (m : list B) (more : list A) :
   length l = length m -> combine (l ++ more) m = combine l m.
-Proof. revert m. induction l as [| a l IH]; intros [| b m] equal_; try easy; [now destruct more |]. cbn. f_equal. apply IH. now injection equal_. Qed.
+Proof.
+  revert m. induction l as [| a l IH]; intros [| b m] equal_; try easy; [now destruct more |].
+  cbn. f_equal. apply IH. now injection equal_.
+Qed.
 
 Lemma sides_are_consecutive (first : hpoint) (rest : polygon) :
   sides (first :: rest) = consecutive (first :: rest ++ [first]).
@@ -164,7 +170,8 @@ Lemma inside_is_in_the_rest (first b : hpoint) (rest : polygon) (x : vector) :
 Proof.
   revert b. induction rest as [| c rest IH]; [easy |]. intros b _ b_left sides_left.
   assert (side : 0 <= turn_of (vector_of b) (vector_of c) x) by exact (sides_left (b, c) (or_introl eq_refl)).
-  assert (later : forall e, In e (consecutive (c :: rest ++ [first])) -> 0 <= turn_of (vector_of (fst e)) (vector_of (snd e)) x).
+  assert (later : forall e, In e (consecutive (c :: rest ++ [first])) ->
+    0 <= turn_of (vector_of (fst e)) (vector_of (snd e)) x).
   { intros e in_rest. apply sides_left. right. exact in_rest. }
   destruct (Qlt_le_dec (turn_of (vector_of c) (vector_of first) x) 0) as [beyond | within].
   - assert (c_left : 0 <= turn_of (vector_of first) (vector_of c) x) by (unfold turn_of in *; lra).
@@ -191,7 +198,8 @@ Qed.
 Lemma turned_has_the_sides (v : polygon) (e : hedge) : In e (sides (turned v)) <-> In e (sides v).
 Proof.
   destruct v as [| first [| b rest]]; try easy.
-  assert (consecutive_app : forall (l : polygon) (m n : hpoint), consecutive (l ++ [m] ++ [n]) = consecutive (l ++ [m]) ++ [(m, n)]).
+  assert (consecutive_app : forall (l : polygon) (m n : hpoint),
+    consecutive (l ++ [m] ++ [n]) = consecutive (l ++ [m]) ++ [(m, n)]).
   { induction l as [| k l IH]; [easy |]. intros m n. specialize (IH m n). destruct l as [| j l]; [easy |].
     unfold consecutive in *. cbn in *. now rewrite IH. }
   unfold turned. cbn [app]. rewrite !sides_are_consecutive.
@@ -227,7 +235,8 @@ Corollary inside_is_combination (tries : nat) (v : polygon) (x : vector) :
   exists a b c p q r, In a v /\ In b v /\ In c v /\ are_weights p q r /\
     is_combination p q r (vector_of a) (vector_of b) (vector_of c) x.
 Proof.
-  intros fan x_in. destruct (inside_is_in_a_triangle tries v x fan x_in) as (a & b & c & a_in & b_in & c_in & turns & within).
+  intros fan x_in. destruct (inside_is_in_a_triangle tries v x fan x_in)
+    as (a & b & c & a_in & b_in & c_in & turns & within).
   destruct (in_triangle_is_combination _ _ _ _ turns within) as (p & q & r & combination).
   exists a, b, c, p, q, r. tauto.
 Qed.

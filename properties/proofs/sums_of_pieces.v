@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Where the checker (checker.v) finds that a point is in the sum of two convex pieces, it is the sum of a point of the one
-   and a point of the other: of a corner and another point, or of points at which two sides cross. If that is so for the
-   corners of a polygon that has a fan (fans.v), it is so for all points of the polygon. *)
+(* Where the checker (checker.v) finds that a point is in the sum of two convex pieces, it is the sum of a point of the
+   one and a point of the other: of a corner and another point, or of points at which two sides cross. If that is so
+   for the corners of a polygon that has a fan (fans.v), it is so for all points of the polygon. *)
 From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
 From Oplus Require Import direction sweep winding_number specification checker homogeneous_points fans.
 Import ListNotations.
@@ -31,11 +31,14 @@ Lemma left_turn_is_negative (a b c : hpoint) :
   (left_turn a b c < 0)%Z <-> turn_of (vector_of a) (vector_of b) (vector_of c) < 0.
 Proof.
   pose proof (left_turn_is_positive b a c) as reversed.
-  assert (left_turn b a c = - left_turn a b c)%Z as negated_ by (unfold left_turn, value, line_through; cbn [la lb lc]; ring).
-  assert (turn_of (vector_of b) (vector_of a) (vector_of c) == - turn_of (vector_of a) (vector_of b) (vector_of c)) as is_opposite
-    by (unfold turn_of; ring).
-  rewrite is_opposite, negated_ in reversed. split; intros sign; [assert (0 < - left_turn a b c)%Z as opposite by lia |
-    assert (0 < - turn_of (vector_of a) (vector_of b) (vector_of c)) as opposite by lra]; apply reversed in opposite; [lra | lia].
+  assert (left_turn b a c = - left_turn a b c)%Z as negated_
+    by (unfold left_turn, value, line_through; cbn [la lb lc]; ring).
+  assert (turn_of (vector_of b) (vector_of a) (vector_of c) == - turn_of (vector_of a) (vector_of b) (vector_of c))
+    as is_opposite by (unfold turn_of; ring).
+  rewrite is_opposite, negated_ in reversed. split; intros sign;
+    [assert (0 < - left_turn a b c)%Z as opposite by lia |
+     assert (0 < - turn_of (vector_of a) (vector_of b) (vector_of c)) as opposite by lra];
+    apply reversed in opposite; [lra | lia].
 Qed.
 
 Definition are_opposite (u v : Q) : Prop := 0 < u /\ v < 0 \/ u < 0 /\ 0 < v.
@@ -109,13 +112,15 @@ Lemma combination_is_in_sum (t u : piece) (p q r : Q) (a b c x : vector) :
   are_weights p q r -> is_combination p q r a b c x ->
   is_in_sum t u a -> is_in_sum t u b -> is_in_sum t u c -> is_in_sum t u x.
 Proof.
-  intros weights [x_is y_is] (a1 & a2 & a1_in & a2_in & ax & ay) (b1 & b2 & b1_in & b2_in & bx & by_)
+  intros weights [x_is y_is] (a1 & a2 & a1_in & a2_in & ax & ay)
+    (b1 & b2 & b1_in & b2_in & bx & by_)
     (c1 & c2 & c1_in & c2_in & cx & cy).
   exists (combination p q r a1 b1 c1), (combination p q r a2 b2 c2).
   split; [| split].
   - apply (combination_is_inside p q r t a1 b1 c1); trivial. split; reflexivity.
   - apply (combination_is_inside p q r u a2 b2 c2); trivial. split; reflexivity.
-  - unfold equal_vectors, added in *. cbn [combination vx vy] in *. rewrite x_is, y_is, ax, ay, bx, by_, cx, cy. split; ring.
+  - unfold equal_vectors, added in *. cbn [combination vx vy] in *.
+    rewrite x_is, y_is, ax, ay, bx, by_, cx, cy. split; ring.
 Qed.
 
 Theorem polygon_is_in_sum (t u : piece) (tries : nat) (v : polygon) (x : vector) :
@@ -124,6 +129,7 @@ Theorem polygon_is_in_sum (t u : piece) (tries : nat) (v : polygon) (x : vector)
   is_in_sum t u x.
 Proof.
   intros t_convex u_convex fan sums x_in. rewrite forallb_forall in sums.
-  destruct (inside_is_combination tries v x fan x_in) as (a & b & c & p & q & r & a_in & b_in & c_in & weights & is_sum).
+  destruct (inside_is_combination tries v x fan x_in)
+    as (a & b & c & p & q & r & a_in & b_in & c_in & weights & is_sum).
   apply (combination_is_in_sum t u p q r (vector_of a) (vector_of b) (vector_of c)); auto using sum_of_both_is_in_sum.
 Qed.
