@@ -9,6 +9,7 @@
 #include "properties/compare/no_sum.hpp"
 #include "properties/runner/checked_engines.hpp"
 #include "properties/runner/temporary_folder.hpp"
+#include "reference/chains/region_of.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
