@@ -3,7 +3,8 @@
    signed crossings (winding_number.v); and the checker's integers give the same. `boundary r` are the edges of a region
    as segments. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
-From Oplus Require Import specification checker direction sweep winding_number regions signed_crossings homogeneous_points.
+From Oplus Require Import specification checker direction sweep winding_number regions signed_crossings
+  homogeneous_points.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -75,7 +76,8 @@ Lemma signed_crossing_by_turn (x a b : vector) :
   | _, _ => 0%Z
   end.
 Proof.
-  unfold signed_crossing, crossing. cbn [source target]. rewrite turn_of_is_orientation, (at_most_is (vy a)), (at_most_is (vy b)).
+  unfold signed_crossing, crossing. cbn [source target].
+  rewrite turn_of_is_orientation, (at_most_is (vy a)), (at_most_is (vy b)).
   generalize (Qle_bool (vy a) (vy x)) (Qle_bool (vy b) (vy x)) (turn_of a b x). intros a_below b_below side.
   rewrite <- (at_most_is side 0), <- (at_most_is 0 side). unfold at_most. rewrite <- (Qcompare_antisym side).
   destruct a_below, b_below, (side ?= 0); reflexivity.
@@ -88,8 +90,10 @@ Lemma is_on_is (x : point) (e : edge) :
 Proof.
   unfold is_on. pose proof (homogeneous_is (fst e)) as first_is. pose proof (homogeneous_is (snd e)) as second_is.
   split; intros on.
-  - apply (lies_on_of_equal (as_vector x) _ (as_vector (fst e)) (as_vector (snd e))); [reflexivity | now symmetry .. | exact on].
-  - refine (lies_on_of_equal _ (as_vector x) _ _ (as_vector (fst e)) (as_vector (snd e)) _ _ _ on); [reflexivity | assumption ..].
+  - apply (lies_on_of_equal (as_vector x) _ (as_vector (fst e)) (as_vector (snd e)));
+      [reflexivity | now symmetry .. | exact on].
+  - refine (lies_on_of_equal _ (as_vector x) _ _ (as_vector (fst e)) (as_vector (snd e)) _ _ _ on);
+      [reflexivity | assumption ..].
 Qed.
 
 Lemma crossing_is (x : point) (e : edge) :
@@ -116,7 +120,8 @@ Proof.
   split; (intros [(e & there & on) | round]; [left | now right]).
   - exists (segment_of (homogeneous (fst e), homogeneous (snd e))). split; [| now apply is_on_is].
     apply in_map_iff. now exists e.
-  - apply in_map_iff in there. destruct there as (edge_ & <- & there). exists edge_. split; [exact there |]. now apply is_on_is.
+  - apply in_map_iff in there. destruct there as (edge_ & <- & there). exists edge_. split; [exact there |].
+    now apply is_on_is.
 Qed.
 
 (* What the checker computes. *)
@@ -125,7 +130,8 @@ Lemma left_turn_sign (a b c : hpoint) :
     (inject_Z (Zpos (pw a)) * inject_Z (Zpos (pw b)) * inject_Z (Zpos (pw c))).
 Proof. unfold left_turn. rewrite value_is, value_of_line_through. ring. Qed.
 
-Lemma product_with_positive (a k : Q) : 0 < k -> (0 < a * k <-> 0 < a) /\ (a * k < 0 <-> a < 0) /\ (a * k == 0 <-> a == 0).
+Lemma product_with_positive (a k : Q) :
+  0 < k -> (0 < a * k <-> 0 < a) /\ (a * k < 0 <-> a < 0) /\ (a * k == 0 <-> a == 0).
 Proof.
   intros positive. destruct (Q_dec a 0) as [[low | high] | zero_].
   - assert (0 < - a * k) by (apply Qmult_lt_0_compat; lra). repeat split; intros; lra.
@@ -151,9 +157,11 @@ Qed.
 Lemma hcrossing_is (x : hpoint) (e : hedge) : hcrossing x e = signed_crossing (vector_of x) (segment_of e).
 Proof.
   destruct e as [a b]. unfold hcrossing, segment_of. cbn [fst snd].
-  assert (below : forall c, (py c * Zpos (pw x) <=? py x * Zpos (pw c))%Z = at_most (vy (vector_of c)) (vy (vector_of x))).
+  assert (below : forall c,
+    (py c * Zpos (pw x) <=? py x * Zpos (pw c))%Z = at_most (vy (vector_of c)) (vy (vector_of x))).
   { intros c. rewrite at_most_is. reflexivity. }
-  rewrite !below. unfold signed_crossing, crossing. cbn [source target]. rewrite turn_of_is_orientation, <- left_turn_compare.
+  rewrite !below. unfold signed_crossing, crossing. cbn [source target].
+  rewrite turn_of_is_orientation, <- left_turn_compare.
   unfold Z.leb. rewrite (Z.compare_antisym (left_turn a b x) 0).
   destruct (at_most (vy (vector_of a)) (vy (vector_of x))), (at_most (vy (vector_of b)) (vy (vector_of x))),
     (left_turn a b x ?= 0)%Z; reflexivity.
