@@ -2,7 +2,10 @@
 #include "checked/certificates/convex_pieces.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <numeric>
+#include <tuple>
 
 #include "checked/certificates/halving_order.hpp"
 #include "checked/certificates/shifted_doubles.hpp"
@@ -11,6 +14,9 @@
 namespace oplus::certificates {
 
 namespace {
+
+/// To check whether a point is in a sum of two pieces takes as long as the product of their sizes.
+constexpr std::uint32_t most_corners = 8;
 
 /// The edges of triangles, and then of what they are merged into; edge 3 t + k leaves corner k of
 /// triangle t.
@@ -29,7 +35,7 @@ class MergedTriangles {
         is_flat_(source_.size(), false),
         is_removed_(source_.size(), false),
         piece_(triangles.size()),
-        flat_corners_(triangles.size(), 0) {
+        corners_(triangles.size(), 3) {
     std::iota(piece_.begin(), piece_.end(), 0U);
     for (std::uint32_t t = 0; t < triangles.size(); ++t) {
       for (std::uint32_t k = 0; k < 3; ++k) {
@@ -47,12 +53,18 @@ class MergedTriangles {
     }
   }
 
+  /// First without diagonals that do not make both angles convex at an end where the region's angle is reflex,
+  /// last without those that do at both ends; the longer first.
   void merge() {
-    std::vector<std::pair<double, Edge>> diagonals;
+    std::vector<std::uint8_t> ends(source_.size(), 0);
     for (Edge e = 0; e < twin_.size(); ++e)
-      if (twin_[e] != Triangle::none && e < twin_[e]) diagonals.push_back({-length(e), e});
+      if (twin_[e] == Triangle::none) count_where_reflex(e, ends);
+    std::vector<std::tuple<int, double, Edge>> diagonals;
+    for (Edge e = 0; e < twin_.size(); ++e)
+      if (twin_[e] != Triangle::none && e < twin_[e])
+        diagonals.emplace_back(ends[e] + ends[twin_[e]], -length(e), e);
     std::ranges::sort(diagonals);
-    for (const auto& [length, e] : diagonals) merge_across(e);
+    for (const auto& [count, length, e] : diagonals) merge_across(e);
   }
 
   std::vector<ConvexPiece> pieces() const {
@@ -73,10 +85,33 @@ class MergedTriangles {
   }
 
  private:
-  double length(Edge e) const {
+  Place direction(Edge e) const {
     const auto& [ax, ay] = places_[source_[e]];
     const auto& [bx, by] = places_[source_[next_[e]]];
-    return std::hypot(ax - bx, ay - by);
+    return {bx - ax, by - ay};
+  }
+
+  double length(Edge e) const {
+    const auto [x, y] = direction(e);
+    return std::hypot(x, y);
+  }
+
+  /// Of the diagonals that leave the vertex which an edge of the region leaves, those that make both angles
+  /// convex where that between the edges of the region is reflex. In doubles.
+  void count_where_reflex(Edge boundary, std::vector<std::uint8_t>& counts) const {
+    const auto turns_left = [](const Place& a, const Place& b) {
+      return a.x * b.y - a.y * b.x > 0;
+    };
+    Edge last = boundary;
+    while (twin_[previous_[last]] != Triangle::none) last = twin_[previous_[last]];
+    const Place from = direction(boundary), back = direction(previous_[last]);
+    const Place to{-back.x, -back.y};
+    if (!turns_left(to, from)) return;
+    for (Edge e = boundary; e != last;) {
+      e = twin_[previous_[e]];
+      const Place along = direction(e);
+      if (!turns_left(along, from) && !turns_left(to, along)) ++counts[e];
+    }
   }
 
   /// How what runs along `in` and `out`, from where `in` ends, turns.
@@ -97,39 +132,29 @@ class MergedTriangles {
 
   void merge_across(Edge e) {
     const Edge f = twin_[e];
+    const std::uint32_t left = piece_of(e / 3), right = piece_of(f / 3);
+    const std::uint32_t corners = corners_[left] + corners_[right] - 2;
+    if (corners > most_corners) return;
     const Edge in[] = {previous_[e], previous_[f]}, out[] = {next_[f], next_[e]};
     const int turns[] = {turn(in[0], out[0]), turn(in[1], out[1])};
     if (turns[0] < 0 || turns[1] < 0) return;
-    const std::uint32_t left = piece_of(e / 3), right = piece_of(f / 3);
     // A flat corner is never merged: the whole one would be larger than π.
+    for (int end = 0; end < 2; ++end)
+      if (turns[end] == 0 && (is_flat_[in[end]] || is_flat_[next_[out[end]]])) return;
     for (int end = 0; end < 2; ++end) {
       link(in[end], out[end]);
       is_flat_[out[end]] = turns[end] == 0;
     }
-    const std::uint32_t flat =
-        flat_corners_[left] + flat_corners_[right] + (turns[0] == 0) + (turns[1] == 0);
-    if (flat > 0 && !may_be_first(first_corner(out[0]))) {
-      for (const Edge after : out) is_flat_[after] = false;
-      link(in[0], e);
-      link(e, out[1]);
-      link(in[1], f);
-      link(f, out[0]);
-      return;
-    }
     is_removed_[e] = is_removed_[f] = true;
     piece_[right] = left;
-    flat_corners_[left] = flat;
+    corners_[left] = corners;
   }
 
-  /// Whether triangles from this corner are counterclockwise: none has a side on a line through it.
-  bool may_be_first(Edge corner) const {
-    return !is_flat_[next_[corner]] && !is_flat_[previous_[corner]];
-  }
-
-  /// The first of a piece, given one of its edges; any if none may be first.
+  /// A corner whose triangles with two that follow each other are counterclockwise: a flat one, since there
+  /// is at most one on each side, or any if there is none. Given an edge of the piece.
   Edge first_corner(Edge e) const {
     Edge at = e;
-    while (!may_be_first(at) && next_[at] != e) at = next_[at];
+    while (!is_flat_[at] && next_[at] != e) at = next_[at];
     return at;
   }
 
@@ -139,8 +164,8 @@ class MergedTriangles {
   std::vector<Edge> next_, previous_, twin_;
   std::vector<bool> is_flat_;  ///< the corner that the edge leaves
   std::vector<bool> is_removed_;
-  std::vector<std::uint32_t> piece_;  ///< of triangles: another one of its piece, or itself
-  std::vector<std::uint32_t> flat_corners_;
+  std::vector<std::uint32_t> piece_;    ///< of triangles: another one of its piece, or itself
+  std::vector<std::uint32_t> corners_;  ///< of pieces, how many
 };
 
 Place centre(const ConvexPiece& piece, const std::vector<Place>& vertices) {

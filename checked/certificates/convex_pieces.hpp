@@ -8,8 +8,8 @@
 
 namespace oplus::certificates {
 
-/// The numbers of its corners, counterclockwise; inner angles are at most π. Triangles between the first
-/// corner and two that follow each other are counterclockwise: none is flat.
+/// The numbers of its corners, counterclockwise; inner angles are at most π, and π at one corner of each
+/// side at most. Triangles between the first corner and two that follow each other are counterclockwise.
 using ConvexPiece = std::vector<std::uint32_t>;
 
 /// A region as the union of convex pieces whose interiors are disjoint. Their edges are, as a multiset,

@@ -17,7 +17,7 @@ void halve(std::span<std::uint32_t> order, const std::vector<Place>& places) {
     const auto [low, high] = std::ranges::minmax_element(order, {}, coordinate);
     return coordinate(*high) - coordinate(*low);
   };
-  const auto middle = order.begin() + static_cast<std::ptrdiff_t>(order.size() / 2);
+  const auto middle = order.begin() + static_cast<std::ptrdiff_t>(first_half(order.size()));
   if (length(by_x) >= length(by_y))
     std::ranges::nth_element(order, middle, {}, by_x);
   else

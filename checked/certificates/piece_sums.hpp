@@ -43,7 +43,7 @@ class NearPieces {
 
     bool is_one() const { return end - begin == 1; }
     std::pair<Range, Range> halves() const {
-      const std::uint32_t middle = begin + (end - begin) / 2;
+      const auto middle = begin + static_cast<std::uint32_t>(first_half(end - begin));
       return {{begin, middle, box + 1}, {middle, end, box + 2 * (middle - begin)}};
     }
   };
