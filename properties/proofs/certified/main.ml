@@ -82,7 +82,7 @@ let run is_echoed = function
           exit 1)
   | files -> refuse (Printf.sprintf "%d files; expected P Q S CERTIFICATE (see --help)" (List.length files))
 
-(* Recursion is as deep as lists are long, and a heap of 2^30 words is more than any sensible input needs. *)
+(* Recursion is as deep as lists are long, and a heap of 4 GB is more than any sensible input needs. *)
 let start () =
   if Sys.getenv_opt "OPLUS_CERTIFIED" = None then begin
     Unix.putenv "OPLUS_CERTIFIED" "stack";
@@ -92,7 +92,7 @@ let start () =
     with Unix.Unix_error _ -> ()
   end;
   Gc.set { (Gc.get ()) with minor_heap_size = 1 lsl 20; space_overhead = 200 };
-  ignore (Gc.create_alarm (fun () -> if (Gc.quick_stat ()).heap_words > 1 lsl 30 then raise Out_of_memory))
+  ignore (Gc.create_alarm (fun () -> if (Gc.quick_stat ()).heap_words > 1 lsl 29 then raise Out_of_memory))
 
 let () =
   start ();

@@ -17,7 +17,7 @@ type t = {
   mutable line_of_word : int;
 }
 
-let longest_text = 1 lsl 30
+let longest_text = 1 lsl 27
 let longest_word = 100_000
 
 (* One clear line, whatever is in the text. *)
@@ -35,13 +35,14 @@ let refuse_word text expected = refuse text (quoted text.word) expected
 let count text bytes =
   text.size <- text.size + bytes;
   if text.size > longest_text then
-    refuse text "the text is too long" (Printf.sprintf "at most %d bytes, an exponent for as many" longest_text)
+    refuse text "the text is too long" (Printf.sprintf "at most %d bytes; an exponent counts as so many" longest_text)
 
 (* Whether there is a next byte. *)
 let more text =
   text.next < text.filled
   || begin
-       text.filled <- input text.channel text.block 0 (Bytes.length text.block);
+       text.filled <- (try input text.channel text.block 0 (Bytes.length text.block)
+                       with Sys_error why -> refuse text (String.escaped why) "a file that can be read");
        text.next <- 0;
        count text text.filled;
        text.filled > 0
@@ -152,14 +153,15 @@ let take_number text =
   advance text;
   if has word 0 "-" then Q.neg value else value
 
+let is_natural word = word <> "" && end_of_digits word 0 = String.length word
+
 (* Takes digits. *)
 let take_natural text =
-  if text.word = "" || end_of_digits text.word 0 < String.length text.word then
-    refuse_word text "a number that is not negative";
+  if not (is_natural text.word) then refuse_word text "a number that is not negative";
   Z.of_string (take text)
 
 (* Takes digits that stand for a number of things in this text. *)
 let take_count text =
-  match int_of_string_opt (if has text.word 0 "0123456789" then text.word else "") with
-  | Some n when n <= longest_text -> advance text; n
+  match int_of_string_opt text.word with
+  | Some n when is_natural text.word && n <= longest_text -> advance text; n
   | _ -> refuse_word text (Printf.sprintf "a number from 0 to %d" longest_text)

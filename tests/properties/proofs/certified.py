@@ -1,0 +1,345 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tests oplus-certified: that it certifies sums, refuses wrong ones and damaged certificates, and answers as the
+checker does that is extracted from Coq without any replacement.
+Usage: certified.py PROGRAM BUILD, the folder in which it was built"""
+
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+HERE = Path(__file__).parent
+CERTIFIED, NOT_CERTIFIED, INVALID = 0, 1, 2
+
+
+def square(x, y, side):
+    """A ring, counterclockwise."""
+    return f"({x} {y},{x + side} {y},{x + side} {y + side},{x} {y + side},{x} {y})"
+
+
+def convex(*vertices):
+    """The part of a certificate about a region that is one convex piece."""
+    return f"points 0\npieces 1\n{' '.join(map(str, vertices or range(4)))}\n"
+
+
+def certificate(p, q, s, unit=1):
+    return f"oplus certificate 1\nunit {unit}\nsummand p\n{p}summand q\n{q}sum\n{s}end\n"
+
+
+ONE = convex() + "links 0\n"
+UNIT = f"POLYGON({square(0, 0, 1)})"
+L_SHAPE = "POLYGON((0 0,2 0,2 1,1 1,1 2,0 2,0 0))"
+AROUND = f"POLYGON({square(0, 0, 4)},(1 1,1 3,3 3,3 1,1 1))"
+RING = "points 0\npieces 4\n0 1 7 4\n1 2 6 7\n2 3 5 6\n3 0 4 5\n"
+RING_SUM = "points 0\npieces 4\n0 1 7 4\nin 0 0\n1 2 6 7\nin 1 0\n2 3 5 6\nin 2 0\n3 0 4 5\nin 3 0\n"
+TWO = f"MULTIPOLYGON(({square(0, 0, 1)}),({square(9, 0, 1)}))"
+TWO_PIECES = "points 0\npieces 2\n0 1 2 3\n4 5 6 7\n"
+NOTHING = "points 0\npieces 0\n"
+
+# Names, P, Q, S and certificates.
+EXAMPLES = {
+    "squares": (UNIT, f"POLYGON({square(0, 0, 2)})", f"POLYGON({square(0, 0, 3)})",
+                certificate(ONE, ONE, convex() + "in 0 0\n")),
+    "cut": (L_SHAPE, f"POLYGON((0 0,1/2 0,1/2 0.5,0 5e-1,0 0))",
+            "POLYGON((0 0,2.5 0,5/2 3/2,3/2 3/2,3/2 5/2,0 5/2,0 0))",
+            certificate("points 0\npieces 2\n0 1 2 3\n0 3 4 5\nlinks 1\n0 1\n", ONE,
+                        "points 0\npieces 2\n0 1 2 3\ncut 1 0 -1\nin 0 0\nin 0 0\n0 3 4 5\nin 1 0\n", 2)),
+    "points": (L_SHAPE, UNIT, "POLYGON((0 0,3 0,3 2,2 2,2 3,0 3,0 0))",
+               certificate("points 1\n5 0 1\npieces 2\n0 1 2 3 6\n6 3 4 5\nlinks 1\n0 1\n", ONE,
+                           "points 1\n5 0 2\npieces 2\n0 1 2 3 6\nin 0 0\n6 3 4 5\nin 1 0\n")),
+    "hole": (AROUND, UNIT, f"POLYGON({square(0, 0, 5)},(2 2,2 3,3 3,3 2,2 2))",
+             certificate(RING + "links 3\n0 1\n1 2\n2 3\n", ONE, RING_SUM)),
+    "components": (TWO, UNIT, f"MULTIPOLYGON(({square(0, 0, 2)}),({square(9, 0, 2)}))",
+                   certificate(TWO_PIECES + "links 0\n", ONE,
+                               "points 0\npieces 2\n0 1 2 3\nin 0 0\n4 5 6 7\nin 1 0\n")),
+    "empty": ("POLYGON EMPTY", UNIT, "multipolygon empty",
+              certificate(NOTHING + "links 0\n", ONE, NOTHING)),
+    "turned": ("POLYGON ((0 0, 0 1, 1 1, 1 0, 0 0))", UNIT, " polygon\r\n((0 0,0 2,2 2,2 0,0 0)) ",
+               certificate(ONE, ONE, convex() + "in 0 0\n")),
+}
+
+# Wrong sums, with certificates that are made for them, and what is said of them.
+WRONG_SUMS = {
+    "a component lost": (TWO, UNIT, f"POLYGON({square(0, 0, 2)})",
+                         certificate(TWO_PIECES + "links 0\n", ONE, convex() + "in 0 0\n"), "is not in S"),
+    "a component added": (UNIT, UNIT, f"MULTIPOLYGON(({square(0, 0, 2)}),({square(9, 0, 2)}))",
+                          certificate(ONE, ONE, "points 0\npieces 2\n0 1 2 3\nin 0 0\n4 5 6 7\nin 0 0\n"),
+                          "piece 1 of S, (9, 0) (11, 0) (11, 2) (9, 2),"),
+    "a hole added": (f"POLYGON({square(0, 0, 4)})", UNIT, f"POLYGON({square(0, 0, 5)},(2 2,2 3,3 3,3 2,2 2))",
+                     certificate(ONE, ONE, re.sub("in [123] 0", "in 0 0", RING_SUM)),
+                     "edge 4 of S, from (2, 2) to (2, 3),"),
+    "a hole filled": (AROUND, UNIT, f"POLYGON({square(0, 0, 5)})",
+                      certificate(RING + "links 3\n0 1\n1 2\n2 3\n", ONE,
+                                  convex() + "cut 1 0 -2\nin 1 0\nin 3 0\n"), "piece 0 of S"),
+    "too small": (UNIT, UNIT, f"POLYGON({square(0, 0, 1.5)})",
+                  certificate(ONE, ONE, convex() + "in 0 0\n"), "edge 1 of S, from (3/2, 0) to (3/2, 3/2),"),
+    "too large": (UNIT, UNIT, f"POLYGON({square(0, 0, 3)})",
+                  certificate(ONE, ONE, convex() + "in 0 0\n"), "piece 0 of S"),
+    "a vertex moved by 1/1000000": (UNIT, UNIT, "POLYGON((0 0,2 0,2.000001 2,0 2,0 0))",
+                                    certificate(ONE, ONE, convex() + "in 0 0\n"), "piece 0 of S"),
+    "a vertex moved inwards": (UNIT, UNIT, "POLYGON((0 0,2 0,1.999999 2,0 2,0 0))",
+                               certificate(ONE, ONE, convex() + "in 0 0\n"), "edge 1 of S"),
+    "translated": (UNIT, UNIT, "POLYGON((1/777 0,1555/777 0,1555/777 2,1/777 2,1/777 0))",
+                   certificate(ONE, ONE, convex() + "in 0 0\n"), "edge 3 of S"),
+    "nothing given": (UNIT, UNIT, "POLYGON EMPTY", certificate(ONE, ONE, NOTHING), "is not in S"),
+    "something of nothing": ("POLYGON EMPTY", UNIT, UNIT,
+                             certificate(NOTHING + "links 0\n", ONE, convex() + "in 0 0\n"), "piece 0 of S"),
+}
+
+# What is changed, in which example, what stands there, what stands there instead, the exit code and what is said.
+DAMAGES = [
+    ("another summand", "hole", "in 1 0", "in 3 0", NOT_CERTIFIED, "piece 1 of S"),
+    ("a summand that is not there", "hole", "in 1 0", "in 4 0", NOT_CERTIFIED, "piece 1 of S"),
+    ("a huge summand", "hole", "in 1 0", f"in 1 {10 ** 30}", NOT_CERTIFIED, "piece 1 of S"),
+    ("a negative summand", "hole", "in 1 0", "in -1 0", INVALID, "'-1'; expected a number that is not negative"),
+    ("a line moved", "hole", "in 0 0", "cut 1 0 -3\nin 1 0\nin 0 0", NOT_CERTIFIED, "piece 0 of S"),
+    ("a line that is none", "cut", "cut 1 0 -1", "cut 0 0 1", NOT_CERTIFIED, "piece 0 of S"),
+    ("a line with the sides exchanged", "cut", "cut 1 0 -1", "cut 0 0 -1", NOT_CERTIFIED, "piece 0 of S"),
+    ("a line of fractions", "cut", "cut 1 0 -1", "cut 1 0 -1/2", INVALID, "'-1/2'; expected an integer"),
+    ("a tree cut short", "cut", "in 0 0\nin 0 0", "in 0 0", INVALID, "'0'; expected 'in', or 'cut'"),
+    ("a tree too long", "cut", "in 0 0\nin 0 0", "in 0 0\nin 0 0\nin 0 0", INVALID, "'in'; expected"),
+    ("no tree", "squares", "in 0 0\n", "", INVALID, "'end'; expected 'in', or 'cut'"),
+    ("a piece left out of P", "hole", "pieces 4\n0 1 7 4\n1 2 6 7\n2 3 5 6\n3 0 4 5\nlinks 3\n0 1\n1 2\n2 3",
+     "pieces 3\n0 1 7 4\n1 2 6 7\n2 3 5 6\nlinks 2\n0 1\n1 2", NOT_CERTIFIED, "pieces of P"),
+    ("a piece of P twice", "hole", "pieces 4\n0 1 7 4\n1 2 6 7\n2 3 5 6\n3 0 4 5\nlinks",
+     "pieces 5\n0 1 7 4\n1 2 6 7\n2 3 5 6\n3 0 4 5\n0 1 7 4\nlinks", NOT_CERTIFIED, "pieces of P"),
+    ("a piece of S left out", "hole", "pieces 4\n0 1 7 4\nin 0 0\n", "pieces 3\n", NOT_CERTIFIED, "pieces of S"),
+    ("a piece of S twice", "hole", "pieces 4\n0 1 7 4\nin 0 0\n", "pieces 5\n0 1 7 4\nin 0 0\n0 1 7 4\nin 0 0\n",
+     NOT_CERTIFIED, "pieces of S"),
+    ("a piece turned clockwise", "hole", "2 3 5 6\n3", "6 5 3 2\n3", NOT_CERTIFIED, "pieces of P"),
+    ("a piece that is not convex", "cut", "pieces 2\n0 1 2 3\n0 3 4 5\nlinks 1\n0 1", "pieces 1\n0 1 2 3 4 5\nlinks 0",
+     NOT_CERTIFIED, "pieces of P"),
+    ("a piece that is not convex but has a fan", "cut", "pieces 2\n0 1 2 3\n0 3 4 5\nlinks 1\n0 1",
+     "pieces 1\n3 4 5 0 1 2\nlinks 0", NOT_CERTIFIED, "pieces of P"),
+    ("a piece that goes round twice", "squares", "summand q\npoints 0\npieces 1\n0 1 2 3",
+     "summand q\npoints 0\npieces 1\n0 1 2 3 0 1 2 3", NOT_CERTIFIED, "pieces of Q"),
+    ("a piece of two corners", "squares", "summand q\npoints 0\npieces 1\n0 1 2 3",
+     "summand q\npoints 0\npieces 2\n0 1 2 3\n0 1", NOT_CERTIFIED, "pieces of Q"),
+    ("a diagonal used once", "cut", "0 1 2 3\n0 3 4 5\nlinks", "0 1 2 3\n3 4 5\nlinks", NOT_CERTIFIED, "pieces of P"),
+    ("a piece between a region's components", "components", "pieces 2\n0 1 2 3\n4 5 6 7\nlinks",
+     "pieces 3\n0 1 2 3\n4 5 6 7\n1 4 7 2\nlinks", NOT_CERTIFIED, "pieces of P"),
+    ("a vertex that is not there", "squares", "0 1 2 3\nin", "0 1 2 4\nin", INVALID, "there is no vertex 4"),
+    ("a negative vertex", "squares", "0 1 2 3\nin", "0 1 2 -3\nin", INVALID, "'-3'; expected a number from 0"),
+    ("a huge vertex", "squares", "0 1 2 3\nin", f"0 1 2 {10 ** 30}\nin", INVALID, "; expected a number from 0"),
+    ("a link to a piece with no common corner", "hole", "1 2\n2 3", "1 2\n1 3", NOT_CERTIFIED, "links of P"),
+    ("a link from a piece that is not reached", "hole", "0 1\n1 2\n2 3", "0 1\n2 3\n1 2", NOT_CERTIFIED, "links of P"),
+    ("links in a circle", "hole", "0 1\n1 2\n2 3", "0 1\n3 2\n2 3", NOT_CERTIFIED, "links of P"),
+    ("a link to a piece that reaches it", "hole", "links 3\n0 1\n1 2\n2 3", "links 3\n0 1\n1 2\n3 3", NOT_CERTIFIED,
+     "links of P"),
+    ("a link from a piece that is not there", "hole", "1 2\n2 3", "1 2\n7 3", NOT_CERTIFIED, "links of P"),
+    ("a link of one number", "hole", "1 2\n2 3", "1 2\n3", INVALID, "the end of the line"),
+    ("more links than there are", "hole", "links 3", "links 4", INVALID, "'summand'"),
+    ("fewer links than there are", "hole", "links 3", "links 2", INVALID, "'2'; expected 'summand'"),
+    ("a negative count", "hole", "links 3", "links -3", INVALID, "'-3'; expected a number from 0"),
+    ("a huge count", "hole", "links 3", f"links {10 ** 9}", INVALID, "expected a number from 0"),
+    ("a count larger than the file", "squares", "pieces 1\n0 1 2 3\nin 0 0\n", f"pieces {10 ** 8}\n0 1 2 3\nin 0 0\n", INVALID,
+     "'end'; expected a number from 0"),
+    ("a hexadecimal count", "hole", "links 3", "links 0x3", INVALID, "'0x3'; expected a number from 0"),
+    ("a count with an underscore", "hole", "links 3", "links 3_", INVALID, "'3_'; expected a number from 0"),
+    ("a count that is a fraction", "hole", "links 3", "links 3/1", INVALID, "'3/1'; expected a number from 0"),
+    ("no count", "hole", "links 3", "links", INVALID, "the end of the line; expected a number from 0"),
+    ("a point off its edge", "points", "5 0 1", "5 1/1000 1", NOT_CERTIFIED, "pieces of P"),
+    ("a point beyond its edge", "points", "5 0 1", "5 0 3", NOT_CERTIFIED, "pieces of P"),
+    ("a point in another edge", "points", "5 0 1", "4 0 1", NOT_CERTIFIED, "pieces of P"),
+    ("a point in an edge that is not there", "points", "5 0 1", "6 0 1", INVALID, "there is no edge 6"),
+    ("a point left out", "points", "points 1\n5 0 1", "points 0", INVALID, "there is no vertex 6"),
+    ("a point twice", "points", "points 1\n5 0 1", "points 2\n5 0 1\n5 0 1", NOT_CERTIFIED, "pieces of P"),
+    ("points in the wrong order", "points", "points 1\n5 0 1\npieces 2\n0 1 2 3 6\n6 3 4 5\n",
+     "points 2\n5 0 1\n5 0 3/2\npieces 2\n0 1 2 3 6\n6 3 4 5 7\n", NOT_CERTIFIED, "pieces of P"),
+    ("a zero denominator", "points", "5 0 1", "5 0/0 1", INVALID, "'0/0'; expected a fraction p/q with q > 0"),
+    ("a word for a number", "points", "5 0 1", "5 0 one", INVALID, "'one'; expected an integer, a decimal"),
+    ("infinity", "points", "5 0 1", "5 0 inf", INVALID, "'inf'; expected an integer, a decimal"),
+    ("a huge exponent", "points", "5 0 1", "5 0 1e999999999", INVALID, "; expected an exponent from -4096 to 4096"),
+    ("unit 0", "squares", "unit 1", "unit 0", INVALID, "the unit is 0"),
+    ("a negative unit", "squares", "unit 1", "unit -1", INVALID, "'-1'; expected a number that is not negative"),
+    ("no unit", "squares", "unit 1\n", "", INVALID, "'summand'; expected 'unit'"),
+    ("another version", "squares", "certificate 1", "certificate 2", INVALID, ":1: '2'; expected '1'"),
+    ("another file", "squares", "oplus certificate 1", UNIT, INVALID, "expected 'oplus'"),
+    ("summands exchanged", "squares", "summand p", "summand q", INVALID, ":3: 'q'; expected 'p'"),
+    ("an empty file", "squares", None, "", INVALID, ":1: the end of the text; expected 'oplus'"),
+    ("no end", "squares", "end\n", "", INVALID, "the end of the text; expected 'end'"),
+    ("a missing last newline", "squares", "end\n", "end", INVALID, "the end of the text; expected the end of the line"),
+    ("more after the end", "squares", "end\n", "end\nend\n", INVALID, ":19: 'end'; expected the end of the text"),
+    ("zero bytes", "squares", "unit 1", "unit 1\0", INVALID, r"'1\000'"),
+]
+
+# Texts of P that are refused, and what is said.
+INVALID_REGIONS = [
+    ("", ":1: the end of the text; expected POLYGON or MULTIPOLYGON"),
+    ("\n\nPOINT(0 0)", ":3: 'POINT'; expected POLYGON or MULTIPOLYGON"),
+    ("{}", "'{}'; expected POLYGON"),
+    ("4\n0 0\n1 0\n1 1\n0 1\n", "'4'; expected POLYGON"),
+    ("POLYGON", "the end of the text; expected '('"),
+    ("POLYGON()", "')'; expected '('"),
+    ("POLYGON(())", "')'; expected an integer"),
+    ("POLYGON Z((0 0,1 0,0 1,0 0))", "'Z'; expected '('"),
+    ("POLYGON((0 0,1 0,0 1,0 0)", "the end of the text; expected ',' or ')'"),
+    ("POLYGON((0 0,1 0,0 1,0 0)))", "')'; expected the end of the text"),
+    ("POLYGON((0 0,1 0,0 1,0 0)) 7", "'7'; expected the end of the text"),
+    ("POLYGON((0 0,1 0,0 1))", "a ring is not closed; expected its first vertex again"),
+    ("POLYGON((0 0))", "a ring is not closed; expected its first vertex again"),
+    ("POLYGON((0 0,1,0 1,0 0))", "','; expected an integer"),
+    ("POLYGON((0 0,1 0 5,0 1,0 0))", "'5'; expected ',' or ')'"),
+    ("POLYGON((0 0,1/0 0,0 1,0 0))", "'1/0'; expected a fraction p/q with q > 0"),
+    ("POLYGON((0 0,1/-2 0,0 1,0 0))", "'1/-2'; expected an integer"),
+    ("POLYGON((0 0,1.5/2 0,0 1,0 0))", "'1.5/2'; expected an integer"),
+    ("POLYGON((0 0,--1 0,0 1,0 0))", "'--1'; expected an integer"),
+    ("POLYGON((0 0,. 0,0 1,0 0))", "'.'; expected an integer"),
+    ("POLYGON((0 0,1e 0,0 1,0 0))", "'1e'; expected an integer"),
+    ("POLYGON((0 0,1e4097 0,0 1,0 0))", "'1e4097'; expected an exponent from"),
+    ("POLYGON((0 0,0x1 0,0 1,0 0))", "'0x1'; expected an integer"),
+    ("POLYGON((0 0,1_0 0,0 1,0 0))", "'1_0'; expected an integer"),
+    ("POLYGON((0 0,nan 0,0 1,0 0))", "'nan'; expected an integer"),
+    ("POLYGON((0 0,1\u00a00,0 1,0 0))", r"'1\194\1600'; expected an integer"),
+    ("POLYGON((0 0,1 0,0 1,0 0))\0", r"'\000'; expected the end of the text"),
+    ("POLYGON((" + 200000 * "1", "...'; expected words of at most 100000 bytes"),
+    ("MULTIPOLYGON((0 0,1 0,0 1,0 0))", "'0'; expected '('"),
+    ("GEOMETRYCOLLECTION(POLYGON EMPTY)", "'GEOMETRYCOLLECTION'; expected POLYGON"),
+]
+
+# Commands that write without an end.
+ENDLESS = ["yes", "yes '('", "cat /dev/zero", "echo 'oplus certificate 1'; yes unit", "tr '\\0' 1 </dev/zero",
+           "printf 'POLYGON(('; tr '\\0' 1 </dev/zero"]
+
+# Numbers, and what they are.
+NUMBERS = [("7", "7"), ("-007", "-7"), ("+1", "1"), ("2.50", "5/2"), (".5", "1/2"), ("5.", "5"), ("-0.0", "0"),
+           ("1.5e-3", "3/2000"), ("1.5E+3", "1500"), ("6/4", "3/2"), ("-3/9", "-1/3"), ("0/5", "0"), ("1e2", "100"),
+           ("123456789012345678901234567890/11", "123456789012345678901234567890/11")]
+
+
+def run(command, **more):
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=300, **more)
+    return done.returncode, done.stdout
+
+
+def both_checkers(build, folder):
+    """Builds the program that asks both checkers."""
+    for source in ("plain_extraction.v", "both_checkers.ml"):
+        shutil.copyfile(HERE / source, folder / source)
+    read = ["checker.mli", "checker.ml", "words.ml", "regions.ml", "certificates.ml"]
+    for name in read:
+        shutil.copyfile(build / name, folder / name)
+    for command in (["coqc", "-R", build.resolve(), "Oplus", "plain_extraction.v"],
+                    ["ocamlfind", "ocamlopt", "-w", "-a", "-package", "zarith", "-linkpkg", "-o", "both_checkers",
+                     "plain_checker.mli", "plain_checker.ml", *read, "both_checkers.ml"]):
+        code, said = run(command, cwd=folder)
+        if code != 0 or "axiom" in said.lower():
+            sys.exit(f"{' '.join(map(str, command))}\n{said}")
+    return folder / "both_checkers"
+
+
+class Test:
+    def __init__(self, program, build, folder):
+        self.program, self.folder = program, folder
+        self.both = both_checkers(build, folder)
+        self.failures, self.counted = [], {}
+
+    def expect(self, kind, name, condition, said):
+        self.counted[kind] = self.counted.get(kind, 0) + 1
+        if not condition:
+            self.failures.append(f"{kind}, {name}: {said}")
+
+    def run_on(self, texts, *options):
+        """What the program answers. Fails unless both checkers do so."""
+        files = [self.folder / file for file in ("p", "q", "s", "certificate")]
+        for file, text in zip(files, texts):
+            file.write_text(text, encoding="utf-8", newline="")
+        got, said = run([self.program, *options, *files])
+        if got != INVALID:
+            both, answer = run([self.both, *files])
+            right = "certified\n" if got == CERTIFIED else "not certified\n"
+            self.expect("answers of both checkers", texts[3], both == 0 and answer == right, answer)
+        return got, said
+
+    def answer(self, kind, name, texts, code, wanted):
+        got, said = self.run_on(texts)
+        right = said == "certified\n" if got == CERTIFIED else said != "certified\n" and said.count("\n") == 1
+        self.expect(kind, name, right and got == code and wanted in said, f"exit code {got}: {said}")
+
+    def examples(self):
+        for name, texts in EXAMPLES.items():
+            self.answer("examples", name, texts, CERTIFIED, "certified")
+        for name, (*texts, wanted) in WRONG_SUMS.items():
+            self.answer("wrong sums", name, texts, NOT_CERTIFIED, wanted)
+        for name, example, right, wrong, code, wanted in DAMAGES:
+            *regions, text = EXAMPLES[example]
+            count = 1 if right is None else text.count(right)
+            damaged = wrong if right is None else text.replace(right, wrong, 1)
+            self.expect("damages that can be made", name, count > 0 and damaged != text, f"{count} times in {example}")
+            self.answer("damaged certificates", name, [*regions, damaged], code, wanted)
+        for text, wanted in INVALID_REGIONS:
+            _, q, s, given = EXAMPLES["squares"]
+            self.answer("invalid regions", text[:30], [text, q, s, given], INVALID, wanted)
+
+    def each_cut_short(self):
+        """A certificate without its last bytes is no certificate."""
+        for name in ("cut", "hole"):
+            *regions, text = EXAMPLES[name]
+            for length in range(len(text)):
+                self.answer("certificates cut short", f"{name}, {length} bytes", [*regions, text[:length]], INVALID, "")
+
+    def each_number_changed(self):
+        """Some are as good as before, since the sum is right; the checkers must agree."""
+        certified = 0
+        for name, (*regions, text) in EXAMPLES.items():
+            for found in list(re.finditer(r"\d+", text))[1:]:
+                changed = text[:found.start()] + str(int(found.group()) + 1) + text[found.end():]
+                got, said = self.run_on([*regions, changed])
+                self.expect("numbers changed", f"{name}, byte {found.start()}", got in (0, 1, 2), said)
+                certified += got == CERTIFIED
+        self.expect("numbers that matter", "most", certified < self.counted["numbers changed"] / 10, f"{certified} do not")
+
+    def numbers(self):
+        for written, read in NUMBERS:
+            _, *others = EXAMPLES["squares"]
+            _, said = self.run_on([f"POLYGON(({written} 0,1000 1,0 3,{written} 0))", *others], "--echo")
+            self.expect("numbers", written, f"\n0: ({read}, 0)\n" in said, said)
+
+    def chains(self):
+        wanted = ("P has 3 chains\nchain of 4 vertices\n0: (1, 1)\n1: (9, 1)\n2: (9, 9)\n3: (1, 9)\n"
+                  "chain of 3 vertices\n4: (3, 3)\n5: (4, 4)\n6: (4, 3)\n"
+                  "chain of 3 vertices\n7: (20, 0)\n8: (21, 0)\n9: (20, 1)\n")
+        p = "MULTIPOLYGON(((1 1,1 9,9 9,9 1,1 1),(3 3,4 3,4 4,3 3)),((20 0,21 0,20 1,20 0)))"
+        _, *others = EXAMPLES["squares"]
+        _, said = self.run_on([p, *others], "--echo")
+        self.expect("chains", "turned", wanted in said, said)
+
+    def endless(self):
+        p, q, s, given = EXAMPLES["squares"]
+        for i, text in enumerate((p, q, s, given)):
+            (self.folder / str(i)).write_text(text, encoding="utf-8")
+        for command in ENDLESS:
+            for place in range(4):
+                files = [f"<({command})" if i == place else str(self.folder / str(i)) for i in range(4)]
+                code, said = run(["bash", "-c", f"{self.program} {' '.join(files)}"])
+                self.expect("texts without an end", f"{command}, file {place}", code == INVALID and "expected" in said,
+                            f"exit code {code}: {said}")
+
+    def usage(self):
+        for arguments, code, wanted in (
+                (["--help"], 0, "Usage: oplus-certified"), (["-h"], 0, "Exit codes:"),
+                (["--version"], 0, "oplus-certified 0."), ([], 2, "0 files; expected P Q S CERTIFICATE"),
+                (5 * ["x"], 2, "5 files"), (["--fast"], 2, "the option '--fast' is not known"),
+                (4 * ["/nowhere"], 2, "/nowhere: No such file"), (4 * ["/"], 2, "/:1: Is a directory")):
+            got, said = run([self.program, *arguments])
+            self.expect("usage", " ".join(arguments), got == code and wanted in said, f"exit code {got}: {said}")
+
+
+def main():
+    program, build = Path(sys.argv[1]).resolve(), Path(sys.argv[2])
+    with tempfile.TemporaryDirectory() as directory:
+        test = Test(program, build, Path(directory))
+        for part in (test.examples, test.each_cut_short, test.each_number_changed, test.numbers, test.chains,
+                     test.endless, test.usage):
+            part()
+    for failure in test.failures:
+        print(failure)
+    print(", ".join(f"{count} {kind}" for kind, count in test.counted.items()))
+    sys.exit(1 if test.failures else 0)
+
+
+if __name__ == "__main__":
+    main()
