@@ -2,8 +2,8 @@
 (* Two edges of a valid region have no point in common but vertices of it, whether they are of one chain, of two, or
    of two components. Valid regions are in valid_components.v. *)
 From Coq Require Import QArith Lqa Lia Bool List.
-From Oplus Require Import direction sweep winding_number convolution_size fiber_grid states in_out_degree
-  simple_chain simple_chains_turn_once valid_components winding_numbers_of_valid_regions.
+From Oplus Require Import direction sweep winding_number convolution_size fiber_grid states regions
+  in_out_degree simple_chain simple_chains_turn_once valid_components winding_numbers_of_valid_regions.
 Import ListNotations.
 
 Open Scope nat_scope.
@@ -68,14 +68,14 @@ Qed.
 Lemma edges_of_one_chain (all : list segment) (chain : list vector) :
   simple chain -> incl (edges chain) all -> ForallOrdPairs (meet_in_sources all) (edges chain).
 Proof.
-  intros chain_simple among. apply (pairs_by_index _ (Segment nowhere nowhere)).
+  intros chain_simple among. apply (pairs_by_index _ (no_segment)).
   assert (long : length (edges chain) = length chain)
     by (rewrite <- (map_length source); now destruct (edges_ends chain) as [-> _]).
   rewrite long. intros i j L J w on_i on_j.
   assert (at_vertex : forall k, k < length chain -> equal_vectors w (vertex chain k) ->
     exists u, In u all /\ equal_vectors w (source u)).
-  { intros k K w_is. exists (edge chain k). split.
-    - apply among. unfold edge. apply nth_In. now rewrite long.
+  { intros k K w_is. exists (edge_at chain k). split.
+    - apply among. unfold edge_at. apply nth_In. now rewrite long.
     - now rewrite edge_is by exact K. }
   destruct chain_simple as (_ & _ & common).
   destruct (common i j w) as [[_ w_is] | [_ w_is]]; try lia; trivial.

@@ -3,27 +3,11 @@
    ends and meets one of them first. What holds for all small enough numbers is in shifted_ray.v and
    signed_crossings.v. *)
 From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import direction angle sweep winding_number shifted_ray signed_crossings.
+From Oplus Require Import direction angle sweep winding_number shifted_ray signed_crossings
+  meeting_of_segments first_hit.
 Import ListNotations.
 
 Open Scope Q_scope.
-
-(* Of finitely many numbers one is the least. *)
-Lemma least_of {A : Type} (f : A -> Q) (l : list A) : l <> [] ->
-  exists b, In b l /\ forall c, In c l -> f b <= f c.
-Proof.
-  induction l as [| b l IH]; intros some; [contradiction |].
-  destruct l as [| c l]; [exists b; split; [now left | intros e [<- | []]; lra] |].
-  destruct IH as (least & listed & below); [discriminate |].
-  destruct (Qlt_le_dec (f least) (f b)).
-  - exists least. split; [now right |]. intros e [<- | I]; [lra | now apply below].
-  - exists b. split; [now left |]. intros e [<- | I]; [lra |]. specialize (below e I). lra.
-Qed.
-
-Lemma lies_on_equal (v w : vector) (s : segment) : equal_vectors v w -> lies_on v s -> lies_on w s.
-Proof.
-  intros [xs ys] (t & range & x_on & y_on). exists t. split; [exact range |]. now rewrite <- xs, <- ys.
-Qed.
 
 (* Between two directions that are not parallel there is one that is parallel to none of finitely many. *)
 Lemma direction_avoiding (others : list vector) (a b : vector) :

@@ -9,12 +9,6 @@ Import ListNotations.
 
 Open Scope Q_scope.
 
-Lemma lies_on_equal (p q : vector) (s : segment) : equal_vectors p q -> lies_on p s -> lies_on q s.
-Proof.
-  intros [X Y] (t & range & px & py). exists t. split; [exact range |].
-  split; [rewrite <- X; exact px | rewrite <- Y; exact py].
-Qed.
-
 Lemma lines_meet_once (s f : segment) (p w : vector) : ~ cross (along s) (along f) == 0 ->
   lies_on p s -> lies_on p f -> lies_on w s -> lies_on w f -> equal_vectors w p.
 Proof.

@@ -15,8 +15,6 @@ Definition moved (p : shifted_point) (e : Q) : vector :=
   Vector (vx (at_ p) + e * vx (first p) + e * e * vx (second p))
          (vy (at_ p) + e * vy (first p) + e * e * vy (second p)).
 
-Definition positive (q : Q) : bool := negative (- q).
-
 Definition is_above (p : shifted_point) : bool := positive (vy (first p)) || positive (vy (second p)).
 
 (* Greater than zero if the point is to the left of the segment's line, less if to the right. *)

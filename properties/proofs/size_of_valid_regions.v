@@ -4,7 +4,7 @@
    for any two of them; valid regions are in valid_components.v. *)
 From Coq Require Import ZArith Lia Bool List.
 From Oplus Require Import direction turning_number in_out_degree region_size simple_chain
-  simple_chains_turn_once size_of_simple_regions valid_components.
+  simple_chains_turn_once size_of_simple_regions valid_components convolution_size.
 Import ListNotations.
 
 Open Scope Z_scope.
@@ -19,10 +19,6 @@ Qed.
 
 Definition number_of_holes (components : list component) : Z :=
   Z.of_nat (length (flat_map hole_chains components)).
-
-Lemma count_of_two_lists {A : Type} (test : A -> bool) (some others : list A) :
-  count test (some ++ others) = (count test some + count test others)%nat.
-Proof. unfold count. now rewrite filter_app, app_length. Qed.
 
 Lemma count_all {A : Type} (test : A -> bool) (l : list A) :
   (forall a, In a l -> test a = true) -> count test l = length l.
@@ -48,10 +44,10 @@ Proof.
   induction components as [| c rest IH]; [now split |].
   destruct IH as [outer_rest holes_rest]; [intros b I; apply each; now right |].
   destruct (each c (or_introl eq_refl)) as (_ & left_turn & holes_valid & _).
-  cbn [flat_map length]. rewrite !count_of_two_lists, app_length, !Nat2Z.inj_add, outer_rest, holes_rest.
+  cbn [flat_map length]. rewrite !count_of_two, app_length, !Nat2Z.inj_add, outer_rest, holes_rest.
   unfold chains_of_component.
   change (outer_chain c :: hole_chains c) with ([outer_chain c] ++ hole_chains c).
-  rewrite !count_of_two_lists.
+  rewrite !count_of_two.
   rewrite (count_none is_counterclockwise (hole_chains c)) by (intros h I; now apply holes_valid).
   rewrite (count_all (fun chain => negb (is_counterclockwise chain)) (hole_chains c))
     by (intros h I; destruct (holes_valid h I) as (_ & clockwise & _); now rewrite clockwise).

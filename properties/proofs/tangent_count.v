@@ -3,8 +3,8 @@
    boundary at which a given direction is tangent. For all closed chains, all points and all directions. Weights
    are from weight.v, parallelograms from parallelogram.v, summation by parts from sums.v. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List Arith.
-From Oplus Require Import direction tangent_set sweep winding_number turning_number convolution_size fiber_grid
-  states in_out_degree convolution_winding sums weight regions parallelogram.
+From Oplus Require Import direction tangent_set sweep winding_number turning_number convolution_size
+  fiber_grid states in_out_degree convolution_winding sums weight regions parallelogram angle.
 Import ListNotations.
 
 Open Scope Z_scope.

@@ -5,7 +5,7 @@
    tangent set is what a vertex passes, plus everything if it is reflex (turning_number.v). *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
 From Oplus Require Import direction tangent_set sweep winding_number turning_number convolution_size states
-  in_out_degree convolution_winding sums weight regions parallelogram tangent_count.
+  in_out_degree convolution_winding sums weight regions parallelogram tangent_count angle.
 Import ListNotations.
 
 Open Scope Z_scope.

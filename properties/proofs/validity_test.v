@@ -3,16 +3,14 @@
    not valid (valid_components.v). Of a chain that does not meet other segments it looks at one vertex only: around
    all its points they go as often. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
-From Oplus Require Import direction sweep winding_number convolution_size fiber_grid secants segments_apart simple_chain
-  simple_chains_turn_once valid_components winding_numbers_of_valid_regions.
+From Oplus Require Import direction sweep winding_number convolution_size regions fiber_grid secants
+  segments_apart simple_chain simple_chains_turn_once valid_components winding_numbers_of_valid_regions
+  meeting_of_segments first_hit interiors_meet.
 Import ListNotations.
 
 Open Scope nat_scope.
 
-Definition have_no_common_point (some others : list segment) : Prop :=
-  forall s o z, In s some -> In o others -> lies_on z s -> ~ lies_on z o.
-
-(* Whether they do. *)
+(* Whether segments have no point in common with others (first_hit.v). *)
 Definition all_apart (some others : list segment) : bool :=
   forallb (fun s => forallb (fun o => are_apart (source s) (target s) (source o) (target o)) others) some.
 
@@ -33,34 +31,10 @@ Lemma around_all_of_a_chain (chain : list vector) (others : list segment) (p : v
   cycles others -> have_no_common_point (edges chain) others -> on_one_of p (edges chain) ->
   off p others /\ winding_number p others = winding_number (vertex chain 0) others.
 Proof.
-  intros closed none (s & in_chain & on_s).
-  assert (edge_off : forall e z, In e (edges chain) -> lies_on z e -> off z others)
-    by (intros e z E on_e o O; now apply (none e o z)).
-  assert (listed : forall i, i < length chain -> In (edge chain i) (edges chain)).
-  { intros i I. unfold edge. apply nth_In. rewrite <- (map_length source).
-    now destruct (edges_ends chain) as [-> _]. }
-  assert (along_edge : forall i z, i < length chain -> lies_on z (edge chain i) ->
-    winding_number z others = winding_number (vertex chain i) others).
-  { intros i z I on_i. pose proof (listed i I) as L.
-    assert (starts : lies_on (vertex chain i) (edge chain i)).
-    { rewrite edge_is by exact I. exists 0%Q. cbn [source target]. repeat split; lra. }
-    apply winding_number_along_a_step; trivial; [now apply (edge_off (edge chain i)) .. |].
-    intros o w O on_step. apply (edge_off (edge chain i) w L); [| exact O].
-    rewrite edge_is in on_i |- * by exact I.
-    destruct on_i as (t & range_t & xt & yt), on_step as (r & range_r & xr & yr). cbn [source target] in *.
-    assert (0 <= r * t)%Q by (apply Qmult_le_0_compat; lra).
-    assert (0 <= (1 - r) * t)%Q by (apply Qmult_le_0_compat; lra).
-    exists (r * t)%Q. cbn [source target]. rewrite xr, yr, xt, yt. repeat split; try lra; ring. }
-  assert (vertices_alike : forall i, i < length chain ->
-    winding_number (vertex chain i) others = winding_number (vertex chain 0) others).
-  { intros i. induction i as [| i IH]; intros I; [reflexivity |].
-    rewrite <- IH by lia. apply along_edge; [lia |]. rewrite edge_is by lia.
-    unfold next. destruct (Nat.eqb_spec (S i) (length chain)); [lia |].
-    exists 1%Q. cbn [source target]. repeat split; lra. }
-  split; [now apply (edge_off s) |].
-  apply (In_nth _ _ (Segment nowhere nowhere)) in in_chain. destruct in_chain as (i & I & <-).
-  rewrite <- (map_length source) in I. destruct (edges_ends chain) as [sources _]. rewrite sources in I.
-  rewrite (along_edge i p I on_s). now apply vertices_alike.
+  intros closed none (s & S & on_s). split; [intros o O on_o; exact (none s o p S O on_s on_o) |].
+  rewrite (same_up_to_the_end _ _ s p closed none S on_s).
+  apply (In_nth _ _ no_segment) in S. destruct S as (i & I & <-). rewrite edges_are_as_many in I.
+  rewrite edge_by_index by exact I. apply same_at_all_vertices; trivial. now apply next_in_range.
 Qed.
 
 (* The first vertex of each chain is outside. *)
