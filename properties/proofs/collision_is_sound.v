@@ -102,9 +102,6 @@ Qed.
 Lemma middle_is_inside (s : segment) : strictly_inside (middle s) s.
 Proof. exists (1 # 2). unfold middle; cbn [vx vy]. split; [lra |]. split; field. Qed.
 
-Lemma strictly_inside_lies_on (w : vector) (s : segment) : strictly_inside w s -> lies_on w s.
-Proof. intros (k & range & X & Y). exists k. split; [lra | tauto]. Qed.
-
 (* Every vertex of a region is an end of one of its pieces; so of a piece cut once more where the other region's pieces
    meet it no point strictly inside is a vertex of the other region. *)
 Lemma vertex_ends_a_piece (r : region) (w : vector) : no_edges_are_points r -> is_vertex w r ->

@@ -3,7 +3,8 @@
    of two components. Valid regions are in valid_components.v. *)
 From Coq Require Import QArith Lqa Lia Bool List.
 From Oplus Require Import direction sweep winding_number convolution_size fiber_grid states regions
-  in_out_degree simple_chain simple_chains_turn_once valid_components winding_numbers_of_valid_regions.
+  in_out_degree simple_chain simple_chains_turn_once valid_components winding_numbers_of_valid_regions
+  distinct.
 Import ListNotations.
 
 Open Scope nat_scope.
@@ -44,15 +45,6 @@ Proof.
   - apply Forall_forall. intros b I. apply (In_nth _ _ none) in I. destruct I as (j & J & <-).
     apply (each 0 (S j)); cbn [length]; lia.
   - apply IH. intros i j L J. apply (each (S i) (S j)); cbn [length]; lia.
-Qed.
-
-Lemma pair_at (earlier later : list A) (s t : A) :
-  ForallOrdPairs related (earlier ++ s :: later) -> In t (earlier ++ later) -> related s t \/ related t s.
-Proof.
-  induction earlier as [| a earlier IH]; intros pairs I; cbn [app] in *; inversion pairs as [| ? ? first rest]; subst.
-  - left. rewrite Forall_forall in first. now apply first.
-  - destruct I as [<- | I]; [| now apply IH]. right.
-    rewrite Forall_forall in first. apply first, in_app_iff. right. now left.
 Qed.
 
 End Pairs.

@@ -155,14 +155,6 @@ Proof.
   destruct (fraction_on s _ long on) as (_ & X & Y). exists (fraction s w). split; [lra | tauto].
 Qed.
 
-Lemma part_of_part (a b c : segment) : nonzero (along c) -> is_part a b -> is_part b c ->
-  forall w, lies_on w a -> lies_on w c.
-Proof.
-  intros long a_part b_part w (t & range & X & Y). destruct (part_is_long b c b_part long) as [long_b _].
-  destruct (point_of_part a b w t long_b a_part range X Y) as [(u & u_range & ux & uy) _].
-  now destruct (point_of_part b c w u long b_part u_range ux uy).
-Qed.
-
 (* Theorem. Of a segment cut where others meet it: strictly inside a piece are no ends of the others, and what has a
    point strictly inside a piece is parallel to it. *)
 Theorem nothing_meets_a_piece (s : segment) (others : list segment) (piece f : segment) (w : vector) :

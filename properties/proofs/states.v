@@ -65,13 +65,6 @@ Proof.
   destruct s as [[|] [i j]]; unfold in_grid; cbn; intros [? ?]; split; trivial; now apply next_in_range.
 Qed.
 
-Lemma segment_to_in_grid n m along at_ :
-  in_grid n m at_ -> in_grid n m (state_before (segment_to n m along at_)).
-Proof.
-  destruct along, at_ as [i j]; unfold in_grid; cbn; intros [? ?]; split; trivial;
-    now apply previous_below.
-Qed.
-
 Lemma after_segment_to n m along at_ :
   in_grid n m at_ -> state_after n m (segment_to n m along at_) = at_.
 Proof.

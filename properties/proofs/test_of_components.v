@@ -5,7 +5,7 @@
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
 From Oplus Require Import direction sweep winding_number convolution_size regions fiber_grid secants
   segments_apart simple_chain simple_chains_turn_once valid_components winding_numbers_of_valid_regions
-  meeting_of_segments first_hit interiors_meet.
+  meeting_of_segments first_hit interiors_meet distinct small_polygons simple_polygons in_out_degree.
 Import ListNotations.
 
 Open Scope nat_scope.
@@ -76,25 +76,13 @@ Definition is_hole_of (hole outer : list vector) : bool :=
   negb (winding_number (vertex hole 0) (edges outer) =? 0)%Z &&
   (winding_number (vertex outer 0) (edges hole) =? 0)%Z.
 
-Fixpoint all_pairs {A : Type} (test : A -> A -> bool) (l : list A) : bool :=
-  match l with [] => true | a :: rest => forallb (test a) rest && all_pairs test rest end.
-
-Lemma all_pairs_sound {A : Type} (test : A -> A -> bool) (holds : A -> A -> Prop) (l : list A) :
-  (forall a b, test a b = true -> holds a b) -> all_pairs test l = true -> ForallOrdPairs holds l.
-Proof.
-  intros sound. induction l as [| a l IH]; intros all; constructor; cbn [all_pairs] in all;
-    apply andb_prop in all; destruct all as [first rest].
-  - rewrite forallb_forall in first. apply Forall_forall. auto.
-  - now apply IH.
-Qed.
-
 (* The test of a region. *)
 Definition is_valid_component (c : component) : bool :=
   is_simple (outer_chain c) && is_counterclockwise (outer_chain c) &&
   forallb (fun hole => is_hole_of hole (outer_chain c)) (hole_chains c) &&
   all_pairs (fun g h => are_beside [g] [h]) (hole_chains c).
 
-Definition is_valid (components : list component) : bool :=
+Definition are_valid_components (components : list component) : bool :=
   forallb is_valid_component components &&
   all_pairs (fun b c => are_beside (chains_of_component b) (chains_of_component c)) components.
 
@@ -116,9 +104,9 @@ Proof.
 Qed.
 
 (* Theorem. What the test accepts is valid. *)
-Theorem is_valid_sound (components : list component) : is_valid components = true -> valid_components components.
+Theorem are_valid_components_sound (components : list component) : are_valid_components components = true -> valid_components components.
 Proof.
-  unfold is_valid. rewrite andb_true_iff, forallb_forall. intros [each beside]. split.
+  unfold are_valid_components. rewrite andb_true_iff, forallb_forall. intros [each beside]. split.
   - intros c I. specialize (each c I). unfold is_valid_component in each.
     rewrite !andb_true_iff, forallb_forall in each. destruct each as [[[outer_simple left_turn] holes] apart_holes].
     split; [now apply is_simple_decides | split; [exact left_turn | split]].
@@ -128,8 +116,42 @@ Proof.
   - revert beside. apply all_pairs_sound. intros b c. apply are_beside_sound.
 Qed.
 
-(* So the winding numbers of what it accepts are 0 and 1. *)
-Corollary winding_numbers_by_the_test (components : list component) (x : vector) :
-  is_valid components = true -> off x (edges_of_region components) ->
-  winding_number x (edges_of_region components) = 0%Z \/ winding_number x (edges_of_region components) = 1%Z.
-Proof. intros accepted. apply winding_numbers_of_valid_regions. now apply is_valid_sound. Qed.
+(* Regions with holes that the test accepts, and some that it refuses: what the theorems on valid regions ask for,
+   these have. *)
+Open Scope Q_scope.
+
+Definition box (x y width height : Q) : list vector :=
+  at_ [(x, y); (x + width, y); (x + width, y + height); (x, y + height)].
+
+(* Two holes, one not convex, and in the other an island with a hole of its own. *)
+Definition plate : component :=
+  Component (box 0 0 20 10) [rev (box 1 1 8 8); rev (at_ [(11, 1); (19, 1); (19, 9); (15, 3)])].
+Definition island : component := Component (box 2 2 6 6) [rev (box 4 4 2 2)].
+
+Example they_are_valid : are_valid_components [plate; island] = true.
+Proof. vm_compute. reflexivity. Qed.
+
+Example winding_numbers_of_the_plate :
+  map (fun p => winding_number p (edges_of_region [plate; island]))
+    (at_ [(-1, 5); (1 # 2, 5); (3 # 2, 5); (3, 5); (5, 5); (10, 5); (18, 5); (30, 5)]) =
+  [0; 1; 0; 1; 0; 1; 0; 0]%Z.
+Proof. vm_compute. reflexivity. Qed.
+
+(* 20 vertices, 11 of which are reflex, 2 outer chains, 3 holes; the square's 4 and 1 outer chain:
+   20 (1 + 0) + 4 (2 - 3 + 11) = 60. *)
+Example size_with_a_plate :
+  length (segments_of_regions (region_of [plate; island]) [square]) = 60%nat.
+Proof. vm_compute. reflexivity. Qed.
+
+(* A hole outside its outer chain, one that crosses it, one that is counterclockwise, one inside another, a
+   component inside another, and two that overlap. *)
+Definition invalid_regions : list (list component) :=
+  [[Component square [rev (box 5 5 1 1)]];
+   [Component square [rev (box 1 1 5 (1 # 2))]];
+   [Component (box 0 0 4 4) [box 1 1 1 1]];
+   [Component (box 0 0 9 9) [rev (box 1 1 7 7); rev (box 2 2 1 1)]];
+   [Component (box 0 0 9 9) []; Component (box 1 1 1 1) []];
+   [Component (box 0 0 9 9) []; Component (box 5 5 9 9) []]].
+
+Example they_are_refused : existsb are_valid_components invalid_regions = false.
+Proof. vm_compute. reflexivity. Qed.
