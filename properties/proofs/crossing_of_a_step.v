@@ -6,7 +6,7 @@
    in common in segments_apart.v. *)
 From Coq Require Import QArith Qminmax Lqa ZArith Bool List.
 From Oplus Require Import direction angle rotation sweep winding_number shifted_ray signed_crossings secants
-  segments_apart meeting_of_segments.
+  segments_apart meeting_of_segments small_numbers.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -80,8 +80,8 @@ Qed.
 
 Lemma ends_leave_the_line (from to a : vector) :
   nonzero (minus to from) ->
-  exists limit, 0 < limit /\ forall e, 0 < e -> e < limit ->
-    orientation (moved (shifted from) e) (moved (shifted to) e) a <> Eq.
+  eventually (fun e =>
+    orientation (moved (shifted from) e) (moved (shifted to) e) a <> Eq).
 Proof.
   intros n. set (d := minus to from) in *. set (o := dot (normal d) (minus a from)).
   destruct (quadratic_nearby o (vy d) (- vx d)) as (limit & positive & near).
@@ -98,10 +98,10 @@ Qed.
    which is in general position. *)
 Theorem crossing_is_that_of_a_shifted_step (from to : vector) (s : segment) :
   nonzero (minus to from) -> nonzero (minus (target s) (source s)) ->
-  exists limit, 0 < limit /\ forall e, 0 < e -> e < limit ->
+  eventually (fun e =>
     let from' := moved (shifted from) e in let to' := moved (shifted to) e in
     in_general_position from' to' s /\
-    signed_crossing_of_step from' to' s = signed_crossing_of_step from to s.
+    signed_crossing_of_step from' to' s = signed_crossing_of_step from to s).
 Proof.
   intros n m.
   destruct (step_nearby from to s n) as (l1 & p1 & same_crossing).

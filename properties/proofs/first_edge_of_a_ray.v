@@ -4,7 +4,7 @@
    signed_crossings.v. *)
 From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
 From Oplus Require Import direction angle sweep winding_number shifted_ray signed_crossings
-  meeting_of_segments first_hit.
+  meeting_of_segments first_hit small_numbers.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -16,7 +16,7 @@ Lemma direction_avoiding (others : list vector) (a b : vector) :
     forall c, In c others -> ~ cross (Vector (vx a + t * (vx b - vx a)) (vy a + t * (vy b - vy a))) c == 0.
 Proof.
   intros all_nonzero across.
-  destruct (all_nearby vector (fun c t =>
+  destruct (eventually_for_all (fun c t =>
     ~ cross (Vector (vx a + t * (vx b - vx a)) (vy a + t * (vy b - vy a))) c == 0) others)
     as (limit & positive & near).
   - intros c I. pose proof (all_nonzero c I) as nc.
