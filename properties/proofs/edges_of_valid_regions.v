@@ -61,8 +61,7 @@ Lemma edges_of_one_chain (all : list segment) (chain : list vector) :
   simple chain -> incl (edges chain) all -> ForallOrdPairs (meet_in_sources all) (edges chain).
 Proof.
   intros chain_simple among. apply (pairs_by_index _ (no_segment)).
-  assert (long : length (edges chain) = length chain)
-    by (rewrite <- (map_length source); now destruct (edges_ends chain) as [-> _]).
+  pose proof (edges_are_as_many chain) as long.
   rewrite long. intros i j L J w on_i on_j.
   assert (at_vertex : forall k, k < length chain -> equal_vectors w (vertex chain k) ->
     exists u, In u all /\ equal_vectors w (source u)).

@@ -122,12 +122,6 @@ Proof.
   intros q j T L. apply T. apply nth_In. now rewrite corners_length.
 Qed.
 
-Lemma turning_chains_have_edges : forall chain, turns_everywhere chain -> no_edge_is_a_point chain.
-Proof.
-  intros chain T e I. apply (In_nth _ _ nowhere) in I. destruct I as (i & L & <-).
-  rewrite edges_length in L. apply (edges_are_directions chain i OfP T L).
-Qed.
-
 (* A walk along P alone stays in its row. *)
 Lemma walks_along_p_stay : forall n m walked a b, is_walk n m a walked b ->
   (forall s, In s walked -> fst s = OfP) -> forall s, In s walked -> snd (state_before s) = snd a.

@@ -112,6 +112,12 @@ Definition in_convolution (p q : list vector) (s : named_segment) : bool :=
 Definition no_edge_is_a_point (chain : list vector) : Prop :=
   forall e, In e (edge_directions chain) -> nonzero e.
 
+Lemma turning_chains_have_edges chain : turns_everywhere chain -> no_edge_is_a_point chain.
+Proof.
+  intros turning e I. apply (In_nth _ _ nowhere) in I. destruct I as (i & below & <-).
+  rewrite edges_length in below. exact (edges_are_directions chain i OfP turning below).
+Qed.
+
 Lemma edge_nonzero chain i :
   no_edge_is_a_point chain -> i < length chain -> nonzero (edge_of_chain chain i).
 Proof. intros e I. apply e. apply nth_In. now rewrite edges_length. Qed.

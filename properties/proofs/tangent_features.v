@@ -27,13 +27,6 @@ Definition tangent_features (d x : vector) (p q : region) : Z :=
 
 Definition turns_in_all_chains (r : region) : Prop := forall chain, In chain r -> turns_everywhere chain.
 
-Lemma turning_chains_have_no_points_as_edges (chain : list vector) :
-  turns_everywhere chain -> no_edge_is_a_point chain.
-Proof.
-  intros turning e I. apply (In_nth _ _ nowhere) in I. destruct I as (i & below & <-).
-  rewrite edges_length in below. exact (edges_are_directions chain i OfP turning below).
-Qed.
-
 Lemma vertices_are_corners (v : vector * corner) (r : region) :
   In v (region_vertices r) -> exists chain, In chain r /\ In (snd v) (corners chain).
 Proof.
@@ -62,7 +55,7 @@ Theorem winding_number_less_reflex_vertices (p q : region) (d x : vector) :
 Proof.
   intros p_turns q_turns proper_d.
   rewrite (tangent_count_of_regions p q d x); [| | | exact proper_d];
-    [| intros chain I; apply turning_chains_have_no_points_as_edges; auto ..].
+    [| intros chain I; apply turning_chains_have_edges; auto ..].
   unfold tangent_vertices_of_p, tangent_vertices_of_q, tangent_features.
   rewrite (tangent_vertices_by_turns (Direction d OfQ) x p q proper_d p_turns).
   rewrite (tangent_vertices_by_turns (Direction (opposite d) OfP) x q p (opposite_nonzero d proper_d) q_turns).

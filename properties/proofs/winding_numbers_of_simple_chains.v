@@ -6,7 +6,7 @@
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
 From Oplus Require Import direction angle sweep winding_number turning_number convolution_size fiber_grid
   states regions secants segments_apart turning_tangents simple_chain simple_chains_turn_once
-  vertex_inside_an_edge winding_by_first_edge first_edge_of_a_ray.
+  vertex_inside_an_edge winding_by_first_edge first_edge_of_a_ray neighbourhoods.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -90,8 +90,7 @@ Qed.
 
 Lemma edges_rotated chain : edges (rotated chain) = rotated (edges chain).
 Proof.
-  assert (long : forall c, length (edges c) = length c).
-  { intros c. rewrite <- (map_length source). now destruct (edges_ends c) as [-> _]. }
+  pose proof edges_are_as_many as long.
   apply (nth_ext _ _ (no_segment) (no_segment)).
   - now rewrite rotated_length, !long, rotated_length.
   - intros i I. rewrite long, rotated_length in I.
@@ -165,25 +164,23 @@ Proof.
     as (s & first & part & S & first_positive & after_start & before_end & across & there & only).
   assert (by_index : forall e, In e (edges chain) -> exists m, (m < n)%nat /\ edge_at chain m = e).
   { intros e I. apply (In_nth _ _ (no_segment)) in I. destruct I as (m & M & m_is).
-    exists m. split; [| exact m_is]. rewrite <- (map_length source) in M.
-    destruct (edges_ends chain) as [sources _]. now rewrite sources in M. }
+    exists m. split; [| exact m_is]. now rewrite edges_are_as_many in M. }
   assert (listed : forall j, (j < n)%nat -> In (edge_at chain j) (edges chain)).
-  { intros j J. unfold edge_at. apply nth_In. rewrite <- (map_length source).
-    now destruct (edges_ends chain) as [-> _]. }
+  { intros j J. unfold edge_at. apply nth_In. now rewrite edges_are_as_many. }
   destruct (by_index s S) as (m & M & <-).
-  assert (on_m : lies_on (on_ray x u first) (edge_at chain m)).
+  assert (on_m : lies_on (moved_along x u first) (edge_at chain m)).
   { rewrite edge_is in there |- * by exact M. apply (on_segment _ _ _ part); [lra | exact there]. }
   rewrite edge_is in across, there by exact M.
-  apply (winds_at_most_once_by_edge m chain x (on_ray x u first) part); trivial; [now split | |].
+  apply (winds_at_most_once_by_edge m chain x (moved_along x u first) part); trivial; [now split | |].
   - intros none. apply across. apply (Qmult_inj_l _ _ first); [lra |].
     etransitivity; [| etransitivity; [exact none | ring]].
-    unfold along_segment, cross, on_ray, minus. cbn [source target vx vy]. ring.
+    unfold along, cross, moved_along, minus. cbn [source target vx vy]. ring.
   - fold n. intros j J differ z on_ray_ on_j.
     pose proof (only _ z (listed j J) on_ray_ on_j) as z_is.
-    apply (lies_on_equal z (on_ray x u first)) in on_j; [| exact z_is].
-    assert (no_vertex : forall i, (i < n)%nat -> ~ equal_vectors (on_ray x u first) (vertex chain i)).
+    apply (lies_on_equal z (moved_along x u first)) in on_j; [| exact z_is].
+    assert (no_vertex : forall i, (i < n)%nat -> ~ equal_vectors (moved_along x u first) (vertex chain i)).
     { intros i I [xi yi]. destruct (avoided _ (listed i I)) as [off_line _].
-      rewrite edge_is in off_line by exact I. apply off_line. unfold side_of, cross, on_ray, minus in *.
+      rewrite edge_is in off_line by exact I. apply off_line. unfold side_of, cross, moved_along, minus in *.
       cbn [source vx vy] in *. rewrite <- xi, <- yi. ring. }
     destruct chain_simple as (_ & _ & common).
     destruct (common j m _ J M differ on_j on_m) as [[_ at_vertex] | [_ at_vertex]];

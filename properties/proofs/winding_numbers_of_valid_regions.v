@@ -6,7 +6,7 @@
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
 From Oplus Require Import direction sweep winding_number signed_crossings crossing_of_a_step simple_chain
   simple_chains_turn_once first_edge_of_a_ray winding_numbers_of_simple_chains valid_components
-  meeting_of_segments.
+  meeting_of_segments regions neighbourhoods.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -25,13 +25,13 @@ Proof.
   assert (K' : In k (some ++ others)) by (apply in_app_iff; now left).
   destruct (ray_meets_one_first x u (some ++ others) k 1 x_off avoided K' ltac:(lra) on_k)
     as (s & first & part & S & first_positive & after_start & before_end & _ & there & only).
-  set (y := on_ray x u first) in *.
+  set (y := moved_along x u first) in *.
   assert (on_s : lies_on y s).
   { apply (lies_on_equal (inside_segment s part)); [now symmetry |].
     exists part. unfold inside_segment. cbn [vx vy]. repeat split; try lra; ring. }
   assert (no_end : forall e, In e (some ++ others) -> ~ equal_vectors y (source e)).
   { intros e E [xe ye]. destruct (avoided e E) as [off_line _]. apply off_line.
-    unfold side_of, cross, minus. cbn [vx vy]. rewrite <- xe, <- ye. unfold y, on_ray. cbn [vx vy]. ring. }
+    unfold side_of, cross, minus. cbn [vx vy]. rewrite <- xe, <- ye. unfold y, moved_along. cbn [vx vy]. ring. }
   assert (not_both : on_one_of y some -> on_one_of y others -> False).
   { intros on_some on_others. destruct (ends_only y on_some on_others) as (e & E & at_end).
     now apply (no_end e E). }
