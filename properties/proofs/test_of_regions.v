@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* A check, by finitely many comparisons, of what the theorems on Minkowski sums ask of a region: no edge is a
    point, edges meet in vertices only, and winding numbers are nowhere negative; and a check that chains do not touch,
-   which may otherwise. That chains are simple and holes are where they should be is tested in test_of_components.v. Pairs of edges
-   are checked by signs of areas, winding numbers beside the middles of edges (right_of_an_edge.v). Some regions that
+   which they otherwise may. That chains are simple and holes inside them is tested in test_of_components.v. Pairs of
+   edges are checked by signs of areas, winding numbers beside the middles of edges (right_of_an_edge.v). Some regions that
    pass. *)
 From Coq Require Import QArith Qminmax Lqa Qfield ZArith Lia Bool List Arith.
 From Oplus Require Import direction angle sweep winding_number shifted_ray signed_crossings turning_number
@@ -217,7 +217,8 @@ Proof.
   intros t J on. specialize (alone chain I). rewrite forallb_forall in alone.
   assert (in_range : In i (seq 0 (length chain))) by (apply in_seq; lia).
   specialize (alone i in_range). unfold vertex_is_alone in alone.
-  rewrite forallb_forall in alone. specialize (alone t J). rewrite (proj1 (reflect_iff _ _ (is_on_spec _ _)) on) in alone.
+  rewrite forallb_forall in alone. specialize (alone t J).
+  rewrite (proj1 (reflect_iff _ _ (is_on_spec _ _)) on) in alone.
   cbn [negb orb] in alone. apply orb_prop in alone.
   rewrite !edge_at_is, next_previous in alone by (trivial; now apply previous_below).
   destruct alone as [same_ | same_]; apply same_segment_is_right in same_; tauto.
