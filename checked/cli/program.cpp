@@ -19,14 +19,15 @@ const ProgramFrame frame = {
     "  oplus sum p.wkt q.wkt --open -o sum.wkt --svg sum.svg\n"
     "\n"
     "Exit codes:\n"
-    "  0  done; of compare: equal; of verify: it is the sum\n"
-    "  1  of compare: not equal; of verify: it is not the sum\n"
+    "  0  done; of compare: equal; of verify and certify: it is the sum\n"
+    "  1  of compare: not equal; of verify and certify: it is not the sum\n"
     "  2  invalid input or usage, or a file that cannot be read or written\n"
     "  3  a bug in oplus; please report it"};
 
 std::function<int()> add_commands(CLI::App& program) {
   const auto chosen = std::make_shared<Action>();
-  for (const auto add : {add_sum, add_compare, add_verify, add_draw, add_reflect, add_gen})
+  for (const auto add :
+       {add_sum, add_compare, add_verify, add_certify, add_draw, add_reflect, add_gen})
     add(program, *chosen);
   return [chosen] { return static_cast<int>((*chosen)()); };
 }

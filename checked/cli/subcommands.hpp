@@ -15,6 +15,7 @@ using Action = std::function<ExitCode()>;
 void add_sum(CLI::App& program, Action& chosen);
 void add_compare(CLI::App& program, Action& chosen);
 void add_verify(CLI::App& program, Action& chosen);
+void add_certify(CLI::App& program, Action& chosen);
 void add_draw(CLI::App& program, Action& chosen);
 void add_gen(CLI::App& program, Action& chosen);
 void add_reflect(CLI::App& program, Action& chosen);

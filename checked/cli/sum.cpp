@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "checked/arrangement/hole_test.hpp"
+#include "checked/certificates/certificate.hpp"
 #include "checked/cli/command_line/program_frame.hpp"
 #include "checked/cli/command_line/progress.hpp"
 #include "checked/cli/command_line/terminal.hpp"
@@ -37,6 +38,7 @@ struct SumOptions {
   std::optional<unsigned> threads;  ///< by default as many as there are cores
   std::optional<std::string> svg;
   std::optional<std::string> origins;
+  std::optional<std::string> certificate;
   bool stats = false;
   std::optional<std::string> stats_json;
 };
@@ -44,8 +46,16 @@ struct SumOptions {
 std::vector<std::string> outputs(const SumOptions& options) {
   std::vector<std::string> paths = {options.output.path};
   if (options.origins) paths.push_back(*options.origins);
+  if (options.certificate) paths.push_back(*options.certificate);
   if (options.stats_json) paths.push_back(*options.stats_json);
   return paths;
+}
+
+void require_certifiable(const SumOptions& options) {
+  if (!options.certificate) return;
+  if (options.boundary == Boundary::open)
+    throw UsageError("--certificate is for sums of closed regions, without --open");
+  if (options.output.digits) throw UsageError("--certificate is for exact sums, without --digits");
 }
 
 /// More segments are not drawn: nobody could tell them apart.
@@ -100,6 +110,7 @@ struct Run {
   Seconds counting{};
   Seconds computing{};
   Seconds region{};
+  Seconds certificate{};
   Seconds drawing{};
   Seconds writing{};
 };
@@ -114,6 +125,7 @@ Statistics times_of(const Run& run, Seconds all) {
           {"seconds for counting the convolution", run.counting},
           {"seconds for the sum", run.computing},
           {"seconds for the region", run.region},
+          {"seconds for the certificate", run.certificate},
           {"seconds for the picture", run.drawing},
           {"seconds for writing", run.writing},
           {"seconds", all},
@@ -165,8 +177,14 @@ Run done(const SumOptions& options, const Engine& engine, EngineOptions engine_o
     throw UsageError(
         ".dat cannot hold the dangling edges and isolated vertices of this sum; write .wkt or "
         ".geojson");
-  step->next("writing the sum");
   const Region region = timed(run.region, [&] { return region_of(computed.sum); });
+  // Before anything is written, in case it cannot be made.
+  const std::string certificate = timed(run.certificate, [&] {
+    if (!options.certificate) return std::string();
+    step->next("making the certificate");
+    return written(certificates::certificate(p, q, region));
+  });
+  step->next("writing the sum");
   timed(run.writing, [&] {
     const std::string content = written(computed.sum, region, format, options.output.digits);
     if (options.output.path == "-") step.reset();  // both may be on one terminal
@@ -175,6 +193,7 @@ Run done(const SumOptions& options, const Engine& engine, EngineOptions engine_o
     say_what_was_written(options.output, format, content);
     if (options.origins)
       write_text(*options.origins, origins_json(computed.sum, computed.origins, p, q));
+    if (options.certificate) write_text(*options.certificate, certificate);
   });
   if (options.svg)
     timed(run.drawing, [&] { write_text(*options.svg, picture(p, q, computed.sum)); });
@@ -189,6 +208,7 @@ ExitCode sum(const SumOptions& options) {
                                         .threads = chosen_threads(options, engine),
                                         .hole_test = chosen_hole_test(options, engine)};
   require_one_standard_input({options.p, options.q});
+  require_certifiable(options);
   require_writable(outputs(options), options.svg);
   const Format format = output_format(options.output);
 
@@ -241,6 +261,8 @@ void add_sum(CLI::App& program, Action& chosen) {
       "draw summands, convolutions and sum there, as SVG; convolutions of up to 20000 segments");
   add_file(command, "--origins", options.origins,
            "write there, as JSON, which vertex and edge each edge of the sum came from");
+  add_file(command, "--certificate", options.certificate,
+           "write there what oplus-certified needs to check the sum (docs/certificates.md)");
   command.add_flag("--stats", options.stats,
                    "print sizes, times of all stages and memory to standard error");
   add_file(command, "--stats-json", options.stats_json,

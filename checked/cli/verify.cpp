@@ -12,6 +12,7 @@
 #include "checked/cli/layer_styles.hpp"
 #include "checked/cli/shared_options.hpp"
 #include "checked/cli/usage_error.hpp"
+#include "checked/cli/verdict_text.hpp"
 #include "checked/cli/view.hpp"
 #include "checked/verify/closeness.hpp"
 #include "reference/io/boundary_name.hpp"
@@ -60,38 +61,6 @@ std::string said_distance(const BoundaryDistance& d) {
   const std::string low = root(d.least_squared, false);
   const std::string high = root(d.most_squared, true);
   return low == high ? low : "between " + low + " and " + high;
-}
-
-std::string membership(const Reason& reason) {
-  if (reason.in_sum == reason.in_given)
-    return reason.in_sum ? "is in the sum and in S" : "is neither in the sum nor in S";
-  return reason.in_sum ? "is in the sum, but not in S" : "is in S, but not in the sum";
-}
-
-std::string text_of(const Verdict& verdict) {
-  if (verdict.is_sum()) return "yes\n";
-  const Reason& first = verdict.reasons.front();
-  const std::string x = to_string(first.witness);
-  std::string text = "no: " + describe(first.kind) + ": " + first.detail + "\nwitness: " + x + " " +
-                     membership(first);
-  if (verdict.addends)
-    text +=
-        ": " + to_string(verdict.addends->p) + " of P + " + to_string(verdict.addends->q) + " of Q";
-  else if (!first.in_sum)
-    text += ": the interiors of P and -Q + " + x + " do not meet";
-  text += "\n";
-  std::set<ReasonKind> said = {first.kind};
-  for (const Reason& reason : verdict.reasons) {
-    if (!said.insert(reason.kind).second) continue;
-    text += "also: " + describe(reason.kind) + ": " + reason.detail + "; at " +
-            to_string(reason.witness) + "\n";
-  }
-  for (const ReasonKind kind : said) {
-    const auto count = std::count_if(verdict.reasons.begin(), verdict.reasons.end(),
-                                     [&](const Reason& reason) { return reason.kind == kind; });
-    if (count > 1) text += "in all: " + describe(kind) + ", " + std::to_string(count) + " times\n";
-  }
-  return text;
 }
 
 std::string text_of(const Closeness& close, const std::string& tolerance) {

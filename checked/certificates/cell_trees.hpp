@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <stdexcept>
+#include <variant>
+
+#include "checked/certificates/cell.hpp"
+#include "checked/certificates/piece_sums.hpp"
+
+namespace oplus::certificates {
+
+/// A step of a tree in preorder: a cut, followed by the tree of what is on its positive side and that of what is
+/// on its negative one; or a pair of pieces whose sum contains the cell.
+using Step = std::variant<IntegerLine, PieceSums::Pair>;
+using Tree = std::vector<Step>;
+
+/// Thrown where a point of what should be a sum is in no sum of two pieces.
+class PointOutsideSum : public std::logic_error {
+ public:
+  explicit PointOutsideSum(const Point& x);
+};
+
+/// Cuts convex pieces of a sum into cells, each inside a sum T ⊕ U of two pieces of the summands: along sides of
+/// those T ⊕ U that contain a cell's centre, first along those of the one that covers most.
+class CellTrees {
+ public:
+  /// `largest`: no coordinate of what is asked for is larger.
+  CellTrees(PieceSums& sums, const ShiftedDoubles& doubles, double largest)
+      : sums_(sums), doubles_(doubles), error_(largest * 0x1p-44) {}
+
+  /// Throws PointOutsideSum. Requires: the corners are those of a convex piece.
+  Tree tree(const std::vector<Point>& corners);
+
+ private:
+  using Pair = PieceSums::Pair;
+
+  void solve(const Cell& cell);
+  bool solve_along(const Cell& cell, const Pair& pair);
+  std::vector<Pair> pairs_around(const Cell& cell);
+  Pair pair_exactly_around(const Cell& cell);
+  bool contains(const Pair& pair, const Cell& cell);
+  double covered_area(const Pair& pair, const Cell& cell);
+  Sides sides_of(const Pair& pair, std::size_t side, const Cell& cell);
+
+  PieceSums& sums_;
+  const ShiftedDoubles& doubles_;
+  double error_;  ///< of what is above a half plane
+  Tree tree_;
+  std::vector<HalfPlane> half_planes_;
+};
+
+}  // namespace oplus::certificates

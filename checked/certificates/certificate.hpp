@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "checked/certificates/cell_trees.hpp"
+
+namespace oplus::certificates {
+
+/// What shows a program that is proved to be right that S is the sum of the closed regions P and Q:
+/// docs/certificates.md.
+struct Certificate {
+  struct Link {
+    std::uint32_t reached;
+    std::uint32_t next;
+    friend bool operator==(const Link&, const Link&) = default;
+  };
+  struct PiecesOfSummand {
+    ConvexPieces pieces;
+    std::vector<Link> links;  ///< each to a piece that has a corner of one that is reached
+  };
+
+  mpz_class unit;  ///< boxes of the checker are integers divided by this
+  PiecesOfSummand p;
+  PiecesOfSummand q;
+  ConvexPieces sum;
+  std::vector<Tree> trees;  ///< of the sum's pieces
+};
+
+/// Requires: p and q are valid, and so is s but that its chains may touch themselves; no edge is a
+/// point. That s is part of P ⊕ Q is seen, that it is all of it is not. Throws PointOutsideSum.
+Certificate certificate(const Region& p, const Region& q, const Region& s);
+
+/// The text of a file.
+std::string written(const Certificate& certificate);
+
+}  // namespace oplus::certificates

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/certificates/piece_sums.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+namespace oplus::certificates {
+
+namespace {
+
+/// b - a, as near as a double: where both are exact, or from rationals.
+double difference(const Rational& a, const Rational& b, const ShiftedDoubles& doubles) {
+  const auto is_short = [](const Rational& x) {
+    return x.get_den() == 1 && mpz_sizeinbase(x.get_num_mpz_t(), 2) <= 52;
+  };
+  if (doubles.shift() == 0 && is_short(a) && is_short(b))
+    return b.get_num().get_d() - a.get_num().get_d();
+  return doubles.near(Rational(b - a));
+}
+
+double along(const HalfPlane& side, const Place& p) { return side.a * p.x + side.b * p.y; }
+
+double lowest(const HalfPlane& side, const std::vector<Place>& corners) {
+  double low = std::numeric_limits<double>::infinity();
+  for (const Place& corner : corners) low = std::min(low, along(side, corner));
+  return low;
+}
+
+}  // namespace
+
+NearPieces::NearPieces(const ConvexPieces& pieces, const ShiftedDoubles& doubles) {
+  std::vector<Place> places;
+  for (const Point& p : pieces.vertices) places.push_back(doubles.near(p));
+  for (const ConvexPiece& piece : pieces.pieces) {
+    auto& [corners, sides] = pieces_.emplace_back();
+    for (std::size_t k = 0; k < piece.size(); ++k) {
+      const Point& a = pieces.vertices[piece[k]];
+      const Point& b = pieces.vertices[piece[next(k, piece.size())]];
+      corners.push_back(places[piece[k]]);
+      const double dx = difference(a.x, b.x, doubles), dy = difference(a.y, b.y, doubles);
+      const double length = std::hypot(dx, dy);
+      HalfPlane& side = sides.emplace_back(-dy / length, dx / length, 0);
+      side.low = along(side, corners.back());
+    }
+  }
+  boxes_.resize(2 * pieces_.size());
+  if (!pieces_.empty()) add_boxes(all());
+}
+
+void NearPieces::add_boxes(const Range& range) {
+  Box& box = boxes_[range.box];
+  if (range.is_one()) {
+    const std::vector<Place>& corners = pieces_[range.begin].corners;
+    box = {corners[0], corners[0]};
+    for (const Place& p : corners)
+      box = {{std::min(box.low.x, p.x), std::min(box.low.y, p.y)},
+             {std::max(box.high.x, p.x), std::max(box.high.y, p.y)}};
+    return;
+  }
+  const auto [first, second] = range.halves();
+  add_boxes(first);
+  add_boxes(second);
+  const Box &a = boxes_[first.box], &b = boxes_[second.box];
+  box = {{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y)},
+         {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}};
+}
+
+PieceSums::PieceSums(const ConvexPieces& p, const ConvexPieces& q, const ShiftedDoubles& doubles)
+    : exact_p_(p), exact_q_(q), p_(p, doubles), q_(q, doubles) {}
+
+void PieceSums::sides(const Pair& pair, std::vector<HalfPlane>& result) const {
+  const NearPieces::Piece &t = p_[pair.i], &u = q_[pair.j];
+  result.clear();
+  for (const auto& [of, other] : {std::pair(&t, &u), std::pair(&u, &t)})
+    for (const HalfPlane& side : of->sides)
+      result.push_back({side.a, side.b, side.low + lowest(side, other->corners)});
+}
+
+const IntegerLine& PieceSums::exact_side(const Pair& pair, std::size_t side) {
+  auto& lines = exact_sides_[(std::uint64_t{pair.i} << 32) + pair.j];
+  lines.resize(p_[pair.i].sides.size() + q_[pair.j].sides.size());
+  auto& [is_known, line] = lines[side];
+  if (!is_known) line = computed_side(pair, side);
+  is_known = true;
+  return line;
+}
+
+IntegerLine PieceSums::computed_side(const Pair& pair, std::size_t side) const {
+  const ConvexPiece *of = &exact_p_.pieces[pair.i], *other = &exact_q_.pieces[pair.j];
+  const std::vector<Point>*vertices = &exact_p_.vertices, *others = &exact_q_.vertices;
+  if (side >= of->size()) {
+    side -= of->size();
+    std::swap(of, other);
+    std::swap(vertices, others);
+  }
+  const Point& source = (*vertices)[(*of)[side]];
+  const Point& target = (*vertices)[(*of)[next(side, of->size())]];
+  const Vector normal{source.y - target.y, target.x - source.x};
+  std::optional<Rational> low;
+  Rational here;
+  for (const std::uint32_t corner : *other) {
+    const Point& p = (*others)[corner];
+    here = normal.x * p.x + normal.y * p.y;
+    if (!low || here < *low) low = here;
+  }
+  const Rational c = -(*low + normal.x * source.x + normal.y * source.y);
+  const mpz_class scale = lcm(lcm(normal.x.get_den(), normal.y.get_den()), c.get_den());
+  const auto whole = [&](const Rational& x) {
+    return mpz_class(x.get_num() * (scale / x.get_den()));
+  };
+  IntegerLine line{whole(normal.x), whole(normal.y), whole(c)};
+  divide_by_common_factor(line.a, line.b, line.c);
+  return line;
+}
+
+}  // namespace oplus::certificates

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/certificates/certificate.hpp"
+#include "checked/cli/command_line/program_frame.hpp"
+#include "checked/cli/command_line/terminal.hpp"
+#include "checked/cli/input.hpp"
+#include "checked/cli/shared_options.hpp"
+#include "checked/cli/usage_error.hpp"
+#include "checked/cli/verdict_text.hpp"
+#include "checked/verify/verify.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+struct CertifyOptions {
+  std::string p;
+  std::string q;
+  std::string sum;
+  std::string output = "-";
+};
+
+void require_different_neighbours(const Region& sum) {
+  for (const Segment& e : edges(sum))
+    if (e.source == e.target)
+      throw UsageError("S has the vertex " + to_string(e.source) +
+                       " twice in a row; a certificate needs an edge between them");
+}
+
+ExitCode certify(const CertifyOptions& options) {
+  require_one_standard_input({options.p, options.q, options.sum});
+  require_writable({options.output});
+  const Region p = read_summand(options.p);
+  const Region q = read_summand(options.q);
+  const GivenSum given = read_unchecked_sum(options.sum);
+  const Verdict verdict = verify(p, q, Boundary::closed, given);
+  for (const std::string& note : verdict.notes) say_note(note);
+  if (!verdict.is_sum()) {
+    write_text("-", text_of(verdict));
+    return ExitCode::not_equal;
+  }
+  require_different_neighbours(given.region);
+  write_text(options.output, written(certificates::certificate(p, q, given.region)));
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_certify(CLI::App& program, Action& chosen) {
+  const auto& [command, options] = add_subcommand(
+      program, chosen, "certify",
+      "Write a certificate that a region is the sum of two others, if it is", certify);
+  add_file(command, "P", options.p, "a region: .dat, WKT or GeoJSON; - is standard input")
+      ->required();
+  add_file(command, "Q", options.q, "the other region")->required();
+  add_file(command, "S", options.sum, "the sum of the closed regions, from any source")->required();
+  add_file(command, "-o,--output", options.output,
+           "where to write it (docs/certificates.md), by default standard output");
+  command.footer(
+      "If S is not the sum, prints why, as 'oplus verify' does, and writes nothing.\n"
+      "\n"
+      "Example:\n"
+      "  oplus gen tight --n 6 --summand P -o p.wkt\n"
+      "  oplus gen tight --n 6 --summand Q -o q.wkt\n"
+      "  oplus sum p.wkt q.wkt -o sum.wkt\n"
+      "  oplus certify p.wkt q.wkt sum.wkt -o certificate\n"
+      "\n"
+      "Exit codes:\n"
+      "  0  done: it is their sum\n"
+      "  1  it is not");
+}
+
+}  // namespace oplus

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "checked/verify/verdict.hpp"
+
+namespace oplus {
+
+/// "yes", or "no" with the first reason, its witness, and the other kinds of reasons; lines.
+std::string text_of(const Verdict& verdict);
+
+}  // namespace oplus
