@@ -2,7 +2,10 @@
 #include "checked/certificates/convex_pieces.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <numeric>
+#include <tuple>
 
 #include "checked/certificates/halving_order.hpp"
 #include "checked/certificates/shifted_doubles.hpp"
@@ -50,12 +53,18 @@ class MergedTriangles {
     }
   }
 
+  /// First without diagonals that do not make both angles convex at an end where the region's angle is reflex,
+  /// last without those that do at both ends; the longer first.
   void merge() {
-    std::vector<std::pair<double, Edge>> diagonals;
+    std::vector<std::uint8_t> ends(source_.size(), 0);
     for (Edge e = 0; e < twin_.size(); ++e)
-      if (twin_[e] != Triangle::none && e < twin_[e]) diagonals.push_back({-length(e), e});
+      if (twin_[e] == Triangle::none) count_where_reflex(e, ends);
+    std::vector<std::tuple<int, double, Edge>> diagonals;
+    for (Edge e = 0; e < twin_.size(); ++e)
+      if (twin_[e] != Triangle::none && e < twin_[e])
+        diagonals.emplace_back(ends[e] + ends[twin_[e]], -length(e), e);
     std::ranges::sort(diagonals);
-    for (const auto& [length, e] : diagonals) merge_across(e);
+    for (const auto& [count, length, e] : diagonals) merge_across(e);
   }
 
   std::vector<ConvexPiece> pieces() const {
@@ -76,10 +85,33 @@ class MergedTriangles {
   }
 
  private:
-  double length(Edge e) const {
+  Place direction(Edge e) const {
     const auto& [ax, ay] = places_[source_[e]];
     const auto& [bx, by] = places_[source_[next_[e]]];
-    return std::hypot(ax - bx, ay - by);
+    return {bx - ax, by - ay};
+  }
+
+  double length(Edge e) const {
+    const auto [x, y] = direction(e);
+    return std::hypot(x, y);
+  }
+
+  /// Of the diagonals that leave the vertex which an edge of the region leaves, those that make both angles
+  /// convex where that between the edges of the region is reflex. In doubles.
+  void count_where_reflex(Edge boundary, std::vector<std::uint8_t>& counts) const {
+    const auto turns_left = [](const Place& a, const Place& b) {
+      return a.x * b.y - a.y * b.x > 0;
+    };
+    Edge last = boundary;
+    while (twin_[previous_[last]] != Triangle::none) last = twin_[previous_[last]];
+    const Place from = direction(boundary), back = direction(previous_[last]);
+    const Place to{-back.x, -back.y};
+    if (!turns_left(to, from)) return;
+    for (Edge e = boundary; e != last;) {
+      e = twin_[previous_[e]];
+      const Place along = direction(e);
+      if (!turns_left(along, from) && !turns_left(to, along)) ++counts[e];
+    }
   }
 
   /// How what runs along `in` and `out`, from where `in` ends, turns.

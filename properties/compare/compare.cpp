@@ -15,6 +15,7 @@
 #include "checked/cli/output.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "checked/engines/engines.hpp"
+#include "properties/compare/certified_engine.hpp"
 #include "properties/compare/counterexample_files.hpp"
 #include "properties/compare/engine_called.hpp"
 #include "properties/compare/report_json.hpp"
@@ -36,6 +37,7 @@ CLI::Validator engine_name() {
   std::vector<std::string> names = {"all"};
   for (const std::vector<Engine>& some : {engines(), peers()})
     for (const Engine& engine : some) names.push_back(engine.name);
+  names.emplace_back("certified");
   const CLI::Validator known =
       known_name("engine", names, "the engines are " + boost::join(names, ", ") + ", exec:CMD");
   return CLI::Validator(known).operation(
@@ -66,17 +68,23 @@ HoleTestMethod hole_test_named(const std::string& name) {
   return all_hole_tests();
 }
 
-/// The engines that were named; all of oplus where none was.
+/// The engines that were named; where none was, all of oplus, and "certified" if it can run.
 std::vector<Engine> chosen_engines(const Campaign& campaign) {
   std::vector<Engine> chosen = checked_engines(hole_test_named(campaign.hole_test));
-  const std::vector<std::string>& names = campaign.engines;
-  if (names.empty() || std::ranges::count(names, "all") > 0) return chosen;
-  std::erase_if(chosen,
-                [&](const Engine& engine) { return std::ranges::count(names, engine.name) == 0; });
   const ProcessLimits limits{.seconds = campaign.time_limit,
                              .address_space_mb = campaign.memory_limit,
                              .output_mb = 64,
                              .is_interrupted = is_interrupted};
+  const std::vector<std::string>& names = campaign.engines;
+  if (names.empty() || std::ranges::count(names, "all") > 0) {
+    if (can_certify())
+      chosen.push_back(certified_engine(limits));
+    else
+      say_note("sums are not certified: " + why_it_cannot_run("certified", limits));
+    return chosen;
+  }
+  std::erase_if(chosen,
+                [&](const Engine& engine) { return std::ranges::count(names, engine.name) == 0; });
   for (const std::string& name : names) {
     const std::string fault = why_it_cannot_run(name, limits);
     if (!fault.empty()) throw UsageError("cannot run " + one_line(name) + ": " + one_line(fault));

@@ -6,6 +6,7 @@
 #include "checked/arrangement/hole_test.hpp"
 #include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/usage_error.hpp"
+#include "properties/compare/certified_engine.hpp"
 #include "properties/compare/compare.hpp"
 #include "properties/compare/compare_commands.hpp"
 #include "properties/compare/engine_called.hpp"
@@ -43,9 +44,11 @@ std::vector<std::string> hole_test_names() {
   return names;
 }
 
-std::string peer_list() {
+std::string other_engines() {
+  std::vector<Engine> others = peers();
+  others.insert(others.begin(), certified_engine({}));
   std::string lines;
-  for (const Engine& peer : peers())
+  for (const Engine& peer : others)
     lines += "  " + peer.name + std::string(22 - peer.name.size(), ' ') + peer.what + '\n';
   return lines;
 }
@@ -90,7 +93,7 @@ void add_diff_command(CLI::App& app, int& exit_code) {
   Campaign& campaign = settings->campaign;
   add_engine_option(
       *command, *settings,
-      "The engine to check; may be repeated; default: all of oplus; other libraries and "
+      "The engine to check; may be repeated; default: all of oplus, and certified; other libraries and "
       "programs: below");
   command
       ->add_option(
@@ -125,7 +128,7 @@ void add_diff_command(CLI::App& app, int& exit_code) {
       "Without --report the report is written to diff.json in --out.\n"
       "\n"
       "Other libraries and programs, each sum in a process of its own:\n" +
-      peer_list() +
+      other_engines() +
       "  exec:CMD              any program: the shell runs CMD with {p} and {q} replaced by files\n"
       "                        in WKT, or these appended; it writes the sum. Open sums are asked for\n"
       "                        only if CMD contains {boundary}, which is replaced by closed or open.\n"

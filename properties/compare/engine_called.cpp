@@ -6,6 +6,7 @@
 #include <sstream>
 #include <system_error>
 
+#include "properties/compare/certified_engine.hpp"
 #include "properties/compare/crash_site.hpp"
 #include "properties/compare/no_sum.hpp"
 #include "properties/compare/peers/peer_table.hpp"
@@ -163,6 +164,8 @@ Engine program_engine(const std::string& command, ProcessLimits limits) {
 }
 
 std::string why_it_cannot_run(const std::string& engine, ProcessLimits limits) {
+  if (engine == "certified" && !can_certify())
+    return "oplus-certified was not built; it needs Debian's coq and libzarith-ocaml-dev";
   if (!engine.starts_with(exec)) return "";
   limits.is_quiet = true;
   const Region square = polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
@@ -176,6 +179,7 @@ std::string why_it_cannot_run(const std::string& engine, ProcessLimits limits) {
 }
 
 std::optional<Engine> engine_called(const std::string& engine, const ProcessLimits& limits) {
+  if (engine == "certified") return certified_engine(limits);
   const std::vector<Engine> all = peers(limits);
   if (const Engine* peer = find_engine(all, engine)) return *peer;
   if (engine.starts_with(exec) && engine.size() > exec.size())

@@ -15,13 +15,13 @@ namespace oplus {
 std::vector<Engine> peers(ProcessLimits limits = {});
 
 /// Returns an engine that runs another library or program in a process of its own for each sum; nullopt
-/// where `engine` is neither the name of a peer nor "exec:" and a command.
+/// where `engine` is neither "certified" (certified_engine.hpp) nor the name of a peer nor "exec:" and a command.
 /// Its compute() throws NoSum, and std::system_error where no process or file can be made, or, with the
 /// code std::errc::interrupted, where it was interrupted (ProcessLimits); any number of threads may call it.
 std::optional<Engine> engine_called(const std::string& engine, const ProcessLimits& limits);
 
 /// Runs the command of an engine "exec:…" once, on two squares. Returns what the shell says where it
-/// cannot run the command, else "".
+/// cannot run the command, why "certified" cannot run, else "".
 std::string why_it_cannot_run(const std::string& engine, ProcessLimits limits);
 
 /// Any program as an engine. The shell runs the command, in which

@@ -104,4 +104,15 @@ Qed.
 
 Lemma homogeneous_is (p : point) : equal_vectors (vector_of (homogeneous p)) (Vector (x_of p) (y_of p)).
 Proof.
-Admitted.
+  destruct p as [x y]. unfold homogeneous, vector_of, equal_vectors. cbn [x_of y_of vx vy px py pw].
+  pose proof (Qred_correct x) as x_is. pose proof (Qred_correct y) as y_is.
+  destruct (Qred x) as [a c], (Qred y) as [b d]. cbn [Qnum Qden]. rewrite <- x_is, <- y_is. clear x y x_is y_is.
+  destruct (Z.gcd_divide_l (Zpos c) (Zpos d)) as [m m_is]. destruct (Z.gcd_divide_r (Zpos c) (Zpos d)) as [n n_is].
+  pose proof (Z.gcd_nonneg (Zpos c) (Zpos d)) as sign. set (g := Z.gcd (Zpos c) (Zpos d)) in *. clearbody g.
+  pose proof (Pos2Z.is_pos c). pose proof (Pos2Z.is_pos d).
+  assert (0 < g)%Z by (destruct (Z.eq_dec g 0) as [zero_ |]; [rewrite zero_ in m_is |]; lia).
+  assert (0 < m)%Z by nia. assert (0 < n)%Z by nia.
+  assert (c_part : (Zpos c / g)%Z = m) by (rewrite m_is; now apply Z.div_mul; lia).
+  assert (d_part : (Zpos d / g)%Z = n) by (rewrite n_is; now apply Z.div_mul; lia).
+  rewrite c_part, d_part. unfold Qeq. cbn [Qnum Qden]. rewrite !Z2Pos.id by lia. split; [ring |]. rewrite n_is, m_is. ring.
+Qed.

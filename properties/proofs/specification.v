@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* What a certified Minkowski sum is: all that a reader must believe. Nothing else of these proofs is needed to
-   understand the theorem `accepted_sums_are_sums` of certified_sums.v; each line is explained in docs/certificates.md. *)
+(* What a certified Minkowski sum is: all that a reader must believe. Nothing else is needed to understand the theorem of
+   certified_sums.v, accepts_only_sums accepts; each line is explained in docs/certificates.md. *)
 From Coq Require Import QArith List.
 Import ListNotations.
 
@@ -57,3 +57,7 @@ Definition member (x : point) (r : region) : Prop :=
 (* s is the Minkowski sum of p and q. *)
 Definition is_minkowski_sum (p q s : region) : Prop :=
   forall x, member x s <-> exists a b, member a p /\ member b q /\ equal_points x (sum_of_points a b).
+
+(* A checker is right if it accepts nothing but Minkowski sums, whatever it is given as a certificate. *)
+Definition accepts_only_sums {certificate : Type} (accepts : region -> region -> region -> certificate -> bool) : Prop :=
+  forall p q s c, accepts p q s c = true -> is_minkowski_sum p q s.

@@ -112,9 +112,7 @@ Section IsolatedVertex.
       intros [X Y]. unfold cross in left_s. rewrite X, Y in left_s. lra.
   Qed.
 
-  (* Theorem. Every direction m is to the left of a segment that covers the isolated vertex, or two cover it along m, of
-     opposite directions. *)
-  Theorem segments_on_all_sides_of_an_isolated_vertex (m : vector) : nonzero m ->
+  Lemma segments_on_all_sides (m : vector) : nonzero m ->
     (exists s, covers s x p q /\ 0 < cross (along s) m) \/
     ((exists s, covers s x p q /\ same_direction (along s) m) /\
      (exists s, covers s x p q /\ same_direction (along s) (opposite m))).
@@ -134,8 +132,7 @@ Section IsolatedVertex.
     right. split; [now exists s | now exists t].
   Qed.
 
-  (* Theorem 3.2.10, in part. Two directions are too few, unless they are opposite. *)
-  Theorem three_directions_at_an_isolated_vertex (d1 d2 : vector) : nonzero d1 -> nonzero d2 ->
+  Lemma two_directions_are_opposite (d1 d2 : vector) : nonzero d1 -> nonzero d2 ->
     (forall s, covers s x p q -> same_direction (along s) d1 \/ same_direction (along s) d2) ->
     same_direction d2 (opposite d1).
   Proof.
@@ -151,11 +148,11 @@ Section IsolatedVertex.
     { intros (a & a0 & ax & ay). unfold opposite in ax, ay; cbn [vx vy] in ax, ay.
       exists (/ a). split; [now apply Qinv_lt_0_compat |]. unfold opposite; cbn [vx vy]. rewrite ax, ay.
       split; field; lra. }
-    destruct (segments_on_all_sides_of_an_isolated_vertex d1 proper_1)
+    destruct (segments_on_all_sides d1 proper_1)
       as [(s & covers_s & left_s) | [_ (s & covers_s & back)]].
     2: { destruct (only s covers_s) as [same_ | same_]; [exfalso; exact (not_back _ _ proper_1 same_ back) |].
          exact (same_direction_transitive _ _ _ (same_direction_symmetric _ _ same_) back). }
-    destruct (segments_on_all_sides_of_an_isolated_vertex d2 proper_2)
+    destruct (segments_on_all_sides d2 proper_2)
       as [(t & covers_t & left_t) | [_ (t & covers_t & back)]].
     2: { destruct (only t covers_t) as [same_ | same_]; [| exfalso; exact (not_back _ _ proper_2 same_ back)].
          apply flipped. exact (same_direction_transitive _ _ _ (same_direction_symmetric _ _ same_) back). }
@@ -169,3 +166,23 @@ Section IsolatedVertex.
     - assert (0 <= a * - cross d2 d1) by (apply Qmult_le_0_compat; lra). lra.
   Qed.
 End IsolatedVertex.
+
+(* Every direction m is to the left of a segment that covers the isolated vertex, or two cover it along m, of opposite
+   directions. *)
+Theorem segments_on_all_sides_of_an_isolated_vertex (p q : region) (x m : vector) :
+  valid_region p -> valid_region q -> chains_do_not_touch p -> chains_do_not_touch q ->
+  isolated_vertex x p q -> (forall w u, is_vertex w p -> is_vertex u q -> ~ equal_vectors x (plus w u)) ->
+  nonzero m ->
+  (exists s, covers s x p q /\ 0 < cross (along s) m) \/
+  ((exists s, covers s x p q /\ same_direction (along s) m) /\
+   (exists s, covers s x p q /\ same_direction (along s) (opposite m))).
+Proof. intros. now apply segments_on_all_sides. Qed.
+
+(* Two directions are too few, unless they are opposite. *)
+Theorem three_directions_at_an_isolated_vertex (p q : region) (x d1 d2 : vector) :
+  valid_region p -> valid_region q -> chains_do_not_touch p -> chains_do_not_touch q ->
+  isolated_vertex x p q -> (forall w u, is_vertex w p -> is_vertex u q -> ~ equal_vectors x (plus w u)) ->
+  nonzero d1 -> nonzero d2 ->
+  (forall s, covers s x p q -> same_direction (along s) d1 \/ same_direction (along s) d2) ->
+  same_direction d2 (opposite d1).
+Proof. intros. now apply (two_directions_are_opposite p q x). Qed.

@@ -197,6 +197,7 @@ TEST_F(Sum, stats_are_lines_of_name_and_value) {
                                  "seconds for counting the convolution: ",
                                  "seconds for the sum: ",
                                  "seconds for the region: ",
+                                 "seconds for the certificate: ",
                                  "seconds for the picture: ",
                                  "seconds for writing: ",
                                  "seconds: ",

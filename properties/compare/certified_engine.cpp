@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/compare/certified_engine.hpp"
+
+#include <filesystem>
+#include <system_error>
+
+#include "checked/certificates/certificate.hpp"
+#include "checked/engines/engines.hpp"
+#include "properties/compare/no_sum.hpp"
+#include "properties/runner/checked_engines.hpp"
+#include "properties/runner/temporary_folder.hpp"
+#include "reference/chains/region_of.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+using Kind = NoSum::Kind;
+
+std::string certificate_of(const Region& p, const Region& q, const Region& sum) {
+  try {
+    return certificates::written(certificates::certificate(p, q, sum));
+  } catch (const certificates::PointOutsideSum& e) {
+    throw NoSum(Kind::crashed, "no certificate", std::string("no certificate: ") + e.what());
+  }
+}
+
+/// What `oplus-certified` says of a sum.
+EndedProcess asked(const Region& p, const Region& q, const Region& sum,
+                   const ProcessLimits& limits) {
+  const TemporaryFolder folder("oplus-certified");
+  const auto file = [&](const char* name, const std::string& text) {
+    const std::string path = folder.path() / name;
+    write_file(path, text);
+    return path;
+  };
+  return run_program(
+      {program_beside("oplus-certified"), file("p.wkt", written(p, Format::wkt)),
+       file("q.wkt", written(q, Format::wkt)), file("sum.wkt", written(sum, Format::wkt)),
+       file("certificate", certificate_of(p, q, sum))},
+      limits);
+}
+
+MinkowskiSum certified_sum(const Region& p, const Region& q, const ProcessLimits& limits) {
+  MinkowskiSum sum = find_engine(engines(), "slide")->compute(p, q, Boundary::closed, {}).sum;
+  const EndedProcess ended = asked(p, q, region_of(sum), limits);
+  if (ended.how == EndedProcess::How::interrupted)
+    throw std::system_error(std::make_error_code(std::errc::interrupted));
+  if (ended.how == EndedProcess::How::over_time)
+    throw NoSum(Kind::hung, "oplus-certified", "hung: oplus-certified has no answer");
+  if (ended.how != EndedProcess::How::exited || ended.code != 0 || ended.output != "certified\n")
+    throw NoSum(Kind::crashed, "not certified", "oplus-certified: " + ended.output + ended.errors);
+  return sum;
+}
+
+}  // namespace
+
+Engine certified_engine(ProcessLimits limits) {
+  limits.is_quiet = true;
+#ifdef __SANITIZE_ADDRESS__
+  limits.address_space_mb = 0;
+#endif
+  Engine engine =
+      named_engine("certified", [limits](const Region& p, const Region& q, Boundary boundary) {
+        if (boundary == Boundary::open)
+          throw NoSum(Kind::open_unsupported, "open", "open sums have no certificates");
+        return certified_sum(p, q, limits);
+      });
+  engine.what = "slide's closed sum with a certificate that oplus-certified accepts";
+  return engine;
+}
+
+bool can_certify() { return std::filesystem::exists(program_beside("oplus-certified")); }
+
+}  // namespace oplus
