@@ -5,7 +5,6 @@
 #include "properties/compare/certified_engine.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/chains/region_of.hpp"
-#include "reference/chains/transformations.hpp"
 #include "reference/oracle/oracle.hpp"
 
 namespace oplus {
@@ -57,6 +56,7 @@ const Registered registered({
         "winding number is constant on it, and pieces that touch pass it on to the next: it is not 0, so "
         "all sums are in S.",
     .hypotheses = {"closed sums; that certificates are found is for valid P and Q"},
+    .rests_on = {"observation-4.2.5"},
     .sources = {{"tight", 4, 6},
                 {"grid", 8, 3},
                 {"holes", 4, 2},
