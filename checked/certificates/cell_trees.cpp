@@ -164,7 +164,7 @@ double CellTrees::worth(const Pair& pair, const Cell& cell) {
   double share = 0;
   for (std::size_t side = 0; side < half_planes_.size(); ++side)
     share = std::max(share, share_on_boundary(side, cell));
-  return covered_area(cell) * (std::pow(share, 64) + 1e-3);
+  return covered_area(cell) * (std::pow(share, 64) + 0.2);
 }
 
 double CellTrees::covered_area(const Cell& cell) const {

@@ -59,12 +59,12 @@ class MergedTriangles {
     std::vector<std::uint8_t> ends(source_.size(), 0);
     for (Edge e = 0; e < twin_.size(); ++e)
       if (twin_[e] == Triangle::none) count_where_reflex(e, ends);
-    std::vector<std::tuple<int, double, Edge>> diagonals;
+    std::vector<std::pair<double, Edge>> diagonals;
     for (Edge e = 0; e < twin_.size(); ++e)
       if (twin_[e] != Triangle::none && e < twin_[e])
-        diagonals.emplace_back(ends[e] + ends[twin_[e]], -length(e), e);
+        diagonals.emplace_back(-std::ldexp(length(e), -2 *(ends[e] + ends[twin_[e]])), e);
     std::ranges::sort(diagonals);
-    for (const auto& [count, length, e] : diagonals) merge_across(e);
+    for (const auto& [length, e] : diagonals) merge_across(e);
   }
 
   std::vector<ConvexPiece> pieces() const {
