@@ -56,8 +56,10 @@ void CellTrees::add_step(const Cell& cell) {
     return;
   }
   // Those along its sides may cover more, and leave what is as simple as before.
-  for (std::size_t k = 0; k < cell.corners.size(); ++k) {
-    const Place &a = cell.corners[k]->near, &b = cell.corners[next(k, cell.corners.size())]->near;
+  constexpr std::size_t enough_sides = 8;
+  const std::size_t size = cell.corners.size();
+  for (std::size_t k = 0; k < size; k += 1 + size / enough_sides) {
+    const Place &a = cell.corners[k]->near, &b = cell.corners[next(k, size)]->near;
     const std::vector<Pair> more = pairs_around({(a.x + b.x) / 2, (a.y + b.y) / 2});
     pairs.insert(pairs.end(), more.begin(), more.end());
   }
