@@ -36,25 +36,6 @@ HalvedCell halved(const Cell& cell, const Sides& sides, const IntegerLine& line,
   return result;
 }
 
-double twice_area_below(const Cell& cell, const std::vector<double>& heights) {
-  std::vector<Place> below;
-  const std::size_t size = cell.corners.size();
-  for (std::size_t k = 0; k < size; ++k) {
-    const std::size_t after = next(k, size);
-    const Place &a = cell.corners[k]->near, &b = cell.corners[after]->near;
-    if (heights[k] < 0) below.push_back(a);
-    if ((heights[k] < 0) != (heights[after] < 0)) {
-      const double t = heights[k] / (heights[k] - heights[after]);
-      below.push_back({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});
-    }
-  }
-  double twice = 0;
-  for (std::size_t k = 2; k < below.size(); ++k)
-    twice += (below[k - 1].x - below[0].x) * (below[k].y - below[0].y) -
-             (below[k - 1].y - below[0].y) * (below[k].x - below[0].x);
-  return twice;
-}
-
 Place centre(const Cell& cell) {
   Place sum;
   for (const auto& corner : cell.corners) {

@@ -39,9 +39,6 @@ struct HalvedCell {
 HalvedCell halved(const Cell& cell, const Sides& sides, const IntegerLine& line,
                   const ShiftedDoubles& doubles);
 
-/// Twice the area of what is beyond a line, at the corners' `heights` above it.
-double twice_area_below(const Cell& cell, const std::vector<double>& heights);
-
 /// The mean of the corners.
 Place centre(const Cell& cell);
 

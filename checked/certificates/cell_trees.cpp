@@ -2,10 +2,11 @@
 #include "checked/certificates/cell_trees.hpp"
 
 #include <algorithm>
-#include <optional>
+#include <cmath>
 #include <utility>
 
 #include "reference/definitions/mutant.hpp"
+#include "reference/definitions/region.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus::certificates {
@@ -22,23 +23,34 @@ Point exact_centre(const Cell& cell) {
   return {sum.x / size, sum.y / size};
 }
 
+/// Where it is 0, given how high two places are above and below.
+Place between(const Place& a, double at_a, const Place& b, double at_b) {
+  const double t = at_a / (at_a - at_b);
+  return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+}
+
 }  // namespace
 
 PointOutsideSum::PointOutsideSum(const Point& x)
     : std::logic_error(to_string(x) + " is in no sum of two pieces") {}
 
 Tree CellTrees::tree(const std::vector<Point>& corners) {
-  Cell cell;
+  Cell whole;
   for (const Point& p : corners)
-    cell.corners.push_back(std::make_shared<const CellCorner>(homogeneous(p), doubles_));
-  cell.lines.resize(corners.size());
+    whole.corners.push_back(std::make_shared<const CellCorner>(homogeneous(p), doubles_));
+  whole.lines.resize(corners.size());
   tree_.clear();
-  solve(cell);
+  open_.push_back({std::move(whole), std::nullopt});
+  while (!open_.empty()) {
+    const auto [cell, pair] = std::move(open_.back());
+    open_.pop_back();
+    if (!pair || !add_step(cell, *pair)) add_step(cell);
+  }
   return std::move(tree_);
 }
 
-void CellTrees::solve(const Cell& cell) {
-  std::vector<Pair> pairs = pairs_around(cell);
+void CellTrees::add_step(const Cell& cell) {
+  std::vector<Pair> pairs = pairs_around(centre(cell));
   for (const Pair& pair : pairs) {
     if (!contains(pair, cell) &&
         !OPLUS_MUTANT("cells-stick-out-of-sums", "a cell is in a sum of pieces if its centre is"))
@@ -46,49 +58,51 @@ void CellTrees::solve(const Cell& cell) {
     tree_.push_back(pair);
     return;
   }
-  std::vector<std::pair<double, Pair>> by_area;
-  for (const Pair& pair : pairs) by_area.emplace_back(-covered_area(pair, cell), pair);
-  std::ranges::stable_sort(by_area, {}, [](const auto& entry) { return entry.first; });
-  for (const auto& [area, pair] : by_area)
-    if (solve_along(cell, pair)) return;
-  const Pair pair = pair_exactly_around(cell);
-  if (!solve_along(cell, pair))
+  // Those along its sides may cover more, and leave what is as simple as before.
+  constexpr std::size_t enough_sides = 8;
+  const std::size_t size = cell.corners.size();
+  for (std::size_t k = 0; k < size; k += 1 + size / enough_sides) {
+    const Place &a = cell.corners[k]->near, &b = cell.corners[next(k, size)]->near;
+    const std::vector<Pair> more = pairs_around({(a.x + b.x) / 2, (a.y + b.y) / 2});
+    pairs.insert(pairs.end(), more.begin(), more.end());
+  }
+  std::vector<std::pair<double, Pair>> by_worth;
+  for (const Pair& pair : pairs) by_worth.emplace_back(-worth(pair, cell), pair);
+  std::ranges::stable_sort(by_worth, {}, [](const auto& entry) { return entry.first; });
+  for (const auto& [worth, pair] : by_worth)
+    if (add_step(cell, pair)) return;
+  if (!add_step(cell, pair_exactly_around(cell)))
     throw std::logic_error("a sum of pieces around a cell's inner point meets only its boundary");
 }
 
-/// Cuts off what is outside the sum of two pieces. Returns false if that is all of the cell.
-bool CellTrees::solve_along(const Cell& cell, const Pair& pair) {
+bool CellTrees::add_step(const Cell& cell, const Pair& pair) {
   sums_.sides(pair, half_planes_);
-  std::vector<double> heights;
-  std::vector<std::pair<double, std::size_t>> by_area;
-  for (std::size_t side = 0; side < half_planes_.size(); ++side) {
-    heights.clear();
-    for (const auto& corner : cell.corners)
-      heights.push_back(half_planes_[side].above(corner->near));
-    if (std::ranges::min(heights) <= error_)
-      by_area.emplace_back(-twice_area_below(cell, heights), side);
-  }
-  std::ranges::sort(by_area);
-  for (const auto& [area, side] : by_area) {
+  std::vector<std::pair<double, std::size_t>> by_share;
+  for (std::size_t side = 0; side < half_planes_.size(); ++side)
+    if (std::ranges::any_of(cell.corners, [&](const auto& corner) {
+          return half_planes_[side].above(corner->near) <= error_;
+        }))
+      by_share.emplace_back(-share_on_boundary(side, cell), side);
+  std::ranges::sort(by_share);
+  for (const auto& [share, side] : by_share) {
     const Sides sides = sides_of(pair, side, cell);
     if (std::ranges::min(sides) >= 0) continue;
     if (std::ranges::max(sides) <= 0) return false;
-    const IntegerLine line = sums_.exact_side(pair, side);
+    const IntegerLine& line = sums_.exact_side(pair, side);
     HalvedCell parts = halved(cell, sides, line, doubles_);
     if (OPLUS_MUTANT("cuts-swap-their-sides", "the part to the right of a cut comes first"))
       std::swap(parts.positive, parts.negative);
     tree_.push_back(line);
-    if (!solve_along(parts.positive, pair)) solve(parts.positive);
-    solve(parts.negative);
+    open_.push_back({std::move(parts.negative), std::nullopt});
+    open_.push_back({std::move(parts.positive), pair});
     return true;
   }
   tree_.push_back(pair);
   return true;
 }
 
-std::vector<PieceSums::Pair> CellTrees::pairs_around(const Cell& cell) {
+std::vector<PieceSums::Pair> CellTrees::pairs_around(const Place& x) {
   std::vector<Pair> pairs;
-  const Place x = centre(cell);
   sums_.for_each_box_around(x, error_, [&](const Pair& pair) {
     sums_.sides(pair, half_planes_);
     if (std::ranges::all_of(half_planes_,
@@ -130,20 +144,46 @@ bool CellTrees::contains(const Pair& pair, const Cell& cell) {
   });
 }
 
-double CellTrees::covered_area(const Pair& pair, const Cell& cell) {
+double CellTrees::share_on_boundary(std::size_t side, const Cell& cell) const {
+  std::vector<Place> ends;
+  const std::size_t size = cell.corners.size();
+  for (std::size_t k = 0; k < size; ++k) {
+    const Place &a = cell.corners[k]->near, &b = cell.corners[next(k, size)]->near;
+    const double at_a = half_planes_[side].above(a), at_b = half_planes_[side].above(b);
+    if ((at_a < 0) != (at_b < 0)) ends.push_back(between(a, at_a, b, at_b));
+  }
+  if (ends.size() != 2) return 0;
+  double from = 0, to = 1;
+  for (std::size_t other = 0; other < half_planes_.size(); ++other) {
+    if (other == side) continue;
+    const double at_from = half_planes_[other].above(ends[0]);
+    const double at_to = half_planes_[other].above(ends[1]);
+    if (at_from < -error_ && at_to < -error_) return 0;
+    if (at_from < -error_) from = std::max(from, at_from / (at_from - at_to));
+    if (at_to < -error_) to = std::min(to, at_from / (at_from - at_to));
+  }
+  return std::max(0.0, to - from);
+}
+
+/// The area that it covers; much less where each cut would go on far beyond it and cut up what others cover.
+double CellTrees::worth(const Pair& pair, const Cell& cell) {
   sums_.sides(pair, half_planes_);
+  double share = 0;
+  for (std::size_t side = 0; side < half_planes_.size(); ++side)
+    share = std::max(share, share_on_boundary(side, cell));
+  return covered_area(cell) * (std::pow(share, 64) + 0.2);
+}
+
+double CellTrees::covered_area(const Cell& cell) const {
   std::vector<Place> part, cut;
   for (const auto& corner : cell.corners) part.push_back(corner->near);
   for (const HalfPlane& side : half_planes_) {
     cut.clear();
     for (std::size_t k = 0; k < part.size(); ++k) {
-      const Place &a = part[k], &b = part[k + 1 == part.size() ? 0 : k + 1];
+      const Place &a = part[k], &b = part[next(k, part.size())];
       const double at_a = side.above(a), at_b = side.above(b);
       if (at_a >= 0) cut.push_back(a);
-      if ((at_a < 0) != (at_b < 0)) {
-        const double t = at_a / (at_a - at_b);
-        cut.push_back({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});
-      }
+      if ((at_a < 0) != (at_b < 0)) cut.push_back(between(a, at_a, b, at_b));
     }
     part.swap(cut);
   }

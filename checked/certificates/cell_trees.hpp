@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <stdexcept>
 #include <variant>
 
@@ -21,7 +22,7 @@ class PointOutsideSum : public std::logic_error {
 };
 
 /// Cuts convex pieces of a sum into cells, each inside a sum T ⊕ U of two pieces of the summands: along sides of
-/// those T ⊕ U that contain a cell's centre, first along those of the one that covers most.
+/// a T ⊕ U that covers much of a cell and, if there is one, has a side all along the first cut.
 class CellTrees {
  public:
   /// `largest`: no coordinate of what is asked for is larger.
@@ -34,18 +35,32 @@ class CellTrees {
  private:
   using Pair = PieceSums::Pair;
 
-  void solve(const Cell& cell);
-  bool solve_along(const Cell& cell, const Pair& pair);
-  std::vector<Pair> pairs_around(const Cell& cell);
+  /// What is not in the tree yet, the next one last; perhaps with the pair whose sum is to contain it.
+  struct OpenCell {
+    Cell cell;
+    std::optional<Pair> pair;
+  };
+
+  void add_step(const Cell& cell);
+  /// Cuts off what is beyond a side of the pair's sum. Returns false if that is all of the cell.
+  bool add_step(const Cell& cell, const Pair& pair);
+  std::vector<Pair> pairs_around(const Place& x);
   Pair pair_exactly_around(const Cell& cell);
   bool contains(const Pair& pair, const Cell& cell);
-  double covered_area(const Pair& pair, const Cell& cell);
+  double worth(const Pair& pair, const Cell& cell);
+
+  // Of the sum with these half planes:
+  /// which share of a side's line inside the cell is on its boundary,
+  double share_on_boundary(std::size_t side, const Cell& cell) const;
+  /// and twice the area that it covers.
+  double covered_area(const Cell& cell) const;
   Sides sides_of(const Pair& pair, std::size_t side, const Cell& cell);
 
   PieceSums& sums_;
   const ShiftedDoubles& doubles_;
   double error_;  ///< of what is above a half plane
   Tree tree_;
+  std::vector<OpenCell> open_;
   std::vector<HalfPlane> half_planes_;
 };
 

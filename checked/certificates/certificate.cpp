@@ -7,6 +7,13 @@ namespace oplus::certificates {
 
 namespace {
 
+/// To check whether a point is in a sum of two pieces takes as long as the product of their sizes.
+constexpr std::uint32_t most_corners_of_summands = 8;
+
+/// To check whether a piece is convex takes as long as the square of its size. Smaller pieces would be long
+/// and thin where many vertices are on a line, and each would be cut into many cells.
+constexpr std::uint32_t most_corners_of_sum = 256;
+
 /// Breadth first, from the first piece and from each that is not reached otherwise.
 std::vector<Certificate::Link> links(const ConvexPieces& pieces) {
   std::vector<std::vector<std::uint32_t>> at_vertex(pieces.vertices.size());
@@ -110,9 +117,9 @@ class Text {
 
 Certificate certificate(const Region& p, const Region& q, const Region& s) {
   Certificate result;
-  result.p.pieces = convex_pieces(p);
-  result.q.pieces = convex_pieces(q);
-  result.sum = convex_pieces(s);
+  result.p.pieces = convex_pieces(p, most_corners_of_summands);
+  result.q.pieces = convex_pieces(q, most_corners_of_summands);
+  result.sum = convex_pieces(s, most_corners_of_sum);
   result.p.links = links(result.p.pieces);
   result.q.links = links(result.q.pieces);
 

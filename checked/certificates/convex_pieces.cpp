@@ -15,9 +15,6 @@ namespace oplus::certificates {
 
 namespace {
 
-/// To check whether a point is in a sum of two pieces takes as long as the product of their sizes.
-constexpr std::uint32_t most_corners = 8;
-
 /// The edges of triangles, and then of what they are merged into; edge 3 t + k leaves corner k of
 /// triangle t.
 class MergedTriangles {
@@ -25,8 +22,9 @@ class MergedTriangles {
   using Edge = std::uint32_t;
 
   MergedTriangles(const std::vector<Triangle>& triangles, const std::vector<NearPoint>& vertices,
-                  const std::vector<Place>& places)
-      : vertices_(vertices),
+                  const std::vector<Place>& places, std::uint32_t most_corners)
+      : most_corners_(most_corners),
+        vertices_(vertices),
         places_(places),
         source_(3 * triangles.size()),
         next_(source_.size()),
@@ -59,12 +57,12 @@ class MergedTriangles {
     std::vector<std::uint8_t> ends(source_.size(), 0);
     for (Edge e = 0; e < twin_.size(); ++e)
       if (twin_[e] == Triangle::none) count_where_reflex(e, ends);
-    std::vector<std::tuple<int, double, Edge>> diagonals;
+    std::vector<std::pair<double, Edge>> diagonals;
     for (Edge e = 0; e < twin_.size(); ++e)
       if (twin_[e] != Triangle::none && e < twin_[e])
-        diagonals.emplace_back(ends[e] + ends[twin_[e]], -length(e), e);
+        diagonals.emplace_back(-std::ldexp(length(e), -2 * (ends[e] + ends[twin_[e]])), e);
     std::ranges::sort(diagonals);
-    for (const auto& [count, length, e] : diagonals) merge_across(e);
+    for (const auto& [length, e] : diagonals) merge_across(e);
   }
 
   std::vector<ConvexPiece> pieces() const {
@@ -134,30 +132,47 @@ class MergedTriangles {
     const Edge f = twin_[e];
     const std::uint32_t left = piece_of(e / 3), right = piece_of(f / 3);
     const std::uint32_t corners = corners_[left] + corners_[right] - 2;
-    if (corners > most_corners) return;
+    if (corners > most_corners_) return;
     const Edge in[] = {previous_[e], previous_[f]}, out[] = {next_[f], next_[e]};
     const int turns[] = {turn(in[0], out[0]), turn(in[1], out[1])};
     if (turns[0] < 0 || turns[1] < 0) return;
     // A flat corner is never merged: the whole one would be larger than π.
-    for (int end = 0; end < 2; ++end)
-      if (turns[end] == 0 && (is_flat_[in[end]] || is_flat_[next_[out[end]]])) return;
     for (int end = 0; end < 2; ++end) {
       link(in[end], out[end]);
       is_flat_[out[end]] = turns[end] == 0;
+    }
+    if (has_two_sides_with_flat_corners(out[0])) {
+      for (const Edge after : out) is_flat_[after] = false;
+      link(in[0], e);
+      link(e, out[1]);
+      link(in[1], f);
+      link(f, out[0]);
+      return;
     }
     is_removed_[e] = is_removed_[f] = true;
     piece_[right] = left;
     corners_[left] = corners;
   }
 
-  /// A corner whose triangles with two that follow each other are counterclockwise: a flat one, since there
-  /// is at most one on each side, or any if there is none. Given an edge of the piece.
-  Edge first_corner(Edge e) const {
-    Edge at = e;
-    while (!is_flat_[at] && next_[at] != e) at = next_[at];
-    return at;
+  /// Whether there is more than one side with several flat corners, given an edge of the piece.
+  bool has_two_sides_with_flat_corners(Edge first) const {
+    int sides = 0;
+    Edge e = first;
+    do {
+      sides += is_flat_[e] && is_flat_[next_[e]] && !is_flat_[previous_[e]];
+      e = next_[e];
+    } while (e != first);
+    return sides > 1;
   }
 
+  /// A corner whose triangles with two that follow each other are counterclockwise: neither next to it is
+  /// flat. If a side has one flat corner, that is one; else all sides but one have none.
+  Edge first_corner(Edge e) const {
+    while (is_flat_[next_[e]] || is_flat_[previous_[e]]) e = next_[e];
+    return e;
+  }
+
+  const std::uint32_t most_corners_;
   const std::vector<NearPoint>& vertices_;
   const std::vector<Place>& places_;
   std::vector<std::uint32_t> source_;
@@ -180,7 +195,7 @@ Place centre(const ConvexPiece& piece, const std::vector<Place>& vertices) {
 
 }  // namespace
 
-ConvexPieces convex_pieces(const Region& region) {
+ConvexPieces convex_pieces(const Region& region, std::uint32_t most_corners) {
   ConvexPieces result;
   for (const Chain& chain : chains(region))
     result.vertices.insert(result.vertices.end(), chain.begin(), chain.end());
@@ -193,7 +208,7 @@ ConvexPieces convex_pieces(const Region& region) {
   }
   Triangulation triangles = triangulation(region);
   result.points = std::move(triangles.points);
-  MergedTriangles merged(triangles.triangles, near, places);
+  MergedTriangles merged(triangles.triangles, near, places, most_corners);
   merged.merge();
   std::vector<ConvexPiece> pieces = merged.pieces();
 

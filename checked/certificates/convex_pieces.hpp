@@ -8,8 +8,8 @@
 
 namespace oplus::certificates {
 
-/// The numbers of its corners, counterclockwise; inner angles are at most π, and π at one corner of each
-/// side at most. Triangles between the first corner and two that follow each other are counterclockwise.
+/// The numbers of its corners, counterclockwise; inner angles are at most π. One side at most has more than
+/// one flat corner. Triangles between the first corner and two that follow each other are counterclockwise.
 using ConvexPiece = std::vector<std::uint32_t>;
 
 /// A region as the union of convex pieces whose interiors are disjoint. Their edges are, as a multiset,
@@ -22,6 +22,6 @@ struct ConvexPieces {
 
 /// The constrained Delaunay triangulation without the diagonals that are not needed, the longest ones
 /// removed first (Hertel and Mehlhorn). O(n log n) in practice. Requires: as for `triangulation`.
-ConvexPieces convex_pieces(const Region& region);
+ConvexPieces convex_pieces(const Region& region, std::uint32_t most_corners);
 
 }  // namespace oplus::certificates

@@ -59,11 +59,5 @@ TEST(Cell, parts_are_halved_again) {
   }
 }
 
-TEST(Cell, area_below) {
-  const Cell cell = cell_of(box(0, 0, 4, 2));
-  EXPECT_EQ(twice_area_below(cell, {-1, -1, 1, 1}), 8);
-  EXPECT_EQ(twice_area_below(cell, {1, 1, 3, 3}), 0);
-}
-
 }  // namespace
 }  // namespace oplus::certificates
