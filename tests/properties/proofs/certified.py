@@ -317,6 +317,15 @@ class Test:
         _, *others = EXAMPLES["squares"]
         _, said = self.run_on([p, *others], "--echo")
         self.expect("chains", "turned", wanted in said, said)
+        # One that touches itself in its leftmost vertex, where its other part turns the other way.
+        bent = ["3 -2", "0 0", "3 2", "3 1", "4 1", "4 4", "0 0", "4 -4", "4 -1", "3 -1"]
+        for name, ring in (("counterclockwise", bent), ("clockwise", [bent[0], *bent[:0:-1]])):
+            for start in range(len(ring)):
+                chain = ring[start:] + ring[:start]
+                wanted = chain if name == "counterclockwise" else [chain[0], *chain[:0:-1]]
+                _, said = self.run_on([f"POLYGON(({','.join([*chain, chain[0]])}))", *others], "--echo")
+                lines = "".join(f"{i}: ({x.replace(' ', ', ')})\n" for i, x in enumerate(wanted))
+                self.expect("chains", f"{name}, from {start}", "chain of 10 vertices\n" + lines in said, said)
 
     def endless(self):
         p, q, s, given = EXAMPLES["squares"]
