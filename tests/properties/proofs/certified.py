@@ -196,6 +196,9 @@ INVALID_REGIONS = [
     ("POLYGON((0 0,1\u00a00,0 1,0 0))", r"'1\194\1600'; expected an integer"),
     ("POLYGON((0 0,1 0,0 1,0 0))\0", r"'\000'; expected the end of the text"),
     ("POLYGON((" + 200000 * "1", "...'; expected words of at most 100000 bytes"),
+    ("POLYGON((0 0,0 0))", "edges of a ring overlap at its leftmost vertex"),
+    ("POLYGON((0 0,1 0,0 0))", "edges of a ring overlap at its leftmost vertex"),
+    (f"POLYGON({square(0, 0, 9)},(1 5,2 5,3 6,3 4,2 5,1 5))", "edges of a ring overlap at its leftmost vertex"),
     ("MULTIPOLYGON((0 0,1 0,0 1,0 0))", "'0'; expected '('"),
     ("GEOMETRYCOLLECTION(POLYGON EMPTY)", "'GEOMETRYCOLLECTION'; expected POLYGON"),
 ]
@@ -306,7 +309,7 @@ class Test:
     def numbers(self):
         for written, read in NUMBERS:
             _, *others = EXAMPLES["squares"]
-            _, said = self.run_on([f"POLYGON(({written} 0,1000 1,0 3,{written} 0))", *others], "--echo")
+            _, said = self.run_on([f"POLYGON(({written} 0,1000 7,0 3,{written} 0))", *others], "--echo")
             self.expect("numbers", written, f"\n0: ({read}, 0)\n" in said, said)
 
     def chains(self):
