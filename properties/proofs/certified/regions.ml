@@ -25,14 +25,22 @@ let turn (ax, ay) (bx, by) (cx, cy) =
 
 let compare_points (ax, ay) (bx, by) = match Q.compare ax bx with 0 -> Q.compare ay by | order -> order
 
-(* Of a chain that touches itself nowhere, as its leftmost vertex, the lowest of these, is on a corner: 1 if it is
-   counterclockwise, -1 if it is clockwise. *)
-let orientation chain =
+(* 1 for a counterclockwise chain, -1 for a clockwise one, which may touch itself but not cross. Beyond the first edge
+   counterclockwise at its leftmost vertex, the lowest of these, is the outside: is it an edge that leaves, or arrives? *)
+let orientation text chain =
   let v = Array.of_list chain in
   let n = Array.length v in
-  let first = ref 0 in
-  Array.iteri (fun i p -> if compare_points p v.(!first) < 0 then first := i) v;
-  turn v.((!first + n - 1) mod n) v.(!first) v.((!first + 1) mod n)
+  let first = List.hd (List.sort compare_points chain) in
+  let edges i = [ (v.((i + 1) mod n), 1); (v.((i + n - 1) mod n), -1) ] in
+  let at_first = List.filter (fun i -> compare_points v.(i) first = 0) (List.init n Fun.id) in
+  let lower (a, leaves) (b, also) =
+    match turn first a b with
+    | 0 -> refuse text "edges of a ring overlap at its leftmost vertex" "edges that meet only in ends"
+    | side -> if side < 0 then (b, also) else (a, leaves)
+  in
+  match List.concat_map edges at_first with
+  | edge :: others -> snd (List.fold_left lower edge others)
+  | [] -> assert false
 
 let ring wanted text =
   match list_of text point with
@@ -40,7 +48,7 @@ let ring wanted text =
       match List.rev rest with
       | last :: others when compare_points first last = 0 ->
           let chain = first :: List.rev others in
-          if orientation chain = - wanted then first :: others else chain
+          if orientation text chain = - wanted then first :: others else chain
       | _ -> refuse text "a ring is not closed" "its first vertex again at its end")
   | [] -> assert false
 

@@ -11,6 +11,8 @@ import sys
 import tempfile
 from pathlib import Path
 
+from extracted import replaced
+
 HERE = Path(__file__).parent
 CERTIFIED, NOT_CERTIFIED, INVALID = 0, 1, 2
 
@@ -196,6 +198,9 @@ INVALID_REGIONS = [
     ("POLYGON((0 0,1\u00a00,0 1,0 0))", r"'1\194\1600'; expected an integer"),
     ("POLYGON((0 0,1 0,0 1,0 0))\0", r"'\000'; expected the end of the text"),
     ("POLYGON((" + 200000 * "1", "...'; expected words of at most 100000 bytes"),
+    ("POLYGON((0 0,0 0))", "edges of a ring overlap at its leftmost vertex"),
+    ("POLYGON((0 0,1 0,0 0))", "edges of a ring overlap at its leftmost vertex"),
+    (f"POLYGON({square(0, 0, 9)},(1 5,2 5,3 6,3 4,2 5,1 5))", "edges of a ring overlap at its leftmost vertex"),
     ("MULTIPOLYGON((0 0,1 0,0 1,0 0))", "'0'; expected '('"),
     ("GEOMETRYCOLLECTION(POLYGON EMPTY)", "'GEOMETRYCOLLECTION'; expected POLYGON"),
 ]
@@ -219,6 +224,8 @@ def both_checkers(build, folder):
     """Builds the program that asks both checkers."""
     for source in ("plain_extraction.v", "both_checkers.ml"):
         shutil.copyfile(HERE / source, folder / source)
+    if replaced((folder / "plain_extraction.v").read_text(encoding="utf-8")):
+        sys.exit("plain_extraction.v replaces what was proved")
     read = ["checker.mli", "checker.ml", "words.ml", "regions.ml", "certificates.ml"]
     for name in read:
         shutil.copyfile(build / name, folder / name)
@@ -306,7 +313,7 @@ class Test:
     def numbers(self):
         for written, read in NUMBERS:
             _, *others = EXAMPLES["squares"]
-            _, said = self.run_on([f"POLYGON(({written} 0,1000 1,0 3,{written} 0))", *others], "--echo")
+            _, said = self.run_on([f"POLYGON(({written} 0,1000 7,0 3,{written} 0))", *others], "--echo")
             self.expect("numbers", written, f"\n0: ({read}, 0)\n" in said, said)
 
     def chains(self):
@@ -317,6 +324,15 @@ class Test:
         _, *others = EXAMPLES["squares"]
         _, said = self.run_on([p, *others], "--echo")
         self.expect("chains", "turned", wanted in said, said)
+        # One that touches itself in its leftmost vertex, where its other part turns the other way.
+        bent = ["3 -2", "0 0", "3 2", "3 1", "4 1", "4 4", "0 0", "4 -4", "4 -1", "3 -1"]
+        for name, ring in (("counterclockwise", bent), ("clockwise", [bent[0], *bent[:0:-1]])):
+            for start in range(len(ring)):
+                chain = ring[start:] + ring[:start]
+                wanted = chain if name == "counterclockwise" else [chain[0], *chain[:0:-1]]
+                _, said = self.run_on([f"POLYGON(({','.join([*chain, chain[0]])}))", *others], "--echo")
+                lines = "".join(f"{i}: ({x.replace(' ', ', ')})\n" for i, x in enumerate(wanted))
+                self.expect("chains", f"{name}, from {start}", "chain of 10 vertices\n" + lines in said, said)
 
     def endless(self):
         p, q, s, given = EXAMPLES["squares"]
