@@ -7,6 +7,10 @@ From Oplus Require Import direction.
 
 Open Scope Q_scope.
 
+Definition positive (q : Q) : bool := negative (- q).
+
+Definition opposite (v : vector) : vector := Vector (- vx v) (- vy v).
+
 (* How far v is from zero, along the axes. *)
 Definition size (v : vector) : Q := Qabs (vx v) + Qabs (vy v).
 
@@ -23,6 +27,9 @@ Proof.
   unfold negative. destruct (q ?= 0) eqn:e; constructor;
     [apply Qeq_alt in e | apply Qlt_alt in e | apply Qgt_alt in e]; lra.
 Qed.
+
+Lemma positive_spec (q : Q) : reflect (0 < q) (positive q).
+Proof. unfold positive. destruct (negative_spec (- q)); constructor; lra. Qed.
 
 Lemma zero_spec (q : Q) : reflect (q == 0) (zero q).
 Proof.
@@ -201,11 +208,4 @@ Proof.
     exists (s / t). rewrite x_is, y_is, x_is', y_is', ex, ey.
     repeat split; [| field; lra | field; lra].
     apply Qlt_shift_div_l; lra.
-Qed.
-
-(* The computed comparison says so too. *)
-Lemma compare_angle_same (u v : vector) :
-  nonzero u -> nonzero v -> compare_angle u v = Eq <-> same_direction u v.
-Proof.
-  intros m n. rewrite compare_angle_is, same_direction_angle by assumption. symmetry. apply Qeq_alt.
 Qed.

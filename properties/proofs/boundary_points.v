@@ -11,19 +11,10 @@ Import ListNotations.
 
 Open Scope Q_scope.
 
-Definition edge_at (chain : list vector) (i : nat) : segment := nth i (edges chain) no_segment.
-
-Lemma edge_at_is (chain : list vector) i : (i < length chain)%nat ->
-  edge_at chain i = Segment (nth i chain nowhere) (nth (next i (length chain)) chain nowhere).
-Proof. apply edge_by_index. Qed.
-
 (* At each vertex only the two edges of its chain meet. *)
 Definition chains_do_not_touch (r : region) : Prop :=
   forall chain i, In chain r -> (i < length chain)%nat ->
     meet_in_vertex (edge_at chain (previous (length chain) i)) (edge_at chain i) r.
-
-Lemma lies_on_equal (a b : vector) (s : segment) : equal_vectors a b -> lies_on a s -> lies_on b s.
-Proof. intros [X Y] (t & range & on_x & on_y). exists t. rewrite <- X, <- Y. tauto. Qed.
 
 Lemma vertex_or_not (w : vector) (r : region) : is_vertex w r \/ ~ is_vertex w r.
 Proof.
@@ -33,21 +24,6 @@ Proof.
     (destruct IH as [(u & I & equal) | none];
      [left; exists u; split; [now right | exact equal] |
       right; intros (u & [<- | I] & [ux uy]); [tauto | apply none; exists u; split; [exact I | now split]]]).
-Qed.
-
-(* An edge by its chain and index. *)
-Lemma edge_by_chain (r : region) (s : segment) : In s (region_edges r) ->
-  exists chain i, In chain r /\ (i < length chain)%nat /\ s = edge_at chain i.
-Proof.
-  intros I. apply in_flat_map in I. destruct I as (chain & J & I).
-  apply (In_nth (edges chain) s no_segment) in I. destruct I as (i & below & is_s).
-  rewrite edges_are_as_many in below. exists chain, i. split; [exact J |]. split; [exact below | now symmetry].
-Qed.
-
-Lemma edge_at_in_region (r : region) (chain : list vector) i :
-  In chain r -> (i < length chain)%nat -> In (edge_at chain i) (region_edges r).
-Proof.
-  intros J I. apply in_flat_map. exists chain. split; [exact J |]. apply nth_In. now rewrite edges_are_as_many.
 Qed.
 
 (* Edges that meet in a vertex do not lie along each other. *)

@@ -1,9 +1,9 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* A check, by finitely many comparisons, that a region covers nothing twice: its winding numbers are 0 and 1. With the
-   check of validity.v no hypothesis of the theorems on the collision test (placed_collision.v) is left open. *)
+   check of test_of_regions.v no hypothesis of the theorems on the collision test (placed_collision.v) is left open. *)
 From Coq Require Import QArith ZArith Lia Bool List.
 From Oplus Require Import direction sweep winding_number shifted_ray in_out_degree convolution_winding regions
-  winding_number_of_the_sum interiors_meet left_of_an_edge theorem_4_2_1 right_of_an_edge small_polygons validity
+  winding_number_of_the_sum interiors_meet left_of_an_edge theorem_4_2_1 right_of_an_edge small_polygons test_of_regions
   location pieces naive_collision collision_is_complete placed_collision.
 Import ListNotations.
 
@@ -11,7 +11,7 @@ Open Scope Q_scope.
 
 (* To the right of the middle of each edge is the outside. *)
 Definition covers_nothing_twice (r : region) : bool :=
-  is_valid r &&
+  is_valid_region r &&
   forallb (fun s => (winding_number_shifted (right_of_middle s) (region_edges r) <=? 0)%Z) (region_edges r).
 
 (* Theorem. What passes the check is a valid region whose winding numbers are 0 and 1. *)
@@ -19,9 +19,9 @@ Theorem covers_nothing_twice_is_right (r : region) :
   covers_nothing_twice r = true -> valid_region r /\ nowhere_above_one r.
 Proof.
   unfold covers_nothing_twice. rewrite andb_true_iff, forallb_forall. intros [check middles].
-  pose proof (is_valid_is_right r check) as r_region. split; [exact r_region |].
+  pose proof (is_valid_region_is_right r check) as r_region. split; [exact r_region |].
   destruct r_region as (not_points & _ & meet).
-  unfold is_valid in check. rewrite !andb_true_iff, !forallb_forall in check. destruct check as ((_ & clear_) & _).
+  unfold is_valid_region in check. rewrite !andb_true_iff, !forallb_forall in check. destruct check as ((_ & clear_) & _).
   intros x free.
   destruct (winding_number_by_middles r x not_points meet)
     as [-> | (s & I & [-> | ->])]; trivial; [| lia | |].

@@ -8,7 +8,8 @@
 From Coq Require Import QArith Qminmax Lqa Qfield ZArith Lia Bool List.
 From Oplus Require Import direction angle sweep winding_number shifted_ray signed_crossings tie_rule
   meeting_of_segments in_out_degree weight regions first_hit interiors_meet neighbourhoods left_of_an_edge
-  winding_number_of_the_sum theorem_4_2_1 location pieces naive_collision met_pieces collision_is_sound.
+  winding_number_of_the_sum theorem_4_2_1 location pieces naive_collision met_pieces collision_is_sound
+  rotation.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -20,7 +21,7 @@ Definition nowhere_above_one (r : region) : Prop :=
 Lemma multiple_of (u v : vector) : nonzero v -> cross u v == 0 ->
   exists c, vx u == c * vx v /\ vy u == c * vy v.
 Proof.
-  intros some parallel. pose proof (positive_square v some) as square. exists (dot u v / dot v v).
+  intros some parallel. pose proof (square_positive v some) as square. exists (dot u v / dot v v).
   assert (value : dot u v / dot v v * dot v v == dot u v) by (field; lra).
   set (c := dot u v / dot v v) in *. clearbody c.
   split; apply (Qmult_inj_r _ _ (dot v v)); try lra.
@@ -261,7 +262,7 @@ Section FirstHit.
       specialize (parallel (all_on w in_piece)).
       destruct (part_is_long piece s' part long_s') as (_ & k & K & kx & ky).
       destruct (multiple_of (along s') (along t) long_t parallel) as (l & lx & ly).
-      pose proof (positive_square _ long_t) as square.
+      pose proof (square_positive _ long_t) as square.
       assert (product : dot (along t) (along piece) == k * l * dot (along t) (along t))
         by (unfold dot; rewrite kx, ky, lx, ly; ring).
       destruct (Qlt_le_dec 0 l) as [same_way | other_way].
@@ -357,7 +358,7 @@ Proof.
     destruct (Z.eq_dec (signed_crossing y s) 0) as [| crosses]; [assumption | exfalso].
     assert (J : In s []) by (rewrite <- none; apply filter_In; split;
       [apply in_app_iff; now left | now apply negb_true_iff, Z.eqb_neq]). destruct J. }
-  destruct (first_of segment (fun s => vx (point_at_height s (vy y))) _ some) as (s & I & first).
+  destruct (least_of (fun s => vx (point_at_height s (vy y))) _ some) as (s & I & first).
   apply filter_In in I. destruct I as [I met]. apply negb_true_iff, Z.eqb_neq in met.
   assert (first_of_all : forall t, In t (region_edges a ++ region_edges b) -> signed_crossing y t <> 0%Z ->
     vx (point_at_height s (vy y)) <= vx (point_at_height t (vy y))).

@@ -4,9 +4,9 @@
    inside (left_of_an_edge.v); beside a point of one boundary inside the other region is a point inside both; and
    pieces that run along each other in the same direction have the inside on the same side. *)
 From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import direction angle sweep winding_number shifted_ray tie_rule meeting_of_segments in_out_degree
-  weight regions first_hit interiors_meet neighbourhoods left_of_an_edge winding_number_of_the_sum theorem_4_2_1
-  location pieces naive_collision met_pieces.
+From Oplus Require Import direction angle sweep winding_number shifted_ray tie_rule meeting_of_segments
+  in_out_degree weight regions first_hit interiors_meet neighbourhoods left_of_an_edge
+  winding_number_of_the_sum theorem_4_2_1 location pieces naive_collision met_pieces rotation.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -102,9 +102,6 @@ Qed.
 Lemma middle_is_inside (s : segment) : strictly_inside (middle s) s.
 Proof. exists (1 # 2). unfold middle; cbn [vx vy]. split; [lra |]. split; field. Qed.
 
-Lemma strictly_inside_lies_on (w : vector) (s : segment) : strictly_inside w s -> lies_on w s.
-Proof. intros (k & range & X & Y). exists k. split; [lra | tauto]. Qed.
-
 (* Every vertex of a region is an end of one of its pieces; so of a piece cut once more where the other region's pieces
    meet it no point strictly inside is a vertex of the other region. *)
 Lemma vertex_ends_a_piece (r : region) (w : vector) : no_edges_are_points r -> is_vertex w r ->
@@ -169,7 +166,7 @@ Proof.
         by (unfold dot; rewrite kx, ky, dx, dy; ring).
       assert (0 < k * d) by now apply Qmult_lt_0_compat.
       destruct (Qlt_le_dec 0 (dot (along f) (along e))); [assumption | exfalso; nra]. }
-    pose proof (positive_square _ long_e) as square_e. unfold cross, dot in *.
+    pose proof (square_positive _ long_e) as square_e. unfold cross, dot in *.
     apply (left_of_both a b e f (middle piece) (Vector (- vy (along e)) (vx (along e)))); trivial;
       unfold cross; cbn [vx vy]; lra.
   - destruct where_ as [free inside_b].

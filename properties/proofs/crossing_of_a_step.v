@@ -6,80 +6,13 @@
    in common in segments_apart.v. *)
 From Coq Require Import QArith Qminmax Lqa ZArith Bool List.
 From Oplus Require Import direction angle rotation sweep winding_number shifted_ray signed_crossings secants
-  segments_apart.
+  segments_apart meeting_of_segments small_numbers.
 Import ListNotations.
 
 Open Scope Q_scope.
 
 Lemma orientation_is (a b c : vector) : orientation a b c = (dot (normal (minus b a)) (minus c a) ?= 0).
 Proof. unfold orientation, dot, normal, minus. cbn [vx vy]. apply compare_as_difference. ring. Qed.
-
-Lemma same_side_of_itself (side : comparison) : same_side side side = true.
-Proof. now destruct side. Qed.
-
-Lemma both_on_one_side (x y : Q) :
-  (0 < x /\ 0 < y) \/ (x < 0 /\ y < 0) -> (x ?= 0) = (y ?= 0) /\ (x ?= 0) <> Eq.
-Proof.
-  intros sides. compared_numbers (x ?= 0); compared_numbers (y ?= 0);
-    try (split; [reflexivity | discriminate]); exfalso; lra.
-Qed.
-
-(* A crossing needs both: ends of the step on two sides of the segment, and ends of the segment on two sides of
-   the step. *)
-Lemma crossed_both_ways (from to : vector) (s : segment) :
-  signed_crossing_of_step from to s <> 0%Z ->
-  side_of_segment s from <> side_of_segment s to /\
-  side_of_step from to (source s) <> side_of_step from to (target s).
-Proof.
-  unfold signed_crossing_of_step. intros crossed.
-  split; intros equal; rewrite equal, same_side_of_itself in crossed; [| rewrite orb_true_r in crossed];
-    now apply crossed.
-Qed.
-
-Lemma one_side_of_a_step (from to a b : vector) :
-  is_separated_by (normal (minus to from)) from to a b = true ->
-  side_of_step from to a = side_of_step from to b.
-Proof.
-  intros separated. apply separated_spec in separated. unfold side_of_step. rewrite !orientation_is.
-  set (x := dot (normal (minus to from)) (minus a from)) in *.
-  set (y := dot (normal (minus to from)) (minus b from)) in *.
-  destruct (both_on_one_side x y) as [-> decided]; [lra |]. now destruct (y ?= 0).
-Qed.
-
-Lemma one_side_of_a_segment (from to a b : vector) :
-  is_separated_by (normal (minus b a)) from to a b = true ->
-  side_of_segment (Segment a b) from = side_of_segment (Segment a b) to.
-Proof.
-  intros separated. apply separated_spec in separated. unfold side_of_segment. cbn [source target].
-  rewrite !orientation_is.
-  assert (reversed : forall x, dot (normal (minus b a)) (minus x a) == - dot (normal (minus b a)) (minus a x))
-    by (intros x; unfold dot, normal, minus; cbn [vx vy]; ring).
-  pose proof (reversed from). pose proof (reversed to).
-  set (x := dot (normal (minus b a)) (minus from a)) in *.
-  set (y := dot (normal (minus b a)) (minus to a)) in *.
-  destruct (both_on_one_side x y) as [-> decided]; [lra |]. now destruct (y ?= 0).
-Qed.
-
-(* Theorem. Where the signed crossing is not zero, the step and the segment have a point in common, wherever
-   they are: with ends on each other's lines, on one line, or points. *)
-Theorem crossing_needs_a_common_point (from to : vector) (s : segment) :
-  signed_crossing_of_step from to s <> 0%Z ->
-  exists x, lies_on x (Segment from to) /\ lies_on x s.
-Proof.
-  intros crossed. apply crossed_both_ways in crossed. destruct crossed as [by_segment by_step].
-  destruct s as [a b]. cbn [source target] in *. set (u := minus to from). set (v := minus b a).
-  destruct (zero_spec (cross u v)) as [parallel | crossing_lines].
-  - elim by_step. destruct (zero_spec (cross u (minus a from))) as [one_line | beside];
-      [| apply one_side_of_a_step; now apply parallel_lines].
-    unfold side_of_step. rewrite !orientation_is. fold u.
-    rewrite (compare_as_difference (dot (normal u) (minus a from)) 0 (dot (normal u) (minus b from)) 0);
-      [reflexivity |].
-    unfold cross, dot, normal, u, v, minus in *. cbn [vx vy] in *. lra.
-  - destruct (meeting_lines from to a b crossing_lines) as [common | [separated | separated]].
-    + exact common.
-    + elim by_step. now apply one_side_of_a_step.
-    + elim by_segment. now apply one_side_of_a_segment.
-Qed.
 
 (* No end of the one is on the line of the other. *)
 Definition in_general_position (from to : vector) (s : segment) : Prop :=
@@ -139,16 +72,16 @@ Proof.
       by (unfold ta, fa, u, dot, minus; cbn [vx vy]; ring).
     split; [reflexivity |]. now destruct (ta ?= 0). }
   split; [split |].
-  - apply crossing_needs_a_common_point.
+  - apply crossing_steps_meet.
   - intros (x & on_step & on_segment). now apply (common x).
-  - intros crossed. destruct (crossing_needs_a_common_point _ _ _ crossed) as (x & on_step & on_segment).
+  - intros crossed. destruct (crossing_steps_meet _ _ _ crossed) as (x & on_step & on_segment).
     now apply (common x).
 Qed.
 
 Lemma ends_leave_the_line (from to a : vector) :
   nonzero (minus to from) ->
-  exists limit, 0 < limit /\ forall e, 0 < e -> e < limit ->
-    orientation (moved (shifted from) e) (moved (shifted to) e) a <> Eq.
+  eventually (fun e =>
+    orientation (moved (shifted from) e) (moved (shifted to) e) a <> Eq).
 Proof.
   intros n. set (d := minus to from) in *. set (o := dot (normal d) (minus a from)).
   destruct (quadratic_nearby o (vy d) (- vx d)) as (limit & positive & near).
@@ -165,10 +98,10 @@ Qed.
    which is in general position. *)
 Theorem crossing_is_that_of_a_shifted_step (from to : vector) (s : segment) :
   nonzero (minus to from) -> nonzero (minus (target s) (source s)) ->
-  exists limit, 0 < limit /\ forall e, 0 < e -> e < limit ->
+  eventually (fun e =>
     let from' := moved (shifted from) e in let to' := moved (shifted to) e in
     in_general_position from' to' s /\
-    signed_crossing_of_step from' to' s = signed_crossing_of_step from to s.
+    signed_crossing_of_step from' to' s = signed_crossing_of_step from to s).
 Proof.
   intros n m.
   destruct (step_nearby from to s n) as (l1 & p1 & same_crossing).

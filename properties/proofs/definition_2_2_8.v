@@ -132,10 +132,6 @@ Let n := length chain.
 Lemma edge_proper i : (i < n)%nat -> nonzero (edge_of_chain chain i).
 Proof. intros I. now apply (edges_are_directions chain i OfP). Qed.
 
-Lemma corner_at i : (i < n)%nat ->
-  corner_of_chain chain i = Corner (edge_of_chain chain (previous n i)) (edge_of_chain chain i).
-Proof. apply corner_is. Qed.
-
 Lemma along_nothing i : equal_vectors (along chain i 0) (vertex chain i).
 Proof. unfold equal_vectors, along. cbn [vx vy]. split; ring. Qed.
 
@@ -156,7 +152,7 @@ Lemma touches_by_angles i d : (i < n)%nat -> nonzero d ->
 Proof.
   intros I nd u v. pose proof (previous_below n i I) as J.
   pose proof (edge_proper i I). pose proof (edge_proper _ J).
-  unfold touches, straight_at. rewrite corner_at by exact I. cbn [incoming outgoing]. fold u v.
+  unfold touches, straight_at. rewrite corner_is by exact I. fold n. cbn [incoming outgoing]. fold u v.
   rewrite ccw_by_angles, !same_direction_angle by assumption.
   split; (intros [arc | [line same]]; [now left | right; split; [exact line | lra]]).
 Qed.

@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Lists without repetition. *)
-From Coq Require Import List Permutation Lia.
+(* Lists without repetition; what holds of any two members of a list. *)
+From Coq Require Import Bool List Permutation Lia.
 Import ListNotations.
 
 Lemma NoDup_of_two A (l m : list A) :
@@ -46,4 +46,25 @@ Proof.
   - now apply NoDup_images.
   - now rewrite map_length.
   - intros b I. apply in_map_iff in I. destruct I as (a & <- & I). now apply stays.
+Qed.
+
+Fixpoint all_pairs {A : Type} (test : A -> A -> bool) (l : list A) : bool :=
+  match l with [] => true | a :: rest => forallb (test a) rest && all_pairs test rest end.
+
+Lemma all_pairs_sound {A : Type} (test : A -> A -> bool) (holds : A -> A -> Prop) (l : list A) :
+  (forall a b, test a b = true -> holds a b) -> all_pairs test l = true -> ForallOrdPairs holds l.
+Proof.
+  intros sound. induction l as [| a l IH]; intros all; constructor; cbn [all_pairs] in all;
+    apply andb_prop in all; destruct all as [first rest].
+  - rewrite forallb_forall in first. apply Forall_forall. auto.
+  - now apply IH.
+Qed.
+
+Lemma pair_at {A : Type} (related : A -> A -> Prop) (earlier later : list A) (s t : A) :
+  ForallOrdPairs related (earlier ++ s :: later) -> In t (earlier ++ later) -> related s t \/ related t s.
+Proof.
+  induction earlier as [| a earlier IH]; intros pairs I; cbn [app] in *; inversion pairs as [| ? ? first rest]; subst.
+  - left. rewrite Forall_forall in first. now apply first.
+  - destruct I as [<- | I]; [| now apply IH]. right.
+    rewrite Forall_forall in first. apply first, in_app_iff. right. now left.
 Qed.

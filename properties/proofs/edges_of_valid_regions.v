@@ -2,8 +2,9 @@
 (* Two edges of a valid region have no point in common but vertices of it, whether they are of one chain, of two, or
    of two components. Valid regions are in valid_components.v. *)
 From Coq Require Import QArith Lqa Lia Bool List.
-From Oplus Require Import direction sweep winding_number convolution_size fiber_grid states in_out_degree
-  simple_chain simple_chains_turn_once valid_components winding_numbers_of_valid_regions.
+From Oplus Require Import direction sweep winding_number convolution_size fiber_grid states regions
+  in_out_degree simple_chain simple_chains_turn_once valid_components winding_numbers_of_valid_regions
+  distinct.
 Import ListNotations.
 
 Open Scope nat_scope.
@@ -46,15 +47,6 @@ Proof.
   - apply IH. intros i j L J. apply (each (S i) (S j)); cbn [length]; lia.
 Qed.
 
-Lemma pair_at (earlier later : list A) (s t : A) :
-  ForallOrdPairs related (earlier ++ s :: later) -> In t (earlier ++ later) -> related s t \/ related t s.
-Proof.
-  induction earlier as [| a earlier IH]; intros pairs I; cbn [app] in *; inversion pairs as [| ? ? first rest]; subst.
-  - left. rewrite Forall_forall in first. now apply first.
-  - destruct I as [<- | I]; [| now apply IH]. right.
-    rewrite Forall_forall in first. apply first, in_app_iff. right. now left.
-Qed.
-
 End Pairs.
 
 Lemma weaker_pairs {A : Type} (P Q : A -> A -> Prop) (l : list A) :
@@ -68,14 +60,13 @@ Qed.
 Lemma edges_of_one_chain (all : list segment) (chain : list vector) :
   simple chain -> incl (edges chain) all -> ForallOrdPairs (meet_in_sources all) (edges chain).
 Proof.
-  intros chain_simple among. apply (pairs_by_index _ (Segment nowhere nowhere)).
-  assert (long : length (edges chain) = length chain)
-    by (rewrite <- (map_length source); now destruct (edges_ends chain) as [-> _]).
+  intros chain_simple among. apply (pairs_by_index _ (no_segment)).
+  pose proof (edges_are_as_many chain) as long.
   rewrite long. intros i j L J w on_i on_j.
   assert (at_vertex : forall k, k < length chain -> equal_vectors w (vertex chain k) ->
     exists u, In u all /\ equal_vectors w (source u)).
-  { intros k K w_is. exists (edge chain k). split.
-    - apply among. unfold edge. apply nth_In. now rewrite long.
+  { intros k K w_is. exists (edge_at chain k). split.
+    - apply among. unfold edge_at. apply nth_In. now rewrite long.
     - now rewrite edge_is by exact K. }
   destruct chain_simple as (_ & _ & common).
   destruct (common i j w) as [[_ w_is] | [_ w_is]]; try lia; trivial.

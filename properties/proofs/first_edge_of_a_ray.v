@@ -3,27 +3,11 @@
    ends and meets one of them first. What holds for all small enough numbers is in shifted_ray.v and
    signed_crossings.v. *)
 From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import direction angle sweep winding_number shifted_ray signed_crossings.
+From Oplus Require Import direction angle sweep winding_number shifted_ray signed_crossings
+  meeting_of_segments first_hit small_numbers regions neighbourhoods.
 Import ListNotations.
 
 Open Scope Q_scope.
-
-(* Of finitely many numbers one is the least. *)
-Lemma least_of {A : Type} (f : A -> Q) (l : list A) : l <> [] ->
-  exists b, In b l /\ forall c, In c l -> f b <= f c.
-Proof.
-  induction l as [| b l IH]; intros some; [contradiction |].
-  destruct l as [| c l]; [exists b; split; [now left | intros e [<- | []]; lra] |].
-  destruct IH as (least & listed & below); [discriminate |].
-  destruct (Qlt_le_dec (f least) (f b)).
-  - exists least. split; [now right |]. intros e [<- | I]; [lra | now apply below].
-  - exists b. split; [now left |]. intros e [<- | I]; [lra |]. specialize (below e I). lra.
-Qed.
-
-Lemma lies_on_equal (v w : vector) (s : segment) : equal_vectors v w -> lies_on v s -> lies_on w s.
-Proof.
-  intros [xs ys] (t & range & x_on & y_on). exists t. split; [exact range |]. now rewrite <- xs, <- ys.
-Qed.
 
 (* Between two directions that are not parallel there is one that is parallel to none of finitely many. *)
 Lemma direction_avoiding (others : list vector) (a b : vector) :
@@ -32,7 +16,7 @@ Lemma direction_avoiding (others : list vector) (a b : vector) :
     forall c, In c others -> ~ cross (Vector (vx a + t * (vx b - vx a)) (vy a + t * (vy b - vy a))) c == 0.
 Proof.
   intros all_nonzero across.
-  destruct (all_nearby vector (fun c t =>
+  destruct (eventually_for_all (fun c t =>
     ~ cross (Vector (vx a + t * (vx b - vx a)) (vy a + t * (vy b - vy a))) c == 0) others)
     as (limit & positive & near).
   - intros c I. pose proof (all_nonzero c I) as nc.
@@ -62,24 +46,22 @@ Qed.
 Section Ray.
 Variables x u : vector.
 
-Definition on_ray (t : Q) : vector := Vector (vx x + t * vx u) (vy x + t * vy u).
 Definition side_of (p : vector) : Q := cross u (minus p x).
 (* The ray's line has no end of the segment on it. *)
 Definition avoids (s : segment) : Prop := ~ side_of (source s) == 0 /\ ~ side_of (target s) == 0.
 
-Definition along_segment (s : segment) : vector := minus (target s) (source s).
 Definition crosses_line (s : segment) : bool := negative (side_of (source s) * side_of (target s)).
 (* Where on the ray. *)
 Definition place_of_crossing (s : segment) : Q :=
-  cross (minus (source s) x) (along_segment s) / cross u (along_segment s).
+  cross (minus (source s) x) (along s) / cross u (along s).
 
-Lemma across_segment s : cross u (along_segment s) == side_of (target s) - side_of (source s).
-Proof. unfold side_of, along_segment, cross, minus. cbn [vx vy]. ring. Qed.
+Lemma across_segment s : cross u (along s) == side_of (target s) - side_of (source s).
+Proof. unfold side_of, along, cross, minus. cbn [vx vy]. ring. Qed.
 
 Lemma crosses_line_spec s : reflect (side_of (source s) * side_of (target s) < 0) (crosses_line s).
 Proof. apply negative_spec. Qed.
 
-Lemma crossing_not_parallel s : crosses_line s = true -> ~ cross u (along_segment s) == 0.
+Lemma crossing_not_parallel s : crosses_line s = true -> ~ cross u (along s) == 0.
 Proof.
   destruct (crosses_line_spec s) as [crossed |]; [intros _ | discriminate].
   rewrite across_segment. intros none.
@@ -87,14 +69,14 @@ Proof.
 Qed.
 
 (* A point of the ray's line on a segment is where the segment crosses the line. *)
-Lemma on_segment_is_crossing s t : avoids s -> lies_on (on_ray t) s ->
+Lemma on_segment_is_crossing s t : avoids s -> lies_on (moved_along x u t) s ->
   crosses_line s = true /\ t == place_of_crossing s.
 Proof.
   intros [source_off target_off] (r & range & x_is & y_is).
   assert (x_sum : t * vx u == (1 - r) * vx (minus (source s) x) + r * vx (minus (target s) x))
-    by (unfold on_ray, minus in *; cbn [vx] in *; lra).
+    by (unfold moved_along, minus in *; cbn [vx] in *; lra).
   assert (y_sum : t * vy u == (1 - r) * vy (minus (source s) x) + r * vy (minus (target s) x))
-    by (unfold on_ray, minus in *; cbn [vy] in *; lra).
+    by (unfold moved_along, minus in *; cbn [vy] in *; lra).
   assert (balance : (1 - r) * side_of (source s) + r * side_of (target s) == 0).
   { transitivity (vx u * ((1 - r) * vy (minus (source s) x) + r * vy (minus (target s) x))
                   - vy u * ((1 - r) * vx (minus (source s) x) + r * vx (minus (target s) x))).
@@ -110,14 +92,14 @@ Proof.
       assert (0 <= r * q) by (apply Qmult_le_0_compat; lra). nra. }
   assert (crossed : crosses_line s = true) by (destruct (crosses_line_spec s); [reflexivity | contradiction]).
   split; [exact crossed |]. pose proof (crossing_not_parallel s crossed) as nonzero_cross.
-  apply (Qmult_inj_r _ _ (cross u (along_segment s))); [exact nonzero_cross |].
+  apply (Qmult_inj_r _ _ (cross u (along s))); [exact nonzero_cross |].
   unfold place_of_crossing.
-  setoid_replace (cross (minus (source s) x) (along_segment s) / cross u (along_segment s)
-                  * cross u (along_segment s)) with (cross (minus (source s) x) (along_segment s))
+  setoid_replace (cross (minus (source s) x) (along s) / cross u (along s)
+                  * cross u (along s)) with (cross (minus (source s) x) (along s))
     by (field; exact nonzero_cross).
-  transitivity ((t * vx u) * vy (along_segment s) - (t * vy u) * vx (along_segment s));
+  transitivity ((t * vx u) * vy (along s) - (t * vy u) * vx (along s));
     [unfold cross; ring |].
-  rewrite x_sum, y_sum. unfold cross, along_segment, minus. cbn [vx vy]. ring.
+  rewrite x_sum, y_sum. unfold cross, along, minus. cbn [vx vy]. ring.
 Qed.
 
 (* The point a part of the way along. *)
@@ -127,7 +109,7 @@ Definition inside_segment (s : segment) (part : Q) : vector :=
 
 (* And there is that point, between the ends. *)
 Lemma crossing_is_on_segment s : crosses_line s = true ->
-  exists part, 0 < part /\ part < 1 /\ equal_vectors (on_ray (place_of_crossing s)) (inside_segment s part).
+  exists part, 0 < part /\ part < 1 /\ equal_vectors (moved_along x u (place_of_crossing s)) (inside_segment s part).
 Proof.
   intros crossed. pose proof (crossing_not_parallel s crossed) as nonzero_cross.
   destruct (crosses_line_spec s) as [opposite_sides |]; [clear crossed | discriminate].
@@ -145,7 +127,7 @@ Proof.
     assert (0 <= p * p /\ 0 <= q * q) as [? ?] by (split; nra).
     set (square := (p - q) * (p - q)) in *. clearbody square part. split; nra. }
   destruct range as [after_start before_end]. split; [exact after_start | split; [exact before_end |]].
-  set (e := along_segment s) in *. set (k := place_of_crossing s).
+  set (e := along s) in *. set (k := place_of_crossing s).
   assert (k_is : k * cross u e == cross (minus (source s) x) e)
     by (unfold k, place_of_crossing; fold e; field; exact nonzero_cross).
   set (from := minus (source s) x) in *.
@@ -163,24 +145,24 @@ Proof.
         by (unfold cross; ring). rewrite along_ray, along_edge. ring.
     - setoid_replace (cross u e * vy gap) with (vy u * cross gap e + vy e * cross u gap)
         by (unfold cross; ring). rewrite along_ray, along_edge. ring. }
-  destruct no_gap as [x_none y_none]. unfold gap, e, from, along_segment in x_none, y_none.
-  unfold on_ray, inside_segment, minus, equal_vectors in *. cbn [vx vy] in *. split; lra.
+  destruct no_gap as [x_none y_none]. unfold gap, e, from, along in x_none, y_none.
+  unfold moved_along, inside_segment, minus, equal_vectors in *. cbn [vx vy] in *. split; lra.
 Qed.
 
 (* Theorem. If a ray that has no end of some segments on it meets one of them, it meets one first: between its ends,
    and up to there no other point of any of them. *)
 Theorem ray_meets_one_first (segments : list segment) (k : segment) (t : Q) :
   off x segments -> (forall s, In s segments -> avoids s) ->
-  In k segments -> 0 < t -> lies_on (on_ray t) k ->
+  In k segments -> 0 < t -> lies_on (moved_along x u t) k ->
   exists s first part, In s segments /\ 0 < first /\ 0 < part /\ part < 1 /\
-    ~ cross u (along_segment s) == 0 /\
-    equal_vectors (on_ray first) (inside_segment s part) /\
-    forall other z, In other segments -> lies_on z (Segment x (on_ray first)) -> lies_on z other ->
-      equal_vectors z (on_ray first).
+    ~ cross u (along s) == 0 /\
+    equal_vectors (moved_along x u first) (inside_segment s part) /\
+    forall other z, In other segments -> lies_on z (Segment x (moved_along x u first)) -> lies_on z other ->
+      equal_vectors z (moved_along x u first).
 Proof.
   intros x_off all_avoided K t_positive on_k.
   set (met := filter (fun s => crosses_line s && negative (- place_of_crossing s)) segments).
-  assert (in_met : forall s o, In s segments -> 0 < o -> lies_on (on_ray o) s ->
+  assert (in_met : forall s o, In s segments -> 0 < o -> lies_on (moved_along x u o) s ->
     In s met /\ o == place_of_crossing s).
   { intros s o S o_positive on_s.
     destruct (on_segment_is_crossing s o (all_avoided s S) on_s) as [crossed o_is].
@@ -197,18 +179,18 @@ Proof.
   split; [now apply crossing_not_parallel | split; [exact there |]].
   intros other z O (r & range & xz & yz) on_other. cbn [source target] in *.
   set (first := place_of_crossing s) in *.
-  assert (z_is : equal_vectors z (on_ray (r * first))).
-  { unfold on_ray, equal_vectors in *. cbn [vx vy] in *. rewrite xz, yz. split; ring. }
-  apply (lies_on_equal z (on_ray (r * first))) in on_other; [| exact z_is].
-  assert (of_equal : forall o, o == r * first -> equal_vectors (on_ray o) (on_ray (r * first))).
-  { intros o o_is. unfold equal_vectors, on_ray. cbn [vx vy]. rewrite o_is. split; reflexivity. }
+  assert (z_is : equal_vectors z (moved_along x u (r * first))).
+  { unfold moved_along, equal_vectors in *. cbn [vx vy] in *. rewrite xz, yz. split; ring. }
+  apply (lies_on_equal z (moved_along x u (r * first))) in on_other; [| exact z_is].
+  assert (of_equal : forall o, o == r * first -> equal_vectors (moved_along x u o) (moved_along x u (r * first))).
+  { intros o o_is. unfold equal_vectors, moved_along. cbn [vx vy]. rewrite o_is. split; reflexivity. }
   destruct (Qlt_le_dec 0 r) as [r_positive | r_zero].
   - assert (0 < r * first) by (apply Qmult_lt_0_compat; lra).
     destruct (in_met other (r * first) O) as [other_met place_is]; trivial.
     specialize (least other other_met). fold first in least. rewrite <- place_is in least.
     rewrite z_is. symmetry. apply of_equal. nra.
-  - exfalso. apply (x_off other O). apply (lies_on_equal (on_ray (r * first))); [| exact on_other].
-    assert (r_is : r == 0) by lra. unfold equal_vectors, on_ray. cbn [vx vy]. rewrite r_is. split; ring.
+  - exfalso. apply (x_off other O). apply (lies_on_equal (moved_along x u (r * first))); [| exact on_other].
+    assert (r_is : r == 0) by lra. unfold equal_vectors, moved_along. cbn [vx vy]. rewrite r_is. split; ring.
 Qed.
 
 End Ray.
@@ -224,7 +206,7 @@ Qed.
    finitely many segments on it meets one of them. *)
 Theorem ray_to_a_segment (segments all : list segment) (x : vector) :
   off x all -> incl segments all -> winding_number x segments <> 0%Z ->
-  exists u k, (forall s, In s all -> avoids x u s) /\ In k segments /\ lies_on (on_ray x u 1) k.
+  exists u k, (forall s, In s all -> avoids x u s) /\ In k segments /\ lies_on (moved_along x u 1) k.
 Proof.
   intros x_off among winds.
   assert (found : exists k, In k segments /\ ~ cross (minus (source k) x) (minus (target k) x) == 0).
@@ -250,5 +232,5 @@ Proof.
   set (u := Vector _ _) in avoided. exists u, k. split; [| split; [exact K |]].
   - intros s S. unfold avoids, side_of.
     split; apply avoided; apply in_flat_map; exists s; (split; [exact S |]); cbn; tauto.
-  - exists t. unfold on_ray, u, minus. cbn [vx vy]. repeat split; try lra; ring.
+  - exists t. unfold moved_along, u, minus. cbn [vx vy]. repeat split; try lra; ring.
 Qed.

@@ -8,6 +8,18 @@ Import ListNotations.
 
 Open Scope Q_scope.
 
+(* Of finitely many numbers one is the least. *)
+Lemma least_of {A : Type} (f : A -> Q) (l : list A) : l <> [] ->
+  exists b, In b l /\ forall c, In c l -> f b <= f c.
+Proof.
+  induction l as [| b l IH]; intros some; [contradiction |].
+  destruct l as [| c l]; [exists b; split; [now left | intros e [<- | []]; lra] |].
+  destruct IH as (least & listed & below); [discriminate |].
+  destruct (Qlt_le_dec (f least) (f b)).
+  - exists least. split; [now right |]. intros e [<- | I]; [lra | now apply below].
+  - exists b. split; [now left |]. intros e [<- | I]; [lra |]. specialize (below e I). lra.
+Qed.
+
 (* The point of a segment's line at a height. *)
 Definition point_at_height (s : segment) (y : Q) : vector :=
   Vector (vx (source s) + (y - vy (source s)) / (vy (target s) - vy (source s)) *
@@ -16,9 +28,6 @@ Definition point_at_height (s : segment) (y : Q) : vector :=
 (* Whether exactly one end of a segment is at most at this height. *)
 Definition spans (s : segment) (y : Q) : bool :=
   xorb (at_most (vy (source s)) y) (at_most (vy (target s)) y).
-
-Lemma at_most_spec (a b : Q) : reflect (a <= b) (at_most a b).
-Proof. unfold at_most. compared_numbers (a ?= b); constructor; lra. Qed.
 
 Lemma heights_of_spanning (s : segment) (y : Q) : spans s y = true ->
   vy (source s) <= y < vy (target s) \/ vy (target s) <= y < vy (source s).
@@ -67,38 +76,35 @@ Proof.
       try reflexivity; exfalso; nra.
 Qed.
 
-Lemma first_of (A : Type) (place : A -> Q) (l : list A) :
-  l <> [] -> exists a, In a l /\ forall b, In b l -> place a <= place b.
-Proof.
-  induction l as [| a l IH]; intros some; [now destruct some |]. destruct l as [| b l].
-  - exists a. split; [now left |]. intros c [<- | []]. lra.
-  - destruct IH as (c & I & first); [discriminate |].
-    destruct (Qlt_le_dec (place a) (place c)) as [before | after].
-    + exists a. split; [now left |]. intros d [<- | J]; [lra |]. specialize (first d J). lra.
-    + exists c. split; [now right |]. intros d [<- | J]; [lra | auto].
-Qed.
-
 (* They have no point in common, and no end of a segment of the second has winding number other than zero with
    respect to the first. *)
-Definition apart (some others : list segment) : Prop :=
+Definition have_no_common_point (some others : list segment) : Prop :=
   forall s t w, In s some -> In t others -> lies_on w s -> lies_on w t -> False.
 
 Definition vertices_outside (some others : list segment) : Prop :=
   forall s, In s some -> winding_number (target s) others = 0%Z.
 
-Lemma segments_outside (some others : list segment) :
-  cycles others -> apart some others -> vertices_outside some others ->
-  forall s w, In s some -> lies_on w s -> winding_number w others = 0%Z.
+(* So the winding number does not change along a segment. *)
+Lemma same_up_to_the_end (some others : list segment) (s : segment) (w : vector) :
+  cycles others -> have_no_common_point some others -> In s some -> lies_on w s ->
+  winding_number w others = winding_number (target s) others.
 Proof.
-  intros closed separate outside s w I on. rewrite <- (outside s I).
-  apply (winding_number_along (Segment w (target s)) others closed).
+  intros closed separate I on. apply (winding_number_along (Segment w (target s)) others closed).
   intros v on_part t J on_t. apply (separate s t v I J); [| exact on_t].
   now apply (part_of_segment w v s).
 Qed.
 
+Lemma segments_outside (some others : list segment) :
+  cycles others -> have_no_common_point some others -> vertices_outside some others ->
+  forall s w, In s some -> lies_on w s -> winding_number w others = 0%Z.
+Proof.
+  intros closed separate outside s w I on. rewrite <- (outside s I).
+  now apply (same_up_to_the_end some others s w).
+Qed.
+
 (* At the first segment that the ray meets, the winding number with respect to the others is still the same. *)
 Lemma same_at_the_first_hit (z : vector) (s : segment) (some others : list segment) :
-  apart some others -> In s some -> signed_crossing z s <> 0%Z ->
+  have_no_common_point some others -> In s some -> signed_crossing z s <> 0%Z ->
   (forall t, In t others -> signed_crossing z t <> 0%Z ->
      vx (point_at_height s (vy z)) <= vx (point_at_height t (vy z))) ->
   winding_number (point_at_height s (vy z)) others = winding_number z others.
@@ -127,7 +133,7 @@ Proof.
 Qed.
 
 Lemma first_hit_of_some (z : vector) (s : segment) (some others : list segment) :
-  cycles others -> apart some others -> vertices_outside some others ->
+  cycles others -> have_no_common_point some others -> vertices_outside some others ->
   In s some -> signed_crossing z s <> 0%Z ->
   (forall t, In t others -> signed_crossing z t <> 0%Z ->
      vx (point_at_height s (vy z)) <= vx (point_at_height t (vy z))) ->
@@ -144,7 +150,7 @@ Qed.
    other than zero with respect to the other, then no point at all has winding numbers other than zero with
    respect to both. *)
 Theorem apart_means_no_common_interior (some others : list segment) (z : vector) :
-  cycles some -> cycles others -> apart some others ->
+  cycles some -> cycles others -> have_no_common_point some others ->
   vertices_outside some others -> vertices_outside others some ->
   winding_number z some = 0%Z \/ winding_number z others = 0%Z.
 Proof.
@@ -157,7 +163,7 @@ Proof.
       apply negb_true_iff, Z.eqb_neq, met. }
     clear -none. induction some as [| s rest IH]; [reflexivity |]. cbn.
     rewrite (none s (or_introl eq_refl)), IH by (intros t I; apply none; now right). reflexivity.
-  - destruct (first_of segment (fun s => vx (point_at_height s (vy z))) (a :: rest)) as (s & I & first);
+  - destruct (least_of (fun s => vx (point_at_height s (vy z))) (a :: rest)) as (s & I & first);
       [discriminate |].
     rewrite <- hits in I, first. apply filter_In in I. destruct I as [I met].
     apply negb_true_iff, Z.eqb_neq in met.

@@ -7,7 +7,7 @@ From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
 From Oplus Require Import direction tangent_set sweep winding_number shifted_ray signed_crossings tie_rule
   turning_number convolution_size fiber_grid states in_out_degree convolution_winding sums weight regions
   parallelogram tangent_count beside_every_point winding_number_of_the_sum meeting_of_segments first_hit
-  reflected tangent_direction crossing_edges.
+  reflected tangent_direction crossing_edges angle.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -40,7 +40,7 @@ Qed.
 
 (* The winding number is the same at all vertices of a chain that other chains do not meet. *)
 Lemma same_at_all_vertices (chain : list vector) (others : list segment) :
-  cycles others -> apart (edges chain) others -> forall i, (i < length chain)%nat ->
+  cycles others -> have_no_common_point (edges chain) others -> forall i, (i < length chain)%nat ->
   winding_number (nth i chain nowhere) others = winding_number (nth 0 chain nowhere) others.
 Proof.
   intros closed separate i. induction i as [| i IH]; intros I; [reflexivity |].
@@ -56,7 +56,7 @@ Qed.
 
 (* If the chains do not meet, and each chain has a vertex outside, all its vertices are. *)
 Lemma all_vertices_outside (x : vector) (p q : region) :
-  off_vertex_edge_sum x p q -> apart (region_edges p) (map (reflected x) (region_edges q)) ->
+  off_vertex_edge_sum x p q -> have_no_common_point (region_edges p) (map (reflected x) (region_edges q)) ->
   (forall chain, In chain p -> chain <> [] -> exists i, (i < length chain)%nat /\
      winding_number (minus x (nth i chain nowhere)) (region_edges q) = 0%Z) ->
   vertices_outside (region_edges p) (map (reflected x) (region_edges q)).
@@ -70,7 +70,7 @@ Proof.
     destruct chain as [| v rest]; [destruct K |]. cbn [rotated] in K. apply in_app_iff in K.
     destruct K as [K | [<- | []]]; [now right | now left]. }
   destruct (one chain J) as (i & below & outside); [now destruct chain |].
-  assert (separate_chain : apart (edges chain) (map (reflected x) (region_edges q))).
+  assert (separate_chain : have_no_common_point (edges chain) (map (reflected x) (region_edges q))).
   { intros e t w E. apply separate. apply in_flat_map. now exists chain. }
   apply (In_nth chain _ nowhere) in K. destruct K as (k & below_k & <-).
   rewrite (same_at_all_vertices chain _ closed separate_chain k below_k).
@@ -78,7 +78,7 @@ Proof.
   rewrite winding_number_of_reflected; [exact outside | apply region_cycles |].
   intros f F on.
   assert (E : In (nth i (edges chain) no_segment) (region_edges p)).
-  { apply in_flat_map. exists chain. split; [exact J |]. apply nth_In. now rewrite edges_are_as_many. }
+  { now apply edge_at_in_region. }
   destruct (general _ f E F) as (free & _). rewrite edge_by_index in free by exact below. now apply free.
 Qed.
 
@@ -91,8 +91,8 @@ Proof.
 Qed.
 
 Lemma apart_other_way (x : vector) (p q : region) :
-  apart (region_edges p) (map (reflected x) (region_edges q)) ->
-  apart (region_edges q) (map (reflected x) (region_edges p)).
+  have_no_common_point (region_edges p) (map (reflected x) (region_edges q)) ->
+  have_no_common_point (region_edges q) (map (reflected x) (region_edges p)).
 Proof.
   intros separate f e' w F E on_f on_e. apply in_map_iff in E. destruct E as (e & <- & E).
   apply on_reflected in on_e. apply (separate e (reflected x f) (minus x w) E); [now apply in_map | exact on_e |].
@@ -173,7 +173,7 @@ Section NoCommonInterior.
       [rewrite (left_ sign) in term | rewrite (right_ sign) in term]; discriminate term.
   Qed.
 
-  Lemma boundaries_are_apart : apart (region_edges p) (map (reflected x) (region_edges q)).
+  Lemma boundaries_are_apart : have_no_common_point (region_edges p) (map (reflected x) (region_edges q)).
   Proof.
     intros e f' w E F on_e on_f. apply in_map_iff in F. destruct F as (f & <- & F).
     apply on_reflected in on_f. apply (no_edges_cross e f E F).

@@ -2,12 +2,12 @@
 (* Lemma 3.1.2, as far as directions go: the sum is to the left of each segment of the convolution, so where the
    complement of the sum is to the right of a boundary edge, all segments along it have the edge's direction, and a
    segment of the reduced convolution is there. Half squares in the sum are from observation_2_2_4.v, that the
-   boundary is covered from reduced_superset.v. *)
+   boundary is covered from theorem_2_3_2.v. *)
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
 From Oplus Require Import direction angle sweep winding_number signed_crossings tie_rule turning_number
   convolution_size fiber_grid states in_out_degree tracing convolution_winding weight regions interiors_meet
   neighbourhoods left_of_an_edge theorem_4_2_1 theorem_2_2_10 observation_2_2_4 lemma_2_2_5 lemma_2_2_2
-  inside_a_corner boundary_points reduced_convolution parallel_edges interiors_at_touching_points reduced_superset.
+  inside_a_corner boundary_points reduced_convolution parallel_edges interiors_at_touching_points theorem_2_3_2.
 Import ListNotations.
 
 Open Scope Q_scope.

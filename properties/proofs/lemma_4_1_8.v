@@ -21,12 +21,6 @@ Proof.
   now rewrite (simple_chain_turns_once chain chain_simple), clockwise.
 Qed.
 
-Lemma counterclockwise_is_outer chain : simple chain -> is_counterclockwise chain = true -> outer chain.
-Proof.
-  intros chain_simple counterclockwise. unfold outer.
-  now rewrite (simple_chain_turns_once chain chain_simple), counterclockwise.
-Qed.
-
 (* Theorem. Every column of the fiber grid of two simple chains, the states of one vertex of P, is left along P's
    edge from at least one state, from two if Q's chain is clockwise; every row likewise along Q's edge. A
    clockwise chain has three reflex vertices or more. *)

@@ -9,12 +9,6 @@ Import ListNotations.
 
 Open Scope Q_scope.
 
-Lemma lies_on_equal (p q : vector) (s : segment) : equal_vectors p q -> lies_on p s -> lies_on q s.
-Proof.
-  intros [X Y] (t & range & px & py). exists t. split; [exact range |].
-  split; [rewrite <- X; exact px | rewrite <- Y; exact py].
-Qed.
-
 Lemma lines_meet_once (s f : segment) (p w : vector) : ~ cross (along s) (along f) == 0 ->
   lies_on p s -> lies_on p f -> lies_on w s -> lies_on w f -> equal_vectors w p.
 Proof.
@@ -159,14 +153,6 @@ Proof.
   destruct (fraction_on s _ long on_source) as (range_j & _).
   destruct (fraction_on s _ long on_target) as (range_k & _).
   destruct (fraction_on s _ long on) as (_ & X & Y). exists (fraction s w). split; [lra | tauto].
-Qed.
-
-Lemma part_of_part (a b c : segment) : nonzero (along c) -> is_part a b -> is_part b c ->
-  forall w, lies_on w a -> lies_on w c.
-Proof.
-  intros long a_part b_part w (t & range & X & Y). destruct (part_is_long b c b_part long) as [long_b _].
-  destruct (point_of_part a b w t long_b a_part range X Y) as [(u & u_range & ux & uy) _].
-  now destruct (point_of_part b c w u long b_part u_range ux uy).
 Qed.
 
 (* Theorem. Of a segment cut where others meet it: strictly inside a piece are no ends of the others, and what has a

@@ -4,7 +4,7 @@
    either two of the pieces cross, or one, cut once more where the other region's boundary meets it, is inside the
    other region, or runs along its boundary in the same direction. *)
 From Coq Require Import QArith ZArith Bool List.
-From Oplus Require Import direction winding_number shifted_ray in_out_degree regions location pieces.
+From Oplus Require Import direction winding_number shifted_ray in_out_degree regions location pieces angle.
 Import ListNotations.
 
 Open Scope Q_scope.

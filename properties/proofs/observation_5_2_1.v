@@ -5,7 +5,7 @@
    number means in theorem_4_2_1.v. *)
 From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
 From Oplus Require Import direction winding_number shifted_ray in_out_degree convolution_winding regions
-  theorem_4_2_1.
+  theorem_4_2_1 small_numbers.
 
 Open Scope Q_scope.
 
@@ -53,10 +53,10 @@ Qed.
    convolution, and in the sum if and only if the ray's number is positive. *)
 Theorem rays_from_edges_decide (p q : region) (s : segment) :
   valid_region p -> valid_region q -> nonzero (minus (target s) (source s)) ->
-  exists limit, 0 < limit /\ forall e, 0 < e -> e < limit ->
+  eventually (fun e =>
     off (moved (right_of_middle s) e) (convolution_segments p q) /\
     ((0 < winding_number_shifted (right_of_middle s) (convolution_segments p q))%Z <->
-     in_sum (moved (right_of_middle s) e) p q).
+     in_sum (moved (right_of_middle s) e) p q)).
 Proof.
   intros p_region q_region some.
   destruct (shifts_are_small_moves s (convolution_segments p q) some) as (limit & L & near).

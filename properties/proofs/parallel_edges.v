@@ -153,8 +153,6 @@ Section TwoChains.
   Let q_regular : is_regular q.
   Proof. destruct q_region as (q_edges & q_valid & q_meet). now apply regions_are_regular. Qed.
 
-  Definition reduced_or_meet : Prop := on_reduced_convolution x p q \/ interiors_meet x p q.
-
   (* A segment of the reduced convolution, of direction d, covers x. *)
   Definition reduced_along (d : vector) : Prop :=
     exists s, In s (reduced_convolution p q) /\ lies_on x s /\ same_direction (along s) d.
@@ -446,15 +444,4 @@ Section TwoChains.
     rewrite <- t_steps. now apply steps_back.
   Qed.
 
-  (* So x is on the reduced convolution, or the interiors meet. *)
-  Corollary parallel_edges i j k l : (i < length a)%nat -> (j < length b)%nat ->
-    angle (edge_of_chain a i) == angle (edge_of_chain b j) -> 0 <= k < 1 -> 0 < l <= 1 ->
-    equal_vectors x (plus (moved_along (nth i a nowhere) (edge_of_chain a i) k)
-                          (moved_along (nth j b nowhere) (edge_of_chain b j) l)) ->
-    reduced_or_meet.
-  Proof.
-    intros I J parallel k_range l_range x_is.
-    destruct (parallel_edges_along i j k l I J parallel k_range l_range x_is) as [(s & S & on & _) | meet_];
-      [left; now exists s | now right].
-  Qed.
 End TwoChains.

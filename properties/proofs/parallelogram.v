@@ -30,9 +30,6 @@ Proof.
     unfold cross, along, minus. cbn. ring.
 Qed.
 
-Lemma at_most_spec (a b : Q) : reflect (a <= b) (at_most a b).
-Proof. unfold at_most. compared_numbers (a ?= b); constructor; lra. Qed.
-
 (* What the four edges add: u and v are the heights of the segments, k that of x above the first corner, b and c
    are the skew products of the segments with x seen from there, and d their own. *)
 Definition four_crossings (u v k b c d : Q) : Z :=

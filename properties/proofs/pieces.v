@@ -4,7 +4,8 @@
    time. Proved here: pieces are parts of their segment in its direction, they cover it, and no point at which it
    is cut is inside a piece. Points on segments are decided in location.v. *)
 From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import direction sweep winding_number meeting_of_segments regions first_hit location.
+From Oplus Require Import direction sweep winding_number meeting_of_segments regions first_hit location
+  rotation.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -178,17 +179,11 @@ Qed.
 Definition fraction (s : segment) (p : vector) : Q :=
   dot (minus p (source s)) (along s) / dot (along s) (along s).
 
-Lemma positive_square (v : vector) : nonzero v -> 0 < dot v v.
-Proof.
-  intros some. unfold dot. destruct (Qlt_le_dec 0 (vx v * vx v + vy v * vy v)) as [| none]; [assumption |].
-  exfalso. apply some. now apply no_squares.
-Qed.
-
 Lemma fraction_is (s : segment) (p : vector) (t : Q) : nonzero (along s) ->
   vx p == (1 - t) * vx (source s) + t * vx (target s) ->
   vy p == (1 - t) * vy (source s) + t * vy (target s) -> fraction s p == t.
 Proof.
-  intros long X Y. pose proof (positive_square _ long) as square. unfold fraction.
+  intros long X Y. pose proof (square_positive _ long) as square. unfold fraction.
   apply (Qmult_inj_r _ _ (dot (along s) (along s))); [lra |].
   setoid_replace (dot (minus p (source s)) (along s) / dot (along s) (along s) * dot (along s) (along s))
     with (dot (minus p (source s)) (along s)) by (field; lra).

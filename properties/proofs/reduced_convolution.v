@@ -52,26 +52,4 @@ Section TwoChains.
         (outgoing (vertex_corner (a, b, (along_, (i, j))))))) as [reflex |]; [exfalso; lra | reflexivity].
   Qed.
 
-  (* Edge i of P and the convex vertex j of Q; edge j of Q and the convex vertex i of P. *)
-  Lemma on_reduced_by_p i j : (i < length a)%nat -> (j < length b)%nat ->
-    in_tangent_set (Direction (edge_of_chain a i) OfP) (corner_of_chain b j) = true ->
-    convex (corner_of_chain b j) ->
-    lies_on (minus x (nth j b nowhere)) (edge_at a i) -> on_reduced_convolution x p q.
-  Proof.
-    intros I J tangent is_convex (k & range & X & Y). eexists.
-    split; [exact (reduced_member OfP i j I J tangent is_convex) |].
-    rewrite edge_at_is in X, Y by exact I. exists k. unfold starts_at, ends_at, point_of, plus, minus in *.
-    cbn [fst snd source target vx vy state_before state_after step] in *. split; [exact range |]. split; lra.
-  Qed.
-
-  Lemma on_reduced_by_q i j : (i < length a)%nat -> (j < length b)%nat ->
-    in_tangent_set (Direction (edge_of_chain b j) OfQ) (corner_of_chain a i) = true ->
-    convex (corner_of_chain a i) ->
-    lies_on (minus x (nth i a nowhere)) (edge_at b j) -> on_reduced_convolution x p q.
-  Proof.
-    intros I J tangent is_convex (k & range & X & Y). eexists.
-    split; [exact (reduced_member OfQ i j I J tangent is_convex) |].
-    rewrite edge_at_is in X, Y by exact J. exists k. unfold starts_at, ends_at, point_of, plus, minus in *.
-    cbn [fst snd source target vx vy state_before state_after step] in *. split; [exact range |]. split; lra.
-  Qed.
 End TwoChains.

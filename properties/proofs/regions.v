@@ -65,6 +65,28 @@ Proof.
   - destruct chain; [reflexivity |]. cbn. rewrite app_length. cbn. lia.
 Qed.
 
+Definition edge_at (chain : list vector) (i : nat) : segment := nth i (edges chain) no_segment.
+
+Lemma edge_at_is (chain : list vector) i :
+  i < length chain ->
+  edge_at chain i = Segment (nth i chain nowhere) (nth (next i (length chain)) chain nowhere).
+Proof. apply edge_by_index. Qed.
+
+(* An edge by its chain and index. *)
+Lemma edge_by_chain (r : region) (s : segment) : In s (region_edges r) ->
+  exists chain i, In chain r /\ (i < length chain)%nat /\ s = edge_at chain i.
+Proof.
+  intros I. apply in_flat_map in I. destruct I as (chain & J & I).
+  apply (In_nth (edges chain) s no_segment) in I. destruct I as (i & below & is_s).
+  rewrite edges_are_as_many in below. exists chain, i. split; [exact J |]. split; [exact below | now symmetry].
+Qed.
+
+Lemma edge_at_in_region (r : region) (chain : list vector) i :
+  In chain r -> (i < length chain)%nat -> In (edge_at chain i) (region_edges r).
+Proof.
+  intros J I. apply in_flat_map. exists chain. split; [exact J |]. apply nth_In. now rewrite edges_are_as_many.
+Qed.
+
 Lemma direction_by_index (chain : list vector) i :
   i < length chain -> edge_of_chain chain i = along (nth i (edges chain) no_segment).
 Proof.
@@ -72,6 +94,10 @@ Proof.
   rewrite nth_indep with (d' := along no_segment) by (rewrite map_length, edges_are_as_many; exact below).
   exact (map_nth along (edges chain) no_segment i).
 Qed.
+
+Lemma edge_of_chain_is (chain : list vector) i :
+  i < length chain -> edge_of_chain chain i = minus (nth (next i (length chain)) chain nowhere) (nth i chain nowhere).
+Proof. intros below. now rewrite direction_by_index, edge_by_index. Qed.
 
 Lemma vertex_is_on_the_boundary (v : vector) (c : corner) (r : region) :
   In (v, c) (region_vertices r) -> exists s, In s (region_edges r) /\ lies_on v s.
@@ -96,13 +122,11 @@ Proof.
   injection at_i as v_is c_is. change (corner_of_chain chain i = c) in c_is. rewrite corner_is in c_is by exact range.
   subst c. cbn [incoming outgoing].
   pose proof (previous_below _ _ range) as range'.
-  assert (there : forall k, (k < length chain)%nat -> In (nth k (edges chain) no_segment) (region_edges r)).
-  { intros k K. apply in_flat_map. exists chain. split; [exact J |]. apply nth_In. now rewrite edges_are_as_many. }
   split.
-  - exists (nth (previous (length chain) i) (edges chain) no_segment). split; [now apply there |].
+  - exists (nth (previous (length chain) i) (edges chain) no_segment). split; [now apply edge_at_in_region |].
     rewrite direction_by_index by exact range'. split; [| reflexivity].
     rewrite edge_by_index by exact range'. cbn [target]. now rewrite next_previous.
-  - exists (nth i (edges chain) no_segment). split; [now apply there |].
+  - exists (nth i (edges chain) no_segment). split; [now apply edge_at_in_region |].
     rewrite direction_by_index by exact range. split; [| reflexivity].
     rewrite edge_by_index by exact range. exact v_is.
 Qed.

@@ -386,7 +386,7 @@ Proof.
       cbn [map fold_right].
       rewrite (none s) by (apply part; now left). rewrite IH by (intros t J; apply part; now right). reflexivity. }
     left. apply zero_. intros t J. exact J.
-  - destruct (first_of segment (fun s => vx (point_at_height s (vy x'))) (a :: rest)) as (s & I & first_);
+  - destruct (least_of (fun s => vx (point_at_height s (vy x'))) (a :: rest)) as (s & I & first_);
       [discriminate |].
     rewrite <- hits in I, first_. apply filter_In in I. destruct I as [I met].
     apply negb_true_iff, Z.eqb_neq in met.

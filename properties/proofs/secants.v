@@ -33,8 +33,6 @@ Proof.
   assert (0 <= dot w w) by (unfold dot; nra). nra.
 Qed.
 
-Definition opposite (w : vector) : vector := Vector (- vx w) (- vy w).
-
 Lemma nothing_passes_behind (w u v : vector) (s : summand) :
   in_front w u -> in_front w v -> sweep (Direction (opposite w) s) u v = 0%Z.
 Proof.

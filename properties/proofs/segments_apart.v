@@ -8,11 +8,6 @@ Import ListNotations.
 
 Open Scope Q_scope.
 
-Definition is_positive (q : Q) : bool := negative (- q).
-
-Lemma is_positive_spec (q : Q) : reflect (0 < q) (is_positive q).
-Proof. unfold is_positive. destruct (negative_spec (- q)); constructor; lra. Qed.
-
 (* To the left, by a right angle. *)
 Definition normal (u : vector) : vector := Vector (- vy u) (vx u).
 
@@ -23,7 +18,7 @@ Definition candidates (a b c e : vector) : list vector :=
 
 Definition is_separated_by (w a b c e : vector) : bool :=
   let sides := map (dot w) [minus c a; minus c b; minus e a; minus e b] in
-  forallb is_positive sides || forallb negative sides.
+  forallb positive sides || forallb negative sides.
 
 (* Whether the segment from a to b and that from c to e have no point in common. *)
 Definition are_apart (a b c e : vector) : bool :=
@@ -36,8 +31,8 @@ Lemma separated_spec (w a b c e : vector) :
 Proof.
   assert (negatives : forall q, negative q = true <-> q < 0)
     by (intros q; destruct (negative_spec q); intuition discriminate).
-  assert (positives : forall q, is_positive q = true <-> 0 < q)
-    by (intros q; destruct (is_positive_spec q); intuition discriminate).
+  assert (positives : forall q, positive q = true <-> 0 < q)
+    by (intros q; destruct (positive_spec q); intuition discriminate).
   unfold is_separated_by. cbn [map forallb].
   rewrite orb_true_iff, !andb_true_iff, !positives, !negatives.
   split; (intros [sides | sides]; [left | right]; repeat split; apply sides).
@@ -262,13 +257,13 @@ Qed.
 (* Whether a chain may turn from one edge to the next. *)
 Definition may_turn (u v : vector) : bool :=
   negb (zero (vx u) && zero (vy u)) && negb (zero (vx v) && zero (vy v)) &&
-  (negb (zero (cross u v)) || is_positive (dot u v)).
+  (negb (zero (cross u v)) || positive (dot u v)).
 
 Lemma may_turn_spec (u v : vector) : reflect (turns u v) (may_turn u v).
 Proof.
   unfold may_turn, turns, nonzero.
   destruct (zero_spec (vx u)), (zero_spec (vy u)), (zero_spec (vx v)), (zero_spec (vy v)),
-    (zero_spec (cross u v)), (is_positive_spec (dot u v)); constructor; tauto.
+    (zero_spec (cross u v)), (positive_spec (dot u v)); constructor; tauto.
 Qed.
 
 (* Theorem. Two segments that are not points, the second of which begins where the first ends, have no other

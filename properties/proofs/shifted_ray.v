@@ -2,7 +2,7 @@
 (* Winding numbers to the right of an edge's middle, as checked/arrangement/ray_shooting.cpp counts them:
    its symbolic shifts mean what an actual small shift does. *)
 From Coq Require Import QArith Qabs Qminmax Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import direction angle sweep winding_number.
+From Oplus Require Import direction angle sweep winding_number small_numbers.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -14,8 +14,6 @@ Record shifted_point := ShiftedPoint { at_ : vector; first : vector; second : ve
 Definition moved (p : shifted_point) (e : Q) : vector :=
   Vector (vx (at_ p) + e * vx (first p) + e * e * vx (second p))
          (vy (at_ p) + e * vy (first p) + e * e * vy (second p)).
-
-Definition positive (q : Q) : bool := negative (- q).
 
 Definition is_above (p : shifted_point) : bool := positive (vy (first p)) || positive (vy (second p)).
 
@@ -49,7 +47,7 @@ Definition sign_nearby (c0 c1 c2 : Q) : comparison :=
   match c0 ?= 0 with Eq => match c1 ?= 0 with Eq => c2 ?= 0 | c => c end | c => c end.
 
 Lemma positive_nearby : forall a b c, 0 < a ->
-  exists limit, 0 < limit /\ forall e, 0 < e -> e < limit -> 0 < a + e * b + e * e * c.
+  eventually (fun e => 0 < a + e * b + e * e * c).
 Proof.
   intros a b c A. set (k := 1 + Qabs b + Qabs c).
   assert (B : 0 <= Qabs b) by apply Qabs_nonneg. assert (C : 0 <= Qabs c) by apply Qabs_nonneg.
@@ -75,8 +73,8 @@ Proof.
 Qed.
 
 Lemma quadratic_nearby : forall c0 c1 c2,
-  exists limit, 0 < limit /\ forall e, 0 < e -> e < limit ->
-    (c0 + e * c1 + e * e * c2 ?= 0) = sign_nearby c0 c1 c2.
+  eventually (fun e =>
+    (c0 + e * c1 + e * e * c2 ?= 0) = sign_nearby c0 c1 c2).
 Proof.
   intros c0 c1 c2. unfold sign_nearby. compared_numbers (c0 ?= 0).
   - compared_numbers (c1 ?= 0).
@@ -115,10 +113,10 @@ Proof.
 Qed.
 
 Lemma below_nearby : forall p a, leaves_its_height p ->
-  exists limit, 0 < limit /\ forall e, 0 < e -> e < limit ->
+  eventually (fun e =>
     at_most (vy a) (vy (moved p e)) =
     (if is_above p then at_most (vy a) (vy (at_ p)) else negb (at_most (vy (at_ p)) (vy a))) /\
-    ~ vy a == vy (moved p e).
+    ~ vy a == vy (moved p e)).
 Proof.
   intros p a [F S].
   destruct (quadratic_nearby (vy (at_ p) - vy a) (vy (first p)) (vy (second p))) as (l & L & H).
@@ -145,8 +143,8 @@ Proof.
 Qed.
 
 Lemma side_nearby : forall p s,
-  exists limit, 0 < limit /\ forall e, 0 < e -> e < limit ->
-    orientation (source s) (target s) (moved p e) = side p s.
+  eventually (fun e =>
+    orientation (source s) (target s) (moved p e) = side p s).
 Proof.
   intros p [a b]. set (d := minus b a).
   set (o := (vx b - vx a) * (vy (at_ p) - vy a) - (vy b - vy a) * (vx (at_ p) - vx a)).
@@ -185,10 +183,10 @@ Qed.
 
 Lemma crossing_nearby : forall edge s,
   nonzero (minus (target edge) (source edge)) ->
-  exists limit, 0 < limit /\ forall e, 0 < e -> e < limit ->
+  eventually (fun e =>
     ~ lies_on (moved (right_of_middle edge) e) s /\
     signed_crossing (moved (right_of_middle edge) e) s =
-    signed_crossing_of_shifted (right_of_middle edge) s.
+    signed_crossing_of_shifted (right_of_middle edge) s).
 Proof.
   intros edge s N. pose proof (middles_leave_their_height edge N) as U.
   destruct (below_nearby (right_of_middle edge) (source s) U) as (l1 & L1 & H1).
@@ -212,10 +210,10 @@ Qed.
    numbers e and e^2 instead of infinitesimals; and those points are on no segment. *)
 Theorem shifts_are_small_moves : forall edge segments,
   nonzero (minus (target edge) (source edge)) ->
-  exists limit, 0 < limit /\ forall e, 0 < e -> e < limit ->
+  eventually (fun e =>
     off (moved (right_of_middle edge) e) segments /\
     winding_number (moved (right_of_middle edge) e) segments =
-    winding_number_shifted (right_of_middle edge) segments.
+    winding_number_shifted (right_of_middle edge) segments).
 Proof.
   intros edge segments N. induction segments as [| s rest (l & L & H)].
   - exists 1. split; [lra |]. intros e _ _. split; [intros s [] | reflexivity].

@@ -2,7 +2,7 @@
 (* Along a path, the winding number changes by the signed crossings, counted as in
    properties/statements/chapter4/observation_4_2_5_signed_crossings.cpp. *)
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
-From Oplus Require Import direction angle sweep winding_number shifted_ray.
+From Oplus Require Import direction angle sweep winding_number shifted_ray small_numbers.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -192,9 +192,9 @@ Qed.
 Definition shifted (p : vector) : shifted_point := ShiftedPoint p (Vector 1 0) (Vector 0 1).
 
 Lemma side_of_segment_nearby : forall p s, nonzero (minus (target s) (source s)) ->
-  exists limit, 0 < limit /\ forall e, 0 < e -> e < limit ->
+  eventually (fun e =>
     side_of_segment s (moved (shifted p) e) = side_of_segment s p /\
-    orientation (source s) (target s) (moved (shifted p) e) <> Eq.
+    orientation (source s) (target s) (moved (shifted p) e) <> Eq).
 Proof.
   intros p s N. destruct (side_nearby (shifted p) s) as (l & L & H).
   exists l. split; [exact L |]. intros e E M. specialize (H e E M). unfold side_of_segment. rewrite H.
@@ -210,8 +210,8 @@ Proof.
 Qed.
 
 Lemma side_of_step_nearby : forall from to a, nonzero (minus to from) ->
-  exists limit, 0 < limit /\ forall e, 0 < e -> e < limit ->
-    side_of_step (moved (shifted from) e) (moved (shifted to) e) a = side_of_step from to a.
+  eventually (fun e =>
+    side_of_step (moved (shifted from) e) (moved (shifted to) e) a = side_of_step from to a).
 Proof.
   intros from to a N. set (d := minus to from) in *.
   set (o := (vx to - vx from) * (vy a - vy from) - (vy to - vy from) * (vx a - vx from)).
@@ -232,9 +232,9 @@ Proof.
 Qed.
 
 Lemma step_nearby : forall from to s, nonzero (minus to from) ->
-  exists limit, 0 < limit /\ forall e, 0 < e -> e < limit ->
+  eventually (fun e =>
     signed_crossing_of_step (moved (shifted from) e) (moved (shifted to) e) s =
-    signed_crossing_of_step from to s.
+    signed_crossing_of_step from to s).
 Proof.
   intros from to s N.
   destruct (side_of_step_nearby from to (source s) N) as (l1 & L1 & H1).
@@ -265,25 +265,11 @@ Proof.
     destruct (H3 e E) as [-> _]; [lra |]; destruct (H4 e E) as [-> _]; [lra | reflexivity].
 Qed.
 
-(* What holds near p for each of finitely many things holds near p for all of them. *)
-Lemma all_nearby : forall A (holds : A -> Q -> Prop) (l : list A),
-  (forall a, In a l -> exists limit, 0 < limit /\ forall e, 0 < e -> e < limit -> holds a e) ->
-  exists limit, 0 < limit /\ forall e, 0 < e -> e < limit -> forall a, In a l -> holds a e.
-Proof.
-  intros A holds l. induction l as [| a rest IH]; intros H.
-  - exists 1. split; [lra |]. intros e _ _ a [].
-  - destruct (H a (or_introl eq_refl)) as (k & K & F).
-    destruct IH as (m & M & G); [intros b I; apply H; now right |].
-    exists (Qmin k m). split; [now apply Q.min_glb_lt |]. intros e E L.
-    pose proof (Q.le_min_l k m). pose proof (Q.le_min_r k m).
-    intros b [<- | I]; [apply F | apply G]; trivial; lra.
-Qed.
-
 Lemma shifted_leaves_its_height : forall p, leaves_its_height (shifted p).
 Proof. intros p. split; cbn; lra. Qed.
 
 Lemma shifted_off : forall p s,
-  exists limit, 0 < limit /\ forall e, 0 < e -> e < limit -> ~ lies_on (moved (shifted p) e) s.
+  eventually (fun e => ~ lies_on (moved (shifted p) e) s).
 Proof.
   intros p s.
   destruct (zero_spec (vx (target s) - vx (source s))) as [X | X],
@@ -297,8 +283,8 @@ Proof.
 Qed.
 
 Lemma crossing_of_shifted : forall p s, ~ lies_on p s ->
-  exists limit, 0 < limit /\ forall e, 0 < e -> e < limit ->
-    signed_crossing (moved (shifted p) e) s = signed_crossing p s.
+  eventually (fun e =>
+    signed_crossing (moved (shifted p) e) s = signed_crossing p s).
 Proof.
   intros p s N.
   destruct (below_nearby (shifted p) (source s) (shifted_leaves_its_height p)) as (l1 & L1 & H1).
@@ -328,25 +314,25 @@ Proof.
 Qed.
 
 Lemma path_nearby : forall segments path,
-  exists limit, 0 < limit /\ forall e, 0 < e -> e < limit ->
+  eventually (fun e =>
     signed_crossings_of_path (map (fun p => moved (shifted p) e) path) segments =
-    signed_crossings_of_path path segments.
+    signed_crossings_of_path path segments).
 Proof.
   intros segments path. induction path as [| from [| to rest] IH].
   - exists 1. split; [lra | reflexivity].
   - exists 1. split; [lra | reflexivity].
   - destruct IH as (l & L & H).
-    assert (S : exists limit, 0 < limit /\ forall e, 0 < e -> e < limit ->
+    assert (S : eventually (fun e =>
       (if zero (vx to - vx from) && zero (vy to - vy from) then 0%Z
        else sum (map (signed_crossing_of_step (moved (shifted from) e) (moved (shifted to) e)) segments)) =
       (if zero (vx to - vx from) && zero (vy to - vy from) then 0%Z
-       else sum (map (signed_crossing_of_step from to) segments))).
+       else sum (map (signed_crossing_of_step from to) segments)))).
     { destruct (zero (vx to - vx from) && zero (vy to - vy from)) eqn:Z.
       - exists 1. split; [lra | reflexivity].
       - assert (N : nonzero (minus to from)).
         { unfold nonzero, minus; cbn. destruct (zero_spec (vx to - vx from)), (zero_spec (vy to - vy from));
             cbn in Z; try discriminate; tauto. }
-        destruct (all_nearby segment (fun s e =>
+        destruct (eventually_for_all (fun s e =>
           signed_crossing_of_step (moved (shifted from) e) (moved (shifted to) e) s =
           signed_crossing_of_step from to s) segments) as (k & K & F).
         { intros s _. now apply step_nearby. }
@@ -384,16 +370,16 @@ Theorem signed_crossings_add_up : forall segments path first,
 Proof.
   intros segments path first C O P.
   destruct (path_nearby segments (first :: path)) as (l1 & L1 & H1).
-  assert (S : forall p, exists limit, 0 < limit /\ forall e, 0 < e -> e < limit ->
-    off (moved (shifted p) e) segments).
-  { intros p. apply (all_nearby segment (fun s e => ~ lies_on (moved (shifted p) e) s)).
+  assert (S : forall p, eventually (fun e =>
+    off (moved (shifted p) e) segments)).
+  { intros p. apply (eventually_for_all (fun s e => ~ lies_on (moved (shifted p) e) s)).
     intros s _. apply shifted_off. }
-  destruct (all_nearby vector (fun p e => off (moved (shifted p) e) segments) (first :: path)
+  destruct (eventually_for_all (fun p e => off (moved (shifted p) e) segments) (first :: path)
               (fun p _ => S p)) as (l2 & L2 & H2).
-  assert (W : forall p, off p segments -> exists limit, 0 < limit /\ forall e, 0 < e -> e < limit ->
-    winding_number (moved (shifted p) e) segments = winding_number p segments).
+  assert (W : forall p, off p segments -> eventually (fun e =>
+    winding_number (moved (shifted p) e) segments = winding_number p segments)).
   { intros p F.
-    destruct (all_nearby segment (fun s e =>
+    destruct (eventually_for_all (fun s e =>
       signed_crossing (moved (shifted p) e) s = signed_crossing p s) segments) as (k & K & G).
     { intros s I. apply crossing_of_shifted. now apply F. }
     exists k. split; [exact K |]. intros e E M. unfold winding_number. f_equal.

@@ -4,15 +4,13 @@
    point in common is decided in segments_apart.v. *)
 From Coq Require Import QArith Lqa Lia Bool List Permutation.
 From Oplus Require Import direction tangent_set sweep winding_number turning_number convolution_size
-  fiber_grid states secants segments_apart.
+  fiber_grid states regions secants segments_apart.
 Import ListNotations.
 
 Open Scope nat_scope.
 
-(* Vertex i of a chain, and the edge that leaves it. *)
+(* Vertex i of a chain. *)
 Definition vertex (chain : list vector) (i : nat) : vector := nth i chain nowhere.
-Definition edge (chain : list vector) (i : nat) : segment :=
-  nth i (edges chain) (Segment nowhere nowhere).
 
 (* Three vertices or more, no two consecutive ones equal; and where two edges have a point in common, one of
    them leads to it, and the other one is the next and leaves it. So no vertex is repeated, none is inside
@@ -20,7 +18,7 @@ Definition edge (chain : list vector) (i : nat) : segment :=
 Definition simple (chain : list vector) : Prop :=
   let n := length chain in
   3 <= n /\ no_edge_is_a_point chain /\
-  forall i j x, i < n -> j < n -> i <> j -> lies_on x (edge chain i) -> lies_on x (edge chain j) ->
+  forall i j x, i < n -> j < n -> i <> j -> lies_on x (edge_at chain i) -> lies_on x (edge_at chain j) ->
     (j = next i n /\ equal_vectors x (vertex chain j)) \/
     (i = next j n /\ equal_vectors x (vertex chain i)).
 
@@ -39,34 +37,15 @@ Definition is_simple (chain : list vector) : bool :=
 Lemma rotated_length {A} (l : list A) : length (rotated l) = length l.
 Proof. destruct l; [reflexivity |]. cbn. rewrite app_length. cbn. lia. Qed.
 
-Lemma nth_rotated {A} (l : list A) (none : A) i :
-  i < length l -> nth i (rotated l) none = nth (next i (length l)) l none.
-Proof.
-  destruct l as [| a l]; cbn [rotated length]; [lia |]. intros I. unfold next.
-  destruct (Nat.eqb_spec (S i) (S (length l))) as [last | inside].
-  - rewrite app_nth2 by lia. now replace (i - length l) with 0 by lia.
-  - now rewrite app_nth1 by lia.
-Qed.
-
 Lemma edge_is chain i :
   i < length chain ->
-  edge chain i = Segment (vertex chain i) (vertex chain (next i (length chain))).
-Proof.
-  intros I. unfold edge, edges, vertex.
-  change (Segment nowhere nowhere) with
-    ((fun ends => Segment (fst ends) (snd ends)) (nowhere, nowhere)).
-  rewrite map_nth, combine_nth by now rewrite rotated_length. cbn [fst snd]. now rewrite nth_rotated.
-Qed.
+  edge_at chain i = Segment (vertex chain i) (vertex chain (next i (length chain))).
+Proof. apply edge_by_index. Qed.
 
 Lemma edge_of_chain_is chain i :
   i < length chain ->
   edge_of_chain chain i = minus (vertex chain (next i (length chain))) (vertex chain i).
-Proof.
-  intros I. pose proof (edge_is chain i I) as e. unfold edge_of_chain, edge_directions, edge in *.
-  rewrite (nth_indep _ _ ((fun s => minus (target s) (source s)) (Segment nowhere nowhere))).
-  - rewrite (map_nth (fun s => minus (target s) (source s))), e. reflexivity.
-  - rewrite map_length, <- (map_length source). now destruct (edges_ends chain) as [-> _].
-Qed.
+Proof. apply regions.edge_of_chain_is. Qed.
 
 Lemma next_differs i n : 3 <= n -> i < n ->
   next i n < n /\ next i n <> i /\ next (next i n) n <> i /\ next (next i n) n <> next i n.
@@ -124,7 +103,7 @@ Proof.
       rewrite edges_length in I. fold (edge_of_chain chain i). rewrite edge_of_chain_is by exact I.
       now destruct (turn i I). }
     split; [exact N | split; [exact edges_nonzero |]]. fold n.
-    assert (one_way : forall i x, i < n -> lies_on x (edge chain i) -> lies_on x (edge chain (next i n)) ->
+    assert (one_way : forall i x, i < n -> lies_on x (edge_at chain i) -> lies_on x (edge_at chain (next i n)) ->
       equal_vectors x (vertex chain (next i n))).
     { intros i x I on_i on_j. destruct (next_differs i n N I) as (J & _).
       rewrite edge_is in on_i by exact I. rewrite (edge_is chain (next i n) J) in on_j.

@@ -5,7 +5,7 @@
    turning_tangents.v, simple chains are in simple_chain.v. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation.
 From Oplus Require Import direction angle tangent_set sweep winding_number turning_number convolution_size
-  fiber_grid states secants segments_apart turning_tangents simple_chain.
+  fiber_grid states regions secants segments_apart turning_tangents simple_chain.
 Import ListNotations.
 
 Open Scope nat_scope.
@@ -57,7 +57,7 @@ Lemma vertex_rotated chain i : i < length chain ->
 Proof. intros I. unfold vertex. now apply nth_rotated. Qed.
 
 Lemma edge_rotated chain i : i < length chain ->
-  edge (rotated chain) i = edge chain (next i (length chain)).
+  edge_at (rotated chain) i = edge_at chain (next i (length chain)).
 Proof.
   intros I. pose proof (next_in_range i (length chain) I) as J.
   rewrite !edge_is, rotated_length by (try rewrite rotated_length; assumption).
@@ -234,9 +234,9 @@ Lemma vertices_differ chain i j : simple chain -> i < length chain -> j < length
   ~ equal_vectors (vertex chain i) (vertex chain j).
 Proof.
   intros (N & e & common) I J differ [x_is y_is].
-  assert (starts : forall k, k < length chain -> lies_on (vertex chain k) (edge chain k)).
+  assert (starts : forall k, k < length chain -> lies_on (vertex chain k) (edge_at chain k)).
   { intros k K. rewrite edge_is by exact K. exists 0%Q. cbn [source target]. repeat split; lra. }
-  assert (on_j : lies_on (vertex chain i) (edge chain j)).
+  assert (on_j : lies_on (vertex chain i) (edge_at chain j)).
   { rewrite edge_is by exact J. exists 0%Q. cbn [source target]. repeat split; lra. }
   assert (apart_vertices : forall k, k < length chain ->
     ~ equal_vectors (vertex chain k) (vertex chain (next k (length chain)))).

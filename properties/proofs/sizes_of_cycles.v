@@ -92,29 +92,27 @@ Qed.
 
 Open Scope nat_scope.
 
-Definition positive_number (q : Q) : bool := negative (- q).
-
 Lemma edges_on_no_side : forall p w, p <> [] -> turns_everywhere p ->
   exists i, i < length p /\ ~ (0 < cross w (edge_of_chain p i))%Q.
 Proof.
   intros p w N T. assert (L : length (edge_directions p) = length p) by apply edges_length.
-  destruct (forallb (fun i => positive_number (cross w (edge_of_chain p i))) (seq 0 (length p))) eqn:A.
+  destruct (forallb (fun i => positive (cross w (edge_of_chain p i))) (seq 0 (length p))) eqn:A.
   - exfalso. rewrite forallb_forall in A.
     assert (0 < sum_over (cross w) (edge_directions p))%Q as S.
     { apply sum_over_positive; [intros E; rewrite E in L; destruct p; [now apply N | discriminate] |].
       intros e I. apply (In_nth _ _ nowhere) in I. destruct I as (i & J & <-). rewrite L in J.
-      assert (positive_number (cross w (edge_of_chain p i)) = true) as B by (apply A, in_seq; lia).
-      unfold positive_number in B.
+      assert (positive (cross w (edge_of_chain p i)) = true) as B by (apply A, in_seq; lia).
+      unfold positive in B.
       destruct (negative_spec (- cross w (edge_of_chain p i))); [| discriminate].
       unfold edge_of_chain in *. lra. }
     rewrite edges_add_up_to_zero in S. lra.
   - assert (exists i, In i (seq 0 (length p)) /\
-              positive_number (cross w (edge_of_chain p i)) = false) as (i & I & E).
+              positive (cross w (edge_of_chain p i)) = false) as (i & I & E).
     { clear - A. induction (seq 0 (length p)) as [| i rest IH]; [discriminate |]. cbn in A.
-      destruct (positive_number (cross w (edge_of_chain p i))) eqn:E.
+      destruct (positive (cross w (edge_of_chain p i))) eqn:E.
       - destruct (IH A) as (k & K & F). exists k. split; [now right | exact F].
       - exists i. split; [now left | exact E]. }
-    apply in_seq in I. exists i. split; [lia |]. unfold positive_number in E.
+    apply in_seq in I. exists i. split; [lia |]. unfold positive in E.
     destruct (negative_spec (- cross w (edge_of_chain p i))); [discriminate | lra].
 Qed.
 
@@ -122,12 +120,6 @@ Lemma corners_turn : forall q j, turns_everywhere q -> j < length q ->
   turns (incoming (corner_of_chain q j)) (outgoing (corner_of_chain q j)).
 Proof.
   intros q j T L. apply T. apply nth_In. now rewrite corners_length.
-Qed.
-
-Lemma turning_chains_have_edges : forall chain, turns_everywhere chain -> no_edge_is_a_point chain.
-Proof.
-  intros chain T e I. apply (In_nth _ _ nowhere) in I. destruct I as (i & L & <-).
-  rewrite edges_length in L. apply (edges_are_directions chain i OfP T L).
 Qed.
 
 (* A walk along P alone stays in its row. *)

@@ -2,8 +2,8 @@
 (* The count of tangent features on polygons small enough to count by hand: a bar across the two arms of a U. The
    intersection is two rectangles, and what theorem_4_2_14.v asks for is so. *)
 From Coq Require Import QArith Lqa ZArith List SetoidList SetoidPermutation.
-From Oplus Require Import direction tangent_set sweep winding_number turning_number in_out_degree convolution_winding
-  regions weight tangent_count tangent_features replaced_segments theorem_4_2_14.
+From Oplus Require Import direction tangent_set sweep winding_number turning_number in_out_degree
+  convolution_winding regions weight tangent_count tangent_features replaced_segments theorem_4_2_14 angle.
 Import ListNotations.
 
 Open Scope Q_scope.

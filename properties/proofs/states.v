@@ -65,13 +65,6 @@ Proof.
   destruct s as [[|] [i j]]; unfold in_grid; cbn; intros [? ?]; split; trivial; now apply next_in_range.
 Qed.
 
-Lemma segment_to_in_grid n m along at_ :
-  in_grid n m at_ -> in_grid n m (state_before (segment_to n m along at_)).
-Proof.
-  destruct along, at_ as [i j]; unfold in_grid; cbn; intros [? ?]; split; trivial;
-    now apply previous_below.
-Qed.
-
 Lemma after_segment_to n m along at_ :
   in_grid n m at_ -> state_after n m (segment_to n m along at_) = at_.
 Proof.
@@ -118,6 +111,12 @@ Definition in_convolution (p q : list vector) (s : named_segment) : bool :=
 (* No two consecutive vertices are equal. *)
 Definition no_edge_is_a_point (chain : list vector) : Prop :=
   forall e, In e (edge_directions chain) -> nonzero e.
+
+Lemma turning_chains_have_edges chain : turns_everywhere chain -> no_edge_is_a_point chain.
+Proof.
+  intros turning e I. apply (In_nth _ _ nowhere) in I. destruct I as (i & below & <-).
+  rewrite edges_length in below. exact (edges_are_directions chain i OfP turning below).
+Qed.
 
 Lemma edge_nonzero chain i :
   no_edge_is_a_point chain -> i < length chain -> nonzero (edge_of_chain chain i).

@@ -3,8 +3,8 @@
    boundary at which a given direction is tangent. For all closed chains, all points and all directions. Weights
    are from weight.v, parallelograms from parallelogram.v, summation by parts from sums.v. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List Arith.
-From Oplus Require Import direction tangent_set sweep winding_number turning_number convolution_size fiber_grid
-  states in_out_degree convolution_winding sums weight regions parallelogram.
+From Oplus Require Import direction tangent_set sweep winding_number turning_number convolution_size
+  fiber_grid states in_out_degree convolution_winding sums weight regions parallelogram angle.
 Import ListNotations.
 
 Open Scope Z_scope.
@@ -224,4 +224,23 @@ Proof.
       weight d (along e) (along f) * winding_number x (parallelogram e f)) (edges b)) q) (edges a)).
     + apply sum_equally. intros e _. apply sum_of_flat_map.
     + rewrite sums_exchanged. apply sum_equally. intros b _. now rewrite sum_of_product.
+Qed.
+
+(* What reference/definitions/tangent_count.cpp computes. *)
+Definition count_tangents (x : vector) (p q : region) (d : vector) : Z :=
+  tangent_vertices_of_p d x (region_vertices p) (region_edges q) +
+  tangent_vertices_of_q d x (region_vertices q) (region_edges p) +
+  tangent_crossings d x (region_edges p) (region_edges q).
+
+(* What the convolution's segments say, as reference/definitions/ computes it from `convolution`. *)
+Definition convolution_winding_number (x : vector) (p q : region) : Z :=
+  winding_number x (convolution_segments p q).
+
+(* Theorem. For any closed chains, no edge of which is a point, and any direction: the tangents that are counted are as
+   many as the convolution winds around x. *)
+Theorem count_tangents_returns (x : vector) (p q : region) (d : vector) :
+  no_edges_are_points p -> no_edges_are_points q -> nonzero d ->
+  count_tangents x p q d = convolution_winding_number x p q.
+Proof.
+  intros p_edges q_edges proper_d. symmetry. now apply tangent_count_of_regions.
 Qed.

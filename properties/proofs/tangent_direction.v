@@ -73,10 +73,6 @@ Proof.
     + exists c. split; [now right |]. intros d [<- | J]; [lra | auto].
 Qed.
 
-Lemma edge_of_chain_is (chain : list vector) i : (i < length chain)%nat ->
-  edge_of_chain chain i = minus (nth (next i (length chain)) chain nowhere) (nth i chain nowhere).
-Proof. intros I. now rewrite direction_by_index, edge_by_index. Qed.
-
 (* Theorem. Every closed chain, no edge of which is a point, has a vertex with a direction in its tangent set. *)
 Theorem some_tangent_set_is_not_empty (chain : list vector) :
   no_edge_is_a_point chain -> chain <> [] ->

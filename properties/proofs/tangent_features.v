@@ -5,7 +5,7 @@
    tangent set is what a vertex passes, plus everything if it is reflex (turning_number.v). *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
 From Oplus Require Import direction tangent_set sweep winding_number turning_number convolution_size states
-  in_out_degree convolution_winding sums weight regions parallelogram tangent_count.
+  in_out_degree convolution_winding sums weight regions parallelogram tangent_count angle.
 Import ListNotations.
 
 Open Scope Z_scope.
@@ -26,13 +26,6 @@ Definition tangent_features (d x : vector) (p q : region) : Z :=
   tangent_crossings d x (region_edges p) (region_edges q).
 
 Definition turns_in_all_chains (r : region) : Prop := forall chain, In chain r -> turns_everywhere chain.
-
-Lemma turning_chains_have_no_points_as_edges (chain : list vector) :
-  turns_everywhere chain -> no_edge_is_a_point chain.
-Proof.
-  intros turning e I. apply (In_nth _ _ nowhere) in I. destruct I as (i & below & <-).
-  rewrite edges_length in below. exact (edges_are_directions chain i OfP turning below).
-Qed.
 
 Lemma vertices_are_corners (v : vector * corner) (r : region) :
   In v (region_vertices r) -> exists chain, In chain r /\ In (snd v) (corners chain).
@@ -62,7 +55,7 @@ Theorem winding_number_less_reflex_vertices (p q : region) (d x : vector) :
 Proof.
   intros p_turns q_turns proper_d.
   rewrite (tangent_count_of_regions p q d x); [| | | exact proper_d];
-    [| intros chain I; apply turning_chains_have_no_points_as_edges; auto ..].
+    [| intros chain I; apply turning_chains_have_edges; auto ..].
   unfold tangent_vertices_of_p, tangent_vertices_of_q, tangent_features.
   rewrite (tangent_vertices_by_turns (Direction d OfQ) x p q proper_d p_turns).
   rewrite (tangent_vertices_by_turns (Direction (opposite d) OfP) x q p (opposite_nonzero d proper_d) q_turns).

@@ -14,11 +14,11 @@ Open Scope Q_scope.
 Theorem in_tangent_set_returns (d : direction) (c : corner) : proper d -> proper_corner c ->
   let enters := Direction (incoming c) (other (of d)) in
   let leaves := Direction (outgoing c) (other (of d)) in
-  exists bound, 0 < bound /\ forall epsilon, 0 < epsilon -> epsilon < bound ->
+  eventually (fun epsilon =>
     (in_tangent_set d c = true <->
      exists s t, 0 < s /\ s < t /\ t < 4 /\
        same_direction (nudged epsilon d) (turned (nudged epsilon enters) s) /\
-       same_direction (nudged epsilon leaves) (turned (nudged epsilon enters) t)).
+       same_direction (nudged epsilon leaves) (turned (nudged epsilon enters) t))).
 Proof.
   intros proper_d [proper_in proper_out] enters leaves.
   destruct (tie_rule_is_a_rotation [d; enters; leaves]) as (bound & some & rotated).

@@ -32,16 +32,6 @@ Proof.
   now rewrite same_number.
 Qed.
 
-(* Theorem. Every point of the sum that is off the convolution is an inner point of the sum. *)
-Theorem off_the_convolution_means_inner_point (p q : region) (x : vector) :
-  valid_region p -> valid_region q -> off x (convolution_segments p q) -> in_sum x p q ->
-  inner_point_of_sum x p q.
-Proof.
-  intros p_region q_region free common.
-  destruct (off_the_convolution_all_near_are_alike p q x p_region q_region free) as (radius & R & alike).
-  exists radius. split; [exact R |]. intros y near. now apply alike.
-Qed.
-
 (* Theorem 2.2.10. The boundary of the sum is part of the convolution. *)
 Theorem boundary_is_part_of_the_convolution (p q : region) (x : vector) :
   valid_region p -> valid_region q -> on_boundary_of_sum x p q ->

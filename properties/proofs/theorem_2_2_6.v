@@ -17,17 +17,15 @@ Definition on_vertex_edge_sum (x : vector) (p q : region) : Prop :=
 Lemma vertex_by_index (chain : list vector) (r : region) i :
   In chain r -> (i < length chain)%nat -> is_vertex (nth i chain nowhere) r.
 Proof.
-  intros I below. exists (nth i (edges chain) no_segment). split.
-  - apply in_flat_map. exists chain. split; [exact I |]. apply nth_In. now rewrite edges_are_as_many.
-  - rewrite edge_by_index by exact below. split; reflexivity.
+  intros I below. exists (edge_at chain i). split; [now apply edge_at_in_region |].
+  rewrite edge_at_is by exact below. split; reflexivity.
 Qed.
 
 Lemma edge_in_region (chain : list vector) (r : region) i :
   In chain r -> (i < length chain)%nat ->
   In (Segment (nth i chain nowhere) (nth (next i (length chain)) chain nowhere)) (region_edges r).
 Proof.
-  intros I below. apply in_flat_map. exists chain. split; [exact I |].
-  rewrite <- edge_by_index by exact below. apply nth_In. now rewrite edges_are_as_many.
+  intros I below. rewrite <- edge_at_is by exact below. now apply edge_at_in_region.
 Qed.
 
 (* Lemma. The convolution is part of the vertex-edge sum. *)

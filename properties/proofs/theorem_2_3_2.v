@@ -6,7 +6,8 @@
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
 From Oplus Require Import direction angle sweep winding_number signed_crossings tie_rule in_out_degree regions
   weight winding_number_of_the_sum meeting_of_segments interiors_meet neighbourhoods left_of_an_edge
-  theorem_4_2_1 theorem_2_2_10 observation_2_2_4 lemma_2_2_9 lemma_2_2_5 inside_a_corner.
+  theorem_4_2_1 theorem_2_2_10 observation_2_2_4 lemma_2_2_9 lemma_2_2_5 inside_a_corner lemma_2_2_2
+  boundary_points reduced_convolution interiors_at_touching_points.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -80,4 +81,18 @@ Theorem edge_plus_reflex_vertex_is_not_on_the_boundary (p q : region) (e f_in f_
 Proof.
   intros p_region q_region I on no_vertex vertex right_turn. apply inner_points_are_not_on_the_boundary.
   now apply (edge_plus_reflex_vertex_is_inner p q e f_in).
+Qed.
+
+(* Theorem 2.3.2, second part: the boundary of the sum is part of the reduced convolution (Definition 2.3.1), if no
+   chains of P touch, and none of Q. Without this it is false (docs/findings.md). A boundary point of the sum is a sum,
+   but not one with inner points of P and -Q + x in common, so interiors_at_touching_points.v applies. *)
+Theorem boundary_is_part_of_the_reduced_convolution (p q : region) (x : vector) :
+  valid_region p -> valid_region q -> chains_do_not_touch p -> chains_do_not_touch q ->
+  on_boundary_of_sum x p q -> on_reduced_convolution x p q.
+Proof.
+  intros p_region q_region p_apart q_apart boundary.
+  destruct (on_or_off x (reduced_convolution p q)) as [on | free]; [exact on | exfalso].
+  apply (inner_points_are_not_on_the_boundary p q x); [| exact boundary].
+  apply interiors_meet_means_inner_point.
+  apply common_point_means_common_inner_point; trivial. now apply sum_is_closed.
 Qed.

@@ -7,7 +7,7 @@
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
 From Oplus Require Import direction sweep winding_number signed_crossings tie_rule in_out_degree
   convolution_winding weight regions parallelogram winding_number_of_the_sum crossing_edges interiors_meet
-  neighbourhoods left_of_an_edge.
+  neighbourhoods left_of_an_edge angle.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -323,7 +323,7 @@ Proof.
   intros p_turns q_turns r_turns p_once q_once bounds.
   assert (directions : forall s, turns_in_all_chains s -> forall e, In e (region_edges s) -> nonzero (along e)).
   { intros s s_turns e I. apply in_flat_map in I. destruct I as (chain & J & I).
-    apply (turning_chains_have_no_points_as_edges chain (s_turns chain J)). unfold edge_directions.
+    apply (turning_chains_have_edges chain (s_turns chain J)). unfold edge_directions.
     apply in_map_iff. now exists e. }
   destruct (direction_beside (map along (region_edges p ++ region_edges q))) as (d & proper_d & beside).
   { intros v I. apply in_map_iff in I. destruct I as (e & <- & I). apply in_app_iff in I.

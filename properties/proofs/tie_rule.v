@@ -3,29 +3,13 @@
    it says of plain vectors once all of Q's have been turned counterclockwise by a small enough angle. *)
 From Coq Require Import QArith Qabs Qminmax Lqa Bool List.
 From Oplus Require Import direction angle cyclic_order rotation.
+From Oplus Require Export small_numbers.
 
 Open Scope Q_scope.
 
 (* A direction of Q is turned by epsilon, one of P stays. *)
 Definition nudged (epsilon : Q) (d : direction) : vector :=
   match of d with OfP => vec d | OfQ => turned (vec d) epsilon end.
-
-(* For all small enough epsilon. *)
-Definition eventually (holds : Q -> Prop) : Prop :=
-  exists bound, 0 < bound /\ forall epsilon, 0 < epsilon -> epsilon < bound -> holds epsilon.
-
-Lemma eventually_and (A B : Q -> Prop) :
-  eventually A -> eventually B -> eventually (fun epsilon => A epsilon /\ B epsilon).
-Proof.
-  intros (a & pa & ha) (b & pb & hb). exists (Qmin a b). split.
-  - now apply Q.min_glb_lt.
-  - intros e p l. pose proof (Q.le_min_l a b). pose proof (Q.le_min_r a b).
-    split; [apply ha | apply hb]; lra.
-Qed.
-
-Lemma eventually_implied (A B : Q -> Prop) :
-  (forall epsilon, A epsilon -> B epsilon) -> eventually A -> eventually B.
-Proof. intros i (a & p & h). exists a. auto. Qed.
 
 (* Turned a little, v passes no direction that comes later, the full turn included. *)
 Lemma turned_a_little (v : vector) (limit : Q) :
@@ -154,30 +138,18 @@ Proof.
            end; lra.
 Qed.
 
-Lemma eventually_for_all {A : Type} (holds : A -> Q -> Prop) (l : list A) :
-  (forall a, In a l -> eventually (holds a)) ->
-  eventually (fun epsilon => forall a, In a l -> holds a epsilon).
-Proof.
-  induction l as [| a l IH]; intros each.
-  - exists 1. split; [lra |]. intros e _ _ a [].
-  - refine (eventually_implied _ _ _
-              (eventually_and _ _ (each a (or_introl eq_refl)) (IH (fun b I => each b (or_intror I))))).
-    intros e [here there] b [<- | I]; auto.
-Qed.
-
 (* Definition 2.2.7's tie rule, for any finite number of directions of P and Q. Turn those of Q
    counterclockwise by one and the same angle, leave those of P, and forget to whom they belong. For every
    small enough angle, no direction of P is equal to one of Q any more, and ccw of what comes out, which
    Definition 2.1.10 defines, is ccw of the labelled directions. *)
 Theorem tie_rule_is_a_rotation (directions : list direction) :
   (forall d, In d directions -> proper d) ->
-  exists bound, 0 < bound /\
-    forall epsilon, 0 < epsilon -> epsilon < bound ->
+  eventually (fun epsilon =>
       (forall a b, In a directions -> In b directions -> of a = OfP -> of b = OfQ ->
          ~ same_direction (nudged epsilon a) (nudged epsilon b)) /\
       (forall d from to, In d directions -> In from directions -> In to directions ->
          ccw d from to =
-         ccw_of_vectors (nudged epsilon d) (nudged epsilon from) (nudged epsilon to)).
+         ccw_of_vectors (nudged epsilon d) (nudged epsilon from) (nudged epsilon to))).
 Proof.
   intros all_proper.
   refine (eventually_and _ _ _ _).

@@ -3,7 +3,7 @@
    are in simple_chain.v. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
 From Oplus Require Import direction angle rotation tangent_set sweep winding_number turning_number
-  convolution_size fiber_grid states secants segments_apart turning_tangents simple_chain
+  convolution_size fiber_grid states regions secants segments_apart turning_tangents simple_chain
   simple_chains_turn_once.
 Import ListNotations.
 
@@ -31,7 +31,7 @@ Hypothesis y_between :
 Lemma three_vertices : (3 <= n)%nat.
 Proof. apply chain_simple. Qed.
 
-Lemma closing_edge : edge chain (n - 1) = Segment z a.
+Lemma closing_edge : edge_at chain (n - 1) = Segment z a.
 Proof.
   pose proof three_vertices as N. rewrite edge_is by (fold n; lia). unfold z, a. f_equal.
   fold n. unfold next. destruct (Nat.eqb_spec (S (n - 1)) n); [reflexivity | lia].
@@ -94,9 +94,9 @@ Proof.
 Qed.
 
 Lemma edges_with_y :
-  edge (y :: chain) 0 = Segment y a /\
-  (forall i, (i < n - 1)%nat -> edge (y :: chain) (S i) = edge chain i) /\
-  edge (y :: chain) n = Segment z y.
+  edge_at (y :: chain) 0 = Segment y a /\
+  (forall i, (i < n - 1)%nat -> edge_at (y :: chain) (S i) = edge_at chain i) /\
+  edge_at (y :: chain) n = Segment z y.
 Proof.
   pose proof three_vertices as N. assert (long : length (y :: chain) = S n) by reflexivity.
   split; [| split].
@@ -108,13 +108,13 @@ Proof.
 Qed.
 
 Lemma meeting_edges_with_y i j x : (i < j)%nat -> (j <= n)%nat ->
-  lies_on x (edge (y :: chain) i) -> lies_on x (edge (y :: chain) j) ->
+  lies_on x (edge_at (y :: chain) i) -> lies_on x (edge_at (y :: chain) j) ->
   (j = S i /\ equal_vectors x (vertex (y :: chain) j)) \/ (i = 0%nat /\ j = n /\ equal_vectors x y).
 Proof.
   intros L J on_i on_j. pose proof three_vertices as N.
   destruct edges_with_y as (first & inner & last). destruct ends_of_parts as [z_off a_off].
   destruct chain_simple as (_ & _ & common). fold n in common.
-  assert (in_edge : forall k, (k < n - 1)%nat -> lies_on x (edge chain k) -> lies_on x (Segment z a) ->
+  assert (in_edge : forall k, (k < n - 1)%nat -> lies_on x (edge_at chain k) -> lies_on x (Segment z a) ->
     (k = 0%nat /\ equal_vectors x a) \/ (S k = (n - 1)%nat /\ equal_vectors x z)).
   { intros k K on_k on_closing. rewrite <- closing_edge in on_closing.
     destruct (common k (n - 1)%nat x) as [[follows x_is] | [follows x_is]]; trivial; try lia.
@@ -165,7 +165,7 @@ Proof.
       rewrite next_below in n_edge by lia. exact n_edge.
   - rewrite long. intros i j x I J differ on_i on_j.
     assert (ordered : forall k l, (k < l)%nat -> (l <= n)%nat ->
-      lies_on x (edge (y :: chain) k) -> lies_on x (edge (y :: chain) l) ->
+      lies_on x (edge_at (y :: chain) k) -> lies_on x (edge_at (y :: chain) l) ->
       (l = next k (S n) /\ equal_vectors x (vertex (y :: chain) l)) \/
       (k = next l (S n) /\ equal_vectors x (vertex (y :: chain) k))).
     { intros k l K L on_k on_l.

@@ -9,8 +9,6 @@ From Oplus Require Import direction angle cyclic_order tangent_set sweep winding
 
 Open Scope Z_scope.
 
-Definition opposite (v : vector) : vector := Vector (- vx v) (- vy v).
-
 (* d is labelled as Q's and compared with edges of P, -d is labelled as P's and compared with edges of Q:
    so no tie is open. *)
 Definition weight (d e f : vector) : Z :=

@@ -185,9 +185,6 @@ Qed.
 Lemma nonzero_ray : nonzero u.
 Proof. intros [x_is y_is]. apply across. unfold cross. rewrite x_is, y_is. ring. Qed.
 
-Lemma nonzero_edge : nonzero e.
-Proof. intros [x_is y_is]. apply across. unfold cross. rewrite x_is, y_is. ring. Qed.
-
 Lemma turns_of_cross (v w : vector) : ~ cross v w == 0 -> turns v w.
 Proof.
   intros turn. split; [| split; [| contradiction]]; intros [x_is y_is]; apply turn; unfold cross;

@@ -18,6 +18,9 @@ Definition orientation (a b c : vector) : comparison :=
 
 Definition at_most (a b : Q) : bool := match a ?= b with Gt => false | _ => true end.
 
+Lemma at_most_spec (a b : Q) : reflect (a <= b) (at_most a b).
+Proof. unfold at_most. compared_numbers (a ?= b); constructor; lra. Qed.
+
 (* What a segment adds of which each end is on the right of a ray or not, and on which side of it the
    ray's start is. *)
 Definition crossing (source_right target_right : bool) (side : comparison) : Z :=
@@ -51,6 +54,9 @@ Definition lies_on (p : vector) (s : segment) : Prop :=
   exists t, 0 <= t <= 1 /\
     vx p == (1 - t) * vx (source s) + t * vx (target s) /\
     vy p == (1 - t) * vy (source s) + t * vy (target s).
+
+Lemma lies_on_equal (p q : vector) (s : segment) : equal_vectors p q -> lies_on p s -> lies_on q s.
+Proof. intros [X Y] (t & range & on_x & on_y). exists t. rewrite <- X, <- Y. tauto. Qed.
 
 Definition off (p : vector) (segments : list segment) : Prop :=
   forall s, In s segments -> ~ lies_on p s.

@@ -3,7 +3,7 @@
    identity of tangent_count.v, of which no term is negative. The other direction is in interiors_meet.v. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
 From Oplus Require Import direction tangent_set sweep winding_number turning_number convolution_size states
-  in_out_degree convolution_winding sums weight regions parallelogram tangent_count beside_every_point.
+  in_out_degree convolution_winding sums weight regions parallelogram tangent_count beside_every_point angle.
 Import ListNotations.
 
 Open Scope Z_scope.

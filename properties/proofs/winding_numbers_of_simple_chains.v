@@ -4,9 +4,9 @@
    an inside and an outside by winding numbers. That a ray meets some edge first is in
    first_edge_of_a_ray.v, what that says in winding_by_first_edge.v. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
-From Oplus Require Import direction angle sweep winding_number turning_number convolution_size
-  fiber_grid states secants segments_apart turning_tangents simple_chain
-  simple_chains_turn_once vertex_inside_an_edge winding_by_first_edge first_edge_of_a_ray.
+From Oplus Require Import direction angle sweep winding_number turning_number convolution_size fiber_grid
+  states regions secants segments_apart turning_tangents simple_chain simple_chains_turn_once
+  vertex_inside_an_edge winding_by_first_edge first_edge_of_a_ray neighbourhoods.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -27,7 +27,7 @@ Lemma winds_at_most_once_by_the_closing_edge chain x y part :
   equal_vectors y (Vector (vx z + part * (vx a - vx z)) (vy z + part * (vy a - vy z))) ->
   ~ cross (minus y x) (minus a z) == 0 ->
   (forall j, (j < n)%nat -> j <> (n - 1)%nat -> forall p,
-     lies_on p (Segment x y) -> ~ lies_on p (edge chain j)) ->
+     lies_on p (Segment x y) -> ~ lies_on p (edge_at chain j)) ->
   winding_number x (edges chain) = 0%Z \/ winding_number x (edges chain) = turning_number chain.
 Proof.
   intros n z a chain_simple x_off part_between y_between across first_edge.
@@ -43,7 +43,7 @@ Proof.
   assert (next_of : forall j, (S j < n)%nat -> next j n = S j)
     by (intros j J; unfold next; destruct (Nat.eqb_spec (S j) n); lia).
   assert (inner_edge : forall j, (S j < n)%nat ->
-    edge chain j = Segment (vertex chain j) (vertex chain (S j))).
+    edge_at chain j = Segment (vertex chain j) (vertex chain (S j))).
   { intros j J. rewrite edge_is by (fold n; lia). fold n. now rewrite next_of. }
   assert (ray : nonzero (minus y x)).
   { intros [x_none y_none]. apply across. unfold cross. rewrite x_none, y_none. ring. }
@@ -57,7 +57,7 @@ Proof.
   assert (y_off : off y (open_edges chain)).
   { intros e I. apply open_edge_by_index in I. destruct I as (j & J & ->). fold n in J.
     rewrite <- inner_edge by exact J. intros on_j.
-    assert (on_closing : lies_on y (edge chain (n - 1))).
+    assert (on_closing : lies_on y (edge_at chain (n - 1))).
     { unfold n. rewrite closing_edge by exact chain_simple. fold n. fold z a.
       apply (on_segment z a y part); [lra | exact y_between]. }
     destruct chain_simple as (_ & _ & common). fold n in common.
@@ -90,9 +90,8 @@ Qed.
 
 Lemma edges_rotated chain : edges (rotated chain) = rotated (edges chain).
 Proof.
-  assert (long : forall c, length (edges c) = length c).
-  { intros c. rewrite <- (map_length source). now destruct (edges_ends c) as [-> _]. }
-  apply (nth_ext _ _ (Segment nowhere nowhere) (Segment nowhere nowhere)).
+  pose proof edges_are_as_many as long.
+  apply (nth_ext _ _ (no_segment) (no_segment)).
   - now rewrite rotated_length, !long, rotated_length.
   - intros i I. rewrite long, rotated_length in I.
     rewrite nth_rotated, long by now rewrite long. now apply edge_rotated.
@@ -119,14 +118,14 @@ Lemma winds_at_most_once_by_edge m : forall chain x y part,
   equal_vectors y (Vector (vx z + part * (vx a - vx z)) (vy z + part * (vy a - vy z))) ->
   ~ cross (minus y x) (minus a z) == 0 ->
   (forall j, (j < n)%nat -> j <> m -> forall p,
-     lies_on p (Segment x y) -> ~ lies_on p (edge chain j)) ->
+     lies_on p (Segment x y) -> ~ lies_on p (edge_at chain j)) ->
   winding_number x (edges chain) = 0%Z \/ winding_number x (edges chain) = turning_number chain.
 Proof.
   assert (rotate : forall m k chain x y, k = next m (length chain) -> (m < length chain)%nat ->
     (forall j, (j < length chain)%nat -> j <> k -> forall p,
-       lies_on p (Segment x y) -> ~ lies_on p (edge chain j)) ->
+       lies_on p (Segment x y) -> ~ lies_on p (edge_at chain j)) ->
     forall j, (j < length (rotated chain))%nat -> j <> m -> forall p,
-       lies_on p (Segment x y) -> ~ lies_on p (edge (rotated chain) j)).
+       lies_on p (Segment x y) -> ~ lies_on p (edge_at (rotated chain) j)).
   { intros m' k chain x y -> M first_edge j J differ p on_ray_. rewrite rotated_length in J.
     rewrite edge_rotated by exact J. apply first_edge; trivial; [now apply next_in_range |].
     intros same_next. apply differ. now apply (next_injective (length chain)). }
@@ -163,27 +162,25 @@ Proof.
     as (u & k & avoided & K & on_k).
   destruct (ray_meets_one_first x u (edges chain) k 1 x_off avoided K ltac:(lra) on_k)
     as (s & first & part & S & first_positive & after_start & before_end & across & there & only).
-  assert (by_index : forall e, In e (edges chain) -> exists m, (m < n)%nat /\ edge chain m = e).
-  { intros e I. apply (In_nth _ _ (Segment nowhere nowhere)) in I. destruct I as (m & M & m_is).
-    exists m. split; [| exact m_is]. rewrite <- (map_length source) in M.
-    destruct (edges_ends chain) as [sources _]. now rewrite sources in M. }
-  assert (listed : forall j, (j < n)%nat -> In (edge chain j) (edges chain)).
-  { intros j J. unfold edge. apply nth_In. rewrite <- (map_length source).
-    now destruct (edges_ends chain) as [-> _]. }
+  assert (by_index : forall e, In e (edges chain) -> exists m, (m < n)%nat /\ edge_at chain m = e).
+  { intros e I. apply (In_nth _ _ (no_segment)) in I. destruct I as (m & M & m_is).
+    exists m. split; [| exact m_is]. now rewrite edges_are_as_many in M. }
+  assert (listed : forall j, (j < n)%nat -> In (edge_at chain j) (edges chain)).
+  { intros j J. unfold edge_at. apply nth_In. now rewrite edges_are_as_many. }
   destruct (by_index s S) as (m & M & <-).
-  assert (on_m : lies_on (on_ray x u first) (edge chain m)).
+  assert (on_m : lies_on (moved_along x u first) (edge_at chain m)).
   { rewrite edge_is in there |- * by exact M. apply (on_segment _ _ _ part); [lra | exact there]. }
   rewrite edge_is in across, there by exact M.
-  apply (winds_at_most_once_by_edge m chain x (on_ray x u first) part); trivial; [now split | |].
+  apply (winds_at_most_once_by_edge m chain x (moved_along x u first) part); trivial; [now split | |].
   - intros none. apply across. apply (Qmult_inj_l _ _ first); [lra |].
     etransitivity; [| etransitivity; [exact none | ring]].
-    unfold along_segment, cross, on_ray, minus. cbn [source target vx vy]. ring.
+    unfold along, cross, moved_along, minus. cbn [source target vx vy]. ring.
   - fold n. intros j J differ z on_ray_ on_j.
     pose proof (only _ z (listed j J) on_ray_ on_j) as z_is.
-    apply (lies_on_equal z (on_ray x u first)) in on_j; [| exact z_is].
-    assert (no_vertex : forall i, (i < n)%nat -> ~ equal_vectors (on_ray x u first) (vertex chain i)).
+    apply (lies_on_equal z (moved_along x u first)) in on_j; [| exact z_is].
+    assert (no_vertex : forall i, (i < n)%nat -> ~ equal_vectors (moved_along x u first) (vertex chain i)).
     { intros i I [xi yi]. destruct (avoided _ (listed i I)) as [off_line _].
-      rewrite edge_is in off_line by exact I. apply off_line. unfold side_of, cross, on_ray, minus in *.
+      rewrite edge_is in off_line by exact I. apply off_line. unfold side_of, cross, moved_along, minus in *.
       cbn [source vx vy] in *. rewrite <- xi, <- yi. ring. }
     destruct chain_simple as (_ & _ & common).
     destruct (common j m _ J M differ on_j on_m) as [[_ at_vertex] | [_ at_vertex]];

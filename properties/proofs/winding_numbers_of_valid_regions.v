@@ -4,29 +4,12 @@
    Winding numbers of single chains are in winding_numbers_of_simple_chains.v, first edges in
    first_edge_of_a_ray.v, valid regions in valid_components.v. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
-From Oplus Require Import direction sweep winding_number signed_crossings crossing_of_a_step
-  simple_chain simple_chains_turn_once first_edge_of_a_ray winding_numbers_of_simple_chains valid_components.
+From Oplus Require Import direction sweep winding_number signed_crossings crossing_of_a_step simple_chain
+  simple_chains_turn_once first_edge_of_a_ray winding_numbers_of_simple_chains valid_components
+  meeting_of_segments regions neighbourhoods.
 Import ListNotations.
 
 Open Scope Q_scope.
-
-(* Along a step that meets no segment but perhaps at its end, which is off them, nothing changes. *)
-Lemma winding_number_along_a_step (segments : list segment) (x y : vector) :
-  cycles segments -> off x segments -> off y segments ->
-  (forall s z, In s segments -> lies_on z (Segment x y) -> ~ lies_on z s) ->
-  winding_number y segments = winding_number x segments.
-Proof.
-  intros closed x_off y_off free.
-  pose proof (signed_crossings_add_up segments [y] x closed x_off y_off) as difference.
-  cbn [last signed_crossings_of_path] in difference.
-  assert (none : sum (map (signed_crossing_of_step x y) segments) = 0%Z).
-  { unfold sum. clear difference closed x_off y_off. induction segments as [| s rest IH]; [reflexivity |].
-    cbn [map fold_right]. rewrite IH by (intros other z I; apply free; now right).
-    destruct (Z.eq_dec (signed_crossing_of_step x y s) 0) as [-> | crossed]; [reflexivity | exfalso].
-    destruct (crossing_needs_a_common_point x y s crossed) as (z & on_step & on_s).
-    apply (free s z (or_introl eq_refl) on_step on_s). }
-  rewrite none in difference. destruct (zero (vx y - vx x) && zero (vy y - vy x)); lia.
-Qed.
 
 (* Around a point that one of two parts goes round there is a point of one part's boundary, off the other part,
    around which the other goes as often. *)
@@ -42,22 +25,21 @@ Proof.
   assert (K' : In k (some ++ others)) by (apply in_app_iff; now left).
   destruct (ray_meets_one_first x u (some ++ others) k 1 x_off avoided K' ltac:(lra) on_k)
     as (s & first & part & S & first_positive & after_start & before_end & _ & there & only).
-  set (y := on_ray x u first) in *.
+  set (y := moved_along x u first) in *.
   assert (on_s : lies_on y s).
   { apply (lies_on_equal (inside_segment s part)); [now symmetry |].
     exists part. unfold inside_segment. cbn [vx vy]. repeat split; try lra; ring. }
   assert (no_end : forall e, In e (some ++ others) -> ~ equal_vectors y (source e)).
   { intros e E [xe ye]. destruct (avoided e E) as [off_line _]. apply off_line.
-    unfold side_of, cross, minus. cbn [vx vy]. rewrite <- xe, <- ye. unfold y, on_ray. cbn [vx vy]. ring. }
+    unfold side_of, cross, minus. cbn [vx vy]. rewrite <- xe, <- ye. unfold y, moved_along. cbn [vx vy]. ring. }
   assert (not_both : on_one_of y some -> on_one_of y others -> False).
   { intros on_some on_others. destruct (ends_only y on_some on_others) as (e & E & at_end).
     now apply (no_end e E). }
   assert (unchanged : forall part_, incl part_ (some ++ others) -> cycles part_ -> off y part_ ->
     winding_number y part_ = winding_number x part_).
-  { intros part_ among closed y_off. apply winding_number_along_a_step; trivial.
-    - intros e E. apply x_off. now apply among.
-    - intros e z E on_step on_e. apply (y_off e E). apply (lies_on_equal z); [| exact on_e].
-      apply (only e z); trivial. now apply among. }
+  { intros part_ among closed y_off. symmetry. apply (winding_number_along (Segment x y) part_ closed).
+    intros z on_step e E on_e. apply (y_off e E). apply (lies_on_equal z); [| exact on_e].
+    apply (only e z); trivial. now apply among. }
   apply in_app_iff in S. destruct S as [S | S]; [left | right]; exists y.
   - assert (on_part : on_one_of y some) by now exists s.
     assert (y_off : off y others) by (intros e E on_e; apply not_both; [exact on_part | now exists e]).

@@ -4,7 +4,7 @@
 From Coq Require Extraction.
 From Oplus Require Import direction tangent_set winding_number turning_number convolution_size
   shifted_ray signed_crossings states tracing convolution_cycles in_out_degree location pieces naive_collision
-  convolution_winding regions counted_tangents
+  convolution_winding regions tangent_count
   checked_collision.
 
 Extraction Language OCaml.

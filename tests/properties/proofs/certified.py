@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tests oplus-certified: that it certifies sums, refuses wrong ones and damaged certificates, and answers as the
 checker does that is extracted from Coq without any replacement.
-Usage: certified.py PROGRAM BUILD, the folder in which it was built"""
+Usage: certified.py PROGRAM BUILD OPLUS, the folder in which it was built and the program that makes certificates"""
 
 import re
 import shutil
@@ -292,6 +292,17 @@ class Test:
                 certified += got == CERTIFIED
         self.expect("numbers that matter", "most", certified < self.counted["numbers changed"] / 10, f"{certified} do not")
 
+    def families(self, oplus):
+        """Sums with the certificates that oplus makes for them."""
+        _, listed = run([oplus, "gen", "--list"])
+        for family in (line.split()[0] for line in listed.splitlines()):
+            p, q, s, made = [self.folder / f"made.{name}" for name in ("p", "q", "s", "certificate")]
+            for path, summand in ((p, "P"), (q, "Q")):
+                run([oplus, "gen", family, "--n", "5", "--seed", "1", "--summand", summand, "-o", path, "--format", "wkt"])
+            code, said = run([oplus, "sum", p, q, "-o", s, "--format", "wkt", "--quiet", "--certificate", made])
+            self.expect("certificates made", family, code == 0, said)
+            self.answer("families", family, [file.read_text() for file in (p, q, s, made)], CERTIFIED, "certified")
+
     def numbers(self):
         for written, read in NUMBERS:
             _, *others = EXAMPLES["squares"]
@@ -329,12 +340,13 @@ class Test:
 
 
 def main():
-    program, build = Path(sys.argv[1]).resolve(), Path(sys.argv[2])
+    program, build, oplus = Path(sys.argv[1]).resolve(), Path(sys.argv[2]), Path(sys.argv[3])
     with tempfile.TemporaryDirectory() as directory:
         test = Test(program, build, Path(directory))
         for part in (test.examples, test.each_cut_short, test.each_number_changed, test.numbers, test.chains,
                      test.endless, test.usage):
             part()
+        test.families(oplus)
     for failure in test.failures:
         print(failure)
     print(", ".join(f"{count} {kind}" for kind, count in test.counted.items()))

@@ -1,13 +1,15 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* A check, by finitely many comparisons, of what the theorems on Minkowski sums ask of a region: no edge is a
-   point, edges meet in vertices only, and winding numbers are nowhere negative; and a check that chains do not touch. Pairs of edges
-   are checked by signs of areas, winding numbers beside the middles of edges (right_of_an_edge.v). Some regions that
+   point, edges meet in vertices only, and winding numbers are nowhere negative; and a check that chains do not touch,
+   which they otherwise may. That chains are simple and holes inside them is tested in test_of_components.v. Pairs of
+   edges are checked by signs of areas, winding numbers beside the middles of edges (right_of_an_edge.v). Some regions that
    pass. *)
 From Coq Require Import QArith Qminmax Lqa Qfield ZArith Lia Bool List Arith.
 From Oplus Require Import direction angle sweep winding_number shifted_ray signed_crossings turning_number
-  convolution_size fiber_grid states in_out_degree regions weight winding_number_of_the_sum meeting_of_segments
-  interiors_meet neighbourhoods left_of_an_edge theorem_4_2_1 observation_2_2_4 right_of_an_edge inside_a_corner
-  small_polygons boundary_points convolution_winding interiors_at_touching_points.
+  convolution_size fiber_grid states in_out_degree regions weight winding_number_of_the_sum
+  meeting_of_segments interiors_meet neighbourhoods left_of_an_edge theorem_4_2_1 observation_2_2_4
+  right_of_an_edge inside_a_corner small_polygons boundary_points convolution_winding
+  interiors_at_touching_points distinct location.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -32,16 +34,6 @@ Definition meet_at_ends (s t : segment) : bool :=
   on_one_side s t || on_one_side t s || one_end_on_the_line s t || one_end_on_the_line t s ||
   one_after_the_other s t.
 
-Fixpoint all_meet_at_ends (segments : list segment) : bool :=
-  match segments with
-  | [] => true
-  | s :: rest => forallb (meet_at_ends s) rest && all_meet_at_ends rest
-  end.
-
-Definition on_segment (p : vector) (s : segment) : bool :=
-  zero (cross (minus (source s) p) (minus (target s) p)) &&
-  negb (negative (- dot (minus (source s) p) (minus (target s) p))).
-
 Definition same_number (a b : Q) : bool := Z.eqb (Qnum a) (Qnum b) && Pos.eqb (Qden a) (Qden b).
 Definition same_point (a b : vector) : bool := same_number (vx a) (vx b) && same_number (vy a) (vy b).
 Definition same_segment (s t : segment) : bool :=
@@ -49,7 +41,7 @@ Definition same_segment (s t : segment) : bool :=
 
 (* Only its two edges come to a vertex. *)
 Definition vertex_is_alone (r : region) (chain : list vector) (i : nat) : bool :=
-  forallb (fun t => negb (on_segment (nth i chain nowhere) t) ||
+  forallb (fun t => negb (is_on (nth i chain nowhere) t) ||
                     same_segment t (edge_at chain (previous (length chain) i)) ||
                     same_segment t (edge_at chain i)) (region_edges r).
 
@@ -59,12 +51,12 @@ Definition at_an_end (v : vector) (s : segment) : bool :=
   (zero (vx v - vx (target s)) && zero (vy v - vy (target s))).
 
 Definition edge_is_clear (r : region) (s : segment) : bool :=
-  forallb (fun t => negb (on_segment (source t) s) || at_an_end (source t) s) (region_edges r).
+  forallb (fun t => negb (is_on (source t) s) || at_an_end (source t) s) (region_edges r).
 
 (* Chains may touch in vertices; where a vertex touches the inside of an edge, the edge has to have a vertex, too. *)
-Definition is_valid (r : region) : bool :=
+Definition is_valid_region (r : region) : bool :=
   forallb (fun s => negb (zero (vx (along s)) && zero (vy (along s)))) (region_edges r) &&
-  all_meet_at_ends (region_edges r) && forallb (edge_is_clear r) (region_edges r) &&
+  all_pairs meet_at_ends (region_edges r) && forallb (edge_is_clear r) (region_edges r) &&
   forallb (fun s => (0 <=? winding_number_shifted (right_of_middle s) (region_edges r))%Z) (region_edges r).
 
 Definition does_not_touch (r : region) : bool :=
@@ -158,32 +150,10 @@ Proof.
   - left. exact (one_after_the_other_has_common_ends s t w long check on_s on_t).
 Qed.
 
-Lemma all_meet_at_ends_is_right (segments : list segment) : all_meet_at_ends segments = true ->
-  forall earlier s later t, segments = earlier ++ s :: later -> In t (earlier ++ later) ->
-    meet_at_ends s t = true \/ meet_at_ends t s = true.
-Proof.
-  induction segments as [| u rest IH]; intros check earlier s later t split_ I;
-    [destruct earlier; discriminate split_ |].
-  cbn in check. apply andb_prop in check. destruct check as [first_ others].
-  rewrite forallb_forall in first_. destruct earlier as [| v earlier]; cbn in split_; injection split_ as -> ->.
-  - left. now apply first_.
-  - destruct I as [<- | I].
-    + right. apply first_. apply in_app_iff. right. now left.
-    + now apply (IH others earlier s later t).
-Qed.
-
 Lemma end_is_vertex (r : region) (s : segment) (w : vector) : In s (region_edges r) -> is_end w s -> is_vertex w r.
 Proof.
   intros I [equal | [X Y]]; [now exists s |].
   destruct (target_is_vertex r s I) as (u & J & tx & ty). exists u. split; [exact J |]. split; lra.
-Qed.
-
-Lemma on_segment_is_right (p : vector) (s : segment) : lies_on p s -> on_segment p s = true.
-Proof.
-  intros on. apply lies_on_by_signs in on. destruct on as [line between_]. unfold on_segment.
-  destruct (zero_spec (cross (minus (source s) p) (minus (target s) p))) as [_ | some]; [| now destruct some].
-  destruct (negative_spec (- dot (minus (source s) p) (minus (target s) p))) as [outside |];
-    [exfalso; lra | reflexivity].
 Qed.
 
 Lemma same_segment_is_right (s t : segment) : same_segment s t = true -> s = t.
@@ -199,7 +169,7 @@ Proof.
   intros long check k w range X Y (t & I & [tx ty]). unfold edge_is_clear in check.
   rewrite forallb_forall in check. specialize (check t I).
   assert (on : lies_on (source t) s) by (exists k; rewrite <- tx, <- ty; split; [lra | now split]).
-  rewrite (on_segment_is_right _ _ on) in check. cbn [negb orb] in check. unfold at_an_end in check.
+  rewrite (proj1 (reflect_iff _ _ (is_on_spec _ _)) on) in check. cbn [negb orb] in check. unfold at_an_end in check.
   rewrite tx in X. rewrite ty in Y. apply long. unfold along, minus; cbn [vx vy].
   destruct (zero_spec (vx (source t) - vx (source s))), (zero_spec (vy (source t) - vy (source s)));
     cbn [andb orb] in check;
@@ -209,9 +179,9 @@ Proof.
 Qed.
 
 (* Theorem. What passes the first check is a valid region. *)
-Theorem is_valid_is_right (r : region) : is_valid r = true -> valid_region r.
+Theorem is_valid_region_is_right (r : region) : is_valid_region r = true -> valid_region r.
 Proof.
-  unfold is_valid. rewrite !andb_true_iff, !forallb_forall. intros (((long & pairs) & clear_) & middles).
+  unfold is_valid_region. rewrite !andb_true_iff, !forallb_forall. intros (((long & pairs) & clear_) & middles).
   assert (not_points : forall s, In s (region_edges r) -> nonzero (along s)).
   { intros s I [X Y]. specialize (long s I).
     destruct (zero_spec (vx (along s))), (zero_spec (vy (along s))); try discriminate long; contradiction. }
@@ -223,7 +193,8 @@ Proof.
     assert (I : In s (region_edges r)) by (rewrite edges_are; apply in_app_iff; right; now left).
     assert (K : In t (region_edges r))
       by (rewrite edges_are; apply in_app_iff; apply in_app_iff in J; destruct J; [now left | right; now right]).
-    destruct (all_meet_at_ends_is_right _ pairs earlier s later t edges_are J) as [check | check].
+    apply (all_pairs_sound meet_at_ends (fun a b => meet_at_ends a b = true)) in pairs; [| trivial].
+    rewrite edges_are in pairs. destruct (pair_at _ earlier later s t pairs J) as [check | check].
     - destruct (meet_at_ends_is_right s t w (not_points s I) check on_s on_t) as [end_ | end_].
       + exact (end_is_vertex r s w I end_).
       + exact (end_is_vertex r t w K end_).
@@ -246,24 +217,11 @@ Proof.
   intros t J on. specialize (alone chain I). rewrite forallb_forall in alone.
   assert (in_range : In i (seq 0 (length chain))) by (apply in_seq; lia).
   specialize (alone i in_range). unfold vertex_is_alone in alone.
-  rewrite forallb_forall in alone. specialize (alone t J). rewrite (on_segment_is_right _ _ on) in alone.
+  rewrite forallb_forall in alone. specialize (alone t J).
+  rewrite (proj1 (reflect_iff _ _ (is_on_spec _ _)) on) in alone.
   cbn [negb orb] in alone. apply orb_prop in alone.
   rewrite !edge_at_is, next_previous in alone by (trivial; now apply previous_below).
   destruct alone as [same_ | same_]; apply same_segment_is_right in same_; tauto.
-Qed.
-
-(* Theorem. So for all regions that pass the first check, off the convolution, the winding number is positive if
-   and only if P and -Q + x have a point in common; if they pass both, if and only if the interiors meet. *)
-Theorem collision_of_checked_regions (p q : region) (x : vector) :
-  is_valid p = true -> is_valid q = true -> off x (convolution_segments p q) ->
-  ((0 < winding_number x (convolution_segments p q))%Z <-> in_sum x p q) /\
-  (does_not_touch p = true -> does_not_touch q = true ->
-   ((0 < winding_number x (convolution_segments p q))%Z <-> interiors_meet x p q)).
-Proof.
-  intros p_check q_check free. apply is_valid_is_right in p_check, q_check. split.
-  - now apply positive_winding_number_iff_common_point.
-  - intros p_apart q_apart. apply does_not_touch_is_right in p_apart, q_apart.
-    now apply positive_winding_number_iff_common_inner_point.
 Qed.
 
 (* A square with a hole, and one with a hole that touches its side in a vertex. *)
@@ -274,16 +232,16 @@ Definition square_with_touching_hole : region :=
 
 (* The letter L has a vertex inside a straight line and a reflex one. *)
 Example small_regions_are_valid :
-  is_valid [square] = true /\ is_valid [letter_l] = true /\ is_valid square_with_hole = true /\
-  is_valid square_with_touching_hole = true /\
+  is_valid_region [square] = true /\ is_valid_region [letter_l] = true /\ is_valid_region square_with_hole = true /\
+  is_valid_region square_with_touching_hole = true /\
   does_not_touch [square] = true /\ does_not_touch [letter_l] = true /\ does_not_touch square_with_hole = true.
 Proof. repeat split; vm_compute; reflexivity. Qed.
 
 (* A chain that is clockwise, one that is there twice, and one that crosses itself are not;
    nor is a hole that touches the inside of an edge. *)
 Example other_regions_are_not :
-  is_valid [square_hole] = false /\ is_valid [square; square] = false /\
-  is_valid [[Vector 0 0; Vector 2 2; Vector 2 0; Vector 0 2]] = false /\
-  is_valid [[Vector 0 0; Vector 6 0; Vector 6 6; Vector 0 6]; [Vector 0 3; Vector 3 4; Vector 3 2]] = false /\
+  is_valid_region [square_hole] = false /\ is_valid_region [square; square] = false /\
+  is_valid_region [[Vector 0 0; Vector 2 2; Vector 2 0; Vector 0 2]] = false /\
+  is_valid_region [[Vector 0 0; Vector 6 0; Vector 6 6; Vector 0 6]; [Vector 0 3; Vector 3 4; Vector 3 2]] = false /\
   does_not_touch square_with_touching_hole = false.
 Proof. repeat split; vm_compute; reflexivity. Qed.

@@ -3,16 +3,14 @@
    not valid (valid_components.v). Of a chain that does not meet other segments it looks at one vertex only: around
    all its points they go as often. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
-From Oplus Require Import direction sweep winding_number convolution_size fiber_grid secants segments_apart simple_chain
-  simple_chains_turn_once valid_components winding_numbers_of_valid_regions.
+From Oplus Require Import direction sweep winding_number convolution_size regions fiber_grid secants
+  segments_apart simple_chain simple_chains_turn_once valid_components winding_numbers_of_valid_regions
+  meeting_of_segments first_hit interiors_meet distinct small_polygons simple_polygons in_out_degree.
 Import ListNotations.
 
 Open Scope nat_scope.
 
-Definition have_no_common_point (some others : list segment) : Prop :=
-  forall s o z, In s some -> In o others -> lies_on z s -> ~ lies_on z o.
-
-(* Whether they do. *)
+(* Whether segments have no point in common with others (first_hit.v). *)
 Definition all_apart (some others : list segment) : bool :=
   forallb (fun s => forallb (fun o => are_apart (source s) (target s) (source o) (target o)) others) some.
 
@@ -33,34 +31,10 @@ Lemma around_all_of_a_chain (chain : list vector) (others : list segment) (p : v
   cycles others -> have_no_common_point (edges chain) others -> on_one_of p (edges chain) ->
   off p others /\ winding_number p others = winding_number (vertex chain 0) others.
 Proof.
-  intros closed none (s & in_chain & on_s).
-  assert (edge_off : forall e z, In e (edges chain) -> lies_on z e -> off z others)
-    by (intros e z E on_e o O; now apply (none e o z)).
-  assert (listed : forall i, i < length chain -> In (edge chain i) (edges chain)).
-  { intros i I. unfold edge. apply nth_In. rewrite <- (map_length source).
-    now destruct (edges_ends chain) as [-> _]. }
-  assert (along_edge : forall i z, i < length chain -> lies_on z (edge chain i) ->
-    winding_number z others = winding_number (vertex chain i) others).
-  { intros i z I on_i. pose proof (listed i I) as L.
-    assert (starts : lies_on (vertex chain i) (edge chain i)).
-    { rewrite edge_is by exact I. exists 0%Q. cbn [source target]. repeat split; lra. }
-    apply winding_number_along_a_step; trivial; [now apply (edge_off (edge chain i)) .. |].
-    intros o w O on_step. apply (edge_off (edge chain i) w L); [| exact O].
-    rewrite edge_is in on_i |- * by exact I.
-    destruct on_i as (t & range_t & xt & yt), on_step as (r & range_r & xr & yr). cbn [source target] in *.
-    assert (0 <= r * t)%Q by (apply Qmult_le_0_compat; lra).
-    assert (0 <= (1 - r) * t)%Q by (apply Qmult_le_0_compat; lra).
-    exists (r * t)%Q. cbn [source target]. rewrite xr, yr, xt, yt. repeat split; try lra; ring. }
-  assert (vertices_alike : forall i, i < length chain ->
-    winding_number (vertex chain i) others = winding_number (vertex chain 0) others).
-  { intros i. induction i as [| i IH]; intros I; [reflexivity |].
-    rewrite <- IH by lia. apply along_edge; [lia |]. rewrite edge_is by lia.
-    unfold next. destruct (Nat.eqb_spec (S i) (length chain)); [lia |].
-    exists 1%Q. cbn [source target]. repeat split; lra. }
-  split; [now apply (edge_off s) |].
-  apply (In_nth _ _ (Segment nowhere nowhere)) in in_chain. destruct in_chain as (i & I & <-).
-  rewrite <- (map_length source) in I. destruct (edges_ends chain) as [sources _]. rewrite sources in I.
-  rewrite (along_edge i p I on_s). now apply vertices_alike.
+  intros closed none (s & S & on_s). split; [intros o O on_o; exact (none s o p S O on_s on_o) |].
+  rewrite (same_up_to_the_end _ _ s p closed none S on_s).
+  apply (In_nth _ _ no_segment) in S. destruct S as (i & I & <-). rewrite edges_are_as_many in I.
+  rewrite edge_by_index by exact I. apply same_at_all_vertices; trivial. now apply next_in_range.
 Qed.
 
 (* The first vertex of each chain is outside. *)
@@ -102,25 +76,13 @@ Definition is_hole_of (hole outer : list vector) : bool :=
   negb (winding_number (vertex hole 0) (edges outer) =? 0)%Z &&
   (winding_number (vertex outer 0) (edges hole) =? 0)%Z.
 
-Fixpoint all_pairs {A : Type} (test : A -> A -> bool) (l : list A) : bool :=
-  match l with [] => true | a :: rest => forallb (test a) rest && all_pairs test rest end.
-
-Lemma all_pairs_sound {A : Type} (test : A -> A -> bool) (holds : A -> A -> Prop) (l : list A) :
-  (forall a b, test a b = true -> holds a b) -> all_pairs test l = true -> ForallOrdPairs holds l.
-Proof.
-  intros sound. induction l as [| a l IH]; intros all; constructor; cbn [all_pairs] in all;
-    apply andb_prop in all; destruct all as [first rest].
-  - rewrite forallb_forall in first. apply Forall_forall. auto.
-  - now apply IH.
-Qed.
-
 (* The test of a region. *)
 Definition is_valid_component (c : component) : bool :=
   is_simple (outer_chain c) && is_counterclockwise (outer_chain c) &&
   forallb (fun hole => is_hole_of hole (outer_chain c)) (hole_chains c) &&
   all_pairs (fun g h => are_beside [g] [h]) (hole_chains c).
 
-Definition is_valid (components : list component) : bool :=
+Definition are_valid_components (components : list component) : bool :=
   forallb is_valid_component components &&
   all_pairs (fun b c => are_beside (chains_of_component b) (chains_of_component c)) components.
 
@@ -142,9 +104,9 @@ Proof.
 Qed.
 
 (* Theorem. What the test accepts is valid. *)
-Theorem is_valid_sound (components : list component) : is_valid components = true -> valid_components components.
+Theorem are_valid_components_sound (components : list component) : are_valid_components components = true -> valid_components components.
 Proof.
-  unfold is_valid. rewrite andb_true_iff, forallb_forall. intros [each beside]. split.
+  unfold are_valid_components. rewrite andb_true_iff, forallb_forall. intros [each beside]. split.
   - intros c I. specialize (each c I). unfold is_valid_component in each.
     rewrite !andb_true_iff, forallb_forall in each. destruct each as [[[outer_simple left_turn] holes] apart_holes].
     split; [now apply is_simple_decides | split; [exact left_turn | split]].
@@ -154,8 +116,42 @@ Proof.
   - revert beside. apply all_pairs_sound. intros b c. apply are_beside_sound.
 Qed.
 
-(* So the winding numbers of what it accepts are 0 and 1. *)
-Corollary winding_numbers_by_the_test (components : list component) (x : vector) :
-  is_valid components = true -> off x (edges_of_region components) ->
-  winding_number x (edges_of_region components) = 0%Z \/ winding_number x (edges_of_region components) = 1%Z.
-Proof. intros accepted. apply winding_numbers_of_valid_regions. now apply is_valid_sound. Qed.
+(* Regions with holes that the test accepts, and some that it refuses: what the theorems on valid regions ask for,
+   these have. *)
+Open Scope Q_scope.
+
+Definition box (x y width height : Q) : list vector :=
+  at_ [(x, y); (x + width, y); (x + width, y + height); (x, y + height)].
+
+(* Two holes, one not convex, and in the other an island with a hole of its own. *)
+Definition plate : component :=
+  Component (box 0 0 20 10) [rev (box 1 1 8 8); rev (at_ [(11, 1); (19, 1); (19, 9); (15, 3)])].
+Definition island : component := Component (box 2 2 6 6) [rev (box 4 4 2 2)].
+
+Example they_are_valid : are_valid_components [plate; island] = true.
+Proof. vm_compute. reflexivity. Qed.
+
+Example winding_numbers_of_the_plate :
+  map (fun p => winding_number p (edges_of_region [plate; island]))
+    (at_ [(-1, 5); (1 # 2, 5); (3 # 2, 5); (3, 5); (5, 5); (10, 5); (18, 5); (30, 5)]) =
+  [0; 1; 0; 1; 0; 1; 0; 0]%Z.
+Proof. vm_compute. reflexivity. Qed.
+
+(* 20 vertices, 11 of which are reflex, 2 outer chains, 3 holes; the square's 4 and 1 outer chain:
+   20 (1 + 0) + 4 (2 - 3 + 11) = 60. *)
+Example size_with_a_plate :
+  length (segments_of_regions (region_of [plate; island]) [square]) = 60%nat.
+Proof. vm_compute. reflexivity. Qed.
+
+(* A hole outside its outer chain, one that crosses it, one that is counterclockwise, one inside another, a
+   component inside another, and two that overlap. *)
+Definition invalid_regions : list (list component) :=
+  [[Component square [rev (box 5 5 1 1)]];
+   [Component square [rev (box 1 1 5 (1 # 2))]];
+   [Component (box 0 0 4 4) [box 1 1 1 1]];
+   [Component (box 0 0 9 9) [rev (box 1 1 7 7); rev (box 2 2 1 1)]];
+   [Component (box 0 0 9 9) []; Component (box 1 1 1 1) []];
+   [Component (box 0 0 9 9) []; Component (box 5 5 9 9) []]].
+
+Example they_are_refused : existsb are_valid_components invalid_regions = false.
+Proof. vm_compute. reflexivity. Qed.

@@ -1,0 +1,34 @@
+(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* What holds for all small enough positive numbers: small moves, turns and shifts are about such. *)
+From Coq Require Import QArith Qminmax Lqa List.
+Import ListNotations.
+
+Open Scope Q_scope.
+
+(* For all small enough epsilon. *)
+Definition eventually (holds : Q -> Prop) : Prop :=
+  exists bound, 0 < bound /\ forall epsilon, 0 < epsilon -> epsilon < bound -> holds epsilon.
+
+Lemma eventually_and (A B : Q -> Prop) :
+  eventually A -> eventually B -> eventually (fun epsilon => A epsilon /\ B epsilon).
+Proof.
+  intros (a & pa & ha) (b & pb & hb). exists (Qmin a b). split.
+  - now apply Q.min_glb_lt.
+  - intros e p l. pose proof (Q.le_min_l a b). pose proof (Q.le_min_r a b).
+    split; [apply ha | apply hb]; lra.
+Qed.
+
+Lemma eventually_implied (A B : Q -> Prop) :
+  (forall epsilon, A epsilon -> B epsilon) -> eventually A -> eventually B.
+Proof. intros i (a & p & h). exists a. auto. Qed.
+
+Lemma eventually_for_all {A : Type} (holds : A -> Q -> Prop) (l : list A) :
+  (forall a, In a l -> eventually (holds a)) ->
+  eventually (fun epsilon => forall a, In a l -> holds a epsilon).
+Proof.
+  induction l as [| a l IH]; intros each.
+  - exists 1. split; [lra |]. intros e _ _ a [].
+  - refine (eventually_implied _ _ _
+              (eventually_and _ _ (each a (or_introl eq_refl)) (IH (fun b I => each b (or_intror I))))).
+    intros e [here there] b [<- | I]; auto.
+Qed.
