@@ -24,9 +24,10 @@ struct Files {
 using Command = std::vector<std::string>;
 
 EndedProcess ended_well(const Command& command) {
-  EndedProcess ended = run_program(command, {});
+  EndedProcess ended = run_program(command, {.is_quiet = true});
   if (ended.how != EndedProcess::How::exited || ended.code != 0)
-    throw std::runtime_error(command[0] + " ended with code " + std::to_string(ended.code));
+    throw std::runtime_error(command[0] + " ended with code " + std::to_string(ended.code) + ": " +
+                             ended.output + ended.errors);
   return ended;
 }
 
