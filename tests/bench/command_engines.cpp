@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <boost/algorithm/string/trim.hpp>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
@@ -27,7 +28,7 @@ EndedProcess ended_well(const Command& command) {
   EndedProcess ended = run_program(command, {.is_quiet = true});
   if (ended.how != EndedProcess::How::exited || ended.code != 0)
     throw std::runtime_error(command[0] + " ended with code " + std::to_string(ended.code) + ": " +
-                             ended.output + ended.errors);
+                             boost::trim_copy(ended.output + ended.errors));
   return ended;
 }
 
