@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
+#include "reference/definitions/mutant.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus::certificates {
@@ -38,7 +40,9 @@ Tree CellTrees::tree(const std::vector<Point>& corners) {
 void CellTrees::solve(const Cell& cell) {
   std::vector<Pair> pairs = pairs_around(cell);
   for (const Pair& pair : pairs) {
-    if (!contains(pair, cell)) continue;
+    if (!contains(pair, cell) &&
+        !OPLUS_MUTANT("cells-stick-out-of-sums", "a cell is in a sum of pieces if its centre is"))
+      continue;
     tree_.push_back(pair);
     return;
   }
@@ -70,7 +74,9 @@ bool CellTrees::solve_along(const Cell& cell, const Pair& pair) {
     if (std::ranges::min(sides) >= 0) continue;
     if (std::ranges::max(sides) <= 0) return false;
     const IntegerLine line = sums_.exact_side(pair, side);
-    const HalvedCell parts = halved(cell, sides, line, doubles_);
+    HalvedCell parts = halved(cell, sides, line, doubles_);
+    if (OPLUS_MUTANT("cuts-swap-their-sides", "the part to the right of a cut comes first"))
+      std::swap(parts.positive, parts.negative);
     tree_.push_back(line);
     if (!solve_along(parts.positive, pair)) solve(parts.positive);
     solve(parts.negative);

@@ -26,35 +26,39 @@ std::string certificate_of(const Region& p, const Region& q, const Region& sum) 
   }
 }
 
-/// What `oplus-certified` says of a sum.
-EndedProcess asked(const Region& p, const Region& q, const Region& sum,
-                   const ProcessLimits& limits) {
+MinkowskiSum certified_sum(const Region& p, const Region& q, const ProcessLimits& limits) {
+  MinkowskiSum sum = find_engine(engines(), "slide")->compute(p, q, Boundary::closed, {}).sum;
+  const Region region = region_of(sum);
+  const EndedProcess ended =
+      checked_certificate(p, q, region, certificate_of(p, q, region), limits);
+  if (ended.how == EndedProcess::How::interrupted)
+    throw std::system_error(std::make_error_code(std::errc::interrupted));
+  if (ended.how == EndedProcess::How::over_time)
+    throw NoSum(Kind::hung, "oplus-certified", "hung: oplus-certified has no answer");
+  if (!says_certified(ended))
+    throw NoSum(Kind::crashed, "not certified", "oplus-certified: " + ended.output + ended.errors);
+  return sum;
+}
+
+}  // namespace
+
+EndedProcess checked_certificate(const Region& p, const Region& q, const Region& sum,
+                                 const std::string& certificate, const ProcessLimits& limits) {
   const TemporaryFolder folder("oplus-certified");
   const auto file = [&](const char* name, const std::string& text) {
     const std::string path = folder.path() / name;
     write_file(path, text);
     return path;
   };
-  return run_program(
-      {program_beside("oplus-certified"), file("p.wkt", written(p, Format::wkt)),
-       file("q.wkt", written(q, Format::wkt)), file("sum.wkt", written(sum, Format::wkt)),
-       file("certificate", certificate_of(p, q, sum))},
-      limits);
+  return run_program({program_beside("oplus-certified"), file("p.wkt", written(p, Format::wkt)),
+                      file("q.wkt", written(q, Format::wkt)),
+                      file("sum.wkt", written(sum, Format::wkt)), file("certificate", certificate)},
+                     limits);
 }
 
-MinkowskiSum certified_sum(const Region& p, const Region& q, const ProcessLimits& limits) {
-  MinkowskiSum sum = find_engine(engines(), "slide")->compute(p, q, Boundary::closed, {}).sum;
-  const EndedProcess ended = asked(p, q, region_of(sum), limits);
-  if (ended.how == EndedProcess::How::interrupted)
-    throw std::system_error(std::make_error_code(std::errc::interrupted));
-  if (ended.how == EndedProcess::How::over_time)
-    throw NoSum(Kind::hung, "oplus-certified", "hung: oplus-certified has no answer");
-  if (ended.how != EndedProcess::How::exited || ended.code != 0 || ended.output != "certified\n")
-    throw NoSum(Kind::crashed, "not certified", "oplus-certified: " + ended.output + ended.errors);
-  return sum;
+bool says_certified(const EndedProcess& ended) {
+  return ended.how == EndedProcess::How::exited && ended.code == 0 && ended.output == "certified\n";
 }
-
-}  // namespace
 
 Engine certified_engine(ProcessLimits limits) {
   limits.is_quiet = true;

@@ -1,13 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+
 #include "checked/engine.hpp"
 #include "properties/runner/child_process.hpp"
 
 namespace oplus {
 
-/// slide's closed sum, each with a certificate (docs/certificates.md) that `oplus-certified`, a program beside
-/// this one, must accept. Its compute() throws NoSum: for open sums, which have no certificates; as a crash where
+/// What `oplus-certified`, a program beside this one, says of a sum and of a certificate's text. Throws
+/// std::system_error where it cannot be asked.
+EndedProcess checked_certificate(const Region& p, const Region& q, const Region& sum,
+                                 const std::string& certificate, const ProcessLimits& limits);
+
+/// Whether it accepts.
+bool says_certified(const EndedProcess& ended);
+
+/// slide's closed sum, each with a certificate (docs/certificates.md) that `oplus-certified` must
+/// accept. Its compute() throws NoSum: for open sums, which have no certificates; as a crash where
 /// none is found or it is not accepted; and as program_engine() does.
 Engine certified_engine(ProcessLimits limits);
 

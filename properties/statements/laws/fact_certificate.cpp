@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+
+#include "checked/certificates/certificate.hpp"
+#include "properties/compare/certified_engine.hpp"
+#include "properties/runner/registry.hpp"
+#include "reference/chains/region_of.hpp"
+#include "reference/chains/transformations.hpp"
+#include "reference/oracle/oracle.hpp"
+
+namespace oplus {
+
+namespace {
+
+Outcome check(const Summands& summands) {
+  Outcome outcome;
+  const auto& [p, q] = summands;
+  if (!can_certify()) return outcome.fail("oplus-certified was not built");
+  const ProcessLimits limits{.is_quiet = true};
+  const MinkowskiSum sum = oracle_sums(p, q).closed;
+  const Region region = region_of(sum);
+  const std::string certificate = certificates::written(certificates::certificate(p, q, region));
+  const EndedProcess ended = checked_certificate(p, q, region, certificate, limits);
+  if (!says_certified(ended))
+    return outcome.fail("the oracle's sum is not certified: " + ended.output + ended.errors);
+
+  const auto accepts = [&](const Region& given) {
+    ++outcome.counts["wrong sums"];
+    return says_certified(checked_certificate(p, q, given, certificate, limits));
+  };
+  if (accepts(translated(region, {1, 0}))) return outcome.fail("a translated sum is certified");
+  for (std::size_t i = 0; i < sum.holes.size(); ++i) {
+    MinkowskiSum filled = sum;
+    filled.holes.erase(filled.holes.begin() + static_cast<std::ptrdiff_t>(i));
+    if (accepts(region_of(filled)))
+      return outcome.fail("a sum without one of its holes is certified");
+    try {
+      certificates::certificate(p, q, region_of(filled));
+      return outcome.fail("a certificate is found for a sum without one of its holes");
+    } catch (const certificates::PointOutsideSum&) {
+      ++outcome.counts["no certificate"];
+    }
+  }
+  return outcome;
+}
+
+const Registered registered({
+    .id = "fact-certificate",
+    .title = "What is certified is the sum",
+    .statement =
+        "If oplus-certified accepts P, Q, S and a certificate, then a point is in S if and only if it "
+        "is the sum of a point of P and a point of Q. For every closed sum a certificate is found and "
+        "accepted; for a sum without one of its holes none is found.",
+    .why =
+        "P, Q and S are cut into convex pieces. S's pieces are cut until each part is in the sum of a "
+        "piece of P and a piece of Q, so all of S is. No edge of S enters the interior of such a sum, so S's "
+        "winding number is constant on it, and pieces that touch pass it on to the next: it is not 0, so "
+        "all sums are in S.",
+    .hypotheses = {"closed sums; that certificates are found is for valid P and Q"},
+    .sources = {{"tight", 4, 6},
+                {"grid", 8, 3},
+                {"holes", 4, 2},
+                {"components", 3, 1},
+                {"islands", 1, 1},
+                {"diamond-u", 1, 1}},
+    .promises = {{"holes", 10},
+                 {"reflex vertices", 10},
+                 {"parallel edges", 40},
+                 {"overlapping segments", 5}},
+    .kills = {"cells-stick-out-of-sums", "cuts-swap-their-sides"},
+    .cases = 100,
+    .check = check,
+});
+
+}  // namespace
+
+}  // namespace oplus
