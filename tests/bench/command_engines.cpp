@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <boost/algorithm/string/trim.hpp>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
-#include <utility>
 
 #include "properties/compare/peers/method.hpp"
 #include "properties/runner/child_process.hpp"
@@ -16,55 +16,86 @@ namespace oplus {
 
 namespace {
 
-/// A program that reads P and Q from files and writes their sum into another one.
+/// What programs read and write.
+struct Files {
+  std::shared_ptr<TemporaryFolder> folder;
+  std::string p, q, sum, certificate;
+};
+
+using Command = std::vector<std::string>;
+
+EndedProcess ended_well(const Command& command) {
+  EndedProcess ended = run_program(command, {.is_quiet = true});
+  if (ended.how != EndedProcess::How::exited || ended.code != 0)
+    throw std::runtime_error(command[0] + " ended with code " + std::to_string(ended.code) + ": " +
+                             boost::trim_copy(ended.output + ended.errors));
+  return ended;
+}
+
+Command sum_of(const Files& files) {
+  return {program_beside("oplus"), "sum", files.p, files.q, "-o", files.sum};
+}
+
+Command sum_with_certificate(const Files& files) {
+  Command command = sum_of(files);
+  command.insert(command.end(), {"--certificate", files.certificate});
+  return command;
+}
+
+Command check(const Files& files) {
+  return {program_beside("oplus-certified"), files.p, files.q, files.sum, files.certificate};
+}
+
+/// The size of a file by gzip.
+std::size_t zipped_size(const std::string& path) {
+  return run_program({"gzip", "-9", "-c", path}, {}).output.size();
+}
+
+/// A program that reads P and Q from files and writes their sum into another one, or checks it.
 struct WholeCommand {
-  struct Files {
-    std::shared_ptr<TemporaryFolder> folder;
-    std::string p, q, sum;
-  };
   using Input = Files;
   using Sum = EndedProcess;
 
-  std::vector<std::string> program;   ///< with what stands before P Q
-  std::vector<std::string> to_write;  ///< what stands before the file of the sum
-  bool rounds;
+  Command (*command)(const Files& files);
+  Format format = Format::dat;
+  Command (*before)(const Files& files) = nullptr;  ///< if any: writes what the command reads
+  bool rounds = false;
 
   Files converted(const Summands& pair) const {
     auto folder = std::make_shared<TemporaryFolder>("oplus-bench");
-    const auto file = [&](const std::string& name) { return (folder->path() / name).string(); };
-    Files files{folder, file("p.dat"), file("q.dat"), file("sum.dat")};
+    const auto file = [&](const std::string& name) {
+      return (folder->path() / (name + (format == Format::dat ? ".dat" : ".wkt"))).string();
+    };
+    Files files{folder, file("p"), file("q"), file("sum"), folder->path() / "certificate"};
+    if (const Command words = command(files); !std::filesystem::exists(words[0]))
+      throw Unsupported("was not built");
     for (const Region* region : {&pair.p, &pair.q})
       if (region->components.size() != 1 || has_hole(*region))
         throw Unsupported("supports one polygon without holes only");
-    write_file(files.p, written(pair.p, Format::dat));
-    write_file(files.q, written(pair.q, Format::dat));
+    write_file(files.p, written(pair.p, format));
+    write_file(files.q, written(pair.q, format));
+    if (before != nullptr) ended_well(before(files));
     return files;
   }
 
-  EndedProcess sum(const Files& files) const {
-    std::vector<std::string> command = program;
-    command.insert(command.end(), {files.p, files.q});
-    command.insert(command.end(), to_write.begin(), to_write.end());
-    command.push_back(files.sum);
-    EndedProcess ended = run_program(command, {});
-    if (ended.how != EndedProcess::How::exited || ended.code != 0)
-      throw std::runtime_error(program[0] + " ended with code " + std::to_string(ended.code));
-    return ended;
-  }
+  EndedProcess sum(const Files& files) const { return ended_well(command(files)); }
 
   void describe(const Files& files, const EndedProcess& ended, Description& description) const {
     description.count("process_mb", static_cast<std::size_t>(ended.peak_mb));
     if (!rounds) description.add(canonical_sum(read_region_file(files.sum).region));
+    if (!std::filesystem::exists(files.certificate)) return;
+    description.count("certificate_bytes", std::filesystem::file_size(files.certificate));
+    description.count("zipped_bytes", zipped_size(files.certificate));
   }
 };
 
-BenchEngine command(const std::string& name, const std::string& what, WholeCommand how) {
-  const bool rounds = how.rounds, is_ours = name == "oplus-sum";
+BenchEngine command_engine(const std::string& name, const std::string& what,
+                           const WholeCommand& how) {
   return {.name = name,
           .what = what,
-          .prepare = each_pair([how = std::move(how)](const Row&) { return how; }),
-          .rounds = rounds,
-          .is_ours = is_ours,
+          .prepare = each_pair([=](const Row&) { return how; }),
+          .rounds = how.rounds,
+          .is_ours = name == "oplus-sum" || how.format == Format::wkt,
           .is_of_all_rows = false};
 }
 
@@ -72,15 +103,26 @@ BenchEngine command(const std::string& name, const std::string& what, WholeComma
 
 std::vector<BenchEngine> command_engines() {
   return {
-      command("oplus-sum", "the whole command `oplus sum P.dat Q.dat -o S.dat`",
-              {{program_beside("oplus"), "sum"}, {"-o"}, false}),
-      command("cgal-sum",
-              "a whole program (tests/bench/programs/cgal_sum.cpp): reads, "
-              "minkowski_sum_by_reduced_convolution_2, writes exactly",
-              {{program_beside("cgal-sum")}, {}, false}),
-      command("clipper-sum",
-              "a whole program (tests/bench/programs/clipper_sum.cpp): reads, MinkowskiSum, writes",
-              {{program_beside("clipper-sum")}, {}, true}),
+      command_engine("oplus-sum", "the whole command `oplus sum P.dat Q.dat -o S.dat`", {sum_of}),
+      command_engine("sum-certificate",
+                     "the whole command `oplus sum P.wkt Q.wkt -o S.wkt --certificate CERTIFICATE`",
+                     {sum_with_certificate, Format::wkt}),
+      command_engine("oplus-certified",
+                     "the whole command `oplus-certified P.wkt Q.wkt S.wkt CERTIFICATE`",
+                     {check, Format::wkt, sum_with_certificate}),
+      command_engine("cgal-sum",
+                     "a whole program (tests/bench/programs/cgal_sum.cpp): reads, "
+                     "minkowski_sum_by_reduced_convolution_2, writes exactly",
+                     {[](const Files& f) -> Command {
+                       return {program_beside("cgal-sum"), f.p, f.q, f.sum};
+                     }}),
+      command_engine(
+          "clipper-sum",
+          "a whole program (tests/bench/programs/clipper_sum.cpp): reads, MinkowskiSum, writes",
+          {.command = [](const Files& f) -> Command {
+             return {program_beside("clipper-sum"), f.p, f.q, f.sum};
+           },
+           .rounds = true}),
   };
 }
 

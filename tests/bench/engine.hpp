@@ -101,13 +101,13 @@ struct BenchEngine {
   bool rounds = false;
   bool is_ours = true;
   bool is_at_fault = false;    ///< faulty on purpose
-  bool is_of_all_rows = true;  ///< otherwise only of rows of commands
+  bool is_of_all_rows = true;  ///< otherwise only of rows of commands and certificates
 };
 
 /// All engines, in the order in which they are listed.
 const std::vector<BenchEngine>& bench_engines();
 
-/// Returns nullptr for an unknown name. Rows of growth and of commands are for engines of sums.
+/// Returns nullptr for an unknown name. Rows of growth, commands and certificates are for engines of sums.
 const BenchEngine* find_bench_engine(Subject subject, const std::string& name);
 
 // The parts of the list.
@@ -116,7 +116,8 @@ const BenchEngine* find_bench_engine(Subject subject, const std::string& name);
 std::vector<BenchEngine> own_engines();
 std::vector<BenchEngine> peer_engines();
 
-/// Engines of sums that are programs: oplus's, CGAL's and Clipper's, from files to a file.
+/// Engines of sums that are programs: oplus's, CGAL's and Clipper's, from files to a file; and the check of a
+/// certificate of one.
 std::vector<BenchEngine> command_engines();
 
 /// The convolution itself, not a sum: by cycle tracing, the same without coordinates, and by all pairs

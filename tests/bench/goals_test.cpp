@@ -30,7 +30,7 @@ Found goal(const Rows& rows, const std::string& part_of_text) {
 
 TEST(Goals, without_a_run_are_neither_reached_nor_missed) {
   const Table goals = goals_of({});
-  EXPECT_EQ(goals.rows.size(), 17U);
+  EXPECT_EQ(goals.rows.size(), 20U);
   for (const auto& cells : goals.rows) EXPECT_EQ(cells.at(2), "not measured") << cells[0];
 }
 
@@ -98,6 +98,62 @@ TEST(Goals, compare_open_sums_and_verify_with_slide) {
       row_of("comb_20", "combs", {of("slide", 1), of("slide-open", 2.5), of("verify", 19)})};
   EXPECT_EQ(goal(rows, "open sums"), Found("at most 2.50, comb_20", "**no**"));
   EXPECT_EQ(goal(rows, "verify"), Found("at most 19.0, comb_20", "yes"));
+}
+
+TEST(Goals, count_an_engine_that_was_stopped_as_unknown_or_missed) {
+  Measurement stopped = of("verify", 0);
+  stopped.outcome = Measurement::Ending::over_limit;
+  const auto rows = [&](double slide) {
+    return Rows{row_of("comb_20", "combs", {of("slide", 1), of("verify", 19)}),
+                row_of("dots_300", "hard", {of("slide", slide), stopped})};
+  };
+  EXPECT_EQ(goal(rows(6), "verify"), Found("at most 19.0, comb_20", "not measured"));
+  EXPECT_EQ(goal(rows(2), "verify"), Found("> 30.0, dots_300", "**no**"));
+}
+
+/// A row of certificates.
+Row certificates(std::vector<Measurement> measurements) {
+  Row row = row_of("certificate_fork_50", "certificates", std::move(measurements));
+  row.subject = Subject::certificates;
+  return row;
+}
+
+TEST(Goals, of_checking_compare_with_a_program_of_cgal) {
+  const auto checked = [](double seconds) {
+    return certificates({of("oplus-certified", seconds), of("cgal-sum", 1)});
+  };
+  EXPECT_EQ(goal({checked(0.5), checked(1)}, "checked"), Found("1.00, certificate_fork_50", "yes"));
+  EXPECT_EQ(goal({checked(2), checked(1)}, "checked"),
+            Found("0.500, certificate_fork_50", "**no**"));
+}
+
+TEST(Goals, of_checking_are_not_measured_without_every_row) {
+  Measurement missing = of("oplus-certified", 0);
+  missing.outcome = Measurement::Ending::unsupported;
+  const Row done = certificates({of("oplus-certified", 0.5), of("cgal-sum", 1)});
+  EXPECT_EQ(goal({done}, "checked"), Found("2.00, certificate_fork_50", "yes"));
+  EXPECT_EQ(goal({done, certificates({missing, of("cgal-sum", 1)})}, "checked"),
+            Found("", "not measured"));
+}
+
+TEST(Goals, of_making_certificates_spare_a_tenth_of_a_second) {
+  const auto made = [](double seconds) {
+    return goal(
+        {certificates({of("slide", 9), of("oplus-sum", 1), of("sum-certificate", seconds)})},
+        "made");
+  };
+  EXPECT_EQ(made(10.1), Found("at most 10.0, certificate_fork_50", "yes"));
+  EXPECT_EQ(made(10.2), Found("at most 10.1, certificate_fork_50", "**no**"));
+}
+
+TEST(Goals, of_the_size_of_certificates_count_segments_of_slide) {
+  const auto sized = [](double bytes) {
+    Measurement made = of("sum-certificate", 1);
+    made.numbers["zipped_bytes"] = bytes;
+    return goal({certificates({of("slide", 1), made})}, "gzip");
+  };
+  EXPECT_EQ(sized(200e6), Found("at most 200, certificate_fork_50", "yes"));
+  EXPECT_EQ(sized(201e6), Found("at most 201, certificate_fork_50", "**no**"));
 }
 
 TEST(Goals, for_published_pairs_use_the_mean_and_the_least) {

@@ -100,7 +100,7 @@ std::map<std::string, double> timings(PreparedPairs& pairs, const std::function<
 }
 
 void write_line(std::ostream& out, const Row& row, const Measurement& m) {
-  out << "  " << std::left << std::setw(14) << m.engine << std::right;
+  out << "  " << std::left << std::setw(16) << m.engine << std::right;
   if (!m.is_done()) out << "  " << in_words(m);
   const std::string columns =
       "ms = 1000 *.seconds; MB = 1 *.peak_mb; vertices = *.sum_vertices; holes = *.sum_holes; "

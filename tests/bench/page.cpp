@@ -152,6 +152,7 @@ PageData benchmarks_data(const Report& report) {
       {"rounding_engines", table_section(sums, rounding)},
       {"growth", table_section(where_done(rows_for(report.rows, Subject::growth), {"slide"}))},
       {"commands", table_section(rows_for(report.rows, Subject::commands))},
+      {"certificates", table_section(rows_for(report.rows, Subject::certificates))},
       {"threads", table_section(where_done(report.rows, {"slide", "slide2"}))},
       {"convolutions", table_section(where_done(report.rows, {"traced", "naive"}))},
       {"goals", page_data(goals_of(report))},

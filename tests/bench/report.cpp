@@ -9,6 +9,7 @@ namespace oplus {
 NLOHMANN_JSON_SERIALIZE_ENUM(Subject, {{Subject::sums, "sums"},
                                        {Subject::growth, "growth"},
                                        {Subject::commands, "commands"},
+                                       {Subject::certificates, "certificates"},
                                        {Subject::convolution, "convolution"},
                                        {Subject::hole_tests, "hole tests"}})
 NLOHMANN_JSON_SERIALIZE_ENUM(Measurement::Ending,

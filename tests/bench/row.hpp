@@ -15,11 +15,12 @@ namespace oplus {
 
 /// The subject of a row.
 enum class Subject {
-  sums,         ///< engines of sums
-  growth,       ///< slide only, for growing convolutions
-  commands,     ///< whole programs, from files to a file, beside slide
-  convolution,  ///< algorithms for the convolution
-  hole_tests    ///< hole tests, on the questions of rca
+  sums,          ///< engines of sums
+  growth,        ///< slide only, for growing convolutions
+  commands,      ///< whole programs, from files to a file, beside slide
+  certificates,  ///< the same: the sum with a certificate, and its check
+  convolution,   ///< algorithms for the convolution
+  hole_tests     ///< hole tests, on the questions of rca
 };
 
 /// The same input for several engines, and their measurements.

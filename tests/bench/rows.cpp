@@ -111,6 +111,14 @@ Row command_row(Row row) {
   return row;
 }
 
+/// `group` is "certificates" for pairs on which CGAL's program is measured beside.
+Row certificate_row(const std::string& group, Row row) {
+  row.name = "certificate_" + row.name;
+  row.group = group;
+  row.subject = Subject::certificates;
+  return row;
+}
+
 /// A pair of a family on which an earlier slide took long, by what makes it hard.
 Row hard_row(const std::string& family, std::size_t n) {
   return {.name = family + '_' + std::to_string(n),
@@ -132,6 +140,11 @@ std::vector<std::string> engines_for(const Row& row) {
   if (row.subject == Subject::growth) return {"slide", "slide2"};
   if (row.subject == Subject::commands) return {"slide", "oplus-sum", "cgal-sum", "clipper-sum"};
   std::vector<std::string> names;
+  if (row.subject == Subject::certificates) {
+    names = {"slide", "oplus-sum", "sum-certificate", "oplus-certified"};
+    if (row.group == "certificates") names.push_back("cgal-sum");
+    return names;
+  }
   for (const BenchEngine& engine : bench_engines()) {
     // On short rows this would only measure the start of the second thread.
     const bool is_for_row =
@@ -190,6 +203,18 @@ const Rows& benchmark_rows() {
     made.push_back(command_row(pair_of("", convex, 5000, square, 4)));
     made.push_back(command_row(fork_and_l_row(100)));
     made.push_back(command_row(pair_of("", coast, 5000, star, 100)));
+    for (const std::size_t n : {100, 300})
+      made.push_back(certificate_row("certificates", pair_of("", star, n, star, 100)));
+    made.push_back(certificate_row("certificates", pair_of("", simple, 200, simple, 100)));
+    made.push_back(certificate_row("certificates", fork_and_l_row(50)));
+    const std::string growth = "growth of certificates";
+    for (const std::size_t n : {50, 200, 400})
+      made.push_back(certificate_row(growth, pair_of("", star, n, star, n)));
+    for (const std::size_t teeth : {10, 20, 100})
+      made.push_back(certificate_row(growth, fork_and_l_row(teeth)));
+    for (const std::size_t n : {1000, 5000})
+      made.push_back(certificate_row(growth, pair_of("", coast, n, convex, 20)));
+    made.push_back(certificate_row(growth, hard_row("spiral", 4000)));
     for (const Kind& kind : {convex, star})
       add({50, 100, 200, 400}, [&](std::size_t n) { return convolution_row(kind, n); });
     for (Row& row : made) row.engines = engines_for(row);
