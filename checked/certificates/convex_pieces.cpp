@@ -51,8 +51,8 @@ class MergedTriangles {
     }
   }
 
-  /// First without diagonals that do not make both angles convex at an end where the region's angle is reflex,
-  /// last without those that do at both ends; the longer first.
+  /// Removes the longest diagonals first. One that alone makes both angles convex where the region's is
+  /// reflex, at either end, counts as a quarter as long.
   void merge() {
     std::vector<std::uint8_t> ends(source_.size(), 0);
     for (Edge e = 0; e < twin_.size(); ++e)

@@ -21,7 +21,8 @@ struct ConvexPieces {
 };
 
 /// The constrained Delaunay triangulation without the diagonals that are not needed, the longest ones
-/// removed first (Hertel and Mehlhorn). O(n log n) in practice. Requires: as for `triangulation`.
+/// removed first (Hertel and Mehlhorn). A piece has at most so many corners. O(n log n) in practice.
+/// Requires: as for `triangulation`; most_corners >= 3.
 ConvexPieces convex_pieces(const Region& region, std::uint32_t most_corners);
 
 }  // namespace oplus::certificates
