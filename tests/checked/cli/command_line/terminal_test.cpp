@@ -48,7 +48,7 @@ TEST_F(Terminal, errors_and_differences_are_red) {
   EXPECT_EQ(run("oplus-check --color always diff --nonsense").err.substr(0, 21),
             red + "oplus-check:" + plain);
   EXPECT_TRUE(has(
-      run("oplus-check diff --pair square.wkt square.wkt --color always").out,
+      run("oplus-check diff --engine slide --pair square.wkt square.wkt --color always").out,
       green + "1 case run, each closed and open, 0 skipped, 0 with a disagreement" + plain + "\n"));
 }
 
