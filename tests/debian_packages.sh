@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Sourced by tests/run and properties/run: what they need of Debian 12, and how they get it.
 
-# The main job: the programs `oplus`, `oplus-check` and `oplus-peer`.
+# The main job: the programs `oplus`, `oplus-check`, `oplus-certified` and `oplus-peer`.
 packages=(g++ cmake ninja-build ccache python3
           libcgal-dev libgmp-dev libmpfr-dev libboost-dev libcli11-dev nlohmann-json3-dev rapidjson-dev
-          libpolyclipping-dev librapidcheck-dev)
+          libpolyclipping-dev librapidcheck-dev
+          coq ocaml-nox ocaml-findlib libzarith-ocaml-dev)
 # More for tests/run.
 packages_of_tests=(clang libclang-rt-14-dev git clang-format libgtest-dev libbenchmark-dev
                    libkainjow-mustache-dev gnuplot-nox help2man
                    parallel munge slurmctld slurmd slurm-client
-                   coq make ocaml-nox ocaml-findlib libzarith-ocaml-dev z3 cvc5 jq doxygen)
+                   make z3 cvc5 jq doxygen)
 
 # Installs what is missing. Asks nothing; says what it installs.
 install_missing_packages() {
