@@ -10,6 +10,7 @@
 #include "reference/chains/touching_points.hpp"
 #include "reference/definitions/contract.hpp"
 #include "reference/definitions/mutant.hpp"
+#include "reference/definitions/unbounded.hpp"
 
 namespace oplus {
 
@@ -181,6 +182,8 @@ Region region_of(const MinkowskiSum& sum) {
     else
       holes.push_back(std::move(one.chain));
   }
+  const std::size_t bounded = region.components.size();
+  if (sum.is_unbounded) region.components.emplace_back();
   OPLUS_REQUIRES(holes.empty() || !region.components.empty(), "Observation 3.1.4");
   if (region.components.size() == 1) {
     region.components[0].holes = std::move(holes);
@@ -188,22 +191,27 @@ Region region_of(const MinkowskiSum& sum) {
   }
   if (holes.empty()) return region;
   std::vector<const Chain*> outer_chains, hole_chains;
-  for (const Component& component : region.components) outer_chains.push_back(&component.outer);
+  for (std::size_t c = 0; c < bounded; ++c) outer_chains.push_back(&region.components[c].outer);
   for (const Chain& hole : holes) hole_chains.push_back(&hole);
   const OuterChains outer_of_hole(outer_chains, hole_chains);
   for (std::size_t h = 0; h < holes.size(); ++h) {
     const std::optional<std::size_t> around = outer_of_hole.around(h);
-    OPLUS_REQUIRES(around, "Observation 3.1.4");
-    region.components[around.value()].holes.push_back(std::move(holes[h]));
+    OPLUS_REQUIRES(around || sum.is_unbounded, "Observation 3.1.4");
+    region.components[around.value_or(bounded)].holes.push_back(std::move(holes[h]));
   }
   return region;
 }
 
 MinkowskiSum canonical_sum(const Region& region) {
-  if (!touching_points(region).empty())
-    return canonical_sum(BoundaryFeatures{boundary_pieces(region), {}, {}});
   MinkowskiSum sum;
+  if (!touching_points(region).empty()) {
+    sum = canonical_sum(BoundaryFeatures{boundary_pieces(region), {}, {}});
+    sum.is_unbounded = is_unbounded(region);
+    return sum;
+  }
+  sum.is_unbounded = is_unbounded(region);
   for (const Chain* of_region : chains_in(region)) {
+    if (of_region->empty()) continue;
     auto [chain, is_outer] = simple_chain(*of_region, Turns(*of_region));
     std::rotate(chain.begin(),
                 chain.begin() + static_cast<std::ptrdiff_t>(start_of_smallest_rotation(chain)),

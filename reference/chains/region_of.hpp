@@ -9,7 +9,8 @@ namespace oplus {
 // A sum as a region, and a region as a sum. Each takes O(n log n) for n vertices and touching points.
 
 /// The regularized sum as a region (thesis, Definition 2.1.17): chains that touch themselves are
-/// taken apart into simple ones, and each hole goes to the outer chain directly around it.
+/// taken apart into simple ones, and each hole goes to the outer chain directly around it, or, in an unbounded
+/// sum, to the last component, which has none.
 Region region_of(const MinkowskiSum& sum);
 
 /// The sum that is just this valid region: its chains in canonical form.

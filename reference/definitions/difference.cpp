@@ -23,7 +23,8 @@ struct Overlaid {
     const std::vector<Point>& isolated = sum.isolated_vertices;
     if (lies_on_one(p, all) || std::find(isolated.begin(), isolated.end(), p) != isolated.end())
       return Location::boundary;
-    return winding_number(p, regular) > 0 ? Location::inside : Location::outside;
+    return winding_number(p, regular) + (sum.is_unbounded ? 1 : 0) > 0 ? Location::inside
+                                                                       : Location::outside;
   }
 
   const MinkowskiSum& sum;
@@ -99,7 +100,7 @@ std::optional<Difference> tells_apart(const Point& p, const Overlaid& a, const O
 
 /// A point of a face beside an edge of a that is in one of the regularized sums only. Where an edge
 /// of a is no edge of b, a changes across it and b does not. Where a and b have the same edges as
-/// point sets, both change across the same ones and are outside far away: they are equal.
+/// point sets, both change across the same ones and are the same far away: they are equal.
 std::optional<Difference> regular_difference(const Overlaid& a, const Overlaid& b) {
   // Where another chain or a dangling edge touches an edge in its middle, the normal would run into
   // it.
@@ -147,6 +148,16 @@ bool in_a_hole(const Point& p, const MinkowskiSum& sum) {
                      [&](const Chain& hole) { return winding_number(p, edges(hole)) != 0; });
 }
 
+/// A point to the right of all features, where one of the two is unbounded only.
+std::optional<Difference> difference_far_away(const Overlaid& a, const Overlaid& b) {
+  if (a.sum.is_unbounded == b.sum.is_unbounded) return std::nullopt;
+  Point far{0, 0};
+  for (const Overlaid* of : {&a, &b})
+    for (const Segment& feature : of->features)
+      for (const Point& end : {feature.source, feature.target}) far = std::max(far, end);
+  return tells_apart(far + Vector{1, 0}, a, b);
+}
+
 std::string describe_regular(const Difference& found, const MinkowskiSum& a,
                              const MinkowskiSum& b) {
   const bool more_in_first = found.in_a == Location::inside || found.in_b == Location::outside;
@@ -171,7 +182,8 @@ std::optional<Difference> difference(const MinkowskiSum& a, const MinkowskiSum& 
   const Overlaid first(a);
   const Overlaid second(b);
   using Look = std::optional<Difference> (*)(const Overlaid&, const Overlaid&);
-  const std::pair<Look, std::string> looks[] = {{regular_difference, ""},
+  const std::pair<Look, std::string> looks[] = {{difference_far_away, ""},
+                                                {regular_difference, ""},
                                                 {dangling_difference, "a dangling edge"},
                                                 {isolated_difference, "an isolated vertex"}};
   for (const auto& [look, feature] : looks) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "reference/definitions/unbounded.hpp"
 #include "reference/definitions/winding_number.hpp"
 
 namespace oplus {
@@ -88,7 +89,9 @@ Region polygon(Chain outer) { return {{{std::move(outer), {}}}}; }
 Location locate(const Point& p, const Region& region) {
   const std::vector<Segment> boundary = edges(region);
   if (lies_on_one(p, boundary)) return Location::boundary;
-  return winding_number(p, boundary) > 0 ? Location::inside : Location::outside;
+  // A missing outer chain winds around every point.
+  return winding_number(p, boundary) + (is_unbounded(region) ? 1 : 0) > 0 ? Location::inside
+                                                                          : Location::outside;
 }
 
 }  // namespace oplus

@@ -58,6 +58,9 @@ struct Component {
 
 /// A general polygonal set (thesis, Definition 2.1.17). No component at all is the empty set. A valid
 /// region has simple chains that may touch each other in points, but neither cross nor overlap.
+///
+/// A region may be unbounded, where that is said: the outer chain of one component is then empty, and the
+/// component is the plane without its holes.
 struct Region {
   std::vector<Component> components;  ///< in any order
 
@@ -80,12 +83,16 @@ enum class Boundary { closed, open };
 ///  2. it starts at its lexicographically smallest vertex and has no vertex inside a straight line;
 ///  3. `outer` chains are counterclockwise, `holes` clockwise; both are sorted;
 ///  4. dangling edges are maximal, directed from their smaller end, and sorted; so are isolated
-///     vertices. Both are empty for Boundary::closed.
+///     vertices. Both are empty for the sum of closed regions.
+///
+/// Other sets are values of the same form: where a set is closed, dangling edges and isolated vertices
+/// belong to it, as its parts without inner points; where it is open, to its complement.
 struct MinkowskiSum {
   std::vector<Chain> outer;              ///< around components of the sum, counterclockwise
   std::vector<Chain> holes;              ///< around holes of the sum, clockwise
   std::vector<Segment> dangling_edges;   ///< of the open sum's complement
   std::vector<Point> isolated_vertices;  ///< likewise
+  bool is_unbounded = false;             ///< whether the face around all chains belongs to it
 
   friend bool operator==(const MinkowskiSum&, const MinkowskiSum&) = default;
 };

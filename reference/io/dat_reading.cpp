@@ -29,18 +29,12 @@ class DatReader {
 
   PlacedGeometry read() {
     PlacedGeometry geometry;
-    if (is_count(tokens_.peek().text) && count_value(tokens_.peek().text) == 0) {
-      const Token zero = tokens_.take();
-      if (!tokens_.peek().is_end())
-        input_.refuse(
-            tokens_.peek().at,
-            describe(tokens_.peek()) + " after " + quote(zero.text) + ", the empty region",
-            "the end of the input");
-      return geometry;
-    }
     do {
       read_component(geometry);
     } while (!tokens_.peek().is_end());
+    const bool is_empty_region =
+        geometry.chains.size() == 1 && geometry.chains[0].vertices.empty() && !has_hole_count_;
+    if (is_empty_region) geometry.chains.clear();
     return geometry;
   }
 
@@ -53,6 +47,7 @@ class DatReader {
     const std::string holes = "the number of holes of component " + std::to_string(number);
     const Token token = tokens_.peek();
     const std::size_t count = take_count(holes, number == 1 ? " or the end of the input" : "");
+    has_hole_count_ = true;
     for (std::size_t hole = 1; hole <= count; ++hole) {
       if (tokens_.peek().is_end())
         input_.refuse(tokens_.peek().at,
@@ -67,7 +62,9 @@ class DatReader {
     const Token token = tokens_.peek();
     PlacedChain result{.name = name, .start = token.at};
     const std::size_t count = take_count("the number of vertices of " + describe(name), "");
-    if (count < 3) refuse_too_few_vertices(input_, token.at, name, count);
+    if (count < 3 && (count > 0 || name.hole > 0))
+      refuse_too_few_vertices(input_, token.at, name, count);
+    if (count == 0) result.places.push_back(token.at);  // of defects of the component
     result.reserve(count, tokens_.rest().size());
     while (result.vertices.size() < count) {
       result.places.push_back(tokens_.peek().at);
@@ -103,6 +100,7 @@ class DatReader {
 
   const InputText& input_;
   Tokenizer tokens_;
+  bool has_hole_count_ = false;
 };
 
 }  // namespace

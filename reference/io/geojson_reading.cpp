@@ -20,12 +20,40 @@ class GeoJsonReader {
 
   PlacedGeometry read() {
     const JsonTree tree(input_);
-    geometry(tree.root(), wanted_ == Wanted::sum);
+    if (tree.root().kind() == Kind::array)
+      arrays(tree.root());
+    else
+      geometry(tree.root(), anything);
     return std::move(result_);
   }
 
  private:
-  void geometry(JsonValue value, bool may_be_collection) {
+  /// What may be where: each of these also what comes before it.
+  enum Allowed { simple, collection, anything };
+
+  /// Reads coordinates alone, of a ring, a polygon or several, told apart by their depth.
+  void arrays(JsonValue value) {
+    rings_may_be_open_ = true;
+    std::size_t depth = 0;
+    std::optional<JsonValue> first = value;
+    for (; first->kind() == Kind::array; first = *first->begin()) {
+      ++depth;
+      if (first->begin() == first->end()) break;
+    }
+    if (value.begin() == value.end()) return;
+    if (depth == 3) return polygon(value);
+    if (depth == 4) {
+      for (const JsonValue rings : value) polygon(rings);
+      return;
+    }
+    if (depth != 2)
+      input_.refuse(value.at(), "an array of depth " + std::to_string(depth),
+                    "[[x, y], ...], an array of these (the first one the outer chain, the others "
+                    "holes), or an array of such arrays");
+    result_.chains.push_back(ring(value, {}));
+  }
+
+  void geometry(JsonValue value, Allowed allowed) {
     require(value, Kind::object, "a geometry");
     const JsonValue type_value = member(value, "type");
     require(type_value, Kind::string, "the type of a geometry");
@@ -44,17 +72,41 @@ class GeoJsonReader {
       point(coordinates(value, type));
     } else if (sum && type == "MultiPoint") {
       for (const JsonValue position : coordinates(value, type)) point(position);
-    } else if (may_be_collection && type == "GeometryCollection") {
-      const JsonValue geometries = member(value, "geometries");
-      require(geometries, Kind::array, "'geometries' of a GeometryCollection");
-      for (const JsonValue of_collection : geometries) geometry(of_collection, false);
+    } else if (allowed >= collection && type == "GeometryCollection") {
+      for (const JsonValue part : parts(value, "geometries", type)) geometry(part, simple);
+    } else if (allowed == anything && type == "Feature") {
+      feature(value);
+    } else if (allowed == anything && type == "FeatureCollection") {
+      for (const JsonValue part : parts(value, "features", type)) feature(part);
     } else {
-      input_.refuse(type_value.at(), "the type " + quote(type),
-                    !sum                ? "Polygon or MultiPolygon"
-                    : may_be_collection ? "(Multi)Polygon, (Multi)LineString, (Multi)Point or "
-                                          "GeometryCollection"
-                                        : "(Multi)Polygon, (Multi)LineString or (Multi)Point");
+      input_.refuse(type_value.at(), "the type " + quote(type), expected(allowed));
     }
+  }
+
+  std::string expected(Allowed allowed) const {
+    const bool sum = wanted_ == Wanted::sum;
+    const std::string and_before = allowed == simple ? " or " : ", ";
+    return (sum ? "(Multi)Polygon, (Multi)LineString" + and_before + "(Multi)Point"
+                : "Polygon" + and_before + "MultiPolygon") +
+           (allowed == simple       ? ""
+            : allowed == collection ? " or GeometryCollection"
+                                    : ", GeometryCollection, Feature or FeatureCollection");
+  }
+
+  JsonValue parts(JsonValue value, const std::string& key, const std::string& type) {
+    const JsonValue all = member(value, key);
+    require(all, Kind::array, "'" + key + "' of a " + type);
+    return all;
+  }
+
+  /// A feature without a geometry, which is null then, contributes nothing.
+  void feature(JsonValue value) {
+    require(value, Kind::object, "a feature");
+    const JsonValue type = member(value, "type");
+    if (type.kind() != Kind::string || type.text() != "Feature")
+      input_.refuse(type.at(), "a feature of another type", "Feature");
+    const JsonValue of_feature = member(value, "geometry");
+    if (of_feature.kind() != Kind::null) geometry(of_feature, collection);
   }
 
   JsonValue member(JsonValue object, const std::string& key) {
@@ -89,7 +141,9 @@ class GeoJsonReader {
   PlacedChain ring(JsonValue positions, const ChainName& name) {
     PlacedChain chain = vertices_of(positions, describe(name));
     chain.name = name;
-    remove_closing_vertex(input_, chain);
+    if (chain.vertices.empty()) refuse_too_few_vertices(input_, chain.start, name, 0);
+    remove_closing_vertex(chain);
+    if (rings_may_be_open_) chain.is_open = false;
     return chain;
   }
 
@@ -121,13 +175,19 @@ class GeoJsonReader {
     const Position place = position.at();
     if (position.kind() != Kind::array)
       input_.refuse(place, name() + " is " + describe(position.kind()), "an array [x, y]");
-    if (position.size() != 2)
-      input_.refuse(place, name() + " has " + counted(position.size(), "coordinate", "coordinates"),
+    const std::size_t dimension = position.size();
+    if (dimension < 2 || dimension > 4)
+      input_.refuse(place, name() + " has " + counted(dimension, "coordinate", "coordinates"),
                     "an array [x, y]");
+    if (dimension > 2) ++result_.beyond_the_plane;
     JsonValue::Iterator coordinate = position.begin();
     Point& vertex = chain.vertices.emplace_back();
     put_number(vertex.x, *coordinate, [&] { return "x of " + name(); });
     put_number(vertex.y, *++coordinate, [&] { return "y of " + name(); });
+    for (++coordinate; coordinate != position.end(); ++coordinate) {
+      Rational left_out;
+      put_number(left_out, *coordinate, [&] { return "a coordinate beyond x and y of " + name(); });
+    }
     chain.places.push_back(place);
   }
 
@@ -142,6 +202,7 @@ class GeoJsonReader {
   const InputText& input_;
   Wanted wanted_;
   PlacedGeometry result_;
+  bool rings_may_be_open_ = false;  ///< whether the last vertex need not be the first one again
 };
 
 }  // namespace

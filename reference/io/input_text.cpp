@@ -28,6 +28,7 @@ void Tokenizer::advance() {
   std::size_t skipped = 0;
   for (; skipped < rest_.size() && is_blank(rest_[skipped]); ++skipped)
     position_.pass(rest_[skipped]);
+  is_first_of_line_ = start == 0 || position_.line != after_last.line;
   rest_.remove_prefix(skipped);
   if (rest_.empty()) {
     current_ = {{}, after_last};

@@ -72,6 +72,9 @@ class Tokenizer {
   const Token& peek() const { return current_; }
   Token take();
 
+  /// Whether the next token is the first one of its line.
+  bool is_first_of_line() const { return is_first_of_line_; }
+
   /// What follows the next token.
   std::string_view rest() const { return rest_; }
 
@@ -85,6 +88,7 @@ class Tokenizer {
   std::array<bool, 256> ends_word_{};  ///< of each byte: blanks and punctuation
   Position position_;
   Token current_;
+  bool is_first_of_line_ = true;
 };
 
 }  // namespace oplus

@@ -15,6 +15,7 @@ namespace {
 
 /// The number of a vertex in the input.
 std::size_t number_of(const PlacedChain& chain, std::size_t vertex) {
+  if (!chain.numbers.empty()) return chain.numbers[vertex];
   return 1 + (chain.is_turned && vertex != 0 ? chain.vertices.size() - vertex : vertex);
 }
 

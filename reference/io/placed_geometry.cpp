@@ -17,17 +17,28 @@ std::string coordinate_name(char axis, std::size_t vertex, const std::string& ch
 
 std::string vertices(std::size_t count) { return counted(count, "vertex", "vertices"); }
 
-void remove_closing_vertex(const InputText& input, PlacedChain& ring) {
+void remove_closing_vertex(PlacedChain& ring) {
   if (ring.vertices.size() < 2) return;
-  const Point& first = ring.vertices.front();
-  const Point& last = ring.vertices.back();
-  if (first != last)
-    input.refuse(ring.places.back(),
-                 describe(ring.name) + " is not closed: it starts at " + to_string(first) +
-                     " and ends at " + to_string(last),
-                 "the first vertex again at its end");
+  ring.is_open = ring.vertices.front() != ring.vertices.back();
+  if (ring.is_open) return;
   ring.vertices.pop_back();
   ring.places.pop_back();
+}
+
+void require_closed_rings(const InputText& input, const PlacedGeometry& geometry) {
+  for (const PlacedChain& ring : geometry.chains)
+    if (ring.is_open)
+      input.refuse(ring.places.back(),
+                   describe(ring.name) + " is not closed: it starts at " +
+                       to_string(ring.vertices.front()) + " and ends at " +
+                       to_string(ring.vertices.back()),
+                   "the first vertex again at its end");
+}
+
+void refuse_dimension(const InputText& input, const Position& at, const std::string& vertex,
+                      std::size_t dimension, std::size_t of_others) {
+  input.refuse(at, vertex + " has " + counted(dimension, "coordinate", "coordinates"),
+               std::to_string(of_others) + ", as the geometry has");
 }
 
 void refuse_too_few_vertices(const InputText& input, const Position& at, const ChainName& name,

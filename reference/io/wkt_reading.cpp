@@ -18,7 +18,22 @@ std::string upper(std::string_view text) {
   return result;
 }
 
-constexpr std::string_view punctuation = "(),";
+constexpr std::string_view punctuation = "(),=;";
+
+/// How many coordinates vertices have where Z, M or ZM stands behind the name of a geometry.
+std::size_t dimension_called(std::string_view word) {
+  if (word == "Z" || word == "M") return 3;
+  return word == "ZM" ? 4 : 0;
+}
+
+/// Takes Z, M or ZM from the end of a geometry's name; returns it.
+std::string take_dimension(std::string& keyword) {
+  const std::size_t name = keyword.find_last_not_of("ZM") + 1;
+  const std::string word = keyword.substr(name);
+  if (name == 0 || dimension_called(word) == 0) return "";
+  keyword.resize(name);
+  return word;
+}
 
 class WktReader {
  public:
@@ -26,16 +41,38 @@ class WktReader {
       : input_(input), wanted_(wanted), tokens_(input, punctuation) {}
 
   PlacedGeometry read() {
-    geometry(wanted_ == Wanted::sum);
-    if (!tokens_.peek().is_end()) refuse_next("after the geometry", "the end of the input");
+    do {
+      reference_system();
+      geometry(true);
+      if (!tokens_.peek().is_end() && !tokens_.is_first_of_line())
+        refuse_next("after the geometry", "the end of the line");
+    } while (!tokens_.peek().is_end());
     return std::move(result_);
   }
 
  private:
+  /// Reads "SRID=4326;", which may stand before a geometry. There is nothing to be converted.
+  void reference_system() {
+    if (upper(tokens_.peek().text) != "SRID") return;
+    tokens_.take();
+    take("=", "after SRID", "'='");
+    const Token number = tokens_.take();
+    if (number.is_end() || number.text.find_first_not_of("0123456789") != std::string_view::npos)
+      input_.refuse(number.at, describe(number) + " where an SRID should be",
+                    "an integer without a sign");
+    if (!srid_.empty() && number.text != srid_)
+      input_.refuse(number.at, "the SRID " + quote(number.text) + " after " + quote(srid_),
+                    "one coordinate system");
+    srid_ = number.text;
+    take(";", "after the SRID", "';'");
+  }
+
   /// Reads one tagged geometry into the result.
   void geometry(bool may_be_collection) {
     const Token token = tokens_.take();
-    const std::string keyword = upper(token.text);
+    std::string keyword = upper(token.text);
+    const std::string of_keyword = take_dimension(keyword);
+    dimension_ = dimension_called(of_keyword);
     const bool is_multi = keyword.starts_with("MULTI");
     const std::string of_parts = keyword.substr(is_multi ? 5 : 0);
     const bool sum = wanted_ == Wanted::sum;
@@ -45,16 +82,17 @@ class WktReader {
     if (sum && of_parts == "POINT")
       part = is_multi ? &WktReader::point_with_or_without : &WktReader::parenthesized_point;
     if (part != nullptr) {
-      if (!has_content(keyword)) return;
+      if (!has_content()) return;
       if (!is_multi) return (this->*part)();
       list(keyword, [&] {
         if (!take_empty()) (this->*part)();
       });
     } else if (may_be_collection && keyword == "GEOMETRYCOLLECTION") {
-      if (has_content(keyword)) list(keyword, [&] { geometry(false); });
+      if (has_content()) list(keyword, [&] { geometry(false); });
     } else {
       input_.refuse(token.at, describe(token) + " where a geometry should be",
-                    !sum                ? "POLYGON or MULTIPOLYGON"
+                    !sum ? may_be_collection ? "POLYGON, MULTIPOLYGON or GEOMETRYCOLLECTION"
+                                             : "POLYGON or MULTIPOLYGON"
                     : may_be_collection ? "(MULTI)POLYGON, (MULTI)LINESTRING, (MULTI)POINT or "
                                           "GEOMETRYCOLLECTION"
                                         : "(MULTI)POLYGON, (MULTI)LINESTRING or (MULTI)POINT");
@@ -67,10 +105,12 @@ class WktReader {
     return is_empty;
   }
 
-  bool has_content(const std::string& keyword) {
-    const std::string next = upper(tokens_.peek().text);
-    if (next == "Z" || next == "M" || next == "ZM")
-      refuse_next("after " + keyword, "coordinates in the plane, x and y only");
+  bool has_content() {
+    const std::size_t dimension = dimension_called(upper(tokens_.peek().text));
+    if (dimension != 0 && dimension_ == 0) {
+      dimension_ = dimension;
+      tokens_.take();
+    }
     return !take_empty();
   }
 
@@ -97,7 +137,7 @@ class WktReader {
   PlacedChain ring(const ChainName& name) {
     PlacedChain chain = vertices_of(describe(name));
     chain.name = name;
-    remove_closing_vertex(input_, chain);
+    remove_closing_vertex(chain);
     return chain;
   }
 
@@ -121,8 +161,7 @@ class WktReader {
 
   void point() {
     const std::string number = std::to_string(result_.points.vertices.size() + 1);
-    add_vertex(result_.points,
-               [&](char axis) { return std::string(1, axis) + " of point " + number; });
+    add_vertex(result_.points, [&] { return "point " + number; });
   }
 
   PlacedChain vertices_of(const std::string& name) {
@@ -132,7 +171,7 @@ class WktReader {
     chain.reserve(commas + 1, ring.size());
     list(name, [&] {
       add_vertex(chain,
-                 [&](char axis) { return coordinate_name(axis, chain.vertices.size(), name); });
+                 [&] { return "vertex " + std::to_string(chain.vertices.size()) + " of " + name; });
     });
     return chain;
   }
@@ -141,8 +180,24 @@ class WktReader {
   void add_vertex(PlacedChain& chain, Name name) {
     chain.places.push_back(tokens_.peek().at);
     Point& vertex = chain.vertices.emplace_back();
-    put_coordinate(vertex.x, [&] { return name('x'); });
-    put_coordinate(vertex.y, [&] { return name('y'); });
+    put_coordinate(vertex.x, [&] { return "x of " + name(); });
+    put_coordinate(vertex.y, [&] { return "y of " + name(); });
+    std::size_t dimension = 2;
+    while (dimension < 4 && is_number_left_out(tokens_.peek().text)) {
+      tokens_.take();
+      ++dimension;
+    }
+    if (dimension_ == 0) dimension_ = dimension;
+    if (dimension != dimension_)
+      refuse_dimension(input_, chain.places.back(), name(), dimension, dimension_);
+    if (dimension > 2) ++result_.beyond_the_plane;
+  }
+
+  /// Whether a word can be a Z or M, which some programs write as NaN where there is none.
+  static bool is_number_left_out(std::string_view text) {
+    if (text.empty() || punctuation.find(text[0]) != std::string_view::npos) return false;
+    NumberFault ignored;
+    return parse_number(text, ignored).has_value() || upper(text) == "NAN";
   }
 
   template <typename Name>
@@ -168,6 +223,8 @@ class WktReader {
   Wanted wanted_;
   Tokenizer tokens_;
   PlacedGeometry result_;
+  std::string_view srid_;      ///< of the geometries so far; empty: none was said
+  std::size_t dimension_ = 0;  ///< of the geometry that is read; 0: as its first vertex has
 };
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "reference/io/output_file.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
@@ -30,8 +31,25 @@ void write_all(int descriptor, std::string_view content, const std::string& path
   }
 }
 
+}  // namespace
+
+/// Where text goes.
+class OutputFile::Target {
+ public:
+  Target() = default;
+  Target(const Target&) = delete;
+  Target& operator=(const Target&) = delete;
+  virtual ~Target() = default;
+  virtual void write(std::string_view text) = 0;
+  virtual void finish() = 0;
+
+  class Temporary;
+  class InPlace;
+  class StandardOutput;
+};
+
 /// A file beside the target that is gone with this object unless it has become the target.
-class Temporary {
+class OutputFile::Target::Temporary : public Target {
  public:
   explicit Temporary(const fs::path& target) : target_(target) {
     for (int attempt = 0; descriptor_ < 0; ++attempt) {
@@ -41,16 +59,14 @@ class Temporary {
       if (descriptor_ < 0 && errno != EEXIST) fail(errno, target_);
     }
   }
-  Temporary(const Temporary&) = delete;
-  Temporary& operator=(const Temporary&) = delete;
-  ~Temporary() {
+  ~Temporary() override {
     if (descriptor_ >= 0) ::close(descriptor_);
     if (!is_target_) ::unlink(path_.c_str());
   }
 
-  void write(std::string_view content) const { write_all(descriptor_, content, target_); }
+  void write(std::string_view text) override { write_all(descriptor_, text, target_); }
 
-  void become_target() {
+  void finish() override {
     struct stat old {};
     if (::stat(target_.c_str(), &old) == 0 && ::fchmod(descriptor_, old.st_mode & 07777U) != 0)
       fail(errno, target_);
@@ -67,38 +83,67 @@ class Temporary {
   bool is_target_ = false;
 };
 
-void write_standard_output(const std::string& content) {
-  errno = 0;
-  std::cout << content << std::flush;
-  if (!std::cout) fail(errno != 0 ? errno : EIO, "standard output");
-}
+class OutputFile::Target::StandardOutput : public Target {
+ public:
+  void write(std::string_view text) override {
+    errno = 0;
+    std::cout << text << std::flush;
+    if (!std::cout) fail(errno != 0 ? errno : EIO, "standard output");
+  }
+  void finish() override {}
+};
 
 /// A device or a pipe is written to, never replaced.
-void write_in_place(const std::string& path, const std::string& content) {
-  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-  if (descriptor < 0) fail(errno, path);
-  try {
-    write_all(descriptor, content, path);
-  } catch (...) {
-    ::close(descriptor);
-    throw;
+class OutputFile::Target::InPlace : public Target {
+ public:
+  explicit InPlace(const std::string& path)
+      : path_(path), descriptor_(::open(path.c_str(), O_WRONLY | O_CLOEXEC)) {
+    if (descriptor_ < 0) fail(errno, path_);
   }
-  if (::close(descriptor) != 0) fail(errno, path);
-}
+  ~InPlace() override {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
 
-}  // namespace
+  void write(std::string_view text) override { write_all(descriptor_, text, path_); }
 
-void write_file(const std::string& path, const std::string& content) {
-  if (path == "-") return write_standard_output(content);
+  void finish() override {
+    const int closed = ::close(descriptor_);
+    descriptor_ = -1;
+    if (closed != 0) fail(errno, path_);
+  }
+
+ private:
+  std::string path_;
+  int descriptor_;
+};
+
+OutputFile::OutputFile(const std::string& path) {
+  if (path == "-") {
+    target_ = std::make_unique<Target::StandardOutput>();
+    return;
+  }
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
-  if (fs::exists(status) && !fs::is_regular_file(status)) return write_in_place(path, content);
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    target_ = std::make_unique<Target::InPlace>(path);
+    return;
+  }
   // A link stays a link: the file it leads to is replaced.
-  Temporary file(fs::is_symlink(fs::symlink_status(path, ignored)) && fs::exists(status)
-                     ? fs::canonical(path)
-                     : fs::path(path));
+  target_ = std::make_unique<Target::Temporary>(
+      fs::is_symlink(fs::symlink_status(path, ignored)) && fs::exists(status) ? fs::canonical(path)
+                                                                              : fs::path(path));
+}
+
+OutputFile::~OutputFile() = default;
+
+void OutputFile::write(std::string_view text) { target_->write(text); }
+
+void OutputFile::finish() { target_->finish(); }
+
+void write_file(const std::string& path, const std::string& content) {
+  OutputFile file(path);
   file.write(content);
-  file.become_target();
+  file.finish();
 }
 
 }  // namespace oplus

@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <boost/algorithm/string/case_conv.hpp>
 #include <charconv>
+#include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <string>
@@ -150,7 +153,7 @@ std::string dat(const Region& region, std::optional<int> digits) {
   };
   for (const Component& component : region.components) {
     add_chain(component.outer);
-    if (region.components.size() == 1 && component.holes.empty()) break;
+    if (region.components.size() == 1 && component.holes.empty() && !component.outer.empty()) break;
     text += std::to_string(component.holes.size()) + '\n';
     for (const Chain& hole : component.holes) add_chain(hole);
   }
@@ -255,6 +258,80 @@ class GeometryText {
   std::string text_;
 };
 
+/// Well-known binary, least significant byte first, as hexadecimal digits.
+class WkbText {
+ public:
+  void add(const Region& region) {
+    const auto add_component = [&](const Component& c) {
+      add_tag(3);
+      add_count(1 + c.holes.size());
+      add_ring(c.outer);
+      for (const Chain& hole : c.holes) add_ring(hole);
+    };
+    if (region.components.size() == 1) return add_component(region.components.front());
+    if (region.components.empty()) {
+      add_tag(3);
+      return add_count(0);
+    }
+    add_tag(6);
+    add_count(region.components.size());
+    for (const Component& c : region.components) add_component(c);
+  }
+
+  void add(const Region& region, const MinkowskiSum& features) {
+    add_tag(7);
+    add_count((region.components.empty() ? 0 : 1) + features.dangling_edges.size() +
+              features.isolated_vertices.size());
+    if (!region.components.empty()) add(region);
+    for (const Segment& s : features.dangling_edges) {
+      add_tag(2);
+      add_count(2);
+      add(s.source);
+      add(s.target);
+    }
+    for (const Point& p : features.isolated_vertices) {
+      add_tag(1);
+      add(p);
+    }
+  }
+
+  /// Returns all that was added, as a line.
+  std::string line() && { return std::move(text_ += '\n'); }
+
+ private:
+  void add_byte(unsigned byte) {
+    constexpr std::string_view digits = "0123456789ABCDEF";
+    text_ += digits[byte >> 4U & 15U];
+    text_ += digits[byte & 15U];
+  }
+  template <typename Word>
+  void add_bytes(Word word) {
+    for (std::size_t i = 0; i < sizeof word; ++i)
+      add_byte(static_cast<unsigned>(word >> (8 * i) & 255U));
+  }
+  void add_tag(std::uint32_t type) {
+    add_byte(1);
+    add_bytes(type);
+  }
+  void add_count(std::size_t count) { add_bytes(static_cast<std::uint32_t>(count)); }
+  void add(const Point& p) {
+    for (const Rational* value : {&p.x, &p.y})
+      add_bytes(std::bit_cast<std::uint64_t>(value->get_d()));
+  }
+  void add_ring(const Chain& ring) {
+    add_count(ring.size() + 1);
+    for (const Point& p : ring) add(p);
+    add(ring.front());
+  }
+
+  std::string text_;
+};
+
+bool is_double(const Rational& value) {
+  const double near = value.get_d();
+  return std::isfinite(near) && Rational(near) == value;
+}
+
 std::string without_line_end(std::string text) {
   text.pop_back();
   return text;
@@ -266,6 +343,7 @@ std::optional<Format> format_of(const std::string& path) {
   const std::string lower = boost::algorithm::to_lower_copy(path);
   if (lower.ends_with(".dat")) return Format::dat;
   if (lower.ends_with(".wkt")) return Format::wkt;
+  if (lower.ends_with(".wkb")) return Format::wkb;
   if (lower.ends_with(".json") || lower.ends_with(".geojson")) return Format::geojson;
   return std::nullopt;
 }
@@ -279,11 +357,33 @@ std::string to_string(const Rational& value, std::optional<int> digits) {
 std::string to_string(const Point& p) { return '(' + to_string(p.x) + ", " + to_string(p.y) + ')'; }
 
 bool can_hold(Format format, const MinkowskiSum& sum) {
-  return format != Format::dat || (sum.dangling_edges.empty() && sum.isolated_vertices.empty());
+  return format == Format::dat ? sum.dangling_edges.empty() && sum.isolated_vertices.empty()
+                               : !sum.is_unbounded;
+}
+
+std::optional<Rational> not_a_double(const Region& region, const MinkowskiSum& features) {
+  std::optional<Rational> found;
+  const auto look = [&](const Point& p) {
+    if (!found && !is_double(p.x)) found = p.x;
+    if (!found && !is_double(p.y)) found = p.y;
+  };
+  for (const Chain& chain : chains(region)) std::ranges::for_each(chain, look);
+  for (const Segment& s : features.dangling_edges) {
+    look(s.source);
+    look(s.target);
+  }
+  std::ranges::for_each(features.isolated_vertices, look);
+  return found;
 }
 
 std::string written(const Region& region, Format format, std::optional<int> digits) {
   if (format == Format::dat) return dat(region, digits);
+  if (format == Format::wkb) {
+    OPLUS_REQUIRES(!not_a_double(region, {}), "written");
+    WkbText text;
+    text.add(region);
+    return std::move(text).line();
+  }
   GeometryText text(format, digits);
   text.add(region);
   return std::move(text).line();
@@ -298,6 +398,12 @@ std::string written(const MinkowskiSum& sum, const Region& region, Format format
   OPLUS_REQUIRES(can_hold(format, sum), "written");
   if (sum.dangling_edges.empty() && sum.isolated_vertices.empty())
     return written(region, format, digits);
+  if (format == Format::wkb) {
+    OPLUS_REQUIRES(!not_a_double(region, sum), "written");
+    WkbText text;
+    text.add(region, sum);
+    return std::move(text).line();
+  }
   GeometryText text(format, digits);
   text.add(region, sum);
   return std::move(text).line();

@@ -9,9 +9,9 @@
 
 namespace oplus {
 
-enum class Format { dat, wkt, geojson };
+enum class Format { dat, wkt, geojson, wkb };
 
-/// Returns the format by the path's ending, .dat, .wkt, .json or .geojson; nothing for any other.
+/// Returns the format by the path's ending, .dat, .wkt, .wkb, .json or .geojson; nothing for any other.
 std::optional<Format> format_of(const std::string& path);
 
 /// More decimals are not written: they would fill the memory with zeros.
@@ -25,14 +25,18 @@ std::string to_string(const Rational& value, std::optional<int> digits = std::nu
 /// Returns "(x, y)", exactly.
 std::string to_string(const Point& p);
 
-/// Whether a format can hold the sum: .dat has no form for dangling edges and isolated vertices.
+/// Whether a format can hold the sum: .dat has no form for dangling edges and isolated vertices, the others
+/// have none for what is unbounded.
 bool can_hold(Format format, const MinkowskiSum& sum);
+
+/// A coordinate that is not exactly a double; empty where there is none, so that WKB can hold them all.
+std::optional<Rational> not_a_double(const Region& region, const MinkowskiSum& features);
 
 /// Returns the text of a value, exactly; with `digits`, rounded, which WKT and GeoJSON readers may
 /// find invalid. In GeoJSON a number that is no finite decimal, or has thousands of digits, is a
 /// string. A sum is written as region_of(sum), so that each ring is simple, its dangling edges as
-/// line strings and its isolated vertices as points.
-/// Requires: can_hold(format, sum).
+/// line strings and its isolated vertices as points. WKB is written in hexadecimal digits, never rounded.
+/// Requires: can_hold(format, sum); for WKB, that not_a_double returns none.
 std::string written(const Region& region, Format format, std::optional<int> digits = std::nullopt);
 std::string written(const MinkowskiSum& sum, Format format,
                     std::optional<int> digits = std::nullopt);

@@ -10,17 +10,13 @@
 #include "reference/definitions/difference.hpp"
 #include "reference/definitions/tangent_count.hpp"
 #include "reference/definitions/winding_number.hpp"
+#include "reference/oracle/cell_sets.hpp"
 
 namespace oplus {
 
 namespace {
 
-/// Whether each cell is in the open sum.
-struct CellVerdicts {
-  std::vector<bool> faces, edges, vertices;
-};
-
-/// Gives every cell its verdict.
+/// Gives every cell its verdict: whether it is in the open sum.
 class Verdicts {
  public:
   Verdicts(const Region& p, const Region& q, const std::vector<Segment>& convolution)
@@ -38,12 +34,8 @@ class Verdicts {
       require((winding_number(x, convolution_) > 0) == in_sum.faces.back(), x);
       require((tangent_count(x, p_, q_, {1, 0}) > 0) == in_sum.faces.back(), x);
     }
-    for (const Cells::Edge& e : cells.edges) {
-      const Point x = midpoint(e.segment.source, e.segment.target);
-      in_sum.edges.push_back(interiors_meet_at(x));
-      // The sum of the open regions is open.
-      require(!in_sum.edges.back() || (in_sum.faces[e.left_face] && in_sum.faces[e.right_face]), x);
-    }
+    for (const Cells::Edge& e : cells.edges)
+      in_sum.edges.push_back(interiors_meet_at(midpoint(e.segment.source, e.segment.target)));
     for (const Point& x : cells.vertices) in_sum.vertices.push_back(interiors_meet_at(x));
     return in_sum;
   }
@@ -65,19 +57,7 @@ class Verdicts {
   const std::vector<Segment>& convolution_;
 };
 
-/// Of each vertex, whether all cells around it are in the sum, though it may not be.
-std::vector<bool> surrounded(const Cells& cells, const CellVerdicts& in_sum) {
-  std::vector<bool> result(cells.vertices.size(), true);
-  for (std::size_t i = 0; i < cells.edges.size(); ++i) {
-    const Cells::Edge& e = cells.edges[i];
-    if (in_sum.edges[i] && in_sum.faces[e.left_face] && in_sum.faces[e.right_face]) continue;
-    result[e.source] = false;
-    result[e.target] = false;
-  }
-  return result;
-}
-
-/// The same for a point that need not be a vertex of the arrangement.
+/// Whether all around a point is in the open sum, though the point may not be.
 bool surrounded(const Point& x, const MinkowskiSum& closed, const std::vector<Segment>& dangling) {
   return locate(x, closed) == Location::inside && !lies_on_one(x, dangling);
 }
@@ -97,30 +77,16 @@ OracleSums oracle_sums(const Region& p, const Region& q) {
   const Verdicts verdicts(p, q, convolution_segments);
   const CellVerdicts in_sum = verdicts.decide(arrangement);
 
-  BoundaryFeatures closed;
-  BoundaryFeatures low_dimensional;
-  for (std::size_t i = 0; i < arrangement.edges.size(); ++i) {
-    const Cells::Edge& e = arrangement.edges[i];
-    const bool left = in_sum.faces[e.left_face];
-    const bool right = in_sum.faces[e.right_face];
-    if (left != right) closed.edges.push_back(left ? e.segment : reversed(e.segment));
-    if (left && right && !in_sum.edges[i]) low_dimensional.dangling_edges.push_back(e.segment);
-  }
-  const std::vector<bool> may_be_isolated = surrounded(arrangement, in_sum);
-  for (std::size_t i = 0; i < arrangement.vertices.size(); ++i) {
-    if (!in_sum.vertices[i] && may_be_isolated[i])
-      low_dimensional.isolated_vertices.push_back(arrangement.vertices[i]);
-  }
-  low_dimensional.edges = closed.edges;
-  const MinkowskiSum closed_sum = canonical_sum(closed);
+  BoundaryFeatures open = features_of(arrangement, in_sum, Boundary::open);
+  const MinkowskiSum closed_sum = canonical_sum(BoundaryFeatures{open.edges, {}, {}});
   // Where chains touch, a sum of two vertices may be isolated though no segment of 𝒞 passes through
   // it, so that it is no vertex of the arrangement (docs/findings.md).
   for (const Point& x : vertex_sums(p, q)) {
-    if (!verdicts.interiors_meet_at(x) && surrounded(x, closed_sum, low_dimensional.dangling_edges))
-      low_dimensional.isolated_vertices.push_back(x);
+    if (!verdicts.interiors_meet_at(x) && surrounded(x, closed_sum, open.dangling_edges))
+      open.isolated_vertices.push_back(x);
   }
   return {closed_sum,
-          canonical_sum(low_dimensional),
+          canonical_sum(open),
           {arrangement.faces.size(), arrangement.edges.size(), arrangement.vertices.size()}};
 }
 

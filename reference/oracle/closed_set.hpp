@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "reference/definitions/minkowski_sum.hpp"
+
+namespace oplus {
+
+/// A closed set of the plane: a region, which may be unbounded, edges, and points.
+struct ClosedSet {
+  std::vector<Segment> boundary = {};  ///< of the region, which is to the left
+  std::vector<Segment> edges = {};     ///< without inner points of the set beside them
+  std::vector<Point> points = {};
+  bool is_unbounded = false;  ///< the face around the boundary is part of the region
+
+  bool contains(const Point& p) const;
+  /// Those of the boundary and the others.
+  std::vector<Segment> all_edges() const;
+  /// Ends of edges, and the points.
+  std::vector<Point> vertices() const;
+};
+
+/// The set of a region, and of the value of a closed set (values.hpp).
+ClosedSet closed_set(const Region& region);
+ClosedSet closed_set(const MinkowskiSum& value);
+
+ClosedSet translated(ClosedSet set, const Vector& by);
+ClosedSet reflected(ClosedSet set);
+
+/// The vertex-edge sum of two sets: each edge of one moved by each vertex of the other. Inside the cells of
+/// its arrangement nothing changes in how a and x - b lie together.
+std::vector<Segment> vertex_edge_sum(const ClosedSet& a, const ClosedSet& b);
+
+/// Whether the sets have a point in common. If they have, and it is not all of the plane, then so do the
+/// boundary of one and the other set; so an edge meets an edge, or a vertex is in the other set.
+bool meet(const ClosedSet& a, const ClosedSet& b);
+
+/// Whether all of a is in b: each face of the arrangement of both that is in a is in b.
+/// Requires: a is a region, without edges and points of its own, so the closure of these faces.
+bool is_subset(const ClosedSet& a, const ClosedSet& b);
+
+}  // namespace oplus

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "reference/oracle/operations_by_definition.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "reference/definitions/collision.hpp"
+#include "reference/oracle/cell_sets.hpp"
+#include "reference/oracle/closed_set.hpp"
+
+namespace oplus {
+
+namespace {
+
+/// All x for which Q + x is in a set.
+MinkowskiSum placements_in(const ClosedSet& set, const ClosedSet& q) {
+  return set_where(vertex_edge_sum(set, reflected(q)), Boundary::closed,
+                   [&](const Point& x) { return is_subset(translated(q, x), set); });
+}
+
+/// All x for which x - Q and a set meet: the sums of their points.
+MinkowskiSum sums_of_points(const ClosedSet& set, const ClosedSet& q) {
+  const ClosedSet minus_q = reflected(q);
+  return set_where(vertex_edge_sum(set, q), Boundary::closed,
+                   [&](const Point& x) { return meet(translated(minus_q, x), set); });
+}
+
+MinkowskiSum sum(const Region& p, const Region& q) {
+  return sums_of_points(closed_set(p), closed_set(q));
+}
+
+MinkowskiSum nfp(const Region& p, const Region& q) {
+  const ClosedSet set = closed_set(p), other = closed_set(q);
+  const bool meet_far_away = set.is_unbounded && other.is_unbounded;
+  return set_where(vertex_edge_sum(set, reflected(other)), Boundary::open, [&](const Point& x) {
+    return meet_far_away || interiors_meet(p, translated(q, x));
+  });
+}
+
+MinkowskiSum ifp(const Region& p, const Region& q) {
+  return placements_in(closed_set(p), closed_set(q));
+}
+
+MinkowskiSum erode(const Region& p, const Region& q) { return regularized(ifp(p, q)); }
+
+MinkowskiSum open(const Region& p, const Region& q) {
+  return sums_of_points(closed_set(ifp(p, q)), closed_set(q));
+}
+
+MinkowskiSum close(const Region& p, const Region& q) {
+  return regularized(placements_in(closed_set(sum(p, q)), closed_set(q)));
+}
+
+MinkowskiSum complement(const Region& p, const Region& /*any*/) {
+  return set_where(edges(p), Boundary::closed,
+                   [&](const Point& x) { return locate(x, p) != Location::inside; });
+}
+
+}  // namespace
+
+const std::vector<DefinedOperation>& defined_operations() {
+  static const std::vector<DefinedOperation> all = {
+      {"closed-sum", "all x for which x - Q and P have a point in common", sum},
+      {"nfp", "all x for which the interiors of Q + x and P have a point in common", nfp},
+      {"ifp", "all x for which Q + x is a subset of P", ifp},
+      {"erode", "the closure of the interior of the set of all x for which Q + x is a subset of P",
+       erode},
+      {"open", "all points of those Q + x that are subsets of P", open},
+      {"close",
+       "the closure of the interior of the set of all x for which each point of Q + x is the sum "
+       "of a point of P and one of Q",
+       close},
+      {"complement", "all x that are not inside P", complement}};
+  return all;
+}
+
+const DefinedOperation* find_defined_operation(const std::string& name) {
+  const std::vector<DefinedOperation>& all = defined_operations();
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const DefinedOperation& o) { return o.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+MinkowskiSum regularized(MinkowskiSum closed_set) {
+  closed_set.dangling_edges.clear();
+  closed_set.isolated_vertices.clear();
+  return closed_set;
+}
+
+}  // namespace oplus
