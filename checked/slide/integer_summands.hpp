@@ -5,9 +5,8 @@
 #include <optional>
 #include <utility>
 
-#include "checked/slide/component_tree.hpp"
 #include "checked/slide/fraction.hpp"
-#include "checked/slide/integer_summand.hpp"
+#include "checked/slide/kept_summand.hpp"
 #include "checked/slide/pair_table.hpp"
 
 namespace oplus::slide {
@@ -15,42 +14,49 @@ namespace oplus::slide {
 /// Up to so many pairs of edges, comparing all of them is faster than boxes.
 constexpr std::size_t few_pairs = 512;
 
-/// Whether a summand is convex.
-template <typename Numbers>
-bool is_convex(const IntegerSummand<Numbers>& summand) {
-  if (summand.first_of_chain.size() > 1) return false;
-  for (std::uint32_t i = 0; i < summand.edges.size(); ++i) {
-    const auto& entering = summand.edges[summand.previous[i]];
-    if (sign_of(cross(entering.direction, summand.edges[i].direction)) < 0) return false;
-  }
-  return true;
-}
-
 /// Both summands, and either all pairs of their edges or their boxes.
 template <typename Numbers>
 struct IntegerSummands {
+ private:
+  // Unless they are somebody else's; before what refers to them.
+  std::optional<KeptSummand<Numbers>> own_p_, own_q_;
+  const KeptSummand<Numbers>& kept_p_;
+  const KeptSummand<Numbers>& kept_q_;
+
+ public:
   IntegerSummands(const Region& region_p, const Region& region_q, const Scaling& scaling,
                   std::size_t most_pairs = few_pairs)
-      : p(integer_summand<Numbers>(region_p, scaling, scaling.of_p)),
-        q(integer_summand<Numbers>(region_q, scaling, scaling.of_q)),
+      : own_p_(std::in_place, region_p, scaling, scaling.of_p),
+        own_q_(std::in_place, region_q, scaling, scaling.of_q),
+        kept_p_(*own_p_),
+        kept_q_(*own_q_),
         pairs(p.near, q.near, most_pairs),
         margins(slide::margins(scaling)) {
-    if (pairs.is_empty()) {
-      prepare_boxes();
-      prepare_cover();
-    }
-    if (has_several_components()) prepare_component_test();
+    prepare();
   }
 
-  IntegerSummand<Numbers> p;
-  IntegerSummand<Numbers> q;
+  /// Requires: both are in this scaling, and outlive it.
+  IntegerSummands(const KeptSummand<Numbers>& kept_p, const KeptSummand<Numbers>& kept_q,
+                  const Scaling& scaling)
+      : kept_p_(kept_p),
+        kept_q_(kept_q),
+        pairs(p.near, q.near, few_pairs),
+        margins(slide::margins(scaling)) {
+    prepare();
+  }
+
+  IntegerSummands(const IntegerSummands&) = delete;
+  IntegerSummands& operator=(const IntegerSummands&) = delete;
+
+  const IntegerSummand<Numbers>& p = kept_p_.summand();
+  const IntegerSummand<Numbers>& q = kept_q_.summand();
   PairTable pairs;
-  BoxTree tree_of_p;
-  BoxTree tree_of_q;
+  const BoxTree& tree_of_p = kept_p_.boxes();
+  const BoxTree& tree_of_q = kept_q_.boxes();
   Margins margins;
   /// Empty unless there are several components.
-  ComponentTree components_of_p = {};
-  ComponentTree components_of_q = {};
+  const ComponentTree& components_of_p = kept_p_.components();
+  const ComponentTree& components_of_q = kept_q_.components();
 
   /// That of the two which is convex, if it has few edges and there are boxes: see ConvexCover.
   std::optional<Summand> convex = {};
@@ -59,20 +65,22 @@ struct IntegerSummands {
     return p.first_of_component.size() > 2 || q.first_of_component.size() > 2;
   }
   void prepare_boxes() {
-    tree_of_p = box_tree(p);
-    tree_of_q = box_tree(q);
-  }
-  void prepare_cover() {
-    constexpr std::size_t most_edges = 128;  // each is looked at for each box
-    const auto is_fit = [](const auto& summand) {
-      return summand.edges.size() <= most_edges && is_convex(summand);
-    };
-    const bool of_p = is_fit(p), of_q = is_fit(q);
-    if (of_p != of_q) convex = of_p ? Summand::P : Summand::Q;
+    kept_p_.prepare_boxes();
+    kept_q_.prepare_boxes();
   }
   void prepare_component_test() {
-    components_of_p = ComponentTree(p);
-    components_of_q = ComponentTree(q);
+    kept_p_.prepare_components();
+    kept_q_.prepare_components();
+  }
+
+ private:
+  void prepare() {
+    if (pairs.is_empty()) {
+      prepare_boxes();
+      const bool of_p = kept_p_.is_fit_to_cover(), of_q = kept_q_.is_fit_to_cover();
+      if (of_p != of_q) convex = of_p ? Summand::P : Summand::Q;
+    }
+    if (has_several_components()) prepare_component_test();
   }
 };
 

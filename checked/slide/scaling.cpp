@@ -105,6 +105,15 @@ Scaling scaling_of(const Region& p, const Region& q) {
   return scaling;
 }
 
+std::size_t bits_of_integers(const Region& region) {
+  std::size_t largest = 1;
+  each_vertex(region, [&](const Point& v) {
+    for (const Rational* c : {&v.x, &v.y})
+      largest = largest == 0 || !is_one(c->get_den()) ? 0 : std::max(largest, bits(c->get_num()));
+  });
+  return largest;
+}
+
 Scaling scaling_of_rationals(const Region& p, const Region& q) {
   constexpr long bits_wanted = 62;
   long bits_now = std::numeric_limits<long>::min();

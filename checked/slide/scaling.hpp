@@ -36,6 +36,16 @@ struct Scaling {
 /// Requires: both have a vertex.
 Scaling scaling_of(const Region& p, const Region& q);
 
+/// The same of two regions whose coordinates are integers of so many bits, at most 29.
+inline Scaling scaling_of_integers(std::size_t bits) {
+  Scaling scaling;
+  scaling.bits = bits;
+  return scaling;
+}
+
+/// The bits of the largest coordinate, at least 1, if all are integers, else 0.
+std::size_t bits_of_integers(const Region& region);
+
 /// For RationalNumbers: the denominator is a power of two, with which coordinates have about 60 bits
 /// before the point. Requires: both have a vertex.
 Scaling scaling_of_rationals(const Region& p, const Region& q);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "checked/slide/slide.hpp"
 
+#include <algorithm>
+
 #include "checked/slide/numbers.hpp"
 #include "checked/slide/scaling.hpp"
 #include "checked/slide/search_statistics.hpp"
@@ -10,19 +12,44 @@ namespace oplus {
 
 using namespace slide;
 
-ComputedSum slide_sum(const Region& p, const Region& q, Boundary boundary,
-                      const EngineOptions& options) {
-  if (p.components.empty() || q.components.empty())
-    return {{}, {}, search_statistics(0, 0, 0, {}, Integers::of_64_bits)};
+namespace {
+
+/// Summands are regions, or prepared ones.
+template <typename OneSummand>
+ComputedSum sum_of(const OneSummand& p, const OneSummand& q, const Region& region_p,
+                   const Region& region_q, Boundary boundary, const EngineOptions& options) {
   if (options.numbers == SlideNumbers::rationals ||
-      (options.numbers == SlideNumbers::as_needed && has_unlike_denominators(p, q)))
-    return sum_in<RationalNumbers>(p, q, scaling_of_rationals(p, q), boundary, options);
-  const Scaling scaling = scaling_of(p, q);
+      (options.numbers == SlideNumbers::as_needed && has_unlike_denominators(region_p, region_q)))
+    return sum_in<RationalNumbers>(p, q, scaling_of_rationals(region_p, region_q), boundary,
+                                   options);
+  const Scaling scaling = scaling_of(region_p, region_q);
   if (options.numbers == SlideNumbers::as_needed && scaling.bits <= SmallNumbers::bits)
     return sum_in<SmallNumbers>(p, q, scaling, boundary, options);
   if (options.numbers != SlideNumbers::gmp && scaling.bits <= WideNumbers::bits)
     return sum_in<WideNumbers>(p, q, scaling, boundary, options);
   return sum_in<AnyNumbers>(p, q, scaling, boundary, options);
+}
+
+ComputedSum sum_with_nothing() {
+  return {{}, {}, search_statistics(0, 0, 0, {}, Integers::of_64_bits)};
+}
+
+}  // namespace
+
+ComputedSum slide_sum(const Region& p, const Region& q, Boundary boundary,
+                      const EngineOptions& options) {
+  if (p.components.empty() || q.components.empty()) return sum_with_nothing();
+  return sum_of(p, q, p, q, boundary, options);
+}
+
+ComputedSum sum_of_prepared(const PreparedSummand& p, const PreparedSummand& q, Boundary boundary,
+                            const EngineOptions& options) {
+  if (p.region().components.empty() || q.region().components.empty()) return sum_with_nothing();
+  const std::size_t bits = std::max(p.bits_of_integers(), q.bits_of_integers());
+  if (options.numbers == SlideNumbers::as_needed && p.bits_of_integers() > 0 &&
+      q.bits_of_integers() > 0 && bits <= SmallNumbers::bits)
+    return sum_in<SmallNumbers>(p, q, scaling_of_integers(bits), boundary, options);
+  return sum_of(p, q, p.region(), q.region(), boundary, options);
 }
 
 }  // namespace oplus

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "checked/engine.hpp"
+#include "checked/slide/prepared_summand.hpp"
 
 namespace oplus {
 
@@ -10,5 +11,9 @@ namespace oplus {
 /// Requires: p and q are valid (validity.hpp).
 ComputedSum slide_sum(const Region& p, const Region& q, Boundary boundary,
                       const EngineOptions& options = {});
+
+/// The same of summands that belong to many pairs: what depends on one of them alone is computed once.
+ComputedSum sum_of_prepared(const slide::PreparedSummand& p, const slide::PreparedSummand& q,
+                            Boundary boundary, const EngineOptions& options = {});
 
 }  // namespace oplus

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "checked/engine.hpp"
+#include "checked/slide/prepared_summand.hpp"
 #include "checked/slide/scaling.hpp"
 
 namespace oplus::slide {
@@ -11,5 +12,8 @@ namespace oplus::slide {
 template <typename Numbers>
 ComputedSum sum_in(const Region& p, const Region& q, const Scaling& scaling, Boundary boundary,
                    const EngineOptions& options);
+template <typename Numbers>
+ComputedSum sum_in(const PreparedSummand& p, const PreparedSummand& q, const Scaling& scaling,
+                   Boundary boundary, const EngineOptions& options);
 
 }  // namespace oplus::slide

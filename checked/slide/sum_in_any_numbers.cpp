@@ -5,5 +5,7 @@ namespace oplus::slide {
 
 template ComputedSum sum_in<AnyNumbers>(const Region&, const Region&, const Scaling&, Boundary,
                                         const EngineOptions&);
+template ComputedSum sum_in<AnyNumbers>(const PreparedSummand&, const PreparedSummand&,
+                                        const Scaling&, Boundary, const EngineOptions&);
 
 }  // namespace oplus::slide

@@ -12,6 +12,7 @@
 
 #include "checked/slide/all_free_pieces.hpp"
 #include "checked/slide/for_each_number.hpp"
+#include "checked/slide/kept_summands.hpp"
 #include "checked/slide/low_dimensional_features.hpp"
 #include "checked/slide/named_ends.hpp"
 #include "checked/slide/open_places.hpp"
@@ -24,9 +25,8 @@
 namespace oplus::slide {
 
 template <typename Numbers>
-ComputedSum sum_in(const Region& p, const Region& q, const Scaling& scaling, Boundary boundary,
+ComputedSum sum_of(Tracks<Numbers>& tracks, const Scaling& scaling, Boundary boundary,
                    const EngineOptions& options) {
-  Tracks<Numbers> tracks(p, q, scaling);
   std::optional<RaysOfBoth<Numbers>> rays;
   if (boundary == Boundary::open) {
     tracks.prepare_boxes();
@@ -95,6 +95,22 @@ ComputedSum sum_in(const Region& p, const Region& q, const Scaling& scaling, Bou
   result.statistics =
       search_statistics(tracks.size(), scaling.bits, pieces.size(), effort, integers_of<Numbers>());
   return result;
+}
+
+template <typename Numbers>
+ComputedSum sum_in(const Region& p, const Region& q, const Scaling& scaling, Boundary boundary,
+                   const EngineOptions& options) {
+  Tracks<Numbers> tracks(p, q, scaling);
+  return sum_of(tracks, scaling, boundary, options);
+}
+
+template <typename Numbers>
+ComputedSum sum_in(const PreparedSummand& p, const PreparedSummand& q, const Scaling& scaling,
+                   Boundary boundary, const EngineOptions& options) {
+  const auto kept_p = p.kept().in<Numbers>(p.region(), scaling, scaling.of_p);
+  const auto kept_q = q.kept().in<Numbers>(q.region(), scaling, scaling.of_q);
+  Tracks<Numbers> tracks(*kept_p, *kept_q, scaling);
+  return sum_of(tracks, scaling, boundary, options);
 }
 
 }  // namespace oplus::slide

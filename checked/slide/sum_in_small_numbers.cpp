@@ -5,5 +5,7 @@ namespace oplus::slide {
 
 template ComputedSum sum_in<SmallNumbers>(const Region&, const Region&, const Scaling&, Boundary,
                                           const EngineOptions&);
+template ComputedSum sum_in<SmallNumbers>(const PreparedSummand&, const PreparedSummand&,
+                                          const Scaling&, Boundary, const EngineOptions&);
 
 }  // namespace oplus::slide

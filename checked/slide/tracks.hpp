@@ -15,6 +15,8 @@ class Tracks {
  public:
   Tracks(const Region& p, const Region& q, const Scaling& scaling)
       : summands_(p, q, scaling), segments_(reduced_segments(summands_.p, summands_.q)) {}
+  Tracks(const KeptSummand<Numbers>& p, const KeptSummand<Numbers>& q, const Scaling& scaling)
+      : summands_(p, q, scaling), segments_(reduced_segments(summands_.p, summands_.q)) {}
 
   const IntegerSummands<Numbers>& summands() const { return summands_; }
   void prepare_boxes() { summands_.prepare_boxes(); }

@@ -6,6 +6,7 @@
 #include <boost/graph/max_cardinality_matching.hpp>
 #include <utility>
 
+#include "checked/verify/near_boundary.hpp"
 #include "checked/verify/overlay.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/io/counted.hpp"
@@ -145,6 +146,10 @@ Closeness closeness(const MinkowskiSum& right, const GivenSum& sum, const Ration
   find_partners(of_right_region.outer, of_given_region.outer, tolerance, false, result.no_partners);
   find_partners(of_right_region.holes, of_given_region.holes, tolerance, true, result.no_partners);
   const std::size_t unsimple = overlay.unsimple_pieces().size();
+  if (!result.has_same_chains())
+    result.differs_near_boundary_only =
+        (of_given.empty() || is_within(of_given, of_right, squared)) &&
+        differs_near_only(right, sum, of_given, tolerance);
   if (unsimple > 0)
     result.notes.push_back("chains cross, overlap or bound nothing in " +
                            counted(unsimple, "place", "places"));

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "checked/operations/image.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "reference/chains/region_of.hpp"
+#include "reference/definitions/contract.hpp"
+#include "reference/definitions/mutant.hpp"
+
+namespace oplus {
+
+namespace {
+
+/// From its first vertex, which an unbounded region's outer chain does not have.
+void turn(Chain& chain) {
+  if (!chain.empty()) std::reverse(chain.begin() + 1, chain.end());
+}
+
+}  // namespace
+
+AffineMap scaling(const Rational& factor) { return {factor, 0, 0, factor}; }
+
+Region image(const AffineMap& map, Region region) {
+  OPLUS_REQUIRES(map.determinant() != 0, "image");
+  Region result = mapped(std::move(region), map);
+  if (sign(map.determinant()) < 0 &&
+      !OPLUS_MUTANT("mirrored-chains-keep-their-order",
+                    "maps that exchange left and right leave the interior on the right of edges")) {
+    for (Component& component : result.components) {
+      turn(component.outer);
+      for (Chain& hole : component.holes) turn(hole);
+    }
+  }
+  return result;
+}
+
+MinkowskiSum image(const AffineMap& map, const MinkowskiSum& sum) {
+  // By way of a region, as maps that exchange left and right change which way chains turn where they touch.
+  MinkowskiSum result = canonical_sum(image(map, region_of(sum)));
+  BoundaryFeatures features;
+  for (const Segment& s : sum.dangling_edges)
+    features.dangling_edges.push_back({map(s.source), map(s.target)});
+  for (const Point& p : sum.isolated_vertices) features.isolated_vertices.push_back(map(p));
+  MinkowskiSum low = canonical_sum(features);
+  result.dangling_edges = std::move(low.dangling_edges);
+  result.isolated_vertices = std::move(low.isolated_vertices);
+  return result;
+}
+
+}  // namespace oplus

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "checked/operations/affine_map.hpp"
+#include "reference/definitions/minkowski_sum.hpp"
+
+namespace oplus {
+
+/// The map that takes p to `factor` p.
+AffineMap scaling(const Rational& factor);
+
+/// Returns the image of a region. If the map reverses orientation, so are chains, each from its first
+/// vertex, so that the interior stays to the left of each edge. It may be unbounded.
+/// Requires: the determinant is not zero. Cost: n.
+Region image(const AffineMap& map, Region region);
+
+/// Returns the image of a sum or another set, in canonical form. It may be unbounded.
+/// Requires: the determinant is not zero. Cost: n log n.
+MinkowskiSum image(const AffineMap& map, const MinkowskiSum& sum);
+
+}  // namespace oplus

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "checked/operations/sum_of.hpp"
+
+namespace oplus {
+
+// What is made of Minkowski sums (docs/operations.md). Regions are valid and may be unbounded. Each function
+// takes how to compute the sum of two bounded regions, and the result is a set in canonical form.
+
+/// The open set of all x where Q + x overlaps P, the no-fit polygon: the open sum of P and -Q. Its boundary,
+/// dangling edges and isolated vertices are where the two only touch.
+MinkowskiSum no_fit(const Region& p, const Region& q, const SumOf& sum);
+
+/// The closed set of all x where Q + x is inside P, the inner-fit polygon: the complement of the open sum of
+/// P's complement and -Q. Where Q fits exactly, it has edges and points of their own.
+MinkowskiSum inner_fit(const Region& p, const Region& q, const SumOf& sum);
+
+/// The erosion of P by Q: inner_fit without edges and points.
+MinkowskiSum eroded(const Region& p, const Region& q, const SumOf& sum);
+
+/// The union of all Q + x inside P, also of those that fit exactly.
+MinkowskiSum opened(const Region& p, const Region& q, const SumOf& sum);
+
+/// The erosion by Q of the closed sum of P and Q.
+MinkowskiSum closed(const Region& p, const Region& q, const SumOf& sum);
+
+/// An operation by its name on the command line.
+struct Operation {
+  std::string name;
+  std::string what;  ///< a line for a list
+  bool is_open;      ///< whether the result is an open set
+  MinkowskiSum (*compute)(const Region& p, const Region& q, const SumOf& sum);
+};
+
+/// All of them: nfp, ifp, erode, open, close.
+const std::vector<Operation>& operations();
+
+}  // namespace oplus
