@@ -139,6 +139,8 @@ MultiPolygon to_boost(const ValidRegion& region) {
   namespace bg = ::boost::geometry;
   static_assert(std::is_same_v<typename bg::tag<MultiPolygon>::type, bg::multi_polygon_tag>,
                 "oplus: multi-polygons of Boost.Geometry only");
+  if (is_unbounded(region))
+    throw std::invalid_argument("oplus: no multi-polygon is unbounded, as this region is");
   MultiPolygon result;
   bg::traits::resize<MultiPolygon>::apply(result, region.components().size());
   auto polygon = boost::begin(result);

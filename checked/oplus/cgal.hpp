@@ -124,15 +124,20 @@ ValidRegion from_cgal(const CGAL::Polygon_2<K, C>& polygon) {
   return ValidRegion(Region{{cgal_adapter::component_of(polygon, 1)}});
 }
 
-/// The same of a polygon with holes. Throws InvalidInput also where it has no outer boundary, which
-/// to CGAL is the plane without the holes.
+/// The same of a polygon with holes. One without an outer boundary is the plane without its holes.
 template <typename K, typename C>
 ValidRegion from_cgal(const CGAL::Polygon_with_holes_2<K, C>& polygon) {
+  if (polygon.is_unbounded()) {
+    Region holes;
+    for (auto hole = polygon.holes_begin(); hole != polygon.holes_end(); ++hole)
+      holes.components.push_back({cgal_adapter::chain_of(*hole), {}});
+    return complement(ValidRegion(std::move(holes)));
+  }
   return ValidRegion(Region{{cgal_adapter::component_of(polygon, 1)}});
 }
 
 /// The same of a range of polygons, with or without holes: its components. They may touch each other
-/// in points; InvalidInput is thrown where they overlap.
+/// in points; InvalidInput is thrown where they overlap, or one has no outer boundary.
 template <std::ranges::input_range Range>
 requires cgal_adapter::is_polygon<std::ranges::range_value_t<Range>> ValidRegion
 from_cgal(const Range& polygons) {

@@ -18,10 +18,15 @@
 #include <utility>
 #include <vector>
 
+#include "checked/operations/affine_map.hpp"
+#include "checked/operations/disc_side.hpp"
+#include "checked/repair/mend.hpp"
+#include "checked/rounding/side.hpp"
 #include "checked/statistics.hpp"
 #include "checked/verify/verdict.hpp"
 #include "reference/definitions/values.hpp"
 #include "reference/io/invalid_input.hpp"
+#include "reference/io/overlaps.hpp"
 
 /// @file
 /// Exact Minkowski sums of polygons with holes.
@@ -103,9 +108,13 @@ class Coordinates {
   Point point_;
 };
 
+struct Repaired;
+
 /// A region that was found valid: simple chains, outer ones counterclockwise, holes clockwise, that
 /// may touch each other in points, but neither cross nor overlap; each hole in its outer chain.
-/// Whatever computes takes one of these, so input is checked once, whether from a file or from code.
+/// One from complement() or a .dat file may be unbounded: the outer chain of one component is then empty, and
+/// the component is the plane without its holes. Whatever computes takes one of these, so input is checked
+/// once, whether from a file or from code.
 class ValidRegion {
  public:
   /// The empty set.
@@ -127,10 +136,17 @@ class ValidRegion {
 
  private:
   friend class Sum;
-  friend ValidRegion read_wkt(const std::string& text);
-  friend ValidRegion read_geojson(const std::string& text);
-  friend ValidRegion read_file(const std::string& path);
+  friend ValidRegion read_wkt(const std::string& text, Overlaps overlaps);
+  friend ValidRegion read_geojson(const std::string& text, Overlaps overlaps);
+  friend ValidRegion read_text(const std::string& text, Overlaps overlaps);
+  friend ValidRegion read_file(const std::string& path, Overlaps overlaps);
+  friend Repaired repaired(Region region, std::optional<FillRule> fill);
+  friend Repaired repaired_text(const std::string& text, std::optional<FillRule> fill);
+  friend Repaired repaired_file(const std::string& path, std::optional<FillRule> fill);
   friend ValidRegion operator-(const ValidRegion& region);
+  friend ValidRegion transformed(const ValidRegion& region, const AffineMap& map);
+  friend ValidRegion disc(const Number& radius, DiscSide side, const Number& error);
+  friend ValidRegion complement(const ValidRegion& region);
   friend ValidRegion polygon(const std::vector<Coordinates>& outer,
                              const std::vector<std::vector<Coordinates>>& holes);
   static ValidRegion found_valid(Region region);
@@ -153,22 +169,116 @@ polygon(const Range& outer) {
   return polygon(std::vector<Coordinates>(std::ranges::begin(outer), std::ranges::end(outer)));
 }
 
-/// Reads POLYGON, MULTIPOLYGON or EMPTY. Coordinates are decimals or fractions p/q, taken exactly.
-/// Throws InvalidInput with line and column, also where the region is not valid.
-ValidRegion read_wkt(const std::string& text);
+/// Reads POLYGON, MULTIPOLYGON, a GEOMETRYCOLLECTION of these or EMPTY; several of them, one a line, are
+/// one region; `SRID=4326;` may stand before each. Of vertices with Z or M, x and y are read. Coordinates
+/// are decimals or fractions p/q, taken exactly. Throws InvalidInput with line and column, also where the
+/// region is not valid; with Overlaps::allowed each component by itself must be, and the result is the
+/// union of all. Cost: n log n; of a union, (n + k) log n for k pairs of edges that meet.
+ValidRegion read_wkt(const std::string& text, Overlaps overlaps = Overlaps::refused);
 
-/// Reads a GeoJSON Polygon or MultiPolygon. Throws as read_wkt does.
-ValidRegion read_geojson(const std::string& text);
+/// Reads a GeoJSON Polygon, MultiPolygon, GeometryCollection of these, Feature or FeatureCollection; or
+/// coordinates alone: [[x, y], ...], an array of these (the outer chain and holes), or an array of such
+/// arrays. Throws as read_wkt does.
+ValidRegion read_geojson(const std::string& text, Overlaps overlaps = Overlaps::refused);
 
-/// Reads WKT, GeoJSON or .dat (README, Files), told apart by the first character; "-" is standard
-/// input. Throws as read_wkt does, and where the file cannot be read.
-ValidRegion read_file(const std::string& path);
+/// Reads any of the formats of docs/files.md, told apart by what the text starts with: these, .dat, and SVG
+/// path data (M, L, H, V, Z). Throws as read_wkt does.
+ValidRegion read_text(const std::string& text, Overlaps overlaps = Overlaps::refused);
+
+/// The same of a file; "-" is standard input. Throws also where the file cannot be read.
+ValidRegion read_file(const std::string& path, Overlaps overlaps = Overlaps::refused);
+
+/// A region, and what was done to make it valid.
+struct Repaired {
+  ValidRegion region;       ///< the valid one
+  std::vector<Mend> mends;  ///< none: it was valid, and its chains turned the right way
+};
+
+/// Leaves out repeated vertices, the tips of spikes, and chains that enclose nothing; makes outer chains of
+/// holes that are outside all, and the like; turns chains; says each of these. A region whose chains still
+/// cross or overlap becomes what they enclose by `fill` (docs/files.md); without it, throws InvalidInput.
+/// Cost: n log n; with `fill`, (n + k) log n for k pairs of edges that meet.
+Repaired repaired(Region region, std::optional<FillRule> fill = std::nullopt);
+
+/// The same of a text in any format that read_text reads, whose rings may be open. Throws also where the
+/// syntax is wrong.
+Repaired repaired_text(const std::string& text, std::optional<FillRule> fill = std::nullopt);
+
+/// The same of a file; "-" is standard input. Throws also where the file cannot be read.
+Repaired repaired_file(const std::string& path, std::optional<FillRule> fill = std::nullopt);
 
 /// Returns -R, turned by π about the origin. The robot R at x meets an obstacle P iff x is in P ⊕ -R.
 /// Cost: n.
 ValidRegion operator-(const ValidRegion& region);
 
+class Sum;
+struct SumOptions;
+
+/// A region that is summed with many others: what the engine slide computes of one region alone, integers
+/// and trees of boxes, is computed for the first sum and kept. It is kept anew for each common denominator
+/// with another region, up to eight times. Copies share it, also on several threads. Cost: that of the sums,
+/// and as much memory as one of them; pairs of few vertices gain a tenth of their time, a
+/// region of many with small ones up to half of it.
+///
+/// Example: PreparedRegion bin(read_file("bin.wkt")); then minkowski_sum(bin, -part) for each part.
+class PreparedRegion {
+ public:
+  PreparedRegion(ValidRegion region);  ///< Prepares nothing yet.
+
+  const ValidRegion& region() const;  ///< Returns the region.
+
+ private:
+  friend Sum minkowski_sum(const PreparedRegion& p, const PreparedRegion& q,
+                           const SumOptions& options);
+  struct State;
+  std::shared_ptr<const State> state_;
+};
+
+/// A closed set: a region, segments and points together, which may overlap. What a polyline, a set of
+/// points, or a mixture of all three is as a summand.
+class ClosedSet {
+ public:
+  /// The empty set.
+  ClosedSet() = default;
+
+  ClosedSet(const ValidRegion& region);  ///< The region.
+
+  /// The union of a region, of polylines and of points. A polyline is the segments between its vertices,
+  /// which may repeat each other; one of a single vertex is a point, one without any is empty. Cost: n log n,
+  /// and the number of crossings.
+  ///
+  /// Example: ClosedSet({}, {{{0, 0}, {4, 0}, {4, 3}}}) is one polyline of two segments.
+  ClosedSet(const ValidRegion& region, const std::vector<std::vector<Coordinates>>& polylines,
+            const std::vector<Coordinates>& points = {});
+
+  /// Returns it in canonical form: chains, maximal segments outside them, points outside both.
+  const MinkowskiSum& value() const& { return value_; }
+  MinkowskiSum value() && { return std::move(value_); }  ///< The same.
+
+  /// Whether two are the same set. Cost: their size.
+  friend bool operator==(const ClosedSet&, const ClosedSet&) = default;
+
+ private:
+  friend ClosedSet read_set(const std::string& text);
+  friend ClosedSet read_set_file(const std::string& path);
+  friend ClosedSet operator-(const ClosedSet& set);
+  explicit ClosedSet(MinkowskiSum value) : value_(std::move(value)) {}
+
+  MinkowskiSum value_;
+};
+
+/// Reads WKT, GeoJSON or .dat, told apart by the first character: also points, line strings, and
+/// collections of them with polygons. Throws as read_wkt does.
+ClosedSet read_set(const std::string& text);
+
+/// The same from a file; "-" is standard input. Throws also where it cannot be read.
+ClosedSet read_set_file(const std::string& path);
+
+/// Returns the set turned by π about the origin. Cost: the size times its logarithm.
+ClosedSet operator-(const ClosedSet& set);
+
 struct Engine;
+struct Rounded;
 
 /// How to compute a sum. The sum depends on `boundary` only.
 struct SumOptions {
@@ -200,14 +310,16 @@ class Sum {
   ValidRegion region() && { return std::as_const(*this).region(); }  ///< The same.
 
   /// Returns where one summand just fits into the other and can be moved: edges of an open sum's
-  /// complement that bound no face of it. None for Boundary::closed.
+  /// complement that bound no face of it. None for Boundary::closed, but where summands are ClosedSets: then
+  /// the sum's segments that are outside its region.
   const std::vector<Segment>& dangling_edges() const&;
   std::vector<Segment> dangling_edges() && {
     return std::as_const(*this).dangling_edges();
   }  ///< The same.
 
   /// Returns where one summand just fits into the other and cannot be moved: points of an open sum's
-  /// complement that bound no face or edge of it. None for Boundary::closed.
+  /// complement that bound no face or edge of it. None for Boundary::closed, but where summands are
+  /// ClosedSets: then the sum's points that are outside its region and segments.
   const std::vector<Point>& isolated_vertices() const&;
   std::vector<Point> isolated_vertices() && {
     return std::as_const(*this).isolated_vertices();
@@ -230,6 +342,14 @@ class Sum {
 
  private:
   friend Sum minkowski_sum(const ValidRegion& p, const ValidRegion& q, const SumOptions& options);
+  friend Sum minkowski_sum(const PreparedRegion& p, const PreparedRegion& q,
+                           const SumOptions& options);
+  friend Sum set_of(MinkowskiSum value, Boundary boundary);
+  friend Sum minkowski_sum(const ClosedSet& p, const ClosedSet& q, const SumOptions& options);
+  friend Rounded rounded(const Sum& sum, const Number& step, Side side);
+  friend Rounded rounded(const ValidRegion& region, const Number& step, Side side);
+  static Rounded rounded_value(const MinkowskiSum& value, Boundary boundary, const Number& step,
+                               Side side);
   Sum(MinkowskiSum value, Boundary boundary, Origins origins, Statistics statistics);
 
   struct State;
@@ -238,10 +358,90 @@ class Sum {
 
 /// Returns P ⊕ Q, all p + q (docs/slide.md). Cost: that of the reduced convolution, at most nm
 /// segments, times about log(n + m) for each that is looked at; memory grows with the convolution
-/// and the result. Throws nothing for valid regions but std::bad_alloc.
+/// and the result. Throws nothing for valid regions but std::bad_alloc; InvalidInput for origins of the sum
+/// of an unbounded one.
 Sum minkowski_sum(const ValidRegion& p, const ValidRegion& q, const SumOptions& options = {});
 
-/// Returns the area, holes not counted. Cost: the size.
+/// The same of summands of many sums; either may be a ValidRegion. The result is the same, too.
+Sum minkowski_sum(const PreparedRegion& p, const PreparedRegion& q, const SumOptions& options = {});
+
+/// Returns the same of closed sets (docs/polylines.md). Boundary::closed: all p + q, with dangling edges and
+/// isolated vertices of its own. Boundary::open: P ⊕ int Q and int P ⊕ Q together, an open set; it is empty
+/// where neither has inner points. Without origins. Cost: for sets with segments, that of an arrangement of at
+/// most nm edges, less where they follow each other.
+///
+/// Example: minkowski_sum(ClosedSet({}, {path}), tool) is what the tool covers on its path.
+Sum minkowski_sum(const ClosedSet& p, const ClosedSet& q, const SumOptions& options = {});
+
+// Operations (docs/operations.md). Cost: that of the sums they are made of. They take all options but
+// `boundary` and `with_origins`. Either region may be unbounded.
+
+/// Returns the open set of all x where Q + x overlaps P, the no-fit polygon, P ⊕ -Q. On its boundary, with
+/// dangling edges and isolated vertices, the two only touch.
+Sum nfp(const ValidRegion& p, const ValidRegion& q, const SumOptions& options = {});
+
+/// Returns the closed set of all x where Q + x is inside P, the inner-fit polygon. Where Q fits exactly,
+/// dangling_edges() and isolated_vertices() are parts of it that belong to no component.
+Sum ifp(const ValidRegion& p, const ValidRegion& q, const SumOptions& options = {});
+
+/// Returns the erosion of P by Q: ifp without edges and points.
+Sum erosion(const ValidRegion& p, const ValidRegion& q, const SumOptions& options = {});
+
+/// Returns the union of all Q + x inside P.
+Sum opening(const ValidRegion& p, const ValidRegion& q, const SumOptions& options = {});
+
+/// Returns the erosion by Q of the closed sum of P and Q, which contains P.
+Sum closing(const ValidRegion& p, const ValidRegion& q, const SumOptions& options = {});
+
+/// Returns the closure of the complement. Cost: n log n.
+ValidRegion complement(const ValidRegion& region);
+
+/// Returns the complement, of an open set a closed one, and the reverse: with the same dangling edges and
+/// isolated vertices. Cost: n log n.
+Sum complement(const Sum& set);
+
+// Transformations (docs/transform.md). Coordinates stay exact. Maps are combined by *, the right one first.
+
+/// Returns the map that moves each point by a vector.
+AffineMap translation(const Coordinates& by);
+
+/// Returns the map that multiplies each x and each y by a factor, which may be negative: scaling(1, -1) is
+/// the reflection in the x-axis. Throws InvalidInput if one is zero.
+AffineMap scaling(const Number& of_x, const Number& of_y);
+
+/// Returns a rotation about the origin, counterclockwise, by an angle that differs from `degrees` by at most
+/// `error`: by a multiple of 90 exactly, else by the one whose sine and cosine, members c and a of the map,
+/// have the smallest denominator. Cost: as that of numbers with as many bits as the error has, and 64 more.
+/// Throws InvalidInput unless the error is positive.
+AffineMap rotation(const Number& degrees, const Number& error = Rational(1, 10000));
+
+/// Returns the rotation about the origin with this cosine and sine: that takes (1, 0) to a point of the unit
+/// circle, such as {"3/5", "4/5"}. Throws InvalidInput if the squares don't add up to 1.
+AffineMap rotation_to(const Coordinates& cosine_and_sine);
+
+/// Returns the image of a region. Each chain keeps its first vertex, and the interior is to the left of each
+/// edge. Cost: n. Throws InvalidInput if the map's determinant is zero.
+ValidRegion transformed(const ValidRegion& region, const AffineMap& map);
+
+/// Returns the image of a sum or another set; without origins. Cost: n log n. Throws likewise.
+Sum transformed(const Sum& set, const AffineMap& map);
+
+/// Returns a convex polygon inside or around the disc about the origin, each point of the larger one of the
+/// two at most `error` away from the smaller one, which is decided exactly (docs/discs.md). It has at most a
+/// tenth more vertices than necessary, and up to 8; that is about π / √(2 error / radius). Coordinates are
+/// multiples of 1, 2 or 5 times a power of ten, so they are short decimals.
+///
+/// Offsets: p ⊕ disc contains only points at most `radius` away from p, with DiscSide::inside, and all of
+/// them with DiscSide::outside.
+///
+/// Cost: about twenty times the number of vertices. Throws InvalidInput unless both numbers are positive,
+/// and where a million vertices are too few.
+ValidRegion disc(const Number& radius, DiscSide side, const Number& error);
+
+/// Whether all points far enough away belong to the region.
+bool is_unbounded(const ValidRegion& region);
+
+/// Returns the area, holes not counted; of an unbounded region, minus that of its complement. Cost: the size.
 Rational area(const ValidRegion& region);
 
 /// Returns the same of a sum.
@@ -262,18 +462,39 @@ bool contains(const Sum& sum, const Coordinates& point);
 
 /// Decides whether a sum from anywhere is P ⊕ Q, by the definitions and by no engine
 /// (docs/verify.md). Returns reasons with a point each, or none. Nothing is required of the given
-/// sum but denominators that are not zero: else throws InvalidInput. Cost: at least that of all
-/// convolution segments against each other near by.
+/// sum but denominators that are not zero: else throws InvalidInput; likewise where P or Q is unbounded.
+/// Cost: at least that of all convolution segments against each other near by.
 Verdict verify(const ValidRegion& p, const ValidRegion& q, const GivenSum& given,
                Boundary boundary = Boundary::closed);
 
 /// The same of a sum from here, with its own boundary().
 Verdict verify(const ValidRegion& p, const ValidRegion& q, const Sum& sum);
 
+/// What rounding returns.
+struct Rounded {
+  Sum sum;                  ///< the set on the grid; of a region, a closed sum
+  TopologyChanges changes;  ///< what happened to components and holes
+  bool is_exact;            ///< whether nothing had to be rounded
+  Rational
+      bound;  ///< how far boundaries are from each other at most, in x and in y; √2 times that in distance
+};
+
+/// Rounds a sum to the points (i step, j step), i and j integers (docs/rounding.md): a valid set, each of whose points in
+/// which it differs from the sum is at most `bound` from the sum's boundary, and so is its own boundary. With
+/// Side::contain it contains the sum, with Side::contained it is contained in it. A sum on the grid is returned as
+/// it is. Cost: near-linear in the size, by experience; for the sides other than nearest that of a sum with a square. Throws
+/// InvalidInput unless step > 0.
+///
+/// Example: to_wkt(rounded(sum, "0.01").sum), which all programs read.
+Rounded rounded(const Sum& sum, const Number& step, Side side = Side::nearest);
+
+/// The same of a region.
+Rounded rounded(const ValidRegion& region, const Number& step, Side side = Side::nearest);
+
 /// Returns the region as WKT, without the end of the line. Exactly: decimals where they end, fractions
-/// p/q elsewhere, which few other readers take. With `digits`, rounded to that many decimals, half away
-/// from zero: it may then be invalid. Cost: the size. Throws std::invalid_argument unless
-/// 0 <= digits <= 4096.
+/// p/q elsewhere, which few other readers take. With `digits`, rounded(region, 10^-digits) instead. Cost: the
+/// size, or that of rounding. Throws std::invalid_argument unless 0 <= digits <= 4096, and where the
+/// region is unbounded.
 std::string to_wkt(const ValidRegion& region, std::optional<int> digits = std::nullopt);
 
 /// Returns the same of a sum's region(), in a GEOMETRYCOLLECTION with its dangling edges as line
@@ -286,6 +507,13 @@ std::string to_geojson(const ValidRegion& region, std::optional<int> digits = st
 
 /// Returns the same of a sum, as to_wkt does.
 std::string to_geojson(const Sum& sum, std::optional<int> digits = std::nullopt);
+
+/// Returns the region as WKB, in hexadecimal digits, as PostGIS writes it and GEOS reads it. Throws
+/// InvalidInput where a coordinate is not exactly a double: rounded(region, 0x1p-20) has such. Cost: the size.
+std::string to_wkb(const ValidRegion& region);
+
+/// Returns the same of a sum, as to_wkt does.
+std::string to_wkb(const Sum& sum);
 
 /// Returns the double nearest to a number, ties to even; an infinity beyond the largest.
 double to_double(const Rational& value);

@@ -5,14 +5,27 @@
 #include <utility>
 
 #include "checked/engine.hpp"
+#include "checked/operations/unbounded_sum.hpp"
+#include "checked/oplus/internal/sum_options.hpp"
 #include "checked/oplus/oplus.hpp"
+#include "checked/rounding/rounding.hpp"
 #include "checked/slide/slide.hpp"
 #include "checked/verify/verify.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/definitions/difference.hpp"
 #include "reference/definitions/minkowski_sum.hpp"
+#include "reference/io/writing.hpp"
 
 namespace oplus {
+
+namespace {
+
+void require_bounded(const ValidRegion& p, const ValidRegion& q) {
+  if (is_unbounded(p) || is_unbounded(q))
+    throw InvalidInput({"region", 0, 0}, "a summand is unbounded", "bounded regions");
+}
+
+}  // namespace
 
 struct Sum::State {
   MinkowskiSum value;
@@ -47,17 +60,100 @@ const Origins& Sum::origins() const& { return state_->origins; }
 
 const Statistics& Sum::statistics() const& { return state_->statistics; }
 
-Sum minkowski_sum(const ValidRegion& p, const ValidRegion& q, const SumOptions& options) {
+namespace {
+
+EngineOptions engine_options(const SumOptions& options) {
   // A system call, which would take longer than some sums.
   static const unsigned processors = std::max(std::thread::hardware_concurrency(), 1U);
-  const EngineOptions how = {.with_origins = options.with_origins,
-                             .threads = options.threads != 0 ? options.threads : processors};
-  ComputedSum computed =
-      options.engine == nullptr
-          ? slide_sum(p.region(), q.region(), options.boundary, how)
-          : options.engine->compute(p.region(), q.region(), options.boundary, how);
+  return {.with_origins = options.with_origins,
+          .threads = options.threads != 0 ? options.threads : processors};
+}
+
+}  // namespace
+
+ComputedSum computed_sum(const Region& p, const Region& q, Boundary boundary,
+                         const SumOptions& options) {
+  const EngineOptions how = engine_options(options);
+  return options.engine == nullptr ? slide_sum(p, q, boundary, how)
+                                   : options.engine->compute(p, q, boundary, how);
+}
+
+namespace {
+
+/// How a sum is computed with these options, which says what it took.
+SumOf sum_of(const SumOptions& options, Statistics& statistics) {
+  return [&](const Region& a, const Region& b, Boundary boundary) {
+    ComputedSum computed = computed_sum(a, b, boundary, options);
+    statistics = std::move(computed.statistics);
+    return std::move(computed.sum);
+  };
+}
+
+}  // namespace
+
+Sum minkowski_sum(const ClosedSet& p, const ClosedSet& q, const SumOptions& options) {
+  Statistics statistics;
+  MinkowskiSum sum =
+      unbounded_sum(p.value(), q.value(), options.boundary, sum_of(options, statistics));
+  return Sum(std::move(sum), options.boundary, {}, std::move(statistics));
+}
+
+Sum minkowski_sum(const ValidRegion& p, const ValidRegion& q, const SumOptions& options) {
+  if (is_unbounded(p) || is_unbounded(q)) {
+    if (options.with_origins) require_bounded(p, q);
+    Statistics statistics;
+    MinkowskiSum sum =
+        unbounded_sum(p.region(), q.region(), options.boundary, sum_of(options, statistics));
+    return Sum(std::move(sum), options.boundary, {}, std::move(statistics));
+  }
+  ComputedSum computed = computed_sum(p.region(), q.region(), options.boundary, options);
   return Sum(std::move(computed.sum), options.boundary, std::move(computed.origins),
              std::move(computed.statistics));
+}
+
+struct PreparedRegion::State {
+  explicit State(ValidRegion of)
+      : region(std::move(of)),
+        summand(std::shared_ptr<const Region>(std::shared_ptr<void>(), &region.region())) {}
+
+  ValidRegion region;
+  slide::PreparedSummand summand;  ///< refers to the region
+};
+
+PreparedRegion::PreparedRegion(ValidRegion region)
+    : state_(std::make_shared<const State>(std::move(region))) {}
+
+const ValidRegion& PreparedRegion::region() const { return state_->region; }
+
+Sum minkowski_sum(const PreparedRegion& p, const PreparedRegion& q, const SumOptions& options) {
+  if (options.engine != nullptr || is_unbounded(p.region()) || is_unbounded(q.region()))
+    return minkowski_sum(p.region(), q.region(), options);
+  ComputedSum computed = sum_of_prepared(p.state_->summand, q.state_->summand, options.boundary,
+                                         engine_options(options));
+  return Sum(std::move(computed.sum), options.boundary, std::move(computed.origins),
+             std::move(computed.statistics));
+}
+
+Rounded Sum::rounded_value(const MinkowskiSum& value, Boundary boundary, const Number& step,
+                           Side side) {
+  if (sgn(step.value()) <= 0)
+    throw InvalidInput({"the step of a grid", 0, 0}, to_string(step.value()) + " is not positive",
+                       "a number above 0");
+  RoundedSet set = oplus::rounded(value, boundary, step.value(), side);
+  Rounded result{Sum(std::move(set.set), boundary, {}, {}), set.changes, set.is_exact,
+                 std::move(set.bound)};
+  std::call_once(result.sum.state_->is_region_computed, [&] {
+    result.sum.state_->region = ValidRegion::found_valid(std::move(set.region));
+  });
+  return result;
+}
+
+Rounded rounded(const Sum& sum, const Number& step, Side side) {
+  return Sum::rounded_value(sum.value(), sum.boundary(), step, side);
+}
+
+Rounded rounded(const ValidRegion& region, const Number& step, Side side) {
+  return Sum::rounded_value(canonical_sum(region.region()), Boundary::closed, step, side);
 }
 
 Rational area(const Sum& sum) { return area(sum.value()); }
@@ -74,6 +170,7 @@ bool contains(const Sum& sum, const Coordinates& point) {
 
 Verdict verify(const ValidRegion& p, const ValidRegion& q, const GivenSum& given,
                Boundary boundary) {
+  require_bounded(p, q);
   const auto canonical = [](const Point& point) { return Coordinates(point).point(); };
   GivenSum sum = {mapped(given.region, canonical), given.dangling_edges, given.isolated_vertices};
   for (Segment& edge : sum.dangling_edges) edge = {canonical(edge.source), canonical(edge.target)};
@@ -82,6 +179,9 @@ Verdict verify(const ValidRegion& p, const ValidRegion& q, const GivenSum& given
 }
 
 Verdict verify(const ValidRegion& p, const ValidRegion& q, const Sum& sum) {
+  require_bounded(p, q);
+  if (sum.value().is_unbounded)
+    throw InvalidInput({"sum", 0, 0}, "the sum is unbounded", "a bounded one");
   return verify(p.region(), q.region(), sum.boundary(), sum.value());
 }
 

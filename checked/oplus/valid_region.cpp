@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <utility>
 
+#include "checked/operations/union_of.hpp"
 #include "checked/oplus/oplus.hpp"
+#include "checked/repair/repair.hpp"
+#include "reference/chains/region_of.hpp"
 #include "reference/definitions/region.hpp"
+#include "reference/definitions/unbounded.hpp"
 #include "reference/io/reading.hpp"
 
 namespace oplus {
@@ -14,6 +18,11 @@ Chain chain_of(const std::vector<Coordinates>& points) {
   chain.reserve(points.size());
   for (const Coordinates& p : points) chain.push_back(p.point());
   return chain;
+}
+
+Region in_one(ReadRegion read, Overlaps overlaps) {
+  if (overlaps == Overlaps::refused) return std::move(read.region);
+  return region_of(union_of(read.region));
 }
 
 }  // namespace
@@ -39,21 +48,48 @@ ValidRegion polygon(const std::vector<Coordinates>& outer,
   return ValidRegion::checked(Region{{std::move(component)}});
 }
 
-ValidRegion read_wkt(const std::string& text) {
-  return ValidRegion::found_valid(read_region_in(Format::wkt, text, "WKT").region);
+ValidRegion read_wkt(const std::string& text, Overlaps overlaps) {
+  return ValidRegion::found_valid(
+      in_one(read_region_in(Format::wkt, text, "WKT", overlaps), overlaps));
 }
 
-ValidRegion read_geojson(const std::string& text) {
-  return ValidRegion::found_valid(read_region_in(Format::geojson, text, "GeoJSON").region);
+ValidRegion read_geojson(const std::string& text, Overlaps overlaps) {
+  return ValidRegion::found_valid(
+      in_one(read_region_in(Format::geojson, text, "GeoJSON", overlaps), overlaps));
 }
 
-ValidRegion read_file(const std::string& path) {
-  return ValidRegion::found_valid(read_region_file(path).region);
+ValidRegion read_text(const std::string& text, Overlaps overlaps) {
+  return ValidRegion::found_valid(
+      in_one(read_region(text, "text", {}, Extent::any, overlaps), overlaps));
+}
+
+ValidRegion read_file(const std::string& path, Overlaps overlaps) {
+  return ValidRegion::found_valid(
+      in_one(read_region_file(path, {}, Extent::any, overlaps), overlaps));
+}
+
+Repaired repaired(Region region, std::optional<FillRule> fill) {
+  const auto in_lowest_terms = [](const Point& p) { return Coordinates(p).point(); };
+  RepairedRegion result =
+      repaired(unchecked(mapped(std::move(region), in_lowest_terms), "region"), fill);
+  return {ValidRegion::found_valid(std::move(result.region)), std::move(result.mends)};
+}
+
+Repaired repaired_text(const std::string& text, std::optional<FillRule> fill) {
+  RepairedRegion result = repaired(read_unchecked(text, "text"), fill);
+  return {ValidRegion::found_valid(std::move(result.region)), std::move(result.mends)};
+}
+
+Repaired repaired_file(const std::string& path, std::optional<FillRule> fill) {
+  RepairedRegion result = repaired(read_unchecked_file(path), fill);
+  return {ValidRegion::found_valid(std::move(result.region)), std::move(result.mends)};
 }
 
 ValidRegion operator-(const ValidRegion& region) {
   return ValidRegion::found_valid(reflected(region.region()));
 }
+
+bool is_unbounded(const ValidRegion& region) { return is_unbounded(region.region()); }
 
 Rational area(const ValidRegion& region) { return area(region.region()); }
 

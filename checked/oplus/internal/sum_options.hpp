@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "checked/engine.hpp"
+#include "checked/oplus/oplus.hpp"
+
+namespace oplus {
+
+/// Computes a sum as the options say, but for their boundary. Requires: p and q are bounded.
+ComputedSum computed_sum(const Region& p, const Region& q, Boundary boundary,
+                         const SumOptions& options);
+
+/// A set in canonical form as a Sum, without origins and statistics.
+Sum set_of(MinkowskiSum value, Boundary boundary);
+
+}  // namespace oplus
