@@ -50,7 +50,8 @@ void add_certify(CLI::App& program, Action& chosen) {
   const auto& [command, options] = add_subcommand(
       program, chosen, "certify",
       "Write a certificate that a region is the sum of two others, if it is", certify);
-  add_file(command, "P", options.p, "a region: .dat, WKT or GeoJSON; - is standard input")
+  add_file(command, "P", options.p,
+           "a region: .dat, WKT, GeoJSON or an SVG path (docs/files.md); - is standard input")
       ->required();
   add_file(command, "Q", options.q, "the other region")->required();
   add_file(command, "S", options.sum, "the sum of the closed regions, from any source")->required();

@@ -80,7 +80,9 @@ void add_compare(CLI::App& program, Action& chosen) {
       program, chosen, "compare",
       "Check whether two sums are equal; if not, give a point that is in one of them only",
       compare);
-  add_file(command, "A", options.a, "a sum or a region: .dat, WKT or GeoJSON; - is standard input")
+  add_file(
+      command, "A", options.a,
+      "a sum or a region: .dat, WKT, GeoJSON or an SVG path (docs/files.md); - is standard input")
       ->required();
   add_file(command, "B", options.b, "the other, in any of these formats")->required();
   command.add_flag("--json", options.json, "answer in JSON (docs/json.md)");

@@ -132,8 +132,9 @@ void add_draw(CLI::App& program, Action& chosen) {
   const auto& [command, options] =
       add_subcommand(program, chosen, "draw",
                      "Draw regions and sums, or what an algorithm sees of two regions", draw);
-  add_file(command, "FILE", options.files,
-           "regions or sums: .dat, WKT or GeoJSON; - is standard input")
+  add_file(
+      command, "FILE", options.files,
+      "regions or sums: .dat, WKT, GeoJSON or an SVG path (docs/files.md); - is standard input")
       ->required();
   CLI::Option* view = command.add_option("--view", options.view, view_help());
   view->type_name_fn([] { return "NAME:{" + view_names(",") + "}"; });

@@ -9,7 +9,6 @@
 #include "checked/cli/shared_options.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "reference/families/family.hpp"
-#include "reference/io/writing.hpp"
 
 namespace oplus {
 
@@ -79,8 +78,7 @@ ExitCode gen(const GenOptions& options) {
   require_writable({options.output.path});
   const Format format = output_format(options.output);
   const Summands pair = generate(*family, n, seed);
-  write_region(options.output, format,
-               written(options.summand == "P" ? pair.p : pair.q, format, options.output.digits));
+  write_region(options.output, format, options.summand == "P" ? pair.p : pair.q);
   return ExitCode::done;
 }
 

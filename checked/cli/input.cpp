@@ -8,8 +8,9 @@
 #include "checked/cli/command_line/progress.hpp"
 #include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/usage_error.hpp"
+#include "checked/operations/union_of.hpp"
+#include "reference/chains/region_of.hpp"
 #include "reference/io/quoting.hpp"
-#include "reference/io/reading.hpp"
 
 namespace oplus {
 
@@ -51,12 +52,34 @@ class WatchedReading {
   std::optional<Clock::time_point> parsed_;
 };
 
+/// The components that may overlap as one region.
+template <typename Read>
+Read in_one(Read read, Overlaps overlaps) {
+  if (overlaps == Overlaps::allowed) read.region = region_of(union_of(read.region));
+  return read;
+}
+
 }  // namespace
 
-Region read_summand(const std::string& path, ReadingTimes* times) {
-  ReadRegion read = read_region_file(path, WatchedReading(path, times).progress());
+Region read_summand(const std::string& path, ReadingTimes* times, Extent extent,
+                    Overlaps overlaps) {
+  const auto read_watched = [&] {
+    WatchedReading watched(path, times);
+    return in_one(read_region_file(path, watched.progress(), extent, overlaps), overlaps);
+  };
+  ReadRegion read = read_watched();
   for (const std::string& note : read.notes) say_note(note);
   return std::move(read.region);
+}
+
+ReadSet read_summand_set(const std::string& path, ReadingTimes* times, Overlaps overlaps) {
+  const auto read_watched = [&] {
+    WatchedReading watched(path, times);
+    return in_one(read_set_file(path, watched.progress(), overlaps), overlaps);
+  };
+  ReadSet read = read_watched();
+  for (const std::string& note : read.notes) say_note(note);
+  return read;
 }
 
 MinkowskiSum read_given_sum(const std::string& path) {
@@ -67,6 +90,12 @@ MinkowskiSum read_given_sum(const std::string& path) {
 
 GivenSum read_unchecked_sum(const std::string& path) {
   return read_unchecked_sum_file(path, WatchedReading(path, nullptr).progress());
+}
+
+UncheckedInput read_unchecked_region(const std::string& path) {
+  UncheckedInput read = read_unchecked_file(path, WatchedReading(path, nullptr).progress());
+  for (const std::string& note : read.notes) say_note(note);
+  return read;
 }
 
 void require_one_standard_input(const std::vector<std::string>& paths) {

@@ -8,6 +8,8 @@
 #include "reference/definitions/given_sum.hpp"
 #include "reference/definitions/minkowski_sum.hpp"
 #include "reference/definitions/region.hpp"
+#include "reference/io/reading.hpp"
+#include "reference/io/unchecked_input.hpp"
 
 namespace oplus {
 
@@ -19,9 +21,14 @@ struct ReadingTimes {
 
 /// Read a file ("-" is standard input); say on standard error what reading repaired, and on a terminal
 /// how far it is where it takes longer than a second. Add to the times, if given. Throw InvalidInput.
-Region read_summand(const std::string& path, ReadingTimes* times = nullptr);
+/// Where components may overlap, the region is their union.
+Region read_summand(const std::string& path, ReadingTimes* times = nullptr,
+                    Extent extent = Extent::bounded, Overlaps overlaps = Overlaps::refused);
+ReadSet read_summand_set(const std::string& path, ReadingTimes* times = nullptr,
+                         Overlaps overlaps = Overlaps::refused);
 MinkowskiSum read_given_sum(const std::string& path);
 GivenSum read_unchecked_sum(const std::string& path);
+UncheckedInput read_unchecked_region(const std::string& path);
 
 /// Throws UsageError where standard input is named more than once.
 void require_one_standard_input(const std::vector<std::string>& paths);

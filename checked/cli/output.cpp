@@ -12,10 +12,13 @@
 
 #include "checked/cli/command_line/program_frame.hpp"
 #include "checked/cli/command_line/terminal.hpp"
+#include "checked/cli/rounded_root.hpp"
 #include "checked/cli/usage_error.hpp"
-#include "reference/io/counted.hpp"
+#include "reference/chains/region_of.hpp"
+#include "reference/definitions/unbounded.hpp"
+#include "reference/io/number.hpp"
+#include "reference/io/power_of_ten.hpp"
 #include "reference/io/quoting.hpp"
-#include "reference/io/reading.hpp"
 
 namespace oplus {
 
@@ -54,16 +57,6 @@ void require_writable(const std::string& path) {
                      std::error_code(errno, std::generic_category()).message());
 }
 
-/// Why reading the text would fail; empty if it would not.
-std::string defect_in(const std::string& text) {
-  try {
-    read_sum(text, "the output");
-    return "";
-  } catch (const InvalidInput& error) {
-    return error.wrong();
-  }
-}
-
 /// The first fraction in the text of a region; empty if there is none.
 std::string_view first_fraction(std::string_view text) {
   constexpr std::string_view of_fractions = "-0123456789/";
@@ -76,34 +69,111 @@ std::string_view first_fraction(std::string_view text) {
 }  // namespace
 
 Format output_format(const RegionOutput& output) {
+  output_grid(output);
   if (output.format) return *output.format;
   if (output.path == "-") return Format::wkt;
   if (const std::optional<Format> by_ending = format_of(output.path)) return *by_ending;
   throw UsageError("the ending of " + output.path +
-                   " names no format: use .wkt, .dat, .geojson or .json, or --format");
+                   " names no format: use .wkt, .dat, .geojson, .json or .wkb, or --format");
 }
 
-void write_region(const RegionOutput& output, Format format, const std::string& text) {
-  write_text(output.path, text);
-  say_what_was_written(output, format, text);
-}
-
-void say_what_was_written(const RegionOutput& output, Format format, const std::string& text) {
-  if (speech().quiet) return;
-  if (output.digits) {
-    const std::string rounded =
-        "the output is rounded to " +
-        counted(static_cast<std::size_t>(*output.digits), "decimal", "decimals");
-    const std::string defect = defect_in(text);
-    say_note(defect.empty() ? rounded + "; without --digits it is exact"
-                            : rounded + " and no longer valid: " + defect +
-                                  "; use more decimals, or leave out --digits");
-  } else if (const std::string_view fraction = first_fraction(text);
-             !fraction.empty() && format != Format::dat) {
-    say_note("coordinates such as " + quote(fraction) +
-             " are written as fractions p/q, which other programs do not read; --digits 15 writes "
-             "decimals");
+std::optional<OutputGrid> output_grid(const RegionOutput& output) {
+  if (output.grid && output.digits)
+    throw UsageError("--digits N is short for --grid 10^-N; give one of the two");
+  if (!output.grid && !output.digits) {
+    if (output.side) throw UsageError("--side is for rounded output, with --grid or --digits");
+    return std::nullopt;
   }
+  const Side side = output.side.value_or(Side::nearest);
+  if (output.digits)
+    return OutputGrid{
+        Rational(1) / Rational(power_of_ten(static_cast<unsigned long>(*output.digits))), side};
+  NumberFault fault;
+  const std::optional<Rational> step = parse_number(*output.grid, fault);
+  if (!step) throw UsageError("--grid: " + fault.wrong + "; expected " + fault.expected);
+  if (sgn(*step) <= 0) throw UsageError("--grid takes a step above 0, not " + quote(*output.grid));
+  return OutputGrid{*step, side};
+}
+
+namespace {
+
+/// Throws UsageError where the format cannot hold the set (writing.hpp), and says what can.
+void require_can_hold(Format format, const MinkowskiSum& set) {
+  if (can_hold(format, set)) return;
+  if (!set.is_unbounded)
+    throw UsageError(
+        ".dat cannot hold the dangling edges and isolated vertices of this set; write .wkt or "
+        ".geojson");
+  throw UsageError(
+      can_hold(Format::dat, set)
+          ? "the result is unbounded, which only .dat can hold; write .dat"
+          : "the result is unbounded and has dangling edges or isolated vertices, which no "
+            "format can hold; its complement can be written as .wkt");
+}
+
+std::string said(const OutputGrid& grid, const RoundedSet& set) {
+  const std::string distance = rounded_root(2 * set.bound * set.bound, true);
+  std::string note = "rounded to multiples of " + to_string(grid.step) + ", ";
+  note +=
+      grid.side == Side::nearest ? "its boundary moved by at most " + distance
+      : grid.side == Side::contain
+          ? "it contains the exact one, and differs from it within " + distance + " of its boundary"
+          : "it is contained in the exact one, and differs from it within " + distance +
+                " of its boundary";
+  const std::string changes = describe(set.changes);
+  return changes.empty() ? note : note + "; " + changes;
+}
+
+/// Says that a text contains fractions that other programs do not read.
+std::string note_on_fractions(Format format, const std::string& text) {
+  const std::string_view fraction = first_fraction(text);
+  if (fraction.empty() || format == Format::dat) return "";
+  return "coordinates such as " + quote(fraction) +
+         " are written as fractions p/q, which other programs do not read; --digits 15 writes "
+         "decimals";
+}
+
+}  // namespace
+
+OutputText output_text(const RegionOutput& output, Format format, const Region& region) {
+  MinkowskiSum set;
+  if (output_grid(output))
+    set = canonical_sum(region);
+  else
+    set.is_unbounded = is_unbounded(region);
+  return output_text(output, format, set, region, Boundary::closed);
+}
+
+OutputText output_text(const RegionOutput& output, Format format, const MinkowskiSum& set,
+                       const Region& region, Boundary boundary) {
+  const std::optional<OutputGrid> grid = output_grid(output);
+  const RoundedSet rounded =
+      grid ? oplus::rounded(set, boundary, grid->step, grid->side) : RoundedSet{};
+  const MinkowskiSum& written_set = grid ? rounded.set : set;
+  const Region& written_region = grid ? rounded.region : region;
+  require_can_hold(format, written_set);
+  if (format == Format::wkb) {
+    if (const std::optional<Rational> value = not_a_double(written_region, written_set))
+      throw UsageError("WKB holds doubles, and the coordinate " + to_string(*value) +
+                       " is not exactly one; --grid 1/1048576 rounds to numbers that are");
+  }
+  OutputText result{written(written_set, written_region, format), ""};
+  result.note =
+      grid && !rounded.is_exact ? said(*grid, rounded) : note_on_fractions(format, result.text);
+  return result;
+}
+
+void write_output(const RegionOutput& output, const OutputText& text) {
+  write_text(output.path, text.text);
+  say_note_of(text);
+}
+
+void say_note_of(const OutputText& text) {
+  if (!speech().quiet && !text.note.empty()) say_note(text.note);
+}
+
+void write_region(const RegionOutput& output, Format format, const Region& region) {
+  write_output(output, output_text(output, format, region));
 }
 
 void require_writable(std::vector<std::string> paths, const std::optional<std::string>& picture) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "checked/rounding/rounding.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
@@ -13,20 +14,44 @@ namespace oplus {
 struct RegionOutput {
   std::string path = "-";  ///< "-" is standard output
   std::optional<Format> format;
-  std::optional<int> digits;  ///< exact if empty
+  std::optional<std::string> grid;  ///< the step, as it was given
+  std::optional<int> digits;        ///< short for the step 10^-digits
+  std::optional<Side> side;         ///< of what is rounded; nearest if empty
 };
 
+/// The grid that the output is rounded to.
+struct OutputGrid {
+  Rational step;
+  Side side;
+};
+
+/// The grid that was asked for; none if the output is exact. Throws UsageError.
+std::optional<OutputGrid> output_grid(const RegionOutput& output);
+
 /// The format to write in: the one asked for, else by the ending of the path; WKT on standard
-/// output. Throws UsageError for an ending that names no format.
+/// output. Throws UsageError for an ending that names no format, and for an invalid grid: to be called before
+/// anything is computed.
 Format output_format(const RegionOutput& output);
 
-/// Writes the text of a region or a sum, which is `written` in this format with the output's digits, and
-/// says what is to be known of it. Throws UsageError where it cannot write.
-void write_region(const RegionOutput& output, Format format, const std::string& text);
+/// What is to be written, and what is to be known of it.
+struct OutputText {
+  std::string text;
+  std::string note;  ///< a line; empty where there is nothing to say
+};
 
-/// Says on standard error that such a text was rounded and whether it is still valid, or that it contains
-/// fractions that other programs do not read.
-void say_what_was_written(const RegionOutput& output, Format format, const std::string& text);
+/// The text of a region or a set, exactly or rounded. Throws UsageError where the format cannot hold it.
+OutputText output_text(const RegionOutput& output, Format format, const Region& region);
+OutputText output_text(const RegionOutput& output, Format format, const MinkowskiSum& set,
+                       const Region& region, Boundary boundary);
+
+/// Writes it, and says what is to be known of it. Throws UsageError where it cannot write.
+void write_output(const RegionOutput& output, const OutputText& text);
+
+/// Says what is to be known, where something is.
+void say_note_of(const OutputText& text);
+
+/// All of it at once.
+void write_region(const RegionOutput& output, Format format, const Region& region);
 
 /// Throws UsageError where an output could not be written, two would be written to one place, or a
 /// picture's path does not end in .svg (in capitals or not), so that it is known before anything is

@@ -27,7 +27,8 @@ const ProgramFrame frame = {
 std::function<int()> add_commands(CLI::App& program) {
   const auto chosen = std::make_shared<Action>();
   for (const auto add :
-       {add_sum, add_compare, add_verify, add_certify, add_draw, add_reflect, add_gen})
+       {add_sum, add_compare, add_verify, add_certify, add_operations, add_complement, add_disc,
+        add_transform, add_batch, add_draw, add_reflect, add_repair, add_gen})
     add(program, *chosen);
   return [chosen] { return static_cast<int>((*chosen)()); };
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/cli/input.hpp"
 #include "checked/cli/shared_options.hpp"
-#include "reference/io/writing.hpp"
 
 namespace oplus {
 
@@ -9,6 +8,7 @@ namespace {
 
 struct ReflectOptions {
   std::string file;
+  Overlaps overlaps = Overlaps::refused;
   RegionOutput output;
 };
 
@@ -16,7 +16,7 @@ ExitCode reflect(const ReflectOptions& options) {
   require_writable({options.output.path});
   const Format format = output_format(options.output);
   write_region(options.output, format,
-               written(reflected(read_summand(options.file)), format, options.output.digits));
+               reflected(read_summand(options.file, nullptr, Extent::any, options.overlaps)));
   return ExitCode::done;
 }
 
@@ -25,9 +25,11 @@ ExitCode reflect(const ReflectOptions& options) {
 void add_reflect(CLI::App& program, Action& chosen) {
   const auto& [command, options] = add_subcommand(
       program, chosen, "reflect", "Write -R, each point p of a region R taken to -p", reflect);
-  add_file(command, "R", options.file, "a region: .dat, WKT or GeoJSON; - is standard input")
+  add_file(command, "R", options.file,
+           "a region: .dat, WKT, GeoJSON or an SVG path (docs/files.md); - is standard input")
       ->required();
   add_output(command, options.output, "-R");
+  add_union(command, options.overlaps, "R");
   command.footer(
       "R, moved by x, overlaps P if and only if x is inside the sum of P and -R, the no-fit polygon of\n"
       "P and R.\n"

@@ -11,6 +11,7 @@
 #include "checked/cli/output.hpp"
 #include "checked/cli/subcommands.hpp"
 #include "reference/definitions/minkowski_sum.hpp"
+#include "reference/io/overlaps.hpp"
 
 namespace oplus {
 
@@ -44,8 +45,12 @@ CLI::Option* add_file(CLI::App& command, const std::string& name, Path& path,
   return command.add_option(name, path, what)->type_name("FILE");
 }
 
-/// Adds `-o FILE`, `--format wkt|dat|geojson` and `--digits N`. `what` is what is written.
+/// Adds `-o FILE`, `--format wkt|dat|geojson|wkb`, `--grid STEP`, `--digits N` and `--side NAME`. `what` is what is
+/// written.
 void add_output(CLI::App& command, RegionOutput& output, const std::string& what);
+
+/// Adds `--union`. `what` is which inputs it is for.
+void add_union(CLI::App& command, Overlaps& overlaps, const std::string& what);
 
 /// Adds `--open`.
 void add_open(CLI::App& command, Boundary& boundary, const std::string& what);

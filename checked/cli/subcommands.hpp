@@ -19,5 +19,11 @@ void add_certify(CLI::App& program, Action& chosen);
 void add_draw(CLI::App& program, Action& chosen);
 void add_gen(CLI::App& program, Action& chosen);
 void add_reflect(CLI::App& program, Action& chosen);
+void add_repair(CLI::App& program, Action& chosen);
+void add_operations(CLI::App& program, Action& chosen);
+void add_complement(CLI::App& program, Action& chosen);
+void add_batch(CLI::App& program, Action& chosen);
+void add_disc(CLI::App& program, Action& chosen);
+void add_transform(CLI::App& program, Action& chosen);
 
 }  // namespace oplus

@@ -19,10 +19,15 @@
 #include "checked/cli/statistics.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "checked/cycles/convolution_cycles.hpp"
+#include "checked/operations/unbounded_sum.hpp"
+#include "checked/operations/union_of.hpp"
 #include "checked/timed.hpp"
 #include "reference/chains/region_of.hpp"
+#include "reference/definitions/unbounded.hpp"
 #include "reference/io/boundary_name.hpp"
+#include "reference/io/counted.hpp"
 #include "reference/pictures/picture.hpp"
+#include "reference/pictures/styles.hpp"
 
 namespace oplus {
 
@@ -32,6 +37,7 @@ struct SumOptions {
   std::string p;
   std::string q;
   RegionOutput output;
+  Overlaps overlaps = Overlaps::refused;
   Boundary boundary = Boundary::closed;
   std::string engine = engines_and_oracle().front().name;
   std::string hole_test;            ///< empty: the default
@@ -55,7 +61,17 @@ void require_certifiable(const SumOptions& options) {
   if (!options.certificate) return;
   if (options.boundary == Boundary::open)
     throw UsageError("--certificate is for sums of closed regions, without --open");
-  if (options.output.digits) throw UsageError("--certificate is for exact sums, without --digits");
+  if (options.overlaps == Overlaps::allowed)
+    throw UsageError("--certificate is for summands as they are, without --union");
+  if (output_grid(options.output))
+    throw UsageError("--certificate is for exact sums, without --digits and --grid");
+}
+
+/// For what is said of convolutions, which unbounded regions have none of.
+void require_plain(const SumOptions& options) {
+  if (options.svg || options.origins || options.certificate || options.stats || options.stats_json)
+    throw UsageError(
+        "--svg, --origins, --certificate, --stats and --stats-json are for bounded regions");
 }
 
 /// More segments are not drawn: nobody could tell them apart.
@@ -158,25 +174,88 @@ unsigned chosen_threads(const SumOptions& options, const Engine& engine) {
   return *options.threads;
 }
 
+bool is_region(const ReadSet& set) { return set.segments.empty() && set.points.empty(); }
+
+Panel panel_of_set(Summand which, const MinkowskiSum& set) {
+  const Style& style = which == Summand::P ? style::summand_p : style::summand_q;
+  Style of_points = style;
+  of_points.fill = style.line;
+  const Region region = region_of(set);
+  std::vector<std::string> sizes;
+  const auto add = [&](std::size_t size, const char* one, const char* several) {
+    if (size > 0) sizes.push_back(counted(size, one, several));
+  };
+  add(vertex_count(region), "vertex", "vertices");
+  add(set.dangling_edges.size(), "segment", "segments");
+  add(set.isolated_vertices.size(), "point", "points");
+  return {style.label + ": " + (sizes.empty() ? "empty" : boost::algorithm::join(sizes, ", ")),
+          {{style, region, set.dangling_edges}, {of_points, {}, {}, set.isolated_vertices}}};
+}
+
+/// The same of sets of which one at least has segments or points (docs/polylines.md).
+void sum_sets(const SumOptions& options, const Engine& engine, const EngineOptions& engine_options,
+              Format format, const ReadSet& read_p, const ReadSet& read_q) {
+  const auto require_not = [](bool is_given, const std::string& option) {
+    if (is_given)
+      throw UsageError(option + " is for sums of regions; a summand has line strings or points");
+  };
+  require_not(options.origins.has_value(), "--origins");
+  require_not(options.certificate.has_value(), "--certificate");
+  require_not(options.stats, "--stats");
+  require_not(options.stats_json.has_value(), "--stats-json");
+  std::optional<ShownStep> step("computing the sum");
+  const auto set = [](const ReadSet& read) {
+    return union_of(read.region, read.segments, read.points);
+  };
+  const MinkowskiSum p = set(read_p), q = set(read_q);
+  if (options.svg && (p.is_unbounded || q.is_unbounded))
+    throw UsageError("--svg is for bounded sets");
+  const MinkowskiSum sum = unbounded_sum(
+      p, q, options.boundary, [&](const Region& a, const Region& b, Boundary boundary) {
+        return engine.compute(a, b, boundary, engine_options).sum;
+      });
+  const OutputText content =
+      output_text(options.output, format, sum, region_of(sum), options.boundary);
+  const std::optional<std::string> picture =
+      options.svg ? std::optional(svg({panel_of_set(Summand::P, p),
+                                       panel_of_set(Summand::Q, q),
+                                       {"P \u2295 Q", layers_of(sum)}}))
+                  : std::nullopt;
+  step.reset();
+  if (options.boundary == Boundary::open && p.outer.empty() && q.outer.empty() && !p.is_unbounded &&
+      !q.is_unbounded)
+    say_note("neither summand has inner points, so the open sum is empty");
+  write_output(options.output, content);
+  if (picture) write_text(*options.svg, *picture);
+}
+
 /// All that a user waits for: at its end all memory is free again.
 Run done(const SumOptions& options, const Engine& engine, EngineOptions engine_options,
          Format format) {
   Run run;
   const bool with_statistics = options.stats || options.stats_json;
-  const Region p = read_summand(options.p, &run.input);
-  const Region q = read_summand(options.q, &run.input);
+  ReadSet read_p = read_summand_set(options.p, &run.input, options.overlaps);
+  ReadSet read_q = read_summand_set(options.q, &run.input, options.overlaps);
+  if (!is_region(read_p) || !is_region(read_q)) {
+    sum_sets(options, engine, engine_options, format, read_p, read_q);
+    return run;
+  }
+  const Region p = std::move(read_p.region);
+  const Region q = std::move(read_q.region);
+  if (is_unbounded(p) || is_unbounded(q)) require_plain(options);
   if (with_statistics) run.summands = timed(run.counting, [&] { return statistics_of(p, q); });
 
   std::optional<ShownStep> step("computing the sum");
   engine_options.progress = [&](std::size_t segments, std::size_t total) {
     step->advance(segments, total);
   };
-  ComputedSum computed =
-      timed(run.computing, [&] { return engine.compute(p, q, options.boundary, engine_options); });
-  if (!can_hold(format, computed.sum))
-    throw UsageError(
-        ".dat cannot hold the dangling edges and isolated vertices of this sum; write .wkt or "
-        ".geojson");
+  ComputedSum computed;
+  const auto by_engine = [&](const Region& a, const Region& b, Boundary boundary) {
+    computed = engine.compute(a, b, boundary, engine_options);
+    return std::move(computed.sum);
+  };
+  computed.sum =
+      timed(run.computing, [&] { return unbounded_sum(p, q, options.boundary, by_engine); });
   const Region region = timed(run.region, [&] { return region_of(computed.sum); });
   // Before anything is written, in case it cannot be made.
   const std::string certificate = timed(run.certificate, [&] {
@@ -186,11 +265,12 @@ Run done(const SumOptions& options, const Engine& engine, EngineOptions engine_o
   });
   step->next("writing the sum");
   timed(run.writing, [&] {
-    const std::string content = written(computed.sum, region, format, options.output.digits);
+    const OutputText content =
+        output_text(options.output, format, computed.sum, region, options.boundary);
     if (options.output.path == "-") step.reset();  // both may be on one terminal
-    write_text(options.output.path, content);
+    write_text(options.output.path, content.text);
     step.reset();
-    say_what_was_written(options.output, format, content);
+    say_note_of(content);
     if (options.origins)
       write_text(*options.origins, origins_json(computed.sum, computed.origins, p, q));
     if (options.certificate) write_text(*options.certificate, certificate);
@@ -231,14 +311,21 @@ std::string engine_help() {
 }  // namespace
 
 void add_sum(CLI::App& program, Action& chosen) {
-  const auto& [command, options] =
-      add_subcommand(program, chosen, "sum", "Compute the Minkowski sum of two regions", sum);
-  add_file(command, "P", options.p, "a region: .dat, WKT or GeoJSON; - is standard input")
+  const auto& [command, options] = add_subcommand(
+      program, chosen, "sum",
+      "Compute the Minkowski sum of two regions, or of sets with line strings and points", sum);
+  add_file(
+      command, "P", options.p,
+      "a region (docs/files.md); also line strings, points, and collections of all three; - is "
+      "standard input")
       ->required();
-  add_file(command, "Q", options.q, "the other region, in any of these formats")->required();
+  add_file(command, "Q", options.q, "the other one, in any of these formats")->required();
   add_output(command, options.output, "the sum");
-  add_open(command, options.boundary,
-           "sum the regions' interiors: keeps dangling edges and isolated vertices");
+  add_union(command, options.overlaps, "P, and of Q");
+  add_open(
+      command, options.boundary,
+      "sum the regions' interiors: keeps dangling edges and isolated vertices; of line strings and "
+      "points with a region, its interior at each of their points");
   command.add_option("--engine", options.engine, engine_help())
       ->check(CLI::IsMember(names_of(engines_and_oracle())))
       ->type_name("NAME");
@@ -271,7 +358,8 @@ void add_sum(CLI::App& program, Action& chosen) {
       "Example:\n"
       "  oplus gen comb --n 5 --summand P -o p.wkt\n"
       "  oplus gen comb --n 5 --summand Q -o q.wkt\n"
-      "  oplus sum p.wkt q.wkt -o sum.wkt --svg sum.svg --stats");
+      "  oplus sum p.wkt q.wkt -o sum.wkt --svg sum.svg --stats\n"
+      "  echo 'LINESTRING(0 0,4 0,4 3)' | oplus sum - q.wkt -o swept.wkt");
 }
 
 }  // namespace oplus

@@ -10,6 +10,7 @@
 #include "checked/cli/input.hpp"
 #include "checked/cli/json_values.hpp"
 #include "checked/cli/layer_styles.hpp"
+#include "checked/cli/rounded_root.hpp"
 #include "checked/cli/shared_options.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "checked/cli/verdict_text.hpp"
@@ -28,6 +29,7 @@ struct VerifyOptions {
   std::string p;
   std::string q;
   std::string sum;
+  Overlaps overlaps = Overlaps::refused;
   Boundary boundary = Boundary::closed;
   std::optional<std::string> tolerance;
   std::optional<std::string> svg;
@@ -43,31 +45,21 @@ Rational tolerance_in(const std::string& text) {
   return *value;
 }
 
-/// The square root, rounded down or up to six digits or more; exact where that is a short decimal.
-std::string root(const Rational& value, bool up) {
-  if (sign(value) == 0) return "0";
-  mpz_class scale = 1;
-  for (int digits = 0;; ++digits, scale *= 10) {
-    const Rational scaled = value * Rational(scale) * Rational(scale);
-    const mpz_class whole = scaled.get_num() / scaled.get_den();
-    const mpz_class floor = sqrt(whole);
-    const bool exact = Rational(floor) * Rational(floor) == scaled;
-    if (!exact && floor < 100000 && digits < most_digits) continue;
-    return to_string(Rational(floor + (up && !exact ? 1 : 0)) / Rational(scale), digits);
-  }
-}
-
 std::string said_distance(const BoundaryDistance& d) {
-  const std::string low = root(d.least_squared, false);
-  const std::string high = root(d.most_squared, true);
+  const std::string low = rounded_root(d.least_squared, false);
+  const std::string high = rounded_root(d.most_squared, true);
   return low == high ? low : "between " + low + " and " + high;
 }
 
 std::string text_of(const Closeness& close, const std::string& tolerance) {
-  std::string text = close.is_close() ? "yes" : "no";
-  text += ": the boundaries are ";
-  text += close.is_within ? "within " : "not within ";
-  text += tolerance + " of each other\n";
+  std::string text = close.is_close() ? "yes: " : "no: ";
+  if (close.is_close() && !close.has_same_chains()) {
+    text += "the sets differ only within " + tolerance + " of the boundary of the sum\n";
+  } else {
+    text += "the boundaries are ";
+    text += close.is_within ? "within " : "not within ";
+    text += tolerance + " of each other\n";
+  }
   if (close.distance) {
     text += "distance: " + said_distance(*close.distance);
     if (sign(close.distance->most_squared) > 0)
@@ -98,17 +90,19 @@ Json json_of(const Verdict& verdict) {
 }
 
 Json json_of(const Closeness& close, const Rational& tolerance) {
-  Json result = {{"answer", close.is_close() ? "yes" : "no"},
-                 {"tolerance", to_string(tolerance)},
-                 {"within", close.is_within},
-                 {"without_partner", close.no_partners}};
+  Json result = {
+      {"answer", close.is_close() ? "yes" : "no"},
+      {"tolerance", to_string(tolerance)},
+      {"within", close.is_within},
+      {"differs_near_boundary_only", close.has_same_chains() || close.differs_near_boundary_only},
+      {"without_partner", close.no_partners}};
   if (!close.distance) {
     result["distance"] = nullptr;
     return result;
   }
   const BoundaryDistance& d = *close.distance;
-  result["distance"] = {{"at_least", root(d.least_squared, false)},
-                        {"at_most", root(d.most_squared, true)},
+  result["distance"] = {{"at_least", rounded_root(d.least_squared, false)},
+                        {"at_most", rounded_root(d.most_squared, true)},
                         {"squared_at_least", to_string(d.least_squared)},
                         {"squared_at_most", to_string(d.most_squared)},
                         {"at", json(d.farthest)},
@@ -149,8 +143,8 @@ ExitCode verify_files(const VerifyOptions& options) {
   require_writable({}, options.svg);
   const std::optional<Rational> tolerance =
       options.tolerance ? std::optional(tolerance_in(*options.tolerance)) : std::nullopt;
-  const Region p = read_summand(options.p);
-  const Region q = read_summand(options.q);
+  const Region p = read_summand(options.p, nullptr, Extent::bounded, options.overlaps);
+  const Region q = read_summand(options.q, nullptr, Extent::bounded, options.overlaps);
   const GivenSum given = read_unchecked_sum(options.sum);
   const auto draw = [&](const MinkowskiSum& right, const std::optional<Point>& witness) {
     if (options.svg) write_text(*options.svg, picture(p, q, given, right, witness));
@@ -177,18 +171,20 @@ void add_verify(CLI::App& program, Action& chosen) {
       program, chosen, "verify",
       "Check whether a set is the sum of two regions; if not, give a witness and the reason",
       verify_files);
-  add_file(command, "P", options.p, "a region: .dat, WKT or GeoJSON; - is standard input")
+  add_file(command, "P", options.p,
+           "a region: .dat, WKT, GeoJSON or an SVG path (docs/files.md); - is standard input")
       ->required();
   add_file(command, "Q", options.q, "the other region")->required();
   add_file(command, "S", options.sum, "the sum to check, valid or not")->required();
+  add_union(command, options.overlaps, "P, and of Q");
   add_open(command, options.boundary,
            "check it against the sum of the regions' interiors, with dangling edges and isolated "
            "vertices");
   command
       .add_option(
           "--tolerance", options.tolerance,
-          "for a rounded sum: check that the boundaries are within the distance D of each other, "
-          "and that components and holes correspond")
+          "for a rounded sum: check that it differs from the sum only within the distance D of the "
+          "sum's boundary, and say which components and holes do not correspond")
       ->type_name("D");
   add_file(command, "--svg", options.svg, "draw S over the sum, and P and -Q + x at the witness x");
   command.add_flag("--json", options.json, "answer in JSON (docs/json.md)");
@@ -196,7 +192,7 @@ void add_verify(CLI::App& program, Action& chosen) {
       "Example:\n"
       "  oplus gen tight --n 6 --summand P -o p.wkt\n"
       "  oplus gen tight --n 6 --summand Q -o q.wkt\n"
-      "  oplus sum p.wkt q.wkt --digits 2 -o s.wkt\n"
+      "  oplus sum p.wkt q.wkt --grid 0.01 -o s.wkt\n"
       "  oplus sum p.wkt q.wkt -o exact.wkt\n"
       "  oplus verify p.wkt q.wkt exact.wkt\n"
       "  oplus verify p.wkt q.wkt s.wkt --tolerance 0.01\n"

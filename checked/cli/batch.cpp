@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <unistd.h>
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+#include <thread>
+
+#include "checked/cli/batch/computation.hpp"
+#include "checked/cli/batch/geometry_lines.hpp"
+#include "checked/cli/batch/interrupted.hpp"
+#include "checked/cli/batch/line_lots.hpp"
+#include "checked/cli/batch/ordered_work.hpp"
+#include "checked/cli/batch/parts.hpp"
+#include "checked/cli/command_line/progress.hpp"
+#include "checked/cli/command_line/terminal.hpp"
+#include "checked/cli/input.hpp"
+#include "checked/cli/shared_options.hpp"
+#include "checked/cli/usage_error.hpp"
+#include "reference/io/counted.hpp"
+#include "reference/io/invalid_input.hpp"
+#include "reference/io/output_file.hpp"
+
+namespace oplus {
+
+namespace {
+
+struct BatchOptions {
+  std::optional<std::string> pairs;
+  std::optional<std::string> parts;
+  std::optional<std::string> others;
+  bool unordered = false;
+  std::vector<std::string> rotations;
+  std::optional<std::string> rotation_step;
+  std::string rotation_error = "0.001";
+  std::string operation = names_of_batch_operations().front();
+  Boundary boundary = Boundary::closed;
+  ResultForm form = ResultForm::wkt;
+  std::optional<int> digits;
+  std::string output = "-";
+  std::optional<unsigned> threads;
+};
+
+void require_consistent(const BatchOptions& options) {
+  if (options.pairs.has_value() == options.parts.has_value())
+    throw UsageError("expected either a file of pairs or --parts FILE");
+  const bool is_rotated = !options.rotations.empty() || options.rotation_step;
+  if (!options.parts && (options.others || options.unordered || is_rotated))
+    throw UsageError("--with, --unordered and rotations are for --parts");
+  if (options.unordered && options.others)
+    throw UsageError("--unordered is for the pairs of one file, without --with");
+  if (!options.rotations.empty() && options.rotation_step)
+    throw UsageError("expected either --rotations or --rotation-step");
+  if (options.boundary == Boundary::open &&
+      options.operation != names_of_batch_operations().front())
+    throw UsageError("--open is for --operation sum");
+  if (options.parts) require_one_standard_input({*options.parts, options.others.value_or("")});
+}
+
+/// Where results go, and how far they are.
+class Writer {
+ public:
+  explicit Writer(const std::string& path) : path_(path) {
+    attempt([&] { output_.emplace(path); });
+    // Both would be on one terminal.
+    if (path != "-" || isatty(STDOUT_FILENO) != 1) step_.emplace("computing pairs");
+  }
+
+  /// Writes the lines, and counts.
+  void pass_on(const Results& results) {
+    const std::lock_guard lock(mutex_);
+    attempt([&] { output_->write(results.lines); });
+    all_.count(results);
+  }
+
+  void show(std::size_t done, std::size_t total) {
+    if (step_ && total > 0) step_->advance(std::min(done, total), total);
+  }
+
+  /// To be called now and then: ends the program where it is interrupted, between two lines and without
+  /// a file of half the results.
+  void end_if_interrupted() {
+    if (!NotedInterrupt::is_noted()) return;
+    const std::unique_lock lock(mutex_, std::chrono::seconds(1));
+    step_.reset();
+    if (lock.owns_lock()) output_.reset();
+    NotedInterrupt::end_program();
+  }
+
+  /// Says at the end what is to be known.
+  ExitCode finish() {
+    step_.reset();
+    attempt([&] { output_->finish(); });
+    if (all_.repaired > 0)
+      say_note(all_.first_note +
+               (all_.repaired == 1
+                    ? ""
+                    : "; likewise " + counted(all_.repaired - 1, "other line", "other lines")));
+    if (all_.errors == 0) return ExitCode::done;
+    say_error(std::to_string(all_.errors) + " of " + counted(all_.pairs, "line", "lines") +
+              (all_.errors == 1 ? " is an error: " : " are errors, the first: ") +
+              all_.first_error);
+    return all_.bugs > 0 ? ExitCode::bug : ExitCode::invalid;
+  }
+
+ private:
+  template <typename Write>
+  void attempt(const Write& write) {
+    try {
+      write();
+    } catch (const std::system_error& error) {
+      throw UsageError("cannot write " + (path_ == "-" ? "standard output" : path_) + ": " +
+                       error.code().message());
+    }
+  }
+
+  std::string path_;
+  std::optional<OutputFile> output_;
+  std::optional<ShownStep> step_;
+  std::timed_mutex mutex_;
+  Results all_;
+};
+
+unsigned chosen_threads(const BatchOptions& options) {
+  return options.threads ? *options.threads : std::max(std::thread::hardware_concurrency(), 1U);
+}
+
+Computation computation_of(const BatchOptions& options) {
+  Computation computation(options.operation);
+  computation.boundary = options.boundary;
+  computation.form = options.form;
+  computation.digits = options.digits;
+  return computation;
+}
+
+Results results_of(const LineLot& lot, const std::string& file, const Computation& computation) {
+  Results results;
+  results.lines.reserve(2 * lot.text.size());
+  each_line(lot, [&](std::string_view text, std::size_t number) {
+    if (is_blank_or_comment(text)) return;
+    std::string beginning = "{\"line\": " + std::to_string(number);
+    add_line(results, beginning, [&](std::string& line) {
+      PairLine pair = read_pair_line({file, number, text});
+      results.note(file, number, pair.notes);
+      if (!pair.id.empty()) {
+        const std::string id = ", \"id\": " + pair.id;
+        beginning += id;
+        line += id;
+      }
+      computation.add(line, pair.p, pair.q);
+    });
+  });
+  return results;
+}
+
+ExitCode of_pairs(const BatchOptions& options) {
+  LineLots lots(*options.pairs);
+  const Computation computation = computation_of(options);
+  const NotedInterrupt interrupt;
+  Writer writer(options.output);
+  OrderedWork<LineLot, Results>* running = nullptr;
+  OrderedWork<LineLot, Results> work({
+      .take =
+          [&] {
+            // In percent: bytes would tell less.
+            if (lots.bytes() > 0) writer.show(100 * lots.bytes_done() / lots.bytes(), 100);
+            return lots.next([&] { return running->is_stopping(); });
+          },
+      .work = [&](LineLot&& lot) { return results_of(lot, lots.name(), computation); },
+      .pass_on = [&](Results&& results) { writer.pass_on(results); },
+  });
+  running = &work;
+  work.run(chosen_threads(options), [&] { writer.end_if_interrupted(); });
+  return writer.finish();
+}
+
+/// The pairs of parts, numbered: Q changes before P, its rotation before Q.
+class PairsOfParts {
+ public:
+  PairsOfParts(const BatchOptions& options, Results& results)
+      : is_unordered_(options.unordered), computation_(computation_of(options)) {
+    rotations_ = options.rotation_step
+                     ? rotations(multiples_of(*options.rotation_step), options.rotation_error)
+                     : rotations(options.rotations, options.rotation_error);
+    if (rotations_.empty()) rotations_.emplace_back();
+    p_ = read_parts(*options.parts, results);
+    q_ = options.others ? read_parts(*options.others, results) : p_;
+    for (const Part& part : p_) prepared_p_.emplace_back(part.region);
+    for (const Part& part : q_)
+      for (const PartRotation& rotation : rotations_) {
+        Region turned = rotation.turned(part.region);
+        prepared_q_.emplace_back(computation_.is_sum_of_prepared()
+                                     ? computation_.second_summand(std::move(turned))
+                                     : std::move(turned));
+      }
+  }
+
+  /// Those to be left out are counted, too.
+  std::size_t size() const { return p_.size() * prepared_q_.size(); }
+
+  Results results_of(std::size_t first, std::size_t last) const {
+    Results results;
+    for (std::size_t i = first; i < last; ++i) {
+      const std::size_t p = i / prepared_q_.size(), turned_q = i % prepared_q_.size();
+      const std::size_t q = turned_q / rotations_.size();
+      if (is_unordered_ && q < p) continue;
+      add_line(results,
+               "{\"p\": " + p_[p].name + ", \"q\": " + q_[q].name +
+                   rotations_[turned_q % rotations_.size()].json,
+               [&](std::string& line) {
+                 if (computation_.is_sum_of_prepared())
+                   computation_.add(line, prepared_p_[p], prepared_q_[turned_q]);
+                 else
+                   computation_.add(line, p_[p].region, prepared_q_[turned_q].region());
+               });
+    }
+    return results;
+  }
+
+ private:
+  bool is_unordered_;
+  Computation computation_;
+  std::vector<PartRotation> rotations_;
+  std::vector<Part> p_, q_;
+  std::vector<slide::PreparedSummand> prepared_p_;
+  std::vector<slide::PreparedSummand> prepared_q_;  ///< turned by each rotation
+};
+
+ExitCode of_parts(const BatchOptions& options) {
+  Results of_reading;
+  const PairsOfParts pairs(options, of_reading);
+  const NotedInterrupt interrupt;
+  Writer writer(options.output);
+  writer.pass_on(of_reading);
+  constexpr std::size_t pairs_of_a_lot = 16;
+  struct Range {
+    std::size_t first, last;
+  };
+  std::size_t next = 0;
+  OrderedWork<Range, Results> work({
+      .take = [&]() -> std::optional<Range> {
+        writer.show(next, pairs.size());
+        if (next == pairs.size()) return std::nullopt;
+        const std::size_t first = next;
+        next = std::min(next + pairs_of_a_lot, pairs.size());
+        return Range{first, next};
+      },
+      .work = [&](Range&& range) { return pairs.results_of(range.first, range.last); },
+      .pass_on = [&](Results&& results) { writer.pass_on(results); },
+  });
+  work.run(chosen_threads(options), [&] { writer.end_if_interrupted(); });
+  return writer.finish();
+}
+
+ExitCode batch(const BatchOptions& options) {
+  require_consistent(options);
+  require_writable({options.output});
+  return options.pairs ? of_pairs(options) : of_parts(options);
+}
+
+}  // namespace
+
+void add_batch(CLI::App& program, Action& chosen) {
+  const auto& [command, options] =
+      add_subcommand(program, chosen, "batch",
+                     "Compute a sum, or another operation, of many pairs of regions", batch);
+  add_file(command, "PAIRS", options.pairs,
+           "two regions a line, with a tab between them, each WKT or GeoJSON, or a JSON object "
+           "{\"p\": ..., \"q\": ...}; - is standard input");
+  add_file(command, "--parts", options.parts,
+           "one region a line, or its name, a tab and the region: computes all pairs of them, also "
+           "each with itself");
+  add_file(command, "--with", options.others,
+           "the regions of this file are Q, those of --parts are P");
+  command.add_flag("--unordered", options.unordered, "of --parts: no pair the other way round");
+  command
+      .add_option("--rotations", options.rotations,
+                  "of --parts: turn Q by each of these angles in degrees, about the origin")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("ANGLE,...");
+  command
+      .add_option("--rotation-step", options.rotation_step,
+                  "the same by all multiples of this angle that are less than 360")
+      ->type_name("ANGLE");
+  command
+      .add_option("--rotation-error", options.rotation_error,
+                  "rotations are exact, but by an angle that may differ by so many degrees, by "
+                  "default 0.001; those by multiples of 90 degrees never do")
+      ->type_name("ANGLE");
+  command
+      .add_option("--operation", options.operation,
+                  "what to compute, by default sum: " +
+                      joined(
+                          names_of_batch_operations(), [](const auto& name) { return name; }, ", "))
+      ->check(CLI::IsMember(names_of_batch_operations()))
+      ->type_name("NAME");
+  add_open(command, options.boundary, "sum the regions' interiors, as in oplus sum");
+  static const std::map<std::string, ResultForm> forms = {
+      {"wkt", ResultForm::wkt}, {"geojson", ResultForm::geojson}, {"area", ResultForm::area}};
+  command
+      .add_option_function<std::string>(
+          "--format", [&form = options.form](const std::string& name) { form = forms.at(name); },
+          "write results as wkt, in a string, by default; as geojson; or only their area")
+      ->check(CLI::IsMember(forms))
+      ->type_name("NAME");
+  command
+      .add_option("--digits", options.digits, "round to N decimals; by default results are exact")
+      ->check(CLI::Range(0, most_digits))
+      ->type_name("N");
+  add_file(command, "-o,--output", options.output,
+           "write the results there, as a whole at the end; by default to standard output, as they "
+           "come");
+  command
+      .add_option("--threads", options.threads,
+                  "the number of threads, by default one per core. The results are the same")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+  command.footer(
+      "Writes a line of JSON for each pair, in the order of the input (docs/batch.md). A pair that is "
+      "invalid gets\n"
+      "a line with an \"error\", and the others are computed. Blank lines and lines that start with # "
+      "are left out.\n"
+      "\n"
+      "Example:\n"
+      "  oplus gen star --n 12 --seed 3 >parts.txt\n"
+      "  oplus gen star --n 9 --seed 4 >>parts.txt\n"
+      "  oplus batch --parts parts.txt --rotation-step 90 --operation nfp -o no_fit.jsonl\n"
+      "\n"
+      "Exit codes:\n"
+      "  0  done: all pairs were computed\n"
+      "  2  some lines are errors; or invalid usage, or a file that cannot be read or written\n"
+      "  3  a bug in oplus; please report it");
+}
+
+}  // namespace oplus

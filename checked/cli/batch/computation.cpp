@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/cli/batch/computation.hpp"
+
+#include <algorithm>
+#include <new>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "checked/cli/usage_error.hpp"
+#include "checked/rounding/rounding.hpp"
+#include "checked/slide/slide.hpp"
+#include "reference/chains/region_of.hpp"
+#include "reference/definitions/region.hpp"
+#include "reference/io/invalid_input.hpp"
+#include "reference/io/power_of_ten.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+constexpr const char* sum_name = "sum";
+constexpr const char* no_fit_name = "nfp";
+
+MinkowskiSum sum_of_regions(const Region& p, const Region& q, Boundary boundary) {
+  return slide_sum(p, q, boundary).sum;
+}
+
+}  // namespace
+
+std::vector<std::string> names_of_batch_operations() {
+  std::vector<std::string> names = {sum_name};
+  for (const Operation& operation : operations()) names.push_back(operation.name);
+  return names;
+}
+
+Computation::Computation(const std::string& operation) {
+  const auto found = std::find_if(operations().begin(), operations().end(),
+                                  [&](const Operation& one) { return one.name == operation; });
+  if (found != operations().end()) operation_ = &*found;
+}
+
+bool Computation::is_sum_of_prepared() const {
+  return operation_ == nullptr || operation_->name == no_fit_name;
+}
+
+Region Computation::second_summand(Region q) const {
+  return operation_ == nullptr ? std::move(q) : reflected(std::move(q));
+}
+
+void Computation::add(std::string& line, const Region& p, const Region& q) const {
+  add(line, operation_ == nullptr ? sum_of_regions(p, q, boundary)
+                                  : operation_->compute(p, q, sum_of_regions));
+}
+
+void Computation::add(std::string& line, const slide::PreparedSummand& p,
+                      const slide::PreparedSummand& q) const {
+  add(line, sum_of_prepared(p, q, operation_ == nullptr ? boundary : Boundary::open).sum);
+}
+
+bool Computation::is_open() const {
+  return operation_ == nullptr ? boundary == Boundary::open : operation_->is_open;
+}
+
+void Computation::add(std::string& line, const MinkowskiSum& result) const {
+  if (result.is_unbounded) throw UsageError("the result is unbounded");
+  if (form == ResultForm::area) {
+    line += ", \"area\": \"" + to_string(area(result), digits) + '"';
+    return;
+  }
+  const bool is_wkt = form == ResultForm::wkt;
+  const Format format = is_wkt ? Format::wkt : Format::geojson;
+  std::string text;
+  if (digits) {
+    const Rational step = Rational(1) / Rational(power_of_ten(static_cast<unsigned long>(*digits)));
+    const RoundedSet on_grid =
+        rounded(result, is_open() ? Boundary::open : Boundary::closed, step, Side::nearest);
+    text = written(on_grid.set, on_grid.region, format);
+  } else {
+    text = written(result, format);
+  }
+  line += ", \"result\": ";
+  if (is_wkt) line += '"';
+  line.append(text, 0, text.size() - 1);  // without the end of the line
+  if (is_wkt) line += '"';
+}
+
+void add_line(Results& results, const std::string& beginning,
+              const std::function<void(std::string& line)>& compute) {
+  const std::size_t start = results.lines.size();
+  std::string error;
+  try {
+    results.lines += beginning;
+    compute(results.lines);
+    results.lines += "}\n";
+    ++results.pairs;
+    return;
+  } catch (const InvalidInput& invalid) {
+    error = invalid.what();
+  } catch (const UsageError& unsupported) {
+    error = unsupported.what();
+  } catch (const std::bad_alloc&) {
+    error = "there is not enough memory for this input";
+  } catch (const std::exception& bug) {
+    error = std::string("a bug in oplus: ") + bug.what() + "; please report it with the input";
+    ++results.bugs;
+  }
+  results.lines.resize(start);
+  add_error(results, beginning, error);
+}
+
+void add_error(Results& results, const std::string& beginning, const std::string& what) {
+  results.lines += beginning + ", \"error\": " + in_json(what) + "}\n";
+  ++results.pairs;
+  ++results.errors;
+  if (results.first_error.empty()) results.first_error = what;
+}
+
+std::string in_json(const std::string& text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+}  // namespace oplus

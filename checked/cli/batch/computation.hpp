@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "checked/cli/batch/results.hpp"
+#include "checked/operations/operations.hpp"
+#include "checked/slide/prepared_summand.hpp"
+#include "reference/definitions/minkowski_sum.hpp"
+
+namespace oplus {
+
+/// How a result is written: as a geometry, or its area alone.
+enum class ResultForm { wkt, geojson, area };
+
+/// `sum`, and those of operations().
+std::vector<std::string> names_of_batch_operations();
+
+/// What is computed of each pair, and how it is written.
+class Computation {
+ public:
+  /// Requires: `operation` is one of these names.
+  explicit Computation(const std::string& operation);
+
+  Boundary boundary = Boundary::closed;  ///< of the operation `sum`
+  ResultForm form = ResultForm::wkt;
+  std::optional<int> digits =
+      {};  ///< results are on the grid of 10^-digits (rounding.hpp); exact if empty
+
+  /// Adds the result of a pair to a line.
+  void add(std::string& line, const Region& p, const Region& q) const;
+
+  /// Whether it is one sum, of P and of second_summand(Q): then both may be prepared.
+  bool is_sum_of_prepared() const;
+  Region second_summand(Region q) const;
+  void add(std::string& line, const slide::PreparedSummand& p,
+           const slide::PreparedSummand& q) const;
+
+ private:
+  void add(std::string& line, const MinkowskiSum& result) const;
+  bool is_open() const;  ///< whether results are open sets
+
+  const Operation* operation_ = nullptr;  ///< none: the sum
+};
+
+/// Adds a line to the results. compute(line) gets the beginning of the line, `{"line": 7` for example, and
+/// completes it but for the brace. What it throws becomes an "error" behind that beginning.
+void add_line(Results& results, const std::string& beginning,
+              const std::function<void(std::string& line)>& compute);
+
+/// Adds a line that is an error.
+void add_error(Results& results, const std::string& beginning, const std::string& what);
+
+/// A string as JSON.
+std::string in_json(const std::string& text);
+
+}  // namespace oplus

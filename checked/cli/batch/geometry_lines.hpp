@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reference/definitions/region.hpp"
+
+namespace oplus {
+
+/// A line of an input.
+struct PlacedLine {
+  const std::string& file;  ///< what messages call the input
+  std::size_t number;       ///< from one
+  std::string_view text;    ///< without the end of the line
+};
+
+/// Whether there is nothing to compute in a line: it is blank, or starts with #.
+bool is_blank_or_comment(std::string_view line);
+
+/// Two summands.
+struct PairLine {
+  Region p;
+  Region q;
+  std::string id;                  ///< as JSON, as in the line; empty where there is none
+  std::vector<std::string> notes;  ///< what reading repaired
+};
+
+/// Reads two geometries with a tab between them, each in any form that read_region takes, or a JSON object
+/// {"p": ..., "q": ...} of GeoJSON geometries or of strings in these forms. It may have an "id" of any type.
+/// Throws InvalidInput, which names the file, the line and the column.
+PairLine read_pair_line(const PlacedLine& line);
+
+struct PartLine {
+  Region region;
+  std::string name;  ///< empty where there is none
+  std::vector<std::string> notes;
+};
+
+/// Reads one geometry, with its name and a tab before it, or without. Throws as read_pair_line does.
+PartLine read_part_line(const PlacedLine& line);
+
+}  // namespace oplus

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/cli/batch/parts.hpp"
+
+#include <optional>
+#include <utility>
+
+#include "checked/cli/batch/computation.hpp"
+#include "checked/cli/batch/geometry_lines.hpp"
+#include "checked/cli/batch/line_lots.hpp"
+#include "checked/cli/usage_error.hpp"
+#include "reference/arithmetic/rational_rotation.hpp"
+#include "reference/definitions/point.hpp"
+#include "reference/io/invalid_input.hpp"
+#include "reference/io/number.hpp"
+#include "reference/io/quoting.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+Rational number(const std::string& option, const std::string& text) {
+  NumberFault fault;
+  const std::optional<Rational> value = parse_number(text, fault);
+  if (!value) throw UsageError(option + ": " + fault.wrong + "; expected " + fault.expected);
+  return *value;
+}
+
+}  // namespace
+
+std::vector<Part> read_parts(const std::string& path, Results& results) {
+  std::vector<Part> parts;
+  LineLots lots(path);
+  std::size_t count = 0;
+  while (const std::optional<LineLot> lot = lots.next())
+    each_line(*lot, [&](std::string_view text, std::size_t number) {
+      if (is_blank_or_comment(text)) return;
+      ++count;
+      try {
+        PartLine part = read_part_line({lots.name(), number, text});
+        results.note(lots.name(), number, part.notes);
+        parts.push_back({std::move(part.region),
+                         part.name.empty() ? std::to_string(count) : in_json(part.name)});
+      } catch (const InvalidInput& invalid) {
+        add_error(results, "{\"part\": " + std::to_string(count), invalid.what());
+      }
+    });
+  return parts;
+}
+
+Region PartRotation::turned(const Region& region) const {
+  if (sin == 0 && cos == 1) return region;
+  return mapped(region, [&](const Point& p) {
+    return Point{cos * p.x - sin * p.y, sin * p.x + cos * p.y};
+  });
+}
+
+std::vector<PartRotation> rotations(const std::vector<std::string>& degrees,
+                                    const std::string& error) {
+  const Rational largest = number("--rotation-error", error);
+  if (largest <= 0) throw UsageError("--rotation-error must be positive, not " + error);
+  std::vector<PartRotation> result;
+  for (const std::string& text : degrees) {
+    const Rational angle = number("--rotations", text);
+    const auto [cos, sin] = rational_rotation(angle, largest);
+    result.push_back({cos, sin,
+                      ", \"degrees\": \"" + to_string(angle) + "\", \"cos\": \"" + to_string(cos) +
+                          "\", \"sin\": \"" + to_string(sin) + '"'});
+  }
+  return result;
+}
+
+std::vector<std::string> multiples_of(const std::string& degrees) {
+  constexpr int most = 3600;
+  const Rational step = number("--rotation-step", degrees);
+  if (step <= 0 || step * most < 360)
+    throw UsageError("--rotation-step must be at least a tenth of a degree, not " + degrees);
+  std::vector<std::string> result;
+  for (Rational angle = 0; angle < 360; angle += step) result.push_back(to_string(angle));
+  return result;
+}
+
+}  // namespace oplus

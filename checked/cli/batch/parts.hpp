@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "checked/cli/batch/results.hpp"
+#include "reference/definitions/region.hpp"
+
+namespace oplus {
+
+/// A region of a file of parts.
+struct Part {
+  Region region;
+  std::string name;  ///< as JSON: its name, or its number in the file, from one
+};
+
+/// Reads a file of parts, one a line (docs/batch.md). An invalid one becomes a line of the results, with
+/// its number among the parts, and is left out. Throws InvalidInput where the file cannot be read.
+std::vector<Part> read_parts(const std::string& path, Results& results);
+
+/// By which angle parts are turned.
+struct PartRotation {
+  Rational cos = 1;
+  Rational sin = 0;
+  std::string json = {};  ///< `, "degrees": "90", "cos": "0", "sin": "1"`; empty unless asked for
+
+  Region turned(const Region& region) const;
+};
+
+/// Angles in degrees, which are multiples of 90 or else met up to `error` degrees by a rotation that takes
+/// rational points to such. Throws UsageError where a text in the list is no number.
+std::vector<PartRotation> rotations(const std::vector<std::string>& degrees,
+                                    const std::string& error);
+
+/// The multiples of an angle in degrees that are less than 360. Throws UsageError unless it is positive and
+/// there are at most 3600 of them.
+std::vector<std::string> multiples_of(const std::string& degrees);
+
+}  // namespace oplus

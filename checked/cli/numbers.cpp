@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/cli/numbers.hpp"
+
+#include "checked/cli/usage_error.hpp"
+#include "reference/io/number.hpp"
+#include "reference/io/quoting.hpp"
+
+namespace oplus {
+
+Rational number(const std::string& option, const std::string& text) {
+  NumberFault fault;
+  const std::optional<Rational> value = parse_number(text, fault);
+  if (!value) throw UsageError(option + ": " + fault.wrong + "; expected " + fault.expected);
+  return *value;
+}
+
+Point pair_of_numbers(const std::string& option, const std::string& text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos)
+    throw UsageError(option + ": " + quote(text) +
+                     " is not two numbers; expected them with a comma between them, as in 1,0.5");
+  return {number(option, text.substr(0, comma)), number(option, text.substr(comma + 1))};
+}
+
+}  // namespace oplus

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "reference/definitions/rational.hpp"
+
+namespace oplus {
+
+/// The number that an option was given, exactly: an integer, a decimal or a fraction. Throws UsageError,
+/// which names the option.
+Rational number(const std::string& option, const std::string& text);
+
+/// The same of two numbers with a comma between them. Throws UsageError, likewise.
+Point pair_of_numbers(const std::string& option, const std::string& text);
+
+}  // namespace oplus

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/operations/operations.hpp"
+
+#include "checked/cli/command_line/program_frame.hpp"
+#include "checked/cli/command_line/progress.hpp"
+#include "checked/cli/engines_and_oracle.hpp"
+#include "checked/cli/input.hpp"
+#include "checked/cli/shared_options.hpp"
+#include "checked/cli/usage_error.hpp"
+#include "checked/operations/complement.hpp"
+#include "reference/chains/region_of.hpp"
+#include "reference/definitions/unbounded.hpp"
+#include "reference/io/writing.hpp"
+#include "reference/pictures/picture.hpp"
+
+namespace oplus {
+
+namespace {
+
+struct OperationOptions {
+  Operation operation;
+  std::string p;
+  std::string q;
+  RegionOutput output;
+  Overlaps overlaps = Overlaps::refused;
+  std::string engine = engines_and_oracle().front().name;
+  std::optional<std::string> svg;
+};
+
+ExitCode operate(const OperationOptions& options) {
+  const Engine& engine = *find_engine(engines_and_oracle(), options.engine);
+  require_one_standard_input({options.p, options.q});
+  require_writable({options.output.path}, options.svg);
+  const Format format = output_format(options.output);
+  const Region p = read_summand(options.p, nullptr, Extent::any, options.overlaps);
+  const Region q = read_summand(options.q, nullptr, Extent::any, options.overlaps);
+  std::optional<ShownStep> step("computing");
+  const MinkowskiSum set =
+      options.operation.compute(p, q, [&](const Region& a, const Region& b, Boundary boundary) {
+        return engine.compute(a, b, boundary, {}).sum;
+      });
+  step.reset();
+  if (options.svg && (is_unbounded(p) || is_unbounded(q) || set.is_unbounded))
+    throw UsageError("--svg is for bounded sets");
+  write_output(options.output,
+               output_text(options.output, format, set, region_of(set),
+                           options.operation.is_open ? Boundary::open : Boundary::closed));
+  if (options.svg)
+    write_text(*options.svg, svg({panel_of(Summand::P, p),
+                                  panel_of(Summand::Q, q),
+                                  {options.operation.name + " P Q", layers_of(set)}}));
+  return ExitCode::done;
+}
+
+struct ComplementOptions {
+  std::string file;
+  RegionOutput output;
+};
+
+ExitCode complement_of(const ComplementOptions& options) {
+  require_writable({options.output.path});
+  const Format format = output_format(options.output);
+  write_region(options.output, format,
+               complement(read_summand(options.file, nullptr, Extent::any)));
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_operations(CLI::App& program, Action& chosen) {
+  for (const Operation& operation : operations()) {
+    const auto& [command, options] =
+        add_subcommand(program, chosen, operation.name, "Compute " + operation.what, operate);
+    options.operation = operation;
+    add_file(command, "P", options.p,
+             "a region (docs/files.md), which may be unbounded (.dat); - is standard input")
+        ->required();
+    add_file(command, "Q", options.q, "the other region, in any of these formats")->required();
+    add_output(command, options.output, "the result");
+    add_union(command, options.overlaps, "P, and of Q");
+    command
+        .add_option("--engine", options.engine, "the engine that computes sums, as in oplus sum")
+        ->check(CLI::IsMember(names_of(engines_and_oracle())))
+        ->type_name("NAME");
+    add_file(command, "--svg", options.svg, "draw P, Q and the result there, as SVG");
+    command.footer(
+        "Q + x is Q moved by x. Where the two just fit, the result has edges and points of its own, written\n"
+        "as line strings and points; those of nfp are not in it, those of ifp are.\n"
+        "\n"
+        "Example:\n"
+        "  oplus gen tight --n 6 --summand P -o p.wkt\n"
+        "  oplus gen tight --n 6 --summand Q -o q.wkt\n"
+        "  oplus " +
+        operation.name + " p.wkt q.wkt --svg " + operation.name + ".svg");
+  }
+}
+
+void add_complement(CLI::App& program, Action& chosen) {
+  const auto& [command, options] = add_subcommand(
+      program, chosen, "complement", "Write the closure of a region's complement", complement_of);
+  add_file(command, "R", options.file,
+           "a region (docs/files.md), which may be unbounded (.dat); - is standard input")
+      ->required();
+  add_output(command, options.output, "the complement");
+  command.footer(
+      "The complement of a bounded region is unbounded. Only .dat holds that: 0 vertices in place of an\n"
+      "outer chain.\n"
+      "\n"
+      "Example:\n"
+      "  oplus gen star --n 8 --summand P -o part.wkt\n"
+      "  oplus complement part.wkt -o outside.dat\n"
+      "  oplus complement outside.dat -o same.wkt");
+}
+
+}  // namespace oplus

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/cli/command_line/terminal.hpp"
+#include "checked/cli/input.hpp"
+#include "checked/cli/numbers.hpp"
+#include "checked/cli/shared_options.hpp"
+#include "checked/cli/usage_error.hpp"
+#include "checked/operations/image.hpp"
+#include "checked/oplus/oplus.hpp"
+#include "reference/arithmetic/rational_rotation.hpp"
+#include "reference/chains/region_of.hpp"
+#include "reference/io/power_of_ten.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+/// An option as it was given.
+struct Step {
+  std::string option;
+  std::string value;
+};
+
+struct TransformOptions {
+  std::string file;
+  std::vector<Step> steps;  ///< in the order of the command line
+  std::string angle_error = "0.0001";
+  RegionOutput output;
+  Boundary boundary = Boundary::closed;  ///< of the set, for rounding
+};
+
+bool is_pair(const std::string& text) { return text.find(',') != std::string::npos; }
+
+/// One step, and what is to be said of it.
+struct Map {
+  AffineMap map;
+  std::string note = "";
+};
+
+Map with_angle(const AffineMap& rotation) {
+  constexpr int digits = 12;
+  const Rational degrees =
+      angle_in_degrees({rotation.a, rotation.c}, Rational(1, power_of_ten(digits + 2)));
+  return {rotation, "rotated exactly by the angle with cosine " + to_string(rotation.a) +
+                        " and sine " + to_string(rotation.c) + ", " + to_string(degrees, digits) +
+                        " degrees"};
+}
+
+Map rotation_of(const Step& step, const Rational& error) {
+  if (is_pair(step.value)) return with_angle(rotation_to(pair_of_numbers(step.option, step.value)));
+  const Rational degrees = number(step.option, step.value);
+  const AffineMap map = rotation(degrees, error);
+  return Rational(degrees / 90).get_den() == 1 ? Map{map} : with_angle(map);
+}
+
+Point factors(const Step& step) {
+  if (is_pair(step.value)) return pair_of_numbers(step.option, step.value);
+  const Rational factor = number(step.option, step.value);
+  return {factor, factor};
+}
+
+Map map_of(const Step& step, const Rational& error) {
+  const auto& [option, value] = step;
+  if (option == "--translate") return {translation(pair_of_numbers(option, value))};
+  if (option == "--rotate") return rotation_of(step, error);
+  if (option == "--reflect") return {scaling(value == "x" ? 1 : -1, value == "y" ? 1 : -1)};
+  const Point by = factors(step);
+  return {scaling(by.x, by.y)};
+}
+
+/// A sum or another set, of which nothing is known but that its region is valid.
+MinkowskiSum set_in(const ReadSet& read) {
+  MinkowskiSum set = canonical_sum(read.region);
+  set.isolated_vertices = read.points;
+  for (const Segment& s : read.segments) {
+    if (s.source == s.target)
+      set.isolated_vertices.push_back(s.source);
+    else
+      set.dangling_edges.push_back(s);
+  }
+  return set;
+}
+
+ExitCode transform(const TransformOptions& options) {
+  if (options.steps.empty())
+    throw UsageError("nothing to do: give --translate, --scale, --rotate or --reflect");
+  const Rational error = number("--angle-error", options.angle_error);
+  AffineMap map;
+  std::vector<std::string> notes;
+  for (const Step& step : options.steps) {
+    const Map next = map_of(step, error);
+    map = next.map * map;
+    if (!next.note.empty()) notes.push_back(next.note);
+  }
+  require_writable({options.output.path});
+  const Format format = output_format(options.output);
+  const MinkowskiSum set = image(map, set_in(read_summand_set(options.file)));
+  write_output(options.output,
+               output_text(options.output, format, set, region_of(set), options.boundary));
+  for (const std::string& note : notes) say_note(note);
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_transform(CLI::App& program, Action& chosen) {
+  const auto& [command, options] = add_subcommand(
+      program, chosen, "transform", "Move, scale, rotate or reflect a region, exactly", transform);
+  add_file(
+      command, "R", options.file,
+      "a region or a sum: .dat, WKT or GeoJSON; - is standard input; it may be unbounded (.dat)")
+      ->required();
+  // Options take effect in the order of the command line, which is when they are parsed.
+  const auto add_step = [&command, &options](const std::string& name, const std::string& value,
+                                             const std::string& what) {
+    return command
+        .add_option_function<std::string>(
+            name,
+            [=, &options](const std::string& text) {
+              options.steps.push_back({name, text});
+            },
+            what)
+        ->trigger_on_parse()
+        ->type_name(value);
+  };
+  add_step("--translate", "X,Y", "add X to each x and Y to each y");
+  add_step("--scale", "F|FX,FY", "multiply by F, or each x by FX and each y by FY; not by zero");
+  CLI::Option* rotate = add_step(
+      "--rotate", "ANGLE|COS,SIN",
+      "rotate about the origin, counterclockwise: by ANGLE degrees, a multiple of 90 exactly, any "
+      "other nearly (see --angle-error), or exactly by the angle with this cosine and sine");
+  add_step("--reflect", "NAME", "reflect in the x-axis, in the y-axis or in the origin")
+      ->check(CLI::IsMember({"x", "y", "origin"}));
+  command
+      .add_option(
+          "--angle-error", options.angle_error,
+          "the rotation is by at most E degrees more or less than ANGLE, 0.0001 by default, and "
+          "has the smallest denominator of those; its exact cosine and sine are printed")
+      ->needs(rotate)
+      ->type_name("E");
+  add_output(command, options.output, "the result");
+  add_open(
+      command, options.boundary,
+      "R is an open set, as sum --open and nfp write them: with --grid or --digits, line strings "
+      "and points are rounded as parts of its complement, not of R");
+  command.footer(
+      "The options apply in the order in which they are given, any of them several times. No\n"
+      "coordinate is rounded: sine and cosine are fractions.\n"
+      "\n"
+      "Example:\n"
+      "  oplus gen star --n 8 --summand P -o part.wkt\n"
+      "  oplus transform part.wkt --rotate 30 --translate 100,-2.5 -o placed.wkt\n"
+      "  oplus transform part.wkt --rotate 3/5,4/5 --reflect x -o turned.wkt");
+}
+
+}  // namespace oplus
