@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "checked/cli/version.hpp"
+#include "properties/compare/operation.hpp"
 #include "properties/compare/report_json.hpp"
 #include "reference/io/boundary_name.hpp"
 #include "reference/io/counted.hpp"
@@ -74,7 +75,8 @@ Tally& Tally::operator+=(const Tally& more) {
         &Tally::holes_in_summand, &Tally::low_dimensional_features, &Tally::overlapping_segments,
         &Tally::several_components, &Tally::face_probes, &Tally::point_probes})
     this->*count += more.*count;
-  for (const auto counts : {&Tally::sums, &Tally::kinds, &Tally::open_unsupported, &Tally::refused})
+  for (const auto counts :
+       {&Tally::sums, &Tally::values, &Tally::kinds, &Tally::open_unsupported, &Tally::refused})
     for (const auto& [key, count] : more.*counts) (this->*counts)[key] += count;
   return *this;
 }
@@ -159,6 +161,8 @@ void add(CampaignReport& report, std::size_t source, std::size_t index, const Ta
   counts.point_probes += judged.probes.points;
   if (!judged.right) return;
   const MinkowskiSum& open = judged.right->open;
+  if (!report.campaign.is_of_sums())
+    for (const std::string& part : parts_of_value(open)) ++counts.values[part];
   counts.holes_in_sum += !judged.right->closed.holes.empty();
   counts.low_dimensional_features +=
       !open.dangling_edges.empty() || !open.isolated_vertices.empty();

@@ -19,6 +19,7 @@ struct Campaign {
   std::vector<std::string> engines;
   std::string hole_test = "all";
   std::string judge = judges().front().name;
+  std::string operation = "sum";  ///< what is made of each pair
   std::uint64_t seed = 1;
   std::optional<std::size_t> n = {};  ///< largest size of generated pairs; default: the family's
   std::size_t largest = judges().front().largest;  ///< see Rules
@@ -28,6 +29,9 @@ struct Campaign {
   std::size_t memory_limit = 4000;         ///< likewise, in MB; 0: unlimited
   std::vector<std::string> pairs = {};     ///< given ones, by name
   std::vector<std::string> sources = {};   ///< a line per source
+
+  /// Whether closed and open sums are compared, not one value of an operation (operation.hpp).
+  bool is_of_sums() const { return operation == "sum"; }
 };
 
 /// A part of a campaign that is run on several machines: task i, from 0, is of shard i mod `of` + 1,
@@ -56,6 +60,7 @@ struct Tally {
   std::size_t face_probes = 0;  ///< how often hole tests were asked
   std::size_t point_probes = 0;
   std::map<std::string, std::size_t> sums;              ///< by ruling
+  std::map<std::string, std::size_t> values;            ///< of an operation: parts_of_value()
   std::map<std::string, std::size_t> kinds;             ///< of failure, as `counterexamples` below
   std::map<std::string, std::size_t> open_unsupported;  ///< by engine
   std::map<std::string, std::size_t> refused;           ///< by engine, boundary and reason

@@ -18,6 +18,7 @@
 #include "properties/compare/certified_engine.hpp"
 #include "properties/compare/counterexample_files.hpp"
 #include "properties/compare/engine_called.hpp"
+#include "properties/compare/operation.hpp"
 #include "properties/compare/report_json.hpp"
 #include "properties/compare/report_text.hpp"
 #include "properties/compare/run_campaign.hpp"
@@ -193,8 +194,10 @@ void add_pair_option(CLI::App& command, CompareOptions& options) {
 }
 
 std::vector<Task> given_pairs(CompareOptions& options) {
+  const Extent extent = options.campaign.is_of_sums() ? Extent::bounded : Extent::any;
   std::vector<Task> pairs;
-  for (const auto& files : options.pairs) pairs.push_back(pair_of_files(files.at(0), files.at(1)));
+  for (const auto& files : options.pairs)
+    pairs.push_back(pair_of_files(files.at(0), files.at(1), extent));
   for (const Task& pair : pairs) options.campaign.pairs.push_back(pair.name);
   return pairs;
 }
@@ -216,12 +219,13 @@ int compare(const std::string& command, CompareOptions options,
     if (normal(std::filesystem::path(file).parent_path()) != normal(options.out))
       require_writable({file});
   finish_when_interrupted();
-  const Judge& judge = judge_named(options.campaign.judge);
-  options.campaign.largest = options.largest.value_or(judge.largest);
-  const Rules rules{.engines = chosen_engines(options.campaign),
-                    .largest = options.campaign.largest,
-                    .asks_beyond = command == "conformance",
-                    .judge = judge};
+  Rules rules{.engines = chosen_engines(options.campaign),
+              .asks_beyond = command == "conformance",
+              .judge = judge_named(options.campaign.judge)};
+  if (!options.campaign.is_of_sums())
+    rules = rules_of_operation(options.campaign.operation, std::move(rules));
+  rules.largest = options.largest.value_or(rules.judge.largest);
+  options.campaign.largest = rules.largest;
   options.campaign.engines.clear();
   for (const Engine& engine : rules.engines) options.campaign.engines.push_back(engine.name);
 

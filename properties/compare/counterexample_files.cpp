@@ -7,8 +7,11 @@
 #include <iomanip>
 #include <sstream>
 
+#include "properties/compare/operation.hpp"
 #include "properties/runner/finding.hpp"
 #include "properties/runner/property_run.hpp"
+#include "reference/chains/frame.hpp"
+#include "reference/chains/region_of.hpp"
 #include "reference/io/writing.hpp"
 #include "reference/pictures/styles.hpp"
 
@@ -30,8 +33,11 @@ std::string slug(const std::string& kind) {
 }
 
 std::string picture(const WrongSum& sum, const std::string& judge) {
-  std::vector<Panel> panels = panels_of(sum.pair.p, sum.pair.q);
-  const auto add = [&](const std::string& title, const MinkowskiSum& drawn) {
+  std::vector<Panel> panels = panels_of(framed(sum.pair.p, 1), framed(sum.pair.q, 1));
+  const auto add = [&](const std::string& title, const MinkowskiSum& value) {
+    MinkowskiSum drawn = canonical_sum(framed(region_of(value), 1));
+    drawn.dangling_edges = value.dangling_edges;
+    drawn.isolated_vertices = value.isolated_vertices;
     std::vector<Layer> layers = layers_of(drawn);
     if (sum.failure.witness) layers.push_back({style::difference, {}, {}, {*sum.failure.witness}});
     panels.push_back({title, std::move(layers)});
@@ -57,8 +63,9 @@ CounterexampleFiles files_of(const ShrunkFailure& found) {
       << seed_of(found.sum.engine + written(p, Format::dat) + written(q, Format::dat), 0);
   const std::string name = out.str();
   CounterexampleFiles files{name + "-p.dat", name + "-q.dat", name + ".svg"};
-  if (found.sum.right) files.right = name + "-right.wkt";
-  if (found.sum.given && !malformed(*found.sum.given)) files.given = name + "-given.wkt";
+  if (found.sum.right && can_hold(Format::wkt, *found.sum.right)) files.right = name + "-right.wkt";
+  if (found.sum.given && !malformed(*found.sum.given) && can_hold(Format::wkt, *found.sum.given))
+    files.given = name + "-given.wkt";
   return files;
 }
 
@@ -93,9 +100,9 @@ std::string replay_line(const CampaignReport& report, const ShrunkFailure& found
   const Campaign defaults, &campaign = report.campaign;
   std::ostringstream options;
   if (campaign.hole_test != defaults.hole_test) options << " --hole-test " << campaign.hole_test;
+  if (!campaign.is_of_sums()) options << " --operation " << campaign.operation;
   if (campaign.judge != defaults.judge) options << " --judge " << campaign.judge;
-  if (campaign.largest != judge_named(campaign.judge).largest)
-    options << " --largest " << campaign.largest;
+  if (campaign.largest != default_largest(campaign)) options << " --largest " << campaign.largest;
   if (campaign.time_limit != defaults.time_limit)
     options << " --time-limit " << campaign.time_limit;
   if (campaign.memory_limit != defaults.memory_limit)

@@ -10,6 +10,7 @@
 #include "properties/compare/compare.hpp"
 #include "properties/compare/compare_commands.hpp"
 #include "properties/compare/engine_called.hpp"
+#include "properties/compare/operation.hpp"
 #include "properties/compare/sources.hpp"
 #include "properties/runner/source_tree.hpp"
 
@@ -44,6 +45,12 @@ std::vector<std::string> hole_test_names() {
   return names;
 }
 
+std::vector<std::string> operations_and_sums() {
+  std::vector<std::string> names = operation_names();
+  names.insert(names.begin(), "sum");
+  return names;
+}
+
 std::string other_engines() {
   std::vector<Engine> others = peers();
   others.insert(others.begin(), certified_engine({}));
@@ -54,11 +61,14 @@ std::string other_engines() {
 }
 
 /// The pairs that were asked for; by default those of the main job: the published pairs, if they are
-/// present, and all families.
+/// present, and all families; of an operation, some families whose pairs just fit.
 std::vector<TaskSource> chosen_sources(Settings& settings) {
+  const Campaign& campaign = settings.campaign;
   if (settings.pairs.empty() && settings.folders.empty() && settings.families.empty()) {
     settings.families = family_names();
-    if (std::filesystem::is_directory(data_folder()))
+    if (!campaign.is_of_sums())
+      settings.families = {"grid", "tight", "holes", "components", "islands"};
+    else if (std::filesystem::is_directory(data_folder()))
       settings.folders = {data_folder()};
     else
       text_output(settings.json || speech().quiet)
@@ -74,10 +84,13 @@ std::vector<TaskSource> chosen_sources(Settings& settings) {
   }
   std::vector<TaskSource> sources;
   if (!given.empty()) sources.push_back(given_source(std::move(given)));
-  for (const std::string& name : settings.families)
-    sources.push_back(family_source(*find_family(name),
-                                    settings.cases.value_or(main_job_cases(name)),
-                                    settings.campaign.seed, settings.campaign.n));
+  for (const std::string& name : settings.families) {
+    // An operation's definition costs more than the oracle's sums.
+    const std::size_t cases = main_job_cases(name) / (campaign.is_of_sums() ? 1 : 6);
+    TaskSource pairs = family_source(*find_family(name), settings.cases.value_or(cases),
+                                     campaign.seed, campaign.n);
+    sources.push_back(campaign.is_of_sums() ? pairs : pairs_that_fit(pairs, campaign.operation));
+  }
   if (sources.empty()) throw UsageError("diff found no pair to compare");
   return sources;
 }
@@ -91,6 +104,14 @@ void add_diff_command(CLI::App& app, int& exit_code) {
       "of the main job");
   const auto settings = std::make_shared<Settings>();
   Campaign& campaign = settings->campaign;
+  command
+      ->add_option(
+          "--operation", campaign.operation,
+          "What is computed of each pair, by the sums of each engine, and compared with its "
+          "definition; sum: the sums themselves. Families give pairs that fit each other")
+      ->type_name("NAME")
+      ->check(CLI::IsMember(operations_and_sums()))
+      ->capture_default_str();
   add_engine_option(
       *command, *settings,
       "The engine to check; may be repeated; default: all of oplus, and certified; other libraries and "
@@ -137,6 +158,7 @@ void add_diff_command(CLI::App& app, int& exit_code) {
       "Example:\n"
       "  oplus-check diff --family grid --cases 500 --seed 7\n"
       "  oplus-check diff --pair p.wkt q.wkt --engine slide\n"
+      "  oplus-check diff --operation ifp --family tight --cases 200\n"
       "  oplus-check diff --engine 'exec:my-sum {p} {q}' --time-limit 5 --family holes\n"
       "\n"
       "Exit codes:\n"
@@ -148,6 +170,13 @@ void add_diff_command(CLI::App& app, int& exit_code) {
   command->callback([settings, &exit_code] {
     if (settings->reports.empty())
       settings->reports = {(std::filesystem::path(settings->out) / "diff.json").string()};
+    const Campaign& chosen = settings->campaign;
+    if (!chosen.is_of_sums() && chosen.judge != judges().front().name)
+      throw UsageError("--judge " + chosen.judge +
+                       " is for sums; an operation is compared with "
+                       "its definition, which is the oracle's");
+    if (!chosen.is_of_sums() && !settings->folders.empty())
+      throw UsageError("--folder is for sums; --operation takes --pair or --family");
     const std::vector<TaskSource> sources = chosen_sources(*settings);
     exit_code = compare("diff", *settings, sources);
   });

@@ -86,6 +86,7 @@ struct Rounding {
   }
   /// Without vertices that rounding may have added or lost.
   Chain corners(const Chain& chain) const {
+    if (chain.empty()) return {};
     Chain kept = {chain[0]};
     for (std::size_t i = 1; i < chain.size(); ++i)
       if (!is_within({{chain[i], chain[i]}},
@@ -98,6 +99,7 @@ struct Rounding {
     const Chain a = corners(from);
     Chain b = corners(to);
     if (a.size() != b.size()) return false;
+    if (a.empty()) return true;  // missing outer chains
     const auto is_paired = [&] {
       return std::ranges::equal(a, b,
                                 [&](const Point& p, const Point& q) { return may_move(p, q); });
@@ -200,7 +202,7 @@ std::optional<Failure> malformed(const MinkowskiSum& sum) {
     // Edges do not cross and do not overlap, so the middle of one edge is on no other chain, and decides
     // for the whole hole.
     const Point middle = midpoint(hole[0], hole[1]);
-    if (std::ranges::none_of(sum.outer, [&](const Chain& outer) {
+    if (!sum.is_unbounded && std::ranges::none_of(sum.outer, [&](const Chain& outer) {
           return winding_number(middle, edges(outer)) > 0;
         }))
       return not_simple("the hole at " + to_string(hole[0]) + " is in no outer chain");

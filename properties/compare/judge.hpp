@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,7 +29,7 @@ struct Judge {
   std::string name;
   std::string in_words;
   std::size_t largest;  ///< the default of Rules::largest
-  RightSums (*sums)(const Region& p, const Region& q);
+  std::function<RightSums(const Region& p, const Region& q)> sums;
 };
 
 /// The oracle (oracle.hpp), which is the default, and "winding-numbers" (sums_along_lines.hpp).

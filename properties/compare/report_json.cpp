@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "properties/compare/counterexample_files.hpp"
+#include "reference/definitions/unbounded.hpp"
 #include "reference/io/boundary_name.hpp"
 #include "reference/io/invalid_input.hpp"
 #include "reference/io/reading.hpp"
@@ -55,9 +56,11 @@ void to_json(Json& json, const Segment& s) { json = {s.source, s.target}; }
 void from_json(const Json& json, Segment& s) {
   s = {json.at(0).get<Point>(), json.at(1).get<Point>()};
 }
-void to_json(Json& json, const Region& region) { json = wkt(region); }
+void to_json(Json& json, const Region& region) {
+  json = is_unbounded(region) ? written(region, Format::dat) : wkt(region);
+}
 void from_json(const Json& json, Region& region) {
-  region = read_region(json.get<std::string>(), "a counterexample").region;
+  region = read_region(json.get<std::string>(), "a counterexample", {}, Extent::any).region;
 }
 void to_json(Json& json, Boundary boundary) { json = name(boundary); }
 void from_json(const Json& json, Boundary& boundary) {
@@ -67,7 +70,8 @@ void to_json(Json& json, const SumDigest& digest) { json = digest.to_string(); }
 void from_json(const Json& json, SumDigest& digest) { digest = SumDigest(json.get<std::string>()); }
 
 // Chain by chain, since a wrong sum need not be a region, as WKT requires.
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MinkowskiSum, outer, holes, dangling_edges, isolated_vertices)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MinkowskiSum, outer, holes, dangling_edges, isolated_vertices,
+                                   is_unbounded)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Summands, p, q)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Size, vertices, coordinates)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Failure, kind, what, witness, squared_distance)
@@ -77,12 +81,12 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ShrunkFailure, sum, found_in, source, index, 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SkippedPairs, times, index, first)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Tally, pairs, ran, skipped, disagreed, holes_in_sum,
                                    holes_in_summand, low_dimensional_features, overlapping_segments,
-                                   several_components, face_probes, point_probes, sums, kinds,
-                                   open_unsupported, refused)
+                                   several_components, face_probes, point_probes, sums, values,
+                                   kinds, open_unsupported, refused)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FirstFailure, index, found_in, what, pair)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CountedSource, part, name, counts, first_failures)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Campaign, engines, hole_test, judge, seed, n, largest, shrink,
-                                   shrink_tries, time_limit, memory_limit, pairs, sources)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Campaign, engines, hole_test, judge, operation, seed, n, largest,
+                                   shrink, shrink_tries, time_limit, memory_limit, pairs, sources)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Shard, index, of)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CampaignReport, report, version, campaign, shard, pairs, done,
                                    has_stopped_shrinking, out, sources, skipped, counterexamples,

@@ -5,8 +5,8 @@
 
 #include "properties/compare/counterexample_files.hpp"
 #include "properties/compare/report_text.hpp"
+#include "properties/compare/values_in_words.hpp"
 #include "reference/io/counted.hpp"
-#include "reference/io/writing.hpp"
 
 namespace oplus {
 
@@ -53,7 +53,7 @@ Element test_case(const CampaignReport& report, const CountedSource& source) {
     kinds += (kinds.empty() ? "" : ", ") + kind + ": " + counted(times, "sum", "sums");
     const FirstFailure& first = source.first_failures.at(kind);
     lines += kind + ": " + first.what + "\nfirst found in " + first.found_in + "\nP " +
-             wkt(first.pair.p) + "\nQ " + wkt(first.pair.q) + "\n";
+             in_words(first.pair.p) + "Q " + in_words(first.pair.q);
     if (const auto of = report.counterexamples.find(kind); of != report.counterexamples.end())
       lines +=
           "shrunk, from " + of->second.found_in + ": " + replay_line(report, of->second) + "\n";

@@ -3,9 +3,10 @@
 #include <sstream>
 
 #include "properties/compare/counterexample_files.hpp"
+#include "properties/compare/operation.hpp"
 #include "properties/compare/report_text.hpp"
+#include "properties/compare/values_in_words.hpp"
 #include "reference/io/counted.hpp"
-#include "reference/io/writing.hpp"
 
 namespace oplus {
 
@@ -38,19 +39,6 @@ void row(std::ostream& out, const std::vector<std::string>& first, const Tally& 
   out << "|\n";
 }
 
-std::string in_words(const MinkowskiSum& sum) {
-  if (!malformed(sum)) return written(sum, Format::wkt);
-  std::string text;
-  for (const std::vector<Chain>* chains : {&sum.outer, &sum.holes}) {
-    for (const Chain& chain : *chains) {
-      text += chains == &sum.outer ? "outer chain" : "hole";
-      for (const Point& p : chain) text += " " + to_string(p);
-      text += "\n";
-    }
-  }
-  return text;
-}
-
 /// Where a picture is, from the folder of the Markdown's file.
 std::string link_to(const std::string& picture, const CampaignReport& report,
                     const std::string& folder) {
@@ -67,8 +55,8 @@ void counterexample(std::ostream& out, const CampaignReport& report, const std::
   out << "\n### " << cell(kind) << "\n\n"
       << counted(report.all().kinds.at(kind), "sum", "sums") << ". The smallest pair was found in "
       << cell(found.source) << ", with " << found.found_size.vertices << " vertices.\n\n```text\n"
-      << explanation(report, found) << "P      " << written(sum.pair.p, Format::wkt) << "Q      "
-      << written(sum.pair.q, Format::wkt);
+      << explanation(report, found) << "P      " << in_words(sum.pair.p) << "Q      "
+      << in_words(sum.pair.q);
   if (sum.right) out << "judge  " << in_words(*sum.right);
   if (sum.given) out << "engine " << in_words(*sum.given);
   out << "```\n\n![both summands, their convolution, and the sums](<"
@@ -93,8 +81,11 @@ std::string to_markdown(const CampaignReport& report, const std::string& folder)
   else
     out << counted(campaign.pairs.size(), "given pair", "given pairs");
   if (report.shard.of > 1) out << ", shard " << report.shard.index << " of " << report.shard.of;
-  out << ". Compared with " << judge_named(campaign.judge).in_words
-      << ". Two sums per pair are counted, the closed one and the open one. Paths are from the folder "
+  out << ". Compared with " << judge_in_words(campaign)
+      << (campaign.is_of_sums()
+              ? ". Two sums per pair are counted, the closed one and the open one. "
+              : ". One value per pair is counted. ")
+      << "Paths are from the folder "
          "in which the command was run.\n\n## Parts\n\n";
   head(out, {"part"});
   for (const CountedPart& part : parts_of(report)) row(out, {part.part}, part.all);

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "properties/compare/counterexample_files.hpp"
+#include "properties/compare/operation.hpp"
 #include "properties/compare/report_json.hpp"
 #include "reference/io/boundary_name.hpp"
 #include "reference/io/counted.hpp"
@@ -22,22 +23,37 @@ std::string description(const MinkowskiSum& sum) {
   return counted(sum.outer.size(), "outer chain", "outer chains") + ", " +
          counted(sum.holes.size(), "hole", "holes") + ", " +
          counted(sum.dangling_edges.size(), "dangling edge", "dangling edges") + ", " +
-         counted(sum.isolated_vertices.size(), "isolated vertex", "isolated vertices") + ", area " +
-         to_string(area(sum));
+         counted(sum.isolated_vertices.size(), "isolated vertex", "isolated vertices") +
+         (sum.is_unbounded ? ", unbounded" : ", area " + to_string(area(sum)));
 }
 
-/// What the pairs of `diff` had, by family.
+/// What the pairs of `diff` had, by family: of an operation, what its values have.
 void write_classes(std::ostream& out, const CampaignReport& report) {
   const auto row = [&](const std::string& name, const auto&... values) {
     out << std::left << std::setw(12) << name << std::right;
     ((out << std::setw(12) << values), ...);
     out << '\n';
   };
-  row("", "cases", "holes in", "holes in", "low-dim.", "overlapping", "several", "disagree");
-  row("", "run", "the sum", "a summand", "features", "segments", "components", "");
+  const bool is_of_sums = report.campaign.is_of_sums();
+  if (is_of_sums) {
+    row("", "cases", "holes in", "holes in", "low-dim.", "overlapping", "several", "disagree");
+    row("", "run", "the sum", "a summand", "features", "segments", "components", "");
+  } else {
+    row("", "cases", "value", "value", "value with", "value with", "value", "disagree");
+    row("", "run", "unbounded", "with area", "edges", "points", "empty", "");
+  }
   const auto tally_row = [&](const std::string& name, const Tally& t) {
-    row(name, t.ran, t.holes_in_sum, t.holes_in_summand, t.low_dimensional_features,
-        t.overlapping_segments, t.several_components, t.disagreed);
+    if (is_of_sums) {
+      row(name, t.ran, t.holes_in_sum, t.holes_in_summand, t.low_dimensional_features,
+          t.overlapping_segments, t.several_components, t.disagreed);
+      return;
+    }
+    const auto of = [&](const std::string& part) {
+      const auto counted = t.values.find(part);
+      return counted == t.values.end() ? 0 : counted->second;
+    };
+    row(name, t.ran, of("unbounded"), of("area"), of("edges"), of("points"), of("empty"),
+        t.disagreed);
   };
   std::map<std::string, Tally> by_name;
   for (const CountedSource& source : report.sources) by_name[source.name] += source.counts;
@@ -75,7 +91,9 @@ std::string summary_of_diff(const CampaignReport& report) {
     out << counted(times, "open sum", "open sums") << " unsupported by " << engine << '\n';
   for (const auto& [what, times] : all.refused)
     out << counted(times, "sum", "sums") << " refused by " << what << '\n';
-  out << interruption(report) << counted(all.ran, "case", "cases") << " run, each closed and open";
+  out << interruption(report) << counted(all.ran, "case", "cases") << " run, "
+      << (report.campaign.is_of_sums() ? "each closed and open"
+                                       : "one value of " + report.campaign.operation + " each");
   const std::size_t open = all.count("open unsupported"), refused = all.count("refused");
   if (open > 0) out << ", " << counted(open, "open sum", "open sums") << " unsupported";
   if (refused > 0) out << ", " << counted(refused, "sum", "sums") << " refused";
@@ -122,7 +140,7 @@ std::string summary_of_conformance(const CampaignReport& report) {
 }  // namespace
 
 std::string summary(const CampaignReport& report) {
-  return "compared with " + judge_named(report.campaign.judge).in_words + ":\n" +
+  return "compared with " + judge_in_words(report.campaign) + ":\n" +
          (report.report == "exhaustive"    ? summary_of_exhaustive(report)
           : report.report == "conformance" ? summary_of_conformance(report)
                                            : summary_of_diff(report));
@@ -131,16 +149,17 @@ std::string summary(const CampaignReport& report) {
 std::string explanation(const CampaignReport& report, const ShrunkFailure& found) {
   const auto& [engine, boundary, failure, pair, right, given] = found.sum;
   std::ostringstream out;
-  out << "disagreement on the " << name(boundary) << " sum, found in " << found.found_in
-      << ", shrunk to " << vertex_count(pair.p) << " and " << vertex_count(pair.q)
-      << " vertices: " << failure.kind << '\n';
+  const Campaign& campaign = report.campaign;
+  out << "disagreement on "
+      << (campaign.is_of_sums() ? "the " + name(boundary) + " sum" : campaign.operation)
+      << ", found in " << found.found_in << ", shrunk to " << vertex_count(pair.p) << " and "
+      << vertex_count(pair.q) << " vertices: " << failure.kind << '\n';
   if (!found.is_repeatable)
     out << "  not repeatable: it did not fail in this way when asked again, so it is not shrunk\n";
   else if (!found.is_shrunk)
     out << "  there may be a smaller pair: " << found.tries << " were tried\n";
   if (right)
-    out << "  the first is " << judge_named(report.campaign.judge).in_words << ": "
-        << description(*right) << '\n';
+    out << "  the first is " << judge_in_words(campaign) << ": " << description(*right) << '\n';
   out << "  the second is " << engine << ": " << (given ? description(*given) : "no sum") << '\n';
   if (!failure.what.empty()) out << "  " << failure.what << '\n';
   if (failure.witness) out << "  they differ at " << to_string(*failure.witness) << '\n';

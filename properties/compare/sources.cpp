@@ -5,19 +5,20 @@
 
 #include "properties/compare/grid_polygons.hpp"
 #include "reference/chains/region_of.hpp"
-#include "reference/io/reading.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
 
 namespace {
 
-Region read(const std::filesystem::path& file) { return read_region_file(file.string()).region; }
+Region read(const std::filesystem::path& file, Extent extent = Extent::bounded) {
+  return read_region_file(file.string(), {}, extent).region;
+}
 
 }  // namespace
 
-Task pair_of_files(const std::filesystem::path& p, const std::filesystem::path& q) {
-  return {p.string() + " " + q.string(), {read(p), read(q)}};
+Task pair_of_files(const std::filesystem::path& p, const std::filesystem::path& q, Extent extent) {
+  return {p.string() + " " + q.string(), {read(p, extent), read(q, extent)}};
 }
 
 std::vector<Task> pairs_of_folder(const std::filesystem::path& folder) {

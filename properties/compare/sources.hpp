@@ -9,11 +9,13 @@
 #include <vector>
 
 #include "properties/compare/task.hpp"
+#include "reference/io/reading.hpp"
 
 namespace oplus {
 
 /// The pair in two files. Throws InvalidInput.
-Task pair_of_files(const std::filesystem::path& p, const std::filesystem::path& q);
+Task pair_of_files(const std::filesystem::path& p, const std::filesystem::path& q,
+                   Extent extent = Extent::bounded);
 
 /// All pairs in a folder: files NAME_part1 and NAME_part2 are a pair; the others are paired with
 /// each other and with themselves. Files other than .dat, .wkt, .json and .geojson are left out.

@@ -4,9 +4,18 @@
 #include <boost/uuid/name_generator_sha1.hpp>
 #include <stdexcept>
 
+#include "properties/compare/values_in_words.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
+
+namespace {
+
+std::string text(const MinkowskiSum& sum) {
+  return can_hold(Format::wkt, sum) ? written(sum, Format::wkt) : in_words(sum);
+}
+
+}  // namespace
 
 SumDigest::SumDigest(const std::string& hexadecimal) {
   if (hexadecimal.size() != 32 ||
@@ -17,7 +26,7 @@ SumDigest::SumDigest(const std::string& hexadecimal) {
 
 void SumDigest::add(std::size_t pair, const MinkowskiSum& closed, const MinkowskiSum& open) {
   const boost::uuids::uuid hash = boost::uuids::name_generator_sha1(boost::uuids::ns::oid())(
-      std::to_string(pair) + '\n' + written(closed, Format::wkt) + written(open, Format::wkt));
+      std::to_string(pair) + '\n' + text(closed) + text(open));
   SumDigest of_pair;
   mpz_import(of_pair.sum_.get_mpz_t(), hash.size(), -1, 1, 0, 0, hash.data);
   add(of_pair);

@@ -69,6 +69,8 @@ Definition piece_of (v : polygon) : piece := Piece v (map (fun s => line_through
 
 Definition is_left_of_all (lines : list line) (x : hpoint) : bool := forallb (fun l => 0 <=? value l x) lines.
 
+Definition is_in_piece (t : piece) (x : hpoint) : bool := is_left_of_all (side_lines t) x.
+
 Definition is_convex (t : piece) : bool :=
   has_a_fan (corners t) && forallb (is_left_of_all (side_lines t)) (corners t).
 
@@ -319,12 +321,30 @@ Definition hcrossing (x : hpoint) (e : hedge) : Z :=
 
 Definition hwinding (x : hpoint) (es : list hedge) : Z := fold_left (fun count e => count + hcrossing x e) es 0.
 
-Definition are_roots_inside (es : list hedge) (p q : numbered) (p_roots q_roots : list positive) : bool :=
+(* The two ends of the edge are one point. *)
+Definition is_one_point (e : hedge) : bool :=
+  (px (fst e) * Zpos (pw (snd e)) =? px (snd e) * Zpos (pw (fst e))) &&
+  (py (fst e) * Zpos (pw (snd e)) =? py (snd e) * Zpos (pw (fst e))).
+
+(* A piece of the tree contains x, of which this is the box. *)
+Fixpoint is_in_tree (x : hpoint) (b : box) (t : tree) : bool :=
+  let c := box_of t in
+  (x_low c <=? x_high b) && (x_low b <=? x_high c) && (y_low c <=? y_high b) && (y_low b <=? y_high c) &&
+  match t with
+  | Leaf _ a => is_in_piece a x
+  | Node _ one other => is_in_tree x b one || is_in_tree x b other
+  end.
+
+(* By a piece of s that contains it; if edges of s are points, that does not suffice. Otherwise by its winding number. *)
+Definition is_inside (D : positive) (es : list hedge) (is_simple : bool) (s_trees : list tree) (x : hpoint) : bool :=
+  is_simple && existsb (is_in_tree x (box_of_point D x)) s_trees || negb (hwinding x es =? 0).
+
+Definition are_roots_inside (is_in_s : hpoint -> bool) (p q : numbered) (p_roots q_roots : list positive) : bool :=
   forallb (fun i => forallb (fun j =>
     match PositiveMap.find i p, PositiveMap.find j q with
     | Some t, Some u =>
       match inner_point t, inner_point u with
-      | Some a, Some b => negb (hwinding (plus a b) es =? 0)
+      | Some a, Some b => is_in_s (plus a b)
       | _, _ => false
       end
     | _, _ => true
@@ -358,8 +378,6 @@ Definition is_ahead (l : line) (e : hedge) : bool :=
     - la l * (py (snd e) * Zpos (pw (fst e)) - py (fst e) * Zpos (pw (snd e)))).
 
 Definition opposite_line (l : line) : line := Line (- la l) (- lb l) (- lc l).
-
-Definition is_in_piece (t : piece) (x : hpoint) : bool := is_left_of_all (side_lines t) x.
 
 Definition do_cross (a b c d : hpoint) : bool :=
   (left_turn a b c * left_turn a b d <? 0) && (left_turn c d a * left_turn c d b <? 0).
@@ -431,14 +449,17 @@ Definition check (p q s : region) (c : certificate) : option refusal :=
   let p_pieces := map piece_of (summand_pieces (of_p c)) in
   let q_pieces := map piece_of (summand_pieces (of_q c)) in
   let s_edges := hedges_of_region s in
+  let s_pieces := map (fun d => piece_of (fst d)) (sum_pieces c) in
   let p_numbered := numbers_from 1 p_pieces in
   let q_numbered := numbers_from 1 q_pieces in
   if negb (are_a_region (hedges_of_region p) (summand_inserted (of_p c)) p_pieces) then Some PiecesOfP
   else if negb (are_a_region (hedges_of_region q) (summand_inserted (of_q c)) q_pieces) then Some PiecesOfQ
-  else if negb (are_a_region s_edges (sum_inserted c) (map (fun s => piece_of (fst s)) (sum_pieces c))) then Some PiecesOfS
+  else if negb (are_a_region s_edges (sum_inserted c) s_pieces) then Some PiecesOfS
   else if negb (are_all_reached p_numbered (all_reached p_numbered (roots (of_p c)) (links (of_p c)))) then Some LinksOfP
   else if negb (are_all_reached q_numbered (all_reached q_numbered (roots (of_q c)) (links (of_q c)))) then Some LinksOfQ
-  else if negb (are_roots_inside s_edges p_numbered q_numbered (roots (of_p c)) (roots (of_q c))) then Some RootOutside
+  else if negb (are_roots_inside
+      (is_inside (unit c) s_edges (forallb (fun e => negb (is_one_point e)) s_edges) (trees_of (unit c) s_pieces))
+      p_numbered q_numbered (roots (of_p c)) (roots (of_q c))) then Some RootOutside
   else
     let D := unit c in
     let p_trees := trees_of D p_pieces in

@@ -9,36 +9,10 @@ From Oplus Require Import direction angle cyclic_order tangent_set sweep winding
   turning_number convolution_size fiber_grid forward_traversal states in_out_degree convolution_winding regions
   weight parallelogram winding_number_of_the_sum crossing_edges meeting_of_segments interiors_meet neighbourhoods
   left_of_an_edge theorem_4_2_1 observation_2_2_4 lemma_2_2_9 inside_a_corner tangent_direction touching_corners
-  shifted_ray boundary_points reduced_convolution parallel_edges interiors_at_touching_points.
+  shifted_ray boundary_points reduced_convolution parallel_edges interiors_at_touching_points right_of_an_edge.
 Import ListNotations.
 
 Open Scope Q_scope.
-
-(* To the right of an edge, near a point of it that is no vertex, the winding number is the same everywhere. *)
-Lemma same_number_to_the_right (r : region) (s : segment) (w : vector) :
-  valid_region r -> In s (region_edges r) -> lies_on w s -> ~ is_vertex w r ->
-  exists radius, 0 < radius /\ forall y z, within radius w y -> within radius w z -> area s y < 0 -> area s z < 0 ->
-    winding_number y (region_edges r) = winding_number z (region_edges r).
-Proof.
-  intros (not_points & valid & meet) I on no_vertex.
-  destruct (in_split _ _ I) as (earlier & later & edges_are).
-  assert (free : off w (earlier ++ later)).
-  { intros t J on_t. apply no_vertex. exact (meet earlier s later t w edges_are J on on_t). }
-  destruct (off_near w _ free) as (radius & R & near). exists radius. split; [exact R |].
-  intros y z close_y close_z right_y right_z.
-  apply (winding_number_along (Segment y z) _ (region_cycles r)).
-  intros v on_way t J. rewrite edges_are in J. apply in_app_iff in J.
-  assert (v_near : within radius w v) by now apply (within_along radius w y z).
-  destruct J as [J | [<- | J]]; [apply near; trivial; apply in_app_iff; tauto | |
-    apply near; trivial; apply in_app_iff; tauto].
-  apply off_by_area. destruct on_way as (h & range & vx_is & vy_is). cbn [source target] in *.
-  assert (value : area s v == (1 - h) * area s y + h * area s z)
-    by (unfold area, cross, minus; cbn [vx vy]; rewrite vx_is, vy_is; ring).
-  rewrite value. intros zero_. destruct (Qlt_le_dec 0 h) as [some | none].
-  - assert (0 < h * - area s z) by (apply Qmult_lt_0_compat; lra).
-    assert (0 <= (1 - h) * - area s y) by (apply Qmult_le_0_compat; lra). lra.
-  - assert (h == 0) as h_is by lra. rewrite h_is in zero_. lra.
-Qed.
 
 (* At a point inside an edge, both edges of the boundary are that edge. *)
 Lemma boundary_inside_an_edge (r : region) (w : vector) (e : segment) chain i_in i_out u v :
@@ -172,7 +146,7 @@ Section OneSide.
       destruct (Q_dec (cross (along e) n) 0) as [[right_ | same_] | along_];
         [| | exfalso; exact (transversal e w v E on no_vertex in_q x_is along_)].
       2: { exists 1. split; [lra |]. intros t _ _ _. now exists e, w, v. }
-      destruct (same_number_to_the_right p e w p_region E on no_vertex) as (r1 & R1 & same_number).
+      destruct (right_side_near p e w (proj2 (proj2 p_region)) E on no_vertex) as (r1 & R1 & same_number).
       destruct (half_square_beside_an_edge p e w p_region E on no_vertex) as (r2 & R2 & half_square).
       destruct (q_regular v s (Qmin r1 r2) S on_s) as (z & z_near & z_in); [now apply Q.min_glb_lt |].
       pose proof (Q.le_min_l r1 r2) as below_1. pose proof (Q.le_min_r r1 r2) as below_2.

@@ -6,7 +6,8 @@
    (connected_pieces.v), and likewise for Q; and for the roots it is not 0. Edges that are points do not count. *)
 From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List Permutation SetoidList SetoidPermutation.
 From Oplus Require Import turning_number specification checker direction sweep winding_number signed_crossings
-  neighbourhoods meeting_of_segments homogeneous_points specification_bridge fans edges_beside_sums connected_pieces.
+  neighbourhoods meeting_of_segments homogeneous_points specification_bridge fans pieces_cover edges_beside_sums
+  connected_pieces.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -296,14 +297,17 @@ Section Beside.
   Qed.
 
   (* Theorem. If all pieces are reached from roots, and the sums of two roots' inner points are inside, all sums are. *)
-  Theorem sums_are_inside_by_roots (p_roots q_roots : list positive) (p_links q_links : list (positive * positive)) :
+  Theorem sums_are_inside_by_roots (is_in_s : hpoint -> bool) (p_roots q_roots : list positive)
+    (p_links q_links : list (positive * positive)) :
+    (forall z, is_in_s z = true -> off (vector_of z) (proper_ones segments) ->
+      winding_number (vector_of z) segments <> 0%Z) ->
     are_all_reached (numbers_from 1 p) (all_reached (numbers_from 1 p) p_roots p_links) = true ->
     are_all_reached (numbers_from 1 q) (all_reached (numbers_from 1 q) q_roots q_links) = true ->
-    are_roots_inside es (numbers_from 1 p) (numbers_from 1 q) p_roots q_roots = true ->
+    are_roots_inside is_in_s (numbers_from 1 p) (numbers_from 1 q) p_roots q_roots = true ->
     forall (t u : piece) (a b x : vector), In t p -> In u q -> inside t a -> inside u b -> equal_vectors x (added a b) ->
     (exists s, In s segments /\ lies_on x s) \/ winding_number x segments <> 0%Z.
   Proof.
-    intros p_reached q_reached roots_inside t u a b x T U A B x_is.
+    intros is_right p_reached q_reached roots_inside t u a b x T U A B x_is.
     destruct (on_or_off x segments) as [on | free]; [now left | right].
     rewrite (winding_number_of_sum x a b t u T U A B x_is)
       by (intros s S; apply free; unfold proper_ones in S; now apply filter_In in S).
@@ -328,9 +332,13 @@ Section Beside.
     rewrite forallb_forall in roots_inside. specialize (roots_inside j J). rewrite found_t, found_u in roots_inside.
     destruct (inner_is t_root) as [t_inner _]; [now apply p_convex |].
     destruct (inner_is u_root) as [u_inner _]; [now apply q_convex |].
-    rewrite t_inner, u_inner, hwinding_is in roots_inside. apply negb_true_iff, Z.eqb_neq in roots_inside.
-    destruct (vector_of_plus (inner t_root) (inner u_root)) as [X Y].
-    now rewrite (winding_number_of_equal _ _ (map segment_of es) X Y) in roots_inside.
+    rewrite t_inner, u_inner in roots_inside.
+    pose proof (vector_of_plus (inner t_root) (inner u_root)) as z_is. fold (inner_sum t_root u_root) in z_is.
+    rewrite <- (winding_number_of_equal _ _ segments (proj1 z_is) (proj2 z_is)).
+    apply is_right; [exact roots_inside |]. apply (off_if_beyond _ t_root u_root); trivial. intros n e some sides_.
+    rewrite (dot_of_equal n _ _ z_is).
+    split; (apply inner_sum_is_farther; [now apply p_convex | now apply q_convex | exact some |]);
+      intros c d C D_; now apply (sides_ c d).
   Qed.
 End Beside.
 
@@ -373,6 +381,47 @@ Proof.
   apply in_map_iff in T. now destruct T as (v & <- & _).
 Qed.
 
+(** Where the roots' sums are *)
+
+Lemma found_in_a_tree (x : hpoint) (b : box) (t : tree) : is_in_tree x b t = true ->
+  exists a, In a (pieces_in t) /\ inside a (vector_of x).
+Proof.
+  induction t as [c a | c one IH_one other IH_other]; cbn [is_in_tree pieces_in]; rewrite !andb_true_iff; intros [_ found].
+  - exists a. split; [now left |]. now apply left_of_all_is_inside.
+  - apply orb_true_iff in found. destruct found as [found | found]; [apply IH_one in found | apply IH_other in found];
+      destruct found as (a & A & x_in); exists a; (split; [apply in_or_app; tauto | exact x_in]).
+Qed.
+
+Lemma is_one_point_if_equal (e : hedge) :
+  equal_vectors (vector_of (fst e)) (vector_of (snd e)) -> is_one_point e = true.
+Proof.
+  intros [x_is y_is]. unfold vector_of in x_is, y_is. cbn [vx vy] in x_is, y_is. unfold Qeq in x_is, y_is.
+  cbn [Qnum Qden] in x_is, y_is. unfold is_one_point. now rewrite x_is, y_is, !Z.eqb_refl.
+Qed.
+
+(* A point on no edge of S that the checker finds inside S, by its pieces or by its winding number. *)
+Lemma found_inside (D : positive) (s : specification.region) (inserted : list (list hpoint)) (polygons : list polygon)
+  (z : hpoint) :
+  are_a_region (hedges_of_region s) inserted (map piece_of polygons) = true ->
+  is_inside D (hedges_of_region s) (forallb (fun e => negb (is_one_point e)) (hedges_of_region s))
+    (trees_of D (map piece_of polygons)) z = true ->
+  off (vector_of z) (proper_ones (boundary s)) -> winding_number (vector_of z) (boundary s) <> 0%Z.
+Proof.
+  intros s_region found free. unfold is_inside in found. apply orb_true_iff in found. destruct found as [found | found].
+  - apply andb_true_iff in found. destruct found as [simple found].
+    apply existsb_exists in found. destruct found as (tree_ & T & found). apply found_in_a_tree in found.
+    destruct found as (a & A & z_in). apply (trees_have_only_pieces D (map piece_of polygons)) in A; [| exact T].
+    assert (in_s : member (as_point (vector_of z)) s).
+    { apply (pieces_are_in_region _ _ _ s_region (pieces_of_corners _) a); [exact A |]. now rewrite as_vector_of_point. }
+    apply member_is in in_s. rewrite as_vector_of_point in in_s. destruct in_s as [(e & E & on) | round]; [| exact round].
+    exfalso. apply (free e); [| exact on]. unfold proper_ones. apply filter_In. split; [exact E |].
+    apply negb_true_iff. destruct (is_a_point e) eqn:point; [exfalso | reflexivity].
+    unfold boundary in E. apply in_map_iff in E. destruct E as (h & <- & H).
+    rewrite forallb_forall in simple. specialize (simple h H). apply negb_true_iff in simple.
+    apply is_a_point_spec, is_one_point_if_equal in point. congruence.
+  - rewrite hwinding_is in found. now apply negb_true_iff, Z.eqb_neq in found.
+Qed.
+
 (* Theorem. If the checker accepts, the sums of what is inside a piece of P and what is inside a piece of Q are in S. *)
 Theorem sums_of_pieces_are_members (p q s : specification.region) (c : certificate) :
   accepts p q s c = true ->
@@ -393,6 +442,9 @@ Proof.
   pose proof (no_failure _ _ _ apart) as all_apart. cbv beta zeta in all_apart.
   pose proof (pieces_are_convex _ _ _ p_region) as p_convex. pose proof (pieces_are_convex _ _ _ q_region) as q_convex.
   apply member_is.
+  rewrite <- (map_map fst piece_of) in s_region, roots_inside.
   apply (sums_are_inside_by_roots (hedges_of_region s) _ _ (boundary_cycles s) p_convex q_convex
-    (all_beside (unit c) _ _ _ p_convex q_convex all_apart) _ _ _ _ p_reached q_reached roots_inside t u a b); assumption.
+    (all_beside (unit c) _ _ _ p_convex q_convex all_apart) _ _ _ _ _
+    (fun z => found_inside (unit c) s (sum_inserted c) (map fst (sum_pieces c)) z s_region)
+    p_reached q_reached roots_inside t u a b); assumption.
 Qed.

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "reference/chains/frame.hpp"
 #include "reference/chains/validity.hpp"
 #include "reference/definitions/contract.hpp"
 
@@ -80,7 +81,7 @@ std::set<Rational> values(Region region, Rational Point::*axis) {
 }
 
 void move_to_origin(Region& region) {
-  if (region.components.empty()) return;
+  if (vertex_count(region) == 0) return;
   region = translated(region,
                       {-*values(region, &Point::x).begin(), -*values(region, &Point::y).begin()});
 }
@@ -98,10 +99,10 @@ bool is_valid(const Region& region) {
   const auto is_clockwise = [](const Chain& hole) { return sign(twice_area(hole)) < 0; };
   return std::ranges::all_of(region.components,
                              [&](const Component& c) {
-                               return sign(twice_area(c.outer)) > 0 &&
+                               return (c.outer.empty() || sign(twice_area(c.outer)) > 0) &&
                                       std::ranges::all_of(c.holes, is_clockwise);
                              }) &&
-         !find_defect(region);
+         !find_defect(framed(region, 1));
 }
 
 template <typename T>

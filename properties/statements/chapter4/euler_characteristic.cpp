@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "checked/operations/image.hpp"
 #include "properties/statements/chapter4/points_in_faces.hpp"
-#include "properties/statements/laws/linear_map.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/operations/image.hpp"
 #include "properties/runner/each_engine.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/laws/convex_hull.hpp"
-#include "properties/statements/laws/linear_map.hpp"
 
 namespace oplus {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/operations/image.hpp"
 #include "properties/runner/each_engine.hpp"
 #include "properties/runner/registry.hpp"
-#include "properties/statements/laws/linear_map.hpp"
 
 namespace oplus {
 
@@ -9,7 +9,7 @@ namespace {
 
 struct NamedMap {
   std::string name;
-  LinearMap map;
+  AffineMap map;
 };
 
 std::vector<NamedMap> maps() {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/operations/image.hpp"
 #include "properties/runner/each_engine.hpp"
 #include "properties/runner/registry.hpp"
-#include "properties/statements/laws/linear_map.hpp"
 #include "properties/statements/places/overlay.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/io/writing.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/operations/image.hpp"
 #include "properties/runner/each_engine.hpp"
 #include "properties/runner/registry.hpp"
-#include "properties/statements/laws/linear_map.hpp"
 
 namespace oplus {
 
@@ -16,7 +16,7 @@ Outcome law(const Sum& sum, const Summands& summands) {
   const auto& [p, q] = summands;
   const MinkowskiSum here = sum(p, q);
   for (const Rational& factor : factors()) {
-    const LinearMap map = scaling(factor);
+    const AffineMap map = scaling(factor);
     const std::string what = told_apart(image(map, here), sum(image(map, p), image(map, q)));
     if (!what.empty()) return unless_broken("scaled by " + factor.get_str() + ", " + what);
   }

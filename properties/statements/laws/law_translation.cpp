@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/operations/image.hpp"
 #include "properties/runner/each_engine.hpp"
 #include "properties/runner/registry.hpp"
-#include "properties/statements/laws/linear_map.hpp"
 
 namespace oplus {
 
@@ -20,7 +20,7 @@ Outcome law(const Sum& sum, const Summands& summands) {
   const MinkowskiSum here = sum(p, q);
   for (const auto& [s, t] : translations()) {
     const std::string what =
-        told_apart(image(scaling(1), here, s + t), sum(translated(p, s), translated(q, t)));
+        told_apart(image(AffineMap{.by = s + t}, here), sum(translated(p, s), translated(q, t)));
     if (!what.empty()) return unless_broken(what);
   }
   return {};

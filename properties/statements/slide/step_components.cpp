@@ -12,7 +12,7 @@ namespace {
 
 Outcome check(const Summands& summands) {
   const SlidPair pair(summands);
-  auto integers = pair.tracks.summands();
+  slide::IntegerSummands<SlidPair::Numbers> integers(summands.p, summands.q, pair.scaling);
   integers.prepare_component_test();  // also where there is one component
   const slide::ComponentTest<SlidPair::Numbers> components(integers);
   slide::BlockingSearch<SlidPair::Numbers> search(integers, slide::Shift::to_the_right);

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "checked/operations/disc.hpp"
+#include "properties/runner/each_engine.hpp"
+#include "properties/runner/registry.hpp"
+#include "reference/definitions/difference.hpp"
+#include "reference/definitions/squared_distance.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+const Rational radius = 2;
+const Rational error(1, 2);
+
+/// The square of the distance of a point from a region.
+Rational squared_distance(const Point& x, const Region& region) {
+  if (locate(x, region) != Location::outside) return 0;
+  const std::vector<Segment> boundary = edges(region);
+  Rational least = squared_distance(x, boundary[0]);
+  for (const Segment& edge : boundary) least = std::min(least, squared_distance(x, edge));
+  return least;
+}
+
+/// Points where a mistake would show: those of the boundaries of both offsets, and points around each vertex
+/// of P at the distances that matter.
+std::vector<Point> tested_points(const Region& p, const MinkowskiSum& inner,
+                                 const MinkowskiSum& outer) {
+  std::vector<Point> points;
+  for (const MinkowskiSum* sum : {&inner, &outer})
+    for (const Segment& edge : edges(*sum)) {
+      points.push_back(edge.source);
+      points.push_back(midpoint(edge.source, edge.target));
+    }
+  const Vector directions[] = {{1, 0},
+                               {Rational(-3, 5), Rational(4, 5)},
+                               {Rational(-20, 29), Rational(-21, 29)},
+                               {Rational(12, 13), Rational(-5, 13)}};
+  for (const Chain& chain : chains(p))
+    for (const Point& vertex : chain)
+      for (const Vector& direction : directions)
+        for (const Rational& distance : {Rational(radius - error), radius})
+          points.push_back(vertex + distance * direction);
+  return points;
+}
+
+/// What an offset by a polygon must be at a point: it is in it if it is nearer than `near`, and it is not if it is
+/// farther than `far`; at these distances themselves as the sum is closed or open.
+std::string defect(const Point& x, const Region& p, const Sum& sum, const MinkowskiSum& offset,
+                   const Rational& near, const Rational& far) {
+  const Rational distance = squared_distance(x, p);
+  const Location location = locate(x, offset);
+  const bool is_in =
+      location == Location::inside || (location == Location::boundary && !sum.is_open());
+  const auto is_below = [&](const Rational& limit) {
+    return sum.is_open() ? distance < limit * limit : distance <= limit * limit;
+  };
+  if (is_below(near) && !is_in) return to_string(x) + " is missing";
+  if (is_in && !is_below(far)) return to_string(x) + " is too far away";
+  return "";
+}
+
+Outcome law(const Sum& sum, const Summands& summands) {
+  const Region& p = summands.p;
+  const MinkowskiSum inner = sum(p, disc_polygon(radius, DiscSide::inside, error));
+  const MinkowskiSum outer = sum(p, disc_polygon(radius, DiscSide::outside, error));
+  Outcome outcome;
+  for (const Point& x : tested_points(p, inner, outer)) {
+    std::string what = defect(x, p, sum, inner, radius - error, radius);
+    if (!what.empty()) return outcome.fail("by the inner polygon: " + what, x);
+    what = defect(x, p, sum, outer, radius, radius + error);
+    if (!what.empty()) return outcome.fail("by the outer polygon: " + what, x);
+    ++outcome.counts["points"];
+  }
+  return outcome;
+}
+
+const Registered registered({
+    .id = "law-offset",
+    .title = "Sums with polygons for a disc are offsets from below and above",
+    .statement =
+        "Let P(r) be all points at most r away from P. P ⊕ disc(R, inside, E) contains P(R - E) and is "
+        "contained in P(R); P ⊕ disc(R, outside, E) contains P(R) and is contained in P(R + E). The same "
+        "of open sums and points less than r away. Tried with R = 2 and E = 1/2, on the vertices of both "
+        "sums, the midpoints of their edges, and points around the vertices of P, whose squared distance "
+        "from P is exact.",
+    .why = "P(r) = P ⊕ D(r), D(r) being the disc of radius r, and the sum is monotone; law-disc.",
+    .hypotheses = {"P is a valid region"},
+    .rests_on = {"law-disc", "law-monotone"},
+    .sources =
+        {{"grid", 6, 4}, {"holes", 4, 2}, {"components", 4, 2}, {"tight", 3, 1}, {"islands", 1, 1}},
+    .promises = {{"holes", 10}, {"several components", 5}},
+    .kills = {"disc-ends-one-step-further"},
+    .cases = 60,
+    .check = of_each_engine(law),
+});
+
+}  // namespace
+
+}  // namespace oplus

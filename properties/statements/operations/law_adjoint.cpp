@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/operations/operations.hpp"
+#include "checked/operations/unbounded_sum.hpp"
+#include "properties/runner/fitting_pairs.hpp"
+#include "properties/runner/registry.hpp"
+#include "properties/statements/operations/by_slide.hpp"
+#include "reference/chains/region_of.hpp"
+#include "reference/definitions/region.hpp"
+#include "reference/oracle/closed_set.hpp"
+#include "reference/oracle/operations_by_definition.hpp"
+
+namespace oplus {
+
+namespace {
+
+/// Regions S, of which some are in the placements and some are not: all of them that have area, the same
+/// moved, and P and Q themselves.
+std::vector<Region> tried(const MinkowskiSum& placements, const Summands& pair) {
+  std::vector<Region> all = {pair.p, pair.q, reflected(pair.q)};
+  const Region fits = region_of(regularized(placements));
+  if (fits.components.empty()) return all;
+  all.push_back(fits);
+  all.push_back({{fits.components.back()}});
+  all.push_back(translated(fits, {Rational(1, 2), 0}));
+  all.push_back(translated(fits, {0, -1}));
+  return all;
+}
+
+Outcome check(const Summands& summands) {
+  Outcome outcome;
+  for (std::size_t kind = 0; kind < fitting_kinds; ++kind) {
+    const auto [how, pair] = fitting_pair(summands, kind);
+    const MinkowskiSum placements = inner_fit(pair.p, pair.q, by_slide);
+    for (const Region& s : tried(placements, pair)) {
+      const MinkowskiSum sum = unbounded_sum(s, pair.q, Boundary::closed, by_slide);
+      const bool sum_fits = is_subset(closed_set(sum), closed_set(pair.p));
+      const bool is_among = is_subset(closed_set(s), closed_set(placements));
+      ++outcome.counts[sum_fits ? "regions whose sum is in P" : "regions whose sum is not in P"];
+      if (sum_fits != is_among)
+        return outcome.fail(how + (sum_fits
+                                       ? ": S ⊕ Q is in P, and S is not among the placements"
+                                       : ": S is among the placements, and S ⊕ Q is not in P"));
+    }
+  }
+  return outcome;
+}
+
+const Registered registered({
+    .id = "law-adjoint",
+    .title = "Erosion and dilation are adjoint",
+    .statement =
+        "S ⊕ Q ⊆ P iff S is a subset of the placements at which Q is inside P (`oplus ifp`), for closed "
+        "regions S, P and Q, which may be unbounded. Tried on the placements themselves, a component of "
+        "them, the same moved, P, Q and -Q, for P in which Q often fits, exactly too.",
+    .why =
+        "Both say that s + q is in P for each s in S and each q in Q. S ⊕ Q and the placements come from "
+        "different sums here, one of P's complement, and are compared as sets of points.",
+    .hypotheses = {"S, P and Q are valid regions"},
+    .rests_on = {"section-3.2"},
+    .sources = {{"tight", 2, 4}, {"grid", 5, 4}, {"holes", 4, 2}, {"components", 3, 2}},
+    .promises = {{"holes", 10}, {"several components", 5}, {"parallel edges", 40}},
+    .kills = {"no-fit-without-a-turn"},
+    .cases = 40,
+    .check = check,
+});
+
+}  // namespace
+
+}  // namespace oplus

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <vector>
+
+#include "checked/slide/slide.hpp"
+#include "properties/runner/mixture.hpp"
+#include "properties/runner/registry.hpp"
+
+namespace oplus {
+
+namespace {
+
+Outcome check(const Summands& summands) {
+  Outcome outcome;
+  // Integers, other denominators, and more bits than 64, 256 and 512 bits can hold.
+  const Rational large(mpz_class(1) << 70);
+  std::vector<slide::PreparedSummand> of_p, of_q;
+  for (const Rational& factor : {Rational(1), Rational(1, 3), Rational(1, 1000), large,
+                                 Rational(large * large / 7), Rational(large * large * large)}) {
+    const auto times = [&](const Point& x) { return Point{factor * x.x, factor * x.y}; };
+    of_p.emplace_back(mapped(summands.p, times));
+    of_q.emplace_back(mapped(summands.q, times));
+  }
+  const EngineOptions options{.with_origins = true};
+  for (const Boundary boundary : {Boundary::closed, Boundary::open})
+    for (const slide::PreparedSummand& p : of_p)
+      for (const slide::PreparedSummand& q : of_q) {
+        const ComputedSum prepared = sum_of_prepared(p, q, boundary, options);
+        const ComputedSum alone = slide_sum(p.region(), q.region(), boundary, options);
+        ++outcome.counts["sums"];
+        if (prepared.sum != alone.sum || prepared.origins != alone.origins)
+          return outcome.fail("a prepared summand gives another sum");
+      }
+  return outcome;
+}
+
+const Registered registered({
+    .id = "step-prepared",
+    .title = "Prepared summands have the same sums",
+    .statement =
+        "Let P and Q be multiplied by several factors, and each of these regions be prepared once. Then "
+        "the sum of each prepared P and each prepared Q, closed and open, is that of the regions "
+        "themselves, with the same origins.",
+    .why = "What slide computes of one summand depends on its region, on the common denominator of "
+           "the pair, on whether coordinates are moved, and on how they become doubles. What is "
+           "kept is used again only where all of these are equal.",
+    .hypotheses = {"P and Q are valid regions"},
+    .rests_on = {"step-numbers"},
+    .sources = small_mixture(),
+    .promises = promises_of_mixture(),
+    .kills = {"slide-keeps-any-denominator"},
+    .cases = 60,
+    .check = check,
+});
+
+}  // namespace
+
+}  // namespace oplus
