@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <boost/algorithm/string/trim.hpp>
 #include <filesystem>
+#include <fstream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "properties/compare/peers/method.hpp"
@@ -89,6 +91,39 @@ struct WholeCommand {
   }
 };
 
+/// All pairs of a row in one command, from a file to a file, by one thread.
+class WholeBatch : public PreparedPairs {
+ public:
+  explicit WholeBatch(const std::vector<Summands>& pairs) {
+    std::string lines;
+    for (const auto& [p, q] : pairs) lines += wkt(p) + '\t' + wkt(q) + '\n';
+    write_file(pairs_, lines);
+  }
+
+  void compute() override {
+    ended_ = ended_well(
+        {program_beside("oplus"), "batch", pairs_, "-o", sums_, "--threads", "1", "--quiet"});
+  }
+  void forget() override {}
+  bool evaluate() override { return false; }
+  void add_stages(std::map<std::string, double>&) const override {}
+
+  void describe(Description& description) const override {
+    description.count("process_mb", static_cast<std::size_t>(ended_.peak_mb));
+    std::ifstream in(sums_);
+    for (std::string line; std::getline(in, line);) {
+      const auto sum = nlohmann::json::parse(line).at("result").get<std::string>();
+      description.add(canonical_sum(read_region_in(Format::wkt, sum, "sum").region));
+    }
+  }
+
+ private:
+  TemporaryFolder folder_{"oplus-bench"};
+  std::string pairs_ = folder_.path() / "pairs.tsv";
+  std::string sums_ = folder_.path() / "sums.jsonl";
+  EndedProcess ended_;
+};
+
 BenchEngine command_engine(const std::string& name, const std::string& what,
                            const WholeCommand& how) {
   return {.name = name,
@@ -123,6 +158,14 @@ std::vector<BenchEngine> command_engines() {
              return {program_beside("clipper-sum"), f.p, f.q, f.sum};
            },
            .rounds = true}),
+      {.name = "oplus-batch",
+       .what =
+           "the whole command `oplus batch PAIRS.tsv -o SUMS.jsonl --threads 1` for all pairs of a row",
+       .prepare =
+           [](const Row&, const std::vector<Summands>& pairs) {
+             return std::make_unique<WholeBatch>(pairs);
+           },
+       .is_of_all_rows = false},
   };
 }
 

@@ -123,6 +123,10 @@ Table goals_of(const Report& report) {
   const auto is_checked = [](const Row& row) { return row.done("oplus-certified") != nullptr; };
   if (!std::ranges::all_of(checked, is_checked)) checked.clear();
   const auto checking = least_ratio(checked, limit, "cgal-sum", "oplus-certified");
+  std::optional<Ratio> small_pairs_a_second;
+  for (const Row& row : named("command_small_pairs"))
+    if (const auto seconds = row.number("oplus-batch.seconds"))
+      small_pairs_a_second = Ratio{static_cast<double>(row.pairs) / *seconds, false};
   std::optional<Ratio> two_threads;
   for (const Row& row : rows_for(report.rows, Subject::growth))
     if (const auto of_row = ratio(row, "seconds", "slide", "slide2", limit)) two_threads = of_row;
@@ -154,6 +158,8 @@ Table goals_of(const Report& report) {
                       grouped("hard"), "slide.seconds", 1e6, 10),
           at_most(1.3, "whole command: at most 1.3 times the call, and 10 ms",
                   rows_for(report.rows, Subject::commands), limit, "oplus-sum", 0.01),
+          at_least(20'000, "small pairs, the whole command `oplus batch`: at least 20,000 a second",
+                   small_pairs_a_second),
           at_most(2, "open sums: at most twice the time of closed ones",
                   rows_for(report.rows, Subject::sums), limit, "slide-open"),
           at_most(20, "verify: at most 20 times the time of slide",

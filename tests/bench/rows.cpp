@@ -97,6 +97,14 @@ std::vector<Summands> make_small_pairs() {
   return pairs;
 }
 
+Row small_pairs_row() {
+  return {.name = "small_pairs",
+          .group = "small pairs",
+          .what = std::to_string(small_pairs) + " pairs of polygons of 4 to 8 vertices",
+          .pairs = small_pairs,
+          .make = make_small_pairs};
+}
+
 Row growth_row(std::size_t n) {
   Row row = pair_of("growth", star, n, star, n);
   row.name = "growth_" + row.name;
@@ -138,6 +146,8 @@ Row convolution_row(const Kind& kind, std::size_t n) {
 std::vector<std::string> engines_for(const Row& row) {
   if (row.subject == Subject::convolution) return {"traced", "without-points", "naive"};
   if (row.subject == Subject::growth) return {"slide", "slide2"};
+  if (row.pairs > 1 && row.subject == Subject::commands)
+    return {"slide", "oplus-batch", "cgal-reduced"};
   if (row.subject == Subject::commands) return {"slide", "oplus-sum", "cgal-sum", "clipper-sum"};
   std::vector<std::string> names;
   if (row.subject == Subject::certificates) {
@@ -176,11 +186,7 @@ const Rows& benchmark_rows() {
       made.push_back(pair_of("coastlines", coast, n, convex, 20));
       made.push_back(pair_of("coastlines", coast, n, star, 100));
     }
-    made.push_back({.name = "small_pairs",
-                    .group = "small pairs",
-                    .what = std::to_string(small_pairs) + " pairs of polygons of 4 to 8 vertices",
-                    .pairs = small_pairs,
-                    .make = make_small_pairs});
+    made.push_back(small_pairs_row());
     for (const auto& [family, n] :
          std::initializer_list<std::pair<const char*, std::size_t>>{{"outlier", 2000},
                                                                     {"scales", 100},
@@ -203,6 +209,7 @@ const Rows& benchmark_rows() {
     made.push_back(command_row(pair_of("", convex, 5000, square, 4)));
     made.push_back(command_row(fork_and_l_row(100)));
     made.push_back(command_row(pair_of("", coast, 5000, star, 100)));
+    made.push_back(command_row(small_pairs_row()));
     for (const std::size_t n : {100, 300})
       made.push_back(certificate_row("certificates", pair_of("", star, n, star, 100)));
     made.push_back(certificate_row("certificates", pair_of("", simple, 200, simple, 100)));

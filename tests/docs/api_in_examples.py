@@ -11,7 +11,7 @@ from pathlib import Path
 EXAMPLES = Path(__file__).resolve().parents[2] / "docs/examples/cpp"
 # Loops over ranges call these.
 UNNAMED = {"begin", "end"}
-OPERATORS = {"operator-": r"[ (,]-\w", "operator==": r" == "}
+OPERATORS = {"operator-": r"[ (,]-\w", "operator*": r"\) \* ", "operator()": r"\w\(\{", "operator==": r" == "}
 
 
 def public(folder):

@@ -35,7 +35,10 @@ TEST_F(Pages, draw_their_pictures) {
   std::set<std::string> drawn;
   for (const auto& [name, page] : pages()) {
     SCOPED_TRACE(name);
-    ASSERT_EQ(run("mkdir -p docs/pictures").exit_code, 0);
+    ASSERT_EQ(run("mkdir -p docs/pictures && ln -sfn '" + (top / "docs/shapes").string() +
+                  "' docs/shapes")
+                  .exit_code,
+              0);
     for (const std::string& command : commands_of(page)) {
       const Ran ran = run(boost::algorithm::replace_all_copy(command, "oplus ", "oplus --quiet "));
       ASSERT_EQ(ran.exit_code, 0) << command << '\n' << ran.err;

@@ -10,7 +10,8 @@ MIT, GPL = "MIT", "GPL-3.0-or-later"
 # The library oplus_core; of `checked`, what is not in a folder. All else is over CGAL, or may be.
 CORE = ("reference/definitions", "reference/arithmetic", "reference/chains", "reference/io",
         "reference/oracle", "reference/pictures", "checked", "checked/arithmetic",
-        "checked/collision", "checked/cycles", "checked/oplus", "checked/slide", "checked/verify")
+        "checked/collision", "checked/cycles", "checked/operations", "checked/oplus", "checked/oplus/internal",
+        "checked/repair", "checked/rounding", "checked/slide", "checked/verify")
 # What users copy from.
 EXAMPLES = ("docs/examples/cpp", "tests/consumer")
 # Only for those who have CGAL; of it, what is under the LGPL (tests/checked/oplus/cgal_licence).

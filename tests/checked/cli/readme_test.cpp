@@ -13,7 +13,7 @@ class Readme : public Shell {};
 
 TEST_F(Readme, commands_work_and_draw_its_picture) {
   const std::vector<std::string> commands = commands_of(text_of_file(source_root() / "README.md"));
-  ASSERT_EQ(commands.size(), 12U);
+  ASSERT_EQ(commands.size(), 15U);
   // The first computes what the program above it prints.
   const std::string sum = run(commands[0]).out;
   EXPECT_TRUE(sum.starts_with("POLYGON ((")) << sum;

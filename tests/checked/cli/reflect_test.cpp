@@ -33,8 +33,8 @@ TEST_F(Reflect, takes_the_ending_of_a_file_in_capitals_too) {
 
 TEST_F(Reflect, rounds_with_digits) {
   const Ran ran = run("oplus reflect l.wkt --digits 1");
-  EXPECT_EQ(ran.out, "POLYGON ((0 0, -3 0, -3 -1, -1 -1, -1 -0.3, 0 -2.5, 0 0))\n");
-  EXPECT_TRUE(has(ran.err, "rounded to 1 decimal; without"));
+  EXPECT_EQ(ran.out, "POLYGON ((-3 -1, -1 -1, -1 -0.3, 0 -2.5, 0 0, -3 0, -3 -1))\n");
+  EXPECT_TRUE(has(ran.err, "rounded to multiples of 0.1, "));
 }
 
 TEST_F(Reflect, gives_the_no_fit_polygon) {

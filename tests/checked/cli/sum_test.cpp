@@ -48,31 +48,75 @@ TEST_F(Sum, with_fractions_says_that_others_do_not_read_them) {
     EXPECT_EQ(run("oplus " + command).err, "") << command;
 }
 
-TEST_F(Sum, is_rounded_with_digits_and_says_so) {
-  const Ran ran = run("oplus sum square.wkt triangle.dat --digits 2");
-  EXPECT_EQ(ran.out, "POLYGON ((0 0, 2 0, 2 1, 1 1.33, 0 1.33, 0 0))\n");
-  EXPECT_EQ(ran.exit_code, 0);
-  EXPECT_EQ(ran.err, "oplus: the output is rounded to 2 decimals; without --digits it is exact\n");
+TEST_F(Sum, is_rounded_to_a_grid_and_says_so) {
+  for (const std::string option :
+       {"--digits 2", "--grid 0.01", "--grid 1/100", "--grid 1e-2 --side nearest"}) {
+    const Ran ran = run("oplus sum square.wkt triangle.dat " + option);
+    EXPECT_EQ(ran.out, "POLYGON ((0 0, 2 0, 2 1, 1 1.33, 0 1.33, 0 0))\n");
+    EXPECT_EQ(ran.exit_code, 0);
+    EXPECT_EQ(ran.err,
+              "oplus: rounded to multiples of 0.01, its boundary moved by at most 0.00707107\n");
+  }
+  const Ran contain = run("oplus sum square.wkt triangle.dat --grid 0.5 --side contain");
+  EXPECT_EQ(contain.out, "POLYGON ((0 0, 2.5 0, 2.5 1.5, 0 1.5, 0 0))\n");
+  EXPECT_EQ(contain.err,
+            "oplus: rounded to multiples of 0.5, it contains the exact one, and differs from it "
+            "within 0.707107 of its boundary\n");
+  const Ran contained = run("oplus sum square.wkt triangle.dat --grid 0.5 --side contained");
+  EXPECT_TRUE(has(contained.err, "it is contained in the exact one")) << contained.out;
+  // Nothing had to be rounded.
+  expect_output("oplus sum square.wkt square.wkt --grid 0.5 --side contain", doubled_square);
 }
 
-TEST_F(Sum, that_rounding_made_invalid_says_why) {
+TEST_F(Sum, that_is_rounded_is_valid_and_says_what_changed) {
   put("thin.wkt", "POLYGON ((0 0, 0.25 0, 9 5, 0 0))");
   put("notch.wkt", "POLYGON ((0 0, 4 0, 4 4, 2 0.25, 0 4, 0 0))");
   put("point.wkt", "POLYGON ((0 0, 0.25 0, 0.25 0.25, 0 0))");
-  const std::string invalid = "rounded to 0 decimals and no longer valid: ";
   for (const auto& [command, expected] : std::map<std::string, std::string>{
-           {"reflect thin.wkt", invalid + "outer chain of component 1 has an edge of zero length: "
-                                          "vertices 1 and 2 are both (0, 0)"},
-           {"reflect notch.wkt",
-            invalid + "outer chain of component 1 touches itself at (-2, 0): "},
-           {"sum square.wkt notch.wkt", "rounded to 0 decimals; without --digits it is exact"},
-           {"sum frame.wkt point.wkt --open -o s.geojson", invalid}}) {
+           {"reflect thin.wkt", "; 1 component vanished\n"},
+           {"reflect notch.wkt", "; 1 component came apart\n"},
+           {"sum square.wkt notch.wkt", "moved by at most 0.707107\n"},
+           {"sum frame.wkt point.wkt --open -o s.geojson", "moved by at most 0.707107\n"}}) {
     const Ran ran = run("oplus " + command + " --digits 0");
     EXPECT_EQ(ran.exit_code, 0) << command;
     EXPECT_EQ(ran.lines_of_err(), 1) << ran.err;
     EXPECT_TRUE(has(ran.err, expected)) << command << content("s.geojson");
     EXPECT_EQ(run("oplus --quiet " + command + " --digits 0").err, "");
+    EXPECT_EQ(run("oplus " + command + " --digits 0 >t.wkt && oplus reflect " +
+                  (command.ends_with("json") ? "s.geojson" : "t.wkt"))
+                  .exit_code,
+              0);
   }
+}
+
+TEST_F(Sum, refuses_grids_that_are_none) {
+  const std::string command = "oplus sum square.wkt triangle.dat -o s.wkt ";
+  expect_refusal(command + "--grid 0", "--grid takes a step above 0, not '0'");
+  expect_refusal(command + "--grid -1", "--grid takes a step above 0");
+  expect_refusal(command + "--grid abc", "--grid: 'abc' is not a number");
+  expect_refusal(command + "--grid 1/0", "denominator 0");
+  expect_refusal(command + "--side contain", "--side is for rounded output");
+  expect_refusal(command + "--grid 1 --side left", "--side");
+  expect_refusal(command + "--grid 1 --digits 2", "give one of the two");
+  expect_refusal(command + "--grid 1 --certificate c", "--certificate is for exact sums");
+  expect_refusal(command + "--digits 1 --certificate c", "--certificate is for exact sums");
+  EXPECT_EQ(files().count("s.wkt") + files().count("c"), 0U);
+}
+
+TEST_F(Sum, in_wkb_is_read_again) {
+  expect_output("oplus sum frame.wkt slider.wkt --open -o s.wkb", "");
+  EXPECT_TRUE(content("s.wkb").starts_with("0107000000"));
+  expect_output("oplus sum frame.wkt slider.wkt --open -o s.wkt && oplus compare s.wkb s.wkt",
+                "equal\n");
+  // In bytes, as other programs write it.
+  put("bytes.py", "import sys; sys.stdout.buffer.write(bytes.fromhex(sys.stdin.read()))");
+  expect_output(
+      "oplus sum square.wkt square.wkt --format wkb | python3 bytes.py >b.wkb; "
+      "oplus reflect b.wkb | oplus reflect -",
+      doubled_square);
+  expect_refusal("oplus sum square.wkt triangle.dat --format wkb",
+                 "WKB holds doubles, and the coordinate 4/3 is not exactly one; --grid 1/1048576");
+  EXPECT_EQ(run("oplus sum square.wkt triangle.dat --format wkb --grid 1/1024").exit_code, 0);
 }
 
 TEST_F(Sum, takes_the_format_from_the_ending) {

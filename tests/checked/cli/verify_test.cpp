@@ -126,8 +126,14 @@ TEST_F(VerifyCommand, within_a_tolerance) {
                 "distance: 0.001, at (5.001, 0) of the boundary of S\n"
                 "the component at (0, 0) of the sum has no partner\n"
                 "the component at (0, 0) that is given has no partner\n");
-  expect_answer("frame.wkt square.wkt filled.wkt --tolerance 3", 1,
-                "no: the boundaries are within 3 of each other\n"
+  // A part that is thinner than that may be lost, and is told; a hole in which a square of the diagonal 2D is
+  // must be there.
+  expect_answer("frame.wkt square.wkt filled.wkt --tolerance 0.7", 1,
+                "no: the boundaries are not within 0.7 of each other\n"
+                "distance: 2, at (2, 2) of the boundary of the sum\n"
+                "the hole at (2, 2) of the sum has no partner\n");
+  expect_answer("frame.wkt square.wkt filled.wkt --tolerance 3", 0,
+                "yes: the sets differ only within 3 of the boundary of the sum\n"
                 "distance: 2, at (2, 2) of the boundary of the sum\n"
                 "the hole at (2, 2) of the sum has no partner\n");
   const auto json = nlohmann::json::parse(

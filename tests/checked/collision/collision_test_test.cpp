@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "properties/statements/laws/linear_map.hpp"
+#include "checked/operations/image.hpp"
 #include "reference/definitions/collision.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "tests/checked/collision/each_method.hpp"

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "checked/operations/image.hpp"
 #include "properties/runner/source_tree.hpp"
 #include "properties/statements/chapter5/boundary_contact.hpp"
-#include "properties/statements/laws/linear_map.hpp"
 #include "reference/definitions/collision.hpp"
 #include "tests/checked/collision/each_method.hpp"
 #include "tests/reference/io/from_text.hpp"
@@ -80,7 +80,7 @@ TEST(NamedPlacements, are_decided_by_every_method_either_way_round) {
 }
 
 /// Shears and scales, so that nothing is horizontal, vertical or an integer.
-const LinearMap slanted{Rational(1, 3), Rational(1, 7), Rational(-1, 13), Rational(1, 11)};
+const AffineMap slanted{Rational(1, 3), Rational(1, 7), Rational(-1, 13), Rational(1, 11)};
 
 TEST(NamedPlacements, are_decided_by_every_method_where_no_coordinate_is_a_double) {
   for (const Pair& pair : pairs()) {

@@ -6,8 +6,8 @@
 #include "checked/arrangement/hole_test.hpp"
 #include "checked/arrangement/rca.hpp"
 #include "checked/cli/engines_and_oracle.hpp"
+#include "checked/operations/image.hpp"
 #include "properties/compare/corpus.hpp"
-#include "properties/statements/laws/linear_map.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/oracle/oracle.hpp"
 #include "tests/reference/definitions/print.hpp"
@@ -101,7 +101,7 @@ TEST(Engines, scale_with_their_summands_beyond_what_doubles_can_hold) {
   for (const auto& [p, q] : pairs) {
     const MinkowskiSum sum = rca(p, q, Boundary::open).sum;
     for (const auto& [x, y] : {std::pair{huge, huge}, {tiny, tiny}, {huge, tiny}, {tiny, huge}}) {
-      const LinearMap scaled{x, 0, 0, y};
+      const AffineMap scaled{x, 0, 0, y};
       const MinkowskiSum expected = image(scaled, sum);
       const Region large_p = image(scaled, p), large_q = image(scaled, q);
       for (const Engine& engine : engines()) {

@@ -129,6 +129,17 @@ TEST(FromCgal, takes_infinite_precision_of_lazy_numbers) {
             (Chain{{0, 0}, {Rational(1, 3), 0}, {0, Rational(1, 9)}}));
 }
 
+TEST(FromCgal, a_missing_outer_boundary_is_that_of_the_plane) {
+  CGAL::Polygon_with_holes_2<Kernel> unbounded;
+  unbounded.add_hole(polygon_of({{0, 0}, {0, 1}, {1, 0}}));
+  const ValidRegion region = from_cgal(unbounded);
+  EXPECT_EQ(region, complement(from_cgal(polygon_of({{0, 0}, {1, 0}, {0, 1}}))));
+  const auto back = to_cgal<Kernel>(region);
+  ASSERT_EQ(back.size(), 1U);
+  EXPECT_TRUE(back[0].is_unbounded());
+  EXPECT_EQ(back[0].number_of_holes(), 1U);
+}
+
 TEST(FromCgal, refuses_what_is_invalid) {
   EXPECT_EQ(message_of(Polygon()),
             "polygon 1: it has no outer boundary; expected a bounded polygon");

@@ -48,13 +48,38 @@ TEST(Text, has_dangling_edges_and_isolated_vertices) {
 
 TEST(Text, is_rounded_if_asked) {
   EXPECT_EQ(to_wkt(triangle, 3), "POLYGON ((0 0, 1 0, 0.5 0.333, 0 0))");
-  EXPECT_EQ(to_wkt(triangle, 0), "POLYGON ((0 0, 1 0, 1 0, 0 0))");
+  EXPECT_EQ(to_wkt(triangle, 0), "POLYGON EMPTY");
   EXPECT_EQ(to_geojson(triangle, 1),
             R"({"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [0.5, 0.3], [0, 0]]]})");
   const Sum sum = minkowski_sum(triangle, triangle);
   EXPECT_EQ(to_wkt(sum, 2), "POLYGON ((0 0, 2 0, 1 0.67, 0 0))");
   EXPECT_EQ(to_geojson(sum, 2),
             R"({"type": "Polygon", "coordinates": [[[0, 0], [2, 0], [1, 0.67], [0, 0]]]})");
+}
+
+TEST(Text, of_what_was_rounded_is_valid) {
+  const Sum sum = minkowski_sum(triangle, triangle);
+  const Rounded nearest = rounded(sum, "0.3");
+  EXPECT_EQ(to_wkt(nearest.sum), "POLYGON ((0 0, 2.1 0, 0.9 0.6, 0 0))");
+  EXPECT_EQ(nearest.bound, Number("0.15").value());
+  EXPECT_FALSE(nearest.is_exact);
+  EXPECT_EQ(nearest.changes, TopologyChanges{});
+  EXPECT_EQ(to_wkt(rounded(triangle, 1, Side::contained).sum), "POLYGON EMPTY");
+  EXPECT_EQ(rounded(triangle, 1, Side::contained).changes.vanished_components, 1U);
+  EXPECT_EQ(read_wkt(to_wkt(rounded(sum, 0.25, Side::contain).sum)),
+            rounded(sum, 0.25, Side::contain).sum.region());
+  EXPECT_TRUE(rounded(open_sum(), 1).is_exact);
+  EXPECT_EQ(rounded(open_sum(), 1).sum, open_sum());
+  for (const int step : {0, -1}) EXPECT_THROW(rounded(sum, step), InvalidInput);
+}
+
+TEST(Text, in_wkb_is_that_of_doubles) {
+  const ValidRegion square = polygon({{0, 0}, {1, 0}, {1, 0.5}});
+  EXPECT_EQ(to_wkb(square),
+            "0103000000010000000400000000000000000000000000000000000000000000000000F03F"
+            "0000000000000000000000000000F03F000000000000E03F00000000000000000000000000000000");
+  EXPECT_TRUE(to_wkb(open_sum()).starts_with("0107000000"));
+  EXPECT_THROW(to_wkb(triangle), InvalidInput);
 }
 
 TEST(Text, refuses_other_numbers_of_digits) {

@@ -25,9 +25,9 @@ std::optional<Places> blocked(const Case& c, Shift shift) {
                                  shift));
 }
 
-const LinearMap mirror{-1, 0, 0, 1};
+const AffineMap mirror{-1, 0, 0, 1};
 
-Case mapped(const Case& c, const LinearMap& map) {
+Case mapped(const Case& c, const AffineMap& map) {
   return {image(map, c.segment), image(map, c.of_p), image(map, c.of_q)};
 }
 

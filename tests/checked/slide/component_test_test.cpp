@@ -111,7 +111,7 @@ TYPED_TEST(ComponentTestIn, comes_apart_to_the_right_where_a_vertex_slides_along
   const Segment down_the_left_side{{0, 5}, {0, 4}}, up_the_left_side{{0, 5}, {0, 6}};
   for (int times = 0; times < 4; ++times) {
     SCOPED_TRACE(times);
-    const LinearMap turned = quarter_turns(times);
+    const AffineMap turned = quarter_turns(times);
     const auto expect = [&](bool expected, const Region& q, const Segment& slid) {
       expect_overlap<TypeParam>(expected, image(turned, square), image(turned, q),
                                 image(turned, slid));

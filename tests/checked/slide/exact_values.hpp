@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
+#include "checked/operations/image.hpp"
 #include "checked/slide/fraction.hpp"
 #include "checked/slide/integer_summands.hpp"
 #include "checked/slide/integer_vector.hpp"
-#include "properties/statements/laws/linear_map.hpp"
 #include "reference/definitions/segment.hpp"
 #include "reference/families/random.hpp"
 
@@ -88,11 +88,11 @@ inline Rational power_of_two(int exponent) {
   return exponent < 0 ? Rational(1, power) : Rational(power);
 }
 
-inline Segment image(const LinearMap& map, const Segment& s) {
+inline Segment image(const AffineMap& map, const Segment& s) {
   return {map(s.source), map(s.target)};
 }
 
-inline LinearMap quarter_turns(int times) {
+inline AffineMap quarter_turns(int times) {
   constexpr int cosine[] = {1, 0, -1, 0};
   const int sine = cosine[(times + 3) % 4];
   return {cosine[times % 4], -sine, sine, cosine[times % 4]};

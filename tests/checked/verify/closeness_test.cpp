@@ -113,7 +113,7 @@ TEST(Closeness, is_decided_exactly_at_the_tolerance) {
 TEST(Closeness, a_hole_without_a_partner_is_told) {
   const Closeness close = closeness(canonical_sum(frame), {polygon(box(0, 0, 5, 5)), {}, {}}, 10);
   EXPECT_TRUE(close.is_within);
-  EXPECT_FALSE(close.is_close());
+  EXPECT_FALSE(close.has_same_chains());
   EXPECT_EQ(close.no_partners,
             (std::vector<std::string>{"the hole at (2, 2) of the sum has no partner"}));
 }
@@ -171,8 +171,12 @@ TEST(Closeness, of_rounded_sums) {
 TEST(Closeness, of_nothing) {
   EXPECT_TRUE(closeness({}, {}, 0).is_close());
   const Closeness close = closeness(canonical_sum(unit), {}, 100);
-  EXPECT_FALSE(close.is_close());
+  EXPECT_FALSE(close.has_same_chains());
   EXPECT_FALSE(close.distance.has_value());
+  // A square of the diagonal 200 is not in it.
+  EXPECT_TRUE(close.is_close());
+  EXPECT_FALSE(closeness(canonical_sum(unit), {}, Rational(70, 100)).is_close());
+  EXPECT_FALSE(closeness({}, {unit, {}, {}}, 100).is_close());
 }
 
 }  // namespace

@@ -104,6 +104,74 @@ TEST_F(DiffCommand, finds_a_wrong_sum_by_winding_numbers_and_reproduces_it) {
   EXPECT_TRUE(has(again.out, "the first is the check by winding numbers: 1 outer chain"));
 }
 
+TEST_F(DiffCommand, compares_an_operation_with_its_definition) {
+  const Ran ran = diff(
+      "--operation ifp --pair frame.dat square.dat --family tight --cases 10 --engine slide --engine "
+      "loops");
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_TRUE(has(ran.out, "compared with the definition of ifp:\n"));
+  EXPECT_TRUE(
+      has(ran.out, "11 cases run, one value of ifp each, 0 skipped, 0 with a disagreement\n"));
+  const auto report = nlohmann::json::parse(content("oplus-findings/diff.json"));
+  EXPECT_EQ(report.at("campaign").at("operation"), "ifp");
+  // The square fits into the frame exactly, from corner to corner.
+  EXPECT_EQ(report.at("sources").at(0).at("counts").at("values"), nlohmann::json({{"edges", 1}}));
+  EXPECT_EQ(report.at("all").at("sums").at("passed"), 11 * 2);
+}
+
+TEST_F(DiffCommand, compares_operations_of_unbounded_regions) {
+  put("outside.dat", "0\n1\n4\n0 0\n0 4\n4 4\n4 0\n");
+  for (const char* operation :
+       {"nfp", "ifp", "erode", "open", "close", "complement", "closed-sum"}) {
+    const Ran ran =
+        diff(std::string("--pair outside.dat square.dat --engine slide --operation ") + operation);
+    EXPECT_EQ(ran.exit_code, 0) << operation << ran.err;
+    const auto report = nlohmann::json::parse(content("oplus-findings/diff.json"));
+    EXPECT_EQ(report.at("all").at("values").contains("unbounded"),
+              operation != std::string("complement"));
+  }
+  const Ran sum = diff("--pair outside.dat square.dat");
+  EXPECT_EQ(sum.exit_code, 2);
+  EXPECT_TRUE(has(sum.err, "unbounded")) << sum.err;
+}
+
+TEST_F(DiffCommand, finds_an_operation_by_a_wrong_sum_and_reproduces_it) {
+  for (const char* pair : {"square.dat frame.dat", "outside.dat square.dat"}) {
+    put("outside.dat", "0\n1\n4\n0 0\n0 4\n4 4\n4 0\n");
+    const Ran ran = diff(std::string("--operation nfp --engine 'exec:cat {p} # {boundary}' "
+                                     "--shrink-tries 20 --pair ") +
+                         pair);
+    EXPECT_EQ(ran.exit_code, 1) << ran.err;
+    EXPECT_TRUE(has(ran.out, "disagreement on nfp, found in ")) << ran.out;
+    EXPECT_TRUE(has(ran.out, "the first is the definition of nfp: "));
+    const Ran again = run(last_line_after(ran.out, "  reproduce: "));
+    EXPECT_EQ(again.exit_code, 1) << again.err;
+    EXPECT_EQ(last_line_after(again.out, " vertices: "), last_line_after(ran.out, " vertices: "));
+  }
+}
+
+TEST_F(DiffCommand, a_sum_that_an_operation_cannot_use_is_a_failure_of_the_engine) {
+  put("outside.dat", "0\n1\n4\n0 0\n0 4\n4 4\n4 0\n");
+  const Ran ran = diff(
+      "--operation nfp --engine 'exec:echo POLYGON EMPTY # {p} {boundary}' --shrink-tries 5 --pair "
+      "outside.dat square.dat");
+  EXPECT_EQ(ran.exit_code, 1) << ran.err;
+  EXPECT_TRUE(has(ran.out, "unreadable: no outer chain")) << ran.out;
+}
+
+TEST_F(DiffCommand, refuses_options_that_operations_do_not_take) {
+  const std::string pair = "--pair frame.dat square.dat ";
+  EXPECT_EQ(diff(pair + "--operation nonsense").exit_code, 2);
+  const Ran judge = diff(pair + "--operation ifp --judge winding-numbers");
+  EXPECT_EQ(judge.exit_code, 2);
+  EXPECT_TRUE(has(judge.err, "--judge winding-numbers is for sums"));
+  EXPECT_EQ(diff("--operation ifp --folder .").exit_code, 2);
+  EXPECT_EQ(diff(pair + "--operation ifp --resume state.json").exit_code, 0);
+  const Ran other = diff(pair + "--operation open --resume state.json");
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_TRUE(has(other.err, R"(operation is "ifp", not "open")")) << other.err;
+}
+
 TEST_F(DiffCommand, does_not_go_on_with_another_judge) {
   const std::string pairs = "--family grid --cases 3 --engine slide --resume state.json";
   EXPECT_EQ(diff(pairs).exit_code, 0);

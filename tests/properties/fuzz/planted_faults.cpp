@@ -145,6 +145,8 @@ int run(const std::string& page_file) {
   for (const Mutant& fault : mutants()) {
     const bool of_a_reader = fault.file.starts_with("reference/io/");
     const bool of_slide_too = fault.name == "touching-points-are-not-tested";
+    // The target computes each sum once, so that nothing is prepared.
+    if (fault.file == "checked/slide/kept_summands.hpp") continue;
     if (!of_a_reader && !of_slide_too && !fault.file.starts_with("checked/slide/")) continue;
     const std::string line = row(fault, of_a_reader ? of_readers : of_slide);
     if (line.empty())

@@ -20,7 +20,13 @@ const std::vector<std::string> valid{
     R"({"type": "Polygon", "coordinates": [[[0, 0], [9, 0], [9, "9/1"], [0, 0]]], "a": null})",
     R"({"type": "GeometryCollection", "geometries": [{"type": "MultiPolygon", "coordinates":
         [[[[0, 0], [9, 0], [9, 1e1], [0, 0]]]]}, {"type": "Point", "coordinates": [4, 2]},
-        {"type": "LineString", "coordinates": [[5, 2], [6, 2.5]]}]})"};
+        {"type": "LineString", "coordinates": [[5, 2], [6, 2.5]]}]})",
+    "SRID=4326;POLYGON Z ((0 0 1, 9 0 1, 9 9 NaN, 0 0 1))\nPOLYGON ((9 9, 10 9, 9 10, 9 9))\n",
+    R"({"type": "FeatureCollection", "features": [{"type": "Feature", "geometry": null},
+        {"type": "Feature", "geometry": {"type": "Polygon", "coordinates":
+         [[[0, 0, 5], [9, 0], [9, "9/1"], [0, 0]]]}}]})",
+    "[[[0, 0], [9, 0], [9, 9], [0, 9]], [[1, 1], [1, 2.5], [2, 1e0], [1, 1]]]",
+    "M0 0H9V9L0,9/1ZM1 1v1.5l1-1.5Zm11 11 1 0-1 1z"};
 
 /// Numbers straight from the generator's bits, so that every compiler tries the same inputs.
 class Mutations {

@@ -67,6 +67,20 @@ INSTANTIATE_TEST_SUITE_P(
          {{{box(0, 0, 4, 4), {{{0, 0}, {1, 2}, {2, 1}}}},
            {{{4, 4}, {5, 4}, {5, 5}}, {}},
            {{{4, 2}, {6, 1}, {6, 3}}, {}}}}},
+        {"several_a_line_each",
+         "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\n\nPOLYGON EMPTY\r\n"
+         "MULTIPOLYGON (((2 0, 3 0, 3 1,\n 2 1, 2 0)))\n",
+         two_squares},
+        {"with_reference_system",
+         "SRID=4326;POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\n"
+         " srid = 4326 ; POLYGON ((2 0, 3 0, 3 1, 2 1, 2 0))",
+         two_squares},
+        {"collection",
+         "GeometryCollection (POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0)),"
+         " MULTIPOLYGON (((2 0, 3 0, 3 1, 2 1, 2 0))))",
+         two_squares},
+        {"empty_collection", "GEOMETRYCOLLECTION EMPTY", {}},
+        {"empty_with_z", "POLYGON Z EMPTY", {}},
         {"empty", "POLYGON EMPTY", {}},
         {"empty_multipolygon", "multipolygon empty\n", {}}}),
     name_of);
@@ -88,11 +102,70 @@ INSTANTIATE_TEST_SUITE_P(
          R"({"type": "MultiPolygon", "coordinates": [[[[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]]],
              [[[2, 0], [3, 0], [3, 1], [2, 1], [2, 0]]]]})",
          two_squares},
+        {"collection",
+         R"({"type": "GeometryCollection", "geometries": [
+             {"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]]]},
+             {"type": "MultiPolygon",
+              "coordinates": [[[[2, 0], [3, 0], [3, 1], [2, 1], [2, 0]]]]}]})",
+         two_squares},
+        {"feature",
+         R"({"type": "Feature", "properties": {"name": "unit"}, "geometry":
+             {"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]]]}})",
+         unit_square},
+        {"feature_collection",
+         R"({"type": "FeatureCollection", "features": [
+             {"type": "Feature", "geometry": null},
+             {"type": "Feature", "geometry": {"type": "GeometryCollection", "geometries": [
+              {"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]]]}]}},
+             {"type": "Feature", "geometry": {"type": "Polygon",
+              "coordinates": [[[2, 0], [3, 0], [3, 1], [2, 1], [2, 0]]]}}]})",
+         two_squares},
+        {"empty_feature_collection", R"({"type": "FeatureCollection", "features": []})", {}},
         {"empty", R"({"type": "Polygon", "coordinates": []})", {}},
         {"empty_multipolygon", R"({"type": "MultiPolygon", "coordinates": []})", {}},
         {"after_a_byte_order_mark",
          "\xEF\xBB\xBF{\"type\": \"Polygon\", \"coordinates\": []}",
          {}}}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    PlainArrays, RegionText,
+    testing::ValuesIn(std::vector<Text<Region>>{
+        {"ring", "\n [[0, 0], [1, 0], [0, 1]]", triangle},
+        {"closed_ring", "[[0,0],[1,0],[0,1],[0,0]]", triangle},
+        {"fractions", R"([[0, 0], ["1/2", 0], [0, 0.5]])", polygon({{0, 0}, {half, 0}, {0, half}})},
+        {"with_hole",
+         "[[[0, 0], [3, 0], [3, 3], [0, 3]], [[1, 1], [1, 2], [2, 2], [2, 1], [1, 1]]]",
+         {{square_with_hole}}},
+        {"components", "[[[[0, 0], [1, 0], [1, 1], [0, 1]]], [[[2, 0], [3, 0], [3, 1], [2, 1]]]]",
+         two_squares},
+        {"empty", "[]", {}}}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    SvgPath, RegionText,
+    testing::ValuesIn(std::vector<Text<Region>>{
+        {"triangle_after_blanks", "\n M 0 0 L 1 0 L 0 1 Z", triangle},
+        {"closed_by_a_vertex", "M0,0 1,0 0,1 0,0", triangle},
+        {"closed_twice", "M 0 0 L 1 0 L 0 1 L 0 0 z", triangle},
+        {"horizontal_and_vertical", "M0 0H1V1H0Z", unit_square},
+        {"relative", "m 1 1 h -1 v -1 h 1 z", polygon({{1, 1}, {0, 1}, {0, 0}, {1, 0}})},
+        {"repeated", "M0 0H.5 1V.5 1e0L0 1Z",
+         polygon({{0, 0}, {half, 0}, {1, 0}, {1, half}, {1, 1}, {0, 1}})},
+        {"repeated_move_is_a_line", "m0 0 1 0 0 1-1 0z", unit_square},
+        {"fractions", "M0 0L1/2 0,0+.5Z", polygon({{0, 0}, {half, 0}, {0, half}})},
+        {"numbers_without_blanks", "M-.5.5.5-.5.5.5z",
+         polygon({{-half, half}, {half, -half}, {half, half}})},
+        {"hole_runs_the_other_way", "M0 0H3V3H0ZM1 1V2H2V1Z", {{square_with_hole}}},
+        {"hole_before_its_outer_chain", "M1 1V2H2V1ZM0 0H3V3H0Z", {{square_with_hole}}},
+        {"components", "M0 0h1v1h-1zm2 0h1v1h-1z", two_squares},
+        {"after_z_from_the_start",
+         "M1 1H0V0H1ZL2 2H1Z",
+         {{{{{1, 1}, {0, 1}, {0, 0}, {1, 0}}, {}}, {{{1, 1}, {2, 2}, {1, 2}}, {}}}}},
+        {"component_in_a_hole",
+         "M0 0H9V9H0ZM1 1V8H8V1ZM2 2H3L2 3Z",
+         {{{box(0, 0, 9, 9), {{{1, 1}, {1, 8}, {8, 8}, {8, 1}}}},
+           {{{2, 2}, {3, 2}, {2, 3}}, {}}}}}}),
     name_of);
 
 class SumText : public testing::TestWithParam<Text<MinkowskiSum>> {};

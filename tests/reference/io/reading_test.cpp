@@ -28,6 +28,53 @@ TEST(Reading, turns_chains_and_says_so) {
   EXPECT_EQ(read.region, expected);
 }
 
+TEST(Reading, leaves_out_z_and_m_and_says_so_once) {
+  const Region triangle = polygon({{0, 0}, {1, 0}, {0, 1}});
+  for (const auto& [text, count] :
+       {std::pair<std::string, int>{"POLYGON Z ((0 0 5, 1 0 6, 0 1 7, 0 0 5))", 4},
+        {"POLYGONM((0 0 5,1 0 6,0 1 7,0 0 5))", 4},
+        {"polygon zm ((0 0 5 1, 1 0 6 2, 0 1 nan -1e-1, 0 0 5 1))", 4},
+        {"SRID=1;POLYGON ((0 0 5, 1 0 NaN, 0 1 7/3, 0 0 5))", 4},
+        {R"({"type": "Polygon", "coordinates": [[[0, 0, 5], [1, 0], [0, 1, 5, 6], [0, 0]]]})", 2},
+        {"[[0, 0], [1, 0, 0], [0, 1]]", 1}}) {
+    const std::string vertices = count == 1 ? " vertex" : " vertices";
+    const std::vector<std::string> notes{"file: of " + std::to_string(count) + vertices +
+                                         " with more than two coordinates, only x and y were read"};
+    EXPECT_EQ(region_from(text).region, triangle) << text;
+    EXPECT_EQ(region_from(text).notes, notes) << text;
+    EXPECT_EQ(sum_from(text).notes, notes) << text;
+  }
+  EXPECT_EQ(sum_from("MULTIPOINT Z (1 2 3, (4 5 6))").sum.isolated_vertices,
+            std::vector<Point>({{1, 2}, {4, 5}}));
+}
+
+TEST(Reading, of_an_svg_path_says_where_defects_are) {
+  EXPECT_EQ(
+      refusal([] { region_from("M 0 0 L 2 2\nH 0 L 2 0 Z"); }),
+      "file:2:3: two edges of outer chain of component 1 cross at (1, 1): edge 1 from (0, 0) to "
+      "(2, 2) and edge 3 from (0, 2) to (2, 0); expected a simple chain");
+  // Both fill rules are common where a chain runs as the one around it.
+  EXPECT_EQ(refusal([] { region_from("M0 0H9V9H0Z\nM1 1H2V2H1Z"); }),
+            "file:2:2: outer chain of component 2 at (1, 1) is inside outer chain of component 1 "
+            "and in none of its holes; expected components that at most touch");
+}
+
+TEST(Reading, allows_components_that_overlap_where_asked_to) {
+  const std::string text =
+      "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))\n"
+      "POLYGON ((1 1, 3 1, 3 3, 1 3, 1 1))\n";
+  EXPECT_EQ(refusal([&] { region_from(text); }).substr(0, 12), "file:2:26: o");
+  EXPECT_EQ(read_region(text, "file", {}, Extent::bounded, Overlaps::allowed).region,
+            Region({{{box(0, 0, 2, 2), {}}, {box(1, 1, 3, 3), {}}}}));
+  EXPECT_EQ(
+      refusal([&] {
+        read_region(text + "POLYGON ((0 0, 1 1, 1 0,\n 0 1, 0 0))", "file", {}, Extent::bounded,
+                    Overlaps::allowed);
+      }),
+      "file:3:21: two edges of outer chain of component 3 cross at (0.5, 0.5): edge 1 from (0, "
+      "0) to (1, 1) and edge 3 from (1, 0) to (0, 1); expected a simple chain");
+}
+
 TEST(Reading, of_a_sum_turns_chains_and_says_so) {
   const ReadSum read = sum_from("4 0 0 0 1 1 1 1 0");
   EXPECT_EQ(read.notes,
@@ -96,8 +143,9 @@ TEST(Reading, of_a_file_that_is_not_there_says_so) {
 }
 
 TEST(Reading, of_a_folder_says_so) {
-  EXPECT_EQ(refusal([] { read_region_file("/"); }),
-            "/: cannot be read (Is a directory); expected a region in .dat, WKT or GeoJSON");
+  EXPECT_EQ(
+      refusal([] { read_region_file("/"); }),
+      "/: cannot be read (Is a directory); expected a region in .dat, WKT or GeoJSON, or an SVG path");
 }
 
 TEST(Reading, of_a_name_with_line_breaks_stays_in_one_line) {

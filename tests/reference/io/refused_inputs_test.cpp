@@ -26,7 +26,8 @@ TEST(RefusedInputs, are_refused_in_the_line_that_is_recorded) {
 // What JSON cannot hold, or would be unreadable there.
 
 TEST(RefusedInputs, may_be_no_text) {
-  const std::string expected = "' is not text; expected a region in .dat, WKT or GeoJSON";
+  const std::string expected =
+      "' is not text; expected a region in .dat, WKT or GeoJSON, or an SVG path";
   for (const auto& [text, place] :
        {std::pair{std::string("3 0 0\n1 \0 0 1", 13), "file:2:3: the byte '\\x00"},
         {std::string("\x1f\x8b\x08"), "file:1:1: the byte '\\x1f"}}) {

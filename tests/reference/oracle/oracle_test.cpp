@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "properties/statements/laws/linear_map.hpp"
+#include "checked/operations/image.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/definitions/difference.hpp"
 #include "tests/reference/definitions/cells.hpp"

@@ -60,8 +60,8 @@ TEST_F(Completion, offers_names_where_only_they_are_taken) {
   EXPECT_EQ(offered("oplus sum --engine = ''"), engines);
   EXPECT_EQ(offered("oplus sum --engine ="), engines);
   EXPECT_EQ(offered("oplus sum --engine l"), Words({"loops"}));
-  EXPECT_EQ(offered("oplus sum --format ''"), Words({"wkt", "dat", "geojson"}));
-  EXPECT_EQ(offered("oplus help re"), Words({"reflect"}));
+  EXPECT_EQ(offered("oplus sum --format ''"), Words({"wkt", "dat", "geojson", "wkb"}));
+  EXPECT_EQ(offered("oplus help re"), Words({"reflect", "repair"}));
   EXPECT_EQ(offered("oplus gen st"), Words({"star"}));
   EXPECT_EQ(offered("oplus gen star --summand ''"), Words({"P", "Q"}));
   EXPECT_EQ(offered("oplus draw --view fa"), Words({"faces"}));

@@ -53,7 +53,7 @@ TEST_F(Terminal, errors_and_differences_are_red) {
 }
 
 TEST_F(Terminal, quiet_leaves_results_and_errors) {
-  const std::string sum = "sum square.wkt turned.wkt --digits 2";
+  const std::string sum = "sum square.wkt turned.wkt --grid 0.7";
   const Ran loud = run("oplus " + sum);
   EXPECT_EQ(loud.lines_of_err(), 2) << loud.err;  // orientation, rounding
   for (const std::string& command : {"oplus --quiet " + sum, "oplus " + sum + " --quiet"})

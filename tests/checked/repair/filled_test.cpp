@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/repair/filled.hpp"
+
+#include <gtest/gtest.h>
+
+#include "reference/chains/region_of.hpp"
+#include "reference/chains/validity.hpp"
+#include "reference/definitions/region.hpp"
+#include "reference/definitions/winding_number.hpp"
+#include "reference/families/random.hpp"
+#include "tests/reference/definitions/shapes.hpp"
+
+namespace oplus {
+namespace {
+
+TEST(Filled, bow_tie_has_two_triangles_by_both_rules) {
+  const Chain bow_tie{{0, 0}, {2, 2}, {2, 0}, {0, 2}};
+  const MinkowskiSum expected{
+      {{{0, 0}, {1, 1}, {2, 0}, {2, 2}, {1, 1}, {0, 2}}}, {}, {}, {}, false};
+  EXPECT_EQ(filled({bow_tie}, FillRule::even_odd), expected);
+  EXPECT_EQ(filled({bow_tie}, FillRule::nonzero), expected);
+}
+
+TEST(Filled, a_chain_inside_is_a_hole_by_even_odd_or_if_it_runs_the_other_way) {
+  const Chain outer = box(0, 0, 9, 9), inner = box(1, 1, 2, 2);
+  const MinkowskiSum framed = canonical_sum(holed(outer, {inner}));
+  const MinkowskiSum full = canonical_sum(polygon(outer));
+  EXPECT_EQ(filled({outer, inner}, FillRule::even_odd), framed);
+  EXPECT_EQ(filled({outer, inner}, FillRule::nonzero), full);
+  EXPECT_EQ(filled({outer, backwards(inner)}, FillRule::nonzero), framed);
+  EXPECT_EQ(filled({outer, outer}, FillRule::even_odd), MinkowskiSum());
+  EXPECT_EQ(filled({outer, outer}, FillRule::nonzero), full);
+  EXPECT_EQ(filled({}, FillRule::nonzero), MinkowskiSum());
+}
+
+/// Chains with repeated vertices, spikes, overlaps, and whatever else few grid points make.
+std::vector<Chain> random_chains(Random& random) {
+  std::vector<Chain> chains(uniform_index(random, 3) + 1);
+  for (Chain& chain : chains) {
+    chain.resize(uniform_index(random, 8));
+    for (Point& p : chain) {
+      p.x = uniform(random, 0, 4);
+      p.y = uniform(random, 0, 4);
+    }
+  }
+  return chains;
+}
+
+TEST(Filled, has_the_points_of_the_rule_inside) {
+  Random random(20);
+  int inside = 0, outside = 0, different = 0;
+  for (int i = 0; i < 300; ++i) {
+    const std::vector<Chain> chains = random_chains(random);
+    std::vector<Segment> segments;
+    for (const Chain& chain : chains)
+      for (const Segment& e : edges(chain)) segments.push_back(e);
+    const Region even_odd = region_of(filled(chains, FillRule::even_odd));
+    const Region nonzero = region_of(filled(chains, FillRule::nonzero));
+    EXPECT_FALSE(find_defect(even_odd));
+    EXPECT_FALSE(find_defect(nonzero));
+    for (int x = 0; x < 12; ++x) {
+      const Point p{Rational(3 * x + 1, 9) + Rational(1, 101),
+                    Rational(uniform(random, 0, 40), 10) + Rational(1, 103)};
+      if (lies_on_one(p, segments)) continue;
+      const int winding = winding_number(p, segments);
+      const auto location = [](bool is_inside) {
+        return is_inside ? Location::inside : Location::outside;
+      };
+      EXPECT_EQ(locate(p, even_odd), location(winding % 2 != 0));
+      EXPECT_EQ(locate(p, nonzero), location(winding != 0));
+      ++(winding != 0 ? inside : outside);
+      different += winding != 0 && winding % 2 == 0;
+    }
+  }
+  EXPECT_GT(inside, 300);
+  EXPECT_GT(outside, 300);
+  EXPECT_GT(different, 10);
+}
+
+}  // namespace
+}  // namespace oplus

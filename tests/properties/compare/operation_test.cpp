@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "properties/compare/operation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "checked/operations/operations.hpp"
+#include "properties/compare/counterexample_files.hpp"
+#include "properties/compare/report_json.hpp"
+#include "properties/compare/report_text.hpp"
+#include "properties/compare/sources.hpp"
+#include "reference/oracle/operations_by_definition.hpp"
+#include "tests/checked/cli/shell.hpp"
+#include "tests/properties/compare/faulty_engines.hpp"
+#include "tests/reference/definitions/shapes.hpp"
+
+namespace oplus {
+namespace {
+
+const Engine right = changed([](MinkowskiSum&) {});
+
+Rules rules(const std::string& operation, const Engine& engine) {
+  return rules_of_operation(operation, {.engines = {engine}});
+}
+
+/// A run on pairs of a family that fit.
+CampaignReport run_of(const std::string& operation, const Engine& engine, std::size_t cases,
+                      const std::string& family = "tight") {
+  Campaign campaign;
+  campaign.engines = {engine.name};
+  campaign.operation = operation;
+  campaign.largest = default_largest(campaign);
+  campaign.shrink_tries = 60;
+  const TaskSource source =
+      pairs_that_fit(family_source(*find_family(family), cases, 1, 2), operation);
+  return run_campaign(begun_report("diff", campaign, {}, {source}), {source},
+                      rules(operation, engine), 2);
+}
+
+TEST(Operation, each_has_a_definition_and_agrees_with_it) {
+  for (const std::string& name : operation_names()) {
+    ASSERT_NE(find_defined_operation(name), nullptr) << name;
+    const CampaignReport report = run_of(name, right, 10);
+    EXPECT_TRUE(report.conforms()) << name;
+    EXPECT_EQ(report.all().ran, 10U) << name;
+    EXPECT_EQ(report.all().count("passed"), 10U) << name;
+  }
+  EXPECT_EQ(defined_operations().size(), operation_names().size());
+}
+
+TEST(Operation, one_value_per_pair_is_judged) {
+  const Region bin = polygon(box(0, 0, 5, 5)), part = polygon(box(0, 0, 5, 5));
+  const JudgedPair judgement = judged({"", {bin, part}}, rules("ifp", right));
+  ASSERT_EQ(judgement.sums.size(), 1U);
+  EXPECT_EQ(judgement.sums[0].ruling, "passed");
+  EXPECT_EQ(judgement.right.value().closed.isolated_vertices, (std::vector<Point>{{0, 0}}));
+}
+
+TEST(Operation, counts_what_its_values_have) {
+  const CampaignReport report = run_of("ifp", right, 40);
+  std::map<std::string, std::size_t> expected;
+  const TaskSource source = pairs_that_fit(family_source(*find_family("tight"), 40, 1, 2), "ifp");
+  for (std::size_t i = 0; i < source.tasks; ++i) {
+    const Summands pair = source.task(i).pair;
+    const MinkowskiSum value = find_defined_operation("ifp")->compute(pair.p, pair.q);
+    for (const std::string& part : parts_of_value(value)) ++expected[part];
+  }
+  EXPECT_EQ(report.all().values, expected);
+  for (const char* part : {"area", "edges", "points", "unbounded", "empty"})
+    EXPECT_GT(expected[part], 1U) << part;
+}
+
+TEST(Operation, finds_lost_points_and_shrinks_the_pair) {
+  const Engine loses = changed([](MinkowskiSum& sum) { sum.isolated_vertices.clear(); });
+  const CampaignReport report = run_of("ifp", loses, 20);
+  EXPECT_FALSE(report.conforms());
+  ASSERT_TRUE(report.counterexamples.contains("isolated vertex lost"));
+  const ShrunkFailure& found = report.counterexamples.at("isolated vertex lost");
+  EXPECT_LE(size_of(found.sum.pair).vertices, 8U);
+  EXPECT_FALSE(find_defined_operation("ifp")
+                   ->compute(found.sum.pair.p, found.sum.pair.q)
+                   .isolated_vertices.empty());
+  const std::string text = explanation(report, found);
+  EXPECT_TRUE(has(text, "disagreement on ifp, found in gen tight")) << text;
+  EXPECT_TRUE(has(text, "the first is the definition of ifp: ")) << text;
+  EXPECT_TRUE(has(text, "oplus-check diff --engine changed --operation ifp --pair ")) << text;
+  EXPECT_TRUE(has(to_markdown(report), "Compared with the definition of ifp. One value per pair"));
+}
+
+class OperationReport : public Shell {};
+
+TEST_F(OperationReport, of_unbounded_pairs_is_written_and_read_again) {
+  const Engine fills = changed([](MinkowskiSum& sum) { sum.holes.clear(); });
+  for (const std::string name : {"nfp", "ifp", "close", "closed-sum"}) {
+    CampaignReport report = run_of(name, fills, 30);
+    EXPECT_FALSE(report.conforms()) << name;
+    put("r.json", sealed(report));
+    EXPECT_EQ(sealed(opened(content("r.json"), "r.json")), sealed(report)) << name;
+    EXPECT_FALSE(to_markdown(report).empty());
+    EXPECT_FALSE(to_junit(report).empty());
+    const std::string here = run("pwd").out;
+    report.out = here.substr(0, here.size() - 1) + "/" + name;
+    write_counterexamples(report);
+    for (const auto& [kind, found] : report.counterexamples) {
+      const CounterexampleFiles files = files_of(found);
+      const Task again = pair_of_files(std::filesystem::path(report.out) / files.p,
+                                       std::filesystem::path(report.out) / files.q, Extent::any);
+      EXPECT_EQ(again.pair, found.sum.pair) << kind;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace oplus
