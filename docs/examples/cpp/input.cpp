@@ -30,6 +30,12 @@ int main() {
   both.components.push_back(geojson.components()[0]);
   std::cout << oplus::ValidRegion(both).components().size() << " components\n";
 
+  // Any format that oplus reads (docs/files.md); polygons that overlap, as their union.
+  std::cout << to_wkt(oplus::read_text("M 0 0 H 4 V 4 H 0 Z")) << '\n'
+            << to_wkt(oplus::read_text("[[[[0,0],[2,0],[2,2],[0,2]]], [[[1,0],[3,0],[3,2],[1,2]]]]",
+                                       oplus::Overlaps::allowed))
+            << '\n';
+
   // What is invalid is refused, in one line.
   try {
     oplus::polygon({{0, 0}, {2, 2}, {2, 0}, {0, 2}});
@@ -41,4 +47,15 @@ int main() {
   } catch (const oplus::InvalidInput& error) {
     std::cout << error.what() << "\nline " << error.where().line << '\n';
   }
+
+  // Or mended, where that is asked for; each thing that was done is said.
+  std::ofstream("drawn.wkt") << "POLYGON((0 0,4 0,4 0,\n4 4,0 4))";
+  oplus::Repaired mended = oplus::repaired_file("drawn.wkt");
+  for (const oplus::Mend& mend : mended.mends)
+    std::cout << mend.where.line << ':' << mend.where.column << ": " << mend.what << '\n';
+  std::cout << to_wkt(mended.region) << '\n';
+  oplus::Region bow_tie{{{{{0, 0}, {2, 2}, {2, 0}, {0, 2}}, {}}}};
+  auto filled = oplus::repaired(bow_tie, oplus::FillRule::even_odd);
+  std::cout << filled.mends[0].what << '\n' << to_wkt(filled.region) << '\n';
+  std::cout << oplus::repaired_text("M0 0H9V9H0Z").mends.size() << " to mend\n";
 }

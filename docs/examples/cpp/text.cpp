@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Output as WKT and GeoJSON: exact, or rounded.
+// Output as WKT, GeoJSON and WKB: exact, or rounded.
 #include <iostream>
 #include <oplus/oplus.hpp>
 
@@ -12,11 +12,13 @@ int main() {
             << to_geojson(triangle) << '\n'
             << to_geojson(sum, 3) << '\n';
 
-  // What is exact is read again as it was; what is rounded may be invalid.
-  std::cout << (oplus::read_wkt(to_wkt(sum)) == sum.region()) << '\n';
-  try {
-    oplus::read_wkt(to_wkt(triangle, 0));
-  } catch (const oplus::InvalidInput& error) {
-    std::cout << error.what() << '\n';
-  }
+  // What is exact is read again as it was; what is rounded is valid, though it may be empty.
+  std::cout << (oplus::read_wkt(to_wkt(sum)) == sum.region()) << ' ' << to_wkt(triangle, 0) << '\n';
+
+  // To a grid, so that it contains the sum; the steps of WKB are powers of two.
+  oplus::Rounded around = rounded(sum, 0.25, oplus::Side::contain);
+  std::cout << to_wkt(around.sum) << ", within " << around.bound << " of it in x and in y, "
+            << (around.changes == oplus::TopologyChanges{} ? "no hole" : "a hole")
+            << " or component changed\n"
+            << to_wkb(around.sum) << '\n';
 }
