@@ -7,11 +7,11 @@
 #include "checked/cli/command_line/program_frame.hpp"
 #include "checked/cli/input.hpp"
 #include "checked/cli/layer_styles.hpp"
+#include "checked/cli/numbers.hpp"
 #include "checked/cli/shared_options.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "checked/cli/view.hpp"
 #include "reference/chains/region_of.hpp"
-#include "reference/io/number.hpp"
 #include "reference/io/quoting.hpp"
 
 namespace oplus {
@@ -29,22 +29,6 @@ struct DrawOptions {
 std::string view_names(const std::string& separator) {
   return joined(
       views(), [](const View& view) { return view.name; }, separator);
-}
-
-Rational coordinate_at(const std::string& text, const std::string& number) {
-  NumberFault fault;
-  const std::optional<Rational> value = parse_number(number, fault);
-  if (!value)
-    throw UsageError("--at takes X,Y, such as 1/3,2.5, not " + quote(text) + ": " + fault.wrong +
-                     "; expected " + fault.expected);
-  return *value;
-}
-
-Point placement_at(const std::string& text) {
-  const std::size_t comma = text.find(',');
-  if (comma == std::string::npos)
-    throw UsageError("--at takes X,Y, such as 1/3,2.5, not " + quote(text));
-  return {coordinate_at(text, text.substr(0, comma)), coordinate_at(text, text.substr(comma + 1))};
 }
 
 /// The view that is asked for, and its placement.
@@ -68,7 +52,7 @@ std::optional<ChosenView> chosen_view(const DrawOptions& options) {
   if (view->has_a_placement != options.at.has_value())
     throw UsageError("--view " + view->name +
                      (options.at ? " takes no --at" : " needs --at X,Y, such as 1/3,2.5"));
-  return ChosenView{*view, options.at ? placement_at(*options.at) : Point{}};
+  return ChosenView{*view, options.at ? pair_of_numbers("--at", *options.at) : Point{}};
 }
 
 std::string side_by_side(const std::vector<std::string>& files) {

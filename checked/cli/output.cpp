@@ -12,11 +12,11 @@
 
 #include "checked/cli/command_line/program_frame.hpp"
 #include "checked/cli/command_line/terminal.hpp"
+#include "checked/cli/numbers.hpp"
 #include "checked/cli/rounded_root.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/definitions/unbounded.hpp"
-#include "reference/io/number.hpp"
 #include "reference/io/power_of_ten.hpp"
 #include "reference/io/quoting.hpp"
 
@@ -88,11 +88,9 @@ std::optional<OutputGrid> output_grid(const RegionOutput& output) {
   if (output.digits)
     return OutputGrid{
         Rational(1) / Rational(power_of_ten(static_cast<unsigned long>(*output.digits))), side};
-  NumberFault fault;
-  const std::optional<Rational> step = parse_number(*output.grid, fault);
-  if (!step) throw UsageError("--grid: " + fault.wrong + "; expected " + fault.expected);
-  if (sgn(*step) <= 0) throw UsageError("--grid takes a step above 0, not " + quote(*output.grid));
-  return OutputGrid{*step, side};
+  const Rational step = number("--grid", *output.grid);
+  if (sgn(step) <= 0) throw UsageError("--grid takes a step above 0, not " + quote(*output.grid));
+  return OutputGrid{step, side};
 }
 
 namespace {

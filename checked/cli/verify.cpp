@@ -10,6 +10,7 @@
 #include "checked/cli/input.hpp"
 #include "checked/cli/json_values.hpp"
 #include "checked/cli/layer_styles.hpp"
+#include "checked/cli/numbers.hpp"
 #include "checked/cli/rounded_root.hpp"
 #include "checked/cli/shared_options.hpp"
 #include "checked/cli/usage_error.hpp"
@@ -17,7 +18,6 @@
 #include "checked/cli/view.hpp"
 #include "checked/verify/closeness.hpp"
 #include "reference/io/boundary_name.hpp"
-#include "reference/io/number.hpp"
 #include "reference/io/quoting.hpp"
 #include "reference/io/writing.hpp"
 
@@ -37,12 +37,10 @@ struct VerifyOptions {
 };
 
 Rational tolerance_in(const std::string& text) {
-  NumberFault fault;
-  const std::optional<Rational> value = parse_number(text, fault);
-  if (!value) throw UsageError("--tolerance: " + fault.wrong + "; expected " + fault.expected);
-  if (sign(*value) < 0)
+  const Rational value = number("--tolerance", text);
+  if (sign(value) < 0)
     throw UsageError("--tolerance takes a distance, not the negative number " + quote(text));
-  return *value;
+  return value;
 }
 
 std::string said_distance(const BoundaryDistance& d) {

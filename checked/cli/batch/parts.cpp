@@ -7,26 +7,14 @@
 #include "checked/cli/batch/computation.hpp"
 #include "checked/cli/batch/geometry_lines.hpp"
 #include "checked/cli/batch/line_lots.hpp"
+#include "checked/cli/numbers.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "reference/arithmetic/rational_rotation.hpp"
 #include "reference/definitions/point.hpp"
 #include "reference/io/invalid_input.hpp"
-#include "reference/io/number.hpp"
-#include "reference/io/quoting.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
-
-namespace {
-
-Rational number(const std::string& option, const std::string& text) {
-  NumberFault fault;
-  const std::optional<Rational> value = parse_number(text, fault);
-  if (!value) throw UsageError(option + ": " + fault.wrong + "; expected " + fault.expected);
-  return *value;
-}
-
-}  // namespace
 
 std::vector<Part> read_parts(const std::string& path, Results& results) {
   std::vector<Part> parts;
