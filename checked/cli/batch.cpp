@@ -2,7 +2,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <map>
 #include <mutex>
 #include <thread>
 
@@ -296,14 +295,10 @@ void add_batch(CLI::App& program, Action& chosen) {
       ->check(CLI::IsMember(names_of_batch_operations()))
       ->type_name("NAME");
   add_open(command, options.boundary, "sum the regions' interiors, as in oplus sum");
-  static const std::map<std::string, ResultForm> forms = {
-      {"wkt", ResultForm::wkt}, {"geojson", ResultForm::geojson}, {"area", ResultForm::area}};
-  command
-      .add_option_function<std::string>(
-          "--format", [&form = options.form](const std::string& name) { form = forms.at(name); },
-          "write results as wkt, in a string, by default; as geojson; or only their area")
-      ->check(CLI::IsMember(forms))
-      ->type_name("NAME");
+  add_choice<ResultForm>(
+      command, "--format", options.form,
+      {{"wkt", ResultForm::wkt}, {"geojson", ResultForm::geojson}, {"area", ResultForm::area}},
+      "write results as wkt, in a string, by default; as geojson; or only their area");
   command
       .add_option("--digits", options.digits, "round to N decimals; by default results are exact")
       ->check(CLI::Range(0, most_digits))

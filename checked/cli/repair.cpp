@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/repair/repair.hpp"
 
-#include <map>
 #include <optional>
 #include <string>
 
@@ -87,16 +86,12 @@ void add_repair(CLI::App& program, Action& chosen) {
            "what is to be a region: WKT, GeoJSON, .dat or SVG path data; - is standard input")
       ->required();
   add_output(command, options.output, "the region");
-  static const std::map<std::string, FillRule> rules = {{"even-odd", FillRule::even_odd},
-                                                        {"nonzero", FillRule::nonzero}};
-  command
-      .add_option_function<std::string>(
-          "--fill",
-          [&options = options](const std::string& rule) { options.fill = rules.at(rule); },
-          "make a region of chains that cross or overlap too: even-odd, the points around which they "
-          "wind an odd number of times; nonzero, all around which they wind, outer chains "
-          "counterclockwise and holes clockwise. By default such chains are refused")
-      ->check(CLI::IsMember(rules))
+  add_choice<FillRule>(
+      command, "--fill", options.fill,
+      {{"even-odd", FillRule::even_odd}, {"nonzero", FillRule::nonzero}},
+      "make a region of chains that cross or overlap too: even-odd, the points around which they "
+      "wind an odd number of times; nonzero, all around which they wind, outer chains "
+      "counterclockwise and holes clockwise. By default such chains are refused")
       ->type_name("RULE");
   command.add_flag("--json", options.json,
                    "print what was done in JSON (docs/json.md); needs --output");

@@ -1,24 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/cli/shared_options.hpp"
 
-#include <map>
-
 namespace oplus {
 
 void add_output(CLI::App& command, RegionOutput& output, const std::string& what) {
   add_file(command, "-o,--output", output.path,
            "write " + what + " there; by default to standard output");
-  static const std::map<std::string, Format> formats = {{"wkt", Format::wkt},
-                                                        {"dat", Format::dat},
-                                                        {"geojson", Format::geojson},
-                                                        {"wkb", Format::wkb}};
-  command
-      .add_option_function<std::string>(
-          "--format", [&output](const std::string& name) { output.format = formats.at(name); },
-          "write wkt, dat, geojson or wkb (in hexadecimal digits); by default what the ending of FILE "
-          "says, and wkt on standard output")
-      ->check(CLI::IsMember(formats))
-      ->type_name("NAME");
+  add_choice<Format>(
+      command, "--format", output.format,
+      {{"wkt", Format::wkt},
+       {"dat", Format::dat},
+       {"geojson", Format::geojson},
+       {"wkb", Format::wkb}},
+      "write wkt, dat, geojson or wkb (in hexadecimal digits); by default what the ending of FILE "
+      "says, and wkt on standard output");
   command
       .add_option("--grid", output.grid,
                   "round to multiples of STEP, so that the output is valid and without fractions "
@@ -28,16 +23,12 @@ void add_output(CLI::App& command, RegionOutput& output, const std::string& what
   command.add_option("--digits", output.digits, "round to N decimals: short for --grid 10^-N")
       ->check(CLI::Range(0, most_digits))
       ->type_name("N");
-  static const std::map<std::string, Side> sides = {
-      {"nearest", Side::nearest}, {"contain", Side::contain}, {"contained", Side::contained}};
-  command
-      .add_option_function<std::string>(
-          "--side", [&output](const std::string& name) { output.side = sides.at(name); },
-          "what is rounded is nearest, moved by at most half a step in x and in y (the default); "
-          "or it is to contain the exact set, or to be contained in it, and differs by at most a "
-          "step in x and in y")
-      ->check(CLI::IsMember(sides))
-      ->type_name("NAME");
+  add_choice<Side>(
+      command, "--side", output.side,
+      {{"nearest", Side::nearest}, {"contain", Side::contain}, {"contained", Side::contained}},
+      "what is rounded is nearest, moved by at most half a step in x and in y (the default); "
+      "or it is to contain the exact set, or to be contained in it, and differs by at most a "
+      "step in x and in y");
 }
 
 void add_union(CLI::App& command, Overlaps& overlaps, const std::string& what) {

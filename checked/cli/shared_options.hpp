@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <boost/algorithm/string/join.hpp>
 #include <boost/range/adaptor/transformed.hpp>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -43,6 +44,17 @@ template <typename Path>
 CLI::Option* add_file(CLI::App& command, const std::string& name, Path& path,
                       const std::string& what) {
   return command.add_option(name, path, what)->type_name("FILE");
+}
+
+/// Adds an option whose values have these names, which are read into `chosen`.
+template <typename Value, typename Chosen>
+CLI::Option* add_choice(CLI::App& command, const std::string& name, Chosen& chosen,
+                        const std::map<std::string, Value>& values, const std::string& what) {
+  return command
+      .add_option_function<std::string>(
+          name, [&chosen, values](const std::string& text) { chosen = values.at(text); }, what)
+      ->check(CLI::IsMember(values))
+      ->type_name("NAME");
 }
 
 /// Adds `-o FILE`, `--format wkt|dat|geojson|wkb`, `--grid STEP`, `--digits N` and `--side NAME`. `what` is what is
