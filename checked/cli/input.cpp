@@ -52,40 +52,59 @@ class WatchedReading {
   std::optional<Clock::time_point> parsed_;
 };
 
-/// The components that may overlap as one region.
+/// What is read from a file, after its notes are said.
 template <typename Read>
-Read in_one(Read read, Overlaps overlaps) {
-  if (overlaps == Overlaps::allowed) read.region = region_of(union_of(read.region));
-  return read;
+auto said(const std::string& path, ReadingTimes* times, Read read) {
+  const auto read_watched = [&] {
+    WatchedReading watched(path, times);
+    return read(watched.progress());
+  };
+  auto result = read_watched();
+  for (const std::string& note : result.notes) say_note(note);
+  return result;
 }
 
 }  // namespace
 
 Region read_summand(const std::string& path, ReadingTimes* times, Extent extent,
                     Overlaps overlaps) {
-  const auto read_watched = [&] {
-    WatchedReading watched(path, times);
-    return in_one(read_region_file(path, watched.progress(), extent, overlaps), overlaps);
-  };
-  ReadRegion read = read_watched();
-  for (const std::string& note : read.notes) say_note(note);
-  return std::move(read.region);
+  return said(path, times,
+              [&](const ReadingProgress& progress) {
+                ReadRegion read = read_region_file(path, progress, extent, overlaps);
+                if (overlaps == Overlaps::allowed) read.region = region_of(union_of(read.region));
+                return read;
+              })
+      .region;
 }
 
 ReadSet read_summand_set(const std::string& path, ReadingTimes* times, Overlaps overlaps) {
-  const auto read_watched = [&] {
-    WatchedReading watched(path, times);
-    return in_one(read_set_file(path, watched.progress(), overlaps), overlaps);
-  };
-  ReadSet read = read_watched();
-  for (const std::string& note : read.notes) say_note(note);
-  return read;
+  return said(path, times, [&](const ReadingProgress& progress) {
+    ReadSet read = read_set_file(path, progress, overlaps);
+    if (overlaps == Overlaps::allowed) read.region = region_of(union_of(read.region));
+    return read;
+  });
+}
+
+bool is_region(const ReadSet& set) { return set.segments.empty() && set.points.empty(); }
+
+MinkowskiSum union_in(const ReadSet& set) { return union_of(set.region, set.segments, set.points); }
+
+MinkowskiSum set_in(const ReadSet& read) {
+  MinkowskiSum set = canonical_sum(read.region);
+  set.isolated_vertices = read.points;
+  for (const Segment& s : read.segments) {
+    if (s.source == s.target)
+      set.isolated_vertices.push_back(s.source);
+    else
+      set.dangling_edges.push_back(s);
+  }
+  return set;
 }
 
 MinkowskiSum read_given_sum(const std::string& path) {
-  ReadSum read = read_sum_file(path, WatchedReading(path, nullptr).progress());
-  for (const std::string& note : read.notes) say_note(note);
-  return std::move(read.sum);
+  return said(path, nullptr,
+              [&](const ReadingProgress& progress) { return read_sum_file(path, progress); })
+      .sum;
 }
 
 GivenSum read_unchecked_sum(const std::string& path) {
@@ -93,9 +112,8 @@ GivenSum read_unchecked_sum(const std::string& path) {
 }
 
 UncheckedInput read_unchecked_region(const std::string& path) {
-  UncheckedInput read = read_unchecked_file(path, WatchedReading(path, nullptr).progress());
-  for (const std::string& note : read.notes) say_note(note);
-  return read;
+  return said(path, nullptr,
+              [&](const ReadingProgress& progress) { return read_unchecked_file(path, progress); });
 }
 
 void require_one_standard_input(const std::vector<std::string>& paths) {

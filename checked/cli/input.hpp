@@ -26,6 +26,17 @@ Region read_summand(const std::string& path, ReadingTimes* times = nullptr,
                     Extent extent = Extent::bounded, Overlaps overlaps = Overlaps::refused);
 ReadSet read_summand_set(const std::string& path, ReadingTimes* times = nullptr,
                          Overlaps overlaps = Overlaps::refused);
+
+/// Whether a set is a region alone, without segments and points.
+bool is_region(const ReadSet& set);
+
+/// The closed set that a summand is: the union of all its parts, in canonical form.
+MinkowskiSum union_in(const ReadSet& set);
+
+/// A sum or another set, of which nothing is known but that its region is valid: its segments are its dangling
+/// edges, wherever they are, and its points its isolated vertices.
+MinkowskiSum set_in(const ReadSet& read);
+
 MinkowskiSum read_given_sum(const std::string& path);
 GivenSum read_unchecked_sum(const std::string& path);
 UncheckedInput read_unchecked_region(const std::string& path);

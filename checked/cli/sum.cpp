@@ -20,7 +20,6 @@
 #include "checked/cli/usage_error.hpp"
 #include "checked/cycles/convolution_cycles.hpp"
 #include "checked/operations/unbounded_sum.hpp"
-#include "checked/operations/union_of.hpp"
 #include "checked/timed.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/definitions/unbounded.hpp"
@@ -174,8 +173,6 @@ unsigned chosen_threads(const SumOptions& options, const Engine& engine) {
   return *options.threads;
 }
 
-bool is_region(const ReadSet& set) { return set.segments.empty() && set.points.empty(); }
-
 Panel panel_of_set(Summand which, const MinkowskiSum& set) {
   const Style& style = which == Summand::P ? style::summand_p : style::summand_q;
   Style of_points = style;
@@ -204,10 +201,7 @@ void sum_sets(const SumOptions& options, const Engine& engine, const EngineOptio
   require_not(options.stats, "--stats");
   require_not(options.stats_json.has_value(), "--stats-json");
   std::optional<ShownStep> step("computing the sum");
-  const auto set = [](const ReadSet& read) {
-    return union_of(read.region, read.segments, read.points);
-  };
-  const MinkowskiSum p = set(read_p), q = set(read_q);
+  const MinkowskiSum p = union_in(read_p), q = union_in(read_q);
   if (options.svg && (p.is_unbounded || q.is_unbounded))
     throw UsageError("--svg is for bounded sets");
   const MinkowskiSum sum = unbounded_sum(

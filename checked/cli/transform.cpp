@@ -68,19 +68,6 @@ Map map_of(const Step& step, const Rational& error) {
   return {scaling(by.x, by.y)};
 }
 
-/// A sum or another set, of which nothing is known but that its region is valid.
-MinkowskiSum set_in(const ReadSet& read) {
-  MinkowskiSum set = canonical_sum(read.region);
-  set.isolated_vertices = read.points;
-  for (const Segment& s : read.segments) {
-    if (s.source == s.target)
-      set.isolated_vertices.push_back(s.source);
-    else
-      set.dangling_edges.push_back(s);
-  }
-  return set;
-}
-
 ExitCode transform(const TransformOptions& options) {
   if (options.steps.empty())
     throw UsageError("nothing to do: give --translate, --scale, --rotate or --reflect");
