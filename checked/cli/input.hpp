@@ -26,6 +26,9 @@ Region read_summand(const std::string& path, ReadingTimes* times = nullptr,
                     Extent extent = Extent::bounded, Overlaps overlaps = Overlaps::refused);
 ReadSet read_summand_set(const std::string& path, ReadingTimes* times = nullptr,
                          Overlaps overlaps = Overlaps::refused);
+MinkowskiSum read_given_sum(const std::string& path);
+GivenSum read_unchecked_sum(const std::string& path);
+UncheckedInput read_unchecked_region(const std::string& path);
 
 /// Whether a set is a region alone, without segments and points.
 bool is_region(const ReadSet& set);
@@ -36,10 +39,6 @@ MinkowskiSum union_in(const ReadSet& set);
 /// A sum or another set, of which nothing is known but that its region is valid: its segments are its dangling
 /// edges, wherever they are, and its points its isolated vertices.
 MinkowskiSum set_in(const ReadSet& read);
-
-MinkowskiSum read_given_sum(const std::string& path);
-GivenSum read_unchecked_sum(const std::string& path);
-UncheckedInput read_unchecked_region(const std::string& path);
 
 /// Throws UsageError where standard input is named more than once.
 void require_one_standard_input(const std::vector<std::string>& paths);

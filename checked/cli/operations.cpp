@@ -3,8 +3,10 @@
 
 #include "checked/cli/command_line/program_frame.hpp"
 #include "checked/cli/command_line/progress.hpp"
+#include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/engines_and_oracle.hpp"
 #include "checked/cli/input.hpp"
+#include "checked/cli/set_panel.hpp"
 #include "checked/cli/shared_options.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "checked/operations/complement.hpp"
@@ -27,28 +29,41 @@ struct OperationOptions {
   std::optional<std::string> svg;
 };
 
+Panel panel_of_summand(Summand which, const ReadSet& set) {
+  return is_region(set) ? panel_of(which, set.region) : panel_of_set(which, union_in(set));
+}
+
 ExitCode operate(const OperationOptions& options) {
   const Engine& engine = *find_engine(engines_and_oracle(), options.engine);
   require_one_standard_input({options.p, options.q});
   require_writable({options.output.path}, options.svg);
   const Format format = output_format(options.output);
-  const Region p = read_summand(options.p, nullptr, Extent::any, options.overlaps);
-  const Region q = read_summand(options.q, nullptr, Extent::any, options.overlaps);
+  const Operation& operation = options.operation;
+  ReadSet p;
+  if (operation.takes_any_p)
+    p = read_summand_set(options.p, nullptr, options.overlaps);
+  else
+    p.region = read_summand(options.p, nullptr, Extent::any, options.overlaps);
+  const ReadSet q = read_summand_set(options.q, nullptr, options.overlaps);
+  const bool are_regions = is_region(p) && is_region(q);
+  const SumOf sum = [&](const Region& a, const Region& b, Boundary boundary) {
+    return engine.compute(a, b, boundary, {}).sum;
+  };
   std::optional<ShownStep> step("computing");
-  const MinkowskiSum set =
-      options.operation.compute(p, q, [&](const Region& a, const Region& b, Boundary boundary) {
-        return engine.compute(a, b, boundary, {}).sum;
-      });
+  const MinkowskiSum set = are_regions ? operation.compute(p.region, q.region, sum)
+                                       : operation.compute_of_sets(union_in(p), union_in(q), sum);
   step.reset();
-  if (options.svg && (is_unbounded(p) || is_unbounded(q) || set.is_unbounded))
+  if (options.svg && (is_unbounded(p.region) || is_unbounded(q.region) || set.is_unbounded))
     throw UsageError("--svg is for bounded sets");
-  write_output(options.output,
-               output_text(options.output, format, set, region_of(set),
-                           options.operation.is_open ? Boundary::open : Boundary::closed));
+  if (operation.is_open && !are_regions && p.region.components.empty() &&
+      q.region.components.empty())
+    say_note("neither set has inner points, so they never overlap");
+  write_output(options.output, output_text(options.output, format, set, region_of(set),
+                                           operation.is_open ? Boundary::open : Boundary::closed));
   if (options.svg)
-    write_text(*options.svg, svg({panel_of(Summand::P, p),
-                                  panel_of(Summand::Q, q),
-                                  {options.operation.name + " P Q", layers_of(set)}}));
+    write_text(*options.svg, svg({panel_of_summand(Summand::P, p),
+                                  panel_of_summand(Summand::Q, q),
+                                  {operation.name + " P Q", layers_of(set)}}));
   return ExitCode::done;
 }
 
@@ -72,10 +87,16 @@ void add_operations(CLI::App& program, Action& chosen) {
     const auto& [command, options] =
         add_subcommand(program, chosen, operation.name, "Compute " + operation.what, operate);
     options.operation = operation;
-    add_file(command, "P", options.p,
-             "a region (docs/files.md), which may be unbounded (.dat); - is standard input")
+    add_file(
+        command, "P", options.p,
+        std::string("a region (docs/files.md), which may be unbounded (.dat)") +
+            (operation.takes_any_p ? "; also line strings, points, and collections of all three"
+                                   : "") +
+            "; - is standard input")
         ->required();
-    add_file(command, "Q", options.q, "the other region, in any of these formats")->required();
+    add_file(command, "Q", options.q,
+             "the other one, in any of these formats; also line strings, points, and collections")
+        ->required();
     add_output(command, options.output, "the result");
     add_union(command, options.overlaps, "P, and of Q");
     command

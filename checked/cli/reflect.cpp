@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <utility>
+
 #include "checked/cli/input.hpp"
 #include "checked/cli/shared_options.hpp"
+#include "checked/operations/image.hpp"
+#include "reference/chains/region_of.hpp"
+#include "reference/definitions/region.hpp"
 
 namespace oplus {
 
@@ -10,26 +15,37 @@ struct ReflectOptions {
   std::string file;
   Overlaps overlaps = Overlaps::refused;
   RegionOutput output;
+  Boundary boundary = Boundary::closed;  ///< of the set, for rounding
 };
 
 ExitCode reflect(const ReflectOptions& options) {
   require_writable({options.output.path});
   const Format format = output_format(options.output);
-  write_region(options.output, format,
-               reflected(read_summand(options.file, nullptr, Extent::any, options.overlaps)));
+  ReadSet read = read_summand_set(options.file, nullptr, options.overlaps);
+  if (is_region(read)) {
+    write_region(options.output, format, reflected(std::move(read.region)));
+    return ExitCode::done;
+  }
+  const MinkowskiSum set = image(AffineMap{-1, 0, 0, -1}, set_in(read));
+  write_output(options.output,
+               output_text(options.output, format, set, region_of(set), options.boundary));
   return ExitCode::done;
 }
 
 }  // namespace
 
 void add_reflect(CLI::App& program, Action& chosen) {
-  const auto& [command, options] = add_subcommand(
-      program, chosen, "reflect", "Write -R, each point p of a region R taken to -p", reflect);
-  add_file(command, "R", options.file,
-           "a region: .dat, WKT, GeoJSON or an SVG path (docs/files.md); - is standard input")
+  const auto& [command, options] =
+      add_subcommand(program, chosen, "reflect",
+                     "Write -R, each point p of a region or another set R taken to -p", reflect);
+  add_file(
+      command, "R", options.file,
+      "a region or a sum (docs/files.md), also line strings, points, and collections of all three; "
+      "- is standard input")
       ->required();
   add_output(command, options.output, "-R");
   add_union(command, options.overlaps, "R");
+  add_open_set(command, options.boundary);
   command.footer(
       "R, moved by x, overlaps P if and only if x is inside the sum of P and -R, the no-fit polygon of\n"
       "P and R.\n"

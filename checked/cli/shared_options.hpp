@@ -67,4 +67,7 @@ void add_union(CLI::App& command, Overlaps& overlaps, const std::string& what);
 /// Adds `--open`.
 void add_open(CLI::App& command, Boundary& boundary, const std::string& what);
 
+/// The same of a command that takes a set R, as it is.
+void add_open_set(CLI::App& command, Boundary& boundary);
+
 }  // namespace oplus

@@ -15,6 +15,7 @@
 #include "checked/cli/input.hpp"
 #include "checked/cli/json_values.hpp"
 #include "checked/cli/origins_json.hpp"
+#include "checked/cli/set_panel.hpp"
 #include "checked/cli/shared_options.hpp"
 #include "checked/cli/statistics.hpp"
 #include "checked/cli/usage_error.hpp"
@@ -24,9 +25,7 @@
 #include "reference/chains/region_of.hpp"
 #include "reference/definitions/unbounded.hpp"
 #include "reference/io/boundary_name.hpp"
-#include "reference/io/counted.hpp"
 #include "reference/pictures/picture.hpp"
-#include "reference/pictures/styles.hpp"
 
 namespace oplus {
 
@@ -171,22 +170,6 @@ unsigned chosen_threads(const SumOptions& options, const Engine& engine) {
   if (!engine.has_threads)
     throw UsageError("--threads is unsupported by the engine " + engine.name);
   return *options.threads;
-}
-
-Panel panel_of_set(Summand which, const MinkowskiSum& set) {
-  const Style& style = which == Summand::P ? style::summand_p : style::summand_q;
-  Style of_points = style;
-  of_points.fill = style.line;
-  const Region region = region_of(set);
-  std::vector<std::string> sizes;
-  const auto add = [&](std::size_t size, const char* one, const char* several) {
-    if (size > 0) sizes.push_back(counted(size, one, several));
-  };
-  add(vertex_count(region), "vertex", "vertices");
-  add(set.dangling_edges.size(), "segment", "segments");
-  add(set.isolated_vertices.size(), "point", "points");
-  return {style.label + ": " + (sizes.empty() ? "empty" : boost::algorithm::join(sizes, ", ")),
-          {{style, region, set.dangling_edges}, {of_points, {}, {}, set.isolated_vertices}}};
 }
 
 /// The same of sets of which one at least has segments or points (docs/polylines.md).

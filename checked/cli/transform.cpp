@@ -126,10 +126,7 @@ void add_transform(CLI::App& program, Action& chosen) {
       ->needs(rotate)
       ->type_name("E");
   add_output(command, options.output, "the result");
-  add_open(
-      command, options.boundary,
-      "R is an open set, as sum --open and nfp write them: with --grid or --digits, line strings "
-      "and points are rounded as parts of its complement, not of R");
+  add_open_set(command, options.boundary);
   command.footer(
       "The options apply in the order in which they are given, any of them several times. No\n"
       "coordinate is rounded: sine and cosine are fractions.\n"

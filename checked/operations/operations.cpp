@@ -2,6 +2,7 @@
 #include "checked/operations/operations.hpp"
 
 #include "checked/operations/complement.hpp"
+#include "checked/operations/image.hpp"
 #include "checked/operations/unbounded_sum.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/definitions/mutant.hpp"
@@ -18,42 +19,78 @@ MinkowskiSum regularized(MinkowskiSum set) {
   return set;
 }
 
+MinkowskiSum as_set(const Region& region) { return canonical_sum(region); }
+const MinkowskiSum& as_set(const MinkowskiSum& set) { return set; }
+
+Region opposite(const Region& region) { return reflected(region); }
+MinkowskiSum opposite(const MinkowskiSum& set) { return image(AffineMap{-1, 0, 0, -1}, set); }
+
+// Of two regions, or of two closed sets.
+
+template <typename Set>
+MinkowskiSum no_fit_of(const Set& p, const Set& q, const SumOf& sum) {
+  const bool is_not_turned = OPLUS_MUTANT(
+      "no-fit-without-a-turn", "the no-fit polygon is the sum of P and Q, not of P and -Q");
+  return unbounded_sum(p, is_not_turned ? q : opposite(q), Boundary::open, sum);
+}
+
+template <typename Set>
+MinkowskiSum inner_fit_of(const Set& p, const Set& q, const SumOf& sum) {
+  return complement(no_fit_of(complement(p), q, sum));
+}
+
+template <typename Set>
+MinkowskiSum eroded_of(const Set& p, const Set& q, const SumOf& sum) {
+  return regularized(inner_fit_of(p, q, sum));
+}
+
+template <typename Set>
+MinkowskiSum opened_of(const Set& p, const Set& q, const SumOf& sum) {
+  MinkowskiSum places = inner_fit_of(p, q, sum);
+  if (OPLUS_MUTANT("openings-lose-exact-fits", "the opening lacks the copies of Q that just fit"))
+    places = regularized(places);
+  return unbounded_sum(places, as_set(q), Boundary::closed, sum);
+}
+
+template <typename Set>
+MinkowskiSum closed_of(const Set& p, const Set& q, const SumOf& sum) {
+  const MinkowskiSum dilated = unbounded_sum(p, q, Boundary::closed, sum);
+  if (OPLUS_MUTANT("closing-does-not-erode", "the closing is the sum")) return dilated;
+  return eroded_of(dilated, as_set(q), sum);
+}
+
 }  // namespace
 
 MinkowskiSum no_fit(const Region& p, const Region& q, const SumOf& sum) {
-  const bool is_not_turned = OPLUS_MUTANT(
-      "no-fit-without-a-turn", "the no-fit polygon is the sum of P and Q, not of P and -Q");
-  return unbounded_sum(p, is_not_turned ? q : reflected(q), Boundary::open, sum);
+  return no_fit_of(p, q, sum);
 }
 
 MinkowskiSum inner_fit(const Region& p, const Region& q, const SumOf& sum) {
-  return complement(no_fit(complement(p), q, sum));
+  return inner_fit_of(p, q, sum);
 }
 
 MinkowskiSum eroded(const Region& p, const Region& q, const SumOf& sum) {
-  return regularized(inner_fit(p, q, sum));
+  return eroded_of(p, q, sum);
 }
 
 MinkowskiSum opened(const Region& p, const Region& q, const SumOf& sum) {
-  MinkowskiSum places = inner_fit(p, q, sum);
-  if (OPLUS_MUTANT("openings-lose-exact-fits", "the opening lacks the copies of Q that just fit"))
-    places = regularized(places);
-  return unbounded_sum(places, canonical_sum(q), Boundary::closed, sum);
+  return opened_of(p, q, sum);
 }
 
 MinkowskiSum closed(const Region& p, const Region& q, const SumOf& sum) {
-  const MinkowskiSum dilated = unbounded_sum(p, q, Boundary::closed, sum);
-  if (OPLUS_MUTANT("closing-does-not-erode", "the closing is the sum")) return dilated;
-  return eroded(region_of(dilated), q, sum);
+  return closed_of(p, q, sum);
 }
 
 const std::vector<Operation>& operations() {
   static const std::vector<Operation> all = {
-      {"nfp", "where Q, moved, overlaps P: the no-fit polygon", true, no_fit},
-      {"ifp", "where Q, moved, is inside P: the inner-fit polygon", false, inner_fit},
-      {"erode", "the inner-fit polygon without edges and points", false, eroded},
-      {"open", "all copies of Q inside P", false, opened},
-      {"close", "the sum of P and Q, eroded by Q", false, closed}};
+      {"nfp", "where Q, moved, overlaps P: the no-fit polygon", true, no_fit,
+       no_fit_of<MinkowskiSum>, true},
+      {"ifp", "where Q, moved, is inside P: the inner-fit polygon", false, inner_fit,
+       inner_fit_of<MinkowskiSum>, false},
+      {"erode", "the inner-fit polygon without edges and points", false, eroded,
+       eroded_of<MinkowskiSum>, false},
+      {"open", "all copies of Q inside P", false, opened, opened_of<MinkowskiSum>, false},
+      {"close", "the sum of P and Q, eroded by Q", false, closed, closed_of<MinkowskiSum>, false}};
   return all;
 }
 

@@ -34,6 +34,10 @@ struct Operation {
   std::string what;  ///< a line for a list
   bool is_open;      ///< whether the result is an open set
   MinkowskiSum (*compute)(const Region& p, const Region& q, const SumOf& sum);
+  /// The same of closed sets in canonical form (set_sum.hpp): P may have edges and points of its own where
+  /// takes_any_p, Q always. The definitions stay the same, but that nfp is the open sum of sets.
+  MinkowskiSum (*compute_of_sets)(const MinkowskiSum& p, const MinkowskiSum& q, const SumOf& sum);
+  bool takes_any_p;
 };
 
 /// All of them: nfp, ifp, erode, open, close.

@@ -53,7 +53,53 @@ TEST_F(ClosedSets, refuse_what_is_for_regions) {
   expect_refusal("oplus sum line.wkt line.wkt -o sum.dat", ".dat cannot hold the dangling edges");
   expect_refusal("oplus verify line.wkt square.wkt square.wkt",
                  "POLYGON, MULTIPOLYGON or GEOMETRYCOLLECTION");
-  expect_refusal("oplus reflect line.wkt", "POLYGON, MULTIPOLYGON or GEOMETRYCOLLECTION");
+  for (const std::string operation : {"ifp", "erode", "open", "close"})
+    expect_refusal("oplus " + operation + " line.wkt square.wkt",
+                   "line.wkt:1:1: 'LINESTRING' where a geometry should be; expected POLYGON, "
+                   "MULTIPOLYGON or GEOMETRYCOLLECTION");
+  expect_refusal("oplus complement lines.wkt --format dat",
+                 "'MULTILINESTRING' where a geometry should be; expected POLYGON or MULTIPOLYGON");
+}
+
+TEST_F(ClosedSets, are_taken_by_operations) {
+  put("bin.wkt", "POLYGON((0 0,9 0,9 2,4 2,4 4,0 4,0 0))");
+  const auto line = [](const std::string& vertices) {
+    return "<(echo 'LINESTRING(" + vertices + ")')";
+  };
+  expect_output("oplus ifp bin.wkt " + line("0 0,6 0"), "POLYGON ((0 0, 3 0, 3 2, 0 2, 0 0))\n");
+  expect_output("oplus ifp bin.wkt " + line("0 0,9 0"),
+                "GEOMETRYCOLLECTION (LINESTRING (0 0, 0 2))\n");
+  expect_output("oplus ifp bin.wkt <(echo 'MULTIPOINT(0 0,9 0,0 4)')",
+                "GEOMETRYCOLLECTION (POINT (0 0))\n");
+  expect_output("oplus erode bin.wkt " + line("0 0,9 0"), "POLYGON EMPTY\n");
+  expect_output("oplus open bin.wkt " + line("0 0,6 0"), "POLYGON ((0 0, 9 0, 9 2, 0 2, 0 0))\n");
+  expect_output(
+      "oplus close <(echo 'MULTIPOLYGON(((0 0,1 0,1 1,0 1,0 0)),((2 0,3 0,3 1,2 1,2 0)))') " +
+          line("0 0,1 0"),
+      "POLYGON ((0 0, 3 0, 3 1, 0 1, 0 0))\n");
+  expect_output("oplus nfp line.wkt square.wkt",
+                run("oplus reflect square.wkt | oplus sum line.wkt - --open").out);
+  expect_output("oplus nfp square.wkt line.json --svg nfp.svg -o nfp.wkt", "");
+  EXPECT_TRUE(has(content("nfp.svg"), "Q: 2 segments"));
+  const Ran ran = run("oplus nfp line.wkt line.json");
+  EXPECT_EQ(ran.out, "POLYGON EMPTY\n");
+  EXPECT_TRUE(has(ran.err, "neither set has inner points, so they never overlap"));
+}
+
+TEST_F(ClosedSets, are_reflected) {
+  expect_output("oplus reflect line.json",
+                "GEOMETRYCOLLECTION (LINESTRING (-4 -3, -4 0), LINESTRING (-4 0, 0 0))\n");
+  expect_output("oplus reflect mixed.json",
+                "GEOMETRYCOLLECTION (POLYGON ((-1 -1, 0 -1, 0 0, -1 0, -1 -1)), POINT (-5 -5), "
+                "POINT (-1 -1))\n");
+  // Of an open set, whose edges are in its complement.
+  put("slit.wkt", "GEOMETRYCOLLECTION(POLYGON((0 0,4 0,4 4,0 4,0 0)),LINESTRING(1.4 2,3 2))");
+  expect_output("oplus reflect slit.wkt",
+                "GEOMETRYCOLLECTION (POLYGON ((-4 -4, 0 -4, 0 0, -4 0, -4 -4)), LINESTRING (-3 -2, "
+                "-1.4 -2))\n");
+  expect_output("oplus --quiet reflect slit.wkt --open --grid 1",
+                "GEOMETRYCOLLECTION (POLYGON ((-4 -4, 0 -4, 0 0, -4 0, -4 -4)), LINESTRING (-3 -2, "
+                "-1 -2))\n");
 }
 
 TEST_F(ClosedSets, refuse_bad_input_in_one_line) {
