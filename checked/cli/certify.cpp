@@ -17,6 +17,7 @@ struct CertifyOptions {
   std::string p;
   std::string q;
   std::string sum;
+  Overlaps overlaps = Overlaps::refused;
   std::string output = "-";
 };
 
@@ -30,8 +31,8 @@ void require_different_neighbours(const Region& sum) {
 ExitCode certify(const CertifyOptions& options) {
   require_one_standard_input({options.p, options.q, options.sum});
   require_writable({options.output});
-  const Region p = read_summand(options.p);
-  const Region q = read_summand(options.q);
+  const Region p = read_summand(options.p, nullptr, Extent::bounded, options.overlaps);
+  const Region q = read_summand(options.q, nullptr, Extent::bounded, options.overlaps);
   const GivenSum given = read_unchecked_sum(options.sum);
   const Verdict verdict = verify(p, q, Boundary::closed, given);
   for (const std::string& note : verdict.notes) say_note(note);
@@ -55,10 +56,12 @@ void add_certify(CLI::App& program, Action& chosen) {
       ->required();
   add_file(command, "Q", options.q, "the other region")->required();
   add_file(command, "S", options.sum, "the sum of the closed regions, from any source")->required();
+  add_union(command, options.overlaps, "P, and of Q");
   add_file(command, "-o,--output", options.output,
            "where to write it (docs/certificates.md), by default standard output");
   command.footer(
-      "If S is not the sum, prints why, as 'oplus verify' does, and writes nothing.\n"
+      "If S is not the sum, prints why, as 'oplus verify' does, and writes nothing. With --union, the\n"
+      "certificate is for the unions as 'oplus transform P --scale 1 --union' writes them.\n"
       "\n"
       "Example:\n"
       "  oplus gen tight --n 6 --summand P -o p.wkt\n"

@@ -23,6 +23,7 @@ struct DrawOptions {
   std::optional<std::string> view;
   std::optional<std::string> at;
   bool together = false;
+  Overlaps overlaps = Overlaps::refused;
   std::string output;
 };
 
@@ -55,10 +56,19 @@ std::optional<ChosenView> chosen_view(const DrawOptions& options) {
   return ChosenView{*view, options.at ? pair_of_numbers("--at", *options.at) : Point{}};
 }
 
-std::string side_by_side(const std::vector<std::string>& files) {
+/// A region, a sum or another set.
+MinkowskiSum drawn_set(const std::string& file, Overlaps overlaps) {
+  MinkowskiSum set = set_in(read_summand_set(file, nullptr, overlaps));
+  if (set.is_unbounded)
+    throw UsageError(one_line(file) + ": the region is unbounded; expected a bounded one to draw");
+  return set;
+}
+
+std::string side_by_side(const DrawOptions& options) {
   std::vector<Panel> panels;
-  for (const std::string& file : files)
-    panels.push_back({file == "-" ? "standard input" : file, layers_of(read_given_sum(file))});
+  for (const std::string& file : options.files)
+    panels.push_back(
+        {file == "-" ? "standard input" : file, layers_of(drawn_set(file, options.overlaps))});
   return svg(panels);
 }
 
@@ -78,12 +88,13 @@ std::vector<Layer> layers_in_common(std::size_t place, const std::string& name,
           {points, {}, {}, sum.isolated_vertices}};
 }
 
-std::string one_over_the_other(const std::vector<std::string>& files) {
+std::string one_over_the_other(const DrawOptions& options) {
+  const std::vector<std::string>& files = options.files;
   Panel panel{"", {}};
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::string name =
         files[i] == "-" ? "standard input" : std::filesystem::path(files[i]).stem().string();
-    for (Layer& layer : layers_in_common(i, name, read_given_sum(files[i])))
+    for (Layer& layer : layers_in_common(i, name, drawn_set(files[i], options.overlaps)))
       panel.layers.push_back(std::move(layer));
   }
   return svg({panel}, 560);
@@ -94,12 +105,11 @@ ExitCode draw(const DrawOptions& options) {
   require_one_standard_input(options.files);
   require_writable({}, options.output);
   if (!chosen) {
-    write_text(options.output,
-               (options.together ? one_over_the_other : side_by_side)(options.files));
+    write_text(options.output, (options.together ? one_over_the_other : side_by_side)(options));
     return ExitCode::done;
   }
-  const Region p = read_summand(options.files[0]);
-  const Region q = read_summand(options.files[1]);
+  const Region p = read_summand(options.files[0], nullptr, Extent::bounded, options.overlaps);
+  const Region q = read_summand(options.files[1], nullptr, Extent::bounded, options.overlaps);
   write_text(options.output, chosen->view.draw(p, q, chosen->x));
   return ExitCode::done;
 }
@@ -126,6 +136,7 @@ void add_draw(CLI::App& program, Action& chosen) {
       .add_flag("--together", options.together,
                 "draw all files over each other, the first at the bottom, not side by side")
       ->excludes(view);
+  add_union(command, options.overlaps, "each file");
   command
       .add_option(
           "--at", options.at,

@@ -10,6 +10,7 @@
 #include "checked/cli/usage_error.hpp"
 #include "checked/operations/union_of.hpp"
 #include "reference/chains/region_of.hpp"
+#include "reference/io/invalid_region.hpp"
 #include "reference/io/quoting.hpp"
 
 namespace oplus {
@@ -52,6 +53,16 @@ class WatchedReading {
   std::optional<Clock::time_point> parsed_;
 };
 
+/// Names --union where components that overlap are refused; all commands that read a summand have it.
+template <typename Read>
+auto naming_union(Read read) {
+  try {
+    return read();
+  } catch (const OverlappingComponents& error) {
+    throw UsageError(std::string(error.what()) + "; " + hint_at_union);
+  }
+}
+
 /// What is read from a file, after its notes are said.
 template <typename Read>
 auto said(const std::string& path, ReadingTimes* times, Read read) {
@@ -70,7 +81,8 @@ Region read_summand(const std::string& path, ReadingTimes* times, Extent extent,
                     Overlaps overlaps) {
   return said(path, times,
               [&](const ReadingProgress& progress) {
-                ReadRegion read = read_region_file(path, progress, extent, overlaps);
+                ReadRegion read = naming_union(
+                    [&] { return read_region_file(path, progress, extent, overlaps); });
                 if (overlaps == Overlaps::allowed) read.region = region_of(union_of(read.region));
                 return read;
               })
@@ -79,7 +91,7 @@ Region read_summand(const std::string& path, ReadingTimes* times, Extent extent,
 
 ReadSet read_summand_set(const std::string& path, ReadingTimes* times, Overlaps overlaps) {
   return said(path, times, [&](const ReadingProgress& progress) {
-    ReadSet read = read_set_file(path, progress, overlaps);
+    ReadSet read = naming_union([&] { return read_set_file(path, progress, overlaps); });
     if (overlaps == Overlaps::allowed) read.region = region_of(union_of(read.region));
     return read;
   });
@@ -90,14 +102,16 @@ bool is_region(const ReadSet& set) { return set.segments.empty() && set.points.e
 MinkowskiSum union_in(const ReadSet& set) { return union_of(set.region, set.segments, set.points); }
 
 MinkowskiSum set_in(const ReadSet& read) {
-  MinkowskiSum set = canonical_sum(read.region);
-  set.isolated_vertices = read.points;
+  BoundaryFeatures features{{}, {}, read.points};
   for (const Segment& s : read.segments) {
     if (s.source == s.target)
-      set.isolated_vertices.push_back(s.source);
+      features.isolated_vertices.push_back(s.source);
     else
-      set.dangling_edges.push_back(s);
+      features.dangling_edges.push_back(s);
   }
+  MinkowskiSum set = canonical_sum(read.region), low = canonical_sum(features);
+  set.dangling_edges = std::move(low.dangling_edges);
+  set.isolated_vertices = std::move(low.isolated_vertices);
   return set;
 }
 

@@ -19,9 +19,12 @@ struct ReadingTimes {
   Seconds validation{};
 };
 
+/// What is added to a refusal of components that overlap.
+inline constexpr const char* hint_at_union = "add --union to take their union";
+
 /// Read a file ("-" is standard input); say on standard error what reading repaired, and on a terminal
 /// how far it is where it takes longer than a second. Add to the times, if given. Throw InvalidInput.
-/// Where components may overlap, the region is their union.
+/// Where components may overlap, the region is their union; where not, UsageError names --union.
 Region read_summand(const std::string& path, ReadingTimes* times = nullptr,
                     Extent extent = Extent::bounded, Overlaps overlaps = Overlaps::refused);
 ReadSet read_summand_set(const std::string& path, ReadingTimes* times = nullptr,

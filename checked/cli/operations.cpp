@@ -69,6 +69,7 @@ ExitCode operate(const OperationOptions& options) {
 
 struct ComplementOptions {
   std::string file;
+  Overlaps overlaps = Overlaps::refused;
   RegionOutput output;
 };
 
@@ -76,7 +77,7 @@ ExitCode complement_of(const ComplementOptions& options) {
   require_writable({options.output.path});
   const Format format = output_format(options.output);
   write_region(options.output, format,
-               complement(read_summand(options.file, nullptr, Extent::any)));
+               complement(read_summand(options.file, nullptr, Extent::any, options.overlaps)));
   return ExitCode::done;
 }
 
@@ -123,6 +124,7 @@ void add_complement(CLI::App& program, Action& chosen) {
            "a region (docs/files.md), which may be unbounded (.dat); - is standard input")
       ->required();
   add_output(command, options.output, "the complement");
+  add_union(command, options.overlaps, "R");
   command.footer(
       "The complement of a bounded region is unbounded. Only .dat holds that: 0 vertices in place of an\n"
       "outer chain.\n"

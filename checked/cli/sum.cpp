@@ -59,8 +59,6 @@ void require_certifiable(const SumOptions& options) {
   if (!options.certificate) return;
   if (options.boundary == Boundary::open)
     throw UsageError("--certificate is for sums of closed regions, without --open");
-  if (options.overlaps == Overlaps::allowed)
-    throw UsageError("--certificate is for summands as they are, without --union");
   if (output_grid(options.output))
     throw UsageError("--certificate is for exact sums, without --digits and --grid");
 }

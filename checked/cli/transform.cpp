@@ -24,6 +24,7 @@ struct Step {
 struct TransformOptions {
   std::string file;
   std::vector<Step> steps;  ///< in the order of the command line
+  Overlaps overlaps = Overlaps::refused;
   std::string angle_error = "0.0001";
   RegionOutput output;
   Boundary boundary = Boundary::closed;  ///< of the set, for rounding
@@ -81,7 +82,8 @@ ExitCode transform(const TransformOptions& options) {
   }
   require_writable({options.output.path});
   const Format format = output_format(options.output);
-  const MinkowskiSum set = image(map, set_in(read_summand_set(options.file)));
+  const MinkowskiSum set =
+      image(map, set_in(read_summand_set(options.file, nullptr, options.overlaps)));
   write_output(options.output,
                output_text(options.output, format, set, region_of(set), options.boundary));
   for (const std::string& note : notes) say_note(note);
@@ -126,6 +128,7 @@ void add_transform(CLI::App& program, Action& chosen) {
       ->needs(rotate)
       ->type_name("E");
   add_output(command, options.output, "the result");
+  add_union(command, options.overlaps, "R");
   add_open_set(command, options.boundary);
   command.footer(
       "The options apply in the order in which they are given, any of them several times. No\n"

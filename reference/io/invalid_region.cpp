@@ -88,9 +88,15 @@ class DefectMessage {
   std::string at() const { return " at " + to_string(defect_.where); }
 
   [[noreturn]] void refuse_vertices(const std::string& wrong, const std::string& expected) const {
-    input_.refuse(
-        std::max(first_.places[defect_.first.vertex], second_.places[defect_.second.vertex]), wrong,
-        expected);
+    refuse_at(std::max(first_.places[defect_.first.vertex], second_.places[defect_.second.vertex]),
+              wrong, expected);
+  }
+
+  [[noreturn]] void refuse_at(const Position& at, const std::string& wrong,
+                              const std::string& expected) const {
+    if (first_.name.component != second_.name.component)
+      throw OverlappingComponents({input_.name, at.line, at.column}, wrong, expected);
+    input_.refuse(at, wrong, expected);
   }
 
   /// "vertices 1 and 3 are both (2, 3)"
@@ -109,8 +115,7 @@ class DefectMessage {
     const auto b = edge_at(second_, defect_.second.vertex, defect_.where);
     if (!a || !b) refuse_vertices(wrong, expected);
     const auto [earlier, later] = std::minmax({named(first_, *a), named(second_, *b)});
-    input_.refuse(later.first, wrong + at() + ": " + earlier.second + " and " + later.second,
-                  expected);
+    refuse_at(later.first, wrong + at() + ": " + earlier.second + " and " + later.second, expected);
   }
 
   const InputText& input_;
