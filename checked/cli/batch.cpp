@@ -31,7 +31,7 @@ struct BatchOptions {
   bool unordered = false;
   std::vector<std::string> rotations;
   std::optional<std::string> rotation_step;
-  std::string rotation_error = "0.001";
+  std::string angle_error = default_angle_error;
   std::string operation = names_of_batch_operations().front();
   Boundary boundary = Boundary::closed;
   ResultForm form = ResultForm::wkt;
@@ -179,8 +179,8 @@ class PairsOfParts {
   PairsOfParts(const BatchOptions& options, Results& results)
       : is_unordered_(options.unordered), computation_(computation_of(options)) {
     rotations_ = options.rotation_step
-                     ? rotations(multiples_of(*options.rotation_step), options.rotation_error)
-                     : rotations(options.rotations, options.rotation_error);
+                     ? rotations(multiples_of(*options.rotation_step), options.angle_error)
+                     : rotations(options.rotations, options.angle_error);
     if (rotations_.empty()) rotations_.emplace_back();
     p_ = read_parts(*options.parts, results);
     q_ = options.others ? read_parts(*options.others, results) : p_;
@@ -282,11 +282,7 @@ void add_batch(CLI::App& program, Action& chosen) {
       .add_option("--rotation-step", options.rotation_step,
                   "the same by all multiples of this angle that are less than 360")
       ->type_name("ANGLE");
-  command
-      .add_option("--rotation-error", options.rotation_error,
-                  "rotations are exact, but by an angle that may differ by so many degrees, by "
-                  "default 0.001; those by multiples of 90 degrees never do")
-      ->type_name("ANGLE");
+  add_angle_error(command, options.angle_error);
   command
       .add_option("--operation", options.operation,
                   "what to compute, by default sum: " +

@@ -31,6 +31,18 @@ void add_output(CLI::App& command, RegionOutput& output, const std::string& what
       "step in x and in y");
 }
 
+CLI::Option* add_angle_error(CLI::App& command, std::string& error) {
+  return command
+      .add_option(
+          "--angle-error", error,
+          "rotations are exact, but by at most E degrees more or less than the angle that was asked "
+          "for, " +
+              std::string(default_angle_error) +
+              " by default, with the smallest denominator of those; not by multiples of 90 degrees. "
+              "The exact cosine and sine are said")
+      ->type_name("E");
+}
+
 void add_union(CLI::App& command, Overlaps& overlaps, const std::string& what) {
   command.add_flag_callback(
       "--union", [&overlaps] { overlaps = Overlaps::allowed; },

@@ -61,6 +61,11 @@ CLI::Option* add_choice(CLI::App& command, const std::string& name, Chosen& chos
 /// written.
 void add_output(CLI::App& command, RegionOutput& output, const std::string& what);
 
+inline constexpr const char* default_angle_error = "0.001";
+
+/// Adds `--angle-error E` for rotations.
+CLI::Option* add_angle_error(CLI::App& command, std::string& error);
+
 /// Adds `--union`. `what` is which inputs it is for.
 void add_union(CLI::App& command, Overlaps& overlaps, const std::string& what);
 

@@ -25,7 +25,7 @@ struct TransformOptions {
   std::string file;
   std::vector<Step> steps;  ///< in the order of the command line
   Overlaps overlaps = Overlaps::refused;
-  std::string angle_error = "0.0001";
+  std::string angle_error = default_angle_error;
   RegionOutput output;
   Boundary boundary = Boundary::closed;  ///< of the set, for rounding
 };
@@ -120,13 +120,7 @@ void add_transform(CLI::App& program, Action& chosen) {
       "other nearly (see --angle-error), or exactly by the angle with this cosine and sine");
   add_step("--reflect", "NAME", "reflect in the x-axis, in the y-axis or in the origin")
       ->check(CLI::IsMember({"x", "y", "origin"}));
-  command
-      .add_option(
-          "--angle-error", options.angle_error,
-          "the rotation is by at most E degrees more or less than ANGLE, 0.0001 by default, and "
-          "has the smallest denominator of those; its exact cosine and sine are printed")
-      ->needs(rotate)
-      ->type_name("E");
+  add_angle_error(command, options.angle_error)->needs(rotate);
   add_output(command, options.output, "the result");
   add_union(command, options.overlaps, "R");
   add_open_set(command, options.boundary);

@@ -9,8 +9,8 @@
 #include "checked/cli/batch/line_lots.hpp"
 #include "checked/cli/numbers.hpp"
 #include "checked/cli/usage_error.hpp"
-#include "reference/arithmetic/rational_rotation.hpp"
-#include "reference/definitions/point.hpp"
+#include "checked/operations/image.hpp"
+#include "checked/oplus/oplus.hpp"
 #include "reference/io/invalid_input.hpp"
 #include "reference/io/writing.hpp"
 
@@ -37,23 +37,18 @@ std::vector<Part> read_parts(const std::string& path, Results& results) {
 }
 
 Region PartRotation::turned(const Region& region) const {
-  if (sin == 0 && cos == 1) return region;
-  return mapped(region, [&](const Point& p) {
-    return Point{cos * p.x - sin * p.y, sin * p.x + cos * p.y};
-  });
+  return map == AffineMap{} ? region : image(map, region);
 }
 
 std::vector<PartRotation> rotations(const std::vector<std::string>& degrees,
                                     const std::string& error) {
-  const Rational largest = number("--rotation-error", error);
-  if (largest <= 0) throw UsageError("--rotation-error must be positive, not " + error);
+  const Rational largest = number("--angle-error", error);
   std::vector<PartRotation> result;
   for (const std::string& text : degrees) {
     const Rational angle = number("--rotations", text);
-    const auto [cos, sin] = rational_rotation(angle, largest);
-    result.push_back({cos, sin,
-                      ", \"degrees\": \"" + to_string(angle) + "\", \"cos\": \"" + to_string(cos) +
-                          "\", \"sin\": \"" + to_string(sin) + '"'});
+    const AffineMap map = rotation(angle, largest);
+    result.push_back({map, ", \"degrees\": \"" + to_string(angle) + "\", \"cos\": \"" +
+                               to_string(map.a) + "\", \"sin\": \"" + to_string(map.c) + '"'});
   }
   return result;
 }

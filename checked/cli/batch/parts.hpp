@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "checked/cli/batch/results.hpp"
+#include "checked/operations/affine_map.hpp"
 #include "reference/definitions/region.hpp"
 
 namespace oplus {
@@ -21,15 +22,14 @@ std::vector<Part> read_parts(const std::string& path, Results& results);
 
 /// By which angle parts are turned.
 struct PartRotation {
-  Rational cos = 1;
-  Rational sin = 0;
+  AffineMap map = {};
   std::string json = {};  ///< `, "degrees": "90", "cos": "0", "sin": "1"`; empty unless asked for
 
   Region turned(const Region& region) const;
 };
 
 /// Angles in degrees, which are multiples of 90 or else met up to `error` degrees by a rotation that takes
-/// rational points to such. Throws UsageError where a text in the list is no number.
+/// rational points to such. Throws UsageError where a text is no number, InvalidInput unless the error is positive.
 std::vector<PartRotation> rotations(const std::vector<std::string>& degrees,
                                     const std::string& error);
 

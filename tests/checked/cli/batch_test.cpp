@@ -215,7 +215,7 @@ TEST_F(Batch, turns_parts_exactly) {
     EXPECT_EQ(turned[i].at("result"), wkt(slide_sum(p, reflected(q), Boundary::open).sum));
   }
   const std::vector<Json> precise =
-      answers("oplus batch --parts p.wkt --rotations 30 --rotation-error 1e-12 --format area");
+      answers("oplus batch --parts p.wkt --rotations 30 --angle-error 1e-12 --format area");
   EXPECT_GT(precise.at(0).at("cos").get<std::string>().size(), 8U);
 }
 
@@ -269,7 +269,7 @@ TEST_F(Batch, is_refused_where_it_cannot_be_done) {
   expect_refusal("oplus batch --parts parts.txt --rotations 90,x", "'x' is not a number");
   expect_refusal("oplus batch --parts parts.txt --rotation-step 0", "at least");
   expect_refusal("oplus batch --parts parts.txt --rotation-step -90", "at least");
-  expect_refusal("oplus batch --parts parts.txt --rotations 30 --rotation-error 0", "positive");
+  expect_refusal("oplus batch --parts parts.txt --rotations 30 --angle-error 0", "positive");
   expect_refusal("oplus batch --parts - --with -", "standard input");
   expect_refusal("oplus batch square.tsv --operation plus", "plus");
   expect_refusal("oplus batch square.tsv --operation nfp --open", "--open");
