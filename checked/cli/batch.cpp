@@ -35,7 +35,7 @@ struct BatchOptions {
   std::string operation = names_of_batch_operations().front();
   Boundary boundary = Boundary::closed;
   ResultForm form = ResultForm::wkt;
-  std::optional<int> digits;
+  RoundingOptions rounding;
   std::string output = "-";
   std::optional<unsigned> threads;
 };
@@ -53,6 +53,9 @@ void require_consistent(const BatchOptions& options) {
   if (options.boundary == Boundary::open &&
       options.operation != names_of_batch_operations().front())
     throw UsageError("--open is for --operation sum");
+  output_grid(options.rounding);
+  if (options.form == ResultForm::area && (options.rounding.grid || options.rounding.side))
+    throw UsageError("--grid and --side are for geometries; areas are rounded by --digits");
   if (options.parts) require_one_standard_input({*options.parts, options.others.value_or("")});
 }
 
@@ -128,7 +131,8 @@ Computation computation_of(const BatchOptions& options) {
   Computation computation(options.operation);
   computation.boundary = options.boundary;
   computation.form = options.form;
-  computation.digits = options.digits;
+  computation.grid = output_grid(options.rounding);
+  computation.digits = options.rounding.digits;
   return computation;
 }
 
@@ -295,10 +299,7 @@ void add_batch(CLI::App& program, Action& chosen) {
       command, "--format", options.form,
       {{"wkt", ResultForm::wkt}, {"geojson", ResultForm::geojson}, {"area", ResultForm::area}},
       "write results as wkt, in a string, by default; as geojson; or only their area");
-  command
-      .add_option("--digits", options.digits, "round to N decimals; by default results are exact")
-      ->check(CLI::Range(0, most_digits))
-      ->type_name("N");
+  add_rounding(command, options.rounding);
   add_file(command, "-o,--output", options.output,
            "write the results there, as a whole at the end; by default to standard output, as they "
            "come");

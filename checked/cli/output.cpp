@@ -77,19 +77,19 @@ Format output_format(const RegionOutput& output) {
                    " names no format: use .wkt, .dat, .geojson, .json or .wkb, or --format");
 }
 
-std::optional<OutputGrid> output_grid(const RegionOutput& output) {
-  if (output.grid && output.digits)
+std::optional<OutputGrid> output_grid(const RoundingOptions& options) {
+  if (options.grid && options.digits)
     throw UsageError("--digits N is short for --grid 10^-N; give one of the two");
-  if (!output.grid && !output.digits) {
-    if (output.side) throw UsageError("--side is for rounded output, with --grid or --digits");
+  if (!options.grid && !options.digits) {
+    if (options.side) throw UsageError("--side is for rounded output, with --grid or --digits");
     return std::nullopt;
   }
-  const Side side = output.side.value_or(Side::nearest);
-  if (output.digits)
+  const Side side = options.side.value_or(Side::nearest);
+  if (options.digits)
     return OutputGrid{
-        Rational(1) / Rational(power_of_ten(static_cast<unsigned long>(*output.digits))), side};
-  const Rational step = number("--grid", *output.grid);
-  if (sgn(step) <= 0) throw UsageError("--grid takes a step above 0, not " + quote(*output.grid));
+        Rational(1) / Rational(power_of_ten(static_cast<unsigned long>(*options.digits))), side};
+  const Rational step = number("--grid", *options.grid);
+  if (sgn(step) <= 0) throw UsageError("--grid takes a step above 0, not " + quote(*options.grid));
   return OutputGrid{step, side};
 }
 

@@ -10,13 +10,17 @@
 
 namespace oplus {
 
+/// How what is written is rounded, as the command line says it.
+struct RoundingOptions {
+  std::optional<std::string> grid;  ///< the step
+  std::optional<int> digits;        ///< short for the step 10^-digits
+  std::optional<Side> side;         ///< nearest if empty
+};
+
 /// Where a region or a sum is written, and how.
-struct RegionOutput {
+struct RegionOutput : RoundingOptions {
   std::string path = "-";  ///< "-" is standard output
   std::optional<Format> format;
-  std::optional<std::string> grid;  ///< the step, as it was given
-  std::optional<int> digits;        ///< short for the step 10^-digits
-  std::optional<Side> side;         ///< of what is rounded; nearest if empty
 };
 
 /// The grid that the output is rounded to.
@@ -26,7 +30,7 @@ struct OutputGrid {
 };
 
 /// The grid that was asked for; none if the output is exact. Throws UsageError.
-std::optional<OutputGrid> output_grid(const RegionOutput& output);
+std::optional<OutputGrid> output_grid(const RoundingOptions& options);
 
 /// The format to write in: the one asked for, else by the ending of the path; WKT on standard
 /// output. Throws UsageError for an ending that names no format, and for an invalid grid: to be called before

@@ -14,17 +14,21 @@ void add_output(CLI::App& command, RegionOutput& output, const std::string& what
        {"wkb", Format::wkb}},
       "write wkt, dat, geojson or wkb (in hexadecimal digits); by default what the ending of FILE "
       "says, and wkt on standard output");
+  add_rounding(command, output);
+}
+
+void add_rounding(CLI::App& command, RoundingOptions& rounding) {
   command
-      .add_option("--grid", output.grid,
+      .add_option("--grid", rounding.grid,
                   "round to multiples of STEP, so that the output is valid and without fractions "
                   "(docs/rounding.md); by default it is exact, with fractions p/q where a decimal "
                   "would not end")
       ->type_name("STEP");
-  command.add_option("--digits", output.digits, "round to N decimals: short for --grid 10^-N")
+  command.add_option("--digits", rounding.digits, "round to N decimals: short for --grid 10^-N")
       ->check(CLI::Range(0, most_digits))
       ->type_name("N");
   add_choice<Side>(
-      command, "--side", output.side,
+      command, "--side", rounding.side,
       {{"nearest", Side::nearest}, {"contain", Side::contain}, {"contained", Side::contained}},
       "what is rounded is nearest, moved by at most half a step in x and in y (the default); "
       "or it is to contain the exact set, or to be contained in it, and differs by at most a "

@@ -57,8 +57,10 @@ CLI::Option* add_choice(CLI::App& command, const std::string& name, Chosen& chos
       ->type_name("NAME");
 }
 
-/// Adds `-o FILE`, `--format wkt|dat|geojson|wkb`, `--grid STEP`, `--digits N` and `--side NAME`. `what` is what is
-/// written.
+/// Adds `--grid STEP`, `--digits N` and `--side NAME`.
+void add_rounding(CLI::App& command, RoundingOptions& rounding);
+
+/// Adds these, `-o FILE` and `--format wkt|dat|geojson|wkb`. `what` is what is written.
 void add_output(CLI::App& command, RegionOutput& output, const std::string& what);
 
 inline constexpr const char* default_angle_error = "0.001";

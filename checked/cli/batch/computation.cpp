@@ -12,7 +12,6 @@
 #include "reference/chains/region_of.hpp"
 #include "reference/definitions/region.hpp"
 #include "reference/io/invalid_input.hpp"
-#include "reference/io/power_of_ten.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
@@ -71,10 +70,9 @@ void Computation::add(std::string& line, const MinkowskiSum& result) const {
   const bool is_wkt = form == ResultForm::wkt;
   const Format format = is_wkt ? Format::wkt : Format::geojson;
   std::string text;
-  if (digits) {
-    const Rational step = Rational(1) / Rational(power_of_ten(static_cast<unsigned long>(*digits)));
+  if (grid) {
     const RoundedSet on_grid =
-        rounded(result, is_open() ? Boundary::open : Boundary::closed, step, Side::nearest);
+        rounded(result, is_open() ? Boundary::open : Boundary::closed, grid->step, grid->side);
     text = written(on_grid.set, on_grid.region, format);
   } else {
     text = written(result, format);

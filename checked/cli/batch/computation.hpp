@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "checked/cli/batch/results.hpp"
+#include "checked/cli/output.hpp"
 #include "checked/operations/operations.hpp"
 #include "checked/slide/prepared_summand.hpp"
 #include "reference/definitions/minkowski_sum.hpp"
@@ -27,8 +28,8 @@ class Computation {
 
   Boundary boundary = Boundary::closed;  ///< of the operation `sum`
   ResultForm form = ResultForm::wkt;
-  std::optional<int> digits =
-      {};  ///< results are on the grid of 10^-digits (rounding.hpp); exact if empty
+  std::optional<OutputGrid> grid = {};  ///< of results; they are exact if empty
+  std::optional<int> digits = {};       ///< of areas; they are exact if empty
 
   /// Adds the result of a pair to a line.
   void add(std::string& line, const Region& p, const Region& q) const;

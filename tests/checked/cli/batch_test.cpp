@@ -72,6 +72,17 @@ TEST_F(Batch, writes_what_is_asked_for) {
                 line + "\"result\": \"POLYGON ((0 0, 1.33 0, 0 1.33, 0 0))\"}\n");
   put("thin.tsv", "POLYGON ((0 0, 1 0, 0.4 0.3, 0 0))\tPOLYGON ((0 0, 0.01 0, 0 0.01, 0 0))\n");
   expect_output("oplus batch thin.tsv --digits 0", line + "\"result\": \"POLYGON EMPTY\"}\n");
+  // As each sum alone.
+  put("p.wkt", "POLYGON((0 0,1 0,0.4 0.3,0 1,0 0))");
+  put("q.wkt", "POLYGON((0 0,1/3 0,0 1/3,0 0))");
+  put("pair.tsv", content("p.wkt") + "\t" + content("q.wkt"));
+  for (const std::string options : {"--grid 0.25", "--grid 1/7 --side contain --open",
+                                    "--digits 1 --side contained", "--grid 0.3 --side nearest"}) {
+    std::string alone = run("oplus --quiet sum p.wkt q.wkt " + options).out;
+    alone.pop_back();
+    EXPECT_EQ(answers("oplus batch pair.tsv " + options).at(0).at("result"), alone) << options;
+  }
+  expect_output("oplus batch one.tsv --format area --digits 3", line + "\"area\": \"0.889\"}\n");
   expect_output("oplus batch one.tsv --format area", line + "\"area\": \"8/9\"}\n");
   expect_output("oplus batch one.tsv --format geojson",
                 line + R"("result": {"type": "Polygon", "coordinates": )" +
@@ -274,6 +285,10 @@ TEST_F(Batch, is_refused_where_it_cannot_be_done) {
   expect_refusal("oplus batch square.tsv --operation plus", "plus");
   expect_refusal("oplus batch square.tsv --operation nfp --open", "--open");
   expect_refusal("oplus batch square.tsv --format dat", "dat");
+  expect_refusal("oplus batch square.tsv --side contain", "--side is for rounded output");
+  expect_refusal("oplus batch square.tsv --grid 1 --digits 1", "give one of the two");
+  expect_refusal("oplus batch square.tsv --grid 0", "--grid takes a step above 0");
+  expect_refusal("oplus batch square.tsv --grid 1 --format area", "areas are rounded by --digits");
   expect_refusal("oplus batch missing", "missing: cannot be opened");
   expect_refusal("oplus batch --parts missing", "missing: cannot be opened");
   expect_refusal("oplus batch .", "cannot be read");
