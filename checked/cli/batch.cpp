@@ -34,6 +34,7 @@ struct BatchOptions {
   std::string angle_error = default_angle_error;
   std::string operation = names_of_batch_operations().front();
   Boundary boundary = Boundary::closed;
+  Overlaps overlaps = Overlaps::refused;
   ResultForm form = ResultForm::wkt;
   RoundingOptions rounding;
   std::string output = "-";
@@ -136,14 +137,15 @@ Computation computation_of(const BatchOptions& options) {
   return computation;
 }
 
-Results results_of(const LineLot& lot, const std::string& file, const Computation& computation) {
+Results results_of(const LineLot& lot, const std::string& file, Overlaps overlaps,
+                   const Computation& computation) {
   Results results;
   results.lines.reserve(2 * lot.text.size());
   each_line(lot, [&](std::string_view text, std::size_t number) {
     if (is_blank_or_comment(text)) return;
     std::string beginning = "{\"line\": " + std::to_string(number);
     add_line(results, beginning, [&](std::string& line) {
-      PairLine pair = read_pair_line({file, number, text});
+      PairLine pair = read_pair_line({file, number, text}, overlaps);
       results.note(file, number, pair.notes);
       if (!pair.id.empty()) {
         const std::string id = ", \"id\": " + pair.id;
@@ -169,7 +171,10 @@ ExitCode of_pairs(const BatchOptions& options) {
             if (lots.bytes() > 0) writer.show(100 * lots.bytes_done() / lots.bytes(), 100);
             return lots.next([&] { return running->is_stopping(); });
           },
-      .work = [&](LineLot&& lot) { return results_of(lot, lots.name(), computation); },
+      .work =
+          [&](LineLot&& lot) {
+            return results_of(lot, lots.name(), options.overlaps, computation);
+          },
       .pass_on = [&](Results&& results) { writer.pass_on(results); },
   });
   running = &work;
@@ -186,35 +191,35 @@ class PairsOfParts {
                      ? rotations(multiples_of(*options.rotation_step), options.angle_error)
                      : rotations(options.rotations, options.angle_error);
     if (rotations_.empty()) rotations_.emplace_back();
-    p_ = read_parts(*options.parts, results);
-    q_ = options.others ? read_parts(*options.others, results) : p_;
-    for (const Part& part : p_) prepared_p_.emplace_back(part.region);
+    p_ = read_parts(*options.parts, options.overlaps, results);
+    q_ = options.others ? read_parts(*options.others, options.overlaps, results) : p_;
     for (const Part& part : q_)
-      for (const PartRotation& rotation : rotations_) {
-        Region turned = rotation.turned(part.region);
-        prepared_q_.emplace_back(computation_.is_sum_of_prepared()
-                                     ? computation_.second_summand(std::move(turned))
-                                     : std::move(turned));
-      }
+      for (const PartRotation& rotation : rotations_)
+        turned_q_.push_back(rotation.turned(part.set));
+    if (!computation_.is_sum_of_prepared()) return;
+    for (const Part& part : p_) prepared_p_.emplace_back(part.set.region);
+    for (const ReadSet& set : turned_q_)
+      prepared_q_.emplace_back(computation_.second_summand(set.region));
   }
 
   /// Those to be left out are counted, too.
-  std::size_t size() const { return p_.size() * prepared_q_.size(); }
+  std::size_t size() const { return p_.size() * turned_q_.size(); }
 
   Results results_of(std::size_t first, std::size_t last) const {
     Results results;
     for (std::size_t i = first; i < last; ++i) {
-      const std::size_t p = i / prepared_q_.size(), turned_q = i % prepared_q_.size();
+      const std::size_t p = i / turned_q_.size(), turned_q = i % turned_q_.size();
       const std::size_t q = turned_q / rotations_.size();
       if (is_unordered_ && q < p) continue;
       add_line(results,
                "{\"p\": " + p_[p].name + ", \"q\": " + q_[q].name +
                    rotations_[turned_q % rotations_.size()].json,
                [&](std::string& line) {
-                 if (computation_.is_sum_of_prepared())
+                 if (computation_.is_sum_of_prepared() && is_region(p_[p].set) &&
+                     is_region(turned_q_[turned_q]))
                    computation_.add(line, prepared_p_[p], prepared_q_[turned_q]);
                  else
-                   computation_.add(line, p_[p].region, prepared_q_[turned_q].region());
+                   computation_.add(line, p_[p].set, turned_q_[turned_q]);
                });
     }
     return results;
@@ -225,8 +230,9 @@ class PairsOfParts {
   Computation computation_;
   std::vector<PartRotation> rotations_;
   std::vector<Part> p_, q_;
-  std::vector<slide::PreparedSummand> prepared_p_;
-  std::vector<slide::PreparedSummand> prepared_q_;  ///< turned by each rotation
+  std::vector<ReadSet> turned_q_;  ///< each part by each rotation
+  std::vector<slide::PreparedSummand> prepared_p_,
+      prepared_q_;  ///< the regions of these, for one sum
 };
 
 ExitCode of_parts(const BatchOptions& options) {
@@ -264,17 +270,17 @@ ExitCode batch(const BatchOptions& options) {
 }  // namespace
 
 void add_batch(CLI::App& program, Action& chosen) {
-  const auto& [command, options] =
-      add_subcommand(program, chosen, "batch",
-                     "Compute a sum, or another operation, of many pairs of regions", batch);
+  const auto& [command, options] = add_subcommand(
+      program, chosen, "batch",
+      "Compute a sum, or another operation, of many pairs of regions or other sets", batch);
   add_file(command, "PAIRS", options.pairs,
-           "two regions a line, with a tab between them, each WKT or GeoJSON, or a JSON object "
+           "two geometries a line, with a tab between them, each WKT or GeoJSON, or a JSON object "
            "{\"p\": ..., \"q\": ...}; - is standard input");
-  add_file(command, "--parts", options.parts,
-           "one region a line, or its name, a tab and the region: computes all pairs of them, also "
-           "each with itself");
-  add_file(command, "--with", options.others,
-           "the regions of this file are Q, those of --parts are P");
+  add_file(
+      command, "--parts", options.parts,
+      "one geometry a line, or its name, a tab and the geometry: computes all pairs of them, also "
+      "each with itself");
+  add_file(command, "--with", options.others, "those of this file are Q, those of --parts are P");
   command.add_flag("--unordered", options.unordered, "of --parts: no pair the other way round");
   command
       .add_option("--rotations", options.rotations,
@@ -295,6 +301,7 @@ void add_batch(CLI::App& program, Action& chosen) {
       ->check(CLI::IsMember(names_of_batch_operations()))
       ->type_name("NAME");
   add_open(command, options.boundary, "sum the regions' interiors, as in oplus sum");
+  add_union(command, options.overlaps, "each geometry");
   add_choice<ResultForm>(
       command, "--format", options.form,
       {{"wkt", ResultForm::wkt}, {"geojson", ResultForm::geojson}, {"area", ResultForm::area}},

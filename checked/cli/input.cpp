@@ -83,7 +83,7 @@ Region read_summand(const std::string& path, ReadingTimes* times, Extent extent,
               [&](const ReadingProgress& progress) {
                 ReadRegion read = naming_union(
                     [&] { return read_region_file(path, progress, extent, overlaps); });
-                if (overlaps == Overlaps::allowed) read.region = region_of(union_of(read.region));
+                unite(read.region, overlaps);
                 return read;
               })
       .region;
@@ -92,9 +92,13 @@ Region read_summand(const std::string& path, ReadingTimes* times, Extent extent,
 ReadSet read_summand_set(const std::string& path, ReadingTimes* times, Overlaps overlaps) {
   return said(path, times, [&](const ReadingProgress& progress) {
     ReadSet read = naming_union([&] { return read_set_file(path, progress, overlaps); });
-    if (overlaps == Overlaps::allowed) read.region = region_of(union_of(read.region));
+    unite(read.region, overlaps);
     return read;
   });
+}
+
+void unite(Region& region, Overlaps overlaps) {
+  if (overlaps == Overlaps::allowed) region = region_of(union_of(region));
 }
 
 bool is_region(const ReadSet& set) { return set.segments.empty() && set.points.empty(); }

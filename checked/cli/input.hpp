@@ -33,6 +33,9 @@ MinkowskiSum read_given_sum(const std::string& path);
 GivenSum read_unchecked_sum(const std::string& path);
 UncheckedInput read_unchecked_region(const std::string& path);
 
+/// Makes the region the union of its components, where they may overlap.
+void unite(Region& region, Overlaps overlaps);
+
 /// Whether a set is a region alone, without segments and points.
 bool is_region(const ReadSet& set);
 

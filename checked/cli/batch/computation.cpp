@@ -6,7 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "checked/cli/input.hpp"
 #include "checked/cli/usage_error.hpp"
+#include "checked/operations/unbounded_sum.hpp"
 #include "checked/rounding/rounding.hpp"
 #include "checked/slide/slide.hpp"
 #include "reference/chains/region_of.hpp"
@@ -47,9 +49,18 @@ Region Computation::second_summand(Region q) const {
   return operation_ == nullptr ? std::move(q) : reflected(std::move(q));
 }
 
-void Computation::add(std::string& line, const Region& p, const Region& q) const {
-  add(line, operation_ == nullptr ? sum_of_regions(p, q, boundary)
-                                  : operation_->compute(p, q, sum_of_regions));
+void Computation::add(std::string& line, const ReadSet& p, const ReadSet& q) const {
+  if (is_region(p) && is_region(q)) {
+    add(line, operation_ == nullptr ? sum_of_regions(p.region, q.region, boundary)
+                                    : operation_->compute(p.region, q.region, sum_of_regions));
+    return;
+  }
+  if (operation_ != nullptr && !operation_->takes_any_p && !is_region(p))
+    throw UsageError("P has line strings or points; expected polygons, as P of " +
+                     operation_->name);
+  const MinkowskiSum p_set = union_in(p), q_set = union_in(q);
+  add(line, operation_ == nullptr ? unbounded_sum(p_set, q_set, boundary, sum_of_regions)
+                                  : operation_->compute_of_sets(p_set, q_set, sum_of_regions));
 }
 
 void Computation::add(std::string& line, const slide::PreparedSummand& p,

@@ -11,6 +11,7 @@
 #include "checked/operations/operations.hpp"
 #include "checked/slide/prepared_summand.hpp"
 #include "reference/definitions/minkowski_sum.hpp"
+#include "reference/io/reading.hpp"
 
 namespace oplus {
 
@@ -31,10 +32,10 @@ class Computation {
   std::optional<OutputGrid> grid = {};  ///< of results; they are exact if empty
   std::optional<int> digits = {};       ///< of areas; they are exact if empty
 
-  /// Adds the result of a pair to a line.
-  void add(std::string& line, const Region& p, const Region& q) const;
+  /// Adds the result of a pair to a line. Throws UsageError where P must be a region, and is not.
+  void add(std::string& line, const ReadSet& p, const ReadSet& q) const;
 
-  /// Whether it is one sum, of P and of second_summand(Q): then both may be prepared.
+  /// Whether it is one sum, of P and of second_summand(Q): then both may be prepared, if they are regions.
   bool is_sum_of_prepared() const;
   Region second_summand(Region q) const;
   void add(std::string& line, const slide::PreparedSummand& p,

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "reference/definitions/region.hpp"
+#include "reference/io/reading.hpp"
 
 namespace oplus {
 
@@ -20,26 +20,27 @@ struct PlacedLine {
 /// Whether there is nothing to compute in a line: it is blank, or starts with #.
 bool is_blank_or_comment(std::string_view line);
 
-/// Two summands.
+/// Two summands: bounded sets.
 struct PairLine {
-  Region p;
-  Region q;
+  ReadSet p;
+  ReadSet q;
   std::string id;                  ///< as JSON, as in the line; empty where there is none
   std::vector<std::string> notes;  ///< what reading repaired
 };
 
-/// Reads two geometries with a tab between them, each in any form that read_region takes, or a JSON object
+/// Reads two geometries with a tab between them, each in any form that read_set takes, or a JSON object
 /// {"p": ..., "q": ...} of GeoJSON geometries or of strings in these forms. It may have an "id" of any type.
-/// Throws InvalidInput, which names the file, the line and the column.
-PairLine read_pair_line(const PlacedLine& line);
+/// Where components may overlap, the regions are their unions. Throws InvalidInput, which names the file, the
+/// line and the column.
+PairLine read_pair_line(const PlacedLine& line, Overlaps overlaps);
 
 struct PartLine {
-  Region region;
+  ReadSet set;
   std::string name;  ///< empty where there is none
   std::vector<std::string> notes;
 };
 
 /// Reads one geometry, with its name and a tab before it, or without. Throws as read_pair_line does.
-PartLine read_part_line(const PlacedLine& line);
+PartLine read_part_line(const PlacedLine& line, Overlaps overlaps);
 
 }  // namespace oplus

@@ -16,7 +16,7 @@
 
 namespace oplus {
 
-std::vector<Part> read_parts(const std::string& path, Results& results) {
+std::vector<Part> read_parts(const std::string& path, Overlaps overlaps, Results& results) {
   std::vector<Part> parts;
   LineLots lots(path);
   std::size_t count = 0;
@@ -25,10 +25,10 @@ std::vector<Part> read_parts(const std::string& path, Results& results) {
       if (is_blank_or_comment(text)) return;
       ++count;
       try {
-        PartLine part = read_part_line({lots.name(), number, text});
+        PartLine part = read_part_line({lots.name(), number, text}, overlaps);
         results.note(lots.name(), number, part.notes);
-        parts.push_back({std::move(part.region),
-                         part.name.empty() ? std::to_string(count) : in_json(part.name)});
+        parts.push_back(
+            {std::move(part.set), part.name.empty() ? std::to_string(count) : in_json(part.name)});
       } catch (const InvalidInput& invalid) {
         add_error(results, "{\"part\": " + std::to_string(count), invalid.what());
       }
@@ -36,8 +36,12 @@ std::vector<Part> read_parts(const std::string& path, Results& results) {
   return parts;
 }
 
-Region PartRotation::turned(const Region& region) const {
-  return map == AffineMap{} ? region : image(map, region);
+ReadSet PartRotation::turned(const ReadSet& set) const {
+  if (map == AffineMap{}) return set;
+  ReadSet result{image(map, set.region), {}, {}, {}};
+  for (const Segment& s : set.segments) result.segments.push_back({map(s.source), map(s.target)});
+  for (const Point& p : set.points) result.points.push_back(map(p));
+  return result;
 }
 
 std::vector<PartRotation> rotations(const std::vector<std::string>& degrees,

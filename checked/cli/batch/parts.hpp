@@ -6,26 +6,26 @@
 
 #include "checked/cli/batch/results.hpp"
 #include "checked/operations/affine_map.hpp"
-#include "reference/definitions/region.hpp"
+#include "reference/io/reading.hpp"
 
 namespace oplus {
 
-/// A region of a file of parts.
+/// A set of a file of parts.
 struct Part {
-  Region region;
+  ReadSet set;
   std::string name;  ///< as JSON: its name, or its number in the file, from one
 };
 
 /// Reads a file of parts, one a line (docs/batch.md). An invalid one becomes a line of the results, with
 /// its number among the parts, and is left out. Throws InvalidInput where the file cannot be read.
-std::vector<Part> read_parts(const std::string& path, Results& results);
+std::vector<Part> read_parts(const std::string& path, Overlaps overlaps, Results& results);
 
 /// By which angle parts are turned.
 struct PartRotation {
   AffineMap map = {};
   std::string json = {};  ///< `, "degrees": "90", "cos": "0", "sin": "1"`; empty unless asked for
 
-  Region turned(const Region& region) const;
+  ReadSet turned(const ReadSet& set) const;
 };
 
 /// Angles in degrees, which are multiples of 90 or else met up to `error` degrees by a rotation that takes

@@ -113,6 +113,51 @@ TEST_F(Batch, computes_every_operation) {
   }
 }
 
+/// Line strings and points, as each command takes them.
+TEST_F(Batch, takes_other_sets) {
+  const std::string path = "LINESTRING(0 0,1 0,1 2)";
+  put("bin.wkt", "POLYGON((0 0,3 0,3 3,0 3,0 0))");
+  put("path.wkt", path);
+  put("turned.wkt", "LINESTRING(0 0,0 1,-2 1)");
+  for (const std::string operation :
+       {"sum", "sum --open", "nfp", "ifp", "erode", "open", "close"}) {
+    std::string alone = run("oplus --quiet " + operation + " bin.wkt path.wkt").out;
+    alone.pop_back();
+    put("pair.tsv", content("bin.wkt") + "\t" + path);
+    EXPECT_EQ(answers("oplus batch pair.tsv --operation " + operation).at(0).at("result"), alone)
+        << operation;
+    std::string turned = run("oplus --quiet " + operation + " bin.wkt turned.wkt").out;
+    turned.pop_back();
+    const std::vector<Json> parts = answers(
+        "oplus batch --parts bin.wkt --with path.wkt --rotations 0,90 --operation " + operation);
+    EXPECT_EQ(parts.at(0).at("result"), alone) << operation;
+    EXPECT_EQ(parts.at(1).at("result"), turned) << operation;
+  }
+  put("point.json", R"json({"p": {"type": "Point", "coordinates": [1, 2]}, )json"
+                    R"json("q": "LINESTRING(0 0,1 0)"})json");
+  expect_output("oplus batch point.json",
+                "{\"line\": 1, \"result\": \"GEOMETRYCOLLECTION (LINESTRING (1 2, 2 2))\"}\n");
+  put("pair.tsv", path + "\t" + square + "\n0 1 3 0 0 1 0 0 1\t" + square + "\n");
+  const std::vector<Json> wrong = answers("oplus batch pair.tsv --operation ifp", 2);
+  EXPECT_EQ(wrong.at(0).at("error"),
+            "P has line strings or points; expected polygons, as P of ifp");
+  EXPECT_EQ(wrong.at(1).at("error"),
+            "pair.tsv:2:1: P: the region is unbounded; expected a bounded region");
+}
+
+TEST_F(Batch, takes_unions_where_asked) {
+  const std::string walls = "MULTIPOLYGON(((0 0,2 0,2 1,0 1,0 0)),((1 0,3 0,3 1,1 1,1 0)))";
+  put("walls.tsv", square + "\t" + walls + "\n");
+  const std::string right = "POLYGON ((0 0, 4 0, 4 2, 0 2, 0 0))";
+  EXPECT_EQ(answers("oplus batch walls.tsv --union").at(0).at("result"), right);
+  EXPECT_TRUE(has(answers("oplus batch walls.tsv", 2).at(0).at("error"),
+                  "expected chains that at most touch in points; add --union to take their union"));
+  put("unit.txt", square);
+  put("walls.txt", walls);
+  EXPECT_EQ(answers("oplus batch --parts unit.txt --with walls.txt --union").at(0).at("result"),
+            right);
+}
+
 TEST_F(Batch, of_many_pairs_is_each_sum_in_order) {
   std::string pairs, expected, open;
   std::uint64_t seed = 0;
@@ -135,7 +180,7 @@ TEST_F(Batch, an_error_is_a_line) {
   put("pairs", square + "\t" + bow_tie + "\n" + square + "\t" + square + "\n" + square + "\n" +
                    square + "\t" + square + "\t" + square + "\n" + square + "\tPOLYGON((0 0,1 0,x" +
                    " 1,0 0))\n{\"p\": \"" + square + "\"}\n{\"p\": 1, \"q\": 2}\n{\"p\": ]\n" +
-                   R"({"id": 7, "p": {"type": "Point"}, "q": ")" + square + "\"}\n" + square +
+                   R"({"id": 7, "p": {"type": "Curve"}, "q": ")" + square + "\"}\n" + square +
                    "\t" + square + "\n");
   const Ran ran = run("oplus batch pairs -o out");
   EXPECT_EQ(ran.exit_code, 2);
