@@ -19,11 +19,14 @@ class GeoJsonReader {
   GeoJsonReader(const InputText& input, Wanted wanted) : input_(input), wanted_(wanted) {}
 
   PlacedGeometry read() {
-    const JsonTree tree(input_);
-    if (tree.root().kind() == Kind::array)
-      arrays(tree.root());
-    else
-      geometry(tree.root(), anything);
+    TextPlace place;
+    do {
+      const JsonTree tree(input_, place);
+      if (tree.root().kind() == Kind::array)
+        arrays(tree.root());
+      else
+        geometry(tree.root(), anything);
+    } while (place.at != input_.text.size());
     return std::move(result_);
   }
 

@@ -25,7 +25,7 @@ class JsonStream {
  public:
   using Ch = char;
 
-  explicit JsonStream(std::string_view text) : text_(text) {}
+  JsonStream(std::string_view text, std::size_t at) : text_(text), at_(at) {}
 
   char Peek() const { return at_ < text_.size() ? text_[at_] : '\0'; }
   char Take() {
@@ -49,7 +49,7 @@ class JsonStream {
 
  private:
   std::string_view text_;
-  std::size_t at_ = 0;
+  std::size_t at_;
   char before_ = '"';
 };
 
@@ -58,17 +58,22 @@ class JsonStream {
 /// Builds a tree from RapidJSON's events.
 class TreeBuilder : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, TreeBuilder> {
  public:
-  TreeBuilder(const InputText& input, JsonTree& tree)
-      : input_(input), tree_(tree), stream_(input.text) {}
+  TreeBuilder(const InputText& input, JsonTree& tree, std::size_t from)
+      : input_(input), tree_(tree), stream_(input.text, from), offset_(from) {}
 
-  void build() {
+  /// Returns where the value ends.
+  std::size_t build() {
     rapidjson::Reader reader;
     go_on(0);
     const rapidjson::ParseResult result =
         reader.Parse<rapidjson::kParseIterativeFlag | rapidjson::kParseNumbersAsStringsFlag |
-                     rapidjson::kParseValidateEncodingFlag>(stream_, *this);
+                     rapidjson::kParseStopWhenDoneFlag | rapidjson::kParseValidateEncodingFlag>(
+            stream_, *this);
     if (result.IsError()) refuse(result.Code(), result.Offset());
+    return stream_.Tell();
   }
+
+  [[noreturn]] void refuse(rapidjson::ParseErrorCode code, std::size_t offset);
 
   bool Null() { return add(); }
   bool Bool(bool) { return add(); }
@@ -111,8 +116,6 @@ class TreeBuilder : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, TreeB
     return true;
   }
 
-  [[noreturn]] void refuse(rapidjson::ParseErrorCode code, std::size_t offset);
-
   bool add() {
     tree_.nodes_.push_back({offset_, stream_.Tell()});
     // RapidJSON has taken a value, but not an opening bracket.
@@ -137,7 +140,7 @@ class TreeBuilder : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, TreeB
   const InputText& input_;
   JsonTree& tree_;
   JsonStream stream_;
-  std::size_t offset_ = 0;  ///< of the value or key that is read
+  std::size_t offset_;  ///< of the value or key that is read
   std::vector<Open> open_;
 };
 
@@ -175,7 +178,24 @@ void TreeBuilder::refuse(rapidjson::ParseErrorCode code, std::size_t offset) {
 }
 
 JsonTree::JsonTree(const InputText& input) : text_(input.text) {
-  TreeBuilder(input, *this).build();
+  TreeBuilder builder(input, *this, 0);
+  if (const std::size_t next = behind_blanks(builder.build()); next != text_.size())
+    builder.refuse(rapidjson::kParseErrorDocumentRootNotSingular, next);
+}
+
+JsonTree::JsonTree(const InputText& input, TextPlace& place)
+    : text_(input.text), start_(place), known_(place) {
+  TreeBuilder builder(input, *this, place.at);
+  const std::size_t end = builder.build(), next = behind_blanks(end);
+  const bool is_line = text_.substr(end, next - end).find('\n') != std::string_view::npos;
+  if (next != text_.size() &&
+      !(root().kind() == JsonValue::Kind::object && is_line && text_[next] == '{'))
+    builder.refuse(rapidjson::kParseErrorDocumentRootNotSingular, next);
+  place = {next, this->place(next)};
+}
+
+std::size_t JsonTree::behind_blanks(std::size_t at) const {
+  return std::min(text_.find_first_not_of(" \t\r\n", at), text_.size());
 }
 
 std::size_t JsonTree::next(std::size_t node) const {
@@ -184,12 +204,9 @@ std::size_t JsonTree::next(std::size_t node) const {
 }
 
 Position JsonTree::place(std::size_t at) const {
-  if (at < known_at_) {
-    known_at_ = 0;
-    known_place_ = {};
-  }
-  for (; known_at_ < at; ++known_at_) known_place_.pass(text_[known_at_]);
-  return known_place_;
+  if (at < known_.at) known_ = start_;
+  for (; known_.at < at; ++known_.at) known_.position.pass(text_[known_.at]);
+  return known_.position;
 }
 
 JsonValue::Iterator& JsonValue::Iterator::operator++() {

@@ -14,6 +14,12 @@ namespace oplus {
 
 class JsonTree;
 
+/// A place in a text.
+struct TextPlace {
+  std::size_t at = 0;  ///< how many bytes are before it
+  Position position = {};
+};
+
 /// A value in a tree, which must outlive it. An array's items are its range.
 class JsonValue {
  public:
@@ -63,6 +69,10 @@ class JsonTree {
   /// Requires: the input contains no zero byte, at which RapidJSON stops, and outlives the tree.
   explicit JsonTree(const InputText& input);
 
+  /// The value at a place, which moves behind it: to the end of the input, or to an object in a later line, which
+  /// may follow an object. Throws InvalidInput where anything else follows.
+  JsonTree(const InputText& input, TextPlace& place);
+
   JsonValue root() const { return {*this, 0}; }
 
  private:
@@ -76,13 +86,14 @@ class JsonTree {
   };
 
   std::size_t next(std::size_t node) const;
+  std::size_t behind_blanks(std::size_t at) const;
   Position place(std::size_t at) const;
 
   std::string_view text_;
   std::vector<Node> nodes_;
   std::map<std::size_t, std::string> unescaped_;  ///< by node, of the strings with escapes
-  mutable std::size_t known_at_ = 0;              ///< where a place was asked for last
-  mutable Position known_place_;
+  TextPlace start_;                               ///< of the value
+  mutable TextPlace known_;                       ///< where a position was asked for last
 };
 
 /// Returns "a number", "an array", ...

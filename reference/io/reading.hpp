@@ -46,12 +46,12 @@ using ReadingProgress = std::function<void(int percent)>;
 /// alone by a bracket, an SVG path by the command M or m, .dat by anything else (docs/files.md):
 ///  1. WKT: POLYGON, MULTIPOLYGON, a GEOMETRYCOLLECTION of these, EMPTY; several, one a line; also with
 ///     `SRID=4326;` before them;
-///  2. GeoJSON: Polygon, MultiPolygon, a GeometryCollection of these, Feature, FeatureCollection;
+///  2. GeoJSON: Polygon, MultiPolygon, a GeometryCollection of these, Feature, FeatureCollection; several likewise;
 ///  3. [[x, y], ...], arrays of these (the outer chain and holes), or arrays of such arrays;
 ///  4. SVG path data: M, L, H, V and Z, absolute or relative. A subpath inside another one that runs the
 ///     other way round is a hole;
-///  5. WKB, whose first byte is 0 or 1, in bytes or as hexadecimal digits: Polygon and MultiPolygon, without Z
-///     and M; an SRID is left out;
+///  5. WKB, whose first byte is 0 or 1, in bytes or as hexadecimal digits, then also several, one a line: Polygon
+///     and MultiPolygon; an SRID is left out;
 ///  6. .dat.
 /// All components together are one region. Vertices may have Z and M, which are left out. A ring ends with
 /// its first vertex, in .dat and SVG without it, in 3 with or without. With Overlaps::allowed the

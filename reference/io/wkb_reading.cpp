@@ -36,33 +36,15 @@ unsigned digit(char c) {
 
 class WkbReader {
  public:
-  WkbReader(const InputText& input, Wanted wanted) : input_(input), wanted_(wanted) {
-    if (!starts_in_hexadecimal(input.text)) {
-      bytes_ = input.text;
-      return;
-    }
-    const std::string_view word = first_word(input.text);
-    first_ = static_cast<std::size_t>(word.data() - input.text.data());
-    is_hexadecimal_ = true;
-    const auto other = std::find_if_not(word.begin(), word.end(), oplus::is_hexadecimal);
-    if (other != word.end())
-      refuse_at(first_ + static_cast<std::size_t>(other - word.begin()),
-                quote({&*other, 1}) + " in WKB", "hexadecimal digits");
-    const std::size_t after = first_ + word.size();
-    if (input.text.find_first_not_of(blanks, after) != std::string_view::npos)
-      refuse_at(after, "more than one word after the start of WKB", "hexadecimal digits only");
-    if (word.size() % 2 != 0)
-      refuse_at(after, "half a byte at the end", "two digits for each byte");
-    for (std::size_t i = 0; i < word.size(); i += 2)
-      decoded_ += static_cast<char>(digit(word[i]) << 4U | digit(word[i + 1]));
-    bytes_ = decoded_;
-  }
+  WkbReader(const InputText& input, Wanted wanted) : input_(input), wanted_(wanted) {}
 
   PlacedGeometry read() {
-    geometry(wanted_ == Wanted::sum ? any : polygons);
-    if (at_ != bytes_.size())
-      refuse(counted(bytes_.size() - at_, "byte", "bytes") + " after the geometry",
-             "the end of the input");
+    if (starts_in_hexadecimal(input_.text)) {
+      words();
+    } else {
+      bytes_ = input_.text;
+      whole_geometry();
+    }
     return std::move(result_);
   }
 
@@ -83,6 +65,53 @@ class WkbReader {
   inline static const Types any = {point_type, line_type,     polygon_type,   points_type,
                                    lines_type, polygons_type, collection_type};
 
+  /// Reads geometries in hexadecimal digits, one a line.
+  void words() {
+    is_hexadecimal_ = true;
+    Tokenizer tokens(input_, "");
+    while (!tokens.peek().is_end()) {
+      if (!tokens.is_first_of_line())
+        input_.refuse(tokens.peek().at, "more than one word in a line of WKB",
+                      "hexadecimal digits only");
+      const Token word = tokens.take();
+      start_ = word.at;
+      decode(word.text);
+      bytes_ = decoded_;
+      whole_geometry();
+    }
+  }
+
+  void decode(std::string_view word) {
+    const auto other = std::find_if_not(word.begin(), word.end(), oplus::is_hexadecimal);
+    if (other != word.end())
+      refuse_at(static_cast<std::size_t>(other - word.begin()), quote({&*other, 1}) + " in WKB",
+                "hexadecimal digits");
+    if (word.size() % 2 != 0)
+      refuse_at(word.size(), "half a byte at the end", "two digits for each byte");
+    decoded_.clear();
+    for (std::size_t i = 0; i < word.size(); i += 2)
+      decoded_ += static_cast<char>(digit(word[i]) << 4U | digit(word[i + 1]));
+  }
+
+  void whole_geometry() {
+    at_ = 0;
+    geometry(wanted_ == Wanted::sum ? any : polygons);
+    if (at_ != bytes_.size())
+      refuse_byte(at_, counted(bytes_.size() - at_, "byte", "bytes") + " after the geometry",
+                  "the end of the input");
+  }
+
+  /// Takes the signs of Z and M from a type. EWKB has bits for them, ISO thousands.
+  void take_dimension(std::uint32_t& type) {
+    constexpr std::uint32_t has_z = 0x80000000, has_m = 0x40000000;
+    const std::uint32_t thousands = (type & 0xFFFF) / 1000;
+    left_out_ = ((type & has_z) != 0 ? 1U : 0U) + ((type & has_m) != 0 ? 1U : 0U);
+    type &= ~(has_z | has_m);
+    if (thousands < 1 || thousands > 3) return;
+    left_out_ = thousands == 3 ? 2 : 1;
+    type -= thousands * 1000;
+  }
+
   /// Reads a geometry of one of these types.
   void geometry(const Types& types) {
     const std::size_t start = at_;
@@ -91,9 +120,8 @@ class WkbReader {
     is_little_ = order == 1;
     const std::size_t of_type = at_;
     auto type = number<std::uint32_t>();
-    constexpr std::uint32_t has_srid = 0x20000000, has_z = 0x80000000, has_m = 0x40000000;
-    if ((type & (has_z | has_m)) != 0 || (type < has_m && type >= 1000 && type < 4000))
-      refuse_byte(of_type, "coordinates with Z or M", "coordinates in the plane, x and y only");
+    constexpr std::uint32_t has_srid = 0x20000000;
+    take_dimension(type);
     if ((type & has_srid) != 0) {
       type &= ~has_srid;
       take(4);
@@ -137,7 +165,7 @@ class WkbReader {
   PlacedChain vertices_of(const std::string& name) {
     PlacedChain chain{.start = position(at_)};
     const auto count = number<std::uint32_t>();
-    if (count > (bytes_.size() - at_) / 16)
+    if (count > (bytes_.size() - at_) / (8 * (2 + left_out_)))
       refuse_byte(at_ - 4, name + " of " + std::to_string(count) + " vertices",
                   "no more than follow");
     chain.vertices.reserve(count);
@@ -151,6 +179,8 @@ class WkbReader {
     Point& vertex = chain.vertices.emplace_back();
     vertex.x = coordinate(name);
     vertex.y = coordinate(name);
+    take(8 * left_out_);
+    if (left_out_ > 0) ++result_.beyond_the_plane;
   }
 
   Rational coordinate(const std::string& name) {
@@ -180,10 +210,7 @@ class WkbReader {
   }
 
   Position position(std::size_t byte) const {
-    return {1, first_ + (is_hexadecimal_ ? 2 * byte : byte) + 1};
-  }
-  [[noreturn]] void refuse(const std::string& wrong, const std::string& expected) const {
-    refuse_byte(at_, wrong, expected);
+    return {start_.line, start_.column + (is_hexadecimal_ ? 2 * byte : byte)};
   }
   [[noreturn]] void refuse_byte(std::size_t byte, const std::string& wrong,
                                 const std::string& expected) const {
@@ -191,15 +218,16 @@ class WkbReader {
   }
   [[noreturn]] void refuse_at(std::size_t character, const std::string& wrong,
                               const std::string& expected) const {
-    input_.refuse({1, character + 1}, wrong, expected);
+    input_.refuse({start_.line, start_.column + character}, wrong, expected);
   }
 
   const InputText& input_;
   Wanted wanted_;
   std::string decoded_;
-  std::string_view bytes_;
-  std::size_t first_ = 0;
+  std::string_view bytes_;  ///< of the geometry that is read
+  Position start_;          ///< where they start
   std::size_t at_ = 0;
+  std::size_t left_out_ = 0;  ///< coordinates of each vertex besides x and y
   bool is_hexadecimal_ = false;
   bool is_little_ = true;
   PlacedGeometry result_;

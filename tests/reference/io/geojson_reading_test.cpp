@@ -51,6 +51,29 @@ TEST(GeoJson, members_come_in_any_order_and_strings_may_have_escapes) {
       "a string \"p/q\"");
 }
 
+TEST(GeoJson, of_several_lines_is_one_region) {
+  const std::string triangle = R"({"type": "Polygon", "coordinates": [[[0,0],[1,0],[0,1],[0,0]]]})";
+  const std::string other = R"({"type": "Feature", "geometry":
+      {"type": "Polygon", "coordinates": [[[5,5],[6,5],[5,6],[5,5]]]}})";
+  EXPECT_EQ(region_from("\n" + triangle + " \r\n\n " + other + "\n").region,
+            region_from("MULTIPOLYGON (((0 0, 1 0, 0 1, 0 0)), ((5 5, 6 5, 5 6, 5 5)))").region);
+  const auto refused = [](const std::string& text, const std::string& message) {
+    EXPECT_EQ(refusal([&] { region_from(text); }), message);
+  };
+  refused(triangle + " " + triangle, "file:1:65: '{' in JSON; expected the end of the input");
+  refused(triangle + "\n[]", "file:2:1: '[' in JSON; expected the end of the input");
+  refused("[[0,0],[1,0],[0,1]]\n" + triangle,
+          "file:2:1: '{' in JSON; expected the end of the input");
+  refused(triangle + "\n" + other + "\n {\"type\": 3}",
+          "file:4:11: the type of a geometry is a number; expected a string");
+  refused(triangle + "\n" + other + "\n\n{\"type\": \"Polygon\", \"coordinates\": [[[0,0],[1,x]]]}",
+          "file:5:47: 'x' in JSON; expected a value");
+  refused(triangle + "\n" + triangle,
+          "file:2:38: outer chain of component 1 and outer chain of component 2 overlap at (0, 0): "
+          "edge 1 from (0, 0) to (1, 0) and edge 1 from (0, 0) to (1, 0); expected chains that at "
+          "most touch in points");
+}
+
 std::string nested(std::size_t depth, const std::string& open) {
   std::string text;
   for (std::size_t i = 0; i < depth; ++i) text += open;
