@@ -47,6 +47,19 @@ TEST_F(OperationCommands, take_unbounded_regions) {
   expect_output("oplus reflect free.dat --format dat", "0\n1\n4\n0 0\n0 -9\n-9 -9\n-9 0\n");
 }
 
+/// What no format holds has a complement that one does.
+TEST_F(OperationCommands, name_the_complement_of_what_cannot_be_written) {
+  put("slot.dat", "0\n1\n8\n0 0\n0 9\n9 9\n9 6\n6 6\n6 3\n9 3\n9 0\n");
+  put("part.wkt", "POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))");
+  for (const std::string format : {"wkt", "dat", "geojson", "wkb"})
+    for (const std::string options : {"", " --grid 1"})
+      expect_refusal("oplus ifp slot.dat part.wkt --format " + format + options,
+                     "write its complement: that of ifp P Q is nfp of P's complement and Q");
+  expect_output(
+      "oplus complement slot.dat | oplus nfp - part.wkt",
+      "GEOMETRYCOLLECTION (POLYGON ((-3 -3, 9 -3, 9 9, -3 9, -3 -3)), LINESTRING (6 3, 9 3))\n");
+}
+
 TEST_F(OperationCommands, refuse_what_they_cannot_do) {
   expect_refusal("oplus ifp bin.wkt", "Q");
   expect_refusal("oplus ifp bin.wkt missing.wkt", "missing.wkt");
