@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <mutex>
-#include <thread>
 
 #include "checked/cli/batch/computation.hpp"
 #include "checked/cli/batch/geometry_lines.hpp"
@@ -124,10 +123,6 @@ class Writer {
   Results all_;
 };
 
-unsigned chosen_threads(const BatchOptions& options) {
-  return options.threads ? *options.threads : std::max(std::thread::hardware_concurrency(), 1U);
-}
-
 Computation computation_of(const BatchOptions& options) {
   Computation computation(options.operation);
   computation.boundary = options.boundary;
@@ -178,7 +173,7 @@ ExitCode of_pairs(const BatchOptions& options) {
       .pass_on = [&](Results&& results) { writer.pass_on(results); },
   });
   running = &work;
-  work.run(chosen_threads(options), [&] { writer.end_if_interrupted(); });
+  work.run(number_of(options.threads), [&] { writer.end_if_interrupted(); });
   return writer.finish();
 }
 
@@ -257,7 +252,7 @@ ExitCode of_parts(const BatchOptions& options) {
       .work = [&](Range&& range) { return pairs.results_of(range.first, range.last); },
       .pass_on = [&](Results&& results) { writer.pass_on(results); },
   });
-  work.run(chosen_threads(options), [&] { writer.end_if_interrupted(); });
+  work.run(number_of(options.threads), [&] { writer.end_if_interrupted(); });
   return writer.finish();
 }
 
@@ -310,11 +305,7 @@ void add_batch(CLI::App& program, Action& chosen) {
   add_file(command, "-o,--output", options.output,
            "write the results there, as a whole at the end; by default to standard output, as they "
            "come");
-  command
-      .add_option("--threads", options.threads,
-                  "the number of threads, by default one per core. The results are the same")
-      ->check(CLI::Range(1, 1024))
-      ->type_name("N");
+  add_threads(command, options.threads, "");
   command.footer(
       "Writes a line of JSON for each pair, in the order of the input (docs/batch.md). A pair that is "
       "invalid gets\n"

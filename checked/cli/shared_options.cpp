@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/cli/shared_options.hpp"
 
+#include <algorithm>
+#include <thread>
+
 namespace oplus {
 
 void add_output(CLI::App& command, RegionOutput& output, const std::string& what) {
@@ -52,6 +55,19 @@ void add_union(CLI::App& command, Overlaps& overlaps, const std::string& what) {
       "--union", [&overlaps] { overlaps = Overlaps::allowed; },
       "take the union of the polygons of " + what +
           ", which may overlap, share edges and contain each other; each by itself must be valid");
+}
+
+void add_threads(CLI::App& command, std::optional<unsigned>& threads, const std::string& what) {
+  command
+      .add_option(
+          "--threads", threads,
+          "the number of threads" + what + ", by default one per core. The result is the same")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+}
+
+unsigned number_of(const std::optional<unsigned>& threads) {
+  return threads ? *threads : std::max(std::thread::hardware_concurrency(), 1U);
 }
 
 void add_open(CLI::App& command, Boundary& boundary, const std::string& what) {

@@ -71,6 +71,12 @@ CLI::Option* add_angle_error(CLI::App& command, std::string& error);
 /// Adds `--union`. `what` is which inputs it is for.
 void add_union(CLI::App& command, Overlaps& overlaps, const std::string& what);
 
+/// Adds `--threads N`. `what` is whose they are: " of ...".
+void add_threads(CLI::App& command, std::optional<unsigned>& threads, const std::string& what);
+
+/// As many threads as were asked for; by default one per core.
+unsigned number_of(const std::optional<unsigned>& threads);
+
 /// Adds `--open`.
 void add_open(CLI::App& command, Boundary& boundary, const std::string& what);
 

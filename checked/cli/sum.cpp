@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <iostream>
-#include <thread>
 #include <tuple>
 
 #include "checked/arrangement/hole_test.hpp"
@@ -164,10 +163,9 @@ HoleTestMethod chosen_hole_test(const SumOptions& options, const Engine& engine)
 }
 
 unsigned chosen_threads(const SumOptions& options, const Engine& engine) {
-  if (!options.threads) return std::max(std::thread::hardware_concurrency(), 1U);
-  if (!engine.has_threads)
+  if (options.threads && !engine.has_threads)
     throw UsageError("--threads is unsupported by the engine " + engine.name);
-  return *options.threads;
+  return number_of(options.threads);
 }
 
 /// The same of sets of which one at least has segments or points (docs/polylines.md).
@@ -312,12 +310,7 @@ void add_sum(CLI::App& program, Action& chosen) {
                   "full convolution. The sum is the same")
       ->check(CLI::IsMember(hole_test_methods()))
       ->type_name("NAME");
-  command
-      .add_option("--threads", options.threads,
-                  "the number of threads of the engine slide, by default one per core. The sum is "
-                  "the same")
-      ->check(CLI::Range(1, 1024))
-      ->type_name("N");
+  add_threads(command, options.threads, " of the engine slide");
   add_file(
       command, "--svg", options.svg,
       "draw summands, convolutions and sum there, as SVG; convolutions of up to 20000 segments");
