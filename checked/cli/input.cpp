@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <optional>
+#include <set>
 
 #include "checked/cli/command_line/progress.hpp"
 #include "checked/cli/command_line/terminal.hpp"
@@ -107,12 +108,16 @@ MinkowskiSum union_in(const ReadSet& set) { return union_of(set.region, set.segm
 
 MinkowskiSum set_in(const ReadSet& read) {
   BoundaryFeatures features{{}, {}, read.points};
+  std::set<Point> ends;
   for (const Segment& s : read.segments) {
-    if (s.source == s.target)
-      features.isolated_vertices.push_back(s.source);
-    else
-      features.dangling_edges.push_back(s);
+    if (s.source == s.target) continue;
+    features.dangling_edges.push_back(s);
+    ends.insert({s.source, s.target});
   }
+  // A line string may repeat a vertex; one that does nothing else is a point.
+  for (const Segment& s : read.segments)
+    if (s.source == s.target && !ends.contains(s.source))
+      features.isolated_vertices.push_back(s.source);
   MinkowskiSum set = canonical_sum(read.region), low = canonical_sum(features);
   set.dangling_edges = std::move(low.dangling_edges);
   set.isolated_vertices = std::move(low.isolated_vertices);

@@ -89,6 +89,10 @@ TEST_F(ClosedSets, are_taken_by_operations) {
 TEST_F(ClosedSets, are_reflected) {
   expect_output("oplus reflect line.json",
                 "GEOMETRYCOLLECTION (LINESTRING (-4 -3, -4 0), LINESTRING (-4 0, 0 0))\n");
+  // A vertex that is repeated is no point beside the line.
+  expect_output("oplus reflect line.wkt", run("oplus reflect line.json").out);
+  expect_output("echo 'LINESTRING(1 2,1 2)' | oplus reflect -",
+                "GEOMETRYCOLLECTION (POINT (-1 -2))\n");
   expect_output("oplus reflect mixed.json",
                 "GEOMETRYCOLLECTION (POLYGON ((-1 -1, 0 -1, 0 0, -1 0, -1 -1)), POINT (-5 -5), "
                 "POINT (-1 -1))\n");
