@@ -5,21 +5,29 @@
 #include <vector>
 
 #include "reference/definitions/minkowski_sum.hpp"
+#include "reference/io/reading.hpp"
 
 namespace oplus {
 
 /// A named pair with its sums. What is written where: tests/corpus/pairs.txt.
-struct CorpusPair {
+template <typename Summand>
+struct CorpusRow {
   std::string name;
   std::string story;
-  Region p;
-  Region q;
+  Summand p;
+  Summand q;
   MinkowskiSum closed;
   MinkowskiSum open;
 };
 
-/// Returns the pairs in the order of the file. Throws InvalidInput or std::runtime_error, naming the
-/// row, where one is wrong.
+using CorpusPair = CorpusRow<Region>;
+using CorpusSets = CorpusRow<ReadSet>;
+
+/// Returns the pairs of regions in the order of the file. Throws InvalidInput or std::runtime_error, naming
+/// the row, where one is wrong.
 std::vector<CorpusPair> corpus();
+
+/// The other pairs likewise: in each of them P or Q has a line string or a point.
+std::vector<CorpusSets> corpus_of_sets();
 
 }  // namespace oplus

@@ -8,9 +8,15 @@
 
 #include "checked/arrangement/hole_test.hpp"
 #include "checked/engines/engines.hpp"
+#include "checked/operations/set_sum.hpp"
+#include "checked/operations/union_of.hpp"
+#include "checked/slide/slide.hpp"
 #include "properties/compare/corpus.hpp"
 #include "properties/runner/source_tree.hpp"
+#include "properties/statements/places/sets_meet.hpp"
 #include "reference/io/file_text.hpp"
+#include "reference/oracle/cell_sets.hpp"
+#include "reference/oracle/closed_set.hpp"
 #include "reference/oracle/oracle.hpp"
 #include "tests/checked/cli/page_text.hpp"
 #include "tests/reference/definitions/print.hpp"
@@ -18,17 +24,33 @@
 namespace oplus {
 namespace {
 
+/// The name and the story of each row, of regions and of other sets.
+std::vector<std::pair<std::string, std::string>> stories() {
+  std::vector<std::pair<std::string, std::string>> result;
+  for (const CorpusPair& row : corpus()) result.emplace_back(row.name, row.story);
+  for (const CorpusSets& row : corpus_of_sets()) result.emplace_back(row.name, row.story);
+  return result;
+}
+
 TEST(Corpus, rows_have_distinct_names_and_stories) {
-  const std::vector<CorpusPair> rows = corpus();
   std::set<std::string> names;
-  for (const CorpusPair& row : rows) {
-    EXPECT_TRUE(names.insert(row.name).second) << row.name << " occurs twice";
-    for (const char c : row.name)
-      EXPECT_TRUE(std::islower(c) || std::isdigit(c) || c == '_') << row.name;
-    EXPECT_TRUE(row.story.ends_with('.')) << row.name << ": no full stop";
+  for (const auto& [name, story] : stories()) {
+    EXPECT_TRUE(names.insert(name).second) << name << " occurs twice";
+    for (const char c : name) EXPECT_TRUE(std::islower(c) || std::isdigit(c) || c == '_') << name;
+    EXPECT_TRUE(story.ends_with('.')) << name << ": no full stop";
   }
   EXPECT_TRUE(names.contains("cgal_full_convolution_crash"));
   EXPECT_TRUE(names.contains("touching_diamond_hole_twice"));
+}
+
+TEST(Corpus, each_row_is_of_regions_or_of_other_sets) {
+  const std::string text = text_of_file(source_root() / "tests/corpus/pairs.txt");
+  std::set<std::string> of_sets;
+  for (const CorpusSets& row : corpus_of_sets()) of_sets.insert(row.name);
+  EXPECT_EQ(corpus().size() + of_sets.size(), found(text, "\n(name): ").size());
+  EXPECT_EQ(of_sets,
+            (std::set<std::string>{"cgal_segment_and_polygon", "clipper_open_path_and_pattern",
+                                   "clipper_filled_pattern_and_open_path"}));
 }
 
 /// A section of docs/findings.md, or a line of its tables, names the row and each version (6.1.1) or
@@ -39,15 +61,15 @@ TEST(Corpus, findings_have_each_row_whose_story_names_a_version_or_statement) {
   std::vector<std::string> sections;
   boost::iter_split(sections, page, boost::first_finder("\n## "));
   std::size_t told = 0;
-  for (const CorpusPair& row : corpus()) {
-    for (const std::string& number : found(row.story, "(\\d+(?:\\.\\d+)+)")) {
+  for (const auto& [name, story] : stories()) {
+    for (const std::string& number : found(story, "(\\d+(?:\\.\\d+)+)")) {
       ++told;
       EXPECT_TRUE(std::ranges::any_of(sections,
-                                      [&](const std::string& section) {
-                                        return boost::contains(section, '`' + row.name + '`') &&
+                                      [&, row = name](const std::string& section) {
+                                        return boost::contains(section, '`' + row + '`') &&
                                                boost::contains(section, number);
                                       }))
-          << "docs/findings.md lacks " << row.name << ' ' << number;
+          << "docs/findings.md lacks " << name << ' ' << number;
     }
   }
   EXPECT_GT(told, 12U);
@@ -61,6 +83,37 @@ TEST(Corpus, oracle_gives_the_sums_of_every_row) {
     const OracleSums swapped = oracle_sums(row.q, row.p);
     EXPECT_EQ(swapped.closed, row.closed) << row.name << ", swapped";
     EXPECT_EQ(swapped.open, row.open) << row.name << ", swapped";
+  }
+}
+
+ClosedSet closed_set(const ReadSet& set) { return {edges(set.region), set.segments, set.points}; }
+
+GivenSum parts(const ReadSet& set) { return {set.region, set.segments, set.points}; }
+
+MinkowskiSum sum_by_definition(const ReadSet& p, const ReadSet& q, Boundary boundary) {
+  return set_where(vertex_edge_sum(closed_set(p), closed_set(q)), boundary, [&](const Point& x) {
+    if (boundary == Boundary::closed)
+      return meet(translated(reflected(closed_set(q)), x), closed_set(p));
+    const GivenSum placed = reflected_to(x, parts(q));
+    return interior_meets(p.region, placed) || interior_meets(placed.region, parts(p));
+  });
+}
+
+TEST(Corpus, sums_of_sets_are_those_of_the_definition) {
+  for (const CorpusSets& row : corpus_of_sets()) {
+    for (const auto& [boundary, expected] :
+         {std::pair(Boundary::closed, row.closed), std::pair(Boundary::open, row.open)}) {
+      EXPECT_EQ(sum_by_definition(row.p, row.q, boundary), expected) << row.name;
+      const auto value = [](const ReadSet& set) {
+        return union_of(set.region, set.segments, set.points);
+      };
+      const auto of_regions = [](const Region& p, const Region& q, Boundary b) {
+        return slide_sum(p, q, b).sum;
+      };
+      EXPECT_EQ(set_sum(value(row.p), value(row.q), boundary, of_regions), expected) << row.name;
+      EXPECT_EQ(set_sum(value(row.q), value(row.p), boundary, of_regions), expected)
+          << row.name << ", swapped";
+    }
   }
 }
 

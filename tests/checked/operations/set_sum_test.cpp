@@ -92,11 +92,6 @@ TEST(SetSum, of_regions_is_what_the_engine_says) {
             set("POINT(7 7)"));
 }
 
-GivenSum parts_of(const std::string& text) {
-  const ReadSet read = read_set(text, "text");
-  return {read.region, read.segments, read.points};
-}
-
 /// Compares both sums with their definitions; returns the number of points.
 std::size_t expect_sums_of_the_definition(const GivenSum& p, const GivenSum& q) {
   const auto value = [](const GivenSum& parts) {
@@ -113,32 +108,6 @@ std::size_t expect_sums_of_the_definition(const GivenSum& p, const GivenSum& q) 
         << to_string(x);
   }
   return points.size();
-}
-
-/// CGAL's full convolution fails an assertion (docs/findings.md).
-TEST(SetSum, of_cgals_issue_8551) {
-  expect_sums_of_the_definition(parts_of("LINESTRING(824 627,689 555)"),
-                                parts_of("POLYGON((130 150,20 40,50 60,125 100,130 150))"));
-  EXPECT_EQ(sum("LINESTRING(824 627,689 555)", "POLYGON((130 150,20 40,50 60,125 100,130 150))"),
-            "POLYGON ((709 595, 844 667, 874 687, 949 727, 954 777, 819 705, 709 595))");
-}
-
-/// In Clipper2's result the edges of the pattern that are parallel to the path are missing.
-TEST(SetSum, of_clipper2s_issue_729) {
-  const std::string path = "LINESTRING(0 0,2 0)";
-  const std::string vertices =
-      "0 0,0 10,-30 10,-30 25,-50 25,-50 10,-70 10,-70 20,-100 20,-100 10,-100 0";
-  expect_sums_of_the_definition(parts_of("LINESTRING(" + vertices + ")"), parts_of(path));
-  EXPECT_EQ(sum("POLYGON((" + vertices + ",0 0))", path),
-            "POLYGON ((-100 0, 2 0, 2 10, -28 10, -28 25, -50 25, -50 10, -68 10, -68 20, -100 20, "
-            "-100 0))");
-  EXPECT_EQ(
-      sum("LINESTRING(" + vertices + ")", path),
-      "GEOMETRYCOLLECTION (MULTIPOLYGON (((-100 0, -98 0, -98 20, -100 20, -100 0)), "
-      "((-70 10, -68 10, -68 20, -70 20, -70 10)), ((-50 10, -48 10, -48 25, -50 25, -50 10)), "
-      "((-30 10, -28 10, -28 25, -30 25, -30 10)), ((0 0, 2 0, 2 10, 0 10, 0 0))), LINESTRING "
-      "(-98 20, -70 20), LINESTRING (-68 10, -50 10), LINESTRING (-48 25, -30 25), LINESTRING "
-      "(-28 10, 0 10))");
 }
 
 /// Clipper2's issue 409 expects a convex polygon.
