@@ -168,11 +168,13 @@ void judge_shares(const Statement& statement, PropertyRun& run) {
   run.shares_judged = run.run >= cases_to_judge_shares && !run.counterexample;
   if (!run.shares_judged) return;
   for (const Promise& promise : statement.promises) {
-    const std::size_t seen = run.classes[promise.classification];
+    const std::size_t seen =
+        (is_of_a_count(promise) ? run.counts : run.classes)[promise.classification];
     if (100 * seen < static_cast<std::size_t>(promise.percent) * run.run)
-      run.complaints.push_back("promised that " + std::to_string(promise.percent) +
-                               " % of the cases have " + promise.classification + ", saw " +
-                               std::to_string(seen) + " of " + std::to_string(run.run));
+      run.complaints.push_back("promised " + std::to_string(promise.percent) + " % " +
+                               (is_of_a_count(promise) ? "" : "cases with ") +
+                               promise.classification + ", saw " + std::to_string(seen) + " of " +
+                               std::to_string(run.run));
   }
 }
 

@@ -49,6 +49,12 @@ struct PropertyRun {
   bool passed() const { return complaints.empty(); }
 };
 
+/// Whether a promise is of a count of the outcomes instead of a class of pairs: "cases with ...", to which each
+/// outcome adds 1 or nothing.
+inline bool is_of_a_count(const Promise& promise) {
+  return promise.classification.starts_with("cases with ");
+}
+
 /// Below this number of cases a missed share says nothing, so shares are reported, not judged.
 constexpr std::size_t cases_to_judge_shares = 50;
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "properties/runner/classification.hpp"
+#include "properties/runner/property_run.hpp"
 #include "properties/runner/source_tree.hpp"
 
 namespace oplus {
@@ -62,7 +63,7 @@ void add_defects_of_entry(const Statement& s, const std::set<std::string>& mutan
       defect("size or weight of family " + source.family + " leaves no pair");
   }
   for (const Promise& promise : s.promises) {
-    if (!class_names().count(promise.classification))
+    if (!is_of_a_count(promise) && !class_names().count(promise.classification))
       defect("there is no class " + promise.classification);
     if (promise.percent < 1 || promise.percent > 100)
       defect("the promised share of " + promise.classification + " is no percentage");

@@ -45,7 +45,7 @@ struct Source {
   int weight;           ///< pairs are drawn from the sources in proportion
 };
 
-/// A class of pairs (see `named(Classification)`) and the least share of the cases that are in it.
+/// A class of pairs (`named(Classification)`, is_of_a_count()) and the least share of the cases in it.
 struct Promise {
   std::string classification;
   int percent;

@@ -12,6 +12,7 @@ namespace {
 
 Outcome check(const Summands& summands) {
   Outcome outcome;
+  bool has_edges = false, has_points = false;
   for (std::size_t kind = 0; kind < fitting_kinds; ++kind) {
     for (const bool second : {false, true}) {
       if (second && kind < 3) continue;
@@ -23,9 +24,13 @@ Outcome check(const Summands& summands) {
       outcome.counts["those with edges"] += !right.dangling_edges.empty();
       outcome.counts["those with points"] += !right.isolated_vertices.empty();
       outcome.counts["unbounded ones"] += right.is_unbounded;
+      has_edges = has_edges || !right.dangling_edges.empty();
+      has_points = has_points || !right.isolated_vertices.empty();
       if (value != right) return outcome.fail(how + ": " + told_apart(right, value));
     }
   }
+  outcome.counts["cases with exact fits along edges"] = has_edges;
+  outcome.counts["cases with exact fits at points"] = has_points;
   return outcome;
 }
 
@@ -46,7 +51,11 @@ const Registered registered({
     .rests_on = {"section-3.2"},
     // A frame that is too near shows where Q has components on both sides of it.
     .sources = {{"components", 3, 9}, {"tight", 2, 3}, {"grid", 5, 2}, {"holes", 3, 1}},
-    .promises = {{"holes", 5}, {"several components", 30}, {"parallel edges", 40}},
+    .promises = {{"cases with exact fits along edges", 20},
+                 {"cases with exact fits at points", 20},
+                 {"holes", 5},
+                 {"several components", 30},
+                 {"parallel edges", 40}},
     .kills = {"no-fit-without-a-turn", "complements-lose-their-points", "frames-are-too-near"},
     .cases = 60,
     .check = check,

@@ -78,6 +78,21 @@ TEST(PropertyRun, FailsOnAMissedShareOnly) {
   EXPECT_NE(run.complaints[0].find("several components"), std::string::npos);
 }
 
+TEST(PropertyRun, FailsOnAMissedShareOfACount) {
+  std::size_t calls = 0;
+  Statement s = statement_that([&](const Summands&) {
+    return Outcome{Outcome::Kind::holds, "", {{"cases with luck", ++calls % 4 == 0 ? 1 : 0}}};
+  });
+  s.promises = {{"cases with luck", 25}};
+  EXPECT_TRUE(run_property(s, options(100)).passed());
+  s.promises = {{"cases with luck", 26}};
+  const PropertyRun run = run_property(s, options(100));
+  ASSERT_EQ(run.complaints.size(), 1U);
+  EXPECT_NE(run.complaints[0].find("cases with luck, saw 25 of 100"), std::string::npos);
+  s.promises = {{"cases with talent", 1}};
+  EXPECT_EQ(run_property(s, options(100)).complaints.size(), 1U);
+}
+
 TEST(PropertyRun, SaysThatTooFewCasesRanToJudgeShares) {
   Statement s = that_always(Outcome::Kind::holds);
   s.promises = {{"several components", 90}};

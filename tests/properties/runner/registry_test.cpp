@@ -112,6 +112,8 @@ INSTANTIATE_TEST_SUITE_P(
         ChangedEntry{"NoFamily", "it names no family", [](Statement& s) { s.sources.clear(); }},
         ChangedEntry{"UnknownClass", "there is no class beauty",
                      [](Statement& s) { s.promises[0].classification = "beauty"; }},
+        ChangedEntry{"ShareOfACount", "",
+                     [](Statement& s) { s.promises[0].classification = "cases with luck"; }},
         ChangedEntry{"NoShare", "the promised share of holes is no percentage",
                      [](Statement& s) { s.promises[0].percent = 0; }},
         ChangedEntry{"NoCase", "a run has no case", [](Statement& s) { s.cases = 0; }},
