@@ -27,7 +27,12 @@ using Arrangement = CGAL::Arrangement_2<Traits, Cells>;
 
 static_assert(std::is_same_v<Kernel::FT::ET, Rational>, "CGAL is compiled with CGAL_USE_GMPXX");
 
-Kernel::FT number(const Rational& value) { return value; }
+Kernel::FT number(const Rational& value) {
+  if (OPLUS_MUTANT("arrangements-cut-fractions-off",
+                   "an arrangement has integer parts of coordinates"))
+    return Rational(mpz_class(value));
+  return value;
+}
 Rational number(const Kernel::FT& value) { return CGAL::exact(value); }
 
 /// CGAL 5.5 intersects lines in intervals, and where those overflow it finds no intersection

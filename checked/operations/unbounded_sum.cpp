@@ -32,7 +32,14 @@ MinkowskiSum sum_in_frames(const Set& p, bool p_is_unbounded, const Set& q, bool
 MinkowskiSum unbounded_sum(const Region& p, const Region& q, Boundary boundary, const SumOf& sum) {
   if (p.components.empty() || q.components.empty()) return {};
   return sum_in_frames(p, is_unbounded(p), q, is_unbounded(q),
-                       [&](const Region& a, const Region& b) { return sum(a, b, boundary); });
+                       [&](const Region& a, const Region& b) {
+                         return sum(a, b,
+                                    OPLUS_MUTANT("closed-sums-are-open",
+                                                 "a closed sum of regions that may be unbounded is "
+                                                 "that of their interiors")
+                                        ? Boundary::open
+                                        : boundary);
+                       });
 }
 
 MinkowskiSum unbounded_sum(const MinkowskiSum& p, const MinkowskiSum& q, Boundary boundary,

@@ -453,6 +453,9 @@ Prepared prepared_around(const Region& region, const MinkowskiSum& features, con
            "before a set is rounded to one that contains it, it grows by a quarter of a step "
            "instead of half of one")
            ? 4
+       : OPLUS_MUTANT("rounding-grows-by-twice-as-much",
+                      "before a set is rounded to one that contains it, it grows by a whole step")
+           ? 1
            : 2);
   Region sum = region_of(slide_sum(region, square_of(half), Boundary::closed).sum);
   if (!features.dangling_edges.empty() || !features.isolated_vertices.empty())
@@ -506,7 +509,11 @@ RoundedSet contained(const MinkowskiSum& set, Boundary boundary, const Rational&
   add(boundary_edges, edges(frame));
   const Region complement =
       region_of(canonical_sum(BoundaryFeatures{std::move(boundary_edges), {}, {}}));
-  Prepared around = prepared_around(complement, features_if(boundary == Boundary::open, set), step);
+  const bool has_features =
+      boundary == Boundary::open &&
+      !OPLUS_MUTANT("contained-covers-what-just-fits",
+                    "rounded inwards, an open sum has no regard to its edges and points");
+  Prepared around = prepared_around(complement, features_if(has_features, set), step);
 
   // Back again: without the frame, with the set on the left, and the outside as the last face of its complement.
   std::size_t with_frame = 0;
