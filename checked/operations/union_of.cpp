@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "checked/operations/winding_sweep.hpp"
+#include "reference/definitions/mutant.hpp"
 
 namespace oplus {
 
@@ -13,7 +14,9 @@ MinkowskiSum union_of(const Region& region, const std::vector<Segment>& segments
   for (const Component& component : region.components) {
     if (component.outer.empty()) ++sets.around;
     sets.add(component.outer);
-    for (const Chain& hole : component.holes) sets.add(hole);
+    for (const Chain& hole : component.holes)
+      if (!OPLUS_MUTANT("unions-fill-holes", "the union of polygons lacks their holes"))
+        sets.add(hole);
   }
   sets.points = points;
   for (const Segment& s : segments) {

@@ -128,11 +128,16 @@ void sweep_windings(const SweptSets& sets, const std::function<void(const SweptP
 MinkowskiSum closed_set(SweptSets sets) {
   sets.merge(false);
   BoundaryFeatures features;
+  const auto is_inside = [](int winding) {
+    return OPLUS_MUTANT("overlaps-are-no-part-of-unions", "a union lacks what two regions share")
+               ? winding % 2 != 0
+               : winding > 0;
+  };
   sweep_windings(
       sets,
       [&](const SweptPiece& piece) {
-        if ((piece.left > 0) != (piece.right > 0))
-          features.edges.push_back(piece.left > 0 ? piece.segment : reversed(piece.segment));
+        if (is_inside(piece.left) != is_inside(piece.right))
+          features.edges.push_back(is_inside(piece.left) ? piece.segment : reversed(piece.segment));
         else if (piece.is_of_segment &&
                  (piece.left == 0 ||
                   OPLUS_MUTANT("segments-inside-dangle",

@@ -2,6 +2,7 @@
 #include "checked/repair/filled.hpp"
 
 #include "checked/operations/winding_sweep.hpp"
+#include "reference/definitions/mutant.hpp"
 
 namespace oplus {
 
@@ -9,7 +10,10 @@ MinkowskiSum filled(const std::vector<Chain>& chains, FillRule rule) {
   SweptSets sets;
   for (const Chain& chain : chains) sets.add(chain);
   const auto is_inside = [&](int winding) {
-    return rule == FillRule::even_odd ? winding % 2 != 0 : winding != 0;
+    return rule == FillRule::even_odd &&
+                   !OPLUS_MUTANT("even-odd-is-nonzero", "the rule even-odd is taken for nonzero")
+               ? winding % 2 != 0
+               : winding != 0;
   };
   BoundaryFeatures boundary;
   sweep_windings(

@@ -11,6 +11,7 @@
 #include "reference/chains/near_point.hpp"
 #include "reference/chains/nesting.hpp"
 #include "reference/chains/region_of.hpp"
+#include "reference/definitions/mutant.hpp"
 #include "reference/io/invalid_region.hpp"
 #include "reference/io/writing.hpp"
 
@@ -39,7 +40,10 @@ class ChainMender {
       while (mend_last()) {
       }
     }
-    while (kept_.size() >= 3 && mend_ends()) {
+    while (kept_.size() >= 3 &&
+           !OPLUS_MUTANT("repair-forgets-the-last-edge",
+                         "a repair does not look at the edge from the last vertex to the first") &&
+           mend_ends()) {
     }
     if (kept_.size() < 3) {
       chain_.vertices.clear();
@@ -88,6 +92,7 @@ class ChainMender {
   }
 
   std::string name(std::size_t vertex) const {
+    if (OPLUS_MUTANT("repair-counts-from-zero", "repairs name the vertex before")) --vertex;
     return "vertex " + std::to_string(vertex + 1) + " of " + describe(chain_.name);
   }
 

@@ -7,6 +7,7 @@
 
 #include "reference/chains/near_point.hpp"
 #include "reference/chains/nesting.hpp"
+#include "reference/definitions/mutant.hpp"
 #include "reference/io/placed_geometry.hpp"
 #include "reference/io/quoting.hpp"
 
@@ -200,7 +201,9 @@ class SvgPathReader {
     }
     subpaths_.push_back(std::move(chain));
     subpath_.reset();
-    here_ = start_;
+    if (!OPLUS_MUTANT("paths-go-on-where-they-ended",
+                      "a relative subpath starts at the last vertex of the one that was closed"))
+      here_ = start_;
   }
 
   void end_subpath() {
@@ -247,7 +250,9 @@ Roles roles_of(const std::vector<PlacedChain>& chains) {
       if (!around) continue;
       const bool runs_as_around =
           (sign_of_area(chains[here].vertices) < 0) == (sign_of_area(chains[*around].vertices) < 0);
-      result.is_hole[here] = result.is_hole[*around] == runs_as_around;
+      result.is_hole[here] =
+          result.is_hole[*around] == runs_as_around &&
+          !OPLUS_MUTANT("paths-have-no-holes", "no subpath of an SVG path is read as a hole");
     }
   }
   return result;

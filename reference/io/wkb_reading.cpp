@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "reference/definitions/mutant.hpp"
 #include "reference/io/counted.hpp"
 #include "reference/io/placed_geometry.hpp"
 #include "reference/io/quoting.hpp"
@@ -117,7 +118,9 @@ class WkbReader {
     const std::size_t start = at_;
     const auto order = static_cast<unsigned char>(take(1)[0]);
     if (order > 1) refuse_byte(start, "the byte order " + std::to_string(order), "0 or 1");
-    is_little_ = order == 1;
+    if (start == 0 || !OPLUS_MUTANT("parts-have-the-first-byte-order",
+                                    "all parts of WKB are read in the byte order of the whole"))
+      is_little_ = order == 1;
     const std::size_t of_type = at_;
     auto type = number<std::uint32_t>();
     constexpr std::uint32_t has_srid = 0x20000000;

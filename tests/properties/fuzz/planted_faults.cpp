@@ -143,6 +143,10 @@ int run(const std::string& page_file) {
       if (inputs_until_found("", stream.inputs, stream.most) <= stream.most)
         fail(std::string(stream.target->name) + " finds something where there is no fault");
   for (const Mutant& fault : mutants()) {
+    // No target has texts of these forms; fact-forms-of-input names their faults.
+    if (fault.file == "reference/io/svg_path_reading.cpp" ||
+        fault.file == "reference/io/wkb_reading.cpp")
+      continue;
     const bool of_a_reader = fault.file.starts_with("reference/io/");
     const bool of_slide_too = fault.name == "touching-points-are-not-tested";
     // The target computes each sum once, so that nothing is prepared.

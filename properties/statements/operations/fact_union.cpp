@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/operations/union_of.hpp"
+#include "properties/runner/registry.hpp"
+#include "properties/statements/places/overlay.hpp"
+#include "reference/chains/region_of.hpp"
+#include "reference/chains/validity.hpp"
+#include "reference/io/writing.hpp"
+
+namespace oplus {
+
+namespace {
+
+/// P and Q as they are, which mostly overlap; with a vertex of Q on one of P; and P with itself, moved along
+/// its first edge, so that walls are shared.
+std::vector<std::vector<Region>> overlapping(const Summands& summands) {
+  const auto& [p, q] = summands;
+  const Chain &of_p = p.components[0].outer, &of_q = q.components[0].outer;
+  return {{p, q},
+          {p, translated(q, of_p[1] - of_q[0])},
+          {p, translated(p, of_p[1] - of_p[0]), translated(p, of_p[2] - of_p[0])}};
+}
+
+Outcome check(const Summands& summands) {
+  Outcome outcome;
+  for (const std::vector<Region>& polygons : overlapping(summands)) {
+    Region all;
+    std::vector<MinkowskiSum> sets;
+    for (const Region& one : polygons) {
+      all.components.insert(all.components.end(), one.components.begin(), one.components.end());
+      sets.push_back(canonical_sum(one));
+    }
+    const MinkowskiSum union_of_all = union_of(all);
+    const Region region = region_of(union_of_all);
+    if (const std::optional<Defect> defect = find_defect(region))
+      return outcome.fail("the union is invalid: " + describe(defect->kind), defect->where);
+    if (canonical_sum(region) != union_of_all)
+      return outcome.fail("the union is not in canonical form: " + wkt(region));
+    outcome.counts["unions with holes"] += has_hole(region);
+    sets.push_back(union_of_all);
+    for (const OverlaidPoint& x : overlaid(sets)) {
+      std::size_t times = 0;
+      for (std::size_t i = 0; i < polygons.size(); ++i) times += x.is_in(i, false);
+      ++outcome.counts[times > 1    ? "points in several polygons"
+                       : times == 1 ? "points in one polygon"
+                                    : "points in none"];
+      if (x.is_in(polygons.size(), false) != (times > 0))
+        return outcome.fail(to_string(x.point) + " is in " + std::to_string(times) +
+                                " polygons, and " + (times > 0 ? "not in" : "in") + " their union",
+                            x.point);
+    }
+  }
+  return outcome;
+}
+
+const Registered registered({
+    .id = "fact-union",
+    .title = "A point is in the union of polygons iff it is in one of them",
+    .statement =
+        "What `--union` makes of polygons that may overlap, touch and share edges is a valid region, and a point "
+        "is in it iff it is in one of the polygons. Tried on P and Q as they are and moved so that two vertices "
+        "meet, and on three copies of P that are moved along its edges.",
+    .why =
+        "All chains together wind around a point, on none of them, as often as polygons contain it, holes counted "
+        "against their outer chains. One plane sweep finds the edges with a positive number on one side only. "
+        "The test looks at a point of every cell of the overlay of all polygons and the union.",
+    .hypotheses = {"each polygon is valid by itself"},
+    .rests_on = {},
+    .sources =
+        {{"grid", 8, 4}, {"holes", 4, 3}, {"components", 4, 2}, {"tight", 4, 2}, {"star", 8, 1}},
+    .promises = {{"holes", 15}, {"several components", 10}, {"parallel edges", 40}},
+    .kills = {"overlaps-are-no-part-of-unions", "unions-fill-holes"},
+    .cases = 100,
+    .check = check,
+});
+
+}  // namespace
+
+}  // namespace oplus
