@@ -7,8 +7,12 @@
 #include "checked/operations/complement.hpp"
 #include "checked/operations/operations.hpp"
 #include "checked/operations/unbounded_sum.hpp"
+#include "checked/operations/union_of.hpp"
+#include "checked/rounding/rounding.hpp"
+#include "properties/compare/grid_promises.hpp"
 #include "properties/runner/fitting_pairs.hpp"
 #include "reference/chains/region_of.hpp"
+#include "reference/oracle/closed_set.hpp"
 #include "reference/oracle/operations_by_definition.hpp"
 
 namespace oplus {
@@ -17,13 +21,54 @@ namespace {
 
 using Compute = std::function<MinkowskiSum(const Region& p, const Region& q, const SumOf& sum)>;
 
+MinkowskiSum path_set(const Region& region) {
+  const ClosedSet set = path_and_points(region);
+  return union_of({}, set.edges, set.points);
+}
+
+/// Throws NoSum where a rounding breaks a promise.
+void require_roundings(const MinkowskiSum& sum) {
+  const Rational step(7, 3);
+  for (const Side side : {Side::nearest, Side::contain, Side::contained})
+    if (const auto broken =
+            broken_promise(sum, rounded(sum, Boundary::closed, step, side), step, side))
+      throw NoSum(NoSum::Kind::unreadable, broken->kind, broken->kind + ": " + broken->what);
+}
+
+/// Whether it takes no sums, so that one engine is as good as all.
+bool is_of_no_sum(const std::string& name) {
+  return name == "complement" || name == "union" || name == "path-sum" || name == "sum-of-paths";
+}
+
 Compute checked_operation(const std::string& name) {
   if (name == "complement")
     return
         [](const Region& p, const Region&, const SumOf&) { return complement(canonical_sum(p)); };
+  if (name == "union")
+    return [](const Region& p, const Region& q, const SumOf&) {
+      Region both = p;
+      both.components.insert(both.components.end(), q.components.begin(), q.components.end());
+      return union_of(both);
+    };
   if (name == "closed-sum")
     return [](const Region& p, const Region& q, const SumOf& sum) {
       return unbounded_sum(p, q, Boundary::closed, sum);
+    };
+  if (name == "path-sum")
+    return [](const Region& p, const Region& q, const SumOf& sum) {
+      return unbounded_sum(path_set(p), canonical_sum(q), Boundary::closed, sum);
+    };
+  if (name == "sum-of-paths")
+    return [](const Region& p, const Region& q, const SumOf& sum) {
+      MinkowskiSum of_q = path_set(q);
+      of_q.isolated_vertices.clear();
+      return unbounded_sum(path_set(p), of_q, Boundary::closed, sum);
+    };
+  if (name == "rounded-sum")
+    return [](const Region& p, const Region& q, const SumOf& sum) {
+      MinkowskiSum value = unbounded_sum(p, q, Boundary::closed, sum);
+      require_roundings(value);
+      return value;
     };
   for (const Operation& operation : operations())
     if (operation.name == name) return operation.compute;
@@ -71,8 +116,9 @@ constexpr std::size_t largest = 400;
 std::vector<std::string> operation_names() {
   std::vector<std::string> names;
   for (const Operation& operation : operations()) names.push_back(operation.name);
-  names.emplace_back("complement");
-  names.emplace_back("closed-sum");
+  for (const char* name :
+       {"complement", "union", "closed-sum", "path-sum", "sum-of-paths", "rounded-sum"})
+    names.emplace_back(name);
   return names;
 }
 
@@ -85,7 +131,7 @@ Rules rules_of_operation(const std::string& name, Rules of_sums) {
   const DefinedOperation* const defined = find_defined_operation(name);
   if (defined == nullptr) throw std::invalid_argument("no definition of " + name);
   const Compute operation = checked_operation(name);
-  if (name == "complement") of_sums.engines.resize(1);  // it takes no sum
+  if (is_of_no_sum(name)) of_sums.engines.resize(1);
   for (Engine& engine : of_sums.engines) engine = computing(operation, engine);
   of_sums.boundaries = {Boundary::closed};
   of_sums.judge = {"oracle", "the definition of " + name, largest,
@@ -112,7 +158,8 @@ std::vector<std::string> parts_of_value(const MinkowskiSum& value) {
 
 TaskSource pairs_that_fit(TaskSource source, const std::string& operation) {
   // Where both are unbounded, sums are the whole plane.
-  const bool is_a_sum = operation == "nfp" || operation == "closed-sum";
+  const bool is_a_sum =
+      operation == "nfp" || operation == "closed-sum" || operation == "rounded-sum";
   source.task = [task = source.task, is_a_sum](std::size_t i) {
     Task made = task(i);
     FittingPair fitting = fitting_pair(made.pair, i % fitting_kinds,

@@ -12,8 +12,13 @@ namespace oplus {
 // compared with the operation's definition. It is one set, so "closed" and "open" are the same in what is
 // judged, and engines are asked for the closed one only.
 
-/// Those of checked/operations/operations.hpp, "complement", and "closed-sum", of regions that may be
-/// unbounded.
+/// Those of checked/operations/operations.hpp, and of regions that may be unbounded:
+///  1. "complement", and "union", as `--union` makes it, of all components of P and Q;
+///  2. "closed-sum";
+///  3. "path-sum" and "sum-of-paths": closed sums of the path and points that path_and_points() makes of P with Q,
+///     and with the path of Q;
+///  4. "rounded-sum": closed-sum, which is also rounded to a grid, to each side; a rounding that breaks a promise
+///     (grid_promises.hpp) is a failure.
 std::vector<std::string> operation_names();
 
 /// "the definition of ifp"; of sums, the judge's name in words.

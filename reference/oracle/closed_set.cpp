@@ -63,6 +63,20 @@ ClosedSet closed_set(const MinkowskiSum& value) {
   return {edges(regular), value.dangling_edges, value.isolated_vertices, value.is_unbounded};
 }
 
+ClosedSet path_and_points(const Region& region) {
+  ClosedSet result;
+  for (const Chain& chain : chains(region)) {
+    if (chain.empty()) continue;
+    if (!result.edges.empty()) {
+      result.points.push_back(chain.front());
+    } else {
+      result.edges = edges(chain);
+      result.edges.pop_back();
+    }
+  }
+  return result;
+}
+
 ClosedSet translated(ClosedSet set, const Vector& by) {
   return mapped(std::move(set), [&](const Point& p) { return p + by; });
 }

@@ -25,6 +25,10 @@ struct ClosedSet {
 ClosedSet closed_set(const Region& region);
 ClosedSet closed_set(const MinkowskiSum& value);
 
+/// A path, with points: the edges of a region's first chain but the last one, and the first vertex of each other
+/// chain. Empty where the region has no chain.
+ClosedSet path_and_points(const Region& region);
+
 ClosedSet translated(ClosedSet set, const Vector& by);
 ClosedSet reflected(ClosedSet set);
 

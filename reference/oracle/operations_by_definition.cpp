@@ -29,6 +29,17 @@ MinkowskiSum sum(const Region& p, const Region& q) {
   return sums_of_points(closed_set(p), closed_set(q));
 }
 
+MinkowskiSum path_sum(const Region& p, const Region& q) {
+  return sums_of_points(path_and_points(p), closed_set(q));
+}
+
+/// Without points of Q: no sum of two points is a cell of the arrangement.
+MinkowskiSum sum_of_paths(const Region& p, const Region& q) {
+  ClosedSet of_q = path_and_points(q);
+  of_q.points.clear();
+  return sums_of_points(path_and_points(p), of_q);
+}
+
 MinkowskiSum nfp(const Region& p, const Region& q) {
   const ClosedSet set = closed_set(p), other = closed_set(q);
   const bool meet_far_away = set.is_unbounded && other.is_unbounded;
@@ -56,6 +67,14 @@ MinkowskiSum complement(const Region& p, const Region& /*any*/) {
                    [&](const Point& x) { return locate(x, p) != Location::inside; });
 }
 
+MinkowskiSum union_of(const Region& p, const Region& q) {
+  std::vector<Segment> all = edges(p);
+  for (const Segment& e : edges(q)) all.push_back(e);
+  return set_where(all, Boundary::closed, [&](const Point& x) {
+    return locate(x, p) != Location::outside || locate(x, q) != Location::outside;
+  });
+}
+
 }  // namespace
 
 const std::vector<DefinedOperation>& defined_operations() {
@@ -70,7 +89,13 @@ const std::vector<DefinedOperation>& defined_operations() {
        "the closure of the interior of the set of all x for which each point of Q + x is the sum "
        "of a point of P and one of Q",
        close},
-      {"complement", "all x that are not inside P", complement}};
+      {"complement", "all x that are not inside P", complement},
+      {"union", "all x that are in P or in Q", union_of},
+      {"path-sum", "all sums of a point of Q and one of the path and points made of P", path_sum},
+      {"sum-of-paths",
+       "all sums of a point of the path made of Q and one of the path and points made of P",
+       sum_of_paths},
+      {"rounded-sum", "closed-sum, which was rounded to a grid as promised", sum}};
   return all;
 }
 

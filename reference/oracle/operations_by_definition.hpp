@@ -10,7 +10,7 @@ namespace oplus {
 
 /// An operation by its definition: which points are in P ∘ Q.
 struct DefinedOperation {
-  std::string name;        ///< as in checked/operations/operations.hpp
+  std::string name;        ///< as in properties/compare/operation.hpp
   std::string definition;  ///< a line: "all x for which ..."
 
   /// Requires: p and q are valid; both may be unbounded. Throws VerdictsDiffer where the points make no

@@ -121,8 +121,8 @@ TEST_F(DiffCommand, compares_an_operation_with_its_definition) {
 
 TEST_F(DiffCommand, compares_operations_of_unbounded_regions) {
   put("outside.dat", "0\n1\n4\n0 0\n0 4\n4 4\n4 0\n");
-  for (const char* operation :
-       {"nfp", "ifp", "erode", "open", "close", "complement", "closed-sum"}) {
+  for (const char* operation : {"nfp", "ifp", "erode", "open", "close", "complement", "union",
+                                "closed-sum", "rounded-sum"}) {
     const Ran ran =
         diff(std::string("--pair outside.dat square.dat --engine slide --operation ") + operation);
     EXPECT_EQ(ran.exit_code, 0) << operation << ran.err;
