@@ -2,17 +2,15 @@
 #include "checked/rounding/rounding.hpp"
 
 #include <algorithm>
-#include <boost/pending/disjoint_sets.hpp>
-#include <optional>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
-#include "checked/rounding/snap_rounding.hpp"
+#include "checked/rounding/faces.hpp"
+#include "checked/rounding/snapped_edges.hpp"
+#include "checked/rounding/topology_changes.hpp"
 #include "checked/slide/slide.hpp"
 #include "checked/verify/grown_features.hpp"
 #include "checked/verify/overlay.hpp"
-#include "reference/chains/nesting.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/chains/swept_cells.hpp"
 #include "reference/chains/touching_points.hpp"
@@ -23,328 +21,6 @@
 namespace oplus {
 
 namespace {
-
-/// A chain of a region: the number of its component, and of its hole, counted through the region; an outer chain
-/// has none.
-struct ChainPlace {
-  std::size_t component;
-  std::optional<std::size_t> hole;
-};
-
-std::vector<ChainPlace> places_of_chains(const Region& region) {
-  std::vector<ChainPlace> result;
-  std::size_t holes = 0;
-  for (std::size_t c = 0; c < region.components.size(); ++c) {
-    result.push_back({c, std::nullopt});
-    for (std::size_t h = 0; h < region.components[c].holes.size(); ++h)
-      result.push_back({c, holes++});
-  }
-  return result;
-}
-
-std::size_t hole_count(const Region& region) {
-  std::size_t count = 0;
-  for (const Component& component : region.components) count += component.holes.size();
-  return count;
-}
-
-/// Edges with the set on the left, and the faces on both sides of each: components, and holes, after which the
-/// outside has the last number.
-struct Boundaries {
-  std::vector<Segment> edges;
-  std::vector<std::size_t> left;
-  std::vector<std::size_t> right;
-};
-
-/// The face of the complement that is around a chain of a region: its own, of a hole.
-std::vector<std::size_t> faces_right_of_chains(const std::vector<ChainPlace>& places,
-                                               const Nesting& nesting, std::size_t outside) {
-  std::vector<std::size_t> result;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    std::optional<std::size_t> chain = i;
-    while (chain && !places[*chain].hole) chain = nesting.around(*chain);
-    result.push_back(chain ? *places[*chain].hole : outside);
-  }
-  return result;
-}
-
-Boundaries boundaries_of(const Region& region) {
-  const std::vector<const Chain*> all = chains_in(region);
-  const std::vector<ChainPlace> places = places_of_chains(region);
-  const std::vector<std::size_t> right =
-      faces_right_of_chains(places, nesting(SweptChains(all)), hole_count(region));
-  Boundaries result;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    for (Segment& e : edges(*all[i])) {
-      result.edges.push_back(std::move(e));
-      result.left.push_back(places[i].component);
-      result.right.push_back(right[i]);
-    }
-  }
-  return result;
-}
-
-/// Faces of one kind, components or those of the complement, and which of them became one.
-class Faces {
- public:
-  explicit Faces(std::size_t count) : count_(count), sets_(count) {}
-
-  void join(std::size_t a, std::size_t b) {
-    const std::size_t of_a = sets_.find_set(a), of_b = sets_.find_set(b);
-    if (of_a == of_b) return;
-    sets_.link(of_a, of_b);
-  }
-  std::size_t one_of(std::size_t face) { return sets_.find_set(face); }
-  std::size_t size() const { return count_; }
-
- private:
-  std::size_t count_;
-  boost::disjoint_sets_with_storage<> sets_;
-};
-
-/// The set to be rounded, and the faces of the given one that its edges separate.
-struct Prepared {
-  Boundaries boundaries;
-  Faces components;
-  Faces complement;
-  std::size_t component_count = 0;   ///< other numbers are those of no component of the given set
-  std::size_t complement_count = 0;  ///< likewise
-  std::size_t outside = 0;           ///< the number of the face around all chains
-};
-
-/// What contains a region without touching its boundary, and the faces of the region that its own contain, or are
-/// contained in.
-Prepared prepared(const Region& region, const Region& sum) {
-  // They don't touch, so that one sweep nests the chains of both.
-  std::vector<const Chain*> all = chains_in(region);
-  const std::size_t of_region = all.size();
-  const std::vector<const Chain*> of_sum = chains_in(sum);
-  all.insert(all.end(), of_sum.begin(), of_sum.end());
-  const Nesting around = nesting(SweptChains(all));
-  const auto innermost = [&](std::size_t chain, bool in_region) {
-    std::optional<std::size_t> result = around.around(chain);
-    while (result && (*result < of_region) != in_region) result = around.around(*result);
-    return result;
-  };
-  const std::vector<ChainPlace> places = places_of_chains(region);
-  const std::vector<ChainPlace> places_in_sum = places_of_chains(sum);
-  const std::size_t outside = hole_count(region);
-  Prepared result{{}, Faces(region.components.size() + 1), Faces(outside + 2)};
-  result.component_count = region.components.size();
-  result.complement_count = outside + 1;
-  result.outside = outside;
-
-  std::vector<std::optional<std::size_t>> first_in(sum.components.size());
-  for (std::size_t i = 0; i < of_region; ++i) {
-    if (places[i].hole) continue;
-    const std::optional<std::size_t> chain = innermost(i, false);
-    if (!chain) continue;
-    std::optional<std::size_t>& first = first_in[places_in_sum[*chain - of_region].component];
-    if (first) result.components.join(*first, places[i].component);
-    first = places[i].component;
-  }
-  for (std::size_t i = 0; i < of_sum.size(); ++i) {
-    const std::size_t component = places_in_sum[i].component;
-    // The complement of the sum beside a chain is in that of the region.
-    std::optional<std::size_t> chain = of_region + i;
-    while (chain && (*chain < of_region || !places_in_sum[*chain - of_region].hole))
-      chain = around.around(*chain);
-    if (chain) chain = innermost(*chain, true);
-    const std::size_t face = chain ? places[*chain].hole.value_or(outside) : outside;
-    for (Segment& e : edges(*of_sum[i])) {
-      result.boundaries.edges.push_back(std::move(e));
-      result.boundaries.left.push_back(first_in[component].value_or(result.component_count));
-      result.boundaries.right.push_back(face);
-    }
-  }
-  return result;
-}
-
-/// How often edges run along a link forth and back, the faces on their left and right sides by number.
-struct Link {
-  Segment link;  ///< from its smaller end
-  bool forth;
-  std::size_t left;
-  std::size_t right;
-};
-
-/// Counts of one kind of faces.
-struct FaceChanges {
-  std::size_t vanished = 0;
-  std::size_t joined = 0;
-  std::size_t split = 0;
-  std::size_t with_outside = 0;
-  std::size_t new_ones = 0;
-};
-
-/// Counts what happened to faces: `is_left[f]` where something is left of face f, `now` has the face of which each face of
-/// the result is a part. Only the first `count` are faces of the given set; what became of the outside is counted apart.
-FaceChanges counted_changes(Faces& faces, const std::vector<bool>& is_left,
-                            const std::vector<std::size_t>& now, std::size_t count,
-                            std::optional<std::size_t> outside) {
-  FaceChanges result;
-  std::vector<std::size_t> before(faces.size(), 0), after(faces.size(), 0);
-  for (std::size_t f = 0; f < count; ++f) {
-    if (f == outside) continue;
-    if (!is_left[f])
-      ++result.vanished;
-    else if (outside && faces.one_of(f) == faces.one_of(*outside))
-      ++result.with_outside;
-    else
-      ++before[faces.one_of(f)];
-  }
-  for (const std::size_t f : now) ++after[faces.one_of(f)];
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    if (before[f] == 0) result.new_ones += after[f];
-    if (before[f] > 1) result.joined += before[f];
-    if (before[f] > 0 && after[f] > 1) ++result.split;
-  }
-  return result;
-}
-
-/// Boundaries, rounded: links of which one more runs forth than back, or the other way round, and what happened to
-/// the faces.
-struct Snapped {
-  std::vector<Segment> edges;  ///< of the new boundary, the set to the left; they meet at ends only
-  std::vector<Segment> others;  ///< links that are on none, or on both sides in the set
-  std::vector<Point> points;    ///< of chains that became points
-  FaceChanges components;
-  FaceChanges complement;
-};
-
-/// The simple chains around each component of the interior and the holes in it: as programs want polygons whose interior is
-/// connected. Requires: edges meet at ends only.
-Region region_with_connected_interiors(std::vector<Segment> edges) {
-  for (Segment& e : edges) e = reversed(e);
-  // Each chain of a sum bounds one face of the complement, here of the set.
-  MinkowskiSum faces = canonical_sum(BoundaryFeatures{std::move(edges), {}, {}});
-  MinkowskiSum turned;
-  for (std::vector<Chain>* chains : {&faces.outer, &faces.holes}) {
-    for (Chain& chain : *chains) {
-      std::reverse(chain.begin(), chain.end());
-      turned.outer.push_back(std::move(chain));
-    }
-  }
-  Region region = region_of(turned);
-  const auto start_at_smallest = [](Chain& chain) {
-    std::rotate(chain.begin(),
-                chain.begin() + static_cast<std::ptrdiff_t>(start_of_smallest_rotation(chain)),
-                chain.end());
-  };
-  for (Component& component : region.components) {
-    start_at_smallest(component.outer);
-    std::ranges::for_each(component.holes, start_at_smallest);
-    std::ranges::sort(component.holes);
-  }
-  std::ranges::sort(region.components, {}, &Component::outer);
-  return region;
-}
-
-Snapped snapped(const Prepared& prepared, const HotPixels& hot) {
-  const auto& [edges, left, right] = prepared.boundaries;
-  Snapped result;
-  std::vector<Link> links;
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    const std::vector<Point> passed = hot.passed(edges[i]);
-    for (std::size_t k = 1; k < passed.size(); ++k) {
-      const bool forth = passed[k - 1] < passed[k];
-      links.push_back(
-          {forth ? Segment{passed[k - 1], passed[k]} : Segment{passed[k], passed[k - 1]}, forth,
-           left[i], right[i]});
-    }
-    result.points.push_back(passed.front());
-  }
-  std::sort(links.begin(), links.end(),
-            [](const Link& a, const Link& b) { return a.link < b.link; });
-
-  Faces components = prepared.components, complement = prepared.complement;
-  std::vector<bool> component_is_left(components.size(), false);
-  std::vector<bool> complement_is_left(complement.size(), false);
-  // How often each face is beside a link, counted with the sign of the direction.
-  const auto net = [](std::vector<std::pair<std::size_t, int>>& turns, std::vector<bool>& is_left,
-                      Faces& faces) {
-    std::sort(turns.begin(), turns.end());
-    std::optional<std::size_t> first;
-    for (std::size_t i = 0; i < turns.size();) {
-      const std::size_t face = turns[i].first;
-      int sum = 0;
-      for (; i < turns.size() && turns[i].first == face; ++i) sum += turns[i].second;
-      if (sum == 0) continue;
-      is_left[face] = true;
-      if (first) faces.join(*first, face);
-      first = face;
-    }
-  };
-  struct NewEdge {
-    Segment edge;
-    std::size_t left;
-    std::size_t right;
-  };
-  std::vector<NewEdge> new_edges;
-  for (std::size_t i = 0; i < links.size();) {
-    const std::size_t begin = i;
-    int turns = 0;
-    std::vector<std::pair<std::size_t, int>> of_components, of_complement;
-    for (; i < links.size() && links[i].link == links[begin].link; ++i) {
-      const int turn = links[i].forth ? 1 : -1;
-      turns += turn;
-      of_components.emplace_back(links[i].left, turn);
-      of_complement.emplace_back(links[i].right, -turn);
-    }
-    net(of_components, component_is_left, components);
-    net(of_complement, complement_is_left, complement);
-    const Segment& link = links[begin].link;
-    if (turns == 0) {
-      result.others.push_back(link);
-      continue;
-    }
-    const auto remaining =
-        std::find_if(links.begin() + static_cast<std::ptrdiff_t>(begin), links.end(),
-                     [&](const Link& one) { return one.forth == (turns > 0); });
-    new_edges.push_back({turns > 0 ? link : reversed(link), remaining->left, remaining->right});
-  }
-  std::vector<Point> ends;
-  for (const Link& one : links) {
-    ends.push_back(one.link.source);
-    ends.push_back(one.link.target);
-  }
-  ends = sorted_without_copies(std::move(ends));
-  std::erase_if(result.points,
-                [&](const Point& p) { return std::binary_search(ends.begin(), ends.end(), p); });
-
-  // Which faces those of the result are.
-  std::sort(new_edges.begin(), new_edges.end(),
-            [](const NewEdge& a, const NewEdge& b) { return a.edge < b.edge; });
-  for (const NewEdge& e : new_edges) result.edges.push_back(e.edge);
-  const auto at_start = [&](const Chain& chain) -> const NewEdge& {
-    auto e = new_edges.end();
-    if (chain.size() > 2) {
-      const Vector along = chain[1] - chain[0];
-      e = std::find_if(
-          std::lower_bound(new_edges.begin(), new_edges.end(), chain[0],
-                           [](const NewEdge& one, const Point& p) { return one.edge.source < p; }),
-          new_edges.end(), [&](const NewEdge& one) {
-            const Vector direction = direction_of(one.edge);
-            return one.edge.source != chain[0] ||
-                   (sgn(cross(along, direction)) == 0 && sgn(dot(along, direction)) > 0);
-          });
-    }
-    if (e == new_edges.end() || e->edge.source != chain[0])
-      throw std::logic_error("edges cross that were rounded");
-    return *e;
-  };
-  std::vector<std::size_t> components_now, holes_now;
-  for (const Component& component : region_with_connected_interiors(result.edges).components)
-    components_now.push_back(at_start(component.outer).left);
-  const MinkowskiSum sum = canonical_sum(BoundaryFeatures{result.edges, {}, {}});
-  for (const Component& component : region_of(sum).components)
-    for (const Chain& hole : component.holes) holes_now.push_back(at_start(hole).right);
-  result.components = counted_changes(components, component_is_left, components_now,
-                                      prepared.component_count, std::nullopt);
-  result.complement = counted_changes(complement, complement_is_left, holes_now,
-                                      prepared.complement_count, prepared.outside);
-  return result;
-}
 
 std::vector<Point> ends_of(const std::vector<Segment>& segments) {
   std::vector<Point> result;
@@ -364,43 +40,24 @@ void add(std::vector<Segment>& to, const std::vector<Segment>& segments) {
   to.insert(to.end(), segments.begin(), segments.end());
 }
 
-TopologyChanges changes_of(const FaceChanges& components, const FaceChanges& complement) {
-  return {.vanished_components = components.vanished,
-          .joined_components = components.joined,
-          .split_components = components.split,
-          .new_components = components.new_ones,
-          .closed_holes = complement.vanished,
-          .joined_holes = complement.joined,
-          .split_holes = complement.split,
-          .opened_holes = complement.with_outside,
-          .new_holes = complement.new_ones};
-}
-
-/// Puts the boundary of what was snapped there.
-void put_edges(RoundedSet& result, std::vector<Segment> edges) {
+RoundedSet bounded_by(std::vector<Segment> edges) {
+  RoundedSet result;
   result.set = canonical_sum(BoundaryFeatures{edges, {}, {}});
   result.region = region_with_connected_interiors(std::move(edges));
+  return result;
 }
 
 RoundedSet nearest(const MinkowskiSum& set, Boundary boundary, const Rational& step) {
-  const Region region = region_of(set);
-  const std::size_t components = region.components.size(), outside = hole_count(region);
-  const Prepared prepared{.boundaries = boundaries_of(region),
-                          .components = Faces(components + 1),
-                          .complement = Faces(outside + 2),
-                          .component_count = components,
-                          .complement_count = outside + 1,
-                          .outside = outside};
-  std::vector<Point> points = ends_of(prepared.boundaries.edges);
+  const Boundaries boundaries = boundaries_of(set);
+  std::vector<Point> points = ends_of(boundaries.edges);
   std::vector<Segment> dangling;
   for (const std::vector<Segment>& pieces : swept_pieces(set.dangling_edges)) add(dangling, pieces);
   add(points, ends_of(dangling));
   add(points, set.isolated_vertices);
   const HotPixels hot(points, step);
-  Snapped all = snapped(prepared, hot);
-  RoundedSet result;
-  result.changes = changes_of(all.components, all.complement);
-  put_edges(result, std::move(all.edges));
+  const SnappedEdges snapped(boundaries.edges, hot);
+  RoundedSet result = bounded_by(snapped.left);
+  result.changes = changes_by_snapping(boundaries, snapped, result.set);
 
   // Edges and points: those of an open set's complement that are still in the set, or those of a closed set outside of
   // it.
@@ -413,8 +70,8 @@ RoundedSet nearest(const MinkowskiSum& set, Boundary boundary, const Rational& s
   }
   for (const Point& p : set.isolated_vertices) centres.push_back(nearest_grid_point(p, step));
   if (boundary == Boundary::open) {
-    add(links, all.others);
-    add(centres, all.points);
+    add(links, snapped.thin);
+    add(centres, snapped.points);
   }
   if (links.empty() && centres.empty()) return result;
   const Location wanted = boundary == Boundary::open ? Location::inside : Location::outside;
@@ -444,8 +101,8 @@ Region square_of(const Rational& half) {
   return polygon({{-half, -half}, {half, -half}, {half, half}, {-half, half}});
 }
 
-/// Rounds a region, and the edges and points of a set, so that the result contains them.
-Prepared prepared_around(const Region& region, const MinkowskiSum& features, const Rational& step) {
+/// A set, and the edges and points of another one, grown so that it contains them also when it is rounded.
+MinkowskiSum grown(const MinkowskiSum& set, const MinkowskiSum& features, const Rational& step) {
   const Rational half =
       step /
       (OPLUS_MUTANT(
@@ -457,14 +114,13 @@ Prepared prepared_around(const Region& region, const MinkowskiSum& features, con
                       "before a set is rounded to one that contains it, it grows by a whole step")
            ? 1
            : 2);
-  Region sum = region_of(slide_sum(region, square_of(half), Boundary::closed).sum);
-  if (!features.dangling_edges.empty() || !features.isolated_vertices.empty())
-    sum = region_of(with_grown_features(sum, features, half));
-  return prepared(region, sum);
+  MinkowskiSum sum = slide_sum(region_of(set), square_of(half), Boundary::closed).sum;
+  if (features.dangling_edges.empty() && features.isolated_vertices.empty()) return sum;
+  return with_grown_features(region_of(sum), features, half);
 }
 
-Snapped snapped(const Prepared& prepared, const Rational& step) {
-  return snapped(prepared, HotPixels(ends_of(prepared.boundaries.edges), step));
+RoundedSet snapped(const std::vector<Segment>& edges, const Rational& step) {
+  return bounded_by(SnappedEdges(edges, HotPixels(ends_of(edges), step)).left);
 }
 
 const MinkowskiSum& features_if(bool wanted, const MinkowskiSum& set) {
@@ -473,11 +129,10 @@ const MinkowskiSum& features_if(bool wanted, const MinkowskiSum& set) {
 }
 
 RoundedSet contain(const MinkowskiSum& set, Boundary boundary, const Rational& step) {
-  RoundedSet result;
-  Snapped all = snapped(
-      prepared_around(region_of(set), features_if(boundary == Boundary::closed, set), step), step);
-  result.changes = changes_of(all.components, all.complement);
-  put_edges(result, std::move(all.edges));
+  RoundedSet result = snapped(
+      boundary_pieces(region_of(grown(set, features_if(boundary == Boundary::closed, set), step))),
+      step);
+  result.changes = changes_by_containment(set, result.set, true);
   if (boundary == Boundary::open)
     result.changes.lost_edges_and_points = set.dangling_edges.size() + set.isolated_vertices.size();
   return result;
@@ -499,41 +154,29 @@ Chain frame_around(const std::vector<Point>& points, const Rational& step) {
 
 /// The complement of what contains the complement, both in a frame.
 RoundedSet contained(const MinkowskiSum& set, Boundary boundary, const Rational& step) {
-  const Region region = region_of(set);
-  std::vector<Segment> boundary_edges = boundary_pieces(region);
-  std::vector<Point> points = ends_of(boundary_edges);
+  std::vector<Segment> edges_with_frame = boundary_pieces(region_of(set));
+  std::vector<Point> points = ends_of(edges_with_frame);
   add(points, ends_of(set.dangling_edges));
   add(points, set.isolated_vertices);
   const Chain frame = frame_around(points, step);
-  for (Segment& e : boundary_edges) e = reversed(e);
-  add(boundary_edges, edges(frame));
-  const Region complement =
-      region_of(canonical_sum(BoundaryFeatures{std::move(boundary_edges), {}, {}}));
+  for (Segment& e : edges_with_frame) e = reversed(e);
+  add(edges_with_frame, edges(frame));
+  const MinkowskiSum complement =
+      canonical_sum(BoundaryFeatures{std::move(edges_with_frame), {}, {}});
   const bool has_features =
       boundary == Boundary::open &&
       !OPLUS_MUTANT("contained-covers-what-just-fits",
                     "rounded inwards, an open sum has no regard to its edges and points");
-  Prepared around = prepared_around(complement, features_if(has_features, set), step);
-
-  // Back again: without the frame, with the set on the left, and the outside as the last face of its complement.
-  std::size_t with_frame = 0;
-  for (std::size_t c = 0; c < complement.components.size(); ++c)
-    if (std::ranges::count(complement.components[c].outer, frame[0]) > 0) with_frame = c;
-  const std::size_t beyond_frame = hole_count(complement);
-  Prepared turned{{}, std::move(around.complement), std::move(around.components)};
-  turned.component_count = beyond_frame;
-  turned.complement_count = complement.components.size();
-  turned.outside = with_frame;
-  for (std::size_t i = 0; i < around.boundaries.edges.size(); ++i) {
-    if (around.boundaries.right[i] == beyond_frame) continue;
-    turned.boundaries.edges.push_back(reversed(around.boundaries.edges[i]));
-    turned.boundaries.left.push_back(around.boundaries.right[i]);
-    turned.boundaries.right.push_back(around.boundaries.left[i]);
-  }
-  Snapped all = snapped(turned, step);
-  RoundedSet result;
-  result.changes = changes_of(all.components, all.complement);
-  put_edges(result, std::move(all.edges));
+  std::vector<Segment> boundary_of_grown =
+      boundary_pieces(region_of(grown(complement, features_if(has_features, set), step)));
+  // Without that of the frame, which has grown, too.
+  std::erase_if(boundary_of_grown, [&](const Segment& e) {
+    return e.source.x < frame[0].x || e.source.y < frame[0].y || e.source.x > frame[2].x ||
+           e.source.y > frame[2].y;
+  });
+  for (Segment& e : boundary_of_grown) e = reversed(e);
+  RoundedSet result = snapped(boundary_of_grown, step);
+  result.changes = changes_by_containment(set, result.set, false);
   return result;
 }
 
@@ -554,7 +197,7 @@ Region unbounded_region(MinkowskiSum set, const Rational& step) {
   const Chain frame = frame_around(ends_of(edges(set)), step);
   set.outer.push_back(frame);
   set.is_unbounded = false;
-  Region region = region_of(set);
+  Region region = with_connected_interiors(region_of(set));
   const auto outermost = std::ranges::find_if(region.components, [&](const Component& component) {
     return std::ranges::count(component.outer, frame[0]) > 0;
   });
@@ -576,8 +219,8 @@ RoundedSet rounded_complement(const MinkowskiSum& set, Boundary boundary, const 
   const TopologyChanges of = result.changes;
   result.changes = {
       .vanished_components = of.closed_holes,
-      // A hole of the complement that opens to its outside joins the unbounded component.
-      .joined_components = of.joined_holes + of.opened_holes,
+      // Holes of the complement that open to its outside, and the unbounded component.
+      .joined_components = of.joined_holes + of.opened_holes + (of.opened_holes > 0 ? 1 : 0),
       .split_components = of.split_holes,
       .new_components = of.new_holes,
       .closed_holes = of.vanished_components,
@@ -601,9 +244,7 @@ RoundedSet rounded(const MinkowskiSum& set, Boundary boundary, const Rational& s
     if (set.is_unbounded) {
       result.region = unbounded_region(set, step);
     } else {
-      result.region = region_of(set);
-      if (!touching_points(result.region).empty())
-        result.region = region_with_connected_interiors(boundary_pieces(result.region));
+      result.region = with_connected_interiors(region_of(set));
     }
     return result;
   }

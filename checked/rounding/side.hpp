@@ -12,12 +12,14 @@ enum class Side {
   contained,  ///< a set that is contained in the given one
 };
 
-/// What rounding did to components and holes. All zero where each of them is still one.
+/// What rounding did to components, those of the interior, and holes, the bounded components of the complement of the closed
+/// set. All zero where each of them is still one.
 struct TopologyChanges {
   std::size_t vanished_components = 0;  ///< nothing is left of them
   std::size_t joined_components = 0;    ///< they became one with others
   std::size_t split_components = 0;     ///< they came apart
-  std::size_t new_components = 0;       ///< around edges and points of a closed set
+  std::size_t new_components =
+      0;  ///< around edges and points of a closed set; or cut off from an unbounded component
   std::size_t closed_holes =
       0;  ///< nothing is left of them; of an open set, edges and points may be
   std::size_t joined_holes = 0;  ///< they became one with others
