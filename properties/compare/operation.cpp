@@ -12,8 +12,8 @@
 #include "properties/compare/grid_promises.hpp"
 #include "properties/runner/fitting_pairs.hpp"
 #include "reference/chains/region_of.hpp"
-#include "reference/oracle/closed_set.hpp"
 #include "reference/oracle/operations_by_definition.hpp"
+#include "reference/oracle/set_by_pieces.hpp"
 
 namespace oplus {
 
@@ -22,7 +22,7 @@ namespace {
 using Compute = std::function<MinkowskiSum(const Region& p, const Region& q, const SumOf& sum)>;
 
 MinkowskiSum path_set(const Region& region) {
-  const ClosedSet set = path_and_points(region);
+  const SetByPieces set = path_and_points(region);
   return union_of({}, set.edges, set.points);
 }
 

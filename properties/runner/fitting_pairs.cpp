@@ -8,15 +8,15 @@
 
 #include "reference/chains/region_of.hpp"
 #include "reference/oracle/cell_sets.hpp"
-#include "reference/oracle/closed_set.hpp"
 #include "reference/oracle/operations_by_definition.hpp"
+#include "reference/oracle/set_by_pieces.hpp"
 
 namespace oplus {
 
 namespace {
 
 Chain box_around(const Region& region) {
-  const ClosedSet set = closed_set(region);
+  const SetByPieces set = set_by_pieces(region);
   Point low = set.boundary.at(0).source, high = low;
   for (const Segment& e : set.boundary) {
     low = {std::min(low.x, e.source.x), std::min(low.y, e.source.y)};
@@ -47,12 +47,12 @@ Region complement_of(const Region& p) {
 /// The union of Q + a for three vertices a of P's first chain; or for all points of the edges between them.
 Region copies_along(const Region& q, const Region& p, bool is_along_edges) {
   const Chain chain = chains(p).front();
-  ClosedSet places;
+  SetByPieces places;
   if (is_along_edges)
     places.edges = {{chain[0], chain[1]}, {chain[1], chain[2]}};
   else
     places.points = {chain[0], chain[1], chain[2]};
-  const ClosedSet set = closed_set(q), minus_q = reflected(set);
+  const SetByPieces set = set_by_pieces(q), minus_q = reflected(set);
   return region_where(vertex_edge_sum(places, set),
                       [&](const Point& x) { return meet(translated(minus_q, x), places); });
 }

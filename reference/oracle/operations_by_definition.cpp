@@ -6,42 +6,42 @@
 
 #include "reference/definitions/collision.hpp"
 #include "reference/oracle/cell_sets.hpp"
-#include "reference/oracle/closed_set.hpp"
+#include "reference/oracle/set_by_pieces.hpp"
 
 namespace oplus {
 
 namespace {
 
 /// All x for which Q + x is in a set.
-MinkowskiSum placements_in(const ClosedSet& set, const ClosedSet& q) {
+MinkowskiSum placements_in(const SetByPieces& set, const SetByPieces& q) {
   return set_where(vertex_edge_sum(set, reflected(q)), Boundary::closed,
                    [&](const Point& x) { return is_subset(translated(q, x), set); });
 }
 
 /// All x for which x - Q and a set meet: the sums of their points.
-MinkowskiSum sums_of_points(const ClosedSet& set, const ClosedSet& q) {
-  const ClosedSet minus_q = reflected(q);
+MinkowskiSum sums_of_points(const SetByPieces& set, const SetByPieces& q) {
+  const SetByPieces minus_q = reflected(q);
   return set_where(vertex_edge_sum(set, q), Boundary::closed,
                    [&](const Point& x) { return meet(translated(minus_q, x), set); });
 }
 
 MinkowskiSum sum(const Region& p, const Region& q) {
-  return sums_of_points(closed_set(p), closed_set(q));
+  return sums_of_points(set_by_pieces(p), set_by_pieces(q));
 }
 
 MinkowskiSum path_sum(const Region& p, const Region& q) {
-  return sums_of_points(path_and_points(p), closed_set(q));
+  return sums_of_points(path_and_points(p), set_by_pieces(q));
 }
 
 /// Without points of Q: no sum of two points is a cell of the arrangement.
 MinkowskiSum sum_of_paths(const Region& p, const Region& q) {
-  ClosedSet of_q = path_and_points(q);
+  SetByPieces of_q = path_and_points(q);
   of_q.points.clear();
   return sums_of_points(path_and_points(p), of_q);
 }
 
 MinkowskiSum nfp(const Region& p, const Region& q) {
-  const ClosedSet set = closed_set(p), other = closed_set(q);
+  const SetByPieces set = set_by_pieces(p), other = set_by_pieces(q);
   const bool meet_far_away = set.is_unbounded && other.is_unbounded;
   return set_where(vertex_edge_sum(set, reflected(other)), Boundary::open, [&](const Point& x) {
     return meet_far_away || interiors_meet(p, translated(q, x));
@@ -49,17 +49,17 @@ MinkowskiSum nfp(const Region& p, const Region& q) {
 }
 
 MinkowskiSum ifp(const Region& p, const Region& q) {
-  return placements_in(closed_set(p), closed_set(q));
+  return placements_in(set_by_pieces(p), set_by_pieces(q));
 }
 
 MinkowskiSum erode(const Region& p, const Region& q) { return regularized(ifp(p, q)); }
 
 MinkowskiSum open(const Region& p, const Region& q) {
-  return sums_of_points(closed_set(ifp(p, q)), closed_set(q));
+  return sums_of_points(set_by_pieces(ifp(p, q)), set_by_pieces(q));
 }
 
 MinkowskiSum close(const Region& p, const Region& q) {
-  return regularized(placements_in(closed_set(sum(p, q)), closed_set(q)));
+  return regularized(placements_in(set_by_pieces(sum(p, q)), set_by_pieces(q)));
 }
 
 MinkowskiSum complement(const Region& p, const Region& /*any*/) {
@@ -106,10 +106,10 @@ const DefinedOperation* find_defined_operation(const std::string& name) {
   return found == all.end() ? nullptr : &*found;
 }
 
-MinkowskiSum regularized(MinkowskiSum closed_set) {
-  closed_set.dangling_edges.clear();
-  closed_set.isolated_vertices.clear();
-  return closed_set;
+MinkowskiSum regularized(MinkowskiSum set_by_pieces) {
+  set_by_pieces.dangling_edges.clear();
+  set_by_pieces.isolated_vertices.clear();
+  return set_by_pieces;
 }
 
 }  // namespace oplus

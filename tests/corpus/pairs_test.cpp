@@ -16,8 +16,8 @@
 #include "properties/statements/places/sets_meet.hpp"
 #include "reference/io/file_text.hpp"
 #include "reference/oracle/cell_sets.hpp"
-#include "reference/oracle/closed_set.hpp"
 #include "reference/oracle/oracle.hpp"
+#include "reference/oracle/set_by_pieces.hpp"
 #include "tests/checked/cli/page_text.hpp"
 #include "tests/reference/definitions/print.hpp"
 
@@ -86,17 +86,20 @@ TEST(Corpus, oracle_gives_the_sums_of_every_row) {
   }
 }
 
-ClosedSet closed_set(const ReadSet& set) { return {edges(set.region), set.segments, set.points}; }
+SetByPieces set_by_pieces(const ReadSet& set) {
+  return {edges(set.region), set.segments, set.points};
+}
 
 GivenSum parts(const ReadSet& set) { return {set.region, set.segments, set.points}; }
 
 MinkowskiSum sum_by_definition(const ReadSet& p, const ReadSet& q, Boundary boundary) {
-  return set_where(vertex_edge_sum(closed_set(p), closed_set(q)), boundary, [&](const Point& x) {
-    if (boundary == Boundary::closed)
-      return meet(translated(reflected(closed_set(q)), x), closed_set(p));
-    const GivenSum placed = reflected_to(x, parts(q));
-    return interior_meets(p.region, placed) || interior_meets(placed.region, parts(p));
-  });
+  return set_where(
+      vertex_edge_sum(set_by_pieces(p), set_by_pieces(q)), boundary, [&](const Point& x) {
+        if (boundary == Boundary::closed)
+          return meet(translated(reflected(set_by_pieces(q)), x), set_by_pieces(p));
+        const GivenSum placed = reflected_to(x, parts(q));
+        return interior_meets(p.region, placed) || interior_meets(placed.region, parts(p));
+      });
 }
 
 TEST(Corpus, sums_of_sets_are_those_of_the_definition) {

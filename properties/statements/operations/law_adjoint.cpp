@@ -6,8 +6,8 @@
 #include "properties/statements/operations/by_slide.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/definitions/region.hpp"
-#include "reference/oracle/closed_set.hpp"
 #include "reference/oracle/operations_by_definition.hpp"
+#include "reference/oracle/set_by_pieces.hpp"
 
 namespace oplus {
 
@@ -34,8 +34,8 @@ Outcome check(const Summands& summands) {
     for (const Region& s : tried(placements, pair)) {
       const MinkowskiSum sum = unbounded_sum(s, pair.q, Boundary::closed, by_slide);
       if (sum != regularized(sum)) return outcome.fail(how + ": S ⊕ Q is no region");
-      const bool sum_fits = is_subset(closed_set(sum), closed_set(pair.p));
-      const bool is_among = is_subset(closed_set(s), closed_set(placements));
+      const bool sum_fits = is_subset(set_by_pieces(sum), set_by_pieces(pair.p));
+      const bool is_among = is_subset(set_by_pieces(s), set_by_pieces(placements));
       ++outcome.counts[sum_fits ? "regions whose sum is in P" : "regions whose sum is not in P"];
       if (sum_fits != is_among)
         return outcome.fail(how + (sum_fits

@@ -8,7 +8,7 @@
 #include "properties/statements/operations/by_slide.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/definitions/region.hpp"
-#include "reference/oracle/closed_set.hpp"
+#include "reference/oracle/set_by_pieces.hpp"
 
 namespace oplus {
 
@@ -17,8 +17,8 @@ namespace {
 std::string broken(const Region& p, const Region& q, bool is_of_copies) {
   const MinkowskiSum all_of_p = canonical_sum(p);
   const MinkowskiSum open = opened(p, q, by_slide), close = closed(p, q, by_slide);
-  if (!is_subset(closed_set(open), closed_set(p))) return "the opening is not contained in P";
-  if (!is_subset(closed_set(p), closed_set(close))) return "the closing does not contain P";
+  if (!is_subset(set_by_pieces(open), set_by_pieces(p))) return "the opening is not contained in P";
+  if (!is_subset(set_by_pieces(p), set_by_pieces(close))) return "the closing does not contain P";
   if (is_of_copies && open != all_of_p)
     return "the opening of a union of copies of Q is another set: " + told_apart(open, all_of_p);
   const MinkowskiSum open_again = opened(region_of(open), q, by_slide);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reference/oracle/closed_set.hpp"
+#include "reference/oracle/set_by_pieces.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -13,7 +13,7 @@ namespace oplus {
 namespace {
 
 template <typename Map>
-ClosedSet mapped(ClosedSet set, Map map) {
+SetByPieces mapped(SetByPieces set, Map map) {
   for (std::vector<Segment>* segments : {&set.boundary, &set.edges})
     for (Segment& s : *segments) s = {map(s.source), map(s.target)};
   for (Point& p : set.points) p = map(p);
@@ -21,28 +21,28 @@ ClosedSet mapped(ClosedSet set, Map map) {
 }
 
 /// Of a point that is on no edge of the boundary.
-bool is_inside(const Point& p, const ClosedSet& set) {
+bool is_inside(const Point& p, const SetByPieces& set) {
   return winding_number(p, set.boundary) + (set.is_unbounded ? 1 : 0) > 0;
 }
 
-bool contains_any(const ClosedSet& set, const std::vector<Point>& points) {
+bool contains_any(const SetByPieces& set, const std::vector<Point>& points) {
   return std::any_of(points.begin(), points.end(), [&](const Point& p) { return set.contains(p); });
 }
 
 }  // namespace
 
-bool ClosedSet::contains(const Point& p) const {
+bool SetByPieces::contains(const Point& p) const {
   return lies_on_one(p, boundary) || lies_on_one(p, edges) ||
          std::find(points.begin(), points.end(), p) != points.end() || is_inside(p, *this);
 }
 
-std::vector<Segment> ClosedSet::all_edges() const {
+std::vector<Segment> SetByPieces::all_edges() const {
   std::vector<Segment> all = boundary;
   all.insert(all.end(), edges.begin(), edges.end());
   return all;
 }
 
-std::vector<Point> ClosedSet::vertices() const {
+std::vector<Point> SetByPieces::vertices() const {
   std::vector<Point> all = points;
   for (const Segment& e : all_edges()) {
     all.push_back(e.source);
@@ -51,20 +51,20 @@ std::vector<Point> ClosedSet::vertices() const {
   return sorted_without_copies(std::move(all));
 }
 
-ClosedSet closed_set(const Region& region) {
+SetByPieces set_by_pieces(const Region& region) {
   return {.boundary = edges(region),
           .is_unbounded = std::any_of(region.components.begin(), region.components.end(),
                                       [](const Component& c) { return c.outer.empty(); })};
 }
 
-ClosedSet closed_set(const MinkowskiSum& value) {
+SetByPieces set_by_pieces(const MinkowskiSum& value) {
   MinkowskiSum regular = value;
   regular.dangling_edges.clear();
   return {edges(regular), value.dangling_edges, value.isolated_vertices, value.is_unbounded};
 }
 
-ClosedSet path_and_points(const Region& region) {
-  ClosedSet result;
+SetByPieces path_and_points(const Region& region) {
+  SetByPieces result;
   for (const Chain& chain : chains(region)) {
     if (chain.empty()) continue;
     if (!result.edges.empty()) {
@@ -77,15 +77,15 @@ ClosedSet path_and_points(const Region& region) {
   return result;
 }
 
-ClosedSet translated(ClosedSet set, const Vector& by) {
+SetByPieces translated(SetByPieces set, const Vector& by) {
   return mapped(std::move(set), [&](const Point& p) { return p + by; });
 }
 
-ClosedSet reflected(ClosedSet set) {
+SetByPieces reflected(SetByPieces set) {
   return mapped(std::move(set), [](const Point& p) { return -p; });
 }
 
-std::vector<Segment> vertex_edge_sum(const ClosedSet& a, const ClosedSet& b) {
+std::vector<Segment> vertex_edge_sum(const SetByPieces& a, const SetByPieces& b) {
   std::vector<Segment> sums;
   for (const auto& [edges_of, vertices_of] : {std::pair{&a, &b}, std::pair{&b, &a}}) {
     const std::vector<Point> vertices = vertices_of->vertices();
@@ -99,7 +99,7 @@ std::vector<Segment> vertex_edge_sum(const ClosedSet& a, const ClosedSet& b) {
   return sorted_without_copies(std::move(sums));
 }
 
-bool meet(const ClosedSet& a, const ClosedSet& b) {
+bool meet(const SetByPieces& a, const SetByPieces& b) {
   if (a.is_unbounded && b.is_unbounded) return true;
   if (contains_any(b, a.vertices()) || contains_any(a, b.vertices())) return true;
   const std::vector<Segment> edges_of_b = b.all_edges();
@@ -109,7 +109,7 @@ bool meet(const ClosedSet& a, const ClosedSet& b) {
   return false;
 }
 
-bool is_subset(const ClosedSet& a, const ClosedSet& b) {
+bool is_subset(const SetByPieces& a, const SetByPieces& b) {
   // Mostly a vertex shows that it is not.
   for (const Segment& e : a.boundary)
     if (!b.contains(e.source)) return false;
