@@ -216,9 +216,8 @@ struct SumOptions;
 
 /// A region that is summed with many others: what the engine slide computes of one region alone, integers
 /// and trees of boxes, is computed for the first sum and kept. It is kept anew for each common denominator
-/// with another region, up to eight times. Copies share it, also on several threads. Cost: that of the sums,
-/// and as much memory as one of them; pairs of few vertices gain a tenth of their time, a
-/// region of many with small ones up to half of it.
+/// with another region, up to eight times. Copies share it, also on several threads. Cost: that of the sums
+/// without preparing this region, and as much memory as one of them.
 ///
 /// Example: PreparedRegion bin(read_file("bin.wkt")); then minkowski_sum(bin, -part) for each part.
 class PreparedRegion {
