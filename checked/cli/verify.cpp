@@ -59,7 +59,9 @@ std::string text_of(const Closeness& close, const std::string& tolerance) {
     text += tolerance + " of each other\n";
   }
   if (close.distance) {
-    text += "distance: " + said_distance(*close.distance);
+    text +=
+        (close.is_distance_of_given() ? "distance of the boundary of S from it: " : "distance: ") +
+        said_distance(*close.distance);
     if (sign(close.distance->most_squared) > 0)
       text += std::string(", at ") + to_string(close.distance->farthest) + " of the boundary of " +
               (close.distance->farthest_is_given ? "S" : "the sum");

@@ -204,4 +204,11 @@ BoundaryDistance distance(const std::vector<Segment>& right, const std::vector<S
   return {farthest.least, farthest.most, farthest.point, farthest.least > of_right};
 }
 
+BoundaryDistance distance_of_given(const std::vector<Segment>& right,
+                                   const std::vector<Segment>& given) {
+  Farthest farthest;
+  look_for_farther(given, right, farthest);
+  return {farthest.least, farthest.most, farthest.point, true};
+}
+
 }  // namespace oplus

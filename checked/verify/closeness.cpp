@@ -145,11 +145,17 @@ Closeness closeness(const MinkowskiSum& right, const GivenSum& sum, const Ration
       region_of(canonical_sum(BoundaryFeatures{overlay.boundary_of_given(), {}, {}})));
   find_partners(of_right_region.outer, of_given_region.outer, tolerance, false, result.no_partners);
   find_partners(of_right_region.holes, of_given_region.holes, tolerance, true, result.no_partners);
+  if (result.is_within && result.distance)
+    result.distance->most_squared = std::min(result.distance->most_squared, squared);
   const std::size_t unsimple = overlay.unsimple_pieces().size();
   if (!result.has_same_chains())
     result.differs_near_boundary_only =
         (of_given.empty() || is_within(of_given, of_right, squared)) &&
         differs_near_only(right, sum, of_given, tolerance);
+  if (result.is_distance_of_given() && result.distance) {
+    result.distance = distance_of_given(of_right, of_given);
+    result.distance->most_squared = std::min(result.distance->most_squared, squared);
+  }
   if (unsimple > 0)
     result.notes.push_back("chains cross, overlap or bound nothing in " +
                            counted(unsimple, "place", "places"));

@@ -11,7 +11,7 @@
 
 namespace oplus {
 
-/// The Hausdorff distance of two sets: the largest distance of a point of one from the other.
+/// The largest distance of a point of a boundary from another one.
 struct BoundaryDistance {
   /// Certified bounds of its square, equal where it is known exactly; else the upper one is larger
   /// by at most a 2^20th.
@@ -25,9 +25,11 @@ struct BoundaryDistance {
 
 /// How far a given sum is from the right one.
 struct Closeness {
-  /// Of the boundaries; empty where one of the two sums is empty and the other is not.
+  /// The Hausdorff distance of the boundaries; empty where one of the two sums is empty and the other is not. Where it is
+  /// more than D, but the sets differ near the boundary only, that of the given boundary from the right one, which
+  /// is not: of a part that is lost, the right boundary may be as far away as it is long.
   std::optional<BoundaryDistance> distance;
-  bool is_within;                        ///< decided exactly: whether the distance is at most D
+  bool is_within;  ///< decided exactly: whether the Hausdorff distance is at most D
   std::vector<std::string> no_partners;  ///< a line for each chain without a partner
   bool
       differs_near_boundary_only;  ///< near_boundary.hpp; not asked where the others say that it is close
@@ -37,6 +39,8 @@ struct Closeness {
   /// does.
   bool is_close() const { return has_same_chains() || differs_near_boundary_only; }
   bool has_same_chains() const { return is_within && no_partners.empty(); }
+  /// Whether `distance` is that of the given boundary only.
+  bool is_distance_of_given() const { return !is_within && differs_near_boundary_only; }
 };
 
 /// Compares boundaries: all chains as they are given, with dangling edges and isolated vertices. A
@@ -51,5 +55,9 @@ bool is_within(const std::vector<Segment>& from, const SegmentTree& to, const Ra
 
 /// The Hausdorff distance. Requires: neither is empty.
 BoundaryDistance distance(const std::vector<Segment>& right, const std::vector<Segment>& given);
+
+/// The largest distance of a point of `given` from `right`. Requires: neither is empty.
+BoundaryDistance distance_of_given(const std::vector<Segment>& right,
+                                   const std::vector<Segment>& given);
 
 }  // namespace oplus

@@ -242,6 +242,10 @@ TEST(Rounded, sums_of_all_families) {
             exact, {result.region, result.set.dangling_edges, result.set.isolated_vertices},
             distance);
         EXPECT_TRUE(close.is_close()) << which;
+        if (close.distance) {
+          EXPECT_LE(close.distance->most_squared, distance * distance) << which;
+        }
+        seen["with thin parts lost"] += close.is_distance_of_given();
         seen["with other chains"] += !close.has_same_chains();
         if (sum != exact || result.is_exact) continue;
         std::size_t holes = 0;
@@ -256,6 +260,7 @@ TEST(Rounded, sums_of_all_families) {
   EXPECT_GE(seen["sums"], seeds * 2 * families().size());
   EXPECT_GE(seen["changed"], seen["sums"] / 10);
   EXPECT_GE(seen["with other chains"], seen["sums"] / 20);
+  EXPECT_GE(seen["with thin parts lost"], 10U);
   EXPECT_GE(seen["in WKB"], seen["sums"] / 20);
 }
 
