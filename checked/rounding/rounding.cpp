@@ -5,11 +5,11 @@
 #include <utility>
 #include <vector>
 
+#include "checked/operations/set_sum.hpp"
 #include "checked/rounding/faces.hpp"
 #include "checked/rounding/snapped_edges.hpp"
 #include "checked/rounding/topology_changes.hpp"
 #include "checked/slide/slide.hpp"
-#include "checked/verify/grown_features.hpp"
 #include "checked/verify/overlay.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/chains/swept_cells.hpp"
@@ -101,8 +101,8 @@ Region square_of(const Rational& half) {
   return polygon({{-half, -half}, {half, -half}, {half, half}, {-half, half}});
 }
 
-/// A set, and the edges and points of another one, grown so that it contains them also when it is rounded.
-MinkowskiSum grown(const MinkowskiSum& set, const MinkowskiSum& features, const Rational& step) {
+/// The region of a set, and edges and points, grown so that the result contains them also when it is rounded.
+MinkowskiSum grown(MinkowskiSum set, const MinkowskiSum& features, const Rational& step) {
   const Rational half =
       step /
       (OPLUS_MUTANT(
@@ -114,9 +114,12 @@ MinkowskiSum grown(const MinkowskiSum& set, const MinkowskiSum& features, const 
                       "before a set is rounded to one that contains it, it grows by a whole step")
            ? 1
            : 2);
-  MinkowskiSum sum = slide_sum(region_of(set), square_of(half), Boundary::closed).sum;
-  if (features.dangling_edges.empty() && features.isolated_vertices.empty()) return sum;
-  return with_grown_features(region_of(sum), features, half);
+  set.dangling_edges = features.dangling_edges;
+  set.isolated_vertices = features.isolated_vertices;
+  return set_sum(set, canonical_sum(square_of(half)), Boundary::closed,
+                 [](const Region& p, const Region& q, Boundary boundary) {
+                   return slide_sum(p, q, boundary).sum;
+                 });
 }
 
 RoundedSet snapped(const std::vector<Segment>& edges, const Rational& step) {

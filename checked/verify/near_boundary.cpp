@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "checked/operations/set_sum.hpp"
 #include "checked/verify/closeness.hpp"
-#include "checked/verify/grown_features.hpp"
 #include "checked/verify/overlay.hpp"
 #include "checked/verify/verify.hpp"
 #include "reference/chains/region_of.hpp"
@@ -59,9 +59,11 @@ Chain frame_around(const Boundaries& a, const Boundaries& b, const Rational& mar
 bool contains_when_grown(const Boundaries& set, const MinkowskiSum& features,
                          const Boundaries& other, const Rational& half) {
   const Region square = polygon({{-half, -half}, {half, -half}, {half, half}, {-half, half}});
-  MinkowskiSum grown = sum_by_definition(region_of(set_of(set)), square, Boundary::closed);
-  if (!features.dangling_edges.empty() || !features.isolated_vertices.empty())
-    grown = with_grown_features(region_of(grown), features, half);
+  MinkowskiSum all = set_of(set);
+  all.dangling_edges = features.dangling_edges;
+  all.isolated_vertices = features.isolated_vertices;
+  const MinkowskiSum grown =
+      set_sum(all, canonical_sum(square), Boundary::closed, sum_by_definition);
   const Overlay overlay(given(set_of(other)), grown);
   return std::ranges::none_of(overlay.differences(), [](const Overlay::Difference& difference) {
     return difference.reason.in_given && !difference.reason.in_sum;
