@@ -5,12 +5,14 @@
 #include <utility>
 #include <vector>
 
+#include "checked/operations/complement.hpp"
 #include "checked/operations/set_sum.hpp"
 #include "checked/rounding/faces.hpp"
 #include "checked/rounding/snapped_edges.hpp"
 #include "checked/rounding/topology_changes.hpp"
 #include "checked/slide/slide.hpp"
 #include "checked/verify/overlay.hpp"
+#include "reference/chains/frame.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/chains/swept_cells.hpp"
 #include "reference/chains/touching_points.hpp"
@@ -141,68 +143,26 @@ RoundedSet contain(const MinkowskiSum& set, Boundary boundary, const Rational& s
   return result;
 }
 
-/// A rectangle with all points of a set more than a few steps inside it.
-Chain frame_around(const std::vector<Point>& points, const Rational& step) {
-  Point low = points.empty() ? Point{} : points[0], high = low;
-  for (const Point& p : points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  const Rational margin = 8 * step;
-  return {{low.x - margin, low.y - margin},
-          {high.x + margin, low.y - margin},
-          {high.x + margin, high.y + margin},
-          {low.x - margin, high.y + margin}};
-}
-
 /// The complement of what contains the complement, both in a frame.
 RoundedSet contained(const MinkowskiSum& set, Boundary boundary, const Rational& step) {
-  std::vector<Segment> edges_with_frame = boundary_pieces(region_of(set));
-  std::vector<Point> points = ends_of(edges_with_frame);
-  add(points, ends_of(set.dangling_edges));
-  add(points, set.isolated_vertices);
-  const Chain frame = frame_around(points, step);
-  for (Segment& e : edges_with_frame) e = reversed(e);
-  add(edges_with_frame, edges(frame));
-  const MinkowskiSum complement =
-      canonical_sum(BoundaryFeatures{std::move(edges_with_frame), {}, {}});
   const bool has_features =
       boundary == Boundary::open &&
       !OPLUS_MUTANT("contained-covers-what-just-fits",
                     "rounded inwards, an open sum has no regard to its edges and points");
-  std::vector<Segment> boundary_of_grown =
-      boundary_pieces(region_of(grown(complement, features_if(has_features, set), step)));
-  // Without that of the frame, which has grown, too.
-  std::erase_if(boundary_of_grown, [&](const Segment& e) {
-    return e.source.x < frame[0].x || e.source.y < frame[0].y || e.source.x > frame[2].x ||
-           e.source.y > frame[2].y;
-  });
-  for (Segment& e : boundary_of_grown) e = reversed(e);
-  RoundedSet result = snapped(boundary_of_grown, step);
+  const MinkowskiSum around =
+      unframed(grown(framed(complement(set), 8 * step), features_if(has_features, set), step));
+  RoundedSet result = snapped(boundary_pieces(region_of(complement(around))), step);
   result.changes = changes_by_containment(set, result.set, false);
   return result;
 }
 
-/// The complement, as a set of the same edges and points.
-MinkowskiSum complement(const MinkowskiSum& set) {
-  std::vector<Segment> all = edges(set);
-  all.resize(all.size() - set.dangling_edges.size());
-  BoundaryFeatures features{{}, set.dangling_edges, set.isolated_vertices};
-  for (const std::vector<Segment>& pieces : swept_pieces(all))
-    for (const Segment& piece : pieces) features.edges.push_back(reversed(piece));
-  MinkowskiSum result = canonical_sum(features);
-  result.is_unbounded = !set.is_unbounded;
-  return result;
-}
-
 /// Of an unbounded set: the component without an outer chain is the last one.
-Region unbounded_region(MinkowskiSum set, const Rational& step) {
-  const Chain frame = frame_around(ends_of(edges(set)), step);
-  set.outer.push_back(frame);
-  set.is_unbounded = false;
-  Region region = with_connected_interiors(region_of(set));
+Region unbounded_region(const MinkowskiSum& set, const Rational& step) {
+  const MinkowskiSum in_frame = framed(set, step);
+  const Point& corner = in_frame.outer.front().front();
+  Region region = with_connected_interiors(region_of(in_frame));
   const auto outermost = std::ranges::find_if(region.components, [&](const Component& component) {
-    return std::ranges::count(component.outer, frame[0]) > 0;
+    return std::ranges::count(component.outer, corner) > 0;
   });
   outermost->outer.clear();
   std::rotate(outermost, outermost + 1, region.components.end());
