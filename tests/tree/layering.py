@@ -13,8 +13,9 @@ LINES = (
     ("reference/definitions", "reference/oracle", "checked/cli", "properties", "tests"),
     ("docs/findings",),
     ("oplus", "docs/examples"),
+    ("oplus", "python"),
 )
-OURS = ("reference", "checked", "properties", "tests", "docs", "oplus")
+OURS = ("reference", "checked", "properties", "tests", "docs", "oplus", "python")
 
 
 def holds(folder, path):

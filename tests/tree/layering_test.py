@@ -31,6 +31,7 @@ class Layering(TreeTest):
                 ("properties/statements/chapter4/a.cpp", "reference/oracle/b.hpp"),
                 ("properties/statements/chapter4/a.cpp", "checked/arrangement/b.hpp"),
                 ("properties/statements/chapter4/a.cpp", "reference/families/b.hpp"),
+                ("python/a.cpp", "oplus/oplus.hpp"),
                 ("tests/reference/a_test.cpp", "checked/arrangement/b.hpp"),
                 ("tests/reference/a_test.cpp", "tests/corpus/b.hpp")]:
             with self.subTest(name=name, included=included):
@@ -51,6 +52,8 @@ class Layering(TreeTest):
                 ("reference/pictures/a.cpp", "reference/families/b.hpp"),
                 ("reference/pictures/a.cpp", "checked/slide/b.hpp"),
                 ("docs/findings/a.cpp", "reference/definitions/b.hpp"),
+                ("python/a.cpp", "checked/slide/b.hpp"),
+                ("python/a.cpp", "reference/definitions/b.hpp"),
                 ("checked/cli/a.cpp", "properties/runner/b.hpp"),
                 ("checked/cli/a.cpp", "tests/corpus/b.hpp"),
                 ("reference/families/a.cpp", "reference/oracle/b.hpp"),

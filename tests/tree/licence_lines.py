@@ -13,7 +13,8 @@ CORE = ("reference/definitions", "reference/arithmetic", "reference/chains", "re
         "checked/collision", "checked/cycles", "checked/operations", "checked/oplus", "checked/oplus/internal",
         "checked/repair", "checked/rounding", "checked/slide", "checked/verify")
 # What users copy from.
-EXAMPLES = ("docs/examples/cpp", "tests/consumer")
+EXAMPLES = ("docs/examples/cpp", "python/examples", "tests/consumer")
+PYTHON = ("python", "python/oplus")
 # Only for those who have CGAL; of it, what is under the LGPL (tests/checked/oplus/cgal_licence).
 ADAPTERS = ("checked/oplus/cgal.hpp",)
 NOT_IN_CORE = ("CGAL", "tbb", "oneapi", "mpfr.h")
@@ -32,7 +33,7 @@ def is_source(path):
 
 
 def licence(name):
-    return MIT if name.rpartition("/")[0] in CORE + EXAMPLES else GPL
+    return MIT if name.rpartition("/")[0] in CORE + EXAMPLES + PYTHON else GPL
 
 
 def wrong_includes(root):

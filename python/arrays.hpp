@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <oplus/oplus.hpp>
+#include <vector>
+
+#include "python/shapes.hpp"
+
+/// @file
+/// Many regions in a few arrays.
+namespace oplus::python {
+
+/// Makes the type Arrays of the module: (coordinates, rings, polygons, regions). Ring i has the points
+/// coordinates[rings[i]:rings[i + 1]]; polygon i the rings rings[polygons[i]:polygons[i + 1]], the outer one first;
+/// region i the polygons likewise.
+void define_arrays(py::module_& module);
+
+/// Whether it is an object of that type.
+bool is_arrays(py::handle value);
+
+/// Arrays, checked: each ring, polygon and region exists.
+class RegionArrays {
+ public:
+  /// polygons None: each ring is one; regions None: each polygon is one. Throws InvalidInput.
+  RegionArrays(const py::array& coordinates, py::handle rings, py::handle polygons,
+               py::handle regions);
+
+  /// The same of an object of type Arrays. Throws likewise.
+  explicit RegionArrays(py::handle arrays);
+
+  std::size_t size() const { return regions_.size() - 1; }  ///< Returns the number of regions.
+
+  /// Returns a region, not yet checked. Needs no lock. Throws InvalidInput for an infinity and what is not a
+  /// number.
+  Region operator[](std::size_t i) const;
+
+ private:
+  Points points_;
+  std::vector<std::size_t> rings_, polygons_, regions_;
+};
+
+/// Returns Arrays of these regions, each coordinate the nearest double. Rings are open.
+py::object arrays_of(const std::vector<ValidRegion>& regions);
+
+}  // namespace oplus::python

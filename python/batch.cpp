@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "python/arrays.hpp"
+#include "python/operation.hpp"
+#include "python/shapes.hpp"
+#include "python/workers.hpp"
+
+namespace oplus::python {
+
+namespace {
+
+/// A message without what it starts with: "region: it is empty" is about a region of many.
+std::string without_place(const InvalidInput& error) {
+  const std::string text = error.what();
+  const std::size_t colon = text.find(": ");
+  return error.where().line == 0 && colon != std::string::npos ? text.substr(colon + 2) : text;
+}
+
+py::object error_type() { return py::module_::import("oplus").attr("InvalidInput"); }
+
+[[noreturn]] void raise(const std::string& message) {
+  PyErr_SetString(error_type().ptr(), message.c_str());
+  throw py::error_already_set();
+}
+
+/// The regions that stand on one side of the pairs.
+class Side {
+ public:
+  explicit Side(py::handle value) {
+    if (is_arrays(value)) {
+      arrays_.emplace(value);
+      size_ = arrays_->size();
+    } else if (is_single(value)) {
+      regions_.emplace_back(region_of(value));
+    } else {
+      for (const py::handle one : value) {
+        try {
+          regions_.emplace_back(region_of(one));
+        } catch (const InvalidInput& error) {
+          regions_.emplace_back(error);
+        }
+      }
+      size_ = regions_.size();
+    }
+  }
+
+  /// Returns how many there are, nothing for one that is in all pairs.
+  std::optional<std::size_t> size() const { return size_; }
+
+  /// Returns the region of a pair. Needs no lock. Throws InvalidInput.
+  PreparedRegion operator[](std::size_t i) const {
+    if (arrays_) return ValidRegion((*arrays_)[i]);
+    const auto& region = regions_[size_ ? i : 0];
+    if (const auto* error = std::get_if<InvalidInput>(&region)) throw *error;
+    return std::get<PreparedRegion>(region);
+  }
+
+ private:
+  std::optional<std::size_t> size_;
+  std::optional<RegionArrays> arrays_;
+  std::vector<std::variant<PreparedRegion, InvalidInput>> regions_;
+};
+
+std::size_t number_of_pairs(const Side& p, const Side& q) {
+  if (p.size() && q.size() && *p.size() != *q.size())
+    throw std::invalid_argument(std::to_string(*p.size()) + " regions p and " +
+                                std::to_string(*q.size()) + " regions q; expected as many");
+  return p.size() ? *p.size() : q.size().value_or(1);
+}
+
+Operation operation_of(const std::string& name) {
+  static const std::map<std::string, Operation> all = {
+      {"minkowski_sum", sum_of},     {"nfp", operation<nfp>},      {"ifp", operation<ifp>},
+      {"erode", operation<erosion>}, {"open", operation<opening>}, {"close", operation<closing>},
+  };
+  const auto found = all.find(name);
+  if (found == all.end())
+    throw std::invalid_argument("operation " + name +
+                                "; expected minkowski_sum, nfp, ifp, erode, open or close");
+  return found->second;
+}
+
+py::list batch(const std::string& name, py::handle p_value, py::handle q_value,
+               const std::string& boundary, unsigned threads, const std::string& errors) {
+  const Operation compute = operation_of(name);
+  const SumOptions options{.boundary = boundary_of(boundary)};
+  if (errors != "raise" && errors != "return")
+    throw std::invalid_argument("errors " + errors + "; expected raise or return");
+  const Side p(p_value), q(q_value);
+  const std::size_t n = number_of_pairs(p, q);
+  std::vector<Sum> sums(n);
+  std::vector<std::optional<std::string>> wrong(n);
+  for_each_below(n, threads, [&](std::size_t i) {
+    char side = 'p';
+    try {
+      const PreparedRegion of_p = p[i];
+      side = 'q';
+      const PreparedRegion of_q = q[i];
+      side = ' ';
+      sums[i] = compute(of_p, of_q, options);
+      sums[i].region();  // computed when first asked for, so here
+    } catch (const InvalidInput& error) {
+      wrong[i] = "pair " + std::to_string(i) + (side == ' ' ? "" : std::string(", ") + side) +
+                 ": " + without_place(error);
+    }
+  });
+  py::list results(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!wrong[i]) {
+      results[i] = py::cast(std::move(sums[i]));
+    } else if (errors == "return") {
+      results[i] = error_type()(*wrong[i]);
+    } else {
+      raise(*wrong[i]);
+    }
+  }
+  return results;
+}
+
+py::list from_arrays(py::handle value, unsigned threads) {
+  const RegionArrays arrays(value);
+  std::vector<ValidRegion> regions(arrays.size());
+  std::vector<std::optional<std::string>> wrong(arrays.size());
+  for_each_below(arrays.size(), threads, [&](std::size_t i) {
+    try {
+      regions[i] = ValidRegion(arrays[i]);
+    } catch (const InvalidInput& error) {
+      wrong[i] = "region " + std::to_string(i) + ": " + without_place(error);
+    }
+  });
+  py::list result(regions.size());
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    if (wrong[i]) raise(*wrong[i]);
+    result[i] = py::cast(PreparedRegion(std::move(regions[i])));
+  }
+  return result;
+}
+
+py::object to_arrays(py::handle value) {
+  std::vector<ValidRegion> regions;
+  const auto add = [&](py::handle one) {
+    // Of a sum, its region: edges and points have none of these arrays.
+    regions.push_back(py::isinstance<Sum>(one) ? one.cast<const Sum&>().region()
+                                               : region_of(one).region());
+  };
+  if (is_single(value))
+    add(value);
+  else
+    for (const py::handle one : value) add(one);
+  return arrays_of(regions);
+}
+
+}  // namespace
+
+Sum sum_of(const PreparedRegion& p, const PreparedRegion& q, const SumOptions& options) {
+  return minkowski_sum(p, q, options);
+}
+
+Boundary boundary_of(const std::string& name) {
+  if (name == "closed") return Boundary::closed;
+  if (name == "open") return Boundary::open;
+  throw std::invalid_argument("boundary " + name + "; expected closed or open");
+}
+
+void define_batch(py::module_& m) {
+  m.def("batch", batch, py::arg("operation"), py::arg("p"), py::arg("q"), py::kw_only(),
+        py::arg("boundary") = "closed", py::arg("threads") = 0, py::arg("errors") = "raise",
+        R"(batch(operation, p, q, *, boundary='closed', threads=0, errors='raise')
+--
+
+Returns the list of operation(p[i], q[i]), computed on all cores, or on that many threads.
+
+operation: 'minkowski_sum', 'nfp', 'ifp', 'erode', 'open' or 'close'. p, q: Arrays, or lists of
+whatever the operation takes, as long as each other; or one region for all pairs (not as a list).
+boundary is for 'minkowski_sum' only. An invalid region raises InvalidInput, which names the
+first such pair; with errors='return' the exceptions are in the list and the other pairs are
+computed.
+
+>>> bin = oplus.Region([[0, 0], [9, 0], [9, 9], [0, 9]])
+>>> parts = [[[0, 0], [w, 0], [w, 1], [0, 1]] for w in (3, 9, 10)]
+>>> for place in oplus.batch('ifp', bin, parts): print(place)
+POLYGON ((0 0, 6 0, 6 8, 0 8, 0 0))
+GEOMETRYCOLLECTION (LINESTRING (0 0, 0 8))
+POLYGON EMPTY
+)");
+  m.def("from_arrays", from_arrays, py::arg("arrays"), py::kw_only(), py::arg("threads") = 0,
+        R"(from_arrays(arrays, *, threads=0)
+--
+
+Returns the list of a Region for each region of Arrays, coordinates exactly. Checked on all cores,
+or on that many threads; coordinates of type float64 and int64 are not copied before. Raises
+InvalidInput where arrays don't fit together or a region is invalid.
+
+>>> import numpy
+>>> points = numpy.array([[0, 0], [4, 0], [4, 4], [0, 4], [1, 1], [2, 1], [1, 2]])
+>>> [ring] = oplus.from_arrays(oplus.Arrays(points, rings=[0, 4, 7], polygons=[0, 2]))
+>>> print(ring)
+POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 2, 2 1, 1 1))
+)");
+  m.def("to_arrays", to_arrays, py::arg("regions"),
+        R"(to_arrays(regions)
+--
+
+Returns Arrays of one or many regions or results, each coordinate the nearest double. Rings don't
+repeat their first point. Dangling edges and isolated vertices of results are left out.
+
+>>> arrays = oplus.to_arrays(oplus.Region([[0, 0], ['1/3', 0], [0, 1]]))
+>>> arrays.coordinates.tolist(), arrays.rings.tolist()
+([[0.0, 0.0], [0.3333333333333333, 0.0], [0.0, 1.0]], [0, 3])
+)");
+}
+
+}  // namespace oplus::python

@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: MIT
+#include <pybind11/stl.h>
+
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "python/arrays.hpp"
+#include "python/numbers.hpp"
+#include "python/operation.hpp"
+#include "python/output.hpp"
+#include "python/results.hpp"
+#include "python/shapes.hpp"
+
+namespace oplus::python {
+
+namespace {
+
+ClosedSet closed_set_of(const Set& set) {
+  if (const auto* closed = std::get_if<ClosedSet>(&set)) return *closed;
+  return std::get<PreparedRegion>(set).region();
+}
+
+Sum minkowski_sum_of(py::handle p_value, py::handle q_value, const std::string& boundary,
+                     unsigned threads) {
+  const SumOptions options{.boundary = boundary_of(boundary), .threads = threads};
+  const Set p = set_of(p_value), q = set_of(q_value);
+  const py::gil_scoped_release released;
+  if (std::holds_alternative<PreparedRegion>(p) && std::holds_alternative<PreparedRegion>(q))
+    return minkowski_sum(std::get<PreparedRegion>(p), std::get<PreparedRegion>(q), options);
+  return minkowski_sum(closed_set_of(p), closed_set_of(q), options);
+}
+
+template <Operation compute>
+Sum operation_of(py::handle p_value, py::handle q_value, unsigned threads) {
+  const PreparedRegion p = region_of(p_value), q = region_of(q_value);
+  const py::gil_scoped_release released;
+  return compute(p, q, {.threads = threads});
+}
+
+template <Operation compute>
+void define(py::module_& m, const char* name, const char* doc) {
+  m.def(name, operation_of<compute>, py::arg("p"), py::arg("q"), py::kw_only(),
+        py::arg("threads") = 1, doc);
+}
+
+Verdict verify_of(py::handle p_value, py::handle q_value, py::handle value,
+                  const std::optional<std::string>& boundary) {
+  const PreparedRegion p = region_of(p_value), q = region_of(q_value);
+  GivenSum given;
+  Boundary of_given = Boundary::closed;
+  if (py::isinstance<Sum>(value)) {
+    const Sum sum = value.cast<Sum>();
+    of_given = sum.boundary();
+    given = {sum.region().region(), sum.dangling_edges(), sum.isolated_vertices()};
+  } else if (py::isinstance<PreparedRegion>(value) || PyUnicode_Check(value.ptr()) ||
+             PyBytes_Check(value.ptr())) {
+    given.region = region_of(value).region().region();
+  } else {
+    const Shapes shapes = shapes_of(value);
+    try {
+      given.region = ValidRegion(shapes.region).region();
+    } catch (const InvalidInput&) {
+      given.region = shapes.region;
+    }
+    for (const auto& line : shapes.lines)
+      for (std::size_t i = 1; i < line.size(); ++i)
+        given.dangling_edges.push_back({line[i - 1].point(), line[i].point()});
+    for (const Coordinates& point : shapes.points) given.isolated_vertices.push_back(point.point());
+  }
+  if (boundary) of_given = boundary_of(*boundary);
+  const py::gil_scoped_release released;
+  return verify(p.region(), q.region(), given, of_given);
+}
+
+Side side_of(const std::string& name) {
+  if (name == "nearest") return Side::nearest;
+  if (name == "contain") return Side::contain;
+  if (name == "contained") return Side::contained;
+  throw std::invalid_argument("side " + name + "; expected nearest, contain or contained");
+}
+
+Rounded rounded_of(py::handle value, py::handle step_value, const std::string& side_name) {
+  const Number step = number_of(step_value);
+  const Side side = side_of(side_name);
+  if (py::isinstance<Sum>(value)) {
+    const Sum sum = value.cast<Sum>();
+    const py::gil_scoped_release released;
+    return rounded(sum, step, side);
+  }
+  const PreparedRegion region = region_of(value);
+  const py::gil_scoped_release released;
+  return rounded(region.region(), step, side);
+}
+
+py::tuple repair(py::handle value, const std::optional<std::string>& fill_name) {
+  std::optional<FillRule> fill;
+  if (fill_name == "even_odd")
+    fill = FillRule::even_odd;
+  else if (fill_name == "nonzero")
+    fill = FillRule::nonzero;
+  else if (fill_name)
+    throw std::invalid_argument("fill " + *fill_name + "; expected even_odd or nonzero");
+  Repaired result;
+  if (PyUnicode_Check(value.ptr())) {
+    const auto text = value.cast<std::string>();
+    const py::gil_scoped_release released;
+    result = repaired_text(text, fill);
+  } else {
+    Shapes shapes = shapes_of(value);
+    if (!shapes.lines.empty() || !shapes.points.empty())
+      throw InvalidInput({"geometry", 0, 0}, "line strings or points", "polygons");
+    const py::gil_scoped_release released;
+    result = repaired(std::move(shapes.region), fill);
+  }
+  py::list mends;
+  for (const Mend& mend : result.mends) mends.append(mend.what);
+  return py::make_tuple(PreparedRegion(std::move(result.region)), mends);
+}
+
+py::object complement_of(py::handle value) {
+  if (py::isinstance<Sum>(value)) return py::cast(complement(value.cast<const Sum&>()));
+  return py::cast(PreparedRegion(complement(region_of(value).region())));
+}
+
+PreparedRegion disc_of(py::handle radius, const std::string& side, py::handle error) {
+  if (side != "inside" && side != "outside")
+    throw std::invalid_argument("side " + side + "; expected inside or outside");
+  return disc(number_of(radius), side == "inside" ? DiscSide::inside : DiscSide::outside,
+              number_of(error));
+}
+
+py::tuple rotation_of(py::handle degrees, py::handle error) {
+  const AffineMap map = rotation(number_of(degrees), number_of(error));
+  return py::make_tuple(to_python(map.a), to_python(map.c));
+}
+
+void define_operations(py::module_& m) {
+  m.def("minkowski_sum", minkowski_sum_of, py::arg("p"), py::arg("q"), py::kw_only(),
+        py::arg("boundary") = "closed", py::arg("threads") = 1,
+        R"(minkowski_sum(p, q, *, boundary='closed', threads=1)
+--
+
+Returns the Minkowski sum, the set of all p + q, exactly.
+
+p, q: whatever Region or ClosedSet takes. boundary: 'closed', or 'open' for the sum of the
+interiors, which has dangling edges and isolated vertices. threads: 0 for all cores.
+
+>>> print(oplus.minkowski_sum([[0, 0], [2, 0], [0, 2]], [[0, 0], [1, 0], [1, 1], [0, 1]]))
+POLYGON ((0 0, 3 0, 3 1, 1 3, 0 3, 0 0))
+)");
+  define<operation<nfp>>(m, "nfp", R"(nfp(p, q, *, threads=1)
+--
+
+Returns the no-fit polygon: the open set of all x where q, moved by x, overlaps p. On its boundary,
+with dangling edges and isolated vertices, the two only touch.
+
+>>> square = [[0, 0], [1, 0], [1, 1], [0, 1]]
+>>> print(oplus.nfp(square, square))
+POLYGON ((-1 -1, 1 -1, 1 1, -1 1, -1 -1))
+)");
+  define<operation<ifp>>(m, "ifp", R"(ifp(p, q, *, threads=1)
+--
+
+Returns the inner-fit polygon: the closed set of all x where q, moved by x, is inside p. Where it
+fits exactly there are dangling edges and isolated vertices.
+
+>>> bin = [[0, 0], [100, 0], [100, 100], [0, 100]]
+>>> print(oplus.ifp(bin, bin))
+GEOMETRYCOLLECTION (POINT (0 0))
+)");
+  define<operation<erosion>>(m, "erode", R"(erode(p, q, *, threads=1)
+--
+
+Returns the erosion of p by q: the inner-fit polygon without edges and points.
+
+>>> square = [[0, 0], [1, 0], [1, 1], [0, 1]]
+>>> print(oplus.erode([[0, 0], [3, 0], [3, 2], [0, 2]], square))
+POLYGON ((0 0, 2 0, 2 1, 0 1, 0 0))
+)");
+  define<operation<opening>>(m, "open", R"(open(p, q, *, threads=1)
+--
+
+Returns the opening: the union of all q, moved, inside p.
+
+>>> square = [[0, 0], [1, 0], [1, 1], [0, 1]]
+>>> print(oplus.open([[0, 0], [3, 0], [3, '1/2'], [2, '1/2'], [2, 2], [0, 2]], square))
+POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))
+)");
+  define<operation<closing>>(m, "close", R"(close(p, q, *, threads=1)
+--
+
+Returns the closing: the erosion by q of the sum of p and q. It contains p.
+
+>>> square = [[0, 0], [1, 0], [1, 1], [0, 1]]
+>>> notched = [[0, 0], [3, 0], [3, 2], [2, 2], [2, 1], ['3/2', 1], ['3/2', 2], [0, 2]]
+>>> print(oplus.close(notched, square))
+POLYGON ((0 0, 3 0, 3 2, 0 2, 0 0))
+)");
+}
+
+void define_others(py::module_& m) {
+  m.def("verify", verify_of, py::arg("p"), py::arg("q"), py::arg("given"), py::kw_only(),
+        py::arg("boundary") = py::none(), R"(verify(p, q, given, *, boundary=None)
+--
+
+Decides whether `given` is the sum of p and q, by the definitions and by no engine. It is a Sum or
+whatever Region takes, or what would be invalid: chains of geometries and lists may cross. boundary:
+'closed' or 'open'; None: that of a Sum, closed for others. Raises InvalidInput where a region is
+unbounded.
+
+>>> square = [[0, 0], [1, 0], [1, 1], [0, 1]]
+>>> verdict = oplus.verify(square, square, [[0, 0], [2, 0], [2, 2], [1, 2], [0, 1]])
+>>> bool(verdict), verdict.reasons
+(False, [<oplus.Reason: in the sum but not given>])
+)");
+  m.def("rounded", rounded_of, py::arg("value"), py::arg("step"), py::arg("side") = "nearest",
+        R"(rounded(value, step, side='nearest')
+--
+
+Returns a Rounded: a valid set whose coordinates are multiples of `step`, and how far it is from the
+exact one. value: a Sum, or whatever Region takes. side: 'nearest', 'contain' for a set that
+contains it, 'contained' for one that is contained in it. Steps 2**-k give exact doubles.
+
+>>> third = oplus.rounded([[0, 0], ['1/3', 0], [0, 1]], '0.01')
+>>> print(third.sum, third.bound)
+POLYGON ((0 0, 0.33 0, 0 1, 0 0)) 1/200
+)");
+  m.def("repair", repair, py::arg("value"), py::arg("fill") = py::none(),
+        R"(repair(value, fill=None)
+--
+
+Returns (Region, list of what was done): repeated vertices, spikes and chains that enclose nothing
+are left out. Where chains still cross or overlap: what they enclose by the rule fill='even_odd' or
+'nonzero', else InvalidInput is raised. value: text, or whatever Region takes.
+
+>>> region, mends = oplus.repair([[0, 0], [2, 2], [2, 0], [0, 2]], fill='even_odd')
+>>> region.area
+Fraction(2, 1)
+)");
+  m.def("complement", complement_of, py::arg("value"), R"(complement(value)
+--
+
+Returns the complement: of a region a Region, of a Sum a Sum; closed of an open one, and the reverse.
+
+>>> outside = oplus.complement([[0, 0], [1, 0], [0, 1]])
+>>> (5, 5) in outside
+True
+)");
+  m.def("disc", disc_of, py::arg("radius"), py::arg("side"), py::arg("error"),
+        R"(disc(radius, side, error)
+--
+
+Returns a convex polygon inside or around the disc about the origin, at most `error` away from it.
+side: 'inside' or 'outside'. Its sum with a region is an offset.
+
+>>> (1, 0) in oplus.disc(1, 'outside', '0.01')
+True
+)");
+  m.def("rotation", rotation_of, py::arg("degrees"), py::arg("error") = "1/10000",
+        R"(rotation(degrees, error='1/10000')
+--
+
+Returns the exact cosine and sine that Region.rotated takes: Fractions.
+
+>>> oplus.rotation(90)
+(Fraction(0, 1), Fraction(1, 1))
+>>> cosine, sine = oplus.rotation(30, 1)
+>>> cosine**2 + sine**2
+Fraction(1, 1)
+)");
+}
+
+void define_errors(py::module_& m) {
+  const auto type = py::register_exception<InvalidInput>(m, "InvalidInput", PyExc_ValueError);
+  type.attr("__module__") = "oplus";
+  type.attr("__doc__") =
+      "Invalid input. The message is one line: what is wrong and what was expected.";
+}
+
+}  // namespace
+
+}  // namespace oplus::python
+
+PYBIND11_MODULE(_oplus, m) {
+  namespace python = oplus::python;
+  pybind11::options options;
+  options.disable_function_signatures();
+  m.attr("__version__") = OPLUS_VERSION;
+  python::define_errors(m);
+  python::define_arrays(m);
+  python::define_regions(m);
+  python::define_results(m);
+  python::define_operations(m);
+  python::define_batch(m);
+  python::define_others(m);
+}

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "python/numbers.hpp"
+
+#include <string>
+
+namespace oplus::python {
+
+namespace {
+
+/// Requires: a Python int.
+Rational integer_of(py::handle value) {
+  int overflow = 0;
+  const long long small = PyLong_AsLongLongAndOverflow(value.ptr(), &overflow);
+  if (overflow == 0) return Number(small).value();
+  // Python limits the number of decimal digits, not that of hexadecimal ones.
+  std::string digits =
+      py::reinterpret_steal<py::str>(PyNumber_ToBase(value.ptr(), 16)).cast<std::string>();
+  digits.erase(digits.find("0x"), 2);
+  return Rational(digits, 16);
+}
+
+py::object to_python(const mpz_class& value) {
+  PyObject* const result = value.fits_slong_p()
+                               ? PyLong_FromLong(value.get_si())
+                               : PyLong_FromString(value.get_str(16).c_str(), nullptr, 16);
+  if (result == nullptr) throw py::error_already_set();
+  return py::reinterpret_steal<py::object>(result);
+}
+
+py::handle fraction_type() {
+  // Never destroyed: Python may have ended before.
+  static PyObject* const type =
+      py::module_::import("fractions").attr("Fraction").cast<py::object>().release().ptr();
+  return type;
+}
+
+std::string type_of(py::handle value) { return Py_TYPE(value.ptr())->tp_name; }
+
+}  // namespace
+
+bool is_number(py::handle value) {
+  PyObject* const object = value.ptr();
+  return PyFloat_Check(object) || PyLong_Check(object) || PyUnicode_Check(object) ||
+         PyIndex_Check(object) || py::hasattr(value, "as_integer_ratio");
+}
+
+Number number_of(py::handle value) {
+  PyObject* const object = value.ptr();
+  if (PyFloat_Check(object)) return PyFloat_AS_DOUBLE(object);
+  if (PyLong_Check(object)) return integer_of(value);
+  if (PyUnicode_Check(object)) return value.cast<std::string>();
+  if (py::hasattr(value, "as_integer_ratio")) {
+    try {
+      const py::tuple ratio = value.attr("as_integer_ratio")();
+      return Rational(integer_of(ratio[0]) / integer_of(ratio[1]));
+    } catch (const py::error_already_set& error) {
+      if (!error.matches(PyExc_OverflowError) && !error.matches(PyExc_ValueError)) throw;
+      // An infinity, or not a number: oplus has a message for it.
+      return value.attr("__float__")().cast<double>();
+    }
+  }
+  if (PyIndex_Check(object)) {
+    const auto index = py::reinterpret_steal<py::object>(PyNumber_Index(object));
+    if (!index) throw py::error_already_set();
+    return integer_of(index);
+  }
+  throw py::type_error("a coordinate of type " + type_of(value) +
+                       ": expected an int, a float, a Fraction or text");
+}
+
+Point point_of(py::handle value) {
+  if (!py::isinstance<py::list>(value) && !py::isinstance<py::tuple>(value) &&
+      !(PySequence_Check(value.ptr()) && !PyUnicode_Check(value.ptr()) &&
+        !PyBytes_Check(value.ptr())))
+    throw py::type_error("a point of type " + type_of(value) + ": expected a pair of numbers");
+  const auto items = py::reinterpret_steal<py::object>(
+      PySequence_Fast(value.ptr(), "a point: expected a pair of numbers"));
+  if (!items) throw py::error_already_set();
+  if (PySequence_Fast_GET_SIZE(items.ptr()) < 2)
+    throw InvalidInput({"point", 0, 0}, "it has less than two coordinates", "x and y");
+  return Coordinates(number_of(PySequence_Fast_GET_ITEM(items.ptr(), 0)),
+                     number_of(PySequence_Fast_GET_ITEM(items.ptr(), 1)))
+      .point();
+}
+
+py::object to_python(const Rational& value) {
+  return value.get_den() == 1
+             ? fraction_type()(to_python(value.get_num()))
+             : fraction_type()(to_python(value.get_num()), to_python(value.get_den()));
+}
+
+py::object to_python(const Point& point) {
+  return py::make_tuple(to_python(point.x), to_python(point.y));
+}
+
+}  // namespace oplus::python

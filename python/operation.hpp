@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <oplus/oplus.hpp>
+#include <string>
+
+/// @file
+/// The operations on two regions, one at a time and many at once.
+namespace oplus::python {
+
+namespace py = pybind11;
+
+/// An operation of oplus.hpp.
+using Operation = Sum (*)(const PreparedRegion& p, const PreparedRegion& q,
+                          const SumOptions& options);
+
+/// Returns the sum.
+Sum sum_of(const PreparedRegion& p, const PreparedRegion& q, const SumOptions& options);
+
+/// Returns an operation on two regions, which are the same of `compute`.
+template <Sum (*compute)(const ValidRegion&, const ValidRegion&, const SumOptions&)>
+Sum operation(const PreparedRegion& p, const PreparedRegion& q, const SumOptions& options) {
+  return compute(p.region(), q.region(), options);
+}
+
+/// Returns Boundary::closed or Boundary::open. Throws std::invalid_argument for another name.
+Boundary boundary_of(const std::string& name);
+
+/// Defines batch, from_arrays and to_arrays.
+void define_batch(py::module_& module);
+
+}  // namespace oplus::python

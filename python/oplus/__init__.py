@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: MIT
+"""Exact Minkowski sums of polygons with holes, and what is made of them.
+
+Functions take regions of many types (Region says which), coordinates for exactly what they are, and
+return exact results. Each may be called on any thread; Python's lock is released while they compute.
+
+>>> print(oplus.minkowski_sum([[0, 0], [2, 0], [0, 2]], [[0, 0], [1, 0], [1, 1], [0, 1]]))
+POLYGON ((0 0, 3 0, 3 1, 1 3, 0 3, 0 0))
+"""
+
+from . import _oplus
+from ._oplus import (Arrays, ClosedSet, InvalidInput, Reason, Region, Rounded, Sum, Verdict, batch,
+                     close, complement, disc, erode, from_arrays, ifp, minkowski_sum, nfp, open,
+                     repair, rotation, rounded, to_arrays, verify)
+
+__all__ = ["Arrays", "ClosedSet", "InvalidInput", "Reason", "Region", "Rounded", "Sum", "Verdict",
+           "batch", "close", "complement", "disc", "erode", "from_arrays", "ifp", "minkowski_sum",
+           "nfp", "open", "repair", "rotation", "rounded", "to_arrays", "verify"]
+__version__ = _oplus.__version__
+
+for _name in __all__:
+    if getattr(_oplus, _name).__module__ == "oplus._oplus":
+        try:
+            getattr(_oplus, _name).__module__ = "oplus"
+        except (AttributeError, TypeError):  # a function's, before Python 3.13
+            pass
+del _name

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#include <pybind11/stl.h>
+
+#include <optional>
+
+#include "python/numbers.hpp"
+#include "python/output.hpp"
+#include "python/results.hpp"
+#include "python/shapes.hpp"
+
+namespace oplus::python {
+
+namespace {
+
+PreparedRegion mapped(const PreparedRegion& region, const AffineMap& map) {
+  return transformed(region.region(), map);
+}
+
+std::string summary(const PreparedRegion& region) {
+  std::size_t components = 0, holes = 0, vertices = 0;
+  for (const Component& component : region.region().components()) {
+    ++components;
+    holes += component.holes.size();
+    vertices += component.outer.size();
+    for (const Chain& hole : component.holes) vertices += hole.size();
+  }
+  return "<oplus.Region: " + std::to_string(components) + " components, " + std::to_string(holes) +
+         " holes, " + std::to_string(vertices) + " vertices>";
+}
+
+void define_region(py::module_& m) {
+  using R = const PreparedRegion&;
+  py::class_<PreparedRegion>(m, "Region", R"(A polygonal region with holes: a valid one.
+
+Region(value) takes an object with __geo_interface__, such a dictionary, text (WKT, GeoJSON and
+others), bytes of WKB, lists of coordinates, or an array of shape (n, 2). Lists are a ring, a list
+of rings (the outer one and the holes), or a list of these. A coordinate is an int, a float, a
+Fraction, a Decimal or text such as '1/3', taken for exactly what it is. Rings may be turned either
+way, and may or may not repeat their first point at the end. Raises InvalidInput where chains
+cross, overlap, or are not one inside the other. Cost: n log n for n vertices.
+
+A region never changes. It keeps what depends on it alone for the next sum with it.
+
+>>> triangle = oplus.Region([[0, 0], [1, 0], [0.5, '1/3']])
+>>> triangle
+<oplus.Region: 1 components, 0 holes, 3 vertices>
+>>> print(triangle)
+POLYGON ((0 0, 1 0, 0.5 1/3, 0 0))
+>>> oplus.Region([[0, 0], [2, 2], [2, 0], [0, 2]])
+Traceback (most recent call last):
+    ...
+oplus.InvalidInput: region: two edges of outer chain of component 1 cross at (1, 1): edge 1 from (0, 0) to (2, 2) and edge 3 from (2, 0) to (0, 2); expected a simple chain
+)")
+      .def(py::init([](py::handle value) { return region_of(value); }), py::arg("value"))
+      .def(
+          "components", [](R r) { return components_of(r.region().components()); },
+          R"(components()
+--
+
+Returns a list of pairs (outer ring, list of holes), rings as lists of pairs of Fractions, the outer
+ones counterclockwise, without a repeated point. One outer ring of an unbounded region is empty.
+
+>>> oplus.Region([[0, 0], ['1/3', 0], [0, 1]]).components()
+[([(Fraction(0, 1), Fraction(0, 1)), (Fraction(1, 3), Fraction(0, 1)), (Fraction(0, 1), Fraction(1, 1))], [])]
+)")
+      .def_property_readonly(
+          "area", [](R r) { return to_python(area(r.region())); },
+          R"(The area, a Fraction; of an unbounded region, minus that of its complement.
+
+>>> oplus.Region([[0, 0], [1, 0], [0, 1]]).area
+Fraction(1, 2)
+)")
+      .def_property_readonly(
+          "is_unbounded", [](R r) { return is_unbounded(r.region()); },
+          R"(Whether all points far enough away belong to it.
+
+>>> oplus.complement([[0, 0], [1, 0], [0, 1]]).is_unbounded
+True
+)")
+      .def(
+          "locate",
+          [](R r, py::handle point) { return name_of(locate(point_of(point), r.region())); },
+          py::arg("point"), R"(locate(point)
+--
+
+Returns 'inside', 'boundary' or 'outside', exactly.
+
+>>> oplus.Region([[0, 0], [1, 0], [0, 1]]).locate(('1/3', '2/3'))
+'boundary'
+)")
+      .def("__contains__", [](R r, py::handle p) { return contains(r.region(), point_of(p)); })
+      .def(
+          "translated",
+          [](R r, py::handle x, py::handle y) {
+            return mapped(r, translation({number_of(x), number_of(y)}));
+          },
+          py::arg("x"), py::arg("y"), R"(translated(x, y)
+--
+
+Returns the region, moved by a vector.
+
+>>> print(oplus.Region([[0, 0], [1, 0], [0, 1]]).translated('1/2', 2))
+POLYGON ((0.5 2, 1.5 2, 0.5 3, 0.5 2))
+)")
+      .def(
+          "scaled",
+          [](R r, py::handle x, py::handle y) {
+            return mapped(r, scaling(number_of(x), number_of(y)));
+          },
+          py::arg("x"), py::arg("y"), R"(scaled(x, y)
+--
+
+Returns the region with each x and each y multiplied by a factor; negative ones reflect it. Raises
+InvalidInput if one is zero.
+
+>>> print(oplus.Region([[0, 0], [1, 0], [0, 1]]).scaled(-1, 1))
+POLYGON ((0 0, 0 1, -1 0, 0 0))
+)")
+      .def(
+          "rotated",
+          [](R r, py::handle degrees, py::handle error) {
+            return mapped(r, rotation(number_of(degrees), number_of(error)));
+          },
+          py::arg("degrees"), py::arg("error") = "1/10000", R"(rotated(degrees, error='1/10000')
+--
+
+Returns the region, rotated counterclockwise about the origin: exactly by multiples of 90 degrees, else
+by an angle with a rational sine and cosine that differs by at most `error` degrees; see rotation.
+
+>>> print(oplus.Region([[0, 0], [2, 0], [0, 1]]).rotated(90))
+POLYGON ((0 0, 0 2, -1 0, 0 0))
+)")
+      .def(
+          "__neg__", [](R r) { return PreparedRegion(-r.region()); },
+          "The region, turned by 180 degrees.")
+      .def(
+          "__eq__", [](R a, R b) { return a.region() == b.region(); }, py::is_operator())
+      .def("__repr__", summary)
+      .def("__str__", [](R r) { return to_wkt(r.region()); })
+      .def(
+          "to_wkt", [](R r, std::optional<int> digits) { return to_wkt(r.region(), digits); },
+          py::arg("digits") = py::none(), R"(to_wkt(digits=None)
+--
+
+Returns WKT: exact, with fractions p/q where a decimal would not end; or rounded to that many
+decimal places, as rounded does, which all programs read.
+
+>>> oplus.Region([[0, 0], ['1/3', 0], [0, 1]]).to_wkt(digits=2)
+'POLYGON ((0 0, 0.33 0, 0 1, 0 0))'
+)")
+      .def(
+          "to_geojson",
+          [](R r, std::optional<int> digits) { return to_geojson(r.region(), digits); },
+          py::arg("digits") = py::none(), R"(to_geojson(digits=None)
+--
+
+Returns GeoJSON, as to_wkt does; fractions are strings.
+
+>>> oplus.Region([[0, 0], [1, 0], [0, 1]]).to_geojson()
+'{"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [0, 1], [0, 0]]]}'
+)")
+      .def(
+          "to_wkb", [](R r) { return bytes_of(to_wkb(r.region())); }, R"(to_wkb()
+--
+
+Returns WKB. Raises InvalidInput where a coordinate is not exactly a double.
+
+>>> oplus.Region(oplus.Region([[0, 0], [1, 0], [0, 1]]).to_wkb()).area
+Fraction(1, 2)
+)")
+      .def_property_readonly("__geo_interface__",
+                             [](R r) { return geo_interface(r.region(), {}, {}); })
+      .def(
+          "to_shapely", [](R r) { return to_shapely(geo_interface(r.region(), {}, {})); },
+          R"(to_shapely()
+--
+
+Returns Shapely's geometry, each coordinate the nearest double, so that it may be invalid; that of
+rounded(region, 2**-20), say, is valid and exact. Raises InvalidInput where the region is unbounded.
+
+>>> oplus.Region([[0, 0], [1, 0], [0, 1]]).to_shapely().area
+0.5
+)");
+}
+
+void define_closed_set(py::module_& m) {
+  using C = const ClosedSet&;
+  py::class_<ClosedSet>(m, "ClosedSet",
+                        R"(A region, line strings and points together, which may overlap.
+
+ClosedSet(value) takes what Region takes, and geometries and text with line strings and points.
+What has no polygons is a summand of minkowski_sum.
+
+>>> path = oplus.ClosedSet('LINESTRING (0 0, 4 0, 4 3)')
+>>> print(oplus.minkowski_sum(path, [[0, 0], [1, 0], [1, 1], [0, 1]]))
+POLYGON ((0 0, 5 0, 5 4, 4 4, 4 1, 0 1, 0 0))
+)")
+      .def(py::init([](py::handle value) { return closed_set_of(value); }), py::arg("value"))
+      .def(
+          "__neg__", [](C s) { return -s; }, "The set, turned by 180 degrees.")
+      .def(
+          "__eq__", [](C a, C b) { return a == b; }, py::is_operator());
+}
+
+}  // namespace
+
+void define_regions(py::module_& m) {
+  define_region(m);
+  define_closed_set(m);
+}
+
+}  // namespace oplus::python

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include "python/results.hpp"
+
+#include <pybind11/stl.h>
+
+#include <oplus/oplus.hpp>
+#include <optional>
+
+#include "python/numbers.hpp"
+#include "python/output.hpp"
+
+namespace oplus::python {
+
+namespace {
+
+py::dict geo_interface(const Sum& s) {
+  return python::geo_interface(s.region(), s.dangling_edges(), s.isolated_vertices());
+}
+
+std::string summary(const Sum& sum) {
+  const auto count = [](std::size_t n, const char* what) { return std::to_string(n) + what; };
+  return std::string("<oplus.Sum: ") + (sum.boundary() == Boundary::open ? "open, " : "closed, ") +
+         count(sum.components().size(), " components, ") +
+         count(sum.dangling_edges().size(), " dangling edges, ") +
+         count(sum.isolated_vertices().size(), " isolated vertices>");
+}
+
+void define_sum(py::module_& m) {
+  using S = const Sum&;
+  py::class_<Sum>(m, "Sum", R"(The result of an operation, exact: a region, with edges and points.
+
+A sum never changes. A closed one without dangling edges and isolated vertices is taken wherever
+a region is; of others, `region` is.
+
+>>> room = [[[0, 0], [5, 0], [5, 5], [0, 5]], [[1, 1], [1, 4], [4, 4], [4, 1]]]
+>>> oplus.nfp(room, [[0, 0], [3, 0], [3, 1], [0, 1]])
+<oplus.Sum: open, 1 components, 1 dangling edges, 0 isolated vertices>
+)")
+      .def_property_readonly(
+          "boundary", [](S s) { return s.boundary() == Boundary::open ? "open" : "closed"; },
+          R"('closed' or 'open'.
+
+>>> oplus.nfp([[0, 0], [1, 0], [0, 1]], [[0, 0], [1, 0], [0, 1]]).boundary
+'open'
+)")
+      .def_property_readonly(
+          "region", [](S s) { return PreparedRegion(s.region()); },
+          R"(Its Region, without dangling edges and isolated vertices.
+
+>>> square = [[0, 0], [1, 0], [1, 1], [0, 1]]
+>>> oplus.minkowski_sum(square, square).region.area
+Fraction(4, 1)
+)")
+      .def(
+          "components", [](S s) { return components_of(s.components()); }, R"(components()
+--
+
+Returns a list of pairs (outer ring, list of holes), as Region.components does.
+
+>>> [(outer, holes)] = oplus.minkowski_sum([[0, 0], [1, 0], [0, 1]], [[0, 0], [1, 0], [0, 1]]).components()
+>>> outer == [(0, 0), (2, 0), (0, 2)], holes
+(True, [])
+)")
+      .def_property_readonly(
+          "dangling_edges", [](S s) { return edges_of(s.dangling_edges()); },
+          R"(Where one region just fits into the other and can be moved: pairs of points.
+
+Of an open sum they belong to its complement, of a closed set to the set.
+
+>>> oplus.ifp([[0, 0], [5, 0], [5, 1], [0, 1]], [[0, 0], [3, 0], [3, 1], [0, 1]]).dangling_edges
+[((Fraction(0, 1), Fraction(0, 1)), (Fraction(2, 1), Fraction(0, 1)))]
+)")
+      .def_property_readonly(
+          "isolated_vertices", [](S s) { return points_of(s.isolated_vertices()); },
+          R"(Where one region just fits into the other and cannot be moved: points.
+
+>>> bin = [[0, 0], [100, 0], [100, 100], [0, 100]]
+>>> oplus.ifp(bin, bin).isolated_vertices
+[(Fraction(0, 1), Fraction(0, 1))]
+)")
+      .def_property_readonly(
+          "area", [](S s) { return to_python(area(s)); }, R"(The area, a Fraction.
+
+>>> oplus.minkowski_sum([[0, 0], [1, 0], [0, 1]], [[0, 0], [1, 0], [0, 1]]).area
+Fraction(2, 1)
+)")
+      .def(
+          "locate", [](S s, py::handle point) { return name_of(locate(point_of(point), s)); },
+          py::arg("point"), R"(locate(point)
+--
+
+Returns 'inside', 'boundary' or 'outside', exactly. Dangling edges and isolated vertices belong to
+the boundary.
+
+>>> oplus.minkowski_sum([[0, 0], [1, 0], [0, 1]], [[0, 0], [1, 0], [0, 1]]).locate((1, 1))
+'boundary'
+)")
+      .def("__contains__", [](S s, py::handle point) { return contains(s, point_of(point)); })
+      .def(
+          "__eq__", [](S a, S b) { return a == b; }, py::is_operator())
+      .def("__repr__", summary)
+      .def("__str__", [](S s) { return to_wkt(s); })
+      .def(
+          "to_wkt", [](S s, std::optional<int> digits) { return to_wkt(s, digits); },
+          py::arg("digits") = py::none(), R"(to_wkt(digits=None)
+--
+
+Returns WKT as Region.to_wkt does, with edges and points in a collection.
+
+>>> oplus.ifp([[0, 0], [5, 0], [5, 1], [0, 1]], [[0, 0], [3, 0], [3, 1], [0, 1]]).to_wkt()
+'GEOMETRYCOLLECTION (LINESTRING (0 0, 2 0))'
+)")
+      .def(
+          "to_geojson", [](S s, std::optional<int> digits) { return to_geojson(s, digits); },
+          py::arg("digits") = py::none(), R"(to_geojson(digits=None)
+--
+
+Returns GeoJSON, as to_wkt does; fractions are strings.
+
+>>> oplus.minkowski_sum([[0, 0], [1, 0], [0, 1]], [[0, 0], [1, 0], [0, 1]]).to_geojson()
+'{"type": "Polygon", "coordinates": [[[0, 0], [2, 0], [0, 2], [0, 0]]]}'
+)")
+      .def(
+          "to_wkb", [](S s) { return bytes_of(to_wkb(s)); }, R"(to_wkb()
+--
+
+Returns WKB, as to_wkt does. Raises InvalidInput where a coordinate is not exactly a double.
+
+>>> len(oplus.minkowski_sum([[0, 0], [1, 0], [0, 1]], [[0, 0], [1, 0], [0, 1]]).to_wkb())
+77
+)")
+      .def_property_readonly("__geo_interface__", [](S s) { return geo_interface(s); })
+      .def(
+          "to_shapely", [](S s) { return to_shapely(geo_interface(s)); }, R"(to_shapely()
+--
+
+Returns Shapely's geometry as Region.to_shapely does; dangling edges are line strings and isolated
+vertices points, in a collection where there are several parts.
+
+>>> oplus.ifp([[0, 0], [5, 0], [5, 1], [0, 1]], [[0, 0], [3, 0], [3, 1], [0, 1]]).to_shapely().length
+2.0
+)");
+}
+
+py::dict changes_of(const TopologyChanges& c) {
+  py::dict result;
+  const auto add = [&](const char* name, std::size_t n) {
+    if (n != 0) result[name] = n;
+  };
+  add("vanished_components", c.vanished_components);
+  add("joined_components", c.joined_components);
+  add("split_components", c.split_components);
+  add("new_components", c.new_components);
+  add("closed_holes", c.closed_holes);
+  add("joined_holes", c.joined_holes);
+  add("split_holes", c.split_holes);
+  add("opened_holes", c.opened_holes);
+  add("new_holes", c.new_holes);
+  add("lost_edges_and_points", c.lost_edges_and_points);
+  return result;
+}
+
+void define_rounded(py::module_& m) {
+  using R = const Rounded&;
+  py::class_<Rounded>(m, "Rounded", "What rounded returns.")
+      .def_property_readonly(
+          "sum", [](R r) { return r.sum; }, "The Sum on the grid.")
+      .def_property_readonly(
+          "is_exact", [](R r) { return r.is_exact; }, "Whether nothing had to be rounded.")
+      .def_property_readonly(
+          "bound", [](R r) { return to_python(r.bound); },
+          "How far boundaries are from each other at most, in x and in y: a Fraction.")
+      .def_property_readonly(
+          "changes", [](R r) { return changes_of(r.changes); },
+          "How many components and holes vanished, became one or came apart: those that are not "
+          "zero, by name.");
+}
+
+void define_verdict(py::module_& m) {
+  using X = const Reason&;
+  py::class_<Reason>(m, "Reason", "A difference between a set and the sum.")
+      .def_property_readonly(
+          "kind", [](X r) { return describe(r.kind); }, "In words: 'missing hole'.")
+      .def_property_readonly(
+          "witness", [](X r) { return to_python(r.witness); }, "A point that shows it.")
+      .def_property_readonly(
+          "in_sum", [](X r) { return r.in_sum; }, "Whether the witness is in the sum.")
+      .def_property_readonly(
+          "in_given", [](X r) { return r.in_given; }, "Whether it is in the given set.")
+      .def_property_readonly(
+          "detail", [](X r) { return r.detail; }, "A line that says where.")
+      .def("__repr__", [](X r) { return "<oplus.Reason: " + describe(r.kind) + '>'; });
+  using V = const Verdict&;
+  py::class_<Verdict>(m, "Verdict", "What verify returns. True where the set is the sum.")
+      .def_property_readonly(
+          "is_sum", [](V v) { return v.is_sum(); }, "Whether the given set is the sum.")
+      .def("__bool__", [](V v) { return v.is_sum(); })
+      .def_property_readonly(
+          "reasons", [](V v) { return v.reasons; }, "Why it is not: a list of Reason.")
+      .def_property_readonly(
+          "notes", [](V v) { return v.notes; }, "What is unusual and changes nothing.")
+      .def("__repr__", [](V v) {
+        return v.is_sum() ? std::string("<oplus.Verdict: it is the sum>")
+                          : "<oplus.Verdict: " + std::to_string(v.reasons.size()) + " reasons>";
+      });
+}
+
+}  // namespace
+
+void define_results(py::module_& m) {
+  define_sum(m);
+  define_rounded(m);
+  define_verdict(m);
+}
+
+}  // namespace oplus::python

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+/// @file
+/// The classes of the module.
+namespace oplus::python {
+
+namespace py = pybind11;
+
+/// Defines Region and ClosedSet.
+void define_regions(py::module_& module);
+
+/// Defines Sum, Rounded, Reason and Verdict.
+void define_results(py::module_& module);
+
+}  // namespace oplus::python

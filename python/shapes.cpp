@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: MIT
+#include "python/shapes.hpp"
+
+#include <cstdint>
+#include <cstring>
+#include <string>
+
+#include "python/numbers.hpp"
+
+namespace oplus::python {
+
+namespace {
+
+InvalidInput invalid(const std::string& wrong, const std::string& expected) {
+  return InvalidInput({"geometry", 0, 0}, wrong, expected);
+}
+
+std::string type_of(py::handle value) { return Py_TYPE(value.ptr())->tp_name; }
+
+void open_ring(Chain& chain) {
+  if (chain.size() > 1 && chain.front() == chain.back()) chain.pop_back();
+}
+
+bool is_list(py::handle value) {
+  return py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value);
+}
+
+Chain points_of(py::handle value) {
+  Chain chain;
+  if (py::isinstance<py::array>(value)) {
+    const auto array = py::reinterpret_borrow<py::array>(value);
+    // Fractions and ints of any size, say.
+    if (array.dtype().kind() == 'O') return points_of(array.attr("tolist")());
+    const Points points(array);
+    for (std::size_t i = 0; i < points.size(); ++i) chain.push_back(points[i]);
+    return chain;
+  }
+  if (!PySequence_Check(value.ptr()) || PyUnicode_Check(value.ptr()))
+    throw py::type_error("a chain of type " + type_of(value) + ": expected a list of points");
+  for (const py::handle point : py::reinterpret_borrow<py::sequence>(value))
+    chain.push_back(point_of(point));
+  return chain;
+}
+
+Chain ring_of(py::handle value) {
+  Chain chain = points_of(value);
+  open_ring(chain);
+  return chain;
+}
+
+void add_polygon(py::handle rings, Region& region) {
+  Component component;
+  bool is_first = true;
+  for (const py::handle ring : rings) {
+    if (is_first)
+      component.outer = ring_of(ring);
+    else
+      component.holes.push_back(ring_of(ring));
+    is_first = false;
+  }
+  // An empty outer chain would stand for the plane.
+  if (!is_first && component.outer.empty())
+    throw invalid("a polygon without an outer ring", "at least 3 vertices");
+  if (!is_first) region.components.push_back(std::move(component));
+}
+
+void add_line(py::handle points, Shapes& shapes) {
+  auto& line = shapes.lines.emplace_back();
+  for (const Point& p : points_of(points)) line.emplace_back(p);
+}
+
+void add_geometry(py::handle value, Shapes& shapes) {
+  if (value.is_none()) return;
+  if (!py::isinstance<py::dict>(value)) {
+    if (!py::hasattr(value, "__geo_interface__"))
+      throw py::type_error("a geometry of type " + type_of(value) + ": expected a dictionary");
+    return add_geometry(value.attr("__geo_interface__"), shapes);
+  }
+  const auto geometry = py::reinterpret_borrow<py::dict>(value);
+  const auto member = [&](const char* name) -> py::object {
+    if (!geometry.contains(name))
+      throw invalid("it has no \"" + std::string(name) + '"', "a GeoJSON object");
+    return geometry[name];
+  };
+  const auto type = py::str(member("type")).cast<std::string>();
+  if (type == "Feature") return add_geometry(member("geometry"), shapes);
+  if (type == "FeatureCollection" || type == "GeometryCollection") {
+    for (const py::handle one : member(type == "FeatureCollection" ? "features" : "geometries"))
+      add_geometry(one, shapes);
+    return;
+  }
+  if (type == "Polygon") {
+    add_polygon(member("coordinates"), shapes.region);
+  } else if (type == "MultiPolygon") {
+    for (const py::handle polygon : member("coordinates")) add_polygon(polygon, shapes.region);
+  } else if (type == "LineString" || type == "LinearRing") {
+    add_line(member("coordinates"), shapes);
+  } else if (type == "MultiLineString") {
+    for (const py::handle line : member("coordinates")) add_line(line, shapes);
+  } else if (type == "Point") {
+    const py::object point = member("coordinates");
+    if (py::len(point) != 0) shapes.points.emplace_back(point_of(point));
+  } else if (type == "MultiPoint") {
+    for (const py::handle point : member("coordinates"))
+      shapes.points.emplace_back(point_of(point));
+  } else {
+    throw invalid("its type is \"" + type + '"', "one of GeoJSON");
+  }
+}
+
+/// Returns how many lists are around the first number: 2 for a ring. 0 for an empty list.
+int depth(py::handle value) {
+  if (py::isinstance<py::array>(value))
+    return static_cast<int>(py::reinterpret_borrow<py::array>(value).ndim());
+  if (!is_list(value)) {
+    if (is_number(value)) return 0;
+    throw py::type_error("a geometry of type " + type_of(value) +
+                         ": expected a Region, text, bytes, an object with __geo_interface__, "
+                         "lists of coordinates or an array");
+  }
+  const auto list = py::reinterpret_borrow<py::sequence>(value);
+  if (list.size() == 0) return 0;
+  return 1 + depth(py::object(list[0]));
+}
+
+ClosedSet closed_set(const Shapes& shapes) {
+  return ClosedSet(ValidRegion(shapes.region), shapes.lines, shapes.points);
+}
+
+/// A sum that is a closed set. Throws InvalidInput where it is more.
+void require_closed(const Sum& sum) {
+  if (sum.boundary() == Boundary::open &&
+      !(sum.dangling_edges().empty() && sum.isolated_vertices().empty()))
+    throw invalid("an open set with dangling edges or isolated vertices",
+                  "a closed set, such as its region");
+}
+
+bool has_more_than_region(const Sum& sum) {
+  return !sum.dangling_edges().empty() || !sum.isolated_vertices().empty();
+}
+
+std::string text_of(py::handle value) {
+  return PyBytes_Check(value.ptr()) ? value.cast<py::bytes>().cast<std::string>()
+                                    : value.cast<std::string>();
+}
+
+bool is_text(py::handle value) {
+  return PyUnicode_Check(value.ptr()) || PyBytes_Check(value.ptr());
+}
+
+}  // namespace
+
+Points::Points(const py::array& array) {
+  const char kind = array.dtype().kind();
+  const py::ssize_t bytes = array.dtype().itemsize();
+  is_float_ = kind == 'f';
+  if (is_float_ && bytes <= 8)
+    array_ = py::array_t<double, py::array::forcecast>::ensure(array);
+  else if ((kind == 'i' && bytes <= 8) || (kind == 'u' && bytes < 8))
+    array_ = py::array_t<std::int64_t, py::array::forcecast>::ensure(array);
+  else
+    throw py::type_error("an array of " + py::str(array.dtype()).cast<std::string>() +
+                         ": expected floats or integers of at most 64 bits");
+  if (!array_) throw py::error_already_set();
+  if (array_.ndim() != 2 || array_.shape(1) < 2)
+    throw invalid("an array of another shape than points", "shape (n, 2)");
+  data_ = static_cast<const char*>(array_.data());
+  by_row_ = array_.strides(0);
+  by_column_ = array_.strides(1);
+  size_ = static_cast<std::size_t>(array_.shape(0));
+}
+
+Point Points::operator[](std::size_t i) const {
+  const char* const x = data_ + static_cast<py::ssize_t>(i) * by_row_;
+  const auto number = [&](const char* at) -> Number {
+    if (is_float_) {
+      double value = 0;
+      std::memcpy(&value, at, sizeof value);
+      return value;
+    }
+    std::int64_t value = 0;
+    std::memcpy(&value, at, sizeof value);
+    return value;
+  };
+  return Coordinates(number(x), number(x + by_column_)).point();
+}
+
+Chain Points::chain(std::size_t begin, std::size_t end) const {
+  Chain chain;
+  chain.reserve(end - begin);
+  for (std::size_t i = begin; i < end; ++i) chain.push_back((*this)[i]);
+  open_ring(chain);
+  return chain;
+}
+
+bool is_single(py::handle value) { return !is_list(value) && !py::isinstance<py::array>(value); }
+
+Shapes shapes_of(py::handle value) {
+  Shapes shapes;
+  if (py::isinstance<py::dict>(value) || py::hasattr(value, "__geo_interface__")) {
+    add_geometry(value, shapes);
+    return shapes;
+  }
+  const int lists = depth(value);
+  if (lists == 2) {
+    shapes.region.components.push_back({ring_of(value), {}});
+    if (shapes.region.components[0].outer.empty()) shapes.region.components.clear();
+  } else if (lists == 3) {
+    add_polygon(value, shapes.region);
+  } else if (lists == 4) {
+    for (const py::handle polygon : value) add_polygon(polygon, shapes.region);
+  } else if (!is_list(value) || py::len(value) != 0) {
+    throw invalid("coordinates in " + std::to_string(lists) + " lists",
+                  "a ring of points, a list of rings or a list of these");
+  }
+  return shapes;
+}
+
+PreparedRegion region_of(py::handle value) {
+  if (py::isinstance<PreparedRegion>(value)) return value.cast<PreparedRegion>();
+  if (py::isinstance<Sum>(value)) {
+    const Sum sum = value.cast<Sum>();
+    if (has_more_than_region(sum))
+      throw invalid("a set with dangling edges or isolated vertices",
+                    "a region, such as its region");
+    return sum.region();
+  }
+  if (is_text(value)) {
+    const std::string text = text_of(value);
+    const py::gil_scoped_release released;
+    return read_text(text);
+  }
+  Shapes shapes = shapes_of(value);
+  if (!shapes.lines.empty() || !shapes.points.empty())
+    throw invalid("line strings or points", "polygons");
+  const py::gil_scoped_release released;
+  return ValidRegion(std::move(shapes.region));
+}
+
+ClosedSet closed_set_of(py::handle value) {
+  if (py::isinstance<ClosedSet>(value)) return value.cast<ClosedSet>();
+  if (py::isinstance<PreparedRegion>(value)) return value.cast<const PreparedRegion&>().region();
+  if (py::isinstance<Sum>(value)) {
+    const Sum sum = value.cast<Sum>();
+    require_closed(sum);
+    Shapes shapes{sum.region().region(), {}, {}};
+    for (const Segment& edge : sum.dangling_edges())
+      shapes.lines.push_back({edge.source, edge.target});
+    for (const Point& p : sum.isolated_vertices()) shapes.points.emplace_back(p);
+    return closed_set(shapes);
+  }
+  if (is_text(value)) {
+    const std::string text = text_of(value);
+    const py::gil_scoped_release released;
+    return read_set(text);
+  }
+  const Shapes shapes = shapes_of(value);
+  const py::gil_scoped_release released;
+  return closed_set(shapes);
+}
+
+Set set_of(py::handle value) {
+  if (py::isinstance<ClosedSet>(value)) return value.cast<ClosedSet>();
+  if (py::isinstance<Sum>(value)) {
+    const Sum sum = value.cast<Sum>();
+    if (has_more_than_region(sum)) return closed_set_of(value);
+    return PreparedRegion(sum.region());
+  }
+  if (is_text(value)) {
+    try {
+      return region_of(value);
+    } catch (const InvalidInput&) {
+      try {
+        return closed_set_of(value);
+      } catch (const InvalidInput&) {
+      }
+      throw;
+    }
+  }
+  if (!py::isinstance<PreparedRegion>(value)) {
+    Shapes shapes = shapes_of(value);
+    const py::gil_scoped_release released;
+    if (!shapes.lines.empty() || !shapes.points.empty()) return closed_set(shapes);
+    return PreparedRegion(ValidRegion(std::move(shapes.region)));
+  }
+  return region_of(value);
+}
+
+}  // namespace oplus::python

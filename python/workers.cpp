@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "python/workers.hpp"
+
+#include <pybind11/pybind11.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace oplus::python {
+
+namespace py = pybind11;
+
+namespace {
+
+void throw_if_interrupted() {
+  const py::gil_scoped_acquire acquired;
+  if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+}
+
+}  // namespace
+
+void for_each_below(std::size_t n, unsigned threads, const std::function<void(std::size_t)>& work) {
+  using Clock = std::chrono::steady_clock;
+  const py::gil_scoped_release released;
+  std::atomic<std::size_t> next{0};
+  std::atomic<bool> is_stopped{false};
+  std::exception_ptr failure;
+  std::mutex of_failure;
+  const auto run = [&](bool is_caller) {
+    Clock::time_point last_look = Clock::now();
+    try {
+      for (std::size_t i = next++; i < n && !is_stopped; i = next++) {
+        work(i);
+        if (is_caller && Clock::now() - last_look > std::chrono::milliseconds(50)) {
+          throw_if_interrupted();
+          last_look = Clock::now();
+        }
+      }
+    } catch (...) {
+      is_stopped = true;
+      const std::lock_guard lock(of_failure);
+      if (!failure) failure = std::current_exception();
+    }
+  };
+  if (threads == 0) threads = std::max(1U, std::thread::hardware_concurrency());
+  threads = static_cast<unsigned>(std::min<std::size_t>(threads, std::max<std::size_t>(n, 1)));
+  {
+    std::vector<std::jthread> others;
+    for (unsigned i = 1; i < threads; ++i) others.emplace_back(run, false);
+    run(true);
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace oplus::python

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Docstrings, stubs, and examples."""
+
+import ast
+import doctest
+import inspect
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import oplus
+
+ROOT = Path(__file__).resolve().parents[2]
+PUBLIC = {name: getattr(oplus, name) for name in oplus.__all__}
+STUBS = ast.parse((ROOT / "python/oplus/__init__.pyi").read_text(encoding="utf-8")).body
+
+
+def members(value):
+    return {name: member for name, member in vars(value).items() if not name.startswith("_")}
+
+
+def documented():
+    """Yields names and docstrings of the module, and of all that is public."""
+    yield "oplus", oplus.__doc__
+    for name, value in PUBLIC.items():
+        yield name, value.__doc__
+        if inspect.isclass(value) and value not in (oplus.Arrays, oplus.InvalidInput):
+            for member, what in members(value).items():
+                yield f"{name}.{member}", what.__doc__
+
+
+@pytest.mark.parametrize("name, text", documented(), ids=lambda text: text.split("\n")[0])
+def test_docstrings(name, text):
+    assert text and text.strip()
+    owner = name.split(".")[0]
+    # Small values that others return.
+    assert ">>>" in text or owner in ("Rounded", "Reason", "Verdict", "InvalidInput")
+    examples = doctest.DocTestParser().get_doctest(text, {"oplus": oplus}, name, None, None)
+    report = []
+    outcome = doctest.DocTestRunner(verbose=False).run(examples, out=report.append)
+    assert outcome.failed == 0, "".join(report)
+    assert all(len(line) <= 110 or "InvalidInput" in line or ">>>" in line or "Fraction" in line
+               for line in text.splitlines())
+
+
+def parameters(function):
+    """(name, default) of a stub's parameters, as inspect.signature has them."""
+    arguments = function.args
+    defaults = [None] * (len(arguments.args) - len(arguments.defaults)) + arguments.defaults
+    both = list(zip(arguments.args, defaults)) + list(zip(arguments.kwonlyargs, arguments.kw_defaults))
+    return [(argument.arg, ast.literal_eval(default) if default else inspect.Parameter.empty)
+            for argument, default in both if argument.arg != "self"]
+
+
+def signature(value):
+    return [(name, parameter.default) for name, parameter in inspect.signature(value).parameters.items()]
+
+
+def test_stubs_say_what_there_is():
+    classes = {node.name: node for node in STUBS if isinstance(node, ast.ClassDef) and node.name[0] != "_"}
+    functions = [node for node in STUBS if isinstance(node, ast.FunctionDef)]
+    assert {*classes, *(node.name for node in functions)} == set(PUBLIC)
+    for function in functions:
+        # Of an overload with errors='return', which is not the default, there is no default.
+        expected = [(name, "raise" if name == "errors" else default) for name, default in parameters(function)]
+        assert signature(PUBLIC[function.name]) == expected, function.name
+    for name, node in classes.items():
+        if name in ("Arrays", "InvalidInput"):
+            continue
+        stubs = {member.name: member for member in node.body if isinstance(member, ast.FunctionDef)}
+        assert {stub for stub in stubs if stub[0] != "_"} == set(members(PUBLIC[name])), name
+        for stub, member in stubs.items():
+            value = inspect.getattr_static(PUBLIC[name], stub)
+            is_property = any(one.id == "property" for one in member.decorator_list)
+            assert is_property == isinstance(value, property), f"{name}.{stub}"
+            if not is_property and stub[0] != "_":
+                assert signature(getattr(PUBLIC[name], stub)) == parameters(member), f"{name}.{stub}"
+    assert [(field.target.id, field.value and ast.literal_eval(field.value)) for field in classes["Arrays"].body] == [
+        (name, None) for name in oplus.Arrays._fields]
+
+
+def test_version():
+    assert f"project(oplus VERSION {oplus.__version__} " in (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
+    assert f'version = "{oplus.__version__}"' in (ROOT / "python/pyproject.toml").read_text(encoding="utf-8")
+
+
+def test_the_example(tmp_path):
+    environment = dict(os.environ, MPLBACKEND="Agg", PYTHONPATH=str(Path(oplus.__file__).parents[1]))
+    ran = subprocess.run([sys.executable, "-B", ROOT / "python/examples/nesting_step.py", tmp_path / "nesting.png"],
+                         env=environment, capture_output=True, text=True, check=True)
+    page = (ROOT / "docs/python.md").read_text(encoding="utf-8")
+    assert ran.stdout and "".join("    " + line + "\n" for line in ran.stdout.splitlines()) in page
+    assert (tmp_path / "nesting.png").stat().st_size > 10000
+
+
+def test_the_page():
+    """Its sessions print what they say."""
+    page = (ROOT / "docs/python.md").read_text(encoding="utf-8")
+    examples = doctest.DocTestParser().get_doctest(page, {}, "docs/python.md", None, None)
+    assert len(examples.examples) > 10
+    report = []
+    outcome = doctest.DocTestRunner(verbose=False).run(examples, out=report.append)
+    assert outcome.failed == 0, "".join(report)

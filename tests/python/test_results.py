@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What results say, and how they leave."""
+
+from fractions import Fraction
+
+import numpy
+import pytest
+from shapely import geometry, wkb
+
+import oplus
+
+SQUARE = [[0, 0], [1, 0], [1, 1], [0, 1]]
+ROOM = [[[0, 0], [9, 0], [9, 9], [0, 9]], [[1, 1], [1, 8], [8, 8], [8, 1]]]
+# It fits into the room from (1, 1) to (8, 8) in a line, and blocks it elsewhere.
+BAR = [[0, 0], [7, 0], [7, 1], [0, 1]]
+
+
+def test_dangling_edges_and_isolated_vertices_reach_shapely():
+    blocked = oplus.nfp(ROOM, BAR)
+    assert blocked.boundary == "open"
+    assert blocked.dangling_edges == [((1, 1), (1, 7))]
+    shape = blocked.to_shapely()
+    assert [part.geom_type for part in shape.geoms] == ["Polygon", "LineString"]
+    assert shape.geoms[1].equals(geometry.LineString([(1, 1), (1, 7)]))
+    only = oplus.nfp(ROOM, [[0, 0], [7, 0], [7, 7], [0, 7]])
+    assert only.isolated_vertices == [(1, 1)]
+    assert only.to_shapely().geoms[1].equals(geometry.Point(1, 1))
+    assert wkb.loads(only.to_wkb()).equals(only.to_shapely())
+    assert geometry.shape(only).equals(only.to_shapely())
+    assert only.locate((1, 1)) == "boundary" and (1, 1) not in only and (1, 2) in only
+
+
+def test_exact_fits():
+    bin = [[0, 0], [100, 0], [100, 100], [0, 100]]
+    assert oplus.ifp(bin, bin).to_shapely().equals(geometry.Point(0, 0))
+    assert oplus.ifp(bin, oplus.Region(bin).scaled("100000001/100000000", 1)).to_shapely().is_empty
+    assert oplus.erode(bin, bin).isolated_vertices == []
+
+
+def test_fractions_and_doubles():
+    thirds = oplus.minkowski_sum([[0, 0], ["1/3", 0], [0, 1]], SQUARE)
+    [(outer, holes)] = thirds.components()
+    assert (Fraction(4, 3), Fraction(1)) in outer and holes == []
+    assert [4 / 3, 1.0] in oplus.to_arrays(thirds).coordinates.tolist()
+    assert (4 / 3, 1.0) in thirds.to_shapely().exterior.coords[:]
+    assert "4/3" in thirds.to_wkt() and "1.33 1" in thirds.to_wkt(digits=2)
+    assert numpy.array(outer, dtype=float).shape == (5, 2)
+    with pytest.raises(oplus.InvalidInput, match="4/3 is not a double"):
+        thirds.to_wkb()
+
+
+def test_many_regions_as_arrays():
+    two = oplus.Region([[SQUARE], [[[5, 5], [6, 5], [5, 6]]]])
+    arrays = oplus.to_arrays([ROOM, two, []])
+    assert arrays.rings.tolist() == [0, 4, 8, 12, 15]
+    assert arrays.polygons.tolist() == [0, 2, 3, 4]
+    assert arrays.regions.tolist() == [0, 1, 3, 3]
+    assert oplus.from_arrays(arrays) == [oplus.Region(ROOM), two, oplus.Region([])]
+    with pytest.raises(oplus.InvalidInput, match="unbounded"):
+        oplus.to_arrays(oplus.complement(SQUARE))
+
+
+@pytest.mark.parametrize("arrays, wrong", [
+    (([[0, 0]], [1, 1]), "rings: offset 0 is 1"), (([[0, 0]], [0, 2]), "rings: the last offset is 2; .* from 0 to 1"),
+    (([[0, 0]] * 3, [0, 2, 1, 3]), "rings: offset 2 is 1 after 2"), (([[0, 0]], []), "rings: not an array"),
+    (([[0, 0]], [0.0, 1.0]), "rings: not integers"), (([[0, 0]], [[0, 1]]), "rings: not an array"),
+    (([[0, 0]], [0, 1], [0, 2]), "polygons: the last"), (([[0, 0]], [0, 1], [0, 1], [0, 2]), "regions: the last"),
+    (([[0, 0], [1, 0], [0, 1], [0, 0], [2, 2], [2, 0], [0, 2]], [0, 3, 7]), "region 1: two edges .* cross"),
+    (([[0, 0]], [0, 1], [0, 0, 1]), "region 0: a polygon without an outer ring")])
+def test_arrays_that_do_not_fit(arrays, wrong):
+    with pytest.raises(oplus.InvalidInput, match=wrong):
+        oplus.from_arrays(oplus.Arrays(numpy.array(arrays[0]), *arrays[1:]))
+
+
+def test_unbounded_regions():
+    outside = oplus.complement(SQUARE)
+    assert outside.is_unbounded and outside.area == -1
+    assert oplus.complement(outside) == oplus.Region(SQUARE)
+    grown = oplus.minkowski_sum(outside, [[0, 0], ["1/2", 0], ["1/2", "1/2"], [0, "1/2"]])
+    assert oplus.complement(grown).area == Fraction(1, 4) and oplus.complement(grown).boundary == "open"
+    for convert in (outside.to_shapely, outside.to_wkb, outside.to_wkt, grown.to_shapely):
+        with pytest.raises(ValueError, match="unbounded"):
+            convert()
+
+
+def test_maps():
+    region = oplus.Region([[0, 0], [2, 0], [0, 1]])
+    assert region.translated("1/3", -1).components()[0][0][0] == (Fraction(1, 3), -1)
+    assert region.scaled(-1, 1).area == 1 and -region == region.rotated(180) == region.scaled(-1, -1)
+    cosine, sine = oplus.rotation(30, "0.01")
+    assert region.rotated(30, "0.01").components()[0][0][1] == (2 * cosine, 2 * sine)
+    assert cosine**2 + sine**2 == 1 and abs(float(sine) - 0.5) < 2e-4
+    with pytest.raises(oplus.InvalidInput):
+        region.scaled(0, 1)
+
+
+def test_discs_and_offsets():
+    inside, outside = oplus.disc(1, "inside", "0.01"), oplus.disc(1, "outside", "0.01")
+    assert inside.area < Fraction(314159, 100000) < outside.area
+    assert inside.area > Fraction(304, 100)
+    with pytest.raises(ValueError, match="side left; expected inside or outside"):
+        oplus.disc(1, "left", 1)
+
+
+def test_rounding():
+    exact = oplus.minkowski_sum([[0, 0], ["1/3", 0], [0, "1/3"]], [[0, 0], ["1/7", 0], [0, 1]])
+    for side in ("nearest", "contain", "contained"):
+        rounded = oplus.rounded(exact, 2**-10, side)
+        shape = rounded.sum.to_shapely()
+        assert shape.is_valid and Fraction(shape.area) == rounded.sum.area and not rounded.is_exact
+        assert 0 < rounded.bound <= Fraction(1, 2**10)
+    assert oplus.rounded(exact, 2**-10, "contain").sum.area > exact.area > oplus.rounded(exact, 2**-10, "contained").sum.area
+    assert oplus.rounded(SQUARE, 1).is_exact
+    vanished = oplus.rounded(SQUARE, 10)
+    assert vanished.changes == {"vanished_components": 1} and vanished.sum.components() == []
+    with pytest.raises(ValueError, match="side up; expected nearest, contain or contained"):
+        oplus.rounded(exact, 1, "up")
+    with pytest.raises(oplus.InvalidInput):
+        oplus.rounded(exact, 0)
+
+
+def test_verify():
+    right = oplus.minkowski_sum(ROOM, BAR)
+    assert oplus.verify(ROOM, BAR, right) and oplus.verify(ROOM, BAR, right.to_shapely())
+    opened = oplus.minkowski_sum(ROOM, -oplus.Region(BAR), boundary="open")
+    assert opened.dangling_edges and oplus.verify(ROOM, -oplus.Region(BAR), opened)
+    verdict = oplus.verify(ROOM, -oplus.Region(BAR), opened.region, boundary="open")
+    assert not verdict and not verdict.is_sum
+    assert [reason.kind for reason in verdict.reasons] == [
+        "missing dangling edge", "wrong kind of boundary"]
+    reason = verdict.reasons[0]
+    assert (reason.in_sum, reason.in_given) == (False, True)
+    assert reason.witness[0] == 1 and "dangling" in reason.detail
+    assert [reason.kind for reason in oplus.verify(ROOM, SQUARE, oplus.minkowski_sum(ROOM, SQUARE).components()[0][0]).reasons] == ["missing hole"]
+    # Chains that cross are judged too.
+    assert not oplus.verify(SQUARE, SQUARE, [[0, 0], [2, 2], [2, 0], [0, 2]])
+    with pytest.raises(oplus.InvalidInput):
+        oplus.verify(oplus.complement(SQUARE), SQUARE, SQUARE)
+
+
+def test_repair():
+    region, mends = oplus.repair([[0, 0], [4, 0], [4, 0], [4, 4], [6, 4], [4, 4], [0, 4]])
+    assert region == oplus.Region([[0, 0], [4, 0], [4, 4], [0, 4]])
+    assert len(mends) == 3 and all("\n" not in mend for mend in mends)
+    bow_tie = [[0, 0], [2, 2], [2, 0], [0, 2]]
+    assert oplus.repair(bow_tie, "nonzero")[0].area == 2
+    assert oplus.repair("POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))", fill="even_odd")[0].area == 2
+    with pytest.raises(oplus.InvalidInput, match="cross"):
+        oplus.repair(bow_tie)
+    with pytest.raises(ValueError, match="fill odd; expected even_odd or nonzero"):
+        oplus.repair(bow_tie, "odd")
+
+
+def test_equal_sets_are_equal():
+    assert oplus.minkowski_sum(SQUARE, SQUARE) == oplus.minkowski_sum([[1, 1], [0, 1], [0, 0], [1, 0]], SQUARE)
+    assert oplus.minkowski_sum(SQUARE, SQUARE) != oplus.minkowski_sum(SQUARE, SQUARE, boundary="open").region
+    assert oplus.Region(SQUARE) != oplus.Region(ROOM) and oplus.Region(SQUARE) != "POLYGON"
+    assert repr(oplus.minkowski_sum(SQUARE, SQUARE)) == (
+        "<oplus.Sum: closed, 1 components, 0 dangling edges, 0 isolated vertices>")
