@@ -8,10 +8,10 @@ namespace oplus::python {
 namespace {
 
 /// Requires: a Python int.
-Rational integer_of(py::handle value) {
+Number integer_of(py::handle value) {
   int overflow = 0;
   const long long small = PyLong_AsLongLongAndOverflow(value.ptr(), &overflow);
-  if (overflow == 0) return Number(small).value();
+  if (overflow == 0) return small;
   // Python limits the number of decimal digits, not that of hexadecimal ones.
   std::string digits =
       py::reinterpret_steal<py::str>(PyNumber_ToBase(value.ptr(), 16)).cast<std::string>();
@@ -52,7 +52,7 @@ Number number_of(py::handle value) {
   if (py::hasattr(value, "as_integer_ratio")) {
     try {
       const py::tuple ratio = value.attr("as_integer_ratio")();
-      return Rational(integer_of(ratio[0]) / integer_of(ratio[1]));
+      return Rational(integer_of(ratio[0]).value() / integer_of(ratio[1]).value());
     } catch (const py::error_already_set& error) {
       if (!error.matches(PyExc_OverflowError) && !error.matches(PyExc_ValueError)) throw;
       // An infinity, or not a number: oplus has a message for it.
@@ -78,9 +78,8 @@ Point point_of(py::handle value) {
   if (!items) throw py::error_already_set();
   if (PySequence_Fast_GET_SIZE(items.ptr()) < 2)
     throw InvalidInput({"point", 0, 0}, "it has less than two coordinates", "x and y");
-  return Coordinates(number_of(PySequence_Fast_GET_ITEM(items.ptr(), 0)),
-                     number_of(PySequence_Fast_GET_ITEM(items.ptr(), 1)))
-      .point();
+  return {number_of(PySequence_Fast_GET_ITEM(items.ptr(), 0)).value(),
+          number_of(PySequence_Fast_GET_ITEM(items.ptr(), 1)).value()};
 }
 
 py::object to_python(const Rational& value) {

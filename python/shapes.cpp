@@ -182,7 +182,7 @@ Point Points::operator[](std::size_t i) const {
     std::memcpy(&value, at, sizeof value);
     return value;
   };
-  return Coordinates(number(x), number(x + by_column_)).point();
+  return {number(x).value(), number(x + by_column_).value()};
 }
 
 Chain Points::chain(std::size_t begin, std::size_t end) const {
@@ -197,7 +197,8 @@ bool is_single(py::handle value) { return !is_list(value) && !py::isinstance<py:
 
 Shapes shapes_of(py::handle value) {
   Shapes shapes;
-  if (py::isinstance<py::dict>(value) || py::hasattr(value, "__geo_interface__")) {
+  if (is_single(value) &&
+      (py::isinstance<py::dict>(value) || py::hasattr(value, "__geo_interface__"))) {
     add_geometry(value, shapes);
     return shapes;
   }

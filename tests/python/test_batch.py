@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Many pairs in a call, and threads."""
 
-import os
 import signal
 import subprocess
 import sys
@@ -128,9 +127,12 @@ def test_control_c_ends_a_batch():
                "print('ready', flush=True)\n"
                "try: oplus.batch('minkowski_sum', [p] * 2000, [q] * 2000)\n"
                "except KeyboardInterrupt: print('interrupted')\n")
-    child = subprocess.Popen([sys.executable, "-B", "-c", program], stdout=subprocess.PIPE, text=True)
-    assert child.stdout.readline() == "ready\n"
-    time.sleep(0.3)
-    os.kill(child.pid, signal.SIGINT)
-    assert child.communicate(timeout=60)[0] == "interrupted\n"
-    assert child.returncode == 0
+    with subprocess.Popen([sys.executable, "-B", "-c", program], stdout=subprocess.PIPE, text=True) as child:
+        try:
+            assert child.stdout.readline() == "ready\n"
+            time.sleep(0.3)
+            child.send_signal(signal.SIGINT)
+            assert child.communicate(timeout=60)[0] == "interrupted\n"
+            assert child.returncode == 0
+        finally:
+            child.kill()
