@@ -145,6 +145,8 @@ def test_repair():
     bow_tie = [[0, 0], [2, 2], [2, 0], [0, 2]]
     assert oplus.repair(bow_tie, "nonzero")[0].area == 2
     assert oplus.repair("POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))", fill="even_odd")[0].area == 2
+    overlapping = [[[[0, 0], [2, 0], [2, 2], [0, 2]]], [[[1, 1], [3, 1], [3, 3], [1, 3]]]]
+    assert oplus.repair(overlapping, "nonzero")[0].area == 7 and oplus.repair(overlapping, "even_odd")[0].area == 6
     with pytest.raises(oplus.InvalidInput, match="cross"):
         oplus.repair(bow_tie)
     with pytest.raises(ValueError, match="fill odd; expected even_odd or nonzero"):
