@@ -140,21 +140,23 @@ std::vector<std::vector<Segment>> boundaries_of_holes(const Boundaries& set) {
   return result;
 }
 
-/// The number of the face of a set, or of its complement, around a point inside each of the given faces. Requires: none of
-/// these points is on the set's boundary.
-std::vector<std::size_t> faces_around(const std::vector<std::vector<Segment>>& faces,
-                                      const Boundaries& set) {
+/// The number of the component of a set, or of the face of its complement, around a point inside each of the given faces;
+/// empty where there is none. Requires: none of these points is on the set's boundary.
+std::vector<std::optional<std::size_t>> faces_around(const std::vector<std::vector<Segment>>& faces,
+                                                     const Boundaries& set, bool are_components) {
   std::vector<Point> points;
   for (const std::vector<Segment>& boundary : faces) points.push_back(point_inside(boundary));
   SweptEdges edges;
   for (const Point& p : points) edges.add(p);
   for (const Segment& s : set.edges) edges.add(s);
-  std::vector<std::size_t> result(points.size(), set.hole_count);
+  std::vector<std::optional<std::size_t>> result(points.size());
   sweep(edges, [&](const SweptPlace& place) {
     for (const std::uint32_t point : place.points) {
-      if (point >= points.size() || !place.below) continue;
-      const std::uint32_t edge = *place.below;
-      result[point] = edges.runs_right(edge) ? set.left[edge] : set.right[edge];
+      if (point >= points.size()) continue;
+      const std::optional<std::uint32_t> edge = place.below;
+      const bool is_in_set = edge && edges.runs_right(*edge);
+      if (is_in_set != are_components) continue;
+      result[point] = !edge ? set.hole_count : is_in_set ? set.left[*edge] : set.right[*edge];
     }
     return true;
   });
@@ -201,11 +203,12 @@ TopologyChanges changes_by_containment(const MinkowskiSum& before, const Minkows
     else
       of.join(in_larger, in_smaller);
   };
-  const std::vector<std::size_t> in_larger =
-      faces_around(boundaries_of_components(smaller), larger);
-  for (std::size_t c = 0; c < in_larger.size(); ++c) join(faces.components, c, in_larger[c]);
-  const std::vector<std::size_t> in_smaller = faces_around(boundaries_of_holes(larger), smaller);
-  for (std::size_t h = 0; h < in_smaller.size(); ++h) join(faces.complement, in_smaller[h], h);
+  const auto in_larger = faces_around(boundaries_of_components(smaller), larger, true);
+  for (std::size_t c = 0; c < in_larger.size(); ++c)
+    if (in_larger[c]) join(faces.components, c, *in_larger[c]);
+  const auto in_smaller = faces_around(boundaries_of_holes(larger), smaller, false);
+  for (std::size_t h = 0; h < in_smaller.size(); ++h)
+    if (in_smaller[h]) join(faces.complement, *in_smaller[h], h);
   return faces.changes();
 }
 
