@@ -18,10 +18,6 @@ __all__ = ["Arrays", "ClosedSet", "InvalidInput", "Reason", "Region", "Rounded",
            "nfp", "open", "repair", "rotation", "rounded", "to_arrays", "verify"]
 __version__ = _oplus.__version__
 
-for _name in __all__:
-    if getattr(_oplus, _name).__module__ == "oplus._oplus":
-        try:
-            getattr(_oplus, _name).__module__ = "oplus"
-        except (AttributeError, TypeError):  # a function's, before Python 3.13
-            pass
-del _name
+for _class in (ClosedSet, Reason, Region, Rounded, Sum, Verdict):
+    _class.__module__ = "oplus"
+del _class

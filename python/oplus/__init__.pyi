@@ -14,10 +14,8 @@ class _Geometry(Protocol):
 
 _Number = Union[int, float, Fraction, Decimal, str, numpy.number[Any]]
 _Point = Sequence[_Number]
-_Ring = Sequence[_Point]
-_Rings = Union[_Ring, Sequence[_Ring], Sequence[Sequence[_Ring]]]
 _RegionLike = Union[
-    Region, Sum, str, bytes, _Geometry, Mapping[str, Any], _Rings, numpy.typing.NDArray[Any]
+    Region, Sum, str, bytes, _Geometry, Mapping[str, Any], Sequence[Sequence[Any]], numpy.typing.NDArray[Any]
 ]
 _SetLike = Union[_RegionLike, ClosedSet]
 _Boundary = Literal["closed", "open"]
@@ -124,7 +122,7 @@ def verify(p: _RegionLike, q: _RegionLike, given: _RegionLike, *, boundary: Unio
 def rounded(value: _RegionLike, step: _Number, side: Literal["nearest", "contain", "contained"] = "nearest") -> Rounded: ...
 def repair(value: _RegionLike, fill: Union[Literal["even_odd", "nonzero"], None] = None) -> tuple[Region, list[str]]: ...
 @overload
-def complement(value: Sum) -> Sum: ...
+def complement(value: Sum) -> Sum: ...  # type: ignore[misc]  # it has __geo_interface__, too
 @overload
 def complement(value: _RegionLike) -> Region: ...
 def disc(radius: _Number, side: Literal["inside", "outside"], error: _Number) -> Region: ...
