@@ -53,6 +53,7 @@ void require_consistent(const BatchOptions& options) {
   if (options.boundary == Boundary::open &&
       options.operation != names_of_batch_operations().front())
     throw UsageError("--open is for --operation sum");
+  angle_error(options.angle_error);
   output_grid(options.rounding);
   if (options.form == ResultForm::area && (options.rounding.grid || options.rounding.side))
     throw UsageError("--grid and --side are for geometries; areas are rounded by --digits");

@@ -60,7 +60,8 @@ std::optional<ChosenView> chosen_view(const DrawOptions& options) {
 MinkowskiSum drawn_set(const std::string& file, Overlaps overlaps) {
   MinkowskiSum set = set_in(read_summand_set(file, nullptr, overlaps));
   if (set.is_unbounded)
-    throw UsageError(one_line(file) + ": the region is unbounded; expected a bounded one to draw");
+    throw UsageError((file == "-" ? "standard input" : one_line(file)) +
+                     ": the region is unbounded; expected a bounded one to draw");
   return set;
 }
 

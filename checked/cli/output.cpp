@@ -106,8 +106,8 @@ void require_can_hold(Format format, const MinkowskiSum& set) {
       can_hold(Format::dat, set)
           ? "the result is unbounded, which only .dat can hold; write .dat"
           : "the result is unbounded and has dangling edges or isolated vertices, which no "
-            "format can hold; write its complement: that of ifp P Q is nfp of P's complement and Q, "
-            "that of nfp P Q is ifp of these");
+            "format can hold; write its complement: ifp P Q is the complement of nfp of P's complement "
+            "and Q, and nfp P Q that of ifp of these");
 }
 
 std::string said(const OutputGrid& grid, const RoundedSet& set) {

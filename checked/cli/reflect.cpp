@@ -22,7 +22,8 @@ ExitCode reflect(const ReflectOptions& options) {
   require_writable({options.output.path});
   const Format format = output_format(options.output);
   ReadSet read = read_summand_set(options.file, nullptr, options.overlaps);
-  if (is_region(read)) {
+  // What is closed by itself: of an open set, rounding may leave edges and points.
+  if (is_region(read) && options.boundary == Boundary::closed) {
     write_region(options.output, format, reflected(std::move(read.region)));
     return ExitCode::done;
   }

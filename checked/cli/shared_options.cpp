@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <thread>
 
+#include "checked/cli/numbers.hpp"
+#include "checked/cli/usage_error.hpp"
+#include "reference/io/quoting.hpp"
+
 namespace oplus {
 
 void add_output(CLI::App& command, RegionOutput& output, const std::string& what) {
@@ -48,6 +52,12 @@ CLI::Option* add_angle_error(CLI::App& command, std::string& error) {
               " by default, with the smallest denominator of those; not by multiples of 90 degrees. "
               "The exact cosine and sine are said")
       ->type_name("E");
+}
+
+Rational angle_error(const std::string& text) {
+  Rational error = number("--angle-error", text);
+  if (sgn(error) <= 0) throw UsageError("--angle-error takes degrees above 0, not " + quote(text));
+  return error;
 }
 
 void add_union(CLI::App& command, Overlaps& overlaps, const std::string& what) {

@@ -12,6 +12,7 @@
 #include "checked/cli/output.hpp"
 #include "checked/cli/subcommands.hpp"
 #include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/rational.hpp"
 #include "reference/io/overlaps.hpp"
 
 namespace oplus {
@@ -67,6 +68,9 @@ inline constexpr const char* default_angle_error = "0.001";
 
 /// Adds `--angle-error E` for rotations.
 CLI::Option* add_angle_error(CLI::App& command, std::string& error);
+
+/// In degrees, above 0. Throws UsageError.
+Rational angle_error(const std::string& text);
 
 /// Adds `--union`. `what` is which inputs it is for.
 void add_union(CLI::App& command, Overlaps& overlaps, const std::string& what);

@@ -72,7 +72,7 @@ Map map_of(const Step& step, const Rational& error) {
 ExitCode transform(const TransformOptions& options) {
   if (options.steps.empty())
     throw UsageError("nothing to do: give --translate, --scale, --rotate or --reflect");
-  const Rational error = number("--angle-error", options.angle_error);
+  const Rational error = angle_error(options.angle_error);
   AffineMap map;
   std::vector<std::string> notes;
   for (const Step& step : options.steps) {

@@ -106,10 +106,10 @@ const DefinedOperation* find_defined_operation(const std::string& name) {
   return found == all.end() ? nullptr : &*found;
 }
 
-MinkowskiSum regularized(MinkowskiSum set_by_pieces) {
-  set_by_pieces.dangling_edges.clear();
-  set_by_pieces.isolated_vertices.clear();
-  return set_by_pieces;
+MinkowskiSum regularized(MinkowskiSum set) {
+  set.dangling_edges.clear();
+  set.isolated_vertices.clear();
+  return set;
 }
 
 }  // namespace oplus

@@ -26,6 +26,6 @@ const std::vector<DefinedOperation>& defined_operations();
 const DefinedOperation* find_defined_operation(const std::string& name);
 
 /// The closure of a closed set's interior: without edges and points.
-MinkowskiSum regularized(MinkowskiSum closed_set);
+MinkowskiSum regularized(MinkowskiSum set);
 
 }  // namespace oplus

@@ -8,6 +8,7 @@
 #include "checked/cli/batch/geometry_lines.hpp"
 #include "checked/cli/batch/line_lots.hpp"
 #include "checked/cli/numbers.hpp"
+#include "checked/cli/shared_options.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "checked/operations/image.hpp"
 #include "checked/oplus/oplus.hpp"
@@ -46,7 +47,7 @@ ReadSet PartRotation::turned(const ReadSet& set) const {
 
 std::vector<PartRotation> rotations(const std::vector<std::string>& degrees,
                                     const std::string& error) {
-  const Rational largest = number("--angle-error", error);
+  const Rational largest = angle_error(error);
   std::vector<PartRotation> result;
   for (const std::string& text : degrees) {
     const Rational angle = number("--rotations", text);

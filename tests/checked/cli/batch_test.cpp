@@ -325,7 +325,8 @@ TEST_F(Batch, is_refused_where_it_cannot_be_done) {
   expect_refusal("oplus batch --parts parts.txt --rotations 90,x", "'x' is not a number");
   expect_refusal("oplus batch --parts parts.txt --rotation-step 0", "at least");
   expect_refusal("oplus batch --parts parts.txt --rotation-step -90", "at least");
-  expect_refusal("oplus batch --parts parts.txt --rotations 30 --angle-error 0", "positive");
+  expect_refusal("oplus batch --parts parts.txt --rotations 30 --angle-error 0",
+                 "--angle-error takes degrees above 0, not '0'");
   expect_refusal("oplus batch --parts - --with -", "standard input");
   expect_refusal("oplus batch square.tsv --operation plus", "plus");
   expect_refusal("oplus batch square.tsv --operation nfp --open", "--open");

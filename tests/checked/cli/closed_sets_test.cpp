@@ -104,6 +104,10 @@ TEST_F(ClosedSets, are_reflected) {
   expect_output("oplus --quiet reflect slit.wkt --open --grid 1",
                 "GEOMETRYCOLLECTION (POLYGON ((-4 -4, 0 -4, 0 0, -4 0, -4 -4)), LINESTRING (-3 -2, "
                 "-1 -2))\n");
+  put("gap.wkt", "MULTIPOLYGON(((0 0,2 0,2 2,0 2,0 0)),((2.2 0,4 0,4 2,2.2 2,2.2 0)))");
+  expect_output("oplus --quiet reflect gap.wkt --open --grid 1",
+                "GEOMETRYCOLLECTION (POLYGON ((-4 -2, 0 -2, 0 0, -4 0, -4 -2)), LINESTRING (-2 -2, "
+                "-2 0))\n");
 }
 
 TEST_F(ClosedSets, refuse_bad_input_in_one_line) {

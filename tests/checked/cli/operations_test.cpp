@@ -53,8 +53,9 @@ TEST_F(OperationCommands, name_the_complement_of_what_cannot_be_written) {
   put("part.wkt", "POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))");
   for (const std::string format : {"wkt", "dat", "geojson", "wkb"})
     for (const std::string options : {"", " --grid 1"})
-      expect_refusal("oplus ifp slot.dat part.wkt --format " + format + options,
-                     "write its complement: that of ifp P Q is nfp of P's complement and Q");
+      expect_refusal(
+          "oplus ifp slot.dat part.wkt --format " + format + options,
+          "write its complement: ifp P Q is the complement of nfp of P's complement and Q");
   expect_output(
       "oplus complement slot.dat | oplus nfp - part.wkt",
       "GEOMETRYCOLLECTION (POLYGON ((-3 -3, 9 -3, 9 9, -3 9, -3 -3)), LINESTRING (6 3, 9 3))\n");
