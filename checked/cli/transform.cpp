@@ -97,7 +97,8 @@ void add_transform(CLI::App& program, Action& chosen) {
       program, chosen, "transform", "Move, scale, rotate or reflect a region, exactly", transform);
   add_file(
       command, "R", options.file,
-      "a region or a sum: .dat, WKT or GeoJSON; - is standard input; it may be unbounded (.dat)")
+      "a region, a sum, line strings or points (docs/files.md); - is standard input; it may be unbounded "
+      "(.dat)")
       ->required();
   // Options take effect in the order of the command line, which is when they are parsed.
   const auto add_step = [&command, &options](const std::string& name, const std::string& value,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <boost/algorithm/string/join.hpp>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -108,7 +109,9 @@ void add_diff_command(CLI::App& app, int& exit_code) {
       ->add_option(
           "--operation", campaign.operation,
           "What is computed of each pair, by the sums of each engine, and compared with its "
-          "definition; sum: the sums themselves. Families give pairs that fit each other")
+          "definition: " +
+              boost::join(operation_names(), ", ") +
+              "; sum: the sums themselves. Families give pairs that fit each other")
       ->type_name("NAME")
       ->check(CLI::IsMember(operations_and_sums()))
       ->capture_default_str();
