@@ -27,11 +27,10 @@ std::vector<std::size_t> offsets_of(py::handle value, const char* name, std::siz
   const auto fail = [&](const std::string& wrong) {
     throw InvalidInput({name, 0, 0}, wrong, "offsets from 0 to " + std::to_string(size));
   };
-  const py::array any = py::array::ensure(value);
-  if (!any) throw py::error_already_set();
+  const auto any = array_of(value, name, "offsets");
   if (any.ndim() != 1 || any.size() == 0) fail("not an array of one dimension with an offset");
   if (any.dtype().kind() != 'i' && any.dtype().kind() != 'u') fail("not integers");
-  const auto array = py::array_t<std::int64_t, py::array::forcecast>::ensure(any);
+  const auto array = array_of<py::array_t<std::int64_t, py::array::forcecast>>(any, name, "int64");
   const auto offsets = array.unchecked<1>();
   std::vector<std::size_t> result;
   result.reserve(static_cast<std::size_t>(offsets.shape(0)));
@@ -97,8 +96,8 @@ RegionArrays::RegionArrays(const py::array& coordinates, py::handle rings, py::h
       regions_(offsets_of(regions, "regions", polygons_.size() - 1)) {}
 
 RegionArrays::RegionArrays(py::handle arrays)
-    : RegionArrays(py::array::ensure(arrays.attr("coordinates")), arrays.attr("rings"),
-                   arrays.attr("polygons"), arrays.attr("regions")) {}
+    : RegionArrays(array_of(arrays.attr("coordinates"), "coordinates", "shape (n, 2)"),
+                   arrays.attr("rings"), arrays.attr("polygons"), arrays.attr("regions")) {}
 
 Region RegionArrays::operator[](std::size_t i) const {
   Region region;

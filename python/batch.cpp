@@ -91,6 +91,8 @@ py::list batch(const std::string& name, py::handle p_value, py::handle q_value,
                const std::string& boundary, unsigned threads, const std::string& errors) {
   const Operation compute = operation_of(name);
   const SumOptions options{.boundary = boundary_of(boundary)};
+  if (options.boundary == Boundary::open && name != "minkowski_sum")
+    throw std::invalid_argument("boundary open of " + name + "; expected it of minkowski_sum only");
   if (errors != "raise" && errors != "return")
     throw std::invalid_argument("errors " + errors + "; expected raise or return");
   const Side p(p_value), q(q_value);
@@ -178,8 +180,9 @@ void define_batch(py::module_& m) {
 Returns the list of operation(p[i], q[i]), computed on all cores, or on that many threads.
 
 operation: 'minkowski_sum', 'nfp', 'ifp', 'erode', 'open' or 'close'. p, q: Arrays, or lists of
-whatever the operation takes, as long as each other; or one region for all pairs (not as a list).
-boundary is for 'minkowski_sum' only. An invalid region raises InvalidInput, which names the
+whatever Region takes, as long as each other; or one region for all pairs (not as a list). Line
+strings and points are taken by minkowski_sum alone.
+boundary='open' is for 'minkowski_sum' only. An invalid region raises InvalidInput, which names the
 first such pair; with errors='return' the exceptions are in the list and the other pairs are
 computed.
 

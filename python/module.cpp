@@ -11,6 +11,7 @@
 #include "python/output.hpp"
 #include "python/results.hpp"
 #include "python/shapes.hpp"
+#include "python/workers.hpp"
 
 namespace oplus::python {
 
@@ -23,7 +24,7 @@ ClosedSet closed_set_of(const Set& set) {
 
 Sum minkowski_sum_of(py::handle p_value, py::handle q_value, const std::string& boundary,
                      unsigned threads) {
-  const SumOptions options{.boundary = boundary_of(boundary), .threads = threads};
+  const SumOptions options{.boundary = boundary_of(boundary), .threads = checked_threads(threads)};
   const Set p = set_of(p_value), q = set_of(q_value);
   const py::gil_scoped_release released;
   if (std::holds_alternative<PreparedRegion>(p) && std::holds_alternative<PreparedRegion>(q))
@@ -33,15 +34,28 @@ Sum minkowski_sum_of(py::handle p_value, py::handle q_value, const std::string& 
 
 template <Operation compute>
 Sum operation_of(py::handle p_value, py::handle q_value, unsigned threads) {
+  const SumOptions options{.threads = checked_threads(threads)};
   const PreparedRegion p = region_of(p_value), q = region_of(q_value);
   const py::gil_scoped_release released;
-  return compute(p, q, {.threads = threads});
+  return compute(p, q, options);
 }
 
 template <Operation compute>
 void define(py::module_& m, const char* name, const char* doc) {
   m.def(name, operation_of<compute>, py::arg("p"), py::arg("q"), py::kw_only(),
         py::arg("threads") = 1, doc);
+}
+
+/// Adds the edges of a line; its point if it has no other.
+void add_line(const std::vector<Coordinates>& line, GivenSum& given) {
+  bool is_point = !line.empty();
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Segment edge{line[i - 1].point(), line[i].point()};
+    if (edge.source == edge.target) continue;
+    given.dangling_edges.push_back(edge);
+    is_point = false;
+  }
+  if (is_point) given.isolated_vertices.push_back(line[0].point());
 }
 
 Verdict verify_of(py::handle p_value, py::handle q_value, py::handle value,
@@ -53,8 +67,7 @@ Verdict verify_of(py::handle p_value, py::handle q_value, py::handle value,
     const Sum sum = value.cast<Sum>();
     of_given = sum.boundary();
     given = {sum.region().region(), sum.dangling_edges(), sum.isolated_vertices()};
-  } else if (py::isinstance<PreparedRegion>(value) || PyUnicode_Check(value.ptr()) ||
-             PyBytes_Check(value.ptr())) {
+  } else if (py::isinstance<PreparedRegion>(value) || is_text(value)) {
     given.region = region_of(value).region().region();
   } else {
     const Shapes shapes = shapes_of(value);
@@ -63,9 +76,7 @@ Verdict verify_of(py::handle p_value, py::handle q_value, py::handle value,
     } catch (const InvalidInput&) {
       given.region = shapes.region;
     }
-    for (const auto& line : shapes.lines)
-      for (std::size_t i = 1; i < line.size(); ++i)
-        given.dangling_edges.push_back({line[i - 1].point(), line[i].point()});
+    for (const auto& line : shapes.lines) add_line(line, given);
     for (const Coordinates& point : shapes.points) given.isolated_vertices.push_back(point.point());
   }
   if (boundary) of_given = boundary_of(*boundary);
@@ -102,8 +113,10 @@ py::tuple repair(py::handle value, const std::optional<std::string>& fill_name) 
   else if (fill_name)
     throw std::invalid_argument("fill " + *fill_name + "; expected even_odd or nonzero");
   Repaired result;
-  if (PyUnicode_Check(value.ptr())) {
-    const auto text = value.cast<std::string>();
+  if (py::isinstance<PreparedRegion>(value) || py::isinstance<Sum>(value)) {
+    result.region = region_of(value).region();
+  } else if (is_text(value)) {
+    const std::string text = text_of(value);
     const py::gil_scoped_release released;
     result = repaired_text(text, fill);
   } else {
@@ -287,6 +300,7 @@ PYBIND11_MODULE(_oplus, m) {
   pybind11::options options;
   options.disable_function_signatures();
   m.attr("__version__") = OPLUS_VERSION;
+  python::prepare_numbers();
   python::define_errors(m);
   python::define_arrays(m);
   python::define_regions(m);

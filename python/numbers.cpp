@@ -7,11 +7,14 @@ namespace oplus::python {
 
 namespace {
 
-/// Requires: a Python int.
+/// Throws py::error_already_set where it is not an integer.
 Number integer_of(py::handle value) {
   int overflow = 0;
   const long long small = PyLong_AsLongLongAndOverflow(value.ptr(), &overflow);
-  if (overflow == 0) return small;
+  if (overflow == 0) {
+    if (PyErr_Occurred() != nullptr) throw py::error_already_set();
+    return small;
+  }
   // Python limits the number of decimal digits, not that of hexadecimal ones.
   std::string digits =
       py::reinterpret_steal<py::str>(PyNumber_ToBase(value.ptr(), 16)).cast<std::string>();
@@ -27,16 +30,41 @@ py::object to_python(const mpz_class& value) {
   return py::reinterpret_steal<py::object>(result);
 }
 
-py::handle fraction_type() {
-  // Never destroyed: Python may have ended before.
-  static PyObject* const type =
-      py::module_::import("fractions").attr("Fraction").cast<py::object>().release().ptr();
+/// Never destroyed: Python may have ended before.
+py::handle& fraction_type() {
+  static py::handle type;
   return type;
+}
+
+Number ratio_of(const py::tuple& ratio) {
+  const Rational numerator = integer_of(ratio[0]).value(),
+                 denominator = integer_of(ratio[1]).value();
+  if (denominator == 0) throw InvalidInput({"number", 0, 0}, "its denominator is 0", "a number");
+  return Rational(numerator / denominator);
+}
+
+}  // namespace
+
+void prepare_numbers() {
+  fraction_type() = py::module_::import("fractions").attr("Fraction").cast<py::object>().release();
 }
 
 std::string type_of(py::handle value) { return Py_TYPE(value.ptr())->tp_name; }
 
-}  // namespace
+bool is_text(py::handle value) {
+  return PyUnicode_Check(value.ptr()) || PyBytes_Check(value.ptr());
+}
+
+std::string text_of(py::handle value) {
+  if (PyBytes_Check(value.ptr())) return value.cast<py::bytes>().cast<std::string>();
+  Py_ssize_t size = 0;
+  const char* const text = PyUnicode_AsUTF8AndSize(value.ptr(), &size);
+  if (text == nullptr) {
+    PyErr_Clear();
+    throw InvalidInput({"text", 0, 0}, "a surrogate without the other one", "Unicode");
+  }
+  return {text, static_cast<std::size_t>(size)};
+}
 
 bool is_number(py::handle value) {
   PyObject* const object = value.ptr();
@@ -48,11 +76,10 @@ Number number_of(py::handle value) {
   PyObject* const object = value.ptr();
   if (PyFloat_Check(object)) return PyFloat_AS_DOUBLE(object);
   if (PyLong_Check(object)) return integer_of(value);
-  if (PyUnicode_Check(object)) return value.cast<std::string>();
+  if (PyUnicode_Check(object)) return text_of(value);
   if (py::hasattr(value, "as_integer_ratio")) {
     try {
-      const py::tuple ratio = value.attr("as_integer_ratio")();
-      return Rational(integer_of(ratio[0]).value() / integer_of(ratio[1]).value());
+      return ratio_of(value.attr("as_integer_ratio")());
     } catch (const py::error_already_set& error) {
       if (!error.matches(PyExc_OverflowError) && !error.matches(PyExc_ValueError)) throw;
       // An infinity, or not a number: oplus has a message for it.

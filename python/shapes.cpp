@@ -15,8 +15,6 @@ InvalidInput invalid(const std::string& wrong, const std::string& expected) {
   return InvalidInput({"geometry", 0, 0}, wrong, expected);
 }
 
-std::string type_of(py::handle value) { return Py_TYPE(value.ptr())->tp_name; }
-
 void open_ring(Chain& chain) {
   if (chain.size() > 1 && chain.front() == chain.back()) chain.pop_back();
 }
@@ -30,7 +28,7 @@ Chain points_of(py::handle value) {
   if (py::isinstance<py::array>(value)) {
     const auto array = py::reinterpret_borrow<py::array>(value);
     // Fractions and ints of any size, say.
-    if (array.dtype().kind() == 'O') return points_of(array.attr("tolist")());
+    if (array.dtype().kind() == 'O' && array.ndim() != 0) return points_of(array.attr("tolist")());
     const Points points(array);
     for (std::size_t i = 0; i < points.size(); ++i) chain.push_back(points[i]);
     return chain;
@@ -69,12 +67,40 @@ void add_line(py::handle points, Shapes& shapes) {
   for (const Point& p : points_of(points)) line.emplace_back(p);
 }
 
-void add_geometry(py::handle value, Shapes& shapes) {
+/// A sum that is a closed set. Throws InvalidInput where it is more.
+void require_closed(const Sum& sum) {
+  if (sum.boundary() == Boundary::open &&
+      !(sum.dangling_edges().empty() && sum.isolated_vertices().empty()))
+    throw invalid("an open set with dangling edges or isolated vertices",
+                  "a closed set, such as its region");
+}
+
+void add_region(const ValidRegion& region, Shapes& shapes) {
+  for (const Component& component : region.components())
+    shapes.region.components.push_back(component);
+}
+
+void add_sum(const Sum& sum, Shapes& shapes) {
+  require_closed(sum);
+  add_region(sum.region(), shapes);
+  for (const Segment& edge : sum.dangling_edges())
+    shapes.lines.push_back({edge.source, edge.target});
+  for (const Point& p : sum.isolated_vertices()) shapes.points.emplace_back(p);
+}
+
+/// level: how many objects it is inside of, which may contain themselves.
+void add_geometry(py::handle value, Shapes& shapes, int level = 0) {
+  if (level == 64)
+    throw invalid("a geometry inside of 64 others", "less, and none that contains itself");
   if (value.is_none()) return;
+  // Exactly, not by the doubles of __geo_interface__.
+  if (py::isinstance<PreparedRegion>(value))
+    return add_region(value.cast<const PreparedRegion&>().region(), shapes);
+  if (py::isinstance<Sum>(value)) return add_sum(value.cast<const Sum&>(), shapes);
   if (!py::isinstance<py::dict>(value)) {
     if (!py::hasattr(value, "__geo_interface__"))
       throw py::type_error("a geometry of type " + type_of(value) + ": expected a dictionary");
-    return add_geometry(value.attr("__geo_interface__"), shapes);
+    return add_geometry(value.attr("__geo_interface__"), shapes, level + 1);
   }
   const auto geometry = py::reinterpret_borrow<py::dict>(value);
   const auto member = [&](const char* name) -> py::object {
@@ -82,11 +108,11 @@ void add_geometry(py::handle value, Shapes& shapes) {
       throw invalid("it has no \"" + std::string(name) + '"', "a GeoJSON object");
     return geometry[name];
   };
-  const auto type = py::str(member("type")).cast<std::string>();
-  if (type == "Feature") return add_geometry(member("geometry"), shapes);
+  const auto type = text_of(py::str(member("type")));
+  if (type == "Feature") return add_geometry(member("geometry"), shapes, level + 1);
   if (type == "FeatureCollection" || type == "GeometryCollection") {
     for (const py::handle one : member(type == "FeatureCollection" ? "features" : "geometries"))
-      add_geometry(one, shapes);
+      add_geometry(one, shapes, level + 1);
     return;
   }
   if (type == "Polygon") {
@@ -108,8 +134,11 @@ void add_geometry(py::handle value, Shapes& shapes) {
   }
 }
 
-/// Returns how many lists are around the first number: 2 for a ring. 0 for an empty list.
-int depth(py::handle value) {
+constexpr const char* expected_lists = "a ring of points, a list of rings or a list of these";
+
+/// Returns how many lists are around the first number: 2 for a ring. 0 for an empty list. level: how many
+/// lists it is inside of. Throws InvalidInput for too many: a list may contain itself.
+int depth(py::handle value, int level = 0) {
   if (py::isinstance<py::array>(value))
     return static_cast<int>(py::reinterpret_borrow<py::array>(value).ndim());
   if (!is_list(value)) {
@@ -120,32 +149,16 @@ int depth(py::handle value) {
   }
   const auto list = py::reinterpret_borrow<py::sequence>(value);
   if (list.size() == 0) return 0;
-  return 1 + depth(py::object(list[0]));
+  if (level == 5) throw invalid("coordinates in more than 5 lists", expected_lists);
+  return 1 + depth(py::object(list[0]), level + 1);
 }
 
 ClosedSet closed_set(const Shapes& shapes) {
   return ClosedSet(ValidRegion(shapes.region), shapes.lines, shapes.points);
 }
 
-/// A sum that is a closed set. Throws InvalidInput where it is more.
-void require_closed(const Sum& sum) {
-  if (sum.boundary() == Boundary::open &&
-      !(sum.dangling_edges().empty() && sum.isolated_vertices().empty()))
-    throw invalid("an open set with dangling edges or isolated vertices",
-                  "a closed set, such as its region");
-}
-
 bool has_more_than_region(const Sum& sum) {
   return !sum.dangling_edges().empty() || !sum.isolated_vertices().empty();
-}
-
-std::string text_of(py::handle value) {
-  return PyBytes_Check(value.ptr()) ? value.cast<py::bytes>().cast<std::string>()
-                                    : value.cast<std::string>();
-}
-
-bool is_text(py::handle value) {
-  return PyUnicode_Check(value.ptr()) || PyBytes_Check(value.ptr());
 }
 
 }  // namespace
@@ -155,13 +168,13 @@ Points::Points(const py::array& array) {
   const py::ssize_t bytes = array.dtype().itemsize();
   is_float_ = kind == 'f';
   if (is_float_ && bytes <= 8)
-    array_ = py::array_t<double, py::array::forcecast>::ensure(array);
+    array_ = array_of<py::array_t<double, py::array::forcecast>>(array, "geometry", "float64");
   else if ((kind == 'i' && bytes <= 8) || (kind == 'u' && bytes < 8))
-    array_ = py::array_t<std::int64_t, py::array::forcecast>::ensure(array);
+    array_ = array_of<py::array_t<std::int64_t, py::array::forcecast>>(array, "geometry", "int64");
   else
-    throw py::type_error("an array of " + py::str(array.dtype()).cast<std::string>() +
-                         ": expected floats or integers of at most 64 bits");
-  if (!array_) throw py::error_already_set();
+    throw py::type_error(
+        "an array of " + py::str(array.dtype()).cast<std::string>() +
+        ": expected floats or signed integers of at most 64 bits, or unsigned ones of at most 32");
   if (array_.ndim() != 2 || array_.shape(1) < 2)
     throw invalid("an array of another shape than points", "shape (n, 2)");
   data_ = static_cast<const char*>(array_.data());
@@ -211,8 +224,7 @@ Shapes shapes_of(py::handle value) {
   } else if (lists == 4) {
     for (const py::handle polygon : value) add_polygon(polygon, shapes.region);
   } else if (!is_list(value) || py::len(value) != 0) {
-    throw invalid("coordinates in " + std::to_string(lists) + " lists",
-                  "a ring of points, a list of rings or a list of these");
+    throw invalid("coordinates in " + std::to_string(lists) + " lists", expected_lists);
   }
   return shapes;
 }
@@ -243,11 +255,8 @@ ClosedSet closed_set_of(py::handle value) {
   if (py::isinstance<PreparedRegion>(value)) return value.cast<const PreparedRegion&>().region();
   if (py::isinstance<Sum>(value)) {
     const Sum sum = value.cast<Sum>();
-    require_closed(sum);
-    Shapes shapes{sum.region().region(), {}, {}};
-    for (const Segment& edge : sum.dangling_edges())
-      shapes.lines.push_back({edge.source, edge.target});
-    for (const Point& p : sum.isolated_vertices()) shapes.points.emplace_back(p);
+    Shapes shapes;
+    add_sum(sum, shapes);
     return closed_set(shapes);
   }
   if (is_text(value)) {

@@ -23,6 +23,14 @@ struct Shapes {
   std::vector<Coordinates> points;              ///< in their order
 };
 
+/// Returns an array, converted if need be. Throws InvalidInput, which is about `name`, where it is none.
+template <typename Array = py::array>
+Array array_of(py::handle value, const char* name, const char* expected) {
+  Array array = Array::ensure(value);
+  if (!array) throw InvalidInput({name, 0, 0}, "not an array", expected);
+  return array;
+}
+
 /// A summand. Regions keep what depends on them alone.
 using Set = std::variant<PreparedRegion, ClosedSet>;
 

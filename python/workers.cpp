@@ -8,6 +8,9 @@
 #include <chrono>
 #include <exception>
 #include <mutex>
+#include <stdexcept>
+#include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -24,8 +27,15 @@ void throw_if_interrupted() {
 
 }  // namespace
 
+unsigned checked_threads(unsigned threads) {
+  if (threads > 1024)
+    throw std::invalid_argument("threads " + std::to_string(threads) + "; expected at most 1024");
+  return threads;
+}
+
 void for_each_below(std::size_t n, unsigned threads, const std::function<void(std::size_t)>& work) {
   using Clock = std::chrono::steady_clock;
+  checked_threads(threads);
   const py::gil_scoped_release released;
   std::atomic<std::size_t> next{0};
   std::atomic<bool> is_stopped{false};
@@ -51,7 +61,11 @@ void for_each_below(std::size_t n, unsigned threads, const std::function<void(st
   threads = static_cast<unsigned>(std::min<std::size_t>(threads, std::max<std::size_t>(n, 1)));
   {
     std::vector<std::jthread> others;
-    for (unsigned i = 1; i < threads; ++i) others.emplace_back(run, false);
+    try {
+      for (unsigned i = 1; i < threads; ++i) others.emplace_back(run, false);
+    } catch (const std::system_error&) {
+      // Those that were started do all of it.
+    }
     run(true);
   }
   if (failure) std::rethrow_exception(failure);

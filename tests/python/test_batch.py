@@ -57,7 +57,7 @@ def test_an_invalid_region_is_named():
         oplus.batch("nfp", [SQUARE] * 4, [SQUARE, BOW_TIE, SQUARE, BOW_TIE])
     arrays = oplus.Arrays(numpy.array(SQUARE + BOW_TIE), [0, 4, 8])
     with pytest.raises(oplus.InvalidInput, match=r"^pair 1, p: two edges .* cross"):
-        oplus.batch("nfp", arrays, SQUARE and oplus.Region(SQUARE))
+        oplus.batch("nfp", arrays, oplus.Region(SQUARE))
     results = oplus.batch("nfp", arrays, [SQUARE, SQUARE], errors="return")
     assert results[0] == oplus.nfp(SQUARE, SQUARE)
     assert type(results[1]) is oplus.InvalidInput and "pair 1, p" in str(results[1])
@@ -67,10 +67,28 @@ def test_an_invalid_region_is_named():
     (("add", [SQUARE], [SQUARE]), {}, "operation add; expected minkowski_sum, nfp,"),
     (("nfp", [SQUARE], [SQUARE] * 2), {}, "1 regions p and 2 regions q; expected as many"),
     (("nfp", [SQUARE], [SQUARE]), {"errors": "ignore"}, "errors ignore; expected raise or return"),
-    (("nfp", [SQUARE], [SQUARE]), {"boundary": "half"}, "boundary half; expected closed or open")])
+    (("nfp", [SQUARE], [SQUARE]), {"boundary": "half"}, "boundary half; expected closed or open"),
+    (("ifp", [SQUARE], [SQUARE]), {"boundary": "open"}, "boundary open of ifp; expected it of minkowski_sum only"),
+    (("nfp", [SQUARE], [SQUARE]), {"threads": 1025}, "threads 1025; expected at most 1024")])
 def test_wrong_arguments(arguments, options, wrong):
     with pytest.raises(ValueError, match=wrong):
         oplus.batch(*arguments, **options)
+
+
+@pytest.mark.parametrize("operation", [oplus.minkowski_sum, oplus.nfp])
+def test_too_many_threads(operation):
+    with pytest.raises(ValueError, match="threads 1025; expected at most 1024"):
+        operation(SQUARE, SQUARE, threads=1025)
+
+
+def test_a_batch_goes_on_where_no_thread_can_be_started():
+    program = ("import sys; sys.path[:0] = " + repr(sys.path) + "\n"
+               "import resource, oplus, test_batch\n"
+               # Too little for the stacks of a thousand threads.
+               "resource.setrlimit(resource.RLIMIT_AS, (2**32, 2**32))\n"
+               "print(len(oplus.batch('nfp', test_batch.stars(2000, 5, 8), test_batch.stars(2000, 5, 9), threads=1000)))\n")
+    child = subprocess.run([sys.executable, "-B", "-c", program], capture_output=True, text=True, timeout=60)
+    assert (child.stdout, child.returncode) == ("2000\n", 0)
 
 
 def slow_work():
@@ -122,7 +140,9 @@ def test_threads_share_regions():
 
 def test_control_c_ends_a_batch():
     program = ("import sys; sys.path[:0] = " + repr(sys.path) + "\n"
-               "import oplus, test_batch\n"
+               "import signal, oplus, test_batch\n"
+               # A shell that starts the tests in the background has it ignored.
+               "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
                "p, q = test_batch.slow_work()\n"
                "print('ready', flush=True)\n"
                "try: oplus.batch('minkowski_sum', [p] * 2000, [q] * 2000)\n"

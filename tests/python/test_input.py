@@ -102,7 +102,7 @@ def test_results_are_not_copied():
     ([[0, 0], [1], [0, 1]], "less than two"),
     ([[[0, 0], [4, 0], [0, 4]], [[5, 5], [6, 5], [5, 6]]], "hole"),
     ("POLYGON ((0 0, 1 0, 1 x, 0 0))", "text:1:"),
-    (b"\x01\x03", "."),
+    (b"\x01\x03", r"text:1:1: the byte '\\x01' is not text"),
     ("LINESTRING (0 0, 1 1)", "LINESTRING"),
     ({"type": "Curve"}, "Curve"),
     ({"coordinates": []}, "type"),
@@ -125,6 +125,76 @@ def test_other_types_are_type_errors(value):
     with pytest.raises((TypeError, oplus.InvalidInput)) as error:
         oplus.Region(value)
     assert "\n" not in str(error.value)
+
+
+class Endless:
+    @property
+    def __geo_interface__(self):
+        return self
+
+
+class Ratio:
+    def __init__(self, *ratio):
+        self.ratio = ratio
+
+    def as_integer_ratio(self):
+        return self.ratio
+
+
+def endless_list():
+    value = []
+    value.append(value)
+    return value
+
+
+def deep_list():
+    value = []
+    for _ in range(200000):
+        value = [value]
+    return value
+
+
+def endless_collection():
+    value = {"type": "GeometryCollection", "geometries": []}
+    value["geometries"] += [value, value]
+    return value
+
+
+@pytest.mark.parametrize("make, wrong", [
+    (endless_list, "in more than 5 lists"), (deep_list, "in more than 5 lists"),
+    (Endless, "inside of 64 others"), (endless_collection, "inside of 64 others"),
+    (lambda: [[0, 0], [1, 0], [0, Ratio(1, 0)]], "its denominator is 0"),
+    (lambda: "\ud800", "text: a surrogate"), (lambda: [["\ud800", 0], [1, 0], [0, 1]], "text: a surrogate"),
+    (lambda: {"type": "\ud800"}, "text: a surrogate")])
+def test_input_without_end_or_sense(make, wrong):
+    with pytest.raises(oplus.InvalidInput, match=wrong):
+        oplus.Region(make())
+
+
+@pytest.mark.parametrize("ratio", [("a", 2), (1e30, 2), (1, None)])
+def test_a_ratio_is_of_integers(ratio):
+    with pytest.raises(TypeError):
+        oplus.Region([[Ratio(*ratio), 0], [1, 0], [0, 1]])
+
+
+def test_an_array_of_a_type_that_is_not_taken():
+    with pytest.raises(TypeError, match="array of uint64: expected floats or signed integers of at most 64 bits, or unsigned"):
+        oplus.Region(numpy.array(SQUARE, dtype="uint64"))
+
+
+@pytest.mark.parametrize("coordinates, rings, wrong", [
+    ([[0, 0], [1]], [0, 2], "coordinates: not an array; expected shape"),
+    ([[0, 0], [1, 0]], [[0], [1, 2]], "rings: not an array; expected offsets")])
+def test_lists_that_are_no_array(coordinates, rings, wrong):
+    with pytest.raises(oplus.InvalidInput, match=wrong):
+        oplus.from_arrays(oplus.Arrays(coordinates, rings))
+
+
+def test_geometries_of_exact_regions_are_exact():
+    exact = oplus.Region([[0, 0], ["1/3", 0], [0, 1]])
+    assert oplus.Region({"type": "Feature", "geometry": exact}) == exact
+    total = oplus.minkowski_sum(exact, exact)
+    assert oplus.Region({"type": "GeometryCollection", "geometries": [total]}) == total.region
 
 
 def test_sums_of_line_strings_and_points():

@@ -138,6 +138,25 @@ def test_verify():
         oplus.verify(oplus.complement(SQUARE), SQUARE, SQUARE)
 
 
+@pytest.mark.parametrize("extra", [[[20, 20]], [[20, 20], [20, 20]]])
+def test_verify_takes_a_line_without_edges_for_its_point(extra):
+    line = {"type": "LineString", "coordinates": extra}
+    total = oplus.minkowski_sum(SQUARE, SQUARE)
+    verdict = oplus.verify(SQUARE, SQUARE, {"type": "GeometryCollection", "geometries": [total, line]})
+    assert not verdict and verdict.reasons[0].witness == (20, 20)
+
+
+def test_repair_leaves_what_is_exact():
+    exact = oplus.Region([[0, 0], ["1/3", 0], [0, 1]])
+    total = oplus.minkowski_sum(exact, exact)
+    assert oplus.repair(exact) == (exact, []) and oplus.repair(total) == (total.region, [])
+    outside = oplus.complement(exact)
+    assert oplus.repair(outside) == (outside, [])
+    assert oplus.repair(oplus.Region(SQUARE).to_wkb())[0] == oplus.Region(SQUARE)
+    bow_tie = geometry.Polygon([[0, 0], [2, 2], [2, 0], [0, 2]])
+    assert oplus.repair(bow_tie.wkb, "even_odd")[0].area == 2
+
+
 def test_repair():
     region, mends = oplus.repair([[0, 0], [4, 0], [4, 0], [4, 4], [6, 4], [4, 4], [0, 4]])
     assert region == oplus.Region([[0, 0], [4, 0], [4, 4], [0, 4]])
