@@ -132,19 +132,27 @@ py::tuple repair(py::handle value, const std::optional<std::string>& fill_name) 
 }
 
 py::object complement_of(py::handle value) {
-  if (py::isinstance<Sum>(value)) return py::cast(complement(value.cast<const Sum&>()));
-  return py::cast(PreparedRegion(complement(region_of(value).region())));
+  if (py::isinstance<Sum>(value)) {
+    const Sum& sum = value.cast<const Sum&>();
+    return py::cast(unlocked([&] { return complement(sum); }));
+  }
+  const PreparedRegion region = region_of(value);
+  return py::cast(unlocked([&] { return PreparedRegion(complement(region.region())); }));
 }
 
 PreparedRegion disc_of(py::handle radius, const std::string& side, py::handle error) {
   if (side != "inside" && side != "outside")
     throw std::invalid_argument("side " + side + "; expected inside or outside");
-  return disc(number_of(radius), side == "inside" ? DiscSide::inside : DiscSide::outside,
-              number_of(error));
+  const Number of_radius = number_of(radius), at_most = number_of(error);
+  return unlocked([&] {
+    return PreparedRegion(
+        disc(of_radius, side == "inside" ? DiscSide::inside : DiscSide::outside, at_most));
+  });
 }
 
 py::tuple rotation_of(py::handle degrees, py::handle error) {
-  const AffineMap map = rotation(number_of(degrees), number_of(error));
+  const Number angle = number_of(degrees), at_most = number_of(error);
+  const AffineMap map = unlocked([&] { return rotation(angle, at_most); });
   return py::make_tuple(to_python(map.a), to_python(map.c));
 }
 

@@ -13,7 +13,7 @@ namespace oplus::python {
 namespace {
 
 PreparedRegion mapped(const PreparedRegion& region, const AffineMap& map) {
-  return transformed(region.region(), map);
+  return unlocked([&] { return PreparedRegion(transformed(region.region(), map)); });
 }
 
 std::string summary(const PreparedRegion& region) {
@@ -64,7 +64,7 @@ ones counterclockwise, without a repeated point. One outer ring of an unbounded 
 [([(Fraction(0, 1), Fraction(0, 1)), (Fraction(1, 3), Fraction(0, 1)), (Fraction(0, 1), Fraction(1, 1))], [])]
 )")
       .def_property_readonly(
-          "area", [](R r) { return to_python(area(r.region())); },
+          "area", [](R r) { return to_python(unlocked([&] { return area(r.region()); })); },
           R"(The area, a Fraction; of an unbounded region, minus that of its complement.
 
 >>> oplus.Region([[0, 0], [1, 0], [0, 1]]).area
@@ -79,7 +79,10 @@ True
 )")
       .def(
           "locate",
-          [](R r, py::handle point) { return name_of(locate(point_of(point), r.region())); },
+          [](R r, py::handle point) {
+            const Point p = point_of(point);
+            return name_of(unlocked([&] { return locate(p, r.region()); }));
+          },
           py::arg("point"), R"(locate(point)
 --
 
@@ -119,7 +122,8 @@ POLYGON ((0 0, 0 1, -1 0, 0 0))
       .def(
           "rotated",
           [](R r, py::handle degrees, py::handle error) {
-            return mapped(r, rotation(number_of(degrees), number_of(error)));
+            const Number angle = number_of(degrees), at_most = number_of(error);
+            return mapped(r, unlocked([&] { return rotation(angle, at_most); }));
           },
           py::arg("degrees"), py::arg("error") = "1/10000", R"(rotated(degrees, error='1/10000')
 --
@@ -138,7 +142,10 @@ POLYGON ((0 0, 0 2, -1 0, 0 0))
       .def("__repr__", summary)
       .def("__str__", [](R r) { return to_wkt(r.region()); })
       .def(
-          "to_wkt", [](R r, std::optional<int> digits) { return to_wkt(r.region(), digits); },
+          "to_wkt",
+          [](R r, std::optional<int> digits) {
+            return unlocked([&] { return to_wkt(r.region(), digits); });
+          },
           py::arg("digits") = py::none(), R"(to_wkt(digits=None)
 --
 
@@ -150,7 +157,9 @@ decimal places, as rounded does, which all programs read.
 )")
       .def(
           "to_geojson",
-          [](R r, std::optional<int> digits) { return to_geojson(r.region(), digits); },
+          [](R r, std::optional<int> digits) {
+            return unlocked([&] { return to_geojson(r.region(), digits); });
+          },
           py::arg("digits") = py::none(), R"(to_geojson(digits=None)
 --
 

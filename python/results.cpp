@@ -79,13 +79,18 @@ Of an open sum they belong to its complement, of a closed set to the set.
 [(Fraction(0, 1), Fraction(0, 1))]
 )")
       .def_property_readonly(
-          "area", [](S s) { return to_python(area(s)); }, R"(The area, a Fraction.
+          "area", [](S s) { return to_python(unlocked([&] { return area(s); })); },
+          R"(The area, a Fraction.
 
 >>> oplus.minkowski_sum([[0, 0], [1, 0], [0, 1]], [[0, 0], [1, 0], [0, 1]]).area
 Fraction(2, 1)
 )")
       .def(
-          "locate", [](S s, py::handle point) { return name_of(locate(point_of(point), s)); },
+          "locate",
+          [](S s, py::handle point) {
+            const Point p = point_of(point);
+            return name_of(unlocked([&] { return locate(p, s); }));
+          },
           py::arg("point"), R"(locate(point)
 --
 
@@ -101,7 +106,10 @@ the boundary.
       .def("__repr__", summary)
       .def("__str__", [](S s) { return to_wkt(s); })
       .def(
-          "to_wkt", [](S s, std::optional<int> digits) { return to_wkt(s, digits); },
+          "to_wkt",
+          [](S s, std::optional<int> digits) {
+            return unlocked([&] { return to_wkt(s, digits); });
+          },
           py::arg("digits") = py::none(), R"(to_wkt(digits=None)
 --
 
@@ -111,7 +119,10 @@ Returns WKT as Region.to_wkt does, with edges and points in a collection.
 'GEOMETRYCOLLECTION (LINESTRING (0 0, 2 0))'
 )")
       .def(
-          "to_geojson", [](S s, std::optional<int> digits) { return to_geojson(s, digits); },
+          "to_geojson",
+          [](S s, std::optional<int> digits) {
+            return unlocked([&] { return to_geojson(s, digits); });
+          },
           py::arg("digits") = py::none(), R"(to_geojson(digits=None)
 --
 

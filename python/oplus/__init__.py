@@ -2,7 +2,8 @@
 """Exact Minkowski sums of polygons with holes, and what is made of them.
 
 Functions take regions of many types (Region says which), coordinates for exactly what they are, and
-return exact results. Each may be called on any thread; Python's lock is released while they compute.
+return exact results. Each may be called on any thread; Python's lock is released while they compute,
+but not while values of Python are converted.
 
 >>> print(oplus.minkowski_sum([[0, 0], [2, 0], [0, 2]], [[0, 0], [1, 0], [1, 1], [0, 1]]))
 POLYGON ((0 0, 3 0, 3 1, 1 3, 0 3, 0 0))
