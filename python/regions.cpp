@@ -91,7 +91,11 @@ Returns 'inside', 'boundary' or 'outside', exactly.
 >>> oplus.Region([[0, 0], [1, 0], [0, 1]]).locate(('1/3', '2/3'))
 'boundary'
 )")
-      .def("__contains__", [](R r, py::handle p) { return contains(r.region(), point_of(p)); })
+      .def("__contains__",
+           [](R r, py::handle p) {
+             const Point point = point_of(p);
+             return unlocked([&] { return contains(r.region(), point); });
+           })
       .def(
           "translated",
           [](R r, py::handle x, py::handle y) {
@@ -135,12 +139,13 @@ by an angle with a rational sine and cosine that differs by at most `error` degr
 POLYGON ((0 0, 0 2, -1 0, 0 0))
 )")
       .def(
-          "__neg__", [](R r) { return PreparedRegion(-r.region()); },
+          "__neg__", [](R r) { return unlocked([&] { return PreparedRegion(-r.region()); }); },
           "The region, turned by 180 degrees.")
       .def(
-          "__eq__", [](R a, R b) { return a.region() == b.region(); }, py::is_operator())
+          "__eq__", [](R a, R b) { return unlocked([&] { return a.region() == b.region(); }); },
+          py::is_operator())
       .def("__repr__", summary)
-      .def("__str__", [](R r) { return to_wkt(r.region()); })
+      .def("__str__", [](R r) { return unlocked([&] { return to_wkt(r.region()); }); })
       .def(
           "to_wkt",
           [](R r, std::optional<int> digits) {

@@ -100,11 +100,15 @@ the boundary.
 >>> oplus.minkowski_sum([[0, 0], [1, 0], [0, 1]], [[0, 0], [1, 0], [0, 1]]).locate((1, 1))
 'boundary'
 )")
-      .def("__contains__", [](S s, py::handle point) { return contains(s, point_of(point)); })
+      .def("__contains__",
+           [](S s, py::handle point) {
+             const Point p = point_of(point);
+             return unlocked([&] { return contains(s, p); });
+           })
       .def(
-          "__eq__", [](S a, S b) { return a == b; }, py::is_operator())
+          "__eq__", [](S a, S b) { return unlocked([&] { return a == b; }); }, py::is_operator())
       .def("__repr__", summary)
-      .def("__str__", [](S s) { return to_wkt(s); })
+      .def("__str__", [](S s) { return unlocked([&] { return to_wkt(s); }); })
       .def(
           "to_wkt",
           [](S s, std::optional<int> digits) {
