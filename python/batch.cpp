@@ -180,8 +180,8 @@ void define_batch(py::module_& m) {
 Returns the list of operation(p[i], q[i]), computed on all cores, or on that many threads.
 
 operation: 'minkowski_sum', 'nfp', 'ifp', 'erode', 'open' or 'close'. p, q: Arrays, or lists of
-whatever Region takes, as long as each other; or one region for all pairs (not as a list). Line
-strings and points are taken by minkowski_sum alone.
+whatever Region takes, as long as each other; or one region for all pairs (not as a list).
+Regions only: line strings and points are summands of the function minkowski_sum.
 boundary='open' is for 'minkowski_sum' only. An invalid region raises InvalidInput, which names the
 first such pair; with errors='return' the exceptions are in the list and the other pairs are
 computed.
