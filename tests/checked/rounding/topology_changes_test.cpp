@@ -263,9 +263,8 @@ TEST(TopologyChanges, of_random_sets_and_of_sums_are_what_happened) {
                                     side, which + " sum", seen);
     }
     EXPECT_GE(seen.sets, 3U * rounds - 5);
-#ifndef __SANITIZE_ADDRESS__
-    expect_changes_of_side(side, seen.changes);
-#endif
+    // Not all of them are seen in fewer rounds.
+    if (rounds == 60) expect_changes_of_side(side, seen.changes);
   }
 }
 
