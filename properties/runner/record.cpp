@@ -101,9 +101,11 @@ Json json_of(const Statement& statement, const Outcome& outcome) {
   return json;
 }
 
-/// The message of a broken contract contains a line number, which changes with every edit of the file.
+/// The message of a broken contract contains a file, whose path depends on the build, and a line number,
+/// which changes with every edit of the file.
 std::string without_place(const std::string& why) {
-  return why.starts_with("threw: ") ? why.substr(0, why.find(" at ")) : why;
+  const std::size_t from = why.starts_with("threw: ") ? 0 : why.find(" broken: ");
+  return from == std::string::npos ? why : why.substr(0, why.find(" at ", from));
 }
 
 Json json_of(const Kill& kill) {
