@@ -27,7 +27,7 @@ ExitCode reflect(const ReflectOptions& options) {
     write_region(options.output, format, reflected(std::move(read.region)));
     return ExitCode::done;
   }
-  const MinkowskiSum set = image(AffineMap{-1, 0, 0, -1}, set_in(read));
+  const MinkowskiSum set = image(scaling(-1), set_in(read));
   write_output(options.output,
                output_text(options.output, format, set, region_of(set), options.boundary));
   return ExitCode::done;

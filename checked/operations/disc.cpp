@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "reference/arithmetic/floor_of.hpp"
 #include "reference/arithmetic/rational_rotation.hpp"
 #include "reference/definitions/contract.hpp"
 #include "reference/definitions/mutant.hpp"
@@ -19,14 +20,6 @@ namespace {
 struct GridPoint {
   mpz_class x, y;
 };
-
-mpz_class floor_of(const mpz_class& a, const mpz_class& b) {
-  mpz_class result;
-  mpz_fdiv_q(result.get_mpz_t(), a.get_mpz_t(), b.get_mpz_t());
-  return result;
-}
-
-mpz_class floor_of(const Rational& x) { return floor_of(x.get_num(), x.get_den()); }
 
 /// A ring around the origin, in steps of a grid.
 struct Ring {

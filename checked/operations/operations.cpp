@@ -5,6 +5,7 @@
 #include "checked/operations/image.hpp"
 #include "checked/operations/unbounded_sum.hpp"
 #include "reference/chains/region_of.hpp"
+#include "reference/definitions/minkowski_sum.hpp"
 #include "reference/definitions/mutant.hpp"
 #include "reference/definitions/region.hpp"
 
@@ -12,18 +13,11 @@ namespace oplus {
 
 namespace {
 
-/// The closure of the interior of a closed set.
-MinkowskiSum regularized(MinkowskiSum set) {
-  set.dangling_edges.clear();
-  set.isolated_vertices.clear();
-  return set;
-}
-
 MinkowskiSum as_set(const Region& region) { return canonical_sum(region); }
 const MinkowskiSum& as_set(const MinkowskiSum& set) { return set; }
 
 Region opposite(const Region& region) { return reflected(region); }
-MinkowskiSum opposite(const MinkowskiSum& set) { return image(AffineMap{-1, 0, 0, -1}, set); }
+MinkowskiSum opposite(const MinkowskiSum& set) { return image(scaling(-1), set); }
 
 // Of two regions, or of two closed sets.
 

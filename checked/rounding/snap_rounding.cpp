@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "reference/arithmetic/floor_of.hpp"
 #include "reference/definitions/mutant.hpp"
 #include "reference/definitions/sorted_without_copies.hpp"
 
@@ -87,10 +88,7 @@ bool may_meet(const Box& box, double margin, const IntervalSegment& s, const Box
 }  // namespace
 
 Rational nearest_multiple(const Rational& value, const Rational& step) {
-  const Rational steps = value / step + Rational(1, 2);
-  mpz_class whole;
-  mpz_fdiv_q(whole.get_mpz_t(), steps.get_num_mpz_t(), steps.get_den_mpz_t());
-  return whole * step;
+  return floor_of(Rational(value / step + Rational(1, 2))) * step;
 }
 
 Point nearest_grid_point(const Point& p, const Rational& step) {

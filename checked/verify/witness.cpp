@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "reference/arithmetic/floor_of.hpp"
 #include "reference/definitions/ray.hpp"
 #include "reference/definitions/squared_distance.hpp"
 #include "reference/definitions/verdicts_differ.hpp"
@@ -18,10 +19,7 @@ namespace {
 
 /// Rounded down to a multiple of 1/scale.
 Rational rounded(const Rational& value, const mpz_class& scale) {
-  const Rational scaled = value * Rational(scale);
-  mpz_class floor;
-  mpz_fdiv_q(floor.get_mpz_t(), scaled.get_num_mpz_t(), scaled.get_den_mpz_t());
-  return Rational(floor) / Rational(scale);
+  return Rational(floor_of(Rational(value * Rational(scale)))) / Rational(scale);
 }
 
 /// Of the face of all the segments.

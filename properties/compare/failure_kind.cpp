@@ -8,6 +8,7 @@
 #include "reference/chains/region_of.hpp"
 #include "reference/definitions/collision.hpp"
 #include "reference/definitions/difference.hpp"
+#include "reference/definitions/minkowski_sum.hpp"
 #include "reference/definitions/winding_number.hpp"
 #include "reference/io/quoting.hpp"
 #include "reference/io/writing.hpp"
@@ -54,12 +55,6 @@ std::string lost_or_found(const MinkowskiSum& right, const MinkowskiSum& given) 
   const Region a = region_of(right), b = region_of(given);
   const std::string what = lost_or_found(components(a), components(b), "component", "components");
   return what.empty() ? lost_or_found(holes(a), holes(b), "hole", "holes") : what;
-}
-
-MinkowskiSum regularized(MinkowskiSum sum) {
-  sum.dangling_edges.clear();
-  sum.isolated_vertices.clear();
-  return sum;
 }
 
 /// How far rounding may move coordinates: by at most `most`, or by less than `step`.

@@ -3,20 +3,13 @@
 
 #include <algorithm>
 
+#include "reference/arithmetic/floor_of.hpp"
 #include "reference/definitions/contract.hpp"
 #include "reference/definitions/mutant.hpp"
 
 namespace oplus {
 
 namespace {
-
-mpz_class floor_of(const mpz_class& a, const mpz_class& b) {
-  mpz_class result;
-  mpz_fdiv_q(result.get_mpz_t(), a.get_mpz_t(), b.get_mpz_t());
-  return result;
-}
-
-mpz_class floor_of(const Rational& x) { return floor_of(x.get_num(), x.get_den()); }
 
 /// Numbers as multiples of a unit 2^-bits. Requires: bits >= 64.
 class FixedPoint {

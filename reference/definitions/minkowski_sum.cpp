@@ -127,6 +127,12 @@ MinkowskiSum canonical_sum(const BoundaryFeatures& features) {
   return sum;
 }
 
+MinkowskiSum regularized(MinkowskiSum set) {
+  set.dangling_edges.clear();
+  set.isolated_vertices.clear();
+  return set;
+}
+
 Rational area(const MinkowskiSum& sum) {
   Rational twice = 0;
   for (const Chain& chain : sum.outer)

@@ -23,6 +23,9 @@ std::size_t start_of_smallest_rotation(const Chain& chain);
 /// Requires: as many edges enter each point as leave it.
 MinkowskiSum canonical_sum(const BoundaryFeatures& features);
 
+/// The closure of a set's interior: the set without dangling edges and isolated vertices.
+MinkowskiSum regularized(MinkowskiSum set);
+
 /// The area of the regularized sum.
 Rational area(const MinkowskiSum& sum);
 

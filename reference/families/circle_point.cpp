@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/families/circle_point.hpp"
 
+#include "reference/arithmetic/floor_of.hpp"
+
 namespace oplus {
 
 namespace {
@@ -9,11 +11,7 @@ constexpr int resolution = 1 << 20;
 
 /// numerator / denominator, to the nearest integer. Requires: denominator > 0.
 mpz_class rounded(const mpz_class& numerator, const mpz_class& denominator) {
-  const mpz_class doubled = 2 * numerator + denominator;
-  const mpz_class by = 2 * denominator;
-  mpz_class quotient;
-  mpz_fdiv_q(quotient.get_mpz_t(), doubled.get_mpz_t(), by.get_mpz_t());
-  return quotient;
+  return floor_of(2 * numerator + denominator, 2 * denominator);
 }
 
 }  // namespace

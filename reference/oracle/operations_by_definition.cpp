@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "reference/definitions/collision.hpp"
+#include "reference/definitions/minkowski_sum.hpp"
 #include "reference/oracle/cell_sets.hpp"
 #include "reference/oracle/set_by_pieces.hpp"
 
@@ -104,12 +105,6 @@ const DefinedOperation* find_defined_operation(const std::string& name) {
   const auto found = std::find_if(all.begin(), all.end(),
                                   [&](const DefinedOperation& o) { return o.name == name; });
   return found == all.end() ? nullptr : &*found;
-}
-
-MinkowskiSum regularized(MinkowskiSum set) {
-  set.dangling_edges.clear();
-  set.isolated_vertices.clear();
-  return set;
 }
 
 }  // namespace oplus

@@ -25,7 +25,4 @@ const std::vector<DefinedOperation>& defined_operations();
 /// nullptr where there is none of that name.
 const DefinedOperation* find_defined_operation(const std::string& name);
 
-/// The closure of a closed set's interior: without edges and points.
-MinkowskiSum regularized(MinkowskiSum set);
-
 }  // namespace oplus

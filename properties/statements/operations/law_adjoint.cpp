@@ -5,6 +5,7 @@
 #include "properties/runner/registry.hpp"
 #include "properties/statements/operations/by_slide.hpp"
 #include "reference/chains/region_of.hpp"
+#include "reference/definitions/minkowski_sum.hpp"
 #include "reference/definitions/region.hpp"
 #include "reference/oracle/operations_by_definition.hpp"
 #include "reference/oracle/set_by_pieces.hpp"

@@ -14,6 +14,7 @@
 #include "reference/chains/region_of.hpp"
 #include "reference/chains/swept_cells.hpp"
 #include "reference/definitions/difference.hpp"
+#include "reference/definitions/minkowski_sum.hpp"
 #include "reference/definitions/winding_number.hpp"
 #include "reference/families/family.hpp"
 #include "reference/families/random.hpp"
@@ -22,12 +23,6 @@
 
 namespace oplus {
 namespace {
-
-MinkowskiSum regularized(MinkowskiSum set) {
-  set.dangling_edges.clear();
-  set.isolated_vertices.clear();
-  return set;
-}
 
 std::vector<Segment> boundary_of(const MinkowskiSum& set) { return edges(regularized(set)); }
 
