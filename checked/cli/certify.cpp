@@ -5,7 +5,7 @@
 #include "checked/cli/input.hpp"
 #include "checked/cli/shared_options.hpp"
 #include "checked/cli/usage_error.hpp"
-#include "checked/cli/verdict_text.hpp"
+#include "checked/verify/verdict_text.hpp"
 #include "checked/verify/verify.hpp"
 #include "reference/io/writing.hpp"
 

@@ -77,7 +77,7 @@ class Query {
     for (auto first = contacts.begin(); first != contacts.end();) {
       const auto last = std::find_if(first, contacts.end(),
                                      [&](const Contact& other) { return other.at != first->at; });
-      if (interiors_meet_around(rays({first, last})) &&
+      if (interiors_meet_around(rays({&*first, static_cast<std::size_t>(last - first)})) &&
           !OPLUS_MUTANT("weak-intersections-never-meet",
                         "boundaries that meet without a proper crossing are taken to touch only"))
         return true;

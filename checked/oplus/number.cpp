@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "checked/arithmetic/set_integer.hpp"
 #include "checked/oplus/oplus.hpp"
 #include "reference/io/number.hpp"
 
@@ -25,11 +26,10 @@ Number::Exact Number::from_double(double value) {
 
 Number::Exact Number::from_integer(bool is_negative, std::uint64_t bits) {
   const std::uint64_t size = is_negative ? 0 - bits : bits;
-  // GMP's own constructors take a long, which has 32 bits on some machines.
-  mpz_class value = static_cast<unsigned long>(size >> 32);
-  value <<= 32;
-  value += static_cast<unsigned long>(size & 0xFFFFFFFF);
-  return {Rational(is_negative ? mpz_class(-value) : value)};
+  const Integer128 value = size;
+  Rational result;
+  set_integer(result.get_num_mpz_t(), is_negative ? -value : value);
+  return {std::move(result)};
 }
 
 Number::Exact Number::from_rational(Rational value) {

@@ -59,7 +59,8 @@ class BoundaryRays {
     const auto [first, last] =
         std::equal_range(inside_.begin(), inside_.end(), std::pair{edge, 0U},
                          [](const auto& a, const auto& b) { return a.first < b.first; });
-    return {first, last};
+    return std::span(inside_).subspan(static_cast<std::size_t>(first - inside_.begin()),
+                                      static_cast<std::size_t>(last - first));
   }
 
   /// Whether several chains touch in a vertex.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <numeric>
 #include <optional>
 
+#include "checked/arithmetic/set_integer.hpp"
 #include "checked/slide/fraction.hpp"
 #include "checked/slide/integer_summands.hpp"
 #include "reference/definitions/segment.hpp"
@@ -144,7 +144,6 @@ class ExactPoint<SmallNumbers> {
  private:
   using Value = SmallNumbers::Value;
   using Product = SmallNumbers::Product;
-  __extension__ typedef unsigned __int128 Size;
 
   struct Coordinate {
     Product numerator = 0;
@@ -172,17 +171,8 @@ class ExactPoint<SmallNumbers> {
     }
 
     void put_into(Rational& value) const {
-      if (numerator == static_cast<long>(numerator)) {
-        mpz_set_si(value.get_num_mpz_t(), static_cast<long>(numerator));
-      } else {
-        const auto size = static_cast<Size>(numerator < 0 ? -numerator : numerator);
-        const std::array<std::uint64_t, 2> words = {static_cast<std::uint64_t>(size),
-                                                    static_cast<std::uint64_t>(size >> 64)};
-        mpz_import(value.get_num_mpz_t(), words.size(), -1, sizeof(std::uint64_t), 0, 0,
-                   words.data());
-        if (numerator < 0) mpz_neg(value.get_num_mpz_t(), value.get_num_mpz_t());
-      }
-      mpz_set_si(value.get_den_mpz_t(), denominator);
+      set_integer(value.get_num_mpz_t(), numerator);
+      set_integer(value.get_den_mpz_t(), denominator);
     }
   };
 

@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "checked/arithmetic/set_integer.hpp"
 #include "checked/verify/summand_parts.hpp"
 #include "reference/arithmetic/interval.hpp"
 #include "reference/definitions/cyclic_order.hpp"
@@ -28,9 +29,6 @@ using convex_parts::Piece;
 using convex_parts::rounding;
 using convex_parts::Side;
 using convex_parts::SummandParts;
-
-__extension__ using Integer128 = __int128;
-__extension__ using Unsigned128 = unsigned __int128;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -66,14 +64,9 @@ Rational quotient(Integer128 numerator, std::int64_t denominator) {
   const auto whole = static_cast<std::uint64_t>(denominator);
   const auto absolute = static_cast<Unsigned128>(numerator < 0 ? -numerator : numerator);
   const std::uint64_t common = std::gcd(static_cast<std::uint64_t>(absolute % whole), whole);
-  const auto reduced = absolute / common;
   Rational result;
-  mpz_set_ui(result.get_den_mpz_t(), whole / common);
-  const mpz_ptr top = result.get_num_mpz_t();
-  mpz_set_ui(top, static_cast<std::uint64_t>(reduced >> 64));
-  if (mpz_sgn(top) != 0) mpz_mul_2exp(top, top, 64);
-  mpz_add_ui(top, top, static_cast<std::uint64_t>(reduced));
-  if (numerator < 0) mpz_neg(top, top);
+  set_integer(result.get_num_mpz_t(), numerator / common);
+  set_integer(result.get_den_mpz_t(), whole / common);
   return result;
 }
 

@@ -21,8 +21,9 @@ bool is_double(const Rational& value) {
 
 Interval interval(const Rational& value) {
   if (mpz_cmp_ui(value.get_den_mpz_t(), 1) == 0 && mpz_fits_slong_p(value.get_num_mpz_t()) != 0) {
-    const long whole = mpz_get_si(value.get_num_mpz_t());
-    if (-(1L << 53) <= whole && whole <= 1L << 53)
+    const std::int64_t whole = mpz_get_si(value.get_num_mpz_t());
+    constexpr std::int64_t largest = std::int64_t{1} << 53;
+    if (-largest <= whole && whole <= largest)
       return {static_cast<double>(whole), static_cast<double>(whole)};
   }
   const double near = value.get_d();  // rounded towards zero

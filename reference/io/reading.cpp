@@ -261,6 +261,14 @@ UncheckedInput unchecked(Parsed parsed) {
   return result;
 }
 
+GivenSum unchecked_sum(Parsed parsed) {
+  require_outer_chains(parsed, Extent::bounded);
+  require_closed_rings(parsed.input, parsed.geometry);
+  std::vector<Segment> dangling = edges_of_line_strings(parsed);
+  return {take_region(parsed.geometry), std::move(dangling),
+          std::move(parsed.geometry.points.vertices)};
+}
+
 }  // namespace
 
 void exchange_vertices(PlacedGeometry& geometry, Region& region) {
@@ -362,13 +370,13 @@ ReadSum read_sum_file(const std::string& path, const ReadingProgress& progress) 
   return read_sum(parsed_file(path, Wanted::sum, progress));
 }
 
+GivenSum read_unchecked_sum(const std::string& text, const std::string& name,
+                            const ReadingProgress& progress) {
+  return unchecked_sum(parsed(text, name, Wanted::sum, progress));
+}
+
 GivenSum read_unchecked_sum_file(const std::string& path, const ReadingProgress& progress) {
-  Parsed parsed = parsed_file(path, Wanted::sum, progress);
-  require_outer_chains(parsed, Extent::bounded);
-  require_closed_rings(parsed.input, parsed.geometry);
-  std::vector<Segment> dangling = edges_of_line_strings(parsed);
-  return {take_region(parsed.geometry), std::move(dangling),
-          std::move(parsed.geometry.points.vertices)};
+  return unchecked_sum(parsed_file(path, Wanted::sum, progress));
 }
 
 }  // namespace oplus

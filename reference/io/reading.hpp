@@ -92,8 +92,10 @@ ReadRegion read_region_file(const std::string& path, const ReadingProgress& prog
                             Extent extent = Extent::bounded, Overlaps overlaps = Overlaps::refused);
 ReadSum read_sum_file(const std::string& path, const ReadingProgress& progress = {});
 
-/// Reads a sum from a file and checks only its syntax, so that its defects can be reported. In the
+/// Reads a sum and checks only its syntax, so that its defects can be reported. In the
 /// input's order, points and edges of line strings as they are. Throws InvalidInput.
+GivenSum read_unchecked_sum(const std::string& text, const std::string& name,
+                            const ReadingProgress& progress = {});
 GivenSum read_unchecked_sum_file(const std::string& path, const ReadingProgress& progress = {});
 
 }  // namespace oplus

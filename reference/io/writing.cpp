@@ -44,12 +44,13 @@ void add_decimal(std::string& text, bool is_negative, std::string_view digits,
   text += digits.substr(whole, last + 1 - whole);
 }
 
-using Word = unsigned long;
+using Word = mp_limb_t;
 
 void add_decimal(std::string& text, bool is_negative, Word digits, std::size_t decimals) {
   std::array<char, std::numeric_limits<Word>::digits10 + 1> buffer{};
   const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), digits);
-  add_decimal(text, is_negative, {buffer.data(), end}, decimals);
+  const std::string_view written(buffer.data(), static_cast<std::size_t>(end - buffer.data()));
+  add_decimal(text, is_negative, written, decimals);
 }
 
 /// The size of a number that a word holds; none of a larger one.

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-#include "checked/cli/verdict_text.hpp"
+// SPDX-License-Identifier: MIT
+#include "checked/verify/verdict_text.hpp"
 
 #include <algorithm>
 #include <set>
