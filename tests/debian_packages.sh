@@ -12,7 +12,8 @@ packages_of_tests=(clang libclang-rt-14-dev git clang-format libgtest-dev libben
                    parallel munge slurmctld slurmd slurm-client
                    make z3 cvc5 jq doxygen
                    pybind11-dev python3-dev python3-numpy python3-shapely python3-pytest
-                   python3-hypothesis python3-matplotlib)
+                   python3-hypothesis python3-matplotlib
+                   emscripten chromium chromium-driver python3-selenium)
 
 # Installs what is missing. Asks nothing; says what it installs.
 install_missing_packages() {

@@ -14,8 +14,9 @@ LINES = (
     ("docs/findings",),
     ("oplus", "docs/examples"),
     ("oplus", "python"),
+    ("reference/definitions", "reference/chains", "reference/io", "checked", "web"),
 )
-OURS = ("reference", "checked", "properties", "tests", "docs", "oplus", "python")
+OURS = ("reference", "checked", "properties", "tests", "docs", "oplus", "python", "web")
 
 
 def holds(folder, path):

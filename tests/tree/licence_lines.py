@@ -15,6 +15,7 @@ CORE = ("reference/definitions", "reference/arithmetic", "reference/chains", "re
 # What users copy from.
 EXAMPLES = ("docs/examples/cpp", "python/examples", "tests/consumer")
 PYTHON = ("python", "python/oplus")
+WEB = ("web",)
 # Only for those who have CGAL; of it, what is under the LGPL (tests/checked/oplus/cgal_licence).
 ADAPTERS = ("checked/oplus/cgal.hpp",)
 NOT_IN_CORE = ("CGAL", "tbb", "oneapi", "mpfr.h")
@@ -33,7 +34,7 @@ def is_source(path):
 
 
 def licence(name):
-    return MIT if name.rpartition("/")[0] in CORE + EXAMPLES + PYTHON else GPL
+    return MIT if name.rpartition("/")[0] in CORE + EXAMPLES + PYTHON + WEB else GPL
 
 
 def wrong_includes(root):

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// core_test.mjs FOLDER OPLUS CORPUS: what the page's WebAssembly answers is what the program `oplus` does.
+// Coordinates near 10^9, 10^15 and 10^18 need more bits than a long has there.
+import assert from "node:assert";
+import {execFileSync} from "node:child_process";
+import {mkdtempSync, readFileSync, writeFileSync, copyFileSync} from "node:fs";
+import {tmpdir} from "node:os";
+import path from "node:path";
+import {pathToFileURL} from "node:url";
+
+const [folder, oplus, corpus] = process.argv.slice(2);
+const scratch = mkdtempSync(path.join(tmpdir(), "oplus-web-"));
+// Node takes it for a module by its name.
+copyFileSync(path.join(folder, "oplus.js"), path.join(scratch, "oplus.mjs"));
+// Emscripten 3.1.6 uses what CommonJS has.
+globalThis.__dirname = scratch;
+globalThis.require = (await import("node:module")).createRequire(import.meta.url);
+const load = (await import(pathToFileURL(path.join(scratch, "oplus.mjs")))).default;
+const core = await load({wasmBinary: readFileSync(path.join(folder, "oplus.wasm"))});
+
+const ask = (request) => JSON.parse(core.ccall("oplus_answer", "string", ["string"], [JSON.stringify({
+  x: ["1/2", "1/3"], step: "1", s: "", open: false, ...request})]));
+const run = (...words) => {
+  try {
+    return execFileSync(oplus, words, {encoding: "utf8", stdio: ["ignore", "pipe", "pipe"]});
+  } catch (failed) {
+    return failed.stdout;
+  }
+};
+const file = (name, text) => {
+  writeFileSync(path.join(scratch, name), text);
+  return path.join(scratch, name);
+};
+
+const pairs = readFileSync(corpus, "utf8").replace(/^#.*\n/gm, "").replace(/\n[ \t]+/g, " ").split(/\n\n+/)
+  .map((block) => Object.fromEntries(block.trim().split("\n").map((line) => line.split(/: (.*)/s))))
+  .filter(({P, Q}) => /^(MULTI)?POLYGON/.test(P ?? "") && /^(MULTI)?POLYGON/.test(Q ?? ""));
+assert(pairs.length >= 20, `${pairs.length} pairs in the corpus`);
+for (const size of ["1000000007", "1000000000000037", "1000000000000000003"]) {
+  const at = (i, j) => `${BigInt(size) * BigInt(i) + BigInt(j)} ${BigInt(size) * BigInt(j) - BigInt(i)}`;
+  const ring = (...corners) => `POLYGON((${[...corners, corners[0]].map(([i, j]) => at(i, j)).join(", ")}))`;
+  pairs.push({name: size, P: ring([0, 0], [3, 1], [1, 1], [2, 4]), Q: ring([0, 0], [2, -1], [5, 3], [1, 1], [-2, 2])});
+}
+const isSmall = ({P, Q}) => (P + Q).length < 4000;
+
+let compared = 0;
+for (const pair of pairs.filter(isSmall)) {
+  const {name, P, Q} = pair, p = file("p.wkt", P), q = file("q.wkt", Q);
+  for (const open of [false, true]) {
+    const kind = open ? ["--open"] : [];
+    const expected = run("sum", p, q, ...kind).trim();
+    const answer = ask({p: P, q: Q, open});
+    assert.equal(answer.error, undefined, name);
+    assert.equal(answer.sum.wkt, expected, `${name}, open: ${open}`);
+    const {winding, tangents} = answer.placement;
+    assert.equal(winding, tangents, `winding number and tangent count, ${name}`);
+    const s = file("s.wkt", expected);
+    assert.equal(ask({p: P, q: Q, open, s: expected}).verdict.text, run("verify", p, q, s, ...kind).replace(/^note: .*\n/gm, ""), name);
+    assert.equal(ask({p: P, q: Q, open, s: P}).verdict.text, run("verify", p, q, p, ...kind).replace(/^note: .*\n/gm, ""), `${name}, P as its sum`);
+    ++compared;
+  }
+}
+
+// What is wrong with an input is said as the program says it.
+const square = "POLYGON((0 0,4 0,4 4,0 4,0 0))", bow = "POLYGON((0 0,4 4,4 0,0 4,0 0))";
+const said = (text) => {
+  try {
+    execFileSync(oplus, ["sum", file("P", text), file("q.wkt", square)], {stdio: "pipe"});
+  } catch (failed) {
+    return failed.stderr.toString().trim().replace(scratch + "/", "").replace(/^[a-z]*: /, "");
+  }
+  return assert.fail("the program takes it");
+};
+for (const text of [bow, "POLYGON((0 0,4 0", "", "CIRCLE(1)", "POLYGON((0 0,1 1,0 0))"])
+  assert(said(text).endsWith(ask({p: text, q: square}).error.replace(/^P/, "")), `${said(text)} <- ${ask({p: text, q: square}).error}`);
+assert(ask({p: square, q: square, step: "0"}).refused);
+assert(ask({p: square, q: square, x: ["a", "1"]}).refused);
+assert(ask({p: square, q: square, s: "POLYGON"}).verdict.error);
+
+// Edits are exact.
+const edited = (edit, p = square, step = "1/3") => ask({p, q: square, step, edit: {of: "p", chain: 0, ...edit}});
+assert.equal(edited({vertex: 1, how: "by", at: [1, 0]}).p.points[0][1], "(13/3, 0)");
+assert.equal(edited({vertex: 1, how: "to", at: [7, 1]}).p.points[0][1], "(7/3, 1/3)");
+assert.equal(edited({vertex: 3, how: "add"}).p.points[0][4], "(0, 2)");
+assert.equal(edited({how: "by", at: [1, 1]}).p.points[0][2], "(13/3, 13/3)");
+assert.equal(edited({vertex: 3, how: "remove"}).p.chains[0].length, 3);
+assert(edited({vertex: 0, how: "remove"}, "POLYGON((0 0,1 0,0 1,0 0))").p.error);
+console.log(`${compared} sums compared`);

@@ -1,0 +1,311 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The page in Chromium without a window, by Selenium: OPLUS_PAGE names its folder."""
+
+import functools
+import http.server
+import os
+import re
+import threading
+import time
+from pathlib import Path
+from urllib.parse import quote
+
+import pytest
+from selenium import webdriver
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.support.ui import Select, WebDriverWait
+
+FOLDER = Path(os.environ["OPLUS_PAGE"])
+SQUARE = "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))"
+TRIANGLE = "POLYGON ((0 0, 2 0, 0 2, 0 0))"
+FRAME = "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 3, 3 3, 3 1, 1 1))"
+
+
+class Quiet(http.server.SimpleHTTPRequestHandler):
+    def log_message(self, *_):
+        pass
+
+
+@pytest.fixture(scope="session")
+def server():
+    handler = functools.partial(Quiet, directory=str(FOLDER))
+    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as httpd:
+        threading.Thread(target=httpd.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{httpd.server_address[1]}/"
+        httpd.shutdown()
+
+
+@pytest.fixture(scope="session")
+def driver():
+    options = webdriver.ChromeOptions()
+    for argument in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--disable-gpu"):
+        options.add_argument(argument)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+    service = webdriver.chrome.service.Service("/usr/bin/chromedriver")
+    driver = webdriver.Chrome(options=options, service=service)
+    yield driver
+    driver.quit()
+
+
+class Page:
+    def __init__(self, driver, server):
+        self.driver, self.server = driver, server
+
+    def open(self, fragment="", width=1280, height=1000):
+        self.driver.set_window_size(width, height)
+        self.driver.get("about:blank")
+        self.driver.get(self.server + "#" + fragment)
+        self.until(lambda: self.text("status").startswith("P"))
+        return self
+
+    def pair(self, p=SQUARE, q=TRIANGLE, more=""):
+        return self.open(f"p={quote(p)}&q={quote(q)}&step=1&x=1,1&layers=sum{more}")
+
+    def __call__(self, name):
+        return self.driver.find_element(By.ID, name)
+
+    def text(self, name):
+        return self(name).text
+
+    def value(self, name):
+        return self(name).get_attribute("value")
+
+    def until(self, holds):
+        WebDriverWait(self.driver, 10).until(lambda _: holds())
+
+    def handle(self, label):
+        return self.driver.find_element(By.CSS_SELECTOR, f'.handle[aria-label^="{label}"]')
+
+    def vertex(self, number, of="P"):
+        return self.handle(f"{of}, outer chain of component 1, vertex {number} ")
+
+    def type(self, name, text):
+        self(name).clear()
+        self(name).send_keys(text)
+
+    def drag(self, what, by):
+        ActionChains(self.driver).drag_and_drop_by_offset(what, *by).perform()
+
+    def layer(self, name):
+        return self.driver.find_elements(By.CSS_SELECTOR, f'#sum [data-layer="{name}"]')
+
+
+@pytest.fixture
+def page(driver, server):
+    for log in ("browser", "performance"):
+        driver.get_log(log)
+    yield Page(driver, server)
+    errors = [entry for entry in driver.get_log("browser") if entry["level"] == "SEVERE"]
+    assert errors == []
+    asked = re.findall(r'"url":"(https?://[^"]*)"', "".join(e["message"] for e in driver.get_log("performance")))
+    assert asked and all(url.startswith(server) for url in asked)
+
+
+def test_exact_sum_and_area(page):
+    page.pair()
+    assert page.value("sum-wkt") == "POLYGON ((0 0, 6 0, 6 4, 4 6, 0 6, 0 0))"
+    assert "Area 34;" in page.text("counts")
+
+
+def test_a_vertex_is_dragged(page):
+    page.pair()
+    before = page.value("p-wkt")
+    page.drag(page.vertex(3), (60, -60))
+    page.until(lambda: page.value("p-wkt") != before)
+    assert re.search(r"vertex 3 of 4 at \((\d), \1\)", page.vertex(3).get_attribute("aria-label"))
+    assert "4 4" not in page.value("p-wkt")
+
+
+def test_a_polygon_is_dragged(page):
+    page.pair()
+    page.drag(page.driver.find_element(By.CSS_SELECTOR, '#summands path[data-of="p"]'), (0, 150))
+    page.until(lambda: page.value("p-wkt") != SQUARE)
+    ys = sorted({int(y) for y in re.findall(r" (-?\d+)[,)]", page.value("p-wkt"))})
+    assert ys[1] - ys[0] == 4 and ys[0] < 0
+
+
+def test_keys_move_add_and_remove(page):
+    page.pair()
+    page.vertex(1).send_keys(Keys.PAGE_DOWN)
+    active = page.driver.switch_to.active_element
+    assert "vertex 2 of 4" in active.get_attribute("aria-label")
+    active.send_keys(Keys.ARROW_RIGHT)
+    page.until(lambda: "at (5, 0)" in page.vertex(2).get_attribute("aria-label"))
+    page.driver.switch_to.active_element.send_keys(Keys.INSERT)
+    page.until(lambda: "vertex 3 of 5 at (9/2, 2)" in page.driver.switch_to.active_element.get_attribute("aria-label"))
+    page.driver.switch_to.active_element.send_keys(Keys.DELETE)
+    page.until(lambda: "P: 4 vertices" in page.text("status"))
+    page.vertex(2).send_keys(Keys.ALT, Keys.ARROW_UP)
+    page.until(lambda: "at (5, 1)" in page.vertex(2).get_attribute("aria-label"))
+    assert "at (0, 1)" in page.vertex(1).get_attribute("aria-label")
+
+
+def test_focus_is_visible(page):
+    page.pair()
+    one = page.vertex(1)
+    before = one.find_elements(By.TAG_NAME, "circle")[1].value_of_css_property("stroke-width")
+    page.driver.execute_script("arguments[0].focus()", one)
+    assert one.find_elements(By.TAG_NAME, "circle")[1].value_of_css_property("stroke-width") != before
+
+
+@pytest.mark.parametrize("name", ["sum", "holes", "dangling", "convolution", "reduced", "cycle"])
+def test_layers(page, name):
+    page.pair(FRAME, SQUARE)
+    is_on = bool(page.layer(name))
+    assert is_on == (name == "sum")
+    page("layer-" + name).click()
+    assert bool(page.layer(name)) != is_on
+    assert page("layer-" + name).is_selected() != is_on
+
+
+def test_open_sum_has_an_isolated_vertex(page):
+    page.open(f"p={quote(FRAME)}&q={quote('POLYGON((0 0,2 0,2 2,0 2,0 0))')}&open=1")
+    assert "1 isolated vertex" in page.text("counts")
+    page("open").click()
+    page.until(lambda: "0 isolated vertices" in page.text("counts"))
+
+
+def test_the_point_x(page):
+    page.pair()
+    assert "(1, 1) is inside the sum" in page.text("placement")
+    assert "Winding number 1, tangent count 1" in page.text("placement")
+    for field in ("x0", "x1"):
+        page.type(field, "13/2")
+    page("move-x").click()
+    page.until(lambda: "(13/2, 13/2) is outside the sum" in page.text("placement"))
+    assert "do not meet" in page.text("placement")
+    assert "Winding number 0, tangent count 0" in page.text("placement")
+    page.driver.find_element(By.CSS_SELECTOR, "#sum .handle").send_keys(Keys.ARROW_LEFT)
+    page.until(lambda: "(11/2, 13/2)" in page.text("placement"))
+
+
+def test_steps_of_a_cycle(page):
+    page.pair(more=",cycle")
+    assert page.text("segment").startswith("Segment 1 of 7:")
+    page("next").click()
+    assert page.text("segment").startswith("Segment 2 of 7:")
+    page("previous").click()
+    page("previous").click()
+    assert page.text("segment").startswith("Segment 7 of 7:")
+    assert len(page.driver.find_elements(By.CSS_SELECTOR, "#sum .current")) == 1
+
+
+def test_good_wkt(page):
+    page.pair()
+    page.type("q-wkt", "POLYGON((0 0,0.1 0,0 1/3,0 0))")
+    page("use-q").click()
+    page.until(lambda: "1/3" in page.value("sum-wkt"))
+    assert page.text("error") == ""
+
+
+def test_bad_wkt_changes_nothing(page):
+    page.pair()
+    page.type("p-wkt", "POLYGON((0 0,1 0")
+    page("use-p").click()
+    page.until(lambda: page.text("error").startswith("P:1:"))
+    assert "\n" not in page.text("error")
+    assert page.value("sum-wkt") == "POLYGON ((0 0, 6 0, 6 4, 4 6, 0 6, 0 0))"
+
+
+def test_an_invalid_polygon_leaves_the_last_valid_picture(page):
+    page.pair()
+    assert not page("stale").is_displayed()
+    page.vertex(1).send_keys(Keys.SHIFT, Keys.ARROW_RIGHT)
+    page.until(lambda: "cross" in page.text("error"))
+    assert page("stale").is_displayed()
+    assert page.layer("sum")[0].get_attribute("class") == "area stale"
+    page.vertex(1).send_keys(Keys.SHIFT, Keys.ARROW_LEFT)
+    page.until(lambda: not page("stale").is_displayed())
+    assert page.text("error") == ""
+
+
+def test_verify(page):
+    page.pair()
+    page.type("s-wkt", page.value("sum-wkt"))
+    page("open").click() if page("open").is_selected() else None
+    page("verify").click()
+    page.until(lambda: page.text("verdict") == "yes")
+    page.type("s-wkt", "POLYGON((0 0,6 0,6 6,0 6,0 0))")
+    page("verify").click()
+    page.until(lambda: page.text("verdict").startswith("no: not in sum"))
+    assert "witness: (" in page.text("verdict")
+    assert len(page.driver.find_elements(By.CSS_SELECTOR, "#sum .witness")) == 1
+    page.type("s-wkt", "POLYGON((")
+    page("verify").click()
+    page.until(lambda: page.text("verdict").startswith("S:1:"))
+
+
+def test_a_link_holds_the_state(page):
+    page.pair(more=",cycle")
+    page("next").click()
+    page.vertex(2).send_keys(Keys.ARROW_RIGHT)
+    page.until(lambda: "5+0" in page.driver.current_url)
+    texts = [page.value("sum-wkt"), page.text("segment"), page.text("placement")]
+    page.driver.refresh()
+    page.until(lambda: page.text("status").startswith("P:"))
+    assert texts == [page.value("sum-wkt"), page.text("segment"), page.text("placement")]
+    assert page("layer-cycle").is_selected() and not page("layer-holes").is_selected()
+    assert page.driver.execute_script("return localStorage.length + document.cookie.length") == 0
+
+
+def test_nonsense_in_a_link(page):
+    page.driver.get(page.server + "#p=nonsense&q=%00&x=a&step=-1&layers=all&cycle=-3&at=x")
+    page.until(lambda: page.text("error") != "")
+    assert "\n" not in page.text("error")
+
+
+def test_a_narrow_screen(page):
+    page.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
+                                {"width": 360, "height": 740, "deviceScaleFactor": 1, "mobile": True})
+    try:
+        page.open()
+        assert page.driver.execute_script("return innerWidth") == 360
+        assert page.driver.execute_script("return document.documentElement.scrollWidth") <= 360
+    finally:
+        page.driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+
+
+def test_every_control_has_a_name(page):
+    page.open()
+    controls = page.driver.find_elements(By.CSS_SELECTOR, "input, select, textarea, button, summary, svg, .handle")
+    assert len(controls) > 30
+    assert [one.get_attribute("outerHTML") for one in controls if not one.accessible_name] == []
+
+
+def luminance(colour):
+    parts = [int(c) / 255 for c in re.findall(r"\d+", colour)[:3]]
+    linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in parts]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+
+def contrast(a, b):
+    high, low = sorted((luminance(a), luminance(b)), reverse=True)
+    return (high + 0.05) / (low + 0.05)
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_contrast(page, scheme):
+    page.driver.execute_cdp_cmd("Emulation.setEmulatedMedia",
+                                {"features": [{"name": "prefers-color-scheme", "value": scheme}]})
+    try:
+        page.open()
+        colour = functools.partial(page.driver.execute_script, """
+            const probe = document.body.appendChild(document.createElement("i"));
+            probe.style.color = `var(--${arguments[0]})`;
+            const colour = getComputedStyle(probe).color;
+            probe.remove();
+            return colour;""")
+        ground = colour("ground")
+        assert (luminance(ground) > 0.5) == (scheme == "light")
+        for name in ("text", "error"):
+            assert contrast(colour(name), ground) >= 4.5, name
+        for name in ("line", "focus", "p", "q", "convolution", "reduced", "sum", "hole", "dangling", "cycle", "given", "x"):
+            assert contrast(colour(name), ground) >= 3, name
+    finally:
+        page.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
+
+
+def test_the_folder_is_small():
+    assert sum(file.stat().st_size for file in FOLDER.iterdir()) <= 3_000_000

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: MIT
+import {ask} from "./core.js";
+import {Drawing, drawSum, drawSummands, element} from "./drawing.js";
+import {examples, layers, read, write} from "./state.js";
+
+const $ = (id) => document.getElementById(id);
+let state = read(location.hash);
+let answer = null;  // the last one
+let valid = null;  // the last one of valid P and Q
+let selected = null;  // {of, chain, vertex}
+let drag = null;
+const summands = new Drawing($("summands")), sum = new Drawing($("sum"));
+const handles = new Map();
+summands.redraw = sum.redraw = () => draw();
+
+const request = (edit) => ({p: state.p, q: state.q, x: state.x, step: state.step, open: state.open, s: state.s,
+  ...(edit && {edit})});
+
+/** Takes an answer as the new state, or says why there is none. */
+function take(given, after) {
+  const {error, refused} = given;
+  $("error").hidden = !error;
+  $("error").textContent = error ?? "";
+  if (refused) {
+    $("status").textContent = "Nothing was changed.";
+    if (!valid) $("stale").hidden = true;
+    return;
+  }
+  answer = given;
+  state.p = answer.p.wkt;
+  state.q = answer.q.wkt;
+  state.x = answer.x;
+  if (!error) valid = answer;
+  after?.();
+  if (valid) {
+    state.cycle = Math.min(state.cycle, Math.max(0, valid.cycles.length - 1));
+    state.at = Math.min(state.at, Math.max(0, (valid.cycles[state.cycle]?.length ?? 1) - 1));
+  }
+  if (!drag) write(state);
+  draw();
+  tell();
+}
+
+const update = (edit, after) => ask(request(edit), (given) => take(given, after));
+
+function fit() {
+  if (!answer) return;
+  summands.fit([...answer.p.chains, ...answer.q.chains, ...(answer.placement?.q ?? [])].flat());
+  if (valid) sum.fit([...valid.cycles.flat().flatMap(([a, b, c, d]) => [[a, b], [c, d]]), answer.at]);
+}
+
+function draw() {
+  if (!answer) return;
+  drawSummands(summands, answer, state.layers);
+  if (valid) drawSum(sum, {...valid, verdict: answer.verdict}, state.layers, state, answer !== valid);
+  drawHandles();
+}
+
+/** Handles keep their elements, and with them the focus. */
+function handle(key, drawing, kind, make) {
+  if (!handles.has(key)) {
+    const made = element("g", {class: "handle " + kind, role: "button"}, element("circle", {class: "target", r: 13}), make());
+    handles.set(key, drawing.handles.appendChild(made));
+  }
+  return handles.get(key);
+}
+
+function drawHandles() {
+  const kept = new Set();
+  for (const of of ["p", "q"]) {
+    let isFirst = true;
+    answer[of].chains.forEach((chain, c) => chain.forEach((at, v) => {
+      const key = `${of} ${c} ${v}`, one = handle(key, summands, of, () => element("circle", {r: 4.5}));
+      kept.add(key);
+      one.vertex = {of, chain: c, vertex: v};
+      const isSelected = selected?.of === of && selected.chain === c && selected.vertex === v;
+      one.setAttribute("transform", `translate(${summands.pixel(at)})`);
+      one.setAttribute("aria-label", `${of.toUpperCase()}, ${answer[of].names[c]}, vertex ${v + 1} of ${chain.length} at ${answer[of].points[c][v]}`);
+      one.setAttribute("tabindex", isSelected || (isFirst && selected?.of !== of) ? 0 : -1);
+      isFirst = false;
+    }));
+  }
+  for (const [key, drawing] of [["x", sum], ["x of Q", summands]]) {
+    const one = handle(key, drawing, "x", () => element("path", {class: "mark", d: "M-8,0H8M0,-8V8"}));
+    kept.add(key);
+    one.vertex = {of: "x"};
+    one.setAttribute("transform", `translate(${drawing.pixel(answer.at)})`);
+    one.setAttribute("aria-label", `Point x at (${answer.x.join(", ")})`);
+    one.setAttribute("tabindex", key === "x" ? 0 : -1);
+  }
+  for (const [key, one] of handles) {
+    if (kept.has(key)) continue;
+    one.remove();
+    handles.delete(key);
+  }
+}
+
+const field = (id, text) => { if (document.activeElement !== $(id)) $(id).value = text; };
+
+/** All texts of the page. */
+function tell() {
+  const isStale = answer !== valid, {p, q} = answer;
+  $("stale").hidden = !isStale || !valid;
+  field("p-wkt", p.wkt);
+  field("q-wkt", q.wkt);
+  field("x0", answer.x[0]);
+  field("x1", answer.x[1]);
+  field("step", state.step);
+  $("open").checked = state.open;
+  $("selected").textContent = !selected ? "nothing" : selected.of === "x" ? "x"
+    : handles.get(`${selected.of} ${selected.chain} ${selected.vertex}`)?.getAttribute("aria-label") ?? "nothing";
+  for (const name of Object.keys(layers)) $("layer-" + name).checked = state.layers.includes(name);
+  const notes = [...p.notes, ...q.notes].join("; ");
+  $("status").textContent = isStale ? "P or Q is invalid." : `P: ${p.vertices}. Q: ${q.vertices}.` + (notes && ` ${notes}.`);
+  if (!valid) return;
+  const {sum: set, cycles, segments, reduced, placement} = valid, {verdict} = answer;
+  $("sum-wkt").value = set.wkt;
+  const count = (list, one, many) => `${list.length} ${list.length === 1 ? one : many}`;
+  $("counts").textContent = `Area ${set.area}; ${count(set.outer, "outer chain", "outer chains")}, ${count(set.holes, "hole", "holes")}, `
+    + `${count(set.dangling, "dangling edge", "dangling edges")}, ${count(set.isolated, "isolated vertex", "isolated vertices")}. `
+    + `Convolution: ${segments} segments, ${reduced} of them reduced.`;
+  $("placement").textContent = `x = (${valid.x.join(", ")}) is ${placement.location} the sum. The interiors of P and −Q + x `
+    + `${placement.meet ? "meet" : "do not meet"}.\nWinding number ${placement.winding}, tangent count ${placement.tangents}`
+    + (placement.on_convolution ? ", both on the ray to the right: x is on the convolution." : ".");
+  const options = cycles.map((cycle, i) => new Option(`${i + 1} of ${cycles.length}: ${cycle.length} segments`, i));
+  if ([...$("cycle").options].map((o) => o.text).join() !== options.map((o) => o.text).join())
+    $("cycle").replaceChildren(...options);
+  $("cycle").value = state.cycle;
+  const at = cycles[state.cycle]?.[state.at];
+  $("segment").textContent = !at ? "The convolution is empty."
+    : `Segment ${state.at + 1} of ${cycles[state.cycle].length}: ${at[5]}, from ${at[6]}` + (at[4] ? "; reflex vertex, not in the reduced convolution." : ".");
+  $("verdict").textContent = !verdict ? "" : verdict.error ?? [verdict.text.trim(), ...verdict.notes.map((n) => "note: " + n)].join("\n");
+  $("verdict").classList.toggle("wrong", Boolean(verdict && !verdict.is_sum));
+}
+
+/** Takes what a control says; what the core refuses is as before, but for what was typed. */
+function change(changes, after) {
+  const before = state;
+  state = {...state, ...changes};
+  ask(request(), (given) => {
+    if (given.refused) state = before;
+    take(given, after);
+  });
+}
+
+function select(vertex, focus) {
+  selected = vertex;
+  drawHandles();
+  if (focus) handles.get(vertex.of === "x" ? "x" : `${vertex.of} ${vertex.chain} ${vertex.vertex}`)?.focus();
+  tell();
+}
+
+const steps = (place) => place.map((c) => Math.round(c / answer.step));
+
+for (const drawing of [summands, sum]) {
+  const {svg} = drawing;
+  svg.addEventListener("pointerdown", (event) => {
+    if (!answer) return;
+    const one = event.target.closest(".handle"), of = event.target.dataset?.of;
+    if (!one && !of) return;
+    event.preventDefault();
+    svg.setPointerCapture(event.pointerId);
+    if (one) select(one.vertex, true);
+    drag = {drawing, from: drawing.place(event), vertex: one?.vertex ?? {of}, how: one ? "to" : "by",
+      p: state.p, q: state.q, x: state.x};
+  });
+  svg.addEventListener("pointermove", (event) => {
+    if (drag?.drawing !== drawing) return;
+    const place = drawing.place(event), {vertex, how, from, p, q, x} = drag;
+    const at = steps(how === "to" ? place : [place[0] - from[0], place[1] - from[1]]);
+    // From where it started: the core may turn a chain on the way, and number its vertices anew.
+    ask({...request({...vertex, how, at}), p, q, x}, take);
+  });
+  const drop = () => {
+    if (!drag) return;
+    drag = null;
+    update();
+  };
+  svg.addEventListener("pointerup", drop);
+  svg.addEventListener("pointercancel", drop);
+  svg.addEventListener("focusin", (event) => {
+    const vertex = event.target.vertex;
+    if (vertex && (vertex.of !== selected?.of || vertex.chain !== selected.chain || vertex.vertex !== selected.vertex)) select(vertex);
+  });
+  svg.addEventListener("keydown", (event) => key(event, drawing));
+}
+
+summands.svg.addEventListener("dblclick", (event) => {
+  const place = summands.place(event);
+  let best = null;
+  for (const of of ["p", "q"])
+    answer[of].chains.forEach((chain, c) => chain.forEach((a, v) => {
+      const b = chain[(v + 1) % chain.length], [dx, dy] = [b[0] - a[0], b[1] - a[1]];
+      const t = Math.max(0, Math.min(1, ((place[0] - a[0]) * dx + (place[1] - a[1]) * dy) / (dx * dx + dy * dy)));
+      const far = Math.hypot(a[0] + t * dx - place[0], a[1] + t * dy - place[1]) * summands.scale;
+      if (far < 12 && far < (best?.far ?? Infinity)) best = {far, of, chain: c, vertex: v};
+    }));
+  if (best) add(best);
+});
+
+function add({of, chain, vertex}) {
+  update({of, chain, vertex, how: "add"}, () => { selected = {of, chain, vertex: vertex + 1}; });
+}
+
+function remove({of, chain, vertex}) {
+  update({of, chain, vertex, how: "remove"}, () => {
+    const left = answer[of].chains[chain]?.length;
+    selected = left ? {of, chain, vertex: Math.min(vertex, left - 1)} : null;
+    if (document.activeElement?.closest?.("svg")) setTimeout(() => selected && select(selected, true));
+  });
+}
+
+function key(event, drawing) {
+  const vertex = event.target.vertex;
+  if (!vertex || !answer || event.ctrlKey || event.metaKey) return;
+  const arrows = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
+  const shape = answer[vertex.of], isVertex = vertex.of !== "x";
+  if (arrows[event.key]) {
+    const at = arrows[event.key].map((c) => c * (event.shiftKey ? 10 : 1));
+    update({...(event.altKey && isVertex ? {of: vertex.of} : vertex), how: "by", at});
+  } else if (isVertex && ["PageDown", "PageUp", "Home", "End"].includes(event.key)) {
+    const all = shape.chains.flatMap((chain, c) => chain.map((_, v) => ({of: vertex.of, chain: c, vertex: v})));
+    const here = all.findIndex((v) => v.chain === vertex.chain && v.vertex === vertex.vertex);
+    const to = {PageDown: here + 1, PageUp: here - 1 + all.length, Home: 0, End: all.length - 1}[event.key];
+    select(all[to % all.length], true);
+  } else if (isVertex && ["Insert", "a", "A"].includes(event.key)) {
+    add(vertex);
+    setTimeout(() => select(selected, true), 150);
+  } else if (isVertex && ["Delete", "Backspace"].includes(event.key)) {
+    remove(vertex);
+  } else if (["+", "="].includes(event.key)) {
+    drawing.zoom(1.2);
+  } else if (event.key === "-") {
+    drawing.zoom(1 / 1.2);
+  } else if (event.key === "0") {
+    fit();
+    draw();
+  } else {
+    return;
+  }
+  event.preventDefault();
+}
+
+for (const [name, [label, colour]] of Object.entries(layers)) {
+  const box = Object.assign(document.createElement("input"), {type: "checkbox", id: "layer-" + name});
+  const sample = document.createElement("i");
+  sample.style.borderColor = `var(${colour})`;
+  const line = Object.assign(document.createElement("label"), {className: "check"});
+  line.append(box, sample, label);
+  $("layers").append(line);
+  box.addEventListener("change", () => {
+    state.layers = Object.keys(layers).filter((one) => $("layer-" + one).checked);
+    write(state);
+    draw();
+  });
+}
+$("example").append(new Option("choose", ""), ...Object.keys(examples).map((name) => new Option(name)));
+$("example").addEventListener("change", () => {
+  const pair = examples[$("example").value];
+  if (pair) change({p: pair[0], q: pair[1], s: ""}, fit);
+});
+$("open").addEventListener("change", () => change({open: $("open").checked}));
+$("step").addEventListener("change", () => change({step: $("step").value}));
+$("move-x").addEventListener("click", () => change({x: [$("x0").value, $("x1").value]}));
+for (const name of ["p", "q", "s"]) {
+  const button = $(name === "s" ? "verify" : "use-" + name);
+  button.addEventListener("click", () => change({[name]: $(name + "-wkt").value}, name === "s" ? undefined : fit));
+}
+$("forget").addEventListener("click", () => {
+  $("s-wkt").value = "";
+  change({s: ""});
+});
+$("add").addEventListener("click", () => selected && selected.of !== "x" && add(selected));
+$("remove").addEventListener("click", () => selected && selected.of !== "x" && remove(selected));
+$("fit").addEventListener("click", () => { fit(); draw(); });
+$("cycle").addEventListener("change", () => walk(Number($("cycle").value), 0));
+$("next").addEventListener("click", () => walk(state.cycle, state.at + 1));
+$("previous").addEventListener("click", () => walk(state.cycle, state.at - 1));
+
+function walk(cycle, at) {
+  const length = valid?.cycles[cycle]?.length;
+  if (!length) return;
+  state = {...state, cycle, at: (at + length) % length,
+    layers: state.layers.includes("cycle") ? state.layers : [...state.layers, "cycle"]};
+  write(state);
+  draw();
+  tell();
+}
+
+function start() {
+  state = read(location.hash);
+  $("s-wkt").value = state.s;
+  selected = null;
+  update(null, fit);
+}
+addEventListener("hashchange", start);
+addEventListener("resize", () => draw());
+start();

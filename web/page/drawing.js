@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// Draws what the core answers. Coordinates are doubles, for the eye only.
+const svgs = "http://www.w3.org/2000/svg";
+
+export function element(name, attributes = {}, ...children) {
+  const made = document.createElementNS(svgs, name);
+  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
+  made.append(...children);
+  return made;
+}
+
+/** An SVG element with a scale and a middle: y is upwards. */
+export class Drawing {
+  constructor(svg) {
+    this.svg = svg;
+    this.content = svg.appendChild(element("g"));
+    this.handles = svg.appendChild(element("g"));
+    this.scale = 40;
+    this.middle = [0, 0];
+    svg.addEventListener("wheel", (event) => {
+      event.preventDefault();
+      this.zoom(event.deltaY < 0 ? 1.2 : 1 / 1.2);
+    }, {passive: false});
+  }
+
+  get size() { return [this.svg.clientWidth || 300, this.svg.clientHeight || 300]; }
+
+  fit(points) {
+    const finite = points.filter((p) => p.every(Number.isFinite));
+    const side = (i) => {
+      const all = finite.map((p) => p[i]);
+      return all.length ? [Math.min(...all), Math.max(...all)] : [-1, 1];
+    };
+    const [[left, right], [low, high]] = [side(0), side(1)];
+    const [width, height] = this.size;
+    const scale = Math.min((width - 50) / (right - left), (height - 50) / (high - low));
+    this.scale = Number.isFinite(scale) && scale > 0 ? scale : 40;
+    this.middle = [(left + right) / 2, (low + high) / 2];
+  }
+
+  zoom(factor) {
+    this.scale *= factor;
+    this.redraw?.();
+  }
+
+  pixel([x, y]) {
+    const [width, height] = this.size;
+    return [width / 2 + (x - this.middle[0]) * this.scale, height / 2 - (y - this.middle[1]) * this.scale]
+      .map((c) => Math.max(-1e6, Math.min(1e6, c)));
+  }
+
+  /** Where a pointer is. */
+  place(event) {
+    const box = this.svg.getBoundingClientRect(), [width, height] = this.size;
+    return [this.middle[0] + (event.clientX - box.left - this.svg.clientLeft - width / 2) / this.scale,
+      this.middle[1] - (event.clientY - box.top - this.svg.clientTop - height / 2) / this.scale];
+  }
+
+  path(chains) {
+    return chains.filter((chain) => chain.length)
+      .map((chain) => "M" + chain.map((p) => this.pixel(p).join()).join("L") + "Z").join("");
+  }
+
+  lines(segments) {
+    return segments.map(([a, b, c, d]) => `M${this.pixel([a, b])}L${this.pixel([c, d])}`).join("");
+  }
+
+  clear() { this.content.replaceChildren(); }
+
+  add(name, attributes) { return this.content.appendChild(element(name, attributes)); }
+
+  /** A mark of a point, that a path draws around (0, 0). */
+  mark(point, kind, d) {
+    const [x, y] = this.pixel(point);
+    this.add("path", {class: kind, d, transform: `translate(${x} ${y})`});
+  }
+  origin() { this.mark([0, 0], "origin", "M-6,0H6M0,-6V6"); }
+  cross(point, kind) { this.mark(point, kind, "M-6,-6L6,6M-6,6L6,-6"); }
+
+  arrow([a, b, c, d]) {
+    const [x, y] = this.pixel([(a + c) / 2, (b + d) / 2]);
+    const turn = Math.atan2(b - d, c - a) * 180 / Math.PI;
+    this.add("path", {class: "arrow", d: "M-7,-8L10,0L-7,8Z", transform: `translate(${x} ${y}) rotate(${turn})`});
+  }
+}
+
+export function drawSummands(drawing, answer, layers) {
+  drawing.clear();
+  for (const of of ["p", "q"]) {
+    const shape = answer[of];
+    drawing.add("path", {class: of + (shape.error ? " invalid" : ""), d: drawing.path(shape.chains),
+      "fill-rule": "evenodd", "data-of": of});
+  }
+  if (answer.placement && layers.includes("placed"))
+    drawing.add("path", {class: "placed", d: drawing.path(answer.placement.q)});
+  drawing.origin();
+}
+
+export function drawSum(drawing, answer, layers, walk, isStale) {
+  drawing.clear();
+  const {sum, cycles, verdict} = answer;
+  const shown = (name) => layers.includes(name);
+  if (shown("sum")) drawing.add("path", {class: "area" + (isStale ? " stale" : ""),
+    d: drawing.path([...sum.outer, ...sum.holes]), "data-layer": "sum"});
+  if (shown("holes")) drawing.add("path", {class: "hole", d: drawing.path(sum.holes), "data-layer": "holes"});
+  const all = cycles.flat();
+  if (shown("convolution"))
+    drawing.add("path", {class: "convolution", d: drawing.lines(all), "data-layer": "convolution"});
+  if (shown("reduced"))
+    drawing.add("path", {class: "reduced", d: drawing.lines(all.filter((s) => !s[4])), "data-layer": "reduced"});
+  if (shown("dangling")) {
+    drawing.add("path", {class: "dangling", d: drawing.lines(sum.dangling), "data-layer": "dangling"});
+    for (const point of sum.isolated) {
+      const [cx, cy] = drawing.pixel(point);
+      drawing.add("circle", {class: "isolated", cx, cy, r: 6});
+    }
+  }
+  if (shown("cycle") && cycles.length) {
+    const cycle = cycles[walk.cycle];
+    drawing.add("path", {class: "walked", d: drawing.lines(cycle.slice(0, walk.at + 1)), "data-layer": "cycle"});
+    drawing.add("path", {class: "current", d: drawing.lines([cycle[walk.at]])});
+    drawing.arrow(cycle[walk.at]);
+  }
+  if (verdict && !isStale) {
+    drawing.add("path", {class: "given", d: drawing.path(verdict.chains ?? []) + drawing.lines(verdict.dangling ?? []),
+      "data-layer": "given"});
+    for (const point of verdict.isolated ?? []) drawing.mark(point, "given", "M-7,0A7,7 0 1 0 7,0A7,7 0 1 0 -7,0");
+    if (verdict.witness) drawing.cross(verdict.witness, "witness");
+  }
+  drawing.origin();
+}

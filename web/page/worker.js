@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: MIT
+import load from "./oplus.js";
+
+const core = load();
+onmessage = async ({data}) => {
+  const text = (await core).ccall("oplus_answer", "string", ["string"], [JSON.stringify(data)]);
+  postMessage(JSON.parse(text));
+};
