@@ -92,7 +92,8 @@ template <typename Numbers>
 typename Numbers::Value value_of(const Rational& coordinate, const Scaling& scaling,
                                  const mpz_class& offset) {
   if constexpr (is_small<Numbers>) {
-    static_assert(Numbers::bits < 32, "get_si() returns a long, which has 32 bits on some machines");
+    static_assert(Numbers::bits < 32,
+                  "get_si() returns a long, which has 32 bits on some machines");
     if (scaling.is_trivial()) return coordinate.get_num().get_si();
     return scaled(coordinate, scaling, offset).get_si();
   } else if constexpr (is_rational<Numbers>) {

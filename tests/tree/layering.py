@@ -14,7 +14,8 @@ LINES = (
     ("docs/findings",),
     ("oplus", "docs/examples"),
     ("oplus", "python"),
-    ("reference/definitions", "reference/chains", "reference/io", "checked", "web"),
+    ("reference/definitions", "reference/chains", "reference/io", "checked/collision", "checked/cycles",
+     "checked/slide", "checked/verify", "web"),
 )
 OURS = ("reference", "checked", "properties", "tests", "docs", "oplus", "python", "web")
 
