@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "checked/cli/version.hpp"
+#include "checked/version.hpp"
 #include "properties/compare/operation.hpp"
 #include "properties/compare/report_json.hpp"
 #include "reference/io/boundary_name.hpp"

@@ -22,7 +22,7 @@
 #include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/exit_code.hpp"
 #include "checked/cli/usage_error.hpp"
-#include "checked/cli/version.hpp"
+#include "checked/version.hpp"
 #include "reference/io/invalid_input.hpp"
 #include "reference/io/writing.hpp"
 

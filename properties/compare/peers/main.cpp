@@ -5,7 +5,7 @@
 #include <iostream>
 #include <string>
 
-#include "checked/cli/version.hpp"
+#include "checked/version.hpp"
 #include "properties/compare/peers/peer_table.hpp"
 #include "properties/compare/peers/sum_of_chains.hpp"
 #include "reference/io/reading.hpp"

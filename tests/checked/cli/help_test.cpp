@@ -4,7 +4,7 @@
 #include <sstream>
 #include <vector>
 
-#include "checked/cli/version.hpp"
+#include "checked/version.hpp"
 #include "properties/runner/source_tree.hpp"
 #include "reference/io/file_text.hpp"
 #include "tests/checked/cli/shell.hpp"
