@@ -10,6 +10,7 @@ packages=(g++ cmake ninja-build ccache python3
 packages_of_tests=(clang libclang-rt-14-dev git clang-format libgtest-dev libbenchmark-dev
                    libkainjow-mustache-dev gnuplot-nox help2man
                    parallel munge slurmctld slurmd slurm-client
+                   mmdebstrap lintian dpkg-dev
                    make z3 cvc5 jq doxygen
                    pybind11-dev python3-dev python3-numpy python3-shapely python3-pytest
                    python3-hypothesis python3-matplotlib
