@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# docs/site/make runs Sphinx with this and sets the variables.
+import os
+import re
+import sys
+from pathlib import Path
+
+ROOT = Path(os.environ["OPLUS_ROOT"])
+sys.path.insert(0, str(ROOT / "docs/site"))
+
+project = "oplus"
+author = "the authors of oplus"
+release = re.search(r"project\(oplus VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8"))[1]
+copyright = "MIT for the core, GPL-3.0-or-later for the rest"
+extensions = ["myst_parser", "breathe", "sphinx.ext.autodoc", "tree"]
+
+# As on a Git host.
+myst_heading_anchors = 6
+# Blocks without a language are commands, output, and code of several languages.
+highlight_language = "none"
+
+breathe_projects = {"oplus": os.environ["OPLUS_API"] + "/xml"}
+breathe_default_project = "oplus"
+autodoc_member_order = "bysource"
+
+html_theme = "furo"
+html_title = f"oplus {release}"
+html_static_path = ["static"]
+html_css_files = ["site.css"]
+html_copy_source = False
+html_show_sphinx = False
