@@ -29,3 +29,10 @@ html_static_path = ["static"]
 html_css_files = ["site.css"]
 html_copy_source = False
 html_show_sphinx = False
+# Furo's code is dark where the page is.
+pygments_style = "default"
+pygments_dark_style = "monokai"
+
+# Names of other libraries, and parts of declarations that are no names of ours.
+nitpick_ignore_regex = [("cpp:identifier", "oplus|(CGAL|boost|std)(::.*)?|[A-Z]|mpq_class|State|Engine|known"),
+                        ("py:class", "numpy.*|.*Like|Any")]

@@ -59,11 +59,18 @@ Page theorems_page(const Registry& registry) {
   text += "\n" + std::to_string(registry.statements.size()) + " statements, " +
           std::to_string(enumerated) + " cases enumerated, " + std::to_string(pairs) +
           " random pairs, " + std::to_string(registry.mutants.size()) + " faults found.\n";
-  text +=
-      "\n## Which rests on which\nAn arrow leads from a statement to one that it rests on. The "
-      "colour shows the strongest kind of backing:\n" +
-      legend() + "\n\n![The graph of statements](theorems/graph.svg)\n";
+  text += "\nWhich rests on which: [the graph of statements](theorems/graph.md).\n";
   return {"theorems.md", std::move(text)};
+}
+
+Page graph_page() {
+  return {
+      "theorems/graph.md",
+      "# The graph of statements\nAn arrow leads from a [statement](../theorems.md) to one that "
+      "it rests on. " +
+          legend() +
+          "\n![The graph of statements](graph.svg)\n\nGenerated from the sources by "
+          "`oplus-maintain pages`.\n"};
 }
 
 Page mutants_page(const Registry& registry) {

@@ -40,8 +40,9 @@ std::vector<Page> all_pages(const Registry& registry) {
   std::vector<Page> pages = {
       theorems_page(registry),
       mutants_page(registry),
+      graph_page(),
       {"theorems/graph.dot", to_dot(registry.statements, [&](const Statement& s) {
-         return colour(strength(registry, s));
+         return NodeColours{colour(strength(registry, s)), border_colour(registry, s)};
        })}};
   for (const Statement& s : registry.statements)
     for (Page& page : theorem_pages(registry, s)) pages.push_back(std::move(page));

@@ -59,19 +59,20 @@ std::vector<std::string> defects_of_graph(const std::vector<Statement>& statemen
 }
 
 std::string to_dot(const std::vector<Statement>& statements,
-                   const std::function<std::string(const Statement&)>& colour) {
+                   const std::function<NodeColours(const Statement&)>& colours) {
   std::ostringstream out;
   const auto write_node = [&](std::ostream& node, std::size_t i) {
     const Statement& s = statements[i];
+    const NodeColours of_node = colours(s);
     node << "[label=\"" << s.id << "\", URL=\"" << s.id << ".md\", tooltip=\"" << s.title
-         << "\", fillcolor=\"" << colour(s) << "\"]";
+         << "\", fillcolor=\"" << of_node.fill << "\", color=\"" << of_node.border << "\"]";
   };
   const auto write_edge = [](std::ostream&, const StatementGraph::edge_descriptor&) {};
   // A fixed width, so that the drawing does not depend on the installed fonts.
   const auto write_graph = [](std::ostream& graph) {
-    graph << "rankdir=LR; ranksep=0.6; nodesep=0.12;\n"
+    graph << "rankdir=LR; ranksep=0.35; nodesep=0.12;\n"
              "node [shape=box, style=\"filled,rounded\", fontname=\"sans-serif\", fontsize=10, "
-             "fixedsize=true, width=2.1, height=0.28, color=\"#8898aa\"];\n"
+             "fixedsize=true, width=1.7, height=0.28, penwidth=2];\n"
              "edge [color=\"#8898aa\", arrowsize=0.6];\n";
   };
   boost::write_graphviz(out, statement_graph(statements), write_node, write_edge, write_graph);

@@ -20,8 +20,12 @@ StatementGraph statement_graph(const std::vector<Statement>& statements);
 /// What is wrong with it, a line each: a statement that rests on an unknown one or on itself, a cycle.
 std::vector<std::string> defects_of_graph(const std::vector<Statement>& statements);
 
-/// Returns the graph for Graphviz; each node has a colour and a link to its page.
+struct NodeColours {
+  std::string fill, border;
+};
+
+/// Returns the graph for Graphviz; each node has its colours and a link to its page.
 std::string to_dot(const std::vector<Statement>& statements,
-                   const std::function<std::string(const Statement&)>& colour);
+                   const std::function<NodeColours(const Statement&)>& colours);
 
 }  // namespace oplus

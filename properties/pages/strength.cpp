@@ -30,6 +30,10 @@ const Look& look_of(Strength strength) {
   return *std::ranges::find(looks, strength, &Look::strength);
 }
 
+constexpr const char* border_of_whole = "#1d6b2f";
+constexpr const char* border_of_part = "#c98a00";
+constexpr const char* border_without_coq = "#8898aa";
+
 /// Returns ", 2 theorems"; empty for zero.
 std::string amount_of(std::ptrdiff_t number, const std::string& one, const std::string& many) {
   return number == 0 ? "" : ", " + counted(static_cast<std::size_t>(number), one, many);
@@ -83,11 +87,19 @@ std::string backing(const Registry& registry, const Statement& s) {
 
 std::string colour(Strength strength) { return look_of(strength).colour; }
 
+std::string border_colour(const Registry& registry, const Statement& s) {
+  if (theorems_of(registry, s.id, true) > 0) return border_of_whole;
+  return theorems_of(registry, s.id, false) > 0 ? border_of_part : border_without_coq;
+}
+
 std::string legend() {
-  std::string text;
+  std::string text =
+      "The colour of a node is the strongest way in which the statement is backed:\n\n";
   for (const Look& look : looks)
-    text += (text.empty() ? "" : "; ") + (std::string(look.colour_name) + ": " + look.name);
-  return text + ".";
+    text += "- " + (std::string(look.colour_name) + ": " + look.name) + '\n';
+  return text +
+         "\nAll are stated in C++. The border shows what is stated in Coq, too:\n\n"
+         "- dark green: all of it\n- brown: a part of it, or of its proof\n- grey: nothing\n";
 }
 
 }  // namespace oplus

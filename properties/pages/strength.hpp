@@ -29,7 +29,10 @@ std::string backing(const Registry& registry, const Statement& statement);
 /// The colour of its node in the graph of statements, for Graphviz.
 std::string colour(Strength strength);
 
-/// The names of all colours and what they mean, for the text below the graph.
+/// The colour of its node's border: whether all of it, a part of it or nothing is stated in Coq.
+std::string border_colour(const Registry& registry, const Statement& statement);
+
+/// What all colours mean, in Markdown: a list of those of nodes, and one of those of borders.
 std::string legend();
 
 }  // namespace oplus

@@ -179,8 +179,8 @@ std::vector<Page> theorem_pages(const Registry& registry, const Statement& s) {
       linked(s.statement) + "\n\n## Why it holds\n" + linked(s.why) + "\n\n## Hypotheses\n";
   for (const std::string& hypothesis : s.hypotheses) text += "- " + hypothesis + '\n';
   text += "\nRests on: " + list_of_statements(s.rests_on, "definitions only") + ".\n";
-  text +=
-      "\nWhat rests on it: " + list_of_statements(resting_on(registry, s.id), "nothing") + ".\n";
+  text += "\nWhat rests on it: " + list_of_statements(resting_on(registry, s.id), "nothing") +
+          ". All of this: [the graph](graph.md).\n";
   text += citations(registry, s.id);
   text += "\n## How it is backed\n- " + backing(registry, s) +
           "\n- the property: " + link_to_source(relative_file(s)) + "\n- what it protects: ";

@@ -41,10 +41,13 @@ TEST(StatementGraph, NamesStatementsThatRestOnThemselvesOrOnUnknownOnes) {
 
 TEST(StatementGraph, IsWrittenForGraphviz) {
   const std::string dot =
-      to_dot({resting_on("a", {}), resting_on("b", {"a"})},
-             [](const Statement& s) { return s.id == "a" ? "#123456" : "#abcdef"; });
-  EXPECT_NE(dot.find("0[label=\"a\", URL=\"a.md\", tooltip=\"Title of a\", fillcolor=\"#123456\"]"),
-            std::string::npos)
+      to_dot({resting_on("a", {}), resting_on("b", {"a"})}, [](const Statement& s) {
+        return s.id == "a" ? NodeColours{"#123456", "#654321"} : NodeColours{"#abcdef", "#fedcba"};
+      });
+  EXPECT_NE(
+      dot.find(
+          "0[label=\"a\", URL=\"a.md\", tooltip=\"Title of a\", fillcolor=\"#123456\", color=\"#654321\"]"),
+      std::string::npos)
       << dot;
   EXPECT_NE(dot.find("1->0"), std::string::npos) << dot;
   EXPECT_EQ(dot.find("0->1"), std::string::npos) << dot;

@@ -34,6 +34,19 @@ TEST(Strength, is_the_strongest_kind_of_backing) {
          "machine-checked, 2 theorems; proved by enumeration, 7 cases; sampled, 40 pairs");
 }
 
+TEST(Strength, of_a_theorem_in_coq_shows_in_the_border) {
+  Statement s;
+  s.id = "a";
+  Registry registry;
+  registry.statements = {s};
+  std::set<std::string> colours = {border_colour(registry, s)};
+  registry.theorems = {{"a", false, "", "", "", "", "", ""}, {"c", true, "", "", "", "", "", ""}};
+  colours.insert(border_colour(registry, s));
+  registry.theorems.push_back({"a", true, "", "", "", "", "", ""});
+  colours.insert(border_colour(registry, s));
+  EXPECT_EQ(colours.size(), 3U);
+}
+
 TEST(Strength, has_a_colour_and_a_name_of_its_own) {
   std::set<std::string> colours, names;
   for (const Strength each :
