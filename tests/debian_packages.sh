@@ -11,7 +11,7 @@ packages_of_tests=(clang libclang-rt-14-dev git clang-format libgtest-dev libben
                    libkainjow-mustache-dev gnuplot-nox help2man
                    parallel munge slurmctld slurmd slurm-client
                    mmdebstrap lintian dpkg-dev
-                   make z3 cvc5 jq doxygen
+                   make z3 cvc5 jq doxygen python3-sphinx python3-breathe python3-myst-parser furo
                    pybind11-dev python3-dev python3-numpy python3-shapely python3-pytest
                    python3-hypothesis python3-matplotlib
                    emscripten chromium chromium-driver python3-selenium)

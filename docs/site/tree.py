@@ -17,6 +17,7 @@ from pygments.util import ClassNotFound
 from sphinx import addnodes
 from sphinx.transforms import SphinxTransform
 from sphinx.util import logging
+from sphinx.util.nodes import make_refnode
 
 ROOT = Path(os.environ["OPLUS_ROOT"]).resolve()
 SVG = "http://www.w3.org/2000/svg"
@@ -70,7 +71,7 @@ class TreeLinks(SphinxTransform):
         if not file.exists() or not file.is_relative_to(ROOT):
             logger.warning("no such file: %s", link["reftarget"], location=link)
         elif docname:
-            link["reftarget"] = os.path.relpath(docname, os.path.dirname(self.env.docname)) + ".md"
+            link["reftarget"] = os.path.relpath(docname + ".md", os.path.dirname(self.env.docname))
             link["reftarget"] += "#" + anchor if anchor else ""
             # On the graph, the node from which one comes stands out.
             if self.env.docname.startswith("theorems/") and docname == "theorems/graph":
@@ -191,9 +192,23 @@ def to_restructured_text(app, what, name, obj, options, lines):
             lines[number] = re.sub(r"(`[^`]+`)|([\\*_|])", lambda m: f"`{m[1]}`" if m[1] else "\\" + m[2], line)
 
 
+def lead_to_class(app, env, node, content):
+    """Doxygen refers to a friend, which Breathe does not show, as to a member of its class."""
+    member = re.fullmatch(r"(.*)_1a[0-9a-f]{32}", node["reftarget"])
+    docname, label = env.get_domain("std").anonlabels.get(member[1].lower(), ("", "")) if member else ("", "")
+    return make_refnode(app.builder, node["refdoc"], docname, label, content) if docname else None
+
+
+def is_no_duplicate(record):
+    """Breathe leaves constraints out, so that constructors which differ in nothing else look alike."""
+    return "Duplicate C++ declaration" not in str(record.msg) or "Coordinates (const T &p)" not in record.getMessage()
+
+
 def setup(app):
+    logging.getLogger("sphinx.domains.cpp").logger.addFilter(is_no_duplicate)
     app.add_transform(TreeLinks)
     app.connect("builder-inited", lambda app: setattr(app.env, "oplus_files", {}))
+    app.connect("missing-reference", lead_to_class)
     app.connect("source-read", add_contents)
     app.connect("html-collect-pages", file_pages)
     app.connect("autodoc-process-docstring", to_restructured_text)

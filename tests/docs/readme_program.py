@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""readme_program.py: fails unless the program in README and its output are those of
-docs/examples/cpp/room_and_robot, which is compiled and run."""
+"""readme_program.py: fails unless the programs in README and on pages of docs/, and their outputs, are those of
+docs/examples/cpp, which are compiled and run."""
 
 import sys
 import textwrap
@@ -23,16 +23,22 @@ def blocks(page):
     return result + ([textwrap.dedent("\n".join(block)).strip("\n") + "\n"] if block else [])
 
 
+def text_of(example):
+    """The file without the licence's line and the one that says what the program shows."""
+    return "".join(line for line in example.read_text(encoding="utf-8").splitlines(True)
+                   if not line.startswith("//"))
+
+
 if __name__ == "__main__":
-    found = blocks((ROOT / "README.md").read_text(encoding="utf-8"))
-    example = ROOT / "docs/examples/cpp/room_and_robot"
-    # A reader of README needs neither the licence's line nor that which says what it shows.
-    program = [line for line in example.with_suffix(".cpp").read_text(encoding="utf-8").splitlines(True)
-               if not line.startswith("//")]
     wrong = 0
-    for what, text in (("program", "".join(program)),
-                       ("output", example.with_suffix(".txt").read_text(encoding="utf-8"))):
-        if text not in found:
-            wrong += 1
-            print(f"README.md has no block that is the {what} of {example.name}:\n{text}")
+    for page, name, endings in (("README.md", "room_and_robot", (".cpp", ".txt")),
+                                ("docs/from_cgal.md", "from_cgal", (".cpp", ".txt")),
+                                ("docs/from_clipper.md", "from_clipper", (".cpp", ".txt")),
+                                ("docs/open.md", "open_sum", (".txt",))):
+        found = blocks((ROOT / page).read_text(encoding="utf-8"))
+        for ending in endings:
+            text = text_of((ROOT / "docs/examples/cpp" / name).with_suffix(ending))
+            if text not in found:
+                wrong += 1
+                print(f"{page} has no block that is {name}{ending}:\n{text}")
     sys.exit(1 if wrong else 0)

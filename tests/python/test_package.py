@@ -96,10 +96,11 @@ def test_the_example(tmp_path):
     assert (tmp_path / "nesting.png").stat().st_size > 10000
 
 
-def test_the_page():
+@pytest.mark.parametrize("name", ["python.md", "from_shapely.md"])
+def test_a_page(name):
     """Its sessions print what they say."""
-    page = (ROOT / "docs/python.md").read_text(encoding="utf-8")
-    examples = doctest.DocTestParser().get_doctest(page, {}, "docs/python.md", None, None)
+    page = (ROOT / "docs" / name).read_text(encoding="utf-8")
+    examples = doctest.DocTestParser().get_doctest(page, {}, name, None, None)
     assert len(examples.examples) > 10
     report = []
     outcome = doctest.DocTestRunner(verbose=False).run(examples, out=report.append)
