@@ -195,7 +195,7 @@ def to_restructured_text(app, what, name, obj, options, lines):
 def lead_to_class(app, env, node, content):
     """Doxygen refers to a friend, which Breathe does not show, as to a member of its class."""
     member = re.fullmatch(r"(.*)_1a[0-9a-f]{32}", node["reftarget"])
-    docname, label = env.get_domain("std").anonlabels.get(member[1].lower(), ("", "")) if member else ("", "")
+    docname, label = env.get_domain("std").anonlabels.get(member[1], ("", "")) if member else ("", "")
     return make_refnode(app.builder, node["refdoc"], docname, label, content) if docname else None
 
 
