@@ -12,6 +12,7 @@ packages_of_tests=(clang libclang-rt-14-dev git clang-format libgtest-dev libben
                    parallel munge slurmctld slurmd slurm-client
                    mmdebstrap lintian dpkg-dev
                    make z3 cvc5 jq doxygen python3-sphinx python3-breathe python3-myst-parser furo
+                   nodejs npm
                    pybind11-dev python3-dev python3-numpy python3-shapely python3-pytest
                    python3-hypothesis python3-matplotlib
                    emscripten chromium chromium-driver python3-selenium)
@@ -22,10 +23,12 @@ install_missing_packages() {
     echo "not a Debian system, so nothing is installed; needed: ${packages[*]}" >&2
     return 0
   fi
-  local package missing=()
+  local package there missing=()
+  # Also what an installed package provides: nodejs from NodeSource provides npm, and conflicts with it.
+  there=$(dpkg-query -W -f '${db:Status-Status} ${Package}, ${Provides},\n' |
+            sed -n 's/^installed/,/p' | tr '\n' ' ')
   for package in "${packages[@]}"; do
-    [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" = installed ] ||
-      missing+=("$package")
+    [[ $there == *" $package,"* ]] || missing+=("$package")
   done
   [ ${#missing[@]} -gt 0 ] || return 0
 

@@ -21,7 +21,7 @@ ADAPTERS = ("checked/oplus/cgal.hpp",)
 NOT_IN_CORE = ("CGAL", "tbb", "oneapi", "mpfr.h")
 OURS = ("reference", "checked", "properties", "tests", "oplus")
 LINE = "SPDX-License-Identifier: "
-COMMENT = {".cpp": ("// ", ""), ".hpp": ("// ", ""), ".smt2": ("; ", ""),
+COMMENT = {".cpp": ("// ", ""), ".hpp": ("// ", ""), ".mjs": ("// ", ""), ".smt2": ("; ", ""),
            ".v": ("(* ", " *)"), ".ml": ("(* ", " *)"), ".mli": ("(* ", " *)")}
 SCRIPTS = (".py", ".sh", ".cmake")
 

@@ -32,7 +32,7 @@ function rational(text) {
 /// The chains of a polygon, without the repeated last vertex.
 function polygon(file) {
   const text = readFileSync(file, 'utf8').trim();
-  if (text.startsWith('MULTIPOLYGON')) throw new Refused('supports one component only');
+  if (/^MULTIPOLYGON|EMPTY$/.test(text)) throw new Refused('supports one component only');
   if (!/^POLYGON\s*\(\s*\([^()]*\)(\s*,\s*\([^()]*\))*\s*\)$/.test(text))
     throw new Invalid(`${file}: expected POLYGON (...)`);
   return text.match(/\([^()]*\)/g).map((ring) => {
