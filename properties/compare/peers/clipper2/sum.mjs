@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // sum.mjs P Q: the closed Minkowski sum of two files of WKT by Clipper2. Its MinkowskiSum sums boundaries,
 // and takes one path. So the sums with each path are united with the paths, moved to the pattern's
-// first vertex, as Clipper 6 did and as Clipper2's issue 719 advises; complete unless the paths fit
+// first vertex, as Clipper 6 did and as is suggested in Clipper2's issue 719; complete unless the paths fit
 // into the pattern. The larger summand is the paths, as in ../clipper_method.hpp. Written are chains, in
 // SVG, since Clipper2's may touch themselves, which WKT's rings may not.
 import { readFileSync } from 'node:fs';
