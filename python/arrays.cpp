@@ -64,6 +64,9 @@ py::array_t<std::int64_t> offset_array(std::vector<std::int64_t> offsets) {
 }  // namespace
 
 void define_arrays(py::module_& module) {
+  // So that pybind11 imports numpy now, and not when it is first used, under the lock of a static variable,
+  // where two threads would wait for each other.
+  py::dtype::of<double>();
   const py::object type =
       py::module_::import("collections")
           .attr("namedtuple")("Arrays", "coordinates rings polygons regions",

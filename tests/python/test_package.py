@@ -111,3 +111,21 @@ def test_a_page(name):
     report = []
     outcome = doctest.DocTestRunner(verbose=False).run(examples, out=report.append)
     assert outcome.failed == 0, "".join(report)
+
+
+def test_two_threads_at_first_use():
+    # Neither fractions nor numpy is imported under a lock that the other thread waits for with Python's own.
+    program = """
+import threading
+import oplus
+start = threading.Barrier(2)
+def first():
+    start.wait()
+    assert oplus.Region([[0, 0], [1, 0], [1, 1], [0, 1]]).area == 1
+threads = [threading.Thread(target=first) for _ in range(2)]
+for thread in threads: thread.start()
+for thread in threads: thread.join()
+print("done")
+"""
+    ran = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60)
+    assert (ran.stdout, ran.stderr) == ("done\n", "")
