@@ -183,6 +183,14 @@ def file_pages(app):
         yield page, {"title": name, "body": body, "parents": []}, "page.html"
 
 
+def share_navigation(app, page, template, context, doctree):
+    """The navigation beside all files of one depth is the same, and to compute it took most of the time."""
+    if page.startswith("source/"):
+        toctree, depth = context["toctree"], page.count("/")
+        context["toctree"] = lambda **options: (
+            app.env.oplus_navigation.get(depth) or app.env.oplus_navigation.setdefault(depth, toctree(**options)))
+
+
 def to_restructured_text(app, what, name, obj, options, lines):
     """Docstrings are plain text with sessions; what would be markup there is none."""
     in_session = False
@@ -204,10 +212,16 @@ def is_no_duplicate(record):
     return "Duplicate C++ declaration" not in str(record.msg) or "Coordinates (const T &p)" not in record.getMessage()
 
 
+def start(app):
+    app.env.oplus_files = {}  # by name: the pages that link to it, and the names of lines
+    app.env.oplus_navigation = {}  # by depth
+
+
 def setup(app):
     logging.getLogger("sphinx.domains.cpp").logger.addFilter(is_no_duplicate)
     app.add_transform(TreeLinks)
-    app.connect("builder-inited", lambda app: setattr(app.env, "oplus_files", {}))
+    app.connect("builder-inited", start)
+    app.connect("html-page-context", share_navigation, priority=400)  # before the theme asks for it
     app.connect("missing-reference", lead_to_class)
     app.connect("source-read", add_contents)
     app.connect("html-collect-pages", file_pages)
