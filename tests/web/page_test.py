@@ -134,7 +134,7 @@ def test_keys_move_add_and_remove(page):
     active.send_keys(Keys.ARROW_RIGHT)
     page.until(lambda: "at (5, 0)" in page.vertex(2).get_attribute("aria-label"))
     page.driver.switch_to.active_element.send_keys(Keys.INSERT)
-    page.until(lambda: "vertex 3 of 5 at (9/2, 2)" in page.driver.switch_to.active_element.get_attribute("aria-label"))
+    page.until(lambda: "vertex 3 of 5 at (4.5, 2)" in page.driver.switch_to.active_element.get_attribute("aria-label"))
     page.driver.switch_to.active_element.send_keys(Keys.DELETE)
     page.until(lambda: "P: 4 vertices" in page.text("status"))
     page.vertex(2).send_keys(Keys.ALT, Keys.ARROW_UP)
@@ -174,11 +174,11 @@ def test_the_point_x(page):
     for field in ("x0", "x1"):
         page.type(field, "13/2")
     page("move-x").click()
-    page.until(lambda: "(13/2, 13/2) is outside the sum" in page.text("placement"))
+    page.until(lambda: "(6.5, 6.5) is outside the sum" in page.text("placement"))
     assert "do not meet" in page.text("placement")
     assert "Winding number 0, tangent count 0" in page.text("placement")
     page.driver.find_element(By.CSS_SELECTOR, "#sum .handle").send_keys(Keys.ARROW_LEFT)
-    page.until(lambda: "(11/2, 13/2)" in page.text("placement"))
+    page.until(lambda: "(5.5, 6.5)" in page.text("placement"))
 
 
 def test_steps_of_a_cycle(page):
@@ -196,7 +196,7 @@ def test_good_wkt(page):
     page.pair()
     page.type("q-wkt", "POLYGON((0 0,0.1 0,0 1/3,0 0))")
     page("use-q").click()
-    page.until(lambda: "1/3" in page.value("sum-wkt"))
+    page.until(lambda: "13/3" in page.value("sum-wkt"))
     assert page.text("error") == ""
 
 
@@ -229,7 +229,7 @@ def test_verify(page):
     page.until(lambda: page.text("verdict") == "yes")
     page.type("s-wkt", "POLYGON((0 0,6 0,6 6,0 6,0 0))")
     page("verify").click()
-    page.until(lambda: page.text("verdict").startswith("no: not in sum"))
+    page.until(lambda: page.text("verdict").startswith("no: "))
     assert "witness: (" in page.text("verdict")
     assert len(page.driver.find_elements(By.CSS_SELECTOR, "#sum .witness")) == 1
     page.type("s-wkt", "POLYGON((")
