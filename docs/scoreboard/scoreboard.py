@@ -201,7 +201,8 @@ Written by
 
 from [the record](scoreboard/runs.json): seed {seed}, `--budget 1000` and the corpus for each; {', '.join(fewer)}, since
 each sum starts Node.js anew. CGAL, Clipper 6 and Boost are those of Debian 12, CGAL with its exact kernel and `NDEBUG`;
-newer versions are better in part, as the issues say. For Clipper2 the version is that of the npm package.
+newer versions are better in part, as the issues say. For Clipper2 the version is that of the npm package. What each
+method supports, and how it is called: [other libraries](peers.md#libraries).
 
 How to read it:
 
@@ -214,7 +215,7 @@ How to read it:
 - *Unreadable* is a result whose chains are not the boundary of a region; a reader that fills it may still see the
   right set.
 - *Skipped*: too large for the oracle, or the law does not apply.
-- The corpus contains pairs on which CGAL and Clipper were found to be wrong [earlier](findings.md#other-libraries).
+- The corpus contains pairs on which these libraries were found to be wrong [earlier](findings.md#other-libraries).
 
 | implementation | version | calls | pairs | right | rounded | otherwise wrong | crashed | hung or out of memory | unreadable | refused | open unsupported | skipped |
 |---|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|
