@@ -41,7 +41,7 @@ function take(given, after) {
   tell();
 }
 
-const update = (edit, after) => ask(request(edit), (given) => take(given, after));
+const update = (edit, after) => ask(() => request(edit), (given) => take(given, after));
 
 function fit() {
   if (!answer) return;
@@ -137,7 +137,7 @@ function tell() {
 function change(changes, after) {
   const before = state;
   state = {...state, ...changes};
-  ask(request(), (given) => {
+  ask(request, (given) => {
     if (given.refused) state = before;
     take(given, after);
   });
@@ -169,7 +169,7 @@ for (const drawing of [summands, sum]) {
     const place = drawing.place(event), {vertex, how, from, p, q, x} = drag;
     const at = steps(how === "to" ? place : [place[0] - from[0], place[1] - from[1]]);
     // From where it started: the core may turn a chain on the way, and number its vertices anew.
-    ask({...request({...vertex, how, at}), p, q, x}, take);
+    ask(() => ({...request({...vertex, how, at}), p, q, x}), take);
   });
   const drop = () => {
     if (!drag) return;
@@ -198,15 +198,20 @@ summands.svg.addEventListener("dblclick", (event) => {
   if (best) add(best);
 });
 
+/** Selects what an edit leaves, as soon as it is drawn; the focus goes with it where it was in the drawings. */
+function follow(vertex) {
+  selected = vertex;
+  if (vertex && document.activeElement?.closest("svg")) setTimeout(() => select(vertex, true));
+}
+
 function add({of, chain, vertex}) {
-  update({of, chain, vertex, how: "add"}, () => { selected = {of, chain, vertex: vertex + 1}; });
+  update({of, chain, vertex, how: "add"}, () => follow({of, chain, vertex: vertex + 1}));
 }
 
 function remove({of, chain, vertex}) {
   update({of, chain, vertex, how: "remove"}, () => {
     const left = answer[of].chains[chain]?.length;
-    selected = left ? {of, chain, vertex: Math.min(vertex, left - 1)} : null;
-    if (document.activeElement?.closest?.("svg")) setTimeout(() => selected && select(selected, true));
+    follow(left ? {of, chain, vertex: Math.min(vertex, left - 1)} : null);
   });
 }
 
@@ -225,7 +230,6 @@ function key(event, drawing) {
     select(all[to % all.length], true);
   } else if (isVertex && ["Insert", "a", "A"].includes(event.key)) {
     add(vertex);
-    setTimeout(() => select(selected, true), 150);
   } else if (isVertex && ["Delete", "Backspace"].includes(event.key)) {
     remove(vertex);
   } else if (["+", "="].includes(event.key)) {

@@ -15,12 +15,13 @@ worker.onmessage = ({data}) => {
 };
 worker.onerror = () => done?.({error: "the core has stopped; reload the page", refused: true});
 
-/** Calls tell(answer). While the core is busy, a request takes the place of one that waits. */
+/** Calls tell(answer to request()). While the core is busy, a request takes the place of one that waits; each is made
+ * when it is sent, from the state that the last answer left. */
 export function ask(request, tell) {
   if (done) {
     waiting = {request, tell};
     return;
   }
   done = tell;
-  worker.postMessage(request);
+  worker.postMessage(request());
 }
