@@ -12,6 +12,9 @@
 #include "python/results.hpp"
 #include "python/shapes.hpp"
 #include "python/workers.hpp"
+#ifdef OPLUS_ENGINES
+#include <oplus/engines.hpp>
+#endif
 
 namespace oplus::python {
 
@@ -58,14 +61,11 @@ void add_line(const std::vector<Coordinates>& line, GivenSum& given) {
   if (is_point) given.isolated_vertices.push_back(line[0].point());
 }
 
-Verdict verify_of(py::handle p_value, py::handle q_value, py::handle value,
-                  const std::optional<std::string>& boundary) {
-  const PreparedRegion p = region_of(p_value), q = region_of(q_value);
+/// What is claimed to be a sum; of it, nothing is required.
+GivenSum given_of(py::handle value) {
   GivenSum given;
-  Boundary of_given = Boundary::closed;
   if (py::isinstance<Sum>(value)) {
     const Sum sum = value.cast<Sum>();
-    of_given = sum.boundary();
     given = {sum.region().region(), sum.dangling_edges(), sum.isolated_vertices()};
   } else if (py::isinstance<PreparedRegion>(value) || is_text(value)) {
     given.region = region_of(value).region().region();
@@ -79,10 +79,37 @@ Verdict verify_of(py::handle p_value, py::handle q_value, py::handle value,
     for (const auto& line : shapes.lines) add_line(line, given);
     for (const Coordinates& point : shapes.points) given.isolated_vertices.push_back(point.point());
   }
-  if (boundary) of_given = boundary_of(*boundary);
+  return given;
+}
+
+Verdict verify_of(py::handle p_value, py::handle q_value, py::handle value,
+                  const std::optional<std::string>& boundary) {
+  const PreparedRegion p = region_of(p_value), q = region_of(q_value);
+  const GivenSum given = given_of(value);
+  Boundary of_given = Boundary::closed;
+  if (boundary)
+    of_given = boundary_of(*boundary);
+  else if (py::isinstance<Sum>(value))
+    of_given = value.cast<const Sum&>().boundary();
   const py::gil_scoped_release released;
   return verify(p.region(), q.region(), given, of_given);
 }
+
+#ifdef OPLUS_ENGINES
+std::string certify_of(py::handle p_value, py::handle q_value, py::handle value) {
+  const PreparedRegion p = region_of(p_value), q = region_of(q_value);
+  const GivenSum given = given_of(value);
+  const py::gil_scoped_release released;
+  return certify(p.region(), q.region(), given);
+}
+#else
+std::string certify_of(py::handle, py::handle, py::handle) {
+  PyErr_SetString(PyExc_NotImplementedError,
+                  "certify: this module was built without certificates; expected a build with "
+                  "OPLUS_ENGINES=ON");
+  throw py::error_already_set();
+}
+#endif
 
 Side side_of(const std::string& name) {
   if (name == "nearest") return Side::nearest;
@@ -234,6 +261,20 @@ unbounded.
 >>> verdict = oplus.verify(square, square, [[0, 0], [2, 0], [2, 2], [1, 2], [0, 1]])
 >>> bool(verdict), verdict.reasons
 (False, [<oplus.Reason: in the sum but not given>])
+)");
+  m.def("certify", certify_of, py::arg("p"), py::arg("q"), py::arg("given"), R"(certify(p, q, given)
+--
+
+Returns the text of a certificate that `given` is the closed sum of p and q, for the program
+oplus-certified, which is proved. It reads p, q and `given` as files, with chains and vertices in
+the same order: what to_wkt returns. `given` is whatever verify takes. Raises InvalidInput, with the
+first reason of verify, where it is not the sum, and NotImplementedError in a build without
+OPLUS_ENGINES.
+
+>>> square = oplus.Region([[0, 0], [1, 0], [1, 1], [0, 1]])
+>>> certificate = oplus.certify(square, square, oplus.minkowski_sum(square, square))
+>>> certificate.splitlines()[0]
+'oplus certificate 1'
 )");
   m.def("rounded", rounded_of, py::arg("value"), py::arg("step"), py::arg("side") = "nearest",
         R"(rounded(value, step, side='nearest')

@@ -115,6 +115,12 @@ class Text {
 
 }  // namespace
 
+std::optional<Point> repeated_vertex(const Region& s) {
+  for (const Segment& e : edges(s))
+    if (e.source == e.target) return e.source;
+  return std::nullopt;
+}
+
 Certificate certificate(const Region& p, const Region& q, const Region& s) {
   Certificate result;
   result.p.pieces = convex_pieces(p, most_corners_of_summands);

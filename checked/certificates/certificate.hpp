@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "checked/certificates/cell_trees.hpp"
@@ -27,8 +28,11 @@ struct Certificate {
   std::vector<Tree> trees;  ///< of the sum's pieces
 };
 
-/// Requires: p and q are valid, and so is s but that its chains may touch themselves; no edge is a
-/// point. That s is part of P ⊕ Q is seen, that it is all of it is not. Throws PointOutsideSum.
+/// Returns a vertex that equals the next one. There is no edge between the two, so no certificate.
+std::optional<Point> repeated_vertex(const Region& s);
+
+/// Requires: p and q are valid, and so is s but that its chains may touch themselves; no vertex
+/// is repeated. That s is part of P ⊕ Q is seen, that it is all of it is not. Throws PointOutsideSum.
 Certificate certificate(const Region& p, const Region& q, const Region& s);
 
 /// The text of a file.

@@ -21,13 +21,6 @@ struct CertifyOptions {
   std::string output = "-";
 };
 
-void require_different_neighbours(const Region& sum) {
-  for (const Segment& e : edges(sum))
-    if (e.source == e.target)
-      throw UsageError("S has the vertex " + to_string(e.source) +
-                       " twice in a row; a certificate needs an edge between them");
-}
-
 ExitCode certify(const CertifyOptions& options) {
   require_one_standard_input({options.p, options.q, options.sum});
   require_writable({options.output});
@@ -40,7 +33,9 @@ ExitCode certify(const CertifyOptions& options) {
     write_text("-", text_of(verdict));
     return ExitCode::not_equal;
   }
-  require_different_neighbours(given.region);
+  if (const auto vertex = certificates::repeated_vertex(given.region))
+    throw UsageError("S has the vertex " + to_string(*vertex) +
+                     " twice in a row; a certificate needs an edge between them");
   write_text(options.output, written(certificates::certificate(p, q, given.region)));
   return ExitCode::done;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The other algorithms, what they did, and where edges came from. Link oplus::engines.
+// The other algorithms, what they did, where edges came from, and certificates. Link oplus::engines.
 #include <iostream>
 #include <oplus/engines.hpp>
 #include <oplus/oplus.hpp>
@@ -33,4 +33,13 @@ int main() {
                 << edge.vertex << " of " << (origin.edge_of == oplus::Summand::P ? 'P' : 'Q')
                 << " at vertex " << vertex.vertex << '\n';
     }
+
+  // What a proved program, oplus-certified, needs to check it; a wrong sum is refused.
+  std::string certificate = certify(p, q, {sum.region().region(), {}, {}});
+  std::cout << certificate.substr(0, certificate.find('\n')) << '\n';
+  try {
+    certify(p, q, {p.region(), {}, {}});
+  } catch (const oplus::InvalidInput& error) {
+    std::cout << error.what() << '\n';
+  }
 }
