@@ -4,10 +4,11 @@
 #include <ctime>
 #include <fstream>
 #include <iostream>
-#include <oplus/oplus.hpp>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "checked/oplus/oplus.hpp"
 
 using Ring = std::vector<std::pair<long, long>>;
 
