@@ -137,6 +137,7 @@ def test_keys_move_add_and_remove(page):
     page.until(lambda: "vertex 3 of 5 at (4.5, 2)" in page.driver.switch_to.active_element.get_attribute("aria-label"))
     page.driver.switch_to.active_element.send_keys(Keys.DELETE)
     page.until(lambda: "P: 4 vertices" in page.text("status"))
+    page.until(lambda: "vertex 3 of 4 at (4, 4)" in page.driver.switch_to.active_element.get_attribute("aria-label"))
     page.vertex(2).send_keys(Keys.ALT, Keys.ARROW_UP)
     page.until(lambda: "at (5, 1)" in page.vertex(2).get_attribute("aria-label"))
     assert "at (0, 1)" in page.vertex(1).get_attribute("aria-label")
