@@ -5,6 +5,8 @@ import re
 import sys
 from pathlib import Path
 
+import furo
+
 ROOT = Path(os.environ["OPLUS_ROOT"])
 sys.path.insert(0, str(ROOT / "docs/site"))
 
@@ -24,6 +26,10 @@ breathe_default_project = "oplus"
 autodoc_member_order = "bysource"
 
 html_theme = "furo"
+# Debian's Furo has its dark colours for those who switch to them, but not for those whose system is dark.
+dark = (Path(furo.__file__).parent / "theme/furo/static/styles/furo.css").read_text(encoding="utf-8")
+dark = re.search(r'body\[data-theme="dark"\] \{([^{}]*)', dark)[1]
+html_theme_options = {"dark_css_variables": dict(re.findall(r"--([\w-]+): (.*?);", dark))}
 html_title = f"oplus {release}"
 html_static_path = ["static"]
 html_css_files = ["site.css"]

@@ -78,7 +78,7 @@ WALK = ((GRAPH, LEMMA, "", ""), (LEMMA, PROOF, "in_out_degree", "Theorem in_out_
         ("index.html", "reference/command_line.html", "", ""))
 WORDS = (("reference/cpp.html", 'id="_CPPv4N5oplus11ValidRegionE"'), ("reference/python.html", 'id="oplus.minkowski_sum"'),
          ("reference/command_line.html", "--certificate"), ("searchindex.js", "dangl"), ("searchindex.js", "lemma-4.1.4"),
-         (GRAPH, 'id="lemma-4.1.4"'), (GRAPH, "<svg"))
+         ("index.html", "--color-background-primary: #"), (GRAPH, 'id="lemma-4.1.4"'), (GRAPH, "<svg"))
 
 
 def missing_steps(site, pages):
