@@ -117,33 +117,30 @@ Region RegionArrays::operator[](std::size_t i) const {
   return region;
 }
 
-py::object arrays_of(const std::vector<ValidRegion>& all) {
-  std::vector<double> coordinates;
-  std::vector<std::int64_t> rings{0}, polygons{0}, regions{0};
-  {
-    const py::gil_scoped_release released;
-    const auto add = [&](const Chain& chain) {
-      for (const Point& p : chain) {
-        const auto [x, y] = to_double(p);
-        coordinates.push_back(x);
-        coordinates.push_back(y);
-      }
-      rings.push_back(static_cast<std::int64_t>(coordinates.size() / 2));
-    };
-    for (const ValidRegion& region : all) {
-      if (is_unbounded(region))
-        throw InvalidInput({"region", 0, 0}, "it is unbounded", "a bounded region");
-      for (const Component& component : region.components()) {
-        add(component.outer);
-        for (const Chain& hole : component.holes) add(hole);
-        polygons.push_back(static_cast<std::int64_t>(rings.size() - 1));
-      }
-      regions.push_back(static_cast<std::int64_t>(polygons.size() - 1));
-    }
+void NewArrays::add(const ValidRegion& region) {
+  if (is_unbounded(region))
+    throw InvalidInput({"region", 0, 0}, "it is unbounded", "a bounded region");
+  for (const Component& component : region.components()) {
+    add(component.outer);
+    for (const Chain& hole : component.holes) add(hole);
+    polygons_.push_back(static_cast<std::int64_t>(rings_.size() - 1));
   }
-  const auto n = static_cast<py::ssize_t>(coordinates.size() / 2);
-  return arrays_type()(array_over(std::move(coordinates), {n, 2}), offset_array(std::move(rings)),
-                       offset_array(std::move(polygons)), offset_array(std::move(regions)));
+  regions_.push_back(static_cast<std::int64_t>(polygons_.size() - 1));
+}
+
+void NewArrays::add(const Chain& chain) {
+  for (const Point& p : chain) {
+    const auto [x, y] = to_double(p);
+    coordinates_.push_back(x);
+    coordinates_.push_back(y);
+  }
+  rings_.push_back(static_cast<std::int64_t>(coordinates_.size() / 2));
+}
+
+py::object NewArrays::take() && {
+  const auto n = static_cast<py::ssize_t>(coordinates_.size() / 2);
+  return arrays_type()(array_over(std::move(coordinates_), {n, 2}), offset_array(std::move(rings_)),
+                       offset_array(std::move(polygons_)), offset_array(std::move(regions_)));
 }
 
 }  // namespace oplus::python

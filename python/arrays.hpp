@@ -44,7 +44,20 @@ class RegionArrays {
   std::vector<std::size_t> rings_, polygons_, regions_;
 };
 
-/// Returns Arrays of these regions, each coordinate the nearest double. Rings are open.
-py::object arrays_of(const std::vector<ValidRegion>& regions);
+/// Arrays that are being made, each coordinate the nearest double. Rings are open.
+class NewArrays {
+ public:
+  /// Adds a region. Throws InvalidInput for an unbounded one.
+  void add(const ValidRegion& region);
+
+  /// Returns an object of type Arrays, without a copy.
+  py::object take() &&;
+
+ private:
+  void add(const Chain& chain);
+
+  std::vector<double> coordinates_;
+  std::vector<std::int64_t> rings_{0}, polygons_{0}, regions_{0};
+};
 
 }  // namespace oplus::python

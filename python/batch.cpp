@@ -146,17 +146,19 @@ py::list from_arrays(py::handle value, unsigned threads) {
 }
 
 py::object to_arrays(py::handle value) {
-  std::vector<ValidRegion> regions;
+  NewArrays arrays;
   const auto add = [&](py::handle one) {
     // Of a sum, its region: edges and points have none of these arrays.
-    regions.push_back(py::isinstance<Sum>(one) ? one.cast<const Sum&>().region()
-                                               : region_of(one).region());
+    if (py::isinstance<Sum>(one))
+      arrays.add(one.cast<const Sum&>().region());
+    else
+      arrays.add(region_of(one).region());
   };
   if (is_single(value))
     add(value);
   else
     for (const py::handle one : value) add(one);
-  return arrays_of(regions);
+  return std::move(arrays).take();
 }
 
 }  // namespace

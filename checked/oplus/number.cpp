@@ -46,6 +46,11 @@ Number::Exact Number::from_text(std::string_view text) {
 }
 
 double to_double(const Rational& value) {
+  // The quotient of two doubles is the nearest one.
+  constexpr std::size_t exact = DBL_MANT_DIG;
+  if (mpz_sizeinbase(value.get_num_mpz_t(), 2) <= exact &&
+      mpz_sizeinbase(value.get_den_mpz_t(), 2) <= exact)
+    return value.get_num().get_d() / value.get_den().get_d();
   const Rational size = abs(value);
   // GMP rounds towards zero and does not say what it does beyond the largest double.
   const double below = size > DBL_MAX ? DBL_MAX : size.get_d();
