@@ -15,6 +15,7 @@ packages_of_tests=(clang libclang-rt-14-dev git clang-format libgtest-dev libben
                    nodejs npm
                    pybind11-dev python3-dev python3-numpy python3-shapely python3-pytest
                    python3-hypothesis python3-matplotlib
+                   python3-pip python3-skbuild python3-venv
                    emscripten chromium chromium-driver python3-selenium)
 
 # Installs what is missing. Asks nothing; says what it installs.

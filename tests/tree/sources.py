@@ -14,7 +14,7 @@ def files(root):
     found = [path for path in root.iterdir() if path.is_file()]
     for folder in FOLDERS:
         for directory, names, of_directory in os.walk(root / folder):
-            names[:] = [name for name in names if name != "__pycache__"]
+            names[:] = [name for name in names if name not in ("__pycache__", "_skbuild")]
             found += [Path(directory) / name for name in of_directory]
     return sorted(found)
 
