@@ -286,12 +286,38 @@ def contrast(a, b):
     return (high + 0.05) / (low + 0.05)
 
 
+# Of all text that is seen: its name, its colour, and the ground that is behind it.
+TEXTS = """
+    const parts = (colour) => colour.match(/[\\d.]+/g).map(Number);
+    const over = ([r, g, b, a = 1], ground) => [r, g, b].map((c, i) => Math.round(a * c + (1 - a) * ground[i]));
+    const upwards = (one) => one ? [one, ...upwards(one.parentElement)] : [];
+    const ground = (one) => upwards(one).reverse()
+      .reduce((below, each) => over(parts(getComputedStyle(each).backgroundColor), below), [255, 255, 255]);
+    const seen = (one) => {
+      const {color} = getComputedStyle(one), below = ground(one), [r, g, b, a = 1] = parts(color);
+      const opacity = upwards(one).reduce((all, each) => all * getComputedStyle(each).opacity, a);
+      return [one.id || one.tagName, `rgb(${over([r, g, b, opacity], below)})`, `rgb(${below})`];
+    };
+    const hasText = (one) => one.matches("input:not([type]), textarea, select, output") ||
+      [...one.childNodes].some((node) => node.nodeType === Node.TEXT_NODE && node.data.trim());
+    return [...document.body.querySelectorAll("*")].filter((one) => one.getClientRects().length && hasText(one)).map(seen);"""
+
+
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_contrast(page, scheme):
     page.driver.execute_cdp_cmd("Emulation.setEmulatedMedia",
                                 {"features": [{"name": "prefers-color-scheme", "value": scheme}]})
     try:
-        page.open()
+        page.pair(more=f"&s={quote(TRIANGLE)}")
+        page.type("p-wkt", "POLYGON(")
+        page("use-p").click()
+        page.until(lambda: page.text("error") and page("verdict").get_attribute("class") == "wrong")
+        page.driver.execute_script("""
+            document.getElementById("stale").hidden = false;
+            document.querySelector("details").open = true;""")
+        texts = page.driver.execute_script(TEXTS)
+        assert {"error", "verdict", "stale", "status", "sum-wkt", "x0", "cycle", "add", "P", "SUMMARY"} <= {t[0] for t in texts}
+        assert [text for text in texts if contrast(*text[1:]) < 4.5] == []
         colour = functools.partial(page.driver.execute_script, """
             const probe = document.body.appendChild(document.createElement("i"));
             probe.style.color = `var(--${arguments[0]})`;
@@ -300,8 +326,6 @@ def test_contrast(page, scheme):
             return colour;""")
         ground = colour("ground")
         assert (luminance(ground) > 0.5) == (scheme == "light")
-        for name in ("text", "error"):
-            assert contrast(colour(name), ground) >= 4.5, name
         for name in ("line", "focus", "p", "q", "convolution", "reduced", "sum", "hole", "dangling", "cycle", "given", "x"):
             assert contrast(colour(name), ground) >= 3, name
     finally:
