@@ -57,6 +57,17 @@ def test_what_is_not_the_sum(given, reason):
         oplus.certify(FRAME, SQUARE, given)
 
 
+def test_edges_and_points_of_a_given_sum_count():
+    part, slot = [[0, 0], [2, 0], [2, 2], [0, 2]], [[1, 1], [1, 3], [4, 3], [4, 1]]
+    for p, more in [(FRAME, "isolated_vertices"), ([[[0, 0], [5, 0], [5, 4], [0, 4]], slot], "dangling_edges")]:
+        found = oplus.minkowski_sum(p, part, boundary="open")
+        assert len(getattr(found, more)) == 1
+        for given in found, found.__geo_interface__:
+            with pytest.raises(oplus.InvalidInput, match="S: it is not the sum: additional "):
+                oplus.certify(p, part, given)
+        assert oplus.certify(p, part, found.region)
+
+
 def test_unbounded_regions():
     outside = oplus.complement(SQUARE)
     with pytest.raises(oplus.InvalidInput, match="a summand is unbounded"):

@@ -24,14 +24,26 @@ TEST(Certify, a_certificate_of_the_sum) {
   EXPECT_TRUE(text.ends_with("\nend\n"));
 }
 
-TEST(Certify, fractions_need_not_be_in_lowest_terms) {
+TEST(Certify, P_and_Q_in_their_order) {
+  const ValidRegion triangle = polygon({{0, 0}, {3, 0}, {0, 3}});
+  const std::string text =
+      certify(triangle, square, {minkowski_sum(triangle, square).region().region(), {}, {}});
+  const std::size_t of_q = text.find("summand q");
+  EXPECT_EQ(text.find("1 2 0\n"), text.find("pieces 1\n") + 9);
+  EXPECT_EQ(text.find("1 2 3 0\n", of_q), text.find("pieces 1\n", of_q) + 9);
+}
+
+TEST(Certify, points_are_written_in_lowest_terms) {
+  const ValidRegion p = read_wkt("MULTIPOLYGON(((0 0,1 0,0 1,0 0)),((2 0,3 0,3 1,2 0)))");
   Rational two;
   two.get_num() = 4;
   two.get_den() = 2;
   GivenSum given;
-  given.region.components = {{{{0, 0}, {two, 0}, {two, two}, {0, two}}, {}}};
-  EXPECT_EQ(certify(square, square, given),
-            certify(square, square, {polygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}}).region(), {}, {}}));
+  // One vertex is inside an edge.
+  given.region.components = {{{{0, 0}, {4, 0}, {4, 1}, {3, 2}, {2, 1}, {two, 0}, {0, 2}}, {}}};
+  const std::string text = certify(p, polygon({{0, 0}, {1, 0}, {0, 1}}), given);
+  EXPECT_NE(text.find(" 2 0\n"), std::string::npos) << text;
+  EXPECT_EQ(text.find("4/2"), std::string::npos) << text;
 }
 
 TEST(Certify, what_is_not_the_sum_is_refused_with_the_reason) {
@@ -39,6 +51,20 @@ TEST(Certify, what_is_not_the_sum_is_refused_with_the_reason) {
   GivenSum with_point = {minkowski_sum(square, square).region().region(), {}, {{5, 5}}};
   EXPECT_TRUE(
       refusal(with_point).starts_with("S: it is not the sum: additional isolated vertex: "));
+  with_point.isolated_vertices.push_back({7, 8});
+  EXPECT_NE(refusal(with_point).find("at (5, 5)"), std::string::npos) << refusal(with_point);
+}
+
+TEST(Certify, it_is_the_sum_of_the_closed_regions) {
+  const ValidRegion frame =
+      polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{{1, 1}, {1, 3}, {3, 3}, {3, 1}}});
+  const ValidRegion part = polygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}});
+  const Sum open = minkowski_sum(frame, part, {.boundary = Boundary::open});
+  ASSERT_EQ(open.isolated_vertices().size(), 1u);
+  EXPECT_THROW(certify(frame, part,
+                       {open.region().region(), open.dangling_edges(), open.isolated_vertices()}),
+               InvalidInput);
+  EXPECT_NE(certify(frame, part, {open.region().region(), {}, {}}), "");
 }
 
 TEST(Certify, a_vertex_may_not_repeat_the_one_before) {
