@@ -257,6 +257,49 @@ def test_nonsense_in_a_link(page):
     assert "\n" not in page.text("error")
 
 
+def test_a_bad_link_is_left(page):
+    page.driver.get("about:blank")
+    page.driver.get(page.server + "#p=nonsense&q=%00&x=a&step=-1")
+    page.until(lambda: page.text("error") != "" and page.value("p-wkt") != "")
+    Select(page("example")).select_by_visible_text("Triangles")
+    page.until(lambda: page.text("status") == "P: 3 vertices. Q: 3 vertices.")
+    assert page.text("error") == ""
+
+
+def test_requests_wait_for_a_slow_core(page):
+    page.pair()
+    page.driver.execute_script("""
+        const post = Worker.prototype.postMessage;
+        Worker.prototype.postMessage = function (data) {
+            Worker.prototype.postMessage = post;
+            setTimeout(() => this.postMessage(data), 1500);
+        };""")
+    page("open").click()
+    for name, wkt in (("p", "POLYGON((0 0,2 0,0 1,0 0))"), ("q", "POLYGON((0 0,3 0,0 1,0 0))")):
+        page.type(name + "-wkt", wkt)
+        page("use-" + name).click()
+    page.until(lambda: page.text("status") == "Computing.")
+    page.until(lambda: "5 0" in page.value("sum-wkt"))
+
+
+def test_a_drag_ends_where_it_was_dropped(page):
+    page.pair()
+    at = "arguments[0].getBoundingClientRect()"
+    x, y = page.driver.execute_script(f"const b = {at}; return [b.x + b.width / 2, b.y + b.height / 2]", page.vertex(3))
+    page.driver.execute_script("""
+        const post = Worker.prototype.postMessage;
+        Worker.prototype.postMessage = function (data) { setTimeout(() => post.call(this, data), 300); };
+        const [one, x, y] = arguments, svg = one.closest("svg");
+        svg.setPointerCapture = () => {};
+        const send = (type, by) => (type === "pointerdown" ? one : svg).dispatchEvent(
+          new PointerEvent(type, {bubbles: true, isPrimary: true, clientX: x + by, clientY: y - by}));
+        send("pointerdown", 0);
+        for (let by = 10; by <= 100; by += 10) send("pointermove", by);
+        send("pointerup", 100);""", page.vertex(3), x, y)
+    page.until(lambda: re.search(r"at \([5-9]", page.vertex(3).get_attribute("aria-label")))
+    page.until(lambda: "4+4" not in page.driver.current_url)
+
+
 def test_a_narrow_screen(page):
     page.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
                                 {"width": 360, "height": 740, "deviceScaleFactor": 1, "mobile": True})

@@ -4,7 +4,7 @@ import {Drawing, drawSum, drawSummands, element} from "./drawing.js";
 import {examples, layers, read, write} from "./state.js";
 
 const $ = (id) => document.getElementById(id);
-let state = read(location.hash);
+let state = read("");
 let answer = null;  // the last one
 let valid = null;  // the last one of valid P and Q
 let selected = null;  // {of, chain, vertex}
@@ -41,7 +41,7 @@ function take(given, after) {
   tell();
 }
 
-const update = (edit, after) => ask(() => request(edit), (given) => take(given, after));
+const update = (edit, after) => ask(() => request(edit), (given) => take(given, after), !after);
 
 function fit() {
   if (!answer) return;
@@ -135,11 +135,18 @@ function tell() {
 
 /** Takes what a control says; what the core refuses is as before, but for what was typed. */
 function change(changes, after) {
-  const before = state;
-  state = {...state, ...changes};
-  ask(request, (given) => {
-    if (given.refused) state = before;
-    take(given, after);
+  let before;
+  ask(() => {
+    before = state;
+    state = {...state, ...changes};
+    return request();
+  }, (given) => {
+    if (given.refused) {
+      state = before;
+      write(state);
+    }
+    if (given.refused && !answer) ask(request, (first) => { take(first, fit); take(given); });
+    else take(given, after);
   });
 }
 
@@ -169,12 +176,12 @@ for (const drawing of [summands, sum]) {
     const place = drawing.place(event), {vertex, how, from, p, q, x} = drag;
     const at = steps(how === "to" ? place : [place[0] - from[0], place[1] - from[1]]);
     // From where it started: the core may turn a chain on the way, and number its vertices anew.
-    ask(() => ({...request({...vertex, how, at}), p, q, x}), take);
+    ask(() => ({...request({...vertex, how, at}), p, q, x}), take, true);
   });
   const drop = () => {
     if (!drag) return;
     drag = null;
-    update();
+    write(state);
   };
   svg.addEventListener("pointerup", drop);
   svg.addEventListener("pointercancel", drop);
@@ -292,10 +299,11 @@ function walk(cycle, at) {
 }
 
 function start() {
-  state = read(location.hash);
-  $("s-wkt").value = state.s;
-  selected = null;
-  update(null, fit);
+  change(read(location.hash), () => {
+    $("s-wkt").value = state.s;
+    selected = null;
+    fit();
+  });
 }
 addEventListener("hashchange", start);
 addEventListener("resize", () => draw());

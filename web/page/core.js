@@ -1,27 +1,28 @@
 // SPDX-License-Identifier: MIT
 // Asks the core, which runs in a worker, so that the page answers while it computes.
 const worker = new Worker("worker.js", {type: "module"});
-let done = null, waiting = null;
+const waiting = [];
+let done = null, late = 0;
 
 worker.onmessage = ({data}) => {
   const told = done;
   done = null;
+  clearTimeout(late);
   told(data);
-  if (waiting) {
-    const {request, tell} = waiting;
-    waiting = null;
-    ask(request, tell);
-  }
+  const next = waiting.shift();
+  if (next) ask(next.request, next.tell, next.isMove);
 };
 worker.onerror = () => done?.({error: "the core has stopped; reload the page", refused: true});
 
-/** Calls tell(answer to request()). While the core is busy, a request takes the place of one that waits; each is made
- * when it is sent, from the state that the last answer left. */
-export function ask(request, tell) {
+/** Calls tell(answer to request()). Requests wait while the core is busy, of moves in a row the last one only; each is
+ * made when it is sent, from the state that the last answer left. */
+export function ask(request, tell, isMove) {
   if (done) {
-    waiting = {request, tell};
+    if (isMove && waiting.at(-1)?.isMove) waiting.pop();
+    waiting.push({request, tell, isMove});
     return;
   }
   done = tell;
+  late = setTimeout(() => { document.getElementById("status").textContent = "Computing."; }, 500);
   worker.postMessage(request());
 }
