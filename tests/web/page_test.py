@@ -146,9 +146,11 @@ def test_keys_move_add_and_remove(page):
 def test_focus_is_visible(page):
     page.pair()
     one = page.vertex(1)
-    before = one.find_elements(By.TAG_NAME, "circle")[1].value_of_css_property("stroke-width")
+    dot = one.find_elements(By.TAG_NAME, "circle")[1]
+    before = [dot.value_of_css_property(name) for name in ("stroke-width", "fill", "r")]
     page.driver.execute_script("arguments[0].focus()", one)
-    assert one.find_elements(By.TAG_NAME, "circle")[1].value_of_css_property("stroke-width") != before
+    after = [dot.value_of_css_property(name) for name in ("stroke-width", "fill", "r")]
+    assert all(a != b for a, b in zip(after, before))
 
 
 @pytest.mark.parametrize("name", ["sum", "holes", "dangling", "convolution", "reduced", "cycle"])
@@ -264,6 +266,16 @@ def test_a_bad_link_is_left(page):
     Select(page("example")).select_by_visible_text("Triangles")
     page.until(lambda: page.text("status") == "P: 3 vertices. Q: 3 vertices.")
     assert page.text("error") == ""
+
+
+def test_a_number_beyond_all_doubles(page):
+    page.pair()
+    page.type("x0", "1e400")
+    page("move-x").click()
+    page.until(lambda: "beyond all doubles" in page.text("error"))
+    page.type("x0", "2")
+    page("move-x").click()
+    page.until(lambda: "(2, 1) is inside" in page.text("placement"))
 
 
 def test_requests_wait_for_a_slow_core(page):
