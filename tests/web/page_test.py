@@ -278,6 +278,42 @@ def test_a_number_beyond_all_doubles(page):
     page.until(lambda: "(2, 1) is inside" in page.text("placement"))
 
 
+def test_what_was_typed_is_kept(page):
+    page.pair()
+    page.type("p-wkt", "POLYGON((0 0,2 0,0 1,0 0))")
+    page.type("q-wkt", "POLYGON((0 0,3 0,0 1,0 0))")
+    page("use-p").click()
+    page.until(lambda: page.text("status").startswith("P: 3"))
+    page("use-q").click()
+    page.until(lambda: "3 0" in page.value("q-wkt") and "5 0" in page.value("sum-wkt"))
+
+
+def test_a_click_moves_nothing(page):
+    page.pair("POLYGON((1/3 1/3,4 0,4 4,1/3 1/3))")
+    before = page.value("p-wkt")
+    ActionChains(page.driver).click_and_hold(page.vertex(1)).move_by_offset(1, 0).release().perform()
+    page.until(lambda: "vertex 1" in page.text("selected"))
+    page("open").click()
+    page.until(lambda: "open=0" in page.driver.current_url)
+    assert page.value("p-wkt") == before
+
+
+def test_the_selection_follows_a_turned_chain(page):
+    page.pair("POLYGON((0 0,4 0,2 1,0 0))")
+    page.driver.execute_script("arguments[0].focus()", page.vertex(3))
+    for y in (0, -1, -2):
+        page.driver.switch_to.active_element.send_keys(Keys.ARROW_DOWN)
+        page.until(lambda: f"at (2, {y})" in page.driver.switch_to.active_element.get_attribute("aria-label"))
+        page.until(lambda: f"at (2, {y})" in page.text("selected"))
+
+
+def test_the_nearest_of_close_vertices(page):
+    page.pair("POLYGON((0 0,100 0,100 1,100 2,100 3,0 3,0 0))")
+    for number in (2, 3, 4):
+        ActionChains(page.driver).click(page.vertex(number)).perform()
+        page.until(lambda: f"vertex {number} " in page.text("selected"))
+
+
 def test_requests_wait_for_a_slow_core(page):
     page.pair()
     page.driver.execute_script("""
@@ -310,6 +346,32 @@ def test_a_drag_ends_where_it_was_dropped(page):
         send("pointerup", 100);""", page.vertex(3), x, y)
     page.until(lambda: re.search(r"at \([5-9]", page.vertex(3).get_attribute("aria-label")))
     page.until(lambda: "4+4" not in page.driver.current_url)
+
+
+def test_a_finger_drags_vertices_and_scrolls_beside_them(page):
+    cdp = page.driver.execute_cdp_cmd
+    cdp("Emulation.setDeviceMetricsOverride", {"width": 360, "height": 740, "deviceScaleFactor": 1, "mobile": True})
+    cdp("Emulation.setTouchEmulationEnabled", {"enabled": True})
+
+    def swipe(what, x, y):
+        box = what.rect
+        at = [box["x"] + x, box["y"] + y]
+        for step in range(8):
+            points = [{"x": at[0], "y": at[1] - 20 * step}] if step < 7 else []
+            cdp("Input.dispatchTouchEvent", {"type": "touchStart" if step == 0 else "touchMove" if points else "touchEnd",
+                                             "touchPoints": points})
+
+    scrolled = functools.partial(page.driver.execute_script, "return scrollY")
+    try:
+        page.pair()
+        swipe(page.vertex(2), 13, 13)
+        page.until(lambda: "4+0" not in page.driver.current_url)
+        assert scrolled() == 0
+        swipe(page("summands"), 5, 300)
+        page.until(scrolled)
+    finally:
+        cdp("Emulation.setTouchEmulationEnabled", {"enabled": False})
+        cdp("Emulation.clearDeviceMetricsOverride", {})
 
 
 def test_a_narrow_screen(page):

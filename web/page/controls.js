@@ -26,7 +26,9 @@ function take(given, after) {
     if (!valid) $("stale").hidden = true;
     return;
   }
+  const followed = answer && turned(given);
   answer = given;
+  if (followed) follow(followed);
   state.p = answer.p.wkt;
   state.q = answer.q.wkt;
   state.x = answer.x;
@@ -41,12 +43,27 @@ function take(given, after) {
   tell();
 }
 
+/** Where the selected vertex is now, if the core has turned its chain, which keeps the first vertex. */
+function turned(given) {
+  const [before, after] = [answer, given].map((one) => one[selected?.of]?.points?.[selected.chain]);
+  if (!before || after?.length !== before.length) return null;
+  const mirrored = (v) => (before.length - v) % before.length;
+  const others = [...before.keys()].filter((v) => v !== selected.vertex);
+  return others.every((v) => after[mirrored(v)] === before[v]) && others.some((v) => after[v] !== before[v])
+    ? {...selected, vertex: mirrored(selected.vertex)} : null;
+}
+
 const update = (edit, after) => ask(() => request(edit), (given) => take(given, after), !after);
 
 function fit() {
   if (!answer) return;
   summands.fit([...answer.p.chains, ...answer.q.chains, ...(answer.placement?.q ?? [])].flat());
   if (valid) sum.fit([...valid.cycles.flat().flatMap(([a, b, c, d]) => [[a, b], [c, d]]), answer.at]);
+}
+
+function refit() {
+  typed.clear();
+  fit();
 }
 
 function draw() {
@@ -73,6 +90,7 @@ function drawHandles() {
       const key = `${of} ${c} ${v}`, one = handle(key, summands, of, () => element("circle", {r: 4.5}));
       kept.add(key);
       one.vertex = {of, chain: c, vertex: v};
+      one.at = at;
       const isSelected = selected?.of === of && selected.chain === c && selected.vertex === v;
       one.setAttribute("transform", `translate(${summands.pixel(at)})`);
       one.setAttribute("aria-label", `${of.toUpperCase()}, ${answer[of].names[c]}, vertex ${v + 1} of ${chain.length} at ${answer[of].points[c][v]}`);
@@ -84,6 +102,7 @@ function drawHandles() {
     const one = handle(key, drawing, "x", () => element("path", {class: "mark", d: "M-8,0H8M0,-8V8"}));
     kept.add(key);
     one.vertex = {of: "x"};
+    one.at = answer.at;
     one.setAttribute("transform", `translate(${drawing.pixel(answer.at)})`);
     one.setAttribute("aria-label", `Point x at (${answer.x.join(", ")})`);
     one.setAttribute("tabindex", key === "x" ? 0 : -1);
@@ -95,7 +114,8 @@ function drawHandles() {
   }
 }
 
-const field = (id, text) => { if (document.activeElement !== $(id)) $(id).value = text; };
+const typed = new Set();  // P and Q that were typed and are not used yet
+const field = (id, text) => { if (document.activeElement !== $(id) && !typed.has(id)) $(id).value = text; };
 
 /** All texts of the page. */
 function tell() {
@@ -109,6 +129,7 @@ function tell() {
   $("open").checked = state.open;
   $("selected").textContent = !selected ? "nothing" : selected.of === "x" ? "x"
     : handles.get(`${selected.of} ${selected.chain} ${selected.vertex}`)?.getAttribute("aria-label") ?? "nothing";
+  $("add").disabled = $("remove").disabled = !selected || selected.of === "x";
   for (const name of Object.keys(layers)) $("layer-" + name).checked = state.layers.includes(name);
   const notes = [...p.notes, ...q.notes].join("; ");
   $("status").textContent = isStale ? "P or Q is invalid." : `P: ${p.vertices}. Q: ${q.vertices}.` + (notes && ` ${notes}.`);
@@ -157,24 +178,34 @@ function select(vertex, focus) {
   tell();
 }
 
+/** The handle nearest to a pointer on one: where vertices are close, its target covers others. */
+function nearest(drawing, event) {
+  const place = drawing.place(event);
+  const far = ({at}) => Math.hypot(at[0] - place[0], at[1] - place[1]);
+  return [...handles.values()].filter((one) => one.parentNode === drawing.handles)
+    .reduce((best, one) => far(one) <= far(best) ? one : best);
+}
+
 const steps = (place) => place.map((c) => Math.round(c / answer.step));
 
 for (const drawing of [summands, sum]) {
   const {svg} = drawing;
   svg.addEventListener("pointerdown", (event) => {
-    if (!answer) return;
-    const one = event.target.closest(".handle"), of = event.target.dataset?.of;
+    if (!answer || !event.isPrimary || event.button) return;
+    const one = event.target.closest(".handle") && nearest(drawing, event), of = event.target.dataset?.of;
     if (!one && !of) return;
     event.preventDefault();
     svg.setPointerCapture(event.pointerId);
     if (one) select(one.vertex, true);
     drag = {drawing, from: drawing.place(event), vertex: one?.vertex ?? {of}, how: one ? "to" : "by",
-      p: state.p, q: state.q, x: state.x};
+      p: state.p, q: state.q, x: state.x, pressed: [event.clientX, event.clientY], isClick: true};
   });
   svg.addEventListener("pointermove", (event) => {
-    if (drag?.drawing !== drawing) return;
-    const place = drawing.place(event), {vertex, how, from, p, q, x} = drag;
+    if (drag?.drawing !== drawing || !event.isPrimary) return;
+    const place = drawing.place(event), {vertex, how, from, p, q, x, pressed: [left, top]} = drag;
+    drag.isClick &&= Math.hypot(event.clientX - left, event.clientY - top) < 4;
     const at = steps(how === "to" ? place : [place[0] - from[0], place[1] - from[1]]);
+    if (drag.isClick || !at.every(Number.isFinite)) return;
     // From where it started: the core may turn a chain on the way, and number its vertices anew.
     ask(() => ({...request({...vertex, how, at}), p, q, x}), take, true);
   });
@@ -185,6 +216,7 @@ for (const drawing of [summands, sum]) {
   };
   svg.addEventListener("pointerup", drop);
   svg.addEventListener("pointercancel", drop);
+  svg.addEventListener("touchmove", (event) => { if (drag) event.preventDefault(); }, {passive: false});  // no scrolling
   svg.addEventListener("focusin", (event) => {
     const vertex = event.target.vertex;
     if (vertex && (vertex.of !== selected?.of || vertex.chain !== selected.chain || vertex.vertex !== selected.vertex)) select(vertex);
@@ -268,14 +300,18 @@ for (const [name, [label, colour]] of Object.entries(layers)) {
 $("example").append(new Option("choose", ""), ...Object.keys(examples).map((name) => new Option(name)));
 $("example").addEventListener("change", () => {
   const pair = examples[$("example").value];
-  if (pair) change({p: pair[0], q: pair[1], s: ""}, fit);
+  if (pair) change({p: pair[0], q: pair[1], s: ""}, refit);
 });
 $("open").addEventListener("change", () => change({open: $("open").checked}));
 $("step").addEventListener("change", () => change({step: $("step").value}));
 $("move-x").addEventListener("click", () => change({x: [$("x0").value, $("x1").value]}));
 for (const name of ["p", "q", "s"]) {
-  const button = $(name === "s" ? "verify" : "use-" + name);
-  button.addEventListener("click", () => change({[name]: $(name + "-wkt").value}, name === "s" ? undefined : fit));
+  const button = $(name === "s" ? "verify" : "use-" + name), text = $(name + "-wkt");
+  text.addEventListener("input", () => typed.add(text.id));
+  button.addEventListener("click", () => change({[name]: text.value}, name === "s" ? undefined : () => {
+    typed.delete(text.id);
+    fit();
+  }));
 }
 $("forget").addEventListener("click", () => {
   $("s-wkt").value = "";
@@ -302,7 +338,7 @@ function start() {
   change(read(location.hash), () => {
     $("s-wkt").value = state.s;
     selected = null;
-    fit();
+    refit();
   });
 }
 addEventListener("hashchange", start);
