@@ -143,6 +143,15 @@ def test_keys_move_add_and_remove(page):
     assert "at (0, 1)" in page.vertex(1).get_attribute("aria-label")
 
 
+def test_p_q_and_x_are_one_stop_each(page):
+    page.pair()
+    for name in ("P, outer chain", "Q, outer chain", "Point x", ""):
+        ActionChains(page.driver).send_keys(Keys.TAB).perform()
+        stop = page.driver.switch_to.active_element
+        assert name in (stop.get_attribute("aria-label") or "")
+    assert stop.get_attribute("id") == "layer-sum"
+
+
 def test_focus_is_visible(page):
     page.pair()
     one = page.vertex(1)

@@ -217,7 +217,8 @@ for (const drawing of [summands, sum]) {
   svg.addEventListener("pointerup", drop);
   svg.addEventListener("pointercancel", drop);
   svg.addEventListener("touchmove", (event) => { if (drag) event.preventDefault(); }, {passive: false});  // no scrolling
-  svg.addEventListener("focusin", (event) => {
+  // On the figure: Chromium makes an SVG that listens to focus a stop of the Tab key.
+  svg.parentElement.addEventListener("focusin", (event) => {
     const vertex = event.target.vertex;
     if (vertex && (vertex.of !== selected?.of || vertex.chain !== selected.chain || vertex.vertex !== selected.vertex)) select(vertex);
   });
