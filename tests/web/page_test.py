@@ -221,6 +221,18 @@ def test_bad_wkt_changes_nothing(page):
     assert page.value("sum-wkt") == "POLYGON ((0 0, 6 0, 6 4, 4 6, 0 6, 0 0))"
 
 
+def test_an_error_is_in_sight_and_moves_no_drawing(page):
+    page.pair()
+    top = page("summands").rect["y"]
+    page.type("p-wkt", "POLYGON((0 0,1 0")
+    page("use-p").click()
+    page.until(lambda: page.text("error").startswith("P:1:"))
+    assert page("summands").rect["y"] == top
+    low, height = page.driver.execute_script(
+        "return [document.getElementById('error').getBoundingClientRect().bottom, innerHeight]")
+    assert 0 < low <= height
+
+
 def test_an_invalid_polygon_leaves_the_last_valid_picture(page):
     page.pair()
     assert not page("stale").is_displayed()
