@@ -5,9 +5,11 @@
 #include <rapidjson/stringbuffer.h>
 #include <rapidjson/writer.h>
 
+#include <cmath>
 #include <cstdint>
 #include <exception>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -49,9 +51,11 @@ class Answer {
   void value(bool is) { writer_.Bool(is); }
   void value(int number) { writer_.Int(number); }
   void value(std::size_t number) { writer_.Uint64(number); }
-  /// For the eye; of what is beyond all doubles, nothing can be drawn.
+  /// For the eye. Throws std::range_error for an infinity.
   void value(double number) {
-    if (!writer_.Double(number)) writer_.Null();
+    if (!std::isfinite(number))
+      throw std::range_error("a number is beyond all doubles, and cannot be drawn");
+    writer_.Double(number);
   }
   template <typename Value>
   void member(const char* name, const Value& of_it) {

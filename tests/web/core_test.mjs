@@ -90,6 +90,8 @@ for (const text of [bow, "POLYGON((0 0,4 0", "", "POLYGON((0 0,1 1,0 0))"])
   assert.equal(ask({p: text, q: square}).error, said(text));
 assert(ask({p: square, q: square, step: "0"}).refused);
 assert(ask({p: square, q: square, x: ["a", "1"]}).refused);
+for (const beyond of [{x: ["1e400", "1"]}, {p: "POLYGON((0 0,1e400 0,0 1,0 0))"}, {s: "POLYGON((0 0,1e400 0,0 1,0 0))"}])
+  assert.match(ask({p: square, q: square, ...beyond}).error ?? "", /^a number is beyond all doubles/);
 assert(ask({p: square, q: square, s: "POLYGON"}).verdict.error);
 
 // Edits are exact.
