@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "python/arrays.hpp"
+#include "python/numbers.hpp"
 #include "python/operation.hpp"
 #include "python/shapes.hpp"
 #include "python/workers.hpp"
@@ -88,7 +89,7 @@ Operation operation_of(const std::string& name) {
 }
 
 py::list batch(const std::string& name, py::handle p_value, py::handle q_value,
-               const std::string& boundary, unsigned threads, const std::string& errors) {
+               const std::string& boundary, long long threads, const std::string& errors) {
   const Operation compute = operation_of(name);
   const SumOptions options{.boundary = boundary_of(boundary)};
   if (options.boundary == Boundary::open && name != "minkowski_sum")
@@ -126,7 +127,9 @@ py::list batch(const std::string& name, py::handle p_value, py::handle q_value,
   return results;
 }
 
-py::list from_arrays(py::handle value, unsigned threads) {
+py::list from_arrays(py::handle value, long long threads) {
+  if (!is_arrays(value))
+    throw py::type_error("regions of type " + type_of(value) + ": expected oplus.Arrays");
   const RegionArrays arrays(value);
   std::vector<ValidRegion> regions(arrays.size());
   std::vector<std::optional<std::string>> wrong(arrays.size());

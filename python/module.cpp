@@ -26,7 +26,7 @@ ClosedSet closed_set_of(const Set& set) {
 }
 
 Sum minkowski_sum_of(py::handle p_value, py::handle q_value, const std::string& boundary,
-                     unsigned threads) {
+                     long long threads) {
   const SumOptions options{.boundary = boundary_of(boundary), .threads = checked_threads(threads)};
   const Set p = set_of(p_value), q = set_of(q_value);
   const py::gil_scoped_release released;
@@ -36,7 +36,7 @@ Sum minkowski_sum_of(py::handle p_value, py::handle q_value, const std::string& 
 }
 
 template <Operation compute>
-Sum operation_of(py::handle p_value, py::handle q_value, unsigned threads) {
+Sum operation_of(py::handle p_value, py::handle q_value, long long threads) {
   const SumOptions options{.threads = checked_threads(threads)};
   const PreparedRegion p = region_of(p_value), q = region_of(q_value);
   const py::gil_scoped_release released;

@@ -20,6 +20,12 @@ namespace py = pybind11;
 
 namespace {
 
+/// Only there signals are handled; another thread may not take the lock once Python ends.
+bool is_main_thread() {
+  const auto threading = py::module_::import("threading");
+  return threading.attr("current_thread")().is(threading.attr("main_thread")());
+}
+
 void throw_if_interrupted() {
   const py::gil_scoped_acquire acquired;
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
@@ -27,26 +33,27 @@ void throw_if_interrupted() {
 
 }  // namespace
 
-unsigned checked_threads(unsigned threads) {
-  if (threads > 1024)
-    throw std::invalid_argument("threads " + std::to_string(threads) + "; expected at most 1024");
-  return threads;
+unsigned checked_threads(long long threads) {
+  if (threads < 0 || threads > 1024)
+    throw std::invalid_argument("threads " + std::to_string(threads) + "; expected 0 to 1024");
+  return static_cast<unsigned>(threads);
 }
 
-void for_each_below(std::size_t n, unsigned threads, const std::function<void(std::size_t)>& work) {
+void for_each_below(std::size_t n, long long wanted, const std::function<void(std::size_t)>& work) {
   using Clock = std::chrono::steady_clock;
-  checked_threads(threads);
+  unsigned threads = checked_threads(wanted);
+  const bool is_main = is_main_thread();
   const py::gil_scoped_release released;
   std::atomic<std::size_t> next{0};
   std::atomic<bool> is_stopped{false};
   std::exception_ptr failure;
   std::mutex of_failure;
-  const auto run = [&](bool is_caller) {
+  const auto run = [&](bool looks) {
     Clock::time_point last_look = Clock::now();
     try {
       for (std::size_t i = next++; i < n && !is_stopped; i = next++) {
         work(i);
-        if (is_caller && Clock::now() - last_look > std::chrono::milliseconds(50)) {
+        if (looks && Clock::now() - last_look > std::chrono::milliseconds(50)) {
           throw_if_interrupted();
           last_look = Clock::now();
         }
@@ -66,7 +73,7 @@ void for_each_below(std::size_t n, unsigned threads, const std::function<void(st
     } catch (const std::system_error&) {
       // Those that were started do all of it.
     }
-    run(true);
+    run(is_main);
   }
   if (failure) std::rethrow_exception(failure);
 }

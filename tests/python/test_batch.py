@@ -69,16 +69,18 @@ def test_an_invalid_region_is_named():
     (("nfp", [SQUARE], [SQUARE]), {"errors": "ignore"}, "errors ignore; expected raise or return"),
     (("nfp", [SQUARE], [SQUARE]), {"boundary": "half"}, "boundary half; expected closed or open"),
     (("ifp", [SQUARE], [SQUARE]), {"boundary": "open"}, "boundary open of ifp; expected it of minkowski_sum only"),
-    (("nfp", [SQUARE], [SQUARE]), {"threads": 1025}, "threads 1025; expected at most 1024")])
+    (("nfp", [SQUARE], [SQUARE]), {"threads": -1}, "threads -1; expected 0 to 1024"),
+    (("nfp", [SQUARE], [SQUARE]), {"threads": 2**40}, "threads 1099511627776; expected 0 to 1024")])
 def test_wrong_arguments(arguments, options, wrong):
     with pytest.raises(ValueError, match=wrong):
         oplus.batch(*arguments, **options)
 
 
 @pytest.mark.parametrize("operation", [oplus.minkowski_sum, oplus.nfp])
-def test_too_many_threads(operation):
-    with pytest.raises(ValueError, match="threads 1025; expected at most 1024"):
-        operation(SQUARE, SQUARE, threads=1025)
+@pytest.mark.parametrize("threads", [1025, -1])
+def test_too_many_threads(operation, threads):
+    with pytest.raises(ValueError, match=f"threads {threads}; expected 0 to 1024"):
+        operation(SQUARE, SQUARE, threads=threads)
 
 
 def test_a_batch_goes_on_where_no_thread_can_be_started():
@@ -168,3 +170,13 @@ def test_control_c_ends_a_batch():
             assert child.returncode == 0
         finally:
             child.kill()
+
+
+def test_a_batch_on_another_thread_at_exit():
+    program = ("import sys; sys.path[:0] = " + repr(sys.path) + "\n"
+               "import threading, time, oplus, test_batch\n"
+               "p, q = test_batch.stars(10000, 60, 10), test_batch.stars(10000, 60, 11)\n"
+               "threading.Thread(target=oplus.batch, args=['nfp', p, q], daemon=True).start()\n"
+               "time.sleep(0.3)\n")
+    child = subprocess.run([sys.executable, "-B", "-c", program], capture_output=True, text=True, timeout=60)
+    assert (child.stderr, child.returncode) == ("", 0)
