@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "python/numbers.hpp"
 
+#include <cstdlib>
 #include <string>
 
 namespace oplus::python {
@@ -36,7 +37,14 @@ py::handle& fraction_type() {
   return type;
 }
 
+/// Never destroyed either.
+py::handle& decimal_type() {
+  static py::handle type;
+  return type;
+}
+
 Number ratio_of(const py::tuple& ratio) {
+  if (ratio.size() != 2) throw py::type_error("a ratio that is not a pair: expected two integers");
   const Rational numerator = integer_of(ratio[0]).value(),
                  denominator = integer_of(ratio[1]).value();
   if (denominator == 0) throw InvalidInput({"number", 0, 0}, "its denominator is 0", "a number");
@@ -47,6 +55,7 @@ Number ratio_of(const py::tuple& ratio) {
 
 void prepare_numbers() {
   fraction_type() = py::module_::import("fractions").attr("Fraction").cast<py::object>().release();
+  decimal_type() = py::module_::import("decimal").attr("Decimal").cast<py::object>().release();
 }
 
 std::string type_of(py::handle value) { return Py_TYPE(value.ptr())->tp_name; }
@@ -77,13 +86,17 @@ Number number_of(py::handle value) {
   if (PyFloat_Check(object)) return PyFloat_AS_DOUBLE(object);
   if (PyLong_Check(object)) return integer_of(value);
   if (PyUnicode_Check(object)) return text_of(value);
+  // Exponents are limited as those of text are: of 10^9 there would be as many digits.
+  if (py::isinstance(value, decimal_type()) &&
+      std::abs(value.attr("adjusted")().cast<long long>()) > 4096)
+    return text_of(py::str(value));
   if (py::hasattr(value, "as_integer_ratio")) {
     try {
       return ratio_of(value.attr("as_integer_ratio")());
     } catch (const py::error_already_set& error) {
       if (!error.matches(PyExc_OverflowError) && !error.matches(PyExc_ValueError)) throw;
       // An infinity, or not a number: oplus has a message for it.
-      return value.attr("__float__")().cast<double>();
+      return static_cast<double>(py::float_(py::reinterpret_borrow<py::object>(value)));
     }
   }
   if (PyIndex_Check(object)) {
@@ -105,8 +118,12 @@ Point point_of(py::handle value) {
   if (!items) throw py::error_already_set();
   if (PySequence_Fast_GET_SIZE(items.ptr()) < 2)
     throw InvalidInput({"point", 0, 0}, "it has less than two coordinates", "x and y");
-  return {number_of(PySequence_Fast_GET_ITEM(items.ptr(), 0)).value(),
-          number_of(PySequence_Fast_GET_ITEM(items.ptr(), 1)).value()};
+  // Kept: a number may be of a class that changes the list when it is asked for its value.
+  const auto item = [&](Py_ssize_t i) {
+    return py::reinterpret_borrow<py::object>(PySequence_Fast_GET_ITEM(items.ptr(), i));
+  };
+  const py::object x = item(0), y = item(1);
+  return {number_of(x).value(), number_of(y).value()};
 }
 
 py::object to_python(const Rational& value) {

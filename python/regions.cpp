@@ -145,7 +145,12 @@ POLYGON ((0 0, 0 2, -1 0, 0 0))
           "__eq__", [](R a, R b) { return unlocked([&] { return a.region() == b.region(); }); },
           py::is_operator())
       .def("__repr__", summary)
-      .def("__str__", [](R r) { return unlocked([&] { return to_wkt(r.region()); }); })
+      .def("__str__",
+           [](R r) {
+             // Text of anything can be had; no WKT is unbounded.
+             return is_unbounded(r.region()) ? summary(r)
+                                             : unlocked([&] { return to_wkt(r.region()); });
+           })
       .def(
           "to_wkt",
           [](R r, std::optional<int> digits) {

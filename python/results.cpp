@@ -6,6 +6,7 @@
 #include <oplus/oplus.hpp>
 #include <optional>
 
+#include "python/instances.hpp"
 #include "python/numbers.hpp"
 #include "python/output.hpp"
 
@@ -108,7 +109,10 @@ the boundary.
       .def(
           "__eq__", [](S a, S b) { return unlocked([&] { return a == b; }); }, py::is_operator())
       .def("__repr__", summary)
-      .def("__str__", [](S s) { return unlocked([&] { return to_wkt(s); }); })
+      .def("__str__",
+           [](S s) {
+             return is_unbounded(s.region()) ? summary(s) : unlocked([&] { return to_wkt(s); });
+           })
       .def(
           "to_wkt",
           [](S s, std::optional<int> digits) {

@@ -35,8 +35,7 @@ Chain points_of(py::handle value) {
   }
   if (!PySequence_Check(value.ptr()) || PyUnicode_Check(value.ptr()))
     throw py::type_error("a chain of type " + type_of(value) + ": expected a list of points");
-  for (const py::handle point : py::reinterpret_borrow<py::sequence>(value))
-    chain.push_back(point_of(point));
+  for (const py::handle point : value) chain.push_back(point_of(point));
   return chain;
 }
 
@@ -88,6 +87,16 @@ void add_sum(const Sum& sum, Shapes& shapes) {
   for (const Point& p : sum.isolated_vertices()) shapes.points.emplace_back(p);
 }
 
+/// Returns its __geo_interface__, or nothing. Throws what that raises, but for AttributeError.
+py::object geo_interface_of(py::handle value) {
+  PyObject* const result = PyObject_GetAttrString(value.ptr(), "__geo_interface__");
+  if (result == nullptr) {
+    if (PyErr_ExceptionMatches(PyExc_AttributeError) == 0) throw py::error_already_set();
+    PyErr_Clear();
+  }
+  return py::reinterpret_steal<py::object>(result);
+}
+
 /// level: how many objects it is inside of, which may contain themselves.
 void add_geometry(py::handle value, Shapes& shapes, int level = 0) {
   if (level == 64)
@@ -98,9 +107,10 @@ void add_geometry(py::handle value, Shapes& shapes, int level = 0) {
     return add_region(value.cast<const PreparedRegion&>().region(), shapes);
   if (py::isinstance<Sum>(value)) return add_sum(value.cast<const Sum&>(), shapes);
   if (!py::isinstance<py::dict>(value)) {
-    if (!py::hasattr(value, "__geo_interface__"))
+    const py::object geometry = geo_interface_of(value);
+    if (!geometry)
       throw py::type_error("a geometry of type " + type_of(value) + ": expected a dictionary");
-    return add_geometry(value.attr("__geo_interface__"), shapes, level + 1);
+    return add_geometry(geometry, shapes, level + 1);
   }
   const auto geometry = py::reinterpret_borrow<py::dict>(value);
   const auto member = [&](const char* name) -> py::object {
@@ -130,7 +140,7 @@ void add_geometry(py::handle value, Shapes& shapes, int level = 0) {
     for (const py::handle point : member("coordinates"))
       shapes.points.emplace_back(point_of(point));
   } else {
-    throw invalid("its type is \"" + type + '"', "one of GeoJSON");
+    throw invalid("its type is " + text_of(py::repr(member("type"))), "one of GeoJSON");
   }
 }
 
@@ -210,10 +220,15 @@ bool is_single(py::handle value) { return !is_list(value) && !py::isinstance<py:
 
 Shapes shapes_of(py::handle value) {
   Shapes shapes;
-  if (is_single(value) &&
-      (py::isinstance<py::dict>(value) || py::hasattr(value, "__geo_interface__"))) {
+  if (py::isinstance<py::dict>(value)) {
     add_geometry(value, shapes);
     return shapes;
+  }
+  if (is_single(value)) {
+    if (const py::object geometry = geo_interface_of(value)) {
+      add_geometry(geometry, shapes, 1);
+      return shapes;
+    }
   }
   const int lists = depth(value);
   if (lists == 2) {

@@ -10,6 +10,8 @@
 #include <variant>
 #include <vector>
 
+#include "python/instances.hpp"
+
 /// @file
 /// What functions take for a region or a set: objects of Python, of many types.
 namespace oplus::python {

@@ -104,7 +104,7 @@ def test_results_are_not_copied():
     ("POLYGON ((0 0, 1 0, 1 x, 0 0))", "text:1:"),
     (b"\x01\x03", r"text:1:1: the byte '\\x01' is not text"),
     ("LINESTRING (0 0, 1 1)", "LINESTRING"),
-    ({"type": "Curve"}, "Curve"),
+    ({"type": "Curve"}, "Curve"), ({"type": "two\nlines"}, r"'two\\nlines'"),
     ({"coordinates": []}, "type"),
     ({"type": "LineString", "coordinates": [[0, 0], [1, 1]]}, "line strings or points"),
     (polygon([[], [[0, 0], [1, 0], [0, 1]]]), "outer ring"),
@@ -171,10 +171,96 @@ def test_input_without_end_or_sense(make, wrong):
         oplus.Region(make())
 
 
-@pytest.mark.parametrize("ratio", [("a", 2), (1e30, 2), (1, None)])
+@pytest.mark.parametrize("ratio", [("a", 2), (1e30, 2), (1, None), (1,), (1, 2, 3)])
 def test_a_ratio_is_of_integers(ratio):
     with pytest.raises(TypeError):
         oplus.Region([[Ratio(*ratio), 0], [1, 0], [0, 1]])
+
+
+class Refusing:
+    def as_integer_ratio(self):
+        raise ValueError
+
+
+def test_a_number_that_is_neither_a_ratio_nor_a_float():
+    with pytest.raises(TypeError):
+        oplus.Region([[Refusing(), 0], [1, 0], [0, 1]])
+
+
+@pytest.mark.parametrize("number", ["1e400000000", "-1e400000000", "1e-400000000"])
+def test_exponents_of_decimals_are_limited(number):
+    with pytest.raises(oplus.InvalidInput, match="too large an exponent"):
+        oplus.Region([[Decimal(number), 0], [1, 0], [0, 1]])
+    exact = Decimal("7" * 10000)
+    assert oplus.Region([[exact, 0], [0, 1], [0, 0]]).area == Fraction(exact) / 2
+
+
+class Emptying:
+    """A number that empties the list it is in."""
+
+    def __init__(self, owner):
+        self.owner = owner
+
+    def as_integer_ratio(self):
+        self.owner.clear()
+        raise OverflowError
+
+    def __float__(self):
+        return 5.0
+
+
+def test_a_list_that_changes_while_it_is_read():
+    point = [0, 7]
+    point[0] = Emptying(point)
+    assert oplus.Region([point, [1, 0], [0, 1]]) == oplus.Region([[5, 7], [1, 0], [0, 1]])
+
+
+class Corners:
+    """A sequence that makes its points when it is asked for them, as Shapely's do."""
+
+    def __len__(self):
+        return len(SQUARE)
+
+    def __getitem__(self, i):
+        return tuple(SQUARE[i])
+
+
+def test_sequences_that_make_their_points():
+    assert oplus.Region(polygon([Corners()])) == oplus.Region(SQUARE)
+    ring = shapely.geometry.Polygon(SQUARE).exterior
+    assert oplus.Region(polygon([ring.coords])) == oplus.Region(SQUARE)
+
+
+@pytest.mark.parametrize("error", [ValueError, KeyboardInterrupt])
+def test_errors_of_a_geometry_are_raised(error):
+    class Broken:
+        @property
+        def __geo_interface__(self):
+            raise error("broken")
+
+    with pytest.raises(error, match="broken"):
+        oplus.Region(Broken())
+
+
+def test_a_geometry_is_asked_once():
+    class Counting:
+        asked = 0
+
+        @property
+        def __geo_interface__(self):
+            self.asked += 1
+            return polygon([SQUARE])
+
+    value = Counting()
+    assert oplus.Region(value).area == 1 and value.asked == 1
+
+
+@pytest.mark.parametrize("kind, use", [
+    (oplus.Region, repr), (oplus.ClosedSet, lambda value: -value), (oplus.Sum, repr), (oplus.Verdict, repr),
+    (oplus.Reason, repr), (oplus.Rounded, lambda value: value.bound), (oplus.Region, lambda value: oplus.nfp(value, value))])
+def test_objects_that_were_not_made(kind, use):
+    with pytest.raises(TypeError, match="without a value"):
+        use(kind.__new__(kind))
 
 
 def test_an_array_of_a_type_that_is_not_taken():
@@ -188,6 +274,12 @@ def test_an_array_of_a_type_that_is_not_taken():
 def test_lists_that_are_no_array(coordinates, rings, wrong):
     with pytest.raises(oplus.InvalidInput, match=wrong):
         oplus.from_arrays(oplus.Arrays(coordinates, rings))
+
+
+@pytest.mark.parametrize("value", [None, SQUARE, numpy.array(SQUARE), (SQUARE, [0, 4])], ids=repr)
+def test_other_types_are_not_arrays(value):
+    with pytest.raises(TypeError, match="expected oplus.Arrays"):
+        oplus.from_arrays(value)
 
 
 def test_geometries_of_exact_regions_are_exact():

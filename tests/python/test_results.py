@@ -49,6 +49,13 @@ def test_fractions_and_doubles():
         thirds.to_wkb()
 
 
+def test_text_of_what_is_unbounded():
+    outside = oplus.complement(SQUARE)
+    assert str(outside) == repr(outside) and str(oplus.complement(oplus.nfp(SQUARE, SQUARE))).startswith("<oplus.Sum:")
+    with pytest.raises(ValueError, match="unbounded"):
+        outside.to_wkt()
+
+
 def test_many_regions_as_arrays():
     two = oplus.Region([[SQUARE], [[[5, 5], [6, 5], [5, 6]]]])
     arrays = oplus.to_arrays([ROOM, two, []])
