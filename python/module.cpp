@@ -314,7 +314,8 @@ True
 --
 
 Returns a convex polygon inside or around the disc about the origin, at most `error` away from it.
-side: 'inside' or 'outside'. Its sum with a region is an offset.
+side: 'inside' or 'outside'. Its sum with a region is an offset. Raises InvalidInput for an `error`
+that needs more than 1000000 vertices.
 
 >>> (1, 0) in oplus.disc(1, 'outside', '0.01')
 True
@@ -323,7 +324,8 @@ True
         R"(rotation(degrees, error='1/10000')
 --
 
-Returns the exact cosine and sine that Region.rotated takes: Fractions.
+Returns the exact cosine and sine that Region.rotated takes: Fractions. `error` is in degrees, and
+positive.
 
 >>> oplus.rotation(90)
 (Fraction(0, 1), Fraction(1, 1))

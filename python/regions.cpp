@@ -160,7 +160,8 @@ POLYGON ((0 0, 0 2, -1 0, 0 0))
 --
 
 Returns WKT: exact, with fractions p/q where a decimal would not end; or rounded to that many
-decimal places, as rounded does, which all programs read.
+decimal places, 0 to 4096, as rounded does, which all programs read. Raises ValueError where the
+region is unbounded.
 
 >>> oplus.Region([[0, 0], ['1/3', 0], [0, 1]]).to_wkt(digits=2)
 'POLYGON ((0 0, 0.33 0, 0 1, 0 0))'
@@ -182,7 +183,8 @@ Returns GeoJSON, as to_wkt does; fractions are strings.
           "to_wkb", [](R r) { return bytes_of(to_wkb(r.region())); }, R"(to_wkb()
 --
 
-Returns WKB. Raises InvalidInput where a coordinate is not exactly a double.
+Returns WKB. Raises InvalidInput where a coordinate is not exactly a double, ValueError where the
+region is unbounded.
 
 >>> oplus.Region(oplus.Region([[0, 0], [1, 0], [0, 1]]).to_wkb()).area
 Fraction(1, 2)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 from decimal import Decimal
 from fractions import Fraction
-from typing import Any, Literal, Mapping, NamedTuple, Protocol, Sequence, Tuple, Union, overload
+from typing import Any, ClassVar, Literal, NamedTuple, Protocol, Sequence, Tuple, Union, overload
 
 import numpy
 import numpy.typing
@@ -10,12 +10,12 @@ __version__: str
 
 class _Geometry(Protocol):
     @property
-    def __geo_interface__(self) -> Mapping[str, Any]: ...
+    def __geo_interface__(self) -> dict[str, Any]: ...
 
 _Number = Union[int, float, Fraction, Decimal, str, numpy.number[Any]]
-_Point = Sequence[_Number]
+_Point = Union[Sequence[_Number], numpy.typing.NDArray[Any]]
 _RegionLike = Union[
-    Region, Sum, str, bytes, _Geometry, Mapping[str, Any], Sequence[Sequence[Any]], numpy.typing.NDArray[Any]
+    Region, Sum, str, bytes, _Geometry, dict[str, Any], Sequence[Sequence[Any]], numpy.typing.NDArray[Any]
 ]
 _SetLike = Union[_RegionLike, ClosedSet]
 _Boundary = Literal["closed", "open"]
@@ -31,6 +31,7 @@ class Arrays(NamedTuple):
     regions: Union[numpy.typing.NDArray[Any], Sequence[int], None] = None
 
 class Region:
+    __hash__: ClassVar[None]  # type: ignore[assignment]
     def __init__(self, value: _RegionLike) -> None: ...
     def components(self) -> _Components: ...
     @property
@@ -51,10 +52,12 @@ class Region:
     def to_shapely(self) -> Any: ...
 
 class ClosedSet:
+    __hash__: ClassVar[None]  # type: ignore[assignment]
     def __init__(self, value: _SetLike) -> None: ...
     def __neg__(self) -> ClosedSet: ...
 
 class Sum:
+    __hash__: ClassVar[None]  # type: ignore[assignment]
     @property
     def boundary(self) -> _Boundary: ...
     @property
