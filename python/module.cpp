@@ -29,7 +29,7 @@ Sum minkowski_sum_of(py::handle p_value, py::handle q_value, const std::string& 
                      long long threads) {
   const SumOptions options{.boundary = boundary_of(boundary), .threads = checked_threads(threads)};
   const Set p = set_of(p_value), q = set_of(q_value);
-  const py::gil_scoped_release released;
+  const Unlocked released;
   if (std::holds_alternative<PreparedRegion>(p) && std::holds_alternative<PreparedRegion>(q))
     return minkowski_sum(std::get<PreparedRegion>(p), std::get<PreparedRegion>(q), options);
   return minkowski_sum(closed_set_of(p), closed_set_of(q), options);
@@ -39,7 +39,7 @@ template <Operation compute>
 Sum operation_of(py::handle p_value, py::handle q_value, long long threads) {
   const SumOptions options{.threads = checked_threads(threads)};
   const PreparedRegion p = region_of(p_value), q = region_of(q_value);
-  const py::gil_scoped_release released;
+  const Unlocked released;
   return compute(p, q, options);
 }
 
@@ -91,7 +91,7 @@ Verdict verify_of(py::handle p_value, py::handle q_value, py::handle value,
     of_given = boundary_of(*boundary);
   else if (py::isinstance<Sum>(value))
     of_given = value.cast<const Sum&>().boundary();
-  const py::gil_scoped_release released;
+  const Unlocked released;
   return verify(p.region(), q.region(), given, of_given);
 }
 
@@ -99,7 +99,7 @@ Verdict verify_of(py::handle p_value, py::handle q_value, py::handle value,
 std::string certify_of(py::handle p_value, py::handle q_value, py::handle value) {
   const PreparedRegion p = region_of(p_value), q = region_of(q_value);
   const GivenSum given = given_of(value);
-  const py::gil_scoped_release released;
+  const Unlocked released;
   return certify(p.region(), q.region(), given);
 }
 #else
@@ -123,11 +123,11 @@ Rounded rounded_of(py::handle value, py::handle step_value, const std::string& s
   const Side side = side_of(side_name);
   if (py::isinstance<Sum>(value)) {
     const Sum sum = value.cast<Sum>();
-    const py::gil_scoped_release released;
+    const Unlocked released;
     return rounded(sum, step, side);
   }
   const PreparedRegion region = region_of(value);
-  const py::gil_scoped_release released;
+  const Unlocked released;
   return rounded(region.region(), step, side);
 }
 
@@ -144,13 +144,13 @@ py::tuple repair(py::handle value, const std::optional<std::string>& fill_name) 
     result.region = region_of(value).region();
   } else if (is_text(value)) {
     const std::string text = text_of(value);
-    const py::gil_scoped_release released;
+    const Unlocked released;
     result = repaired_text(text, fill);
   } else {
     Shapes shapes = shapes_of(value);
     if (!shapes.lines.empty() || !shapes.points.empty())
       throw InvalidInput({"geometry", 0, 0}, "line strings or points", "polygons");
-    const py::gil_scoped_release released;
+    const Unlocked released;
     result = repaired(std::move(shapes.region), fill);
   }
   py::list mends;

@@ -5,7 +5,9 @@
 
 #include <oplus/oplus.hpp>
 #include <string>
+
 #include <vector>
+#include "python/unlocked.hpp"
 
 /// @file
 /// Regions and sums as Python's values.
@@ -16,7 +18,7 @@ namespace py = pybind11;
 /// Returns work(), with Python's lock released meanwhile: it may use nothing of Python.
 template <typename Work>
 auto unlocked(const Work& work) {
-  const py::gil_scoped_release released;
+  const Unlocked released;
   return work();
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "python/numbers.hpp"
+#include "python/unlocked.hpp"
 
 namespace oplus::python {
 
@@ -255,13 +256,13 @@ PreparedRegion region_of(py::handle value) {
   }
   if (is_text(value)) {
     const std::string text = text_of(value);
-    const py::gil_scoped_release released;
+    const Unlocked released;
     return read_text(text);
   }
   Shapes shapes = shapes_of(value);
   if (!shapes.lines.empty() || !shapes.points.empty())
     throw invalid("line strings or points", "polygons");
-  const py::gil_scoped_release released;
+  const Unlocked released;
   return ValidRegion(std::move(shapes.region));
 }
 
@@ -276,11 +277,11 @@ ClosedSet closed_set_of(py::handle value) {
   }
   if (is_text(value)) {
     const std::string text = text_of(value);
-    const py::gil_scoped_release released;
+    const Unlocked released;
     return read_set(text);
   }
   const Shapes shapes = shapes_of(value);
-  const py::gil_scoped_release released;
+  const Unlocked released;
   return closed_set(shapes);
 }
 
@@ -304,7 +305,7 @@ Set set_of(py::handle value) {
   }
   if (!py::isinstance<PreparedRegion>(value)) {
     Shapes shapes = shapes_of(value);
-    const py::gil_scoped_release released;
+    const Unlocked released;
     if (!shapes.lines.empty() || !shapes.points.empty()) return closed_set(shapes);
     return PreparedRegion(ValidRegion(std::move(shapes.region)));
   }

@@ -14,6 +14,8 @@
 #include <thread>
 #include <vector>
 
+#include "python/unlocked.hpp"
+
 namespace oplus::python {
 
 namespace py = pybind11;
@@ -43,7 +45,7 @@ void for_each_below(std::size_t n, long long wanted, const std::function<void(st
   using Clock = std::chrono::steady_clock;
   unsigned threads = checked_threads(wanted);
   const bool is_main = is_main_thread();
-  const py::gil_scoped_release released;
+  const Unlocked released;
   std::atomic<std::size_t> next{0};
   std::atomic<bool> is_stopped{false};
   std::exception_ptr failure;

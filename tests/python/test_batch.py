@@ -180,3 +180,14 @@ def test_a_batch_on_another_thread_at_exit():
                "time.sleep(0.3)\n")
     child = subprocess.run([sys.executable, "-B", "-c", program], capture_output=True, text=True, timeout=60)
     assert (child.stderr, child.returncode) == ("", 0)
+
+
+def test_calls_on_another_thread_at_exit():
+    program = ("import sys; sys.path[:0] = " + repr(sys.path) + "\n"
+               "import threading, time, oplus, test_batch\n"
+               "def work():\n"
+               "    while True: oplus.nfp(test_batch.SQUARE, test_batch.SQUARE)\n"
+               "threading.Thread(target=work, daemon=True).start()\n"
+               "time.sleep(0.3)\n")
+    child = subprocess.run([sys.executable, "-B", "-c", program], capture_output=True, text=True, timeout=60)
+    assert (child.stderr, child.returncode) == ("", 0)
