@@ -5,8 +5,8 @@
 
 #include <oplus/oplus.hpp>
 #include <string>
-
 #include <vector>
+
 #include "python/unlocked.hpp"
 
 /// @file

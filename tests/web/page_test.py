@@ -299,6 +299,31 @@ def test_a_number_beyond_all_doubles(page):
     page.until(lambda: "(2, 1) is inside" in page.text("placement"))
 
 
+def test_ground_and_wheel(page):
+    page.pair()
+    wkt = page.value("p-wkt")
+
+    def middle(vertex):
+        box = page.vertex(vertex).rect
+        return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+    near = functools.partial(pytest.approx, abs=1)
+    before = middle(1), middle(3)
+    svg = page("summands").rect
+    corner = ActionChains(page.driver).move_to_element_with_offset(page("summands"), 8 - svg["width"] / 2, 8 - svg["height"] / 2)
+    corner.click_and_hold().move_by_offset(40, 25).release().perform()
+    dragged = middle(1), middle(3)
+    assert dragged == tuple(near((x + 40, y + 25)) for x, y in before)
+    page.driver.execute_script("""
+        arguments[0].dispatchEvent(new WheelEvent("wheel",
+          {deltaY: -1, clientX: arguments[1], clientY: arguments[2], cancelable: true}));""",
+        page("summands"), *(c - page.driver.execute_script(f"return window.scroll{axis}") for c, axis in zip(dragged[0], "XY")))
+    assert middle(1) == near(dragged[0])
+    side = [b - a for a, b in zip(*dragged)]
+    assert [b - a for a, b in zip(middle(1), middle(3))] == near([1.2 * c for c in side])
+    assert page.value("p-wkt") == wkt
+
+
 def test_what_was_typed_is_kept(page):
     page.pair()
     page.type("p-wkt", "POLYGON((0 0,2 0,0 1,0 0))")

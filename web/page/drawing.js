@@ -19,8 +19,22 @@ export class Drawing {
     this.middle = [0, 0];
     svg.addEventListener("wheel", (event) => {
       event.preventDefault();
-      this.zoom(event.deltaY < 0 ? 1.2 : 1 / 1.2);
+      this.zoom(event.deltaY < 0 ? 1.2 : 1 / 1.2, this.place(event));
     }, {passive: false});
+    // A mouse drags the ground; a finger scrolls the page there.
+    let held = null;
+    svg.addEventListener("pointerdown", (event) => {
+      if (event.pointerType === "touch" || event.button || event.target.closest(".handle, [data-of]")) return;
+      svg.setPointerCapture(event.pointerId);
+      held = this.place(event);
+    });
+    svg.addEventListener("pointermove", (event) => {
+      if (!held) return;
+      const place = this.place(event);
+      this.middle = this.middle.map((c, i) => c + held[i] - place[i]);
+      this.redraw?.();
+    });
+    for (const end of ["pointerup", "pointercancel"]) svg.addEventListener(end, () => { held = null; });
   }
 
   get size() { return [this.svg.clientWidth || 300, this.svg.clientHeight || 300]; }
@@ -38,8 +52,10 @@ export class Drawing {
     this.middle = [(left + right) / 2, (low + high) / 2];
   }
 
-  zoom(factor) {
+  /** `fixed` stays where it is. */
+  zoom(factor, fixed = this.middle) {
     this.scale *= factor;
+    this.middle = this.middle.map((c, i) => fixed[i] + (c - fixed[i]) / factor);
     this.redraw?.();
   }
 
