@@ -69,6 +69,7 @@ def test_an_invalid_region_is_named():
     (("nfp", [SQUARE], [SQUARE]), {"errors": "ignore"}, "errors ignore; expected raise or return"),
     (("nfp", [SQUARE], [SQUARE]), {"boundary": "half"}, "boundary half; expected closed or open"),
     (("ifp", [SQUARE], [SQUARE]), {"boundary": "open"}, "boundary open of ifp; expected it of minkowski_sum only"),
+    (("nfp", [SQUARE], [SQUARE]), {"threads": 1025}, "threads 1025; expected 0 to 1024"),
     (("nfp", [SQUARE], [SQUARE]), {"threads": -1}, "threads -1; expected 0 to 1024"),
     (("nfp", [SQUARE], [SQUARE]), {"threads": 2**40}, "threads 1099511627776; expected 0 to 1024")])
 def test_wrong_arguments(arguments, options, wrong):
@@ -83,13 +84,21 @@ def test_too_many_threads(operation, threads):
         operation(SQUARE, SQUARE, threads=threads)
 
 
+# What a program of its own starts with.
+PATHS = f"import sys; sys.path[:0] = {sys.path!r}\n"
+
+
+def run_alone(program):
+    return subprocess.run([sys.executable, "-B", "-c", program], capture_output=True, text=True, timeout=60)
+
+
 def test_a_batch_goes_on_where_no_thread_can_be_started():
-    program = ("import sys; sys.path[:0] = " + repr(sys.path) + "\n"
+    program = (PATHS +
                "import resource, oplus, test_batch\n"
                # Too little for the stacks of a thousand threads.
                "resource.setrlimit(resource.RLIMIT_AS, (2**32, 2**32))\n"
                "print(len(oplus.batch('nfp', test_batch.stars(2000, 5, 8), test_batch.stars(2000, 5, 9), threads=1000)))\n")
-    child = subprocess.run([sys.executable, "-B", "-c", program], capture_output=True, text=True, timeout=60)
+    child = run_alone(program)
     assert (child.stdout, child.returncode) == ("2000\n", 0)
 
 
@@ -153,7 +162,7 @@ def test_threads_share_regions():
 
 
 def test_control_c_ends_a_batch():
-    program = ("import sys; sys.path[:0] = " + repr(sys.path) + "\n"
+    program = (PATHS +
                "import signal, oplus, test_batch\n"
                # A shell that starts the tests in the background has it ignored.
                "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
@@ -173,21 +182,21 @@ def test_control_c_ends_a_batch():
 
 
 def test_a_batch_on_another_thread_at_exit():
-    program = ("import sys; sys.path[:0] = " + repr(sys.path) + "\n"
+    program = (PATHS +
                "import threading, time, oplus, test_batch\n"
                "p, q = test_batch.stars(10000, 60, 10), test_batch.stars(10000, 60, 11)\n"
                "threading.Thread(target=oplus.batch, args=['nfp', p, q], daemon=True).start()\n"
                "time.sleep(0.3)\n")
-    child = subprocess.run([sys.executable, "-B", "-c", program], capture_output=True, text=True, timeout=60)
+    child = run_alone(program)
     assert (child.stderr, child.returncode) == ("", 0)
 
 
 def test_calls_on_another_thread_at_exit():
-    program = ("import sys; sys.path[:0] = " + repr(sys.path) + "\n"
+    program = (PATHS +
                "import threading, time, oplus, test_batch\n"
                "def work():\n"
                "    while True: oplus.nfp(test_batch.SQUARE, test_batch.SQUARE)\n"
                "threading.Thread(target=work, daemon=True).start()\n"
                "time.sleep(0.3)\n")
-    child = subprocess.run([sys.executable, "-B", "-c", program], capture_output=True, text=True, timeout=60)
+    child = run_alone(program)
     assert (child.stderr, child.returncode) == ("", 0)
