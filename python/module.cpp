@@ -11,6 +11,7 @@
 #include "python/output.hpp"
 #include "python/results.hpp"
 #include "python/shapes.hpp"
+#include "python/unlocked.hpp"
 #include "python/workers.hpp"
 #ifdef OPLUS_ENGINES
 #include <oplus/engines.hpp>

@@ -7,20 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "python/unlocked.hpp"
-
 /// @file
 /// Regions and sums as Python's values.
 namespace oplus::python {
 
 namespace py = pybind11;
-
-/// Returns work(), with Python's lock released meanwhile: it may use nothing of Python.
-template <typename Work>
-auto unlocked(const Work& work) {
-  const Unlocked released;
-  return work();
-}
 
 /// Returns a list of pairs (outer, holes), chains lists of pairs of Fractions.
 py::list components_of(const std::vector<Component>& components);

@@ -7,6 +7,7 @@
 #include "python/output.hpp"
 #include "python/results.hpp"
 #include "python/shapes.hpp"
+#include "python/unlocked.hpp"
 
 namespace oplus::python {
 

@@ -9,6 +9,7 @@
 #include "python/instances.hpp"
 #include "python/numbers.hpp"
 #include "python/output.hpp"
+#include "python/unlocked.hpp"
 
 namespace oplus::python {
 

@@ -25,9 +25,13 @@ struct Shapes {
   std::vector<Coordinates> points;              ///< in their order
 };
 
-/// Returns an array, converted if need be. Throws InvalidInput, which is about `name`, where it is none.
+/// Returns an array, converted if need be. Throws InvalidInput, which is about `name`, where it is none or
+/// values of it are masked.
 template <typename Array = py::array>
 Array array_of(py::handle value, const char* name, const char* expected) {
+  if (py::hasattr(value, "mask") &&
+      py::bool_(py::module_::import("numpy.ma").attr("is_masked")(value)))
+    throw InvalidInput({name, 0, 0}, "values are masked", "an array without");
   Array array = Array::ensure(value);
   if (!array) throw InvalidInput({name, 0, 0}, "not an array", expected);
   return array;

@@ -29,4 +29,11 @@ class Unlocked {
   PyThreadState* state_;
 };
 
+/// Returns work(), with Python's lock released meanwhile: it may use nothing of Python.
+template <typename Work>
+auto unlocked(const Work& work) {
+  const Unlocked released;
+  return work();
+}
+
 }  // namespace oplus::python

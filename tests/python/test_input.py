@@ -68,6 +68,7 @@ def test_arrays_of_any_kind(kind):
     # Every second row, the columns exchanged, with Z.
     assert oplus.Region(numpy.repeat(array, 2, axis=0)[::2]) == oplus.Region(SQUARE)
     assert oplus.Region(array[::-1, ::-1]).area == 1
+    assert oplus.Region(numpy.ma.array(array)) == oplus.Region(SQUARE)
     assert oplus.Region(numpy.hstack([array, array])) == oplus.Region(SQUARE)
 
 
@@ -110,6 +111,7 @@ def test_results_are_not_copied():
     (polygon([[], [[0, 0], [1, 0], [0, 1]]]), "outer ring"),
     (numpy.zeros((3, 1)), "shape"), (numpy.zeros(3), "coordinates in 1"), ([1, 2], "coordinates in 1"),
     ([[[[[0, 0]]]]], "coordinates in 5"),
+    (numpy.ma.masked_equal([[0, 0], [1, 0], [0, 9]], 9), "masked"),
     (numpy.array([[0, 0], [1, 0], [0, numpy.nan]]), "not a number")], ids=repr)
 def test_invalid_input_is_one_line(value, wrong):
     with pytest.raises(oplus.InvalidInput, match=wrong) as error:
@@ -270,8 +272,10 @@ def test_an_array_of_a_type_that_is_not_taken():
 
 @pytest.mark.parametrize("coordinates, rings, wrong", [
     ([[0, 0], [1]], [0, 2], "coordinates: not an array; expected shape"),
-    ([[0, 0], [1, 0]], [[0], [1, 2]], "rings: not an array; expected offsets")])
-def test_lists_that_are_no_array(coordinates, rings, wrong):
+    ([[0, 0], [1, 0]], [[0], [1, 2]], "rings: not an array; expected offsets"),
+    (numpy.ma.masked_equal([[0, 0], [1, 0], [0, 9]], 9), [0, 3], "coordinates: values are masked"),
+    (SQUARE, numpy.ma.masked_equal([0, 3, 4], 3), "rings: values are masked")])
+def test_values_that_are_no_array(coordinates, rings, wrong):
     with pytest.raises(oplus.InvalidInput, match=wrong):
         oplus.from_arrays(oplus.Arrays(coordinates, rings))
 

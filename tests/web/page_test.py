@@ -360,20 +360,36 @@ def test_the_nearest_of_close_vertices(page):
         page.until(lambda: f"vertex {number} " in page.text("selected"))
 
 
-def test_requests_wait_for_a_slow_core(page):
-    page.pair()
+def slow_once(page):
+    """The next answer of the core takes a second and a half more."""
     page.driver.execute_script("""
         const post = Worker.prototype.postMessage;
         Worker.prototype.postMessage = function (data) {
             Worker.prototype.postMessage = post;
             setTimeout(() => this.postMessage(data), 1500);
         };""")
+
+
+def test_requests_wait_for_a_slow_core(page):
+    page.pair()
+    slow_once(page)
     page("open").click()
     for name, wkt in (("p", "POLYGON((0 0,2 0,0 1,0 0))"), ("q", "POLYGON((0 0,3 0,0 1,0 0))")):
         page.type(name + "-wkt", wkt)
         page("use-" + name).click()
     page.until(lambda: page.text("status") == "Computing.")
     page.until(lambda: "5 0" in page.value("sum-wkt"))
+
+
+def test_steps_of_keys_add_up_while_the_core_is_slow(page):
+    page.pair()
+    slow_once(page)
+    corner = page.vertex(3)
+    for keys in ((Keys.ARROW_RIGHT,), (Keys.ARROW_RIGHT,), (Keys.ARROW_UP,), (Keys.SHIFT, Keys.ARROW_UP)):
+        corner.send_keys(*keys)
+    page.vertex(2).send_keys(Keys.ARROW_RIGHT)
+    page.until(lambda: page.text("status") == "Computing.")
+    page.until(lambda: page.value("p-wkt") == "POLYGON ((0 0, 5 0, 6 15, 0 4, 0 0))")
 
 
 def test_a_drag_ends_where_it_was_dropped(page):

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-import {ask} from "./core.js";
+import {ask, onLate} from "./core.js";
 import {Drawing, drawSum, drawSummands, element} from "./drawing.js";
 import {examples, layers, read, write} from "./state.js";
 
@@ -9,8 +9,10 @@ let answer = null;  // the last one
 let valid = null;  // the last one of valid P and Q
 let selected = null;  // {of, chain, vertex}
 let drag = null;
+let held = null;  // the move that arrow keys ask for and the core has not got yet
 const summands = new Drawing($("summands")), sum = new Drawing($("sum"));
 const handles = new Map();
+onLate(() => { $("status").textContent = "Computing."; });
 summands.redraw = sum.redraw = () => draw();
 
 const request = (edit) => ({p: state.p, q: state.q, x: state.x, step: state.step, open: state.open, s: state.s,
@@ -53,7 +55,23 @@ function turned(given) {
     ? {...selected, vertex: mirrored(selected.vertex)} : null;
 }
 
-const update = (edit, after) => ask(() => request(edit), (given) => take(given, after), !after);
+function update(edit, after) {
+  held = null;
+  ask(() => request(edit), (given) => take(given, after));
+}
+
+/** Moves by some steps. Keys held down are faster than a slow core: their steps add up. */
+function move(edit) {
+  if (held && ["of", "chain", "vertex"].every((name) => held[name] === edit[name])) {
+    held.at = held.at.map((c, i) => c + edit.at[i]);
+    return;
+  }
+  held = edit;
+  ask(() => {
+    if (held === edit) held = null;
+    return request(edit);
+  }, take);
+}
 
 function fit() {
   if (!answer) return;
@@ -157,6 +175,7 @@ function tell() {
 /** Takes what a control says; what the core refuses is as before, but for what was typed. */
 function change(changes, after) {
   let before;
+  held = null;
   ask(() => {
     before = state;
     state = {...state, ...changes};
@@ -262,7 +281,7 @@ function key(event, drawing) {
   const shape = answer[vertex.of], isVertex = vertex.of !== "x";
   if (arrows[event.key]) {
     const at = arrows[event.key].map((c) => c * (event.shiftKey ? 10 : 1));
-    update({...(event.altKey && isVertex ? {of: vertex.of} : vertex), how: "by", at});
+    move({...(event.altKey && isVertex ? {of: vertex.of} : vertex), how: "by", at});
   } else if (isVertex && ["PageDown", "PageUp", "Home", "End"].includes(event.key)) {
     const all = shape.chains.flatMap((chain, c) => chain.map((_, v) => ({of: vertex.of, chain: c, vertex: v})));
     const here = all.findIndex((v) => v.chain === vertex.chain && v.vertex === vertex.vertex);

@@ -2,7 +2,7 @@
 // Asks the core, which runs in a worker, so that the page answers while it computes.
 const worker = new Worker("worker.js", {type: "module"});
 const waiting = [];
-let done = null, late = 0;
+let done = null, late = 0, tellLate = () => {};
 
 worker.onmessage = ({data}) => {
   const told = done;
@@ -14,6 +14,9 @@ worker.onmessage = ({data}) => {
 };
 worker.onerror = () => done?.({error: "the core has stopped; reload the page", refused: true});
 
+/** Has tell() called when an answer takes half a second. */
+export function onLate(tell) { tellLate = tell; }
+
 /** Calls tell(answer to request()). Requests wait while the core is busy, of moves in a row the last one only; each is
  * made when it is sent, from the state that the last answer left. */
 export function ask(request, tell, isMove) {
@@ -23,6 +26,6 @@ export function ask(request, tell, isMove) {
     return;
   }
   done = tell;
-  late = setTimeout(() => { document.getElementById("status").textContent = "Computing."; }, 500);
+  late = setTimeout(tellLate, 500);
   worker.postMessage(request());
 }
