@@ -10,7 +10,6 @@ from skbuild import setup
 setup(
     version=version,
     packages=["oplus"],
-    package_data={"oplus": ["*.pyi", "py.typed"]},
     cmake_source_dir="..",
     cmake_args=["-DOPLUS_PYTHON=ON", "-DOPLUS_ENGINES=OFF", "-DOPLUS_TESTS=OFF"],
     cmake_install_target="install-python",
