@@ -24,12 +24,23 @@ std::string without_place(const InvalidInput& error) {
   return error.where().line == 0 && colon != std::string::npos ? text.substr(colon + 2) : text;
 }
 
-py::object error_type() { return py::module_::import("oplus").attr("InvalidInput"); }
+/// Why something is not the region it should be.
+struct Wrong {
+  py::object error() const { return type()(message); }
 
-[[noreturn]] void raise(const std::string& message) {
-  PyErr_SetString(error_type().ptr(), message.c_str());
-  throw py::error_already_set();
-}
+  [[noreturn]] void raise() const {
+    PyErr_SetString(type().ptr(), message.c_str());
+    throw py::error_already_set();
+  }
+
+  py::object type() const {
+    return is_type_error ? py::reinterpret_borrow<py::object>(PyExc_TypeError)
+                         : py::module_::import("oplus").attr("InvalidInput");
+  }
+
+  std::string message;
+  bool is_type_error = false;
+};
 
 /// The regions that stand on one side of the pairs.
 class Side {
@@ -46,6 +57,8 @@ class Side {
           regions_.emplace_back(region_of(one));
         } catch (const InvalidInput& error) {
           regions_.emplace_back(error);
+        } catch (const py::type_error& error) {
+          regions_.emplace_back(error);
         }
       }
       size_ = regions_.size();
@@ -55,18 +68,19 @@ class Side {
   /// Returns how many there are, nothing for one that is in all pairs.
   std::optional<std::size_t> size() const { return size_; }
 
-  /// Returns the region of a pair. Needs no lock. Throws InvalidInput.
+  /// Returns the region of a pair. Needs no lock. Throws InvalidInput and py::type_error.
   PreparedRegion operator[](std::size_t i) const {
     if (arrays_) return ValidRegion((*arrays_)[i]);
     const auto& region = regions_[size_ ? i : 0];
     if (const auto* error = std::get_if<InvalidInput>(&region)) throw *error;
+    if (const auto* error = std::get_if<py::type_error>(&region)) throw *error;
     return std::get<PreparedRegion>(region);
   }
 
  private:
   std::optional<std::size_t> size_;
   std::optional<RegionArrays> arrays_;
-  std::vector<std::variant<PreparedRegion, InvalidInput>> regions_;
+  std::vector<std::variant<PreparedRegion, InvalidInput, py::type_error>> regions_;
 };
 
 std::size_t number_of_pairs(const Side& p, const Side& q) {
@@ -99,9 +113,12 @@ py::list batch(const std::string& name, py::handle p_value, py::handle q_value,
   const Side p(p_value), q(q_value);
   const std::size_t n = number_of_pairs(p, q);
   std::vector<Sum> sums(n);
-  std::vector<std::optional<std::string>> wrong(n);
+  std::vector<std::optional<Wrong>> wrong(n);
   for_each_below(n, threads, [&](std::size_t i) {
     char side = 'p';
+    const auto place = [&] {
+      return "pair " + std::to_string(i) + (side == ' ' ? "" : std::string(", ") + side) + ": ";
+    };
     try {
       const PreparedRegion of_p = p[i];
       side = 'q';
@@ -110,8 +127,9 @@ py::list batch(const std::string& name, py::handle p_value, py::handle q_value,
       sums[i] = compute(of_p, of_q, options);
       sums[i].region();  // computed when first asked for, so here
     } catch (const InvalidInput& error) {
-      wrong[i] = "pair " + std::to_string(i) + (side == ' ' ? "" : std::string(", ") + side) +
-                 ": " + without_place(error);
+      wrong[i] = {place() + without_place(error)};
+    } catch (const py::type_error& error) {
+      wrong[i] = {place() + error.what(), true};
     }
   });
   py::list results(n);
@@ -119,9 +137,9 @@ py::list batch(const std::string& name, py::handle p_value, py::handle q_value,
     if (!wrong[i]) {
       results[i] = py::cast(std::move(sums[i]));
     } else if (errors == "return") {
-      results[i] = error_type()(*wrong[i]);
+      results[i] = wrong[i]->error();
     } else {
-      raise(*wrong[i]);
+      wrong[i]->raise();
     }
   }
   return results;
@@ -132,17 +150,17 @@ py::list from_arrays(py::handle value, long long threads) {
     throw py::type_error("regions of type " + type_of(value) + ": expected oplus.Arrays");
   const RegionArrays arrays(value);
   std::vector<ValidRegion> regions(arrays.size());
-  std::vector<std::optional<std::string>> wrong(arrays.size());
+  std::vector<std::optional<Wrong>> wrong(arrays.size());
   for_each_below(arrays.size(), threads, [&](std::size_t i) {
     try {
       regions[i] = ValidRegion(arrays[i]);
     } catch (const InvalidInput& error) {
-      wrong[i] = "region " + std::to_string(i) + ": " + without_place(error);
+      wrong[i] = {"region " + std::to_string(i) + ": " + without_place(error)};
     }
   });
   py::list result(regions.size());
   for (std::size_t i = 0; i < regions.size(); ++i) {
-    if (wrong[i]) raise(*wrong[i]);
+    if (wrong[i]) wrong[i]->raise();
     result[i] = py::cast(PreparedRegion(std::move(regions[i])));
   }
   return result;
@@ -187,9 +205,9 @@ Returns the list of operation(p[i], q[i]), computed on all cores, or on that man
 operation: 'minkowski_sum', 'nfp', 'ifp', 'erode', 'open' or 'close'. p, q: Arrays, or lists of
 whatever Region takes, as long as each other; or one region for all pairs (not as a list).
 Regions only: line strings and points are summands of the function minkowski_sum.
-boundary='open' is for 'minkowski_sum' only. An invalid region raises InvalidInput, which names the
-first such pair; with errors='return' the exceptions are in the list and the other pairs are
-computed.
+boundary='open' is for 'minkowski_sum' only. An invalid region raises InvalidInput, another type
+than Region takes TypeError, which name the first such pair; with errors='return' the exceptions
+are in the list and the other pairs are computed.
 
 >>> bin = oplus.Region([[0, 0], [9, 0], [9, 9], [0, 9]])
 >>> parts = [[[0, 0], [w, 0], [w, 1], [0, 1]] for w in (3, 9, 10)]

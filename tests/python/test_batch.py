@@ -63,6 +63,15 @@ def test_an_invalid_region_is_named():
     assert type(results[1]) is oplus.InvalidInput and "pair 1, p" in str(results[1])
 
 
+@pytest.mark.parametrize("other", [None, {1, 2}, object(), numpy.zeros((3, 2), dtype=bool)], ids=repr)
+def test_what_is_no_region_is_named(other):
+    with pytest.raises(TypeError, match="^pair 1, p: .*: expected ") as error:
+        oplus.batch("nfp", [SQUARE, other, other], oplus.Region(SQUARE))
+    first, second = oplus.batch("nfp", [SQUARE] * 2, [other, SQUARE], errors="return")
+    assert type(first) is TypeError and str(first) == str(error.value).replace("pair 1, p", "pair 0, q")
+    assert second == oplus.nfp(SQUARE, SQUARE)
+
+
 @pytest.mark.parametrize("arguments, options, wrong", [
     (("add", [SQUARE], [SQUARE]), {}, "operation add; expected minkowski_sum, nfp,"),
     (("nfp", [SQUARE], [SQUARE] * 2), {}, "1 regions p and 2 regions q; expected as many"),
