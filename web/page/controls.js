@@ -328,7 +328,8 @@ $("move-x").addEventListener("click", () => change({x: [$("x0").value, $("x1").v
 for (const name of ["p", "q", "s"]) {
   const button = $(name === "s" ? "verify" : "use-" + name), text = $(name + "-wkt");
   text.addEventListener("input", () => typed.add(text.id));
-  button.addEventListener("click", () => change({[name]: text.value}, name === "s" ? undefined : () => {
+  // Without s nothing is verified: an empty field is a blank.
+  button.addEventListener("click", () => change({[name]: text.value || " "}, name === "s" ? undefined : () => {
     typed.delete(text.id);
     fit();
   }));
