@@ -15,7 +15,7 @@ class ContractViolation : public std::logic_error {
 }  // namespace oplus
 
 /// OPLUS_REQUIRES(condition, statement) and OPLUS_ENSURES(condition, statement): contracts named
-/// after the statement of the thesis they express. Checked in the presets `debug` and `check`.
+/// after the statement of the thesis they express. Checked in the presets `check` and `fuzz`.
 #ifdef OPLUS_CONTRACTS
 #define OPLUS_CONTRACT(kind, condition, statement)                                     \
   do {                                                                                 \

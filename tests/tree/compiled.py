@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fails on a .cpp file of the tree that no target of the build compiles."""
+"""Fails on a .cpp file of the tree that no target of these builds compiles: compiled.py COMPILE_COMMANDS..."""
 
 import json
 import sys
@@ -22,5 +22,5 @@ def violations(root, commands):
 
 
 if __name__ == "__main__":
-    commands = json.loads(Path(sys.argv[1]).read_text(encoding="utf-8"))
+    commands = [command for build in sys.argv[1:] for command in json.loads(Path(build).read_text(encoding="utf-8"))]
     report("compiled sources", len(sources(ROOT)), violations(ROOT, commands))

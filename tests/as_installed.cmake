@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The tests of what users get: the public headers, examples, Python, the page, packages; and measurements.
+add_executable(oplus-public-tests ${public_tests} reference/definitions/contract_test.cpp main.cpp)
+target_link_libraries(oplus-public-tests PRIVATE oplus_engines oplus_strict CGAL::CGAL GTest::gtest)
+target_compile_options(oplus-public-tests PRIVATE -O0)
+oplus_tests_by_file(oplus-public-tests release. ${public_tests} reference/definitions/contract_test.cpp)
+
+# Programs that show the public functions, compiled with the headers as they are installed.
+add_custom_target(examples)
+file(GLOB examples CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/docs/examples/cpp/*.cpp)
+foreach(source IN LISTS examples)
+  get_filename_component(example ${source} NAME_WE)
+  add_executable(example-${example} ${source})
+  target_include_directories(example-${example} PRIVATE ${PROJECT_BINARY_DIR}/include)
+  target_link_libraries(example-${example} PRIVATE oplus_core oplus_strict)
+  target_compile_options(example-${example} PRIVATE -O0)
+  add_dependencies(example-${example} oplus_headers)
+  add_dependencies(examples example-${example})
+  add_test(NAME example.${example}
+           COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/docs/example_program
+                   $<TARGET_FILE:example-${example}> ${source})
+endforeach()
+target_link_libraries(example-engines PRIVATE oplus_engines)
+foreach(example cgal from_cgal)
+  target_link_libraries(example-${example} PRIVATE CGAL::CGAL)
+endforeach()
+target_include_directories(example-from_clipper SYSTEM PRIVATE ${CLIPPER_INCLUDE_DIR})
+target_link_libraries(example-from_clipper PRIVATE ${CLIPPER_LIBRARY})
+add_test(NAME docs.readme-program
+         COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/docs/readme_program.py)
+# The Python package: pytest, Hypothesis, and the examples of docstrings.
+add_test(NAME python.package
+         COMMAND ${CMAKE_COMMAND} -E env PYTHONPATH=${PROJECT_BINARY_DIR}/python
+                 ${Python_EXECUTABLE} -B -m pytest -q -p no:cacheprovider ${CMAKE_CURRENT_SOURCE_DIR}/python)
+
+# The page (docs/web.md).
+set(page ${CMAKE_CURRENT_BINARY_DIR}/page)
+add_test(NAME web.build COMMAND bash ${PROJECT_SOURCE_DIR}/web/make ${page})
+# The longest first.
+set_tests_properties(web.build PROPERTIES FIXTURES_SETUP page COST 1000)
+add_test(NAME web.core
+         COMMAND node ${CMAKE_CURRENT_SOURCE_DIR}/web/core_test.mjs ${page} $<TARGET_FILE:oplus>
+                 ${CMAKE_CURRENT_SOURCE_DIR}/corpus/pairs.txt)
+add_test(NAME web.page
+         COMMAND ${CMAKE_COMMAND} -E env OPLUS_PAGE=${page}
+                 ${Python_EXECUTABLE} -B -m pytest -q -p no:cacheprovider
+                 ${CMAKE_CURRENT_SOURCE_DIR}/web/page_test.py)
+set_tests_properties(web.core web.page PROPERTIES FIXTURES_REQUIRED page)
+
+# The API reference: everything in it is documented, and every function is in an example.
+add_test(NAME docs.api COMMAND bash ${PROJECT_SOURCE_DIR}/docs/api/make ${CMAKE_CURRENT_BINARY_DIR}/api)
+add_test(NAME docs.api-in-examples
+         COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/docs/api_in_examples.py
+                 ${CMAKE_CURRENT_BINARY_DIR}/api/xml)
+set_tests_properties(docs.api PROPERTIES FIXTURES_SETUP api)
+set_tests_properties(docs.api-in-examples PROPERTIES FIXTURES_REQUIRED api)
+# The site with the page to draw on, and what leads where on it.
+add_test(NAME docs.site COMMAND ${CMAKE_COMMAND} -E env OPLUS_BUILD=${PROJECT_BINARY_DIR}
+                                bash ${PROJECT_SOURCE_DIR}/docs/site/make
+                                ${CMAKE_CURRENT_BINARY_DIR}/site ${page})
+add_test(NAME docs.site-links
+         COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/docs/site_links.py
+                 ${CMAKE_CURRENT_BINARY_DIR}/site)
+set_tests_properties(docs.site PROPERTIES FIXTURES_SETUP site FIXTURES_REQUIRED page)
+set_tests_properties(docs.site-links PROPERTIES FIXTURES_REQUIRED site)
+# What the adapters refuse at compile time, and what they include.
+foreach(test refused_kernel cgal_licence)
+  add_test(NAME checked/oplus/${test}
+           COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/checked/oplus/${test} ${CMAKE_CXX_COMPILER})
+endforeach()
+
+# Measurements: oplus beside others, and the thesis's experiments.
+find_package(benchmark REQUIRED)
+file(GLOB benchmark_sources CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR}
+     bench/*.cpp bench/*.hpp)
+set(benchmark_tests ${benchmark_sources})
+list(FILTER benchmark_tests INCLUDE REGEX "_test\\.cpp$")
+list(FILTER benchmark_sources EXCLUDE REGEX "(_test|/main)\\.cpp$")
+add_library(oplus_bench OBJECT ${benchmark_sources})
+target_include_directories(oplus_bench SYSTEM PUBLIC ${CLIPPER_INCLUDE_DIR})
+target_link_libraries(oplus_bench PUBLIC oplus_runner oplus_peers
+                                         oplus_strict CGAL::CGAL nlohmann_json::nlohmann_json
+                                         benchmark::benchmark ${CLIPPER_LIBRARY})
+string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_RELEASE}" bench_flags)
+execute_process(COMMAND git describe --always --dirty WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
+                OUTPUT_VARIABLE bench_commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+set_source_files_properties(bench/setting.cpp PROPERTIES COMPILE_DEFINITIONS
+  "OPLUS_BENCH_COMMIT=\"${bench_commit}\";OPLUS_BENCH_FLAGS=\"${bench_flags}\"")
+add_executable(oplus-bench bench/main.cpp)
+target_link_libraries(oplus-bench PRIVATE oplus_bench CLI11::CLI11)
+add_executable(oplus-bench-tests ${benchmark_tests} main.cpp)
+target_link_libraries(oplus-bench-tests PRIVATE oplus_bench GTest::gtest)
+target_compile_options(oplus-bench-tests PRIVATE -O0)
+add_dependencies(oplus-bench-tests oplus-bench)
+# What oplus's command is measured beside.
+foreach(library cgal clipper)
+  add_executable(${library}-sum bench/programs/${library}_sum.cpp)
+  target_link_libraries(${library}-sum PRIVATE oplus_strict)
+  add_dependencies(oplus-bench ${library}-sum oplus)
+endforeach()
+# What Python's calls are measured beside: bench/python_calls.py.
+add_executable(small-sums bench/programs/small_sums.cpp)
+target_link_libraries(small-sums PRIVATE oplus_core oplus_strict)
+if(TARGET oplus-certified)
+  add_dependencies(oplus-bench oplus-certified)
+endif()
+target_link_libraries(cgal-sum PRIVATE CGAL::CGAL)
+target_include_directories(clipper-sum SYSTEM PRIVATE ${CLIPPER_INCLUDE_DIR})
+target_link_libraries(clipper-sum PRIVATE ${CLIPPER_LIBRARY})
+oplus_tests_by_file(oplus-bench-tests "" ${benchmark_tests})
+# How fast anything is depends on the machine; that all engines start and agree does not.
+add_test(NAME bench.list COMMAND oplus-bench --list)
+add_test(NAME bench.engines-agree
+         COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/bench/engines_agree $<TARGET_FILE:oplus-bench>)
+add_test(NAME bench.faults-are-reported
+         COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/bench/faults_are_reported $<TARGET_FILE:oplus-bench>)
+
+# What is wrong with other libraries, shown by a program each.
+file(GLOB findings CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/docs/findings/*.cpp)
+foreach(source IN LISTS findings)
+  get_filename_component(finding ${source} NAME_WE)
+  add_executable(finding-${finding} ${source})
+  target_include_directories(finding-${finding} SYSTEM PRIVATE ${CLIPPER_INCLUDE_DIR})
+  target_link_libraries(finding-${finding} PRIVATE CGAL::CGAL ${CLIPPER_LIBRARY})
+  target_compile_options(finding-${finding} PRIVATE -O0)
+  add_test(NAME finding.${finding}
+           COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/docs/finding_program
+                   $<TARGET_FILE:finding-${finding}> ${source})
+endforeach()
+
+add_test(NAME tree.release-contains-no-mutant
+         COMMAND ${tree_check}/mutant_names.py absent $<TARGET_FILE:oplus>
+                 $<TARGET_FILE:oplus_core> $<TARGET_FILE:oplus_engines>)
+
+add_test(NAME consumer.find-package
+         COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/consumer/install_and_use ${PROJECT_BINARY_DIR})
+
+# The package of Debian, in a system of its own.
+add_test(NAME packages.deb
+         COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/packaging/install_deb ${PROJECT_BINARY_DIR})
+set_tests_properties(packages.deb PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600 COST 500)
+# A wheel of the light core.
+add_test(NAME packages.wheel
+         COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/packaging/install_wheel ${PROJECT_BINARY_DIR} ${PROJECT_VERSION})
+set_tests_properties(packages.wheel PROPERTIES TIMEOUT 1200 COST 600)
+
