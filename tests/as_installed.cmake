@@ -31,21 +31,21 @@ add_test(NAME docs.readme-program
 # The Python package: pytest, Hypothesis, and the examples of docstrings.
 add_test(NAME python.package
          COMMAND ${CMAKE_COMMAND} -E env PYTHONPATH=${PROJECT_BINARY_DIR}/python
-                 ${Python_EXECUTABLE} -B -m pytest -q -p no:cacheprovider ${CMAKE_CURRENT_SOURCE_DIR}/python)
+                 ${Python_EXECUTABLE} -B -m pytest -q -p no:cacheprovider ${CMAKE_CURRENT_SOURCE_DIR}/checked/bindings/python)
 
 # The page (docs/web.md).
 set(page ${CMAKE_CURRENT_BINARY_DIR}/page)
-add_test(NAME web.build COMMAND bash ${PROJECT_SOURCE_DIR}/web/make ${page})
+add_test(NAME page.build COMMAND bash ${PROJECT_SOURCE_DIR}/checked/bindings/page/make ${page})
 # The longest first.
-set_tests_properties(web.build PROPERTIES FIXTURES_SETUP page COST 1000)
-add_test(NAME web.core
-         COMMAND node ${CMAKE_CURRENT_SOURCE_DIR}/web/core_test.mjs ${page} $<TARGET_FILE:oplus>
+set_tests_properties(page.build PROPERTIES FIXTURES_SETUP page COST 1000)
+add_test(NAME page.core
+         COMMAND node ${CMAKE_CURRENT_SOURCE_DIR}/checked/bindings/page/core_test.mjs ${page} $<TARGET_FILE:oplus>
                  ${CMAKE_CURRENT_SOURCE_DIR}/corpus/pairs.txt)
-add_test(NAME web.page
+add_test(NAME page.browser
          COMMAND ${CMAKE_COMMAND} -E env OPLUS_PAGE=${page}
                  ${Python_EXECUTABLE} -B -m pytest -q -p no:cacheprovider
-                 ${CMAKE_CURRENT_SOURCE_DIR}/web/page_test.py)
-set_tests_properties(web.core web.page PROPERTIES FIXTURES_REQUIRED page)
+                 ${CMAKE_CURRENT_SOURCE_DIR}/checked/bindings/page/page_test.py)
+set_tests_properties(page.core page.browser PROPERTIES FIXTURES_REQUIRED page)
 
 # The API reference: everything in it is documented, and every function is in an example.
 add_test(NAME docs.api COMMAND bash ${PROJECT_SOURCE_DIR}/docs/api/make ${CMAKE_CURRENT_BINARY_DIR}/api)
@@ -137,10 +137,10 @@ add_test(NAME consumer.find-package
 
 # The package of Debian, in a system of its own.
 add_test(NAME packages.deb
-         COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/packaging/install_deb ${PROJECT_BINARY_DIR})
+         COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/checked/install/install_deb ${PROJECT_BINARY_DIR})
 set_tests_properties(packages.deb PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600 COST 500)
 # A wheel of the light core.
 add_test(NAME packages.wheel
-         COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/packaging/install_wheel ${PROJECT_BINARY_DIR} ${PROJECT_VERSION})
+         COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/checked/install/install_wheel ${PROJECT_BINARY_DIR} ${PROJECT_VERSION})
 set_tests_properties(packages.wheel PROPERTIES TIMEOUT 1200 COST 600)
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""first_answer.py FOLDER: the time from asking for the page in FOLDER, which web/make wrote, to its first answer: in
+"""first_answer.py FOLDER: the time from asking for the page in FOLDER, which checked/bindings/page/make wrote, to its first answer: in
 Chromium, from a server on this machine, in new processes without a cache. Needs Selenium and chromium-driver."""
 
 import functools

@@ -13,11 +13,14 @@ LINES = (
     ("reference/definitions", "reference/oracle", "checked/cli", "properties", "tests"),
     ("docs/findings",),
     ("oplus", "docs/examples"),
-    ("oplus", "python"),
-    ("reference/definitions", "reference/chains", "reference/io", "checked/collision", "checked/cycles",
-     "checked/slide", "checked/verify", "web"),
 )
-OURS = ("reference", "checked", "properties", "tests", "docs", "oplus", "python", "web")
+# Ways to use what is checked: each includes its own folder and what is named here, whatever the lines say.
+BINDINGS = {
+    "checked/bindings/python": ("oplus",),
+    "checked/bindings/page": ("reference/definitions", "reference/chains", "reference/io", "checked/collision",
+                              "checked/cycles", "checked/slide", "checked/verify"),
+}
+OURS = ("reference", "checked", "properties", "tests", "docs", "oplus")
 
 
 def holds(folder, path):
@@ -31,6 +34,11 @@ def place(line, path):
 
 
 def allowed(including, included):
+    for folder, others in BINDINGS.items():
+        if holds(folder, including):
+            return any(holds(other, included) for other in (folder, *others))
+        if holds(folder, included) and not holds("tests", including):
+            return False
     for line in LINES:
         here, there = place(line, including), place(line, included)
         if None not in (here, there) and there <= here:
@@ -39,8 +47,8 @@ def allowed(including, included):
 
 
 def folder_of(path):
-    """checked/rca/face.cpp is in checked/rca, however deep."""
-    return "/".join(path.split("/")[:2])
+    """checked/rca/face.cpp is in checked/rca, however deep, and a binding is a folder of its own."""
+    return next((folder for folder in BINDINGS if holds(folder, path)), "/".join(path.split("/")[:2]))
 
 
 def cycle(graph):

@@ -13,9 +13,10 @@ CORE = ("reference/definitions", "reference/arithmetic", "reference/chains", "re
         "checked/collision", "checked/cycles", "checked/operations", "checked/oplus", "checked/oplus/internal",
         "checked/repair", "checked/rounding", "checked/slide", "checked/verify")
 # What users copy from.
-EXAMPLES = ("docs/examples/cpp", "python/examples", "tests/consumer")
-PYTHON = ("python", "python/oplus")
-WEB = ("web",)
+EXAMPLES = ("docs/examples/cpp", "checked/bindings/python/examples", "tests/consumer")
+PYTHON = ("checked/bindings/python", "checked/bindings/python/oplus")
+PAGE = ("checked/bindings/page",)
+INSTALL = ("checked/install",)
 # Only for those who have CGAL; of it, what is under the LGPL (tests/checked/oplus/cgal_licence).
 ADAPTERS = ("checked/oplus/cgal.hpp",)
 NOT_IN_CORE = ("CGAL", "tbb", "oneapi", "mpfr.h")
@@ -34,7 +35,7 @@ def is_source(path):
 
 
 def licence(name):
-    return MIT if name.rpartition("/")[0] in CORE + EXAMPLES + PYTHON + WEB else GPL
+    return MIT if name.rpartition("/")[0] in CORE + EXAMPLES + PYTHON + PAGE + INSTALL else GPL
 
 
 def wrong_includes(root):

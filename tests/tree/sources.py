@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-FOLDERS = ("reference", "checked", "properties", "tests", "docs", "python", "web", "packaging", ".ci")
+FOLDERS = ("reference", "checked", "properties", "tests", "docs", ".ci")
 
 
 def files(root):

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "python/results.hpp"
+#include "checked/bindings/python/results.hpp"
 
 #include <pybind11/stl.h>
 
 #include <oplus/oplus.hpp>
 #include <optional>
 
-#include "python/instances.hpp"
-#include "python/numbers.hpp"
-#include "python/output.hpp"
-#include "python/unlocked.hpp"
+#include "checked/bindings/python/instances.hpp"
+#include "checked/bindings/python/numbers.hpp"
+#include "checked/bindings/python/output.hpp"
+#include "checked/bindings/python/unlocked.hpp"
 
 namespace oplus::python {
 

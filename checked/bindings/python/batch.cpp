@@ -7,11 +7,11 @@
 #include <variant>
 #include <vector>
 
-#include "python/arrays.hpp"
-#include "python/numbers.hpp"
-#include "python/operation.hpp"
-#include "python/shapes.hpp"
-#include "python/workers.hpp"
+#include "checked/bindings/python/arrays.hpp"
+#include "checked/bindings/python/numbers.hpp"
+#include "checked/bindings/python/operation.hpp"
+#include "checked/bindings/python/shapes.hpp"
+#include "checked/bindings/python/workers.hpp"
 
 namespace oplus::python {
 

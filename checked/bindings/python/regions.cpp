@@ -3,11 +3,11 @@
 
 #include <optional>
 
-#include "python/numbers.hpp"
-#include "python/output.hpp"
-#include "python/results.hpp"
-#include "python/shapes.hpp"
-#include "python/unlocked.hpp"
+#include "checked/bindings/python/numbers.hpp"
+#include "checked/bindings/python/output.hpp"
+#include "checked/bindings/python/results.hpp"
+#include "checked/bindings/python/shapes.hpp"
+#include "checked/bindings/python/unlocked.hpp"
 
 namespace oplus::python {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "python/arrays.hpp"
+#include "checked/bindings/python/arrays.hpp"
 
 #include <memory>
 #include <numeric>

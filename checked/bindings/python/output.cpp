@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "python/output.hpp"
+#include "checked/bindings/python/output.hpp"
 
 #include <utility>
 
-#include "python/numbers.hpp"
+#include "checked/bindings/python/numbers.hpp"
 
 namespace oplus::python {
 

@@ -5,14 +5,14 @@
 #include <stdexcept>
 #include <utility>
 
-#include "python/arrays.hpp"
-#include "python/numbers.hpp"
-#include "python/operation.hpp"
-#include "python/output.hpp"
-#include "python/results.hpp"
-#include "python/shapes.hpp"
-#include "python/unlocked.hpp"
-#include "python/workers.hpp"
+#include "checked/bindings/python/arrays.hpp"
+#include "checked/bindings/python/numbers.hpp"
+#include "checked/bindings/python/operation.hpp"
+#include "checked/bindings/python/output.hpp"
+#include "checked/bindings/python/results.hpp"
+#include "checked/bindings/python/shapes.hpp"
+#include "checked/bindings/python/unlocked.hpp"
+#include "checked/bindings/python/workers.hpp"
 #ifdef OPLUS_ENGINES
 #include <oplus/engines.hpp>
 #endif

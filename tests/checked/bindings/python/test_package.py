@@ -13,9 +13,9 @@ import pytest
 
 import oplus
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[4]
 PUBLIC = {name: getattr(oplus, name) for name in oplus.__all__}
-STUBS = ast.parse((ROOT / "python/oplus/__init__.pyi").read_text(encoding="utf-8")).body
+STUBS = ast.parse((ROOT / "checked/bindings/python/oplus/__init__.pyi").read_text(encoding="utf-8")).body
 
 
 def members(value):
@@ -88,7 +88,7 @@ def test_version():
 
 def test_the_example(tmp_path):
     environment = dict(os.environ, MPLBACKEND="Agg", PYTHONPATH=str(Path(oplus.__file__).parents[1]))
-    ran = subprocess.run([sys.executable, "-B", ROOT / "python/examples/nesting_step.py", tmp_path / "nesting.png"],
+    ran = subprocess.run([sys.executable, "-B", ROOT / "checked/bindings/python/examples/nesting_step.py", tmp_path / "nesting.png"],
                          env=environment, capture_output=True, text=True, check=True)
     page = (ROOT / "docs/python.md").read_text(encoding="utf-8")
     assert ran.stdout and "".join("    " + line + "\n" for line in ran.stdout.splitlines()) in page

@@ -9,7 +9,7 @@
 #include <oplus/oplus.hpp>
 #include <vector>
 
-#include "python/shapes.hpp"
+#include "checked/bindings/python/shapes.hpp"
 
 /// @file
 /// Many regions in a few arrays.

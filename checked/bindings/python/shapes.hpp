@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "python/instances.hpp"
+#include "checked/bindings/python/instances.hpp"
 
 /// @file
 /// What functions take for a region or a set: objects of Python, of many types.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "web/answers.hpp"
+#include "checked/bindings/page/answers.hpp"
 
 #include <rapidjson/document.h>
 #include <rapidjson/stringbuffer.h>

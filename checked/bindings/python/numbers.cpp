@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "python/numbers.hpp"
+#include "checked/bindings/python/numbers.hpp"
 
 #include <cstdlib>
 #include <string>

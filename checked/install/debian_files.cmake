@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: MIT
 # Run by cpack on what it has installed: what Debian's policy has in a package and no other installation
 # needs.
 set(usr ${CPACK_TEMPORARY_INSTALL_DIRECTORY}/usr)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "python/workers.hpp"
+#include "checked/bindings/python/workers.hpp"
 
 #include <pybind11/pybind11.h>
 
@@ -14,7 +14,7 @@
 #include <thread>
 #include <vector>
 
-#include "python/unlocked.hpp"
+#include "checked/bindings/python/unlocked.hpp"
 
 namespace oplus::python {
 

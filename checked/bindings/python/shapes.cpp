@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "python/shapes.hpp"
+#include "checked/bindings/python/shapes.hpp"
 
 #include <cstdint>
 #include <cstring>
 #include <string>
 
-#include "python/numbers.hpp"
-#include "python/unlocked.hpp"
+#include "checked/bindings/python/numbers.hpp"
+#include "checked/bindings/python/unlocked.hpp"
 
 namespace oplus::python {
 
