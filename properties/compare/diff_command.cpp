@@ -61,8 +61,8 @@ std::string other_engines() {
   return lines;
 }
 
-/// The pairs that were asked for; by default those of the main job: the published pairs, if they are
-/// present, and all families; of an operation, some families whose pairs just fit.
+/// The pairs that were asked for; by default those of the main job: the published pairs, which an
+/// installed program may be without, and all families; of an operation, some families whose pairs just fit.
 std::vector<TaskSource> chosen_sources(Settings& settings) {
   const Campaign& campaign = settings.campaign;
   if (settings.pairs.empty() && settings.folders.empty() && settings.families.empty()) {

@@ -5,6 +5,6 @@ namespace oplus {
 
 std::filesystem::path source_root() { return OPLUS_SOURCE_DIR; }
 
-std::filesystem::path data_folder() { return OPLUS_DATA_DIR; }
+std::filesystem::path data_folder() { return source_root() / "tests/data"; }
 
 }  // namespace oplus

@@ -8,7 +8,7 @@ namespace oplus {
 /// The root of the source tree this was built from.
 std::filesystem::path source_root();
 
-/// Where the build looks for the published polygon pairs; the folder need not exist.
+/// The published polygons (tests/data/README.md). An installed program may be without them.
 std::filesystem::path data_folder();
 
 }  // namespace oplus

@@ -52,9 +52,17 @@ class LicenceLines(TreeTest):
     def test_the_texts_of_the_licences(self):
         self.write("LICENSES/MIT.txt")
         self.assertEqual(licence_lines.missing_licences(self.root),
-                         ["LICENSES/GPL-3.0-or-later.txt: missing"])
+                         ["LICENSES/GPL-3.0-or-later.txt: missing", "LICENSES/MPL-2.0.txt: missing"])
         self.write("LICENSES/GPL-3.0-or-later.txt")
+        self.write("LICENSES/MPL-2.0.txt")
         self.assertEqual(licence_lines.missing_licences(self.root), [])
+
+    def test_whose_the_data_is(self):
+        self.write("tests/data/README.md", "`c.dat` is named in no table.", "| `a.dat`, `b/b.wkt` | whose | licence |")
+        for name in ("a.dat", "b/b.wkt", "c.dat"):
+            self.write("tests/data/" + name)
+        self.assertEqual(licence_lines.unnamed_data(self.root),
+                         ["tests/data/c.dat: no row of tests/data/README.md"])
 
 
 class Format(TreeTest):

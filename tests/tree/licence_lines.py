@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fails on a source file or script whose first line, after a #! line, is not the SPDX line of its
-folder's licence, on an include that takes GPL code into the core, and on a missing licence."""
+folder's licence, on an include that takes GPL code into the core, on a missing licence, and on data of others that
+tests/data/README.md does not name."""
 
 from includes import includes
 from sources import ROOT, cpp, files, report
 
-MIT, GPL = "MIT", "GPL-3.0-or-later"
+MIT, GPL, MPL = "MIT", "GPL-3.0-or-later", "MPL-2.0"
 # The library oplus_core; of `checked`, what is not in a folder. All else is over CGAL, or may be.
 CORE = ("reference/definitions", "reference/arithmetic", "reference/chains", "reference/io",
         "reference/oracle", "reference/pictures", "checked", "checked/arithmetic",
@@ -52,8 +53,18 @@ def wrong_includes(root):
 
 
 def missing_licences(root):
-    return [f"LICENSES/{one}.txt: missing" for one in (GPL, MIT)
+    return [f"LICENSES/{one}.txt: missing" for one in (GPL, MIT, MPL)
             if not (root / "LICENSES" / f"{one}.txt").is_file()]
+
+
+def unnamed_data(root):
+    """Data of others, of which the table beside it does not say whose it is."""
+    data = root / "tests/data"
+    readme = data / "README.md"
+    table = [line for line in readme.read_text(encoding="utf-8").splitlines() if line.startswith("|")]
+    return [f"{path.relative_to(root)}: no row of {readme.relative_to(root)}" for path in files(root)
+            if data in path.parents and path != readme
+            and not any(f"`{path.relative_to(data)}`" in line for line in table)]
 
 
 def violations(root, paths):
@@ -75,4 +86,5 @@ def sources(root):
 
 if __name__ == "__main__":
     report("licences", len(sources(ROOT)),
-           violations(ROOT, sources(ROOT)) + wrong_includes(ROOT) + missing_licences(ROOT))
+           violations(ROOT, sources(ROOT)) + wrong_includes(ROOT) + missing_licences(ROOT) +
+           unnamed_data(ROOT))

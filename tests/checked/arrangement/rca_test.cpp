@@ -51,7 +51,6 @@ TEST(Rca, of_a_fork_and_its_l_has_a_hole_for_each_pair_of_teeth) {
 }
 
 TEST(Rca, of_published_pairs_has_the_holes_and_isolated_vertices_that_they_are_known_for) {
-  NEEDS_PUBLISHED_DATA();
   const auto sum = [](const std::string& p, const std::string& q, Boundary boundary) {
     return rca(published(p), published(q), boundary).sum;
   };

@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <filesystem>
 #include <string>
 
 #include "properties/runner/source_tree.hpp"
 #include "reference/io/reading.hpp"
-
-/// Skips a test of the published polygon pairs where they are not there.
-#define NEEDS_PUBLISHED_DATA() \
-  if (!std::filesystem::exists(data_folder())) GTEST_SKIP() << data_folder() << " is not there"
 
 namespace oplus {
 

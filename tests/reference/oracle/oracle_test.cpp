@@ -97,7 +97,6 @@ TEST(Oracle, of_doubled_shapes_is_where_their_interiors_share_a_cell) {
 }
 
 TEST(Oracle, of_the_published_pair_has_one_isolated_vertex_where_open) {
-  NEEDS_PUBLISHED_DATA();
   const OracleSums sums =
       oracle_sums(published("isolated_vertex_part1"), published("isolated_vertex_part2"));
   EXPECT_EQ(sums.open.isolated_vertices, (std::vector<Point>{{3, 3}}));
@@ -105,7 +104,6 @@ TEST(Oracle, of_the_published_pair_has_one_isolated_vertex_where_open) {
 }
 
 TEST(Oracle, of_the_published_letters_is_the_sum_of_their_boxes) {
-  NEEDS_PUBLISHED_DATA();
   // An E lying on its back and a G, as unions of unit squares: two of these sum to a square of
   // side 2, so the sum's area is the number of unit squares these cover.
   const Region e = published("E");
@@ -132,7 +130,6 @@ TEST(Oracle, of_the_published_letters_is_the_sum_of_their_boxes) {
 }
 
 TEST(Oracle, of_published_touching_chains_has_four_isolated_vertices_where_open) {
-  NEEDS_PUBLISHED_DATA();
   const Region region = published("pwh5");
   EXPECT_EQ(oracle_sum(region, region, Boundary::open).isolated_vertices,
             (std::vector<Point>{{4, 4}, {4, 12}, {12, 4}, {12, 12}}));
