@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Of this file two programs are built: oplus-check and, with OPLUS_MAINTAIN, oplus-maintain, which
-// stays in the build folder: it also does what needs the sources.
+// Of this file three programs are built: oplus-check and two that stay in the build folder: with
+// OPLUS_MAINTAIN oplus-maintain, which also does what needs the sources, and with OPLUS_COMPARE
+// oplus-compare, which is what properties/run builds: the comparison without the statements.
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 
 #include "checked/cli/command_line/program_frame.hpp"
 #include "properties/compare/compare_commands.hpp"
+#ifndef OPLUS_COMPARE
 #include "properties/fuzz/fuzz_command.hpp"
 #include "properties/pages/pages_commands.hpp"
 #include "properties/proofs/smt/smt_command.hpp"
 #include "properties/runner/mutants_command.hpp"
 #include "properties/runner/properties_command.hpp"
+#endif
 
 namespace {
 
@@ -20,9 +23,14 @@ constexpr bool maintain = true;
 #else
 constexpr bool maintain = false;
 #endif
+#ifdef OPLUS_COMPARE
+constexpr const char* name = "oplus-compare";
+#else
+constexpr const char* name = maintain ? "oplus-maintain" : "oplus-check";
+#endif
 
 const oplus::ProgramFrame frame = {
-    maintain ? "oplus-maintain" : "oplus-check",
+    name,
     maintain
         ? "All of oplus-check, and what needs the sources of oplus: mutants, pages, records, fuzzing"
         : "Check oplus: the statements, and the engines against the oracle",
@@ -44,6 +52,9 @@ void remove_option(CLI::App& command, const std::string& option) {
 
 std::function<int()> add_commands(CLI::App& program) {
   const auto exit_code = std::make_shared<int>(0);
+#ifdef OPLUS_COMPARE
+  oplus::add_diff_command(program, *exit_code);
+#else
   for (const auto add :
        {oplus::add_diff_command, oplus::add_conformance_command, oplus::add_exhaustive_command,
         oplus::add_merge_command, oplus::add_properties_command, oplus::add_theorems_command,
@@ -57,6 +68,7 @@ std::function<int()> add_commands(CLI::App& program) {
     remove_option(*program.get_subcommand("properties"), "--record");
     remove_option(*program.get_subcommand("theorems"), "--check");
   }
+#endif
   return [exit_code] { return *exit_code; };
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "properties/compare/sources.hpp"
-#include "properties/runner/property_run.hpp"
+#include "properties/runner/finding.hpp"
 #include "properties/runner/registry.hpp"
 
 namespace oplus {

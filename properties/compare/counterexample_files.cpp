@@ -9,7 +9,6 @@
 
 #include "properties/compare/operation.hpp"
 #include "properties/runner/finding.hpp"
-#include "properties/runner/property_run.hpp"
 #include "reference/chains/frame.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/io/writing.hpp"

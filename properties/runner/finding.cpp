@@ -4,10 +4,18 @@
 #include <iomanip>
 #include <sstream>
 
-#include "properties/runner/property_run.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
+
+std::uint64_t seed_of(const std::string& id, std::uint64_t seed) {
+  // FNV-1a, spelled out because std::hash differs between compilers.
+  std::uint64_t hash = 14695981039346656037U;
+  const auto mix = [&](std::uint64_t byte) { hash = (hash ^ byte) * 1099511628211U; };
+  for (const char c : id) mix(static_cast<unsigned char>(c));
+  for (int shift = 0; shift < 64; shift += 8) mix((seed >> shift) & 0xff);
+  return hash;
+}
 
 Finding write_finding(const std::filesystem::path& folder, const std::string& statement,
                       const Summands& summands) {

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
 #include "reference/families/family.hpp"
 
 namespace oplus {
+
+/// Seed of a statement's run, so that no two statements receive the same pairs.
+std::uint64_t seed_of(const std::string& id, std::uint64_t seed);
 
 /// A pair on disk.
 struct Finding {

@@ -204,15 +204,6 @@ void try_on_pairs(const Statement& statement, const RunOptions& options, Propert
 
 }  // namespace
 
-std::uint64_t seed_of(const std::string& id, std::uint64_t seed) {
-  // FNV-1a, spelled out because std::hash differs between compilers.
-  std::uint64_t hash = 14695981039346656037U;
-  const auto mix = [&](std::uint64_t byte) { hash = (hash ^ byte) * 1099511628211U; };
-  for (const char c : id) mix(static_cast<unsigned char>(c));
-  for (int shift = 0; shift < 64; shift += 8) mix((seed >> shift) & 0xff);
-  return hash;
-}
-
 PropertyRun run_property(const Statement& statement, const RunOptions& options) {
   if (options.cases > static_cast<std::size_t>(std::numeric_limits<int>::max()))
     throw std::invalid_argument("more cases than RapidCheck can count");

@@ -58,9 +58,6 @@ inline bool is_of_a_count(const Promise& promise) {
 /// Below this number of cases a missed share says nothing, so shares are reported, not judged.
 constexpr std::size_t cases_to_judge_shares = 50;
 
-/// Seed of a statement's run, so that no two statements receive the same pairs.
-std::uint64_t seed_of(const std::string& id, std::uint64_t seed);
-
 /// Goes through the statement's enumeration; unless that fails, tries the statement on pairs from
 /// its sources, with RapidCheck. A failing case of the enumeration is a complaint, and so is an empty
 /// enumeration. Of the pairs, everything that is not "as many cases as asked, all hold, every promised
