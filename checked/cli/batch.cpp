@@ -265,47 +265,47 @@ ExitCode batch(const BatchOptions& options) {
 
 }  // namespace
 
-void add_batch(CLI::App& program, Action& chosen) {
-  const auto& [command, options] = add_subcommand(
-      program, chosen, "batch",
-      "Compute a sum, or another operation, of many pairs of regions or other sets", batch);
-  add_file(command, "PAIRS", options.pairs,
-           "two geometries a line, with a tab between them, each WKT or GeoJSON, or a JSON object "
-           "{\"p\": ..., \"q\": ...}; - is standard input");
-  add_file(
-      command, "--parts", options.parts,
+void add_batch(Program& program) {
+  const auto& [command, options] = program.add(
+      "batch", "Compute a sum, or another operation, of many pairs of regions or other sets",
+      batch);
+  command.file(
+      "PAIRS", options.pairs,
+      "two geometries a line, with a tab between them, each WKT or GeoJSON, or a JSON object "
+      "{\"p\": ..., \"q\": ...}; - is standard input");
+  command.file(
+      "--parts", options.parts,
       "one geometry a line, or its name, a tab and the geometry: computes all pairs of them, also "
       "each with itself");
-  add_file(command, "--with", options.others, "those of this file are Q, those of --parts are P");
-  command.add_flag("--unordered", options.unordered, "of --parts: no pair the other way round");
+  command.file("--with", options.others, "those of this file are Q, those of --parts are P");
+  command.flag("--unordered", options.unordered, "of --parts: no pair the other way round");
   command
-      .add_option("--rotations", options.rotations,
-                  "of --parts: turn Q by each of these angles in degrees, about the origin")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("ANGLE,...");
+      .option("--rotations", options.rotations,
+              "of --parts: turn Q by each of these angles in degrees, about the origin")
+      .separated_by_commas()
+      .type("ANGLE,...");
   command
-      .add_option("--rotation-step", options.rotation_step,
-                  "the same by all multiples of this angle that are less than 360")
-      ->type_name("ANGLE");
+      .option("--rotation-step", options.rotation_step,
+              "the same by all multiples of this angle that are less than 360")
+      .type("ANGLE");
   add_angle_error(command, options.angle_error);
   command
-      .add_option("--operation", options.operation,
-                  "what to compute, by default sum: " +
-                      joined(
-                          names_of_batch_operations(), [](const auto& name) { return name; }, ", "))
-      ->check(CLI::IsMember(names_of_batch_operations()))
-      ->type_name("NAME");
+      .option("--operation", options.operation,
+              "what to compute, by default sum: " +
+                  joined(names_of_batch_operations(), std::identity(), ", "))
+      .one_of(names_of_batch_operations())
+      .type("NAME");
   add_open(command, options.boundary, "sum the regions' interiors, as in oplus sum");
   add_union(command, options.overlaps, "each geometry");
-  add_choice<ResultForm>(
-      command, "--format", options.form,
+  command.choice<ResultForm>(
+      "--format", options.form,
       {{"wkt", ResultForm::wkt}, {"geojson", ResultForm::geojson}, {"area", ResultForm::area}},
       "write results as wkt, in a string, by default; as geojson; or only their area");
   add_rounding(command, options.rounding);
-  add_file(command, "-o,--output", options.output,
-           "write the results there, as a whole at the end; by default to standard output, as they "
-           "come");
+  command.file(
+      "-o,--output", options.output,
+      "write the results there, as a whole at the end; by default to standard output, as they "
+      "come");
   add_threads(command, options.threads, "");
   command.footer(
       "Writes a line of JSON for each pair, in the order of the input (docs/batch.md). A pair that is "

@@ -42,18 +42,18 @@ ExitCode certify(const CertifyOptions& options) {
 
 }  // namespace
 
-void add_certify(CLI::App& program, Action& chosen) {
-  const auto& [command, options] = add_subcommand(
-      program, chosen, "certify",
-      "Write a certificate that a region is the sum of two others, if it is", certify);
-  add_file(command, "P", options.p,
-           "a region: .dat, WKT, GeoJSON or an SVG path (docs/files.md); - is standard input")
-      ->required();
-  add_file(command, "Q", options.q, "the other region")->required();
-  add_file(command, "S", options.sum, "the sum of the closed regions, from any source")->required();
+void add_certify(Program& program) {
+  const auto& [command, options] = program.add(
+      "certify", "Write a certificate that a region is the sum of two others, if it is", certify);
+  command
+      .file("P", options.p,
+            "a region: .dat, WKT, GeoJSON or an SVG path (docs/files.md); - is standard input")
+      .required();
+  command.file("Q", options.q, "the other region").required();
+  command.file("S", options.sum, "the sum of the closed regions, from any source").required();
   add_union(command, options.overlaps, "P, and of Q");
-  add_file(command, "-o,--output", options.output,
-           "where to write it (docs/certificates.md), by default standard output");
+  command.file("-o,--output", options.output,
+               "where to write it (docs/certificates.md), by default standard output");
   command.footer(
       "If S is not the sum, prints why, as 'oplus verify' does, and writes nothing. With --union, the\n"
       "certificate is for the unions as 'oplus transform P --scale 1 --union' writes them.\n"

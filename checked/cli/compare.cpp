@@ -75,17 +75,18 @@ ExitCode compare(const CompareOptions& options) {
 
 }  // namespace
 
-void add_compare(CLI::App& program, Action& chosen) {
-  const auto& [command, options] = add_subcommand(
-      program, chosen, "compare",
+void add_compare(Program& program) {
+  const auto& [command, options] = program.add(
+      "compare",
       "Check whether two sums are equal; if not, give a point that is in one of them only",
       compare);
-  add_file(
-      command, "A", options.a,
-      "a sum or a region: .dat, WKT, GeoJSON or an SVG path (docs/files.md); - is standard input")
-      ->required();
-  add_file(command, "B", options.b, "the other, in any of these formats")->required();
-  command.add_flag("--json", options.json, "answer in JSON (docs/json.md)");
+  command
+      .file(
+          "A", options.a,
+          "a sum or a region: .dat, WKT, GeoJSON or an SVG path (docs/files.md); - is standard input")
+      .required();
+  command.file("B", options.b, "the other, in any of these formats").required();
+  command.flag("--json", options.json, "answer in JSON (docs/json.md)");
   command.footer(
       "Example:\n"
       "  oplus gen star --n 8 --summand P -o p.wkt\n"

@@ -38,22 +38,21 @@ ExitCode write_disc(const DiscOptions& options) {
 
 }  // namespace
 
-void add_disc(CLI::App& program, Action& chosen) {
+void add_disc(Program& program) {
   const auto& [command, options] =
-      add_subcommand(program, chosen, "disc",
-                     "Write a polygon inside or around a disc about the origin", write_disc);
-  command.add_option("--radius", options.radius, "the radius: an integer, a decimal or p/q")
-      ->required()
-      ->type_name("R");
-  command.add_flag("--inside", options.inside, "write a polygon that the disc contains");
-  command.add_flag("--outside", options.outside, "write a polygon that contains the disc");
+      program.add("disc", "Write a polygon inside or around a disc about the origin", write_disc);
+  command.option("--radius", options.radius, "the radius: an integer, a decimal or p/q")
+      .required()
+      .type("R");
+  command.flag("--inside", options.inside, "write a polygon that the disc contains");
+  command.flag("--outside", options.outside, "write a polygon that contains the disc");
   command
-      .add_option(
+      .option(
           "--error", options.error,
           "each point of the disc, with --outside each point of the polygon, is at most E away from the "
           "other; decided exactly")
-      ->required()
-      ->type_name("E");
+      .required()
+      .type("E");
   add_output(command, options.output, "the polygon");
   command.footer(
       "The polygon has about 2.2 times the square root of R/E vertices, at most a tenth more than\n"

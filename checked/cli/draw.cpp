@@ -28,8 +28,7 @@ struct DrawOptions {
 };
 
 std::string view_names(const std::string& separator) {
-  return joined(
-      views(), [](const View& view) { return view.name; }, separator);
+  return joined(views(), &View::name, separator);
 }
 
 /// The view that is asked for, and its placement.
@@ -123,31 +122,29 @@ std::string view_help() {
 
 }  // namespace
 
-void add_draw(CLI::App& program, Action& chosen) {
+void add_draw(Program& program) {
   const auto& [command, options] =
-      add_subcommand(program, chosen, "draw",
-                     "Draw regions and sums, or what an algorithm sees of two regions", draw);
-  add_file(
-      command, "FILE", options.files,
-      "regions or sums: .dat, WKT, GeoJSON or an SVG path (docs/files.md); - is standard input")
-      ->required();
-  CLI::Option* view = command.add_option("--view", options.view, view_help());
-  view->type_name_fn([] { return "NAME:{" + view_names(",") + "}"; });
+      program.add("draw", "Draw regions and sums, or what an algorithm sees of two regions", draw);
   command
-      .add_flag("--together", options.together,
-                "draw all files over each other, the first at the bottom, not side by side")
-      ->excludes(view);
+      .file(
+          "FILE", options.files,
+          "regions or sums: .dat, WKT, GeoJSON or an SVG path (docs/files.md); - is standard input")
+      .required();
+  const Option view =
+      command.option("--view", options.view, view_help()).type("NAME:{" + view_names(",") + "}");
+  command
+      .flag("--together", options.together,
+            "draw all files over each other, the first at the bottom, not side by side")
+      .excludes(view);
   add_union(command, options.overlaps, "each file");
   command
-      .add_option(
-          "--at", options.at,
-          "the x of --view placement, which draws -Q + x: integers, decimals or fractions p/q")
-      ->type_name("X,Y");
+      .option("--at", options.at,
+              "the x of --view placement, which draws -Q + x: integers, decimals or fractions p/q")
+      .type("X,Y");
   command
-      .add_option("-o,--output", options.output,
-                  "the picture to write, an SVG; - is standard output")
-      ->required()
-      ->type_name("FILE.svg");
+      .option("-o,--output", options.output, "the picture to write, an SVG; - is standard output")
+      .required()
+      .type("FILE.svg");
   command.footer(
       "Example:\n"
       "  oplus gen holes --n 8 --summand P -o p.wkt\n"

@@ -57,12 +57,6 @@ ExitCode list() {
   return ExitCode::done;
 }
 
-/// For help and completion. An unknown name is refused with a message of gen.
-std::string family_names() {
-  return joined(
-      families(), [](const Family& family) { return family.name; }, ",");
-}
-
 ExitCode gen(const GenOptions& options) {
   if (options.list) return options.json ? list_as_json() : list();
   if (!options.family) throw UsageError("gen needs a FAMILY; 'oplus gen --list' lists them");
@@ -84,26 +78,26 @@ ExitCode gen(const GenOptions& options) {
 
 }  // namespace
 
-void add_gen(CLI::App& program, Action& chosen) {
+void add_gen(Program& program) {
   const auto& [command, options] =
-      add_subcommand(program, chosen, "gen", "Write a region of a family of test pairs", gen);
+      program.add("gen", "Write a region of a family of test pairs", gen);
+  // gen refuses unknown names itself.
+  command.option("FAMILY", options.family, "the name of a family; 'oplus gen --list' lists them")
+      .type("NAME:{" + joined(families(), &Family::name, ",") + "}");
+  const Option listing =
+      command.flag("--list", options.list, "list the families, and what n is in each");
+  command.flag("--json", options.json, "list them in JSON (docs/json.md)").needs(listing);
   command
-      .add_option("FAMILY", options.family, "the name of a family; 'oplus gen --list' lists them")
-      ->type_name_fn([] { return "NAME:{" + family_names() + "}"; });
-  CLI::Option* listing =
-      command.add_flag("--list", options.list, "list the families, and what n is in each");
-  command.add_flag("--json", options.json, "list them in JSON (docs/json.md)")->needs(listing);
+      .option("--n", options.n,
+              "the size; --list says what it counts in each family; by default a typical one")
+      .type("N");
   command
-      .add_option("--n", options.n,
-                  "the size; --list says what it counts in each family; by default a typical one")
-      ->type_name("N");
-  command
-      .add_option("--seed", options.seed,
-                  "the same seed gives the same pair on every machine; by default 1")
-      ->type_name("S");
-  command.add_option("--summand", options.summand, "which region of the pair; by default P")
-      ->check(CLI::IsMember({"P", "Q"}))
-      ->type_name("NAME");
+      .option("--seed", options.seed,
+              "the same seed gives the same pair on every machine; by default 1")
+      .type("S");
+  command.option("--summand", options.summand, "which region of the pair; by default P")
+      .one_of({"P", "Q"})
+      .type("NAME");
   add_output(command, options.output, "the region");
   command.footer(
       "Example:\n"

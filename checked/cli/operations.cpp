@@ -83,28 +83,29 @@ ExitCode complement_of(const ComplementOptions& options) {
 
 }  // namespace
 
-void add_operations(CLI::App& program, Action& chosen) {
+void add_operations(Program& program) {
   for (const Operation& operation : operations()) {
     const auto& [command, options] =
-        add_subcommand(program, chosen, operation.name, "Compute " + operation.what, operate);
+        program.add(operation.name, "Compute " + operation.what, operate);
     options.operation = operation;
-    add_file(
-        command, "P", options.p,
-        std::string("a region (docs/files.md), which may be unbounded (.dat)") +
-            (operation.takes_any_p ? "; also line strings, points, and collections of all three"
-                                   : "") +
-            "; - is standard input")
-        ->required();
-    add_file(command, "Q", options.q,
-             "the other one, in any of these formats; also line strings, points, and collections")
-        ->required();
+    command
+        .file(
+            "P", options.p,
+            std::string("a region (docs/files.md), which may be unbounded (.dat)") +
+                (operation.takes_any_p ? "; also line strings, points, and collections of all three"
+                                       : "") +
+                "; - is standard input")
+        .required();
+    command
+        .file("Q", options.q,
+              "the other one, in any of these formats; also line strings, points, and collections")
+        .required();
     add_output(command, options.output, "the result");
     add_union(command, options.overlaps, "P, and of Q");
-    command
-        .add_option("--engine", options.engine, "the engine that computes sums, as in oplus sum")
-        ->check(CLI::IsMember(names_of(engines_and_oracle())))
-        ->type_name("NAME");
-    add_file(command, "--svg", options.svg, "draw P, Q and the result there, as SVG");
+    command.option("--engine", options.engine, "the engine that computes sums, as in oplus sum")
+        .one_of(names_of(engines_and_oracle()))
+        .type("NAME");
+    command.file("--svg", options.svg, "draw P, Q and the result there, as SVG");
     command.footer(
         "Q + x is Q moved by x. Where the two just fit, the result has edges and points of its own, written\n"
         "as line strings and points; those of nfp are not in it, those of ifp are.\n"
@@ -117,12 +118,13 @@ void add_operations(CLI::App& program, Action& chosen) {
   }
 }
 
-void add_complement(CLI::App& program, Action& chosen) {
-  const auto& [command, options] = add_subcommand(
-      program, chosen, "complement", "Write the closure of a region's complement", complement_of);
-  add_file(command, "R", options.file,
-           "a region (docs/files.md), which may be unbounded (.dat); - is standard input")
-      ->required();
+void add_complement(Program& program) {
+  const auto& [command, options] =
+      program.add("complement", "Write the closure of a region's complement", complement_of);
+  command
+      .file("R", options.file,
+            "a region (docs/files.md), which may be unbounded (.dat); - is standard input")
+      .required();
   add_output(command, options.output, "the complement");
   add_union(command, options.overlaps, "R");
   command.footer(

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/cli/program.hpp"
 
-#include <memory>
-
 #include "checked/cli/command_line/program_frame.hpp"
 #include "checked/cli/crash.hpp"
 #include "checked/cli/subcommands.hpp"
@@ -24,13 +22,11 @@ const ProgramFrame frame = {
     "  2  invalid input or usage, or a file that cannot be read or written\n"
     "  3  a bug in oplus; please report it"};
 
-std::function<int()> add_commands(CLI::App& program) {
-  const auto chosen = std::make_shared<Action>();
+void add_commands(Program& program) {
   for (const auto add :
        {add_sum, add_compare, add_verify, add_certify, add_operations, add_complement, add_disc,
         add_transform, add_batch, add_draw, add_reflect, add_repair, add_gen})
-    add(program, *chosen);
-  return [chosen] { return static_cast<int>((*chosen)()); };
+    add(program);
 }
 
 }  // namespace

@@ -35,15 +35,15 @@ ExitCode reflect(const ReflectOptions& options) {
 
 }  // namespace
 
-void add_reflect(CLI::App& program, Action& chosen) {
-  const auto& [command, options] =
-      add_subcommand(program, chosen, "reflect",
-                     "Write -R, each point p of a region or another set R taken to -p", reflect);
-  add_file(
-      command, "R", options.file,
-      "a region or a sum (docs/files.md), also line strings, points, and collections of all three; "
-      "- is standard input")
-      ->required();
+void add_reflect(Program& program) {
+  const auto& [command, options] = program.add(
+      "reflect", "Write -R, each point p of a region or another set R taken to -p", reflect);
+  command
+      .file(
+          "R", options.file,
+          "a region or a sum (docs/files.md), also line strings, points, and collections of all three; "
+          "- is standard input")
+      .required();
   add_output(command, options.output, "-R");
   add_union(command, options.overlaps, "R");
   add_open_set(command, options.boundary);

@@ -77,24 +77,26 @@ ExitCode repair(const RepairOptions& options) {
 
 }  // namespace
 
-void add_repair(CLI::App& program, Action& chosen) {
-  const auto& [command, options] = add_subcommand(
-      program, chosen, "repair",
+void add_repair(Program& program) {
+  const auto& [command, options] = program.add(
+      "repair",
       "Mend a region: repeated vertices, spikes, open rings, orientation; say what was done",
       repair);
-  add_file(command, "R", options.file,
-           "what is to be a region: WKT, GeoJSON, .dat or SVG path data; - is standard input")
-      ->required();
+  command
+      .file("R", options.file,
+            "what is to be a region: WKT, GeoJSON, .dat or SVG path data; - is standard input")
+      .required();
   add_output(command, options.output, "the region");
-  add_choice<FillRule>(
-      command, "--fill", options.fill,
-      {{"even-odd", FillRule::even_odd}, {"nonzero", FillRule::nonzero}},
-      "make a region of chains that cross or overlap too: even-odd, the points around which they "
-      "wind an odd number of times; nonzero, all around which they wind, outer chains "
-      "counterclockwise and holes clockwise. By default such chains are refused")
-      ->type_name("RULE");
-  command.add_flag("--json", options.json,
-                   "print what was done in JSON (docs/json.md); needs --output");
+  command
+      .choice<FillRule>(
+          "--fill", options.fill,
+          {{"even-odd", FillRule::even_odd}, {"nonzero", FillRule::nonzero}},
+          "make a region of chains that cross or overlap too: even-odd, the points around which they "
+          "wind an odd number of times; nonzero, all around which they wind, outer chains "
+          "counterclockwise and holes clockwise. By default such chains are refused")
+      .type("RULE");
+  command.flag("--json", options.json,
+               "print what was done in JSON (docs/json.md); needs --output");
   command.footer(
       "What is done is a line each on standard error, with the place in the input (docs/files.md).\n"
       "\n"

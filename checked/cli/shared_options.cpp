@@ -10,11 +10,11 @@
 
 namespace oplus {
 
-void add_output(CLI::App& command, RegionOutput& output, const std::string& what) {
-  add_file(command, "-o,--output", output.path,
-           "write " + what + " there; by default to standard output");
-  add_choice<Format>(
-      command, "--format", output.format,
+void add_output(const Command& command, RegionOutput& output, const std::string& what) {
+  command.file("-o,--output", output.path,
+               "write " + what + " there; by default to standard output");
+  command.choice<Format>(
+      "--format", output.format,
       {{"wkt", Format::wkt},
        {"dat", Format::dat},
        {"geojson", Format::geojson},
@@ -24,34 +24,34 @@ void add_output(CLI::App& command, RegionOutput& output, const std::string& what
   add_rounding(command, output);
 }
 
-void add_rounding(CLI::App& command, RoundingOptions& rounding) {
+void add_rounding(const Command& command, RoundingOptions& rounding) {
   command
-      .add_option("--grid", rounding.grid,
-                  "round to multiples of STEP, so that the output is valid and without fractions "
-                  "(docs/rounding.md); by default it is exact, with fractions p/q where a decimal "
-                  "would not end")
-      ->type_name("STEP");
-  command.add_option("--digits", rounding.digits, "round to N decimals: short for --grid 10^-N")
-      ->check(CLI::Range(0, most_digits))
-      ->type_name("N");
-  add_choice<Side>(
-      command, "--side", rounding.side,
+      .option("--grid", rounding.grid,
+              "round to multiples of STEP, so that the output is valid and without fractions "
+              "(docs/rounding.md); by default it is exact, with fractions p/q where a decimal "
+              "would not end")
+      .type("STEP");
+  command.option("--digits", rounding.digits, "round to N decimals: short for --grid 10^-N")
+      .range(0, most_digits)
+      .type("N");
+  command.choice<Side>(
+      "--side", rounding.side,
       {{"nearest", Side::nearest}, {"contain", Side::contain}, {"contained", Side::contained}},
       "what is rounded is nearest, moved by at most half a step in x and in y (the default); "
       "or it is to contain the exact set, or to be contained in it, and differs by at most a "
       "step in x and in y");
 }
 
-CLI::Option* add_angle_error(CLI::App& command, std::string& error) {
+Option add_angle_error(const Command& command, std::string& error) {
   return command
-      .add_option(
+      .option(
           "--angle-error", error,
           "rotations are exact, but by at most E degrees more or less than the angle that was asked "
           "for, " +
               std::string(default_angle_error) +
               " by default, with the smallest denominator of those; not by multiples of 90 degrees. "
               "The exact cosine and sine are said")
-      ->type_name("E");
+      .type("E");
 }
 
 Rational angle_error(const std::string& text) {
@@ -60,32 +60,32 @@ Rational angle_error(const std::string& text) {
   return error;
 }
 
-void add_union(CLI::App& command, Overlaps& overlaps, const std::string& what) {
-  command.add_flag_callback(
+void add_union(const Command& command, Overlaps& overlaps, const std::string& what) {
+  command.flag(
       "--union", [&overlaps] { overlaps = Overlaps::allowed; },
       "take the union of the polygons of " + what +
           ", which may overlap, share edges and contain each other; each by itself must be valid");
 }
 
-void add_threads(CLI::App& command, std::optional<unsigned>& threads, const std::string& what) {
+void add_threads(const Command& command, std::optional<unsigned>& threads,
+                 const std::string& what) {
   command
-      .add_option(
-          "--threads", threads,
-          "the number of threads" + what + ", by default one per core. The result is the same")
-      ->check(CLI::Range(1, 1024))
-      ->type_name("N");
+      .option("--threads", threads,
+              "the number of threads" + what + ", by default one per core. The result is the same")
+      .range(1, 1024)
+      .type("N");
 }
 
 unsigned number_of(const std::optional<unsigned>& threads) {
   return threads ? *threads : std::max(std::thread::hardware_concurrency(), 1U);
 }
 
-void add_open(CLI::App& command, Boundary& boundary, const std::string& what) {
-  command.add_flag_callback(
+void add_open(const Command& command, Boundary& boundary, const std::string& what) {
+  command.flag(
       "--open", [&boundary] { boundary = Boundary::open; }, what);
 }
 
-void add_open_set(CLI::App& command, Boundary& boundary) {
+void add_open_set(const Command& command, Boundary& boundary) {
   add_open(
       command, boundary,
       "R is an open set, as sum --open and nfp write them: with --grid or --digits, line strings "

@@ -283,45 +283,46 @@ std::string engine_help() {
 
 }  // namespace
 
-void add_sum(CLI::App& program, Action& chosen) {
-  const auto& [command, options] = add_subcommand(
-      program, chosen, "sum",
-      "Compute the Minkowski sum of two regions, or of sets with line strings and points", sum);
-  add_file(
-      command, "P", options.p,
-      "a region (docs/files.md); also line strings, points, and collections of all three; - is "
-      "standard input")
-      ->required();
-  add_file(command, "Q", options.q, "the other one, in any of these formats")->required();
+void add_sum(Program& program) {
+  const auto& [command, options] = program.add(
+      "sum", "Compute the Minkowski sum of two regions, or of sets with line strings and points",
+      sum);
+  command
+      .file(
+          "P", options.p,
+          "a region (docs/files.md); also line strings, points, and collections of all three; - is "
+          "standard input")
+      .required();
+  command.file("Q", options.q, "the other one, in any of these formats").required();
   add_output(command, options.output, "the sum");
   add_union(command, options.overlaps, "P, and of Q");
   add_open(
       command, options.boundary,
       "sum the regions' interiors: keeps dangling edges and isolated vertices; of line strings and "
       "points with a region, its interior at each of their points");
-  command.add_option("--engine", options.engine, engine_help())
-      ->check(CLI::IsMember(names_of(engines_and_oracle())))
-      ->type_name("NAME");
+  command.option("--engine", options.engine, engine_help())
+      .one_of(names_of(engines_and_oracle()))
+      .type("NAME");
   command
-      .add_option("--hole-test", options.hole_test,
-                  "how rca and loops decide what their filters leave open, and winding which "
-                  "low-dimensional features there are: bvh (the default), hierarchies of bounding "
-                  "volumes; sweep, a sweep line; naive, all pairs of edges; ray, rays through the "
-                  "full convolution. The sum is the same")
-      ->check(CLI::IsMember(hole_test_methods()))
-      ->type_name("NAME");
+      .option("--hole-test", options.hole_test,
+              "how rca and loops decide what their filters leave open, and winding which "
+              "low-dimensional features there are: bvh (the default), hierarchies of bounding "
+              "volumes; sweep, a sweep line; naive, all pairs of edges; ray, rays through the "
+              "full convolution. The sum is the same")
+      .one_of(texts(hole_test_methods(), &std::pair<std::string, HoleTestMethod>::first))
+      .type("NAME");
   add_threads(command, options.threads, " of the engine slide");
-  add_file(
-      command, "--svg", options.svg,
+  command.file(
+      "--svg", options.svg,
       "draw summands, convolutions and sum there, as SVG; convolutions of up to 20000 segments");
-  add_file(command, "--origins", options.origins,
-           "write there, as JSON, which vertex and edge each edge of the sum came from");
-  add_file(command, "--certificate", options.certificate,
-           "write there what oplus-certified needs to check the sum (docs/certificates.md)");
-  command.add_flag("--stats", options.stats,
-                   "print sizes, times of all stages and memory to standard error");
-  add_file(command, "--stats-json", options.stats_json,
-           "write the same there, as JSON (docs/json.md); - is standard output");
+  command.file("--origins", options.origins,
+               "write there, as JSON, which vertex and edge each edge of the sum came from");
+  command.file("--certificate", options.certificate,
+               "write there what oplus-certified needs to check the sum (docs/certificates.md)");
+  command.flag("--stats", options.stats,
+               "print sizes, times of all stages and memory to standard error");
+  command.file("--stats-json", options.stats_json,
+               "write the same there, as JSON (docs/json.md); - is standard output");
   command.footer(
       "Example:\n"
       "  oplus gen comb --n 5 --summand P -o p.wkt\n"

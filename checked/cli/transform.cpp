@@ -92,36 +92,32 @@ ExitCode transform(const TransformOptions& options) {
 
 }  // namespace
 
-void add_transform(CLI::App& program, Action& chosen) {
-  const auto& [command, options] = add_subcommand(
-      program, chosen, "transform", "Move, scale, rotate or reflect a region, exactly", transform);
-  add_file(
-      command, "R", options.file,
-      "a region, a sum, line strings or points (docs/files.md); - is standard input; it may be unbounded "
-      "(.dat)")
-      ->required();
+void add_transform(Program& program) {
+  const auto& [command, options] =
+      program.add("transform", "Move, scale, rotate or reflect a region, exactly", transform);
+  command
+      .file(
+          "R", options.file,
+          "a region, a sum, line strings or points (docs/files.md); - is standard input; it may be unbounded "
+          "(.dat)")
+      .required();
   // Options take effect in the order of the command line, which is when they are parsed.
   const auto add_step = [&command, &options](const std::string& name, const std::string& value,
                                              const std::string& what) {
-    return command
-        .add_option_function<std::string>(
-            name,
-            [=, &options](const std::string& text) {
-              options.steps.push_back({name, text});
-            },
-            what)
-        ->trigger_on_parse()
-        ->type_name(value);
+    const auto take = [=, &options](const std::string& text) {
+      options.steps.push_back({name, text});
+    };
+    return command.option_taken_by(name, take, what).at_once().type(value);
   };
   add_step("--translate", "X,Y", "add X to each x and Y to each y");
   add_step("--scale", "F|FX,FY", "multiply by F, or each x by FX and each y by FY; not by zero");
-  CLI::Option* rotate = add_step(
+  const Option rotate = add_step(
       "--rotate", "ANGLE|COS,SIN",
       "rotate about the origin, counterclockwise: by ANGLE degrees, a multiple of 90 exactly, any "
       "other nearly (see --angle-error), or exactly by the angle with this cosine and sine");
   add_step("--reflect", "NAME", "reflect in the x-axis, in the y-axis or in the origin")
-      ->check(CLI::IsMember({"x", "y", "origin"}));
-  add_angle_error(command, options.angle_error)->needs(rotate);
+      .one_of({"x", "y", "origin"});
+  add_angle_error(command, options.angle_error).needs(rotate);
   add_output(command, options.output, "the result");
   add_union(command, options.overlaps, "R");
   add_open_set(command, options.boundary);

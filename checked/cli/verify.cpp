@@ -166,28 +166,29 @@ ExitCode verify_files(const VerifyOptions& options) {
 
 }  // namespace
 
-void add_verify(CLI::App& program, Action& chosen) {
-  const auto& [command, options] = add_subcommand(
-      program, chosen, "verify",
+void add_verify(Program& program) {
+  const auto& [command, options] = program.add(
+      "verify",
       "Check whether a set is the sum of two regions; if not, give a witness and the reason",
       verify_files);
-  add_file(command, "P", options.p,
-           "a region: .dat, WKT, GeoJSON or an SVG path (docs/files.md); - is standard input")
-      ->required();
-  add_file(command, "Q", options.q, "the other region")->required();
-  add_file(command, "S", options.sum, "the sum to check, valid or not")->required();
+  command
+      .file("P", options.p,
+            "a region: .dat, WKT, GeoJSON or an SVG path (docs/files.md); - is standard input")
+      .required();
+  command.file("Q", options.q, "the other region").required();
+  command.file("S", options.sum, "the sum to check, valid or not").required();
   add_union(command, options.overlaps, "P, and of Q");
   add_open(command, options.boundary,
            "check it against the sum of the regions' interiors, with dangling edges and isolated "
            "vertices");
   command
-      .add_option(
+      .option(
           "--tolerance", options.tolerance,
           "for a rounded sum: check that it differs from the sum only within the distance D of the "
           "sum's boundary, and say which components and holes do not correspond")
-      ->type_name("D");
-  add_file(command, "--svg", options.svg, "draw S over the sum, and P and -Q + x at the witness x");
-  command.add_flag("--json", options.json, "answer in JSON (docs/json.md)");
+      .type("D");
+  command.file("--svg", options.svg, "draw S over the sum, and P and -Q + x at the witness x");
+  command.flag("--json", options.json, "answer in JSON (docs/json.md)");
   command.footer(
       "Example:\n"
       "  oplus gen tight --n 6 --summand P -o p.wkt\n"

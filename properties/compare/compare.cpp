@@ -34,15 +34,12 @@ namespace oplus {
 
 namespace {
 
-CLI::Validator engine_name() {
+std::vector<std::string> engine_names() {
   std::vector<std::string> names = {"all"};
   for (const std::vector<Engine>& some : {engines(), peers()})
     for (const Engine& engine : some) names.push_back(engine.name);
   names.emplace_back("certified");
-  const CLI::Validator known =
-      known_name("engine", names, "the engines are " + boost::join(names, ", ") + ", exec:CMD");
-  return CLI::Validator(known).operation(
-      [known](std::string& name) { return engine_called(name, {}) ? "" : known(name); });
+  return names;
 }
 
 /// Reads "2/8"; nullopt where it is not a shard.
@@ -55,12 +52,6 @@ std::optional<Shard> shard_of(const std::string& text) {
   if (of.ec != std::errc() || of.ptr != end) return std::nullopt;
   if (shard.index < 1 || shard.index > shard.of) return std::nullopt;
   return shard;
-}
-
-std::vector<std::string> judge_names() {
-  std::vector<std::string> names;
-  for (const Judge& judge : judges()) names.push_back(judge.name);
-  return names;
 }
 
 HoleTestMethod hole_test_named(const std::string& name) {
@@ -125,72 +116,71 @@ CampaignReport run(const CompareOptions& options, CampaignReport report,
 
 }  // namespace
 
-void add_run_options(CLI::App& command, CompareOptions& options) {
+void add_run_options(const Command& command, CompareOptions& options) {
   command
-      .add_option(
-          "--judge", options.campaign.judge,
-          "What computes the right sums. oracle: executes the definitions, about a minute for "
-          "1000 segments of the convolution; winding-numbers: counts them along the line of "
-          "each segment, in integers, half a second for 5000, more if coordinates are large")
-      ->type_name("NAME")
-      ->check(CLI::IsMember(judge_names()))
-      ->capture_default_str();
-  command.add_option("--shard", options.shard, "Only pairs of the I-th of N parts")
-      ->type_name("I/N")
-      ->capture_default_str();
+      .option("--judge", options.campaign.judge,
+              "What computes the right sums. oracle: executes the definitions, about a minute for "
+              "1000 segments of the convolution; winding-numbers: counts them along the line of "
+              "each segment, in integers, half a second for 5000, more if coordinates are large")
+      .type("NAME")
+      .one_of(texts(judges(), &Judge::name))
+      .default_shown();
+  command.option("--shard", options.shard, "Only pairs of the I-th of N parts")
+      .type("I/N")
+      .default_shown();
   command
-      .add_option("--resume", options.resume,
-                  "Keep the state in this file, and go on from it if it exists")
-      ->type_name("FILE");
-  command.add_option("--threads", options.threads, "Pairs at a time; default: one per core")
-      ->check(CLI::Range(1, 1024));
-  command.add_option("--out", options.out, "Folder for disagreements")
-      ->type_name("DIR")
-      ->capture_default_str();
+      .option("--resume", options.resume,
+              "Keep the state in this file, and go on from it if it exists")
+      .type("FILE");
+  command.option("--threads", options.threads, "Pairs at a time; default: one per core")
+      .range(1, 1024);
+  command.option("--out", options.out, "Folder for disagreements").type("DIR").default_shown();
   command
-      .add_option("--report", options.reports,
-                  "A report: .md for people, .json, .xml for a CI (JUnit); may be repeated")
-      ->type_name("FILE");
-  command.add_flag("--json", options.json, "Print the JSON report, not a table (docs/json.md)");
+      .option("--report", options.reports,
+              "A report: .md for people, .json, .xml for a CI (JUnit); may be repeated")
+      .type("FILE");
+  command.flag("--json", options.json, "Print the JSON report, not a table (docs/json.md)");
 }
 
-void add_engine_option(CLI::App& command, CompareOptions& options, const std::string& what) {
-  command.add_option("--engine", options.campaign.engines, what)
-      ->type_name("NAME")
-      ->check(engine_name());
+Option add_engine_option(const Command& command, CompareOptions& options, const std::string& what) {
+  const std::vector<std::string> names = engine_names();
+  const auto known =
+      known_name("engine", names, "the engines are " + boost::join(names, ", ") + ", exec:CMD");
+  return command.option("--engine", options.campaign.engines, what)
+      .type("NAME")
+      .one_of(names, [known](const std::string& name) {
+        if (!engine_called(name, {})) known(name);
+      });
 }
 
-void add_limit_options(CLI::App& command, CompareOptions& options) {
+void add_limit_options(const Command& command, CompareOptions& options) {
   Campaign& campaign = options.campaign;
   std::string defaults;
   for (const Judge& judge : judges())
     defaults +=
         (defaults.empty() ? "" : ", ") + std::to_string(judge.largest) + " for " + judge.name;
-  command.add_option(
+  command.option(
       "--largest", options.largest,
       "Skip, and count, pairs whose convolution has more segments; default: " + defaults);
-  command
-      .add_option("--time-limit", campaign.time_limit, "Seconds per sum of a peer or of exec:CMD")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command
-      .add_option("--memory-limit", campaign.memory_limit,
-                  "Their address space in MB; 0: unlimited")
-      ->capture_default_str();
+  command.option("--time-limit", campaign.time_limit, "Seconds per sum of a peer or of exec:CMD")
+      .positive()
+      .default_shown();
+  command.option("--memory-limit", campaign.memory_limit, "Their address space in MB; 0: unlimited")
+      .default_shown();
 }
 
-void add_shrink_option(CLI::App& command, Campaign& campaign) {
+void add_shrink_option(const Command& command, Campaign& campaign) {
   campaign.shrink = 3;
   command
-      .add_option("--shrink", campaign.shrink,
-                  "The most disagreements to shrink: the smallest of each kind")
-      ->default_str("3");
+      .option("--shrink", campaign.shrink,
+              "The most disagreements to shrink: the smallest of each kind")
+      .default_shown("3");
 }
 
-void add_pair_option(CLI::App& command, CompareOptions& options) {
-  command.add_option("--pair", options.pairs, "Only this pair of files; may be repeated")
-      ->type_name("P Q")
-      ->type_size(2);
+void add_pair_option(const Command& command, CompareOptions& options) {
+  command.option("--pair", options.pairs, "Only this pair of files; may be repeated")
+      .type("P Q")
+      .values_each_time(2);
 }
 
 std::vector<Task> given_pairs(CompareOptions& options) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
+#include "checked/cli/command_line/options.hpp"
 #include "properties/compare/campaign_report.hpp"
 
 namespace oplus {
@@ -23,11 +23,11 @@ struct CompareOptions {
 };
 
 /// Add options; the target must live as long as the command.
-void add_run_options(CLI::App& command, CompareOptions& options);
-void add_engine_option(CLI::App& command, CompareOptions& options, const std::string& what);
-void add_limit_options(CLI::App& command, CompareOptions& options);
-void add_shrink_option(CLI::App& command, Campaign& campaign);
-void add_pair_option(CLI::App& command, CompareOptions& options);
+void add_run_options(const Command& command, CompareOptions& options);
+Option add_engine_option(const Command& command, CompareOptions& options, const std::string& what);
+void add_limit_options(const Command& command, CompareOptions& options);
+void add_shrink_option(const Command& command, Campaign& campaign);
+void add_pair_option(const Command& command, CompareOptions& options);
 
 /// Reads the pairs of files and notes their names. Throws InvalidInput.
 std::vector<Task> given_pairs(CompareOptions& options);

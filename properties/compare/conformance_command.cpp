@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <memory>
-
+#include "properties/commands.hpp"
 #include "properties/compare/compare.hpp"
-#include "properties/compare/compare_commands.hpp"
 #include "properties/compare/conformance_sources.hpp"
 
 namespace oplus {
@@ -13,37 +11,44 @@ struct Settings : CompareOptions {
   ConformanceChoice choice;
 };
 
+int conformance(Settings settings) {
+  settings.choice.seed = settings.campaign.seed;
+  const std::vector<Task> given = given_pairs(settings);
+  return compare("conformance", settings,
+                 given.empty() ? conformance_sources(settings.choice) : conformance_sources(given));
+}
+
 }  // namespace
 
-void add_conformance_command(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand(
+void add_conformance_command(Program& program) {
+  const auto& [command, settings] = program.add(
       "conformance",
-      "Check the sums of one implementation against the oracle or winding numbers, statements and laws");
-  const auto settings = std::make_shared<Settings>();
-  Campaign& campaign = settings->campaign;
-  ConformanceChoice& choice = settings->choice;
+      "Check the sums of one implementation against the oracle or winding numbers, statements and laws",
+      conformance);
+  Campaign& campaign = settings.campaign;
+  ConformanceChoice& choice = settings.choice;
   campaign.shrink_tries = 1000;
   add_engine_option(
-      *command, *settings,
-      "The implementation: an engine of oplus, a peer, or exec:CMD; see 'diff --help'");
-  command->get_option("--engine")->required();
-  add_pair_option(*command, *settings);
-  command->add_option("--part", choice.parts, "Only this part; may be repeated")
-      ->type_name("NAME")
-      ->check(CLI::IsMember(conformance_parts()));
-  command->add_option("--seed", campaign.seed, "Same seed, same pairs")->capture_default_str();
-  command->add_option("--budget", choice.budget, "Pairs in all, the corpus not counted")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1000000000}))
-      ->capture_default_str();
-  command->add_option("--cases", choice.cases, "Pairs per grid, family, statement and law, instead")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1000000000}));
+      command, settings,
+      "The implementation: an engine of oplus, a peer, or exec:CMD; see 'diff --help'")
+      .required();
+  add_pair_option(command, settings);
+  command.option("--part", choice.parts, "Only this part; may be repeated")
+      .type("NAME")
+      .one_of(conformance_parts());
+  command.option("--seed", campaign.seed, "Same seed, same pairs").default_shown();
+  command.option("--budget", choice.budget, "Pairs in all, the corpus not counted")
+      .range(std::size_t{1}, std::size_t{1000000000})
+      .default_shown();
+  command.option("--cases", choice.cases, "Pairs per grid, family, statement and law, instead")
+      .range(std::size_t{1}, std::size_t{1000000000});
   command
-      ->add_option("--shrink", campaign.shrink_tries,
-                   "The most pairs to try when a counterexample is shrunk; for hangs a twentieth")
-      ->capture_default_str();
-  add_limit_options(*command, *settings);
-  add_run_options(*command, *settings);
-  command->footer(
+      .option("--shrink", campaign.shrink_tries,
+              "The most pairs to try when a counterexample is shrunk; for hangs a twentieth")
+      .default_shown();
+  add_limit_options(command, settings);
+  add_run_options(command, settings);
+  command.footer(
       "Parts, in the order of the run: grids (all pairs of small polygons on small grids, or an even\n"
       "selection), corpus, families (random pairs against the judge), statements (of the thesis),\n"
       "laws (of the sum).\n"
@@ -58,13 +63,6 @@ void add_conformance_command(CLI::App& app, int& exit_code) {
       "  2  invalid input or usage, a file that cannot be read or written, or nothing compared\n"
       "  5  interrupted by SIGINT or SIGTERM; the reports contain what was compared until then, and with\n"
       "     --resume the same command goes on. A second signal ends the program at once");
-  command->callback([settings, &exit_code] {
-    settings->choice.seed = settings->campaign.seed;
-    const std::vector<Task> given = given_pairs(*settings);
-    exit_code =
-        compare("conformance", *settings,
-                given.empty() ? conformance_sources(settings->choice) : conformance_sources(given));
-  });
 }
 
 }  // namespace oplus

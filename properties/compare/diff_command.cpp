@@ -2,14 +2,13 @@
 #include <boost/algorithm/string/join.hpp>
 #include <filesystem>
 #include <map>
-#include <memory>
 
 #include "checked/arrangement/hole_test.hpp"
 #include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/usage_error.hpp"
+#include "properties/commands.hpp"
 #include "properties/compare/certified_engine.hpp"
 #include "properties/compare/compare.hpp"
-#include "properties/compare/compare_commands.hpp"
 #include "properties/compare/engine_called.hpp"
 #include "properties/compare/operation.hpp"
 #include "properties/compare/sources.hpp"
@@ -32,12 +31,6 @@ std::size_t main_job_cases(const std::string& family) {
                                                             {"islands", 300}, {"fork", 6}};
   const auto count = counts.find(family);
   return count == counts.end() ? 60 : count->second;
-}
-
-std::vector<std::string> family_names() {
-  std::vector<std::string> names;
-  for (const Family& family : families()) names.push_back(family.name);
-  return names;
 }
 
 std::vector<std::string> hole_test_names() {
@@ -66,7 +59,7 @@ std::string other_engines() {
 std::vector<TaskSource> chosen_sources(Settings& settings) {
   const Campaign& campaign = settings.campaign;
   if (settings.pairs.empty() && settings.folders.empty() && settings.families.empty()) {
-    settings.families = family_names();
+    settings.families = texts(families(), &Family::name);
     if (!campaign.is_of_sums())
       settings.families = {"grid", "tight", "holes", "components", "islands"};
     else if (std::filesystem::is_directory(data_folder()))
@@ -96,59 +89,69 @@ std::vector<TaskSource> chosen_sources(Settings& settings) {
   return sources;
 }
 
+int diff(Settings settings) {
+  if (settings.reports.empty())
+    settings.reports = {(std::filesystem::path(settings.out) / "diff.json").string()};
+  const Campaign& chosen = settings.campaign;
+  if (!chosen.is_of_sums() && chosen.judge != judges().front().name)
+    throw UsageError("--judge " + chosen.judge +
+                     " is for sums; an operation is compared with "
+                     "its definition, which is the oracle's");
+  if (!chosen.is_of_sums() && !settings.folders.empty())
+    throw UsageError("--folder is for sums; --operation takes --pair or --family");
+  const std::vector<TaskSource> sources = chosen_sources(settings);
+  return compare("diff", settings, sources);
+}
+
 }  // namespace
 
-void add_diff_command(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand(
+void add_diff_command(Program& program) {
+  const auto& [command, settings] = program.add(
       "diff",
       "Compare engines with the oracle, or with winding numbers, on pairs that are named or on those "
-      "of the main job");
-  const auto settings = std::make_shared<Settings>();
-  Campaign& campaign = settings->campaign;
+      "of the main job",
+      diff);
+  Campaign& campaign = settings.campaign;
   command
-      ->add_option(
-          "--operation", campaign.operation,
-          "What is computed of each pair, by the sums of each engine, and compared with its "
-          "definition: " +
-              boost::join(operation_names(), ", ") +
-              "; sum: the sums themselves. Families give pairs that fit each other")
-      ->type_name("NAME")
-      ->check(CLI::IsMember(operations_and_sums()))
-      ->capture_default_str();
+      .option("--operation", campaign.operation,
+              "What is computed of each pair, by the sums of each engine, and compared with its "
+              "definition: " +
+                  boost::join(operation_names(), ", ") +
+                  "; sum: the sums themselves. Families give pairs that fit each other")
+      .type("NAME")
+      .one_of(operations_and_sums())
+      .default_shown();
   add_engine_option(
-      *command, *settings,
+      command, settings,
       "The engine to check; may be repeated; default: all of oplus, and certified; other libraries and "
       "programs: below");
   command
-      ->add_option(
-          "--hole-test", campaign.hole_test,
-          "The hole test of the engines; all: each is asked about each point, and they must "
-          "agree")
-      ->type_name("NAME")
-      ->check(CLI::IsMember(hole_test_names()))
-      ->capture_default_str();
-  add_pair_option(*command, *settings);
+      .option("--hole-test", campaign.hole_test,
+              "The hole test of the engines; all: each is asked about each point, and they must "
+              "agree")
+      .type("NAME")
+      .one_of(hole_test_names())
+      .default_shown();
+  add_pair_option(command, settings);
   command
-      ->add_option("--folder", settings->folders,
-                   "The files of a folder: NAME_part1 with NAME_part2, the rest with each other")
-      ->type_name("DIR")
-      ->check(CLI::ExistingDirectory);
-  command->add_option("--family", settings->families, "A generated family; may be repeated")
-      ->type_name("NAME")
-      ->check(CLI::IsMember(family_names()));
-  command
-      ->add_option("--cases", settings->cases,
-                   "Pairs of each family; default: those of the main job")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1000000000}));
-  command->add_option("--n", campaign.n,
-                      "The largest size of a generated pair, as the family understands it");
-  command->add_option("--seed", campaign.seed, "Same seed, same pairs")->capture_default_str();
-  add_shrink_option(*command, campaign);
-  command->add_option("--shrink-tries", campaign.shrink_tries, "Pairs tried to shrink one")
-      ->capture_default_str();
-  add_limit_options(*command, *settings);
-  add_run_options(*command, *settings);
-  command->footer(
+      .option("--folder", settings.folders,
+              "The files of a folder: NAME_part1 with NAME_part2, the rest with each other")
+      .type("DIR")
+      .existing_folder();
+  command.option("--family", settings.families, "A generated family; may be repeated")
+      .type("NAME")
+      .one_of(texts(families(), &Family::name));
+  command.option("--cases", settings.cases, "Pairs of each family; default: those of the main job")
+      .range(std::size_t{1}, std::size_t{1000000000});
+  command.option("--n", campaign.n,
+                 "The largest size of a generated pair, as the family understands it");
+  command.option("--seed", campaign.seed, "Same seed, same pairs").default_shown();
+  add_shrink_option(command, campaign);
+  command.option("--shrink-tries", campaign.shrink_tries, "Pairs tried to shrink one")
+      .default_shown();
+  add_limit_options(command, settings);
+  add_run_options(command, settings);
+  command.footer(
       "Without --report the report is written to diff.json in --out.\n"
       "\n"
       "Other libraries and programs, each sum in a process of its own:\n" +
@@ -170,19 +173,6 @@ void add_diff_command(CLI::App& app, int& exit_code) {
       "  2  invalid input or usage, a file that cannot be read or written, or nothing compared\n"
       "  5  interrupted by SIGINT or SIGTERM; the reports contain what was compared until then, and with\n"
       "     --resume the same command goes on. A second signal ends the program at once");
-  command->callback([settings, &exit_code] {
-    if (settings->reports.empty())
-      settings->reports = {(std::filesystem::path(settings->out) / "diff.json").string()};
-    const Campaign& chosen = settings->campaign;
-    if (!chosen.is_of_sums() && chosen.judge != judges().front().name)
-      throw UsageError("--judge " + chosen.judge +
-                       " is for sums; an operation is compared with "
-                       "its definition, which is the oracle's");
-    if (!chosen.is_of_sums() && !settings->folders.empty())
-      throw UsageError("--folder is for sums; --operation takes --pair or --family");
-    const std::vector<TaskSource> sources = chosen_sources(*settings);
-    exit_code = compare("diff", *settings, sources);
-  });
 }
 
 }  // namespace oplus

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <memory>
-
+#include "properties/commands.hpp"
 #include "properties/compare/compare.hpp"
-#include "properties/compare/compare_commands.hpp"
 #include "properties/compare/sources.hpp"
 
 namespace oplus {
@@ -14,23 +12,27 @@ struct Settings : CompareOptions {
   std::size_t most_vertices = 4;
 };
 
+int exhaustive(const Settings& settings) {
+  return compare("exhaustive", settings, {grid_source(settings.side, settings.most_vertices)});
+}
+
 }  // namespace
 
-void add_exhaustive_command(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand(
+void add_exhaustive_command(Program& program) {
+  const auto& [command, settings] = program.add(
       "exhaustive",
-      "Compare engines with the oracle, or with winding numbers, on every pair of small grid polygons");
-  const auto settings = std::make_shared<Settings>();
-  command->add_option("--grid", settings->side, "Points along a side of the grid")
-      ->check(CLI::Range(2, 16))
-      ->capture_default_str();
-  command->add_option("--vertices", settings->most_vertices, "The most vertices of a polygon")
-      ->check(CLI::Range(3, 16))
-      ->capture_default_str();
-  add_engine_option(*command, *settings, "The engine to check; may be repeated");
-  add_shrink_option(*command, settings->campaign);
-  add_run_options(*command, *settings);
-  command->footer(
+      "Compare engines with the oracle, or with winding numbers, on every pair of small grid polygons",
+      exhaustive);
+  command.option("--grid", settings.side, "Points along a side of the grid")
+      .range(2, 16)
+      .default_shown();
+  command.option("--vertices", settings.most_vertices, "The most vertices of a polygon")
+      .range(3, 16)
+      .default_shown();
+  add_engine_option(command, settings, "The engine to check; may be repeated");
+  add_shrink_option(command, settings.campaign);
+  add_run_options(command, settings);
+  command.footer(
       "Of pairs that differ by exchange, translations or symmetries of the square one is compared.\n"
       "\n"
       "Example:\n"
@@ -42,10 +44,6 @@ void add_exhaustive_command(CLI::App& app, int& exit_code) {
       "  2  invalid input or usage, or a file that cannot be read or written\n"
       "  5  interrupted by SIGINT or SIGTERM; the reports contain what was compared until then, and with\n"
       "     --resume the same command goes on. A second signal ends the program at once");
-  command->callback([settings, &exit_code] {
-    exit_code =
-        compare("exhaustive", *settings, {grid_source(settings->side, settings->most_vertices)});
-  });
 }
 
 }  // namespace oplus

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <memory>
-
 #include "checked/cli/usage_error.hpp"
-#include "properties/compare/compare_commands.hpp"
+#include "properties/commands.hpp"
 #include "properties/compare/counterexample_files.hpp"
 #include "properties/compare/report_json.hpp"
 #include "properties/compare/report_text.hpp"
@@ -36,25 +34,24 @@ int merge(const Settings& settings) {
 
 }  // namespace
 
-void add_merge_command(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand(
+void add_merge_command(Program& program) {
+  const auto& [command, settings] = program.add(
       "merge",
-      "Merge the reports of all shards of a campaign into the one that a single run would have written");
-  const auto settings = std::make_shared<Settings>();
-  command->add_option("reports", settings->reports, "The JSON reports of all shards, in any order")
-      ->type_name("REPORT")
-      ->required();
+      "Merge the reports of all shards of a campaign into the one that a single run would have written",
+      merge);
+  command.option("reports", settings.reports, "The JSON reports of all shards, in any order")
+      .type("REPORT")
+      .required();
   command
-      ->add_option("-o,--output", settings->into,
-                   "The merged report: .md, .xml, else JSON; -: standard output")
-      ->type_name("FILE")
-      ->capture_default_str();
+      .option("-o,--output", settings.into,
+              "The merged report: .md, .xml, else JSON; -: standard output")
+      .type("FILE")
+      .default_shown();
   command
-      ->add_option(
-          "--out", settings->out,
-          "Write the counterexamples to this folder; default: they stay in the first shard's")
-      ->type_name("DIR");
-  command->footer(
+      .option("--out", settings.out,
+              "Write the counterexamples to this folder; default: they stay in the first shard's")
+      .type("DIR");
+  command.footer(
       "Example:\n"
       "  oplus-check merge shard-*.json -o conformance.json\n"
       "\n"
@@ -63,7 +60,6 @@ void add_merge_command(CLI::App& app, int& exit_code) {
       "  1  a disagreement\n"
       "  2  nothing was compared; or reports are missing, damaged, interrupted, of different campaigns,\n"
       "     or of the same shard with different content");
-  command->callback([settings, &exit_code] { exit_code = merge(*settings); });
 }
 
 }  // namespace oplus

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/fuzz/fuzz_command.hpp"
+#include "properties/commands.hpp"
 
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -142,49 +141,46 @@ int fuzz(Settings settings) {
 
 }  // namespace
 
-void add_fuzz_command(CLI::App& app, int& exit_code) {
-  CLI::App* command =
-      app.add_subcommand("fuzz", "Fuzz the readers, and slide against winding numbers");
-  const auto settings = std::make_shared<Settings>();
-  command->add_option("target", settings->targets, "What to fuzz; default: every target")
-      ->type_name("TARGET")
-      ->check(CLI::IsMember(names()));
-  command->add_flag("--list", settings->lists, "List the targets");
-  command->add_option("--seconds", settings->seconds, "Seconds per target")
-      ->check(CLI::Range(1, 100000000))
-      ->capture_default_str();
-  command->add_option("--runs", settings->runs, "Inputs per target, instead of --seconds")
-      ->check(CLI::Range(1, 1000000000));
-  command->add_option("--seed", settings->seed, "The seed of the random numbers")
-      ->check(CLI::Range(1U, 4294967295U))
-      ->capture_default_str();
+void add_fuzz_command(Program& program) {
+  const auto& [command, settings] =
+      program.add("fuzz", "Fuzz the readers, and slide against winding numbers", fuzz);
+  command.option("target", settings.targets, "What to fuzz; default: every target")
+      .type("TARGET")
+      .one_of(names());
+  command.flag("--list", settings.lists, "List the targets");
+  command.option("--seconds", settings.seconds, "Seconds per target")
+      .range(1, 100000000)
+      .default_shown();
+  command.option("--runs", settings.runs, "Inputs per target, instead of --seconds")
+      .range(1, 1000000000);
+  command.option("--seed", settings.seed, "The seed of the random numbers")
+      .range(std::size_t{1}, std::size_t{4294967295})
+      .default_shown();
   command
-      ->add_option(
-          "--corpus", settings->corpus,
-          "Folder for inputs that reached new code, one below it per target; default: corpus "
-          "in --out")
-      ->type_name("DIR");
+      .option("--corpus", settings.corpus,
+              "Folder for inputs that reached new code, one below it per target; default: corpus "
+              "in --out")
+      .type("DIR");
   command
-      ->add_option("--binaries", settings->binaries,
-                   "Where the fuzz programs are; default: fuzz/bin, beside this build's folder")
-      ->type_name("DIR")
-      ->check(CLI::ExistingDirectory);
-  command->add_option("--out", settings->out, "Folder for logs, and inputs that show a finding")
-      ->type_name("DIR")
-      ->capture_default_str();
-  command->add_flag("--json", settings->json,
-                    "Print the result, or the list, as JSON (docs/json.md)");
+      .option("--binaries", settings.binaries,
+              "Where the fuzz programs are; default: fuzz/bin, beside this build's folder")
+      .type("DIR")
+      .existing_folder();
+  command.option("--out", settings.out, "Folder for logs, and inputs that show a finding")
+      .type("DIR")
+      .default_shown();
+  command.flag("--json", settings.json, "Print the result, or the list, as JSON (docs/json.md)");
   command
-      ->add_option("--show", settings->show,
-                   "Run the target on this input in this build; of slide, shrink the pair of a "
-                   "finding, and write it to --out as .dat files")
-      ->type_name("FILE")
-      ->check(CLI::ExistingFile);
-  command->add_option("--encode", settings->encode, "Write the input of slide for a pair of files")
-      ->type_name("P Q FILE")
-      ->type_size(3)
-      ->expected(1);
-  command->footer(
+      .option("--show", settings.show,
+              "Run the target on this input in this build; of slide, shrink the pair of a "
+              "finding, and write it to --out as .dat files")
+      .type("FILE")
+      .existing_file();
+  command.option("--encode", settings.encode, "Write the input of slide for a pair of files")
+      .type("P Q FILE")
+      .values_each_time(3)
+      .values(1);
+  command.footer(
       "Example:\n"
       "  oplus-maintain fuzz slide --seconds 600 --corpus slide-corpus\n"
       "\n"
@@ -192,7 +188,6 @@ void add_fuzz_command(CLI::App& app, int& exit_code) {
       "  0  no finding\n"
       "  1  a finding\n"
       "  2  invalid input or usage, or the fuzz build is missing: the message says how to build it");
-  command->callback([settings, &exit_code] { exit_code = fuzz(*settings); });
 }
 
 }  // namespace oplus

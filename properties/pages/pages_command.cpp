@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/pages/pages_commands.hpp"
+#include "properties/commands.hpp"
 
 #include <iostream>
-#include <memory>
 
 #include "properties/pages/page_files.hpp"
 #include "properties/runner/registry.hpp"
@@ -43,17 +42,16 @@ int run(const Settings& settings) {
 
 }  // namespace
 
-void add_pages_command(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand(
-      "pages", "Write docs/theorems/, docs/theorems.md and docs/mutants.md from the registry");
-  const auto settings = std::make_shared<Settings>();
-  command->add_flag("--check", settings->check, "Write nothing; fail where a page is out of date");
+void add_pages_command(Program& program) {
+  const auto& [command, settings] = program.add(
+      "pages", "Write docs/theorems/, docs/theorems.md and docs/mutants.md from the registry", run);
+  command.flag("--check", settings.check, "Write nothing; fail where a page is out of date");
   command
-      ->add_option("--docs", settings->docs,
-                   "The folder docs/, with the records theorems/*.json; default: docs/ of the "
-                   "sources from which this program was built")
-      ->type_name("DIR");
-  command->footer(
+      .option("--docs", settings.docs,
+              "The folder docs/, with the records theorems/*.json; default: docs/ of the "
+              "sources from which this program was built")
+      .type("DIR");
+  command.footer(
       "Records come from properties --record and, in the preset check, mutants --record.\n"
       "\n"
       "Example:\n"
@@ -63,7 +61,6 @@ void add_pages_command(CLI::App& app, int& exit_code) {
       "  0  written or up to date\n"
       "  1  out of date\n"
       "  2  a record cannot be read");
-  command->callback([settings, &exit_code] { exit_code = run(*settings); });
 }
 
 }  // namespace oplus

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/pages/pages_commands.hpp"
+#include "properties/commands.hpp"
 
 #include <algorithm>
 #include <boost/algorithm/string/join.hpp>
 #include <iomanip>
 #include <iostream>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -133,23 +132,37 @@ bool check(const std::vector<Statement>& all, bool in_json) {
   return defects.empty();
 }
 
+int theorems(const Settings& settings) {
+  const std::vector<Statement> all = statements();
+  if (settings.check) return check(all, settings.json) ? 0 : 1;
+  if (settings.id.empty()) {
+    if (settings.json)
+      std::cout << json_of(all).dump(2) << '\n';
+    else
+      print_table(all);
+  } else {
+    const Statement& one = *std::ranges::find(all, settings.id, &Statement::id);
+    if (settings.json)
+      std::cout << json_of(one, records()).dump(2) << '\n';
+    else
+      print_entry(one);
+  }
+  return 0;
+}
+
 }  // namespace
 
-void add_theorems_command(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand(
-      "theorems", "List the statements and the faults that each must find, or show one");
-  const auto settings = std::make_shared<Settings>();
-  std::vector<std::string> ids;
-  for (const Statement& s : statements()) ids.push_back(s.id);
-  CLI::Option* id =
-      command
-          ->add_option("ID", settings->id, "Show all about this statement; default: a list of all")
-          ->type_name("NAME")
-          ->check(known_name("statement", ids, "'oplus-check theorems' lists all"));
-  command->add_flag("--check", settings->check, "Fail if the list differs from the sources")
-      ->excludes(id);
-  command->add_flag("--json", settings->json, "Answer in JSON (docs/json.md)");
-  command->footer(
+void add_theorems_command(Program& program) {
+  const auto& [command, settings] = program.add(
+      "theorems", "List the statements and the faults that each must find, or show one", theorems);
+  const Option id =
+      command.option("ID", settings.id, "Show all about this statement; default: a list of all")
+          .type("NAME")
+          .one_of(known_name("statement", texts(statements(), &Statement::id),
+                             "'oplus-check theorems' lists all"));
+  command.flag("--check", settings.check, "Fail if the list differs from the sources").excludes(id);
+  command.flag("--json", settings.json, "Answer in JSON (docs/json.md)");
+  command.footer(
       "Example:\n"
       "  oplus-check theorems theorem-4.2.1\n"
       "\n"
@@ -157,23 +170,6 @@ void add_theorems_command(CLI::App& app, int& exit_code) {
       "  0  listed; of oplus-maintain theorems --check: the list agrees with the sources\n"
       "  1  of --check: it does not\n"
       "  2  invalid usage");
-  command->callback([settings, &exit_code] {
-    const std::vector<Statement> all = statements();
-    if (settings->check) {
-      exit_code = check(all, settings->json) ? 0 : 1;
-    } else if (settings->id.empty()) {
-      if (settings->json)
-        std::cout << json_of(all).dump(2) << '\n';
-      else
-        print_table(all);
-    } else {
-      const Statement& one = *std::ranges::find(all, settings->id, &Statement::id);
-      if (settings->json)
-        std::cout << json_of(one, records()).dump(2) << '\n';
-      else
-        print_entry(one);
-    }
-  });
 }
 
 }  // namespace oplus

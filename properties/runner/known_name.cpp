@@ -2,7 +2,6 @@
 #include "properties/runner/known_name.hpp"
 
 #include <algorithm>
-#include <boost/algorithm/string/join.hpp>
 #include <numeric>
 
 #include "checked/cli/usage_error.hpp"
@@ -29,18 +28,17 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-CLI::Validator known_name(const std::string& what, const std::vector<std::string>& names,
-                          const std::string& hint) {
-  return CLI::Validator(
-      [=](const std::string& name) -> std::string {
-        if (std::ranges::count(names, name) > 0) return "";
-        const auto to = [&](const std::string& known) { return edit_distance(name, known); };
-        const auto nearest = std::ranges::min_element(names, {}, to);
-        const bool is_near = nearest != names.end() && 3 * to(*nearest) <= nearest->size();
-        throw UsageError("unknown " + what + " " + quote(name) + "; " +
-                         (is_near ? "did you mean " + *nearest + "? " : "") + hint);
-      },
-      "{" + boost::algorithm::join(names, ",") + "}");
+std::function<void(const std::string&)> known_name(const std::string& what,
+                                                   const std::vector<std::string>& names,
+                                                   const std::string& hint) {
+  return [=](const std::string& name) {
+    if (std::ranges::count(names, name) > 0) return;
+    const auto to = [&](const std::string& known) { return edit_distance(name, known); };
+    const auto nearest = std::ranges::min_element(names, {}, to);
+    const bool is_near = nearest != names.end() && 3 * to(*nearest) <= nearest->size();
+    throw UsageError("unknown " + what + " " + quote(name) + "; " +
+                     (is_near ? "did you mean " + *nearest + "? " : "") + hint);
+  };
 }
 
 }  // namespace oplus

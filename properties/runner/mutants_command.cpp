@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <iostream>
-#include <memory>
 
 #include "checked/cli/command_line/terminal.hpp"
+#include "properties/commands.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
@@ -70,25 +70,45 @@ bool run_mutants(const std::vector<Statement>& statements, const std::vector<Mut
       if (kills != nullptr) kills->push_back(kill);
     }
   }
-  const std::vector<std::string> defects = defects_of_entries(statements, mutants);
+  const std::vector<std::string> defects = defects_of_entries(statements, mutants_work);
   for (const std::string& defect : defects) out << defect << '\n';
   out << killed << " killed, " << survived << " not killed\n";
   return survived == 0 && killed > 0 && defects.empty();
 }
 
-void add_mutants_command(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand(
-      "mutants", "Switch on faults one by one and check that the statements fail");
-  const auto settings = std::make_shared<Settings>();
+namespace {
+
+int mutants_work(const Settings& settings) {
+#ifdef OPLUS_MUTANTS
+  std::vector<Kill> kills;
+  const bool all_killed = run_mutants(statements(), mutants(), settings.cases, settings.seed,
+                                      text_output(settings.json), &kills);
+  const std::string json = to_json(kills, defects_of_entries(statements(), mutants()));
+  if (settings.json) std::cout << json;
+  if (!settings.record.empty()) write_file(settings.record, json);
+  return all_killed ? 0 : 1;
+#else
+  static_cast<void>(settings);
+  say_error(
+      "this build contains no mutants; use the preset check: "
+      "build/check/bin/oplus-maintain mutants");
+  return 2;
+#endif
+}
+
+}  // namespace
+
+void add_mutants_command(Program& program) {
+  const auto& [command, settings] = program.add(
+      "mutants", "Switch on faults one by one and check that the statements fail", mutants);
   command
-      ->add_option("--cases", settings->cases,
-                   "Cases that a mutant must survive to fail; default: the statement's number")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1000000000}));
-  command->add_option("--seed", settings->seed, "Same seed, same pairs")->capture_default_str();
-  command->add_option("--record", settings->record, "Write what --json prints to this file")
-      ->type_name("FILE");
-  command->add_flag("--json", settings->json, "Answer in JSON (docs/json.md)");
-  command->footer(
+      .option("--cases", settings.cases,
+              "Cases that a mutant must survive to fail; default: the statement's number")
+      .range(std::size_t{1}, std::size_t{1000000000});
+  command.option("--seed", settings.seed, "Same seed, same pairs").default_shown();
+  command.option("--record", settings.record, "Write what --json prints to this file").type("FILE");
+  command.flag("--json", settings.json, "Answer in JSON (docs/json.md)");
+  command.footer(
       "Needs a build that contains the faults: the preset check.\n"
       "\n"
       "Example:\n"
@@ -98,22 +118,6 @@ void add_mutants_command(CLI::App& app, int& exit_code) {
       "  0  every statement killed its mutants\n"
       "  1  a mutant survives, or no statement names it\n"
       "  2  this build contains no mutants; or invalid usage");
-  command->callback([settings, &exit_code] {
-#ifdef OPLUS_MUTANTS
-    std::vector<Kill> kills;
-    const bool all_killed = run_mutants(statements(), mutants(), settings->cases, settings->seed,
-                                        text_output(settings->json), &kills);
-    const std::string json = to_json(kills, defects_of_entries(statements(), mutants()));
-    if (settings->json) std::cout << json;
-    if (!settings->record.empty()) write_file(settings->record, json);
-    exit_code = all_killed ? 0 : 1;
-#else
-    say_error(
-        "this build contains no mutants; use the preset check: "
-        "build/check/bin/oplus-maintain mutants");
-    exit_code = 2;
-#endif
-  });
 }
 
 }  // namespace oplus

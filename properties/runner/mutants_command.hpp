@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <optional>
 #include <ostream>
@@ -11,9 +10,6 @@
 #include "properties/runner/registry.hpp"
 
 namespace oplus {
-
-/// Adds `mutants`; sets exit_code when run: 0 where every statement killed its mutants.
-void add_mutants_command(CLI::App& app, int& exit_code);
 
 /// Runs each statement against each mutant it names and prints after how many cases it was killed. Appends
 /// to `kills` unless that is null. Returns whether all were killed, every mutant is named, and every

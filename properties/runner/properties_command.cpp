@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <iostream>
-#include <memory>
 
 #include "checked/cli/command_line/terminal.hpp"
+#include "properties/commands.hpp"
 #include "properties/runner/finding.hpp"
 #include "properties/runner/known_name.hpp"
 #include "properties/runner/registry.hpp"
@@ -32,12 +32,6 @@ std::vector<Statement> chosen(const std::vector<std::string>& ids) {
     return !ids.empty() && std::ranges::find(ids, s.id) == ids.end();
   });
   return result;
-}
-
-std::vector<std::string> ids_of(const std::vector<Statement>& all) {
-  std::vector<std::string> ids;
-  for (const Statement& s : all) ids.push_back(s.id);
-  return ids;
 }
 
 Summands read_pair(const std::vector<std::string>& files) {
@@ -134,33 +128,54 @@ bool replay_statements(const std::vector<Statement>& statements, const Summands&
   return passed > 0 && failed == 0;
 }
 
-void add_properties_command(CLI::App& app, int& exit_code) {
-  CLI::App* command =
-      app.add_subcommand("properties", "Try the statements, theorems and laws, on generated pairs");
-  const auto settings = std::make_shared<Settings>();
+namespace {
+
+int properties(const Settings& settings) {
+  const std::vector<Statement> to_run = chosen(settings.ids);
+  std::ostream& out = text_output(settings.json);
+  bool passed = false;
+  std::string json;
+  if (settings.pair.empty()) {
+    std::vector<PropertyRun> runs;
+    passed = run_statements(to_run, settings.cases, settings.seed, settings.findings, out, &runs);
+    json = to_json(runs);
+  } else {
+    std::vector<Outcome> outcomes;
+    passed = replay_statements(to_run, read_pair(settings.pair), out, &outcomes);
+    json = to_json(to_run, outcomes);
+  }
+  if (settings.json) std::cout << json;
+  if (!settings.record.empty()) write_file(settings.record, json);
+  return passed ? 0 : 1;
+}
+
+}  // namespace
+
+void add_properties_command(Program& program) {
+  const auto& [command, settings] = program.add(
+      "properties", "Try the statements, theorems and laws, on generated pairs", properties);
   command
-      ->add_option("--theorem", settings->ids,
-                   "Only this statement; may be repeated; 'oplus-check theorems' lists them")
-      ->type_name("ID")
-      ->check(known_name("statement", ids_of(statements()), "'oplus-check theorems' lists all"));
-  CLI::Option* cases =
-      command
-          ->add_option("--cases", settings->cases, "Cases per statement; default: its own number")
-          ->check(CLI::Range(std::size_t{1}, std::size_t{1000000000}));
-  CLI::Option* seed =
-      command->add_option("--seed", settings->seed, "Same seed, same pairs")->capture_default_str();
-  command->add_option("--pair", settings->pair, "Try this pair instead of generated ones")
-      ->type_name("P Q")
-      ->expected(2)
-      ->excludes(cases)
-      ->excludes(seed);
-  command->add_option("--out", settings->findings, "Folder for shrunk counterexamples")
-      ->type_name("DIR")
-      ->capture_default_str();
-  command->add_option("--record", settings->record, "Write what --json prints to this file")
-      ->type_name("FILE");
-  command->add_flag("--json", settings->json, "Answer in JSON (docs/json.md)");
-  command->footer(
+      .option("--theorem", settings.ids,
+              "Only this statement; may be repeated; 'oplus-check theorems' lists them")
+      .type("ID")
+      .one_of(known_name("statement", texts(statements(), &Statement::id),
+                         "'oplus-check theorems' lists all"));
+  const Option cases =
+      command.option("--cases", settings.cases, "Cases per statement; default: its own number")
+          .range(std::size_t{1}, std::size_t{1000000000});
+  const Option seed =
+      command.option("--seed", settings.seed, "Same seed, same pairs").default_shown();
+  command.option("--pair", settings.pair, "Try this pair instead of generated ones")
+      .type("P Q")
+      .values(2)
+      .excludes(cases)
+      .excludes(seed);
+  command.option("--out", settings.findings, "Folder for shrunk counterexamples")
+      .type("DIR")
+      .default_shown();
+  command.option("--record", settings.record, "Write what --json prints to this file").type("FILE");
+  command.flag("--json", settings.json, "Answer in JSON (docs/json.md)");
+  command.footer(
       "Example:\n"
       "  oplus-check properties --theorem lemma-4.1.4 --cases 5000 --seed 7\n"
       "\n"
@@ -168,25 +183,6 @@ void add_properties_command(CLI::App& app, int& exit_code) {
       "  0  all passed\n"
       "  1  a statement failed\n"
       "  2  invalid input or usage, or a file that cannot be read or written");
-  command->callback([settings, &exit_code] {
-    const std::vector<Statement> to_run = chosen(settings->ids);
-    std::ostream& out = text_output(settings->json);
-    bool passed = false;
-    std::string json;
-    if (settings->pair.empty()) {
-      std::vector<PropertyRun> runs;
-      passed =
-          run_statements(to_run, settings->cases, settings->seed, settings->findings, out, &runs);
-      json = to_json(runs);
-    } else {
-      std::vector<Outcome> outcomes;
-      passed = replay_statements(to_run, read_pair(settings->pair), out, &outcomes);
-      json = to_json(to_run, outcomes);
-    }
-    if (settings->json) std::cout << json;
-    if (!settings->record.empty()) write_file(settings->record, json);
-    exit_code = passed ? 0 : 1;
-  });
 }
 
 }  // namespace oplus

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <ostream>
 #include <string>
@@ -10,9 +9,6 @@
 #include "properties/runner/record.hpp"
 
 namespace oplus {
-
-/// Adds `properties`; sets exit_code when run.
-void add_properties_command(CLI::App& app, int& exit_code);
 
 /// Runs statements, prints a report of each, and how many passed in a last line. Shrunk counterexamples
 /// are written to the folder `findings`; each run is appended to `runs` unless that is null. Returns whether

@@ -201,5 +201,6 @@ const ProgramFrame frame{
 }  // namespace oplus
 
 int main(int argc, char** argv) {
-  return oplus::run_program(oplus::frame, oplus::add_options, argc, argv);
+  const auto add = [](oplus::Program& program) { program.work = oplus::add_options(program.app); };
+  return oplus::run_program(oplus::frame, add, argc, argv);
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <CLI/CLI.hpp>
 #include <boost/algorithm/string/replace.hpp>
 #include <map>
-#include <memory>
 
 #include "checked/cli/command_line/completion.hpp"
+#include "checked/cli/command_line/options.hpp"
 #include "checked/cli/command_line/program_frame.hpp"
+#include "checked/cli/command_line/terminal.hpp"
 
 namespace oplus {
 
@@ -67,19 +67,23 @@ struct CompletionOptions {
   std::string output = "-";
 };
 
+int print_completion(const CompletionOptions& options) {
+  write_text(options.output, boost::algorithm::replace_all_copy(scripts.at(options.shell),
+                                                                "PROGRAM", speech().program));
+  return 0;
+}
+
 }  // namespace
 
-void add_completion_command(CLI::App& program) {
-  const auto options = std::make_shared<CompletionOptions>();
-  CLI::App& command = *program.add_subcommand(
-      "completion", "Print the completion of this program for bash, zsh or fish");
-  command.add_option("SHELL", options->shell, "bash, zsh or fish")
-      ->required()
-      ->check(CLI::IsMember(scripts))
-      ->type_name("NAME");
-  command.add_option("-o,--output", options->output, "write it there, not to standard output")
-      ->type_name("FILE");
-  const std::string& name = program.get_name();
+void add_completion_command(Program& program) {
+  const auto& [command, options] = program.add(
+      "completion", "Print the completion of this program for bash, zsh or fish", print_completion);
+  command.option("SHELL", options.shell, "bash, zsh or fish")
+      .required()
+      .one_of({"bash", "fish", "zsh"})
+      .type("NAME");
+  command.file("-o,--output", options.output, "write it there, not to standard output");
+  const std::string& name = speech().program;
   command.footer("Example:\n  source <(" + name + " completion bash)\n  " + name +
                  " completion zsh -o _" + name + "\n  " + name + " completion fish -o " + name +
                  ".fish\n"
@@ -88,11 +92,6 @@ void add_completion_command(CLI::App& program) {
                  name + ", or source it;\nzsh: as _" + name +
                  " into a folder of $fpath; fish: into ~/.config/fish/completions.\n"
                  "An installation of oplus contains all three.");
-  command.callback([options, name] {
-    write_text(options->output,
-               boost::algorithm::replace_all_copy(scripts.at(options->shell), "PROGRAM", name));
-    throw CLI::Success();  // ends the program, as --help does
-  });
 }
 
 }  // namespace oplus

@@ -9,7 +9,6 @@
 #include <csignal>
 #include <exception>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <new>
 #include <sstream>
@@ -38,20 +37,17 @@ void set_up(CLI::App& program) {
   program.require_subcommand(1);
   program.fallthrough();
   // Both take effect while parsing, so that they hold for error messages about the command line.
-  program
-      .add_flag_callback(
-          "--quiet", [] { speech().quiet = true; },
-          "results and errors only: no progress, no notes")
-      ->trigger_on_parse();
-  static const std::map<std::string, ColourUse> uses = {
-      {"auto", ColourUse::automatic}, {"always", ColourUse::always}, {"never", ColourUse::never}};
-  program
-      .add_option_function<std::string>(
-          "--color", [](const std::string& when) { speech().colours = uses.at(when); },
-          "colours: auto, on a terminal unless NO_COLOR is set; always; never")
-      ->trigger_on_parse()
-      ->check(CLI::IsMember(uses))
-      ->type_name("WHEN");
+  const Command all(program);
+  all.flag(
+         "--quiet", [] { speech().quiet = true; }, "results and errors only: no progress, no notes")
+      .at_once();
+  all.choice<ColourUse>("--color", speech().colours,
+                        {{"auto", ColourUse::automatic},
+                         {"always", ColourUse::always},
+                         {"never", ColourUse::never}},
+                        "colours: auto, on a terminal unless NO_COLOR is set; always; never")
+      .at_once()
+      .type("WHEN");
 }
 
 /// The complaint about a word in the place of the command that is neither one nor an option; else empty.
@@ -110,36 +106,37 @@ std::vector<std::string> words_of(int argc, const char* const* argv) {
   return words;
 }
 
-int parse_and_do(const ProgramFrame& frame, const AddCommands& add_commands, int argc,
+int parse_and_do(const ProgramFrame& frame, AddCommands add_commands, int argc,
                  const char* const* argv) {
-  CLI::App program(frame.what, frame.name);
-  set_up(program);
-  program.footer("'" + frame.name + " help COMMAND' shows a command's help, as does '" +
-                 frame.name + " COMMAND --help'.\n\n" + frame.footer);
-  const std::function<int()> work = add_commands(program);
+  CLI::App app(frame.what, frame.name);
+  set_up(app);
+  app.footer("'" + frame.name + " help COMMAND' shows a command's help, as does '" + frame.name +
+             " COMMAND --help'.\n\n" + frame.footer);
+  Program program{app};
+  add_commands(program);
   add_completion_command(program);
-  for (CLI::App* command : program.get_subcommands({})) add_exit_codes(*command);
+  for (CLI::App* command : app.get_subcommands({})) add_exit_codes(*command);
   if (argc > 2 && argv[1] == std::string("--complete")) {
-    write_text("-", completions(program, {argv + 2, argv + argc}));
+    write_text("-", completions(app, {argv + 2, argv + argc}));
     return 0;
   }
   std::vector<std::string> words = words_of(argc, argv);
   const std::string first_word = words.empty() ? "" : words.front();
   try {
     std::ranges::reverse(words);  // as CLI11 takes them
-    program.parse(std::move(words));
+    app.parse(std::move(words));
   } catch (const CLI::Success& asked) {
     // Help and version are no answer to a command that does not exist.
-    if (const std::string unknown = unknown_word(program, first_word); !unknown.empty())
-      throw UsageError(unknown + "; see " + program.get_name() + " --help");
+    if (const std::string unknown = unknown_word(app, first_word); !unknown.empty())
+      throw UsageError(unknown + "; see " + app.get_name() + " --help");
     std::ostringstream text;
-    program.exit(asked, text, text);
+    app.exit(asked, text, text);
     write_text("-", text.str());
     return 0;
   } catch (const CLI::ParseError& error) {
-    throw UsageError(complaint(program, first_word, error));
+    throw UsageError(complaint(app, first_word, error));
   }
-  const int exit_code = work();
+  const int exit_code = program.work();
   // Output that was not written is an error.
   if (!std::cout.flush()) throw UsageError("cannot write standard output");
   return exit_code;
@@ -156,7 +153,7 @@ int fail_with_bug(const std::string& what) {
 
 }  // namespace
 
-int run_program(const ProgramFrame& frame, const AddCommands& add_commands, int argc,
+int run_program(const ProgramFrame& frame, AddCommands add_commands, int argc,
                 const char* const* argv) noexcept {
   occupy_closed_streams();
   // A reader that closes the pipe ends the program quietly, as it does others, even where it was ignored.

@@ -4,9 +4,7 @@
 #include <functional>
 #include <string>
 
-namespace CLI {
-class App;
-}
+#include "checked/cli/command_line/options.hpp"
 
 namespace oplus {
 
@@ -17,14 +15,13 @@ struct ProgramFrame {
   std::string footer;
 };
 
-/// Adds the commands of a program. Returns the work to do after the command line is parsed, which
-/// returns the exit code.
-using AddCommands = std::function<std::function<int()>(CLI::App&)>;
+/// Adds the commands of a program.
+using AddCommands = void (*)(Program&);
 
 /// A whole program: its commands and `completion`; --help, --version, --quiet and --color, which may
 /// stand before a command or behind it. Returns the exit code; writes what went wrong to standard
 /// error, in one line.
-int run_program(const ProgramFrame& frame, const AddCommands& add_commands, int argc,
+int run_program(const ProgramFrame& frame, AddCommands add_commands, int argc,
                 const char* const* argv) noexcept;
 
 /// Does the work. Returns its exit code, or that of what it throws (exit_code.hpp), after writing

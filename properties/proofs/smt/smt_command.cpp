@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/proofs/smt/smt_command.hpp"
+#include "properties/commands.hpp"
 
 #include <algorithm>
 #include <iostream>
-#include <memory>
 #include <optional>
 #include <set>
 
@@ -38,10 +37,10 @@ std::vector<smt::Query> chosen(const std::vector<std::string>& names) {
   return all;
 }
 
-std::set<std::string> names_to_choose() {
+std::vector<std::string> names_to_choose() {
   std::set<std::string> names;
   for (const smt::Query& query : smt::queries()) names.insert({query.id, query.statement()});
-  return names;
+  return {names.begin(), names.end()};
 }
 
 int list(const Settings& settings, const std::vector<smt::Query>& queries) {
@@ -100,31 +99,28 @@ int smt_work(const Settings& settings) {
 
 }  // namespace
 
-void add_smt_command(CLI::App& app, int& exit_code) {
-  CLI::App* command =
-      app.add_subcommand("smt", "Prove statements about a few directions with Z3 and cvc5");
-  const auto settings = std::make_shared<Settings>();
+void add_smt_command(Program& program) {
+  const auto& [command, settings] =
+      program.add("smt", "Prove statements about a few directions with Z3 and cvc5", smt_work);
   command
-      ->add_option("name", settings->names,
-                   "Queries, or statements, each standing for all its queries")
-      ->type_name("ID")
-      ->check(CLI::IsMember(names_to_choose()));
-  command->add_flag("--list", settings->lists, "List the queries, without running a solver");
-  command
-      ->add_option("--write", settings->folder, "Keep the questions, SMT-LIB files, in this folder")
-      ->type_name("DIR");
-  command->add_flag("--only-write", settings->only_writes, "Write them, without running a solver")
-      ->needs("--write");
-  command->add_option("--seconds", settings->seconds, "Time limit of a solver for each question")
-      ->check(CLI::Range(0.01, 1e6))
-      ->capture_default_str();
-  command->add_option("--record", settings->record, "Write what --json prints to this file")
-      ->type_name("FILE");
-  command->add_option("--mutant", settings->mutant, "Switch this fault on; preset check only")
-      ->type_name("NAME");
-  command->add_flag("--json", settings->json,
-                    "Print the result, or the list, as JSON (docs/json.md)");
-  command->footer(
+      .option("name", settings.names, "Queries, or statements, each standing for all its queries")
+      .type("ID")
+      .one_of(names_to_choose());
+  command.flag("--list", settings.lists, "List the queries, without running a solver");
+  const Option kept =
+      command
+          .option("--write", settings.folder, "Keep the questions, SMT-LIB files, in this folder")
+          .type("DIR");
+  command.flag("--only-write", settings.only_writes, "Write them, without running a solver")
+      .needs(kept);
+  command.option("--seconds", settings.seconds, "Time limit of a solver for each question")
+      .range(0.01, 1e6)
+      .default_shown();
+  command.option("--record", settings.record, "Write what --json prints to this file").type("FILE");
+  command.option("--mutant", settings.mutant, "Switch this fault on; preset check only")
+      .type("NAME");
+  command.flag("--json", settings.json, "Print the result, or the list, as JSON (docs/json.md)");
+  command.footer(
       "Example:\n"
       "  oplus-check smt table-4.3-to-4.6 --write questions\n"
       "\n"
@@ -132,7 +128,6 @@ void add_smt_command(CLI::App& app, int& exit_code) {
       "  0  both solvers gave every expected answer\n"
       "  1  an unexpected answer, no answer, or none in time; a model that is not a counterexample\n"
       "  2  invalid usage, or a solver is missing");
-  command->callback([settings, &exit_code] { exit_code = smt_work(*settings); });
 }
 
 }  // namespace oplus
