@@ -37,8 +37,7 @@ struct Sum::State {
 };
 
 Sum::Sum(MinkowskiSum value, Boundary boundary, Origins origins, Statistics statistics)
-    : state_(std::make_shared<State>(std::move(value), boundary, std::move(origins),
-                                     std::move(statistics))) {}
+    : state_(new State{std::move(value), boundary, std::move(origins), std::move(statistics)}) {}
 
 Boundary Sum::boundary() const { return state_->boundary; }
 
