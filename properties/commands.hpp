@@ -25,9 +25,6 @@ void add_smt_command(Program& program);
 
 /// Exit code 0 where every statement killed its mutants.
 void add_mutants_command(Program& program);
-
-/// 0 written or up to date, 1 out of date, 2 a record is invalid.
-void add_pages_command(Program& program);
 void add_fuzz_command(Program& program);
 
 }  // namespace oplus

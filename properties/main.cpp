@@ -24,9 +24,8 @@ constexpr const char* name = maintain ? "oplus-maintain" : "oplus-check";
 
 const ProgramFrame frame = {
     name,
-    maintain
-        ? "All of oplus-check, and what needs the sources of oplus: mutants, pages, records, fuzzing"
-        : "Check oplus: the statements, and the engines against the oracle",
+    maintain ? "All of oplus-check, and what needs the sources of oplus: mutants, records, fuzzing"
+             : "Check oplus: the statements, and the engines against the oracle",
     "Example:\n"
     "  oplus-check diff --family grid --cases 500 --seed 7\n"
     "  oplus-check properties --theorem lemma-4.1.4\n"
@@ -48,10 +47,9 @@ void add_commands(Program& program) {
         add_properties_command, add_theorems_command, add_smt_command})
     add(program);
   if (maintain) {
-    for (const auto add : {add_mutants_command, add_pages_command, add_fuzz_command}) add(program);
+    for (const auto add : {add_mutants_command, add_fuzz_command}) add(program);
   } else {
     program.command("properties").remove("--record");
-    program.command("theorems").remove("--check");
   }
 #endif
 }

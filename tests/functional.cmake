@@ -42,8 +42,14 @@ foreach(command properties mutants)
   set_tests_properties(check.${command}-as-recorded
                        PROPERTIES FIXTURES_REQUIRED record-of-${command})
 endforeach()
-add_test(NAME check.pages COMMAND oplus-maintain pages --check)
-add_test(NAME check.theorems COMMAND oplus-maintain theorems --check)
+add_test(NAME check.pictures-as-recorded COMMAND diff -r ${recorded}/pictures pictures)
+set_tests_properties(check.pictures-as-recorded
+                     PROPERTIES FIXTURES_REQUIRED "record-of-properties;record-of-mutants")
+add_test(NAME check.pages COMMAND ${Python3_EXECUTABLE} -B ${PROJECT_SOURCE_DIR}/properties/pages/pages.py
+                                  --program $<TARGET_FILE:oplus-check> --check)
+add_test(NAME check.pages-bite
+         COMMAND ${Python3_EXECUTABLE} -B -m unittest discover -v -p "*_test.py"
+         WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/properties/pages)
 # What Z3 and cvc5 prove is the code itself (docs/smt.md): with a fault in it they find counterexamples.
 foreach(fault_and_queries
         acute-vertex-is-reflex:theorem-2.3.2

@@ -12,8 +12,7 @@
 namespace oplus {
 
 /// Runs each statement against each mutant it names and prints after how many cases it was killed. Appends
-/// to `kills` unless that is null. Returns whether all were killed, every mutant is named, and every
-/// statement names one.
+/// to `kills` unless that is null. Returns whether all were killed, and there was one.
 /// Requires: a build with OPLUS_MUTANTS.
 bool run_mutants(const std::vector<Statement>& statements, const std::vector<Mutant>& mutants,
                  std::optional<std::size_t> cases, std::uint64_t seed, std::ostream& out,

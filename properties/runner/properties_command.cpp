@@ -8,6 +8,7 @@
 #include "properties/commands.hpp"
 #include "properties/runner/finding.hpp"
 #include "properties/runner/known_name.hpp"
+#include "properties/runner/recorded_pictures.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/io/reading.hpp"
 #include "reference/io/writing.hpp"
@@ -56,7 +57,7 @@ void print_tally(std::ostream& out, const std::string& label,
 }
 
 void print_run(std::ostream& out, const Statement& statement, const PropertyRun& run) {
-  out << statement.id << ": " << statement.title << '\n';
+  out << statement.id << ": " << statement.text.title << '\n';
   if (run.enumeration && run.enumeration->failure.empty())
     out << "  proved by enumeration, " << run.enumeration->cases << " cases\n";
   if (statement.check) out << "  " << run.run << " cases run, " << run.discarded << " discarded\n";
@@ -139,6 +140,7 @@ int properties(const Settings& settings) {
     std::vector<PropertyRun> runs;
     passed = run_statements(to_run, settings.cases, settings.seed, settings.findings, out, &runs);
     json = to_json(runs);
+    if (!settings.record.empty()) draw_beside(settings.record, runs);
   } else {
     std::vector<Outcome> outcomes;
     passed = replay_statements(to_run, read_pair(settings.pair), out, &outcomes);
@@ -173,7 +175,10 @@ void add_properties_command(Program& program) {
   command.option("--out", settings.findings, "Folder for shrunk counterexamples")
       .type("DIR")
       .default_shown();
-  command.option("--record", settings.record, "Write what --json prints to this file").type("FILE");
+  command
+      .option("--record", settings.record,
+              "Write what --json prints to this file, and pictures/ beside it")
+      .type("FILE");
   command.flag("--json", settings.json, "Answer in JSON (docs/json.md)");
   command.footer(
       "Example:\n"

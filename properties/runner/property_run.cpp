@@ -61,6 +61,9 @@ Case draw_case(const Statement& statement, std::uint64_t bits, int size) {
   const Source& source = draw_source(statement, random);
   const Family* family = find_family(source.family);
   if (family == nullptr) throw std::logic_error("no family " + source.family);
+  if (source.largest < family->smallest)
+    throw std::logic_error("family " + source.family + " has no pair as small as " +
+                           std::to_string(source.largest));
   const std::size_t range = source.largest - family->smallest;
   const std::size_t n =
       family->smallest + range * static_cast<std::size_t>(size) / rc::kNominalSize;
@@ -193,8 +196,8 @@ void try_on_pairs(const Statement& statement, const RunOptions& options, Propert
   params.disableShrinking = !options.shrink;
   rc::detail::TestListenerAdapter says_nothing;
   // An empty map of failures to reproduce: a stale one would replace the run.
-  const auto result = rc::detail::checkProperty(property, {statement.id, statement.title}, params,
-                                                says_nothing, {});
+  const auto result = rc::detail::checkProperty(property, {statement.id, statement.text.title},
+                                                params, says_nothing, {});
   run.counterexample = recorder.failing();
   run.typical = recorder.typical();
   judge_result(result, run);
@@ -210,7 +213,7 @@ PropertyRun run_property(const Statement& statement, const RunOptions& options) 
 #ifndef OPLUS_MUTANTS
   if (!options.mutant.empty()) throw std::invalid_argument("a build without mutants");
 #endif
-  PropertyRun run{.statement = statement.id, .title = statement.title};
+  PropertyRun run{.statement = statement.id, .title = statement.text.title};
   if (statement.enumerate) {
     const SwitchedOn fault(options.mutant);
     run.enumeration = enumerated(statement);

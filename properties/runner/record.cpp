@@ -6,9 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "checked/cli/json_values.hpp"
-#include "reference/io/invalid_input.hpp"
-#include "reference/io/number.hpp"
-#include "reference/io/reading.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
@@ -33,22 +30,6 @@ std::string one_a_line(const Json& report) {
 
 Json json_of(const Summands& pair) { return {{"p", wkt(pair.p)}, {"q", wkt(pair.q)}}; }
 
-Summands pair_of_json(const Json& json) {
-  const auto region = [&](const char* key) { return read_region(json.at(key), key).region; };
-  return {region("p"), region("q")};
-}
-
-Point point_of_json(const Json& json) {
-  const auto coordinate = [&](std::size_t i) {
-    const auto text = json.at(i).get<std::string>();
-    NumberFault fault;
-    const std::optional<Rational> value = parse_number(text, fault);
-    if (!value) throw InvalidInput({"at", 1, 0}, fault.wrong, fault.expected);
-    return *value;
-  };
-  return {coordinate(0), coordinate(1)};
-}
-
 Json json_of(const std::string& statement, const Counterexample& found) {
   Json json = {{"why", found.why}};
   if (found.at) json["at"] = oplus::json(*found.at);
@@ -62,39 +43,25 @@ Json json_of(const std::string& statement, const Counterexample& found) {
   return json;
 }
 
-/// The numbers of a run, in the order of the record, for writing and for reading it.
-template <typename Run, typename Visit>
-void visit_numbers(Run& run, Visit visit) {
-  visit("run", run.run);
-  visit("discarded", run.discarded);
-  visit("families", run.families);
-  visit("classes", run.classes);
-  visit("counts", run.counts);
-  visit("shares_judged", run.shares_judged);
-  visit("complaints", run.complaints);
-}
-
 Json json_of(const PropertyRun& run) {
   Json json = {{"statement", run.statement}, {"title", run.title}, {"passed", run.passed()}};
   if (run.enumeration) json["enumerated"] = run.enumeration->cases;
-  visit_numbers(run, [&](const char* key, const auto& value) { json[key] = value; });
+  json.update({{"run", run.run},
+               {"discarded", run.discarded},
+               {"families", run.families},
+               {"classes", run.classes},
+               {"counts", run.counts},
+               {"shares_judged", run.shares_judged},
+               {"complaints", run.complaints}});
   if (run.counterexample) json["counterexample"] = json_of(run.statement, *run.counterexample);
   if (run.typical) json["typical"] = json_of(*run.typical);
   return json;
 }
 
-PropertyRun run_of_json(const Json& json) {
-  PropertyRun run{.statement = json.at("statement"), .title = json.at("title")};
-  if (json.contains("enumerated")) run.enumeration = {json.at("enumerated").get<std::size_t>(), ""};
-  visit_numbers(run, [&](const char* key, auto& value) { json.at(key).get_to(value); });
-  if (json.contains("typical")) run.typical = pair_of_json(json.at("typical"));
-  return run;
-}
-
 Json json_of(const Statement& statement, const Outcome& outcome) {
   constexpr const char* words[] = {"holds", "fails", "does not apply"};
   Json json = {{"statement", statement.id},
-               {"title", statement.title},
+               {"title", statement.text.title},
                {"outcome", words[static_cast<std::size_t>(outcome.kind)]}};
   if (!outcome.why.empty()) json["why"] = outcome.why;
   json["counts"] = outcome.counts;
@@ -115,31 +82,6 @@ Json json_of(const Kill& kill) {
   if (kill.at) json["at"] = oplus::json(*kill.at);
   if (kill.shrunk) json["shrunk"] = json_of(*kill.shrunk);
   return json;
-}
-
-Kill kill_of_json(const Json& json) {
-  Kill kill{.mutant = json.at("mutant"),
-            .statement = json.at("statement"),
-            .killed = json.at("killed"),
-            .by_enumeration = json.at("by_enumeration"),
-            .cases = json.at("cases"),
-            .why = json.at("why")};
-  if (json.contains("at")) kill.at = point_of_json(json.at("at"));
-  if (json.contains("shrunk")) kill.shrunk = pair_of_json(json.at("shrunk"));
-  return kill;
-}
-
-template <typename Value>
-std::vector<Value> list_in(const std::string& text, const char* key, const std::string& file,
-                           Value (*value_of)(const Json&)) {
-  try {
-    const Json all = Json::parse(text);
-    std::vector<Value> values;
-    for (const Json& json : all.at(key)) values.push_back(value_of(json));
-    return values;
-  } catch (const nlohmann::json::exception& e) {
-    throw InvalidInput({file, 1, 0}, e.what(), "a record that oplus-check wrote");
-  }
 }
 
 }  // namespace
@@ -168,23 +110,14 @@ std::string to_json(const std::vector<Statement>& statements,
                      {"not_applicable", numbers[2]}});
 }
 
-std::string to_json(const std::vector<Kill>& kills, const std::vector<std::string>& defects) {
+std::string to_json(const std::vector<Kill>& kills) {
   Json all = Json::array();
   for (const Kill& kill : kills) all.push_back(json_of(kill));
   const auto killed =
       std::count_if(kills.begin(), kills.end(), [](const Kill& kill) { return kill.killed; });
   return one_a_line({{"kills", all},
                      {"killed", killed},
-                     {"not_killed", static_cast<std::ptrdiff_t>(kills.size()) - killed},
-                     {"defects", defects}});
-}
-
-std::vector<PropertyRun> runs_of_json(const std::string& text, const std::string& file) {
-  return list_in(text, "statements", file, run_of_json);
-}
-
-std::vector<Kill> kills_of_json(const std::string& text, const std::string& file) {
-  return list_in(text, "kills", file, kill_of_json);
+                     {"not_killed", static_cast<std::ptrdiff_t>(kills.size()) - killed}});
 }
 
 }  // namespace oplus

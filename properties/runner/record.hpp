@@ -33,12 +33,7 @@ std::string to_json(const std::vector<PropertyRun>& runs);
 /// Requires: as many outcomes as statements.
 std::string to_json(const std::vector<Statement>& statements, const std::vector<Outcome>& outcomes);
 
-/// Of `oplus-maintain mutants`. `defects`: of the list of mutants.
-std::string to_json(const std::vector<Kill>& kills, const std::vector<std::string>& defects);
-
-/// Read runs and kills back, without counterexamples. Throw InvalidInput; `file` is what messages call
-/// the text.
-std::vector<PropertyRun> runs_of_json(const std::string& text, const std::string& file);
-std::vector<Kill> kills_of_json(const std::string& text, const std::string& file);
+/// Of `oplus-maintain mutants`.
+std::string to_json(const std::vector<Kill>& kills);
 
 }  // namespace oplus

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "checked/engine.hpp"
+#include "properties/runner/statement_text.hpp"
 #include "reference/families/family.hpp"
 
 namespace oplus {
@@ -53,12 +54,7 @@ struct Promise {
 
 /// A statement of the thesis or a fact of our own, as something that can be found false.
 struct Statement {
-  std::string id;         ///< kind and number: "lemma-4.1.4"
-  std::string title;      ///< a line
-  std::string statement;  ///< in our own words
-  std::string why;        ///< why it holds, in a few lines
-  std::vector<std::string> hypotheses;
-  std::vector<std::string> rests_on;  ///< ids of statements, registered or not yet
+  std::string id;  ///< kind and number: "lemma-4.1.4"
   std::vector<Source> sources;
   std::vector<Promise> promises;
   std::vector<std::string> kills;  ///< mutants that the statement must find
@@ -73,6 +69,7 @@ struct Statement {
   /// The same asked of one engine's sums, for statements that speak of sums only; throws what
   /// the engine throws. Empty for others.
   std::function<Outcome(const Engine&, Boundary, const Summands&)> of_engine = {};
+  StatementText text = {};  ///< statements() adds it
 
   /// As kinds() in registry.cpp has them: lemma, theorem, ..., fact, law, step.
   std::string kind() const { return id.substr(0, id.find('-')); }

@@ -56,15 +56,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "corollary-2.2.3",
-    .title = "Boundary points are sums of boundary points",
-    .statement =
-        "Every point on the boundary of the sum of two closed regions is the sum of a point on "
-        "the boundary of P and a point on the boundary of Q, and of no other points of P and Q.",
-    .why =
-        "The closed sum is closed, so the point is the sum of some points of P and Q, and by Lemma "
-        "2.2.2 these are on the boundaries.",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
-    .rests_on = {"lemma-2.2.2"},
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"ends-are-not-on-their-segment"},

@@ -54,20 +54,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "definition-2.1.9",
-    .title = "A chain turns once",
-    .statement =
-        "The signed angles at the vertices of an outer chain add up to a full turn "
-        "counterclockwise, those of a hole to one clockwise. Counted exactly: a direction, turned "
-        "by an infinitesimal so that no edge has it, is passed counterclockwise once more often "
-        "than clockwise; by a hole, once less often. So left turns are positive, as in the formula of "
-        "the definition; the text beside it says the contrary (docs/findings.md, on Definition "
-        "2.1.9).",
-    .why =
-        "That is the theorem of turning tangents (Hopf) for simple closed polygons, and the chains "
-        "of a valid region are simple. The sum of signed angles is a whole number of turns, and "
-        "each turn passes each direction once.",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
-    .rests_on = {},
     .sources = larger_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"left-and-right-are-one-direction"},

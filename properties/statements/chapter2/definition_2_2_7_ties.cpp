@@ -33,18 +33,6 @@ Enumeration enumerate() {
 
 const Registered registered({
     .id = "definition-2.2.7",
-    .title = "What is counterclockwise between, and which of two equal directions comes first",
-    .statement =
-        "CCW(d, from, to): turning counterclockwise from one direction to another, d is met before the "
-        "other, and after the start (Definitions 2.1.10 and 2.1.11). Of a direction of P and an equal one "
-        "of Q, that of Q counts as turned counterclockwise by an infinitesimal (Definition 2.2.7).",
-    .why =
-        "Take the directions in the order of their angles, and behind each of P's the equal one of Q: "
-        "then CCW compares how many places d and `to` are behind `from`. The code sees directions only "
-        "through signs of coordinates and of skew products, so the eight directions of four lines, and "
-        "for each whose it is, are all cases there are.",
-    .hypotheses = {"the vectors are not zero"},
-    .rests_on = {},
     .sources = {},
     .promises = {},
     .kills = {"ties-go-the-other-way", "left-and-right-are-one-direction", "angles-grow-clockwise",

@@ -147,25 +147,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "definition-2.2.8",
-    .title = "Both definitions of the convolution have the same points",
-    .statement =
-        "Definition 2.2.7: the convolution consists of the sums of an edge and a vertex whose "
-        "tangent set contains the edge's direction, equal directions decided by the tie rule. "
-        "Definition 2.2.8: it is the set of all sums of a boundary point of P and one of Q whose "
-        "tangent sets intersect, where tangent sets do not contain their ends and there is no tie "
-        "rule. Both are the same set of points: for the segments of each direction, and for the "
-        "ends of segments.",
-    .why = "The definitions treat ties and sums of two vertices differently. Two edges of equal "
-           "direction have equal tangent sets, so by the second definition their sum, a segment as "
-           "long as both together, is in the convolution. By the first one the tie rule keeps the "
-           "edge of P at the source of Q's edge, and the edge of Q at the target of P's; these two "
-           "segments together cover the same points. With vertices inside straight lines the same "
-           "holds for the whole lines. If the tangent sets of two vertices intersect, one starts "
-           "inside the other or both start in the same direction, and then a segment of the first "
-           "definition ends at the sum of the vertices.",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
-                   "a vertex inside a straight line has the tangent set of its edges"},
-    .rests_on = {"equation-2.1"},
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"reflex-turns-clockwise", "tangent-set-without-ties", "tie-rule-depends-on-who-asks"},

@@ -80,19 +80,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "equation-2.1",
-    .title = "The sum of two segments is a parallelogram or a segment",
-    .statement =
-        "The sum of two segments that are not parallel is a parallelogram, whose sides are the "
-        "sums of an end of one segment and the other segment. The sum of two parallel segments is "
-        "a segment as long as both together, and the sums of an end of one and the other segment "
-        "cover it.",
-    .why =
-        "The sum consists of the points a + λ u + c + μ w, λ and μ in [0, 1]. If u and w are "
-        "independent, that is an affine image of the unit square, and its boundary is the image "
-        "of the square's. If not, λ u + μ w takes all values between its extremes, which are sums "
-        "of ends; the longer segment, translated to both ends of the shorter one, covers them.",
-    .hypotheses = {"no segment is a point"},
-    .rests_on = {},
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"segments-end-to-end-stay-apart"},

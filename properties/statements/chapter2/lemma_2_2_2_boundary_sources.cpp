@@ -43,18 +43,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "lemma-2.2.2",
-    .title = "Sources of a boundary point are boundary points",
-    .statement =
-        "If x is on the boundary of the sum of two closed regions, or on a dangling edge or an "
-        "isolated vertex of the sum of the open ones, and x = a + b with a in P and b in Q, then a "
-        "and b are on the boundaries of P and of Q. In other words: the sum of an interior point "
-        "of one and any point of the other is in the sum of the open regions.",
-    .why =
-        "Let a be an interior point of P. A disk around a inside P, translated by b, is a disk "
-        "around x. Since b is the limit of interior points of Q, one of them, b', is so near to b "
-        "that x - b' is still in the disk around a: x is the sum of two interior points.",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
-    .rests_on = {},
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"containment-is-no-collision"},

@@ -83,23 +83,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "lemma-2.2.5",
-    .title =
-        "Points inside edges have a sum on the boundary only if the edges have equal directions",
-    .statement =
-        "Let p be inside an edge of P and q inside an edge of Q, where no other chain touches "
-        "these edges. If p + q is not in the sum of the open regions, then the edges have equal "
-        "directions. In other words: where an edge of P and one of -Q + x cross, or overlap in "
-        "the same direction, the interiors meet. The collision test by definition, which relies "
-        "on this, agrees with winding numbers.",
-    .why =
-        "The half disks to the left of the edges, one of them reflected, meet unless their bases "
-        "are opposite after reflection, which is equal before. Where another chain touches an "
-        "edge, the half disk is not there, and the lemma is false for open regions: "
-        "docs/findings.md, on Observation 2.2.4. For closed regions it is true there, too, since "
-        "the sums of neighbouring points of the two edges surround p + q.",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
-                   "no other chain touches the edges in p and q"},
-    .rests_on = {"observation-2.2.4"},
     .sources = {{"grid", 5, 4}, {"tight", 1, 1}, {"holes", 3, 5}, {"components", 3, 2}},
     .promises =
         {{"holes", 15}, {"several components", 5}, {"reflex vertices", 10}, {"parallel edges", 40}},

@@ -84,24 +84,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "lemma-2.2.9",
-    .title = "A segment that slides is interior",
-    .statement =
-        "Let e be an edge of one summand and q a vertex of the other. If the edge that leaves q, "
-        "or the reverse of the one that enters it, points strictly to the right of e, then each "
-        "point inside e + q is in the sum of the open regions, except possibly where another "
-        "chain touches e. The segment e + q is then said to slide. If e is parallel to neither "
-        "edge at q, this decides whether e + q is in the convolution: it is if it does not slide; "
-        "it is not if it slides and q is convex.",
-    .why = "Let d be the direction from q along that edge, and p a point inside e, where no other "
-           "chain touches it. Around p the region fills the half disk to the left of e, so p - t d "
-           "is interior for small t, and q + t d is in the other region. Their sum is p + q. Where "
-           "another chain touches e in p, p - t d may be in the exterior: the lemma as printed is "
-           "false there, also for the sum of closed regions (docs/findings.md, on Observation "
-           "2.2.4). The directions that both edges at q have to their left are exactly the tangent "
-           "set of a convex vertex, and a part of that of a reflex one.",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
-                   "first part: no other chain touches e in the point"},
-    .rests_on = {"lemma-2.2.2"},
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"reflex-turns-clockwise"},

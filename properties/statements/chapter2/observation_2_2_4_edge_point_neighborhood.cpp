@@ -93,19 +93,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "observation-2.2.4",
-    .title = "Around a point of an edge the sum fills a half disk",
-    .statement =
-        "Let p be inside an edge of one summand, not at a point where another chain touches that "
-        "edge, and let q be in the other summand, boundary included. Then a small half disk "
-        "around p + q, to the left of a line along the edge, is in the sum of the open regions.",
-    .why = "The region of p fills such a half disk around p, whose points are interior. The sum of "
-           "an interior point and any point of a closed region is in the sum of the open regions. "
-           "Where another chain touches the edge in p, the half disk is not there: the observation "
-           "as printed is false, also for the sum of closed regions (docs/findings.md, on "
-           "Observation 2.2.4).",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
-                   "no other chain touches the edge in p"},
-    .rests_on = {"lemma-2.2.2"},
     .sources = {{"grid", 5, 6}, {"tight", 1, 1}, {"holes", 4, 3}, {"components", 4, 2}},
     .promises =
         {{"holes", 15}, {"several components", 5}, {"reflex vertices", 10}, {"parallel edges", 40}},

@@ -33,19 +33,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "theorem-2.2.6",
-    .title = "The vertex-edge sum contains the boundary of the sum",
-    .statement =
-        "Every point on the boundary of the sum of the open regions, dangling edges and isolated "
-        "vertices included, is on a segment of the vertex-edge sum. So along any path, whether a "
-        "point is in the sum changes only where the path meets the vertex-edge sum.",
-    .why =
-        "A boundary point is the sum of boundary points of P and of Q (Corollary 2.2.3). If both "
-        "were inside edges of different directions, it would be interior (Lemma 2.2.5); the sum "
-        "of two edges of one direction is one segment, which the sums of the longer edge and the "
-        "ends of the other one cover (Equation 2.1). So it is a sum of a vertex and a point of an "
-        "edge.",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
-    .rests_on = {"corollary-2.2.3", "lemma-2.2.5", "equation-2.1"},
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"vertices-of-p-are-left-out"},

@@ -74,24 +74,6 @@ Outcome law(const Sum& sum, const Summands& summands) {
 
 const Registered registered({
     .id = "theorem-2.3.2",
-    .title = "The reduced convolution contains the boundary of the sum",
-    .statement =
-        "No point inside the sum of an edge and a reflex vertex is on the boundary of the sum of "
-        "the open regions, unless another chain of the same region touches that vertex. Even then "
-        "segments of the reduced convolution cover the boundary, each edge by segments of its own "
-        "direction. Dangling edges are covered too, and so is each isolated vertex, unless it is "
-        "the sum of a point where chains of P touch and a point where chains of Q touch.",
-    .why =
-        "Around a reflex vertex the interior fills more than a half plane, around a point inside "
-        "an edge it fills a half plane. A half plane and the reflection of anything larger "
-        "intersect, so the interiors meet at that placement. The exceptions are not in the "
-        "thesis; for the counterexamples see docs/findings.md, on Theorem 2.3.2. Where another "
-        "chain touches the reflex vertex, that chain's segments cover what the vertex's own do "
-        "not. An isolated vertex at a reflex vertex that no chain touches is touched by a convex "
-        "vertex of the other summand, whose segments along both edges are kept.",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
-                   "first part: no other chain of its region touches the reflex vertex"},
-    .rests_on = {"theorem-2.2.10"},
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"acute-vertex-is-reflex", "tangent-set-without-ties"},

@@ -72,19 +72,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "corollary-3.1.3",
-    .title = "Chains of the boundary are weakly simple",
-    .statement =
-        "Each chain of the closed sum's boundary is weakly simple: it may touch itself and other "
-        "chains in points, but does not cross, overlap or turn back. At each point, also where "
-        "chains touch, no other part of the boundary lies to the right of a chain, between the "
-        "edge that enters and the edge that leaves: there is a single face of the complement.",
-    .why =
-        "To the left of each edge is the sum, so two edges that overlap in opposite directions "
-        "would have the sum on both sides, and would not be boundary. Loops that turn clockwise "
-        "most go round one face of the complement (Lemma 3.1.2), and a face is on one side of its "
-        "boundary.",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
-    .rests_on = {"lemma-3.1.2"},
     .sources = larger_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"chains-turn-counterclockwise-most"},

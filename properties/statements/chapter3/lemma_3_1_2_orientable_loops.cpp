@@ -41,16 +41,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "lemma-3.1.2",
-    .title = "The boundary is a union of orientable loops",
-    .statement =
-        "Direct each edge of the boundary of the closed sum so that the sum is to its left. Then "
-        "segments of the reduced convolution of this direction cover the edge, and none of the "
-        "opposite direction overlaps it. So the boundary's chains are among the traced loops, and "
-        "edges with segments in both directions can be left out of the tracing.",
-    .why = "The half disk to the left of a segment is in the sum. With segments in both "
-           "directions both sides would be.",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
-    .rests_on = {"theorem-2.3.2"},
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"loops-turn-counterclockwise-most"},

@@ -39,17 +39,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "observation-3.1.4",
-    .title = "External loops and holes of the boundary alternate in their nesting",
-    .statement =
-        "Of the loops that are on the boundary by the definition of the sum, those that touch the "
-        "outer face are external, those directly inside an external one are holes, and those "
-        "directly inside a hole are external. So the nesting filter, working from the outside "
-        "inwards, keeps all of them; together with one hole test per loop it keeps no others.",
-    .why = "Loops do not cross, so they cut the plane into regions that form a tree. A path that "
-           "crosses a loop of the boundary passes from the sum to the complement or back; crossing "
-           "another loop changes nothing; and the sum is to the left of a boundary loop.",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
-    .rests_on = {"lemma-3.1.2", "observation-3.2.5"},
     .sources = {{"grid", 8, 4},
                 {"tight", 4, 2},
                 {"holes", 6, 3},

@@ -38,20 +38,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "observation-3.1.5",
-    .title = "One hole test per loop is enough",
-    .statement =
-        "If P and -Q + x collide for one point x inside an edge of a traced loop, they collide "
-        "for every point inside its edges; if they do not for one, they do for none. Each hole "
-        "test gives this answer for every edge of the loop.",
-    .why =
-        "The face to the right of an edge is in the sum or in the complement as a whole. If it is "
-        "in the complement the loop is on the boundary all the way (Observation 3.2.4). If not, "
-        "the edge has the sum on both sides; it is not a dangling edge, since no segment runs "
-        "against it (Theorem 3.2.8). Vertices are left out: a loop that is not on the boundary "
-        "may touch it there.",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
-                   "points inside edges of the arrangement, not its vertices"},
-    .rests_on = {"observation-3.2.4", "theorem-3.2.8"},
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"rays-start-left-of-their-edge"},

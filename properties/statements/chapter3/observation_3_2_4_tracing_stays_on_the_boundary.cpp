@@ -47,18 +47,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "observation-3.2.4",
-    .title = "Tracing that turns clockwise most stays on the boundary",
-    .statement =
-        "On the arrangement of the reduced convolution, every edge of the closed sum's boundary "
-        "is on a traced loop; and either all edges of a traced loop are on the boundary or none "
-        "is, by the definition of the sum.",
-    .why =
-        "To the right of a boundary edge is a face of the complement. Going around the edge's "
-        "target counterclockwise, starting from that edge, the face ends at the next boundary "
-        "edge; the complement is to the right of that edge too, so it leaves the vertex. An edge "
-        "between the two would be inside the complement, and no segment is.",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
-    .rests_on = {"theorem-2.3.2", "lemma-3.1.2"},
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"loops-turn-counterclockwise-most"},

@@ -65,19 +65,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "observation-3.2.5",
-    .title = "Traced loops share no edge and do not cross",
-    .statement =
-        "Each traced loop is closed; no edge is on two loops, or twice on one, or on loops in "
-        "both directions; and where two loops meet in a vertex, or one meets itself, they do not "
-        "cross: around the vertex, the two edges of one passage do not separate those of the "
-        "other.",
-    .why =
-        "The next edge depends on the edge before it only, so loops that share an edge are the "
-        "same loop. If two entering edges alternate with two leaving edges around a vertex, the "
-        "same leaving edge is clockwise most from both entering ones; so only one of these is on "
-        "a loop.",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
-    .rests_on = {},
     .sources = larger_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"loops-go-straight-on"},

@@ -38,16 +38,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "observation-3.2.6",
-    .title = "The sum of two simple polygons is connected",
-    .statement =
-        "The sum of two simple polygons has one outer chain and any number of holes. Its interior "
-        "is connected, also where the boundary touches itself. So no loop inside a hole is on the "
-        "boundary.",
-    .why = "The interiors of the polygons are connected, hence so is the set of pairs of their "
-           "points, and the sum is its continuous image. The degenerate features that the thesis "
-           "excludes are in the closure of the interior and change nothing.",
-    .hypotheses = {"P and Q are simple polygons, collinear vertices allowed"},
-    .rests_on = {},
     .sources =
         {{"grid", 9, 5}, {"simple", 8, 2}, {"star", 8, 1}, {"fork", 2, 1}, {"diamond-u", 1, 1}},
     .promises = {{"reflex vertices", 20}, {"parallel edges", 30}},

@@ -55,19 +55,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "section-3.2.1",
-    .title = "Tracing cycles finds the convolution",
-    .statement =
-        "The segments of all traced cycles are the convolution, each once, and those whose vertex "
-        "is not reflex are the reduced convolution: with the same origins, points and reflex "
-        "flags as found by trying every vertex with every edge.",
-    .why =
-        "A trace only takes segments whose direction is in their vertex's tangent set, each once "
-        "(Theorem 4.1.6), and misses none, since every cycle passes a starting state (Theorem "
-        "4.1.10). Whether a direction is in a tangent set is decided by quadrants and certified "
-        "intervals, and by the definition where those cannot decide; ties are decided by the "
-        "definition.",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
-    .rests_on = {"theorem-4.1.6", "theorem-4.1.10"},
     .sources = larger_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"filtered-ties-the-other-way", "no-start-in-the-first-column",

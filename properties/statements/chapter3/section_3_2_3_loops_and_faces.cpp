@@ -51,20 +51,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "section-3.2.3",
-    .title = "Faces and loops give the same sum",
-    .statement =
-        "Tracing orientable loops, turning clockwise most, and then applying the nesting filter "
-        "and one hole test per loop gives the same sum as testing the faces of the arrangement. A "
-        "loop on the boundary passes the nesting filter.",
-    .why =
-        "To the right of a boundary edge is the complement. Going around its target, the next "
-        "outgoing edge on that side is on the boundary of the same face, so tracing stays on it "
-        "until it closes. Loops share no edge and do not cross, so they cut the plane into "
-        "regions that form a tree. A path that crosses a loop of the boundary passes from the sum "
-        "to the complement or back; crossing another loop changes nothing.",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
-    .rests_on = {"lemma-3.1.2", "observation-3.1.4", "observation-3.1.5", "observation-3.2.4",
-                 "observation-3.2.5"},
     .sources = {{"grid", 8, 4},
                 {"tight", 6, 2},
                 {"holes", 6, 3},

@@ -25,21 +25,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "section-3.2",
-    .title = "The algorithms compute the sum",
-    .statement =
-        "Closed and open, each algorithm returns the sum that the definitions give, holes, "
-        "dangling edges and isolated vertices included.",
-    .why =
-        "The reduced convolution contains the boundary. A face of its arrangement is in the sum "
-        "or in the complement as a whole; one in the complement has all segments around it "
-        "directed with the face to their right, and one collision test decides. A dangling edge "
-        "needs segments of opposite directions, an isolated vertex segments of three directions; "
-        "again a collision test decides. slide finds the boundary along the segments "
-        "(step-boundary). The oracle decides every cell of the arrangement of the full "
-        "convolution by the definition, so all must agree.",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
-    .rests_on = {"theorem-2.3.2", "theorem-4.2.1", "section-5.1.2", "step-boundary", "step-ends",
-                 "step-turning", "step-candidates"},
     .sources = {{"grid", 8, 4},
                 {"tight", 6, 3},
                 {"holes", 5, 2},

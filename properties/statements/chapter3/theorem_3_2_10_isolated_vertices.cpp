@@ -64,19 +64,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "theorem-3.2.10",
-    .title = "Segments of three directions meet in an isolated vertex",
-    .statement =
-        "Through each isolated vertex of the open sum there are segments of the reduced "
-        "convolution of at least three directions, passing or ending there, unless the vertex is "
-        "the sum of a point where chains of P touch and a point where chains of Q touch. So it is "
-        "enough to look at such points and such sums.",
-    .why = "Around the vertex is the sum, and each segment gives the half disk to its left. Two "
-           "open half disks leave a line or more of the disk uncovered, so the open sum would be "
-           "missing more than a point. The exception is not in the thesis: docs/findings.md, on "
-           "Theorem 2.3.2.",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
-                   "not a sum of touching points of both summands"},
-    .rests_on = {"theorem-2.3.2"},
     .sources =
         {{"tight", 4, 6}, {"grid", 8, 3}, {"holes", 4, 1}, {"components", 3, 1}, {"islands", 1, 1}},
     .promises = {{"reflex vertices", 10}, {"parallel edges", 40}, {"overlapping segments", 5}},

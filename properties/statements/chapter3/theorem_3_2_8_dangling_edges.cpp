@@ -48,16 +48,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "theorem-3.2.8",
-    .title = "Dangling edges lie on opposite segments",
-    .statement =
-        "Along a dangling edge of the open sum, the segments of the reduced convolution of one "
-        "direction cover all of it, and so do those of the opposite direction. So it is enough to "
-        "look at overlaps of opposite segments, with one collision test for each.",
-    .why = "On both sides of a dangling edge is the sum. Each side is the half disk to the left of "
-           "a segment along the edge, so two of them run in opposite directions. Segments of the "
-           "reduced convolution suffice (Theorem 2.3.2).",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
-    .rests_on = {"theorem-2.3.2"},
     .sources = {{"tight", 4, 6},
                 {"grid", 8, 3},
                 {"holes", 4, 1},

@@ -84,28 +84,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "corollary-4.1.9",
-    .title = "Sizes of convolution cycles",
-    .statement =
-        "As printed, the corollary says that there is a cycle of size n + m; that is false "
-        "(docs/findings.md, on Corollary 4.1.9). What holds: let a chain of P have n vertices and "
-        "a chain of Q m vertices. Every cycle of these two has a n + b m segments with integers a "
-        "and b, and for one cycle both are at least 1. So there is a cycle of at least n + m "
-        "segments, and K is at least n + m. Two convex polygons have one cycle, of exactly n + m "
-        "segments.",
-    .why =
-        "A closed walk goes around the columns a times and around the rows b times. Each "
-        "direction is in s + r tangent sets of a chain, s = 1 for an outer chain, -1 for a hole, "
-        "r its reflex vertices (fact-convolution-size); so the a of all cycles add up to s + r of "
-        "Q's chain, at least 1, since a hole has three vertices where it turns right. A cycle "
-        "with b = 0 stays in one row: all directions of P's chain are in the tangent set of one "
-        "vertex of Q. They are not in a half plane, so that vertex is reflex, and none of them is "
-        "in the arc that its tangent set leaves out. An outer chain has only r < 1 + r such "
-        "vertices. In a hole, each direction is in the left-out arc of at least one reflex "
-        "vertex, and at least two such arcs contain a direction of P, as an arc is less than half "
-        "a circle; so there are at most r - 2 < r - 1 such vertices. Each such cycle has a = 1, "
-        "so not all of the sum s + r comes from cycles with b = 0.",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
-    .rests_on = {"lemma-4.1.5", "fact-convolution-size"},
     .sources = larger_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"cycle-ends-in-its-column"},

@@ -55,23 +55,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "fact-convolution-size",
-    .title = "The number of segments of the convolution",
-    .statement =
-        "|P ⊗ Q| = n_P (χ_Q + r_Q) + n_Q (χ_P + r_P), where n is the number of vertices, r the "
-        "number of reflex ones (of a hole, those where it turns right), and χ the number of outer "
-        "chains minus the number of holes. For simple polygons χ = 1. More exactly, each edge is "
-        "in s + r tangent sets of each chain of the other summand, s = 1 for an outer chain and "
-        "-1 for a hole; that is what is tested.",
-    .why =
-        "The turns of a chain add up to 2π s, so each direction is passed s times, counting "
-        "clockwise passes as -1. A convex vertex passes the directions of its tangent set "
-        "counterclockwise. A reflex vertex passes the directions outside its tangent set "
-        "clockwise: it counts 0 for a direction in its tangent set and -1 for any other, so 1 "
-        "less than whether the direction is in it (1 or 0). So each direction is in s + r tangent "
-        "sets. Ties do not matter, since the tie rule turns all of Q's directions together; a "
-        "vertex inside a straight line does not turn, and its tangent set is empty.",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
-    .rests_on = {},
     .sources = larger_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"acute-vertex-is-reflex", "reflex-turns-clockwise", "tangent-set-without-ties"},

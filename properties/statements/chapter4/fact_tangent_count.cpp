@@ -76,28 +76,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "fact-tangent-count",
-    .title = "Winding numbers of the convolution, corner by corner of the intersection",
-    .statement =
-        "For closed chains P and Q, which may cross themselves, every point x and every direction d: the "
-        "winding number of x with respect to the convolution is the sum of three sums. First, over the "
-        "vertices p of P whose tangent set has d, the winding number of x - p with respect to Q. Second, "
-        "over the vertices q of Q whose tangent set has -d, that of x - q with respect to P. Third, over "
-        "all pairs of an edge e of P and an edge f of Q, the winding number of x with respect to the "
-        "boundary of e ⊕ f, times [e < f] - [e < d] + [f < -d] - [d < -d], where [u < v] is 1 if u comes "
-        "before v by angle, else 0. x may be on the convolution, if all winding numbers are counted on "
-        "the same ray. For regions, all terms are sums over pairs of chains. The same holds for any "
-        "direction in place of -d; with -d, no term is negative if winding numbers of P and Q are not.",
-    .why =
-        "CCW(d, a, b) is [a < d] - [b < d] + [b < a] for three directions of which no two are equal. So "
-        "whether an edge e is in the tangent set of q is whether -d is, plus the weight of e and the edge "
-        "that leaves q, less that of e and the edge that enters q; for edges of Q the same. The winding "
-        "number is a sum of such terms times crossings of a ray, and summation by parts moves the "
-        "differences from the weights to the crossings, where they make up the boundary of e ⊕ f. The "
-        "weight has the sign of the skew product of e and f or is 0, and so has the winding number of that "
-        "boundary.",
-    .hypotheses = {"P and Q consist of closed chains; no two vertices in a row are equal",
-                   "d is not zero"},
-    .rests_on = {},
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"crossings-count-with-a-sign", "tie-rule-depends-on-who-asks",

@@ -38,21 +38,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "fact-winding-number",
-    .title = "What the winding number of the convolution counts",
-    .statement =
-        "The winding number of x with respect to the convolution is the Euler characteristic of "
-        "the intersection of P and -Q+x, for simple polygons the number of its components, plus "
-        "the number of reflex vertices of P inside -Q+x, plus that of -Q+x inside P. Chains that "
-        "touch count as in Section 4.2.4.",
-    .why =
-        "From 𝒞 to 𝒞′, each reflex vertex that is inside the other summand lowers the winding "
-        "number by one (Lemma 4.2.15), and the winding number of 𝒞′ is the Euler characteristic "
-        "(Section 4.2.4). Each hole of the intersection has at least three reflex corners, each "
-        "of them such a vertex, so the winding number is positive wherever there is a component: "
-        "Theorem 4.2.1.",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
-                   "x is on no segment of the vertex-edge sum"},
-    .rests_on = {"lemma-4.2.15", "section-4.2.4"},
     .sources = pairs_with_holes(),
     .promises = promises_of_mixture(),
     .kills = {"holes-of-an-intersection-are-not-seen", "reflex-turns-clockwise",

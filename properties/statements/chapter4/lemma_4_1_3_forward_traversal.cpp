@@ -82,21 +82,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "lemma-4.1.3",
-    .title = "Forward traversal: tracing can always go on",
-    .statement =
-        "At each state that is reached while a cycle is traced, a convolution segment leaves; and "
-        "two leave if and only if two enter. More exactly, as many segments enter any state as "
-        "leave it, whether a cycle reaches it or not.",
-    .why =
-        "Which segments at the state are in the convolution depends only on the cyclic order of "
-        "the directions of the four edges, with the tie rule. There are finitely many orders, and "
-        "the definition is tried on each: four directions and the x-axis, from which angles are "
-        "measured, are on at most five lines, so every order is among the choices of four out of "
-        "ten directions, each with its opposite. Vertices inside a straight line are among them, "
-        "and edges that turn back, which no valid region has.",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
-                   "one tie rule for both kinds of segments"},
-    .rests_on = {},
     .sources = larger_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"tangent-set-without-ties", "tie-rule-depends-on-who-asks", "reflex-turns-clockwise"},

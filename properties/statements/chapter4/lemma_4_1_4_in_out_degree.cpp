@@ -38,19 +38,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "lemma-4.1.4",
-    .title = "In-degree equals out-degree in the convolution graph",
-    .statement =
-        "At each node of the convolution graph as many segments end as start. The same holds at "
-        "each state, a vertex of P at a vertex of Q, before states at the same point become one "
-        "node.",
-    .why =
-        "At a state, the directions of the four edges lie on a circle, ties decided by the tie "
-        "rule. The edge that enters a vertex and the edge that leaves it bound its tangent set; "
-        "however the four interleave on the circle, as many entering as leaving directions are in "
-        "the other vertex's tangent set. A node is a set of states, and their degrees add up.",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
-                   "one tie rule for both kinds of segments"},
-    .rests_on = {"lemma-4.1.3"},
     .sources = larger_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"tangent-set-without-ties", "tie-rule-depends-on-who-asks", "reflex-turns-clockwise"},

@@ -162,19 +162,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "lemma-4.1.5",
-    .title = "The convolution graph decomposes into edge-disjoint cycles",
-    .statement =
-        "The edges of the convolution graph can be partitioned into directed cycles, each of "
-        "which passes no node twice; and each connected part of the graph has an Euler circuit, "
-        "so it is strongly connected. The same holds for the fiber grid.",
-    .why = "Every node is entered as often as it is left (Lemma 4.1.4), so by Euler's theorem each "
-           "connected part has a circuit. Cut where it returns to a node, it becomes cycles. The "
-           "test finds circuits by Hierholzer's algorithm, which uses neither states nor Algorithm "
-           "2, and checks them edge by edge; and it compares their number with the number of "
-           "strongly connected components, computed by Boost.",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
-                   "one tie rule for both kinds of segments"},
-    .rests_on = {"lemma-4.1.4"},
     .sources = larger_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"tangent-set-without-ties", "tie-rule-depends-on-who-asks", "reflex-turns-clockwise"},

@@ -88,24 +88,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "lemma-4.1.8",
-    .title = "An edge leaves every row and every column of the fiber grid",
-    .statement =
-        "In the fiber grid of a chain of P and a chain of Q, an edge leads from each row to the "
-        "next row, and from each column to the next column: the direction of every edge of one "
-        "chain is in the tangent set of a vertex of the other; of at least two vertices if the "
-        "other chain is a hole.",
-    .why =
-        "At one vertex: turning from the edge that enters to the edge that leaves, by less than "
-        "π, a vertex passes a direction of the other summand once counterclockwise (1), once "
-        "clockwise (-1) or not at all (0). Whether the direction is in the tangent set (1 or 0) "
-        "is this number, plus 1 if the vertex is reflex. That is enumerated: three directions and "
-        "the x-axis are on at most four lines, so every order, ties and opposites included, is "
-        "among the choices of three out of eight directions, each with its opposite, for either "
-        "summand. The turns of an outer chain add up to one full turn, those of a hole to one in "
-        "the opposite direction. So a direction is in 1 + r tangent sets of an outer chain and in "
-        "r - 1 of a hole, r being the number of reflex vertices; and a hole has at least three.",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
-    .rests_on = {"fact-convolution-size"},
     .sources = larger_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"acute-vertex-is-reflex", "angles-grow-clockwise", "between-is-on-the-other-arc",

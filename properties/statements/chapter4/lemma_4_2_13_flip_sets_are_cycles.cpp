@@ -42,19 +42,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "lemma-4.2.13",
-    .title = "With flip sets the convolution still consists of cycles",
-    .statement =
-        "Replace the convolution's segments at a reflex vertex by the vertex's flip set: its "
-        "other segments of the vertex-edge sum, reversed. Every point is still entered as often "
-        "as it is left, so the winding number of every point that is on no segment is well "
-        "defined. This holds after the replacement at one reflex vertex, and after the "
-        "replacement at all of them, which gives 𝒞′. The thesis states it for two simple polygons.",
-    .why = "For each edge e of Q, the replacement at a vertex p of P removes p + e or adds its "
-           "reverse; both subtract p + e. Together that subtracts p plus the boundary of Q, which "
-           "consists of cycles.",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
-                   "one tie rule for both kinds of segments"},
-    .rests_on = {"lemma-4.1.4"},
     .sources = larger_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"flip-set-keeps-its-direction", "tangent-set-without-ties",

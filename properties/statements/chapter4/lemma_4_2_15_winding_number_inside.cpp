@@ -43,19 +43,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "lemma-4.2.15",
-    .title = "A flip set lowers the winding number by one inside the translated other summand",
-    .statement =
-        "Replacing the segments of a reflex vertex p of P by its flip set lowers the winding "
-        "number by one at points inside Q + p and does not change it elsewhere; the same with P "
-        "and Q exchanged. The thesis states it for two simple polygons; it is tested for regions, "
-        "where points in a hole of Q + p are not inside it.",
-    .why =
-        "The replacement subtracts p plus the boundary of Q (Lemma 4.2.13), whose winding number "
-        "is one inside Q + p and zero outside and in holes. The test compares a point in every "
-        "face of the arrangement of the convolution and all flip sets.",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
-                   "x is on no segment of the vertex-edge sum"},
-    .rests_on = {"lemma-4.2.13"},
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"flip-set-keeps-its-direction", "ray-counts-both-ends"},

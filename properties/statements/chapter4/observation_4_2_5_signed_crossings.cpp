@@ -61,22 +61,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "observation-4.2.5",
-    .title = "Signed crossings along a path add up to the change of the winding number",
-    .statement =
-        "Take a path between two points that are on no segment of the convolution. Count a "
-        "crossing from the right of a segment to its left as 1, one from left to right as -1, and "
-        "overlapping segments one by one. The crossings add up to the winding number at the "
-        "path's end minus that at its start; along a closed path they add up to zero. The path "
-        "need not be in general position: it may pass through vertices of the convolution and run "
-        "along its segments, if crossings are counted on the path shifted by an infinitesimal.",
-    .why =
-        "The convolution consists of closed cycles, and the winding number of a cycle is constant "
-        "off the cycle and larger by one just left of a segment than just right of it. In the "
-        "test, winding numbers are counted on rays to the right, independent of the path. Shifted "
-        "by an infinitesimal, the path's ends stay in their faces and it passes through no vertex.",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
-                   "the path's ends are on no segment of the convolution"},
-    .rests_on = {"lemma-4.1.5"},
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"ray-counts-both-ends", "steps-are-not-shifted", "tangent-set-without-ties",

@@ -78,16 +78,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "observation-4.2.8",
-    .title = "Points inside convolution segments: a vertex meets an edge",
-    .statement =
-        "Let x be inside a convolution segment, the sum of an edge of one summand and a vertex of "
-        "the other. Then in P and -Q+x this vertex is inside this edge. And for every x: the "
-        "number of pairs of a vertex of one and an edge of the other with the vertex inside the "
-        "edge equals the number of segments of the vertex-edge sum with x inside them.",
-    .why = "x = v + (1-t) e + t e' says that x - v is inside the edge from e to e'. If the edge is "
-           "Q's, x - ((1-t) e + t e') is a point inside an edge of -Q+x, and it is v.",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
-    .rests_on = {},
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"sums-name-the-vertex-before"},

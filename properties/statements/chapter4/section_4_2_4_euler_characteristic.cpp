@@ -25,23 +25,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "section-4.2.4",
-    .title = "With holes, the winding number with flip sets is an Euler characteristic",
-    .statement =
-        "For regions with holes and several components, the winding number of x with respect to "
-        "𝒞′ is the Euler characteristic of the intersection of P and -Q+x: the number of its "
-        "components minus the number of its holes. A hole that touches the outside in a point, "
-        "where chains of one summand touch inside the other, counts as a hole. The section says "
-        "that winding number and number of components remain equal, since both add up over pairs "
-        "of chains; they do not remain equal, since the number of components does not add up "
-        "(docs/findings.md, on Section 4.2.4).",
-    .why =
-        "Both are the total turning of the intersection's boundary, in full turns: each outer "
-        "chain turns once counterclockwise, each hole once clockwise. As x moves, each event in "
-        "which a vertex passes an edge changes the total turning as for simple polygons, whatever "
-        "the regions are elsewhere. Chains that touch turn as if they were slightly apart.",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
-                   "x is on no segment of the vertex-edge sum"},
-    .rests_on = {"lemma-4.2.13", "theorem-4.2.14"},
     .sources = pairs_with_holes(),
     .promises = promises_of_mixture(),
     .kills = {"flip-set-keeps-its-direction", "reflex-vertices-of-q-are-not-replaced",

@@ -231,32 +231,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "table-4.3-to-4.6",
-    .title = "The 16 events of a vertex and an edge",
-    .statement =
-        "As -Q moves to the left, a vertex of P or of -Q passes through the inside of an edge of "
-        "the other. Tables 4.3 to 4.5 say how the number of components of the intersection and "
-        "the winding number of the convolution change in each of the 16 cases: vertex of P or of "
-        "-Q, edge up or down, on a convolution segment or not, vertex convex or reflex. By Table "
-        "4.6 the winding number of the convolution with flip sets changes as the number of "
-        "components does. Where several vertices pass several parallel edges at once, their "
-        "changes add up. For holes and several components the number of components is an Euler "
-        "characteristic.",
-    .why =
-        "Only the neighbourhood of the vertex matters. On one side of the event the half plane at "
-        "the edge contains the vertex; then it intersects the vertex's sector in one component. "
-        "On the other side it does not; then there are as many components as arcs common to the "
-        "half plane's open half circle of directions and the sector's arc. So the cyclic order of "
-        "three directions and the position of the edge to the horizontal decide; with the x-axis "
-        "they are on at most four lines, and every order, ties and opposites included, is among "
-        "the choices of three out of eight directions, each with its opposite, for either "
-        "summand. Of two equal or opposite directions, Q's is turned counterclockwise by an "
-        "infinitesimal. Left out are vertices that turn back, which no region has, and horizontal "
-        "edges, which a sweep along a horizontal line does not cross. On pairs, winding numbers "
-        "and the intersections of the regions themselves are counted before and after.",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
-                   "a vertex inside a straight line counts as convex",
-                   "the edge is not horizontal"},
-    .rests_on = {},
     .sources = pairs_with_holes(),
     .promises = {{"holes", 15}, {"reflex vertices", 10}, {"parallel edges", 40}},
     .kills = {"acute-vertex-is-reflex", "flip-set-keeps-its-direction", "reflex-turns-clockwise",

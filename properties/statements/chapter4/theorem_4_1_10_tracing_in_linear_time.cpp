@@ -46,22 +46,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "theorem-4.1.10",
-    .title = "All cycles are traced in O(n + m + K)",
-    .statement =
-        "A cycle crosses all rows or all columns of its fiber grid, so it is enough to start from "
-        "the states of one row and one column. Tracing all cycles looks at fewer than n + m + K "
-        "states for two chains, and fewer than 2 K for any two regions, where K is the size of "
-        "the convolution.",
-    .why =
-        "A step leads to the next row or the next column, both cyclic, and never back; to return, "
-        "a cycle goes around the rows or around the columns. The starts are n + m - 1 states; a "
-        "cycle of L segments looks at L - 1 more states before it is back. Together that is n + m "
-        "- 1 + K minus the number of cycles. For several chains the n + m add up over the pairs "
-        "of a chain of P with a chain of Q; each pair has at least n + m segments itself "
-        "(Corollary 4.1.9, as corrected), so the starts are less than K.",
-    .hypotheses = {"P and Q are valid regions, not empty, holes, components and collinear vertices "
-                   "allowed"},
-    .rests_on = {"lemma-4.1.5", "corollary-4.1.9"},
     .sources = larger_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"cycle-ends-in-its-column", "every-state-is-a-start"},

@@ -46,25 +46,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "theorem-4.1.6",
-    .title = "Algorithm 2 traces cycles",
-    .statement =
-        "From an unvisited convolution segment, Algorithm 2 returns to the state that this "
-        "segment leaves, after finitely many steps; each step is an unvisited convolution segment "
-        "from the current state to the next one. So the traced cycles are closed, share no "
-        "segment, and cover the convolution.",
-    .why =
-        "Segments visited by complete traces, and the trace so far, enter each state as often as "
-        "they leave it, except for the two ends of the trace. As many segments of the convolution "
-        "enter a state as leave it (Lemma 4.1.4); so a trace that has reached a state other than "
-        "its start finds an unvisited segment that leaves this state. If it is not the one along "
-        "P, it is the one along Q: the else branch, which takes that without a test, is right. No "
-        "segment is taken twice, so the trace ends. As printed, nothing marks a segment before "
-        "its cycle is complete; then the algorithm need not terminate (docs/findings.md, on "
-        "Algorithm 2).",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
-                   "the first segment is unvisited and in the convolution",
-                   "a segment is marked as visited as soon as it is taken"},
-    .rests_on = {"lemma-4.1.3", "lemma-4.1.4", "theorem-4.1.10"},
     .sources = larger_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"cycle-ends-in-its-column", "edge-of-p-though-visited",

@@ -34,21 +34,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "theorem-4.2.14",
-    .title = "The winding number with flip sets counts components of the intersection",
-    .statement =
-        "For two simple polygons, the winding number of x with respect to 𝒞′ is the number of "
-        "connected components of the intersection of P and -Q+x.",
-    .why =
-        "The intersection of two simple polygons has no holes, so the number of its components is "
-        "its boundary's total turning, in full turns. As x moves, that changes only where a "
-        "vertex of one passes an edge of the other: by one, up or down, at a convex vertex whose "
-        "tangent set contains the edge's direction, and at a reflex vertex whose tangent set does "
-        "not. The first are the segments of 𝒞 that are kept, the second the flip sets. The test "
-        "tries a point in every face of 𝒞 ∪ 𝒞′, and counts components by Boolean operations, "
-        "without convolutions.",
-    .hypotheses = {"P and Q are simple polygons, collinear vertices and parallel edges allowed",
-                   "x is on no segment of the vertex-edge sum"},
-    .rests_on = {"lemma-4.2.13"},
     .sources = {{"grid", 8, 6},
                 {"simple", 7, 2},
                 {"star", 7, 1},

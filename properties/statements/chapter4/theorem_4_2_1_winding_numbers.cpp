@@ -113,27 +113,6 @@ Outcome law(const Sum& sum, const Summands& summands) {
 
 const Registered registered({
     .id = "theorem-4.2.1",
-    .title = "A point is in the sum iff its winding number is positive",
-    .statement =
-        "If x is on no segment of the convolution, the convolution's winding number at x is "
-        "positive iff the interiors of P and -Q+x meet, and it is never negative. The thesis "
-        "states it for two simple polygons; it holds, and is tested, for regions with holes and "
-        "several components as well.",
-    .why =
-        "The winding number is the Euler characteristic of the intersection of P and -Q+x plus "
-        "the number of reflex vertices of either that are inside the other. Each hole of the "
-        "intersection has at least three reflex corners, each of them such a vertex, so the "
-        "winding number is at least the number of the intersection's components. Both sides of "
-        "the statement are constant on a face of the convolution's arrangement; the test compares "
-        "a point on each side of each piece of a segment, so every face. It also compares "
-        "placements at which two vertices meet: these are the hardest cases of the collision test.",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
-                   "x is not on the convolution",
-                   "x is not the sum of a point where chains of P touch and one where chains of Q "
-                   "touch (docs/findings.md, on Theorem 2.3.2)",
-                   "the intersection of P and -Q+x is that of the interiors: touching is not "
-                   "enough"},
-    .rests_on = {"lemma-4.1.4", "fact-tangent-count"},
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"ray-counts-both-ends", "reflex-turns-clockwise", "tangent-set-without-ties",

@@ -94,20 +94,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "observation-5.2.1",
-    .title = "A ray from an edge counts the face beside it",
-    .statement =
-        "Shoot a ray to the right from a point of an edge of the full convolution. If the edge "
-        "leads upwards, the signed crossings of the ray with the segments further on add up to "
-        "the winding number of the face directly to the right of the edge. If it leads downwards, "
-        "the crossings with the edge itself and with all segments that overlap it are added: -1 "
-        "where nothing else overlaps. The data structure for rays returns that number, and it is "
-        "positive exactly where P and -Q, placed in that face, collide.",
-    .why = "A ray that starts directly to the right of an upward edge leaves that edge behind; one "
-           "that starts directly to the right of a downward edge crosses that edge first. Winding "
-           "numbers do not depend on the ray, and Theorem 4.2.1 says what they mean.",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed",
-                   "first part: the edge is not horizontal"},
-    .rests_on = {"theorem-4.2.1", "observation-4.2.5"},
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"rays-start-left-of-their-edge", "rays-shift-down"},

@@ -9,14 +9,6 @@ namespace {
 
 const Registered registered({
     .id = "section-5.1.2",
-    .title = "Hierarchies of bounding volumes decide collision",
-    .statement =
-        "Two hierarchies of bounding boxes, built once, with that of -Q translated by x, decide "
-        "as the definition does whether the interiors of P and -Q+x meet.",
-    .why = "Edges whose boxes are apart do not meet, so every pair that crosses or has contact is "
-           "visited; section-5.1 says why these suffice.",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
-    .rests_on = {"section-5.1"},
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"parallel-edges-do-not-collide", "weak-intersections-never-meet"},

@@ -37,18 +37,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "section-5.2",
-    .title = "Rays and faces give the same winding numbers",
-    .statement =
-        "A ray that starts directly to the right of an edge gives the same winding number of the "
-        "full convolution as a breadth-first traversal of the arrangement's faces from the "
-        "unbounded face.",
-    .why =
-        "Both add up signed crossings along a path to the unbounded face, and the convolution is "
-        "made of closed cycles, so the path does not matter. After the symbolic shift, along the "
-        "edge and then to its right, the start of the ray is on no segment and no segment ends at "
-        "its height.",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
-    .rests_on = {"lemma-4.1.5", "observation-4.2.5"},
     .sources = larger_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"overlapping-segments-count-once", "rays-shift-down",

@@ -36,16 +36,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "section-6.1.4",
-    .title = "The fork's sum has n² holes",
-    .statement =
-        "The sum of a fork with n teeth on each of its two arms, of any widths and gaps, and the "
-        "L that fits it is connected and has exactly n² holes.",
-    .why =
-        "One arm of the L extends each tooth of one arm of the fork to a bar, the other arm each "
-        "tooth of the other. The gaps are wider than the L, so bars of one direction stay apart; "
-        "n bars that cross n others leave n² holes between them and the block.",
-    .hypotheses = {"P is a fork and Q its L, as the family makes them"},
-    .rests_on = {"section-3.2"},
     .sources = {{"fork", 6, 1}},
     .promises = {{"reflex vertices", 100}, {"parallel edges", 100}},
     .kills = {"no-candidate-is-a-hole"},

@@ -91,22 +91,6 @@ Outcome of_engine(const Engine& engine, Boundary boundary, const Summands& summa
 
 const Registered registered({
     .id = "section-6.4",
-    .title = "The sum shows perturbations of any size",
-    .statement =
-        "A diamond just fits through the hatch of a room. If the hatch is widened at its top by "
-        "eps1 and the diamond by eps2, the numbers of chains, of their vertices, of dangling edges "
-        "and of isolated vertices depend only on which of the two is zero or larger, as long as "
-        "they are small: at 2^-1100 as at 1/100, closed and open, in every engine.",
-    .why =
-        "The combinatorial structure of the convolution's arrangement changes only where three of "
-        "its segments meet in a point or two become parallel. For small numbers that is only "
-        "where one of them is zero or both are equal. Exact arithmetic tells these cases apart at "
-        "any size; multiprecision floats with rounding, the thesis reports, lose the hole or the "
-        "wedge.",
-    .hypotheses = {"P and Q are the thesis's room and diamond",
-                   "eps1 and eps2 are not negative, "
-                   "and at most about 1/100"},
-    .rests_on = {"section-3.2"},
     .sources = {{"diamond-u", 1, 1}},
     .promises = {},
     .kills = {"dangling-edges-run-one-way"},

@@ -92,17 +92,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "fact-forms-of-input",
-    .title = "SVG paths and WKB are read as the region they stand for",
-    .statement =
-        "A region that is written as an SVG path, absolute or relative, or as well-known binary, in either byte "
-        "order or a different one for each polygon, or in hexadecimal digits, is read as the same region: "
-        "components and holes in the same order, chains from the same first vertex.",
-    .why =
-        "Both forms have an exact number for each coordinate, the path as a decimal or a fraction, WKB as a double. "
-        "A path gives chains no role: one inside another that runs the other way round is a hole.",
-    .hypotheses = {"the region is valid, its outer chains counterclockwise and holes clockwise",
-                   "for WKB: its coordinates are doubles"},
-    .rests_on = {},
     .sources = {{"grid", 8, 3},
                 {"holes", 6, 3},
                 {"components", 5, 2},

@@ -124,19 +124,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "fact-repair",
-    .title = "What a repair returns is valid, the same set, and what it says it did",
-    .statement =
-        "A region whose chains are reversed, have a vertex twice, a spike, and their first vertex again at the end, "
-        "is repaired to a valid region that is the same set. Each of these defects is named, with its vertex and "
-        "chain, in order, and nothing else; a second repair does nothing. All chains of P and Q together, filled "
-        "by even-odd, are a valid region: a point off these chains is in it iff it is in just one of P and Q; "
-        "filled by nonzero, iff it is in one of them.",
-    .why =
-        "Leaving out a repeated vertex, or a spike's tip, changes no winding number off the chain. The sweep "
-        "that fills compares the winding numbers on both sides of each edge. The test looks at a point of every "
-        "cell of the overlay of P, Q and the result.",
-    .hypotheses = {"P and Q are valid regions"},
-    .rests_on = {},
     .sources =
         {{"grid", 8, 4}, {"holes", 5, 3}, {"components", 4, 2}, {"tight", 4, 1}, {"star", 8, 1}},
     .promises = {{"holes", 15}, {"several components", 10}, {"reflex vertices", 10}},

@@ -45,18 +45,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "fact-certificate",
-    .title = "What is certified is the sum",
-    .statement =
-        "If oplus-certified accepts P, Q, S and a certificate, then a point is in S if and only if it "
-        "is the sum of a point of P and a point of Q. For every closed sum a certificate is found and "
-        "accepted; for a sum without one of its holes none is found.",
-    .why =
-        "P, Q and S are cut into convex pieces. S's pieces are cut until each part is in the sum of a "
-        "piece of P and a piece of Q, so all of S is. No edge of S enters the interior of such a sum, so S's "
-        "winding number is constant on it, and pieces that touch pass it on to the next: it is not 0, so "
-        "all sums are in S.",
-    .hypotheses = {"closed sums; that certificates are found is for valid P and Q"},
-    .rests_on = {"observation-4.2.5"},
     .sources = {{"tight", 4, 6},
                 {"grid", 8, 3},
                 {"holes", 4, 2},

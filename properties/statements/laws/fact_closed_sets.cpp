@@ -94,21 +94,6 @@ Outcome check_sets(const Summands& summands) {
 
 const Registered registered({
     .id = "fact-closed-sets",
-    .title = "Sums of polylines, points and regions",
-    .statement =
-        "P and Q are closed sets: regions with segments and points. A point x is in the closed sum that "
-        "oplus computes iff -Q + x meets P; it is in the open one iff -Q + x meets the interior of P, or "
-        "its interior meets P. The closed one is in canonical form: its dangling edges and isolated vertices "
-        "are outside its region.",
-    .why =
-        "A region summed with a segment is bounded by its edges, each moved to that end of the segment "
-        "which is further to its right, and by copies of the segment where the end changes. These chains "
-        "wind around x as often as the region and x - s have common pieces: for a point that moves "
-        "along x - s, they count where it is inside at first and each edge at which it enters. The test "
-        "looks at a point of every cell of the arrangement of all sums of a vertex and an edge; the open "
-        "sum is tested by its definition there where it could have a dangling edge or an isolated vertex.",
-    .hypotheses = {"the regions are valid; segments and points may be anywhere"},
-    .rests_on = {"section-3.2"},
     .sources = {{"grid", 8, 4}, {"tight", 3, 2}, {"components", 3, 1}},
     .promises = {{"parallel edges", 40}, {"reflex vertices", 10}},
     .kills = {"cycles-of-edges-are-trees", "open-sets-lose-edges", "points-inside-are-isolated",

@@ -54,19 +54,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "fact-verify",
-    .title = "What oplus verify accepts",
-    .statement =
-        "oplus verify cuts P and Q into convex parts and takes the union of the interiors of their "
-        "sums: of each segment of the reduced convolution, it finds what is in none of them. This is "
-        "the oracle's sum, closed and open. It is accepted; a sum with a chain reversed, with a chain "
-        "that is a point, without one of its holes, or of the other kind of boundary is not.",
-    .why =
-        "The interiors of P and -Q+x are open, and the interiors of their convex parts are dense in "
-        "them: so they meet iff those of two parts do. What bounds the sum is on segments of "
-        "the reduced convolution, or is the sum of two points in which chains touch (Theorem "
-        "2.3.2, as corrected).",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
-    .rests_on = {"theorem-2.3.2"},
     .sources = {{"tight", 4, 6},
                 {"grid", 8, 3},
                 {"holes", 4, 2},

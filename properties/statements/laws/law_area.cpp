@@ -54,15 +54,6 @@ Outcome law(const Sum& sum, const Summands& summands) {
 
 const Registered registered({
     .id = "law-area",
-    .title = "Brunn and Minkowski's inequality, with its cases of equality",
-    .statement =
-        "√|P ⊕ Q| ≥ √|P| + √|Q|, closed and open, and the two are equal exactly where P and Q are "
-        "convex and homothetic. Tried on P and Q, and on P and a translated ⅔P.",
-    .why = "The Brunn–Minkowski theorem for the plane; for regions, which are closures of their "
-           "interiors, equality holds only if they are convex and homothetic. Squared twice, the "
-           "inequality compares rationals.",
-    .hypotheses = {"P and Q are valid regions"},
-    .rests_on = {"section-3.2"},
     .sources = {{"grid", 6, 4},
                 {"convex", 8, 2},
                 {"holes", 4, 1},

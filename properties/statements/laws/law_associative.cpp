@@ -25,16 +25,6 @@ Outcome law(const Sum& sum, const Summands& summands) {
 
 const Registered registered({
     .id = "law-associative",
-    .title = "The sum of three summands does not depend on the brackets",
-    .statement =
-        "(P ⊕ Q) ⊕ R = P ⊕ (Q ⊕ R). The outer sums are closed or open; the inner ones are closed, "
-        "since a summand is a region.",
-    .why = "Addition of points is associative. The open inner sum may lack dangling edges and "
-           "isolated vertices that the region has; that makes no difference to the open outer sum: "
-           "if two open sets intersect, they have a common point that is on none of finitely many "
-           "segments.",
-    .hypotheses = {"P and Q are valid regions, R a triangle, an L or Q"},
-    .rests_on = {"section-3.2"},
     .sources = {{"grid", 5, 4},
                 {"tight", 2, 2},
                 {"holes", 4, 2},

@@ -18,14 +18,6 @@ Outcome law(const Sum& sum, const Summands& summands) {
 
 const Registered registered({
     .id = "law-commutative",
-    .title = "The sum does not depend on the order of the summands",
-    .statement = "Closed and open, P ⊕ Q = Q ⊕ P, by each engine.",
-    .why =
-        "Addition of points is commutative. The engines treat the summands differently: of two "
-        "equal directions, that of Q comes after that of P, and -Q moves while P does not. So the "
-        "convolution may change with the order of the summands, but the sum must not.",
-    .hypotheses = {"P and Q are valid regions"},
-    .rests_on = {"section-3.2"},
     .sources = {{"grid", 8, 4},
                 {"tight", 6, 3},
                 {"holes", 5, 2},

@@ -42,20 +42,6 @@ Outcome law(const Sum& sum, const Summands& summands) {
 
 const Registered registered({
     .id = "law-convex",
-    .title =
-        "The sum of convex regions merges their edges; the hull of a sum is the sum of the hulls",
-    .statement =
-        "For convex P and Q, closed and open, P ⊕ Q has the edges of both in the order of "
-        "their angles, those of equal direction joined. For any P and Q, the convex hull of "
-        "P ⊕ Q is the sum of the convex hulls.",
-    .why =
-        "In each direction, the extreme points of the sum are the sums of the extreme points. So "
-        "a direction's edge in the sum is the sum of both edges of that direction, or of an edge "
-        "and a vertex. In the order of angles, that is a merge in O(n + m), which uses neither "
-        "convolutions nor arrangements. The open sum is convex too, so it has no low-dimensional "
-        "features.",
-    .hypotheses = {"P and Q are valid regions; the first part uses their convex hulls"},
-    .rests_on = {"section-3.2"},
     .sources = {{"grid", 8, 4},
                 {"convex", 12, 2},
                 {"components", 4, 1},

@@ -62,20 +62,6 @@ Enumeration discs() {
 
 const Registered registered({
     .id = "law-disc",
-    .title = "The polygon for a disc is inside or around it, and at most the error away",
-    .statement =
-        "Let D(r) be the disc of radius r about the origin. disc(R, inside, E) contains D(R - E) and is "
-        "contained in D(R); disc(R, outside, E) contains D(R) and is contained in D(R + E). Both are convex, "
-        "counterclockwise, and symmetric under quarter turns and reflections in the axes. This is decided for "
-        "R = 1, 22/7 and 1000, each with 91 errors E from 2 R down to R / 496.",
-    .why =
-        "A chain that has the origin on the left of each edge, each edge at least a away from it, and goes "
-        "around once, contains D(a); with all vertices in D(b), which is convex, it is in D(b). So each "
-        "point of D(b) is at most b - a away from the polygon, and each point of the polygon at most b - a "
-        "from D(a). Squares of distances are rational, so this is decided exactly. For other R and E the "
-        "function decides it itself, in integers, of each polygon before it returns one.",
-    .hypotheses = {"R and E are among those"},
-    .rests_on = {},
     .sources = {},
     .promises = {},
     .kills = {"disc-ends-one-step-further", "disc-edges-are-not-tested"},

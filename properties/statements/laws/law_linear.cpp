@@ -32,16 +32,6 @@ Outcome law(const Sum& sum, const Summands& summands) {
 
 const Registered registered({
     .id = "law-linear",
-    .title = "A linear map of both summands maps the sum",
-    .statement =
-        "Closed and open, AP ⊕ AQ = A(P ⊕ Q) for an invertible matrix A: a quarter turn, a "
-        "reflection in an axis, which reverses all chains, a shear and a general map.",
-    .why =
-        "Ap + Aq = A(p + q) for all points. The definition does not depend on the axes; in the "
-        "algorithms, angles from the x-axis, the sweep from left to right and rays do. A map that "
-        "reverses orientation also exchanges which summand comes first where directions are equal.",
-    .hypotheses = {"P and Q are valid regions", "A is invertible"},
-    .rests_on = {"section-3.2"},
     .sources = {{"grid", 7, 4},
                 {"tight", 4, 2},
                 {"holes", 5, 2},

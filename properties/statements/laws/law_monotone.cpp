@@ -42,16 +42,6 @@ Outcome law(const Sum& sum, const Summands& summands) {
 
 const Registered registered({
     .id = "law-monotone",
-    .title = "A larger summand has a larger sum",
-    .statement =
-        "If P ⊆ P′, then P ⊕ Q ⊆ P′ ⊕ Q, closed and open, including points of dangling edges and "
-        "isolated vertices. Tried on P and its convex hull, on a component and all of P, and on a "
-        "component and the same with its holes filled.",
-    .why =
-        "The union of more translates of Q is a larger set. Filling a hole of P may remove holes "
-        "and low-dimensional features from the sum, and never removes a point.",
-    .hypotheses = {"P and Q are valid regions"},
-    .rests_on = {"section-3.2"},
     .sources =
         {{"holes", 4, 3}, {"components", 4, 3}, {"grid", 6, 2}, {"islands", 1, 1}, {"tight", 3, 1}},
     .promises = {{"holes", 15}, {"several components", 15}, {"parallel edges", 40}},

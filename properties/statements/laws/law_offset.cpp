@@ -79,16 +79,6 @@ Outcome law(const Sum& sum, const Summands& summands) {
 
 const Registered registered({
     .id = "law-offset",
-    .title = "Sums with polygons for a disc are offsets from below and above",
-    .statement =
-        "Let P(r) be all points at most r away from P. P ⊕ disc(R, inside, E) contains P(R - E) and is "
-        "contained in P(R); P ⊕ disc(R, outside, E) contains P(R) and is contained in P(R + E). The same "
-        "of open sums and points less than r away. Tried with R = 2 and E = 1/2, on the vertices of both "
-        "sums, the midpoints of their edges, and points around the vertices of P, whose squared distance "
-        "from P is exact.",
-    .why = "P(r) = P ⊕ D(r), D(r) being the disc of radius r, and the sum is monotone; law-disc.",
-    .hypotheses = {"P is a valid region"},
-    .rests_on = {"law-disc", "law-monotone"},
     .sources =
         {{"grid", 6, 4}, {"holes", 4, 2}, {"components", 4, 2}, {"tight", 3, 1}, {"islands", 1, 1}},
     .promises = {{"holes", 10}, {"several components", 5}},

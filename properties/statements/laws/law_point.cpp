@@ -57,18 +57,6 @@ Outcome law(const Sum& sum, const Summands& summands) {
 
 const Registered registered({
     .id = "law-point",
-    .title = "Adding a point translates: as a subset, and in the limit",
-    .statement =
-        "P ⊕ {x} = P + x. A region is never a point, so two consequences for regions are tested: "
-        "the closed sum contains P + x for a vertex x of each chain of Q; and for small λ, the "
-        "area of P ⊕ λQ is a quadratic function of λ whose value at zero is P's area.",
-    .why =
-        "The sum is the union of the translates P + x. For small λ the combinatorial structure of "
-        "the sum does not change, and its edges are shifted and lengthened in proportion to λ, so "
-        "the area is a quadratic function of λ. Three values at λ = k/2³⁰⁰, which is small enough "
-        "for coordinates of twenty bits, determine it, and a fourth one checks it.",
-    .hypotheses = {"P and Q are valid regions with integer coordinates"},
-    .rests_on = {"section-3.2"},
     .sources = {{"grid", 6, 4}, {"holes", 4, 2}, {"components", 4, 2}, {"tight", 2, 1}},
     .promises = {{"holes", 15}, {"several components", 5}, {"parallel edges", 40}},
     .kills = {"area-is-of-the-first-chain"},

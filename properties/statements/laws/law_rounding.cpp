@@ -130,19 +130,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "law-rounding",
-    .title = "What rounding to a grid promises",
-    .statement =
-        "A sum, closed or open, that is rounded to multiples of a step is a valid region with all vertices on the "
-        "grid. Where the two differ, and on the new boundary, the sum's boundary is at most half a step away in x "
-        "and in y; or a whole step, where the result is to contain the sum or to be contained in it, as it then "
-        "does. An edge is routed through the centres of the pixels that contain a point of it and a vertex. Rounding "
-        "twice is rounding once.",
-    .why =
-        "Snap rounding moves each point of the boundary by at most half a step in x and in y, and no edge over a "
-        "vertex. A set that first grows by the square of one step contains the given one however its boundary "
-        "moves so far. docs/rounding.md proves it.",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
-    .rests_on = {},
     .sources =
         {{"grid", 8, 4}, {"holes", 4, 2}, {"components", 3, 2}, {"tight", 4, 2}, {"star", 8, 1}},
     .promises = {{"holes", 10}, {"reflex vertices", 10}, {"several components", 10}},

@@ -25,15 +25,6 @@ Outcome law(const Sum& sum, const Summands& summands) {
 
 const Registered registered({
     .id = "law-scaling",
-    .title = "Scaling or reflecting both summands scales or reflects the sum",
-    .statement =
-        "Closed and open, λP ⊕ λQ = λ(P ⊕ Q), for λ = -1, a fraction, and powers of two far above "
-        "and far below the range of a double.",
-    .why = "λp + λq = λ(p + q) for all points. The engines' filters compute in doubles, which "
-           "overflow and underflow on such coordinates; then a filter may fail to decide, but must "
-           "never decide wrongly.",
-    .hypotheses = {"P and Q are valid regions", "λ is not zero"},
-    .rests_on = {"section-3.2"},
     .sources = {{"grid", 7, 4},
                 {"tight", 4, 2},
                 {"holes", 5, 2},

@@ -78,17 +78,6 @@ Outcome law(const Summands& summands) {
 
 const Registered registered({
     .id = "law-transform",
-    .title = "Images of regions: valid, the same places, and back again",
-    .statement =
-        "For an invertible affine map A and a region P, the image of P is valid, chains turned the right "
-        "way; A(x) is inside it, on its boundary or outside as x is of P; its area is |det A| times that of "
-        "P; the inverse map leads back to P, each chain from the same first vertex; and the image of P as a "
-        "set is the same. A rational rotation near an angle is within the error asked for.",
-    .why =
-        "An affine map is a homeomorphism that keeps lines. Where its determinant is negative it exchanges "
-        "left and right, so that chains must be reversed.",
-    .hypotheses = {"P is a valid region", "A is invertible"},
-    .rests_on = {},
     .sources = {{"grid", 8, 4},
                 {"holes", 6, 2},
                 {"components", 5, 2},

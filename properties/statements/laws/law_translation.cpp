@@ -28,14 +28,6 @@ Outcome law(const Sum& sum, const Summands& summands) {
 
 const Registered registered({
     .id = "law-translation",
-    .title = "Translating a summand translates the sum",
-    .statement = "Closed and open, (P + s) ⊕ (Q + t) = (P ⊕ Q) + s + t, for vectors s and t of "
-                 "integers, of other rationals, and of numbers beyond the range of a double.",
-    .why = "(p + s) + (q + t) = (p + q) + s + t for all points. Directions do not change, so the "
-           "convolution has the same segments. Coordinates change, and with them what an interval "
-           "can certify and how CGAL's arrangement is scaled.",
-    .hypotheses = {"P and Q are valid regions"},
-    .rests_on = {"section-3.2"},
     .sources = {{"grid", 7, 4},
                 {"tight", 4, 2},
                 {"holes", 5, 2},

@@ -70,19 +70,6 @@ Outcome law(const Sum& sum, const Summands& summands) {
 
 const Registered registered({
     .id = "law-union",
-    .title = "The sum distributes over unions",
-    .statement =
-        "Closed and open, as sets of points, (P₁ ∪ P₂) ⊕ Q = (P₁ ⊕ Q) ∪ (P₂ ⊕ Q): where P₁ and P₂ "
-        "are components, which may touch, or the parts of a polygon cut along a diagonal.",
-    .why = "A point of the union is a point of one of the two. The open polygon contains the "
-           "diagonal, and neither open part does; that adds nothing to the sum: if two open sets "
-           "intersect, they have a common point that is not on the diagonal. The test looks at a "
-           "point of every cell of the overlay of the sums, dangling edges and isolated vertices "
-           "included.",
-    .hypotheses = {"P has several components, or it is a simple polygon of more than three "
-                   "vertices",
-                   "Q is a valid region"},
-    .rests_on = {"section-3.2"},
     .sources = {{"components", 4, 4}, {"grid", 6, 3}, {"islands", 1, 1}, {"tight", 3, 1}},
     .promises = {{"several components", 15}, {"reflex vertices", 10}, {"parallel edges", 40}},
     .kills = {"candidates-need-no-hole-test", "dangling-edges-run-one-way"},

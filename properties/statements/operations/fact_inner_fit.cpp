@@ -36,19 +36,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "fact-inner-fit",
-    .title = "Where Q fits into P: the complement of a sum of the complement",
-    .statement =
-        "The closed set of all x for which Q + x is a subset of P is the complement of the open sum of "
-        "P's complement and -Q. Where Q fits exactly, it has edges and points without area. P and Q "
-        "may be unbounded. Tried on pairs in which Q often fits, exactly too.",
-    .why =
-        "Q is the closure of its interior, so Q + x is a subset of P iff the interior of Q + x and the "
-        "complement of P have no point in common: iff x is not in the open sum. An unbounded summand is "
-        "summed in a frame that is further away than the other one is wide: what is summed with the part "
-        "left out lies outside the frame's sum, or is in it anyway. The definition (docs/oracle.md) takes "
-        "neither complements nor frames: it looks for a cell that is in Q + x and not in P.",
-    .hypotheses = {"P and Q are valid regions, which may be unbounded"},
-    .rests_on = {"section-3.2"},
     // A frame that is too near shows where Q has components on both sides of it.
     .sources = {{"components", 3, 9}, {"tight", 2, 3}, {"grid", 5, 2}, {"holes", 3, 1}},
     .promises = {{"cases with exact fits along edges", 20},

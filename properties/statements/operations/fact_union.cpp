@@ -54,17 +54,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "fact-union",
-    .title = "A point is in the union of polygons iff it is in one of them",
-    .statement =
-        "What `--union` makes of polygons that may overlap, touch and share edges is a valid region, and a point "
-        "is in it iff it is in one of the polygons. Tried on P and Q as they are and moved so that two vertices "
-        "meet, and on three copies of P that are moved along its edges.",
-    .why =
-        "All chains together wind around a point, on none of them, as often as polygons contain it, holes counted "
-        "against their outer chains. One plane sweep finds the edges with a positive number on one side only. "
-        "The test looks at a point of every cell of the overlay of all polygons and the union.",
-    .hypotheses = {"each polygon is valid by itself"},
-    .rests_on = {},
     .sources =
         {{"grid", 8, 4}, {"holes", 4, 3}, {"components", 4, 2}, {"tight", 4, 2}, {"star", 8, 1}},
     .promises = {{"holes", 15}, {"several components", 10}, {"parallel edges", 40}},

@@ -49,17 +49,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "law-adjoint",
-    .title = "Erosion and dilation are adjoint",
-    .statement =
-        "S ⊕ Q ⊆ P iff S is a subset of the placements at which Q is inside P (`oplus ifp`), for closed "
-        "regions S, P and Q, which may be unbounded. Tried on the placements themselves, a component of "
-        "them, the same moved, P, Q and -Q, for P in which Q often fits, exactly too. S ⊕ Q is a region: it has "
-        "no edges and points of its own.",
-    .why =
-        "Both say that s + q is in P for each s in S and each q in Q. S ⊕ Q and the placements come from "
-        "different sums here, one of P's complement, and are compared as sets of points.",
-    .hypotheses = {"S, P and Q are valid regions"},
-    .rests_on = {"section-3.2"},
     .sources = {{"tight", 2, 4}, {"grid", 5, 4}, {"holes", 4, 2}, {"components", 3, 2}},
     .promises = {{"holes", 10}, {"several components", 5}, {"parallel edges", 40}},
     .kills = {"closed-sums-are-open", "no-fit-without-a-turn"},

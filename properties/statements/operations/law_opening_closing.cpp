@@ -49,21 +49,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "law-opening-closing",
-    .title = "Opening and closing: contained, containing, idempotent, dual",
-    .statement =
-        "The opening of P by Q is a subset of P, its closing contains P, and doing either twice changes "
-        "nothing. The opening of a union of copies of Q by Q is that union. The closing of P by Q is the "
-        "complement of the closed sum of -Q and the erosion of P's complement by -Q.",
-    .why =
-        "Each Q + x inside P is inside the opening, and P ⊕ Q is the sum of the closing and Q: so the second "
-        "time, the placements and the sum are those of the first. A point y is not in the closing iff some "
-        "y + q is not in P ⊕ Q, that is, iff it is in a copy of -Q that is in the interior of P's complement. The "
-        "last statement is the known duality of opening and closing, in closed regions: the opening of the "
-        "complement also contains copies of -Q that fit exactly, which touch P, and the closing then "
-        "contains them as well. A door just as wide as Q is closed by the closing of the walls, and open in "
-        "the opening of the room.",
-    .hypotheses = {"P and Q are valid regions, which may be unbounded"},
-    .rests_on = {"law-adjoint"},
     .sources = {{"tight", 2, 4}, {"grid", 5, 4}, {"holes", 4, 2}, {"components", 3, 2}},
     .promises = {{"holes", 10}, {"several components", 5}, {"parallel edges", 40}},
     .kills = {"closing-does-not-erode", "openings-lose-exact-fits"},

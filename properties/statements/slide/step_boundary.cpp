@@ -55,20 +55,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "step-boundary",
-    .title = "The free pieces are the boundary",
-    .statement =
-        "A point of a segment of the reduced convolution that is not an end of a free piece is on "
-        "the boundary of the closed sum iff it is in a free piece of its segment; and free pieces "
-        "cover every edge of the boundary.",
-    .why =
-        "The sum is to the left of each segment of the convolution (Observation 2.2.4). So a "
-        "point x(t) of it is on the boundary iff the sum is not on the right as well: iff P and "
-        "-Q + x(t), shifted to the right, do not meet. That is so iff no edges cross "
-        "(step-search) and no component is inside another one (step-components). The boundary is "
-        "on segments of the reduced convolution (Theorem 2.3.2, as corrected where chains touch), "
-        "and the sum is to the left of each of its edges, as of the segment.",
-    .hypotheses = {"P and Q are valid regions"},
-    .rests_on = {"step-search", "step-components", "theorem-2.3.2"},
     .sources = {{"grid", 6, 4},
                 {"tight", 6, 3},
                 {"holes", 4, 2},

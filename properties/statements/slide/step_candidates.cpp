@@ -52,25 +52,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "step-candidates",
-    .title = "Dangling edges and isolated vertices are among the candidates",
-    .statement =
-        "Every dangling edge of the open sum is covered by candidate pieces of slide, every "
-        "isolated vertex is a candidate point or the sum of points in which chains of each "
-        "summand touch; and each candidate piece is in the open sum as a whole or not at all. "
-        "Segments to the right and straight up are enough, if the chains of one summand do not touch.",
-    .why =
-        "A dangling edge or isolated vertex is on segments of the reduced convolution and surrounded "
-        "by the sum. It is in a closed piece on which no pair of edges shows that interiors meet: by "
-        "a proper crossing, or by a common sector at a vertex of one that slides along an edge of "
-        "the other. Where no pair does so between two places, and some place between them is in the "
-        "open sum, a chain is inside the other interior there. Let it stay so up to a place that is "
-        "not in the open sum. There the chain is in the closed summand, so on its boundary, and "
-        "the two are on different sides of it; but just before, a part of it was on the inside of "
-        "itself, and that part is in both interiors. So this place does not exist: the piece is in "
-        "the open sum as a whole, or, since the open sum is open, not at all. An isolated vertex is "
-        "not in such a piece, so it is a piece by itself.",
-    .hypotheses = {"P and Q are valid regions"},
-    .rests_on = {"step-interval", "theorem-3.2.8", "theorem-3.2.10"},
     .sources =
         {{"tight", 6, 4}, {"grid", 6, 2}, {"holes", 4, 2}, {"components", 4, 1}, {"islands", 2, 1}},
     .promises = {{"parallel edges", 40}, {"holes", 10}},

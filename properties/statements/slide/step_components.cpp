@@ -48,23 +48,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "step-components",
-    .title = "Where no edges cross, components overlap only if one is inside the other",
-    .statement =
-        "Let no pair of edges block x(t) on a segment. Then the interiors of P and -Q + x(t), "
-        "shifted to the right, meet iff a component of one is inside a component of the other; "
-        "and this never holds for the two components whose vertex and edge touch there. If both "
-        "regions are connected, x(t) is free.",
-    .why =
-        "Shifted, the boundaries have no point in common. If interiors of two components meet "
-        "then, the outer chain of one is inside the other: their outer chains are disjoint closed "
-        "curves, so one is inside the other, and not in a hole. Now let two components touch "
-        "along the segment. Their chains cut the plane into parts. Let two parts be neighbours if "
-        "a chain is between them; this graph is a tree, since chains are closed curves. The shift "
-        "opens a part between the two chains that belongs to neither component. Without this part "
-        "the tree falls into pieces; each component is connected, so it lies in one piece, and "
-        "the two components lie in different ones.",
-    .hypotheses = {"P and Q are valid regions"},
-    .rests_on = {"step-search", "observation-2.2.4"},
     .sources =
         {{"components", 5, 4}, {"islands", 2, 2}, {"holes", 5, 2}, {"grid", 8, 2}, {"tight", 6, 2}},
     .promises = {{"several components", 30}, {"holes", 20}},

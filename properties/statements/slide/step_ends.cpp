@@ -49,19 +49,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "step-ends",
-    .title = "Pieces are cut where they meet, and equal points are one",
-    .statement =
-        "After numbering and cutting, two pieces of the boundary have at most ends in common, or "
-        "are the same piece on two segments; two ends have the same number iff they are the same "
-        "point, and the numbers have the order of the plane; and the pieces cover the same points as "
-        "before.",
-    .why =
-        "The coordinates of an end are quotients in lowest terms, so equal points have equal "
-        "coordinates and get the same number. Free pieces cannot cross, since the sum is to the "
-        "left of both; so inside a piece only ends of other pieces can lie, and all of these are "
-        "in the cells of the grid through which the piece runs.",
-    .hypotheses = {"P and Q are valid regions"},
-    .rests_on = {"step-boundary"},
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"slide-pieces-stay-uncut"},

@@ -52,22 +52,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "step-interval",
-    .title = "A pair of edges blocks one open interval of a segment",
-    .statement =
-        "Let x(t) be the points of a segment of the reduced convolution, shifted to its right by "
-        "an infinitesimal. An edge of P and one of -Q + x(t) cross properly exactly where t is in "
-        "the open interval that slide computes for them, except where only the shift decides "
-        "whether they touch.",
-    .why =
-        "The two edges have an interior point in common iff x(t) is inside the sum of the edge of "
-        "P and the edge of Q, a parallelogram. A line meets its interior in an open interval: the "
-        "intersection of two strips. If the line is parallel to a strip and runs along its "
-        "border, the sign of the shift decides: it is inside iff the strip is on the right. If "
-        "the edges are parallel, the parallelogram has no interior. At a corner that the line "
-        "only touches, the shifted line may meet the interior in an interval of infinitesimal "
-        "length; this counts as empty.",
-    .hypotheses = {"P and Q are valid regions"},
-    .rests_on = {"equation-2.1"},
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"slide-shifts-to-the-left"},

@@ -50,16 +50,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "step-numbers",
-    .title = "The size of the numbers does not matter",
-    .statement =
-        "In 64-bit integers, in 256-bit integers, in GMP and in rationals, slide finds the same sum and the "
-        "same origins. If the pair is stretched until its coordinates exceed 64 bits, or is also "
-        "bent, so that doubles cannot decide what is parallel, slide finds the same sum as rca.",
-    .why = "Each stage computes the same numbers as long as none overflows, and the number of bits "
-           "of the coordinates shows that none does. Stages with larger numbers compute in doubles "
-           "first, and use the result only if it exceeds the possible error.",
-    .hypotheses = {"P and Q are valid regions"},
-    .rests_on = {"step-boundary", "law-linear"},
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"slide-believes-doubles"},

@@ -35,16 +35,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "step-prepared",
-    .title = "Prepared summands have the same sums",
-    .statement =
-        "Let P and Q be multiplied by several factors, and each of these regions be prepared once. Then "
-        "the sum of each prepared P and each prepared Q, closed and open, is that of the regions "
-        "themselves, with the same origins.",
-    .why = "What slide computes of one summand depends on its region, on the common denominator of "
-           "the pair, on whether coordinates are moved, and on how they become doubles. What is "
-           "kept is used again only where all of these are equal.",
-    .hypotheses = {"P and Q are valid regions"},
-    .rests_on = {"step-numbers"},
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"slide-keeps-any-denominator"},

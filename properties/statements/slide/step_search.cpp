@@ -65,26 +65,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "step-search",
-    .title = "The search finds what no pair of edges blocks",
-    .statement =
-        "The free pieces that probes and traversals of boxes find, in doubles first, are the "
-        "parts of a segment that the intervals of all pairs of edges leave uncovered, each piece "
-        "once and not divided. What is inside a + Q for a vertex a of P and convex Q, or the other way "
-        "round, is not searched.",
-    .why =
-        "A pair of edges blocks a place only if x(t) is in the sum of their boxes, so a traversal "
-        "that skips no pair of boxes whose sum contains x(t) finds a pair that blocks t if there "
-        "is one. A probe that finds none has skipped boxes; the skipped boxes that the gap meets "
-        "contain all other pairs that block a part of it. Boxes are rounded outwards, and doubles "
-        "decide only where the value exceeds the possible error. At both ends of a segment with "
-        "short coordinates doubles are exact, and decide whether a line is beside a strip or on "
-        "its side; if it runs along the side, the shift decides. Each probe removes an interval "
-        "from a gap or settles the gap, and there are finitely many intervals. "
-        "All points of a + int Q are in the open sum, so nothing inside it is free.",
-    .hypotheses =
-        {"P and Q are valid regions",
-         "components inside other components, without crossing edges, are left to step-components"},
-    .rests_on = {"step-interval"},
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"slide-covers-with-closed-summands", "slide-leaves-boxes-out",

@@ -26,17 +26,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "step-segments",
-    .title = "The segments are those of the reduced convolution",
-    .statement = "slide finds exactly the segments of the reduced convolution, each once: ranks of "
-                 "directions give the same segments as comparing all pairs by the definition.",
-    .why =
-        "A direction is in the tangent set of a convex vertex iff, turning counterclockwise, it "
-        "is met after the edge that enters and before the edge that leaves. With all directions "
-        "of both summands sorted once, ties by the one rule of Definition 2.2.7, these directions "
-        "are a range of ranks, which may continue from the last rank to the first. At a reflex "
-        "vertex and inside a straight line there is no such segment.",
-    .hypotheses = {"P and Q are valid regions, holes, components and collinear vertices allowed"},
-    .rests_on = {"definition-2.2.7", "theorem-2.3.2"},
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"slide-ranks-without-ties"},

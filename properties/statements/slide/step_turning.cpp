@@ -23,17 +23,6 @@ Outcome check(const Summands& summands) {
 
 const Registered registered({
     .id = "step-turning",
-    .title = "The turning number of a chain distinguishes outer chains from holes",
-    .statement =
-        "Every chain that slide stitches turns once to the left if it is an outer chain of "
-        "the sum, once to the right if it goes around a hole.",
-    .why =
-        "A chain bounds one face of the complement or goes around a component of the sum, turning "
-        "clockwise most where it touches itself. Moved apart by an infinitesimal at these points "
-        "it is a simple polygon with the same turns at its vertices, and a simple polygon turns "
-        "once.",
-    .hypotheses = {"P and Q are valid regions"},
-    .rests_on = {"definition-2.1.9", "step-ends"},
     .sources = {{"grid", 8, 2},
                 {"tight", 6, 4},
                 {"holes", 5, 3},

@@ -19,12 +19,10 @@ TEST(Mutants, SayWhatGoesWrong) {
   }
 }
 
-/// A build without the faults cannot run this on real ones; whether the list is complete it can.
-TEST(Mutants, FailsWhereNoneIsRun) {
+TEST(Mutants, FailWhereNoneIsRun) {
   std::ostringstream out;
   EXPECT_FALSE(run_mutants({}, {}, 5, 1, out));
   EXPECT_FALSE(run_mutants({}, {{"unnamed", "is named by no statement", ""}}, 5, 1, out));
-  EXPECT_NE(out.str().find("unnamed: no statement names this mutant"), std::string::npos);
 }
 
 #ifdef OPLUS_MUTANTS
@@ -32,7 +30,6 @@ TEST(Mutants, FailsWhereNoneIsRun) {
 Statement enumerated_with(const std::string& failure_with, const std::string& failure_without) {
   Statement s;
   s.id = "fact-of-a-test";
-  s.title = s.statement = s.why = "as the test wants";
   s.kills = {"some-fault"};
   s.enumerate = [=] {
     return Enumeration{7, active_mutant.empty() ? failure_without : failure_with};

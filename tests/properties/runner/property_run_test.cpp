@@ -137,8 +137,10 @@ TEST(PropertyRun, FailsOnAnException) {
 
 TEST(PropertyRun, FailsWhereNoPairCanBeMade) {
   Statement s = that_always(Outcome::Kind::holds);
-  s.sources = {{"no such family", 4, 1}};
-  EXPECT_FALSE(run_property(s, options(10)).passed());
+  for (const Source& source : {Source{"no such family", 4, 1}, Source{"grid", 1, 1}}) {
+    s.sources = {source};
+    EXPECT_FALSE(run_property(s, options(10)).passed()) << source.family;
+  }
 }
 
 Statement enumerated_as(const Enumeration& enumeration) {

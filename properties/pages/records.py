@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is recorded of statements: runs, kills, theorems of Coq, answers of SMT solvers; and how strongly that
+backs them."""
+
+import json
+import re
+
+from links import citing_pages, headings_of
+
+# From the strongest to the weakest: how a statement is backed, the colour of its node for Graphviz, in words.
+LOOKS = [("machine-checked", "#7cc26a", "green"),
+         ("proved by enumeration", "#bfe3b4", "light green"),
+         ("machine-checked in part", "#fff2a8", "yellow"),
+         ("proved by SMT in local form", "#fbd9b0", "orange"),
+         ("sampled", "#e8eef7", "blue")]
+
+
+class InvalidRecord(Exception):
+    pass
+
+
+def formal_statement(coq, name):
+    """From the line "Theorem NAME" (or Lemma, Corollary) up to the line before "Proof", or None."""
+    found = re.search(rf"^(?:Theorem|Lemma|Corollary) {name}\b.*?(?=\nProof)", coq, re.M | re.S)
+    return found and found[0]
+
+
+def with_formal_statements(theorems, proofs):
+    """The entries of theorems.json, each with its statement in Coq as "formal"."""
+    for theorem in theorems:
+        if theorem["extent"] not in ("whole", "part"):
+            raise InvalidRecord(f"{theorem['theorem']}: an extent of '{theorem['extent']}'")
+        file = proofs / theorem["file"]
+        theorem["formal"] = formal_statement(file.read_text(encoding="utf-8"), theorem["theorem"])
+        if not theorem["formal"]:
+            raise InvalidRecord(f"{file}: no theorem {theorem['theorem']}")
+    return theorems
+
+
+def in_words(counterexample):
+    """Numbers and flags by their values, vectors and directions as vectors."""
+    words = []
+    for key, value in counterexample.items():
+        name, _, part = key.partition(".")
+        if not part:
+            words.append(f"{name} = {value if isinstance(value, str) else json.dumps(value)}")
+        elif part == "x":
+            words.append(f"{name} = ({value}, {counterexample[name + '.y']})")
+        elif part == "slanted":
+            one = "1" if counterexample[name + ".positive"] else "-1"
+            x, y = (counterexample[name + ".t"], one) if value else (one, "0")
+            words.append(f"{name} = ({x}, {y})")
+    return ", ".join(words)
+
+
+def with_expected_answers(queries):
+    """The entries of results.json, which `oplus-check smt --record` wrote."""
+    for query in queries:
+        for question in ["proof", "hypotheses", *("twin-" + name for name in query["hypotheses"])]:
+            for solver, answer in query["answers"][question].items():
+                if answer != ("unsat" if question == "proof" else "sat"):
+                    raise InvalidRecord(f"{query['id']}: {solver} answers {answer} to {question}")
+    return queries
+
+
+def read(path):
+    return json.loads(path.read_text(encoding="utf-8"))
+
+
+class Backing:
+    """How strongly each statement is backed."""
+
+    def __init__(self, root):
+        proofs = root / "properties/proofs"
+        self.runs = {run["statement"]: run for run in read(root / "docs/theorems/runs.json")["statements"]}
+        self.theorems = read(proofs / "theorems.json")
+        self.queries = read(proofs / "smt/results.json")["queries"]
+
+    def theorems_of(self, statement, extent):
+        return sum(t["statement"] == statement and t["extent"] == extent for t in self.theorems)
+
+    def amounts(self, statement):
+        """How many theorems, cases, queries or pairs, for each of LOOKS."""
+        run = self.runs.get(statement, {})
+        return [(self.theorems_of(statement, "whole"), "theorem", "theorems"),
+                (run.get("enumerated", 0), "cases", "cases"),
+                (self.theorems_of(statement, "part"), "theorem", "theorems"),
+                (sum(query["statement"] == statement for query in self.queries), "query", "queries"),
+                (run.get("run", 0), "pairs", "pairs")]
+
+    def in_words(self, statement):
+        """All ways, with numbers: "machine-checked, 2 theorems; sampled, 1500 pairs"."""
+        return "; ".join(f"{look[0]}, {number} {one if number == 1 else many}"
+                         for look, (number, one, many) in zip(LOOKS, self.amounts(statement)) if number)
+
+    def colour(self, statement):
+        """The colour of its node in the graph: that of its strongest backing."""
+        return next((look[1] for look, amount in zip(LOOKS, self.amounts(statement)) if amount[0]), LOOKS[-1][1])
+
+    def border_colour(self, statement):
+        """Whether all of it, a part of it or nothing is stated in Coq."""
+        if self.theorems_of(statement, "whole"):
+            return "#1d6b2f"
+        return "#c98a00" if self.theorems_of(statement, "part") else "#8898aa"
+
+
+class Records:
+    """All that is recorded, in the form of the JSON files, and what other pages say. Raises InvalidRecord."""
+
+    def __init__(self, root):
+        docs, proofs = root / "docs", root / "properties/proofs"
+        try:
+            self.backing = Backing(root)
+            self.runs = self.backing.runs
+            self.kills = read(docs / "theorems/kills.json")["kills"]
+            self.theorems = with_formal_statements(self.backing.theorems, proofs)
+            self.queries = with_expected_answers(self.backing.queries)
+            self.citing = citing_pages(docs)
+            self.findings = headings_of((docs / "findings.md").read_text(encoding="utf-8"))
+        except (KeyError, TypeError, ValueError, OSError) as error:
+            raise InvalidRecord(f"a record is not as expected: {error!r}") from error

@@ -1,0 +1,312 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+import copy
+import json
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "properties/pages"))
+import embed_texts
+import links
+import pages
+import records
+import texts
+
+TEXT = """# lemma-9.9.9: Edges exist
+
+There are
+edges.
+
+Why: See the definition, and docs/findings.md,
+on Lemma 9.9.9.
+
+Hypotheses:
+- P is valid, which
+  is all
+- Q is P
+
+Rests on: fact-a, fact-b
+"""
+PAIR = {"p": "POLYGON ((0 0, 1 0, 0 1, 0 0))", "q": "POLYGON ((0 0, 2 0, 0 3, 0 0))"}
+PAGE = "theorems/lemma-9.9.9.md"
+
+
+def statement(id, rests_on=()):
+    return {"statement": id, "title": "Edges exist", "kind": id.split("-")[0], "says": "There are edges.",
+            "why": "See the definition, and docs/findings.md, on Lemma 9.9.9.", "hypotheses": ["P is valid"],
+            "rests_on": list(rests_on), "kills": ["sign-flipped"], "enumerated": True, "cases": 40,
+            "sources": [{"family": "grid", "largest": 5, "weight": 1}], "promised_percent": {"holes": 15},
+            "file": "properties/statements/chapter9/lemma_9_9_9.cpp"}
+
+
+class Pages(unittest.TestCase):
+    """One statement that kills one mutant and is cited by two pages."""
+
+    def setUp(self):
+        directory = tempfile.TemporaryDirectory()
+        self.addCleanup(directory.cleanup)
+        self.root = Path(directory.name)
+        self.docs = self.root / "docs"
+        self.listed = {"statements": [statement("lemma-9.9.9")],
+                       "mutants": [{"mutant": "sign-flipped", "what": "a sign is wrong", "file": "reference/a.cpp"}]}
+        self.run = {"statement": "lemma-9.9.9", "passed": True, "enumerated": 12, "run": 40, "discarded": 3,
+                    "families": {"grid": 40}, "classes": {"holes": 10}, "counts": {"edges": 99}, "typical": PAIR}
+        self.kill = {"statement": "lemma-9.9.9", "mutant": "sign-flipped", "killed": True, "by_enumeration": False,
+                     "cases": 5, "why": "at (1, 2) it has none", "at": ["1", "2"], "shrunk": PAIR}
+        self.theorem = {"statement": "lemma-9.9.9", "extent": "part", "theorem": "edges_exist", "file": "edges.v",
+                        "gloss": "There is one.", "covers": "All.", "not_covered": "Nothing."}
+        self.query = {"id": "lemma-9.9.9.sign", "statement": "lemma-9.9.9", "file": "sign.cpp",
+                      "hypotheses": {"one": "x is positive"}, "conclusion": "x is not 0",
+                      "answers": {"proof": {"z3": "unsat"}, "hypotheses": {"z3": "sat"}, "twin-one": {"z3": "sat"}},
+                      "counterexamples": {"one": {"x": "0"}}}
+        self.write("docs/findings.md", "# Findings\n## Lemma 9.9.9: no edges\n")
+        for page in ("rca", "slide"):
+            self.write(f"docs/{page}.md", "[lemma-9.9.9](theorems/lemma-9.9.9.md)\n")
+        self.write("properties/proofs/edges.v", "Lemma edges_exist_not : True.\nProof. easy. Qed.\n\n"
+                   "Theorem edges_exist (a : nat) :\n  a = a.\nProof. easy. Qed.\n")
+        self.write("properties/statements/chapter9/statements.md",
+                   TEXT.replace("\nRests on: fact-a, fact-b\n", "").replace("\n- Q is P", ""))
+        self.write("properties/statements/chapter9/lemma_9_9_9.cpp", "")
+        for picture in ("typical", "shrunk"):
+            self.write(f"docs/theorems/pictures/lemma-9.9.9-{picture}.svg", "")
+        self.write("docs/theorems/graph.svg", '<g class="node">>lemma&#45;9.9.9</text>')
+        self.assertEqual(self.result(check=False), (["5 files written"], 0))
+
+    def write(self, path, text):
+        path = self.root / path
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+
+    def result(self, check=True):
+        self.write("docs/theorems/runs.json", json.dumps({"statements": [self.run]}))
+        self.write("docs/theorems/kills.json", json.dumps({"kills": [self.kill]}))
+        self.write("properties/proofs/theorems.json", json.dumps([self.theorem]))
+        self.write("properties/proofs/smt/results.json", json.dumps({"queries": [self.query]}))
+        self.write("listing", "#!/bin/sh\ncat <<'END'\n" + json.dumps(self.listed) + "\nEND\n")
+        (self.root / "listing").chmod(0o755)
+        return pages.main(self.root / "listing", self.root, check)
+
+    def expect(self, *lines):
+        """What is wrong; all is well with none."""
+        found, code = self.result()
+        self.assertEqual(code, 1 if lines else 0, found)
+        if lines:
+            self.assertEqual([line for line in found if not line.startswith("bash docs/renew")], list(lines))
+
+    def page(self):
+        return (self.docs / PAGE).read_text(encoding="utf-8")
+
+    def first(self):
+        return self.listed["statements"][0]
+
+    def test_are_up_to_date_once_written(self):
+        self.expect()
+
+    def test_that_are_changed_missing_or_superfluous(self):
+        (self.docs / "theorems.md").write_text("more")
+        (self.docs / PAGE).unlink()
+        (self.docs / "theorems/pictures/lemma-9.9.9-shrunk.svg").unlink()
+        self.write("docs/theorems/lemma-9.9.8.md", "of no statement")
+        self.expect("theorems.md: out of date", PAGE + ": missing",
+                    "theorems/pictures/lemma-9.9.9-shrunk.svg: missing", "theorems/lemma-9.9.8.md: not generated")
+        self.result(check=False)
+        self.assertFalse((self.docs / "theorems/lemma-9.9.8.md").exists())
+        self.expect("theorems/pictures/lemma-9.9.9-shrunk.svg: missing")
+
+    def test_change_with_their_sources(self):
+        def change(what, *stale):
+            before = copy.deepcopy((self.listed, self.run, self.kill, self.theorem, self.query))
+            what()
+            with self.subTest(stale=stale):
+                self.expect(*(path + ": out of date" for path in stale))
+            self.listed, self.run, self.kill, self.theorem, self.query = before
+        change(lambda: self.first().update(why="Because."), PAGE)
+        change(lambda: self.first()["promised_percent"].update(holes=16), PAGE)
+        change(lambda: self.first().update(hypotheses=[]), PAGE)
+        change(lambda: self.run["counts"].update(edges=98), PAGE)
+        change(lambda: self.kill.update(cases=6), "mutants.md", PAGE)
+        change(lambda: self.query["counterexamples"]["one"].update(x="-1"), PAGE)
+        change(lambda: self.theorem.update(extent="whole"), "theorems.md", "theorems/graph.dot", PAGE)
+        (self.docs / "rca.md").write_text("")
+        change(lambda: None, PAGE)
+
+    def test_show_what_they_rest_on(self):
+        for part in ["[notation](../notation.md)", "Cited by: [rca](../rca.md), [slide](../slide.md).",
+                     "[docs/findings.md, on Lemma 9.9.9](../findings.md#lemma-999-no-edges)",
+                     "    Theorem edges_exist (a : nat) :\n      a = a.\n", "- x is positive; false without: x = 0\n",
+                     "| holes | 10 | 25 % | 15 % |\n", f"    P: {PAIR['p']}\n    Q: {PAIR['q']}\n",
+                     "- proved by enumeration, 12 cases; machine-checked in part, 1 theorem; proved by SMT in local "
+                     "form, 1 query; sampled, 40 pairs\n"]:
+            self.assertIn(part, self.page())
+
+    def test_statement_without_a_mutant(self):
+        self.first()["kills"] = []
+        self.expect("lemma-9.9.9: it names no mutant that it kills", "sign-flipped: no statement names this mutant",
+                    "lemma-9.9.9: a kill of sign-flipped is recorded, which it does not name")
+        self.first()["kills"] = ["sign-kept", "sign-flipped"]
+        self.expect("lemma-9.9.9: there is no mutant sign-kept", "lemma-9.9.9: no kill of sign-kept is recorded")
+
+    def test_statement_without_a_property(self):
+        (self.root / self.first()["file"]).unlink()
+        self.write("properties/statements/laws/law_left_out.cpp", "")
+        self.write("properties/statements/laws/linear_map.cpp", "")
+        self.expect("lemma-9.9.9: there is no file properties/statements/chapter9/lemma_9_9_9.cpp",
+                    "properties/statements/laws/law_left_out.cpp: no statement is registered from it")
+
+    def test_statement_without_a_text(self):
+        self.write("properties/statements/chapter9/statements.md", TEXT.replace("9.9.9", "9.9.8") * 2)
+        self.expect("lemma-9.9.8: two texts in statements.md", "lemma-9.9.9: no text in statements.md",
+                    *2 * ["lemma-9.9.8: a text in statements.md, but there is no such statement"])
+
+    def test_program_with_another_text(self):
+        self.first()["says"] = "There are none."
+        self.expect("lemma-9.9.9: the program was built from another text")
+
+    def test_entry_that_is_not_sound(self):
+        for key, value, what in [("title", "", "title, statement or why is missing"),
+                                 ("kind", "guess", "the id does not start with a kind"),
+                                 ("sources", [], "it names families but no number of cases, or the other way round"),
+                                 ("promised_percent", {"holes": 0}, "the promised share of holes is no percentage")]:
+            with self.subTest(key=key):
+                before = copy.deepcopy(self.listed)
+                self.first()[key] = value
+                self.expect("lemma-9.9.9: " + what)
+                self.listed = before
+        self.first().update(sources=[], cases=0, enumerated=False)
+        self.expect("lemma-9.9.9: it has neither check nor enumeration")
+        self.first().update(statement("lemma-9.9.9"))
+        self.first()["sources"][0]["weight"] = 0
+        self.expect("lemma-9.9.9: the weight of family grid leaves no pair")
+        self.listed["statements"] = 2 * [statement("lemma-9.9.9")]
+        self.expect("lemma-9.9.9: two statements of this id")
+
+    def test_statements_that_rest_on_each_other(self):
+        below = lambda **rests_on: [*pages.defects.defects_of_graph([statement(*one) for one in rests_on.items()])]
+        self.assertEqual(below(a=[], b=["a"], c=["a"], d=["b", "c"]), [])
+        self.assertEqual(below(a=["a"], b=["z"]), ["b: rests on an unknown z", "a: rest on each other"])
+        self.assertIn("rest on each other", below(a=["c"], b=["a"], c=["b"], d=["a"])[0])
+
+    def test_records_that_do_not_fit(self):
+        self.kill["killed"] = False
+        self.expect("lemma-9.9.9: has not killed sign-flipped")
+        self.kill["killed"] = True
+        self.run["passed"] = False
+        self.expect("lemma-9.9.9: the recorded run has not passed")
+        self.run.update(passed=True, run=0)
+        self.expect("lemma-9.9.9: it has no check for the pairs of its families")
+        self.run["statement"] = "lemma-9.9.8"
+        self.expect("lemma-9.9.9: no run is recorded",
+                    "lemma-9.9.8: a run is recorded, but there is no such statement")
+        self.run.update(statement="lemma-9.9.9", run=40)
+        self.theorem["statement"] = self.query["statement"] = "lemma-9.9.8"
+        self.write("docs/rca.md", "[a](theorems/lemma-9.9.8.md)")
+        self.expect("edges_exist: is to back lemma-9.9.8, but there is no such statement",
+                    "lemma-9.9.9.sign: is to back lemma-9.9.8, but there is no such statement",
+                    "docs/rca.md: links to lemma-9.9.8, but there is no such statement")
+
+    def test_finding_that_is_not_there(self):
+        self.write("docs/findings.md", "# Findings\n")
+        self.expect("lemma-9.9.9: docs/findings.md has no heading with Lemma 9.9.9")
+
+    def test_record_that_is_not_proved(self):
+        def refused(what):
+            lines, code = self.result()
+            self.assertEqual(code, 2)
+            self.assertIn(what, lines[0])
+        self.theorem["theorem"] = "corners"
+        refused("edges.v: no theorem corners")
+        self.theorem["extent"] = "most"
+        refused("an extent of 'most'")
+        self.theorem.update(extent="whole", theorem="edges_exist")
+        for question, answer in [("proof", "none"), ("hypotheses", "unsat"), ("twin-one", "unsat")]:
+            before = copy.deepcopy(self.query)
+            self.query["answers"][question]["z3"] = answer
+            refused(f"lemma-9.9.9.sign: z3 answers {answer} to {question}")
+            self.query = before
+        del self.query["hypotheses"]
+        refused("a record is not as expected: KeyError('hypotheses')")
+
+    def test_drawing_of_the_graph(self):
+        drawing = ["theorems/graph.svg: is not the drawing of theorems/graph.dot"]
+        wrong = lambda svg: [*pages.defects.defects_of_drawing('0[label="a-b", x]\n1[label="c"]\n0->1 ;\n', svg)]
+        node = '<g class="node">>{}</text>'.format
+        arrow = '<g class="edge"><title>0&#45;&gt;1</title>'
+        self.assertEqual(wrong(node("a&#45;b") + node("c") + arrow), [])
+        for svg in [node("a&#45;b") + arrow, node("a&#45;b") + node("d") + arrow, node("a&#45;b") + node("c"),
+                    node("a&#45;b") + node("c") + 2 * arrow]:
+            self.assertEqual(wrong(svg), drawing)
+
+
+class Strength(unittest.TestCase):
+    def test_is_the_strongest_kind_of_backing(self):
+        backing = object.__new__(records.Backing)
+        backing.runs, backing.theorems, backing.queries = {"a": {"run": 40}}, [], []
+        colours = [backing.colour("a")]
+        borders = [backing.border_colour("a")]
+        def expect(words):
+            self.assertEqual(backing.in_words("a"), words)
+            colours.append(backing.colour("a"))
+            borders.append(backing.border_colour("a"))
+        backing.queries = [{"statement": "a"}, {"statement": "c"}]
+        expect("proved by SMT in local form, 1 query; sampled, 40 pairs")
+        backing.theorems = [{"statement": "a", "extent": "part"}, {"statement": "c", "extent": "whole"}]
+        expect("machine-checked in part, 1 theorem; proved by SMT in local form, 1 query; sampled, 40 pairs")
+        backing.runs["a"]["enumerated"] = 7
+        backing.queries = []
+        expect("proved by enumeration, 7 cases; machine-checked in part, 1 theorem; sampled, 40 pairs")
+        backing.theorems = 2 * [{"statement": "a", "extent": "whole"}]
+        expect("machine-checked, 2 theorems; proved by enumeration, 7 cases; sampled, 40 pairs")
+        self.assertEqual(len(set(colours)), 5)
+        self.assertEqual(len(set(borders)), 3)
+
+
+class Texts(unittest.TestCase):
+    def test_in_paragraphs(self):
+        self.assertEqual(texts.text_of(TEXT[2:]), texts.Text(
+            "lemma-9.9.9", "Edges exist", "There are edges.",
+            "See the definition, and docs/findings.md, on Lemma 9.9.9.", ("P is valid, which is all", "Q is P"),
+            ("fact-a", "fact-b")))
+
+    def test_as_a_literal(self):
+        self.assertEqual(embed_texts.literal('a "b" ⊕'), '"a \\"b\\" ⊕"')
+
+
+class Words(unittest.TestCase):
+    def test_of_a_counterexample(self):
+        self.assertEqual(records.in_words({"x": "1/2", "f": True, "v.x": "1", "v.y": "2", "d.t": "3/4", "e.t": "5",
+                                           "d.positive": False, "d.slanted": True, "e.positive": True,
+                                           "e.slanted": False}),
+                         "x = 1/2, f = true, v = (1, 2), d = (3/4, -1), e = (1, 0)")
+
+
+class Links(unittest.TestCase):
+    def test_anchors_are_those_of_github(self):
+        self.assertEqual(links.anchor_of("Section 4.2.4: components, `a_b` and m + n"),
+                         "section-424-components-a_b-and-m--n")
+        self.assertEqual(links.anchor_of("The convolution 𝒞"), "the-convolution-𝒞")
+
+    def test_headings_are_of_all_levels_and_not_in_code(self):
+        self.assertEqual(links.headings_of("# One\n#include\n### Two\n```\n# three\n```\n    # four\n"),
+                         ["One", "Two"])
+
+    def test_findings_are_linked_by_the_section_named(self):
+        headings = ["Findings", "Lemma 2.2.50: another", "Lemmas 2.2.4, Lemma 2.2.5: a case"]
+        self.assertEqual(
+            links.with_links_to_findings("see docs/findings.md, on Lemma 2.2.5. So (docs/findings.md)", headings),
+            "see [docs/findings.md, on Lemma 2.2.5](../findings.md#lemmas-224-lemma-225-a-case). "
+            "So ([docs/findings.md](../findings.md))")
+        self.assertEqual(links.missing_findings("docs/findings.md, on Lemma 2.2.5, docs/findings.md", headings), [])
+        self.assertEqual(links.missing_findings("docs/findings.md, on Lemma 2.2.7, if", headings), ["Lemma 2.2.7"])
+
+    def test_pages_that_link_to_a_statement(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, page in {"rca": "[a](theorems/a.md), [b](theorems/b.md#proof), [c](../c.cpp), `theorems/d.md`",
+                               "loops": "[a](theorems/a.md) [again](theorems/a.md)",
+                               "theorems": "[a](theorems/a.md)"}.items():
+                (Path(folder) / (name + ".md")).write_text(page)
+            self.assertEqual(links.citing_pages(Path(folder)), {"a": ["loops", "rca"], "b": ["rca"]})
+
+
+if __name__ == "__main__":
+    unittest.main()
