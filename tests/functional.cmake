@@ -95,6 +95,9 @@ add_subdirectory(properties/proofs)
 add_test(NAME proofs.smt COMMAND oplus-check smt)
 set_tests_properties(proofs.smt PROPERTIES LABELS proofs)
 
+# What the pages of docs/ draw, link to and name.
+add_test(NAME docs.pages
+         COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/docs/pages_test.py $<TARGET_FILE:oplus>)
 # docs/scoreboard.md, its record and its pictures; docs/scoreboard/make takes minutes.
 add_test(NAME docs.scoreboard
          COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/docs/scoreboard_test.py)

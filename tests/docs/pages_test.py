@@ -1,0 +1,103 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""pages_test.py OPLUS: what the pages of docs/ draw, link to and name."""
+
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+DOCS = ROOT / "docs"
+sys.path.insert(0, str(ROOT / "properties/pages"))
+from links import anchor_of, headings_of
+
+PAGES = {page.name: page.read_text(encoding="utf-8") for page in sorted(DOCS.glob("*.md"))}
+COMMAND = re.compile(r"(?<=\n    )oplus .*?(?=(?: #.*)?\n)")
+
+
+class Pages(unittest.TestCase):
+    def test_draw_their_pictures(self):
+        # README draws one picture.
+        drawn = {"docs/pictures/room_and_diamond.svg"}
+        path = f"{PROGRAM.parent}:{os.environ['PATH']}"
+        for name, page in PAGES.items():
+            with tempfile.TemporaryDirectory() as folder, self.subTest(page=name):
+                folder = Path(folder)
+                (folder / "docs/pictures").mkdir(parents=True)
+                (folder / "docs/shapes").symlink_to(DOCS / "shapes")
+                for command in COMMAND.findall(page):
+                    ran = subprocess.run(["bash", "-c", command.replace("oplus ", "oplus --quiet ")], cwd=folder,
+                                         env=os.environ | {"PATH": path}, stdin=subprocess.DEVNULL,
+                                         capture_output=True, text=True)
+                    # In a pipe, the exit code is that of the last command.
+                    self.assertTrue(ran.returncode == 0 and "oplus: " not in ran.stderr, f"{command}\n{ran.stderr}")
+                    for picture in re.findall(r"docs/pictures/\S+\.svg", command):
+                        self.assertTrue((folder / picture).read_bytes() == (ROOT / picture).read_bytes(),
+                                        f"{picture} is out of date: {command}")
+                        drawn.add(picture)
+                for shown in re.findall(r"\]\((pictures/[^)]+)\)", page):
+                    self.assertIn("docs/" + shown, drawn, "is not drawn on its page")
+        self.assertEqual({"docs/pictures/" + path.name for path in (DOCS / "pictures").iterdir()} - drawn, set())
+
+    def test_show_a_picture_and_what_algorithms_rest_on(self):
+        for name in ["cycles", "collision", "winding", "loops", "rca", "original_convolution"]:
+            with self.subTest(page=name):
+                page = PAGES[name + ".md"]
+                self.assertRegex(page, r"!\[[^\]]+\]\(pictures/[^)]+\.svg\)")
+                self.assertRegex(page, r"\]\(theorems/[^)]+\.md\)")
+                for part in ["](notation.md)", "## Cost\n", "## What it rests on", "Tests: `", "## Where it is weak\n"]:
+                    self.assertIn(part, page)
+
+    def test_link_to_the_page_of_a_statement_not_to_its_source(self):
+        """Only the statement's own page links to its source."""
+        statements = 0
+        for name, page in PAGES.items():
+            with self.subTest(page=name):
+                self.assertNotRegex(page, r"\]\([^)]*properties/statements/[^)]+\.cpp\)")
+                for words, id in re.findall(r"\[([a-z]+-[0-9a-z.-]+)\]\(theorems/([^)]+)\.md\)", page):
+                    statements += 1
+                    self.assertEqual(words, id)
+        self.assertGreater(statements, 100)
+
+    def test_link_to_what_exists(self):
+        """Files, folders, and headings of pages."""
+        texts = {path: path.read_text(encoding="utf-8") for path in [ROOT / "README.md", *DOCS.rglob("*.md")]}
+        links = anchors = 0
+        for path, text in texts.items():
+            for link in re.findall(r"\]\(([^)]+)\)", text):
+                if link.startswith("http"):
+                    continue
+                links += 1
+                file, _, anchor = link.partition("#")
+                target = Path(os.path.normpath(path.parent / file)) if file else path
+                with self.subTest(page=path, link=link):
+                    self.assertTrue(target.exists())
+                    if anchor and target in texts:
+                        anchors += 1
+                        self.assertIn(anchor, map(anchor_of, headings_of(texts[target])))
+        self.assertGreater(links, 400)
+        self.assertGreater(anchors, 10)
+
+    def test_name_files_that_exist(self):
+        """Files and folders that are named, without a link."""
+        names = 0
+        for name, page in PAGES.items():
+            for path in re.findall(r"`((?:checked|reference|properties|tests)/[a-z0-9_/.]*)`", page):
+                names += 1
+                with self.subTest(page=name, path=path):
+                    self.assertTrue((ROOT / path).exists())
+        self.assertGreater(names, 20)
+
+    def test_are_linked_from_the_readme(self):
+        readme = (ROOT / "README.md").read_text(encoding="utf-8")
+        for name in PAGES:
+            self.assertIn(f"](docs/{name})", readme)
+
+
+if __name__ == "__main__":
+    PROGRAM = Path(sys.argv.pop(1)).resolve()
+    unittest.main()
