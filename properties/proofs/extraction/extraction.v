@@ -2,10 +2,8 @@
 (* The predicates that theorems are about, as OCaml. Nothing is replaced by types or functions of OCaml:
    numbers are Coq's binary ones, and what runs is what was proved, but for extraction itself. *)
 From Coq Require Extraction.
-From Oplus Require Import direction tangent_set winding_number turning_number convolution_size
-  shifted_ray signed_crossings states tracing convolution_cycles in_out_degree location pieces naive_collision
-  convolution_winding regions tangent_count
-  checked_collision.
+From Oplus Require Import convolution tangent_set shifted_ray signed_crossings tracing convolution_cycles
+  location pieces naive_collision convolution_winding regions tangent_count checked_collision.
 
 Extraction Language OCaml.
 Extraction "proved.ml" compare ccw is_reflex in_tangent_set is_convolution_segment

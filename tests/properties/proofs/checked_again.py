@@ -10,6 +10,7 @@ import sys
 from pathlib import Path
 
 from compiled import named
+from sources import module
 
 # Coq's library hides what this module is made of, and coqchk counts what is hidden.
 HIDDEN = "Coq.ssr.ssrunder.Under_rel."
@@ -37,8 +38,8 @@ def trusted(said):
 def coqchk(build, modules):
     """Its exit code, and what it says."""
     command = ["coqchk", "-silent", "-o", "-R", ".", "Oplus"]
-    for module in modules:
-        command += ["-norec", f"Oplus.{module}"]
+    for one in modules:
+        command += ["-norec", one]
     done = subprocess.run(command, cwd=build, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                           text=True)
     return done.returncode, done.stdout
@@ -46,7 +47,7 @@ def coqchk(build, modules):
 
 def main():
     build = Path(sys.argv[1])
-    modules = [Path(name).stem for name in named(build / "_CoqProject")]
+    modules = [module(name) for name in named(build / "_CoqProject")]
     code, said = coqchk(build, modules)
     found = trusted(said)
     for one in found:

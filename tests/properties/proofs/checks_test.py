@@ -49,6 +49,16 @@ class Sources(ProofsTest):
         self.assertEqual(sources.unproved("a.v", 'Check "(*". Axiom a : False. (* *)'),
                          ["a.v:1: Axiom"])
 
+    def test_names(self):
+        text = ("(* Definition none := 1. *)\nRecord pair := Both { one : nat; other : nat }.\nLemma two : True.\n"
+                "Module Inner.\n  Definition t := 1.\nEnd Inner.\nInductive kind := First | Second (n : nat).\n")
+        self.assertEqual(sources.defined(text), ["pair", "two", "kind", "Both", "one", "other", "First", "Second"])
+
+    def test_each_name_stands_for_one_thing(self):
+        both = {"x/a.v": "Definition one := 1.\n", "y/a.v": "Inductive one_ := one.\n", "y/b.v": "Lemma one' : True.\n"}
+        self.assertEqual(sources.defined_twice(both), ["a.v: x/a.v and y/a.v", "one: x/a.v and y/a.v"])
+        self.assertEqual(sources.defined_twice({"x/a.v": both["x/a.v"], "y/b.v": both["y/b.v"]}), [])
+
 
 class Compiled(ProofsTest):
     def test_sources_and_project_agree(self):
@@ -57,9 +67,15 @@ class Compiled(ProofsTest):
         self.assertEqual(compiled.violations(self.folder),
                          ["outside.v: not in _CoqProject", "missing.v: in _CoqProject, but missing"])
 
-    def test_what_is_gone_from_the_sources_is_gone_from_the_build(self):
+    def test_a_name_defined_twice(self):
         for name in ("a.v", "b.v"):
             self.write(name, RIGHT)
+        self.project("a.v", "b.v")
+        self.assertEqual(compiled.violations(self.folder), ["right: a.v and b.v"])
+
+    def test_what_is_gone_from_the_sources_is_gone_from_the_build(self):
+        self.write("a.v", RIGHT)
+        self.write("b.v", RIGHT)
         self.project("a.v", "b.v")
         compiled.bring_up_to_date(self.folder, self.build)
         self.assertTrue(compiled.compile_in(self.build))
@@ -128,7 +144,7 @@ class CheckedAgain(ProofsTest):
         self.project("a.v")
         compiled.bring_up_to_date(self.folder, self.build)
         self.assertTrue(compiled.compile_in(self.build))
-        return checked_again.coqchk(self.build, ["a"])[1]
+        return checked_again.coqchk(self.build, ["Oplus.a"])[1]
 
     def test_nothing(self):
         self.assertEqual(checked_again.trusted(self.said(RIGHT)), [])
@@ -154,7 +170,8 @@ class Faults(ProofsTest):
         self.project("a.v", "b.v")
         compiled.bring_up_to_date(self.folder, self.build)
         self.assertTrue(compiled.compile_in(self.build))
-        return faults.survivor(self.build, self.folder, ("a fault", "a.v", "nat := 2", wrong, where))
+        return faults.survivor(self.build, self.folder, ("a fault", "a.v", "nat := 2", wrong, where),
+                               faults.required(self.build))
 
     def test_what_a_proof_finds(self):
         self.assertIsNone(self.survivor("nat := 0"))
@@ -166,9 +183,17 @@ class Faults(ProofsTest):
         self.assertEqual(self.survivor("nat := true", "a.v"),
                          "a fault: Coq rejects line 2 of a.v, which is no proof, not a.v")
 
+    def test_what_does_not_depend_on_it(self):
+        self.assertEqual(faults.way({"a.v": [], "b.v": ["a.v"], "c.v": ["b.v"]}, "c.v", "b.v"), ([], {"a.v", "b.v"}))
+
+    def test_each_fault_is_in_one_part(self):
+        parts = faults.chosen("few"), faults.chosen("rest")
+        self.assertTrue(all(parts))
+        self.assertEqual(sorted(parts[0] + parts[1]), sorted(faults.chosen("")))
+
     def test_what_is_not_there(self):
         self.assertEqual(faults.survivor(self.build, Path(__file__).parent,
-                                         ("a fault", "faults.py", "no" + "where", "", "a.v")),
+                                         ("a fault", "faults.py", "no" + "where", "", "a.v"), {}),
                          "a fault: `nowhere` stands in faults.py 0 times")
 
 

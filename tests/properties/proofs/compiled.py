@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Compiles properties/proofs with Coq in a folder of the build, so that the sources' own stays clean.
 
-Fails where a source is not named in _CoqProject, leaves something unproved, or does not compile.
+Fails where a source is not named in _CoqProject, leaves something unproved, defines a name that another one defines,
+or does not compile.
 Usage: compiled.py SOURCES BUILD"""
 
 import shutil
@@ -10,7 +11,10 @@ import subprocess
 import sys
 from pathlib import Path
 
-from sources import unproved
+from sources import defined_twice, unproved
+
+# Written to OCaml by others.
+NOT_OF_THE_LIBRARY = "extraction.v"
 
 
 def named(project):
@@ -19,31 +23,38 @@ def named(project):
             for word in line.split("#")[0].split() if word.endswith(".v")]
 
 
+def present(folder):
+    """The sources in a folder and below."""
+    return sorted(str(path.relative_to(folder)) for path in folder.rglob("*.v") if path.name != NOT_OF_THE_LIBRARY)
+
+
 def violations(folder):
     """What is wrong before anything is compiled."""
-    project, present = named(folder / "_CoqProject"), sorted(p.name for p in folder.glob("*.v"))
-    found = [f"{name}: not in _CoqProject" for name in present if name not in project]
-    found += [f"{name}: in _CoqProject, but missing" for name in project if name not in present]
-    for name in present:
-        found += unproved(name, (folder / name).read_text(encoding="utf-8"))
-    return found
+    project, texts = named(folder / "_CoqProject"), {name: (folder / name).read_text(encoding="utf-8")
+                                                     for name in present(folder)}
+    found = [f"{name}: not in _CoqProject" for name in texts if name not in project]
+    found += [f"{name}: in _CoqProject, but missing" for name in project if name not in texts]
+    for name, text in texts.items():
+        found += unproved(name, text)
+    return found + defined_twice(texts)
 
 
 def bring_up_to_date(folder, build):
     """Copies what has changed, so that make compiles no more than that and what depends on it."""
     build.mkdir(parents=True, exist_ok=True)
-    sources = [folder / "_CoqProject", *folder.glob("*.v")]
-    for old in build.glob("*.v"):
-        if old.name not in [source.name for source in sources]:
-            for compiled in build.glob(old.stem + ".*"):
-                compiled.unlink()
-    for source in sources:
-        copy = build / source.name
+    sources = present(folder)
+    for old in set(present(build)) - set(sources):
+        for compiled in (build / old).parent.glob(Path(old).stem + ".*"):
+            compiled.unlink()
+    for name in ["_CoqProject", *sources]:
+        source, copy = folder / name, build / name
         if not copy.exists() or copy.read_bytes() != source.read_bytes():
+            copy.parent.mkdir(exist_ok=True)
             shutil.copyfile(source, copy)
 
 
 def compile_in(build):
+    """In the order that coqdep finds."""
     for command in (["coq_makefile", "-f", "_CoqProject", "-o", "Makefile"],
                     ["make", "--no-print-directory", "-j2"]):
         done = subprocess.run(command, cwd=build)

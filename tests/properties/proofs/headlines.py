@@ -15,6 +15,8 @@ import sys
 import tempfile
 from pathlib import Path
 
+from sources import module
+
 KEYS = ["statement", "extent", "theorem", "file", "gloss", "covers", "not_covered"]
 CLOSED = "Closed under the global context"
 
@@ -63,9 +65,8 @@ def asked(groups, build):
     with tempfile.TemporaryDirectory() as directory:
         lines = []
         for number, group in enumerate(groups):
-            modules = [Path(entry["file"]).stem for entry in group]
-            names = [f"@Oplus.{module}.{entry['theorem']}" for module, entry in zip(modules, group)]
-            lines += [f"From Oplus Require {module}." for module in sorted(set(modules))]
+            lines += [f"Require {one}." for one in sorted({module(entry["file"]) for entry in group})]
+            names = [f"@{module(entry['file'])}.{entry['theorem']}" for entry in group]
             lines += [f"Definition group{number} := ({', '.join(names)}).",
                       f'Redirect "{number}" Print Assumptions group{number}.']
         source = Path(directory) / "asked.v"

@@ -1,0 +1,361 @@
+(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* Where the open sum is beside x, in a direction n, and x itself is not in it, a segment of the reduced convolution
+   covers x that has n to its left. Not so for sums of two vertices yet, nor if an edge that touches at x is along n;
+   chains do not touch here. Where the sum is beside x, a vertex of one region is inside the other, or edges cross
+   (winding_number_of_the_sum.v); close to x, these touch at x, and the sum is to the left of the edge that touches.
+   That a segment of the reduced convolution is there is from interiors_at_touching_points.v. *)
+From Coq Require Import QArith Qminmax Lqa Qfield ZArith Lia Bool List Arith.
+From Oplus Require Import convolution signed_crossings tie_rule convolution_winding regions weight parallelogram
+  winding_number_of_the_sum crossing_edges meeting_of_segments interiors_meet neighbourhoods left_of_an_edge
+  theorem_4_2_1 observation_2_2_4 lemma_2_2_9 inside_a_corner tangent_direction touching_corners shifted_ray
+  boundary_points reduced_convolution parallel_edges interiors_at_touching_points right_of_an_edge.
+Import ListNotations.
+
+Open Scope Q_scope.
+
+(* At a point inside an edge, both edges of the boundary are that edge. *)
+Lemma boundary_inside_an_edge (r : region) (w : vector) (e : segment) chain i_in i_out u v :
+  valid_region r -> In e (region_edges r) -> lies_on w e -> ~ is_vertex w r ->
+  boundary_point r w chain i_in i_out u v -> u = along e /\ v = along e.
+Proof.
+  intros (_ & _ & meet) I on no_vertex
+    [chain_in in_below out_below u_is v_is (l & l_range & w_in) (k & k_range & w_out) _ _ _ _].
+  assert (same_edge : forall j d m, (j < length chain)%nat -> d = edge_of_chain chain j -> 0 <= m <= 1 ->
+    equal_vectors w (moved_along (nth j chain nowhere) d m) -> d = along e).
+  { intros j d m below d_is range [X Y]. pose proof (edge_at_in_region r chain j chain_in below) as J.
+    assert (on_j : lies_on w (edge_at chain j)).
+    { exists m. rewrite edge_at_is by exact below. rewrite d_is, edge_of_chain_is in X, Y by exact below.
+      unfold moved_along, minus in X, Y. cbn [source target vx vy] in *. split; [exact range |].
+      split; [rewrite X | rewrite Y]; ring. }
+    destruct (in_split _ _ I) as (earlier & later & edges_are). rewrite edges_are in J. apply in_app_iff in J.
+    assert (J' : e = edge_at chain j \/ In (edge_at chain j) (earlier ++ later))
+      by (rewrite in_app_iff; cbn [In] in J; tauto).
+    destruct J' as [same_ | other].
+    - rewrite d_is, direction_by_index by exact below. now rewrite same_.
+    - exfalso. apply no_vertex. exact (meet earlier e later _ w edges_are other on on_j). }
+  split; [apply (same_edge i_in u l) | apply (same_edge i_out v k)]; trivial; lra.
+Qed.
+
+Lemma same_side_of_itself (u : vector) : ~ 0 < cross u u.
+Proof. unfold cross. lra. Qed.
+
+(* Theorem. Where an edge of P passes through x, by a point inside it and any point of Q, and x is not in the open sum,
+   a segment of the reduced convolution of its direction covers x; and where an edge of Q does. *)
+Theorem passing_edges_of_p_are_covered (p q : region) (x w u : vector) (e : segment) :
+  valid_region p -> valid_region q -> chains_do_not_touch p -> chains_do_not_touch q -> ~ interiors_meet x p q ->
+  In e (region_edges p) -> lies_on w e -> ~ is_vertex w p -> in_region u q -> equal_vectors x (plus w u) ->
+  reduced_along p q x (along e).
+Proof.
+  intros p_region q_region p_apart q_apart outside E on_e no_vertex in_q x_is.
+  pose proof p_region as (p_edges & p_valid & p_meet).
+  pose proof (regions_are_regular p p_edges p_valid p_meet) as p_regular.
+  destruct (on_or_off u (region_edges q)) as [(f & F & on_f) | free].
+  2: { exfalso. apply outside, interiors_meet_other_way. apply (inner_point_and_point q p x u w p_regular).
+       - split; [exact free |]. destruct in_q as [positive_ | (s & S & on)]; [exact positive_ |].
+         exfalso. exact (free s S on).
+       - right. now exists e.
+       - destruct x_is as [X Y]. unfold plus in *; cbn [vx vy] in *. split; cbn [vx vy]; lra. }
+  destruct (boundary_points p w e p_region p_apart E on_e) as (a & i_in & i_out & eu & ev & at_w).
+  destruct (boundary_points q u f q_region q_apart F on_f) as (b & j_in & j_out & fu & fv & at_u).
+  destruct (boundary_inside_an_edge p w e a i_in i_out eu ev p_region E on_e no_vertex at_w) as [eu_is ev_is].
+  destruct (segments_at_touching_points p q x w u a i_in i_out eu ev b j_in j_out fu fv p_region q_region p_apart
+    q_apart at_w at_u x_is) as [meets | (d & found & corners)]; [contradiction |].
+  refine (reduced_along_same p q x d _ _ found). rewrite eu_is, ev_is in corners.
+  destruct corners as [[same_ _] | [[same_ _] | [[turn _] | [_ [-> | ->]]]]];
+    try exact (same_direction_reflexive _); try exact (same_direction_symmetric _ _ same_).
+  exfalso. exact (same_side_of_itself _ turn).
+Qed.
+
+Theorem passing_edges_of_q_are_covered (p q : region) (x w u : vector) (f : segment) :
+  valid_region p -> valid_region q -> chains_do_not_touch p -> chains_do_not_touch q -> ~ interiors_meet x p q ->
+  In f (region_edges q) -> lies_on u f -> ~ is_vertex u q -> in_region w p -> equal_vectors x (plus u w) ->
+  reduced_along p q x (along f).
+Proof.
+  intros p_region q_region p_apart q_apart outside F on_f no_vertex in_p x_is.
+  pose proof q_region as (q_edges & q_valid & q_meet).
+  pose proof (regions_are_regular q q_edges q_valid q_meet) as q_regular.
+  assert (swapped : equal_vectors x (plus w u))
+    by (destruct x_is as [X Y]; unfold plus in *; cbn [vx vy] in *; split; cbn [vx vy]; lra).
+  destruct (on_or_off w (region_edges p)) as [(e & E & on_e) | free].
+  2: { exfalso. apply outside. apply (inner_point_and_point p q x w u q_regular); trivial.
+       - split; [exact free |]. destruct in_p as [positive_ | (s & S & on)]; [exact positive_ |].
+         exfalso. exact (free s S on).
+       - right. now exists f. }
+  destruct (boundary_points p w e p_region p_apart E on_e) as (a & i_in & i_out & eu & ev & at_w).
+  destruct (boundary_points q u f q_region q_apart F on_f) as (b & j_in & j_out & fu & fv & at_u).
+  destruct (boundary_inside_an_edge q u f b j_in j_out fu fv q_region F on_f no_vertex at_u) as [fu_is fv_is].
+  destruct (segments_at_touching_points p q x w u a i_in i_out eu ev b j_in j_out fu fv p_region q_region p_apart
+    q_apart at_w at_u swapped) as [meets | (d & found & corners)]; [contradiction |].
+  refine (reduced_along_same p q x d _ _ found). rewrite fu_is, fv_is in corners.
+  destruct corners as [[_ same_] | [[_ same_] | [[_ [-> | ->]] | [turn _]]]];
+    try exact (same_direction_reflexive _); try exact (same_direction_symmetric _ _ same_).
+  exfalso. exact (same_side_of_itself _ turn).
+Qed.
+
+(* A point inside an edge of P that has n to its left, and a vertex of Q, add up to x. *)
+Definition touches (x n : vector) (p q : region) : Prop :=
+  exists e w u, In e (region_edges p) /\ lies_on w e /\ ~ is_vertex w p /\ is_vertex u q /\
+    equal_vectors x (plus w u) /\ 0 < cross (along e) n.
+
+Lemma vertex_in_region (u : vector) (r : region) : is_vertex u r ->
+  exists s, In s (region_edges r) /\ lies_on u s.
+Proof.
+  intros (s & I & [X Y]). exists s. split; [exact I |]. exists 0. rewrite X, Y. split; [lra |]. split; ring.
+Qed.
+
+(* No edge that passes through x, by a point inside it and any point of the other region, is along n. *)
+Definition none_passes_along (x n : vector) (p q : region) : Prop :=
+  forall e w u, In e (region_edges p) -> lies_on w e -> ~ is_vertex w p -> in_region u q ->
+    equal_vectors x (plus w u) -> ~ cross (along e) n == 0.
+
+Section OneSide.
+  Variables p q : region.
+  Variables x n : vector.
+  Hypothesis p_region : valid_region p.
+  Hypothesis q_region : valid_region q.
+  Hypothesis outside : ~ interiors_meet x p q.
+  Hypothesis transversal : none_passes_along x n p q.
+  Hypothesis no_vertices : forall w u, is_vertex w p -> is_vertex u q -> ~ equal_vectors x (plus w u).
+
+  Let p_regular : is_regular p.
+  Proof. destruct p_region as (p_edges & p_valid & p_meet). now apply regions_are_regular. Qed.
+  Let q_regular : is_regular q.
+  Proof. destruct q_region as (q_edges & q_valid & q_meet). now apply regions_are_regular. Qed.
+
+  (* A vertex of Q that is inside P where x is moved to the left a little. *)
+  Lemma vertex_beside (v : vector * corner) : In v (region_vertices q) ->
+    eventually (fun t => (0 < winding_number (minus (moved_along x n t) (fst v)) (region_edges p))%Z ->
+      touches x n p q).
+  Proof.
+    intros I. destruct v as [v c]. cbn [fst].
+    destruct (edges_of_vertex v c q I) as [_ (g & G & source_is & _)].
+    assert (vertex : is_vertex v q) by (exists g; split; [exact G | rewrite source_is; split; reflexivity]).
+    destruct (vertex_in_region v q vertex) as (s & S & on_s).
+    assert (in_q : in_region v q) by (right; now exists s).
+    set (w := minus x v).
+    assert (x_is : equal_vectors x (plus w v)) by (unfold w, plus, minus; split; cbn [vx vy]; ring).
+    assert (moved_is : forall t, minus (moved_along x n t) v = Vector (vx x + t * vx n - vx v) (vy x + t * vy n - vy v))
+      by reflexivity.
+    assert (close : forall radius, 0 < radius -> eventually (fun t => within radius w (minus (moved_along x n t) v))).
+    { intros radius R. refine (eventually_implied _ _ _ (small_steps_stay_within radius w n R)).
+      intros t. unfold within, w, moved_along, minus; cbn [vx vy]. lra. }
+    destruct (on_or_off w (region_edges p)) as [(e & E & on) | free].
+    - assert (no_vertex : ~ is_vertex w p) by (intros is_; exact (no_vertices w v is_ vertex x_is)).
+      pose proof p_region as (p_edges & _). pose proof (region_edges_are_directions p p_edges e E) as long.
+      destruct (Q_dec (cross (along e) n) 0) as [[right_ | same_] | along_];
+        [| | exfalso; exact (transversal e w v E on no_vertex in_q x_is along_)].
+      2: { exists 1. split; [lra |]. intros t _ _ _. now exists e, w, v. }
+      destruct (right_side_near p e w (proj2 (proj2 p_region)) E on no_vertex) as (r1 & R1 & same_number).
+      destruct (half_square_beside_an_edge p e w p_region E on no_vertex) as (r2 & R2 & half_square).
+      destruct (q_regular v s (Qmin r1 r2) S on_s) as (z & z_near & z_in); [now apply Q.min_glb_lt |].
+      pose proof (Q.le_min_l r1 r2) as below_1. pose proof (Q.le_min_r r1 r2) as below_2.
+      destruct (close r1 R1) as (limit & L & near). exists limit. split; [exact L |]. intros t t0 t1 positive_.
+      exfalso. apply outside. apply interiors_meet_other_way.
+      refine (inner_point_and_point q p x z (minus x z) p_regular z_in _ _);
+        [| unfold plus, minus; split; cbn [vx vy]; ring].
+      assert (b_near : within (Qmin r1 r2) w (minus x z))
+        by (unfold within, w, minus in *; cbn [vx vy] in *; lra).
+      assert (b_1 : within r1 w (minus x z)) by exact (within_smaller _ _ _ _ below_1 b_near).
+      assert (b_2 : within r2 w (minus x z)) by exact (within_smaller _ _ _ _ below_2 b_near).
+      destruct (half_square _ b_2) as [to_the_left on_the_line].
+      destruct (Q_dec (area e (minus x z)) 0) as [[below | above] | line].
+      + left. rewrite (same_number _ (minus (moved_along x n t) v) b_1 (near t t0 t1) below); [exact positive_ |].
+        pose proof (on_its_line w e on) as line. rewrite orientation_by_area in line.
+        apply equal_comparison in line. assert (area e w == 0) as line_ by (destruct e; exact line).
+        assert (value : area e (minus (moved_along x n t) v) == area e w + t * cross (along e) n)
+          by (unfold area, w, cross, along, minus, moved_along; cbn [vx vy]; ring).
+        rewrite value, line_. assert (0 < t * - cross (along e) n) by (apply Qmult_lt_0_compat; lra). lra.
+      + now apply inside_is_in_region, to_the_left.
+      + right. exists e. split; [exact E |]. now apply on_the_line.
+    - destruct (winding_number_near w _ (region_cycles p) free) as (radius & R & same_number).
+      destruct (close radius R) as (limit & L & near). exists limit. split; [exact L |]. intros t t0 t1 positive_.
+      exfalso. apply outside. destruct (same_number _ (near t t0 t1)) as [_ equal].
+      apply (inner_point_and_point p q x w v q_regular); trivial. split; [exact free | lia].
+  Qed.
+
+  (* Edges e and f that add up to points to the left of x, and to x by an end of f. *)
+  Lemma edges_beside (e f : segment) (w u : vector) : In e (region_edges p) -> In f (region_edges q) ->
+    lies_on w e -> lies_on u f -> is_vertex u q -> equal_vectors x (plus w u) ->
+    eventually (fun t => is_sum_of_points (moved_along x n t) e f -> touches x n p q).
+  Proof.
+    intros E F on_e on_f vertex x_is.
+    assert (no_vertex : ~ is_vertex w p) by (intros is_; exact (no_vertices w u is_ vertex x_is)).
+    pose proof p_region as (p_edges & valid & meet). pose proof (region_edges_are_directions p p_edges e E) as long.
+    assert (in_q : in_region u q) by (right; now exists f).
+    destruct (Q_dec (cross (along e) n) 0) as [[right_ | same_] | along_];
+      [| | exfalso; exact (transversal e w u E on_e no_vertex in_q x_is along_)].
+    2: { exists 1. split; [lra |]. intros t _ _ _. now exists e, w, u. }
+    exists 1. split; [lra |]. intros t t0 _ (w' & u' & on_e' & on_f' & [X' Y']). exfalso. apply outside.
+    set (g := minus u' u).
+    assert (side : 0 < cross (along e) (opposite g)).
+    { assert (line : forall z, lies_on z e -> area e z == 0).
+      { intros z on. pose proof (on_its_line z e on) as line. rewrite orientation_by_area in line.
+        apply equal_comparison in line. destruct e; exact line. }
+      pose proof (line w on_e) as at_w. pose proof (line w' on_e') as at_w'. destruct x_is as [X Y].
+      unfold plus, moved_along in X, Y, X', Y'; cbn [vx vy] in X, Y, X', Y'.
+      assert (gx : vx u' - vx u == t * vx n - (vx w' - vx w)) by lra.
+      assert (gy : vy u' - vy u == t * vy n - (vy w' - vy w)) by lra.
+      assert (value : cross (along e) (opposite g) == - (t * cross (along e) n) + area e w' - area e w).
+      { unfold g, area, cross, along, minus, opposite; cbn [vx vy]. rewrite gx, gy. ring. }
+      rewrite value, at_w, at_w'. assert (0 < t * - cross (along e) n) by (apply Qmult_lt_0_compat; lra). lra. }
+    destruct (eventually_and _ _ (left_of_an_edge_is_inside p e w (opposite g) valid meet E on_e no_vertex side)
+      (ex_intro _ 1 (conj (ltac:(lra) : 0 < 1) (fun h some below => conj some below : 0 < h /\ h < 1))))
+      as (limit & L & near).
+    destruct (near ((1 # 2) * limit)) as [in_p [h0 h1]]; [lra | lra |]. set (h := (1 # 2) * limit) in *. clearbody h.
+    refine (inner_point_and_point p q x _ (moved_along u g h) q_regular in_p _ _).
+    - right. exists f. split; [exact F |].
+      destruct on_f as (k & k_range & ux & uy), on_f' as (l & l_range & ux' & uy').
+      exists ((1 - h) * k + h * l). split.
+      + assert (0 <= (1 - h) * k) by (apply Qmult_le_0_compat; lra). assert (0 <= h * l) by (apply Qmult_le_0_compat; lra).
+        assert (0 <= (1 - h) * (1 - k)) by (apply Qmult_le_0_compat; lra).
+        assert (0 <= h * (1 - l)) by (apply Qmult_le_0_compat; lra). lra.
+      + unfold moved_along, g, minus; cbn [vx vy]. rewrite ux, uy, ux', uy'. split; ring.
+    - destruct x_is as [X Y]. unfold plus, moved_along, opposite in *; cbn [vx vy] in *.
+      split; cbn [vx vy]; [rewrite X | rewrite Y]; ring.
+  Qed.
+End OneSide.
+
+Section BothSides.
+  Variables p q : region.
+  Variables x n : vector.
+  Hypothesis p_region : valid_region p.
+  Hypothesis q_region : valid_region q.
+  Hypothesis outside : ~ interiors_meet x p q.
+  Hypothesis transversal : none_passes_along x n p q.
+  Hypothesis transversal' : none_passes_along x n q p.
+  Hypothesis no_vertices : forall w u, is_vertex w p -> is_vertex u q -> ~ equal_vectors x (plus w u).
+
+  Let outside' : ~ interiors_meet x q p.
+  Proof. intros meet_. apply outside. now apply interiors_meet_other_way. Qed.
+  Let other_order (a b : vector) : equal_vectors x (plus a b) -> equal_vectors x (plus b a).
+  Proof. intros [X Y]. unfold plus in *; cbn [vx vy] in *. split; cbn [vx vy]; lra. Qed.
+  Let no_vertices' : forall w u, is_vertex w q -> is_vertex u p -> ~ equal_vectors x (plus w u).
+  Proof. intros w u of_q of_p equal. exact (no_vertices u w of_p of_q (other_order _ _ equal)). Qed.
+
+    Lemma parallelogram_beside (e f : segment) : In e (region_edges p) -> In f (region_edges q) ->
+      eventually (fun t => winding_number (moved_along x n t) (parallelogram e f) <> 0%Z ->
+        touches x n p q \/ touches x n q p).
+    Proof.
+      intros E F.
+      assert (counted : forall y, winding_number y (parallelogram e f) <> 0%Z ->
+        is_sum_of_points y e f /\ ~ cross (along e) (along f) == 0).
+      { intros y some. destruct (parallelogram_winding_number y e f) as [none | [sign is_sum]]; [contradiction |].
+        split; [exact is_sum |]. destruct sign as [[_ sign] | [_ sign]]; lra. }
+      assert (source_f : is_vertex (source f) q) by (exists f; split; [exact F | split; reflexivity]).
+      assert (source_e : is_vertex (source e) p) by (exists e; split; [exact E | split; reflexivity]).
+      pose proof (target_is_vertex q f F) as target_f. pose proof (target_is_vertex p e E) as target_e.
+      assert (by_f : forall w u, lies_on w e -> lies_on u f -> is_vertex u q -> equal_vectors x (plus w u) ->
+        eventually (fun t => winding_number (moved_along x n t) (parallelogram e f) <> 0%Z ->
+          touches x n p q \/ touches x n q p)).
+      { intros w u on_e on_f vertex x_is.
+        refine (eventually_implied _ _ _ (edges_beside p q x n p_region q_region outside transversal
+          no_vertices e f w u E F on_e on_f vertex x_is)).
+        intros t one some. left. apply one. now apply counted. }
+      assert (by_e : forall w u, lies_on w e -> lies_on u f -> is_vertex w p -> equal_vectors x (plus w u) ->
+        eventually (fun t => winding_number (moved_along x n t) (parallelogram e f) <> 0%Z ->
+          touches x n p q \/ touches x n q p)).
+      { intros w u on_e on_f vertex x_is.
+        refine (eventually_implied _ _ _ (edges_beside q p x n q_region p_region outside' transversal'
+          no_vertices' f e u w F E on_f on_e vertex (other_order _ _ x_is))).
+        intros t one some. right. apply one. destruct (counted _ some) as [(a & b & on_a & on_b & [X Y]) _].
+        exists b, a. split; [exact on_b |]. split; [exact on_a |].
+        unfold plus in *; cbn [vx vy] in *. split; cbn [vx vy]; lra. }
+      set (part := fun (s : segment) (k : Q) => Vector ((1 - k) * vx (source s) + k * vx (target s))
+                                                       ((1 - k) * vy (source s) + k * vy (target s))).
+      assert (part_on : forall s k, 0 <= k <= 1 -> lies_on (part s k) s)
+        by (intros s k range; exists k; split; [exact range |]; split; reflexivity).
+      destruct (on_or_off x (parallelogram e f)) as [(side & S & (k & range & X & Y)) | free].
+      - unfold parallelogram in S. cbn in S.
+        destruct S as [<- | [<- | [<- | [<- | []]]]]; unfold plus in X, Y; cbn [source target vx vy] in X, Y.
+        + apply (by_f (part e k) (source f)); [now apply part_on | apply source_lies_on | exact source_f |].
+          unfold plus, part; split; cbn [vx vy]; [rewrite X | rewrite Y]; ring.
+        + apply (by_e (target e) (part f k)); [apply target_lies_on | now apply part_on | exact target_e |].
+          unfold plus, part; split; cbn [vx vy]; [rewrite X | rewrite Y]; ring.
+        + apply (by_f (part e (1 - k)) (target f)); [apply part_on; lra | apply target_lies_on | exact target_f |].
+          unfold plus, part; split; cbn [vx vy]; [rewrite X | rewrite Y]; ring.
+        + apply (by_e (source e) (part f (1 - k))); [apply source_lies_on | apply part_on; lra | exact source_e |].
+          unfold plus, part; split; cbn [vx vy]; [rewrite X | rewrite Y]; ring.
+      - destruct (Z.eq_dec (winding_number x (parallelogram e f)) 0) as [none | some].
+        + assert (closed_ : cycles (parallelogram e f)).
+          { pose proof (region_cycles [[plus (source e) (source f); plus (target e) (source f);
+              plus (target e) (target f); plus (source e) (target f)]]) as closed_.
+            unfold region_edges in closed_. cbn [flat_map] in closed_. rewrite app_nil_r in closed_. exact closed_. }
+          destruct (winding_number_near x _ closed_ free) as (radius & R & near).
+          refine (eventually_implied _ _ _ (small_steps_stay_within radius x n R)).
+          intros t close some. exfalso. destruct (near _ close) as [_ equal]. lia.
+        + destruct (counted x some) as [(w & u & on_e & on_f & x_is) turn].
+          destruct (vertex_or_not w p) as [w_vertex | w_free]; [now apply (by_e w u) |].
+          destruct (vertex_or_not u q) as [u_vertex | u_free]; [now apply (by_f w u) |].
+          exfalso. apply outside. pose proof p_region as (_ & p_valid & p_meet).
+          pose proof q_region as (_ & q_valid & q_meet).
+          assert (found : forall m, 0 < cross (along e) m -> 0 < cross (along f) (opposite m) -> interiors_meet x p q).
+          { intros m left_e left_f.
+            destruct (eventually_and _ _ (left_of_an_edge_is_inside p e w m p_valid p_meet E on_e w_free left_e)
+              (left_of_an_edge_is_inside q f u (opposite m) q_valid q_meet F on_f u_free left_f)) as (limit & L & near).
+            destruct (near ((1 # 2) * limit)) as [in_p in_q]; [lra | lra |].
+            exists (moved_along w m ((1 # 2) * limit)). split; [exact in_p |]. refine (inside_equal _ _ _ _ in_q).
+            destruct x_is as [X Y]. unfold plus, minus, moved_along, opposite in *.
+            split; cbn [vx vy] in *; [rewrite X | rewrite Y]; ring. }
+          set (E_ := along e) in *. set (F_ := along f) in *. unfold cross in *.
+          destruct (Qlt_le_dec 0 (vx E_ * vy F_ - vy E_ * vx F_)) as [left_ | right_].
+          * apply (found (Vector (vx E_ + vx F_) (vy E_ + vy F_))); unfold opposite; cbn [vx vy]; lra.
+          * apply (found (Vector (- (vx E_ + vx F_)) (- (vy E_ + vy F_)))); unfold opposite; cbn [vx vy]; lra.
+    Qed.
+
+    (* What is beside x shows at x. *)
+    Lemma touches_beside :
+      eventually (fun t => interiors_meet (moved_along x n t) p q) -> touches x n p q \/ touches x n q p.
+    Proof.
+      intros meet_. pose proof p_region as (p_edges & p_valid & _). pose proof q_region as (q_edges & q_valid & _).
+      assert (of_p : eventually (fun t => forall v, In v (region_vertices p) ->
+        (0 < winding_number (minus (moved_along x n t) (fst v)) (region_edges q))%Z -> touches x n q p))
+        by (apply eventually_for_all; intros v I; now apply (vertex_beside q p)).
+      assert (of_q : eventually (fun t => forall v, In v (region_vertices q) ->
+        (0 < winding_number (minus (moved_along x n t) (fst v)) (region_edges p))%Z -> touches x n p q))
+        by (apply eventually_for_all; intros v I; now apply (vertex_beside p q)).
+      assert (of_both : eventually (fun t => forall e, In e (region_edges p) -> forall f, In f (region_edges q) ->
+        winding_number (moved_along x n t) (parallelogram e f) <> 0%Z -> touches x n p q \/ touches x n q p))
+        by (apply (eventually_for_all (fun e t => forall f, In f (region_edges q) ->
+              winding_number (moved_along x n t) (parallelogram e f) <> 0%Z -> touches x n p q \/ touches x n q p));
+            intros e E;
+            apply (eventually_for_all (fun f t =>
+              winding_number (moved_along x n t) (parallelogram e f) <> 0%Z -> touches x n p q \/ touches x n q p));
+            intros f F; now apply parallelogram_beside).
+      destruct (eventually_and _ _ meet_ (eventually_and _ _ of_p (eventually_and _ _ of_q of_both)))
+        as (limit & L & near).
+      destruct (near ((1 # 2) * limit)) as (meets & by_p & by_q & by_both); [lra | lra |]. clear near.
+      set (y := moved_along x n ((1 # 2) * limit)) in *.
+      pose proof (interiors_meet_means_positive_winding_number p q y p_edges q_edges p_valid q_valid meets) as positive_.
+      assert (proper_d : nonzero (Vector 1 0)) by (unfold nonzero; cbn; lra).
+      destruct (a_term_is_positive p q (Vector 1 0) y p_edges q_edges p_valid q_valid proper_d positive_)
+        as [(v & I & _ & inside_q) | [(v & I & _ & inside_p) | (e & f & E & F & _ & some & _)]].
+      - right. exact (by_p v I inside_q).
+      - left. exact (by_q v I inside_p).
+      - exact (by_both e E f F some).
+    Qed.
+
+  Hypothesis p_apart : chains_do_not_touch p.
+  Hypothesis q_apart : chains_do_not_touch q.
+
+  (* Theorem. If the open sum is beside x in the direction n, a segment of the reduced convolution covers x that has n
+     to its left; its direction is that of an edge that passes. *)
+  Theorem segments_beside_the_open_sum : eventually (fun t => interiors_meet (moved_along x n t) p q) ->
+    exists d, reduced_along p q x d /\ 0 < cross d n /\
+      exists e w u, along e = d /\ lies_on w e /\ equal_vectors x (plus w u) /\
+        ((In e (region_edges p) /\ ~ is_vertex w p /\ in_region u q) \/
+         (In e (region_edges q) /\ ~ is_vertex w q /\ in_region u p)).
+  Proof.
+    intros meet_.
+    destruct (touches_beside meet_) as
+      [(e & w & u & E & on_e & no_vertex & vertex & x_is & left_) |
+       (f & u & w & F & on_f & no_vertex & vertex & x_is & left_)].
+    - destruct (vertex_in_region u q vertex) as (f & F & on_f).
+      assert (in_q : in_region u q) by (right; now exists f).
+      exists (along e). split; [| split; [exact left_ | exists e, w, u; tauto]].
+      now apply (passing_edges_of_p_are_covered p q x w u e).
+    - destruct (vertex_in_region w p vertex) as (e & E & on_e).
+      assert (in_p : in_region w p) by (right; now exists e).
+      exists (along f). split; [| split; [exact left_ | exists f, u, w; tauto]].
+      now apply (passing_edges_of_q_are_covered p q x w u f).
+  Qed.
+End BothSides.

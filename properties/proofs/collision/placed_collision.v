@@ -1,0 +1,111 @@
+(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* The collision test of P and -Q + x (docs/notation.md), a region whose edges are those of Q reflected (reflected.v),
+   and Theorem 4.2.1 for it: in general position the test returns true if and only if the winding number of the
+   convolution at x is positive, so that the two ways to decide whether x is in the sum cannot differ. What the test
+   returns is from collision_is_sound.v and collision_is_complete.v. *)
+From Coq Require Import QArith Lqa ZArith Lia Bool List.
+From Oplus Require Import convolution signed_crossings convolution_winding weight regions reflected parallelogram
+  crossing_edges winding_number_of_the_sum interiors_meet left_of_an_edge theorem_4_2_1 location pieces
+  naive_collision met_pieces collision_is_complete.
+Import ListNotations.
+
+Open Scope Q_scope.
+
+(* -Q + x: turned by half a turn, so that chains keep their orientation. *)
+Definition placed (x : vector) (q : region) : region := map (map (minus x)) q.
+
+Lemma edges_of_placed (x : vector) (q : region) : region_edges (placed x q) = map (reflected x) (region_edges q).
+Proof.
+  unfold region_edges, placed. rewrite flat_map_concat_map, map_map, <- flat_map_concat_map.
+  induction q as [| chain q IH]; [reflexivity |]. cbn [flat_map]. rewrite map_app, <- IH. f_equal.
+  unfold edges. destruct chain as [| v rest]; [reflexivity |].
+  cbn [map rotated]. change (minus x v :: map (minus x) rest) with (map (minus x) (v :: rest)).
+  replace (map (minus x) rest ++ [minus x v]) with (map (minus x) (rest ++ [v])) by now rewrite map_app.
+  generalize (v :: rest) (rest ++ [v]). intros l. induction l as [| a l IHl]; intros [| b m]; trivial.
+  cbn [map combine]. now rewrite IHl.
+Qed.
+
+Lemma off_placed (x z : vector) (q : region) :
+  off z (region_edges (placed x q)) <-> off (minus x z) (region_edges q).
+Proof.
+  rewrite edges_of_placed. split.
+  - intros free s I on. apply (free (reflected x s)); [now apply in_map | now apply on_reflected].
+  - intros free s' I on. apply in_map_iff in I. destruct I as (s & <- & I). apply on_reflected in on.
+    exact (free s I on).
+Qed.
+
+Lemma winding_number_of_placed (x z : vector) (q : region) : off (minus x z) (region_edges q) ->
+  winding_number z (region_edges (placed x q)) = winding_number (minus x z) (region_edges q).
+Proof. intros free. rewrite edges_of_placed. apply winding_number_of_reflected; [apply region_cycles | exact free]. Qed.
+
+Lemma inside_placed (x z : vector) (q : region) : inside z (placed x q) <-> inside (minus x z) q.
+Proof.
+  unfold inside. rewrite off_placed. split; intros [free positive_]; split; trivial;
+    now rewrite winding_number_of_placed in *.
+Qed.
+
+Lemma vertex_of_placed (x w : vector) (q : region) : is_vertex (minus x w) q -> is_vertex w (placed x q).
+Proof.
+  intros (u & I & X & Y). exists (reflected x u). rewrite edges_of_placed. split; [now apply in_map |].
+  unfold reflected, minus in *; cbn [source vx vy] in *. split; cbn [vx vy]; lra.
+Qed.
+
+Lemma mapped_in_two (A B : Type) (f : A -> B) (l : list A) (before after : list B) :
+  map f l = before ++ after -> exists l1 l2, l = l1 ++ l2 /\ map f l1 = before /\ map f l2 = after.
+Proof.
+  revert before. induction l as [| a l IH]; intros before equal.
+  - cbn in equal. symmetry in equal. apply app_eq_nil in equal. destruct equal as [-> ->]. now exists [], [].
+  - destruct before as [| b before].
+    + exists [], (a :: l). now split.
+    + cbn in equal. injection equal as first rest. destruct (IH before rest) as (l1 & l2 & -> & <- & <-).
+      exists (a :: l1), l2. cbn. now rewrite first.
+Qed.
+
+Lemma placed_is_valid (x : vector) (q : region) : valid_region q -> valid_region (placed x q).
+Proof.
+  intros (not_points & valid & meet). split; [| split].
+  - (* edges are no points *)
+    intros chain' I. apply in_map_iff in I. destruct I as (chain & <- & I).
+    pose proof (edges_of_placed x [chain]) as edges_are. cbn [region_edges flat_map placed map] in edges_are.
+    rewrite !app_nil_r in edges_are.
+    pose proof (not_points chain I) as long. unfold no_edge_is_a_point, edge_directions in *.
+    rewrite edges_are, map_map. intros v J. apply in_map_iff in J. destruct J as (s & <- & J).
+    specialize (long (minus (target s) (source s)) (in_map (fun e => minus (target e) (source e)) _ s J)).
+    intros [no_x no_y]. apply long. unfold reflected, minus in *; cbn [source target vx vy] in *. split; lra.
+  - intros z free. rewrite winding_number_of_placed by now apply off_placed. apply valid. now apply off_placed.
+  - intros earlier' s' later' t' w edges_are I on_s on_t. rewrite edges_of_placed in edges_are.
+    destruct (mapped_in_two _ _ _ _ _ _ edges_are) as (earlier & rest & list_is & earlier_is & rest_is).
+    destruct rest as [| s later]; [discriminate |]. cbn [map] in rest_is. injection rest_is as s_is later_is.
+    assert (J : exists t, In t (earlier ++ later) /\ reflected x t = t').
+    { rewrite <- earlier_is, <- later_is, <- map_app in I. apply in_map_iff in I.
+      destruct I as (t & equal & I). now exists t. }
+    destruct J as (t & J & <-). rewrite <- s_is in on_s. apply on_reflected in on_s. apply on_reflected in on_t.
+    apply vertex_of_placed. exact (meet earlier s later t (minus x w) list_is J on_s on_t).
+Qed.
+
+Lemma placed_is_at_most_one (x : vector) (q : region) : nowhere_above_one q -> nowhere_above_one (placed x q).
+Proof.
+  intros simple z free. rewrite winding_number_of_placed by now apply off_placed. apply simple. now apply off_placed.
+Qed.
+
+(* Theorem. For valid regions with winding numbers 0 and 1 and every x: the naive collision test of P and -Q + x returns
+   true if and only if their interiors have a point in common. *)
+Theorem collide_decides_whether_interiors_meet (p q : region) (x : vector) :
+  valid_region p -> valid_region q -> nowhere_above_one p -> nowhere_above_one q ->
+  (collide p (placed x q) = true <-> interiors_meet x p q).
+Proof.
+  intros p_region q_region p_simple q_simple.
+  rewrite (collide_returns p (placed x q) p_region (placed_is_valid x q q_region) p_simple
+    (placed_is_at_most_one x q q_simple)).
+  unfold interiors_meet. split; intros (z & in_p & in_q); exists z; (split; [exact in_p |]); now apply inside_placed.
+Qed.
+
+(* Theorem. And in general position it returns true if and only if the winding number of the convolution is positive. *)
+Theorem collide_is_positive_winding_number (p q : region) (x : vector) :
+  valid_region p -> valid_region q -> nowhere_above_one p -> nowhere_above_one q -> off_vertex_edge_sum x p q ->
+  (collide p (placed x q) = true <-> (0 < winding_number x (convolution_segments p q))%Z).
+Proof.
+  intros p_region q_region p_simple q_simple general.
+  rewrite collide_decides_whether_interiors_meet by assumption.
+  now rewrite positive_winding_number_iff_interiors_meet.
+Qed.

@@ -1,0 +1,63 @@
+(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* What a certified Minkowski sum is: all that a reader must believe. Nothing else is needed to understand the theorem of
+   certified_sums.v, accepts_only_sums accepts; each line is explained in docs/certificates.md. *)
+From Coq Require Import QArith List.
+Import ListNotations.
+
+Open Scope Q_scope.
+
+(* Coordinates are rational numbers. *)
+Record point := Point { x_of : Q; y_of : Q }.
+
+Definition equal_points (a b : point) : Prop := x_of a == x_of b /\ y_of a == y_of b.
+
+Definition sum_of_points (a b : point) : point := Point (x_of a + x_of b) (y_of a + y_of b).
+
+(* A region is given by closed chains, each by its vertices in order: outer chains counterclockwise, holes clockwise. *)
+Definition chain := list point.
+Definition polygonal_region := list chain.
+
+(* The edges of a chain, the last of which leads back to the first vertex. *)
+Definition edge := (point * point)%type.
+
+Definition edges_of_chain (c : chain) : list edge :=
+  match c with
+  | [] => []
+  | first :: rest => combine c (rest ++ [first])
+  end.
+
+Definition edges_of_region (r : polygonal_region) : list edge := flat_map edges_of_chain r.
+
+(* The point divides the edge in some ratio, ends included. *)
+Definition is_on (x : point) (e : edge) : Prop :=
+  exists t, 0 <= t <= 1 /\
+    equal_points x (Point ((1 - t) * x_of (fst e) + t * x_of (snd e)) ((1 - t) * y_of (fst e) + t * y_of (snd e))).
+
+(* Positive if c is to the left of the line from a to b, negative if it is to the right. *)
+Definition turn (a b c : point) : Q :=
+  (x_of b - x_of a) * (y_of c - y_of a) - (y_of b - y_of a) * (x_of c - x_of a).
+
+(* What an edge adds to the winding number of x: 1 if it crosses the ray from x to the right upwards, -1 if it does so
+   downwards, 0 otherwise. An end at the height of x counts as below it. *)
+Definition crossing (x : point) (e : edge) : Z :=
+  let below (a : point) := Qle_bool (y_of a) (y_of x) in
+  let side := turn (fst e) (snd e) x in
+  match below (fst e), below (snd e) with
+  | true, false => if Qle_bool side 0 then 0 else 1
+  | false, true => if Qle_bool 0 side then 0 else -1
+  | _, _ => 0
+  end.
+
+Definition region_winding_number (x : point) (r : polygonal_region) : Z := fold_right Z.add 0%Z (map (crossing x) (edges_of_region r)).
+
+(* A region consists of its edges and of what they go round. *)
+Definition member (x : point) (r : polygonal_region) : Prop :=
+  (exists e, In e (edges_of_region r) /\ is_on x e) \/ region_winding_number x r <> 0%Z.
+
+(* s is the Minkowski sum of p and q. *)
+Definition is_minkowski_sum (p q s : polygonal_region) : Prop :=
+  forall x, member x s <-> exists a b, member a p /\ member b q /\ equal_points x (sum_of_points a b).
+
+(* A checker is right if it accepts nothing but Minkowski sums, whatever it is given as a certificate. *)
+Definition accepts_only_sums {certificate : Type} (accepts : polygonal_region -> polygonal_region -> polygonal_region -> certificate -> bool) : Prop :=
+  forall p q s c, accepts p q s c = true -> is_minkowski_sum p q s.

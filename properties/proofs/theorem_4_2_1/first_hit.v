@@ -1,0 +1,180 @@
+(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* Two sets of closed chains that have no point in common, and no vertex of either inside the other, have
+   no interior in common: the last step of the proof of Theorem 4.2.1 in docs/winding.md. Of all segments
+   that the ray from a point inside both meets, the first is met at a point inside the other chains. *)
+From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
+From Oplus Require Import winding signed_crossings meeting_of_segments.
+Import ListNotations.
+
+Open Scope Q_scope.
+
+(* Of finitely many numbers one is the least. *)
+Lemma least_of {A : Type} (f : A -> Q) (l : list A) : l <> [] ->
+  exists b, In b l /\ forall c, In c l -> f b <= f c.
+Proof.
+  induction l as [| b l IH]; intros some; [contradiction |].
+  destruct l as [| c l]; [exists b; split; [now left | intros e [<- | []]; lra] |].
+  destruct IH as (least & listed & below); [discriminate |].
+  destruct (Qlt_le_dec (f least) (f b)).
+  - exists least. split; [now right |]. intros e [<- | I]; [lra | now apply below].
+  - exists b. split; [now left |]. intros e [<- | I]; [lra |]. specialize (below e I). lra.
+Qed.
+
+(* The point of a segment's line at a height. *)
+Definition point_at_height (s : segment) (y : Q) : vector :=
+  Vector (vx (source s) + (y - vy (source s)) / (vy (target s) - vy (source s)) *
+            (vx (target s) - vx (source s))) y.
+
+(* Whether exactly one end of a segment is at most at this height. *)
+Definition spans (s : segment) (y : Q) : bool :=
+  xorb (at_most (vy (source s)) y) (at_most (vy (target s)) y).
+
+Lemma heights_of_spanning (s : segment) (y : Q) : spans s y = true ->
+  vy (source s) <= y < vy (target s) \/ vy (target s) <= y < vy (source s).
+Proof.
+  unfold spans. destruct (at_most_spec (vy (source s)) y), (at_most_spec (vy (target s)) y);
+    try discriminate; intros _; lra.
+Qed.
+
+Lemma point_at_height_lies_on (s : segment) (y : Q) :
+  spans s y = true -> lies_on (point_at_height s y) s.
+Proof.
+  intros spanning. apply heights_of_spanning in spanning.
+  exists ((y - vy (source s)) / (vy (target s) - vy (source s))). split; [| split].
+  - assert (fraction : (y - vy (source s)) / (vy (target s) - vy (source s)) ==
+      (vy (source s) - y) / ((vy (source s) - y) - (vy (target s) - y))) by (field; lra).
+    rewrite fraction. apply fraction_between; lra.
+  - cbn. ring.
+  - cbn. field. lra.
+Qed.
+
+(* What a segment adds to the winding number: it is met by the ray to the right if that is where it
+   comes to the height of the ray. *)
+Lemma signed_crossing_by_height (p : vector) (s : segment) :
+  signed_crossing p s =
+  (if spans s (vy p) && negative (vx p - vx (point_at_height s (vy p)))
+   then if at_most (vy (source s)) (vy p) then 1 else -1
+   else 0)%Z.
+Proof.
+  destruct s as [a b]. unfold signed_crossing, ray_crossing.
+  pose proof (heights_of_spanning (Segment a b) (vy p)) as heights.
+  rewrite orientation_by_area. cbn [source target] in *.
+  unfold spans in *. cbn [source target] in *.
+  destruct (at_most_spec (vy a) (vy p)) as [A | A], (at_most_spec (vy b) (vy p)) as [B | B];
+    cbn [xorb Bool.eqb andb] in *; try reflexivity; specialize (heights eq_refl).
+  - assert (value : area (Segment a b) p ==
+      (vy b - vy a) * (vx (point_at_height (Segment a b) (vy p)) - vx p))
+      by (unfold area, point_at_height, cross, minus; cbn; field; lra).
+    set (X := vx (point_at_height (Segment a b) (vy p))) in *. clearbody X.
+    destruct (negative_spec (vx p - X)); compared_numbers (area (Segment a b) p ?= 0);
+      try reflexivity; exfalso; nra.
+  - assert (value : area (Segment a b) p ==
+      (vy b - vy a) * (vx (point_at_height (Segment a b) (vy p)) - vx p))
+      by (unfold area, point_at_height, cross, minus; cbn; field; lra).
+    set (X := vx (point_at_height (Segment a b) (vy p))) in *. clearbody X.
+    destruct (negative_spec (vx p - X)); compared_numbers (area (Segment a b) p ?= 0);
+      try reflexivity; exfalso; nra.
+Qed.
+
+(* They have no point in common, and no end of a segment of the second has winding number other than zero with
+   respect to the first. *)
+Definition have_no_common_point (some others : list segment) : Prop :=
+  forall s t w, In s some -> In t others -> lies_on w s -> lies_on w t -> False.
+
+Definition vertices_outside (some others : list segment) : Prop :=
+  forall s, In s some -> winding_number (target s) others = 0%Z.
+
+(* So the winding number does not change along a segment. *)
+Lemma same_up_to_the_end (some others : list segment) (s : segment) (w : vector) :
+  cycles others -> have_no_common_point some others -> In s some -> lies_on w s ->
+  winding_number w others = winding_number (target s) others.
+Proof.
+  intros closed separate I on. apply (winding_number_along (Segment w (target s)) others closed).
+  intros v on_part t J on_t. apply (separate s t v I J); [| exact on_t].
+  now apply (part_of_segment w v s).
+Qed.
+
+Lemma segments_outside (some others : list segment) :
+  cycles others -> have_no_common_point some others -> vertices_outside some others ->
+  forall s w, In s some -> lies_on w s -> winding_number w others = 0%Z.
+Proof.
+  intros closed separate outside s w I on. rewrite <- (outside s I).
+  now apply (same_up_to_the_end some others s w).
+Qed.
+
+(* At the first segment that the ray meets, the winding number with respect to the others is still the same. *)
+Lemma same_at_the_first_hit (z : vector) (s : segment) (some others : list segment) :
+  have_no_common_point some others -> In s some -> signed_crossing z s <> 0%Z ->
+  (forall t, In t others -> signed_crossing z t <> 0%Z ->
+     vx (point_at_height s (vy z)) <= vx (point_at_height t (vy z))) ->
+  winding_number (point_at_height s (vy z)) others = winding_number z others.
+Proof.
+  intros separate I met first. unfold winding_number. f_equal. apply map_ext_in. intros t J.
+  specialize (first t J).
+  assert (on_s : spans s (vy z) = true /\ vx z < vx (point_at_height s (vy z))).
+  { rewrite signed_crossing_by_height in met. destruct (spans s (vy z)); [| now destruct met].
+    destruct (negative_spec (vx z - vx (point_at_height s (vy z)))); [split; [reflexivity | lra] |].
+    now destruct met. }
+  rewrite !signed_crossing_by_height. rewrite signed_crossing_by_height in first.
+  change (vy (point_at_height s (vy z))) with (vy z).
+  destruct (spans t (vy z)) eqn:spanning; [| reflexivity]. cbn [andb] in *.
+  set (y := vy z) in *.
+  assert (not_here : ~ vx (point_at_height s y) == vx (point_at_height t y)).
+  { intros equal. apply (separate s t (point_at_height s y) I J).
+    - apply point_at_height_lies_on. tauto.
+    - destruct (point_at_height_lies_on t y spanning) as (r & range & X & Y).
+      exists r. split; [exact range |]. rewrite equal. now split. }
+  destruct (negative_spec (vx z - vx (point_at_height t y))) as [L | L],
+    (negative_spec (vx (point_at_height s y) - vx (point_at_height t y))) as [M | M];
+    try reflexivity; exfalso.
+  - assert (vx (point_at_height s y) <= vx (point_at_height t y))
+      by (apply first; destruct (at_most (vy (source t)) y); discriminate). lra.
+  - lra.
+Qed.
+
+Lemma first_hit_of_some (z : vector) (s : segment) (some others : list segment) :
+  cycles others -> have_no_common_point some others -> vertices_outside some others ->
+  In s some -> signed_crossing z s <> 0%Z ->
+  (forall t, In t others -> signed_crossing z t <> 0%Z ->
+     vx (point_at_height s (vy z)) <= vx (point_at_height t (vy z))) ->
+  winding_number z others = 0%Z.
+Proof.
+  intros closed separate outside I met first.
+  rewrite <- (same_at_the_first_hit z s some others separate I met first).
+  apply (segments_outside some others closed separate outside s); [exact I |].
+  apply point_at_height_lies_on. rewrite signed_crossing_by_height in met.
+  destruct (spans s (vy z)); [reflexivity | now destruct met].
+Qed.
+
+(* Theorem. If closed chains have no point in common with others, and no vertex of either has a winding number
+   other than zero with respect to the other, then no point at all has winding numbers other than zero with
+   respect to both. *)
+Theorem apart_means_no_common_interior (some others : list segment) (z : vector) :
+  cycles some -> cycles others -> have_no_common_point some others ->
+  vertices_outside some others -> vertices_outside others some ->
+  winding_number z some = 0%Z \/ winding_number z others = 0%Z.
+Proof.
+  intros closed closed_others separate outside others_outside.
+  destruct (filter (fun s => negb (signed_crossing z s =? 0)%Z) (some ++ others)) as [| a rest] eqn:hits.
+  - left. unfold winding_number, sum.
+    assert (none : forall s, In s some -> signed_crossing z s = 0%Z).
+    { intros s I. destruct (Z.eq_dec (signed_crossing z s) 0) as [| met]; [assumption | exfalso].
+      assert (In s []) as []. rewrite <- hits. apply filter_In. split; [apply in_app_iff; now left |].
+      apply negb_true_iff, Z.eqb_neq, met. }
+    clear -none. induction some as [| s rest IH]; [reflexivity |]. cbn.
+    rewrite (none s (or_introl eq_refl)), IH by (intros t I; apply none; now right). reflexivity.
+  - destruct (least_of (fun s => vx (point_at_height s (vy z))) (a :: rest)) as (s & I & first);
+      [discriminate |].
+    rewrite <- hits in I, first. apply filter_In in I. destruct I as [I met].
+    apply negb_true_iff, Z.eqb_neq in met.
+    assert (first_of_all : forall t, In t (some ++ others) -> signed_crossing z t <> 0%Z ->
+      vx (point_at_height s (vy z)) <= vx (point_at_height t (vy z))).
+    { intros t J also. apply first. apply filter_In. split; [exact J |].
+      now apply negb_true_iff, Z.eqb_neq. }
+    clear first hits. apply in_app_iff in I. destruct I as [I | I].
+    + right. apply (first_hit_of_some z s some others); trivial.
+      intros t J. apply first_of_all. apply in_app_iff. now right.
+    + left. apply (first_hit_of_some z s others some); trivial.
+      * intros t u w J K on on_u. exact (separate u t w K J on_u on).
+      * intros t J. apply first_of_all. apply in_app_iff. now left.
+Qed.

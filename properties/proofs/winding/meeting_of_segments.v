@@ -1,0 +1,122 @@
+(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* A step with a signed crossing (thesis, Definition 4.2.3 and Observation 4.2.5) meets the
+   segment that it crosses, so that the winding number is constant along a step that meets no segment.
+   Signed crossings of steps and that they add up are in signed_crossings.v. *)
+From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
+From Oplus Require Import winding signed_crossings.
+Import ListNotations.
+
+Open Scope Q_scope.
+
+(* Twice the area of the triangle of a segment and a point: positive if the point is to the left. *)
+Definition area (s : segment) (p : vector) : Q :=
+  cross (minus (target s) (source s)) (minus p (source s)).
+
+Lemma orientation_by_area (a b p : vector) : orientation a b p = (area (Segment a b) p ?= 0).
+Proof. unfold orientation. apply compare_as_difference. unfold area, cross, minus; cbn. ring. Qed.
+
+(* Not on the same side, ties decided by one and the same rule. *)
+Lemma sides_differ (c d tie : comparison) (u v : Q) :
+  c = (u ?= 0) -> d = (v ?= 0) ->
+  same_side (match c with Eq => tie | Lt => Lt | Gt => Gt end)
+            (match d with Eq => tie | Lt => Lt | Gt => Gt end) = false ->
+  (0 <= u /\ v <= 0 \/ u <= 0 /\ 0 <= v) /\ ~ u == v.
+Proof.
+  intros -> -> differ.
+  compared_numbers (u ?= 0); compared_numbers (v ?= 0); destruct tie; try discriminate differ;
+    (split; [lra | intros equal; lra]).
+Qed.
+
+Lemma fraction_between (u v : Q) :
+  (0 <= u /\ v <= 0 \/ u <= 0 /\ 0 <= v) -> ~ u == v -> 0 <= u / (u - v) <= 1.
+Proof.
+  intros signs differ.
+  assert (value : u / (u - v) * (u - v) == u) by (field; lra).
+  set (t := u / (u - v)) in *. clearbody t.
+  destruct (Qlt_le_dec u v) as [below | above].
+  - split; [destruct (Qlt_le_dec t 0); [exfalso; nra | assumption] |
+            destruct (Qlt_le_dec 1 t); [exfalso; nra | assumption]].
+  - assert (v < u) by lra.
+    split; [destruct (Qlt_le_dec t 0); [exfalso; nra | assumption] |
+            destruct (Qlt_le_dec 1 t); [exfalso; nra | assumption]].
+Qed.
+
+(* Theorem. Where a step crosses a segment, by the rule for signed crossings, they have a point in common. *)
+Theorem crossing_steps_meet (from to : vector) (s : segment) :
+  signed_crossing_of_step from to s <> 0%Z ->
+  exists w, lies_on w (Segment from to) /\ lies_on w s.
+Proof.
+  destruct s as [a b]. unfold signed_crossing_of_step, side_of_segment, side_of_step.
+  cbn [source target].
+  destruct (same_side (match orientation a b from with Eq => _ | _ => _ end) _) eqn:sides;
+    [now cbn |].
+  destruct (same_side (match orientation from to a with Eq => _ | _ => _ end) _) eqn:ends; [now cbn |].
+  intros _.
+  apply (sides_differ _ _ _ _ _ (orientation_by_area a b from) (orientation_by_area a b to)) in sides.
+  apply (sides_differ _ _ _ _ _ (orientation_by_area from to a) (orientation_by_area from to b)) in ends.
+  destruct sides as [step_signs step_crosses], ends as [signs crosses].
+  pose proof (fraction_between _ _ step_signs step_crosses) as t_range.
+  pose proof (fraction_between _ _ signs crosses) as r_range.
+  set (F := area (Segment a b) from) in *. set (T := area (Segment a b) to) in *.
+  set (U := area (Segment from to) a) in *. set (V := area (Segment from to) b) in *.
+  assert (opposite : U - V == - (F - T))
+    by (unfold F, T, U, V, area, cross, minus; cbn; ring).
+  exists (Vector ((1 - F / (F - T)) * vx from + F / (F - T) * vx to)
+                 ((1 - F / (F - T)) * vy from + F / (F - T) * vy to)).
+  split; [exists (F / (F - T)); cbn; repeat split; solve [apply t_range | reflexivity] |].
+  exists (U / (U - V)). cbn [vx vy source target].
+  assert (D : ~ F - T == 0) by lra.
+  split; [exact r_range |].
+  assert (fraction : U / (U - V) == - U / (F - T))
+    by (setoid_replace (U - V) with (- (F - T)) by exact opposite; field; exact D).
+  rewrite fraction.
+  split; apply (Qmult_inj_r _ _ (F - T) D).
+  - setoid_replace (((1 - F / (F - T)) * vx from + F / (F - T) * vx to) * (F - T))
+      with ((F - T) * vx from + F * (vx to - vx from)) by (field; exact D).
+    setoid_replace (((1 - - U / (F - T)) * vx a + - U / (F - T) * vx b) * (F - T))
+      with ((F - T) * vx a - U * (vx b - vx a)) by (field; exact D).
+    unfold F, T, U, area, cross, minus; cbn. ring.
+  - setoid_replace (((1 - F / (F - T)) * vy from + F / (F - T) * vy to) * (F - T))
+      with ((F - T) * vy from + F * (vy to - vy from)) by (field; exact D).
+    setoid_replace (((1 - - U / (F - T)) * vy a + - U / (F - T) * vy b) * (F - T))
+      with ((F - T) * vy a - U * (vy b - vy a)) by (field; exact D).
+    unfold F, T, U, area, cross, minus; cbn. ring.
+Qed.
+
+Lemma source_lies_on (s : segment) : lies_on (source s) s.
+Proof. exists 0. repeat split; lra. Qed.
+
+Lemma target_lies_on (s : segment) : lies_on (target s) s.
+Proof. exists 1. repeat split; lra. Qed.
+
+(* Theorem. From one end of a segment to the other, the winding number with respect to closed chains is the
+   same, if no point of the segment is on the chains. *)
+Theorem winding_number_along (s : segment) (segments : list segment) :
+  cycles segments -> (forall w, lies_on w s -> off w segments) ->
+  winding_number (source s) segments = winding_number (target s) segments.
+Proof.
+  intros closed apart. destruct s as [from to].
+  pose proof (apart _ (source_lies_on _)) as off_source. pose proof (apart _ (target_lies_on _)) as off_target.
+  cbn [source target] in *.
+  destruct (zero_spec (vx to - vx from)) as [X | X], (zero_spec (vy to - vy from)) as [Y | Y];
+    [apply winding_number_of_equal; lra | ..];
+    (assert (moves : nonzero (minus to from)) by (unfold nonzero, minus; cbn; tauto);
+     pose proof (step_changes_winding_number from to segments closed off_source off_target moves) as change;
+     assert (none : sum (map (signed_crossing_of_step from to) segments) = 0%Z);
+     [| lia];
+     clear change closed off_source off_target; unfold sum; induction segments as [| s rest IH];
+     [reflexivity |]; cbn [map fold_right];
+     rewrite IH by (intros w on t I; apply (apart w on); now right);
+     destruct (Z.eq_dec (signed_crossing_of_step from to s) 0) as [-> | crosses]; [reflexivity |];
+     exfalso; destruct (crossing_steps_meet from to s crosses) as (w & on & on_s);
+     apply (apart w on s (or_introl eq_refl) on_s)).
+Qed.
+
+(* A part of a segment from one of its points to its end. *)
+Lemma part_of_segment (w v : vector) (s : segment) :
+  lies_on w s -> lies_on v (Segment w (target s)) -> lies_on v s.
+Proof.
+  intros (t & [t0 t1] & wx & wy) (r & [r0 r1] & x & y). cbn [source target] in *.
+  exists (1 - (1 - r) * (1 - t)). split; [split; nra |].
+  rewrite x, y, wx, wy. split; ring.
+Qed.

@@ -1,0 +1,251 @@
+(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* Winding numbers as signed crossings of a ray, as reference/definitions/winding_number.cpp counts
+   them: they are the same for every ray. *)
+From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List SetoidList SetoidPermutation.
+From Oplus Require Import direction angular_crossings.
+Import ListNotations.
+
+Open Scope Q_scope.
+
+(* A directed segment (thesis, Definition 2.1.7); points are radius vectors. *)
+Record segment := Segment { source : vector; target : vector }.
+
+Definition minus (a b : vector) : vector := Vector (vx a - vx b) (vy a - vy b).
+
+(* Greater than zero if a, b, c turn left, less if they turn right, equal if they are collinear. *)
+Definition orientation (a b c : vector) : comparison :=
+  (vx b - vx a) * (vy c - vy a) ?= (vy b - vy a) * (vx c - vx a).
+
+Definition at_most (a b : Q) : bool := match a ?= b with Gt => false | _ => true end.
+
+Lemma at_most_spec (a b : Q) : reflect (a <= b) (at_most a b).
+Proof. unfold at_most. compared_numbers (a ?= b); constructor; lra. Qed.
+
+(* What a segment adds of which each end is on the right of a ray or not, and on which side of it the
+   ray's start is. *)
+Definition ray_crossing (source_right target_right : bool) (side : comparison) : Z :=
+  if Bool.eqb source_right target_right then 0
+  else match side with
+       | Gt => if source_right then 1 else 0
+       | Lt => if target_right then -1 else 0
+       | Eq => 0
+       end.
+
+(* What a segment adds to the winding number of p in the code: the ray goes to the right, and points at
+   its height count as below it. *)
+Definition signed_crossing (p : vector) (s : segment) : Z :=
+  ray_crossing (at_most (vy (source s)) (vy p)) (at_most (vy (target s)) (vy p))
+    (orientation (source s) (target s) p).
+
+Definition winding_number (p : vector) (segments : list segment) : Z :=
+  sum (map (signed_crossing p) segments).
+
+(* The same for any ray: from p in the direction d, turned by an infinitesimal, or shifted, which is
+   the same: counterclockwise if `side` is OfQ, clockwise if it is OfP. *)
+Definition signed_crossing_of_ray (side : summand) (d p : vector) (s : segment) : Z :=
+  ray_crossing (negb (left_of_ray side d (minus (source s) p)))
+    (negb (left_of_ray side d (minus (target s) p))) (orientation (source s) (target s) p).
+
+Definition winding_number_by_ray (side : summand) (d p : vector) (segments : list segment) : Z :=
+  sum (map (signed_crossing_of_ray side d p) segments).
+
+(* p is a point of the closed segment s. *)
+Definition lies_on (p : vector) (s : segment) : Prop :=
+  exists t, 0 <= t <= 1 /\
+    vx p == (1 - t) * vx (source s) + t * vx (target s) /\
+    vy p == (1 - t) * vy (source s) + t * vy (target s).
+
+Lemma lies_on_equal (p q : vector) (s : segment) : equal_vectors p q -> lies_on p s -> lies_on q s.
+Proof. intros [X Y] (t & range & on_x & on_y). exists t. rewrite <- X, <- Y. tauto. Qed.
+
+Definition off (p : vector) (segments : list segment) : Prop :=
+  forall s, In s segments -> ~ lies_on p s.
+
+(* As many segments end in a point as start there: the segments are those of closed chains. *)
+Definition cycles (segments : list segment) : Prop :=
+  PermutationA equal_vectors (map source segments) (map target segments).
+
+Lemma no_squares : forall u v, u * u + v * v <= 0 -> u == 0 /\ v == 0.
+Proof.
+  intros u v L.
+  destruct (Qlt_le_dec u 0), (Qlt_le_dec 0 u), (Qlt_le_dec v 0), (Qlt_le_dec 0 v);
+    try (split; lra); exfalso; nra.
+Qed.
+
+Lemma turns_around : forall p s,
+  ~ lies_on p s -> turns (minus (source s) p) (minus (target s) p).
+Proof.
+  intros [px py] [[ax ay] [bx by_]] N. unfold turns, nonzero, minus, cross, dot; cbn.
+  repeat split.
+  - intros [X Y]. apply N. exists 0. cbn. repeat split; lra.
+  - intros [X Y]. apply N. exists 1. cbn. repeat split; lra.
+  - intros C. destruct (Qlt_le_dec 0 ((ax - px) * (bx - px) + (ay - py) * (by_ - py))) as [|L];
+      [assumption | exfalso].
+    assert (0 < (ax - px) * (ax - px) + (ay - py) * (ay - py)) as A.
+    { destruct (Qlt_le_dec 0 ((ax - px) * (ax - px) + (ay - py) * (ay - py))) as [|M]; [assumption |].
+      exfalso. apply no_squares in M. destruct M as [X Y]. apply N. exists 0. cbn. repeat split; lra. }
+    set (u := ax - px) in *. set (v := ay - py) in *. set (w := bx - px) in *.
+    set (z := by_ - py) in *. set (t := (u * u + v * v) / (u * u + v * v - (u * w + v * z))).
+    assert (D : 0 < u * u + v * v - (u * w + v * z)) by lra.
+    assert (T : t * (u * u + v * v - (u * w + v * z)) == u * u + v * v) by (unfold t; field; lra).
+    assert (X : (1 - t) * u + t * w == 0).
+    { apply (Qmult_inj_r _ _ (u * u + v * v - (u * w + v * z))); [lra |].
+      setoid_replace (((1 - t) * u + t * w) * (u * u + v * v - (u * w + v * z))) with
+        (- v * (u * z - v * w) +
+         (t * (u * u + v * v - (u * w + v * z)) - (u * u + v * v)) * (w - u)) by ring.
+      rewrite T, C. ring. }
+    assert (Y : (1 - t) * v + t * z == 0).
+    { apply (Qmult_inj_r _ _ (u * u + v * v - (u * w + v * z))); [lra |].
+      setoid_replace (((1 - t) * v + t * z) * (u * u + v * v - (u * w + v * z))) with
+        (u * (u * z - v * w) +
+         (t * (u * u + v * v - (u * w + v * z)) - (u * u + v * v)) * (z - v)) by ring.
+      rewrite T, C. ring. }
+    apply N. exists t. cbn. subst u v w z.
+    split; [| split; lra].
+    split; nra.
+Qed.
+
+Lemma permuted_images : forall (f : vector -> vector),
+  (forall u v, equal_vectors u v -> equal_vectors (f u) (f v)) ->
+  forall us vs, PermutationA equal_vectors us vs -> PermutationA equal_vectors (map f us) (map f vs).
+Proof.
+  intros f F us vs P. induction P; cbn.
+  - apply permA_nil.
+  - apply permA_skip; auto.
+  - apply permA_swap.
+  - eapply permA_trans; eassumption.
+Qed.
+
+(* The segment's ends seen from p. *)
+Definition seen_from (p : vector) (s : segment) : vector * vector :=
+  (minus (source s) p, minus (target s) p).
+
+Lemma cycles_seen : forall p segments, cycles segments -> closed (map (seen_from p) segments).
+Proof.
+  intros p segments C. unfold closed, cycles in *. rewrite !map_map. cbn.
+  apply (permuted_images (fun a => minus a p)) in C; [| unfold equal_vectors, minus; cbn; intros ? ? [? ?]; split; lra].
+  rewrite !map_map in C. exact C.
+Qed.
+
+(* Crossing a ray is passing its direction. *)
+Lemma crossing_is_sweep : forall k d p s,
+  nonzero d -> ~ lies_on p s ->
+  signed_crossing_of_ray k d p s =
+  sweep (Direction d k) (minus (source s) p) (minus (target s) p).
+Proof.
+  intros k d p [a b] D N. pose proof (turns_around p _ N) as T. cbn in T |- *.
+  unfold signed_crossing_of_ray, sweep, orientation, ray_crossing; cbn [source target of].
+  rewrite (compare_as_difference _ _ (cross (minus a p) (minus b p)) 0)
+    by (unfold cross, minus; cbn; ring).
+  destruct T as (A & B & _).
+  compared_numbers (cross (minus a p) (minus b p) ?= 0).
+  - destruct (left_of_ray k d (minus a p)), (left_of_ray k d (minus b p)); reflexivity.
+  - rewrite crossed_to_the_left by (try assumption; unfold cross in *; lra).
+    destruct (left_of_ray k d (minus a p)), (left_of_ray k d (minus b p)); reflexivity.
+  - rewrite crossed_to_the_left by assumption.
+    destruct (left_of_ray k d (minus a p)), (left_of_ray k d (minus b p)); reflexivity.
+Qed.
+
+Lemma ray_as_sweeps : forall p segments k d,
+  off p segments -> nonzero d ->
+  winding_number_by_ray k d p segments =
+  total (fun q => sweep (Direction d k) (fst q) (snd q)) (map (seen_from p) segments).
+Proof.
+  intros p segments k d O D. unfold winding_number_by_ray, total. rewrite map_map.
+  f_equal. apply map_ext_in. intros s I. apply crossing_is_sweep; auto.
+Qed.
+
+Lemma seen_turns : forall p segments, off p segments ->
+  forall u v, In (u, v) (map (seen_from p) segments) -> turns u v.
+Proof.
+  intros p segments O u v I. apply in_map_iff in I. destruct I as (s & Q & I). inversion Q; subst.
+  apply turns_around. now apply O.
+Qed.
+
+(* Theorem. The winding number of a point off closed chains, counted by signed crossings, is the same
+   for all rays: in any direction, and whether points on the ray count as to its right or its left. *)
+Theorem winding_number_is_the_same_for_all_rays : forall p segments k d l e,
+  cycles segments -> off p segments -> nonzero d -> nonzero e ->
+  winding_number_by_ray k d p segments = winding_number_by_ray l e p segments.
+Proof.
+  intros p segments k d l e C O D E. rewrite !ray_as_sweeps by assumption.
+  apply sweeps_are_equal; [now apply cycles_seen | now apply seen_turns | exact D | exact E].
+Qed.
+
+Definition right : vector := Vector 1 0.
+
+(* What the code counts is the crossings of the ray to the right, turned counterclockwise. *)
+Lemma the_codes_ray : forall p s, signed_crossing p s = signed_crossing_of_ray OfQ right p s.
+Proof.
+  intros p [a b]. unfold signed_crossing, signed_crossing_of_ray, left_of_ray, ray_crossing; cbn [source target].
+  assert (H : forall c, at_most (vy c) (vy p) = negb (negative (cross (minus c p) right))).
+  { intros c. unfold at_most, negative.
+    rewrite (compare_as_difference (cross (minus c p) right) 0 (vy p) (vy c))
+      by (unfold cross, minus, right; cbn; ring).
+    rewrite <- (Qcompare_antisym (vy c) (vy p)). destruct (vy c ?= vy p); reflexivity. }
+  rewrite (H a), (H b). reflexivity.
+Qed.
+
+Lemma winding_number_as_sweeps : forall p segments,
+  off p segments ->
+  winding_number p segments =
+  total (fun q => sweep (Direction right OfQ) (fst q) (snd q)) (map (seen_from p) segments).
+Proof.
+  intros p segments O. unfold winding_number. rewrite (map_ext _ _ (the_codes_ray p)).
+  apply ray_as_sweeps; [exact O |]. unfold nonzero, right; cbn. lra.
+Qed.
+
+(* Theorem. What the code counts, on the ray to the right, is what any other ray counts: to the left, up
+   or down, or in any direction, turned or shifted to either side. *)
+Theorem winding_number_by_any_ray : forall p segments k d,
+  cycles segments -> off p segments -> nonzero d ->
+  winding_number_by_ray k d p segments = winding_number p segments.
+Proof.
+  intros p segments k d C O D. unfold winding_number.
+  rewrite (map_ext _ _ (the_codes_ray p)).
+  apply winding_number_is_the_same_for_all_rays; try assumption.
+  unfold nonzero, right; cbn. lra.
+Qed.
+
+(* Theorem. Winding numbers of chains, or of any closed pieces, add up. *)
+Theorem winding_number_is_additive : forall p some others,
+  winding_number p (some ++ others) = (winding_number p some + winding_number p others)%Z.
+Proof.
+  intros p some others. unfold winding_number, sum.
+  induction some as [| s rest IH]; cbn; lia.
+Qed.
+
+(* The edges of a closed chain, edge i leaving vertex i: reference/definitions/region.cpp. *)
+Definition rotated {A} (l : list A) : list A :=
+  match l with [] => [] | first :: rest => rest ++ [first] end.
+
+Definition edges (chain : list vector) : list segment :=
+  map (fun ends => Segment (fst ends) (snd ends)) (combine chain (rotated chain)).
+
+Lemma edges_ends : forall chain,
+  map source (edges chain) = chain /\ map target (edges chain) = rotated chain.
+Proof.
+  intros chain. unfold edges. rewrite !map_map. cbn.
+  assert (length chain = length (rotated chain)) as L.
+  { destruct chain; cbn; [reflexivity |]. rewrite app_length; cbn. lia. }
+  revert L. generalize (rotated chain). induction chain as [| a rest IH]; intros [| b others] L;
+    cbn in *; try discriminate; [split; reflexivity |].
+  destruct (IH others) as [S T]; [lia |]. rewrite S, T. split; reflexivity.
+Qed.
+
+Lemma rotated_permuted : forall chain, PermutationA equal_vectors chain (rotated chain).
+Proof.
+  intros [| first rest]; cbn; [apply permA_nil |].
+  apply PermutationA_cons_append. exact equal_vectors_equivalence.
+Qed.
+
+(* Closed chains satisfy what the theorems above ask for, and so do several together. *)
+Lemma closed_chain_cycles : forall chain, cycles (edges chain).
+Proof.
+  intros chain. unfold cycles. destruct (edges_ends chain) as [-> ->]. apply rotated_permuted.
+Qed.
+
+Lemma cycles_together : forall some others, cycles some -> cycles others -> cycles (some ++ others).
+Proof.
+  unfold cycles. intros some others A B. rewrite !map_app, A, B. reflexivity.
+Qed.
