@@ -8,7 +8,7 @@
 #include <system_error>
 #include <variant>
 
-#include "properties/fuzz/sums_along_lines.hpp"
+#include "checked/verify/sum_by_convex_parts.hpp"
 #include "properties/runner/checked_engines.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/io/quoting.hpp"
@@ -135,10 +135,10 @@ const std::vector<Judge>& judges() {
                                             OracleSums sums = oracle_sums(p, q);
                                             return {std::move(sums.closed), std::move(sums.open)};
                                           }},
-                                         {"winding-numbers", "the check by winding numbers", 5000,
+                                         {"convex-parts", "the sum of convex parts", 5000,
                                           [](const Region& p, const Region& q) -> RightSums {
-                                            SumsAlongLines sums = sums_along_lines(p, q);
-                                            return {std::move(sums.closed), std::move(sums.open)};
+                                            return {sum_by_convex_parts(p, q, Boundary::closed),
+                                                    sum_by_convex_parts(p, q, Boundary::open)};
                                           }}};
   return all;
 }

@@ -24,7 +24,7 @@ struct RightSums {
   }
 };
 
-/// Computes the sums that those of engines are compared with, closed and open, and without their code.
+/// Computes the sums that those of engines are compared with, closed and open, without their code.
 struct Judge {
   std::string name;
   std::string in_words;
@@ -32,7 +32,7 @@ struct Judge {
   std::function<RightSums(const Region& p, const Region& q)> sums;
 };
 
-/// The oracle (oracle.hpp), which is the default, and "winding-numbers" (sums_along_lines.hpp).
+/// The oracle (oracle.hpp), which is the default, and "convex-parts" (sum_by_convex_parts.hpp).
 const std::vector<Judge>& judges();
 
 /// Throws std::invalid_argument where there is none of that name.

@@ -9,6 +9,7 @@
 
 #include "checked/cli/usage_error.hpp"
 #include "properties/fuzz/fuzz_report.hpp"
+#include "properties/fuzz/pair_of_bytes.hpp"
 #include "properties/fuzz/shown_input.hpp"
 #include "properties/runner/child_process.hpp"
 #include "properties/runner/source_tree.hpp"
@@ -80,11 +81,11 @@ int show(const Settings& settings) {
 int encode(const Settings& settings) {
   const Summands summands{read_region_file(settings.encode.at(0)).region,
                           read_region_file(settings.encode.at(1)).region};
-  const auto input = input_of_pair(summands);
+  const auto input = bytes_of_pair(summands);
   if (!input)
     throw UsageError(
-        "such a pair cannot be an input of slide; expected integer coordinates from -128 to 127, at most "
-        "16 vertices per chain and 24 per summand");
+        "such a pair cannot be an input of slide; expected integer coordinates from -128 to 127, and at "
+        "most 127 vertices per chain");
   write_file(settings.encode.at(2), *input);
   return 0;
 }
@@ -143,7 +144,7 @@ int fuzz(Settings settings) {
 
 void add_fuzz_command(Program& program) {
   const auto& [command, settings] =
-      program.add("fuzz", "Fuzz the readers, and slide against winding numbers", fuzz);
+      program.add("fuzz", "Fuzz the readers, and slide against sums of convex parts", fuzz);
   command.option("target", settings.targets, "What to fuzz; default: every target")
       .type("TARGET")
       .one_of(names());

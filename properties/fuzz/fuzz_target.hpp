@@ -32,12 +32,10 @@ struct FuzzTarget {
   /// Throws FuzzFinding, or an exception that oplus should not throw.
   FuzzOutcome (*run)(std::string_view input);
 
-  /// A similar input: mostly not rejected if this one is not.
+  /// A similar input: mostly not rejected if this one is not. Every other mutation is libFuzzer's own, or
+  /// all where this is null.
   std::string (*mutated)(Random& random, std::string_view input);
-  /// The same of two inputs; null: libFuzzer's own crossing over.
-  std::string (*crossed)(Random& random, std::string_view a, std::string_view b) = nullptr;
 
-  int bytes_one_in = 2;        ///< one mutation in this many is libFuzzer's own
   std::size_t longest = 2048;  ///< input in bytes; longer ones are slow and show nothing new
 };
 

@@ -122,16 +122,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
                                                std::size_t most, unsigned seed) {
   oplus::Random random(seed);
   // Bytes, too: invalid structures, and what comparisons and dictionaries suggest.
-  if (oplus::one_in(random, target.bytes_one_in)) return LLVMFuzzerMutate(data, size, most);
+  if (target.mutated == nullptr || oplus::one_in(random, 2))
+    return LLVMFuzzerMutate(data, size, most);
   return put(target.mutated(random, text(data, size)), data, most);
-}
-
-extern "C" std::size_t LLVMFuzzerCustomCrossOver(const std::uint8_t* a, std::size_t size_of_a,
-                                                 const std::uint8_t* b, std::size_t size_of_b,
-                                                 std::uint8_t* out, std::size_t most,
-                                                 unsigned seed) {
-  // libFuzzer then crosses over in LLVMFuzzerMutate only.
-  if (target.crossed == nullptr) return 0;
-  oplus::Random random(seed);
-  return put(target.crossed(random, text(a, size_of_a), text(b, size_of_b)), out, most);
 }

@@ -3,7 +3,7 @@
 
 #include <sstream>
 
-#include "properties/fuzz/realized_pair.hpp"
+#include "properties/fuzz/pair_of_bytes.hpp"
 #include "properties/fuzz/slide_check.hpp"
 #include "properties/runner/finding.hpp"
 #include "properties/runner/shrinking.hpp"
@@ -41,23 +41,11 @@ ShownInput shown_pair(Summands summands, const std::filesystem::path& folder) {
 
 }  // namespace
 
-std::optional<Summands> pair_of_input(std::string_view bytes) {
-  auto pair = realized(decoded(bytes));
-  if (!pair) return std::nullopt;
-  return std::move(pair->summands);
-}
-
-std::optional<std::string> input_of_pair(const Summands& summands) {
-  const auto plan = plan_of(summands);
-  if (!plan) return std::nullopt;
-  return encoded(*plan);
-}
-
 ShownInput shown(const FuzzTarget& target, std::string_view input,
                  const std::filesystem::path& folder) {
   if (&target == &slide_target) {
-    auto pair = pair_of_input(input);
-    if (!pair) return {"rejected: a summand without a valid chain\n", false};
+    auto pair = pair_of_bytes(input);
+    if (!pair) return {"rejected: a summand that is not valid\n", false};
     return shown_pair(std::move(*pair), folder);
   }
   try {

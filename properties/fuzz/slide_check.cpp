@@ -6,9 +6,10 @@
 #include <utility>
 
 #include "checked/slide/slide.hpp"
-#include "properties/fuzz/sums_along_lines.hpp"
+#include "checked/verify/sum_by_convex_parts.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/chains/validity.hpp"
+#include "reference/definitions/convolution.hpp"
 #include "reference/definitions/difference.hpp"
 #include "reference/io/boundary_name.hpp"
 #include "reference/io/writing.hpp"
@@ -60,7 +61,7 @@ void check(const Summands& summands, Boundary boundary, const Expected& expected
     const ComputedSum result =
         slide_sum(p, q, boundary, {.with_origins = true, .numbers = numbers});
     require_same(result.sum, expected.sum,
-                 which + "slide" + in_these + ", the first, and winding numbers differ: ");
+                 which + "slide" + in_these + ", the first, and convex parts differ: ");
     require(result.origins == expected.origins, which + "other origins" + in_these);
     const Statistics& s = result.statistics;
     require(is_in_right_stage(s, numbers), which + "decided in the wrong numbers" + in_these);
@@ -83,7 +84,19 @@ void check_region(const MinkowskiSum& sum) {
 
 }  // namespace
 
-void check_slide(const Summands& summands, const SumsAlongLines& expected, SlideLaws laws) {
+ExpectedSums expected_sums(const Summands& summands) {
+  const auto& [p, q] = summands;
+  ExpectedSums result;
+  result.open = sum_by_convex_parts(p, q, Boundary::open);
+  // The boundary of the closed sum is that of the open one without what is low-dimensional, which comes last.
+  result.closed = {result.open.outer, result.open.holes, {}, {}};
+  result.origins_of_open = origins(result.open, reduced_convolution(p, q));
+  result.origins_of_closed = result.origins_of_open;
+  result.origins_of_closed.resize(edges(result.closed).size());
+  return result;
+}
+
+void check_slide(const Summands& summands, const ExpectedSums& expected, SlideLaws laws) {
   check(summands, Boundary::closed, {expected.closed, expected.origins_of_closed}, laws);
   check(summands, Boundary::open, {expected.open, expected.origins_of_open}, laws);
   check_region(expected.closed);
@@ -98,7 +111,7 @@ SlideLaws laws_for(std::string_view bytes) {
 }
 
 void check_slide(const Summands& summands, SlideLaws laws) {
-  check_slide(summands, sums_along_lines(summands.p, summands.q), laws);
+  check_slide(summands, expected_sums(summands), laws);
 }
 
 }  // namespace oplus

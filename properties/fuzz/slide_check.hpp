@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string_view>
+
 #include "properties/fuzz/fuzz_target.hpp"
-#include "properties/fuzz/sums_along_lines.hpp"
+#include "reference/definitions/minkowski_sum.hpp"
 #include "reference/families/family.hpp"
 
 namespace oplus {
@@ -12,7 +14,7 @@ namespace oplus {
 enum class SlideLaws { as_needed, at_least_256_bits, gmp, rationals, exchanged, all };
 
 /// What slide must do with a pair, closed and open:
-///  1. it finds the sum that winding numbers find (sums_along_lines.hpp), origins included;
+///  1. it finds the sum of convex parts (sum_by_convex_parts.hpp), with the origins by their definition;
 ///  2. also with larger numbers than are needed, from as many pieces;
 ///  3. it decides pairs of edges with the numbers that the coordinates need, or that were asked for;
 ///  4. it finds the same with P and Q exchanged;
@@ -20,8 +22,17 @@ enum class SlideLaws { as_needed, at_least_256_bits, gmp, rationals, exchanged, 
 /// Throws FuzzFinding. Requires: both are valid.
 void check_slide(const Summands& summands, SlideLaws laws = SlideLaws::all);
 
+/// What slide is to find.
+struct ExpectedSums {
+  MinkowskiSum closed;
+  MinkowskiSum open;
+  Origins origins_of_closed;
+  Origins origins_of_open;
+};
+ExpectedSums expected_sums(const Summands& summands);
+
 /// The same where the sums are already known.
-void check_slide(const Summands& summands, const SumsAlongLines& expected, SlideLaws laws);
+void check_slide(const Summands& summands, const ExpectedSums& expected, SlideLaws laws);
 
 /// One input of slide in eight is checked for law 2 in some numbers, or for law 4: which, depends on its
 /// bytes only.

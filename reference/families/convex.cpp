@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/convex_hull_2.h>
-
 #include <algorithm>
-#include <iterator>
+#include <utility>
 
 #include "reference/families/circle_point.hpp"
 #include "reference/families/polygons.hpp"
@@ -12,21 +9,20 @@ namespace oplus {
 
 namespace {
 
-// Integers below 2^53 are exact as doubles, and so are this kernel's predicates on them.
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-
 /// The extreme points, counterclockwise from the lexicographically smallest.
-/// Requires: integers below 2^53.
-Chain convex_hull(const Chain& points) {
-  std::vector<Kernel::Point_2> converted;
-  converted.reserve(points.size());
-  for (const Point& p : points) converted.emplace_back(p.x.get_d(), p.y.get_d());
-  std::vector<Kernel::Point_2> extreme;
-  CGAL::convex_hull_2(converted.begin(), converted.end(), std::back_inserter(extreme));
+Chain convex_hull(Chain points) {
+  std::sort(points.begin(), points.end());
   Chain hull;
-  hull.reserve(extreme.size());
-  for (const Kernel::Point_2& p : extreme) hull.push_back({Rational(p.x()), Rational(p.y())});
-  std::rotate(hull.begin(), std::min_element(hull.begin(), hull.end()), hull.end());
+  // From left to right below, then back above.
+  for (int side = 0; side < 2; ++side, std::reverse(points.begin(), points.end())) {
+    const std::size_t first = hull.size();
+    for (const Point& p : points) {
+      while (hull.size() >= first + 2 && orientation(hull[hull.size() - 2], hull.back(), p) <= 0)
+        hull.pop_back();
+      hull.push_back(p);
+    }
+    hull.pop_back();
+  }
   return hull;
 }
 
@@ -41,7 +37,7 @@ Region convex_polygon(Random& random, std::size_t n) {
   while (hull.size() < n) {
     for (std::size_t missing = n - hull.size(); missing > 0; --missing)
       hull.push_back(circle_point(random, radius));
-    hull = convex_hull(hull);
+    hull = convex_hull(std::move(hull));
   }
   return polygon(hull);
 }
@@ -52,7 +48,7 @@ Region convex_grid_polygon(Random& random, std::size_t points, int side) {
     Chain drawn;
     for (std::size_t i = 0; i < points; ++i)
       drawn.push_back({uniform(random, 0, side - 1), uniform(random, 0, side - 1)});
-    hull = convex_hull(drawn);
+    hull = convex_hull(std::move(drawn));
   }
   return polygon(hull);
 }

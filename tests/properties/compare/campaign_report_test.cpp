@@ -116,14 +116,14 @@ TEST(Explanation, says_how_they_differ_and_how_to_reproduce_it) {
 
 TEST(Report, says_who_judged) {
   CampaignReport report = report_of_many_kinds();
-  report.campaign.judge = "winding-numbers";
+  report.campaign.judge = "convex-parts";
   const std::string who = "the check by winding numbers";
   EXPECT_TRUE(has(summary(report), "compared with " + who + ":\n"));
   EXPECT_TRUE(has(to_markdown(report), "Compared with " + who + "."));
-  EXPECT_TRUE(has(sealed(report), R"("judge": "winding-numbers")"));
+  EXPECT_TRUE(has(sealed(report), R"("judge": "convex-parts")"));
   const ShrunkFailure& found = report.counterexamples.at("isolated vertex invented");
   EXPECT_TRUE(has(explanation(report, found), "the first is " + who + ": 1 outer chain"));
-  EXPECT_TRUE(has(replay_line(report, found), " --judge winding-numbers "));
+  EXPECT_TRUE(has(replay_line(report, found), " --judge convex-parts "));
 }
 
 TEST(ReportJson, survives_reading) {

@@ -79,7 +79,7 @@ TEST_F(DiffCommand, counts_what_it_skips_and_does_not_pass_with_nothing_compared
 TEST_F(DiffCommand, compares_with_the_judge_that_is_named) {
   const std::string pairs = "--family tight --cases 6 --engine slide --report ";
   const Ran by_oracle = diff(pairs + "oracle.json");
-  const Ran by_winding_numbers = diff(pairs + "winding.json --judge winding-numbers");
+  const Ran by_winding_numbers = diff(pairs + "winding.json --judge convex-parts");
   EXPECT_EQ(by_oracle.exit_code, 0) << by_oracle.err;
   EXPECT_EQ(by_winding_numbers.exit_code, 0) << by_winding_numbers.err;
   EXPECT_TRUE(has(by_oracle.out, "compared with the oracle:\n"));
@@ -88,14 +88,14 @@ TEST_F(DiffCommand, compares_with_the_judge_that_is_named) {
   const auto other = nlohmann::json::parse(content("winding.json"));
   EXPECT_EQ(one.at("digest"), other.at("digest"));
   EXPECT_EQ(one.at("campaign").at("judge"), "oracle");
-  EXPECT_EQ(other.at("campaign").at("judge"), "winding-numbers");
+  EXPECT_EQ(other.at("campaign").at("judge"), "convex-parts");
   EXPECT_LT(one.at("campaign").at("largest"), other.at("campaign").at("largest"));
   EXPECT_EQ(diff(pairs + "no.json --judge nobody").exit_code, 2);
 }
 
 TEST_F(DiffCommand, finds_a_wrong_sum_by_winding_numbers_and_reproduces_it) {
   const Ran ran = diff(
-      "--pair square.dat frame.dat --judge winding-numbers --engine 'exec:cat {p} #' --shrink-tries "
+      "--pair square.dat frame.dat --judge convex-parts --engine 'exec:cat {p} #' --shrink-tries "
       "20");
   EXPECT_EQ(ran.exit_code, 1) << ran.err;
   EXPECT_TRUE(has(ran.out, "the first is the check by winding numbers: 1 outer chain"));
@@ -162,9 +162,9 @@ TEST_F(DiffCommand, a_sum_that_an_operation_cannot_use_is_a_failure_of_the_engin
 TEST_F(DiffCommand, refuses_options_that_operations_do_not_take) {
   const std::string pair = "--pair frame.dat square.dat ";
   EXPECT_EQ(diff(pair + "--operation nonsense").exit_code, 2);
-  const Ran judge = diff(pair + "--operation ifp --judge winding-numbers");
+  const Ran judge = diff(pair + "--operation ifp --judge convex-parts");
   EXPECT_EQ(judge.exit_code, 2);
-  EXPECT_TRUE(has(judge.err, "--judge winding-numbers is for sums"));
+  EXPECT_TRUE(has(judge.err, "--judge convex-parts is for sums"));
   EXPECT_EQ(diff("--operation ifp --folder .").exit_code, 2);
   EXPECT_EQ(diff(pair + "--operation ifp --resume state.json").exit_code, 0);
   const Ran other = diff(pair + "--operation open --resume state.json");
@@ -175,9 +175,9 @@ TEST_F(DiffCommand, refuses_options_that_operations_do_not_take) {
 TEST_F(DiffCommand, does_not_go_on_with_another_judge) {
   const std::string pairs = "--family grid --cases 3 --engine slide --resume state.json";
   EXPECT_EQ(diff(pairs).exit_code, 0);
-  const Ran other = diff(pairs + " --judge winding-numbers");
+  const Ran other = diff(pairs + " --judge convex-parts");
   EXPECT_EQ(other.exit_code, 2);
-  EXPECT_TRUE(has(other.err, R"(judge is "oracle", not "winding-numbers")"));
+  EXPECT_TRUE(has(other.err, R"(judge is "oracle", not "convex-parts")"));
 }
 
 TEST_F(DiffCommand, refuses_invalid_input_and_usage) {

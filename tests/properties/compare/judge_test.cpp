@@ -70,7 +70,7 @@ TEST(Judge, whoever_judges_finds_the_same) {
   for (const Task& task : {frame_and_square, frame_and_plug}) {
     const Rules by_oracle{.engines = {right, without_holes, without_isolated_vertices, throwing}};
     Rules by_winding_numbers = by_oracle;
-    by_winding_numbers.judge = judge_named("winding-numbers");
+    by_winding_numbers.judge = judge_named("convex-parts");
     const JudgedPair expected = judged(task, by_oracle), found = judged(task, by_winding_numbers);
     ASSERT_EQ(found.sums.size(), expected.sums.size());
     for (std::size_t i = 0; i < found.sums.size(); ++i) {

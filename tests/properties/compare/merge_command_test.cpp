@@ -84,8 +84,8 @@ TEST_F(Merge, refuses_what_is_not_one_campaign) {
   expect_refused("s1.json s2.json other.json", R"(engines is ["rca"], not ["slide"])");
   check(command + " --shard 3/4 --report quarter.json");
   expect_refused("s1.json s2.json quarter.json", "shards is 4, not 3");
-  check(command + " --judge winding-numbers --shard 3/3 --report judge.json");
-  expect_refused("s1.json s2.json judge.json", R"(judge is "winding-numbers", not "oracle")");
+  check(command + " --judge convex-parts --shard 3/3 --report judge.json");
+  expect_refused("s1.json s2.json judge.json", R"(judge is "convex-parts", not "oracle")");
   check("conformance --engine slide --part corpus --shard 3/3 --report conformance.json");
   expect_refused("s1.json s2.json conformance.json",
                  R"(report is "conformance", not "exhaustive")");

@@ -239,10 +239,10 @@ TEST(RunCampaign, same_report_whoever_judges) {
         changed([](MinkowskiSum& sum) { sum.isolated_vertices.clear(); })}) {
     SmallRun run{.parts = {"families", "laws"}, .cases = 2, .shrink_tries = 20};
     const CampaignReport expected = run.of(faulty);
-    run.judge = "winding-numbers";
+    run.judge = "convex-parts";
     CampaignReport found = run.of(faulty);
     EXPECT_FALSE(found.conforms());
-    EXPECT_EQ(other_campaign(expected, found), R"(judge is "winding-numbers", not "oracle")");
+    EXPECT_EQ(other_campaign(expected, found), R"(judge is "convex-parts", not "oracle")");
     found.campaign.judge = "oracle";
     EXPECT_EQ(sealed(found), sealed(expected));
   }
