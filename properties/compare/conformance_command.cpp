@@ -23,7 +23,7 @@ int conformance(Settings settings) {
 void add_conformance_command(Program& program) {
   const auto& [command, settings] = program.add(
       "conformance",
-      "Check the sums of one implementation against the oracle or winding numbers, statements and laws",
+      "Check the sums of one implementation against the oracle or sums of convex parts, statements and laws",
       conformance);
   Campaign& campaign = settings.campaign;
   ConformanceChoice& choice = settings.choice;

@@ -108,7 +108,7 @@ int diff(Settings settings) {
 void add_diff_command(Program& program) {
   const auto& [command, settings] = program.add(
       "diff",
-      "Compare engines with the oracle, or with winding numbers, on pairs that are named or on those "
+      "Compare engines with the oracle, or with sums of convex parts, on pairs that are named or on those "
       "of the main job",
       diff);
   Campaign& campaign = settings.campaign;

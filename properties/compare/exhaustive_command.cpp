@@ -21,7 +21,7 @@ int exhaustive(const Settings& settings) {
 void add_exhaustive_command(Program& program) {
   const auto& [command, settings] = program.add(
       "exhaustive",
-      "Compare engines with the oracle, or with winding numbers, on every pair of small grid polygons",
+      "Compare engines with the oracle, or with sums of convex parts, on every pair of small grid polygons",
       exhaustive);
   command.option("--grid", settings.side, "Points along a side of the grid")
       .range(2, 16)

@@ -9,33 +9,10 @@
 #include <vector>
 
 #include "reference/chains/validity.hpp"
-#include "reference/families/pairs.hpp"
-#include "reference/families/polygons.hpp"
 
 namespace oplus {
 
 namespace {
-
-struct Choice {
-  Summands (*make)(Random& random, std::size_t n);
-  std::size_t smallest;
-  std::size_t typical;
-  std::size_t largest;  ///< so many pairs of edges that slide searches boxes instead of all of them
-};
-
-/// The families whose pairs are small, but for "simple", which needs CGAL.
-constexpr std::array families_of_inputs{
-    Choice{grid_pair, 3, 8, 16},         Choice{holes_pair, 3, 4, 8},
-    Choice{components_pair, 3, 4, 8},    Choice{tight_pair, 1, 3, 3},
-    Choice{islands_pair, 1, 2, 3},       Choice{two<convex_polygon>, 3, 8, 24},
-    Choice{two<star_polygon>, 3, 8, 24}, Choice{comb_pair, 1, 4, 24},
-    Choice{fork_pair, 1, 3, 3},          Choice{diamond_and_u_pair, 1, 1, 1},
-    Choice{spiral_pair, 1, 4, 24},       Choice{maze_pair, 1, 3, 6},
-    Choice{thin_pair, 1, 3, 12},         Choice{outlier_pair, 1, 4, 8},
-    Choice{scales_pair, 3, 6, 8},        Choice{fractions_pair, 1, 3, 3},
-    Choice{dots_pair, 1, 3, 8},          Choice{sieve_pair, 1, 3, 8},
-    Choice{pockets_pair, 1, 3, 4},       Choice{touching_pair, 1, 3, 8},
-};
 
 /// Around the limits of slide's stages of numbers.
 constexpr std::array magnitudes{0U,  8U,  28U, 29U, 30U,  31U,  32U,  53U,  61U,  62U,
@@ -51,6 +28,10 @@ constexpr std::array offsets{"0",
                              "21267647932558653966460912964485513216",
                              "1/3",
                              "1267650600228229401496703205376/7"};
+
+/// The n of few pairs: most have few vertices, which is fast and shows most faults.
+constexpr std::size_t large = 24;
+constexpr std::size_t most_pairs_of_edges = 2500;
 
 constexpr unsigned spelled_out = 255, of_a_hole = 128;
 
@@ -120,13 +101,12 @@ Region spelled(Bytes& bytes) {
 Summands drawn(Bytes& bytes) {
   const unsigned which = bytes.take();
   if (which == spelled_out) return {spelled(bytes), {}};
-  const Choice& choice = families_of_inputs.at(which % families_of_inputs.size());
+  const Family& family = families().at(which % families().size());
   const unsigned size = bytes.take();
-  const bool is_large = size >= 248;
-  const std::size_t n = choice.smallest + size % (choice.typical - choice.smallest + 1);
+  const std::size_t n =
+      size >= 248 ? large : family.smallest + size % (family.typical - family.smallest + 1);
   const unsigned high = bytes.take();
-  Random random(256 * high + bytes.take());
-  Summands pair = choice.make(random, is_large ? choice.largest : n);
+  Summands pair = generate(family, n, 256 * high + bytes.take());
   if (which >= 128) std::swap(pair.p, pair.q);
   return pair;
 }
@@ -206,12 +186,14 @@ std::optional<Summands> pair_of_bytes(std::string_view text) {
     pair.q = drawn(bytes).p;
   for (const Region* region : {&pair.p, &pair.q})
     if (region->components.empty() || find_defect(*region)) return std::nullopt;
+  if (vertex_count(pair.p) * vertex_count(pair.q) > most_pairs_of_edges) return std::nullopt;
   const mpz_class scale = scale_for(pair, bits);
   return Summands{in_numbers(std::move(pair.p), of_p, scale, is_sheared),
                   in_numbers(std::move(pair.q), of_q, scale, is_sheared)};
 }
 
 std::optional<std::string> bytes_of_pair(const Summands& summands) {
+  if (summands.p.components.empty() || summands.q.components.empty()) return std::nullopt;
   std::string bytes(8, '\0');
   if (!append(bytes, summands.p)) return std::nullopt;
   append(bytes, 0);

@@ -10,7 +10,7 @@
 namespace oplus {
 
 /// Returns the pair that any bytes stand for, valid (validity.hpp), neither summand empty; nullopt where a
-/// summand that is spelled out is not valid. A byte each, 0 beyond the last one:
+/// summand that is spelled out is not valid, or both have too many edges. A byte each, 0 beyond the last one:
 ///  1. the bits of the largest coordinate, around the limits of slide's stages of numbers, 29 and 124 bits,
 ///     or the coordinates as they are; and whether all is sheared, after which nothing is parallel to an axis;
 ///  2. of P, then of Q: a denominator; an offset; by how little, differently, some places are moved, after
@@ -22,8 +22,8 @@ namespace oplus {
 /// The same bytes give the same pair, on every compiler.
 std::optional<Summands> pair_of_bytes(std::string_view bytes);
 
-/// The inverse: nullopt where a pair does not have integer coordinates of 8 bits with sign, or chains of more
-/// than 127 vertices. Requires: both are valid and not empty.
+/// The inverse: nullopt where a summand is empty, has other coordinates than integers of 8 bits with sign, or
+/// a chain of more than 127 vertices. Requires: both are valid.
 std::optional<std::string> bytes_of_pair(const Summands& summands);
 
 }  // namespace oplus

@@ -117,7 +117,7 @@ TEST(Explanation, says_how_they_differ_and_how_to_reproduce_it) {
 TEST(Report, says_who_judged) {
   CampaignReport report = report_of_many_kinds();
   report.campaign.judge = "convex-parts";
-  const std::string who = "the check by winding numbers";
+  const std::string who = "the sum of convex parts";
   EXPECT_TRUE(has(summary(report), "compared with " + who + ":\n"));
   EXPECT_TRUE(has(to_markdown(report), "Compared with " + who + "."));
   EXPECT_TRUE(has(sealed(report), R"("judge": "convex-parts")"));

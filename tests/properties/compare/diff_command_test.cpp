@@ -79,13 +79,13 @@ TEST_F(DiffCommand, counts_what_it_skips_and_does_not_pass_with_nothing_compared
 TEST_F(DiffCommand, compares_with_the_judge_that_is_named) {
   const std::string pairs = "--family tight --cases 6 --engine slide --report ";
   const Ran by_oracle = diff(pairs + "oracle.json");
-  const Ran by_winding_numbers = diff(pairs + "winding.json --judge convex-parts");
+  const Ran by_convex_parts = diff(pairs + "convex.json --judge convex-parts");
   EXPECT_EQ(by_oracle.exit_code, 0) << by_oracle.err;
-  EXPECT_EQ(by_winding_numbers.exit_code, 0) << by_winding_numbers.err;
+  EXPECT_EQ(by_convex_parts.exit_code, 0) << by_convex_parts.err;
   EXPECT_TRUE(has(by_oracle.out, "compared with the oracle:\n"));
-  EXPECT_TRUE(has(by_winding_numbers.out, "compared with the check by winding numbers:\n"));
+  EXPECT_TRUE(has(by_convex_parts.out, "compared with the sum of convex parts:\n"));
   const auto one = nlohmann::json::parse(content("oracle.json"));
-  const auto other = nlohmann::json::parse(content("winding.json"));
+  const auto other = nlohmann::json::parse(content("convex.json"));
   EXPECT_EQ(one.at("digest"), other.at("digest"));
   EXPECT_EQ(one.at("campaign").at("judge"), "oracle");
   EXPECT_EQ(other.at("campaign").at("judge"), "convex-parts");
@@ -93,15 +93,15 @@ TEST_F(DiffCommand, compares_with_the_judge_that_is_named) {
   EXPECT_EQ(diff(pairs + "no.json --judge nobody").exit_code, 2);
 }
 
-TEST_F(DiffCommand, finds_a_wrong_sum_by_winding_numbers_and_reproduces_it) {
+TEST_F(DiffCommand, finds_a_wrong_sum_by_convex_parts_and_reproduces_it) {
   const Ran ran = diff(
       "--pair square.dat frame.dat --judge convex-parts --engine 'exec:cat {p} #' --shrink-tries "
       "20");
   EXPECT_EQ(ran.exit_code, 1) << ran.err;
-  EXPECT_TRUE(has(ran.out, "the first is the check by winding numbers: 1 outer chain"));
+  EXPECT_TRUE(has(ran.out, "the first is the sum of convex parts: 1 outer chain"));
   const Ran again = run(last_line_after(ran.out, "  reproduce: "));
   EXPECT_EQ(again.exit_code, 1) << again.err;
-  EXPECT_TRUE(has(again.out, "the first is the check by winding numbers: 1 outer chain"));
+  EXPECT_TRUE(has(again.out, "the first is the sum of convex parts: 1 outer chain"));
 }
 
 TEST_F(DiffCommand, compares_an_operation_with_its_definition) {

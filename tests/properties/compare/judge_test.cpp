@@ -69,9 +69,9 @@ TEST(Judge, whoever_judges_finds_the_same) {
   std::size_t faults = 0;
   for (const Task& task : {frame_and_square, frame_and_plug}) {
     const Rules by_oracle{.engines = {right, without_holes, without_isolated_vertices, throwing}};
-    Rules by_winding_numbers = by_oracle;
-    by_winding_numbers.judge = judge_named("convex-parts");
-    const JudgedPair expected = judged(task, by_oracle), found = judged(task, by_winding_numbers);
+    Rules by_convex_parts = by_oracle;
+    by_convex_parts.judge = judge_named("convex-parts");
+    const JudgedPair expected = judged(task, by_oracle), found = judged(task, by_convex_parts);
     ASSERT_EQ(found.sums.size(), expected.sums.size());
     for (std::size_t i = 0; i < found.sums.size(); ++i) {
       EXPECT_EQ(found.sums[i].ruling, expected.sums[i].ruling);

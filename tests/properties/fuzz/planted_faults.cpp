@@ -15,9 +15,7 @@
 
 #include "properties/compare/corpus.hpp"
 #include "properties/fuzz/fuzz_target.hpp"
-#include "properties/fuzz/pair_mutation.hpp"
-#include "properties/fuzz/realized_pair.hpp"
-#include "properties/fuzz/shown_input.hpp"
+#include "properties/fuzz/pair_of_bytes.hpp"
 #include "properties/fuzz/slide_check.hpp"
 #include "properties/fuzz/text_mutation.hpp"
 #include "properties/mutants/mutants.hpp"
@@ -32,28 +30,38 @@ constexpr std::size_t pairs = 2000, texts = 6000;
 /// Runs input after input. One that is wrong throws, crashes or does not end.
 using Inputs = std::function<void(std::size_t)>;
 
+/// As libFuzzer begins: from the corpus, a few bytes other ones; or any bytes.
+std::string next_bytes(Random& random, const std::vector<std::string>& pool) {
+  const auto any_byte = [&] { return static_cast<char>(uniform(random, 0, 255)); };
+  std::string bytes(32, '\0');
+  if (one_in(random, 2)) {
+    for (char& byte : bytes) byte = any_byte();
+    return bytes;
+  }
+  bytes = pool[uniform_index(random, pool.size())];
+  for (int changes = uniform(random, 1, 3); changes > 0; --changes)
+    bytes[uniform_index(random, bytes.size())] = any_byte();
+  return bytes;
+}
+
 /// The inputs of slide, with what is right, which no fault of slide changes.
 Inputs inputs_of_slide() {
   struct Known {
     Summands pair;
-    SumsAlongLines sums;
+    ExpectedSums sums;
     SlideLaws laws;
   };
   auto known = std::make_shared<std::vector<Known>>();
   Random random(1);
   std::vector<std::string> pool;
   for (const CorpusPair& row : corpus())
-    if (const auto input = input_of_pair({row.p, row.q})) pool.push_back(*input);
+    if (const auto input = bytes_of_pair({row.p, row.q})) pool.push_back(*input);
   while (known->size() < pairs) {
-    const std::string& base = pool[uniform_index(random, pool.size())];
-    const std::string bytes =
-        one_in(random, 8) ? crossed_pair(random, base, pool[uniform_index(random, pool.size())])
-                          : mutated_pair(random, base);
-    const auto pair = realized(decoded(bytes));
+    const std::string bytes = next_bytes(random, pool);
+    const auto pair = pair_of_bytes(bytes);
     if (!pair) continue;
     pool.push_back(bytes);
-    known->push_back(
-        {pair->summands, sums_along_lines(pair->summands.p, pair->summands.q), laws_for(bytes)});
+    known->push_back({*pair, expected_sums(*pair), laws_for(bytes)});
   }
   return [known](std::size_t i) {
     const Known& input = known->at(i);
