@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "checked/engine.hpp"
-#include "checked/slide/for_each_number.hpp"
 #include "checked/slide/free_pieces.hpp"
 #include "checked/slide/open_places.hpp"
+#include "checked/slide/parallel_for.hpp"
 #include "checked/slide/short_list.hpp"
 #include "checked/slide/tracks.hpp"
 

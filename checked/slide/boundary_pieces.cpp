@@ -6,7 +6,7 @@
 #include <mutex>
 #include <optional>
 
-#include "checked/slide/for_each_number.hpp"
+#include "checked/slide/parallel_for.hpp"
 #include "checked/slide/point_grid.hpp"
 #include "reference/definitions/mutant.hpp"
 

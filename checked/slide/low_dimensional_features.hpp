@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "checked/slide/boxes_around.hpp"
-#include "checked/slide/for_each_number.hpp"
 #include "checked/slide/named_ends.hpp"
 #include "checked/slide/open_places.hpp"
 #include "checked/slide/open_sum_test.hpp"
+#include "checked/slide/parallel_for.hpp"
 #include "checked/slide/pieces_on_lines.hpp"
 
 namespace oplus::slide {

@@ -7,7 +7,7 @@
 
 #include "checked/slide/boundary_pieces.hpp"
 #include "checked/slide/exact_point.hpp"
-#include "checked/slide/for_each_number.hpp"
+#include "checked/slide/parallel_for.hpp"
 #include "checked/slide/short_list.hpp"
 #include "checked/slide/tracks.hpp"
 

@@ -6,8 +6,8 @@
 #include <span>
 
 #include "checked/slide/boundary_pieces.hpp"
-#include "checked/slide/for_each_number.hpp"
 #include "checked/slide/integer_vector.hpp"
+#include "checked/slide/parallel_for.hpp"
 #include "checked/slide/short_list.hpp"
 #include "reference/definitions/contract.hpp"
 #include "reference/definitions/mutant.hpp"

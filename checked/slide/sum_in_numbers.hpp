@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "checked/slide/all_free_pieces.hpp"
-#include "checked/slide/for_each_number.hpp"
 #include "checked/slide/kept_summands.hpp"
 #include "checked/slide/low_dimensional_features.hpp"
 #include "checked/slide/named_ends.hpp"
 #include "checked/slide/open_places.hpp"
+#include "checked/slide/parallel_for.hpp"
 #include "checked/slide/search_statistics.hpp"
 #include "checked/slide/segments_along.hpp"
 #include "checked/slide/stitching.hpp"

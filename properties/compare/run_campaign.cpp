@@ -2,20 +2,17 @@
 #include "properties/compare/run_campaign.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <map>
-#include <mutex>
 #include <optional>
 #include <system_error>
 #include <utility>
 
-#include "checked/slide/for_each_number.hpp"
+#include "checked/cli/batch/ordered_work.hpp"
 
 namespace oplus {
 
 namespace {
 
-constexpr std::size_t pairs_at_a_time = 256;
+constexpr std::size_t pairs_until_kept = 256;
 
 /// Which source a task is of, and its number there.
 struct TaskNumber {
@@ -88,37 +85,43 @@ bool shrink(ShrunkFailure& found, const Statement* statement, const Campaign& ca
 CampaignReport run_campaign(CampaignReport report, const std::vector<TaskSource>& sources,
                             const Rules& rules, unsigned threads, const RunWatch& watch) {
   struct Judged {
-    std::size_t source, index;
+    std::size_t index;
+    TaskNumber number;
     Task task;
-    JudgedPair judgement;
+    std::optional<JudgedPair> judgement;
   };
-  std::mutex adding;
-  std::atomic<std::size_t> next = report.done;
-  std::map<std::size_t, Judged> waiting;  // judged before an earlier pair was
   report.has_stopped_shrinking = false;
-  while (report.done < report.pairs && !watch.is_interrupted()) {
-    const std::size_t left = report.pairs - report.done;
-    const std::size_t some = watch.keep ? std::min(left, pairs_at_a_time) : left;
-    // Begun in their order, so that few are waiting.
-    slide::for_each_number(some, threads, [&](std::size_t) {
-      if (watch.is_interrupted()) return;
-      const std::size_t k = next++, index = report.shard.task(k);
-      const TaskNumber number = number_of(index, sources);
-      const Task task = sources[number.source].task(number.task);
-      const std::optional<JudgedPair> judgement = judged_unless_interrupted(task, rules);
-      if (!judgement) return;
-      const std::lock_guard lock(adding);
-      waiting.emplace(k, Judged{number.source, index, task, *judgement});
-      for (; !waiting.empty() && waiting.begin()->first == report.done; ++report.done) {
-        const Judged& first = waiting.begin()->second;
-        add(report, first.source, first.index, first.task, first.judgement);
-        waiting.erase(waiting.begin());
-      }
-      watch.after_pair();
-    });
+  const auto keep = [&] {
     keep_smallest(report);
     if (watch.keep) watch.keep(report);
-  }
+  };
+  std::size_t next = report.done;
+  bool all_were_judged = true;
+  OrderedWork<std::size_t, Judged> work({
+      .take = [&]() -> std::optional<std::size_t> {
+        if (next == report.pairs || watch.is_interrupted()) return std::nullopt;
+        return next++;
+      },
+      .work =
+          [&](std::size_t k) {
+            const std::size_t index = report.shard.task(k);
+            const TaskNumber number = number_of(index, sources);
+            Task task = sources[number.source].task(number.task);
+            std::optional<JudgedPair> judgement = judged_unless_interrupted(task, rules);
+            return Judged{index, number, std::move(task), std::move(judgement)};
+          },
+      .pass_on =
+          [&](Judged&& pair) {
+            all_were_judged = all_were_judged && pair.judgement;
+            if (!all_were_judged) return;
+            add(report, pair.number.source, pair.index, pair.task, *pair.judgement);
+            ++report.done;
+            watch.after_pair();
+            if (watch.keep && report.done % pairs_until_kept == 0) keep();
+          },
+  });
+  work.run(threads, [] {});
+  keep();
   for (auto& [kind, found] : report.counterexamples) {
     const TaskNumber number = number_of(found.index, sources);
     const Statement* const statement = sources[number.source].task(number.task).statement;

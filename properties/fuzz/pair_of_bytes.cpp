@@ -17,8 +17,18 @@ namespace {
 /// Around the limits of slide's stages of numbers.
 constexpr std::array magnitudes{0U,  8U,  28U, 29U, 30U,  31U,  32U,  53U,  61U,  62U,
                                 63U, 64U, 65U, 92U, 123U, 124U, 125U, 126U, 128U, 256U};
-constexpr std::array denominators{
-    "1", "2", "3", "7", "10", "1000003", "2147483647", "2305843009213693951", "3298534883328"};
+/// 1/4 and 1/9 make a summand large beside the other one.
+constexpr std::array denominators{"1",
+                                  "2",
+                                  "3",
+                                  "1/4",
+                                  "1/9",
+                                  "7",
+                                  "10",
+                                  "1000003",
+                                  "2147483647",
+                                  "2305843009213693951",
+                                  "3298534883328"};
 constexpr std::array offsets{"0",
                              "1048577",
                              "-268435456",
@@ -47,10 +57,10 @@ class Bytes {
     return byte;
   }
 
-  /// A place in a table, mostly the first: few pairs need all extremes at once.
+  /// One of a table, half of the time the first: few pairs need all extremes at once.
   template <typename Table>
   auto one_of(const Table& table) {
-    const std::size_t place = take() % (3 * table.size());
+    const std::size_t place = take() % (2 * table.size());
     return table.at(place < table.size() ? place : 0);
   }
 
@@ -104,7 +114,7 @@ Summands drawn(Bytes& bytes) {
   const Family& family = families().at(which % families().size());
   const unsigned size = bytes.take();
   const std::size_t n =
-      size >= 248 ? large : family.smallest + size % (family.typical - family.smallest + 1);
+      size >= 224 ? large : family.smallest + size % (family.typical - family.smallest + 1);
   const unsigned high = bytes.take();
   Summands pair = generate(family, n, 256 * high + bytes.take());
   if (which >= 128) std::swap(pair.p, pair.q);
@@ -178,11 +188,11 @@ std::optional<Summands> pair_of_bytes(std::string_view text) {
   const unsigned bits = bytes.one_of(magnitudes);
   const Numbers of_p(bytes), of_q(bytes);
   Summands pair = drawn(bytes);
-  if (const unsigned how = bytes.take() % 4; how == 1)
+  if (const unsigned how = bytes.take() % 8; how == 1)
     pair.q = pair.p;
   else if (how == 2)
     pair.q = reflected(pair.p);
-  else if (how == 3 || pair.q.components.empty())
+  else if (how == 3 || how == 4 || pair.q.components.empty())
     pair.q = drawn(bytes).p;
   for (const Region* region : {&pair.p, &pair.q})
     if (region->components.empty() || find_defect(*region)) return std::nullopt;

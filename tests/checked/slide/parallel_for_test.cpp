@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "checked/slide/for_each_number.hpp"
+#include "checked/slide/parallel_for.hpp"
 
 #include <gtest/gtest.h>
 #include <pthread.h>
@@ -17,18 +17,18 @@
 namespace oplus::slide {
 namespace {
 
-TEST(ForEachNumber, calls_once_for_each) {
+TEST(ParallelFor, calls_once_for_each) {
   for (const unsigned threads : {0u, 1u, 2u, 8u, 4'000'000'000u}) {
     for (const std::size_t n : {0u, 1u, 2u, 7u, 1000u}) {
       std::vector<std::atomic<int>> calls(n);
-      for_each_number(n, threads, [&](std::size_t i) { ++calls[i]; });
+      parallel_for(n, threads, [&](std::size_t i) { ++calls[i]; });
       for (const std::atomic<int>& of_one : calls) ASSERT_EQ(of_one, 1);
       if (threads > 8 && n > 2) break;
     }
   }
 }
 
-TEST(ForEachNumber, uses_as_many_threads_as_asked_for) {
+TEST(ParallelFor, uses_as_many_threads_as_asked_for) {
   std::mutex mutex;
   std::set<std::thread::id> ids;
   const auto started = [&] {
@@ -37,22 +37,22 @@ TEST(ForEachNumber, uses_as_many_threads_as_asked_for) {
     return ids.size();
   };
   // Each waits for the others; not forever, to fail where they are missing.
-  for_each_number(4, 4, [&](std::size_t) {
+  parallel_for(4, 4, [&](std::size_t) {
     for (int i = 0; i < 10'000 && started() < 4; ++i)
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
   });
   EXPECT_EQ(ids.size(), 4u);
 }
 
-TEST(ForEachNumber, throws_what_the_work_throws) {
+TEST(ParallelFor, throws_what_the_work_throws) {
   for (const unsigned threads : {1u, 4u}) {
     for (const std::size_t thrower : {0u, 500u, 999u}) {
       std::atomic<std::size_t> calls = 0;
-      EXPECT_THROW(for_each_number(1000, threads,
-                                   [&](std::size_t i) {
-                                     ++calls;
-                                     if (i >= thrower) throw std::runtime_error("found");
-                                   }),
+      EXPECT_THROW(parallel_for(1000, threads,
+                                [&](std::size_t i) {
+                                  ++calls;
+                                  if (i >= thrower) throw std::runtime_error("found");
+                                }),
                    std::runtime_error);
       EXPECT_GE(calls, thrower + 1);
       EXPECT_LE(calls, thrower + threads) << "others go on to the end";
@@ -60,7 +60,7 @@ TEST(ForEachNumber, throws_what_the_work_throws) {
   }
 }
 
-TEST(ForEachNumber, needs_no_other_thread) {
+TEST(ParallelFor, needs_no_other_thread) {
   // Stacks as large as the whole address space: no thread can be started.
   pthread_attr_t before, large;
   pthread_getattr_default_np(&before);
@@ -69,7 +69,7 @@ TEST(ForEachNumber, needs_no_other_thread) {
   ASSERT_EQ(pthread_setattr_default_np(&large), 0);
   std::set<std::thread::id> ids;
   std::size_t calls = 0;
-  for_each_number(100, 4, [&](std::size_t) {
+  parallel_for(100, 4, [&](std::size_t) {
     ++calls;
     ids.insert(std::this_thread::get_id());
   });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "checked/slide/for_each_number.hpp"
+#include "checked/slide/parallel_for.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -11,8 +11,7 @@
 
 namespace oplus::slide {
 
-void for_each_number(std::size_t n, unsigned threads,
-                     const std::function<void(std::size_t)>& work) {
+void parallel_for(std::size_t n, unsigned threads, const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next = 0;
   std::mutex mutex;
   std::exception_ptr thrown;

@@ -12,7 +12,7 @@ constexpr std::size_t in_a_lot = 128;  ///< segments or places, for one thread a
 
 /// Calls work(0), ..., work(n - 1), each once, on the calling thread and up to threads - 1 others, or as
 /// many as can be started. Throws one of the exceptions that work throws; then some calls are left out.
-void for_each_number(std::size_t n, unsigned threads, const std::function<void(std::size_t)>& work);
+void parallel_for(std::size_t n, unsigned threads, const std::function<void(std::size_t)>& work);
 
 /// Calls work(first, last) for parts of 0 to n that do not depend on the number of threads.
 template <typename Work>
@@ -20,7 +20,7 @@ void for_each_part(std::size_t n, unsigned threads, const Work& work,
                    std::size_t in_a_part = 4096) {
   // Where there is little to do, a call through std::function is much.
   if (n <= in_a_part) return n > 0 ? work(std::size_t{0}, n) : void();
-  for_each_number((n + in_a_part - 1) / in_a_part, threads, [&](std::size_t part) {
+  parallel_for((n + in_a_part - 1) / in_a_part, threads, [&](std::size_t part) {
     work(part * in_a_part, std::min((part + 1) * in_a_part, n));
   });
 }
@@ -47,10 +47,9 @@ void sort_in_parts(Elements& elements, unsigned threads, const Less& less) {
   const auto at = [&](std::size_t part) {
     return elements.begin() + static_cast<std::ptrdiff_t>(elements.size() * part / parts);
   };
-  for_each_number(parts, threads,
-                  [&](std::size_t part) { std::sort(at(part), at(part + 1), less); });
+  parallel_for(parts, threads, [&](std::size_t part) { std::sort(at(part), at(part + 1), less); });
   for (std::size_t width = 1; width < parts; width *= 2)
-    for_each_number(parts / (2 * width), threads, [&](std::size_t pair) {
+    parallel_for(parts / (2 * width), threads, [&](std::size_t pair) {
       const std::size_t first = 2 * width * pair;
       std::inplace_merge(at(first), at(first + width), at(first + 2 * width), less);
     });
