@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>
@@ -6,9 +6,12 @@
 #include <vector>
 
 #include "checked/certificates/integer_line.hpp"
-#include "checked/certificates/shifted_doubles.hpp"
+#include "checked/pieces/shifted_doubles.hpp"
 
 namespace oplus::certificates {
+
+using pieces::Place;
+using pieces::ShiftedDoubles;
 
 struct CellCorner {
   CellCorner(HomogeneousPoint point, const ShiftedDoubles& doubles)

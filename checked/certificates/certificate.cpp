@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: MIT
 #include "checked/certificates/certificate.hpp"
 
 #include <algorithm>
@@ -123,9 +123,9 @@ std::optional<Point> repeated_vertex(const Region& s) {
 
 Certificate certificate(const Region& p, const Region& q, const Region& s) {
   Certificate result;
-  result.p.pieces = convex_pieces(p, most_corners_of_summands);
-  result.q.pieces = convex_pieces(q, most_corners_of_summands);
-  result.sum = convex_pieces(s, most_corners_of_sum);
+  result.p.pieces = pieces::convex_pieces(p, most_corners_of_summands);
+  result.q.pieces = pieces::convex_pieces(q, most_corners_of_summands);
+  result.sum = pieces::convex_pieces(s, most_corners_of_sum);
   result.p.links = links(result.p.pieces);
   result.q.links = links(result.q.pieces);
 

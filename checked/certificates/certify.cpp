@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: MIT
 #include "checked/certificates/certificate.hpp"
 #include "checked/oplus/engines.hpp"
 #include "reference/definitions/region.hpp"

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: MIT
 #include "checked/certificates/piece_sums.hpp"
 
 #include <algorithm>
@@ -29,48 +29,33 @@ double lowest(const HalfPlane& side, const std::vector<Place>& corners) {
 
 }  // namespace
 
-NearPieces::NearPieces(const ConvexPieces& pieces, const ShiftedDoubles& doubles) {
+NearPieces::NearPieces(const ConvexPieces& pieces, const ShiftedDoubles& doubles)
+    : exact(pieces), boxes({}) {
   std::vector<Place> places;
-  for (const Point& p : pieces.vertices) places.push_back(doubles.near(p));
-  for (const ConvexPiece& piece : pieces.pieces) {
-    auto& [corners, sides] = pieces_.emplace_back();
+  for (const Point& p : exact.vertices) places.push_back(doubles.near(p));
+  std::vector<Box> around;
+  for (const ConvexPiece& piece : exact.pieces) {
+    auto& [corners, sides] = near.emplace_back();
+    Box& box = around.emplace_back();
     for (std::size_t k = 0; k < piece.size(); ++k) {
-      const Point& a = pieces.vertices[piece[k]];
-      const Point& b = pieces.vertices[piece[next(k, piece.size())]];
-      corners.push_back(places[piece[k]]);
+      const Point& a = exact.vertices[piece[k]];
+      const Point& b = exact.vertices[piece[next(k, piece.size())]];
+      const Place& place = corners.emplace_back(places[piece[k]]);
+      box.add({place.x, place.x, place.y, place.y});
       const double dx = difference(a.x, b.x, doubles), dy = difference(a.y, b.y, doubles);
       const double length = std::hypot(dx, dy);
       HalfPlane& side = sides.emplace_back(-dy / length, dx / length, 0);
-      side.low = along(side, corners.back());
+      side.low = along(side, place);
     }
   }
-  boxes_.resize(2 * pieces_.size());
-  if (!pieces_.empty()) add_boxes(all());
-}
-
-void NearPieces::add_boxes(const Range& range) {
-  Box& box = boxes_[range.box];
-  if (range.is_one()) {
-    const std::vector<Place>& corners = pieces_[range.begin].corners;
-    box = {corners[0], corners[0]};
-    for (const Place& p : corners)
-      box = {{std::min(box.low.x, p.x), std::min(box.low.y, p.y)},
-             {std::max(box.high.x, p.x), std::max(box.high.y, p.y)}};
-    return;
-  }
-  const auto [first, second] = range.halves();
-  add_boxes(first);
-  add_boxes(second);
-  const Box &a = boxes_[first.box], &b = boxes_[second.box];
-  box = {{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y)},
-         {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}};
+  boxes = HalvedBoxes(around);
 }
 
 PieceSums::PieceSums(const ConvexPieces& p, const ConvexPieces& q, const ShiftedDoubles& doubles)
-    : exact_p_(p), exact_q_(q), p_(p, doubles), q_(q, doubles) {}
+    : p_(p, doubles), q_(q, doubles) {}
 
 void PieceSums::sides(const Pair& pair, std::vector<HalfPlane>& result) const {
-  const NearPieces::Piece &t = p_[pair.i], &u = q_[pair.j];
+  const NearPiece &t = p_.near[pair.i], &u = q_.near[pair.j];
   result.clear();
   for (const auto& [of, other] : {std::pair(&t, &u), std::pair(&u, &t)})
     for (const HalfPlane& side : of->sides)
@@ -79,7 +64,7 @@ void PieceSums::sides(const Pair& pair, std::vector<HalfPlane>& result) const {
 
 const IntegerLine& PieceSums::exact_side(const Pair& pair, std::size_t side) {
   auto& lines = exact_sides_[(std::uint64_t{pair.i} << 32) + pair.j];
-  lines.resize(p_[pair.i].sides.size() + q_[pair.j].sides.size());
+  lines.resize(p_.near[pair.i].sides.size() + q_.near[pair.j].sides.size());
   auto& [is_known, line] = lines[side];
   if (!is_known) line = computed_side(pair, side);
   is_known = true;
@@ -87,8 +72,8 @@ const IntegerLine& PieceSums::exact_side(const Pair& pair, std::size_t side) {
 }
 
 IntegerLine PieceSums::computed_side(const Pair& pair, std::size_t side) const {
-  const ConvexPiece *of = &exact_p_.pieces[pair.i], *other = &exact_q_.pieces[pair.j];
-  const std::vector<Point>*vertices = &exact_p_.vertices, *others = &exact_q_.vertices;
+  const ConvexPiece *of = &p_.exact.pieces[pair.i], *other = &q_.exact.pieces[pair.j];
+  const std::vector<Point>*vertices = &p_.exact.vertices, *others = &q_.exact.vertices;
   if (side >= of->size()) {
     side -= of->size();
     std::swap(of, other);

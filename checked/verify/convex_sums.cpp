@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <numeric>
 #include <optional>
+#include <span>
+#include <tuple>
 #include <utility>
 
 #include "checked/arithmetic/set_integer.hpp"
@@ -22,9 +24,9 @@ namespace {
 
 using convex_parts::Box;
 using convex_parts::Corner;
+using convex_parts::HalvedBoxes;
 using convex_parts::Line;
 using convex_parts::Near;
-using convex_parts::Node;
 using convex_parts::Piece;
 using convex_parts::rounding;
 using convex_parts::Side;
@@ -95,7 +97,7 @@ class ConvexSums::Search {
     for (const Summand edge_of : {Summand::P, Summand::Q}) {
       const SummandParts& of_edge = part(edge_of);
       const SummandParts& of_vertex = part(other(edge_of));
-      std::vector<std::size_t> order(of_edge.lines.size());
+      std::vector<std::size_t> order(of_edge.corners.size());
       std::iota(order.begin(), order.end(), 0);
       std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         return of_edge.lines[a].rank < of_edge.lines[b].rank;
@@ -104,7 +106,7 @@ class ConvexSums::Search {
         return std::lower_bound(order.begin(), order.end(), rank,
                                 [&](std::size_t e, int r) { return of_edge.lines[e].rank < r; });
       };
-      for (std::size_t v = 0; v < of_vertex.lines.size(); ++v) {
+      for (std::size_t v = 0; v < of_vertex.corners.size(); ++v) {
         // Of equal directions that of Q comes after that of P (thesis, Definition 2.2.7).
         const int in = of_vertex.lines[of_vertex.before[v]].rank;
         const int out = of_vertex.lines[v].rank;
@@ -131,9 +133,9 @@ class ConvexSums::Search {
   }
 
   Segment segment(const Track& track) const {
-    const Segment& edge = part(track.edge_of).edges[track.edge];
+    const Line& edge = part(track.edge_of).lines[track.edge];
     const Point& vertex = part(other(track.edge_of)).corners[track.vertex].point;
-    return {edge.source + vertex, edge.target + vertex};
+    return {edge.from->point + vertex, edge.to->point + vertex};
   }
 
   std::vector<Segment> boundary_parts(const Track& track) {
@@ -180,27 +182,27 @@ class ConvexSums::Search {
   void rank_directions() {
     struct Upwards {
       Line* line;
-      bool is_turned;
-      Vector up;  ///< in [0, π)
-      IntervalPoint near;
+      bool is_turned;      ///< if its direction is not in [0, π)
+      IntervalPoint near;  ///< its direction, or the opposite one
     };
     std::vector<Upwards> all;
     for (SummandParts& part : parts_) {
       for (Line& line : part.lines) {
-        const bool turned = cyclic_order::half(line.along) == 1;
-        Vector up = turned ? -line.along : line.along;
-        const IntervalPoint near_up = interval(up);
-        all.push_back({&line, turned, std::move(up), near_up});
+        const IntervalPoint near{interval(line.near_along.x), interval(line.near_along.y)};
+        const bool is_turned = near.y.low > 0    ? false
+                               : near.y.high < 0 ? true
+                                                 : cyclic_order::half(line.along()) == 1;
+        all.push_back({&line, is_turned, is_turned ? IntervalPoint{} - near : near});
       }
     }
-    Line up{nullptr, {0, 1}, {}, {}};
-    all.push_back({&up, false, up.along, interval(up.along)});
     std::vector<std::size_t> order(all.size());
     std::iota(order.begin(), order.end(), 0);
     const auto turn = [&](std::size_t a, std::size_t b) {
       const IntervalPoint origin{};
       const std::optional<int> known = orientation(origin, all[a].near, all[b].near);
-      return known ? *known : sign(cross(all[a].up, all[b].up));
+      if (known) return *known;
+      const int exact = sign(cross(all[a].line->along(), all[b].line->along()));
+      return all[a].is_turned == all[b].is_turned ? exact : -exact;
     };
     std::sort(order.begin(), order.end(),
               [&](std::size_t a, std::size_t b) { return turn(a, b) > 0; });
@@ -212,54 +214,43 @@ class ConvexSums::Search {
     ranks_.half = rank + 1;
     for (const Upwards& u : all)
       if (u.is_turned) u.line->rank += ranks_.half;
-    up_ = up.rank;
-    for (SummandParts& part : parts_)
-      for (const Piece& piece : part.pieces)
-        for (std::uint32_t i = 0; i < piece.count; ++i)
-          part.sides[piece.first + i].turned = i == 0 ? 0
-                                               : i == piece.right_wall
-                                                   ? ranks_.half
-                                                   : turned(*part.sides[piece.first + i].line);
-  }
-
-  /// How far the direction of an edge is turned from straight down.
-  int turned(const Line& edge) const {
-    const int down = ranks_.opposite(up_);
-    return edge.rank < down ? edge.rank + 2 * ranks_.half - down : edge.rank - down;
+    for (SummandParts& part : parts_) {
+      for (Side& side : part.sides)
+        side.rank =
+            side.start == side.line->from ? side.line->rank : ranks_.opposite(side.line->rank);
+      for (const Piece& piece : part.pieces) {
+        const auto sides = std::span(part.sides).subspan(piece.first, piece.count);
+        std::ranges::rotate(sides, std::ranges::is_sorted_until(sides, {}, &Side::rank));
+      }
+    }
   }
 
   void start(const Track& track) {
     const SummandParts& of_edge = part(track.edge_of);
     const SummandParts& of_vertex = part(other(track.edge_of));
-    const std::size_t after = of_edge.after[track.edge];
     along_ = &of_edge.lines[track.edge];
     by_ = &of_vertex.corners[track.vertex];
-    from_ = &of_edge.corners[track.edge];
-    to_ = &of_edge.corners[after];
-    at_from_ = {&of_edge.lines[of_edge.before[track.edge]], &of_edge.walls[track.edge]};
-    at_to_ = {&of_edge.lines[after], &of_edge.walls[after]};
-    at_by_ = {&of_vertex.lines[of_vertex.before[track.vertex]], &of_vertex.lines[track.vertex],
-              &of_vertex.walls[track.vertex]};
     source_.reset();
     const auto plus = [](const Near& a, const Near& b) {
       const Near sum{a.value + b.value, 0};
       return Near{sum.value, a.error + b.error + std::abs(sum.value) * rounding};
     };
-    x_ = plus(along_->near_from.x, by_->near.x);
-    y_ = plus(along_->near_from.y, by_->near.y);
+    x_ = plus(along_->from->near.x, by_->near.x);
+    y_ = plus(along_->from->near.y, by_->near.y);
     if (rounding_ == 0) x_.error = y_.error = 0;
   }
 
   const Point& source() {
-    if (!source_) source_ = *along_->from + by_->point;
+    if (!source_) source_ = along_->from->point + by_->point;
     return *source_;
   }
 
   Rational exact(const End& end) {
     if (end.number != nullptr) return *end.number;
     if (end.line == nullptr) return Rational(end.numerator) / Rational(end.denominator);
-    const Vector& u = end.line->along;
-    return cross(u, *end.line->from + end.corner->point - source()) / cross(u, along_->along);
+    const Vector u = end.line->along();
+    return cross(u, end.line->from->point + end.corner->point - source()) /
+           cross(u, along_->along());
   }
 
   int compare(const End& a, const End& b) {
@@ -290,8 +281,8 @@ class ConvexSums::Search {
       return {coordinate(x_, along_->near_along.x), coordinate(y_, along_->near_along.y)};
     }
     if (end.line == nullptr && end.low == 0) return source();
-    if (end.line == nullptr && end.low == 1) return to_->point + by_->point;
-    return source() + exact(end) * along_->along;
+    if (end.line == nullptr && end.low == 1) return along_->to->point + by_->point;
+    return source() + exact(end) * along_->along();
   }
   Segment between(const Gap& gap) { return {place(gap.from), place(gap.to)}; }
 
@@ -304,14 +295,14 @@ class ConvexSums::Search {
     const double unit = corner.is_small ? rounding_ : rounding;
     const auto& [ux, uy] = line.near_along;
     const auto& [dx, dy] = along_->near_along;
-    const double to_x = x_.value - line.near_from.x.value;
-    const double to_y = y_.value - line.near_from.y.value;
+    const double to_x = x_.value - line.from->near.x.value;
+    const double to_y = y_.value - line.from->near.y.value;
     const double wx = to_x - corner.near.x.value;
     const double wy = to_y - corner.near.y.value;
     const double wx_error = unit * (std::abs(to_x) + std::abs(wx)) +
-                            2 * (x_.error + line.near_from.x.error + corner.near.x.error);
+                            2 * (x_.error + line.from->near.x.error + corner.near.x.error);
     const double wy_error = unit * (std::abs(to_y) + std::abs(wy)) +
-                            2 * (y_.error + line.near_from.y.error + corner.near.y.error);
+                            2 * (y_.error + line.from->near.y.error + corner.near.y.error);
     const double left = ux.value * wy, right = uy.value * wx;
     const double error =
         2 * (unit * (std::abs(left) + std::abs(right)) + std::abs(ux.value) * wy_error +
@@ -330,14 +321,11 @@ class ConvexSums::Search {
   End crossing(const Line& line, const Corner& corner) const {
     const Motion side = motion_at(line, corner);
     // At an end of the track, where doubles would not decide.
-    const auto is_one_of = [&](const auto& lines) {
-      return std::find(lines.begin(), lines.end(), &line) != lines.end();
-    };
     if (&corner == by_) {
-      if (is_one_of(at_from_)) return whole(0);
-      if (is_one_of(at_to_)) return whole(1);
+      if (line.ends_at(along_->from)) return whole(0);
+      if (line.ends_at(along_->to)) return whole(1);
     }
-    if ((&corner == from_ || &corner == to_) && is_one_of(at_by_)) return whole(&corner == to_);
+    if (along_->ends_at(&corner) && line.ends_at(by_)) return whole(&corner == along_->to);
     const double size = std::abs(side.speed);
     const double numerator = side.speed < 0 ? side.at_source : -side.at_source;
     End end{-infinity, infinity, numerator, size, false, &line, &corner};
@@ -356,8 +344,7 @@ class ConvexSums::Search {
 
   /// On which side of the track the sum of two corners is: positive to the left.
   int side_of(const Corner& a, const Corner& b) {
-    if ((&a == by_ && (&b == from_ || &b == to_)) || (&b == by_ && (&a == from_ || &a == to_)))
-      return 0;
+    if ((&a == by_ && along_->ends_at(&b)) || (&b == by_ && along_->ends_at(&a))) return 0;
     const double unit = a.is_small && b.is_small ? rounding_ : rounding;
     const auto& [dx, dy] = along_->near_along;
     const auto from_source = [&](const Near& of_a, const Near& of_b, const Near& source) {
@@ -376,7 +363,7 @@ class ConvexSums::Search {
     if (left - right > error) return 1;
     if (left - right < -error) return -1;
     if (error == 0) return 0;
-    return sign(cross(along_->along, a.point + b.point - source()));
+    return sign(cross(along_->along(), a.point + b.point - source()));
   }
 
   /// A convex part, its sides counted from one of them on, around and around.
@@ -390,17 +377,17 @@ class ConvexSums::Search {
       return sides[place < count ? place : place - count];
     }
 
-    /// The number of sides from the first one to the next that turns at least as far as `turned`, or, if
-    /// `past`, further.
-    std::uint32_t until(int turned, bool past = false) const {
+    /// The number of sides from the first one to the next of at least this rank, or, if `past`, of a
+    /// larger one.
+    std::uint32_t until(int rank, bool past = false) const {
       const Side* const found =
-          std::lower_bound(sides, sides + count, turned + (past ? 1 : 0),
-                           [](const Side& side, int t) { return side.turned < t; });
+          std::lower_bound(sides, sides + count, rank + (past ? 1 : 0),
+                           [](const Side& side, int r) { return side.rank < r; });
       const auto place = found == sides + count ? 0 : static_cast<std::uint32_t>(found - sides);
       return place < first ? place + count - first : place - first;
     }
-    Walk from(int turned, bool past) const {
-      return {sides, count, Walk{sides, count}.until(turned, past)};
+    Walk from(int rank, bool past) const {
+      return {sides, count, Walk{sides, count}.until(rank, past)};
     }
   };
 
@@ -426,7 +413,7 @@ class ConvexSums::Search {
   End passing(const Walk& t, const Walk& u, int to, const IsBeyond& is_beyond) {
     const std::uint32_t sides_of_t = t.until(to), sides_of_u = u.until(to);
     // After side i - 1 of t, those of u that turn less far are passed.
-    const auto with = [&](std::uint32_t i) { return u.until(t[i - 1].turned); };
+    const auto with = [&](std::uint32_t i) { return u.until(t[i - 1].rank); };
     const std::uint32_t i = first_in(0, sides_of_t + 1, [&](std::uint32_t k) {
       return is_beyond(*t[k].start, *u[with(k)].start);
     });
@@ -451,8 +438,7 @@ class ConvexSums::Search {
     low_.reset();
     high_.reset();
     const Walk t = walk(parts_[0], of_p), u = walk(parts_[1], of_q);
-    const int along = turned(*along_);
-    const int back = along < ranks_.half ? along + ranks_.half : along - ranks_.half;
+    const int along = along_->rank, back = ranks_.opposite(along);
     // The corners that are furthest to the right of the track, and to its left.
     if (side_of(*t[t.until(along)].start, *u[u.until(along)].start) >= 0) return false;
     const int left = side_of(*t[t.until(back)].start, *u[u.until(back)].start);
@@ -540,38 +526,36 @@ class ConvexSums::Search {
       return true;
     }
 
-    const std::vector<Node>& ps = parts_[0].nodes;
-    const std::vector<Node>& qs = parts_[1].nodes;
-    near_.assign(1, {0, 0});
+    const HalvedBoxes &ps = parts_[0].boxes, &qs = parts_[1].boxes;
+    if (ps.empty() || qs.empty()) return false;
+    near_.assign(1, {ps.all(), qs.all()});
     later_.clear();
     while (!near_.empty() || !later_.empty()) {
-      std::vector<std::pair<std::uint32_t, std::uint32_t>>& pending =
-          near_.empty() ? later_ : near_;
+      std::vector<Ranges>& pending = near_.empty() ? later_ : near_;
       const auto [a, b] = pending.back();
       pending.pop_back();
-      const Node& p = ps[a];
-      const Node& q = qs[b];
-      if (!may_meet(p.box, q.box)) continue;
-      if (p.right == 0 && q.right == 0) {
-        if (covers(p.piece, q.piece)) {
+      if (!may_meet(ps[a], qs[b])) continue;
+      if (a.is_one() && b.is_one()) {
+        if (covers(a.begin, b.begin)) {
           std::rotate(recent_.begin(), recent_.end() - 1, recent_.end());
-          recent_.front() = {p.piece, q.piece};
+          recent_.front() = {a.begin, b.begin};
           return true;
         }
         continue;
       }
-      const bool halve_p = q.right == 0 || (p.right != 0 && p.slack > q.slack);
-      std::pair<std::uint32_t, std::uint32_t> first{halve_p ? a + 1 : a, halve_p ? b : b + 1};
-      std::pair<std::uint32_t, std::uint32_t> second{halve_p ? p.right : a, halve_p ? b : q.right};
-      const auto distance = [&](const std::pair<std::uint32_t, std::uint32_t>& nodes) {
-        const Box& of_p = ps[nodes.first].box;
-        const Box& of_q = qs[nodes.second].box;
+      Ranges first{a, b}, second{a, b};
+      if (b.is_one() || (!a.is_one() && ps.slack(a) > qs.slack(b)))
+        std::tie(first.first, second.first) = a.halves();
+      else
+        std::tie(first.second, second.second) = b.halves();
+      const auto distance = [&](const Ranges& ranges) {
+        const Box &of_p = ps[ranges.first], &of_q = qs[ranges.second];
         return std::abs((of_p.x_low + of_p.x_high + of_q.x_low + of_q.x_high) / 2 - probe_x_) +
                std::abs((of_p.y_low + of_p.y_high + of_q.y_low + of_q.y_high) / 2 - probe_y_);
       };
       if (distance(first) < distance(second)) std::swap(first, second);
-      for (const auto& nodes : {first, second})
-        (has_probe(ps[nodes.first].box, qs[nodes.second].box) ? near_ : later_).push_back(nodes);
+      for (const Ranges& ranges : {first, second})
+        (has_probe(ps[ranges.first], qs[ranges.second]) ? near_ : later_).push_back(ranges);
     }
     return false;
   }
@@ -623,18 +607,13 @@ class ConvexSums::Search {
 
   std::array<SummandParts, 2> parts_;
   Ranks ranks_;
-  int up_ = 0;       ///< the rank of walls
   double rounding_;  ///< 0 where doubles are exact on the summands' own coordinates
   double least_;
 
   // Of the track.
   const Line* along_ = nullptr;
   const Corner* by_ = nullptr;
-  const Corner* from_ = nullptr;  ///< the ends of its edge
-  const Corner* to_ = nullptr;
-  std::array<const Line*, 2> at_from_{}, at_to_{};  ///< other lines through them,
-  std::array<const Line*, 3> at_by_{};              ///< and through its vertex
-  Near x_, y_;                                      ///< its source
+  Near x_, y_;  ///< its source
   std::optional<Point> source_;
 
   // Of the search.
@@ -649,7 +628,8 @@ class ConvexSums::Search {
   std::optional<End> low_, high_;
   std::array<std::pair<std::uint32_t, std::uint32_t>, 8>
       recent_{};  ///< that covered a probe, the last one first
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> near_, later_;
+  using Ranges = std::pair<HalvedBoxes::Range, HalvedBoxes::Range>;
+  std::vector<Ranges> near_, later_;
 };
 
 ConvexSums::ConvexSums(const Region& p, const Region& q) : search_(new Search(p, q)) {}

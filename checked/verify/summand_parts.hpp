@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
-#include "checked/verify/trapezoids.hpp"
+#include "checked/pieces/halved_boxes.hpp"
 #include "reference/arithmetic/interval.hpp"
 #include "reference/definitions/region.hpp"
 
 namespace oplus::convex_parts {
+
+using pieces::Box;
+using pieces::HalvedBoxes;
 
 /// What is not an integer below 2^23 is computed with relative errors of less than this.
 inline constexpr double rounding = 0x1p-50;
@@ -24,18 +23,14 @@ struct Near {
   double error = 0;
 };
 
+/// Around it.
+inline Interval interval(const Near& a) {
+  return a.error == 0 ? Interval{a.value, a.value} : outward(a.value - a.error, a.value + a.error);
+}
+
 struct NearPoint {
   Near x;
   Near y;
-};
-
-/// The line of an edge, or a wall: up through a vertex.
-struct Line {
-  const Point* from;
-  Vector along;
-  NearPoint near_from;
-  NearPoint near_along;
-  int rank = 0;
 };
 
 struct Corner {
@@ -44,72 +39,44 @@ struct Corner {
   bool is_small;  ///< an integer below 2^23
 };
 
-/// A side of a convex part, counterclockwise: the part is to its left.
-struct Side {
-  const Line* line;  ///< of an edge, or a wall, which may be a point
-  const Corner* start;
-  int turned = 0;  ///< how far its direction is turned from that of the left wall, in ranks
+/// The line of an edge, or a diagonal.
+struct Line {
+  const Corner* from;
+  const Corner* to;
+  NearPoint near_along;
+  int rank = 0;
+
+  Vector along() const { return to->point - from->point; }
+  bool ends_at(const Corner* corner) const { return corner == from || corner == to; }
 };
 
-/// A convex part: its sides among those of the summand. First the left wall, down; in the middle the
-/// right one.
+/// A side of a convex part, counterclockwise: the part is to its left.
+struct Side {
+  const Line* line;
+  const Corner* start;
+  int rank = 0;  ///< of its direction
+};
+
+/// A convex part: its sides among those of the summand.
 struct Piece {
   std::uint32_t first;
   std::uint32_t count;
-  std::uint32_t right_wall;
 };
 
-struct Box {
-  double x_low = std::numeric_limits<double>::infinity(), x_high = -x_low;
-  double y_low = x_low, y_high = x_high;
-
-  void add(const Corner& corner) {
-    const auto& [x, y] = corner.near;
-    x_low = std::min(x_low, x.value - x.error - std::abs(x.value) * rounding);
-    x_high = std::max(x_high, x.value + x.error + std::abs(x.value) * rounding);
-    y_low = std::min(y_low, y.value - y.error - std::abs(y.value) * rounding);
-    y_high = std::max(y_high, y.value + y.error + std::abs(y.value) * rounding);
-  }
-  void add(const Box& other) {
-    x_low = std::min(x_low, other.x_low);
-    x_high = std::max(x_high, other.x_high);
-    y_low = std::min(y_low, other.y_low);
-    y_high = std::max(y_high, other.y_high);
-  }
-  double size() const { return (x_high - x_low) + (y_high - y_low); }
-};
-
-/// The left child follows its parent directly.
-struct Node {
-  Box box;
-  std::uint32_t right = 0;  ///< the right child; 0 in a leaf
-  std::uint32_t piece = 0;  ///< in a leaf
-  double slack = 0;         ///< by how much it is larger than its pieces, on average
-};
-
-/// A summand in the form in which its parts are added: convex parts, of trapezoids that are joined from
-/// left to right as long as what they form is convex, and a tree of boxes around them.
+/// A summand in the form in which its parts are added: convex pieces (convex_pieces.hpp), and boxes around them.
 struct SummandParts {
   /// Requires: the region is valid (validity.hpp).
   explicit SummandParts(const Region& region);
+  SummandParts(const SummandParts&) = delete;  // it points into itself
+  SummandParts& operator=(const SummandParts&) = delete;
 
-  std::vector<Segment> edges;
-  std::vector<std::size_t> before;         ///< of each edge, the one that ends where it starts,
-  std::vector<std::size_t> after;          ///< and the one that starts where it ends
-  std::vector<Line> lines;                 ///< of the edges
-  std::vector<Line> walls;                 ///< through their sources
-  std::vector<Corner> corners;             ///< their sources,
-  std::vector<IntervalPoint> near_points;  ///< and intervals around these
-  std::vector<Corner> cut_corners;         ///< of walls, where there is no vertex
+  std::vector<Corner> corners;      ///< the sources of the edges,
+  std::vector<std::size_t> before;  ///< of each edge, the one that ends where it starts,
+  std::vector<std::size_t> after;   ///< and the one that starts where it ends
+  std::vector<Line> lines;          ///< of the edges, and then of diagonals
   std::vector<Side> sides;
   std::vector<Piece> pieces;
-  std::vector<Box> boxes;   ///< of the pieces
-  std::vector<Node> nodes;  ///< the root first; empty if there are no pieces
-
- private:
-  void add_pieces(const std::vector<Trapezoid>& trapezoids);
-  const Corner* at(std::size_t edge, std::size_t vertex);
-  void build(std::vector<std::uint32_t>::iterator begin, std::vector<std::uint32_t>::iterator end);
+  HalvedBoxes boxes;  ///< of the pieces
 };
 
 }  // namespace oplus::convex_parts

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "checked/certificates/convex_pieces.hpp"
+#include "checked/pieces/convex_pieces.hpp"
 
 #include <gtest/gtest.h>
 
 #include "reference/families/family.hpp"
 #include "tests/reference/definitions/shapes.hpp"
 
-namespace oplus::certificates {
+namespace oplus::pieces {
 namespace {
 
 std::size_t pieces(const Region& region) { return convex_pieces(region, 8).pieces.size(); }
@@ -65,4 +65,4 @@ TEST(ConvexPieces, vertices_on_a_line_are_corners_of_one) {
 }
 
 }  // namespace
-}  // namespace oplus::certificates
+}  // namespace oplus::pieces

@@ -1,53 +1,42 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-#include "checked/certificates/convex_pieces.hpp"
+// SPDX-License-Identifier: MIT
+#include "checked/pieces/convex_pieces.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
-#include <tuple>
+#include <span>
+#include <utility>
 
-#include "checked/certificates/halving_order.hpp"
-#include "checked/certificates/shifted_doubles.hpp"
-#include "reference/chains/near_point.hpp"
+#include "checked/pieces/halving_order.hpp"
+#include "checked/pieces/shifted_doubles.hpp"
+#include "checked/pieces/triangulation.hpp"
 
-namespace oplus::certificates {
+namespace oplus::pieces {
 
 namespace {
 
-/// The edges of triangles, and then of what they are merged into; edge 3 t + k leaves corner k of
-/// triangle t.
+/// The edges of triangles, and then of what they are merged into.
 class MergedTriangles {
  public:
   using Edge = std::uint32_t;
 
-  MergedTriangles(const std::vector<Triangle>& triangles, const std::vector<NearPoint>& vertices,
-                  const std::vector<Place>& places, std::uint32_t most_corners)
+  MergedTriangles(Triangulation triangles, std::span<const NearPoint> vertices,
+                  std::span<const Place> places, std::uint32_t most_corners)
       : most_corners_(most_corners),
         vertices_(vertices),
         places_(places),
-        source_(3 * triangles.size()),
-        next_(source_.size()),
-        previous_(source_.size()),
-        twin_(source_.size(), Triangle::none),
+        source_(std::move(triangles.sources)),
+        twin_(std::move(triangles.twins)),
         is_flat_(source_.size(), false),
         is_removed_(source_.size(), false),
-        piece_(triangles.size()),
-        corners_(triangles.size(), 3) {
+        piece_(source_.size() / 3),
+        corners_(source_.size() / 3, 3),
+        flat_corners_(source_.size() / 3, 0) {
     std::iota(piece_.begin(), piece_.end(), 0U);
-    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-      for (std::uint32_t k = 0; k < 3; ++k) {
-        const Edge e = 3 * t + k;
-        source_[e] = triangles[t].corners[k];
-        next_[e] = 3 * t + (k + 1) % 3;
-        previous_[e] = 3 * t + (k + 2) % 3;
-        const std::uint32_t across = triangles[t].across[k];
-        if (across == Triangle::none) continue;
-        for (std::uint32_t other = 0; other < 3; ++other)
-          if (triangles[across].across[other] == t &&
-              triangles[across].corners[other] == triangles[t].corners[(k + 1) % 3])
-            twin_[e] = 3 * across + other;
-      }
+    for (Edge e = 0; e < source_.size(); ++e) {
+      next_.push_back(Triangulation::next(e));
+      previous_.push_back(Triangulation::previous(e));
     }
   }
 
@@ -56,10 +45,10 @@ class MergedTriangles {
   void merge() {
     std::vector<std::uint8_t> ends(source_.size(), 0);
     for (Edge e = 0; e < twin_.size(); ++e)
-      if (twin_[e] == Triangle::none) count_where_reflex(e, ends);
+      if (twin_[e] == Triangulation::none) count_where_reflex(e, ends);
     std::vector<std::pair<double, Edge>> diagonals;
     for (Edge e = 0; e < twin_.size(); ++e)
-      if (twin_[e] != Triangle::none && e < twin_[e])
+      if (twin_[e] != Triangulation::none && e < twin_[e])
         diagonals.emplace_back(-std::ldexp(length(e), -2 * (ends[e] + ends[twin_[e]])), e);
     std::ranges::sort(diagonals);
     for (const auto& [length, e] : diagonals) merge_across(e);
@@ -101,7 +90,7 @@ class MergedTriangles {
       return a.x * b.y - a.y * b.x > 0;
     };
     Edge last = boundary;
-    while (twin_[previous_[last]] != Triangle::none) last = twin_[previous_[last]];
+    while (twin_[previous_[last]] != Triangulation::none) last = twin_[previous_[last]];
     const Place from = direction(boundary), back = direction(previous_[last]);
     const Place to{-back.x, -back.y};
     if (!turns_left(to, from)) return;
@@ -137,11 +126,13 @@ class MergedTriangles {
     const int turns[] = {turn(in[0], out[0]), turn(in[1], out[1])};
     if (turns[0] < 0 || turns[1] < 0) return;
     // A flat corner is never merged: the whole one would be larger than π.
+    std::uint32_t flat = flat_corners_[left] + flat_corners_[right];
     for (int end = 0; end < 2; ++end) {
       link(in[end], out[end]);
       is_flat_[out[end]] = turns[end] == 0;
+      flat += turns[end] == 0;
     }
-    if (has_two_sides_with_flat_corners(out[0])) {
+    if (flat >= 4 && has_two_sides_with_flat_corners(out[0])) {
       for (const Edge after : out) is_flat_[after] = false;
       link(in[0], e);
       link(e, out[1]);
@@ -152,6 +143,7 @@ class MergedTriangles {
     is_removed_[e] = is_removed_[f] = true;
     piece_[right] = left;
     corners_[left] = corners;
+    flat_corners_[left] = flat;
   }
 
   /// Whether there is more than one side with several flat corners, given an edge of the piece.
@@ -173,14 +165,14 @@ class MergedTriangles {
   }
 
   const std::uint32_t most_corners_;
-  const std::vector<NearPoint>& vertices_;
-  const std::vector<Place>& places_;
+  const std::span<const NearPoint> vertices_;
+  const std::span<const Place> places_;
   std::vector<std::uint32_t> source_;
-  std::vector<Edge> next_, previous_, twin_;
+  std::vector<Edge> twin_, next_, previous_;
   std::vector<bool> is_flat_;  ///< the corner that the edge leaves
   std::vector<bool> is_removed_;
-  std::vector<std::uint32_t> piece_;    ///< of triangles: another one of its piece, or itself
-  std::vector<std::uint32_t> corners_;  ///< of pieces, how many
+  std::vector<std::uint32_t> piece_;  ///< of triangles: another one of its piece, or itself
+  std::vector<std::uint32_t> corners_, flat_corners_;  ///< of pieces, how many
 };
 
 Place centre(const ConvexPiece& piece, const std::vector<Place>& vertices) {
@@ -197,18 +189,25 @@ Place centre(const ConvexPiece& piece, const std::vector<Place>& vertices) {
 
 ConvexPieces convex_pieces(const Region& region, std::uint32_t most_corners) {
   ConvexPieces result;
-  for (const Chain& chain : chains(region))
+  SweptEdges boundary;
+  for (const Chain& chain : chains(region)) {
+    const std::size_t first = result.vertices.size();
     result.vertices.insert(result.vertices.end(), chain.begin(), chain.end());
+    for (std::size_t i = 0; i < chain.size(); ++i)
+      boundary.edges.push_back({static_cast<std::uint32_t>(first + i),
+                                static_cast<std::uint32_t>(first + next(i, chain.size()))});
+  }
   const ShiftedDoubles doubles(result.vertices);
   std::vector<NearPoint> near;
   std::vector<Place> places;
   for (const Point& p : result.vertices) {
+    boundary.points.push_back(&p);
     near.push_back(near_point(p));
     places.push_back(doubles.near(p));
   }
-  Triangulation triangles = triangulation(region);
+  Triangulation triangles = triangulation(boundary, near, places);
   result.points = std::move(triangles.points);
-  MergedTriangles merged(triangles.triangles, near, places, most_corners);
+  MergedTriangles merged(std::move(triangles), near, places, most_corners);
   merged.merge();
   std::vector<ConvexPiece> pieces = merged.pieces();
 
@@ -219,4 +218,4 @@ ConvexPieces convex_pieces(const Region& region, std::uint32_t most_corners) {
   return result;
 }
 
-}  // namespace oplus::certificates
+}  // namespace oplus::pieces

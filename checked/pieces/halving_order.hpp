@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <bit>
@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace oplus::certificates {
+namespace oplus::pieces {
 
 struct Place {
   double x = 0;
@@ -21,4 +21,4 @@ constexpr std::size_t first_half(std::size_t size) { return std::bit_ceil(size) 
 /// on one side of a line: halved across the longer side of the box of the places. O(n log n).
 std::vector<std::uint32_t> halving_order(const std::vector<Place>& places);
 
-}  // namespace oplus::certificates
+}  // namespace oplus::pieces

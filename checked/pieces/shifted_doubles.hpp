@@ -1,14 +1,14 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <span>
 
-#include "checked/certificates/halving_order.hpp"
+#include "checked/pieces/halving_order.hpp"
 #include "reference/definitions/values.hpp"
 
-namespace oplus::certificates {
+namespace oplus::pieces {
 
 /// 2 to this power is larger than |numerator / denominator|, and at most four times as large unless that is 0.
 inline long bits_of(const mpz_class& numerator, const mpz_class& denominator) {
@@ -58,4 +58,4 @@ class ShiftedDoubles {
   long shift_ = 0;
 };
 
-}  // namespace oplus::certificates
+}  // namespace oplus::pieces

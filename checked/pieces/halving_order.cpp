@@ -1,11 +1,11 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-#include "checked/certificates/halving_order.hpp"
+// SPDX-License-Identifier: MIT
+#include "checked/pieces/halving_order.hpp"
 
 #include <algorithm>
 #include <numeric>
 #include <span>
 
-namespace oplus::certificates {
+namespace oplus::pieces {
 
 namespace {
 
@@ -35,4 +35,4 @@ std::vector<std::uint32_t> halving_order(const std::vector<Place>& places) {
   return order;
 }
 
-}  // namespace oplus::certificates
+}  // namespace oplus::pieces

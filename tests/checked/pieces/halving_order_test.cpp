@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "checked/certificates/halving_order.hpp"
+#include "checked/pieces/halving_order.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-namespace oplus::certificates {
+namespace oplus::pieces {
 namespace {
 
 TEST(HalvingOrder, first_half_is_a_power_of_two) {
@@ -41,4 +41,4 @@ TEST(HalvingOrder, of_nothing_and_of_one) {
 }
 
 }  // namespace
-}  // namespace oplus::certificates
+}  // namespace oplus::pieces

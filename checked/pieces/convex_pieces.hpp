@@ -1,12 +1,12 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
-#include "checked/certificates/triangulation.hpp"
+#include "checked/pieces/triangulation.hpp"
 
-namespace oplus::certificates {
+namespace oplus::pieces {
 
 /// The numbers of its corners, counterclockwise; inner angles are at most π. One side at most has more than
 /// one flat corner. Triangles between the first corner and two that follow each other are counterclockwise.
@@ -20,9 +20,10 @@ struct ConvexPieces {
   std::vector<ConvexPiece> pieces;  ///< near one another where their numbers are
 };
 
-/// The constrained Delaunay triangulation without the diagonals that are not needed, the longest ones
+/// The constrained Delaunay triangulation (triangulation.hpp) without the diagonals that are not needed, the longest ones
 /// removed first (Hertel and Mehlhorn). A piece has at most so many corners. O(n log n) in practice.
-/// Requires: as for `triangulation`; most_corners >= 3.
-ConvexPieces convex_pieces(const Region& region, std::uint32_t most_corners);
+/// Requires: no two edges cross or overlap, each has the region to its left only, none is a point;
+/// most_corners >= 3.
+ConvexPieces convex_pieces(const Region& region, std::uint32_t most_corners = ~std::uint32_t{0});
 
-}  // namespace oplus::certificates
+}  // namespace oplus::pieces
