@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "checked/certificates/certificate.hpp"
-#include "checked/oplus/engines.hpp"
+#include "checked/oplus/oplus.hpp"
 #include "reference/definitions/region.hpp"
 #include "reference/io/writing.hpp"
 

@@ -63,6 +63,11 @@ class Triangulator {
       if (is_inside_below) {
         lower = fronts_[*place.below];
         upper = split(lower);
+        if (OPLUS_MUTANT("triangles-end-where-edges-do",
+                         "verify loses triangles to the left of a vertex at which no edge ends")) {
+          lower.bottom = lower.top;
+          nodes_[lower.top].previous = none;
+        }
         const Index diagonal = waiting | static_cast<Index>(waiting_.size());
         waiting_.push_back(none);
         append(lower, vertex, diagonal);

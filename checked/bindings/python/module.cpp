@@ -13,9 +13,6 @@
 #include "checked/bindings/python/shapes.hpp"
 #include "checked/bindings/python/unlocked.hpp"
 #include "checked/bindings/python/workers.hpp"
-#ifdef OPLUS_ENGINES
-#include <oplus/engines.hpp>
-#endif
 
 namespace oplus::python {
 
@@ -96,21 +93,12 @@ Verdict verify_of(py::handle p_value, py::handle q_value, py::handle value,
   return verify(p.region(), q.region(), given, of_given);
 }
 
-#ifdef OPLUS_ENGINES
 std::string certify_of(py::handle p_value, py::handle q_value, py::handle value) {
   const PreparedRegion p = region_of(p_value), q = region_of(q_value);
   const GivenSum given = given_of(value);
   const Unlocked released;
   return certify(p.region(), q.region(), given);
 }
-#else
-std::string certify_of(py::handle, py::handle, py::handle) {
-  PyErr_SetString(PyExc_NotImplementedError,
-                  "certify: this module was built without certificates; expected a build with "
-                  "OPLUS_ENGINES=ON");
-  throw py::error_already_set();
-}
-#endif
 
 Side side_of(const std::string& name) {
   if (name == "nearest") return Side::nearest;
@@ -269,8 +257,7 @@ unbounded.
 Returns the text of a certificate that `given` is the closed sum of p and q, for the program
 oplus-certified, which is proved. It reads p, q and `given` as files, with chains and vertices in
 the same order: what to_wkt returns. `given` is whatever verify takes. Raises InvalidInput, with the
-first reason of verify, where it is not the sum, and NotImplementedError in a build without
-OPLUS_ENGINES.
+first reason of verify, where it is not the sum.
 
 >>> square = oplus.Region([[0, 0], [1, 0], [1, 1], [0, 1]])
 >>> certificate = oplus.certify(square, square, oplus.minkowski_sum(square, square))

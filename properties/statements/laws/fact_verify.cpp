@@ -66,7 +66,7 @@ const Registered registered({
                  {"overlapping segments", 5}},
     .kills = {"chains-may-run-either-way", "edges-of-convex-sums-count-on-neither-side",
               "points-between-convex-sums-are-inside", "points-need-not-bound",
-              "sides-of-convex-sums-start-anywhere", "trapezoids-end-where-edges-do",
+              "sides-of-convex-sums-start-anywhere", "triangles-end-where-edges-do",
               "verify-sees-no-dangling-edges"},
     .cases = 100,
     .check = check,

@@ -42,7 +42,7 @@ class Defect {
 
   static std::vector<Point> vertices(const ConvexPieces& pieces) {
     std::vector<Point> all = pieces.vertices;
-    for (const PointInEdge& point : pieces.points) all.push_back(point.point);
+    for (const pieces::PointInEdge& point : pieces.points) all.push_back(point.point);
     return all;
   }
 

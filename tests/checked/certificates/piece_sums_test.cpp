@@ -10,8 +10,9 @@ namespace oplus::certificates {
 namespace {
 
 TEST(PieceSums, sides_of_a_square_and_a_triangle) {
-  const ConvexPieces p = convex_pieces(polygon(box(0, 0, Rational(1, 2), Rational(1, 2))), 8);
-  const ConvexPieces q = convex_pieces(polygon({{0, 0}, {1, 0}, {0, 1}}), 8);
+  const ConvexPieces p =
+      pieces::convex_pieces(polygon(box(0, 0, Rational(1, 2), Rational(1, 2))), 8);
+  const ConvexPieces q = pieces::convex_pieces(polygon({{0, 0}, {1, 0}, {0, 1}}), 8);
   PieceSums sums(p, q, {});
   std::vector<std::string> lines;
   for (std::size_t side = 0; side < 7; ++side) {
@@ -26,7 +27,7 @@ TEST(PieceSums, sides_of_a_square_and_a_triangle) {
 /// They are off by much less than what decides.
 TEST(PieceSums, doubles_are_near_to_the_exact_sides) {
   const auto [p, q] = generate(*find_family("star"), 20, 1);
-  const ConvexPieces of_p = convex_pieces(p, 8), of_q = convex_pieces(q, 8);
+  const ConvexPieces of_p = pieces::convex_pieces(p, 8), of_q = pieces::convex_pieces(q, 8);
   PieceSums sums(of_p, of_q, {});
   std::vector<HalfPlane> sides;
   for (std::uint32_t i = 0; i < of_p.pieces.size(); ++i) {
@@ -44,7 +45,7 @@ TEST(PieceSums, doubles_are_near_to_the_exact_sides) {
 
 TEST(PieceSums, pairs_in_boxes_around_a_place_are_all_that_contain_it) {
   const auto [p, q] = generate(*find_family("simple"), 40, 1);
-  const ConvexPieces of_p = convex_pieces(p, 8), of_q = convex_pieces(q, 8);
+  const ConvexPieces of_p = pieces::convex_pieces(p, 8), of_q = pieces::convex_pieces(q, 8);
   const PieceSums sums(of_p, of_q, {});
   std::vector<HalfPlane> sides;
   std::size_t containing = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "checked/oplus/engines.hpp"
+#include "checked/oplus/oplus.hpp"
 
 namespace oplus {
 namespace {

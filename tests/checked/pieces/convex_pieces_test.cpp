@@ -18,7 +18,7 @@ TEST(ConvexPieces, are_few) {
   EXPECT_EQ(pieces(holed(box(0, 0, 3, 3), {box(1, 1, 2, 2)})), 4U);
 }
 
-/// With fractions, where CGAL computes otherwise: the same pieces.
+/// With fractions, which doubles do not hold: the same pieces.
 TEST(ConvexPieces, of_fractions_are_those_of_integers) {
   const Region region = generate(*find_family("simple"), 30, 1).p;
   const auto third = [](const Point& p) { return Point{p.x / 3, p.y / 3}; };
