@@ -8,7 +8,7 @@ packages=(g++ cmake ninja-build ccache python3
           coq ocaml-nox ocaml-findlib libzarith-ocaml-dev)
 # More for tests/run.
 packages_of_tests=(clang libclang-rt-14-dev git clang-format make time libgtest-dev libbenchmark-dev
-                   libkainjow-mustache-dev jq z3 cvc5
+                   jq z3 cvc5
                    pybind11-dev python3-dev python3-numpy python3-shapely python3-pytest
                    python3-hypothesis python3-matplotlib)
 # More for tests/run --everything.

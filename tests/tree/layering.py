@@ -16,7 +16,7 @@ LINES = (
 )
 # Ways to use what is checked: each includes its own folder and what is named here, whatever the lines say.
 BINDINGS = {
-    "checked/bindings/python": ("oplus",),
+    "checked/bindings/python": ("oplus", "checked/slide/parallel_for.hpp"),
     "checked/bindings/page": ("reference/definitions", "reference/chains", "reference/io", "checked/collision",
                               "checked/cycles", "checked/slide", "checked/verify"),
 }
@@ -36,7 +36,7 @@ def place(line, path):
 def allowed(including, included):
     for folder, others in BINDINGS.items():
         if holds(folder, including):
-            return any(holds(other, included) for other in (folder, *others))
+            return any(other == included or holds(other, included) for other in (folder, *others))
         if holds(folder, included) and not holds("tests", including):
             return False
     for line in LINES:
