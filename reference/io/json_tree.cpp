@@ -255,6 +255,17 @@ std::size_t JsonValue::size() const {
   return count;
 }
 
+std::vector<std::pair<std::string_view, JsonValue>> JsonValue::members() const {
+  std::vector<std::pair<std::string_view, JsonValue>> result;
+  if (kind() != Kind::object) return result;
+  for (std::size_t name = node_ + 1; name != tree_->next(node_);) {
+    const std::size_t value = tree_->next(name);
+    result.emplace_back(JsonValue(*tree_, name).text(), JsonValue(*tree_, value));
+    name = tree_->next(value);
+  }
+  return result;
+}
+
 std::optional<JsonValue> JsonValue::member(std::string_view key) const {
   if (kind() != Kind::object) return std::nullopt;
   for (std::size_t name = node_ + 1; name != tree_->next(node_);) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "reference/io/input_text.hpp"
@@ -51,6 +52,9 @@ class JsonValue {
 
   /// Counts them.
   std::size_t size() const;
+
+  /// The keys and members of an object in their order; of any other value none.
+  std::vector<std::pair<std::string_view, JsonValue>> members() const;
 
   /// Returns the member of an object with this key, or none.
   std::optional<JsonValue> member(std::string_view key) const;

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "checked/bindings/page/answers.hpp"
 
-#include <rapidjson/document.h>
-#include <rapidjson/stringbuffer.h>
-#include <rapidjson/writer.h>
-
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <exception>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -23,6 +22,7 @@
 #include "reference/definitions/tangent_count.hpp"
 #include "reference/definitions/winding_number.hpp"
 #include "reference/io/counted.hpp"
+#include "reference/io/json_tree.hpp"
 #include "reference/io/number.hpp"
 #include "reference/io/reading.hpp"
 #include "reference/io/unchecked_input.hpp"
@@ -32,30 +32,39 @@ namespace oplus {
 
 namespace {
 
-using Json = rapidjson::Value;
-
 /// JSON with the members of an answer.
 class Answer {
  public:
-  Answer() { writer_.StartObject(); }
+  std::string text() { return text_ + '}'; }
 
-  std::string text() {
-    writer_.EndObject();
-    return {buffer_.GetString(), buffer_.GetSize()};
+  void key(const char* name) {
+    value(std::string(name));
+    text_ += ':';
+    is_first_ = true;
   }
-
-  void key(const char* name) { writer_.Key(name); }
   void value(const std::string& text) {
-    writer_.String(text.data(), static_cast<rapidjson::SizeType>(text.size()));
+    begin_value();
+    text_ += '"';
+    for (const char c : text) {
+      std::array<char, 8> escaped{c};
+      if (c == '"' || c == '\\')
+        escaped = {'\\', c};
+      else if (static_cast<unsigned char>(c) < 0x20)
+        std::snprintf(escaped.data(), escaped.size(), "\\u%04x", static_cast<unsigned>(c));
+      text_ += escaped.data();
+    }
+    text_ += '"';
   }
-  void value(bool is) { writer_.Bool(is); }
-  void value(int number) { writer_.Int(number); }
-  void value(std::size_t number) { writer_.Uint64(number); }
+  void value(bool is) { put(is ? "true" : "false"); }
+  void value(int number) { put(std::to_string(number)); }
+  void value(std::size_t number) { put(std::to_string(number)); }
   /// For the eye. Throws std::range_error for an infinity.
   void value(double number) {
     if (!std::isfinite(number))
       throw std::range_error("a number is beyond all doubles, and cannot be drawn");
-    writer_.Double(number);
+    std::array<char, 32> digits;
+    std::snprintf(digits.data(), digits.size(), "%.17g", number);
+    put(digits.data());
   }
   template <typename Value>
   void member(const char* name, const Value& of_it) {
@@ -66,15 +75,11 @@ class Answer {
 
   template <typename Content>
   void array(const Content& content) {
-    writer_.StartArray();
-    content();
-    writer_.EndArray();
+    enclose('[', content, ']');
   }
   template <typename Content>
   void object(const Content& content) {
-    writer_.StartObject();
-    content();
-    writer_.EndObject();
+    enclose('{', content, '}');
   }
 
   void numbers(const Point& p) {
@@ -98,22 +103,47 @@ class Answer {
   }
 
  private:
-  rapidjson::StringBuffer buffer_;
-  rapidjson::Writer<rapidjson::StringBuffer> writer_{buffer_};
+  void begin_value() {
+    if (!is_first_) text_ += ',';
+    is_first_ = false;
+  }
+  void put(const std::string& written) {
+    begin_value();
+    text_ += written;
+  }
+  template <typename Content>
+  void enclose(char first, const Content& content, char last) {
+    put(std::string(1, first));
+    is_first_ = true;
+    content();
+    is_first_ = false;
+    text_ += last;
+  }
+
+  std::string text_ = "{";
+  bool is_first_ = true;  ///< in its array or object, or after its key
 };
 
-std::string text(const Json& json, const char* name) {
-  const auto found = json.FindMember(name);
-  if (found == json.MemberEnd() || !found->value.IsString()) return {};
-  return {found->value.GetString(), found->value.GetStringLength()};
+std::string text(const JsonValue& json, const char* name) {
+  const auto found = json.member(name);
+  return found && found->kind() == JsonValue::Kind::string ? std::string(found->text()) : "";
 }
 
-bool flag(const Json& json, const char* name) {
-  const auto found = json.FindMember(name);
-  return found != json.MemberEnd() && found->value.IsBool() && found->value.GetBool();
+bool flag(const JsonValue& json, const char* name) {
+  const auto found = json.member(name);
+  return found && found->kind() == JsonValue::Kind::boolean && found->text() == "true";
 }
 
-std::size_t index(const Json& json, const char* name) { return json[name].GetUint(); }
+std::size_t index(const JsonValue& json, const char* name) {
+  return std::stoul(std::string(json.member(name).value().text()));
+}
+
+/// The texts of both items of an array.
+std::array<std::string, 2> two(const JsonValue& json, const char* name) {
+  auto item = json.member(name).value().begin();
+  const std::string first((*item).text());
+  return {first, std::string((*++item).text())};
+}
 
 Rational number(const std::string& name, const std::string& text) {
   NumberFault fault;
@@ -137,9 +167,9 @@ struct Move {
   Point operator()(const Point& from) const { return is_by ? from + step * steps : step * steps; }
 };
 
-Move move_of(const Json& edit, const Rational& step) {
-  const Json& at = edit["at"];
-  return {step, {at[0].GetDouble(), at[1].GetDouble()}, text(edit, "how") == "by"};
+Move move_of(const JsonValue& edit, const Rational& step) {
+  const auto [x, y] = two(edit, "at");
+  return {step, {std::stod(x), std::stod(y)}, text(edit, "how") == "by"};
 }
 
 /// A summand as it was written down.
@@ -175,9 +205,9 @@ void remove(Shape& shape, Chain& chain, std::size_t vertex) {
                      "more vertices");
 }
 
-void edit(Shape& shape, const Json& edit, const Rational& step) {
+void edit(Shape& shape, const JsonValue& edit, const Rational& step) {
   const std::string how = text(edit, "how");
-  if (!edit.HasMember("vertex")) {
+  if (!edit.member("vertex")) {
     shape.region = mapped(std::move(shape.region), move_of(edit, step));
     return;
   }
@@ -195,16 +225,17 @@ void edit(Shape& shape, const Json& edit, const Rational& step) {
 }
 
 /// The summand of a request, edited, and turned the right way if it is valid.
-Shape shape(const std::string& name, const Json& request, const char* member,
+Shape shape(const std::string& name, const JsonValue& request, const char* member,
             const Rational& step) {
   const std::string given = text(request, member);
   UncheckedInput input = read_unchecked(given, name);
-  const bool is_edited = request.HasMember("edit") && text(request["edit"], "of") == member;
+  const auto asked = request.member("edit");
+  const bool is_edited = asked && text(*asked, "of") == member;
   for (const PlacedChain& chain : input.geometry.chains)
     if (chain.is_open || chain.vertices.empty()) read_region(given, name);  // throws
   Shape result{name, take_region(input.geometry)};
   try {
-    if (is_edited) edit(result, request["edit"], step);
+    if (is_edited) edit(result, *asked, step);
     ReadRegion read =
         is_edited ? oriented_and_checked(result.region, name) : read_region(given, name);
     result.region = std::move(read.region);
@@ -320,15 +351,15 @@ void put_verdict(Answer& answer, const Region& p, const Region& q, Boundary boun
   });
 }
 
-Point point_x(const Json& request, const Rational& step) {
-  const Json& x = request["x"];
-  Point point{number("x", x[0].GetString()), number("x", x[1].GetString())};
-  if (request.HasMember("edit") && text(request["edit"], "of") == "x")
-    point = move_of(request["edit"], step)(point);
+Point point_x(const JsonValue& request, const Rational& step) {
+  const auto [x, y] = two(request, "x");
+  Point point{number("x", x), number("x", y)};
+  if (const auto edit = request.member("edit"); edit && text(*edit, "of") == "x")
+    point = move_of(*edit, step)(point);
   return point;
 }
 
-void put_all(Answer& answer, const Json& request) {
+void put_all(Answer& answer, const JsonValue& request) {
   const Rational step = positive("step", text(request, "step"));
   answer.member("step", step.get_d());
   const Shape p = shape("P", request, "p", step);
@@ -359,11 +390,9 @@ void put_all(Answer& answer, const Json& request) {
 }  // namespace
 
 std::string answer(const std::string& request) {
-  rapidjson::Document json;
-  json.Parse(request.data(), request.size());
   try {
     Answer answer;
-    put_all(answer, json);
+    put_all(answer, JsonTree(InputText{"request", request}).root());
     return answer.text();
   } catch (const std::exception& failed) {
     Answer answer;

@@ -2,12 +2,10 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <algorithm>
 #include <cctype>
 #include <csignal>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -102,10 +100,10 @@ class Shell : public testing::Test {
     const std::filesystem::path program = program_beside("oplus");
     put("../script", "cd '" + (place_ / "folder").string() + "'\nPATH='" +
                          program.parent_path().string() + "':$PATH\n" + script + "\n");
-    const std::string at = "'" + place_.string() + "/";
-    const int status =
-        std::system(("bash " + at + "script' >" + at + "out' 2>" + at + "err' </dev/null").c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content("../out"), content("../err")};
+    const EndedProcess ended =
+        run_program({"bash", (place_ / "script").string()}, {.is_quiet = true});
+    const bool has_exited = ended.how == EndedProcess::How::exited;
+    return {has_exited ? ended.code : -1, ended.output, ended.errors};
   }
 
   Ran called(const std::vector<std::string>& words) const {

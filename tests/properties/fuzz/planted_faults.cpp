@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // planted_faults PAGE: switches on each fault of slide and of the readers, and counts the inputs of a fuzz
 // target, always with the same random numbers, until it finds the fault. The page must say how many.
-#include <sys/mman.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <functional>
 #include <iostream>
 #include <memory>
-#include <new>
 #include <string>
 #include <vector>
 
@@ -19,6 +16,7 @@
 #include "properties/fuzz/slide_check.hpp"
 #include "properties/fuzz/text_mutation.hpp"
 #include "properties/mutants/mutants.hpp"
+#include "properties/runner/child_process.hpp"
 #include "reference/definitions/mutant.hpp"
 #include "reference/io/file_text.hpp"
 
@@ -83,35 +81,26 @@ Inputs inputs_of(const FuzzTarget& target) {
 
 /// How many inputs it takes in a process of its own; one more than `most` where none is wrong.
 std::size_t inputs_until_found(const std::string& fault, const Inputs& inputs, std::size_t most) {
-  void* const shared =
-      mmap(nullptr, sizeof(std::size_t), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  if (shared == MAP_FAILED) throw std::bad_alloc();
-  auto* const count = static_cast<volatile std::size_t*>(shared);
-  *count = 0;
   std::cout.flush();
-  const pid_t child = fork();
-  if (child == 0) {
+  const EndedProcess ended = run_fork(
+      [&](int output) {
 #ifdef OPLUS_MUTANTS
-    active_mutant = fault;
+        active_mutant = fault;
 #endif
-    bool is_found = false;
-    try {
-      while (*count < most) {
-        *count = *count + 1;
-        alarm(60);
-        inputs(*count - 1);
-      }
-    } catch (const std::exception& e) {
-      is_found = true;
-      if (fault.empty()) std::cerr << "without a fault: " << e.what() << '\n';
-    }
-    _exit(is_found ? 1 : 0);
-  }
-  int status = 0;
-  waitpid(child, &status, 0);
-  const std::size_t result = status == 0 ? most + 1 : *count;
-  munmap(shared, sizeof(std::size_t));
-  return result;
+        try {
+          for (std::size_t i = 0; i < most; ++i) {
+            if (::write(output, "\n", 1) != 1) return 1;
+            inputs(i);
+          }
+        } catch (const std::exception& e) {
+          if (fault.empty()) std::cerr << "without a fault: " << e.what() << '\n';
+          return 1;
+        }
+        return 0;
+      },
+      {.seconds = 60, .a_line_at_a_time = true});
+  const bool is_found = ended.how != EndedProcess::How::exited || ended.code != 0;
+  return is_found ? ended.output.size() : most + 1;
 }
 
 struct Stream {
