@@ -2,7 +2,7 @@
 (* The theorem: what the checker (checker.v) accepts is the Minkowski sum, as specification.v says. Sums of points of
    pieces are in S (sums_are_inside.v), points of S are sums of points of pieces (cells_are_sums.v), and the pieces
    are the regions (pieces_cover.v). *)
-From Coq Require Import QArith Bool List FMapPositive.
+From Coq Require Import NArith QArith Bool List FMapPositive.
 From Oplus Require Import specification checker angular_crossings homogeneous_points specification_bridge fans
   sums_of_pieces cells_are_sums pieces_cover connected_pieces sums_are_inside.
 Import ListNotations.

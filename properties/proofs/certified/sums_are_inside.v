@@ -5,8 +5,9 @@
    same. So it is the same for any two pieces of P with a common corner, for all of P by the links
    (connected_pieces.v), and likewise for Q; and for the roots it is not 0. Edges that are points do not count. *)
 From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List Permutation SetoidList SetoidPermutation.
-From Oplus Require Import convolution specification checker signed_crossings neighbourhoods meeting_of_segments
-  homogeneous_points specification_bridge fans pieces_cover edges_beside_sums connected_pieces.
+From Oplus Require Import turning_number specification checker direction angular_crossings winding_number signed_crossings
+  neighbourhoods meeting_of_segments homogeneous_points specification_bridge fans pieces_cover edges_beside_sums
+  connected_pieces.
 Import ListNotations.
 
 Open Scope Q_scope.

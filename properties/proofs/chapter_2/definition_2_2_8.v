@@ -4,7 +4,7 @@
    set contains the edge's direction by the tie rule. Tangent sets in 2.2.8 do not contain their ends, and
    ties are not told apart. The segments by Definition 2.2.7 are in convolution_size.v, what rotating
    means in rotation.v, that edges do not all have one direction in sizes_of_cycles.v. *)
-From Coq Require Import QArith Lqa Qfield Lia Bool List.
+From Coq Require Import PeanoNat QArith Lqa Qfield Lia Bool List.
 From Oplus Require Import convolution rotation tracing sizes_of_cycles secants segments_apart simple_chain.
 Import ListNotations.
 

@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Corollary 4.1.9 as corrected: some cycle goes round both chains. *)
-From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation.
+From Coq Require Import PeanoNat QArith Lqa ZArith Lia Bool List Permutation.
 From Oplus Require Import convolution tracing convolution_cycles crossing_cycles rows_and_columns.
 Import ListNotations.
 

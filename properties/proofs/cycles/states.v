@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* The states of the fiber grid of two closed chains, which segments lead from one to the next, and that
    as many lead to a state as leave it. *)
-From Coq Require Import QArith Lia Bool List Permutation.
+From Coq Require Import PeanoNat QArith Lia Bool List Permutation.
 From Oplus Require Import winding tangent_set turning_number convolution_size fiber_grid forward_traversal distinct.
 Import ListNotations.
 

@@ -300,7 +300,7 @@ Proof.
     intros s. split; [apply within |]. intros I.
     set (left := filter (fun t => negb (is_in t (concat cycles))) all).
     assert (in_left : forall t, In t left <-> In t all /\ ~ In t (concat cycles)).
-    { intros t. unfold left. rewrite filter_In. destruct (is_in_spec t (concat cycles)); intuition. }
+    { intros t. unfold left. rewrite filter_In. destruct (is_in_spec t (concat cycles)); intuition auto with *. }
     destruct (is_in_spec s (concat cycles)) as [V | V]; [exact V | exfalso].
     destruct (what_is_left_meets_the_first_row_or_column n m left) as (along & i & j & L & first).
     + intros along at_ L. apply in_left in L. destruct L as [L _]. now apply in_those in L.

@@ -3,7 +3,7 @@
    is positive. From the identity of tangent_count.v: if the winding number is zero, all its terms are, in
    every direction; so no edges cross (crossing_edges.v), no vertex of one is inside the other
    (tangent_direction.v), and nothing is inside both (first_hit.v). *)
-From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
+From Coq Require Import PeanoNat QArith Qminmax Lqa ZArith Lia Bool List.
 From Oplus Require Import convolution shifted_ray signed_crossings tie_rule convolution_winding finite_sums weight
   regions parallelogram tangent_count beside_every_point winding_number_of_the_sum meeting_of_segments first_hit
   reflected tangent_direction crossing_edges.

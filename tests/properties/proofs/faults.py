@@ -12,6 +12,16 @@ from pathlib import Path
 
 # What it is about, the file, what stands there, what stands there instead, and where a proof fails.
 FAULTS = [
+    ("a chain does not close", "specification/specification.v",
+     "combine c (rest ++ [first])", "combine c rest", "certified/specification_bridge.v"),
+    ("a point is on the line of an edge", "specification/specification.v",
+     "exists t, 0 <= t <= 1 /\\", "exists t, 0 <= t /\\", "certified/specification_bridge.v"),
+    ("an end at a point's height is above it", "specification/specification.v",
+     "Qle_bool (y_of a) (y_of x) in", "negb (Qle_bool (y_of x) (y_of a)) in", "certified/specification_bridge.v"),
+    ("edges are no part of their region", "specification/specification.v",
+     "(exists e, In e (edges_of_region r) /\\ is_on x e) \\/ ", "", "certified/specification_bridge.v"),
+    ("any points of a sum will do", "specification/specification.v",
+     "forall x, member x s <-> exists", "forall x, member x s -> exists", "certified/certified_sums.v"),
     ("ties go the other way", "directions/direction.v",
      "OfP, OfQ => Lt | OfQ, OfP => Gt", "OfP, OfQ => Gt | OfQ, OfP => Lt", "directions/cyclic_order.v"),
     ("left and right are one direction", "directions/direction.v",
