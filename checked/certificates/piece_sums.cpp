@@ -44,7 +44,7 @@ NearPieces::NearPieces(const ConvexPieces& pieces, const ShiftedDoubles& doubles
       box.add({place.x, place.x, place.y, place.y});
       const double dx = difference(a.x, b.x, doubles), dy = difference(a.y, b.y, doubles);
       const double length = std::hypot(dx, dy);
-      HalfPlane& side = sides.emplace_back(-dy / length, dx / length, 0);
+      HalfPlane& side = sides.emplace_back(HalfPlane{-dy / length, dx / length, 0});
       side.low = along(side, place);
     }
   }
