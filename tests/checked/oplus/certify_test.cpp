@@ -29,8 +29,8 @@ TEST(Certify, P_and_Q_in_their_order) {
   const std::string text =
       certify(triangle, square, {minkowski_sum(triangle, square).region().region(), {}, {}});
   const std::size_t of_q = text.find("summand q");
-  EXPECT_EQ(text.find("1 2 0\n"), text.find("pieces 1\n") + 9);
-  EXPECT_EQ(text.find("1 2 3 0\n", of_q), text.find("pieces 1\n", of_q) + 9);
+  EXPECT_EQ(text.find("0 1 2\n"), text.find("pieces 1\n") + 9);
+  EXPECT_EQ(text.find("0 1 2 3\n", of_q), text.find("pieces 1\n", of_q) + 9);
 }
 
 TEST(Certify, points_are_written_in_lowest_terms) {
