@@ -154,14 +154,14 @@ int properties(const Settings& settings) {
 }  // namespace
 
 void add_properties_command(Program& program) {
+  const std::vector<std::string> ids = texts(statements(), &Statement::id);
   const auto& [command, settings] = program.add(
       "properties", "Try the statements, theorems and laws, on generated pairs", properties);
   command
       .option("--theorem", settings.ids,
               "Only this statement; may be repeated; 'oplus-check theorems' lists them")
       .type("ID")
-      .one_of(known_name("statement", texts(statements(), &Statement::id),
-                         "'oplus-check theorems' lists all"));
+      .one_of(ids, known_name("statement", ids, "'oplus-check theorems' lists all"));
   const Option cases =
       command.option("--cases", settings.cases, "Cases per statement; default: its own number")
           .range(std::size_t{1}, std::size_t{1000000000});
