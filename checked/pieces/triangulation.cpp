@@ -63,15 +63,15 @@ class Triangulator {
       if (is_inside_below) {
         lower = fronts_[*place.below];
         upper = split(lower);
+        const Index diagonal = waiting | static_cast<Index>(waiting_.size());
+        waiting_.push_back(none);
+        append(lower, vertex, diagonal);
+        prepend(upper, vertex, diagonal);
         if (OPLUS_MUTANT("triangles-end-where-edges-do",
                          "verify loses triangles to the left of a vertex at which no edge ends")) {
           lower.bottom = lower.top;
           nodes_[lower.top].previous = none;
         }
-        const Index diagonal = waiting | static_cast<Index>(waiting_.size());
-        waiting_.push_back(none);
-        append(lower, vertex, diagonal);
-        prepend(upper, vertex, diagonal);
       }
     } else {
       if (is_inside_below) {
