@@ -31,7 +31,7 @@ struct BatchOptions {
   std::vector<std::string> rotations;
   std::optional<std::string> rotation_step;
   std::string angle_error = default_angle_error;
-  std::string operation = names_of_batch_operations().front();
+  std::string operation = "sum";
   Boundary boundary = Boundary::closed;
   Overlaps overlaps = Overlaps::refused;
   ResultForm form = ResultForm::wkt;
@@ -50,8 +50,7 @@ void require_consistent(const BatchOptions& options) {
     throw UsageError("--unordered is for the pairs of one file, without --with");
   if (!options.rotations.empty() && options.rotation_step)
     throw UsageError("expected either --rotations or --rotation-step");
-  if (options.boundary == Boundary::open &&
-      options.operation != names_of_batch_operations().front())
+  if (options.boundary == Boundary::open && options.operation != "sum")
     throw UsageError("--open is for --operation sum");
   angle_error(options.angle_error);
   output_grid(options.rounding);
@@ -125,12 +124,8 @@ class Writer {
 };
 
 Computation computation_of(const BatchOptions& options) {
-  Computation computation(options.operation);
-  computation.boundary = options.boundary;
-  computation.form = options.form;
-  computation.grid = output_grid(options.rounding);
-  computation.digits = options.rounding.digits;
-  return computation;
+  return {operation_called(options.operation, options.boundary), options.form,
+          output_grid(options.rounding), options.rounding.digits};
 }
 
 Results results_of(const LineLot& lot, const std::string& file, Overlaps overlaps,
@@ -290,10 +285,10 @@ void add_batch(Program& program) {
       .type("ANGLE");
   add_angle_error(command, options.angle_error);
   command
-      .option("--operation", options.operation,
-              "what to compute, by default sum: " +
-                  joined(names_of_batch_operations(), std::identity(), ", "))
-      .one_of(names_of_batch_operations())
+      .option(
+          "--operation", options.operation,
+          "what to compute, by default sum: " + joined(operation_names(), std::identity(), ", "))
+      .one_of(operation_names())
       .type("NAME");
   add_open(command, options.boundary, "sum the regions' interiors, as in oplus sum");
   add_union(command, options.overlaps, "each geometry");

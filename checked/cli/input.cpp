@@ -106,6 +106,12 @@ bool is_region(const ReadSet& set) { return set.segments.empty() && set.points.e
 
 MinkowskiSum union_in(const ReadSet& set) { return union_of(set.region, set.segments, set.points); }
 
+MinkowskiSum result_of(const Operation& operation, const ReadSet& p, const ReadSet& q,
+                       const SumOf& sum) {
+  return is_region(p) && is_region(q) ? operation.compute(p.region, q.region, sum)
+                                      : operation.compute_of_sets(union_in(p), union_in(q), sum);
+}
+
 MinkowskiSum set_in(const ReadSet& read) {
   BoundaryFeatures features{{}, {}, read.points};
   std::set<Point> ends;

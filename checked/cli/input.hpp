@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "checked/operations/operations.hpp"
 #include "checked/statistics.hpp"
 #include "reference/definitions/given_sum.hpp"
 #include "reference/definitions/minkowski_sum.hpp"
@@ -41,6 +42,10 @@ bool is_region(const ReadSet& set);
 
 /// The closed set that a summand is: the union of all its parts, in canonical form.
 MinkowskiSum union_in(const ReadSet& set);
+
+/// What the operation makes of two sets, with these sums.
+MinkowskiSum result_of(const Operation& operation, const ReadSet& p, const ReadSet& q,
+                       const SumOf& sum);
 
 /// A sum or another set, of which nothing is known but that its region is valid: its segments are its dangling
 /// edges, wherever they are, and its points its isolated vertices.

@@ -45,21 +45,19 @@ ExitCode operate(const OperationOptions& options) {
   else
     p.region = read_summand(options.p, nullptr, Extent::any, options.overlaps);
   const ReadSet q = read_summand_set(options.q, nullptr, options.overlaps);
-  const bool are_regions = is_region(p) && is_region(q);
   const SumOf sum = [&](const Region& a, const Region& b, Boundary boundary) {
     return engine.compute(a, b, boundary, {}).sum;
   };
   std::optional<ShownStep> step("computing");
-  const MinkowskiSum set = are_regions ? operation.compute(p.region, q.region, sum)
-                                       : operation.compute_of_sets(union_in(p), union_in(q), sum);
+  const MinkowskiSum set = result_of(operation, p, q, sum);
   step.reset();
   if (options.svg && (is_unbounded(p.region) || is_unbounded(q.region) || set.is_unbounded))
     throw UsageError("--svg is for bounded sets");
-  if (operation.is_open && !are_regions && p.region.components.empty() &&
-      q.region.components.empty())
+  if (operation.boundary == Boundary::open && !(is_region(p) && is_region(q)) &&
+      p.region.components.empty() && q.region.components.empty())
     say_note("neither set has inner points, so they never overlap");
-  write_output(options.output, output_text(options.output, format, set, region_of(set),
-                                           operation.is_open ? Boundary::open : Boundary::closed));
+  write_output(options.output,
+               output_text(options.output, format, set, region_of(set), operation.boundary));
   if (options.svg)
     write_text(*options.svg, svg({panel_of_summand(Summand::P, p),
                                   panel_of_summand(Summand::Q, q),

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "checked/operations/operations.hpp"
 
+#include <algorithm>
+#include <stdexcept>
+
 #include "checked/operations/complement.hpp"
 #include "checked/operations/image.hpp"
 #include "checked/operations/unbounded_sum.hpp"
@@ -20,6 +23,11 @@ Region opposite(const Region& region) { return reflected(region); }
 MinkowskiSum opposite(const MinkowskiSum& set) { return image(scaling(-1), set); }
 
 // Of two regions, or of two closed sets.
+
+template <typename Set, Boundary boundary>
+MinkowskiSum sum_of(const Set& p, const Set& q, const SumOf& sum) {
+  return unbounded_sum(p, q, boundary, sum);
+}
 
 template <typename Set>
 MinkowskiSum no_fit_of(const Set& p, const Set& q, const SumOf& sum) {
@@ -77,15 +85,42 @@ MinkowskiSum closed(const Region& p, const Region& q, const SumOf& sum) {
 
 const std::vector<Operation>& operations() {
   static const std::vector<Operation> all = {
-      {"nfp", "where Q, moved, overlaps P: the no-fit polygon", true, no_fit,
+      {"nfp", "where Q, moved, overlaps P: the no-fit polygon", Boundary::open, no_fit,
        no_fit_of<MinkowskiSum>, true},
-      {"ifp", "where Q, moved, is inside P: the inner-fit polygon", false, inner_fit,
+      {"ifp", "where Q, moved, is inside P: the inner-fit polygon", Boundary::closed, inner_fit,
        inner_fit_of<MinkowskiSum>, false},
-      {"erode", "the inner-fit polygon without edges and points", false, eroded,
+      {"erode", "the inner-fit polygon without edges and points", Boundary::closed, eroded,
        eroded_of<MinkowskiSum>, false},
-      {"open", "all copies of Q inside P", false, opened, opened_of<MinkowskiSum>, false},
-      {"close", "the sum of P and Q, eroded by Q", false, closed, closed_of<MinkowskiSum>, false}};
+      {"open", "all copies of Q inside P", Boundary::closed, opened, opened_of<MinkowskiSum>,
+       false},
+      {"close", "the sum of P and Q, eroded by Q", Boundary::closed, closed,
+       closed_of<MinkowskiSum>, false}};
   return all;
+}
+
+std::vector<std::string> operation_names() {
+  std::vector<std::string> names = {"sum"};
+  for (const Operation& operation : operations()) names.push_back(operation.name);
+  return names;
+}
+
+const Operation& operation_called(const std::string& name, Boundary of_sum) {
+  static const Operation closed_sum = {"sum",
+                                       "all p + q",
+                                       Boundary::closed,
+                                       sum_of<Region, Boundary::closed>,
+                                       sum_of<MinkowskiSum, Boundary::closed>,
+                                       true};
+  static const Operation open_sum = {"sum",
+                                     "all p + q, of inner points",
+                                     Boundary::open,
+                                     sum_of<Region, Boundary::open>,
+                                     sum_of<MinkowskiSum, Boundary::open>,
+                                     true};
+  if (name == "sum") return of_sum == Boundary::closed ? closed_sum : open_sum;
+  const auto found = std::ranges::find(operations(), name, &Operation::name);
+  if (found == operations().end()) throw std::invalid_argument("unknown operation " + name);
+  return *found;
 }
 
 }  // namespace oplus

@@ -28,19 +28,25 @@ MinkowskiSum opened(const Region& p, const Region& q, const SumOf& sum);
 /// The erosion by Q of the closed sum of P and Q.
 MinkowskiSum closed(const Region& p, const Region& q, const SumOf& sum);
 
-/// An operation by its name on the command line.
+/// An operation on two sets. The programs, batch and the comparison look it up here.
 struct Operation {
   std::string name;
-  std::string what;  ///< a line for a list
-  bool is_open;      ///< whether the result is an open set
+  std::string what;   ///< a line for a list
+  Boundary boundary;  ///< whether the result is a closed set or an open one
   MinkowskiSum (*compute)(const Region& p, const Region& q, const SumOf& sum);
   /// The same of closed sets in canonical form (set_sum.hpp): P may have edges and points of its own where
-  /// takes_any_p, Q always. The definitions stay the same, but that nfp is the open sum of sets.
+  /// takes_any_p, Q always. The definitions stay the same, but that sum and nfp are sums of sets.
   MinkowskiSum (*compute_of_sets)(const MinkowskiSum& p, const MinkowskiSum& q, const SumOf& sum);
   bool takes_any_p;
 };
 
-/// All of them: nfp, ifp, erode, open, close.
+/// Those that have a command each: nfp, ifp, erode, open, close.
 const std::vector<Operation>& operations();
+
+/// "sum" and these.
+std::vector<std::string> operation_names();
+
+/// One of these; the sum is that of closed or of open regions. Throws std::invalid_argument for another name.
+const Operation& operation_called(const std::string& name, Boundary of_sum = Boundary::closed);
 
 }  // namespace oplus

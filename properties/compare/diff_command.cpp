@@ -40,7 +40,7 @@ std::vector<std::string> hole_test_names() {
 }
 
 std::vector<std::string> operations_and_sums() {
-  std::vector<std::string> names = operation_names();
+  std::vector<std::string> names = compared_operations();
   names.insert(names.begin(), "sum");
   return names;
 }
@@ -116,7 +116,7 @@ void add_diff_command(Program& program) {
       .option("--operation", campaign.operation,
               "What is computed of each pair, by the sums of each engine, and compared with its "
               "definition: " +
-                  boost::join(operation_names(), ", ") +
+                  boost::join(compared_operations(), ", ") +
                   "; sum: the sums themselves. Families give pairs that fit each other")
       .type("NAME")
       .one_of(operations_and_sums())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "properties/compare/operation.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -35,44 +36,44 @@ void require_roundings(const MinkowskiSum& sum) {
       throw NoSum(NoSum::Kind::unreadable, broken->kind, broken->kind + ": " + broken->what);
 }
 
-/// Whether it takes no sums, so that one engine is as good as all.
-bool is_of_no_sum(const std::string& name) {
-  return name == "complement" || name == "union" || name == "path-sum" || name == "sum-of-paths";
+/// What is compared besides the operations of the programs.
+struct Extra {
+  std::string name;
+  bool takes_sums;  ///< where not, one engine is as good as all
+  Compute compute;
+};
+
+const std::vector<Extra>& extras() {
+  static const std::vector<Extra> all = {
+      {"complement", false,
+       [](const Region& p, const Region&, const SumOf&) { return complement(canonical_sum(p)); }},
+      {"union", false,
+       [](Region p, const Region& q, const SumOf&) {
+         p.components.insert(p.components.end(), q.components.begin(), q.components.end());
+         return union_of(p);
+       }},
+      {"closed-sum", true, operation_called("sum").compute},
+      {"path-sum", false,
+       [](const Region& p, const Region& q, const SumOf& sum) {
+         return unbounded_sum(path_set(p), canonical_sum(q), Boundary::closed, sum);
+       }},
+      {"sum-of-paths", false,
+       [](const Region& p, const Region& q, const SumOf& sum) {
+         MinkowskiSum of_q = path_set(q);
+         of_q.isolated_vertices.clear();
+         return unbounded_sum(path_set(p), of_q, Boundary::closed, sum);
+       }},
+      {"rounded-sum", true, [](const Region& p, const Region& q, const SumOf& sum) {
+         MinkowskiSum value = unbounded_sum(p, q, Boundary::closed, sum);
+         require_roundings(value);
+         return value;
+       }}};
+  return all;
 }
 
-Compute checked_operation(const std::string& name) {
-  if (name == "complement")
-    return
-        [](const Region& p, const Region&, const SumOf&) { return complement(canonical_sum(p)); };
-  if (name == "union")
-    return [](const Region& p, const Region& q, const SumOf&) {
-      Region both = p;
-      both.components.insert(both.components.end(), q.components.begin(), q.components.end());
-      return union_of(both);
-    };
-  if (name == "closed-sum")
-    return [](const Region& p, const Region& q, const SumOf& sum) {
-      return unbounded_sum(p, q, Boundary::closed, sum);
-    };
-  if (name == "path-sum")
-    return [](const Region& p, const Region& q, const SumOf& sum) {
-      return unbounded_sum(path_set(p), canonical_sum(q), Boundary::closed, sum);
-    };
-  if (name == "sum-of-paths")
-    return [](const Region& p, const Region& q, const SumOf& sum) {
-      MinkowskiSum of_q = path_set(q);
-      of_q.isolated_vertices.clear();
-      return unbounded_sum(path_set(p), of_q, Boundary::closed, sum);
-    };
-  if (name == "rounded-sum")
-    return [](const Region& p, const Region& q, const SumOf& sum) {
-      MinkowskiSum value = unbounded_sum(p, q, Boundary::closed, sum);
-      require_roundings(value);
-      return value;
-    };
-  for (const Operation& operation : operations())
-    if (operation.name == name) return operation.compute;
-  throw std::invalid_argument("unknown operation " + name);
+Extra compared(const std::string& name) {
+  const auto extra = std::ranges::find(extras(), name, &Extra::name);
+  return extra != extras().end() ? *extra : Extra{name, true, operation_called(name).compute};
 }
 
 /// A sum that operations can be computed with, right or wrong.
@@ -113,12 +114,10 @@ constexpr std::size_t largest = 400;
 
 }  // namespace
 
-std::vector<std::string> operation_names() {
+std::vector<std::string> compared_operations() {
   std::vector<std::string> names;
   for (const Operation& operation : operations()) names.push_back(operation.name);
-  for (const char* name :
-       {"complement", "union", "closed-sum", "path-sum", "sum-of-paths", "rounded-sum"})
-    names.emplace_back(name);
+  for (const Extra& extra : extras()) names.push_back(extra.name);
   return names;
 }
 
@@ -130,9 +129,9 @@ std::string judge_in_words(const Campaign& campaign) {
 Rules rules_of_operation(const std::string& name, Rules of_sums) {
   const DefinedOperation* const defined = find_defined_operation(name);
   if (defined == nullptr) throw std::invalid_argument("no definition of " + name);
-  const Compute operation = checked_operation(name);
-  if (is_of_no_sum(name)) of_sums.engines.resize(1);
-  for (Engine& engine : of_sums.engines) engine = computing(operation, engine);
+  const Extra operation = compared(name);
+  if (!operation.takes_sums) of_sums.engines.resize(1);
+  for (Engine& engine : of_sums.engines) engine = computing(operation.compute, engine);
   of_sums.boundaries = {Boundary::closed};
   of_sums.judge = {"oracle", "the definition of " + name, largest,
                    [defined](const Region& p, const Region& q) -> RightSums {

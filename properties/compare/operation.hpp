@@ -19,13 +19,13 @@ namespace oplus {
 ///     and with the path of Q;
 ///  4. "rounded-sum": closed-sum, which is also rounded to a grid, to each side; a rounding that breaks a promise
 ///     (grid_promises.hpp) is a failure.
-std::vector<std::string> operation_names();
+std::vector<std::string> compared_operations();
 
 /// "the definition of ifp"; of sums, the judge's name in words.
 std::string judge_in_words(const Campaign& campaign);
 
 /// Rules for sums made into rules for an operation: engines compute it with their sums, its definition
-/// (reference/oracle/) judges. Requires: a name of operation_names().
+/// (reference/oracle/) judges. Requires: a name of compared_operations().
 Rules rules_of_operation(const std::string& name, Rules of_sums);
 
 /// Campaign::largest where it is not set.

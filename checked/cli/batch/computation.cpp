@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/cli/batch/computation.hpp"
 
-#include <algorithm>
 #include <new>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "checked/cli/input.hpp"
 #include "checked/cli/usage_error.hpp"
-#include "checked/operations/unbounded_sum.hpp"
 #include "checked/rounding/rounding.hpp"
 #include "checked/slide/slide.hpp"
 #include "reference/chains/region_of.hpp"
@@ -20,7 +18,6 @@ namespace oplus {
 
 namespace {
 
-constexpr const char* sum_name = "sum";
 constexpr const char* no_fit_name = "nfp";
 
 MinkowskiSum sum_of_regions(const Region& p, const Region& q, Boundary boundary) {
@@ -29,47 +26,23 @@ MinkowskiSum sum_of_regions(const Region& p, const Region& q, Boundary boundary)
 
 }  // namespace
 
-std::vector<std::string> names_of_batch_operations() {
-  std::vector<std::string> names = {sum_name};
-  for (const Operation& operation : operations()) names.push_back(operation.name);
-  return names;
-}
-
-Computation::Computation(const std::string& operation) {
-  const auto found = std::find_if(operations().begin(), operations().end(),
-                                  [&](const Operation& one) { return one.name == operation; });
-  if (found != operations().end()) operation_ = &*found;
-}
-
 bool Computation::is_sum_of_prepared() const {
-  return operation_ == nullptr || operation_->name == no_fit_name;
+  return operation.name == "sum" || operation.name == no_fit_name;
 }
 
 Region Computation::second_summand(Region q) const {
-  return operation_ == nullptr ? std::move(q) : reflected(std::move(q));
+  return operation.name == no_fit_name ? reflected(std::move(q)) : std::move(q);
 }
 
 void Computation::add(std::string& line, const ReadSet& p, const ReadSet& q) const {
-  if (is_region(p) && is_region(q)) {
-    add(line, operation_ == nullptr ? sum_of_regions(p.region, q.region, boundary)
-                                    : operation_->compute(p.region, q.region, sum_of_regions));
-    return;
-  }
-  if (operation_ != nullptr && !operation_->takes_any_p && !is_region(p))
-    throw UsageError("P has line strings or points; expected polygons, as P of " +
-                     operation_->name);
-  const MinkowskiSum p_set = union_in(p), q_set = union_in(q);
-  add(line, operation_ == nullptr ? unbounded_sum(p_set, q_set, boundary, sum_of_regions)
-                                  : operation_->compute_of_sets(p_set, q_set, sum_of_regions));
+  if (!operation.takes_any_p && !is_region(p))
+    throw UsageError("P has line strings or points; expected polygons, as P of " + operation.name);
+  add(line, result_of(operation, p, q, sum_of_regions));
 }
 
 void Computation::add(std::string& line, const slide::PreparedSummand& p,
                       const slide::PreparedSummand& q) const {
-  add(line, sum_of_prepared(p, q, operation_ == nullptr ? boundary : Boundary::open).sum);
-}
-
-bool Computation::is_open() const {
-  return operation_ == nullptr ? boundary == Boundary::open : operation_->is_open;
+  add(line, sum_of_prepared(p, q, operation.boundary).sum);
 }
 
 void Computation::add(std::string& line, const MinkowskiSum& result) const {
@@ -82,8 +55,7 @@ void Computation::add(std::string& line, const MinkowskiSum& result) const {
   const Format format = is_wkt ? Format::wkt : Format::geojson;
   std::string text;
   if (grid) {
-    const RoundedSet on_grid =
-        rounded(result, is_open() ? Boundary::open : Boundary::closed, grid->step, grid->side);
+    const RoundedSet on_grid = rounded(result, operation.boundary, grid->step, grid->side);
     text = written(on_grid.set, on_grid.region, format);
   } else {
     text = written(result, format);

@@ -18,16 +18,9 @@ namespace oplus {
 /// How a result is written: as a geometry, or its area alone.
 enum class ResultForm { wkt, geojson, area };
 
-/// `sum`, and those of operations().
-std::vector<std::string> names_of_batch_operations();
-
 /// What is computed of each pair, and how it is written.
-class Computation {
- public:
-  /// Requires: `operation` is one of these names.
-  explicit Computation(const std::string& operation);
-
-  Boundary boundary = Boundary::closed;  ///< of the operation `sum`
+struct Computation {
+  const Operation& operation;
   ResultForm form = ResultForm::wkt;
   std::optional<OutputGrid> grid = {};  ///< of results; they are exact if empty
   std::optional<int> digits = {};       ///< of areas; they are exact if empty
@@ -43,9 +36,6 @@ class Computation {
 
  private:
   void add(std::string& line, const MinkowskiSum& result) const;
-  bool is_open() const;  ///< whether results are open sets
-
-  const Operation* operation_ = nullptr;  ///< none: the sum
 };
 
 /// Adds a line to the results. compute(line) gets the beginning of the line, `{"line": 7` for example, and

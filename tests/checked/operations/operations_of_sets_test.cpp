@@ -35,9 +35,7 @@ GivenSum parts_of(const MinkowskiSum& set) {
 GivenSum minus(const GivenSum& set) { return reflected_to({0, 0}, set); }
 
 MinkowskiSum value(const std::string& name, const GivenSum& p, const GivenSum& q) {
-  const auto found = std::find_if(operations().begin(), operations().end(),
-                                  [&](const Operation& one) { return one.name == name; });
-  return found->compute_of_sets(union_in(p), union_in(q), by_slide);
+  return operation_called(name).compute_of_sets(union_in(p), union_in(q), by_slide);
 }
 
 /// By definition: no point of a set is outside of a region.

@@ -40,14 +40,14 @@ CampaignReport run_of(const std::string& operation, const Engine& engine, std::s
 }
 
 TEST(Operation, each_has_a_definition_and_agrees_with_it) {
-  for (const std::string& name : operation_names()) {
+  for (const std::string& name : compared_operations()) {
     ASSERT_NE(find_defined_operation(name), nullptr) << name;
     const CampaignReport report = run_of(name, right, 10);
     EXPECT_TRUE(report.conforms()) << name;
     EXPECT_EQ(report.all().ran, 10U) << name;
     EXPECT_EQ(report.all().count("passed"), 10U) << name;
   }
-  EXPECT_EQ(defined_operations().size(), operation_names().size());
+  EXPECT_EQ(defined_operations().size(), compared_operations().size());
 }
 
 TEST(Operation, one_value_per_pair_is_judged) {
