@@ -2,48 +2,14 @@
 #include "checked/rounding/faces.hpp"
 
 #include <algorithm>
-#include <optional>
+#include <iterator>
 #include <utility>
 
-#include "reference/chains/nesting.hpp"
 #include "reference/chains/region_of.hpp"
+#include "reference/chains/swept_cells.hpp"
 #include "reference/chains/touching_points.hpp"
 
 namespace oplus {
-
-namespace {
-
-/// A chain of a region: the number of its component, and of its hole, counted through the region; an outer chain
-/// has none.
-struct ChainPlace {
-  std::size_t component;
-  std::optional<std::size_t> hole;
-};
-
-std::vector<ChainPlace> places_of_chains(const Region& region) {
-  std::vector<ChainPlace> result;
-  std::size_t holes = 0;
-  for (std::size_t c = 0; c < region.components.size(); ++c) {
-    result.push_back({c, std::nullopt});
-    for (std::size_t h = 0; h < region.components[c].holes.size(); ++h)
-      result.push_back({c, holes++});
-  }
-  return result;
-}
-
-/// The face of the complement that is around a chain of a region: its own, of a hole.
-std::vector<std::size_t> faces_right_of_chains(const std::vector<ChainPlace>& places,
-                                               const Nesting& nesting, std::size_t outside) {
-  std::vector<std::size_t> result;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    std::optional<std::size_t> chain = i;
-    while (chain && !places[*chain].hole) chain = nesting.around(*chain);
-    result.push_back(chain ? *places[*chain].hole : outside);
-  }
-  return result;
-}
-
-}  // namespace
 
 Region region_with_connected_interiors(std::vector<Segment> edges) {
   for (Segment& e : edges) e = reversed(e);
@@ -77,31 +43,34 @@ Region with_connected_interiors(const Region& region) {
 }
 
 Boundaries boundaries_of(const MinkowskiSum& set) {
-  // The same region but where chains touch; there they are cut, so that both have the same pieces.
-  const Region by_holes = region_of(set), by_components = with_connected_interiors(by_holes);
-  std::vector<std::pair<Segment, std::size_t>> components;
-  std::vector<ChainPlace> places = places_of_chains(by_components);
-  std::vector<std::vector<Segment>> pieces = pieces_by_chain(by_components);
-  for (std::size_t i = 0; i < pieces.size(); ++i)
-    for (Segment& piece : pieces[i]) components.emplace_back(std::move(piece), places[i].component);
-  std::ranges::sort(components);
+  std::vector<Segment> segments;
+  for (const std::vector<Chain>* chains : {&set.outer, &set.holes})
+    for (const Chain& chain : *chains)
+      std::ranges::move(edges(chain), std::back_inserter(segments));
+  const std::vector<std::vector<Segment>> pieces = swept_pieces(segments);
+  const Cells cells = swept_cells_of_pieces(pieces);
 
   Boundaries result;
-  result.component_count = by_components.components.size();
-  places = places_of_chains(by_holes);
-  for (const ChainPlace& place : places) result.hole_count += place.hole ? 1 : 0;
-  const std::vector<std::size_t> right =
-      faces_right_of_chains(places, nesting(SweptChains(chains_in(by_holes))), result.hole_count);
-  pieces = pieces_by_chain(by_holes);
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    for (Segment& piece : pieces[i]) {
-      const auto same =
-          std::ranges::lower_bound(components, piece, {}, &std::pair<Segment, std::size_t>::first);
-      result.left.push_back(same->second);
-      result.right.push_back(right[i]);
-      result.edges.push_back(std::move(piece));
+  constexpr auto none = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> numbers(cells.faces.size(), none);
+  const auto number = [&](std::size_t face, std::size_t& count) {
+    if (numbers[face] == none) numbers[face] = count++;
+    return numbers[face];
+  };
+  for (const std::vector<Segment>& of_edge : pieces) {
+    for (const Segment& piece : of_edge) {
+      const bool forth = piece.source < piece.target;
+      const Cells::Edge& edge = *std::ranges::lower_bound(
+          cells.edges, forth ? piece : reversed(piece), {}, &Cells::Edge::segment);
+      result.edges.push_back(piece);
+      result.left.push_back(
+          number(forth ? edge.left_face : edge.right_face, result.component_count));
+      const std::size_t right = forth ? edge.right_face : edge.left_face;
+      result.right.push_back(right == cells.unbounded_face ? none
+                                                           : number(right, result.hole_count));
     }
   }
+  std::ranges::replace(result.right, none, result.hole_count);
   return result;
 }
 
