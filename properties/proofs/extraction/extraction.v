@@ -6,7 +6,7 @@ From Oplus Require Import convolution tangent_set shifted_ray signed_crossings t
   location pieces naive_collision convolution_winding regions tangent_count checked_collision.
 
 Extraction Language OCaml.
-Extraction "proved.ml" compare ccw is_reflex in_tangent_set is_convolution_segment
+Extraction "proved.ml" compare ccw is_reflex in_tangent_set
   signed_crossing winding_number.winding_number edges right_of_middle winding_number_shifted
   turning_number.turning_number in_convolution trace_cycles states_looked_at
   signed_crossing_of_step signed_crossings_of_path region_edges locate collide count_tangents

@@ -73,8 +73,18 @@ let steps radius =
   each segments (fun step ->
       each segments (fun s -> write_number (signed_crossing_of_step step.source step.target s)))
 
-(* Regions: a line each, chains separated by semicolons, coordinates by blanks. *)
-let regions file =
+(* What a file has in its lines, read by `parsed`. *)
+let read_lines parsed file =
+  let channel = open_in file in
+  let rec lines found =
+    match input_line channel with
+    | line -> lines (parsed line :: found)
+    | exception End_of_file -> close_in channel; List.rev found
+  in
+  lines []
+
+(* A region: chains separated by semicolons, coordinates by blanks. *)
+let chains_of text =
   let rec points = function
     | x :: y :: rest -> point x y :: points rest
     | [] -> []
@@ -83,16 +93,15 @@ let regions file =
   let chain text =
     points (List.map int_of_string (List.filter (( <> ) "") (String.split_on_char ' ' text)))
   in
-  let channel = open_in file in
-  let rec lines () =
-    match input_line channel with
-    | line -> (
-        match List.filter (( <> ) []) (List.map chain (String.split_on_char ';' line)) with
-        | [] -> lines ()
-        | chains -> chains :: lines ())
-    | exception End_of_file -> close_in channel; []
-  in
-  lines ()
+  List.map chain (String.split_on_char ';' text)
+
+let regions = read_lines chains_of
+
+let pairs =
+  read_lines (fun line ->
+      match String.split_on_char '|' line with
+      | [ p; q ] -> (chains_of p, chains_of q)
+      | _ -> failwith "no pair")
 
 (* Polygons: regions of one chain. *)
 let polygons file =
@@ -130,31 +139,14 @@ let validities file = each (regions file) (fun r -> write_bit (covers_nothing_tw
 (* Regions as sets of points up to translation, so that -Q + x is one of them. *)
 let reflected_at x chains = region (List.map (List.map (fun v -> minus x v)) chains)
 
-(* Of each region of one file and each of another, placed at x as -Q + x, whether their interiors meet. *)
-let collisions ps qs xs =
-  let of_p = List.map region (regions ps) and of_q = regions qs in
-  each xs (fun x ->
-      let placed = List.map (reflected_at x) of_q in
-      each of_p (fun p -> each placed (fun q -> write_bit (collide p q))))
+(* Of each pair, -Q placed at each of the points, whether the interiors meet. *)
+let collisions file xs =
+  each (pairs file) (fun (p, q) ->
+      let p = region p in
+      each xs (fun x -> write_bit (collide p (reflected_at x q))))
 
-(* The same pairs, chosen by lines of two indices. *)
-let collisions_of_orbits file pairs xs =
-  let all = Array.of_list (regions file) in
-  let fixed = Array.map region all in
-  let channel = open_in pairs in
-  let rec indices () =
-    match input_line channel with
-    | line -> let pair = Scanf.sscanf line "%d %d" (fun a b -> (a, b)) in pair :: indices ()
-    | exception End_of_file -> close_in channel; []
-  in
-  let chosen = indices () in
-  each xs (fun x ->
-      let placed = Array.map (reflected_at x) all in
-      each chosen (fun (a, b) -> write_bit (collide fixed.(a) placed.(b))))
-
-(* The segments of the convolution of each two regions of a file, a line each pair, as coordinates. *)
-let convolutions_of_regions file =
-  let all = List.map region (regions file) in
+(* The segments of the convolution of each pair, a line each, as coordinates. *)
+let convolutions file =
   let write_coordinate q =
     match q with
     | { qnum; qden = XH } -> write_number qnum
@@ -166,21 +158,19 @@ let convolutions_of_regions file =
         each [ source.vx; source.vy; target.vx; target.vy ] write_coordinate;
         write_segments rest
   in
-  each all (fun p -> each all (fun q -> write_segments (convolution_segments p q)))
+  each (pairs file) (fun (p, q) -> write_segments (convolution_segments (region p) (region q)))
 
 (* Winding numbers of the convolution, and tangents that are counted in some directions. *)
-let convolution_windings ps qs xs =
-  let of_p = List.map region (regions ps) and of_q = List.map region (regions qs) in
-  each of_p (fun p ->
-      each of_q (fun q -> each xs (fun x -> write_number (convolution_winding_number x p q))))
+let convolution_windings file xs =
+  each (pairs file) (fun (p, q) ->
+      let p = region p and q = region q in
+      each xs (fun x -> write_number (convolution_winding_number x p q)))
 
-let tangent_counts ps qs xs =
-  let of_p = List.map region (regions ps) and of_q = List.map region (regions qs) in
-  each of_p (fun p ->
-      each of_q (fun q ->
-          each xs (fun x ->
-              each [ point 1 0; point (-1) 1; point (-1) (-2) ] (fun d ->
-                  write_number (count_tangents x p q d)))))
+let tangent_counts file xs =
+  each (pairs file) (fun (p, q) ->
+      let p = region p and q = region q in
+      each xs (fun x ->
+          each [ point 1 0; point (-1) 1; point (-1) (-2) ] (fun d -> write_number (count_tangents x p q d))))
 
 (* Points given by twice their coordinates. *)
 let rec halves = function
@@ -210,23 +200,10 @@ let turnings file =
       write_number (turning_number (coq_list polygon));
       write_number (turning_number (coq_list (List.rev polygon))))
 
-(* Of each two polygons, for each state, whether a segment leaves it along the edge of P, then of Q. *)
-let convolutions file =
-  let all = List.map (fun p -> (List.length p, coq_list p)) (polygons file) in
-  each all (fun (n, p) ->
-      each all (fun (m, q) ->
-          for i = 0 to n - 1 do
-            for j = 0 to m - 1 do
-              each [ OfP; OfQ ] (fun along ->
-                  write_bit (is_convolution_segment p q along (natural i) (natural j)))
-            done
-          done))
-
-(* Of each two polygons, the cycles as they are traced: a start and the steps from it, a line for each;
+(* Of each pair of polygons, the cycles as they are traced: a start and the steps from it, a line for each;
    then how many states were looked at. *)
 let cycles file =
   let rec value = function O -> 0 | S n -> 1 + value n in
-  let all = List.map (fun p -> (List.length p, coq_list p)) (polygons file) in
   let rec write_steps = function
     | Nil -> print_char '\n'
     | Cons (Pair (along, _), rest) ->
@@ -241,14 +218,15 @@ let cycles file =
         write_cycles rest
     | Cons (Nil, _) -> failwith "a cycle without steps"
   in
-  each all (fun (n, p) ->
-      each all (fun (m, q) ->
-          let n = natural n and m = natural m in
-          match trace_cycles n m (in_convolution p q) with
-          | None -> failwith "a trace that does not end"
-          | Some traced ->
-              write_cycles traced;
-              Printf.printf "%d\n" (value (states_looked_at n m traced))))
+  let cycles_of p q =
+    let n = natural (List.length p) and m = natural (List.length q) in
+    match trace_cycles n m (in_convolution (coq_list p) (coq_list q)) with
+    | None -> failwith "a trace that does not end"
+    | Some traced ->
+        write_cycles traced;
+        Printf.printf "%d\n" (value (states_looked_at n m traced))
+  in
+  each (pairs file) (function [ p ], [ q ] -> cycles_of p q | _ -> failwith "a region of several chains")
 
 let () =
   match List.tl (Array.to_list Sys.argv) with
@@ -265,16 +243,14 @@ let () =
   | [ "steps"; radius ] -> steps (int_of_string radius)
   | [ "paths"; side; file ] -> paths (int_of_string side) file
   | [ "locations"; side; file ] -> locations (int_of_string side) file
-  | "collisions" :: ps :: qs :: xs -> collisions ps qs (halves xs)
-  | "collisions-of-orbits" :: file :: pairs :: xs -> collisions_of_orbits file pairs (halves xs)
+  | "collisions" :: file :: xs -> collisions file (halves xs)
   | [ "validities"; file ] -> validities file
-  | [ "convolutions-of-regions"; file ] -> convolutions_of_regions file
-  | "convolution-windings" :: ps :: qs :: xs -> convolution_windings ps qs (halves xs)
-  | "tangent-counts" :: ps :: qs :: xs -> tangent_counts ps qs (halves xs)
+  | "convolution-windings" :: file :: xs -> convolution_windings file (halves xs)
+  | "tangent-counts" :: file :: xs -> tangent_counts file (halves xs)
   | _ ->
       prerr_endline "usage: (orders | betweens | reflex | tangents | crossings | steps) RADIUS, \
                      (windings | shots) RADIUS FILE, \
-                     (turnings | convolutions | cycles | validities | convolutions-of-regions) FILE, \
-                     (paths | locations) SIDE FILE, collisions-of-orbits FILE PAIRS HALVES..., or \
-                     (collisions | convolution-windings | tangent-counts) FILE-OF-P FILE-OF-Q HALVES...";
+                     (turnings | validities) FILE, (paths | locations) SIDE FILE, \
+                     (convolutions | cycles) PAIRS, or \
+                     (collisions | convolution-windings | tangent-counts) PAIRS HALVES...";
       exit 2

@@ -10,7 +10,6 @@
 #include <iostream>
 #include <map>
 #include <optional>
-#include <set>
 #include <stdexcept>
 #include <string>
 
@@ -36,48 +35,19 @@ namespace oplus {
 
 namespace {
 
-constexpr int radius = 3;  // 7 x 7 points
-constexpr int side = 3;    // of the grid of polygons
-constexpr std::size_t most_vertices = 4;
-constexpr std::size_t any_number_of_vertices = side * side;
+struct Pair {
+  const Region* p;
+  const Region* q;
+};
 
-// The same order as in properties/proofs/extraction/tables.ml.
+// What is asked about, in words, and for regions and pairs as the extracted program reads them.
 
-std::vector<Point> grid(int denominator = 1) {
-  std::vector<Point> all;
-  for (int x = -radius; x <= radius; ++x)
-    for (int y = -radius; y <= radius; ++y)
-      all.push_back({Rational(x) / denominator, Rational(y) / denominator});
-  return all;
-}
+std::string words(const Point& p) { return to_string(p); }
 
-std::vector<Vector> vectors() {
-  std::vector<Vector> all = grid();
-  all.erase(std::find(all.begin(), all.end(), Vector{0, 0}));
-  return all;
-}
-
-std::vector<Direction> directions() {
-  std::vector<Direction> all;
-  for (const Vector& v : vectors())
-    for (const Summand of : {Summand::P, Summand::Q}) all.push_back({v, of});
-  return all;
-}
-
-char order(int compared) { return compared < 0 ? '<' : compared > 0 ? '>' : '='; }
-char bit(bool value) { return value ? '1' : '0'; }
-/// 0 to 9, and what follows in ASCII for more; a for -1, b for -2, and so on.
-char number(int value) { return static_cast<char>(value >= 0 ? '0' + value : 'a' - 1 - value); }
+std::string words(const Segment& s) { return to_string(s.source) + " to " + to_string(s.target); }
 
 std::string words(const Direction& d) {
   return to_string(d.vector) + (d.of == Summand::P ? " of P" : " of Q");
-}
-
-std::string words(const GridPolygon& polygon) {
-  std::string all;
-  for (const LatticePoint& p : polygon)
-    all += (all.empty() ? "" : " ") + std::to_string(p.x) + " " + std::to_string(p.y);
-  return all;
 }
 
 std::string words(const Region& region) {
@@ -90,21 +60,66 @@ std::string words(const Region& region) {
   return all;
 }
 
-std::string shown(char c) { return c == '\n' ? "end of line" : std::string("`") + c + '`'; }
+std::string words(const Pair& pair) { return words(*pair.p) + " | " + words(*pair.q); }
+
+// Answers, as tables have them.
+
+std::string written(std::string text) { return text; }
+
+std::string written(bool value) { return value ? "1" : "0"; }
+
+/// 0 to 9, and what follows in ASCII for more; a for -1, b for -2, and so on.
+std::string written(int value) {
+  return std::string(1, static_cast<char>(value >= 0 ? '0' + value : 'a' - 1 - value));
+}
+
+std::string written(Location where) {
+  return where == Location::outside ? "o" : where == Location::boundary ? "b" : "i";
+}
+
+std::string order(int compared) { return compared < 0 ? "<" : compared > 0 ? ">" : "="; }
+
+/// f of each combination, the last set's elements changing fastest.
+template <typename F>
+void each(const F& f) {
+  f();
+}
+
+template <typename F, typename Set, typename... Sets>
+void each(const F& f, const Set& set, const Sets&... sets) {
+  for (const auto& one : set) each([&](const auto&... others) { f(one, others...); }, sets...);
+}
+
+/// The answers on each combination, one after another.
+template <typename Answer, typename... Sets>
+std::string answers(const Answer& answer, const Sets&... sets) {
+  std::string all;
+  each([&](const auto&... asked) { all += written(answer(asked...)); }, sets...);
+  return all;
+}
 
 /// Reads a table along with what the C++ code says.
 class Comparison {
  public:
-  explicit Comparison(const std::string& proved) : proved_(proved) {}
+  struct Seen {};
 
-  /// `where` says in words what is asked, if it comes to that.
-  template <typename Where>
-  void entry(char here, Where where) {
-    const char proved = entries_ < proved_.size() ? proved_[entries_] : '?';
-    ++entries_;
-    if (here == proved) return;
-    if (differences_++ == 0)
-      first_ = where() + ": proved " + shown(proved) + ", but C++ says " + shown(here);
+  /// Throws Seen at the first difference if no more is to be known.
+  Comparison(const std::string& proved, bool until_seen)
+      : proved_(proved), until_seen_(until_seen) {}
+
+  template <typename... Asked>
+  void answer(const std::string& here, const Asked&... asked) {
+    for (std::size_t i = 0; i < here.size(); ++i) {
+      const char proved = entries_ < proved_.size() ? proved_[entries_] : '?';
+      ++entries_;
+      if (here[i] == proved) continue;
+      if (differences_++ == 0) {
+        ((first_ += words(asked) + ", "), ...);
+        first_ += "answer " + std::to_string(i + 1) + ": proved " + shown(proved) +
+                  ", but C++ says " + shown(here[i]);
+      }
+      if (until_seen_) throw Seen{};
+    }
   }
 
   void broken_contract(const std::string& what) {
@@ -123,376 +138,67 @@ class Comparison {
   std::size_t entries() const { return entries_; }
 
  private:
+  static std::string shown(char c) { return c == '\n' ? "end of line" : std::string{'`', c, '`'}; }
+
   const std::string& proved_;
+  bool until_seen_;
   std::size_t entries_ = 0;
   std::size_t differences_ = 0;
   std::string first_;
 };
 
-template <typename Compared>
-void orders(const std::vector<Compared>& all, Comparison& table) {
-  const std::vector<Direction> named = directions();
-  for (std::size_t a = 0; a < all.size(); ++a)
-    for (std::size_t b = 0; b < all.size(); ++b)
-      table.entry(order(compare(all[a], all[b])),
-                  [&] { return words(named[a]) + " and " + words(named[b]); });
-}
+/// A predicate of ours, and which of the tables says what it should be.
+struct Predicate {
+  std::string name;
+  std::vector<std::string> table;  ///< arguments of the extracted program
+  std::function<void(Comparison&)> compare;
+};
 
-void exact_orders(Comparison& table) { orders(directions(), table); }
-
-void filtered_orders(Comparison& table) {
-  std::vector<FilteredDirection> all;
-  for (const Direction& d : directions()) all.emplace_back(d);
-  orders(all, table);
-}
-
-void betweens(Comparison& table) {
-  const std::vector<Direction> all = directions();
-  for (const Direction& d : all)
-    for (const Direction& from : all)
-      for (const Direction& to : all)
-        table.entry(bit(counterclockwise_between(d, from, to)),
-                    [&] { return words(d) + " between " + words(from) + " and " + words(to); });
-}
-
-void reflex(Comparison& table) {
-  const std::vector<Vector> all = vectors();
-  for (const Vector& in : all)
-    for (const Vector& out : all)
-      table.entry(bit(is_reflex({in, out})),
-                  [&] { return to_string(in) + " to " + to_string(out); });
-}
-
-/// For `is_in(in, out)`, made by `asked_by(d)`.
-template <typename IsIn>
-void all_tangents(IsIn is_in, Comparison& table) {
-  const std::vector<Vector> all = vectors();
-  for (const Direction& d : directions())
-    for (const Vector& in : all)
-      for (const Vector& out : all)
-        table.entry(bit(is_in(d, in, out)),
-                    [&] { return words(d) + " at " + to_string(in) + " to " + to_string(out); });
-}
-
-void tangents(Comparison& table) {
-  all_tangents(
-      [](const Direction& d, const Vector& in, const Vector& out) {
-        return in_tangent_set(d, {in, out});
-      },
-      table);
-}
-
-/// A chain with the corner at its vertex 1; vertex 3 is far from all others.
-TracedChain chain_with_corner(const Vector& in, const Vector& out, Summand of) {
-  return TracedChain({-in, {0, 0}, out, {100, 37}}, of);
-}
-
-void traced_tangents(Comparison& table) {
-  const std::vector<Vector> all = vectors();
-  std::map<std::pair<Vector, Vector>, std::array<TracedChain, 2>> chains;
-  for (const Vector& in : all)
-    for (const Vector& out : all)
-      chains.insert(
-          {{in, out},
-           {chain_with_corner(in, out, Summand::P), chain_with_corner(in, out, Summand::Q)}});
-  all_tangents(
-      [&](const Direction& d, const Vector& in, const Vector& out) {
-        const auto& of_both = chains.at({in, out});
-        return of_both[static_cast<std::size_t>(other(d.of))].has_in_tangent_set(
-            1, FilteredDirection(d));
-      },
-      table);
-}
-
-void crossings(Comparison& table) {
-  const std::vector<Point> ends = grid();
-  for (const Point& p : grid(2))
-    for (const Point& source : ends)
-      for (const Point& target : ends)
-        table.entry(number(winding_number(p, {{source, target}})), [&] {
-          return to_string(p) + " and the segment from " + to_string(source) + " to " +
-                 to_string(target);
-        });
-}
-
-void windings(const std::vector<GridPolygon>& polygons, Comparison& table) {
-  for (const GridPolygon& polygon : polygons) {
-    const std::vector<Segment> boundary = edges(region_of(polygon));
-    for (const Point& p : grid(2))
-      table.entry(number(winding_number(p, boundary)),
-                  [&] { return to_string(p) + " and the polygon " + words(polygon); });
-  }
-}
-
-void shots(const std::vector<GridPolygon>& polygons, Comparison& table) {
-  const std::vector<Point> ends = grid();
-  for (const GridPolygon& polygon : polygons) {
-    const RayShooting rays(edges(region_of(polygon)));
-    for (const Point& source : ends) {
-      for (const Point& target : ends) {
-        if (source == target) continue;
-        table.entry(number(rays.winding_number_right_of({source, target})), [&] {
-          return "right of the segment from " + to_string(source) + " to " + to_string(target) +
-                 " and the polygon " + words(polygon);
-        });
-      }
-    }
-  }
-}
-
-/// What the theorems on chains ask for, and is not proved of simple polygons: they turn once, holes of
-/// their shape once backwards. On valid regions it is what twice_area tells.
-void turnings(const std::vector<GridPolygon>& polygons, Comparison& table) {
-  for (const GridPolygon& polygon : polygons) {
-    Chain chain = chains(region_of(polygon)).front();
-    for (const std::string kind : {"the polygon ", "a hole, the polygon "}) {
-      table.entry(number(sign(twice_area(chain))), [&] { return kind + words(polygon); });
-      std::reverse(chain.begin(), chain.end());
-    }
-  }
-}
-
-/// A state of the fiber grid, and along whose edge it is left.
-using Leaving = std::tuple<std::size_t, std::size_t, Summand>;
-
-Leaving leaving(const Origin& origin) {
-  return origin.edge_of == Summand::P
-             ? Leaving{origin.edge.vertex, origin.vertex.vertex, Summand::P}
-             : Leaving{origin.vertex.vertex, origin.edge.vertex, Summand::Q};
-}
-
-std::multiset<Leaving> of_the_definition(const Region& p, const Region& q) {
-  std::multiset<Leaving> all;
-  for (const ConvolutionSegment& s : convolution(p, q)) all.insert(leaving(s.origin));
-  return all;
-}
-
-std::multiset<Leaving> traced(const Region& p, const Region& q) {
-  std::multiset<Leaving> all;
-  for (const TracedOrigin& s : traced_origins(p, q)) all.insert(leaving(s.origin));
-  return all;
-}
-
-template <typename Convolved>
-void convolutions(const std::vector<GridPolygon>& polygons, Convolved convolved,
-                  Comparison& table) {
-  std::vector<Region> regions;
-  for (const GridPolygon& polygon : polygons) regions.push_back(region_of(polygon));
-  for (std::size_t a = 0; a < polygons.size(); ++a) {
-    for (std::size_t b = 0; b < polygons.size(); ++b) {
-      const std::multiset<Leaving> all = convolved(regions[a], regions[b]);
-      for (std::size_t i = 0; i < polygons[a].size(); ++i) {
-        for (std::size_t j = 0; j < polygons[b].size(); ++j) {
-          for (const Summand along : {Summand::P, Summand::Q}) {
-            const std::size_t times = all.count({i, j, along});
-            table.entry(times == 0   ? '0'
-                        : times == 1 ? '1'
-                                     : '+',
-                        [&] {
-                          return "P " + words(polygons[a]) + ", Q " + words(polygons[b]) +
-                                 ", state (" + std::to_string(i) + ", " + std::to_string(j) +
-                                 ") along " + (along == Summand::P ? "P" : "Q");
-                        });
-          }
-        }
-      }
-    }
-  }
-}
-
-/// Chain of P, chain of Q, along whose edge, vertex of P, vertex of Q.
-using NamedByChains = std::tuple<std::size_t, std::size_t, Summand, std::size_t, std::size_t>;
-
-NamedByChains named_by_chains(const Origin& origin) {
-  const VertexIndex& of_p = origin.edge_of == Summand::P ? origin.edge : origin.vertex;
-  const VertexIndex& of_q = origin.edge_of == Summand::P ? origin.vertex : origin.edge;
-  return {of_p.chain, of_q.chain, origin.edge_of, of_p.vertex, of_q.vertex};
-}
-
-using NamedSegments = std::multimap<NamedByChains, Segment>;
-
-NamedSegments segments_of_the_definition(const Region& p, const Region& q) {
-  NamedSegments all;
-  for (const ConvolutionSegment& s : convolution(p, q))
-    all.insert({named_by_chains(s.origin), s.segment});
-  return all;
-}
-
-NamedSegments traced_segments(const Region& p, const Region& q) {
-  const std::vector<Chain> of_p = chains(p), of_q = chains(q);
-  NamedSegments all;
-  for (const TracedOrigin& s : traced_origins(p, q)) {
-    const NamedByChains name = named_by_chains(s.origin);
-    const auto& [a, b, along, i, j] = name;
-    const Chain &chain_p = of_p[a], &chain_q = of_q[b];
-    const Point from = chain_p[i] + chain_q[j];
-    const Point to = along == Summand::P ? chain_p[next(i, chain_p.size())] + chain_q[j]
-                                         : chain_p[i] + chain_q[next(j, chain_q.size())];
-    all.insert({name, {from, to}});
-  }
-  return all;
-}
-
-/// The segments of each pair of regions, a line each pair, as coordinates.
-template <typename Named>
-void convolutions_of_regions(const std::vector<Region>& regions, Named segments_of,
-                             Comparison& table) {
-  const auto coordinate = [](const Rational& value) {
-    return number(static_cast<int>(value.get_d()));
+/// The comparison of the answers on each combination. The sets must outlive it.
+template <typename Answer, typename... Sets>
+std::function<void(Comparison&)> on(Answer answer, Sets&... sets) {
+  return [answer, &sets...](Comparison& table) {
+    each([&](const auto&... asked) { table.answer(written(answer(asked...)), asked...); }, sets...);
   };
-  for (const Region& p : regions)
-    for (const Region& q : regions) {
-      const auto where = [&] { return "P " + words(p) + ", Q " + words(q); };
-      for (const auto& [name, s] : segments_of(p, q))
-        for (const Rational* value : {&s.source.x, &s.source.y, &s.target.x, &s.target.y})
-          table.entry(coordinate(*value), where);
-      table.entry('\n', where);
-    }
 }
 
-/// The cycles of each pair as text, line by line.
-void cycles(const std::vector<GridPolygon>& polygons, Comparison& table) {
-  std::vector<std::array<TracedChain, 2>> traced;
-  for (const GridPolygon& polygon : polygons) {
-    const Chain chain = chains(region_of(polygon)).front();
-    traced.push_back({TracedChain(chain, Summand::P), TracedChain(chain, Summand::Q)});
-  }
-  for (std::size_t a = 0; a < polygons.size(); ++a) {
-    for (std::size_t b = 0; b < polygons.size(); ++b) {
-      const GridCycles all = trace_cycles(traced[a][0], traced[b][1]);
-      std::string text;
-      for (const GridCycle& cycle : all.cycles) {
-        text += std::to_string(cycle.i) + " " + std::to_string(cycle.j) + " ";
-        for (const Summand along : cycle.steps) text += along == Summand::P ? 'P' : 'Q';
-        text += '\n';
-      }
-      text += std::to_string(all.states_looked_at) + '\n';
-      for (const char c : text)
-        table.entry(c, [&] { return "P " + words(polygons[a]) + ", Q " + words(polygons[b]); });
-    }
-  }
-}
-
-/// Steps and segments between grid points, all but those of length zero.
-void steps(int steps_radius, Comparison& table) {
-  std::vector<Segment> all;
-  std::vector<Point> points;
-  for (int x = -steps_radius; x <= steps_radius; ++x)
-    for (int y = -steps_radius; y <= steps_radius; ++y) points.push_back({x, y});
-  for (const Point& source : points)
-    for (const Point& target : points)
-      if (source != target) all.push_back({source, target});
-  for (const Segment& step : all)
-    for (const Segment& s : all)
-      table.entry(number(signed_crossing(step.source, step.target, s)), [&] {
-        return "from " + to_string(step.source) + " to " + to_string(step.target) +
-               " and the segment from " + to_string(s.source) + " to " + to_string(s.target);
-      });
-}
-
-/// From 0 to `most`, divided.
-std::vector<Point> positions(int most, int denominator = 1) {
+std::vector<Point> grid(int least, int most, int denominator = 1) {
   std::vector<Point> all;
-  for (int x = 0; x <= most; ++x)
-    for (int y = 0; y <= most; ++y)
+  for (int x = least; x <= most; ++x)
+    for (int y = least; y <= most; ++y)
       all.push_back({Rational(x) / denominator, Rational(y) / denominator});
   return all;
 }
 
-void paths(const std::vector<Region>& regions, int most, Comparison& table) {
-  const std::vector<Point> points = positions(most);
-  for (const Region& region : regions) {
-    const std::vector<Segment> boundary = edges(region);
-    for (const Point& a : points)
-      for (const Point& b : points)
-        for (const Point& c : points)
-          table.entry(number(signed_crossings({a, b, c}, boundary)), [&] {
-            return "the path " + to_string(a) + ", " + to_string(b) + ", " + to_string(c) +
-                   " and the region " + words(region);
-          });
-  }
-}
-
-void locations(const std::vector<Region>& regions, int most, Comparison& table) {
-  const std::vector<Point> points = positions(2 * most, 2);
-  for (const Region& region : regions)
-    for (const Point& p : points) {
-      const Location where = locate(p, region);
-      table.entry(where == Location::outside    ? 'o'
-                  : where == Location::boundary ? 'b'
-                                                : 'i',
-                  [&] { return to_string(p) + " and the region " + words(region); });
-    }
-}
-
-/// Whether what the theorems on regions ask for is there. The proved check asks for more: chains that touch
-/// have vertices there.
-void validities(const std::vector<Region>& regions, Comparison& table) {
-  for (const Region& region : regions)
-    table.entry(bit(!find_defect(region)), [&] { return "the region " + words(region); });
-}
-
-/// A point as arguments of the extracted program.
-std::vector<std::string> halves(const std::vector<Point>& points) {
-  std::vector<std::string> all;
-  for (const Point& p : points) {
-    all.push_back(to_string(Rational(2 * p.x)));
-    all.push_back(to_string(Rational(2 * p.y)));
-  }
+/// Of grid(0, 8), with the corners.
+std::vector<Point> some_places() {
+  std::vector<Point> all;
+  for (const int x : {0, 1, 4, 6, 8})
+    for (const int y : {0, 1, 4, 6, 8}) all.push_back({x, y});
   return all;
 }
 
-std::string words(const Region& p, const Region& q, const Point& x) {
-  return "P " + words(p) + ", Q " + words(q) + ", x " + to_string(x);
-}
-
-std::vector<Region> placed(const std::vector<Region>& regions, const Point& x) {
-  std::vector<Region> all;
-  for (const Region& region : regions) all.push_back(translated(reflected(region), x));
+std::vector<Vector> vectors() {
+  std::vector<Vector> all = grid(-3, 3);
+  all.erase(std::find(all.begin(), all.end(), Vector{0, 0}));
   return all;
 }
 
-void collisions(const std::vector<Region>& ps, const std::vector<Region>& qs,
-                const std::vector<Point>& xs, Comparison& table) {
-  for (const Point& x : xs) {
-    const std::vector<Region> placed_qs = placed(qs, x);
-    for (const Region& p : ps)
-      for (std::size_t k = 0; k < qs.size(); ++k)
-        table.entry(bit(interiors_meet(p, placed_qs[k])), [&] { return words(p, qs[k], x); });
-  }
+std::vector<Direction> directions() {
+  std::vector<Direction> all;
+  for (const Vector& v : vectors())
+    for (const Summand of : {Summand::P, Summand::Q}) all.push_back({v, of});
+  return all;
 }
 
-using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
-
-/// Of pairs by their indices.
-void collisions_of_orbits(const std::vector<Region>& regions, const Pairs& pairs,
-                          const std::vector<Point>& xs, Comparison& table) {
-  for (const Point& x : xs) {
-    const std::vector<Region> placed_regions = placed(regions, x);
-    for (const auto& [a, b] : pairs)
-      table.entry(bit(interiors_meet(regions[a], placed_regions[b])),
-                  [&] { return words(regions[a], regions[b], x); });
-  }
-}
-
-void convolution_windings(const std::vector<Region>& ps, const std::vector<Region>& qs,
-                          const std::vector<Point>& xs, Comparison& table) {
-  for (const Region& p : ps)
-    for (const Region& q : qs) {
-      const std::vector<Segment> all = segments(convolution(p, q));
-      for (const Point& x : xs)
-        table.entry(number(winding_number(x, all)), [&] { return words(p, q, x); });
-    }
-}
-
-void tangent_counts(const std::vector<Region>& ps, const std::vector<Region>& qs,
-                    const std::vector<Point>& xs, Comparison& table) {
-  for (const Region& p : ps)
-    for (const Region& q : qs)
-      for (const Point& x : xs)
-        for (const Vector& d : {Vector{1, 0}, Vector{-1, 1}, Vector{-1, -2}})
-          table.entry(number(tangent_count(x, p, q, d)),
-                      [&] { return words(p, q, x) + ", direction " + to_string(d); });
+/// Those between points of a grid, but for points.
+std::vector<Segment> segments_of_a_grid() {
+  std::vector<Segment> all;
+  const std::vector<Point> ends = grid(-2, 2);
+  for (const Point& source : ends)
+    for (const Point& target : ends)
+      if (source != target) all.push_back({source, target});
+  return all;
 }
 
 Chain box(int left, int below, int right, int above) {
@@ -543,12 +249,272 @@ std::vector<Region> plates(const std::vector<Region>& polygons) {
   return all;
 }
 
-/// A predicate of ours, and which of the tables says what it should be.
-struct Predicate {
-  std::string name;
-  std::vector<std::string> table;  ///< arguments of the extracted program
-  std::function<void(Comparison&)> compare;
+/// On 3 x 3 points.
+std::vector<Region> polygons_with(std::size_t most_vertices) {
+  std::vector<Region> all;
+  for (const GridPolygon& polygon : grid_polygons(3, most_vertices))
+    all.push_back(region_of(polygon));
+  return all;
+}
+
+std::vector<Pair> pairs_of(const std::vector<Region>& ps, const std::vector<Region>& qs) {
+  std::vector<Pair> all;
+  each([&](const Region& p, const Region& q) { all.push_back({&p, &q}); }, ps, qs);
+  return all;
+}
+
+/// One of each class of all polygons, of every other class: from the first or the second on.
+std::vector<Pair> orbits_of(const std::vector<Region>& polygons, std::size_t first) {
+  const auto orbits = pair_orbits(grid_polygons(3, 9));
+  std::vector<Pair> all;
+  for (std::size_t i = first; i < orbits.size(); i += 2)
+    all.push_back({&polygons[orbits[i].first], &polygons[orbits[i].second]});
+  return all;
+}
+
+// What some tables say of one region or pair.
+
+/// To the right of segments between grid points.
+std::string shots(const Region& polygon) {
+  const RayShooting rays(edges(polygon));
+  const std::vector<Point> ends = grid(-3, 3);
+  const auto shot = [&](const Point& source, const Point& target) {
+    return source == target ? "" : written(rays.winding_number_right_of({source, target}));
+  };
+  return answers(shot, ends, ends);
+}
+
+/// What the theorems on chains ask for, and is not proved of simple polygons: they turn once, holes of
+/// their shape once backwards. On valid regions it is what twice_area tells.
+std::string turnings(const Region& polygon) {
+  const Chain chain = chains(polygon).front();
+  return written(sign(twice_area(chain))) + written(sign(twice_area(clockwise(chain))));
+}
+
+/// A chain with the corner at its vertex 1; vertex 3 is far from all others.
+bool in_traced_tangent_set(const Direction& d, const Vector& in, const Vector& out) {
+  return TracedChain({-in, {0, 0}, out, {100, 37}}, other(d.of))
+      .has_in_tangent_set(1, FilteredDirection(d));
+}
+
+/// Of paths of two steps, one of which may have length zero.
+std::string crossings(const Region& region, int most) {
+  const std::vector<Segment> boundary = edges(region);
+  const std::vector<Point> points = grid(0, most);
+  return answers(
+      [&](const Point& a, const Point& b, const Point& c) {
+        return signed_crossings({a, b, c}, boundary);
+      },
+      points, points, points);
+}
+
+/// A line of coordinates: segments by chain of P, chain of Q, along whose edge, vertex of P, vertex of Q.
+template <typename Named, typename Origins>
+std::string segments_in_order(const Pair& pair, const Origins& origins) {
+  const std::vector<Chain> of_p = chains(*pair.p), of_q = chains(*pair.q);
+  std::multimap<std::tuple<std::size_t, std::size_t, Summand, std::size_t, std::size_t>, Segment>
+      all;
+  for (const Named& named : origins) {
+    const Origin& origin = named.origin;
+    const bool along_p = origin.edge_of == Summand::P;
+    const auto [a, i] = along_p ? origin.edge : origin.vertex;
+    const auto [b, j] = along_p ? origin.vertex : origin.edge;
+    const Chain &p = of_p[a], &q = of_q[b];
+    const Segment segment{p[i] + q[j],
+                          along_p ? p[next(i, p.size())] + q[j] : p[i] + q[next(j, q.size())]};
+    if constexpr (std::is_same_v<Named, ConvolutionSegment>)
+      if (segment != named.segment) return "?";
+    all.insert({{a, b, origin.edge_of, i, j}, segment});
+  }
+  std::string text;
+  for (const auto& [name, s] : all)
+    for (const Rational* value : {&s.source.x, &s.source.y, &s.target.x, &s.target.y})
+      text += written(static_cast<int>(value->get_d()));
+  return text + '\n';
+}
+
+std::string segments_of_the_definition(const Pair& pair) {
+  return segments_in_order<ConvolutionSegment>(pair, convolution(*pair.p, *pair.q));
+}
+
+std::string traced_segments(const Pair& pair) {
+  return segments_in_order<TracedOrigin>(pair, traced_origins(*pair.p, *pair.q));
+}
+
+/// Cycles, line by line, and the number of states looked at.
+std::string cycles(const Pair& pair) {
+  const GridCycles all = trace_cycles(TracedChain(chains(*pair.p).front(), Summand::P),
+                                      TracedChain(chains(*pair.q).front(), Summand::Q));
+  std::string text;
+  for (const GridCycle& cycle : all.cycles) {
+    text += std::to_string(cycle.i) + " " + std::to_string(cycle.j) + " ";
+    for (const Summand along : cycle.steps) text += along == Summand::P ? 'P' : 'Q';
+    text += '\n';
+  }
+  return text + std::to_string(all.states_looked_at) + '\n';
+}
+
+bool is_collision(const Pair& pair, const Point& x) {
+  return interiors_meet(*pair.p, translated(reflected(*pair.q), x));
+}
+
+/// What is asked about, and the files by which the extracted program knows it.
+struct Domains {
+  std::vector<Point> ends = grid(-3, 3), halves = grid(-3, 3, 2);
+  std::vector<Vector> all_vectors = vectors();
+  std::vector<Direction> all_directions = directions();
+  std::vector<Segment> steps = segments_of_a_grid();
+  std::vector<Region> few = polygons_with(4), all_polygons = polygons_with(9),
+                      plates_with_a_hole = plates(few), regions = regions_with_holes();
+  std::vector<Pair> few_pairs = pairs_of(few, few), even_orbits = orbits_of(all_polygons, 0),
+                    odd_orbits = orbits_of(all_polygons, 1),
+                    in_holes = pairs_of(plates_with_a_hole, few),
+                    of_regions = pairs_of(regions, regions);
+  std::vector<Point> in_polygons = grid(0, 4, 2), in_regions = grid(0, 8, 2);
+  std::vector<Point> one = {{2, 2}}, two = {{2, 2}, {Rational(5, 2), Rational(3, 2)}},
+                     three = {{2, 2}, {Rational(5, 2), Rational(3, 2)}, {3, 1}}, in_hole = {{3, 3}},
+                     between = {{Rational(5, 2), Rational(3, 2)}}, places = some_places();
+  std::vector<Vector> some_directions = {{1, 0}, {-1, 1}, {-1, -2}};
+  TemporaryFolder folder{"oplus-extracted"};
+
+  /// A file with a line for each of the set.
+  template <typename Set>
+  std::string file(const Set& set, const std::string& name) const {
+    const std::string path = (folder.path() / name).string();
+    std::ofstream lines(path);
+    for (const auto& one_of_them : set) lines << words(one_of_them) << '\n';
+    if (!lines.flush()) throw std::runtime_error("cannot write " + path);
+    return path;
+  }
 };
+
+/// The arguments, and after them points by twice their coordinates.
+std::vector<std::string> with(std::vector<std::string> arguments,
+                              const std::vector<Point>& points) {
+  for (const Point& p : points)
+    for (const Rational& value : {p.x, p.y}) arguments.push_back(to_string(Rational(2 * value)));
+  return arguments;
+}
+
+std::vector<Predicate> predicates(const Domains& of) {
+  const std::string few = of.file(of.few, "few"), polygons = of.file(of.all_polygons, "polygons"),
+                    plates = of.file(of.plates_with_a_hole, "plates"),
+                    regions = of.file(of.regions, "regions"),
+                    few_pairs = of.file(of.few_pairs, "few_pairs"),
+                    even = of.file(of.even_orbits, "even"), odd = of.file(of.odd_orbits, "odd"),
+                    in_holes = of.file(of.in_holes, "in_holes"),
+                    of_regions = of.file(of.of_regions, "of_regions");
+  const auto is_valid = [](const Region& region) { return !find_defect(region); };
+  const auto location = [](const Region& region, const Point& p) { return locate(p, region); };
+  const auto windings = [](const std::vector<Point>& xs) {
+    return [&xs](const Pair& pair) {
+      const std::vector<Segment> all = segments(convolution(*pair.p, *pair.q));
+      return answers([&](const Point& x) { return winding_number(x, all); }, xs);
+    };
+  };
+  const auto tangents = [](const Pair& pair, const Point& x, const Vector& d) {
+    return tangent_count(x, *pair.p, *pair.q, d);
+  };
+  return {
+      {"compare, of directions",
+       {"orders", "3"},
+       on([](const Direction& a, const Direction& b) { return order(compare(a, b)); },
+          of.all_directions, of.all_directions)},
+      {"compare, of filtered directions",
+       {"orders", "3"},
+       on(
+           [](const Direction& a, const Direction& b) {
+             return order(compare(FilteredDirection(a), FilteredDirection(b)));
+           },
+           of.all_directions, of.all_directions)},
+      {"counterclockwise_between",
+       {"betweens", "3"},
+       on([](const Direction& d, const Direction& from,
+             const Direction& to) { return counterclockwise_between(d, from, to); },
+          of.all_directions, of.all_directions, of.all_directions)},
+      {"is_reflex",
+       {"reflex", "3"},
+       on(
+           [](const Vector& in, const Vector& out) {
+             return is_reflex({in, out});
+           },
+           of.all_vectors, of.all_vectors)},
+      {"in_tangent_set",
+       {"tangents", "3"},
+       on(
+           [](const Direction& d, const Vector& in, const Vector& out) {
+             return in_tangent_set(d, {in, out});
+           },
+           of.all_directions, of.all_vectors, of.all_vectors)},
+      {"TracedChain::has_in_tangent_set",
+       {"tangents", "3"},
+       on(in_traced_tangent_set, of.all_directions, of.all_vectors, of.all_vectors)},
+      {"winding_number, of a segment",
+       {"crossings", "3"},
+       on(
+           [](const Point& p, const Point& source, const Point& target) {
+             return winding_number(p, {{source, target}});
+           },
+           of.halves, of.ends, of.ends)},
+      {"winding_number, of a polygon",
+       {"windings", "3", few},
+       on([](const Region& polygon, const Point& p) { return winding_number(p, edges(polygon)); },
+          of.few, of.halves)},
+      {"winding_number_right_of", {"shots", "3", few}, on(shots, of.few)},
+      {"twice_area, its sign", {"turnings", few}, on(turnings, of.few)},
+      {"trace_cycles", {"cycles", few_pairs}, on(cycles, of.few_pairs)},
+      {"signed_crossing",
+       {"steps", "2"},
+       on([](const Segment& step,
+             const Segment& s) { return signed_crossing(step.source, step.target, s); },
+          of.steps, of.steps)},
+      {"signed_crossings, of polygons",
+       {"paths", "2", few},
+       on([](const Region& polygon) { return crossings(polygon, 2); }, of.few)},
+      {"signed_crossings, of regions",
+       {"paths", "3", regions},
+       on([](const Region& region) { return crossings(region, 3); }, of.regions)},
+      // Whether what the theorems on regions ask for is there. The proved check asks for more: chains
+      // that touch have vertices there.
+      {"find_defect, of polygons", {"validities", polygons}, on(is_valid, of.all_polygons)},
+      {"find_defect, of plates with a hole",
+       {"validities", plates},
+       on(is_valid, of.plates_with_a_hole)},
+      {"locate, in polygons",
+       {"locations", "2", polygons},
+       on(location, of.all_polygons, of.in_polygons)},
+      {"locate, in regions", {"locations", "4", regions}, on(location, of.regions, of.in_regions)},
+      {"interiors_meet, of polygons on one grid", with({"collisions", even}, of.one),
+       on(is_collision, of.even_orbits, of.one)},
+      {"interiors_meet, of polygons between grids", with({"collisions", odd}, of.between),
+       on(is_collision, of.odd_orbits, of.between)},
+      {"interiors_meet, of plates with a hole and polygons",
+       with({"collisions", in_holes}, of.in_hole), on(is_collision, of.in_holes, of.in_hole)},
+      {"interiors_meet, of regions", with({"collisions", of_regions}, of.places),
+       on(is_collision, of.of_regions, of.places)},
+      {"convolution, of polygons",
+       {"convolutions", few_pairs},
+       on(segments_of_the_definition, of.few_pairs)},
+      {"convolution, of regions",
+       {"convolutions", of_regions},
+       on(segments_of_the_definition, of.of_regions)},
+      {"traced_origins, of polygons",
+       {"convolutions", few_pairs},
+       on(traced_segments, of.few_pairs)},
+      {"traced_origins, of regions",
+       {"convolutions", of_regions},
+       on(traced_segments, of.of_regions)},
+      {"winding_number, of the convolution of polygons",
+       with({"convolution-windings", few_pairs}, of.two), on(windings(of.two), of.few_pairs)},
+      {"winding_number, of the convolution of regions",
+       with({"convolution-windings", of_regions}, of.places),
+       on(windings(of.places), of.of_regions)},
+      {"tangent_count, of polygons", with({"tangent-counts", few_pairs}, of.one),
+       on(tangents, of.few_pairs, of.one, of.some_directions)},
+      {"tangent_count, of regions", with({"tangent-counts", of_regions}, of.three),
+       on(tangents, of.of_regions, of.three, of.some_directions)},
+  };
+}
 
 class Extracted {
  public:
@@ -570,230 +536,81 @@ class Extracted {
   std::map<std::vector<std::string>, std::string> tables_;
 };
 
-/// What differs, or none.
-std::optional<std::string> difference(const Predicate& predicate, Extracted& extracted,
-                                      std::size_t& entries) {
-  Comparison comparison(extracted.table(predicate.table));
-  try {
-    predicate.compare(comparison);
-  } catch (const ContractViolation& broken) {
-    comparison.broken_contract(broken.what());
-  }
-  entries = comparison.entries();
-  return comparison.difference();
-}
-
-/// What is asked about, and the files by which the extracted program knows it.
-class Subjects {
- public:
-  Subjects() {
-    const std::vector<GridPolygon> all = grid_polygons(side, any_number_of_vertices);
-    for (const GridPolygon& polygon : polygons) few_edges.push_back(region_of(polygon));
-    for (const GridPolygon& polygon : all) all_polygons.push_back(region_of(polygon));
-    pairs = pair_orbits(all);
-    plates_with_a_hole = plates(few_edges);
-    write("polygons", few_edges);
-    write("all_polygons", all_polygons);
-    write("plates", plates_with_a_hole);
-    write("regions", regions);
-    std::ofstream lines(file("pairs"));
-    for (const auto& [a, b] : pairs) lines << a << ' ' << b << '\n';
-    if (!lines.flush()) throw std::runtime_error("cannot write " + file("pairs"));
-  }
-
-  std::string file(const std::string& name) const { return (folder_.path() / name).string(); }
-
-  const std::vector<GridPolygon> polygons = grid_polygons(side, most_vertices);
-  std::vector<Region> few_edges;  ///< the same
-  std::vector<Region> all_polygons;
-  Pairs pairs;  ///< of all polygons
-  std::vector<Region> plates_with_a_hole;
-  const std::vector<Region> regions = regions_with_holes();
-
- private:
-  void write(const std::string& name, const std::vector<Region>& written) const {
-    std::ofstream lines(file(name));
-    for (const Region& region : written) lines << words(region) << '\n';
-    if (!lines.flush()) throw std::runtime_error("cannot write " + file(name));
-  }
-
-  TemporaryFolder folder_{"oplus-extracted"};
-};
-
-using Arguments = std::vector<std::string>;
-
-Arguments with(Arguments first, const std::vector<Point>& points) {
-  const Arguments others = halves(points);
-  first.insert(first.end(), others.begin(), others.end());
-  return first;
-}
-
-/// Functions on regions, beside all else.
-std::vector<Predicate> predicates_of_regions(const Subjects& of) {
-  const std::vector<Point> where_polygons_meet = {{2, 2}, {2, 3}, {3, 1}};
-  const std::vector<Point> some = {{2, 2}, {Rational(5, 2), Rational(3, 2)}, {3, 1}};
-  const std::vector<Point> in_holes = {{3, 3}, {Rational(7, 2), 3}};
-  const std::vector<Point> all = positions(8);
-  const std::vector<Point> one = {{2, 2}}, two = {{2, 2}, {Rational(5, 2), Rational(3, 2)}};
-  const std::string polygons = of.file("polygons"), plates = of.file("plates"),
-                    regions = of.file("regions");
-  return {
-      {"signed_crossing", {"steps", "2"}, [](Comparison& table) { steps(2, table); }},
-      {"signed_crossings, of polygons",
-       {"paths", "2", polygons},
-       [&](Comparison& table) { paths(of.few_edges, 2, table); }},
-      {"signed_crossings, of regions",
-       {"paths", "3", regions},
-       [&](Comparison& table) { paths(of.regions, 3, table); }},
-      {"find_defect, of polygons",
-       {"validities", of.file("all_polygons")},
-       [&](Comparison& table) { validities(of.all_polygons, table); }},
-      {"find_defect, of plates with a hole",
-       {"validities", plates},
-       [&](Comparison& table) { validities(of.plates_with_a_hole, table); }},
-      {"locate, in polygons",
-       {"locations", "2", of.file("all_polygons")},
-       [&](Comparison& table) { locations(of.all_polygons, 2, table); }},
-      {"locate, in regions",
-       {"locations", "4", regions},
-       [&](Comparison& table) { locations(of.regions, 4, table); }},
-      {"interiors_meet, of polygons", with({"collisions", polygons, polygons}, where_polygons_meet),
-       [&, where_polygons_meet](Comparison& table) {
-         collisions(of.few_edges, of.few_edges, where_polygons_meet, table);
-       }},
-      {"interiors_meet, of all pairs of polygons",
-       with({"collisions-of-orbits", of.file("all_polygons"), of.file("pairs")}, two),
-       [&, two](Comparison& table) {
-         collisions_of_orbits(of.all_polygons, of.pairs, two, table);
-       }},
-      {"interiors_meet, of plates with a hole and polygons",
-       with({"collisions", plates, polygons}, in_holes),
-       [&, in_holes](Comparison& table) {
-         collisions(of.plates_with_a_hole, of.few_edges, in_holes, table);
-       }},
-      {"interiors_meet, of regions", with({"collisions", regions, regions}, all),
-       [&, all](Comparison& table) { collisions(of.regions, of.regions, all, table); }},
-      {"convolution, of regions",
-       {"convolutions-of-regions", regions},
-       [&](Comparison& table) {
-         convolutions_of_regions(of.regions, segments_of_the_definition, table);
-       }},
-      {"traced_origins, of regions",
-       {"convolutions-of-regions", regions},
-       [&](Comparison& table) { convolutions_of_regions(of.regions, traced_segments, table); }},
-      {"winding_number, of the convolution of polygons",
-       with({"convolution-windings", polygons, polygons}, two),
-       [&, two](Comparison& table) {
-         convolution_windings(of.few_edges, of.few_edges, two, table);
-       }},
-      {"winding_number, of the convolution of regions",
-       with({"convolution-windings", regions, regions}, all),
-       [&, all](Comparison& table) { convolution_windings(of.regions, of.regions, all, table); }},
-      {"tangent_count, of polygons", with({"tangent-counts", polygons, polygons}, one),
-       [&, one](Comparison& table) { tangent_counts(of.few_edges, of.few_edges, one, table); }},
-      {"tangent_count, of regions", with({"tangent-counts", regions, regions}, some),
-       [&, some](Comparison& table) { tangent_counts(of.regions, of.regions, some, table); }},
-  };
-}
-
-std::vector<Predicate> predicates(const Subjects& of) {
-  const std::string points = std::to_string(radius), file = of.file("polygons");
-  const std::vector<GridPolygon>& polygons = of.polygons;
-  std::vector<Predicate> all = {
-      {"compare, of directions", {"orders", points}, exact_orders},
-      {"compare, of filtered directions", {"orders", points}, filtered_orders},
-      {"counterclockwise_between", {"betweens", points}, betweens},
-      {"is_reflex", {"reflex", points}, reflex},
-      {"in_tangent_set", {"tangents", points}, tangents},
-      {"TracedChain::has_in_tangent_set", {"tangents", points}, traced_tangents},
-      {"winding_number, of a segment", {"crossings", points}, crossings},
-      {"winding_number, of a polygon",
-       {"windings", points, file},
-       [&](Comparison& table) { windings(polygons, table); }},
-      {"winding_number_right_of",
-       {"shots", points, file},
-       [&](Comparison& table) { shots(polygons, table); }},
-      {"twice_area, its sign",
-       {"turnings", file},
-       [&](Comparison& table) { turnings(polygons, table); }},
-      {"convolution",
-       {"convolutions", file},
-       [&](Comparison& table) { convolutions(polygons, of_the_definition, table); }},
-      {"traced_origins",
-       {"convolutions", file},
-       [&](Comparison& table) { convolutions(polygons, traced, table); }},
-      {"trace_cycles", {"cycles", file}, [&](Comparison& table) { cycles(polygons, table); }},
-  };
-  for (Predicate& predicate : predicates_of_regions(of)) all.push_back(std::move(predicate));
-  return all;
-}
-
 #ifdef OPLUS_MUTANTS
 /// Faults, and predicates that must show them.
 const std::vector<std::pair<std::string, std::vector<std::string>>>& faults() {
   static const std::vector<std::pair<std::string, std::vector<std::string>>> all = {
       {"acute-vertex-is-reflex", {"is_reflex"}},
       {"angles-grow-clockwise",
-       {"compare, of directions", "counterclockwise_between", "in_tangent_set", "convolution"}},
+       {"compare, of directions", "counterclockwise_between", "in_tangent_set",
+        "convolution, of polygons"}},
       {"between-is-on-the-other-arc",
-       {"counterclockwise_between", "in_tangent_set", "convolution"}},
+       {"counterclockwise_between", "in_tangent_set", "convolution, of polygons"}},
       {"containment-is-no-collision",
        {"interiors_meet, of plates with a hole and polygons", "interiors_meet, of regions"}},
       {"crossings-count-with-a-sign", {"tangent_count, of polygons", "tangent_count, of regions"}},
-      {"cycle-ends-in-its-column", {"traced_origins", "trace_cycles"}},
+      {"cycle-ends-in-its-column", {"traced_origins, of polygons", "trace_cycles"}},
       {"edge-of-p-though-visited", {"trace_cycles"}},
       {"ends-are-not-on-their-segment", {"locate, in regions"}},
       {"every-state-is-a-start", {"trace_cycles"}},
       {"filtered-ties-the-other-way",
-       {"compare, of filtered directions", "TracedChain::has_in_tangent_set", "traced_origins"}},
+       {"compare, of filtered directions", "TracedChain::has_in_tangent_set",
+        "traced_origins, of polygons"}},
       {"left-and-right-are-one-direction", {"compare, of directions", "counterclockwise_between"}},
-      {"no-start-in-the-first-column", {"traced_origins", "trace_cycles"}},
+      {"no-start-in-the-first-column", {"traced_origins, of polygons", "trace_cycles"}},
       {"parallel-edges-do-not-collide", {"interiors_meet, of regions"}},
       {"ray-counts-both-ends",
        {"winding_number, of a segment", "winding_number, of a polygon", "locate, in regions",
         "winding_number, of the convolution of regions", "tangent_count, of regions"}},
       {"rays-shift-down", {"winding_number_right_of"}},
       {"rays-start-left-of-their-edge", {"winding_number_right_of"}},
-      {"reflex-turns-clockwise", {"in_tangent_set", "convolution"}},
+      {"reflex-turns-clockwise", {"in_tangent_set", "convolution, of polygons"}},
       {"steps-are-not-shifted",
        {"signed_crossing", "signed_crossings, of polygons", "signed_crossings, of regions"}},
       {"tangent-set-without-ties",
-       {"in_tangent_set", "convolution", "winding_number, of the convolution of regions"}},
-      {"tie-rule-depends-on-who-asks", {"convolution", "convolution, of regions"}},
+       {"in_tangent_set", "convolution, of polygons",
+        "winding_number, of the convolution of regions"}},
+      {"tie-rule-depends-on-who-asks", {"convolution, of polygons", "convolution, of regions"}},
       {"ties-go-the-other-way",
-       {"compare, of directions", "counterclockwise_between", "in_tangent_set", "convolution"}},
+       {"compare, of directions", "counterclockwise_between", "in_tangent_set",
+        "convolution, of polygons"}},
   };
   return all;
 }
 #endif
 
-int run(const std::string& program) {
-  const Subjects subjects;
-  Extracted extracted(program);
-  const std::vector<Predicate> all = predicates(subjects);
-  bool agree = true;
-  for (const Predicate& predicate : all) {
-    std::size_t entries = 0;
-    const auto differs = difference(predicate, extracted, entries);
-    std::cout << predicate.name << ": " << entries << " entries, "
-              << (differs ? *differs : "none differs") << '\n';
-    agree = agree && !differs;
+/// Whether the predicate is as proved; prints what differs, of a mutant the first difference.
+bool agrees(const Predicate& predicate, Extracted& extracted, const std::string& mutant) {
+  Comparison comparison(extracted.table(predicate.table), !mutant.empty());
+  try {
+    predicate.compare(comparison);
+  } catch (const ContractViolation& broken) {
+    comparison.broken_contract(broken.what());
+  } catch (const Comparison::Seen&) {
   }
+  const auto differs = comparison.difference();
+  std::cout << mutant << (mutant.empty() ? "" : ", ") << predicate.name << ": "
+            << comparison.entries() << " entries, " << differs.value_or("none differs") << '\n';
+  return !differs;
+}
+
+int run(const std::string& program) {
+  const Domains domains;
+  Extracted extracted(program);
+  const std::vector<Predicate> all = predicates(domains);
+  bool is_right = true;
+  for (const Predicate& predicate : all) is_right &= agrees(predicate, extracted, "");
 #ifdef OPLUS_MUTANTS
   for (const auto& [fault, shown_by] : faults()) {
     active_mutant = fault;
-    for (const std::string& name : shown_by) {
-      const auto predicate =
-          std::find_if(all.begin(), all.end(), [&](const Predicate& p) { return p.name == name; });
-      std::size_t entries = 0;
-      const auto differs = difference(*predicate, extracted, entries);
-      std::cout << fault << ", " << name << ": " << (differs ? *differs : "not seen") << '\n';
-      agree = agree && differs;
-    }
+    for (const std::string& name : shown_by)
+      is_right &= !agrees(
+          *std::find_if(all.begin(), all.end(), [&](const Predicate& p) { return p.name == name; }),
+          extracted, fault);
     active_mutant.clear();
   }
 #endif
-  return agree ? EXIT_SUCCESS : EXIT_FAILURE;
+  return is_right ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 }  // namespace
