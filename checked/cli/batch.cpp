@@ -7,7 +7,7 @@
 #include "checked/cli/batch/computation.hpp"
 #include "checked/cli/batch/geometry_lines.hpp"
 #include "checked/cli/batch/interrupted.hpp"
-#include "checked/cli/batch/line_lots.hpp"
+#include "checked/cli/batch/line_batches.hpp"
 #include "checked/cli/batch/ordered_work.hpp"
 #include "checked/cli/batch/parts.hpp"
 #include "checked/cli/command_line/progress.hpp"
@@ -128,11 +128,11 @@ Computation computation_of(const BatchOptions& options) {
           output_grid(options.rounding), options.rounding.digits};
 }
 
-Results results_of(const LineLot& lot, const std::string& file, Overlaps overlaps,
+Results results_of(const LineBatch& batch, const std::string& file, Overlaps overlaps,
                    const Computation& computation) {
   Results results;
-  results.lines.reserve(2 * lot.text.size());
-  each_line(lot, [&](std::string_view text, std::size_t number) {
+  results.lines.reserve(2 * batch.text.size());
+  each_line(batch, [&](std::string_view text, std::size_t number) {
     if (is_blank_or_comment(text)) return;
     std::string beginning = "{\"line\": " + std::to_string(number);
     add_line(results, beginning, [&](std::string& line) {
@@ -150,21 +150,21 @@ Results results_of(const LineLot& lot, const std::string& file, Overlaps overlap
 }
 
 ExitCode of_pairs(const BatchOptions& options) {
-  LineLots lots(*options.pairs);
+  LineBatches batches(*options.pairs);
   const Computation computation = computation_of(options);
   const NotedInterrupt interrupt;
   Writer writer(options.output);
-  OrderedWork<LineLot, Results>* running = nullptr;
-  OrderedWork<LineLot, Results> work({
+  OrderedWork<LineBatch, Results>* running = nullptr;
+  OrderedWork<LineBatch, Results> work({
       .take =
           [&] {
             // In percent: bytes would tell less.
-            if (lots.bytes() > 0) writer.show(100 * lots.bytes_done() / lots.bytes(), 100);
-            return lots.next([&] { return running->is_stopping(); });
+            if (batches.bytes() > 0) writer.show(100 * batches.bytes_done() / batches.bytes(), 100);
+            return batches.next([&] { return running->is_stopping(); });
           },
       .work =
-          [&](LineLot&& lot) {
-            return results_of(lot, lots.name(), options.overlaps, computation);
+          [&](LineBatch&& batch) {
+            return results_of(batch, batches.name(), options.overlaps, computation);
           },
       .pass_on = [&](Results&& results) { writer.pass_on(results); },
   });
@@ -232,7 +232,7 @@ ExitCode of_parts(const BatchOptions& options) {
   const NotedInterrupt interrupt;
   Writer writer(options.output);
   writer.pass_on(of_reading);
-  constexpr std::size_t pairs_of_a_lot = 16;
+  constexpr std::size_t pairs_of_a_batch = 16;
   struct Range {
     std::size_t first, last;
   };
@@ -242,7 +242,7 @@ ExitCode of_parts(const BatchOptions& options) {
         writer.show(next, pairs.size());
         if (next == pairs.size()) return std::nullopt;
         const std::size_t first = next;
-        next = std::min(next + pairs_of_a_lot, pairs.size());
+        next = std::min(next + pairs_of_a_batch, pairs.size());
         return Range{first, next};
       },
       .work = [&](Range&& range) { return pairs.results_of(range.first, range.last); },

@@ -156,7 +156,7 @@ std::string statistics_json(const SumOptions& options, const Run& run, const Sta
 HoleTestMethod chosen_hole_test(const SumOptions& options, const Engine& engine) {
   if (options.hole_test.empty()) return {};
   if (!engine.has_hole_test)
-    throw UsageError("--hole-test is unsupported by the engine " + engine.name);
+    throw UsageError("--collision-test is unsupported by the engine " + engine.name);
   return std::find_if(hole_test_methods().begin(), hole_test_methods().end(),
                       [&](const auto& method) { return method.first == options.hole_test; })
       ->second;
@@ -303,14 +303,17 @@ void add_sum(Program& program) {
   command.option("--engine", options.engine, engine_help())
       .one_of(names_of(engines_and_oracle()))
       .type("NAME");
+  const std::vector<std::string> collision_tests =
+      texts(hole_test_methods(), &std::pair<std::string, HoleTestMethod>::first);
   command
-      .option("--hole-test", options.hole_test,
+      .option("--collision-test", options.hole_test,
               "how rca and loops decide what their filters leave open, and winding which "
               "low-dimensional features there are: bvh (the default), hierarchies of bounding "
               "volumes; sweep, a sweep line; naive, all pairs of edges; ray, rays through the "
               "full convolution. The sum is the same")
-      .one_of(texts(hole_test_methods(), &std::pair<std::string, HoleTestMethod>::first))
+      .one_of(collision_tests)
       .type("NAME");
+  command.option("--hole-test", options.hole_test, "").one_of(collision_tests).hidden();
   add_threads(command, options.threads, " of the engine slide");
   command.file(
       "--svg", options.svg,

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "checked/slide/numbers.hpp"
+#include "checked/slide/number_types.hpp"
 #include "reference/definitions/mutant.hpp"
 
 namespace oplus::slide {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "checked/slide/numbers.hpp"
+#include "checked/slide/number_types.hpp"
 
 namespace oplus::slide {
 

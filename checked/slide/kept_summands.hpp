@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "checked/slide/kept_summand.hpp"
-#include "checked/slide/numbers.hpp"
+#include "checked/slide/number_types.hpp"
 #include "checked/slide/scaling.hpp"
 #include "reference/definitions/mutant.hpp"
 

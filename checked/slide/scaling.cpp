@@ -5,7 +5,7 @@
 #include <bit>
 #include <limits>
 
-#include "checked/slide/numbers.hpp"
+#include "checked/slide/number_types.hpp"
 
 namespace oplus::slide {
 

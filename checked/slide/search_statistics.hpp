@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "checked/slide/blocking_search.hpp"
-#include "checked/slide/numbers.hpp"
+#include "checked/slide/number_types.hpp"
 #include "checked/statistics.hpp"
 
 namespace oplus::slide {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "checked/slide/numbers.hpp"
+#include "checked/slide/number_types.hpp"
 #include "checked/slide/scaling.hpp"
 #include "checked/slide/search_statistics.hpp"
 #include "checked/slide/sum_in.hpp"

@@ -98,7 +98,8 @@ std::string replay_line(const CampaignReport& report, const ShrunkFailure& found
     line += " --engine slide";
   const Campaign defaults, &campaign = report.campaign;
   std::ostringstream options;
-  if (campaign.hole_test != defaults.hole_test) options << " --hole-test " << campaign.hole_test;
+  if (campaign.hole_test != defaults.hole_test)
+    options << " --collision-test " << campaign.hole_test;
   if (!campaign.is_of_sums()) options << " --operation " << campaign.operation;
   if (campaign.judge != defaults.judge) options << " --judge " << campaign.judge;
   if (campaign.largest != default_largest(campaign)) options << " --largest " << campaign.largest;

@@ -126,12 +126,14 @@ void add_diff_command(Program& program) {
       "The engine to check; may be repeated; default: all of oplus, and certified; other libraries and "
       "programs: below");
   command
-      .option("--hole-test", campaign.hole_test,
-              "The hole test of the engines; all: each is asked about each point, and they must "
-              "agree")
+      .option(
+          "--collision-test", campaign.hole_test,
+          "The collision test of the engines; all: each is asked about each point, and they must "
+          "agree")
       .type("NAME")
       .one_of(hole_test_names())
       .default_shown();
+  command.option("--hole-test", campaign.hole_test, "").one_of(hole_test_names()).hidden();
   add_pair_option(command, settings);
   command
       .option("--folder", settings.folders,

@@ -6,7 +6,7 @@
 
 #include "checked/cli/batch/computation.hpp"
 #include "checked/cli/batch/geometry_lines.hpp"
-#include "checked/cli/batch/line_lots.hpp"
+#include "checked/cli/batch/line_batches.hpp"
 #include "checked/cli/numbers.hpp"
 #include "checked/cli/shared_options.hpp"
 #include "checked/cli/usage_error.hpp"
@@ -19,15 +19,15 @@ namespace oplus {
 
 std::vector<Part> read_parts(const std::string& path, Overlaps overlaps, Results& results) {
   std::vector<Part> parts;
-  LineLots lots(path);
+  LineBatches batches(path);
   std::size_t count = 0;
-  while (const std::optional<LineLot> lot = lots.next())
-    each_line(*lot, [&](std::string_view text, std::size_t number) {
+  while (const std::optional<LineBatch> batch = batches.next())
+    each_line(*batch, [&](std::string_view text, std::size_t number) {
       if (is_blank_or_comment(text)) return;
       ++count;
       try {
-        PartLine part = read_part_line({lots.name(), number, text}, overlaps);
-        results.note(lots.name(), number, part.notes);
+        PartLine part = read_part_line({batches.name(), number, text}, overlaps);
+        results.note(batches.name(), number, part.notes);
         parts.push_back(
             {std::move(part.set), part.name.empty() ? std::to_string(count) : in_json(part.name)});
       } catch (const InvalidInput& invalid) {

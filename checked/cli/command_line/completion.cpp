@@ -35,6 +35,11 @@ Lines values(const CLI::Option& option) {
 
 bool is_argument(const CLI::Option* option) { return option->get_positional(); }
 
+/// Hidden ones are in no group.
+bool is_offered(const CLI::Option* option) {
+  return !is_argument(option) && !option->get_group().empty();
+}
+
 /// The words that are read so far.
 struct ReadSoFar {
   const CLI::App* program;
@@ -72,8 +77,7 @@ struct ReadSoFar {
   Lines options() const {
     Lines lines;
     for (const CLI::App* app : {command, program})
-      for (const CLI::Option* each :
-           app->get_options([](const CLI::Option* o) { return !is_argument(o); }))
+      for (const CLI::Option* each : app->get_options(is_offered))
         for (const auto& [dash, names] :
              {std::pair("-", each->get_snames()), std::pair("--", each->get_lnames())})
           for (const std::string& name : names)

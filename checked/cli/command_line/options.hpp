@@ -71,6 +71,9 @@ class Option {
   Option default_shown() const;
   Option default_shown(const std::string& value) const;
 
+  /// Help and completion do not name it: for a name of before.
+  Option hidden() const;
+
   /// Takes effect where it stands, before the command line is read to its end.
   Option at_once() const;
 

@@ -179,16 +179,19 @@ TEST_F(Sum, every_engine_finds_the_same) {
         EXPECT_EQ(content("default.json"), content("o.json")) << command << how;
       }
       for (const std::string hole_test : {"bvh", "sweep", "naive", "ray"})
-        EXPECT_EQ(run(command + " --engine rca --hole-test " + hole_test).out, ran.out)
+        EXPECT_EQ(run(command + " --engine rca --collision-test " + hole_test).out, ran.out)
             << command << hole_test;
     }
   }
   expect_refusal("oplus sum square.wkt square.wkt --engine none", "--engine");
-  expect_refusal("oplus sum square.wkt square.wkt --hole-test none", "--hole-test");
-  expect_refusal("oplus sum square.wkt square.wkt --engine oracle --hole-test ray",
-                 "--hole-test is unsupported by the engine oracle");
-  expect_refusal("oplus sum square.wkt square.wkt --hole-test ray",
-                 "--hole-test is unsupported by the engine slide");
+  expect_refusal("oplus sum square.wkt square.wkt --collision-test none", "--collision-test");
+  // Its name of before.
+  expect_output("oplus sum square.wkt square.wkt --engine rca --hole-test ray",
+                run("oplus sum square.wkt square.wkt").out);
+  expect_refusal("oplus sum square.wkt square.wkt --engine oracle --collision-test ray",
+                 "--collision-test is unsupported by the engine oracle");
+  expect_refusal("oplus sum square.wkt square.wkt --collision-test ray",
+                 "--collision-test is unsupported by the engine slide");
   expect_refusal("oplus sum square.wkt square.wkt --engine rca --threads 2",
                  "--threads is unsupported by the engine rca");
   expect_refusal("oplus sum square.wkt square.wkt --threads 0", "--threads");

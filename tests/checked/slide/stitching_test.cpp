@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "checked/slide/numbers.hpp"
+#include "checked/slide/number_types.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/chains/touching_points.hpp"
 #include "reference/definitions/minkowski_sum.hpp"

@@ -55,9 +55,9 @@ TEST_F(DiffCommand, says_what_hole_tests_were_asked) {
   const Ran all = diff(pair);
   // One hole; closed and open; rca and loops.
   EXPECT_TRUE(has(all.out, "all hole tests gave the same answer 4 times about a face, "));
-  const Ran ray = diff(pair + " --engine loops --hole-test ray");
+  const Ran ray = diff(pair + " --engine loops --collision-test ray");
   EXPECT_TRUE(has(ray.out, "the hole test ray was asked 2 times about a face, "));
-  EXPECT_EQ(diff(pair + " --hole-test none").exit_code, 2);
+  EXPECT_EQ(diff(pair + " --collision-test none").exit_code, 2);
 }
 
 TEST_F(DiffCommand, compares_families_the_same_for_the_same_seed) {

@@ -5,7 +5,7 @@
 
 #include <map>
 
-#include "checked/slide/numbers.hpp"
+#include "checked/slide/number_types.hpp"
 #include "checked/slide/scaling.hpp"
 #include "properties/compare/corpus.hpp"
 #include "reference/chains/touching_points.hpp"

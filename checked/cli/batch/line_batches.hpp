@@ -10,35 +10,35 @@
 namespace oplus {
 
 /// Some lines of an input.
-struct LineLot {
+struct LineBatch {
   std::string text;            ///< with the ends of the lines; that of the last may be missing
   std::size_t first_line = 1;  ///< its number, from one
 };
 
-/// Reads an input in lots of lines, each as soon as it is there, so that whoever writes into a pipe may wait
+/// Reads an input in batches of lines, each as soon as it is there, so that whoever writes into a pipe may wait
 /// for the results of a line. Lines may have any length. A byte order mark is left out.
-class LineLots {
+class LineBatches {
  public:
   /// `path` may be "-", standard input. Throws InvalidInput where it cannot be opened.
-  explicit LineLots(const std::string& path);
-  LineLots(const LineLots&) = delete;
-  LineLots& operator=(const LineLots&) = delete;
-  ~LineLots();
+  explicit LineBatches(const std::string& path);
+  LineBatches(const LineBatches&) = delete;
+  LineBatches& operator=(const LineBatches&) = delete;
+  ~LineBatches();
 
   /// What messages call the input.
   const std::string& name() const { return name_; }
 
   /// Returns the next lines, or none at the end of the input, or where is_stopping() returns true while
   /// the input has none. Throws InvalidInput where the input cannot be read.
-  std::optional<LineLot> next(const std::function<bool()>& is_stopping = {});
+  std::optional<LineBatch> next(const std::function<bool()>& is_stopping = {});
 
   /// The number of bytes that were returned, and that of all; 0 where that is unknown, as of a pipe.
   std::size_t bytes_done() const { return bytes_done_; }
   std::size_t bytes() const { return bytes_; }
 
  private:
-  /// Returns begin_ if there is no lot yet.
-  std::size_t end_of_lot();
+  /// Returns begin_ if there is no batch yet.
+  std::size_t end_of_batch();
   /// Returns false if nothing more is wanted.
   bool read_more(const std::function<bool()>& is_stopping);
 
@@ -54,11 +54,11 @@ class LineLots {
   std::size_t bytes_ = 0;
 };
 
-/// Calls visit(line, number) for each line of a lot, without the end of the line.
+/// Calls visit(line, number) for each line of a batch, without the end of the line.
 template <typename Visit>
-void each_line(const LineLot& lot, const Visit& visit) {
-  std::string_view rest = lot.text;
-  for (std::size_t number = lot.first_line; !rest.empty(); ++number) {
+void each_line(const LineBatch& batch, const Visit& visit) {
+  std::string_view rest = batch.text;
+  for (std::size_t number = batch.first_line; !rest.empty(); ++number) {
     const std::size_t end = rest.find('\n');
     std::string_view line = rest.substr(0, end);
     rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "checked/cli/batch/line_lots.hpp"
+#include "checked/cli/batch/line_batches.hpp"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -16,12 +16,12 @@ namespace oplus {
 
 namespace {
 
-constexpr std::size_t bytes_of_a_lot = 1 << 13;
+constexpr std::size_t bytes_of_a_batch = 1 << 13;
 constexpr std::size_t bytes_at_once = 1 << 16;
 
 }  // namespace
 
-LineLots::LineLots(const std::string& path)
+LineBatches::LineBatches(const std::string& path)
     : name_(path == "-" ? "standard input" : path),
       descriptor_(path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
   if (descriptor_ < 0)
@@ -33,11 +33,11 @@ LineLots::LineLots(const std::string& path)
     bytes_ = static_cast<std::size_t>(status.st_size);
 }
 
-LineLots::~LineLots() {
+LineBatches::~LineBatches() {
   if (descriptor_ != STDIN_FILENO && descriptor_ >= 0) ::close(descriptor_);
 }
 
-bool LineLots::read_more(const std::function<bool()>& is_stopping) {
+bool LineBatches::read_more(const std::function<bool()>& is_stopping) {
   // So that it ends where nothing more comes from a pipe, and nothing more is wanted.
   for (pollfd input{descriptor_, POLLIN, 0}; ::poll(&input, 1, 100) == 0;)
     if (is_stopping && is_stopping()) return false;
@@ -64,11 +64,11 @@ bool LineLots::read_more(const std::function<bool()>& is_stopping) {
   return true;
 }
 
-std::size_t LineLots::end_of_lot() {
+std::size_t LineBatches::end_of_batch() {
   if (is_at_start_) return begin_;
-  const std::size_t wanted = std::min(begin_ + bytes_of_a_lot, buffer_.size());
-  const std::string_view in_a_lot = std::string_view(buffer_).substr(begin_, wanted - begin_);
-  if (const std::size_t last = in_a_lot.rfind('\n'); last != std::string_view::npos)
+  const std::size_t wanted = std::min(begin_ + bytes_of_a_batch, buffer_.size());
+  const std::string_view in_a_batch = std::string_view(buffer_).substr(begin_, wanted - begin_);
+  if (const std::size_t last = in_a_batch.rfind('\n'); last != std::string_view::npos)
     return begin_ + last + 1;
   const std::size_t first = buffer_.find('\n', std::max(scanned_, wanted));
   scanned_ = buffer_.size();
@@ -76,17 +76,17 @@ std::size_t LineLots::end_of_lot() {
   return is_at_end_ ? buffer_.size() : begin_;
 }
 
-std::optional<LineLot> LineLots::next(const std::function<bool()>& is_stopping) {
-  std::size_t end = end_of_lot();
+std::optional<LineBatch> LineBatches::next(const std::function<bool()>& is_stopping) {
+  std::size_t end = end_of_batch();
   while (end == begin_) {
     if (is_at_end_ || !read_more(is_stopping)) return std::nullopt;
-    end = end_of_lot();
+    end = end_of_batch();
   }
-  LineLot lot{buffer_.substr(begin_, end - begin_), line_};
-  line_ += static_cast<std::size_t>(std::count(lot.text.begin(), lot.text.end(), '\n'));
-  bytes_done_ += lot.text.size();
+  LineBatch batch{buffer_.substr(begin_, end - begin_), line_};
+  line_ += static_cast<std::size_t>(std::count(batch.text.begin(), batch.text.end(), '\n'));
+  bytes_done_ += batch.text.size();
   begin_ = scanned_ = end;
-  return lot;
+  return batch;
 }
 
 }  // namespace oplus
