@@ -26,9 +26,7 @@ using convex_parts::Box;
 using convex_parts::Corner;
 using convex_parts::HalvedBoxes;
 using convex_parts::Line;
-using convex_parts::Near;
 using convex_parts::Piece;
-using convex_parts::rounding;
 using convex_parts::Side;
 using convex_parts::SummandParts;
 
@@ -72,6 +70,14 @@ Rational quotient(Integer128 numerator, std::int64_t denominator) {
   return result;
 }
 
+/// Whether it is two integers below 2^23.
+bool is_small(const Corner& corner) {
+  const auto small = [](const Rational& exact, const Interval& near) {
+    return std::abs(near.low) < 0x1p23 && exact.get_den() == 1;
+  };
+  return small(corner.point.x, corner.near.x) && small(corner.point.y, corner.near.y);
+}
+
 End whole(double number) { return {number, number, number, 1, true}; }
 
 struct Gap {
@@ -85,11 +91,8 @@ class ConvexSums::Search {
  public:
   Search(const Region& p, const Region& q) : parts_{SummandParts(p), SummandParts(q)} {
     rank_directions();
-    bool small = true;
     for (const SummandParts& part : parts_)
-      for (const Corner& corner : part.corners) small = small && corner.is_small;
-    rounding_ = small ? 0 : rounding;
-    least_ = small ? 0 : DBL_MIN * 16;
+      for (const Corner& corner : part.corners) are_small_ = are_small_ && is_small(corner);
   }
 
   std::vector<Track> reduced_convolution() const {
@@ -188,7 +191,7 @@ class ConvexSums::Search {
     std::vector<Upwards> all;
     for (SummandParts& part : parts_) {
       for (Line& line : part.lines) {
-        const IntervalPoint near{interval(line.near_along.x), interval(line.near_along.y)};
+        const IntervalPoint& near = line.near_along;
         const bool is_turned = near.y.low > 0    ? false
                                : near.y.high < 0 ? true
                                                  : cyclic_order::half(line.along()) == 1;
@@ -231,13 +234,7 @@ class ConvexSums::Search {
     along_ = &of_edge.lines[track.edge];
     by_ = &of_vertex.corners[track.vertex];
     source_.reset();
-    const auto plus = [](const Near& a, const Near& b) {
-      const Near sum{a.value + b.value, 0};
-      return Near{sum.value, a.error + b.error + std::abs(sum.value) * rounding};
-    };
-    x_ = plus(along_->from->near.x, by_->near.x);
-    y_ = plus(along_->from->near.y, by_->near.y);
-    if (rounding_ == 0) x_.error = y_.error = 0;
+    near_source_ = along_->from->near + by_->near;
   }
 
   const Point& source() {
@@ -269,16 +266,17 @@ class ConvexSums::Search {
   }
 
   Point place(const End& end) {
-    if (rounding_ == 0 && end.is_quotient) {
+    if (are_small_ && end.is_quotient) {
       // The numerator is below 2^50, the denominator below 2^49, coordinates are below 2^24.
       const auto numerator = static_cast<std::int64_t>(end.numerator);
       const auto denominator = static_cast<std::int64_t>(end.denominator);
-      const auto coordinate = [&](const Near& source, const Near& along) {
-        return quotient(static_cast<Integer128>(source.value) * denominator +
-                            static_cast<Integer128>(along.value) * numerator,
+      const auto coordinate = [&](const Interval& source, const Interval& along) {
+        return quotient(static_cast<Integer128>(source.low) * denominator +
+                            static_cast<Integer128>(along.low) * numerator,
                         denominator);
       };
-      return {coordinate(x_, along_->near_along.x), coordinate(y_, along_->near_along.y)};
+      return {coordinate(near_source_.x, along_->near_along.x),
+              coordinate(near_source_.y, along_->near_along.y)};
     }
     if (end.line == nullptr && end.low == 0) return source();
     if (end.line == nullptr && end.low == 1) return along_->to->point + by_->point;
@@ -286,83 +284,41 @@ class ConvexSums::Search {
   }
   Segment between(const Gap& gap) { return {place(gap.from), place(gap.to)}; }
 
-  /// On which side of a line, moved by a corner, the track's source is, times the length of `along`,
-  /// with error; and how fast it moves to the left of it.
-  struct Motion {
-    double at_source, error, speed, speed_error;
-  };
-  Motion motion_at(const Line& line, const Corner& corner) const {
-    const double unit = corner.is_small ? rounding_ : rounding;
-    const auto& [ux, uy] = line.near_along;
-    const auto& [dx, dy] = along_->near_along;
-    const double to_x = x_.value - line.from->near.x.value;
-    const double to_y = y_.value - line.from->near.y.value;
-    const double wx = to_x - corner.near.x.value;
-    const double wy = to_y - corner.near.y.value;
-    const double wx_error = unit * (std::abs(to_x) + std::abs(wx)) +
-                            2 * (x_.error + line.from->near.x.error + corner.near.x.error);
-    const double wy_error = unit * (std::abs(to_y) + std::abs(wy)) +
-                            2 * (y_.error + line.from->near.y.error + corner.near.y.error);
-    const double left = ux.value * wy, right = uy.value * wx;
-    const double error =
-        2 * (unit * (std::abs(left) + std::abs(right)) + std::abs(ux.value) * wy_error +
-             std::abs(uy.value) * wx_error + ux.error * (std::abs(wy) + wy_error) +
-             uy.error * (std::abs(wx) + wx_error)) +
-        least_;
-    const double moves_left = ux.value * dy.value, moves_right = uy.value * dx.value;
-    const double speed_error = 2 * (rounding_ * (std::abs(moves_left) + std::abs(moves_right)) +
-                                    std::abs(ux.value) * dy.error + std::abs(uy.value) * dx.error +
-                                    ux.error * (std::abs(dy.value) + dy.error) +
-                                    uy.error * (std::abs(dx.value) + dx.error)) +
-                               least_;
-    return {left - right, error, moves_left - moves_right, speed_error};
+  /// The cross product of u and x - a - b.
+  Interval near_cross(const IntervalPoint& u, const IntervalPoint& x, const IntervalPoint& a,
+                      const IntervalPoint& b) const {
+    if (!are_small_) return cross(u, x - a - b);
+    const double exact =
+        u.x.low * (x.y.low - a.y.low - b.y.low) - u.y.low * (x.x.low - a.x.low - b.x.low);
+    return {exact, exact};
   }
 
   End crossing(const Line& line, const Corner& corner) const {
-    const Motion side = motion_at(line, corner);
     // At an end of the track, where doubles would not decide.
     if (&corner == by_) {
       if (line.ends_at(along_->from)) return whole(0);
       if (line.ends_at(along_->to)) return whole(1);
     }
     if (along_->ends_at(&corner) && line.ends_at(by_)) return whole(&corner == along_->to);
-    const double size = std::abs(side.speed);
-    const double numerator = side.speed < 0 ? side.at_source : -side.at_source;
-    End end{-infinity, infinity, numerator, size, false, &line, &corner};
-    if (size > 4 * side.speed_error) {
-      const double at = numerator / size;
-      const double error = 2 * (side.error + std::abs(at) * side.speed_error) / size +
-                           std::abs(at) * rounding + DBL_MIN;
-      if (at - error <= at + error) {
-        end.low = at - error;
-        end.high = at + error;
-      }
-    }
-    end.is_quotient = rounding_ == 0 && side.error == 0;
+    // On which side of the moved line the track's source is, times a length, and how fast it moves.
+    Interval side = near_cross(line.near_along, near_source_, line.from->near, corner.near);
+    Interval speed = near_cross(line.near_along, along_->near_along, {}, {});
+    if (speed.low >= 0)
+      side = -side;
+    else
+      speed = -speed;
+    const Interval at = side / speed;
+    End end{at.low, at.high, side.low, speed.low, false, &line, &corner};
+    end.is_quotient = are_small_;
     return end;
   }
 
   /// On which side of the track the sum of two corners is: positive to the left.
   int side_of(const Corner& a, const Corner& b) {
     if ((&a == by_ && along_->ends_at(&b)) || (&b == by_ && along_->ends_at(&a))) return 0;
-    const double unit = a.is_small && b.is_small ? rounding_ : rounding;
-    const auto& [dx, dy] = along_->near_along;
-    const auto from_source = [&](const Near& of_a, const Near& of_b, const Near& source) {
-      const double sum = of_a.value + of_b.value;
-      const double to = sum - source.value;
-      return Near{
-          to, unit * (std::abs(sum) + std::abs(to)) + 2 * (of_a.error + of_b.error + source.error)};
-    };
-    const Near wx = from_source(a.near.x, b.near.x, x_), wy = from_source(a.near.y, b.near.y, y_);
-    const double left = dx.value * wy.value, right = dy.value * wx.value;
-    const double error =
-        2 * (unit * (std::abs(left) + std::abs(right)) + std::abs(dx.value) * wy.error +
-             std::abs(dy.value) * wx.error + dx.error * (std::abs(wy.value) + wy.error) +
-             dy.error * (std::abs(wx.value) + wx.error)) +
-        least_;
-    if (left - right > error) return 1;
-    if (left - right < -error) return -1;
-    if (error == 0) return 0;
+    const std::optional<int> known =
+        oplus::sign(near_cross(along_->near_along, near_source_, a.near, b.near));
+    if (known) return -*known;
     return sign(cross(along_->along(), a.point + b.point - source()));
   }
 
@@ -477,16 +433,10 @@ class ConvexSums::Search {
 
   /// A box around the part of the track in the window.
   void set_reach() {
-    const auto reach = [&](const Near& start, const Near& step, double& low, double& high) {
-      const double from = std::max(window_.from.low, 0.0) * step.value;
-      const double to = std::min(window_.to.high, 1.0) * step.value;
-      const double error = 2 * start.error + step.error * 2 +
-                           4 * rounding * (std::abs(start.value) + std::abs(step.value)) + least_;
-      low = start.value + std::min(from, to) - error;
-      high = start.value + std::max(from, to) + error;
-    };
-    reach(x_, along_->near_along.x, reach_.x_low, reach_.x_high);
-    reach(y_, along_->near_along.y, reach_.y_low, reach_.y_high);
+    const Interval part{std::max(window_.from.low, 0.0), std::min(window_.to.high, 1.0)};
+    const Interval x = near_source_.x + part * along_->near_along.x;
+    const Interval y = near_source_.y + part * along_->near_along.y;
+    reach_ = {x.low, x.high, y.low, y.high};
   }
 
   /// False only if no point of the track in the window is in a sum of the two boxes.
@@ -497,11 +447,15 @@ class ConvexSums::Search {
         y_high < reach_.y_low)
       return false;
     const double half_x = (x_high - x_low) / 2, half_y = (y_high - y_low) / 2;
-    const double x = (x_low / 2 + x_high / 2) - x_.value;
-    const double y = (y_low / 2 + y_high / 2) - y_.value;
-    const double dx = along_->near_along.x.value, dy = along_->near_along.y.value;
-    const double error_x = 0x1p-45 * (std::abs(x_low) + std::abs(x_high) + std::abs(x_.value));
-    const double error_y = 0x1p-45 * (std::abs(y_low) + std::abs(y_high) + std::abs(y_.value));
+    const double x = (x_low / 2 + x_high / 2) - near_source_.x.low;
+    const double y = (y_low / 2 + y_high / 2) - near_source_.y.low;
+    const double dx = along_->near_along.x.low, dy = along_->near_along.y.low;
+    const auto error = [](double low, double high, const Interval& source) {
+      return 0x1p-45 * (std::abs(low) + std::abs(high) + std::abs(source.low)) +
+             (source.high - source.low);
+    };
+    const double error_x = error(x_low, x_high, near_source_.x);
+    const double error_y = error(y_low, y_high, near_source_.y);
     return !(std::abs(dx * y - dy * x) > std::abs(dx) * (half_y + error_y) * (1 + 0x1p-40) +
                                              std::abs(dy) * (half_x + error_x) * (1 + 0x1p-40) +
                                              0x1p-40 * (std::abs(dx * y) + std::abs(dy * x)));
@@ -517,8 +471,8 @@ class ConvexSums::Search {
   bool find_cover(const End& probe) {
     probe_ = probe;
     const double t = (probe.low + probe.high) / 2;
-    probe_x_ = x_.value + t * along_->near_along.x.value;
-    probe_y_ = y_.value + t * along_->near_along.y.value;
+    probe_x_ = near_source_.x.low + t * along_->near_along.x.low;
+    probe_y_ = near_source_.y.low + t * along_->near_along.y.low;
     set_reach();
     for (auto pair = recent_.begin(); pair != recent_.end(); ++pair) {
       if (!covers(pair->first, pair->second)) continue;
@@ -607,13 +561,12 @@ class ConvexSums::Search {
 
   std::array<SummandParts, 2> parts_;
   Ranks ranks_;
-  double rounding_;  ///< 0 where doubles are exact on the summands' own coordinates
-  double least_;
+  bool are_small_ = true;  ///< integers for which doubles are exact
 
   // Of the track.
   const Line* along_ = nullptr;
   const Corner* by_ = nullptr;
-  Near x_, y_;  ///< its source
+  IntervalPoint near_source_;
   std::optional<Point> source_;
 
   // Of the search.

@@ -14,32 +14,16 @@ namespace oplus::convex_parts {
 
 namespace {
 
-Near near(const Interval& a) {
-  if (is_exact(a)) return {a.low, 0};
-  const double error = (a.high - a.low) * (1 + rounding);
-  return error <= DBL_MAX ? Near{a.low, error} : Near{0, std::numeric_limits<double>::infinity()};
-}
-
-NearPoint near(const IntervalPoint& p) { return {near(p.x), near(p.y)}; }
-
-bool is_small(const Point& p, const IntervalPoint& near) {
-  const auto small = [](const Rational& exact, const Interval& x) {
-    return std::abs(x.low) < 0x1p23 && exact.get_den() == 1;
-  };
-  return small(p.x, near.x) && small(p.y, near.y);
-}
-
+/// Large enough for sums of two boxes to be rounded.
 Box box_around(const Corner& corner) {
-  const auto& [x, y] = corner.near;
-  const double dx = x.error + std::abs(x.value) * rounding;
-  const double dy = y.error + std::abs(y.value) * rounding;
-  return {x.value - dx, x.value + dx, y.value - dy, y.value + dy};
+  const Interval x = outward(corner.near.x.low, corner.near.x.high);
+  const Interval y = outward(corner.near.y.low, corner.near.y.high);
+  return {x.low, x.high, y.low, y.high};
 }
 
 Line line_between(const Corner& a, const Corner& b) {
-  if (a.is_small && b.is_small)
-    return {&a, &b, {{b.near.x.value - a.near.x.value}, {b.near.y.value - a.near.y.value}}};
-  return {&a, &b, near(interval(b.point - a.point))};
+  const IntervalPoint along = b.near - a.near;
+  return {&a, &b, is_exact(along.x) && is_exact(along.y) ? along : interval(b.point - a.point)};
 }
 
 }  // namespace
@@ -50,9 +34,8 @@ SummandParts::SummandParts(const Region& region) : boxes({}) {
   for (const pieces::ConvexPiece& piece : all.pieces) size += piece.size();
   corners.reserve(all.vertices.size());
   for (Point& vertex : all.vertices) {
-    const IntervalPoint at = interval(vertex);
-    const bool small = is_small(vertex, at);
-    corners.push_back({std::move(vertex), near(at), small});
+    const IntervalPoint near = interval(vertex);
+    corners.push_back({std::move(vertex), near});
   }
   const auto add_chain = [&](const Chain& chain) {
     const std::size_t first = before.size();

@@ -14,36 +14,16 @@ namespace oplus::convex_parts {
 using pieces::Box;
 using pieces::HalvedBoxes;
 
-/// What is not an integer below 2^23 is computed with relative errors of less than this.
-inline constexpr double rounding = 0x1p-50;
-
-/// A number of which a double is known and how far it may be away.
-struct Near {
-  double value = 0;
-  double error = 0;
-};
-
-/// Around it.
-inline Interval interval(const Near& a) {
-  return a.error == 0 ? Interval{a.value, a.value} : outward(a.value - a.error, a.value + a.error);
-}
-
-struct NearPoint {
-  Near x;
-  Near y;
-};
-
 struct Corner {
   Point point;
-  NearPoint near;
-  bool is_small;  ///< an integer below 2^23
+  IntervalPoint near;
 };
 
 /// The line of an edge, or a diagonal.
 struct Line {
   const Corner* from;
   const Corner* to;
-  NearPoint near_along;
+  IntervalPoint near_along;
   int rank = 0;
 
   Vector along() const { return to->point - from->point; }
