@@ -73,25 +73,13 @@ endforeach()
 find_package(benchmark REQUIRED)
 file(GLOB benchmark_sources CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR}
      bench/*.cpp bench/*.hpp)
-set(benchmark_tests ${benchmark_sources})
-list(FILTER benchmark_tests INCLUDE REGEX "_test\\.cpp$")
-list(FILTER benchmark_sources EXCLUDE REGEX "(_test|/main)\\.cpp$")
-add_library(oplus_bench OBJECT ${benchmark_sources})
-target_include_directories(oplus_bench SYSTEM PUBLIC ${CLIPPER_INCLUDE_DIR})
-target_link_libraries(oplus_bench PUBLIC oplus_runner oplus_peers
-                                         oplus_strict CGAL::CGAL nlohmann_json::nlohmann_json
-                                         benchmark::benchmark ${CLIPPER_LIBRARY})
+add_executable(oplus-bench ${benchmark_sources})
+target_include_directories(oplus-bench SYSTEM PRIVATE ${CLIPPER_INCLUDE_DIR})
+target_link_libraries(oplus-bench PRIVATE oplus_runner oplus_peers oplus_strict
+                                          CGAL::CGAL benchmark::benchmark ${CLIPPER_LIBRARY})
 string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_RELEASE}" bench_flags)
-execute_process(COMMAND git describe --always --dirty WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
-                OUTPUT_VARIABLE bench_commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
-set_source_files_properties(bench/setting.cpp PROPERTIES COMPILE_DEFINITIONS
-  "OPLUS_BENCH_COMMIT=\"${bench_commit}\";OPLUS_BENCH_FLAGS=\"${bench_flags}\"")
-add_executable(oplus-bench bench/main.cpp)
-target_link_libraries(oplus-bench PRIVATE oplus_bench CLI11::CLI11)
-add_executable(oplus-bench-tests ${benchmark_tests} main.cpp)
-target_link_libraries(oplus-bench-tests PRIVATE oplus_bench GTest::gtest)
-target_compile_options(oplus-bench-tests PRIVATE -O0)
-add_dependencies(oplus-bench-tests oplus-bench)
+set_source_files_properties(bench/main.cpp PROPERTIES COMPILE_DEFINITIONS
+                            "OPLUS_BENCH_FLAGS=\"${bench_flags}\"")
 # What oplus's command is measured beside.
 foreach(library cgal clipper)
   add_executable(${library}-sum bench/programs/${library}_sum.cpp)
@@ -107,13 +95,10 @@ endif()
 target_link_libraries(cgal-sum PRIVATE CGAL::CGAL)
 target_include_directories(clipper-sum SYSTEM PRIVATE ${CLIPPER_INCLUDE_DIR})
 target_link_libraries(clipper-sum PRIVATE ${CLIPPER_LIBRARY})
-oplus_tests_by_file(oplus-bench-tests "" ${benchmark_tests})
 # How fast anything is depends on the machine; that all engines start and agree does not.
-add_test(NAME bench.list COMMAND oplus-bench --list)
-add_test(NAME bench.engines-agree
-         COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/bench/engines_agree $<TARGET_FILE:oplus-bench>)
-add_test(NAME bench.faults-are-reported
-         COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/bench/faults_are_reported $<TARGET_FILE:oplus-bench>)
+add_test(NAME bench.programs
+         COMMAND ${CMAKE_COMMAND} -E env OPLUS_BENCH=$<TARGET_FILE:oplus-bench>
+                 ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/bench/programs_test.py)
 
 # What is wrong with other libraries, shown by a program each.
 file(GLOB findings CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/docs/findings/*.cpp)

@@ -12,7 +12,7 @@ packages_of_tests=(clang libclang-rt-14-dev git clang-format make time libgtest-
                    pybind11-dev python3-dev python3-numpy python3-shapely python3-pytest
                    python3-hypothesis python3-matplotlib)
 # More for tests/run --everything.
-packages_of_everything=(libkainjow-mustache-dev gnuplot-nox help2man
+packages_of_everything=(gnuplot-nox help2man
                         mmdebstrap lintian dpkg-dev doxygen python3-sphinx python3-breathe
                         python3-myst-parser furo nodejs npm python3-pip python3-skbuild python3-venv
                         emscripten chromium chromium-driver python3-selenium)

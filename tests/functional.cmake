@@ -95,6 +95,9 @@ set_tests_properties(proofs.smt PROPERTIES LABELS proofs)
 # What the pages of docs/ draw, link to and name.
 add_test(NAME docs.pages
          COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/docs/pages_test.py $<TARGET_FILE:oplus>)
+# What docs/benchmarks.md and docs/experiments are made with, on a program that stands for oplus-bench.
+add_test(NAME docs.benchmarks
+         COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/bench/table_test.py)
 # docs/scoreboard.md, its record and its pictures; docs/scoreboard/make takes minutes.
 add_test(NAME docs.scoreboard
          COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/docs/scoreboard_test.py)

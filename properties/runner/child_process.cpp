@@ -90,9 +90,7 @@ void become(char* const* command, const ProcessLimits& limits, int output, int e
 /// A process that was started and is not yet waited for.
 class Child {
  public:
-  enum class Kills { itself, its_group };
-
-  Child(pid_t process, Kills kills) : process_(process), kills_(kills) {
+  explicit Child(pid_t process) : process_(process) {
     descriptor_ = static_cast<int>(::syscall(SYS_pidfd_open, process, 0));
     if (descriptor_ >= 0) return;
     const int error = errno;
@@ -113,7 +111,7 @@ class Child {
   int descriptor() const { return descriptor_; }
 
   /// Until it is waited for, no other process has its number.
-  void kill() const { ::kill(kills_ == Kills::its_group ? -process_ : process_, SIGKILL); }
+  void kill() const { ::kill(-process_, SIGKILL); }
 
   /// Returns its status.
   int wait(rusage& usage) {
@@ -126,7 +124,6 @@ class Child {
 
  private:
   pid_t process_;
-  Kills kills_;
   int descriptor_ = -1;
   bool is_waited_for_ = false;
 };
@@ -142,10 +139,10 @@ class Listener {
       if (file >= 0) ::fcntl(file, F_SETFL, O_NONBLOCK);
     std::array<pollfd, 3> files{pollfd{output, POLLIN, 0}, pollfd{errors, POLLIN, 0},
                                 pollfd{child.descriptor(), POLLIN, 0}};
-    start_ = Clock::now();
+    const Clock::time_point start = Clock::now();
     while (true) {
       const double left =
-          limits_.seconds - std::chrono::duration<double>(Clock::now() - start_).count();
+          limits_.seconds - std::chrono::duration<double>(Clock::now() - start).count();
       if (left <= 0) return over(EndedProcess::How::over_time, child);
       if (limits_.is_interrupted != nullptr && limits_.is_interrupted())
         return over(EndedProcess::How::interrupted, child);
@@ -182,11 +179,7 @@ class Listener {
   }
 
   /// Returns false where nothing more can be read now.
-  bool read_output(int file) {
-    if (!read_into(ended_.output, file)) return false;
-    if (limits_.a_line_at_a_time && ended_.output.ends_with('\n')) start_ = Clock::now();
-    return true;
-  }
+  bool read_output(int file) { return read_into(ended_.output, file); }
 
   bool read_errors(int file) {
     if (!read_into(ended_.errors, file)) return false;
@@ -207,7 +200,6 @@ class Listener {
 
   const ProcessLimits& limits_;
   EndedProcess& ended_;
-  Clock::time_point start_;
 };
 
 EndedProcess listened_to(Child& child, int output, int errors, const ProcessLimits& limits) {
@@ -246,7 +238,7 @@ EndedProcess run_program(const std::vector<std::string>& command, const ProcessL
     static_cast<void>(::write(failure.to_write.get(), &error, sizeof error) < 0);
     ::_exit(127);
   }
-  Child child(process, Child::Kills::its_group);
+  Child child(process);
   output.to_write.close();
   errors.to_write.close();
   failure.to_write.close();
@@ -254,22 +246,6 @@ EndedProcess run_program(const std::vector<std::string>& command, const ProcessL
   if (::read(failure.to_read.get(), &error, sizeof error) > 0) fail(error, command.at(0));
   return listened_to(child, output.to_read.get(), limits.is_quiet ? errors.to_read.get() : -1,
                      limits);
-}
-
-EndedProcess run_fork(const std::function<int(int output)>& work, const ProcessLimits& limits) {
-  Pipe output = Pipe::make();
-  const pid_t process = ::fork();
-  if (process < 0) fail(errno, "fork");
-  if (process == 0) {
-    output.to_read.close();
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    limit_resource(RLIMIT_CORE, 0);
-    limit_memory(limits.address_space_mb);
-    ::_exit(work(output.to_write.get()));
-  }
-  Child child(process, Child::Kills::itself);
-  output.to_write.close();
-  return listened_to(child, output.to_read.get(), -1, limits);
 }
 
 std::string program_beside(const std::string& name) {

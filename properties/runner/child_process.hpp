@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -12,7 +11,6 @@ namespace oplus {
 /// What a process may use.
 struct ProcessLimits {
   double seconds = std::numeric_limits<double>::infinity();
-  bool a_line_at_a_time = false;       ///< each line it writes starts its clock anew
   std::size_t address_space_mb = 0;    ///< per process, in units of 10^6 bytes; 0: unlimited
   std::size_t output_mb = 0;           ///< of its standard output; 0: unlimited
   bool is_quiet = false;               ///< standard error is kept, not passed on
@@ -36,12 +34,6 @@ struct EndedProcess {
 ///  2. Any number of threads may run programs at a time.
 /// Throws std::system_error where it cannot be started.
 EndedProcess run_program(const std::vector<std::string>& command, const ProcessLimits& limits);
-
-/// The same for work of this program, which is forked: `work` writes to the file descriptor, which is
-/// the output, and returns the exit code. What this process would do at its end, such as writing what
-/// is buffered, is not done. It is killed where this process ends; its standard error is not kept.
-/// Requires: no other thread runs.
-EndedProcess run_fork(const std::function<int(int output)>& work, const ProcessLimits& limits);
 
 /// The program of this name beside the one that is running, which "" is.
 std::string program_beside(const std::string& name);

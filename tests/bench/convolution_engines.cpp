@@ -60,7 +60,7 @@ BenchEngine engine_of(const std::string& name, const std::string& what,
   return {.name = name,
           .what = what,
           .prepare = each_pair([find](const Row&) { return Convolution<Found>{find}; }),
-          .subject = Subject::convolution};
+          .kind = "convolution"};
 }
 
 }  // namespace

@@ -20,10 +20,6 @@ std::string area_text(const Rational& area) {
 
 }  // namespace
 
-void Description::count(const std::string& name, std::size_t number) {
-  numbers_[name] += static_cast<double>(number);
-}
-
 void Description::say(const std::vector<Segment>& segments) {
   for (const Segment& s : segments) said_ += to_string(s.source) + to_string(s.target);
   said_ += '\n';
@@ -44,13 +40,11 @@ void Description::add(const MinkowskiSum& sum, bool is_rounded) {
   say("\n");
 }
 
-void Description::write_to(Measurement& measurement) const {
-  measurement.numbers.insert(numbers_.begin(), numbers_.end());
-  if (area_) measurement.area = area_text(*area_);
-  if (said_.empty()) return;
-  std::ostringstream digits;
-  digits << std::hex << std::hash<std::string>()(said_);
-  measurement.digest = digits.str();
+std::string Description::label() const {
+  std::ostringstream label;
+  if (!said_.empty()) label << "digest=" << std::hex << std::hash<std::string>()(said_) << ' ';
+  if (area_) label << "area=" << area_text(*area_);
+  return label.str();
 }
 
 }  // namespace oplus

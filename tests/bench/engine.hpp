@@ -92,23 +92,19 @@ Preparing each_pair(MethodFor method_for) {
   };
 }
 
-/// An engine that can be measured on the rows of one subject.
+/// An engine that can be measured on the rows of its kind.
 struct BenchEngine {
   std::string name;
   std::string what;
   Preparing prepare;
-  Subject subject = Subject::sums;
+  std::string kind = "sums";
   bool rounds = false;
   bool is_ours = true;
-  bool is_at_fault = false;    ///< faulty on purpose
-  bool is_of_all_rows = true;  ///< otherwise only of rows of commands and certificates
+  bool is_of_all_rows = true;  ///< otherwise only of those that name it
 };
 
 /// All engines, in the order in which they are listed.
 const std::vector<BenchEngine>& bench_engines();
-
-/// Returns nullptr for an unknown name. Rows of growth, commands and certificates are for engines of sums.
-const BenchEngine* find_bench_engine(Subject subject, const std::string& name);
 
 // The parts of the list.
 
@@ -124,11 +120,11 @@ std::vector<BenchEngine> command_engines();
 /// (thesis, Section 3.2.1).
 std::vector<BenchEngine> convolution_engines();
 
-/// Each prepares a hole test and asks it questions about the row's pair: those of rca or, if the row's
-/// word `about` is "edges", one per edge of the arrangement.
+/// Each prepares a hole test and asks it questions about the row's pair: those of rca or, if the row is
+/// about edges, one per edge of the arrangement.
 std::vector<BenchEngine> hole_test_engines();
 
-/// To test the benchmark itself: one crashes, one never ends, one moves a vertex of the sum.
+/// To test what measures them: one crashes, one never ends, one moves a vertex of the sum.
 std::vector<BenchEngine> engines_at_fault();
 
 }  // namespace oplus

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-
 #include "tests/bench/engine.hpp"
 
 namespace oplus {
@@ -14,15 +12,6 @@ const std::vector<BenchEngine>& bench_engines() {
     return made;
   }();
   return all;
-}
-
-const BenchEngine* find_bench_engine(Subject subject, const std::string& name) {
-  if (subject != Subject::convolution && subject != Subject::hole_tests) subject = Subject::sums;
-  const std::vector<BenchEngine>& all = bench_engines();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const BenchEngine& engine) {
-    return engine.subject == subject && engine.name == name;
-  });
-  return found == all.end() ? nullptr : &*found;
 }
 
 }  // namespace oplus

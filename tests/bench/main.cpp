@@ -1,206 +1,231 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <CLI/CLI.hpp>
-#include <algorithm>
-#include <boost/algorithm/string/join.hpp>
-#include <fstream>
-#include <iostream>
-#include <iterator>
-#include <memory>
-#include <regex>
+#include <CGAL/version.h>
+#include <benchmark/benchmark.h>
+#include <sys/resource.h>
+#include <sys/time.h>
 
-#include "checked/cli/command_line/program_frame.hpp"
-#include "checked/cli/command_line/terminal.hpp"
-#include "checked/cli/usage_error.hpp"
-#include "properties/runner/source_tree.hpp"
-#include "reference/io/writing.hpp"
-#include "tests/bench/experiment.hpp"
-#include "tests/bench/measuring.hpp"
-#include "tests/bench/page.hpp"
-#include "tests/bench/published_pairs.hpp"
-#include "tests/bench/rows.hpp"
+#include <algorithm>
+#include <boost/version.hpp>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <polyclipping/clipper.hpp>
+#include <sstream>
+#include <stdexcept>
+
+#include "checked/timed.hpp"
+#include "properties/compare/peers/method.hpp"
+#include "properties/runner/child_process.hpp"
+#include "tests/bench/engine.hpp"
 
 namespace oplus {
 
 namespace {
 
-constexpr int exit_wrong = 1;
-constexpr auto file_type = "FILE";
-constexpr auto group = "Options without a command";
+constexpr auto help =
+    R"(oplus-bench [OPTION...]: time and memory of Minkowski sums by oplus, CGAL, Clipper and Boost.Polygon
+      --list            list rows and engines: cells separated by tabs
+      --memory=MB       limit the memory of this process
+      --limit=SECONDS   end this process (by SIGALRM) where a step takes longer: making a pair, a sum, ...
+      --seed=NUMBER     of the experiments' pairs; default: 1
+      --scale=NUMBER    multiplies the largest size of each experiment's family; default: 1
+      --with-faults     also rows with engines that crash, hang and are wrong
+A benchmark is ROW/ENGINE, such as fork_50/slide. Its counters: times in seconds, MB, sizes; its label: a digest of
+an exact result, which is the same for all engines, and the area. tests/bench/table.py runs each in a process of its
+own, and compares. Options of Google Benchmark:
 
-struct Options {
-  std::string rows = ".*";
-  std::vector<std::string> engines;
-  ProcessLimits limits{.seconds = 60};
-  double min_time = 0.5;
-  bool list = false;
-  bool engines_at_fault = false;
-  std::string json;
-  std::string markdown;
-  std::string from;
+)";
+
+/// A run that takes longer than this, in seconds, is not repeated.
+constexpr double long_run = 1;
+
+double limit = 0;
+
+/// A step that takes longer than the limit ends this process.
+void begin_step() {
+  const double whole = std::floor(limit);
+  const ::itimerval timer{
+      {}, {static_cast<time_t>(whole), static_cast<suseconds_t>(1e6 * (limit - whole))}};
+  ::setitimer(ITIMER_REAL, &timer, nullptr);
+}
+
+/// Of all threads of this process, and of programs that it has run.
+double processor_seconds() {
+  double seconds = 0;
+  for (const auto who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+    ::rusage usage{};
+    ::getrusage(who, &usage);
+    for (const ::timeval& time : {usage.ru_utime, usage.ru_stime})
+      seconds += static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  }
+  return seconds;
+}
+
+using Numbers = std::map<std::string, double>;
+
+/// An engine's work on a row. Making the pairs, and one run that shows what the result is, come first.
+class Work {
+ public:
+  Work(const Row& row, const BenchEngine& engine) : made_(row.make()) {
+    pairs_ = engine.prepare(row, made_);
+    first_ = run();
+    if (made_.size() == 1) {
+      numbers_["m"] = static_cast<double>(vertex_count(made_[0].p));
+      numbers_["n"] = static_cast<double>(vertex_count(made_[0].q));
+    }
+    begin_step();
+    Description description;
+    pairs_->describe(description);
+    numbers_.insert(description.numbers().begin(), description.numbers().end());
+    label_ = description.label();
+  }
+
+  void measure(benchmark::State& state) {
+    Numbers total;
+    for (auto _ : state) {
+      const Numbers seconds = first_.at("seconds") > long_run ? first_ : run();
+      state.SetIterationTime(seconds.at("seconds"));
+      for (const auto& [name, value] : seconds) total[name] += value;
+    }
+    for (const auto& [name, value] : total)
+      state.counters[name] = benchmark::Counter(value, benchmark::Counter::kAvgIterations);
+    for (const auto& [name, value] : numbers_) state.counters[name] = value;
+    state.SetLabel(label_);
+  }
+
+ private:
+  /// Computes the results again. Only that is between the clocks.
+  Numbers run() {
+    begin_step();
+    Numbers seconds;
+    pairs_->forget();
+    const double worked = processor_seconds();
+    Seconds took{};
+    timed(took, [&] { pairs_->compute(); });
+    seconds["busy_seconds"] = processor_seconds() - worked;
+    if (!numbers_.contains("peak_mb")) numbers_["peak_mb"] = own_peak_mb();
+    seconds["seconds"] = took.count();
+    pairs_->add_stages(seconds);
+    begin_step();
+    if (timed(took, [&] { return pairs_->evaluate(); }))
+      seconds["seconds_evaluated"] = took.count();
+    return seconds;
+  }
+
+  std::vector<Summands> made_;
+  std::unique_ptr<PreparedPairs> pairs_;
+  Numbers first_;
+  Numbers numbers_;
+  std::string label_;
 };
 
-/// The engines of the benchmark's rows; faulty ones only with --engines-at-fault.
-std::vector<BenchEngine> offered_engines(const Options& options) {
-  std::vector<BenchEngine> offered = bench_engines();
-  std::erase_if(offered, [&](const BenchEngine& engine) {
-    return engine.subject == Subject::hole_tests ||
-           (engine.is_at_fault && !options.engines_at_fault);
+/// Google Benchmark calls this several times for a measurement.
+void measure(benchmark::State& state, const Row& row, const BenchEngine& engine) {
+  static std::string measured;
+  static std::unique_ptr<Work> work;
+  begin_step();
+  try {
+    if (const std::string name = row.name + '/' + engine.name; measured != name) {
+      work.reset();
+      work = std::make_unique<Work>(row, engine);
+      measured = name;
+    }
+    work->measure(state);
+  } catch (const Unsupported& e) {
+    state.SkipWithError((std::string("unsupported: ") + e.what()).c_str());
+  } catch (const std::bad_alloc&) {
+    throw;  // ends this process
+  } catch (const std::exception& e) {
+    state.SkipWithError((std::string("failed: ") + e.what()).c_str());
+  }
+  const ::itimerval none{};
+  ::setitimer(ITIMER_REAL, &none, nullptr);
+}
+
+void list(const Rows& rows) {
+  for (const Row& row : rows) {
+    std::cout << "row\t" << row.name << '\t' << row.group << '\t' << row.what << '\t' << row.subject
+              << '\t' << row.pairs << '\t';
+    for (const std::string& engine : row.engines)
+      std::cout << (engine == row.engines[0] ? "" : " ") << engine;
+    std::cout << '\n';
+  }
+  for (const BenchEngine& engine : bench_engines())
+    std::cout << "engine\t" << engine.name << '\t' << engine.what << '\t' << engine.kind << '\t'
+              << engine.is_ours << engine.rounds << engine.is_of_all_rows << '\n';
+  std::cout << "peak_mb\t" << own_peak_mb() << '\n';  // of a process that measures nothing
+}
+
+void register_all(const Rows& rows) {
+  for (const Row& row : rows)
+    for (const std::string& name : row.engines) {
+      const auto engine = std::ranges::find_if(bench_engines(), [&](const BenchEngine& one) {
+        return one.kind == row.kind && one.name == name;
+      });
+      benchmark::RegisterBenchmark(
+          (row.name + '/' + name).c_str(),
+          [&row, engine](benchmark::State& state) { measure(state, row, *engine); })
+          ->UseManualTime()
+          ->Unit(benchmark::kMillisecond);
+    }
+}
+
+int run(int argc, char** argv) {
+  Numbers values{{"limit", 0}, {"memory", 0}, {"seed", 1}, {"scale", 1}};
+  bool lists = false;
+  bool with_faults = false;
+  benchmark::Initialize(&argc, argv, [] {
+    std::cout << help;
+    benchmark::PrintDefaultHelp();
   });
-  return offered;
-}
-
-std::vector<std::string> chosen_engines(const Options& options) {
-  std::vector<std::string> offered;
-  for (const BenchEngine& engine : offered_engines(options))
-    // Faulty ones only by name.
-    if (!engine.is_at_fault || !options.engines.empty()) offered.push_back(engine.name);
-  if (options.engines.empty()) return offered;
-  for (const std::string& name : options.engines)
-    if (std::ranges::find(offered, name) == offered.end())
-      throw UsageError("unknown engine " + name + "; --list shows all");
-  return options.engines;
-}
-
-Rows chosen_rows(const Options& options) {
-  try {
-    const std::regex pattern(options.rows);
-    Rows chosen = rows_where(benchmark_rows(),
-                             [&](const Row& row) { return std::regex_match(row.name, pattern); });
-    if (chosen.empty()) throw UsageError("no row matches " + options.rows);
-    return chosen;
-  } catch (const std::regex_error& e) {
-    throw UsageError("--rows: " + std::string(e.what()));
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    const std::size_t equals = std::min(argument.find('='), argument.size());
+    const auto value = values.find(argument.substr(std::min<std::size_t>(2, equals), equals - 2));
+    if (argument == "--list")
+      lists = true;
+    else if (argument == "--with-faults")
+      with_faults = true;
+    else if (value == values.end() || equals == argument.size())
+      throw std::invalid_argument("unknown option " + argument + "; --help shows all");
+    else if (std::istringstream text(argument.substr(equals + 1));
+             !(text >> value->second) || !text.eof() || value->second < 0)
+      throw std::invalid_argument("invalid number: " + argument);
   }
-}
-
-void list(const Options& options) {
-  std::cout << "rows\n";
-  for (const Row& row : chosen_rows(options))
-    std::cout << "  " << row.name << ": " << row.what << '\n';
-  std::cout << "engines\n";
-  for (const BenchEngine& engine : offered_engines(options))
-    std::cout << "  " << engine.name << ": " << engine.what << '\n';
-}
-
-Report read_report(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) throw UsageError("cannot open " + path);
-  try {
-    return report_of({std::istreambuf_iterator<char>(file), {}});
-  } catch (const std::invalid_argument& e) {
-    throw UsageError(path + ": " + e.what());
-  }
-}
-
-Report measured_report(const Options& options, const std::string& command) {
-  Report report{this_setting(command, options.limits.seconds), {}};
-  for (const PublishedPair& pair : published_pairs())
-    if (!pair.what.empty() && !pair.is_there()) report.setting.missing.push_back(pair.name);
-  const std::vector<std::string> of_run = chosen_engines(options);
-  for (Row& row : chosen_rows(options)) {
-    if (std::ranges::find_first_of(row.engines, of_run) == row.engines.end()) continue;
-    measure(row, of_run, options.min_time, options.limits, std::cout);
-    report.rows.push_back(std::move(row));
-    // An interrupted run keeps what it has measured.
-    if (!options.json.empty()) write_file(options.json, to_json(report));
-  }
-  for (const std::string& name : report.setting.missing)
-    std::cout << "skipped, missing in " << data_folder().string() << ": published_" << name << '\n';
-  return report;
-}
-
-int run(const Options& options, const std::string& command) {
-  if (options.list) {
-    list(options);
+  limit = values["limit"];
+  Rows rows = benchmark_rows();
+  for (Row& row : experiment_rows(static_cast<std::uint64_t>(values["seed"]), values["scale"]))
+    if (with_faults || row.subject != "faults") rows.push_back(std::move(row));
+  if (lists) {
+    list(rows);
     return 0;
   }
-  const Report report =
-      options.from.empty() ? measured_report(options, command) : read_report(options.from);
-  if (!options.markdown.empty())
-    write_file(options.markdown, rendered("benchmarks.md.mustache", benchmarks_data(report)));
-  bool is_wrong = false;
-  for (const Row& row : report.rows) {
-    for (const std::string& fault : faults_of(row)) {
-      say_error(fault);
-      is_wrong = true;
-    }
+  benchmark::AddCustomContext("compiler", "GCC " __VERSION__ ", " OPLUS_BENCH_FLAGS);
+  benchmark::AddCustomContext("libraries", "CGAL " CGAL_VERSION_STR ", Clipper " CLIPPER_VERSION
+                                           ", Boost " +
+                                               std::to_string(BOOST_VERSION / 100000) + '.' +
+                                               std::to_string(BOOST_VERSION / 100 % 1000) + '.' +
+                                               std::to_string(BOOST_VERSION % 100));
+  register_all(rows);
+  if (const auto bytes = static_cast<rlim_t>(1e6 * values["memory"]); bytes > 0) {
+    const ::rlimit most{bytes, bytes};
+    ::setrlimit(RLIMIT_AS, &most);
   }
-  return is_wrong ? exit_wrong : 0;
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
 }
-
-/// In quotes where a shell would not take it as one plain word.
-std::string shell_word(const std::string& argument) {
-  const bool is_plain = argument.find_first_of("*?[]{}()|&;<>$`\\\"' \t#~!^") == std::string::npos;
-  return is_plain && !argument.empty() ? argument : '\'' + argument + '\'';
-}
-
-/// The options of the benchmark that were given.
-std::vector<const CLI::Option*> given_options(const CLI::App& app) {
-  return app.get_options([](const CLI::Option* option) {
-    return option->count() > 0 && option->get_group() == group;
-  });
-}
-
-/// The command that measures the same; without its files, which are of one machine only.
-std::string command_of(const CLI::App& app) {
-  std::string command = "build/release/bin/oplus-bench";
-  for (const CLI::Option* option : given_options(app)) {
-    if (option->get_type_name() == file_type) continue;
-    command += ' ' + option->get_name();
-    if (option->get_items_expected() > 0)
-      command += ' ' + shell_word(boost::join(option->results(), ","));
-  }
-  return command;
-}
-
-std::function<int()> add_options(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
-  app.require_subcommand(0, 1);
-  const std::string group_of_all = app.option_defaults()->get_group();
-  app.option_defaults()->group(group);
-  app.add_option("--rows", options->rows, "Only rows whose whole name matches")->type_name("REGEX");
-  app.add_option("--engines", options->engines, "Only these engines, separated by commas")
-      ->type_name("LIST")
-      ->delimiter(',');
-  app.add_option("--limit", options->limits.seconds, "Seconds after which a run is stopped")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  app.add_option(
-         "--min-time", options->min_time,
-         "Least total seconds of an engine's runs; a run of more than a second is not repeated")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  app.add_flag("--list", options->list, "List the rows and the engines");
-  app.add_option("--json", options->json, "Write the measurements to FILE")->type_name(file_type);
-  app.add_option("--markdown", options->markdown, "Write a page like docs/benchmarks.md to FILE")
-      ->type_name(file_type);
-  app.add_option("--from", options->from, "Measure nothing, read what --json wrote")
-      ->type_name(file_type);
-  app.add_flag("--engines-at-fault", options->engines_at_fault,
-               "Also offer engines that crash, hang and are wrong, to test the benchmark")
-      ->group("");
-  app.option_defaults()->group(group_of_all);
-  const std::function<int()> run_experiments = add_experiments_command(app);
-  return [=, &app] {
-    if (app.get_subcommands().empty()) return run(*options, command_of(app));
-    for (const CLI::Option* option : given_options(app))
-      throw UsageError(option->get_name() + " does not apply to experiments");
-    return run_experiments();
-  };
-}
-
-const ProgramFrame frame{
-    "oplus-bench",
-    "Measures Minkowski sums by oplus, CGAL, Clipper and Boost.Polygon, each in a process of its "
-    "own, and compares the results",
-    "Exit code: 0 all exact results are equal, 1 they are not or an engine of oplus crashed or "
-    "failed, 2 invalid usage. Another library that crashes or is too slow is a result."};
 
 }  // namespace
 
 }  // namespace oplus
 
 int main(int argc, char** argv) {
-  const auto add = [](oplus::Program& program) { program.work = oplus::add_options(program.app); };
-  return oplus::run_program(oplus::frame, add, argc, argv);
+  try {
+    return oplus::run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::cerr << "oplus-bench: out of memory\n";
+  } catch (const std::exception& e) {
+    std::cerr << "oplus-bench: " << e.what() << '\n';
+  }
+  return 2;
 }

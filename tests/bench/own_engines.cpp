@@ -106,7 +106,7 @@ struct Verifying {
 BenchEngine at_fault(const std::string& name, const std::string& what, const Computing& compute) {
   BenchEngine engine = bench_engine(name, what, compute);
   engine.is_ours = false;
-  engine.is_at_fault = true;
+  engine.is_of_all_rows = false;
   return engine;
 }
 

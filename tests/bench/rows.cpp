@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/bench/rows.hpp"
+#include "tests/bench/row.hpp"
 
+#include <tuple>
 #include <utility>
 
+#include "properties/runner/source_tree.hpp"
 #include "reference/families/fork.hpp"
 #include "reference/families/pairs.hpp"
 #include "reference/families/polygons.hpp"
+#include "reference/io/reading.hpp"
 #include "tests/bench/engine.hpp"
-#include "tests/bench/published_pairs.hpp"
 
 namespace oplus {
 
@@ -55,14 +57,22 @@ Row pair_of(const std::string& group, const Kind& p, std::size_t n, const Kind& 
 
 Rows published_rows() {
   Rows rows;
-  for (const PublishedPair& published : published_pairs()) {
-    if (published.what.empty() || !published.is_there()) continue;
-    const Summands pair = published.read();
-    rows.push_back({.name = "published_" + published.name,
-                    .group = published.name == "holes" ? "with holes" : "published",
-                    .what = published.what + ", " + std::to_string(vertex_count(pair.p)) + " and " +
-                            std::to_string(vertex_count(pair.q)) + " vertices",
-                    .make = [published] { return std::vector<Summands>{published.read()}; }});
+  for (const auto& [name, what, p, q] :
+       std::initializer_list<std::tuple<std::string, std::string, std::string, std::string>>{
+           {"comb", "comb", "comb_part1", "comb_part2"},
+           {"fork", "fork", "fork_part1", "fork_part2"},
+           {"stars", "stars", "stars_part1", "stars_part2"},
+           {"isolated_vertex", "pair with an isolated vertex", "isolated_vertex_part1",
+            "isolated_vertex_part2"},
+           {"e_and_g", "E and G", "E", "G"},
+           {"l_and_square", "L and square", "l_shape", "deg_square"},
+           {"holes", "pair with holes", "pwh1", "pwh2"}}) {
+    const Summands pair = published_pair(p, q)[0];
+    rows.push_back({.name = "published_" + name,
+                    .group = name == "holes" ? "with holes" : "published",
+                    .what = "published " + what + ", " + std::to_string(vertex_count(pair.p)) +
+                            " and " + std::to_string(vertex_count(pair.q)) + " vertices",
+                    .make = [=, p = p, q = q] { return published_pair(p, q); }});
   }
   return rows;
 }
@@ -108,14 +118,14 @@ Row small_pairs_row() {
 Row growth_row(std::size_t n) {
   Row row = pair_of("growth", star, n, star, n);
   row.name = "growth_" + row.name;
-  row.subject = Subject::growth;
+  row.subject = "growth";
   return row;
 }
 
 Row command_row(Row row) {
   row.name = "command_" + row.name;
   row.group = "commands";
-  row.subject = Subject::commands;
+  row.subject = "commands";
   return row;
 }
 
@@ -123,7 +133,7 @@ Row command_row(Row row) {
 Row certificate_row(const std::string& group, Row row) {
   row.name = "certificate_" + row.name;
   row.group = group;
-  row.subject = Subject::certificates;
+  row.subject = "certificates";
   return row;
 }
 
@@ -138,19 +148,18 @@ Row hard_row(const std::string& family, std::size_t n) {
 Row convolution_row(const Kind& kind, std::size_t n) {
   Row row = pair_of("convolution", kind, n, kind, n);
   row.name = "convolution_of_" + kind.name + '_' + std::to_string(n);
-  row.subject = Subject::convolution;
+  row.subject = row.kind = "convolution";
   return row;
 }
 
 /// The engines for a row.
 std::vector<std::string> engines_for(const Row& row) {
-  if (row.subject == Subject::convolution) return {"traced", "without-points", "naive"};
-  if (row.subject == Subject::growth) return {"slide", "slide2"};
-  if (row.pairs > 1 && row.subject == Subject::commands)
-    return {"slide", "oplus-batch", "cgal-reduced"};
-  if (row.subject == Subject::commands) return {"slide", "oplus-sum", "cgal-sum", "clipper-sum"};
+  if (row.subject == "convolution") return {"traced", "without-points", "naive"};
+  if (row.subject == "growth") return {"slide", "slide2"};
+  if (row.pairs > 1 && row.subject == "commands") return {"slide", "oplus-batch", "cgal-reduced"};
+  if (row.subject == "commands") return {"slide", "oplus-sum", "cgal-sum", "clipper-sum"};
   std::vector<std::string> names;
-  if (row.subject == Subject::certificates) {
+  if (row.subject == "certificates") {
     names = {"slide", "oplus-sum", "sum-certificate", "oplus-certified"};
     if (row.group == "certificates") names.push_back("cgal-sum");
     return names;
@@ -159,75 +168,76 @@ std::vector<std::string> engines_for(const Row& row) {
     // On short rows this would only measure the start of the second thread.
     const bool is_for_row =
         engine.name != "slide2" || row.group == "stars" || row.group == "coastlines";
-    if (engine.subject == Subject::sums && engine.is_of_all_rows && is_for_row)
-      names.push_back(engine.name);
+    if (engine.kind == "sums" && engine.is_of_all_rows && is_for_row) names.push_back(engine.name);
   }
   return names;
 }
 
 }  // namespace
 
-const Rows& benchmark_rows() {
-  static const Rows all = [] {
-    Rows made = published_rows();
-    const auto add = [&](std::initializer_list<std::size_t> sizes, auto row_of) {
-      for (const std::size_t n : sizes) made.push_back(row_of(n));
-    };
-    const auto add_pairs = [&](const std::string& group, std::initializer_list<std::size_t> sizes,
-                               const Kind& p, const Kind& q) {
-      add(sizes, [&](std::size_t n) { return pair_of(group, p, n, q, 100); });
-    };
-    add_pairs("stars", {50, 100, 200, 300}, star, star);
-    add_pairs("simple polygons", {50, 100, 150, 200}, simple, simple);
-    add_pairs("convex and star", {50, 200, 500, 980}, convex, star);
-    add({10, 20, 50, 100}, fork_and_l_row);
-    add({20, 100, 500}, comb_row);
-    for (const std::size_t n : {1000, 5000}) {
-      made.push_back(pair_of("coastlines", coast, n, convex, 20));
-      made.push_back(pair_of("coastlines", coast, n, star, 100));
-    }
-    made.push_back(small_pairs_row());
-    for (const auto& [family, n] :
-         std::initializer_list<std::pair<const char*, std::size_t>>{{"outlier", 2000},
-                                                                    {"scales", 100},
-                                                                    {"fractions", 640},
-                                                                    {"dots", 300},
-                                                                    {"sieve", 2500},
-                                                                    {"spiral", 20000},
-                                                                    {"thin", 1000},
-                                                                    {"pockets", 800},
-                                                                    {"touching", 100}})
-      made.push_back(hard_row(family, n));
-    add({55, 95, 175, 300, 388}, growth_row);
-    for (const std::size_t n : {10'000, 100'000, 1'000'000})
-      for (const Kind* const p : {&coast, &maze_kind})
-        for (const std::size_t m : {4, 20, 100}) {
-          Row row = pair_of("growth of " + p->words, *p, n, convex, m);
-          row.subject = Subject::growth;
-          made.push_back(std::move(row));
-        }
-    made.push_back(command_row(pair_of("", convex, 5000, square, 4)));
-    made.push_back(command_row(fork_and_l_row(100)));
-    made.push_back(command_row(pair_of("", coast, 5000, star, 100)));
-    made.push_back(command_row(small_pairs_row()));
-    for (const std::size_t n : {100, 300})
-      made.push_back(certificate_row("certificates", pair_of("", star, n, star, 100)));
-    made.push_back(certificate_row("certificates", pair_of("", simple, 200, simple, 100)));
-    made.push_back(certificate_row("certificates", fork_and_l_row(50)));
-    const std::string growth = "growth of certificates";
-    for (const std::size_t n : {50, 200, 400})
-      made.push_back(certificate_row(growth, pair_of("", star, n, star, n)));
-    for (const std::size_t teeth : {10, 20, 100})
-      made.push_back(certificate_row(growth, fork_and_l_row(teeth)));
-    for (const std::size_t n : {1000, 5000})
-      made.push_back(certificate_row(growth, pair_of("", coast, n, convex, 20)));
-    made.push_back(certificate_row(growth, hard_row("spiral", 4000)));
-    for (const Kind& kind : {convex, star})
-      add({50, 100, 200, 400}, [&](std::size_t n) { return convolution_row(kind, n); });
-    for (Row& row : made) row.engines = engines_for(row);
-    return made;
-  }();
-  return all;
+std::vector<Summands> published_pair(const std::string& p, const std::string& q) {
+  Region first = read_region_file(data_folder() / (p + ".dat")).region;
+  return {{std::move(first), read_region_file(data_folder() / (q + ".dat")).region}};
+}
+
+Rows benchmark_rows() {
+  Rows made = published_rows();
+  const auto add = [&](std::initializer_list<std::size_t> sizes, auto row_of) {
+    for (const std::size_t n : sizes) made.push_back(row_of(n));
+  };
+  const auto add_pairs = [&](const std::string& group, std::initializer_list<std::size_t> sizes,
+                             const Kind& p, const Kind& q) {
+    add(sizes, [&](std::size_t n) { return pair_of(group, p, n, q, 100); });
+  };
+  add_pairs("stars", {50, 100, 200, 300}, star, star);
+  add_pairs("simple polygons", {50, 100, 150, 200}, simple, simple);
+  add_pairs("convex and star", {50, 200, 500, 980}, convex, star);
+  add({10, 20, 50, 100}, fork_and_l_row);
+  add({20, 100, 500}, comb_row);
+  for (const std::size_t n : {1000, 5000}) {
+    made.push_back(pair_of("coastlines", coast, n, convex, 20));
+    made.push_back(pair_of("coastlines", coast, n, star, 100));
+  }
+  made.push_back(small_pairs_row());
+  for (const auto& [family, n] :
+       std::initializer_list<std::pair<const char*, std::size_t>>{{"outlier", 2000},
+                                                                  {"scales", 100},
+                                                                  {"fractions", 640},
+                                                                  {"dots", 300},
+                                                                  {"sieve", 2500},
+                                                                  {"spiral", 20000},
+                                                                  {"thin", 1000},
+                                                                  {"pockets", 800},
+                                                                  {"touching", 100}})
+    made.push_back(hard_row(family, n));
+  add({55, 95, 175, 300, 388}, growth_row);
+  for (const std::size_t n : {10'000, 100'000, 1'000'000})
+    for (const Kind* const p : {&coast, &maze_kind})
+      for (const std::size_t m : {4, 20, 100}) {
+        Row row = pair_of("growth of " + p->words, *p, n, convex, m);
+        row.subject = "growth";
+        made.push_back(std::move(row));
+      }
+  made.push_back(command_row(pair_of("", convex, 5000, square, 4)));
+  made.push_back(command_row(fork_and_l_row(100)));
+  made.push_back(command_row(pair_of("", coast, 5000, star, 100)));
+  made.push_back(command_row(small_pairs_row()));
+  for (const std::size_t n : {100, 300})
+    made.push_back(certificate_row("certificates", pair_of("", star, n, star, 100)));
+  made.push_back(certificate_row("certificates", pair_of("", simple, 200, simple, 100)));
+  made.push_back(certificate_row("certificates", fork_and_l_row(50)));
+  const std::string growth = "growth of certificates";
+  for (const std::size_t n : {50, 200, 400})
+    made.push_back(certificate_row(growth, pair_of("", star, n, star, n)));
+  for (const std::size_t teeth : {10, 20, 100})
+    made.push_back(certificate_row(growth, fork_and_l_row(teeth)));
+  for (const std::size_t n : {1000, 5000})
+    made.push_back(certificate_row(growth, pair_of("", coast, n, convex, 20)));
+  made.push_back(certificate_row(growth, hard_row("spiral", 4000)));
+  for (const Kind& kind : {convex, star})
+    add({50, 100, 200, 400}, [&](std::size_t n) { return convolution_row(kind, n); });
+  for (Row& row : made) row.engines = engines_for(row);
+  return made;
 }
 
 }  // namespace oplus

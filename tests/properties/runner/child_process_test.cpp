@@ -77,14 +77,6 @@ TEST(RunProgram, has_ended_even_if_its_children_have_not) {
   expect_ends(ended.output);
 }
 
-TEST(RunProgram, each_line_may_start_the_clock_anew) {
-  ProcessLimits limits = quiet(0.3);
-  limits.a_line_at_a_time = true;
-  const EndedProcess ended = run_in_shell("echo begun; exec sleep 100000", limits);
-  EXPECT_EQ(ended.how, How::over_time);
-  EXPECT_EQ(ended.output, "begun\n");
-}
-
 TEST(RunProgram, is_killed_where_it_writes_too_much) {
   ProcessLimits limits = quiet();
   limits.output_mb = 2;
