@@ -223,7 +223,8 @@ class ConvexSums::Search {
             side.start == side.line->from ? side.line->rank : ranks_.opposite(side.line->rank);
       for (const Piece& piece : part.pieces) {
         const auto sides = std::span(part.sides).subspan(piece.first, piece.count);
-        std::ranges::rotate(sides, std::ranges::is_sorted_until(sides, {}, &Side::rank));
+        std::rotate(sides.begin(), std::ranges::is_sorted_until(sides, {}, &Side::rank),
+                    sides.end());
       }
     }
   }

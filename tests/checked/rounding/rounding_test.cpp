@@ -248,8 +248,6 @@ TEST(Rounded, sums_of_all_families) {
         seen["with thin parts lost"] += close.is_distance_of_given();
         seen["with other chains"] += !close.has_same_chains();
         if (sum != exact || result.is_exact) continue;
-        std::size_t holes = 0;
-        for (const Component& component : result.region.components) holes += component.holes.size();
         if (result.region.components.size() != region_of(sum).components.size()) {
           EXPECT_NE(describe(result.changes), "") << which;
         }
