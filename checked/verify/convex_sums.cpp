@@ -30,8 +30,6 @@ using convex_parts::Piece;
 using convex_parts::Side;
 using convex_parts::SummandParts;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// Where directions are in their cyclic order, without computing: equal ones have equal ranks, and
 /// opposite ones are `half` apart.
 struct Ranks {
