@@ -127,10 +127,10 @@ void add(CampaignReport& report, std::size_t source, std::size_t index, const Ta
   for (const JudgedSum& sum : judged.sums) {
     ++counts.sums[sum.ruling];
     std::string reason = sum.why;
-    if (sum.ruling == name(NoSum::Kind::open_unsupported)) {
+    if (sum.ruling == name(EngineFailure::Kind::open_unsupported)) {
       ++counts.open_unsupported[sum.engine];
       reason = sum.engine + ": " + sum.why;
-    } else if (sum.ruling == name(NoSum::Kind::refused)) {
+    } else if (sum.ruling == name(EngineFailure::Kind::refused)) {
       ++counts.refused[sum.engine + ", " + name(sum.boundary) + ": " + sum.why];
       reason = sum.engine + ": " + sum.why;
     }

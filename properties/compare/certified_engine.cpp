@@ -6,7 +6,7 @@
 
 #include "checked/certificates/certificate.hpp"
 #include "checked/engines/engines.hpp"
-#include "properties/compare/no_sum.hpp"
+#include "properties/compare/engine_failure.hpp"
 #include "properties/runner/checked_engines.hpp"
 #include "properties/runner/temporary_folder.hpp"
 #include "reference/chains/region_of.hpp"
@@ -16,13 +16,14 @@ namespace oplus {
 
 namespace {
 
-using Kind = NoSum::Kind;
+using Kind = EngineFailure::Kind;
 
 std::string certificate_of(const Region& p, const Region& q, const Region& sum) {
   try {
     return certificates::written(certificates::certificate(p, q, sum));
   } catch (const certificates::PointOutsideSum& e) {
-    throw NoSum(Kind::crashed, "no certificate", std::string("no certificate: ") + e.what());
+    throw EngineFailure(Kind::crashed, "no certificate",
+                        std::string("no certificate: ") + e.what());
   }
 }
 
@@ -34,9 +35,10 @@ MinkowskiSum certified_sum(const Region& p, const Region& q, const ProcessLimits
   if (ended.how == EndedProcess::How::interrupted)
     throw std::system_error(std::make_error_code(std::errc::interrupted));
   if (ended.how == EndedProcess::How::over_time)
-    throw NoSum(Kind::hung, "oplus-certified", "hung: oplus-certified has no answer");
+    throw EngineFailure(Kind::hung, "oplus-certified", "hung: oplus-certified has no answer");
   if (!says_certified(ended))
-    throw NoSum(Kind::crashed, "not certified", "oplus-certified: " + ended.output + ended.errors);
+    throw EngineFailure(Kind::crashed, "not certified",
+                        "oplus-certified: " + ended.output + ended.errors);
   return sum;
 }
 
@@ -68,7 +70,7 @@ Engine certified_engine(ProcessLimits limits) {
   Engine engine =
       named_engine("certified", [limits](const Region& p, const Region& q, Boundary boundary) {
         if (boundary == Boundary::open)
-          throw NoSum(Kind::open_unsupported, "open", "open sums have no certificates");
+          throw EngineFailure(Kind::open_unsupported, "open", "open sums have no certificates");
         return certified_sum(p, q, limits);
       });
   engine.what = "slide's closed sum with a certificate that oplus-certified accepts";

@@ -17,7 +17,7 @@ EndedProcess checked_certificate(const Region& p, const Region& q, const Region&
 bool says_certified(const EndedProcess& ended);
 
 /// slide's closed sum, each with a certificate (docs/certificates.md) that `oplus-certified` must
-/// accept. Its compute() throws NoSum: for open sums, which have no certificates; as a crash where
+/// accept. Its compute() throws EngineFailure: for open sums, which have no certificates; as a crash where
 /// none is found or it is not accepted; and as program_engine() does.
 Engine certified_engine(ProcessLimits limits);
 

@@ -8,7 +8,7 @@
 
 #include "properties/compare/certified_engine.hpp"
 #include "properties/compare/crash_site.hpp"
-#include "properties/compare/no_sum.hpp"
+#include "properties/compare/engine_failure.hpp"
 #include "properties/compare/peers/peer_table.hpp"
 #include "properties/runner/checked_engines.hpp"
 #include "properties/runner/finding.hpp"
@@ -21,7 +21,7 @@ namespace oplus {
 
 namespace {
 
-using Kind = NoSum::Kind;
+using Kind = EngineFailure::Kind;
 
 constexpr std::string_view exec = "exec:";
 
@@ -57,27 +57,28 @@ std::string how_it_ended(const EndedProcess& ended) {
   const std::string how = how_it_ended(ended);
   if (ended.how == EndedProcess::How::exited) {
     if (ended.code == exit_refused)
-      throw NoSum(Kind::refused, first_line(ended.errors),
-                  said.empty() ? "it gives no reason" : reason_in(ended.errors));
+      throw EngineFailure(Kind::refused, first_line(ended.errors),
+                          said.empty() ? "it gives no reason" : reason_in(ended.errors));
     if (ended.code == exit_no_region)
-      throw NoSum(Kind::unreadable, first_line(ended.errors),
-                  "its result is not the boundary of a region: " +
-                      first_line(ended.errors.substr(ended.errors.find('\n') + 1)));
+      throw EngineFailure(Kind::unreadable, first_line(ended.errors),
+                          "its result is not the boundary of a region: " +
+                              first_line(ended.errors.substr(ended.errors.find('\n') + 1)));
   }
   if (says_out_of_memory(ended.errors))
-    throw NoSum(Kind::out_of_memory, "", "out of memory: " + how + said);
+    throw EngineFailure(Kind::out_of_memory, "", "out of memory: " + how + said);
   const std::string site = crash_site(ended.errors, how);
-  throw NoSum(Kind::crashed, site,
-              "crashed: " + (site == how ? how : how + ", " + site) + (site == how ? said : ""));
+  throw EngineFailure(
+      Kind::crashed, site,
+      "crashed: " + (site == how ? how : how + ", " + site) + (site == how ? said : ""));
 }
 
 MinkowskiSum sum_in(const std::string& output) {
   if (output.find_first_not_of(" \t\r\n\v\f") == std::string::npos)
-    throw NoSum(Kind::unreadable, "nothing", "it wrote nothing");
+    throw EngineFailure(Kind::unreadable, "nothing", "it wrote nothing");
   try {
     return read_sum(output, "its output").sum;
   } catch (const InvalidInput& e) {
-    throw NoSum(Kind::unreadable, "not a sum", std::string("unreadable: ") + e.what());
+    throw EngineFailure(Kind::unreadable, "not a sum", std::string("unreadable: ") + e.what());
   }
 }
 
@@ -85,10 +86,10 @@ MinkowskiSum sum_by(const EndedProcess& ended, const ProcessLimits& limits) {
   if (ended.how == EndedProcess::How::interrupted)
     throw std::system_error(std::make_error_code(std::errc::interrupted));
   if (ended.how == EndedProcess::How::over_time)
-    throw NoSum(Kind::hung, "", "hung: no sum after " + format(limits.seconds) + " s");
+    throw EngineFailure(Kind::hung, "", "hung: no sum after " + format(limits.seconds) + " s");
   if (ended.how == EndedProcess::How::over_output)
-    throw NoSum(Kind::unreadable, "too much",
-                "it wrote more than " + std::to_string(limits.output_mb) + " MB");
+    throw EngineFailure(Kind::unreadable, "too much",
+                        "it wrote more than " + std::to_string(limits.output_mb) + " MB");
   if (ended.how == EndedProcess::How::killed_by_signal || ended.code != 0) report_failure(ended);
   return sum_in(ended.output);
 }
@@ -127,7 +128,7 @@ EndedProcess run_command(const std::string& command, const SummandFiles& files, 
   return run_program({"/bin/sh", "-c", script_of(command, files, boundary)}, limits);
 }
 
-NoSum open_unsupported() {
+EngineFailure open_unsupported() {
   return {Kind::open_unsupported, "open", "it computes closed sums only"};
 }
 

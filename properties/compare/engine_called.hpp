@@ -16,7 +16,7 @@ std::vector<Engine> peers(ProcessLimits limits = {});
 
 /// Returns an engine that runs another library or program in a process of its own for each sum; nullopt
 /// where `engine` is neither "certified" (certified_engine.hpp) nor the name of a peer nor "exec:" and a command.
-/// Its compute() throws NoSum, and std::system_error where no process or file can be made, or, with the
+/// Its compute() throws EngineFailure, and std::system_error where no process or file can be made, or, with the
 /// code std::errc::interrupted, where it was interrupted (ProcessLimits); any number of threads may call it.
 std::optional<Engine> engine_called(const std::string& engine, const ProcessLimits& limits);
 

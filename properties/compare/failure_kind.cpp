@@ -157,9 +157,9 @@ MinkowskiSum with_sorted_features(MinkowskiSum sum) {
 
 }  // namespace
 
-Failure failure_without_sum(const NoSum& answer) {
-  const bool has_site =
-      answer.kind() == NoSum::Kind::crashed || answer.kind() == NoSum::Kind::unreadable;
+Failure failure_without_sum(const EngineFailure& answer) {
+  const bool has_site = answer.kind() == EngineFailure::Kind::crashed ||
+                        answer.kind() == EngineFailure::Kind::unreadable;
   const std::string site = has_site ? one_line(answer.site()) : "";
   return {name(answer.kind()) + (site.empty() ? "" : ": " + site), one_line(answer.what())};
 }

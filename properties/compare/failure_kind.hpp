@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "properties/compare/no_sum.hpp"
+#include "properties/compare/engine_failure.hpp"
 #include "reference/definitions/minkowski_sum.hpp"
 
 namespace oplus {
@@ -18,7 +18,7 @@ struct Failure {
 };
 
 /// "crashed: SITE", "hung", "out of memory", "unreadable: SITE". Requires: is_fault(answer.kind()).
-Failure failure_without_sum(const NoSum& answer);
+Failure failure_without_sum(const EngineFailure& answer);
 
 /// Returns what is wrong with a sum, or nullopt if it is the right one. The kind is the first of these that
 /// applies:

@@ -19,14 +19,15 @@ namespace oplus {
 namespace {
 
 /// Digits are coordinates or addresses, which change from pair to pair.
-NoSum of_exception(const std::string& what) {
+EngineFailure of_exception(const std::string& what) {
   std::string site = one_line(what);
   std::erase_if(site, [](unsigned char c) { return std::isdigit(c) != 0; });
-  return {NoSum::Kind::crashed, "exception: " + site.substr(0, 120), "it threw: " + one_line(what)};
+  return {EngineFailure::Kind::crashed, "exception: " + site.substr(0, 120),
+          "it threw: " + one_line(what)};
 }
 
 /// A sum, or the reason why not.
-using EngineAnswer = std::variant<MinkowskiSum, NoSum>;
+using EngineAnswer = std::variant<MinkowskiSum, EngineFailure>;
 
 EngineAnswer ask(const Engine& engine, const Summands& pair, Boundary boundary, Probes& probes) {
   try {
@@ -36,7 +37,7 @@ EngineAnswer ask(const Engine& engine, const Summands& pair, Boundary boundary, 
       probes.points += computed.statistics.count("tests of low-dimensional features");
     }
     return std::move(computed.sum);
-  } catch (const NoSum& e) {
+  } catch (const EngineFailure& e) {
     return e;
   } catch (const std::system_error&) {
     throw;  // no process could be started, or it was interrupted: no fault of the engine
@@ -50,7 +51,7 @@ EngineAnswer ask(const Engine& engine, const Summands& pair, Boundary boundary, 
 /// Sets the ruling on a sum; without a right one it is skipped.
 void rule(JudgedSum& sum, const EngineAnswer& answer, const MinkowskiSum* right,
           const Summands& pair) {
-  if (const NoSum* const none = std::get_if<NoSum>(&answer)) {
+  if (const EngineFailure* const none = std::get_if<EngineFailure>(&answer)) {
     sum.ruling = name(none->kind());
     if (!is_fault(none->kind()))
       sum.why = one_line(none->what());
@@ -90,7 +91,8 @@ JudgedSum by_statement(const Task& task, const Engine& engine, Boundary boundary
       named_engine(engine.name, [&](const Region& p, const Region& q, Boundary of) {
         asked.push_back({{p, q}, of, ask(engine, {p, q}, of, probes)});
         const EngineAnswer& answer = asked.back().answer;
-        if (const NoSum* const none = std::get_if<NoSum>(&answer)) throw NoSum(*none);
+        if (const EngineFailure* const none = std::get_if<EngineFailure>(&answer))
+          throw EngineFailure(*none);
         const auto& given = std::get<MinkowskiSum>(answer);
         if (const std::optional<Failure> found = malformed(given))
           throw std::runtime_error(found->what);
@@ -182,7 +184,7 @@ JudgedPair judged(const Task& task, const Rules& rules) {
     return JudgedSum{engine.name, boundary};
   });
   const auto is_to_judge = [](const EngineAnswer& answer) {
-    const NoSum* const none = std::get_if<NoSum>(&answer);
+    const EngineFailure* const none = std::get_if<EngineFailure>(&answer);
     return none == nullptr || is_fault(none->kind());
   };
   // One arrangement for both sums, and only where there is something to compare.

@@ -39,7 +39,7 @@ const std::vector<Judge>& judges();
 const Judge& judge_named(const std::string& name);
 
 /// The outcomes for a closed or an open sum, in the order of tables: "passed", "wrong"; without a sum the
-/// name of NoSum's kind, of which "open unsupported" and "refused" are no faults; "skipped": it is too large
+/// name of EngineFailure's kind, of which "open unsupported" and "refused" are no faults; "skipped": it is too large
 /// for the judge, or the statement does not apply.
 const std::vector<std::string>& rulings();
 
@@ -89,7 +89,7 @@ struct Rules {
 
 /// Asks each engine for each sum of a task's pair and judges the answers. Where a statement is broken
 /// by a sum that the judge finds wrong, that is the failure, else its kind is "breaks ID". An exception
-/// other than NoSum is a crash, its message without digits the site. Throws std::system_error where an
+/// other than EngineFailure is a crash, its message without digits the site. Throws std::system_error where an
 /// engine does: it could not be asked, or was interrupted.
 JudgedPair judged(const Task& task, const Rules& rules);
 

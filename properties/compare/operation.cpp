@@ -27,13 +27,14 @@ MinkowskiSum path_set(const Region& region) {
   return union_of({}, set.edges, set.points);
 }
 
-/// Throws NoSum where a rounding breaks a promise.
+/// Throws EngineFailure where a rounding breaks a promise.
 void require_roundings(const MinkowskiSum& sum) {
   const Rational step(7, 3);
   for (const Side side : {Side::nearest, Side::contain, Side::contained})
     if (const auto broken =
             broken_promise(sum, rounded(sum, Boundary::closed, step, side), step, side))
-      throw NoSum(NoSum::Kind::unreadable, broken->kind, broken->kind + ": " + broken->what);
+      throw EngineFailure(EngineFailure::Kind::unreadable, broken->kind,
+                          broken->kind + ": " + broken->what);
 }
 
 /// What is compared besides the operations of the programs.
@@ -81,7 +82,8 @@ MinkowskiSum usable(MinkowskiSum sum) {
   const std::optional<Failure> fault =
       sum.outer.empty() ? Failure{"no outer chain"} : malformed(sum);
   if (fault)
-    throw NoSum(NoSum::Kind::unreadable, fault->kind, "a sum it was asked for: " + fault->kind);
+    throw EngineFailure(EngineFailure::Kind::unreadable, fault->kind,
+                        "a sum it was asked for: " + fault->kind);
   return sum;
 }
 

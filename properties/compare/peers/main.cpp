@@ -43,7 +43,7 @@ int sum(const std::function<MethodFunction>& method, const std::string& p, const
   } catch (const Unsupported& e) {
     std::cerr << e.what() << '\n';
     return exit_refused;
-  } catch (const NoSum& e) {
+  } catch (const EngineFailure& e) {
     std::cerr << e.site() << '\n' << e.what() << '\n';
     return exit_no_region;
   }

@@ -17,7 +17,7 @@ std::string text(const Segment& s) { return to_string(s.source) + " to " + to_st
 
 /// The defect tells kinds apart.
 [[noreturn]] void refuse(const std::string& defect, const std::string& where = "") {
-  throw NoSum(NoSum::Kind::unreadable, defect, defect + where);
+  throw EngineFailure(EngineFailure::Kind::unreadable, defect, defect + where);
 }
 
 void check_lengths(const ReturnedChains& chains) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "properties/compare/no_sum.hpp"
+#include "properties/compare/engine_failure.hpp"
 #include "properties/compare/peers/method.hpp"
 #include "reference/definitions/minkowski_sum.hpp"
 
@@ -11,7 +11,7 @@ namespace oplus {
 /// in points, and may have vertices inside straight lines. Nothing is repaired: with chains of fewer
 /// than three vertices, edges of length zero, edges that cross, overlap or go back along one another,
 /// and chains that have the sum on both sides or on the wrong one, they are not the boundary of a
-/// region. O(n²). Throws NoSum: unreadable.
+/// region. O(n²). Throws EngineFailure: unreadable.
 MinkowskiSum sum_of_chains(const ReturnedChains& chains);
 
 }  // namespace oplus

@@ -26,7 +26,7 @@
 namespace oplus {
 namespace {
 
-using Kind = NoSum::Kind;
+using Kind = EngineFailure::Kind;
 const Region triangle = polygon({{0, 0}, {1, 0}, {0, 1}});
 const Region square = polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
 const Region two{{{{{0, 0}, {1, 0}, {0, 1}}, {}}, {{{5, 5}, {6, 5}, {5, 6}}, {}}}};
@@ -40,11 +40,11 @@ MinkowskiSum sum(const std::string& engine, const Region& p = triangle, const Re
   return engine_called(engine, limits).value().compute(p, q, boundary, {}).sum;
 }
 
-NoSum no_sum(const std::string& engine, const ProcessLimits& limits = patient,
-             Boundary boundary = Boundary::closed) {
+EngineFailure no_sum(const std::string& engine, const ProcessLimits& limits = patient,
+                     Boundary boundary = Boundary::closed) {
   try {
     sum(engine, triangle, square, boundary, limits);
-  } catch (const NoSum& e) {
+  } catch (const EngineFailure& e) {
     return e;
   }
   return {Kind::refused, "it returned a sum", ""};
@@ -53,7 +53,7 @@ NoSum no_sum(const std::string& engine, const ProcessLimits& limits = patient,
 void expect_no_sum(const std::string& command, Kind kind, const std::string& site,
                    const std::string& what, const ProcessLimits& limits = patient,
                    Boundary boundary = Boundary::closed) {
-  const NoSum found = no_sum("exec:" + command, limits, boundary);
+  const EngineFailure found = no_sum("exec:" + command, limits, boundary);
   EXPECT_EQ(name(found.kind()), name(kind)) << command << ": " << found.what();
   EXPECT_EQ(found.site(), site) << command << ": " << found.what();
   EXPECT_TRUE(has(found.what(), what)) << command;
@@ -105,7 +105,7 @@ TEST(ProgramEngine, computes_open_sums_where_it_says_so) {
 }
 
 TEST(ProgramEngine, leaves_no_files) {
-  const NoSum said = no_sum("exec:echo {p} >&2; exit 77");
+  const EngineFailure said = no_sum("exec:echo {p} >&2; exit 77");
   EXPECT_TRUE(said.site().ends_with("/p.wkt")) << said.site();
   EXPECT_FALSE(std::filesystem::exists(said.site()));
   EXPECT_FALSE(std::filesystem::exists(std::filesystem::path(said.site()).parent_path()));
@@ -225,7 +225,7 @@ TEST(Peers, compute_sums_of_the_corpus_they_are_known_to_compute) {
       try {
         EXPECT_EQ(sum(peer.name, pair.p, pair.q), pair.closed) << peer.name << ' ' << name;
         ++right_sums[peer.name];
-      } catch (const NoSum& e) {
+      } catch (const EngineFailure& e) {
         EXPECT_EQ(e.kind(), Kind::refused) << peer.name << ' ' << name << ": " << e.what();
       }
     }
@@ -244,7 +244,7 @@ TEST(Peers, are_as_wrong_as_the_findings_say) {
     try {
       by("cgal-full", crash);
       ADD_FAILURE() << crash << ": no crash";
-    } catch (const NoSum& e) {
+    } catch (const EngineFailure& e) {
       EXPECT_EQ(e.kind(), Kind::crashed) << e.what();
     }
     const auto [other, expected] = by("cgal-reduced", crash);
@@ -269,7 +269,7 @@ TEST(Peers, support_what_they_have_an_interface_for) {
     try {
       sum(peer.name, p, triangle, boundary);
       return true;
-    } catch (const NoSum& e) {
+    } catch (const EngineFailure& e) {
       EXPECT_EQ(name(e.kind()), boundary == Boundary::open ? "open unsupported" : "refused")
           << peer.name << ": " << e.what();
       return false;

@@ -30,7 +30,8 @@ inline Engine changed(const std::function<void(MinkowskiSum& sum)>& change) {
 /// Tries what it is asked with several faults: invents a vertex, and crashes now and then.
 inline Engine of_many_kinds(const std::string& name) {
   return faulty(name, [](MinkowskiSum& sum, const Summands& pair, Boundary) {
-    if (vertex_count(pair.p) == 5) throw NoSum(NoSum::Kind::crashed, "x < y && z|w", "it <died>\n");
+    if (vertex_count(pair.p) == 5)
+      throw EngineFailure(EngineFailure::Kind::crashed, "x < y && z|w", "it <died>\n");
     if (vertex_count(pair.p) == 6) std::swap(sum.outer[0][0], sum.outer[0][1]);
     if (vertex_count(pair.q) == 4) sum.isolated_vertices.push_back({1000, 1000});
   });

@@ -142,15 +142,15 @@ TEST(Conformance, sees_one_vertex_too_far_out_and_all_of_them_rounded) {
 TEST(Conformance, a_missing_sum_is_a_kind_with_its_site) {
   expect_only("crashed: exception: bad luck,  times", "grids",
               changed([](MinkowskiSum&) { throw std::runtime_error("bad luck, 13 times"); }));
-  const auto failing = [](NoSum::Kind kind) {
+  const auto failing = [](EngineFailure::Kind kind) {
     return faulty("failing", [kind](MinkowskiSum&, const Summands& pair, Boundary) {
-      if (vertex_count(pair.p) > 3) throw NoSum(kind, "f.cpp", "a line");
+      if (vertex_count(pair.p) > 3) throw EngineFailure(kind, "f.cpp", "a line");
     });
   };
-  expect_only("crashed: f.cpp", "grids", failing(NoSum::Kind::crashed));
-  expect_only("unreadable: f.cpp", "grids", failing(NoSum::Kind::unreadable));
-  expect_only("out of memory", "grids", failing(NoSum::Kind::out_of_memory));
-  const Engine hangs = failing(NoSum::Kind::hung);
+  expect_only("crashed: f.cpp", "grids", failing(EngineFailure::Kind::crashed));
+  expect_only("unreadable: f.cpp", "grids", failing(EngineFailure::Kind::unreadable));
+  expect_only("out of memory", "grids", failing(EngineFailure::Kind::out_of_memory));
+  const Engine hangs = failing(EngineFailure::Kind::hung);
   const SmallRun grids{.parts = {"grids"}};
   const CampaignReport report = grids.of(hangs);
   EXPECT_EQ(report.all().kinds, (Kinds{{"hung", wrong_sums(hangs, grids)}}));
@@ -159,8 +159,8 @@ TEST(Conformance, a_missing_sum_is_a_kind_with_its_site) {
 
 TEST(Conformance, crashes_at_different_sites_are_different_kinds) {
   const Engine two = faulty("two sites", [](MinkowskiSum&, const Summands& pair, Boundary) {
-    if (vertex_count(pair.p) > 3) throw NoSum(NoSum::Kind::crashed, "a.hpp", "one");
-    if (vertex_count(pair.q) > 3) throw NoSum(NoSum::Kind::crashed, "b.hpp", "two");
+    if (vertex_count(pair.p) > 3) throw EngineFailure(EngineFailure::Kind::crashed, "a.hpp", "one");
+    if (vertex_count(pair.q) > 3) throw EngineFailure(EngineFailure::Kind::crashed, "b.hpp", "two");
   });
   const CampaignReport report = SmallRun{.parts = {"grids"}}.of(two);
   EXPECT_EQ(vertex_count(shrunk_pair(report, "crashed: a.hpp").p), 4U);
@@ -172,8 +172,9 @@ TEST(Conformance, unsupported_open_sums_and_refusals_are_counted_apart_and_no_fa
   const Engine closed_only =
       faulty("closed only", [](MinkowskiSum&, const Summands& pair, Boundary boundary) {
         if (boundary == Boundary::open)
-          throw NoSum(NoSum::Kind::open_unsupported, "", "no open sums");
-        if (vertex_count(pair.p) == 4) throw NoSum(NoSum::Kind::refused, "", "no squares");
+          throw EngineFailure(EngineFailure::Kind::open_unsupported, "", "no open sums");
+        if (vertex_count(pair.p) == 4)
+          throw EngineFailure(EngineFailure::Kind::refused, "", "no squares");
       });
   const CampaignReport report = SmallRun{.parts = {}, .cases = 2}.of(closed_only);
   const Tally all = report.all();
@@ -224,7 +225,7 @@ TEST(Conformance, statements_judge_where_the_oracle_is_not_asked) {
 TEST(Conformance, an_answer_that_is_not_repeated_is_reported_and_not_shrunk) {
   std::size_t asked = 0;
   const Engine once = changed([&](MinkowskiSum&) {
-    if (++asked == 5) throw NoSum(NoSum::Kind::crashed, "once", "only once");
+    if (++asked == 5) throw EngineFailure(EngineFailure::Kind::crashed, "once", "only once");
   });
   const CampaignReport report = SmallRun{.parts = {"grids"}, .threads = 1}.of(once);
   EXPECT_EQ(report.all().kinds, (Kinds{{"crashed: once", 1}}));

@@ -11,7 +11,7 @@ const Chain square{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
 std::string defect_of(const ReturnedChains& chains) {
   try {
     sum_of_chains(chains);
-  } catch (const NoSum& e) {
+  } catch (const EngineFailure& e) {
     return e.site();
   }
   return "none";

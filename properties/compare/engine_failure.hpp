@@ -10,7 +10,7 @@
 namespace oplus {
 
 /// An engine returned no sum. what() says why in a line.
-class NoSum : public std::runtime_error {
+class EngineFailure : public std::runtime_error {
  public:
   enum class Kind {
     crashed,           ///< ended by a signal, an assertion, an exception
@@ -23,7 +23,7 @@ class NoSum : public std::runtime_error {
 
   /// `site` tells kinds of failure apart: a signal, an assertion with its file; no numbers that
   /// change from pair to pair.
-  NoSum(Kind kind, std::string site, const std::string& what)
+  EngineFailure(Kind kind, std::string site, const std::string& what)
       : std::runtime_error(what), kind_(kind), site_(std::move(site)) {}
 
   Kind kind() const { return kind_; }
@@ -34,12 +34,12 @@ class NoSum : public std::runtime_error {
   std::string site_;
 };
 
-inline bool is_fault(NoSum::Kind kind) {
-  return kind != NoSum::Kind::open_unsupported && kind != NoSum::Kind::refused;
+inline bool is_fault(EngineFailure::Kind kind) {
+  return kind != EngineFailure::Kind::open_unsupported && kind != EngineFailure::Kind::refused;
 }
 
 /// "crashed", "hung", …
-inline std::string name(NoSum::Kind kind) {
+inline std::string name(EngineFailure::Kind kind) {
   constexpr std::array names = {"crashed",          "hung",   "out of memory", "unreadable",
                                 "open unsupported", "refused"};
   return names.at(static_cast<std::size_t>(kind));
