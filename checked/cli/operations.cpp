@@ -10,7 +10,6 @@
 #include "checked/cli/shared_options.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "checked/operations/complement.hpp"
-#include "reference/chains/region_of.hpp"
 #include "reference/definitions/unbounded.hpp"
 #include "reference/io/writing.hpp"
 #include "reference/pictures/picture.hpp"
@@ -56,8 +55,7 @@ ExitCode operate(const OperationOptions& options) {
   if (operation.boundary == Boundary::open && !(is_region(p) && is_region(q)) &&
       p.region.components.empty() && q.region.components.empty())
     say_note("neither set has inner points, so they never overlap");
-  write_output(options.output,
-               output_text(options.output, format, set, region_of(set), operation.boundary));
+  write_set(options.output, format, set, operation.boundary);
   if (options.svg)
     write_text(*options.svg, svg({panel_of_summand(Summand::P, p),
                                   panel_of_summand(Summand::Q, q),

@@ -175,6 +175,11 @@ void write_region(const RegionOutput& output, Format format, const Region& regio
   write_output(output, output_text(output, format, region));
 }
 
+void write_set(const RegionOutput& output, Format format, const MinkowskiSum& set,
+               Boundary boundary) {
+  write_output(output, output_text(output, format, set, region_of(set), boundary));
+}
+
 void require_writable(std::vector<std::string> paths, const std::optional<std::string>& picture) {
   if (picture) paths.push_back(*picture);
   std::set<std::filesystem::path> seen;

@@ -56,6 +56,8 @@ void say_note_of(const OutputText& text);
 
 /// All of it at once.
 void write_region(const RegionOutput& output, Format format, const Region& region);
+void write_set(const RegionOutput& output, Format format, const MinkowskiSum& set,
+               Boundary boundary);
 
 /// Throws UsageError where an output could not be written, two would be written to one place, or a
 /// picture's path does not end in .svg (in capitals or not), so that it is known before anything is

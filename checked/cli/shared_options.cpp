@@ -85,11 +85,4 @@ void add_open(const Command& command, Boundary& boundary, const std::string& wha
       "--open", [&boundary] { boundary = Boundary::open; }, what);
 }
 
-void add_open_set(const Command& command, Boundary& boundary) {
-  add_open(
-      command, boundary,
-      "R is an open set, as sum --open and nfp write them: with --grid or --digits, line strings "
-      "and points are rounded as parts of its complement, not of R");
-}
-
 }  // namespace oplus

@@ -39,7 +39,4 @@ unsigned number_of(const std::optional<unsigned>& threads);
 /// Adds `--open`.
 void add_open(const Command& command, Boundary& boundary, const std::string& what);
 
-/// The same of a command that takes a set R, as it is.
-void add_open_set(const Command& command, Boundary& boundary);
-
 }  // namespace oplus

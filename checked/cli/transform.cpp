@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <utility>
+
 #include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/input.hpp"
 #include "checked/cli/numbers.hpp"
@@ -7,7 +9,7 @@
 #include "checked/operations/image.hpp"
 #include "checked/oplus/oplus.hpp"
 #include "reference/arithmetic/rational_rotation.hpp"
-#include "reference/chains/region_of.hpp"
+#include "reference/definitions/region.hpp"
 #include "reference/io/power_of_ten.hpp"
 #include "reference/io/writing.hpp"
 
@@ -21,13 +23,17 @@ struct Step {
   std::string value;
 };
 
-struct TransformOptions {
+/// A set, and where its image is written.
+struct ReflectOptions {
   std::string file;
-  std::vector<Step> steps;  ///< in the order of the command line
   Overlaps overlaps = Overlaps::refused;
-  std::string angle_error = default_angle_error;
   RegionOutput output;
   Boundary boundary = Boundary::closed;  ///< of the set, for rounding
+};
+
+struct TransformOptions : ReflectOptions {
+  std::vector<Step> steps;  ///< in the order of the command line
+  std::string angle_error = default_angle_error;
 };
 
 bool is_pair(const std::string& text) { return text.find(',') != std::string::npos; }
@@ -82,12 +88,33 @@ ExitCode transform(const TransformOptions& options) {
   }
   require_writable({options.output.path});
   const Format format = output_format(options.output);
-  const MinkowskiSum set =
-      image(map, set_in(read_summand_set(options.file, nullptr, options.overlaps)));
-  write_output(options.output,
-               output_text(options.output, format, set, region_of(set), options.boundary));
+  write_set(options.output, format,
+            image(map, set_in(read_summand_set(options.file, nullptr, options.overlaps))),
+            options.boundary);
   for (const std::string& note : notes) say_note(note);
   return ExitCode::done;
+}
+
+ExitCode reflect(const ReflectOptions& options) {
+  require_writable({options.output.path});
+  const Format format = output_format(options.output);
+  ReadSet read = read_summand_set(options.file, nullptr, options.overlaps);
+  // What is closed by itself: of an open set, rounding may leave edges and points.
+  if (is_region(read) && options.boundary == Boundary::closed) {
+    write_region(options.output, format, reflected(std::move(read.region)));
+    return ExitCode::done;
+  }
+  write_set(options.output, format, image(scaling(-1), set_in(read)), options.boundary);
+  return ExitCode::done;
+}
+
+void add_image_options(const Command& command, ReflectOptions& options, const std::string& what) {
+  add_output(command, options.output, what);
+  add_union(command, options.overlaps, "R");
+  add_open(
+      command, options.boundary,
+      "R is an open set, as sum --open and nfp write them: with --grid or --digits, line strings "
+      "and points are rounded as parts of its complement, not of R");
 }
 
 }  // namespace
@@ -118,9 +145,7 @@ void add_transform(Program& program) {
   add_step("--reflect", "NAME", "reflect in the x-axis, in the y-axis or in the origin")
       .one_of({"x", "y", "origin"});
   add_angle_error(command, options.angle_error).needs(rotate);
-  add_output(command, options.output, "the result");
-  add_union(command, options.overlaps, "R");
-  add_open_set(command, options.boundary);
+  add_image_options(command, options, "the result");
   command.footer(
       "The options apply in the order in which they are given, any of them several times. No\n"
       "coordinate is rounded: sine and cosine are fractions.\n"
@@ -129,6 +154,26 @@ void add_transform(Program& program) {
       "  oplus gen star --n 8 --summand P -o part.wkt\n"
       "  oplus transform part.wkt --rotate 30 --translate 100,-2.5 -o placed.wkt\n"
       "  oplus transform part.wkt --rotate 3/5,4/5 --reflect x -o turned.wkt");
+}
+
+void add_reflect(Program& program) {
+  const auto& [command, options] = program.add(
+      "reflect", "Write -R, each point p of a region or another set R taken to -p", reflect);
+  command
+      .file(
+          "R", options.file,
+          "a region or a sum (docs/files.md), also line strings, points, and collections of all three; "
+          "- is standard input")
+      .required();
+  add_image_options(command, options, "-R");
+  command.footer(
+      "R, moved by x, overlaps P if and only if x is inside the sum of P and -R, the no-fit polygon of\n"
+      "P and R.\n"
+      "\n"
+      "Example:\n"
+      "  oplus gen tight --n 6 --summand P -o part.wkt\n"
+      "  oplus gen tight --n 6 --summand Q -o other.wkt\n"
+      "  oplus reflect other.wkt | oplus sum part.wkt - --open -o no_fit.wkt");
 }
 
 }  // namespace oplus
