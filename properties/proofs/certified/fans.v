@@ -92,7 +92,7 @@ Lemma inside_is_left_of_sides (v : polygon) (x : vector) :
   inside_piece (piece_of v) x <-> forall e, In e (sides v) -> 0 <= turn_of (vector_of (fst e)) (vector_of (snd e)) x.
 Proof.
   unfold inside_piece, piece_of. cbn [side_lines]. split.
-  - intros left_ e side. apply turn_of_is_value_at, left_, in_map_iff. now exists e.
+  - intros left_ e side. rewrite <- turn_of_is_value_at. apply left_, in_map_iff. now exists e.
   - intros left_ l side. apply in_map_iff in side as (e & <- & side). now apply turn_of_is_value_at, left_.
 Qed.
 
