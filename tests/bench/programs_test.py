@@ -41,7 +41,7 @@ class Table(InAFolder):
                          {"clipper:", "boost-polygon:"},
                          {"slide", "rca", "winding", "slide-open", "verify", "cgal-reduced", "cgal-full",
                           "cgal-vertical", "clipper", "boost-polygon", "oplus-sum", "sum-certificate", "oplus-certified",
-                          "cgal-sum", "traced", "without-points", "naive"})
+                          "traced", "without-points", "naive"})
         self.assertEqual(self.ran("table.py", "--from", "run.json", "--markdown", "page.md"), (0, "", ""))
         page = (self.folder / "page.md").read_text()
         self.assertIn("On 4 of 4 rows", page)
@@ -49,12 +49,12 @@ class Table(InAFolder):
         self.assertNotIn(str(self.folder), page)
 
     def test_whole_commands(self):
-        code, out, err = self.ran("table.py", "--rows", "command_(small_pairs|fork_100)", "--min-time", "0",
-                                  "--engines", "slide,oplus-sum,oplus-batch,clipper-sum")
+        code, out, err = self.ran("table.py", "--rows", "command_(small_pairs|convex_5000_square_4)", "--min-time", "0",
+                                  "--engines", "slide,oplus-sum,oplus-batch,cgal-sum,clipper-sum")
         self.assertEqual((code, err), (0, ""), out)
-        self.assertNotRegex(out, "crashed|failed|DISAGREE")
-        self.assertIn("oplus-batch", out)
-        self.assertIn("clipper-sum", out)
+        self.assertNotRegex(out, "crashed|failed|DISAGREE|not built|> ")
+        for engine in ("oplus-batch", "cgal-sum", "clipper-sum"):
+            self.assertRegex(out, f"{engine} .* ms")
 
     def test_faults(self):
         for expected, words, options in ((0, "crashed: signal 6", ("crash",)), (0, "> 0.25 s", ("hang", "--limit", "0.25")),
