@@ -123,6 +123,7 @@ struct NumberConversion<Cents> {
 namespace {
 
 TEST(NumberConversion, may_be_specialized) {
+  static_assert(NumberConversion<Cents>::is_rational);
   EXPECT_EQ(there_and_back<Cents>("1/4"), "1/4");
   EXPECT_EQ(refusal<Cents>("1/3"), "coordinate 100/3: the integer type cannot hold it");
 }
