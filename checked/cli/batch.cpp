@@ -275,21 +275,17 @@ void add_batch(Program& program) {
   command.file("--with", options.others, "those of this file are Q, those of --parts are P");
   command.flag("--unordered", options.unordered, "of --parts: no pair the other way round");
   command
-      .option("--rotations", options.rotations,
+      .option("--rotations ANGLE,...", options.rotations,
               "of --parts: turn Q by each of these angles in degrees, about the origin")
-      .separated_by_commas()
-      .type("ANGLE,...");
-  command
-      .option("--rotation-step", options.rotation_step,
-              "the same by all multiples of this angle that are less than 360")
-      .type("ANGLE");
+      .separated_by_commas();
+  command.option("--rotation-step ANGLE", options.rotation_step,
+                 "the same by all multiples of this angle that are less than 360");
   add_angle_error(command, options.angle_error);
   command
       .option(
-          "--operation", options.operation,
+          "--operation NAME", options.operation,
           "what to compute, by default sum: " + joined(operation_names(), std::identity(), ", "))
-      .one_of(operation_names())
-      .type("NAME");
+      .one_of(operation_names());
   add_open(command, options.boundary, "sum the regions' interiors, as in oplus sum");
   add_union(command, options.overlaps, "each geometry");
   command.choice<ResultForm>(

@@ -41,18 +41,16 @@ ExitCode write_disc(const DiscOptions& options) {
 void add_disc(Program& program) {
   const auto& [command, options] =
       program.add("disc", "Write a polygon inside or around a disc about the origin", write_disc);
-  command.option("--radius", options.radius, "the radius: an integer, a decimal or p/q")
-      .required()
-      .type("R");
+  command.option("--radius R", options.radius, "the radius: an integer, a decimal or p/q")
+      .required();
   command.flag("--inside", options.inside, "write a polygon that the disc contains");
   command.flag("--outside", options.outside, "write a polygon that contains the disc");
   command
       .option(
-          "--error", options.error,
+          "--error E", options.error,
           "each point of the disc, with --outside each point of the polygon, is at most E away from the "
           "other; decided exactly")
-      .required()
-      .type("E");
+      .required();
   add_output(command, options.output, "the polygon");
   command.footer(
       "The polygon has about 2.2 times the square root of R/E vertices, at most a tenth more than\n"

@@ -131,20 +131,19 @@ void add_draw(Program& program) {
           "regions or sums: .dat, WKT, GeoJSON or an SVG path (docs/files.md); - is standard input")
       .required();
   const Option view =
-      command.option("--view", options.view, view_help()).type("NAME:{" + view_names(",") + "}");
+      command.option("--view NAME:{" + view_names(",") + "}", options.view, view_help());
   command
       .flag("--together", options.together,
             "draw all files over each other, the first at the bottom, not side by side")
       .excludes(view);
   add_union(command, options.overlaps, "each file");
+  command.option(
+      "--at X,Y", options.at,
+      "the x of --view placement, which draws -Q + x: integers, decimals or fractions p/q");
   command
-      .option("--at", options.at,
-              "the x of --view placement, which draws -Q + x: integers, decimals or fractions p/q")
-      .type("X,Y");
-  command
-      .option("-o,--output", options.output, "the picture to write, an SVG; - is standard output")
-      .required()
-      .type("FILE.svg");
+      .option("-o,--output FILE.svg", options.output,
+              "the picture to write, an SVG; - is standard output")
+      .required();
   command.footer(
       "Example:\n"
       "  oplus gen holes --n 8 --summand P -o p.wkt\n"

@@ -82,22 +82,17 @@ void add_gen(Program& program) {
   const auto& [command, options] =
       program.add("gen", "Write a region of a family of test pairs", gen);
   // gen refuses unknown names itself.
-  command.option("FAMILY", options.family, "the name of a family; 'oplus gen --list' lists them")
-      .type("NAME:{" + joined(families(), &Family::name, ",") + "}");
+  command.option("FAMILY NAME:{" + joined(families(), &Family::name, ",") + "}", options.family,
+                 "the name of a family; 'oplus gen --list' lists them");
   const Option listing =
       command.flag("--list", options.list, "list the families, and what n is in each");
   command.flag("--json", options.json, "list them in JSON (docs/json.md)").needs(listing);
-  command
-      .option("--n", options.n,
-              "the size; --list says what it counts in each family; by default a typical one")
-      .type("N");
-  command
-      .option("--seed", options.seed,
-              "the same seed gives the same pair on every machine; by default 1")
-      .type("S");
-  command.option("--summand", options.summand, "which region of the pair; by default P")
-      .one_of({"P", "Q"})
-      .type("NAME");
+  command.option("--n N", options.n,
+                 "the size; --list says what it counts in each family; by default a typical one");
+  command.option("--seed S", options.seed,
+                 "the same seed gives the same pair on every machine; by default 1");
+  command.option("--summand NAME", options.summand, "which region of the pair; by default P")
+      .one_of({"P", "Q"});
   add_output(command, options.output, "the region");
   command.footer(
       "Example:\n"

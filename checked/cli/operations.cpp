@@ -98,9 +98,9 @@ void add_operations(Program& program) {
         .required();
     add_output(command, options.output, "the result");
     add_union(command, options.overlaps, "P, and of Q");
-    command.option("--engine", options.engine, "the engine that computes sums, as in oplus sum")
-        .one_of(names_of(engines_and_oracle()))
-        .type("NAME");
+    command
+        .option("--engine NAME", options.engine, "the engine that computes sums, as in oplus sum")
+        .one_of(names_of(engines_and_oracle()));
     command.file("--svg", options.svg, "draw P, Q and the result there, as SVG");
     command.footer(
         "Q + x is Q moved by x. Where the two just fit, the result has edges and points of its own, written\n"

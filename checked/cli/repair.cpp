@@ -87,14 +87,12 @@ void add_repair(Program& program) {
             "what is to be a region: WKT, GeoJSON, .dat or SVG path data; - is standard input")
       .required();
   add_output(command, options.output, "the region");
-  command
-      .choice<FillRule>(
-          "--fill", options.fill,
-          {{"even-odd", FillRule::even_odd}, {"nonzero", FillRule::nonzero}},
-          "make a region of chains that cross or overlap too: even-odd, the points around which they "
-          "wind an odd number of times; nonzero, all around which they wind, outer chains "
-          "counterclockwise and holes clockwise. By default such chains are refused")
-      .type("RULE");
+  command.choice<FillRule>(
+      "--fill RULE", options.fill,
+      {{"even-odd", FillRule::even_odd}, {"nonzero", FillRule::nonzero}},
+      "make a region of chains that cross or overlap too: even-odd, the points around which they "
+      "wind an odd number of times; nonzero, all around which they wind, outer chains "
+      "counterclockwise and holes clockwise. By default such chains are refused");
   command.flag("--json", options.json,
                "print what was done in JSON (docs/json.md); needs --output");
   command.footer(

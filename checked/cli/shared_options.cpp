@@ -25,15 +25,12 @@ void add_output(const Command& command, RegionOutput& output, const std::string&
 }
 
 void add_rounding(const Command& command, RoundingOptions& rounding) {
-  command
-      .option("--grid", rounding.grid,
-              "round to multiples of STEP, so that the output is valid and without fractions "
-              "(docs/rounding.md); by default it is exact, with fractions p/q where a decimal "
-              "would not end")
-      .type("STEP");
-  command.option("--digits", rounding.digits, "round to N decimals: short for --grid 10^-N")
-      .range(0, most_digits)
-      .type("N");
+  command.option("--grid STEP", rounding.grid,
+                 "round to multiples of STEP, so that the output is valid and without fractions "
+                 "(docs/rounding.md); by default it is exact, with fractions p/q where a decimal "
+                 "would not end");
+  command.option("--digits N", rounding.digits, "round to N decimals: short for --grid 10^-N")
+      .range(0, most_digits);
   command.choice<Side>(
       "--side", rounding.side,
       {{"nearest", Side::nearest}, {"contain", Side::contain}, {"contained", Side::contained}},
@@ -43,15 +40,13 @@ void add_rounding(const Command& command, RoundingOptions& rounding) {
 }
 
 Option add_angle_error(const Command& command, std::string& error) {
-  return command
-      .option(
-          "--angle-error", error,
-          "rotations are exact, but by at most E degrees more or less than the angle that was asked "
-          "for, " +
-              std::string(default_angle_error) +
-              " by default, with the smallest denominator of those; not by multiples of 90 degrees. "
-              "The exact cosine and sine are said")
-      .type("E");
+  return command.option(
+      "--angle-error E", error,
+      "rotations are exact, but by at most E degrees more or less than the angle that was asked "
+      "for, " +
+          std::string(default_angle_error) +
+          " by default, with the smallest denominator of those; not by multiples of 90 degrees. "
+          "The exact cosine and sine are said");
 }
 
 Rational angle_error(const std::string& text) {
@@ -70,10 +65,9 @@ void add_union(const Command& command, Overlaps& overlaps, const std::string& wh
 void add_threads(const Command& command, std::optional<unsigned>& threads,
                  const std::string& what) {
   command
-      .option("--threads", threads,
+      .option("--threads N", threads,
               "the number of threads" + what + ", by default one per core. The result is the same")
-      .range(1, 1024)
-      .type("N");
+      .range(1, 1024);
 }
 
 unsigned number_of(const std::optional<unsigned>& threads) {

@@ -300,19 +300,17 @@ void add_sum(Program& program) {
       command, options.boundary,
       "sum the regions' interiors: keeps dangling edges and isolated vertices; of line strings and "
       "points with a region, its interior at each of their points");
-  command.option("--engine", options.engine, engine_help())
-      .one_of(names_of(engines_and_oracle()))
-      .type("NAME");
+  command.option("--engine NAME", options.engine, engine_help())
+      .one_of(names_of(engines_and_oracle()));
   const std::vector<std::string> collision_tests =
       texts(hole_test_methods(), &std::pair<std::string, HoleTestMethod>::first);
   command
-      .option("--collision-test", options.hole_test,
+      .option("--collision-test NAME", options.hole_test,
               "how rca and loops decide what their filters leave open, and winding which "
               "low-dimensional features there are: bvh (the default), hierarchies of bounding "
               "volumes; sweep, a sweep line; naive, all pairs of edges; ray, rays through the "
               "full convolution. The sum is the same")
-      .one_of(collision_tests)
-      .type("NAME");
+      .one_of(collision_tests);
   command.option("--hole-test", options.hole_test, "").one_of(collision_tests).hidden();
   add_threads(command, options.threads, " of the engine slide");
   command.file(

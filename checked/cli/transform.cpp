@@ -134,7 +134,7 @@ void add_transform(Program& program) {
     const auto take = [=, &options](const std::string& text) {
       options.steps.push_back({name, text});
     };
-    return command.option_taken_by(name, take, what).at_once().type(value);
+    return command.option_taken_by(name + " " + value, take, what).at_once();
   };
   add_step("--translate", "X,Y", "add X to each x and Y to each y");
   add_step("--scale", "F|FX,FY", "multiply by F, or each x by FX and each y by FY; not by zero");

@@ -181,12 +181,10 @@ void add_verify(Program& program) {
   add_open(command, options.boundary,
            "check it against the sum of the regions' interiors, with dangling edges and isolated "
            "vertices");
-  command
-      .option(
-          "--tolerance", options.tolerance,
-          "for a rounded sum: check that it differs from the sum only within the distance D of the "
-          "sum's boundary, and say which components and holes do not correspond")
-      .type("D");
+  command.option(
+      "--tolerance D", options.tolerance,
+      "for a rounded sum: check that it differs from the sum only within the distance D of the "
+      "sum's boundary, and say which components and holes do not correspond");
   command.file("--svg", options.svg, "draw S over the sum, and P and -Q + x at the witness x");
   command.flag("--json", options.json, "answer in JSON (docs/json.md)");
   command.footer(

@@ -119,27 +119,20 @@ CampaignReport run(const CompareOptions& options, CampaignReport report,
 void add_run_options(const Command& command, CompareOptions& options) {
   command
       .option(
-          "--judge", options.campaign.judge,
+          "--judge NAME", options.campaign.judge,
           "What computes the right sums. oracle: executes the definitions, about a minute for "
           "1000 segments of the convolution; convex-parts: the union of sums of convex parts, as "
           "oplus verify computes it, a tenth of a second for 5000")
-      .type("NAME")
       .one_of(texts(judges(), &Judge::name))
       .default_shown();
-  command.option("--shard", options.shard, "Only pairs of the I-th of N parts")
-      .type("I/N")
-      .default_shown();
-  command
-      .option("--resume", options.resume,
-              "Keep the state in this file, and go on from it if it exists")
-      .type("FILE");
+  command.option("--shard I/N", options.shard, "Only pairs of the I-th of N parts").default_shown();
+  command.option("--resume FILE", options.resume,
+                 "Keep the state in this file, and go on from it if it exists");
   command.option("--threads", options.threads, "Pairs at a time; default: one per core")
       .range(1, 1024);
-  command.option("--out", options.out, "Folder for disagreements").type("DIR").default_shown();
-  command
-      .option("--report", options.reports,
-              "A report: .md for people, .json, .xml for a CI (JUnit); may be repeated")
-      .type("FILE");
+  command.option("--out DIR", options.out, "Folder for disagreements").default_shown();
+  command.option("--report FILE", options.reports,
+                 "A report: .md for people, .json, .xml for a CI (JUnit); may be repeated");
   command.flag("--json", options.json, "Print the JSON report, not a table (docs/json.md)");
 }
 
@@ -147,8 +140,7 @@ Option add_engine_option(const Command& command, CompareOptions& options, const 
   const std::vector<std::string> names = engine_names();
   const auto known =
       known_name("engine", names, "the engines are " + boost::join(names, ", ") + ", exec:CMD");
-  return command.option("--engine", options.campaign.engines, what)
-      .type("NAME")
+  return command.option("--engine NAME", options.campaign.engines, what)
       .one_of(names, [known](const std::string& name) {
         if (!engine_called(name, {})) known(name);
       });
@@ -179,8 +171,7 @@ void add_shrink_option(const Command& command, Campaign& campaign) {
 }
 
 void add_pair_option(const Command& command, CompareOptions& options) {
-  command.option("--pair", options.pairs, "Only this pair of files; may be repeated")
-      .type("P Q")
+  command.option("--pair P Q", options.pairs, "Only this pair of files; may be repeated")
       .values_each_time(2);
 }
 

@@ -33,8 +33,7 @@ void add_conformance_command(Program& program) {
       "The implementation: an engine of oplus, a peer, or exec:CMD; see 'diff --help'")
       .required();
   add_pair_option(command, settings);
-  command.option("--part", choice.parts, "Only this part; may be repeated")
-      .type("NAME")
+  command.option("--part NAME", choice.parts, "Only this part; may be repeated")
       .one_of(conformance_parts());
   command.option("--seed", campaign.seed, "Same seed, same pairs").default_shown();
   command.option("--budget", choice.budget, "Pairs in all, the corpus not counted")

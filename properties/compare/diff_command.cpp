@@ -113,12 +113,11 @@ void add_diff_command(Program& program) {
       diff);
   Campaign& campaign = settings.campaign;
   command
-      .option("--operation", campaign.operation,
+      .option("--operation NAME", campaign.operation,
               "What is computed of each pair, by the sums of each engine, and compared with its "
               "definition: " +
                   boost::join(compared_operations(), ", ") +
                   "; sum: the sums themselves. Families give pairs that fit each other")
-      .type("NAME")
       .one_of(operations_and_sums())
       .default_shown();
   add_engine_option(
@@ -127,21 +126,18 @@ void add_diff_command(Program& program) {
       "programs: below");
   command
       .option(
-          "--collision-test", campaign.hole_test,
+          "--collision-test NAME", campaign.hole_test,
           "The collision test of the engines; all: each is asked about each point, and they must "
           "agree")
-      .type("NAME")
       .one_of(hole_test_names())
       .default_shown();
   command.option("--hole-test", campaign.hole_test, "").one_of(hole_test_names()).hidden();
   add_pair_option(command, settings);
   command
-      .option("--folder", settings.folders,
+      .option("--folder DIR", settings.folders,
               "The files of a folder: NAME_part1 with NAME_part2, the rest with each other")
-      .type("DIR")
       .existing_folder();
-  command.option("--family", settings.families, "A generated family; may be repeated")
-      .type("NAME")
+  command.option("--family NAME", settings.families, "A generated family; may be repeated")
       .one_of(texts(families(), &Family::name));
   command.option("--cases", settings.cases, "Pairs of each family; default: those of the main job")
       .range(std::size_t{1}, std::size_t{1000000000});

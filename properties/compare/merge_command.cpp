@@ -39,18 +39,15 @@ void add_merge_command(Program& program) {
       "merge",
       "Merge the reports of all shards of a campaign into the one that a single run would have written",
       merge);
-  command.option("reports", settings.reports, "The JSON reports of all shards, in any order")
-      .type("REPORT")
+  command.option("reports REPORT", settings.reports, "The JSON reports of all shards, in any order")
       .required();
   command
-      .option("-o,--output", settings.into,
+      .option("-o,--output FILE", settings.into,
               "The merged report: .md, .xml, else JSON; -: standard output")
-      .type("FILE")
       .default_shown();
-  command
-      .option("--out", settings.out,
-              "Write the counterexamples to this folder; default: they stay in the first shard's")
-      .type("DIR");
+  command.option(
+      "--out DIR", settings.out,
+      "Write the counterexamples to this folder; default: they stay in the first shard's");
   command.footer(
       "Example:\n"
       "  oplus-check merge shard-*.json -o conformance.json\n"

@@ -145,8 +145,7 @@ int fuzz(Settings settings) {
 void add_fuzz_command(Program& program) {
   const auto& [command, settings] =
       program.add("fuzz", "Fuzz the readers, and slide against sums of convex parts", fuzz);
-  command.option("target", settings.targets, "What to fuzz; default: every target")
-      .type("TARGET")
+  command.option("target TARGET", settings.targets, "What to fuzz; default: every target")
       .one_of(names());
   command.flag("--list", settings.lists, "List the targets");
   command.option("--seconds", settings.seconds, "Seconds per target")
@@ -157,28 +156,24 @@ void add_fuzz_command(Program& program) {
   command.option("--seed", settings.seed, "The seed of the random numbers")
       .range(std::size_t{1}, std::size_t{4294967295})
       .default_shown();
+  command.option(
+      "--corpus DIR", settings.corpus,
+      "Folder for inputs that reached new code, one below it per target; default: corpus "
+      "in --out");
   command
-      .option("--corpus", settings.corpus,
-              "Folder for inputs that reached new code, one below it per target; default: corpus "
-              "in --out")
-      .type("DIR");
-  command
-      .option("--binaries", settings.binaries,
+      .option("--binaries DIR", settings.binaries,
               "Where the fuzz programs are; default: fuzz/bin, beside this build's folder")
-      .type("DIR")
       .existing_folder();
-  command.option("--out", settings.out, "Folder for logs, and inputs that show a finding")
-      .type("DIR")
+  command.option("--out DIR", settings.out, "Folder for logs, and inputs that show a finding")
       .default_shown();
   command.flag("--json", settings.json, "Print the result, or the list, as JSON (docs/json.md)");
   command
-      .option("--show", settings.show,
+      .option("--show FILE", settings.show,
               "Run the target on this input in this build; of slide, shrink the pair of a "
               "finding, and write it to --out as .dat files")
-      .type("FILE")
       .existing_file();
-  command.option("--encode", settings.encode, "Write the input of slide for a pair of files")
-      .type("P Q FILE")
+  command
+      .option("--encode P Q FILE", settings.encode, "Write the input of slide for a pair of files")
       .values_each_time(3)
       .values(1);
   command.footer(

@@ -108,10 +108,8 @@ void add_mutants_command(Program& program) {
               "Cases that a mutant must survive to fail; default: the statement's number")
       .range(std::size_t{1}, std::size_t{1000000000});
   command.option("--seed", settings.seed, "Same seed, same pairs").default_shown();
-  command
-      .option("--record", settings.record,
-              "Write what --json prints to this file, and pictures/ beside it")
-      .type("FILE");
+  command.option("--record FILE", settings.record,
+                 "Write what --json prints to this file, and pictures/ beside it");
   command.flag("--json", settings.json, "Answer in JSON (docs/json.md)");
   command.footer(
       "Needs a build that contains the faults: the preset check.\n"

@@ -158,27 +158,22 @@ void add_properties_command(Program& program) {
   const auto& [command, settings] = program.add(
       "properties", "Try the statements, theorems and laws, on generated pairs", properties);
   command
-      .option("--theorem", settings.ids,
+      .option("--theorem ID", settings.ids,
               "Only this statement; may be repeated; 'oplus-check theorems' lists them")
-      .type("ID")
       .one_of(ids, known_name("statement", ids, "'oplus-check theorems' lists all"));
   const Option cases =
       command.option("--cases", settings.cases, "Cases per statement; default: its own number")
           .range(std::size_t{1}, std::size_t{1000000000});
   const Option seed =
       command.option("--seed", settings.seed, "Same seed, same pairs").default_shown();
-  command.option("--pair", settings.pair, "Try this pair instead of generated ones")
-      .type("P Q")
+  command.option("--pair P Q", settings.pair, "Try this pair instead of generated ones")
       .values(2)
       .excludes(cases)
       .excludes(seed);
-  command.option("--out", settings.findings, "Folder for shrunk counterexamples")
-      .type("DIR")
+  command.option("--out DIR", settings.findings, "Folder for shrunk counterexamples")
       .default_shown();
-  command
-      .option("--record", settings.record,
-              "Write what --json prints to this file, and pictures/ beside it")
-      .type("FILE");
+  command.option("--record FILE", settings.record,
+                 "Write what --json prints to this file, and pictures/ beside it");
   command.flag("--json", settings.json, "Answer in JSON (docs/json.md)");
   command.footer(
       "Example:\n"

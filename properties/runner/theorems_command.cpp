@@ -120,8 +120,7 @@ void add_theorems_command(Program& program) {
   const std::vector<std::string> ids = texts(statements(), &Statement::id);
   const auto& [command, settings] = program.add(
       "theorems", "List the statements and the faults that each must find, or show one", theorems);
-  command.option("ID", settings.id, "Show all about this statement; default: a list of all")
-      .type("NAME")
+  command.option("ID NAME", settings.id, "Show all about this statement; default: a list of all")
       .one_of(ids, known_name("statement", ids, "'oplus-check theorems' lists all"));
   command.flag("--json", settings.json, "Answer in JSON (docs/json.md)");
   command.footer(

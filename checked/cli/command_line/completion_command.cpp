@@ -78,10 +78,9 @@ int print_completion(const CompletionOptions& options) {
 void add_completion_command(Program& program) {
   const auto& [command, options] = program.add(
       "completion", "Print the completion of this program for bash, zsh or fish", print_completion);
-  command.option("SHELL", options.shell, "bash, zsh or fish")
+  command.option("SHELL NAME", options.shell, "bash, zsh or fish")
       .required()
-      .one_of({"bash", "fish", "zsh"})
-      .type("NAME");
+      .one_of({"bash", "fish", "zsh"});
   command.file("-o,--output", options.output, "write it there, not to standard output");
   const std::string& name = speech().program;
   command.footer("Example:\n  source <(" + name + " completion bash)\n  " + name +

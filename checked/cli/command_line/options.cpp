@@ -10,8 +10,6 @@ namespace oplus {
 
 Option Option::required() const { return Option(option_->required()); }
 
-Option Option::type(const std::string& name) const { return Option(option_->type_name(name)); }
-
 Option Option::one_of(const std::vector<std::string>& names) const {
   return Option(option_->check(CLI::IsMember(names)));
 }
@@ -68,9 +66,23 @@ Option Option::hidden() const { return Option(option_->group("")); }
 
 Option Option::at_once() const { return Option(option_->trigger_on_parse()); }
 
+namespace {
+
+/// What adds an option is called with its names; behind a space stands what help calls the value.
+template <typename Add>
+Option named(const std::string& text, Add add) {
+  const std::size_t space = text.find(' ');
+  CLI::Option* const option = add(text.substr(0, space));
+  if (space != std::string::npos) option->type_name(text.substr(space + 1));
+  return Option(option);
+}
+
+}  // namespace
+
 template <typename Value>
 Option Command::option(const std::string& names, Value& value, const std::string& what) const {
-  return Option(command_->add_option(names, value, what));
+  return named(names,
+               [&](const std::string& each) { return command_->add_option(each, value, what); });
 }
 
 #define OPLUS_OPTION(Value) \
@@ -91,7 +103,9 @@ OPLUS_OPTION(std::vector<std::vector<std::string>>);
 Option Command::option_taken_by(const std::string& names,
                                 std::function<void(const std::string&)> take,
                                 const std::string& what) const {
-  return Option(command_->add_option_function<std::string>(names, std::move(take), what));
+  return named(names, [&](const std::string& each) {
+    return command_->add_option_function<std::string>(each, std::move(take), what);
+  });
 }
 
 Option Command::flag(const std::string& names, bool& value, const std::string& what) const {

@@ -42,9 +42,6 @@ class Option {
 
   Option required() const;
 
-  /// What help calls the value: FILE; by default by its type, such as UINT.
-  Option type(const std::string& name) const;
-
   /// Values other than these are refused. Help and completion show them.
   Option one_of(const std::vector<std::string>& names) const;
 
@@ -86,7 +83,8 @@ class Command {
  public:
   explicit Command(CLI::App& command) : command_(&command) {}
 
-  /// Adds an option "-o,--output", or an argument "NAME". Value: string, int, unsigned, std::size_t, optionals
+  /// Adds an option "-o,--output FILE", or an argument "P FILE"; help calls its value FILE, by default as its type,
+  /// such as UINT. Value: string, int, unsigned, std::size_t, optionals
   /// of these, double, vectors of strings and of vectors of strings.
   template <typename Value>
   Option option(const std::string& names, Value& value, const std::string& what) const;
@@ -97,17 +95,16 @@ class Command {
 
   template <typename Path>
   Option file(const std::string& names, Path& path, const std::string& what) const {
-    return option(names, path, what).type("FILE");
+    return option(names + " FILE", path, what);
   }
 
-  /// An option whose values have names.
+  /// An option whose values have names. Help calls them NAME by default.
   template <typename Value, typename Chosen>
   Option choice(const std::string& names, Chosen& chosen,
                 const std::map<std::string, Value>& values, const std::string& what) const {
     const auto take = [&chosen, values](const std::string& name) { chosen = values.at(name); };
-    return option_taken_by(names, take, what)
-        .one_of(texts(values, &std::map<std::string, Value>::value_type::first))
-        .type("NAME");
+    return option_taken_by(names.find(' ') < names.size() ? names : names + " NAME", take, what)
+        .one_of(texts(values, &std::map<std::string, Value>::value_type::first));
   }
 
   Option flag(const std::string& names, bool& value, const std::string& what) const;

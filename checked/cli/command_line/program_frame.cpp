@@ -41,13 +41,12 @@ void set_up(CLI::App& program) {
   all.flag(
          "--quiet", [] { speech().quiet = true; }, "results and errors only: no progress, no notes")
       .at_once();
-  all.choice<ColourUse>("--color", speech().colours,
+  all.choice<ColourUse>("--color WHEN", speech().colours,
                         {{"auto", ColourUse::automatic},
                          {"always", ColourUse::always},
                          {"never", ColourUse::never}},
                         "colours: auto, on a terminal unless NO_COLOR is set; always; never")
-      .at_once()
-      .type("WHEN");
+      .at_once();
 }
 
 /// The complaint about a word in the place of the command that is neither one nor an option; else empty.

@@ -103,22 +103,19 @@ void add_smt_command(Program& program) {
   const auto& [command, settings] =
       program.add("smt", "Prove statements about a few directions with Z3 and cvc5", smt_work);
   command
-      .option("name", settings.names, "Queries, or statements, each standing for all its queries")
-      .type("ID")
+      .option("name ID", settings.names,
+              "Queries, or statements, each standing for all its queries")
       .one_of(names_to_choose());
   command.flag("--list", settings.lists, "List the queries, without running a solver");
-  const Option kept =
-      command
-          .option("--write", settings.folder, "Keep the questions, SMT-LIB files, in this folder")
-          .type("DIR");
+  const Option kept = command.option("--write DIR", settings.folder,
+                                     "Keep the questions, SMT-LIB files, in this folder");
   command.flag("--only-write", settings.only_writes, "Write them, without running a solver")
       .needs(kept);
   command.option("--seconds", settings.seconds, "Time limit of a solver for each question")
       .range(0.01, 1e6)
       .default_shown();
-  command.option("--record", settings.record, "Write what --json prints to this file").type("FILE");
-  command.option("--mutant", settings.mutant, "Switch this fault on; preset check only")
-      .type("NAME");
+  command.option("--record FILE", settings.record, "Write what --json prints to this file");
+  command.option("--mutant NAME", settings.mutant, "Switch this fault on; preset check only");
   command.flag("--json", settings.json, "Print the result, or the list, as JSON (docs/json.md)");
   command.footer(
       "Example:\n"
