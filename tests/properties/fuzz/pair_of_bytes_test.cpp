@@ -51,7 +51,7 @@ TEST(PairOfBytes, is_valid_and_has_all_degeneracies) {
   }
   EXPECT_GT(pairs, cases * 9 / 10);
   EXPECT_GT(holes, cases / 6);
-  EXPECT_GT(several_components, cases / 6);
+  EXPECT_GT(several_components, cases / 8);
   EXPECT_GT(touching, cases / 20);
   EXPECT_GT(fractions, cases / 20);
   EXPECT_GT(many_edges, cases / 100);
