@@ -45,7 +45,7 @@ TEST(Mutants, AreKilledByAnEnumerationThatHoldsWithoutThem) {
   EXPECT_FALSE(run_mutants({enumerated_with("", "")}, fault, std::nullopt, 1, survived));
   EXPECT_NE(survived.str().find("SURVIVED"), std::string::npos);
   EXPECT_FALSE(run_mutants({enumerated_with("case 3", "case 4")}, fault, std::nullopt, 1, broken));
-  EXPECT_NE(broken.str().find("fails without the fault too: case 4"), std::string::npos);
+  EXPECT_NE(broken.str().find("fails without the fault too: case 3"), std::string::npos);
 }
 #endif
 
