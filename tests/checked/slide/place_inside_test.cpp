@@ -3,9 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <vector>
-
-#include "reference/families/random.hpp"
 #include "tests/checked/slide/exact_values.hpp"
 
 namespace oplus::slide {
@@ -30,11 +27,6 @@ mpz_class expect_inside(const Rational& from, const Rational& to) {
   return integer(t.denominator());
 }
 
-TYPED_TEST(PlaceInside, of_a_whole_segment_is_its_middle) {
-  const Fraction<TypeParam> t = place_inside(piece<TypeParam>(0, 1));
-  EXPECT_EQ(place_of(t), Rational(1, 2));
-}
-
 TYPED_TEST(PlaceInside, of_two_neighbouring_fractions_of_60_bits) {
   // Fibonacci's numbers: each two quotients in a row differ by one over the product.
   mpz_class a = 0, b = 1;
@@ -50,25 +42,6 @@ TYPED_TEST(PlaceInside, of_two_neighbouring_fractions_of_60_bits) {
   const Rational almost(mpz_class(b - 1), b);
   expect_inside<TypeParam>(almost, 1);
   expect_inside<TypeParam>(0, 1 - almost);
-}
-
-TYPED_TEST(PlaceInside, of_gaps_as_narrow_as_doubles_can_barely_tell) {
-  Random random(4);
-  for (int exponent = 1; exponent <= 58; ++exponent) {
-    for (int k = 0; k < 50; ++k) {
-      // About as wide as 2^-exponent, anywhere from 0 to 1.
-      const mpz_class d = (mpz_class(1) << 59) - uniform(random, 0, 1000000);
-      mpz_class wide = d >> static_cast<unsigned>(exponent);
-      wide += uniform(random, 0, 3) * (wide / 4);
-      const mpz_class low = (d - wide) * uniform(random, 0, 1000) / 1000;
-      const Rational from = Rational(low) / d;
-      const Rational to = Rational(low + std::max<mpz_class>(wide, 1)) / d;
-      const mpz_class denominator = expect_inside<TypeParam>(from, to);
-      if (exponent < 38) {
-        EXPECT_LE(denominator, mpz_class(1) << 42) << "in short numbers";
-      }
-    }
-  }
 }
 
 TEST(PlaceInside, of_gaps_that_no_double_can_tell) {

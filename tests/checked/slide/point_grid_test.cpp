@@ -52,18 +52,6 @@ void expect_complete(const Points& points) {
   }
 }
 
-TEST(PointGrid, visits_all_on_a_segment_of_a_small_grid) {
-  Random random(8);
-  for (int k = 0; k < 60; ++k) {
-    Points points;
-    const int side = uniform(random, 2, 6);
-    for (int x = 0; x < side; ++x)
-      for (int y = 0; y < side; ++y)
-        if (!one_in(random, 3)) points.add(x, y);
-    expect_complete(points);
-  }
-}
-
 TEST(PointGrid, visits_all_on_a_segment_where_doubles_are_off) {
   Random random(9);
   for (const int far : {1, 1000, 500'000'000}) {
@@ -76,44 +64,6 @@ TEST(PointGrid, visits_all_on_a_segment_where_doubles_are_off) {
       expect_complete(points);
     }
   }
-}
-
-TEST(PointGrid, of_points_in_line) {
-  for (const auto& [dx, dy] : {std::pair{1, 0}, {0, 1}, {1, 1}, {3, -1}, {-1, 7}, {1000, 1}}) {
-    Points points;
-    for (int i : {0, 5, 1, 9, 2, 3, 7}) points.add(4 + i * dx, i * dy - 2);
-    expect_complete(points);
-  }
-}
-
-TEST(PointGrid, of_few_points_or_none) {
-  Points one;
-  one.add(3, 4);
-  EXPECT_EQ(visited(one, 0, 0), (std::vector<std::uint32_t>{0}));
-  Points two;
-  two.add(3, 4);
-  two.add(-1, 0);
-  expect_complete(two);
-  const Points none;
-  const PointGrid grid(none.near_x, none.near_y);
-}
-
-TEST(PointGrid, far_from_the_origin_and_crowded_in_a_corner) {
-  Points points;
-  for (int i = 0; i < 20; ++i) points.add(500000000 + i, 400000000 + i * i);
-  for (int i = 0; i < 5; ++i) points.add(500000000 + 2 * i, 400000000 + 2 * i);
-  points.add(-500000000, -600000000);
-  expect_complete(points);
-}
-
-TEST(PointGrid, does_not_visit_most_that_are_far_away) {
-  Points points;
-  for (int x = 0; x < 30; ++x)
-    for (int y = 0; y < 30; ++y) points.add(x, y);
-  // A diagonal runs through about two of 30 cells of a column.
-  EXPECT_LT(visited(points, 0, 899).size(), 200u);
-  EXPECT_LT(visited(points, 0, 29).size(), 100u) << "up";
-  EXPECT_LT(visited(points, 0, 870).size(), 100u) << "across";
 }
 
 TEST(PointGrid, visits_all_on_a_segment_where_points_crowd_together) {

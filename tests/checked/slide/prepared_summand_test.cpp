@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "checked/slide/slide.hpp"
-#include "properties/compare/corpus.hpp"
 #include "reference/families/family.hpp"
 #include "reference/io/boundary_name.hpp"
 #include "tests/checked/slide/exact_values.hpp"
@@ -33,36 +32,6 @@ void expect_as_unprepared(const PreparedSummand& p, const PreparedSummand& q,
     EXPECT_EQ(result.sum, expected.sum) << name(boundary);
     EXPECT_EQ(result.origins, expected.origins) << name(boundary);
     EXPECT_EQ(result.statistics, expected.statistics) << name(boundary);
-  }
-}
-
-/// Of all kinds: few vertices and many, holes, several components, none.
-std::vector<Region> regions() {
-  std::vector<Region> result = {Region{}};
-  for (const char* family : {"grid", "star", "islands", "components", "comb", "convex"})
-    if (const Family* known = find_family(family)) {
-      const Summands pair = generate(*known, known->typical, 1);
-      result.push_back(pair.p);
-      result.push_back(pair.q);
-    }
-  return result;
-}
-
-TEST(PreparedSummand, gives_the_sums_of_its_region) {
-  std::vector<PreparedSummand> all;
-  for (const Region& region : regions()) all.emplace_back(region);
-  EXPECT_GE(all.size(), 9U);
-  for (const PreparedSummand& p : all)
-    for (const PreparedSummand& q : all) expect_as_unprepared(p, q);
-}
-
-TEST(PreparedSummand, gives_the_sums_of_the_corpus) {
-  for (const CorpusPair& row : corpus()) {
-    const PreparedSummand p(row.p), q(row.q);
-    expect_as_unprepared(p, q);
-    expect_as_unprepared(q, p);
-    expect_as_unprepared(p, p);
-    EXPECT_EQ(sum_of_prepared(p, q, Boundary::open).sum, row.open) << row.name;
   }
 }
 

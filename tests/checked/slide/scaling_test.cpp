@@ -12,40 +12,6 @@ namespace {
 
 const Region unit_square = polygon(box(0, 0, 1, 1));
 
-TEST(Scaling, of_small_integers_is_trivial) {
-  const Scaling scaling = scaling_of(unit_square, polygon(box(-5, -8, 3, 2)));
-  EXPECT_TRUE(scaling.is_trivial());
-  EXPECT_EQ(scaling.denominator, 1);
-  EXPECT_EQ(scaling.bits, 4u) << "of 8";
-  EXPECT_EQ(scaling.shift, 0u);
-}
-
-TEST(Scaling, denominator_is_the_least_common_one) {
-  const Region sixths = polygon({{Rational(1, 6), 0}, {1, Rational(1, 4)}, {0, 1}});
-  const Region tenths{{{box(0, 0, 3, 3), {backwards(box(1, 1, 2, Rational(19, 10)))}}}};
-  EXPECT_EQ(scaling_of(sixths, unit_square).denominator, 12);
-  EXPECT_EQ(scaling_of(unit_square, sixths).denominator, 12);
-  const Scaling both = scaling_of(sixths, tenths);
-  EXPECT_EQ(both.denominator, 60);
-  EXPECT_EQ(both.bits, 8u) << "of 180";
-  EXPECT_FALSE(both.is_trivial());
-  EXPECT_EQ(scaled(Rational(1, 6), both, 0), 10);
-  EXPECT_EQ(scaled(Rational(19, 10), both, 100), 14);
-}
-
-TEST(Scaling, looks_at_every_component_and_hole) {
-  const Rational third(1, 3);
-  const Region second{{{box(0, 0, 1, 1), {}}, {box(2, 0, 3, third), {}}}};
-  const Region in_hole{
-      {{box(9, 0, 10, 1), {}}, {box(0, 0, 4, 4), {backwards(box(1, 1, 2, 1 + third))}}}};
-  for (const Region& region : {second, in_hole}) {
-    EXPECT_EQ(scaling_of(region, unit_square).denominator, 3);
-    EXPECT_EQ(scaling_of(unit_square, region).denominator, 3);
-  }
-  const Region far{{{box(0, 0, 1, 1), {}}, {box(2, 0, 3, 1000), {}}}};
-  EXPECT_EQ(scaling_of(unit_square, far).bits, 10u);
-}
-
 TEST(Scaling, moves_only_where_29_bits_are_too_few) {
   const Rational limit = power_of_two(29);
   const Scaling stays = scaling_of(polygon(box(limit - 2, 0, limit - 1, 1)), unit_square);
@@ -68,34 +34,6 @@ TEST(Scaling, moves_only_where_29_bits_are_too_few) {
   EXPECT_EQ(moves.of_q.x, 1);
   EXPECT_EQ(moves.of_q.y, -5);
   EXPECT_EQ(moves.bits, 3u);
-}
-
-TEST(Scaling, never_has_more_bits_where_it_has_moved) {
-  for (const int bits : {30, 124, 125, 300}) {
-    const Rational m = power_of_two(bits) - 1;
-    for (const auto& [low, high] : {std::pair<Rational, Rational>{-m, m},
-                                    {-m, m - 1},
-                                    {1 - m, m},
-                                    {0, m},
-                                    {-m, 0},
-                                    {m - 1, m}}) {
-      const Scaling scaling = scaling_of(polygon(box(low, low, high, high)), unit_square);
-      EXPECT_LE(scaling.bits, static_cast<std::size_t>(bits)) << low << ' ' << high;
-      EXPECT_LE(abs(scaled(low, scaling, scaling.of_p.x)), mpz_class(1) << scaling.bits);
-      EXPECT_LE(abs(scaled(high, scaling, scaling.of_p.x)), mpz_class(1) << scaling.bits);
-    }
-  }
-}
-
-TEST(Scaling, shifts_doubles_to_60_bits) {
-  const auto shift = [](int bits) {
-    const Rational m = power_of_two(bits) - 1;
-    return scaling_of(polygon(box(-m, -m, m, m)), unit_square).shift;
-  };
-  EXPECT_EQ(shift(29), 0u);
-  EXPECT_EQ(shift(60), 0u);
-  EXPECT_EQ(shift(61), 1u);
-  EXPECT_EQ(shift(5000), 4940u);
 }
 
 /// A polygon with n denominators of the given number of bits, no two with a common factor.
@@ -134,22 +72,6 @@ TEST(Scaling, of_rationals_is_a_power_of_two) {
     const Rational largest = size * scaling.denominator;
     EXPECT_LE(largest, power_of_two(static_cast<int>(scaling.bits)));
     EXPECT_GE(largest, power_of_two(static_cast<int>(scaling.bits) - 3));
-  }
-}
-
-TEST(Scaling, puts_back) {
-  const Rational far = power_of_two(40) / 3;
-  const Region p = polygon({{far, 0}, {far + 1, Rational(1, 7)}, {far, 9}});
-  const Region q = polygon({{0, -far}, {Rational(2, 5), -far}, {0, 1 - far}});
-  const Scaling scaling = scaling_of(p, q);
-  EXPECT_TRUE(scaling.is_moved);
-  for (const Point& v : p.components[0].outer) {
-    for (const Point& w : q.components[0].outer) {
-      Point sum{scaled(v.x, scaling, scaling.of_p.x) + scaled(w.x, scaling, scaling.of_q.x),
-                scaled(v.y, scaling, scaling.of_p.y) + scaled(w.y, scaling, scaling.of_q.y)};
-      scaling.put_back(sum);
-      EXPECT_EQ(sum, v + w);
-    }
   }
 }
 
