@@ -10,8 +10,6 @@
 namespace oplus {
 namespace {
 
-#ifdef OPLUS_CONTRACTS
-
 TEST(Contract, broken_names_its_statement_and_condition) {
   try {
     OPLUS_REQUIRES(1 + 1 == 3, "Lemma 0.0");
@@ -46,19 +44,6 @@ TEST(Contract, a_hole_has_an_outer_chain_around_it) {
   const MinkowskiSum hole_alone{{}, {{{0, 0}, {0, 1}, {1, 0}}}, {}, {}};
   EXPECT_THROW(region_of(hole_alone), ContractViolation);
 }
-
-#else
-
-TEST(Contract, is_not_evaluated_without_contracts) {
-  bool evaluated = false;
-  OPLUS_REQUIRES((evaluated = true), "Lemma 0.0");
-  OPLUS_ENSURES((evaluated = true), "Lemma 0.0");
-  EXPECT_FALSE(evaluated);
-}
-
-TEST(Contract, broken_throws) { GTEST_SKIP() << "contracts are not compiled in"; }
-
-#endif
 
 }  // namespace
 }  // namespace oplus

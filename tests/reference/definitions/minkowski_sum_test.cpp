@@ -18,33 +18,6 @@ using Segments = std::vector<Segment>;
 
 const Chain square = box(0, 0, 4, 4);
 
-TEST(MinkowskiSum, chain_starts_at_its_smallest_vertex) {
-  for (std::size_t start = 0; start < square.size(); ++start) {
-    Chain turned = square;
-    std::rotate(turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(start), turned.end());
-    EXPECT_EQ(canonical_sum(polygon(turned)).outer, Chains{square});
-  }
-}
-
-TEST(MinkowskiSum, has_no_vertex_inside_a_straight_line) {
-  const Chain with_collinear{{0, 0}, {1, 0}, {3, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 2}};
-  EXPECT_EQ(canonical_sum(polygon(with_collinear)).outer, Chains{square});
-  // Even where the chain starts.
-  EXPECT_EQ(canonical_sum(polygon({{2, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}})).outer, Chains{square});
-}
-
-TEST(MinkowskiSum, holes_are_clockwise_and_chains_are_sorted) {
-  const Chain first = backwards(box(1, 1, 2, 2));
-  const Chain second = backwards(box(1, 3, 2, 4));
-  const Region region{{{box(6, 0, 7, 1), {}}, {box(0, 0, 5, 5), {second, first}}}};
-  const MinkowskiSum sum = canonical_sum(region);
-  EXPECT_EQ(sum.outer, (Chains{box(0, 0, 5, 5), box(6, 0, 7, 1)}));
-  EXPECT_EQ(sum.holes,
-            (Chains{{{1, 1}, {1, 2}, {2, 2}, {2, 1}}, {{1, 3}, {1, 4}, {2, 4}, {2, 3}}}));
-  EXPECT_TRUE(sum.dangling_edges.empty());
-  EXPECT_TRUE(sum.isolated_vertices.empty());
-}
-
 TEST(MinkowskiSum, two_squares_touching_in_a_corner_are_one_outer_chain) {
   const Region region = shape("two squares touching in a corner");
   // Both bound the same face of the complement: clockwise most, so from one into the other.
@@ -64,24 +37,6 @@ TEST(MinkowskiSum, hole_touching_the_outer_chain_stays_a_chain_of_its_own) {
   EXPECT_EQ(sum.holes, (Chains{{{1, 1}, {2, 2}, {3, 1}, {2, 0}}}));
 }
 
-TEST(MinkowskiSum, two_holes_touching_in_a_corner_are_two_chains) {
-  const Region region = holed(box(0, 0, 5, 5), {box(1, 1, 2, 2), box(2, 2, 3, 3)});
-  EXPECT_EQ(canonical_sum(region).holes.size(), 2u);
-}
-
-TEST(MinkowskiSum, island_touching_its_hole_is_traced_with_it) {
-  const Region region =
-      together({holed(box(0, 0, 4, 4), {box(1, 1, 3, 3)}), polygon({{1, 1}, {2, 1}, {2, 2}})});
-  // The island's lower edge would overlap; one vertex in the hole's corner does not.
-  const Region touching =
-      together({holed(box(0, 0, 5, 5), {box(1, 1, 4, 4)}), polygon({{1, 1}, {3, 2}, {2, 3}})});
-  EXPECT_TRUE(find_defect(region));
-  EXPECT_FALSE(find_defect(touching));
-  EXPECT_EQ(canonical_sum(touching).holes,
-            (Chains{{{1, 1}, {1, 4}, {4, 4}, {4, 1}, {1, 1}, {3, 2}, {2, 3}}}));
-  EXPECT_EQ(canonical_sum(touching).outer, Chains{box(0, 0, 5, 5)});
-}
-
 TEST(MinkowskiSum, does_not_depend_on_the_order_of_the_edges) {
   const Region region{{{box(0, 0, 1, 1), {}}, {{{1, 1}, {2, 1}, {1, 2}}, {}}}};
   const MinkowskiSum expected = canonical_sum(region);
@@ -96,12 +51,6 @@ TEST(MinkowskiSum, dangling_edges_are_maximal_directed_and_sorted) {
   const MinkowskiSum sum = canonical_sum(
       BoundaryFeatures{edges(square), {{{3, 1}, {2, 1}}, {{1, 1}, {2, 1}}, {{1, 3}, {1, 2}}}, {}});
   EXPECT_EQ(sum.dangling_edges, (Segments{{{1, 1}, {3, 1}}, {{1, 2}, {1, 3}}}));
-}
-
-TEST(MinkowskiSum, isolated_vertices_are_sorted_and_distinct) {
-  const MinkowskiSum sum =
-      canonical_sum(BoundaryFeatures{edges(square), {}, {{2, 1}, {1, 3}, {2, 1}}});
-  EXPECT_EQ(sum.isolated_vertices, (std::vector<Point>{{1, 3}, {2, 1}}));
 }
 
 TEST(MinkowskiSum, nothing_at_all_is_the_empty_sum) {
@@ -156,16 +105,6 @@ TEST(MinkowskiSum, as_a_region_is_valid) {
   }
 }
 
-TEST(MinkowskiSum, edges_are_of_the_outer_chains_the_holes_and_the_dangling_ones) {
-  const Chain hole{{1, 1}, {1, 2}, {2, 1}};
-  const MinkowskiSum sum{{square}, {hole}, {{{3, 1}, {3, 2}}}, {{2, 3}}};
-  Segments expected = edges(square);
-  for (const Segment& e : edges(hole)) expected.push_back(e);
-  expected.push_back({{3, 1}, {3, 2}});
-  EXPECT_EQ(edges(sum), expected);
-  EXPECT_EQ(area(sum), Rational(31, 2));
-}
-
 /// The named reduced convolution segments, their corners left out: origins do not look at them.
 ConvolutionSegment named(const Segment& segment, std::size_t name) {
   return {segment, {Summand::P, {0, name}, {0, 0}}, {}};
@@ -200,17 +139,6 @@ TEST(MinkowskiSum, origins_of_a_dangling_edge_run_either_way) {
   EXPECT_EQ(names(origins(sum, {named({{4, 0}, {1, 0}}, 2), named({{0, 0}, {2, 0}}, 1),
                                 named({{0, 0}, {0, 1}}, 3)})),
             (std::vector<std::vector<std::size_t>>{{1, 2}}));
-}
-
-TEST(MinkowskiSum, origins_of_two_squares_are_both_edges_in_a_line) {
-  const Region unit = polygon(box(0, 0, 1, 1));
-  const MinkowskiSum sum = canonical_sum(polygon(box(0, 0, 2, 2)));
-  const Origins both = origins(sum, reduced_convolution(unit, unit));
-  ASSERT_EQ(both.size(), 4u);
-  // The lower edge: P's along the corner (0,0), then Q's along the corner (1,0).
-  EXPECT_EQ(both[0],
-            (std::vector<Origin>{{Summand::P, {0, 0}, {0, 0}}, {Summand::Q, {0, 0}, {0, 1}}}));
-  for (const auto& of_edge : both) EXPECT_EQ(of_edge.size(), 2u);
 }
 
 }  // namespace

@@ -38,8 +38,7 @@ struct Shape {
 };
 
 /// Valid regions of every kind, their coordinates integers from 0 to 8, their edges horizontal,
-/// vertical or diagonal: so half-integer lines cut the plane into cells that lie inside or outside
-/// as a whole (cells.hpp).
+/// vertical or diagonal.
 inline std::vector<Shape> shapes() {
   return {
       {"unit square", polygon(box(0, 0, 1, 1))},
