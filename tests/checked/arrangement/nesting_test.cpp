@@ -86,29 +86,5 @@ TEST(Nesting, asks_once_a_loop) {
   EXPECT_EQ(std::count(judged.begin(), judged.end(), LoopVerdict::boundary), 4 * 4 + 1);
 }
 
-TEST(OrientableLoops, turn_clockwise_most_where_chains_touch) {
-  // Two squares in a corner: the face outside is to the right of one loop around both.
-  const ConvolutionArrangement a(along({box(0, 0, 1, 1), box(1, 1, 2, 2)}));
-  const std::vector<OrientableLoop> loops = orientable_loops(a);
-  ASSERT_EQ(loops.size(), 1u);
-  EXPECT_EQ(loops[0].size(), 8u);
-  // Two holes in a corner: a face each is to the right.
-  const ConvolutionArrangement b(along({backwards(box(0, 0, 1, 1)), backwards(box(1, 1, 2, 2))}));
-  EXPECT_EQ(orientable_loops(b).size(), 2u);
-}
-
-TEST(OrientableLoops, leave_out_edges_of_opposite_segments_and_dead_ends) {
-  // A square and its reverse share every edge.
-  const ConvolutionArrangement a(along({box(0, 0, 1, 1), backwards(box(0, 0, 1, 1))}));
-  EXPECT_TRUE(orientable_loops(a).empty());
-  // A path into a loop is not a part of it.
-  std::vector<ConvolutionSegment> segments = along({box(0, 0, 1, 1)});
-  segments.push_back({{{-1, 0}, {0, 0}}, {}, false});
-  const ConvolutionArrangement b(segments);
-  const std::vector<OrientableLoop> loops = orientable_loops(b);
-  ASSERT_EQ(loops.size(), 1u);
-  EXPECT_EQ(loops[0].size(), 4u);
-}
-
 }  // namespace
 }  // namespace oplus

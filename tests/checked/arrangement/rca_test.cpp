@@ -6,7 +6,6 @@
 #include "properties/compare/corpus.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/definitions/convolution.hpp"
-#include "reference/families/fork.hpp"
 #include "tests/reference/definitions/print.hpp"
 #include "tests/reference/definitions/shapes.hpp"
 #include "tests/reference/io/published_data.hpp"
@@ -28,25 +27,6 @@ TEST(Rca, statistics_are_those_of_an_arrangement) {
     const Statistics open = rca(row.p, row.q, Boundary::open).statistics;
     EXPECT_EQ(open.count("arrangement edges"), closed.count("arrangement edges")) << row.name;
     EXPECT_GE(open.count("hole tests"), closed.count("hole tests")) << row.name;
-  }
-}
-
-TEST(Rca, statistics_of_two_squares) {
-  const Region square = polygon(box(0, 0, 1, 1));
-  const Statistics statistics = rca(square, square, Boundary::closed).statistics;
-  EXPECT_EQ(statistics.count("segments in the arrangement"), 8u);
-  EXPECT_EQ(statistics.count("arrangement vertices"), 8u);
-  EXPECT_EQ(statistics.count("arrangement edges"), 8u);
-  EXPECT_EQ(statistics.count("arrangement faces"), 2u);
-  EXPECT_EQ(statistics.count("hole tests"), 0u);
-}
-
-TEST(Rca, of_a_fork_and_its_l_has_a_hole_for_each_pair_of_teeth) {
-  for (const std::size_t teeth : {1, 2, 5}) {
-    const Summands fork = fork_and_l(teeth);
-    const MinkowskiSum sum = rca(fork.p, fork.q, Boundary::closed).sum;
-    EXPECT_EQ(sum.holes.size(), teeth * teeth);
-    EXPECT_EQ(sum.outer.size(), 1u);
   }
 }
 

@@ -4,26 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <set>
 
 #include "reference/families/family.hpp"
 #include "reference/families/polygons.hpp"
-#include "tests/reference/definitions/pairs_of_shapes.hpp"
 #include "tests/reference/definitions/print.hpp"
+#include "tests/reference/definitions/shapes.hpp"
 
 namespace oplus {
 namespace {
 
-const Region l_shape = polygon({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}});
 const Region triangle = polygon({{0, 0}, {1, 0}, {0, 1}});
-
-std::multiset<std::size_t> sizes(const ConvolutionCycles& traced) {
-  std::multiset<std::size_t> result;
-  for (const ConvolutionCycle& cycle : traced.cycles) result.insert(cycle.size());
-  return result;
-}
-
-using Sizes = std::multiset<std::size_t>;
 
 void expect_equal(std::vector<ConvolutionSegment> traced, std::vector<ConvolutionSegment> defined) {
   const auto by_origin = [](const auto& a, const auto& b) { return a.origin < b.origin; };
@@ -50,10 +40,6 @@ void expect_as_defined(const Region& p, const Region& q) {
   EXPECT_EQ(size.steps, cycles.steps);
 }
 
-TEST(ConvolutionCycles, are_the_convolution_for_shapes_of_every_kind) {
-  for_each_pair_of_shapes(expect_as_defined);
-}
-
 TEST(ConvolutionCycles, are_the_convolution_beyond_doubles) {
   const Rational huge("1" + std::string(400, '0'));
   const Rational third(1, 3);
@@ -63,79 +49,6 @@ TEST(ConvolutionCycles, are_the_convolution_beyond_doubles) {
        {Shape{"huge + huge", q}, {"equal directions", p}, {"opposite directions", reflected(p)}}) {
     SCOPED_TRACE(other.name);
     expect_as_defined(p, other.region);
-  }
-}
-
-TEST(ConvolutionCycles, two_convex_polygons_have_one_cycle_of_all_edges) {
-  const Region square = polygon(box(0, 0, 2, 2));
-  const Region pentagon = polygon({{0, 0}, {4, -1}, {6, 2}, {3, 5}, {-1, 3}});
-  EXPECT_EQ(sizes(convolution_cycles(square, pentagon)), Sizes{9});
-  EXPECT_EQ(sizes(convolution_cycles(square, square)), Sizes{8});
-}
-
-TEST(ConvolutionCycles, go_twice_round_what_does_not_pass_a_reflex_vertex) {
-  const Region square = polygon(box(0, 0, 1, 1));
-  EXPECT_EQ(sizes(convolution_cycles(square, l_shape)), Sizes{4 + 4 + 6});
-  EXPECT_EQ(sizes(convolution_cycles(l_shape, square)), Sizes{4 + 4 + 6});
-}
-
-TEST(ConvolutionCycles, of_two_shapes_with_parallel_edges_everywhere) {
-  EXPECT_EQ(sizes(convolution_cycles(l_shape, l_shape)), (Sizes{12, 12}));
-}
-
-TEST(ConvolutionCycles, vertices_inside_straight_lines_count_as_edges_only) {
-  const Region square = polygon({{0, 0}, {1, 0}, {2, 0}, {2, 2}, {1, 2}, {0, 2}});
-  EXPECT_EQ(sizes(convolution_cycles(square, triangle)), Sizes{6 + 3});
-  for (const ConvolutionSegment& s : full_convolution(convolution_cycles(square, triangle)))
-    EXPECT_FALSE(s.origin.edge_of == Summand::Q && s.origin.vertex.vertex == 1)
-        << "the tangent set of a vertex inside a straight line is empty";
-}
-
-TEST(ConvolutionCycles, holes_have_their_own) {
-  const Region frame{{{box(0, 0, 9, 9), {backwards(box(3, 3, 6, 6))}}}};
-  const ConvolutionCycles traced = convolution_cycles(frame, triangle);
-  std::size_t of_outer = 0, of_hole = 0;
-  for (const ConvolutionCycle& cycle : traced.cycles) {
-    for (const ConvolutionSegment& s : cycle) {
-      const bool of_p = s.origin.edge_of == Summand::P;
-      ((of_p ? s.origin.edge : s.origin.vertex).chain == 0 ? of_outer : of_hole) += 1;
-    }
-  }
-  EXPECT_EQ(of_outer, 4U + 3);
-  EXPECT_EQ(of_hole, 4U + 3 * (4 - 1)) << "each direction is in all but one of four tangent sets";
-}
-
-TEST(ConvolutionCycles, corollary_4_1_9_as_printed_is_false) {
-  // Row corollary_4_1_9 of the corpus. No point is passed twice, so there is no other cycle either.
-  const Region arrow_head = polygon({{0, 0}, {2, 1}, {0, 2}, {1, 1}});
-  const ConvolutionCycles traced = convolution_cycles(triangle, arrow_head);
-  ASSERT_EQ(sizes(traced), Sizes{3 + 3 + 4});
-  std::set<Point> points;
-  for (const ConvolutionSegment& s : traced.cycles[0]) points.insert(s.segment.source);
-  EXPECT_EQ(points.size(), 10U);
-}
-
-TEST(ConvolutionCycles, steps_grow_with_the_convolution) {
-  for (const char* name : {"convex", "star", "simple", "comb", "fork"}) {
-    for (const std::size_t n : {4U, 8U, 16U, 32U}) {
-      const Summands pair = generate(*find_family(name), n, n);
-      const ConvolutionCycles traced = convolution_cycles(pair.p, pair.q);
-      const std::size_t k = full_convolution(traced).size();
-      EXPECT_EQ(traced.steps + traced.cycles.size(),
-                vertex_count(pair.p) + vertex_count(pair.q) - 1 + k)
-          << name << ' ' << n;
-      EXPECT_LT(traced.steps, 2 * k) << name << ' ' << n;
-    }
-  }
-}
-
-TEST(ConvolutionCycles, steps_of_many_chains_are_less_than_twice_the_segments) {
-  for (const char* name : {"holes", "components"}) {
-    for (const std::size_t n : {3U, 6U, 12U}) {
-      const Summands pair = generate(*find_family(name), n, n);
-      const ConvolutionCycles traced = convolution_cycles(pair.p, pair.q);
-      EXPECT_LT(traced.steps, 2 * full_convolution(traced).size()) << name << ' ' << n;
-    }
   }
 }
 

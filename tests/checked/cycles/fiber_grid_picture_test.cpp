@@ -57,27 +57,6 @@ TEST(FiberGridPicture,
   });
 }
 
-TEST(FiberGridPicture, goes_right_along_p_and_up_along_q) {
-  const FiberGrid grid = fiber_grid(l_shape, box(0, 0, 1, 1));
-  const ptree cycle = groups(parsed(svg(grid)), "cycle").at(0);
-  const std::vector<ptree> paths = children(cycle, "path");
-  for (std::size_t k = 0; k < grid.edges.size(); ++k) {
-    std::string line = paths[2 * k].get<std::string>("<xmlattr>.d");
-    for (char& c : line)
-      if (c == 'M' || c == 'L' || c == ',') c = ' ';
-    std::istringstream numbers(line);
-    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-    ASSERT_TRUE(numbers >> x0 >> y0 >> x1 >> y1);
-    if (grid.edges[k].along == Summand::P) {
-      EXPECT_GT(x1, x0);
-      EXPECT_EQ(y1, y0);
-    } else {
-      EXPECT_EQ(x1, x0);
-      EXPECT_LT(y1, y0);
-    }
-  }
-}
-
 TEST(FiberGridPicture, says_how_large_it_is_and_how_its_cycles_go_round) {
   const ptree picture = parsed(svg(fiber_grid(l_shape, box(0, 0, 1, 1))));
   EXPECT_EQ(texts(picture), std::vector<std::string>{"Fiber grid: n = 6, m = 4, K = 14, 1 cycle"});

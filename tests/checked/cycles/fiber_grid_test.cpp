@@ -56,18 +56,5 @@ TEST(FiberGrid, lists_its_cycles_one_after_another_each_closed) {
   });
 }
 
-TEST(FiberGrid, of_two_triangles_is_a_staircase) {
-  const Chain p{{0, 0}, {2, 0}, {0, 2}};
-  const Chain q{{0, 0}, {3, 1}, {1, 3}};
-  const std::vector<FiberGrid::Edge> expected{{0, 0, Summand::P, 0}, {1, 0, Summand::Q, 0},
-                                              {1, 1, Summand::P, 0}, {2, 1, Summand::Q, 0},
-                                              {2, 2, Summand::Q, 0}, {2, 0, Summand::P, 0}};
-  const FiberGrid grid = fiber_grid(p, q);
-  EXPECT_EQ(grid.n, 3U);
-  EXPECT_EQ(grid.m, 3U);
-  EXPECT_EQ(grid.cycles, 1U);
-  EXPECT_EQ(grid.edges, expected);
-}
-
 }  // namespace
 }  // namespace oplus
