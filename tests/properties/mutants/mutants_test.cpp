@@ -25,7 +25,6 @@ TEST(Mutants, FailWhereNoneIsRun) {
   EXPECT_FALSE(run_mutants({}, {{"unnamed", "is named by no statement", ""}}, 5, 1, out));
 }
 
-#ifdef OPLUS_MUTANTS
 /// A statement whose enumeration fails as told, with the fault and without.
 Statement enumerated_with(const std::string& failure_with, const std::string& failure_without) {
   Statement s;
@@ -47,7 +46,6 @@ TEST(Mutants, AreKilledByAnEnumerationThatHoldsWithoutThem) {
   EXPECT_FALSE(run_mutants({enumerated_with("case 3", "case 4")}, fault, std::nullopt, 1, broken));
   EXPECT_NE(broken.str().find("fails without the fault too: case 3"), std::string::npos);
 }
-#endif
 
 }  // namespace
 }  // namespace oplus

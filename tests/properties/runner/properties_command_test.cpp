@@ -243,13 +243,5 @@ TEST_F(PropertiesCommand, ProgramSuggestsTheNearestStatement) {
   EXPECT_EQ(text, "oplus-check: unknown statement 'gravity'; 'oplus-check theorems' lists all\n");
 }
 
-#ifndef OPLUS_MUTANTS
-TEST_F(PropertiesCommand, ProgramSaysWhichBuildHasMutants) {
-  const auto [code, text] = oplus_check("mutants", "oplus-maintain");
-  EXPECT_EQ(code, 2);
-  EXPECT_NE(text.find("preset check"), std::string::npos) << text;
-}
-#endif
-
 }  // namespace
 }  // namespace oplus

@@ -96,27 +96,6 @@ TEST(Smaller, leaves_out_each_part) {
   for (const Summands& candidate : candidates) EXPECT_NE(size_of(candidate).vertices, 0u);
 }
 
-TEST(Smaller, is_empty_for_the_least_pair) {
-  const Region least = polygon({{0, 0}, {1, 0}, {0, 1}});
-  EXPECT_TRUE(smaller({least, least}).empty());
-}
-
-TEST(Smaller, leaves_an_empty_summand_unchanged) {
-  const Region triangle = polygon({{0, 0}, {7, 0}, {0, 7}});
-  for (const Summands& candidate : smaller({Region{}, triangle}))
-    EXPECT_TRUE(candidate.p.components.empty());
-  EXPECT_FALSE(smaller({Region{}, triangle}).empty());
-}
-
-TEST(SizeOf, counts_vertices_then_coordinates) {
-  const Region small = polygon({{0, 0}, {1, 0}, {0, 1}});
-  const Region halves = polygon({{0, 0}, {Rational(1, 2), 0}, {0, Rational(-3, 2)}});
-  EXPECT_EQ(size_of({small, small}).vertices, 6u);
-  EXPECT_EQ(size_of({small, small}).coordinates, 16);
-  EXPECT_EQ(size_of({halves, small}).coordinates, 20);
-  EXPECT_LT(size_of({small, small}), size_of({halves, small}));
-}
-
 TEST(Shrink, a_reflex_vertex_ends_in_four_vertices_and_a_triangle) {
   const auto fails = [](const Summands& s) { return has_reflex_vertex(s.p); };
   for (const char* name : {"grid", "star", "holes", "components", "tight", "fork"}) {
