@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // planted_faults PAGE: switches on each fault of slide and of the readers, and counts the inputs of a fuzz
 // target, always with the same random numbers, until it finds the fault. The page must say how many.
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
 #include <functional>
 #include <iostream>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "properties/compare/corpus.hpp"
@@ -16,7 +20,6 @@
 #include "properties/fuzz/slide_check.hpp"
 #include "properties/fuzz/text_mutation.hpp"
 #include "properties/mutants/mutants.hpp"
-#include "properties/runner/child_process.hpp"
 #include "reference/definitions/mutant.hpp"
 #include "reference/io/file_text.hpp"
 
@@ -79,28 +82,42 @@ Inputs inputs_of(const FuzzTarget& target) {
   return [all, &target](std::size_t i) { target.run(all->at(i)); };
 }
 
-/// How many inputs it takes in a process of its own; one more than `most` where none is wrong.
+/// Tries the inputs; a mark in `output` before each. Returns whether none is wrong.
+bool none_is_wrong(const std::string& fault, const Inputs& inputs, std::size_t most, int output) {
+#ifdef OPLUS_MUTANTS
+  active_mutant = fault;
+#endif
+  try {
+    for (std::size_t i = 0; i < most; ++i) {
+      alarm(60);
+      if (::write(output, "\n", 1) != 1) return false;
+      inputs(i);
+    }
+  } catch (const std::exception& e) {
+    if (fault.empty()) std::cerr << "without a fault: " << e.what() << '\n';
+    return false;
+  }
+  return true;
+}
+
+/// How many inputs it takes in a process of its own, which has the inputs already, and in which a fault may
+/// crash or hang; one more than `most` where none is wrong.
 std::size_t inputs_until_found(const std::string& fault, const Inputs& inputs, std::size_t most) {
   std::cout.flush();
-  const EndedProcess ended = run_fork(
-      [&](int output) {
-#ifdef OPLUS_MUTANTS
-        active_mutant = fault;
-#endif
-        try {
-          for (std::size_t i = 0; i < most; ++i) {
-            if (::write(output, "\n", 1) != 1) return 1;
-            inputs(i);
-          }
-        } catch (const std::exception& e) {
-          if (fault.empty()) std::cerr << "without a fault: " << e.what() << '\n';
-          return 1;
-        }
-        return 0;
-      },
-      {.seconds = 60, .a_line_at_a_time = true});
-  const bool is_found = ended.how != EndedProcess::How::exited || ended.code != 0;
-  return is_found ? ended.output.size() : most + 1;
+  std::array<int, 2> marks{};
+  if (::pipe(marks.data()) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
+  const pid_t process = ::fork();
+  if (process < 0) throw std::system_error(errno, std::generic_category(), "fork");
+  if (process == 0) ::_exit(none_is_wrong(fault, inputs, most, marks[1]) ? 0 : 1);
+  ::close(marks[1]);
+  std::size_t tried = 0;
+  std::array<char, 4096> read{};
+  for (ssize_t count = 0; (count = ::read(marks[0], read.data(), read.size())) > 0;)
+    tried += static_cast<std::size_t>(count);
+  ::close(marks[0]);
+  int status = 0;
+  ::waitpid(process, &status, 0);
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? most + 1 : tried;
 }
 
 struct Stream {
