@@ -311,7 +311,7 @@ void add_sum(Program& program) {
               "volumes; sweep, a sweep line; naive, all pairs of edges; ray, rays through the "
               "full convolution. The sum is the same")
       .one_of(collision_tests);
-  command.option("--hole-test", options.hole_test, "").one_of(collision_tests).hidden();
+  command.option("--hole-test", options.hole_test, "").one_of(collision_tests);
   add_threads(command, options.threads, " of the engine slide");
   command.file(
       "--svg", options.svg,

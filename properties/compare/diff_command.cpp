@@ -131,7 +131,7 @@ void add_diff_command(Program& program) {
           "agree")
       .one_of(hole_test_names())
       .default_shown();
-  command.option("--hole-test", campaign.hole_test, "").one_of(hole_test_names()).hidden();
+  command.option("--hole-test", campaign.hole_test, "").one_of(hole_test_names());
   add_pair_option(command, settings);
   command
       .option("--folder DIR", settings.folders,

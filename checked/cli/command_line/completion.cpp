@@ -35,9 +35,8 @@ Lines values(const CLI::Option& option) {
 
 bool is_argument(const CLI::Option* option) { return option->get_positional(); }
 
-/// Hidden ones are in no group.
 bool is_offered(const CLI::Option* option) {
-  return !is_argument(option) && !option->get_group().empty();
+  return !is_argument(option) && !option->get_description().empty();
 }
 
 /// The words that are read so far.

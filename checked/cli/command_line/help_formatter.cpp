@@ -3,6 +3,7 @@
 
 #include <boost/algorithm/string/replace.hpp>
 #include <sstream>
+#include <utility>
 
 namespace oplus {
 
@@ -31,6 +32,12 @@ HelpFormatter::HelpFormatter() {
   column_width(left_column);
   label("Positionals", "Arguments");
   label("SUBCOMMAND", "COMMAND");
+}
+
+std::string HelpFormatter::make_group(std::string group, bool are_arguments,
+                                      std::vector<const CLI::Option*> options) const {
+  std::erase_if(options, [](const CLI::Option* one) { return one->get_description().empty(); });
+  return Formatter::make_group(std::move(group), are_arguments, std::move(options));
 }
 
 std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <vector>
 
 namespace oplus {
 
@@ -11,6 +12,8 @@ namespace oplus {
 class HelpFormatter : public CLI::Formatter {
  public:
   HelpFormatter();
+  std::string make_group(std::string group, bool are_arguments,
+                         std::vector<const CLI::Option*> options) const override;
   std::string make_option_opts(const CLI::Option* option) const override;
   std::string make_option_desc(const CLI::Option* option) const override;
   std::string make_subcommand(const CLI::App* command) const override;

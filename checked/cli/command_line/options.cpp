@@ -62,8 +62,6 @@ Option Option::default_shown(const std::string& value) const {
   return Option(option_->default_str(value));
 }
 
-Option Option::hidden() const { return Option(option_->group("")); }
-
 Option Option::at_once() const { return Option(option_->trigger_on_parse()); }
 
 namespace {

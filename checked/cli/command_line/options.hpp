@@ -68,9 +68,6 @@ class Option {
   Option default_shown() const;
   Option default_shown(const std::string& value) const;
 
-  /// Help and completion do not name it: for a name of before.
-  Option hidden() const;
-
   /// Takes effect where it stands, before the command line is read to its end.
   Option at_once() const;
 
@@ -83,9 +80,9 @@ class Command {
  public:
   explicit Command(CLI::App& command) : command_(&command) {}
 
-  /// Adds an option "-o,--output FILE", or an argument "P FILE"; help calls its value FILE, by default as its type,
-  /// such as UINT. Value: string, int, unsigned, std::size_t, optionals
-  /// of these, double, vectors of strings and of vectors of strings.
+  /// Adds an option "-o,--output FILE", or an argument "P FILE"; help calls its value FILE, by default as its
+  /// type, such as UINT. One without a description is shown by neither help nor completion. Value: string, int,
+  /// unsigned, std::size_t, optionals of these, double, vectors of strings and of vectors of strings.
   template <typename Value>
   Option option(const std::string& names, Value& value, const std::string& what) const;
 
