@@ -10,6 +10,8 @@
 namespace oplus {
 namespace {
 
+#ifdef OPLUS_CONTRACTS
+
 TEST(Contract, broken_names_its_statement_and_condition) {
   try {
     OPLUS_REQUIRES(1 + 1 == 3, "Lemma 0.0");
@@ -44,6 +46,17 @@ TEST(Contract, a_hole_has_an_outer_chain_around_it) {
   const MinkowskiSum hole_alone{{}, {{{0, 0}, {0, 1}, {1, 0}}}, {}, {}};
   EXPECT_THROW(region_of(hole_alone), ContractViolation);
 }
+
+#else
+
+TEST(Contract, is_not_evaluated_without_contracts) {
+  bool evaluated = false;
+  OPLUS_REQUIRES((evaluated = true), "Lemma 0.0");
+  OPLUS_ENSURES((evaluated = true), "Lemma 0.0");
+  EXPECT_FALSE(evaluated);
+}
+
+#endif
 
 }  // namespace
 }  // namespace oplus
