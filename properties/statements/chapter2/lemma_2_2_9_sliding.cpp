@@ -87,7 +87,7 @@ const Registered registered({
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"reflex-turns-clockwise"},
-    .cases = 250,
+    .cases = 100,
     .check = check,
 });
 

@@ -35,7 +35,7 @@ const Registered registered({
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"parallel-edges-do-not-collide", "tangent-set-without-ties"},
-    .cases = 400,
+    .cases = 200,
     .check = check,
     .of_engine = of_one(law),
 });

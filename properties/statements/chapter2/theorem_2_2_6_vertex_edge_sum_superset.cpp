@@ -36,7 +36,7 @@ const Registered registered({
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"vertices-of-p-are-left-out"},
-    .cases = 200,
+    .cases = 80,
     .check = check,
 });
 

@@ -77,7 +77,7 @@ const Registered registered({
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"acute-vertex-is-reflex", "tangent-set-without-ties"},
-    .cases = 200,
+    .cases = 80,
     .check = check,
     .of_engine = of_one(law),
 });

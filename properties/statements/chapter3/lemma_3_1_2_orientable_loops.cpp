@@ -44,7 +44,7 @@ const Registered registered({
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"loops-turn-counterclockwise-most"},
-    .cases = 200,
+    .cases = 80,
     .check = check,
 });
 

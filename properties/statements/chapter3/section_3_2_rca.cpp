@@ -40,7 +40,7 @@ const Registered registered({
                  {"overlapping segments", 5}},
     .kills = {"candidates-need-no-hole-test", "slide-turns-counterclockwise-most",
               "touching-points-are-not-tested", "weak-intersections-never-meet"},
-    .cases = 300,
+    .cases = 100,
     .check = check,
 });
 

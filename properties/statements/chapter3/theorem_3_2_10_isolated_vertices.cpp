@@ -68,7 +68,7 @@ const Registered registered({
         {{"tight", 4, 6}, {"grid", 8, 3}, {"holes", 4, 1}, {"components", 3, 1}, {"islands", 1, 1}},
     .promises = {{"reflex vertices", 10}, {"parallel edges", 40}, {"overlapping segments", 5}},
     .kills = {"three-directions-are-too-few"},
-    .cases = 200,
+    .cases = 100,
     .check = check,
     .of_engine = of_one(law),
 });

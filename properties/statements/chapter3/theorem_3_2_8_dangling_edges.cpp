@@ -55,7 +55,7 @@ const Registered registered({
                 {"diamond-u", 1, 1}},
     .promises = {{"reflex vertices", 10}, {"parallel edges", 40}, {"overlapping segments", 5}},
     .kills = {"dangling-edges-run-one-way"},
-    .cases = 200,
+    .cases = 100,
     .check = check,
     .of_engine = of_one(law),
 });

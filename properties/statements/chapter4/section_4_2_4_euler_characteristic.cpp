@@ -29,7 +29,7 @@ const Registered registered({
     .promises = promises_of_mixture(),
     .kills = {"flip-set-keeps-its-direction", "reflex-vertices-of-q-are-not-replaced",
               "holes-of-an-intersection-are-not-seen", "reflex-turns-clockwise"},
-    .cases = 150,
+    .cases = 60,
     .check = check,
 });
 

@@ -117,7 +117,7 @@ const Registered registered({
     .promises = promises_of_mixture(),
     .kills = {"ray-counts-both-ends", "reflex-turns-clockwise", "tangent-set-without-ties",
               "tie-rule-depends-on-who-asks"},
-    .cases = 300,
+    .cases = 100,
     .check = [](const Summands& summands) { return Comparison(summands).run(); },
     .of_engine = of_one(law),
 });

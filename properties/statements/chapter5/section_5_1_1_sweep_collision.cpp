@@ -13,7 +13,7 @@ const Registered registered({
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"sweep-forgets-overlap-direction", "sweep-ignores-weak-intersections"},
-    .cases = 100,
+    .cases = 60,
     .check =
         [](const Summands& summands) {
           return collision_outcome(*sweep_collision(summands.p, summands.q), summands);

@@ -12,7 +12,7 @@ const Registered registered({
     .sources = small_mixture(),
     .promises = promises_of_mixture(),
     .kills = {"parallel-edges-do-not-collide", "weak-intersections-never-meet"},
-    .cases = 100,
+    .cases = 60,
     .check =
         [](const Summands& summands) {
           return collision_outcome(*hierarchy_collision(summands.p, summands.q), summands);

@@ -98,7 +98,7 @@ const Registered registered({
     .promises = {{"parallel edges", 40}, {"reflex vertices", 10}},
     .kills = {"cycles-of-edges-are-trees", "open-sets-lose-edges", "points-inside-are-isolated",
               "regions-jump-along-edges", "segments-inside-dangle"},
-    .cases = 60,
+    .cases = 50,
     .check = check_sets,
 });
 

@@ -44,7 +44,7 @@ const Registered registered({
                  {"several components", 30},
                  {"parallel edges", 40}},
     .kills = {"no-fit-without-a-turn", "complements-lose-their-points", "frames-are-too-near"},
-    .cases = 60,
+    .cases = 50,
     .check = check,
 });
 

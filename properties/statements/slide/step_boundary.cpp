@@ -63,7 +63,7 @@ const Registered registered({
                 {"fork", 2, 1}},
     .promises = {{"holes", 10}, {"parallel edges", 40}},
     .kills = {"slide-shifts-to-the-left", "slide-components-never-overlap"},
-    .cases = 250,
+    .cases = 100,
     .check = check,
 });
 

@@ -56,7 +56,7 @@ const Registered registered({
         {{"tight", 6, 4}, {"grid", 6, 2}, {"holes", 4, 2}, {"components", 4, 1}, {"islands", 2, 1}},
     .promises = {{"parallel edges", 40}, {"holes", 10}},
     .kills = {"slide-ignores-weak-intersections"},
-    .cases = 250,
+    .cases = 100,
     .check = check,
 });
 

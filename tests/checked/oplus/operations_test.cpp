@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "checked/oplus/engines.hpp"
 #include "checked/oplus/oplus.hpp"
 
 namespace oplus {
@@ -25,11 +24,7 @@ TEST(Operations, are_sets_with_their_boundary) {
   EXPECT_EQ(closing(part, bin).region(), part);
 }
 
-TEST(Operations, take_an_engine_and_threads) {
-  const Sum places = ifp(bin, part);
-  EXPECT_EQ(ifp(bin, part, {.engine = engine("rca")}), places);
-  EXPECT_EQ(ifp(bin, part, {.threads = 2}), places);
-}
+TEST(Operations, take_threads) { EXPECT_EQ(ifp(bin, part, {.threads = 2}), ifp(bin, part)); }
 
 TEST(Complement, is_unbounded) {
   const ValidRegion outside = complement(bin);

@@ -5,7 +5,6 @@
 #include <type_traits>
 #include <utility>
 
-#include "checked/oplus/engines.hpp"
 #include "checked/oplus/oplus.hpp"
 
 namespace oplus {
@@ -118,27 +117,11 @@ TEST(MinkowskiSum, has_statistics) {
   EXPECT_NE(sum.statistics().begin(), sum.statistics().end());
 }
 
-TEST(MinkowskiSum, is_the_same_by_each_engine_and_number_of_threads) {
+TEST(MinkowskiSum, is_the_same_by_each_number_of_threads) {
   for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
     const Sum expected = minkowski_sum(frame, -bar, {.boundary = boundary});
     for (const unsigned threads : {0U, 2U, 5U})
       EXPECT_EQ(minkowski_sum(frame, -bar, {.boundary = boundary, .threads = threads}), expected);
-    for (const std::string& name : engine_names())
-      EXPECT_EQ(minkowski_sum(frame, -bar, {.boundary = boundary, .engine = engine(name)}),
-                expected)
-          << name;
-  }
-}
-
-TEST(Engine, is_found_by_its_name) {
-  EXPECT_EQ(engine_names().front(), "slide");
-  EXPECT_NE(engine("rca"), engine("loops"));
-  try {
-    engine("none");
-    FAIL();
-  } catch (const std::invalid_argument& error) {
-    EXPECT_EQ(std::string(error.what()).find("unknown engine none; expected one of slide, "), 0U)
-        << error.what();
   }
 }
 
