@@ -80,7 +80,7 @@ const Registered registered({
     .promises = promises_of_mixture(),
     .kills = {"crossings-count-with-a-sign", "tie-rule-depends-on-who-asks",
               "tangent-set-without-ties", "reflex-turns-clockwise", "ray-counts-both-ends"},
-    .cases = 60,
+    .cases = 100,
     .check = check,
 });
 
