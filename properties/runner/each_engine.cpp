@@ -45,13 +45,13 @@ std::function<Outcome(const Summands&)> of_each_engine(Law law) {
   };
 }
 
-std::function<Outcome(const Engine&, Boundary, const Summands&)> of_one(Law law) {
+std::function<Outcome(const Engine&, Boundary, const Summands&)> for_one_engine(Law law) {
   return [law = std::move(law)](const Engine& engine, Boundary boundary, const Summands& summands) {
     return law(Sum(engine, boundary), summands);
   };
 }
 
-std::string told_apart(const MinkowskiSum& first, const MinkowskiSum& second) {
+std::string difference_in_words(const MinkowskiSum& first, const MinkowskiSum& second) {
   const auto found = difference(first, second);
   return found ? found->what + ", at " + to_string(found->witness) : "";
 }

@@ -42,9 +42,9 @@ Outcome unless_broken(std::string what);
 std::function<Outcome(const Summands&)> of_each_engine(Law law);
 
 /// Fits `Statement::of_engine`.
-std::function<Outcome(const Engine&, Boundary, const Summands&)> of_one(Law law);
+std::function<Outcome(const Engine&, Boundary, const Summands&)> for_one_engine(Law law);
 
 /// How two sums differ, in words; empty where they are equal.
-std::string told_apart(const MinkowskiSum& first, const MinkowskiSum& second);
+std::string difference_in_words(const MinkowskiSum& first, const MinkowskiSum& second);
 
 }  // namespace oplus

@@ -13,7 +13,7 @@
 #include "checked/slide/slide.hpp"
 #include "properties/compare/corpus.hpp"
 #include "properties/runner/source_tree.hpp"
-#include "properties/statements/places/sets_meet.hpp"
+#include "properties/statements/placements/sets_meet.hpp"
 #include "reference/io/file_text.hpp"
 #include "reference/oracle/cell_sets.hpp"
 #include "reference/oracle/oracle.hpp"

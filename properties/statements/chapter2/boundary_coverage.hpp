@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "properties/statements/places/open_sum.hpp"
+#include "properties/statements/placements/open_sum.hpp"
 #include "reference/definitions/convolution.hpp"
 
 namespace oplus {

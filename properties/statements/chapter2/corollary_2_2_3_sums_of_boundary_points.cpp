@@ -4,8 +4,8 @@
 #include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/chapter2/paths_across.hpp"
-#include "properties/statements/places/open_sum.hpp"
-#include "properties/statements/places/overlay.hpp"
+#include "properties/statements/placements/open_sum.hpp"
+#include "properties/statements/placements/overlay.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "properties/runner/registry.hpp"
-#include "properties/statements/places/overlay.hpp"
+#include "properties/statements/placements/overlay.hpp"
 #include "reference/chains/touching_points.hpp"
 #include "reference/definitions/collision.hpp"
 #include "reference/io/writing.hpp"

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "properties/runner/registry.hpp"
-#include "properties/statements/places/open_sum.hpp"
+#include "properties/statements/placements/open_sum.hpp"
 #include "reference/chains/touching_points.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/definitions/cut_at_intersections.hpp"

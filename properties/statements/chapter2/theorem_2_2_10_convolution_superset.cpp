@@ -3,7 +3,7 @@
 #include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/chapter2/boundary_coverage.hpp"
-#include "properties/statements/places/covered_sum.hpp"
+#include "properties/statements/placements/covered_sum.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
@@ -37,7 +37,7 @@ const Registered registered({
     .kills = {"parallel-edges-do-not-collide", "tangent-set-without-ties"},
     .cases = 200,
     .check = check,
-    .of_engine = of_one(law),
+    .of_engine = for_one_engine(law),
 });
 
 }  // namespace

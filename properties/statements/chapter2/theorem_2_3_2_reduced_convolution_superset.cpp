@@ -6,7 +6,7 @@
 #include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/chapter2/boundary_coverage.hpp"
-#include "properties/statements/places/covered_sum.hpp"
+#include "properties/statements/placements/covered_sum.hpp"
 #include "reference/chains/touching_points.hpp"
 #include "reference/definitions/cut_at_intersections.hpp"
 #include "reference/io/writing.hpp"
@@ -79,7 +79,7 @@ const Registered registered({
     .kills = {"acute-vertex-is-reflex", "tangent-set-without-ties"},
     .cases = 80,
     .check = check,
-    .of_engine = of_one(law),
+    .of_engine = for_one_engine(law),
 });
 
 }  // namespace

@@ -2,7 +2,7 @@
 #include "checked/arrangement/sum_by_loops.hpp"
 #include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
-#include "properties/statements/places/covered_sum.hpp"
+#include "properties/statements/placements/covered_sum.hpp"
 #include "reference/definitions/difference.hpp"
 #include "reference/io/writing.hpp"
 #include "reference/oracle/oracle.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/arrangement/nesting.hpp"
 #include "properties/runner/registry.hpp"
-#include "properties/statements/places/open_sum.hpp"
+#include "properties/statements/placements/open_sum.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {

@@ -3,7 +3,7 @@
 #include "checked/arrangement/orientable_loops.hpp"
 #include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
-#include "properties/statements/places/open_sum.hpp"
+#include "properties/statements/placements/open_sum.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {

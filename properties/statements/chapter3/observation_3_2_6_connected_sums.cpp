@@ -44,7 +44,7 @@ const Registered registered({
     .kills = {"loops-turn-counterclockwise-most"},
     .cases = 200,
     .check = check,
-    .of_engine = of_one(law),
+    .of_engine = for_one_engine(law),
 });
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include "checked/arrangement/rca.hpp"
 #include "properties/runner/each_engine.hpp"
 #include "properties/runner/registry.hpp"
-#include "properties/statements/places/covered_sum.hpp"
+#include "properties/statements/placements/covered_sum.hpp"
 #include "reference/io/writing.hpp"
 #include "reference/oracle/oracle.hpp"
 
@@ -57,7 +57,7 @@ const Registered registered({
     .kills = {"dangling-edges-run-one-way"},
     .cases = 100,
     .check = check,
-    .of_engine = of_one(law),
+    .of_engine = for_one_engine(law),
 });
 
 }  // namespace

@@ -6,8 +6,8 @@
 #include "properties/runner/each_engine.hpp"
 #include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
-#include "properties/statements/places/open_sum.hpp"
-#include "properties/statements/places/points_beside.hpp"
+#include "properties/statements/placements/open_sum.hpp"
+#include "properties/statements/placements/points_beside.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/definitions/difference.hpp"
 #include "reference/definitions/winding_number.hpp"
@@ -119,7 +119,7 @@ const Registered registered({
               "tie-rule-depends-on-who-asks"},
     .cases = 100,
     .check = [](const Summands& summands) { return Comparison(summands).run(); },
-    .of_engine = of_one(law),
+    .of_engine = for_one_engine(law),
 });
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "properties/statements/chapter5/boundary_contact.hpp"
-#include "properties/statements/places/points_beside.hpp"
+#include "properties/statements/placements/points_beside.hpp"
 #include "reference/definitions/collision.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/definitions/cut_at_intersections.hpp"

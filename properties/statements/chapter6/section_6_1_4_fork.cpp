@@ -41,7 +41,7 @@ const Registered registered({
     .kills = {"no-candidate-is-a-hole"},
     .cases = 60,
     .check = check,
-    .of_engine = of_one(law),
+    .of_engine = for_one_engine(law),
 });
 
 }  // namespace

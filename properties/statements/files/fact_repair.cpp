@@ -3,7 +3,7 @@
 
 #include "checked/repair/repair.hpp"
 #include "properties/runner/registry.hpp"
-#include "properties/statements/places/overlay.hpp"
+#include "properties/statements/placements/overlay.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/chains/validity.hpp"
 #include "reference/io/writing.hpp"

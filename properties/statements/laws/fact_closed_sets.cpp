@@ -5,7 +5,7 @@
 #include "checked/operations/union_of.hpp"
 #include "checked/slide/slide.hpp"
 #include "properties/runner/registry.hpp"
-#include "properties/statements/places/sets_meet.hpp"
+#include "properties/statements/placements/sets_meet.hpp"
 #include "reference/definitions/cut_at_intersections.hpp"
 #include "reference/definitions/difference.hpp"
 #include "reference/io/writing.hpp"

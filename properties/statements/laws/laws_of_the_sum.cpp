@@ -6,7 +6,7 @@
 #include "properties/runner/each_engine.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/laws/convex_hull.hpp"
-#include "properties/statements/places/overlay.hpp"
+#include "properties/statements/placements/overlay.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/chains/validity.hpp"
 #include "reference/definitions/difference.hpp"
@@ -29,7 +29,7 @@ Outcome associative(const Sum& sum, const Summands& summands) {
   const Region pq = region_of(sum.closed(p, q));
   for (const Region& r : {polygon({{0, 0}, {1, 0}, {0, 2}}),
                           polygon({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}), summands.q}) {
-    const std::string what = told_apart(sum(pq, r), sum(p, region_of(sum.closed(q, r))));
+    const std::string what = difference_in_words(sum(pq, r), sum(p, region_of(sum.closed(q, r))));
     if (!what.empty()) return unless_broken(what);
   }
   return {};
@@ -51,8 +51,8 @@ Law images(std::vector<Maps> all) {
     const auto& [p, q] = summands;
     const MinkowskiSum here = sum(p, q);
     for (const Maps& maps : all) {
-      const std::string what =
-          told_apart(image(maps.of_sum, here), sum(image(maps.of_p, p), image(maps.of_q, q)));
+      const std::string what = difference_in_words(image(maps.of_sum, here),
+                                                   sum(image(maps.of_p, p), image(maps.of_q, q)));
       if (!what.empty()) return unless_broken(maps.in_words + what);
     }
     return Outcome();
@@ -113,7 +113,7 @@ Chain merged(const Chain& p, const Chain& q) {
 Outcome convex(const Sum& sum, const Summands& summands) {
   const Chain p = convex_hull(chains(summands.p)), q = convex_hull(chains(summands.q));
   const MinkowskiSum expected{{merged(p, q)}, {}, {}, {}};
-  const std::string what = told_apart(sum(polygon(p), polygon(q)), expected);
+  const std::string what = difference_in_words(sum(polygon(p), polygon(q)), expected);
   if (!what.empty()) return unless_broken("of the hulls, " + what);
   if (convex_hull(sum(summands.p, summands.q).outer) != expected.outer[0])
     return unless_broken("the hull of the sum is not the sum of the hulls");
@@ -312,7 +312,7 @@ Registered law(std::string id, const Law& check, std::size_t cases, std::vector<
                      .kills = std::move(kills),
                      .cases = cases,
                      .check = of_each_engine(check),
-                     .of_engine = of_one(check)});
+                     .of_engine = for_one_engine(check)});
 }
 
 const std::vector<Promise> with_holes = {

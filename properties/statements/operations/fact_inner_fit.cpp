@@ -26,7 +26,7 @@ Outcome check(const Summands& summands) {
       outcome.counts["unbounded ones"] += right.is_unbounded;
       has_edges = has_edges || !right.dangling_edges.empty();
       has_points = has_points || !right.isolated_vertices.empty();
-      if (value != right) return outcome.fail(how + ": " + told_apart(right, value));
+      if (value != right) return outcome.fail(how + ": " + difference_in_words(right, value));
     }
   }
   outcome.counts["cases with exact fits along edges"] = has_edges;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/operations/union_of.hpp"
 #include "properties/runner/registry.hpp"
-#include "properties/statements/places/overlay.hpp"
+#include "properties/statements/placements/overlay.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/chains/validity.hpp"
 #include "reference/io/writing.hpp"

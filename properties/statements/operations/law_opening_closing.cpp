@@ -20,19 +20,21 @@ std::string broken(const Region& p, const Region& q, bool is_of_copies) {
   if (!is_subset(set_by_pieces(open), set_by_pieces(p))) return "the opening is not contained in P";
   if (!is_subset(set_by_pieces(p), set_by_pieces(close))) return "the closing does not contain P";
   if (is_of_copies && open != all_of_p)
-    return "the opening of a union of copies of Q is another set: " + told_apart(open, all_of_p);
+    return "the opening of a union of copies of Q is another set: " +
+           difference_in_words(open, all_of_p);
   const MinkowskiSum open_again = opened(region_of(open), q, by_slide);
-  if (open_again != open) return "opened twice, it is another set: " + told_apart(open, open_again);
+  if (open_again != open)
+    return "opened twice, it is another set: " + difference_in_words(open, open_again);
   const MinkowskiSum close_again = closed(region_of(close), q, by_slide);
   if (close_again != close)
-    return "closed twice, it is another set: " + told_apart(close, close_again);
+    return "closed twice, it is another set: " + difference_in_words(close, close_again);
   // The opening of the complement but for what only exact placements reach.
   const Region minus_q = reflected(q);
   const Region room = region_of(eroded(complement(p), minus_q, by_slide));
   const MinkowskiSum dual = canonical_sum(
       complement(region_of(unbounded_sum(room, minus_q, Boundary::closed, by_slide))));
   if (dual != close)
-    return "the closing is not the dual of the opening: " + told_apart(close, dual);
+    return "the closing is not the dual of the opening: " + difference_in_words(close, dual);
   return "";
 }
 

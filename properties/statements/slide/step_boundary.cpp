@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "properties/runner/registry.hpp"
-#include "properties/statements/places/covered_sum.hpp"
+#include "properties/statements/placements/covered_sum.hpp"
 #include "properties/statements/slide/slid_pair.hpp"
 #include "reference/oracle/oracle.hpp"
 

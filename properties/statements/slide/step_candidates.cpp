@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/slide/low_dimensional_features.hpp"
 #include "properties/runner/registry.hpp"
-#include "properties/statements/places/covered_sum.hpp"
+#include "properties/statements/placements/covered_sum.hpp"
 #include "properties/statements/slide/slid_pair.hpp"
 #include "reference/oracle/oracle.hpp"
 

@@ -8,7 +8,7 @@
 #include "checked/operations/set_sum.hpp"
 #include "checked/operations/union_of.hpp"
 #include "checked/slide/slide.hpp"
-#include "properties/statements/places/sets_meet.hpp"
+#include "properties/statements/placements/sets_meet.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/definitions/collision.hpp"
 #include "reference/definitions/cut_at_intersections.hpp"

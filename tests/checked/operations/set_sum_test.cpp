@@ -5,7 +5,7 @@
 
 #include "checked/operations/union_of.hpp"
 #include "checked/slide/slide.hpp"
-#include "properties/statements/places/sets_meet.hpp"
+#include "properties/statements/placements/sets_meet.hpp"
 #include "reference/definitions/difference.hpp"
 #include "reference/families/family.hpp"
 #include "reference/io/reading.hpp"

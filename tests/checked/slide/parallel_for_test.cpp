@@ -22,7 +22,7 @@ TEST(ParallelFor, calls_once_for_each) {
     for (const std::size_t n : {0u, 1u, 2u, 7u, 1000u}) {
       std::vector<std::atomic<int>> calls(n);
       parallel_for(n, threads, [&](std::size_t i) { ++calls[i]; });
-      for (const std::atomic<int>& of_one : calls) ASSERT_EQ(of_one, 1);
+      for (const std::atomic<int>& for_one_engine : calls) ASSERT_EQ(for_one_engine, 1);
       if (threads > 8 && n > 2) break;
     }
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/statements/places/points_beside.hpp"
+#include "properties/statements/placements/points_beside.hpp"
 
 #include <set>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/statements/places/covered_sum.hpp"
+#include "properties/statements/placements/covered_sum.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/statements/places/sets_meet.hpp"
+#include "properties/statements/placements/sets_meet.hpp"
 
 #include <algorithm>
 

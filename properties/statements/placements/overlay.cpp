@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "properties/statements/places/overlay.hpp"
+#include "properties/statements/placements/overlay.hpp"
 
 #include <algorithm>
 #include <iterator>
 #include <ranges>
 #include <set>
 
-#include "properties/statements/places/points_beside.hpp"
+#include "properties/statements/placements/points_beside.hpp"
 #include "reference/definitions/cut_at_intersections.hpp"
 
 namespace oplus {
