@@ -9,13 +9,13 @@
 #include <vector>
 
 #include "checked/statistics.hpp"
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 
 namespace oplus {
 
 /// A sum and what it took to compute it.
 struct ComputedSum {
-  MinkowskiSum sum;
+  PlanarSet sum;
   Origins origins;  ///< empty unless asked for
   Statistics statistics;
 };

@@ -100,11 +100,11 @@ void add_low_dimensional_features(const ConvolutionArrangement& arrangement, con
     boundary.isolated_vertices.push_back(std::move(x));
 }
 
-MinkowskiSum sum_within(const ConvolutionArrangement& arrangement, const SumBoundary& boundary) {
+PlanarSet sum_within(const ConvolutionArrangement& arrangement, const SumBoundary& boundary) {
   return canonical_sum(features(arrangement, boundary));
 }
 
-Origins origins_of(const MinkowskiSum& sum, const ConvolutionArrangement& arrangement,
+Origins origins_of(const PlanarSet& sum, const ConvolutionArrangement& arrangement,
                    const SumBoundary& boundary) {
   /// An edge of the arrangement on the sum's boundary.
   struct Piece {

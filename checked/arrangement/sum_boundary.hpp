@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "checked/arrangement/convolution_arrangement.hpp"
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 
 namespace oplus {
 
@@ -24,11 +24,11 @@ void add_low_dimensional_features(const ConvolutionArrangement& arrangement, con
                                   const std::function<bool(const Point&)>& interiors_meet_at,
                                   SumBoundary& boundary);
 
-MinkowskiSum sum_within(const ConvolutionArrangement& arrangement, const SumBoundary& boundary);
+PlanarSet sum_within(const ConvolutionArrangement& arrangement, const SumBoundary& boundary);
 
 /// The origins of edges(sum), those of the reduced convolution only.
 /// Requires: sum = sum_within(arrangement, boundary).
-Origins origins_of(const MinkowskiSum& sum, const ConvolutionArrangement& arrangement,
+Origins origins_of(const PlanarSet& sum, const ConvolutionArrangement& arrangement,
                    const SumBoundary& boundary);
 
 }  // namespace oplus

@@ -35,15 +35,15 @@ std::string word(Location location) {
   return location == Location::boundary ? "boundary" : words(location);
 }
 
-std::string line(const std::string& name, const MinkowskiSum& sum) {
+std::string line(const std::string& name, const PlanarSet& sum) {
   std::string result = name + ":";
   for (const auto& [what, value] : statistics_of(sum))
     result += (result.back() == ':' ? " " : ", ") + std::string(what) + " " + in_text(value);
   return result + "\n";
 }
 
-std::string verdict(const std::optional<Difference>& found, const MinkowskiSum& a,
-                    const MinkowskiSum& b) {
+std::string verdict(const std::optional<Difference>& found, const PlanarSet& a,
+                    const PlanarSet& b) {
   if (!found) return painted(Paint::good, "equal", std::cout) + "\n";
   return painted(Paint::bad, "not equal", std::cout) + ": " + found->what +
          "\nwitness: " + to_string(found->witness) + " is " + words(found->in_a) +
@@ -51,8 +51,8 @@ std::string verdict(const std::optional<Difference>& found, const MinkowskiSum& 
          line("second", b);
 }
 
-std::string json_verdict(const std::optional<Difference>& found, const MinkowskiSum& a,
-                         const MinkowskiSum& b) {
+std::string json_verdict(const std::optional<Difference>& found, const PlanarSet& a,
+                         const PlanarSet& b) {
   Json object = {{"equal", !found}};
   if (found) {
     object["what"] = found->what;
@@ -66,8 +66,8 @@ std::string json_verdict(const std::optional<Difference>& found, const Minkowski
 
 ExitCode compare(const CompareOptions& options) {
   require_one_standard_input({options.a, options.b});
-  const MinkowskiSum a = read_given_sum(options.a);
-  const MinkowskiSum b = read_given_sum(options.b);
+  const PlanarSet a = read_given_sum(options.a);
+  const PlanarSet b = read_given_sum(options.b);
   const std::optional<Difference> found = difference(a, b);
   write_text("-", (options.json ? json_verdict : verdict)(found, a, b));
   return found ? ExitCode::not_equal : ExitCode::done;

@@ -56,8 +56,8 @@ std::optional<ChosenView> chosen_view(const DrawOptions& options) {
 }
 
 /// A region, a sum or another set.
-MinkowskiSum drawn_set(const std::string& file, Overlaps overlaps) {
-  MinkowskiSum set = set_in(read_summand_set(file, nullptr, overlaps));
+PlanarSet drawn_set(const std::string& file, Overlaps overlaps) {
+  PlanarSet set = set_in(read_summand_set(file, nullptr, overlaps));
   if (set.is_unbounded)
     throw UsageError((file == "-" ? "standard input" : one_line(file)) +
                      ": the region is unbounded; expected a bounded one to draw");
@@ -74,7 +74,7 @@ std::string side_by_side(const DrawOptions& options) {
 
 /// The layers of a file in a picture with others, in a style by its place in the list.
 std::vector<Layer> layers_in_common(std::size_t place, const std::string& name,
-                                    const MinkowskiSum& sum) {
+                                    const PlanarSet& sum) {
   const std::array<const Style*, 4> styles = {&style::sum, &style::summand_p, &style::summand_q,
                                               &style::common_interior};
   // Lines without a region are the content of the file; with one they are its dangling edges.

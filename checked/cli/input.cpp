@@ -104,15 +104,15 @@ void unite(Region& region, Overlaps overlaps) {
 
 bool is_region(const ReadSet& set) { return set.segments.empty() && set.points.empty(); }
 
-MinkowskiSum union_in(const ReadSet& set) { return union_of(set.region, set.segments, set.points); }
+PlanarSet union_in(const ReadSet& set) { return union_of(set.region, set.segments, set.points); }
 
-MinkowskiSum result_of(const Operation& operation, const ReadSet& p, const ReadSet& q,
-                       const SumOf& sum) {
+PlanarSet result_of(const Operation& operation, const ReadSet& p, const ReadSet& q,
+                    const SumOf& sum) {
   return is_region(p) && is_region(q) ? operation.compute(p.region, q.region, sum)
                                       : operation.compute_of_sets(union_in(p), union_in(q), sum);
 }
 
-MinkowskiSum set_in(const ReadSet& read) {
+PlanarSet set_in(const ReadSet& read) {
   BoundaryFeatures features{{}, {}, read.points};
   std::set<Point> ends;
   for (const Segment& s : read.segments) {
@@ -124,13 +124,13 @@ MinkowskiSum set_in(const ReadSet& read) {
   for (const Segment& s : read.segments)
     if (s.source == s.target && !ends.contains(s.source))
       features.isolated_vertices.push_back(s.source);
-  MinkowskiSum set = canonical_sum(read.region), low = canonical_sum(features);
+  PlanarSet set = canonical_sum(read.region), low = canonical_sum(features);
   set.dangling_edges = std::move(low.dangling_edges);
   set.isolated_vertices = std::move(low.isolated_vertices);
   return set;
 }
 
-MinkowskiSum read_given_sum(const std::string& path) {
+PlanarSet read_given_sum(const std::string& path) {
   return said(path, nullptr,
               [&](const ReadingProgress& progress) { return read_sum_file(path, progress); })
       .sum;

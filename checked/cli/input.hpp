@@ -7,7 +7,7 @@
 #include "checked/operations/operations.hpp"
 #include "checked/statistics.hpp"
 #include "reference/definitions/given_sum.hpp"
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 #include "reference/definitions/region.hpp"
 #include "reference/io/reading.hpp"
 #include "reference/io/unchecked_input.hpp"
@@ -30,7 +30,7 @@ Region read_summand(const std::string& path, ReadingTimes* times = nullptr,
                     Extent extent = Extent::bounded, Overlaps overlaps = Overlaps::refused);
 ReadSet read_summand_set(const std::string& path, ReadingTimes* times = nullptr,
                          Overlaps overlaps = Overlaps::refused);
-MinkowskiSum read_given_sum(const std::string& path);
+PlanarSet read_given_sum(const std::string& path);
 GivenSum read_unchecked_sum(const std::string& path);
 UncheckedInput read_unchecked_region(const std::string& path);
 
@@ -41,15 +41,15 @@ void unite(Region& region, Overlaps overlaps);
 bool is_region(const ReadSet& set);
 
 /// The closed set that a summand is: the union of all its parts, in canonical form.
-MinkowskiSum union_in(const ReadSet& set);
+PlanarSet union_in(const ReadSet& set);
 
 /// What the operation makes of two sets, with these sums.
-MinkowskiSum result_of(const Operation& operation, const ReadSet& p, const ReadSet& q,
-                       const SumOf& sum);
+PlanarSet result_of(const Operation& operation, const ReadSet& p, const ReadSet& q,
+                    const SumOf& sum);
 
 /// A sum or another set, of which nothing is known but that its region is valid: its segments are its dangling
 /// edges, wherever they are, and its points its isolated vertices.
-MinkowskiSum set_in(const ReadSet& read);
+PlanarSet set_in(const ReadSet& read);
 
 /// Throws UsageError where standard input is named more than once.
 void require_one_standard_input(const std::vector<std::string>& paths);

@@ -48,7 +48,7 @@ ExitCode operate(const OperationOptions& options) {
     return engine.compute(a, b, boundary, {}).sum;
   };
   std::optional<ShownStep> step("computing");
-  const MinkowskiSum set = result_of(operation, p, q, sum);
+  const PlanarSet set = result_of(operation, p, q, sum);
   step.reset();
   if (options.svg && (is_unbounded(p.region) || is_unbounded(q.region) || set.is_unbounded))
     throw UsageError("--svg is for bounded sets");

@@ -10,7 +10,7 @@ namespace oplus {
 namespace {
 
 /// The kind of each edge, in the order of `edges(sum)`.
-std::vector<std::string> kinds(const MinkowskiSum& sum) {
+std::vector<std::string> kinds(const PlanarSet& sum) {
   std::vector<std::string> result;
   for (const Chain& chain : sum.outer) result.insert(result.end(), chain.size(), "outer");
   for (const Chain& hole : sum.holes) result.insert(result.end(), hole.size(), "hole");
@@ -50,7 +50,7 @@ class Naming {
 
 }  // namespace
 
-std::string origins_json(const MinkowskiSum& sum, const Origins& origins, const Region& p,
+std::string origins_json(const PlanarSet& sum, const Origins& origins, const Region& p,
                          const Region& q) {
   const std::vector<Segment> of_sum = edges(sum);
   const std::vector<std::string> kind = kinds(sum);

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 
 namespace oplus {
 
@@ -19,7 +19,7 @@ namespace oplus {
 /// Coordinates are strings, exact. Chains and vertices are counted from zero as in the input, an
 /// outer chain before its holes, after orientation was repaired.
 /// Requires: the origins belong to the sum.
-std::string origins_json(const MinkowskiSum& sum, const Origins& origins, const Region& p,
+std::string origins_json(const PlanarSet& sum, const Origins& origins, const Region& p,
                          const Region& q);
 
 }  // namespace oplus

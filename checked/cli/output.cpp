@@ -96,7 +96,7 @@ std::optional<OutputGrid> output_grid(const RoundingOptions& options) {
 namespace {
 
 /// Throws UsageError where the format cannot hold the set (writing.hpp), and says what can.
-void require_can_hold(Format format, const MinkowskiSum& set) {
+void require_can_hold(Format format, const PlanarSet& set) {
   if (can_hold(format, set)) return;
   if (!set.is_unbounded)
     throw UsageError(
@@ -135,7 +135,7 @@ std::string note_on_fractions(Format format, const std::string& text) {
 }  // namespace
 
 OutputText output_text(const RegionOutput& output, Format format, const Region& region) {
-  MinkowskiSum set;
+  PlanarSet set;
   if (output_grid(output))
     set = canonical_sum(region);
   else
@@ -143,12 +143,12 @@ OutputText output_text(const RegionOutput& output, Format format, const Region& 
   return output_text(output, format, set, region, Boundary::closed);
 }
 
-OutputText output_text(const RegionOutput& output, Format format, const MinkowskiSum& set,
+OutputText output_text(const RegionOutput& output, Format format, const PlanarSet& set,
                        const Region& region, Boundary boundary) {
   const std::optional<OutputGrid> grid = output_grid(output);
   const RoundedSet rounded =
       grid ? oplus::rounded(set, boundary, grid->step, grid->side) : RoundedSet{};
-  const MinkowskiSum& written_set = grid ? rounded.set : set;
+  const PlanarSet& written_set = grid ? rounded.set : set;
   const Region& written_region = grid ? rounded.region : region;
   require_can_hold(format, written_set);
   if (format == Format::wkb) {
@@ -175,8 +175,7 @@ void write_region(const RegionOutput& output, Format format, const Region& regio
   write_output(output, output_text(output, format, region));
 }
 
-void write_set(const RegionOutput& output, Format format, const MinkowskiSum& set,
-               Boundary boundary) {
+void write_set(const RegionOutput& output, Format format, const PlanarSet& set, Boundary boundary) {
   write_output(output, output_text(output, format, set, region_of(set), boundary));
 }
 

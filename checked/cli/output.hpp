@@ -45,7 +45,7 @@ struct OutputText {
 
 /// The text of a region or a set, exactly or rounded. Throws UsageError where the format cannot hold it.
 OutputText output_text(const RegionOutput& output, Format format, const Region& region);
-OutputText output_text(const RegionOutput& output, Format format, const MinkowskiSum& set,
+OutputText output_text(const RegionOutput& output, Format format, const PlanarSet& set,
                        const Region& region, Boundary boundary);
 
 /// Writes it, and says what is to be known of it. Throws UsageError where it cannot write.
@@ -56,8 +56,7 @@ void say_note_of(const OutputText& text);
 
 /// All of it at once.
 void write_region(const RegionOutput& output, Format format, const Region& region);
-void write_set(const RegionOutput& output, Format format, const MinkowskiSum& set,
-               Boundary boundary);
+void write_set(const RegionOutput& output, Format format, const PlanarSet& set, Boundary boundary);
 
 /// Throws UsageError where an output could not be written, two would be written to one place, or a
 /// picture's path does not end in .svg (in capitals or not), so that it is known before anything is

@@ -12,7 +12,7 @@
 
 namespace oplus {
 
-Panel panel_of_set(Summand which, const MinkowskiSum& set) {
+Panel panel_of_set(Summand which, const PlanarSet& set) {
   const Style& style = which == Summand::P ? style::summand_p : style::summand_q;
   Style of_points = style;
   of_points.fill = style.line;

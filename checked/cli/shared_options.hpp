@@ -7,7 +7,7 @@
 #include "checked/cli/exit_code.hpp"
 #include "checked/cli/output.hpp"
 #include "checked/cli/subcommands.hpp"
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 #include "reference/definitions/rational.hpp"
 #include "reference/io/overlaps.hpp"
 

@@ -18,7 +18,7 @@ std::string text(const Rational& value) {
 
 }  // namespace
 
-Statistics statistics_of(const MinkowskiSum& sum) {
+Statistics statistics_of(const PlanarSet& sum) {
   return {{"outer chains", sum.outer.size()},
           {"holes", sum.holes.size()},
           {"dangling edges", sum.dangling_edges.size()},

@@ -82,7 +82,7 @@ std::vector<Segment> in_order(std::vector<ConvolutionSegment> convolution) {
   return segments(convolution);
 }
 
-std::string picture(const Region& p, const Region& q, const MinkowskiSum& sum) {
+std::string picture(const Region& p, const Region& q, const PlanarSet& sum) {
   const ConvolutionSize size = convolution_size(p, q);
   std::vector<Panel> panels = {panel_of(Summand::P, p), panel_of(Summand::Q, q)};
   if (size.segments <= most_drawn)
@@ -180,13 +180,13 @@ void sum_sets(const SumOptions& options, const Engine& engine, const EngineOptio
   require_not(options.stats, "--stats");
   require_not(options.stats_json.has_value(), "--stats-json");
   std::optional<ShownStep> step("computing the sum");
-  const MinkowskiSum p = union_in(read_p), q = union_in(read_q);
+  const PlanarSet p = union_in(read_p), q = union_in(read_q);
   if (options.svg && (p.is_unbounded || q.is_unbounded))
     throw UsageError("--svg is for bounded sets");
-  const MinkowskiSum sum = unbounded_sum(
-      p, q, options.boundary, [&](const Region& a, const Region& b, Boundary boundary) {
-        return engine.compute(a, b, boundary, engine_options).sum;
-      });
+  const PlanarSet sum = unbounded_sum(p, q, options.boundary,
+                                      [&](const Region& a, const Region& b, Boundary boundary) {
+                                        return engine.compute(a, b, boundary, engine_options).sum;
+                                      });
   const OutputText content =
       output_text(options.output, format, sum, region_of(sum), options.boundary);
   const std::optional<std::string> picture =

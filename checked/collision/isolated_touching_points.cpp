@@ -12,7 +12,7 @@ namespace oplus {
 
 std::vector<Point> isolated_touching_points(
     const Region& p, const Region& q, const std::function<bool(const Point&)>& interiors_meet_at,
-    const MinkowskiSum& found) {
+    const PlanarSet& found) {
   const std::vector<Point> of_p = touching_points(p);
   const std::vector<Point> of_q = of_p.empty() ? of_p : touching_points(q);
   std::vector<Point> sums;

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 
 namespace oplus {
 
@@ -13,6 +13,6 @@ namespace oplus {
 /// `found` is the open sum but for them.
 std::vector<Point> isolated_touching_points(
     const Region& p, const Region& q, const std::function<bool(const Point&)>& interiors_meet_at,
-    const MinkowskiSum& found);
+    const PlanarSet& found);
 
 }  // namespace oplus

@@ -7,7 +7,7 @@ namespace oplus {
 
 /// The complement of a set. That of an open one is closed, and the reverse: dangling edges and isolated
 /// vertices, which are outside an open set, are in its complement. Near-linear.
-MinkowskiSum complement(const MinkowskiSum& set);
+PlanarSet complement(const PlanarSet& set);
 
 /// The closure of a region's complement, a region again, which may be unbounded, as the given one may.
 Region complement(const Region& region);

@@ -35,14 +35,14 @@ Region image(const AffineMap& map, Region region) {
   return result;
 }
 
-MinkowskiSum image(const AffineMap& map, const MinkowskiSum& sum) {
+PlanarSet image(const AffineMap& map, const PlanarSet& sum) {
   // By way of a region, as maps that exchange left and right change which way chains turn where they touch.
-  MinkowskiSum result = canonical_sum(image(map, region_of(sum)));
+  PlanarSet result = canonical_sum(image(map, region_of(sum)));
   BoundaryFeatures features;
   for (const Segment& s : sum.dangling_edges)
     features.dangling_edges.push_back({map(s.source), map(s.target)});
   for (const Point& p : sum.isolated_vertices) features.isolated_vertices.push_back(map(p));
-  MinkowskiSum low = canonical_sum(features);
+  PlanarSet low = canonical_sum(features);
   result.dangling_edges = std::move(low.dangling_edges);
   result.isolated_vertices = std::move(low.isolated_vertices);
   return result;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "checked/operations/affine_map.hpp"
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 
 namespace oplus {
 
@@ -16,6 +16,6 @@ Region image(const AffineMap& map, Region region);
 
 /// Returns the image of a sum or another set, in canonical form. It may be unbounded.
 /// Requires: the determinant is not zero. Cost: n log n.
-MinkowskiSum image(const AffineMap& map, const MinkowskiSum& sum);
+PlanarSet image(const AffineMap& map, const PlanarSet& sum);
 
 }  // namespace oplus

@@ -8,93 +8,92 @@
 #include "checked/operations/image.hpp"
 #include "checked/operations/unbounded_sum.hpp"
 #include "reference/chains/region_of.hpp"
-#include "reference/definitions/minkowski_sum.hpp"
 #include "reference/definitions/mutant.hpp"
+#include "reference/definitions/planar_set.hpp"
 #include "reference/definitions/region.hpp"
 
 namespace oplus {
 
 namespace {
 
-MinkowskiSum as_set(const Region& region) { return canonical_sum(region); }
-const MinkowskiSum& as_set(const MinkowskiSum& set) { return set; }
+PlanarSet as_set(const Region& region) { return canonical_sum(region); }
+const PlanarSet& as_set(const PlanarSet& set) { return set; }
 
 Region opposite(const Region& region) { return reflected(region); }
-MinkowskiSum opposite(const MinkowskiSum& set) { return image(scaling(-1), set); }
+PlanarSet opposite(const PlanarSet& set) { return image(scaling(-1), set); }
 
 // Of two regions, or of two closed sets.
 
 template <typename Set, Boundary boundary>
-MinkowskiSum sum_of(const Set& p, const Set& q, const SumOf& sum) {
+PlanarSet sum_of(const Set& p, const Set& q, const SumOf& sum) {
   return unbounded_sum(p, q, boundary, sum);
 }
 
 template <typename Set>
-MinkowskiSum no_fit_of(const Set& p, const Set& q, const SumOf& sum) {
+PlanarSet no_fit_of(const Set& p, const Set& q, const SumOf& sum) {
   const bool is_not_turned = OPLUS_MUTANT(
       "no-fit-without-a-turn", "the no-fit polygon is the sum of P and Q, not of P and -Q");
   return unbounded_sum(p, is_not_turned ? q : opposite(q), Boundary::open, sum);
 }
 
 template <typename Set>
-MinkowskiSum inner_fit_of(const Set& p, const Set& q, const SumOf& sum) {
+PlanarSet inner_fit_of(const Set& p, const Set& q, const SumOf& sum) {
   return complement(no_fit_of(complement(p), q, sum));
 }
 
 template <typename Set>
-MinkowskiSum eroded_of(const Set& p, const Set& q, const SumOf& sum) {
+PlanarSet eroded_of(const Set& p, const Set& q, const SumOf& sum) {
   return regularized(inner_fit_of(p, q, sum));
 }
 
 template <typename Set>
-MinkowskiSum opened_of(const Set& p, const Set& q, const SumOf& sum) {
-  MinkowskiSum places = inner_fit_of(p, q, sum);
+PlanarSet opened_of(const Set& p, const Set& q, const SumOf& sum) {
+  PlanarSet places = inner_fit_of(p, q, sum);
   if (OPLUS_MUTANT("openings-lose-exact-fits", "the opening lacks the copies of Q that just fit"))
     places = regularized(places);
   return unbounded_sum(places, as_set(q), Boundary::closed, sum);
 }
 
 template <typename Set>
-MinkowskiSum closed_of(const Set& p, const Set& q, const SumOf& sum) {
-  const MinkowskiSum dilated = unbounded_sum(p, q, Boundary::closed, sum);
+PlanarSet closed_of(const Set& p, const Set& q, const SumOf& sum) {
+  const PlanarSet dilated = unbounded_sum(p, q, Boundary::closed, sum);
   if (OPLUS_MUTANT("closing-does-not-erode", "the closing is the sum")) return dilated;
   return eroded_of(dilated, as_set(q), sum);
 }
 
 }  // namespace
 
-MinkowskiSum no_fit(const Region& p, const Region& q, const SumOf& sum) {
+PlanarSet no_fit(const Region& p, const Region& q, const SumOf& sum) {
   return no_fit_of(p, q, sum);
 }
 
-MinkowskiSum inner_fit(const Region& p, const Region& q, const SumOf& sum) {
+PlanarSet inner_fit(const Region& p, const Region& q, const SumOf& sum) {
   return inner_fit_of(p, q, sum);
 }
 
-MinkowskiSum eroded(const Region& p, const Region& q, const SumOf& sum) {
+PlanarSet eroded(const Region& p, const Region& q, const SumOf& sum) {
   return eroded_of(p, q, sum);
 }
 
-MinkowskiSum opened(const Region& p, const Region& q, const SumOf& sum) {
+PlanarSet opened(const Region& p, const Region& q, const SumOf& sum) {
   return opened_of(p, q, sum);
 }
 
-MinkowskiSum closed(const Region& p, const Region& q, const SumOf& sum) {
+PlanarSet closed(const Region& p, const Region& q, const SumOf& sum) {
   return closed_of(p, q, sum);
 }
 
 const std::vector<Operation>& operations() {
   static const std::vector<Operation> all = {
       {"nfp", "where Q, moved, overlaps P: the no-fit polygon", Boundary::open, no_fit,
-       no_fit_of<MinkowskiSum>, true},
+       no_fit_of<PlanarSet>, true},
       {"ifp", "where Q, moved, is inside P: the inner-fit polygon", Boundary::closed, inner_fit,
-       inner_fit_of<MinkowskiSum>, false},
+       inner_fit_of<PlanarSet>, false},
       {"erode", "the inner-fit polygon without edges and points", Boundary::closed, eroded,
-       eroded_of<MinkowskiSum>, false},
-      {"open", "all copies of Q inside P", Boundary::closed, opened, opened_of<MinkowskiSum>,
-       false},
-      {"close", "the sum of P and Q, eroded by Q", Boundary::closed, closed,
-       closed_of<MinkowskiSum>, false}};
+       eroded_of<PlanarSet>, false},
+      {"open", "all copies of Q inside P", Boundary::closed, opened, opened_of<PlanarSet>, false},
+      {"close", "the sum of P and Q, eroded by Q", Boundary::closed, closed, closed_of<PlanarSet>,
+       false}};
   return all;
 }
 
@@ -109,13 +108,13 @@ const Operation& operation_called(const std::string& name, Boundary of_sum) {
                                        "all p + q",
                                        Boundary::closed,
                                        sum_of<Region, Boundary::closed>,
-                                       sum_of<MinkowskiSum, Boundary::closed>,
+                                       sum_of<PlanarSet, Boundary::closed>,
                                        true};
   static const Operation open_sum = {"sum",
                                      "all p + q, of inner points",
                                      Boundary::open,
                                      sum_of<Region, Boundary::open>,
-                                     sum_of<MinkowskiSum, Boundary::open>,
+                                     sum_of<PlanarSet, Boundary::open>,
                                      true};
   if (name == "sum") return of_sum == Boundary::closed ? closed_sum : open_sum;
   const auto found = std::ranges::find(operations(), name, &Operation::name);

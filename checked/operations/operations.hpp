@@ -13,30 +13,30 @@ namespace oplus {
 
 /// The open set of all x where Q + x overlaps P, the no-fit polygon: the open sum of P and -Q. Its boundary,
 /// dangling edges and isolated vertices are where the two only touch.
-MinkowskiSum no_fit(const Region& p, const Region& q, const SumOf& sum);
+PlanarSet no_fit(const Region& p, const Region& q, const SumOf& sum);
 
 /// The closed set of all x where Q + x is inside P, the inner-fit polygon: the complement of the open sum of
 /// P's complement and -Q. Where Q fits exactly, it has edges and points of their own.
-MinkowskiSum inner_fit(const Region& p, const Region& q, const SumOf& sum);
+PlanarSet inner_fit(const Region& p, const Region& q, const SumOf& sum);
 
 /// The erosion of P by Q: inner_fit without edges and points.
-MinkowskiSum eroded(const Region& p, const Region& q, const SumOf& sum);
+PlanarSet eroded(const Region& p, const Region& q, const SumOf& sum);
 
 /// The union of all Q + x inside P, also of those that fit exactly.
-MinkowskiSum opened(const Region& p, const Region& q, const SumOf& sum);
+PlanarSet opened(const Region& p, const Region& q, const SumOf& sum);
 
 /// The erosion by Q of the closed sum of P and Q.
-MinkowskiSum closed(const Region& p, const Region& q, const SumOf& sum);
+PlanarSet closed(const Region& p, const Region& q, const SumOf& sum);
 
 /// An operation on two sets. The programs, batch and the comparison look it up here.
 struct Operation {
   std::string name;
   std::string what;   ///< a line for a list
   Boundary boundary;  ///< whether the result is a closed set or an open one
-  MinkowskiSum (*compute)(const Region& p, const Region& q, const SumOf& sum);
+  PlanarSet (*compute)(const Region& p, const Region& q, const SumOf& sum);
   /// The same of closed sets in canonical form (set_sum.hpp): P may have edges and points of its own where
   /// takes_any_p, Q always. The definitions stay the same, but that sum and nfp are sums of sets.
-  MinkowskiSum (*compute_of_sets)(const MinkowskiSum& p, const MinkowskiSum& q, const SumOf& sum);
+  PlanarSet (*compute_of_sets)(const PlanarSet& p, const PlanarSet& q, const SumOf& sum);
   bool takes_any_p;
 };
 

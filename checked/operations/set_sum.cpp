@@ -62,7 +62,7 @@ Segment sum_of_parallel(const Segment& s, const Segment& t) {
 }
 
 /// Adds the sums of a region with each edge and point of the other set.
-void add_moved_along(const MinkowskiSum& region, const MinkowskiSum& set, SweptSets& sets) {
+void add_moved_along(const PlanarSet& region, const PlanarSet& set, SweptSets& sets) {
   for (const Point& p : set.isolated_vertices) sets.add(region, p);
   for (const Segment& s : set.dangling_edges) {
     if (OPLUS_MUTANT("regions-jump-along-edges",
@@ -79,7 +79,7 @@ void add_moved_along(const MinkowskiSum& region, const MinkowskiSum& set, SweptS
 /// Subtracts the region at ends that edges have in common, so that one winding number counts the common
 /// pieces of the region and x - e for edges e that make a tree, not for each e: most edges of the copies
 /// at common ends are then away, and with them most of the arrangement.
-void subtract_at_common_ends(const MinkowskiSum& region, const MinkowskiSum& set, SweptSets& sets) {
+void subtract_at_common_ends(const PlanarSet& region, const PlanarSet& set, SweptSets& sets) {
   boost::disjoint_sets_with_storage<> trees(set.dangling_edges.size());
   std::map<Point, std::size_t> first_at;
   for (std::size_t i = 0; i < set.dangling_edges.size(); ++i) {
@@ -97,7 +97,7 @@ void subtract_at_common_ends(const MinkowskiSum& region, const MinkowskiSum& set
 }
 
 /// Adds the sums of edges and points with edges and points.
-void add_sums_of_edges_and_points(const MinkowskiSum& p, const MinkowskiSum& q, SweptSets& sets) {
+void add_sums_of_edges_and_points(const PlanarSet& p, const PlanarSet& q, SweptSets& sets) {
   for (const Point& a : p.isolated_vertices) {
     for (const Point& b : q.isolated_vertices) sets.points.push_back(a + b);
     for (const Segment& t : q.dangling_edges) sets.segments.push_back({a + t.source, a + t.target});
@@ -117,7 +117,7 @@ void add_sums_of_edges_and_points(const MinkowskiSum& p, const MinkowskiSum& q, 
 /// Whether x is in the sum of a region's interior with the edges and points of a set.
 class NearEdges {
  public:
-  NearEdges(const MinkowskiSum& region, const MinkowskiSum& set)
+  NearEdges(const PlanarSet& region, const PlanarSet& set)
       : region_(region.outer.empty() ? Region{} : region_of(region)),
         edges_(edges(region_)),
         tree_(edges_and_points(set)) {
@@ -148,7 +148,7 @@ class NearEdges {
     });
   }
 
-  static std::vector<Segment> edges_and_points(const MinkowskiSum& set) {
+  static std::vector<Segment> edges_and_points(const PlanarSet& set) {
     std::vector<Segment> result = set.dangling_edges;
     for (const Point& p : set.isolated_vertices) result.push_back({p, p});
     return result;
@@ -163,7 +163,7 @@ class NearEdges {
 /// Decides, by its definition, what is in an open sum.
 class OpenSum {
  public:
-  OpenSum(const MinkowskiSum& p, const MinkowskiSum& q) : p_along_q_(p, q), q_along_p_(q, p) {
+  OpenSum(const PlanarSet& p, const PlanarSet& q) : p_along_q_(p, q), q_along_p_(q, p) {
     if (!p.outer.empty() && !q.outer.empty())
       interiors_ = hierarchy_collision(region_of(p), region_of(q));
   }
@@ -178,8 +178,7 @@ class OpenSum {
   std::unique_ptr<CollisionTest> interiors_;
 };
 
-MinkowskiSum closed_sum(const MinkowskiSum& p, const MinkowskiSum& q,
-                        const MinkowskiSum& of_regions) {
+PlanarSet closed_sum(const PlanarSet& p, const PlanarSet& q, const PlanarSet& of_regions) {
   SweptSets sets;
   sets.add(of_regions);
   for (const auto& [region, set] : {std::pair(&p, &q), {&q, &p}}) {
@@ -193,8 +192,7 @@ MinkowskiSum closed_sum(const MinkowskiSum& p, const MinkowskiSum& q,
 
 /// Adds, back and forth, the edges of a set at each point in which chains of a region touch, as often as they
 /// are there: an edge of the set may pass between the chains, and no chain of the sum shows it.
-void add_at_touching_points(const MinkowskiSum& of_region, const MinkowskiSum& set,
-                            SweptSets& sets) {
+void add_at_touching_points(const PlanarSet& of_region, const PlanarSet& set, SweptSets& sets) {
   if (of_region.outer.empty() || set.dangling_edges.empty()) return;
   const Region region = region_of(of_region);
   std::map<Point, int> times;
@@ -209,8 +207,7 @@ void add_at_touching_points(const MinkowskiSum& of_region, const MinkowskiSum& s
 /// Where the sum is on all sides, its points are told from others by the definition. Where `winding` pieces
 /// in common with -Q + x', for x' beside x, are all gone at x, each has its boundary at x: so only
 /// such x are asked for at which enough edges meet.
-MinkowskiSum open_sum(const MinkowskiSum& p, const MinkowskiSum& q,
-                      const MinkowskiSum& of_regions) {
+PlanarSet open_sum(const PlanarSet& p, const PlanarSet& q, const PlanarSet& of_regions) {
   SweptSets sets;
   sets.add(of_regions);
   for (const Segment& e : of_regions.dangling_edges) sets.add_both_ways(e, 1);
@@ -252,9 +249,8 @@ MinkowskiSum open_sum(const MinkowskiSum& p, const MinkowskiSum& q,
 
 }  // namespace
 
-MinkowskiSum set_sum(const MinkowskiSum& p, const MinkowskiSum& q, Boundary boundary,
-                     const SumOf& sum) {
-  MinkowskiSum of_regions;
+PlanarSet set_sum(const PlanarSet& p, const PlanarSet& q, Boundary boundary, const SumOf& sum) {
+  PlanarSet of_regions;
   if (!p.outer.empty() && !q.outer.empty()) of_regions = sum(region_of(p), region_of(q), boundary);
   if (!has_edge_or_point(p) && !has_edge_or_point(q)) return of_regions;
   return boundary == Boundary::closed ? closed_sum(p, q, of_regions) : open_sum(p, q, of_regions);

@@ -17,16 +17,15 @@ namespace oplus {
 ///
 /// Requires: both are bounded and canonical. Exact. For n edges of one set and m of the other, and k pairs
 /// of places and edges of their arrangement through them: O((nm + k) log nm) besides the call of `sum`.
-MinkowskiSum set_sum(const MinkowskiSum& p, const MinkowskiSum& q, Boundary boundary,
-                     const SumOf& sum);
+PlanarSet set_sum(const PlanarSet& p, const PlanarSet& q, Boundary boundary, const SumOf& sum);
 
 /// Whether a closed set has a dangling edge or an isolated vertex.
-inline bool has_edge_or_point(const MinkowskiSum& set) {
+inline bool has_edge_or_point(const PlanarSet& set) {
   return !set.dangling_edges.empty() || !set.isolated_vertices.empty();
 }
 
 /// Whether a closed set is empty.
-inline bool is_empty(const MinkowskiSum& set) {
+inline bool is_empty(const PlanarSet& set) {
   return !set.is_unbounded && set.outer.empty() && !has_edge_or_point(set);
 }
 

@@ -8,6 +8,6 @@
 namespace oplus {
 
 /// How the sum of two bounded valid regions is computed: by slide, or any other engine.
-using SumOf = std::function<MinkowskiSum(const Region& p, const Region& q, Boundary boundary)>;
+using SumOf = std::function<PlanarSet(const Region& p, const Region& q, Boundary boundary)>;
 
 }  // namespace oplus

@@ -14,10 +14,10 @@ namespace {
 
 /// Two summands that are not empty, as values of one type; `sum` is for bounded ones.
 template <typename Set, typename Sum>
-MinkowskiSum sum_in_frames(const Set& p, bool p_is_unbounded, const Set& q, bool q_is_unbounded,
-                           Sum sum) {
+PlanarSet sum_in_frames(const Set& p, bool p_is_unbounded, const Set& q, bool q_is_unbounded,
+                        Sum sum) {
   if (!p_is_unbounded && !q_is_unbounded) return sum(p, q);
-  MinkowskiSum plane;
+  PlanarSet plane;
   plane.is_unbounded = true;
   if (p_is_unbounded && q_is_unbounded) return plane;
   Rational margin = extent(p_is_unbounded ? q : p) + 1;
@@ -29,7 +29,7 @@ MinkowskiSum sum_in_frames(const Set& p, bool p_is_unbounded, const Set& q, bool
 
 }  // namespace
 
-MinkowskiSum unbounded_sum(const Region& p, const Region& q, Boundary boundary, const SumOf& sum) {
+PlanarSet unbounded_sum(const Region& p, const Region& q, Boundary boundary, const SumOf& sum) {
   if (p.components.empty() || q.components.empty()) return {};
   return sum_in_frames(p, is_unbounded(p), q, is_unbounded(q),
                        [&](const Region& a, const Region& b) {
@@ -42,12 +42,12 @@ MinkowskiSum unbounded_sum(const Region& p, const Region& q, Boundary boundary, 
                        });
 }
 
-MinkowskiSum unbounded_sum(const MinkowskiSum& p, const MinkowskiSum& q, Boundary boundary,
-                           const SumOf& sum) {
+PlanarSet unbounded_sum(const PlanarSet& p, const PlanarSet& q, Boundary boundary,
+                        const SumOf& sum) {
   if (is_empty(p) || is_empty(q)) return {};
   return sum_in_frames(
       p, p.is_unbounded, q, q.is_unbounded,
-      [&](const MinkowskiSum& a, const MinkowskiSum& b) { return set_sum(a, b, boundary, sum); });
+      [&](const PlanarSet& a, const PlanarSet& b) { return set_sum(a, b, boundary, sum); });
 }
 
 }  // namespace oplus

@@ -9,10 +9,10 @@ namespace oplus {
 // is wide and high (docs/operations.md). `sum` is called at most once.
 
 /// Returns the sum of two valid regions.
-MinkowskiSum unbounded_sum(const Region& p, const Region& q, Boundary boundary, const SumOf& sum);
+PlanarSet unbounded_sum(const Region& p, const Region& q, Boundary boundary, const SumOf& sum);
 
 /// Returns the sum of two closed sets in canonical form (set_sum.hpp).
-MinkowskiSum unbounded_sum(const MinkowskiSum& p, const MinkowskiSum& q, Boundary boundary,
-                           const SumOf& sum);
+PlanarSet unbounded_sum(const PlanarSet& p, const PlanarSet& q, Boundary boundary,
+                        const SumOf& sum);
 
 }  // namespace oplus

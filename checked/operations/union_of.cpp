@@ -8,8 +8,8 @@
 
 namespace oplus {
 
-MinkowskiSum union_of(const Region& region, const std::vector<Segment>& segments,
-                      const std::vector<Point>& points) {
+PlanarSet union_of(const Region& region, const std::vector<Segment>& segments,
+                   const std::vector<Point>& points) {
   SweptSets sets;
   for (const Component& component : region.components) {
     if (component.outer.empty()) ++sets.around;

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 
 namespace oplus {
 
@@ -18,7 +18,7 @@ namespace oplus {
 /// counterclockwise, holes clockwise. One whose outer chain is empty is the plane without its holes. A
 /// segment without length counts as a point. Exact; O((n + k) log n) for n edges, segments and points and
 /// k pairs of edges that meet.
-MinkowskiSum union_of(const Region& region, const std::vector<Segment>& segments = {},
-                      const std::vector<Point>& points = {});
+PlanarSet union_of(const Region& region, const std::vector<Segment>& segments = {},
+                   const std::vector<Point>& points = {});
 
 }  // namespace oplus

@@ -31,12 +31,12 @@ void SweptSets::add(const Chain& chain) {
   }
 }
 
-void SweptSets::add(const MinkowskiSum& sum, const Vector& moved_by) {
+void SweptSets::add(const PlanarSet& sum, const Vector& moved_by) {
   for (const std::vector<Chain>* chains : {&sum.outer, &sum.holes})
     for (const Chain& chain : *chains) add(translated(chain, moved_by));
 }
 
-void SweptSets::subtract(const MinkowskiSum& sum, const Vector& moved_by) {
+void SweptSets::subtract(const PlanarSet& sum, const Vector& moved_by) {
   const std::size_t before = edges.size();
   add(sum, moved_by);
   for (std::size_t i = before; i < edges.size(); ++i) std::swap(edges[i].forth, edges[i].back);
@@ -125,7 +125,7 @@ void sweep_windings(const SweptSets& sets, const std::function<void(const SweptP
   });
 }
 
-MinkowskiSum closed_set(SweptSets sets) {
+PlanarSet closed_set(SweptSets sets) {
   sets.merge(false);
   BoundaryFeatures features;
   const auto is_inside = [](int winding) {
@@ -151,7 +151,7 @@ MinkowskiSum closed_set(SweptSets sets) {
                           "a union keeps those of its points that are inside its regions")))
           features.isolated_vertices.push_back(point.point);
       });
-  MinkowskiSum result = canonical_sum(features);
+  PlanarSet result = canonical_sum(features);
   result.is_unbounded = sets.around > 0;
   return result;
 }

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 
 namespace oplus {
 
@@ -13,9 +13,9 @@ class SweptSets {
  public:
   /// Adds the edges of a closed chain, those without length left out.
   void add(const Chain& chain);
-  void add(const MinkowskiSum& sum, const Vector& moved_by = {});  ///< its chains
+  void add(const PlanarSet& sum, const Vector& moved_by = {});  ///< its chains
   /// Adds the chains run backwards, so that they wind around each point once less.
-  void subtract(const MinkowskiSum& sum, const Vector& moved_by);
+  void subtract(const PlanarSet& sum, const Vector& moved_by);
   /// Adds an edge that runs forth and back so many times.
   void add_both_ways(const Segment& edge, int times);
 
@@ -57,6 +57,6 @@ void sweep_windings(const SweptSets& sets, const std::function<void(const SweptP
 
 /// The closure of what the chains wind around, with the segments and the points: a closed set in canonical
 /// form. Requires: no winding number is negative; no edge or vertex of the chains is outside the closure.
-MinkowskiSum closed_set(SweptSets sets);
+PlanarSet closed_set(SweptSets sets);
 
 }  // namespace oplus

@@ -11,7 +11,7 @@ namespace oplus {
 
 namespace {
 
-MinkowskiSum value_of(const ReadSet& set) {
+PlanarSet value_of(const ReadSet& set) {
   return set.segments.empty() && set.points.empty()
              ? canonical_sum(set.region)
              : union_of(set.region, set.segments, set.points);

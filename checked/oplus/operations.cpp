@@ -9,9 +9,7 @@
 
 namespace oplus {
 
-Sum set_of(MinkowskiSum value, Boundary boundary) {
-  return Sum(std::move(value), boundary, {}, {});
-}
+Sum set_of(PlanarSet value, Boundary boundary) { return Sum(std::move(value), boundary, {}, {}); }
 
 namespace {
 

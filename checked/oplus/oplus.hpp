@@ -251,8 +251,8 @@ class ClosedSet {
             const std::vector<Coordinates>& points = {});
 
   /// Returns it in canonical form: chains, maximal segments outside them, points outside both.
-  const MinkowskiSum& value() const& { return value_; }
-  MinkowskiSum value() && { return std::move(value_); }  ///< The same.
+  const PlanarSet& value() const& { return value_; }
+  PlanarSet value() && { return std::move(value_); }  ///< The same.
 
   /// Whether two are the same set. Cost: their size.
   friend bool operator==(const ClosedSet&, const ClosedSet&) = default;
@@ -261,9 +261,9 @@ class ClosedSet {
   friend ClosedSet read_set(const std::string& text);
   friend ClosedSet read_set_file(const std::string& path);
   friend ClosedSet operator-(const ClosedSet& set);
-  explicit ClosedSet(MinkowskiSum value) : value_(std::move(value)) {}
+  explicit ClosedSet(PlanarSet value) : value_(std::move(value)) {}
 
-  MinkowskiSum value_;
+  PlanarSet value_;
 };
 
 /// Reads WKT, GeoJSON or .dat, told apart by the first character: also points, line strings, and
@@ -293,7 +293,7 @@ struct SumOptions {
 class Sum {
  public:
   /// The empty sum.
-  Sum() : Sum(MinkowskiSum{}, Boundary::closed, {}, {}) {}
+  Sum() : Sum(PlanarSet{}, Boundary::closed, {}, {}) {}
 
   Boundary boundary() const;  ///< Returns what was asked for: closed or open.
 
@@ -325,8 +325,8 @@ class Sum {
   }  ///< The same.
 
   /// Returns all of it in canonical form, chains cut at no touching point.
-  const MinkowskiSum& value() const&;
-  MinkowskiSum value() && { return std::as_const(*this).value(); }  ///< The same.
+  const PlanarSet& value() const&;
+  PlanarSet value() && { return std::as_const(*this).value(); }  ///< The same.
 
   /// Returns for each edge of value() where it came from. Empty unless asked for.
   const Origins& origins() const&;
@@ -343,13 +343,13 @@ class Sum {
   friend Sum minkowski_sum(const ValidRegion& p, const ValidRegion& q, const SumOptions& options);
   friend Sum minkowski_sum(const PreparedRegion& p, const PreparedRegion& q,
                            const SumOptions& options);
-  friend Sum set_of(MinkowskiSum value, Boundary boundary);
+  friend Sum set_of(PlanarSet value, Boundary boundary);
   friend Sum minkowski_sum(const ClosedSet& p, const ClosedSet& q, const SumOptions& options);
   friend Rounded rounded(const Sum& sum, const Number& step, Side side);
   friend Rounded rounded(const ValidRegion& region, const Number& step, Side side);
-  static Rounded rounded_value(const MinkowskiSum& value, Boundary boundary, const Number& step,
+  static Rounded rounded_value(const PlanarSet& value, Boundary boundary, const Number& step,
                                Side side);
-  Sum(MinkowskiSum value, Boundary boundary, Origins origins, Statistics statistics);
+  Sum(PlanarSet value, Boundary boundary, Origins origins, Statistics statistics);
 
   struct State;
   std::shared_ptr<const State> state_;

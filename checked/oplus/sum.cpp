@@ -13,7 +13,7 @@
 #include "checked/verify/verify.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/definitions/difference.hpp"
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
@@ -28,7 +28,7 @@ void require_bounded(const ValidRegion& p, const ValidRegion& q) {
 }  // namespace
 
 struct Sum::State {
-  MinkowskiSum value;
+  PlanarSet value;
   Boundary boundary;
   Origins origins;
   Statistics statistics;
@@ -36,7 +36,7 @@ struct Sum::State {
   mutable ValidRegion region = {};
 };
 
-Sum::Sum(MinkowskiSum value, Boundary boundary, Origins origins, Statistics statistics)
+Sum::Sum(PlanarSet value, Boundary boundary, Origins origins, Statistics statistics)
     : state_(new State{std::move(value), boundary, std::move(origins), std::move(statistics)}) {}
 
 Boundary Sum::boundary() const { return state_->boundary; }
@@ -53,7 +53,7 @@ const std::vector<Segment>& Sum::dangling_edges() const& { return value().dangli
 
 const std::vector<Point>& Sum::isolated_vertices() const& { return value().isolated_vertices; }
 
-const MinkowskiSum& Sum::value() const& { return state_->value; }
+const PlanarSet& Sum::value() const& { return state_->value; }
 
 const Origins& Sum::origins() const& { return state_->origins; }
 
@@ -92,7 +92,7 @@ SumOf sum_of(const SumOptions& options, Statistics& statistics) {
 
 Sum minkowski_sum(const ClosedSet& p, const ClosedSet& q, const SumOptions& options) {
   Statistics statistics;
-  MinkowskiSum sum =
+  PlanarSet sum =
       unbounded_sum(p.value(), q.value(), options.boundary, sum_of(options, statistics));
   return Sum(std::move(sum), options.boundary, {}, std::move(statistics));
 }
@@ -101,7 +101,7 @@ Sum minkowski_sum(const ValidRegion& p, const ValidRegion& q, const SumOptions& 
   if (is_unbounded(p) || is_unbounded(q)) {
     if (options.with_origins) require_bounded(p, q);
     Statistics statistics;
-    MinkowskiSum sum =
+    PlanarSet sum =
         unbounded_sum(p.region(), q.region(), options.boundary, sum_of(options, statistics));
     return Sum(std::move(sum), options.boundary, {}, std::move(statistics));
   }
@@ -133,7 +133,7 @@ Sum minkowski_sum(const PreparedRegion& p, const PreparedRegion& q, const SumOpt
              std::move(computed.statistics));
 }
 
-Rounded Sum::rounded_value(const MinkowskiSum& value, Boundary boundary, const Number& step,
+Rounded Sum::rounded_value(const PlanarSet& value, Boundary boundary, const Number& step,
                            Side side) {
   if (sgn(step.value()) <= 0)
     throw InvalidInput({"the step of a grid", 0, 0}, to_string(step.value()) + " is not positive",

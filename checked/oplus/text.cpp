@@ -7,7 +7,7 @@ namespace oplus {
 
 namespace {
 
-std::string text(const MinkowskiSum& features, const ValidRegion& region, Format format) {
+std::string text(const PlanarSet& features, const ValidRegion& region, Format format) {
   if (is_unbounded(region))
     throw std::invalid_argument("the region is unbounded, which only .dat can hold");
   std::string result = written(features, region.region(), format);

@@ -6,7 +6,7 @@
 
 namespace oplus {
 
-MinkowskiSum filled(const std::vector<Chain>& chains, FillRule rule) {
+PlanarSet filled(const std::vector<Chain>& chains, FillRule rule) {
   SweptSets sets;
   for (const Chain& chain : chains) sets.add(chain);
   const auto is_inside = [&](int winding) {

@@ -4,12 +4,12 @@
 #include <vector>
 
 #include "checked/repair/mend.hpp"
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 
 namespace oplus {
 
 /// The closure of the points that chains wind around, all together, as the rule says. Nothing is required of
 /// them: they may cross, overlap, and repeat vertices. O((n + k) log n) for n edges and k pairs that meet.
-MinkowskiSum filled(const std::vector<Chain>& chains, FillRule rule);
+PlanarSet filled(const std::vector<Chain>& chains, FillRule rule);
 
 }  // namespace oplus

@@ -14,8 +14,8 @@ namespace oplus {
 Region region_with_connected_interiors(std::vector<Segment> edges) {
   for (Segment& e : edges) e = reversed(e);
   // Each chain of a sum bounds one face of the complement, here of the set.
-  MinkowskiSum faces = canonical_sum(BoundaryFeatures{std::move(edges), {}, {}});
-  MinkowskiSum turned;
+  PlanarSet faces = canonical_sum(BoundaryFeatures{std::move(edges), {}, {}});
+  PlanarSet turned;
   for (std::vector<Chain>* chains : {&faces.outer, &faces.holes}) {
     for (Chain& chain : *chains) {
       std::reverse(chain.begin(), chain.end());
@@ -42,7 +42,7 @@ Region with_connected_interiors(const Region& region) {
                                          : region_with_connected_interiors(boundary_pieces(region));
 }
 
-Boundaries boundaries_of(const MinkowskiSum& set) {
+Boundaries boundaries_of(const PlanarSet& set) {
   std::vector<Segment> segments;
   for (const std::vector<Chain>* chains : {&set.outer, &set.holes})
     for (const Chain& chain : *chains)

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 #include "reference/definitions/region.hpp"
 
 namespace oplus {
@@ -27,6 +27,6 @@ struct Boundaries {
 };
 
 /// Without dangling edges and isolated vertices. O(n log n). Requires: the set is bounded.
-Boundaries boundaries_of(const MinkowskiSum& set);
+Boundaries boundaries_of(const PlanarSet& set);
 
 }  // namespace oplus

@@ -49,7 +49,7 @@ RoundedSet bounded_by(std::vector<Segment> edges) {
   return result;
 }
 
-RoundedSet nearest(const MinkowskiSum& set, Boundary boundary, const Rational& step) {
+RoundedSet nearest(const PlanarSet& set, Boundary boundary, const Rational& step) {
   const Boundaries boundaries = boundaries_of(set);
   std::vector<Point> points = ends_of(boundaries.edges);
   std::vector<Segment> dangling;
@@ -104,7 +104,7 @@ Region square_of(const Rational& half) {
 }
 
 /// The region of a set, and edges and points, grown so that the result contains them also when it is rounded.
-MinkowskiSum grown(MinkowskiSum set, const MinkowskiSum& features, const Rational& step) {
+PlanarSet grown(PlanarSet set, const PlanarSet& features, const Rational& step) {
   const Rational half =
       step /
       (OPLUS_MUTANT(
@@ -128,12 +128,12 @@ RoundedSet snapped(const std::vector<Segment>& edges, const Rational& step) {
   return bounded_by(SnappedEdges(edges, HotPixels(ends_of(edges), step)).left);
 }
 
-const MinkowskiSum& features_if(bool wanted, const MinkowskiSum& set) {
-  static const MinkowskiSum none;
+const PlanarSet& features_if(bool wanted, const PlanarSet& set) {
+  static const PlanarSet none;
   return wanted ? set : none;
 }
 
-RoundedSet contain(const MinkowskiSum& set, Boundary boundary, const Rational& step) {
+RoundedSet contain(const PlanarSet& set, Boundary boundary, const Rational& step) {
   RoundedSet result = snapped(
       boundary_pieces(region_of(grown(set, features_if(boundary == Boundary::closed, set), step))),
       step);
@@ -144,12 +144,12 @@ RoundedSet contain(const MinkowskiSum& set, Boundary boundary, const Rational& s
 }
 
 /// The complement of what contains the complement, both in a frame.
-RoundedSet contained(const MinkowskiSum& set, Boundary boundary, const Rational& step) {
+RoundedSet contained(const PlanarSet& set, Boundary boundary, const Rational& step) {
   const bool has_features =
       boundary == Boundary::open &&
       !OPLUS_MUTANT("contained-covers-what-just-fits",
                     "rounded inwards, an open sum has no regard to its edges and points");
-  const MinkowskiSum around =
+  const PlanarSet around =
       unframed(grown(framed(complement(set), 8 * step), features_if(has_features, set), step));
   RoundedSet result = snapped(boundary_pieces(region_of(complement(around))), step);
   result.changes = changes_by_containment(set, result.set, false);
@@ -157,8 +157,8 @@ RoundedSet contained(const MinkowskiSum& set, Boundary boundary, const Rational&
 }
 
 /// Of an unbounded set: the component without an outer chain is the last one.
-Region unbounded_region(const MinkowskiSum& set, const Rational& step) {
-  const MinkowskiSum in_frame = framed(set, step);
+Region unbounded_region(const PlanarSet& set, const Rational& step) {
+  const PlanarSet in_frame = framed(set, step);
   const Point& corner = in_frame.outer.front().front();
   Region region = with_connected_interiors(region_of(in_frame));
   const auto outermost = std::ranges::find_if(region.components, [&](const Component& component) {
@@ -169,7 +169,7 @@ Region unbounded_region(const MinkowskiSum& set, const Rational& step) {
   return region;
 }
 
-RoundedSet rounded_complement(const MinkowskiSum& set, Boundary boundary, const Rational& step,
+RoundedSet rounded_complement(const PlanarSet& set, Boundary boundary, const Rational& step,
                               Side side) {
   const Side turned = side == Side::contain     ? Side::contained
                       : side == Side::contained ? Side::contain
@@ -197,7 +197,7 @@ RoundedSet rounded_complement(const MinkowskiSum& set, Boundary boundary, const 
 
 }  // namespace
 
-RoundedSet rounded(const MinkowskiSum& set, Boundary boundary, const Rational& step, Side side) {
+RoundedSet rounded(const PlanarSet& set, Boundary boundary, const Rational& step, Side side) {
   std::vector<Point> points = set.isolated_vertices;
   add(points, ends_of(edges(set)));
   if (std::all_of(points.begin(), points.end(),

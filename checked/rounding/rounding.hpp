@@ -4,14 +4,14 @@
 #include <string>
 
 #include "checked/rounding/side.hpp"
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 #include "reference/definitions/region.hpp"
 
 namespace oplus {
 
 /// A set with all vertices on a grid.
 struct RoundedSet {
-  MinkowskiSum set;
+  PlanarSet set;
   /// The set without edges and points; the interior of each component is connected, as others want it of polygons.
   /// Where the set is unbounded, the last component is the one without an outer chain.
   Region region;
@@ -34,7 +34,7 @@ struct RoundedSet {
 /// of thin parts of the complement joins them; contain drops them; contained puts thin parts of the complement in
 /// their place. Those of a closed set belong to it: the other way round.
 /// Near-linear in the vertices, by experience. Requires: step > 0; the set is in canonical form.
-RoundedSet rounded(const MinkowskiSum& set, Boundary boundary, const Rational& step, Side side);
+RoundedSet rounded(const PlanarSet& set, Boundary boundary, const Rational& step, Side side);
 
 /// Returns "2 holes closed, 1 component vanished", or an empty text.
 std::string describe(const TopologyChanges& changes);

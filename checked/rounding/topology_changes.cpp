@@ -166,7 +166,7 @@ std::vector<std::optional<std::size_t>> faces_around(const std::vector<std::vect
 }  // namespace
 
 TopologyChanges changes_by_snapping(const Boundaries& before, const SnappedEdges& snapped,
-                                    const MinkowskiSum& after) {
+                                    const PlanarSet& after) {
   const Boundaries now = boundaries_of(after);
   FacesOfBothKinds faces(before, now);
   std::vector<LeftLink> links;
@@ -191,7 +191,7 @@ TopologyChanges changes_by_snapping(const Boundaries& before, const SnappedEdges
   return faces.changes();
 }
 
-TopologyChanges changes_by_containment(const MinkowskiSum& before, const MinkowskiSum& after,
+TopologyChanges changes_by_containment(const PlanarSet& before, const PlanarSet& after,
                                        bool after_contains_before) {
   const Boundaries was = boundaries_of(before), now = boundaries_of(after);
   const Boundaries& smaller = after_contains_before ? was : now;

@@ -21,7 +21,7 @@ std::vector<Segment> with_points(std::vector<Segment> all, const std::vector<Poi
   return all;
 }
 
-std::vector<Segment> boundary_of(const MinkowskiSum& sum) {
+std::vector<Segment> boundary_of(const PlanarSet& sum) {
   return with_points(edges(sum), sum.isolated_vertices);
 }
 
@@ -122,7 +122,7 @@ struct ChainsByKind {
 
 }  // namespace
 
-Closeness closeness(const MinkowskiSum& right, const GivenSum& sum, const Rational& tolerance) {
+Closeness closeness(const PlanarSet& right, const GivenSum& sum, const Rational& tolerance) {
   Closeness result{};
   const std::vector<Segment> of_right = boundary_of(right);
   const std::vector<Segment> of_given = boundary_of(sum);

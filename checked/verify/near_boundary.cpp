@@ -29,7 +29,7 @@ Rational divided_by_root_of_two(const Rational& value) {
 /// The boundary of a set, the set to the left.
 using Boundaries = std::vector<Segment>;
 
-MinkowskiSum set_of(Boundaries boundary) {
+PlanarSet set_of(Boundaries boundary) {
   return canonical_sum(BoundaryFeatures{std::move(boundary), {}, {}});
 }
 
@@ -56,14 +56,13 @@ Chain frame_around(const Boundaries& a, const Boundaries& b, const Rational& mar
 }
 
 /// Whether a set, together with edges and points, grown by a square, contains another one.
-bool contains_when_grown(const Boundaries& set, const MinkowskiSum& features,
-                         const Boundaries& other, const Rational& half) {
+bool contains_when_grown(const Boundaries& set, const PlanarSet& features, const Boundaries& other,
+                         const Rational& half) {
   const Region square = polygon({{-half, -half}, {half, -half}, {half, half}, {-half, half}});
-  MinkowskiSum all = set_of(set);
+  PlanarSet all = set_of(set);
   all.dangling_edges = features.dangling_edges;
   all.isolated_vertices = features.isolated_vertices;
-  const MinkowskiSum grown =
-      set_sum(all, canonical_sum(square), Boundary::closed, sum_by_definition);
+  const PlanarSet grown = set_sum(all, canonical_sum(square), Boundary::closed, sum_by_definition);
   const Overlay overlay(given(set_of(other)), grown);
   return std::ranges::none_of(overlay.differences(), [](const Overlay::Difference& difference) {
     return difference.reason.in_given && !difference.reason.in_sum;
@@ -72,7 +71,7 @@ bool contains_when_grown(const Boundaries& set, const MinkowskiSum& features,
 
 }  // namespace
 
-bool differs_near_only(const MinkowskiSum& right, const GivenSum& given,
+bool differs_near_only(const PlanarSet& right, const GivenSum& given,
                        const std::vector<Segment>& boundary_of_given, const Rational& distance) {
   const Rational half = divided_by_root_of_two(distance);
   if (sgn(half) == 0) return false;

@@ -152,7 +152,7 @@ Rational twice_area_inside(const std::vector<Segment>& boundary) {
   return sum(parts, 0, parts.size());
 }
 
-Overlay::Overlay(const GivenSum& given, const MinkowskiSum& right) {
+Overlay::Overlay(const GivenSum& given, const PlanarSet& right) {
   const std::vector<GivenChain> chains = given_chains(given);
   const std::size_t of_right = chains.size();
   std::vector<Segment> segments;

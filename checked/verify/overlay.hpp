@@ -9,7 +9,7 @@
 #include "checked/verify/verdict.hpp"
 #include "reference/definitions/cells.hpp"
 #include "reference/definitions/given_sum.hpp"
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 
 namespace oplus {
 
@@ -21,7 +21,7 @@ Rational twice_area_inside(const std::vector<Segment>& boundary);
 class Overlay {
  public:
   /// Low-dimensional features are left out.
-  Overlay(const GivenSum& given, const MinkowskiSum& right);
+  Overlay(const GivenSum& given, const PlanarSet& right);
 
   /// Faces in which the two differ, connected ones together.
   struct Difference {

@@ -53,7 +53,7 @@ bool Placements::interiors_meet_by_definition_at(const Point& x) const {
 
 std::optional<Point> Placements::common_point_at(const Point& x) const {
   const Region placed = translated(minus_q_, x);
-  MinkowskiSum chains;
+  PlanarSet chains;
   for (const Component& component : placed.components) {
     chains.outer.push_back(component.outer);
     chains.holes.insert(chains.holes.end(), component.holes.begin(), component.holes.end());

@@ -74,7 +74,7 @@ void add_sums_of_touching_points(const Region& p, const Region& q, ConvexSums& s
 
 }  // namespace
 
-MinkowskiSum sum_by_convex_parts(const Region& p, const Region& q, Boundary boundary) {
+PlanarSet sum_by_convex_parts(const Region& p, const Region& q, Boundary boundary) {
   ConvexSums sums(p, q);
   BoundaryFeatures features;
   for (const ConvexSums::Track& track : sums.reduced_convolution()) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 #include "reference/definitions/region.hpp"
 
 namespace oplus {
@@ -11,6 +11,6 @@ namespace oplus {
 /// segments that is K searches in two trees of boxes, and no collision test. Where chains of both
 /// summands touch, the sums of these points are also examined.
 /// Requires: p and q are valid (validity.hpp).
-MinkowskiSum sum_by_convex_parts(const Region& p, const Region& q, Boundary boundary);
+PlanarSet sum_by_convex_parts(const Region& p, const Region& q, Boundary boundary);
 
 }  // namespace oplus

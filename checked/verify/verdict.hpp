@@ -53,7 +53,7 @@ struct Verdict {
   /// Whether the given sum is P ⊕ Q: no reasons.
   bool is_sum() const { return reasons.empty(); }
 
-  MinkowskiSum right;  ///< P ⊕ Q
+  PlanarSet right;  ///< P ⊕ Q
 
   /// Differing faces first, then chains, then low-dimensional features; of a sort the larger first,
   /// of equals the one whose witness is lexicographically smaller.

@@ -156,7 +156,7 @@ std::string from_to(const Segment& s) {
 /// The low-dimensional features in which a given sum differs where the regular sums do not.
 class FeatureReasons {
  public:
-  FeatureReasons(const GivenSum& given, const MinkowskiSum& right, const Overlay& overlay,
+  FeatureReasons(const GivenSum& given, const PlanarSet& right, const Overlay& overlay,
                  Boundary boundary)
       : right_(right),
         overlay_(overlay),
@@ -234,7 +234,7 @@ class FeatureReasons {
     reasons_.push_back({kind, witness, in_sum, in_given, std::move(size), std::move(detail)});
   }
 
-  const MinkowskiSum& right_;
+  const PlanarSet& right_;
   const Overlay& overlay_;
   Boundary boundary_;
   std::vector<Segment> given_edges_;
@@ -369,7 +369,7 @@ bool has_features(const Sum& sum) {
   return !sum.dangling_edges.empty() || !sum.isolated_vertices.empty();
 }
 
-bool same_features(const GivenSum& given, const MinkowskiSum& right) {
+bool same_features(const GivenSum& given, const PlanarSet& right) {
   return maximal_segments(given.dangling_edges) == right.dangling_edges &&
          sorted_without_copies(given.isolated_vertices) == right.isolated_vertices;
 }
@@ -377,7 +377,7 @@ bool same_features(const GivenSum& given, const MinkowskiSum& right) {
 /// A second verdict: a point on either side of each chain of the sum, by the collision test. The points
 /// are on no edge of the sum, but one inside it may be on a dangling edge, of which a closed sum says
 /// nothing: then another point decides, which is on none.
-void ask_collision_test(const MinkowskiSum& sum, Boundary boundary, const Placements& placements,
+void ask_collision_test(const PlanarSet& sum, Boundary boundary, const Placements& placements,
                         Exceptional& exceptional) {
   std::vector<Segment> all = edges(sum);
   for (const Point& p : sum.isolated_vertices) all.push_back({p, p});
@@ -401,18 +401,18 @@ void ask_collision_test(const MinkowskiSum& sum, Boundary boundary, const Placem
   }
 }
 
-MinkowskiSum decided_sum(const Region& p, const Region& q, Boundary boundary,
-                         const Placements& placements, Exceptional& exceptional) {
-  MinkowskiSum sum = sum_by_convex_parts(p, q, boundary);
+PlanarSet decided_sum(const Region& p, const Region& q, Boundary boundary,
+                      const Placements& placements, Exceptional& exceptional) {
+  PlanarSet sum = sum_by_convex_parts(p, q, boundary);
   ask_collision_test(sum, boundary, placements, exceptional);
   return sum;
 }
 
-Verdict verdict(MinkowskiSum computed, const Region& p, const Region& q, Boundary boundary,
+Verdict verdict(PlanarSet computed, const Region& p, const Region& q, Boundary boundary,
                 const GivenSum& sum, const Placements& placements, Exceptional& exceptional) {
   Verdict result;
   result.right = std::move(computed);
-  const MinkowskiSum& right = result.right;
+  const PlanarSet& right = result.right;
   const NormalForm given_normal(sum.region);
   result.notes = notes_of(given_normal);
   const Region region = region_of(right);
@@ -457,11 +457,11 @@ Verdict verify(const Region& p, const Region& q, Boundary boundary, const GivenS
                  placements, exceptional);
 }
 
-Verdict verify(const Region& p, const Region& q, Boundary boundary, const MinkowskiSum& sum) {
+Verdict verify(const Region& p, const Region& q, Boundary boundary, const PlanarSet& sum) {
   return verify(p, q, boundary, given(sum));
 }
 
-MinkowskiSum sum_by_definition(const Region& p, const Region& q, Boundary boundary) {
+PlanarSet sum_by_definition(const Region& p, const Region& q, Boundary boundary) {
   Exceptional exceptional(p, q);
   return decided_sum(p, q, boundary, Placements(p, q), exceptional);
 }

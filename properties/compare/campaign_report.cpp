@@ -160,7 +160,7 @@ void add(CampaignReport& report, std::size_t source, std::size_t index, const Ta
   counts.face_probes += judged.probes.faces;
   counts.point_probes += judged.probes.points;
   if (!judged.right) return;
-  const MinkowskiSum& open = judged.right->open;
+  const PlanarSet& open = judged.right->open;
   if (!report.campaign.is_of_sums())
     for (const std::string& part : parts_of_value(open)) ++counts.values[part];
   counts.holes_in_sum += !judged.right->closed.holes.empty();

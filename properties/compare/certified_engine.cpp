@@ -27,8 +27,8 @@ std::string certificate_of(const Region& p, const Region& q, const Region& sum) 
   }
 }
 
-MinkowskiSum certified_sum(const Region& p, const Region& q, const ProcessLimits& limits) {
-  MinkowskiSum sum = find_engine(engines(), "slide")->compute(p, q, Boundary::closed, {}).sum;
+PlanarSet certified_sum(const Region& p, const Region& q, const ProcessLimits& limits) {
+  PlanarSet sum = find_engine(engines(), "slide")->compute(p, q, Boundary::closed, {}).sum;
   const Region region = region_of(sum);
   const EndedProcess ended =
       checked_certificate(p, q, region, certificate_of(p, q, region), limits);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 #include "reference/io/reading.hpp"
 
 namespace oplus {
@@ -16,8 +16,8 @@ struct CorpusRow {
   std::string story;
   Summand p;
   Summand q;
-  MinkowskiSum closed;
-  MinkowskiSum open;
+  PlanarSet closed;
+  PlanarSet open;
 };
 
 using CorpusPair = CorpusRow<Region>;

@@ -33,8 +33,8 @@ std::string slug(const std::string& kind) {
 
 std::string picture(const WrongSum& sum, const std::string& judge) {
   std::vector<Panel> panels = panels_of(framed(sum.pair.p, 1), framed(sum.pair.q, 1));
-  const auto add = [&](const std::string& title, const MinkowskiSum& value) {
-    MinkowskiSum drawn = canonical_sum(framed(region_of(value), 1));
+  const auto add = [&](const std::string& title, const PlanarSet& value) {
+    PlanarSet drawn = canonical_sum(framed(region_of(value), 1));
     drawn.dangling_edges = value.dangling_edges;
     drawn.isolated_vertices = value.isolated_vertices;
     std::vector<Layer> layers = layers_of(drawn);

@@ -72,7 +72,7 @@ std::string how_it_ended(const EndedProcess& ended) {
       "crashed: " + (site == how ? how : how + ", " + site) + (site == how ? said : ""));
 }
 
-MinkowskiSum sum_in(const std::string& output) {
+PlanarSet sum_in(const std::string& output) {
   if (output.find_first_not_of(" \t\r\n\v\f") == std::string::npos)
     throw EngineFailure(Kind::unreadable, "nothing", "it wrote nothing");
   try {
@@ -82,7 +82,7 @@ MinkowskiSum sum_in(const std::string& output) {
   }
 }
 
-MinkowskiSum sum_by(const EndedProcess& ended, const ProcessLimits& limits) {
+PlanarSet sum_by(const EndedProcess& ended, const ProcessLimits& limits) {
   if (ended.how == EndedProcess::How::interrupted)
     throw std::system_error(std::make_error_code(std::errc::interrupted));
   if (ended.how == EndedProcess::How::over_time)

@@ -8,7 +8,7 @@
 #include "reference/chains/region_of.hpp"
 #include "reference/definitions/collision.hpp"
 #include "reference/definitions/difference.hpp"
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 #include "reference/definitions/winding_number.hpp"
 #include "reference/io/quoting.hpp"
 #include "reference/io/writing.hpp"
@@ -51,7 +51,7 @@ std::vector<Region> holes(const Region& region) {
   return result;
 }
 
-std::string lost_or_found(const MinkowskiSum& right, const MinkowskiSum& given) {
+std::string lost_or_found(const PlanarSet& right, const PlanarSet& given) {
   const Region a = region_of(right), b = region_of(given);
   const std::string what = lost_or_found(components(a), components(b), "component", "components");
   return what.empty() ? lost_or_found(holes(a), holes(b), "hole", "holes") : what;
@@ -62,7 +62,7 @@ struct Rounding {
   Rational most;
   Rational step;
 
-  Rounding(const MinkowskiSum& right, const MinkowskiSum& given) {
+  Rounding(const PlanarSet& right, const PlanarSet& given) {
     for (const Segment& edge : edges(right))
       most = std::max({most, Rational(abs(edge.source.x)), Rational(abs(edge.source.y))});
     most /= 1000000;
@@ -113,7 +113,7 @@ struct Rounding {
 };
 
 /// Requires: components and holes correspond, see lost_or_found().
-bool is_rounded(const MinkowskiSum& right, const MinkowskiSum& given) {
+bool is_rounded(const PlanarSet& right, const PlanarSet& given) {
   const Rounding rounding(right, given);
   const Region a = region_of(right), b = region_of(given);
   return std::ranges::all_of(a.components, [&](const Component& from) {
@@ -123,7 +123,7 @@ bool is_rounded(const MinkowskiSum& right, const MinkowskiSum& given) {
 }
 
 /// Of two regularized sums.
-std::optional<Failure> regular_failure(const MinkowskiSum& right, const MinkowskiSum& given) {
+std::optional<Failure> regular_failure(const PlanarSet& right, const PlanarSet& given) {
   const auto differs = difference(right, given);
   if (!differs || differs->in_a == differs->in_b) return std::nullopt;
   if (const std::string kind = lost_or_found(right, given); !kind.empty()) return Failure{kind};
@@ -137,7 +137,7 @@ std::optional<Failure> regular_failure(const MinkowskiSum& right, const Minkowsk
                                   : "other shape of equal area"};
 }
 
-std::string low_dimensional_kind(const MinkowskiSum& right, const MinkowskiSum& given) {
+std::string low_dimensional_kind(const PlanarSet& right, const PlanarSet& given) {
   const auto has_all = [](const auto& all, const auto& some) {
     return std::ranges::includes(all, some);
   };
@@ -149,7 +149,7 @@ std::string low_dimensional_kind(const MinkowskiSum& right, const MinkowskiSum& 
 }
 
 /// A sum with sorted lists, which an engine may leave in any order.
-MinkowskiSum with_sorted_features(MinkowskiSum sum) {
+PlanarSet with_sorted_features(PlanarSet sum) {
   std::ranges::sort(sum.dangling_edges);
   std::ranges::sort(sum.isolated_vertices);
   return sum;
@@ -164,7 +164,7 @@ Failure failure_without_sum(const EngineFailure& answer) {
   return {name(answer.kind()) + (site.empty() ? "" : ": " + site), one_line(answer.what())};
 }
 
-std::optional<Failure> malformed(const MinkowskiSum& sum) {
+std::optional<Failure> malformed(const PlanarSet& sum) {
   const auto not_simple = [](const std::string& what) { return Failure{"not simple", what}; };
   std::vector<Segment> all;
   for (const std::vector<Chain>* chains : {&sum.outer, &sum.holes}) {
@@ -205,7 +205,7 @@ std::optional<Failure> malformed(const MinkowskiSum& sum) {
   return std::nullopt;
 }
 
-std::optional<Failure> failure(const MinkowskiSum& right, const MinkowskiSum& given) {
+std::optional<Failure> failure(const PlanarSet& right, const PlanarSet& given) {
   if (given == right) return std::nullopt;
   if (std::optional<Failure> found = malformed(given)) return found;
   std::optional<Failure> found = regular_failure(regularized(right), regularized(given));

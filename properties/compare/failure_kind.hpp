@@ -5,7 +5,7 @@
 #include <string>
 
 #include "properties/compare/engine_failure.hpp"
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 
 namespace oplus {
 
@@ -42,9 +42,9 @@ Failure failure_without_sum(const EngineFailure& answer);
 ///  7. "dangling edge lost", "dangling edge invented", "isolated vertex lost", "isolated vertex
 ///     invented";
 ///  8. "not canonical": the same set of points in another form.
-std::optional<Failure> failure(const MinkowskiSum& right, const MinkowskiSum& given);
+std::optional<Failure> failure(const PlanarSet& right, const PlanarSet& given);
 
 /// Kinds 1 and 2, for which the right sum is not needed.
-std::optional<Failure> malformed(const MinkowskiSum& sum);
+std::optional<Failure> malformed(const PlanarSet& sum);
 
 }  // namespace oplus

@@ -45,7 +45,7 @@ std::vector<Point> points_of_cells(const std::vector<Segment>& segments) {
 
 }  // namespace
 
-std::optional<Failure> broken_promise(const MinkowskiSum& set, const RoundedSet& result,
+std::optional<Failure> broken_promise(const PlanarSet& set, const RoundedSet& result,
                                       const Rational& step, Side side) {
   for (const Segment& e : edges(result.set))
     if (!is_multiple(e.source.x, step) || !is_multiple(e.source.y, step))

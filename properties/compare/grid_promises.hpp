@@ -12,7 +12,7 @@ namespace oplus {
 /// it keeps all. Kinds: "off the grid", a vertex; "side not kept"; "beyond the bound", in x or in y. Sets are located
 /// at a point of every cell of both boundaries, distances are compared there where the sets differ and on the new
 /// boundary; no code of rounding is used. Requires: the set is closed, without edges and points of its own.
-std::optional<Failure> broken_promise(const MinkowskiSum& set, const RoundedSet& result,
+std::optional<Failure> broken_promise(const PlanarSet& set, const RoundedSet& result,
                                       const Rational& step, Side side);
 
 }  // namespace oplus

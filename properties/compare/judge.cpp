@@ -27,7 +27,7 @@ EngineFailure of_exception(const std::string& what) {
 }
 
 /// A sum, or the reason why not.
-using EngineAnswer = std::variant<MinkowskiSum, EngineFailure>;
+using EngineAnswer = std::variant<PlanarSet, EngineFailure>;
 
 EngineAnswer ask(const Engine& engine, const Summands& pair, Boundary boundary, Probes& probes) {
   try {
@@ -49,7 +49,7 @@ EngineAnswer ask(const Engine& engine, const Summands& pair, Boundary boundary, 
 }
 
 /// Sets the ruling on a sum; without a right one it is skipped.
-void rule(JudgedSum& sum, const EngineAnswer& answer, const MinkowskiSum* right,
+void rule(JudgedSum& sum, const EngineAnswer& answer, const PlanarSet* right,
           const Summands& pair) {
   if (const EngineFailure* const none = std::get_if<EngineFailure>(&answer)) {
     sum.ruling = name(none->kind());
@@ -59,7 +59,7 @@ void rule(JudgedSum& sum, const EngineAnswer& answer, const MinkowskiSum* right,
       sum.wrong = WrongSum{sum.engine, sum.boundary, failure_without_sum(*none), pair};
     return;
   }
-  const MinkowskiSum& given = std::get<MinkowskiSum>(answer);
+  const PlanarSet& given = std::get<PlanarSet>(answer);
   if (right == nullptr) {
     sum.ruling = "skipped";
   } else if (std::optional<Failure> found = failure(*right, given)) {
@@ -93,7 +93,7 @@ JudgedSum by_statement(const Task& task, const Engine& engine, Boundary boundary
         const EngineAnswer& answer = asked.back().answer;
         if (const EngineFailure* const none = std::get_if<EngineFailure>(&answer))
           throw EngineFailure(*none);
-        const auto& given = std::get<MinkowskiSum>(answer);
+        const auto& given = std::get<PlanarSet>(answer);
         if (const std::optional<Failure> found = malformed(given))
           throw std::runtime_error(found->what);
         return given;
@@ -114,8 +114,8 @@ JudgedSum by_statement(const Task& task, const Engine& engine, Boundary boundary
   }
   for (const Question& question : asked) {
     JudgedSum blamed{engine.name, question.boundary};
-    std::optional<MinkowskiSum> right;
-    if (std::holds_alternative<MinkowskiSum>(question.answer) &&
+    std::optional<PlanarSet> right;
+    if (std::holds_alternative<PlanarSet>(question.answer) &&
         too_large(question.pair, rules).empty())
       right = rules.judge.sums(question.pair.p, question.pair.q).of(question.boundary);
     rule(blamed, question.answer, right ? &*right : nullptr, question.pair);
@@ -203,7 +203,7 @@ JudgedPair judged(const Task& task, const Rules& rules) {
   for (std::size_t i = 0; i < result.sums.size(); ++i) {
     JudgedSum& sum = result.sums[i];
     if (sum.wrong) continue;
-    const MinkowskiSum* const right = result.right ? &result.right->of(sum.boundary) : nullptr;
+    const PlanarSet* const right = result.right ? &result.right->of(sum.boundary) : nullptr;
     rule(sum, answers[i], right, task.pair);
     if (sum.ruling == "skipped")
       sum.why = why_skipped.empty() ? rules.judge.in_words + " threw" : why_skipped;

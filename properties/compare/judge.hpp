@@ -16,10 +16,10 @@ namespace oplus {
 
 /// Both sums of a pair, as a judge has them.
 struct RightSums {
-  MinkowskiSum closed;
-  MinkowskiSum open;
+  PlanarSet closed;
+  PlanarSet open;
 
-  const MinkowskiSum& of(Boundary boundary) const {
+  const PlanarSet& of(Boundary boundary) const {
     return boundary == Boundary::closed ? closed : open;
   }
 };
@@ -50,8 +50,8 @@ struct WrongSum {
   Boundary boundary = Boundary::closed;
   Failure failure;
   Summands pair;
-  std::optional<MinkowskiSum> right = {};  ///< nullopt where the judge was not asked
-  std::optional<MinkowskiSum> given = {};
+  std::optional<PlanarSet> right = {};  ///< nullopt where the judge was not asked
+  std::optional<PlanarSet> given = {};
 };
 
 struct JudgedSum {

@@ -20,15 +20,15 @@ namespace oplus {
 
 namespace {
 
-using Compute = std::function<MinkowskiSum(const Region& p, const Region& q, const SumOf& sum)>;
+using Compute = std::function<PlanarSet(const Region& p, const Region& q, const SumOf& sum)>;
 
-MinkowskiSum path_set(const Region& region) {
+PlanarSet path_set(const Region& region) {
   const SetByPieces set = path_and_points(region);
   return union_of({}, set.edges, set.points);
 }
 
 /// Throws EngineFailure where a rounding breaks a promise.
-void require_roundings(const MinkowskiSum& sum) {
+void require_roundings(const PlanarSet& sum) {
   const Rational step(7, 3);
   for (const Side side : {Side::nearest, Side::contain, Side::contained})
     if (const auto broken =
@@ -60,12 +60,12 @@ const std::vector<Extra>& extras() {
        }},
       {"sum-of-paths", false,
        [](const Region& p, const Region& q, const SumOf& sum) {
-         MinkowskiSum of_q = path_set(q);
+         PlanarSet of_q = path_set(q);
          of_q.isolated_vertices.clear();
          return unbounded_sum(path_set(p), of_q, Boundary::closed, sum);
        }},
       {"rounded-sum", true, [](const Region& p, const Region& q, const SumOf& sum) {
-         MinkowskiSum value = unbounded_sum(p, q, Boundary::closed, sum);
+         PlanarSet value = unbounded_sum(p, q, Boundary::closed, sum);
          require_roundings(value);
          return value;
        }}};
@@ -78,7 +78,7 @@ Extra compared(const std::string& name) {
 }
 
 /// A sum that operations can be computed with, right or wrong.
-MinkowskiSum usable(MinkowskiSum sum) {
+PlanarSet usable(PlanarSet sum) {
   const std::optional<Failure> fault =
       sum.outer.empty() ? Failure{"no outer chain"} : malformed(sum);
   if (fault)
@@ -137,7 +137,7 @@ Rules rules_of_operation(const std::string& name, Rules of_sums) {
   of_sums.boundaries = {Boundary::closed};
   of_sums.judge = {"oracle", "the definition of " + name, largest,
                    [defined](const Region& p, const Region& q) -> RightSums {
-                     const MinkowskiSum value = defined->compute(p, q);
+                     const PlanarSet value = defined->compute(p, q);
                      return {value, value};
                    }};
   return of_sums;
@@ -147,7 +147,7 @@ std::size_t default_largest(const Campaign& campaign) {
   return campaign.is_of_sums() ? judge_named(campaign.judge).largest : largest;
 }
 
-std::vector<std::string> parts_of_value(const MinkowskiSum& value) {
+std::vector<std::string> parts_of_value(const PlanarSet& value) {
   std::vector<std::string> parts;
   if (value.is_unbounded) parts.emplace_back("unbounded");
   if (value.is_unbounded || !value.outer.empty()) parts.emplace_back("area");

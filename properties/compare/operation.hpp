@@ -32,7 +32,7 @@ Rules rules_of_operation(const std::string& name, Rules of_sums);
 std::size_t default_largest(const Campaign& campaign);
 
 /// The value as pairs are counted by it: any of "unbounded", "area", "edges" and "points", or "empty".
-std::vector<std::string> parts_of_value(const MinkowskiSum& value);
+std::vector<std::string> parts_of_value(const PlanarSet& value);
 
 /// Pairs made of those of another source, of all kinds of fitting_pair() in turn.
 TaskSource pairs_that_fit(TaskSource source, const std::string& operation);

@@ -100,7 +100,7 @@ void to_json(Json& json, const SumDigest& digest) { json = digest.to_string(); }
 void from_json(const Json& json, SumDigest& digest) { digest = SumDigest(json.get<std::string>()); }
 
 // Chain by chain, since a wrong sum need not be a region, as WKT requires.
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MinkowskiSum, outer, holes, dangling_edges, isolated_vertices,
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PlanarSet, outer, holes, dangling_edges, isolated_vertices,
                                    is_unbounded)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Summands, p, q)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Size, vertices, coordinates)

@@ -19,7 +19,7 @@ namespace oplus {
 
 namespace {
 
-std::string description(const MinkowskiSum& sum) {
+std::string description(const PlanarSet& sum) {
   return counted(sum.outer.size(), "outer chain", "outer chains") + ", " +
          counted(sum.holes.size(), "hole", "holes") + ", " +
          counted(sum.dangling_edges.size(), "dangling edge", "dangling edges") + ", " +

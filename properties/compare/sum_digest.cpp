@@ -11,7 +11,7 @@ namespace oplus {
 
 namespace {
 
-std::string text(const MinkowskiSum& sum) {
+std::string text(const PlanarSet& sum) {
   return can_hold(Format::wkt, sum) ? written(sum, Format::wkt) : in_words(sum);
 }
 
@@ -24,7 +24,7 @@ SumDigest::SumDigest(const std::string& hexadecimal) {
   sum_ = mpz_class(hexadecimal, 16);
 }
 
-void SumDigest::add(std::size_t pair, const MinkowskiSum& closed, const MinkowskiSum& open) {
+void SumDigest::add(std::size_t pair, const PlanarSet& closed, const PlanarSet& open) {
   const boost::uuids::uuid hash = boost::uuids::name_generator_sha1(boost::uuids::ns::oid())(
       std::to_string(pair) + '\n' + text(closed) + text(open));
   SumDigest of_pair;

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <string>
 
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 
 namespace oplus {
 
@@ -20,7 +20,7 @@ class SumDigest {
   explicit SumDigest(const std::string& hexadecimal);
 
   /// Adds the sums of a pair, told apart from other pairs by its index.
-  void add(std::size_t pair, const MinkowskiSum& closed, const MinkowskiSum& open);
+  void add(std::size_t pair, const PlanarSet& closed, const PlanarSet& open);
   void add(const SumDigest& other);
 
   /// 32 hexadecimal digits.

@@ -11,7 +11,7 @@ std::string in_words(const Region& region) {
   return written(region, is_unbounded(region) ? Format::dat : Format::wkt);
 }
 
-std::string in_words(const MinkowskiSum& sum) {
+std::string in_words(const PlanarSet& sum) {
   if (can_hold(Format::wkt, sum) && !malformed(sum)) return written(sum, Format::wkt);
   std::string text = sum.is_unbounded ? "unbounded\n" : "";
   const auto add = [&](const std::string& what, const Chain& points) {

@@ -13,6 +13,6 @@ namespace oplus {
 std::string in_words(const Region& region);
 
 /// A sum that is no region, or is unbounded, is listed by its chains, edges and points.
-std::string in_words(const MinkowskiSum& sum);
+std::string in_words(const PlanarSet& sum);
 
 }  // namespace oplus

@@ -9,7 +9,7 @@
 
 #include "reference/chains/region_of.hpp"
 #include "reference/chains/validity.hpp"
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 #include "reference/io/reading.hpp"
 #include "reference/io/writing.hpp"
 
@@ -99,10 +99,10 @@ FuzzOutcome check_sum_reader(std::string_view input) {
   const std::string text(input);
   const std::optional<ReadSum> read = read_or_refused(sum_from, text);
   if (!read) return FuzzOutcome::rejected;
-  const MinkowskiSum& sum = read->sum;
+  const PlanarSet& sum = read->sum;
   const Region region = region_of(sum);
   require_valid(region);
-  const MinkowskiSum of_region = canonical_sum(region);
+  const PlanarSet of_region = canonical_sum(region);
   require(of_region.outer == sum.outer && of_region.holes == sum.holes,
           "a sum was read that is not in canonical form");
   require(maximal_segments(sum.dangling_edges) == sum.dangling_edges,

@@ -30,7 +30,7 @@ constexpr std::array<Stage, 4> stages{{
     {SlideLaws::rationals, SlideNumbers::rationals, " in rationals"},
 }};
 
-void require_same(const MinkowskiSum& sum, const MinkowskiSum& expected, const std::string& what) {
+void require_same(const PlanarSet& sum, const PlanarSet& expected, const std::string& what) {
   if (sum == expected) return;
   const auto found = difference(sum, expected);
   throw FuzzFinding(what + (found ? found->what + ", at " + to_string(found->witness)
@@ -48,7 +48,7 @@ bool is_in_right_stage(const Statistics& s, SlideNumbers numbers) {
 
 /// A sum and the origins of its edges.
 struct Expected {
-  const MinkowskiSum& sum;
+  const PlanarSet& sum;
   const Origins& origins;
 };
 
@@ -75,7 +75,7 @@ void check(const Summands& summands, Boundary boundary, const Expected& expected
 }
 
 /// Of the sum that slide found, too, as both are equal by now.
-void check_region(const MinkowskiSum& sum) {
+void check_region(const PlanarSet& sum) {
   const Region region = region_of(sum);
   if (const auto defect = find_defect(region))
     throw FuzzFinding("no valid region: " + describe(defect->kind));

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "properties/fuzz/fuzz_target.hpp"
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 #include "reference/families/family.hpp"
 
 namespace oplus {
@@ -24,8 +24,8 @@ void check_slide(const Summands& summands, SlideLaws laws = SlideLaws::all);
 
 /// What slide is to find.
 struct ExpectedSums {
-  MinkowskiSum closed;
-  MinkowskiSum open;
+  PlanarSet closed;
+  PlanarSet open;
   Origins origins_of_closed;
   Origins origins_of_open;
 };

@@ -130,7 +130,7 @@ std::string new_region_text(Random& random, Format format) {
 
 std::string new_sum_text(Random& random, Format format) {
   const Region region = small_region(random);
-  MinkowskiSum sum = canonical_sum(stretched(random, region));
+  PlanarSet sum = canonical_sum(stretched(random, region));
   if (format != Format::dat) {
     const Rational x = uniform(random, -9, 9), y = uniform(random, -9, 9);
     sum.dangling_edges = {{{x, y}, {x + 2, y + 1}}, {{x, y}, {x + 3, y}}};

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 #include "reference/families/random.hpp"
 #include "reference/io/writing.hpp"
 

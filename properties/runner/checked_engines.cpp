@@ -27,7 +27,7 @@ std::vector<Engine> checked_engines(const HoleTestMethod& hole_test) {
 
 Engine named_engine(
     std::string name,
-    std::function<MinkowskiSum(const Region& p, const Region& q, Boundary boundary)> sum) {
+    std::function<PlanarSet(const Region& p, const Region& q, Boundary boundary)> sum) {
   return {.name = std::move(name),
           .compute = [sum = std::move(sum)](const Region& p, const Region& q, Boundary boundary,
                                             const EngineOptions& /*none*/) {

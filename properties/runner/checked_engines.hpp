@@ -18,6 +18,6 @@ std::vector<Engine> checked_engines(const HoleTestMethod& hole_test = all_hole_t
 /// An engine that is a function.
 Engine named_engine(
     std::string name,
-    std::function<MinkowskiSum(const Region& p, const Region& q, Boundary boundary)> sum);
+    std::function<PlanarSet(const Region& p, const Region& q, Boundary boundary)> sum);
 
 }  // namespace oplus

@@ -51,7 +51,7 @@ std::function<Outcome(const Engine&, Boundary, const Summands&)> for_one_engine(
   };
 }
 
-std::string difference_in_words(const MinkowskiSum& first, const MinkowskiSum& second) {
+std::string difference_in_words(const PlanarSet& first, const PlanarSet& second) {
   const auto found = difference(first, second);
   return found ? found->what + ", at " + to_string(found->witness) : "";
 }

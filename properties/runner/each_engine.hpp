@@ -15,15 +15,13 @@ class Sum {
   Sum(const Engine& by, Boundary boundary) : by_(by), boundary_(boundary) {}
 
   /// The one asked about.
-  MinkowskiSum operator()(const Region& p, const Region& q) const { return sum(p, q, boundary_); }
+  PlanarSet operator()(const Region& p, const Region& q) const { return sum(p, q, boundary_); }
   /// The closed one, always: a region again.
-  MinkowskiSum closed(const Region& p, const Region& q) const {
-    return sum(p, q, Boundary::closed);
-  }
+  PlanarSet closed(const Region& p, const Region& q) const { return sum(p, q, Boundary::closed); }
   bool is_open() const { return boundary_ == Boundary::open; }
 
  private:
-  MinkowskiSum sum(const Region& p, const Region& q, Boundary boundary) const {
+  PlanarSet sum(const Region& p, const Region& q, Boundary boundary) const {
     return by_.compute(p, q, boundary, {}).sum;
   }
 
@@ -45,6 +43,6 @@ std::function<Outcome(const Summands&)> of_each_engine(Law law);
 std::function<Outcome(const Engine&, Boundary, const Summands&)> for_one_engine(Law law);
 
 /// How two sums differ, in words; empty where they are equal.
-std::string difference_in_words(const MinkowskiSum& first, const MinkowskiSum& second);
+std::string difference_in_words(const PlanarSet& first, const PlanarSet& second);
 
 }  // namespace oplus

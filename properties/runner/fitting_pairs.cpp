@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "reference/chains/region_of.hpp"
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 #include "reference/oracle/cell_sets.hpp"
 #include "reference/oracle/operations_by_definition.hpp"
 #include "reference/oracle/set_by_pieces.hpp"

@@ -52,7 +52,7 @@ Box box_around(const Region& region) {
   return box;
 }
 
-Box box_around(const MinkowskiSum& set) {
+Box box_around(const PlanarSet& set) {
   Box box;
   for (const Segment& edge : edges(set)) {
     box.add(edge.source);
@@ -65,7 +65,7 @@ Box box_around(const MinkowskiSum& set) {
 }  // namespace
 
 Rational extent(const Region& region) { return box_around(region).extent(); }
-Rational extent(const MinkowskiSum& set) { return box_around(set).extent(); }
+Rational extent(const PlanarSet& set) { return box_around(set).extent(); }
 
 Region framed(Region region, const Rational& margin) {
   const auto missing =
@@ -75,14 +75,14 @@ Region framed(Region region, const Rational& margin) {
   return region;
 }
 
-MinkowskiSum framed(MinkowskiSum set, const Rational& margin) {
+PlanarSet framed(PlanarSet set, const Rational& margin) {
   if (!set.is_unbounded) return set;
   set.outer.insert(set.outer.begin(), box_around(set).enlarged(margin));
   set.is_unbounded = false;
   return set;
 }
 
-MinkowskiSum unframed(MinkowskiSum set) {
+PlanarSet unframed(PlanarSet set) {
   OPLUS_REQUIRES(!set.outer.empty(), "unframed");
   set.outer.erase(set.outer.begin());  // the one with the smallest vertex
   set.is_unbounded = true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 #include "reference/definitions/region.hpp"
 
 namespace oplus {
@@ -12,16 +12,16 @@ namespace oplus {
 /// The width or the height, whichever is larger, of a set that is not empty; 0 where it has no chain, edge or
 /// point.
 Rational extent(const Region& region);
-Rational extent(const MinkowskiSum& set);
+Rational extent(const PlanarSet& set);
 
 /// Gives an unbounded set an outer chain: the rectangle whose sides are `margin` away from the box around
 /// all its chains, edges and points; from the origin where it has none. A bounded set stays as it is. At most
 /// one component gets one. Requires: margin > 0.
 Region framed(Region region, const Rational& margin);
-MinkowskiSum framed(MinkowskiSum set, const Rational& margin);
+PlanarSet framed(PlanarSet set, const Rational& margin);
 
 /// Takes away the outer chain that is around all others; the set is unbounded then.
 /// Requires: there is such a chain.
-MinkowskiSum unframed(MinkowskiSum set);
+PlanarSet unframed(PlanarSet set);
 
 }  // namespace oplus

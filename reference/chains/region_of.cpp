@@ -170,7 +170,7 @@ class OuterChains {
 
 }  // namespace
 
-Region region_of(const MinkowskiSum& sum) {
+Region region_of(const PlanarSet& sum) {
   std::vector<SimpleChain> simple;
   for (const std::vector<Chain>* of_sum : {&sum.outer, &sum.holes})
     for (const Chain& chain : *of_sum) add_simple_chains(chain, simple);
@@ -202,8 +202,8 @@ Region region_of(const MinkowskiSum& sum) {
   return region;
 }
 
-MinkowskiSum canonical_sum(const Region& region) {
-  MinkowskiSum sum;
+PlanarSet canonical_sum(const Region& region) {
+  PlanarSet sum;
   if (!touching_points(region).empty()) {
     sum = canonical_sum(BoundaryFeatures{boundary_pieces(region), {}, {}});
     sum.is_unbounded = is_unbounded(region);
@@ -223,7 +223,7 @@ MinkowskiSum canonical_sum(const Region& region) {
   return sum;
 }
 
-GivenSum given(const MinkowskiSum& sum) {
+GivenSum given(const PlanarSet& sum) {
   GivenSum result{{}, sum.dangling_edges, sum.isolated_vertices};
   std::vector<const Chain*> outer_chains, hole_chains;
   for (const Chain& outer : sum.outer) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 #include "reference/definitions/region.hpp"
 
 namespace oplus {
@@ -11,14 +11,14 @@ namespace oplus {
 /// The regularized sum as a region (thesis, Definition 2.1.17): chains that touch themselves are
 /// taken apart into simple ones, and each hole goes to the outer chain directly around it, or, in an unbounded
 /// sum, to the last component, which has none.
-Region region_of(const MinkowskiSum& sum);
+Region region_of(const PlanarSet& sum);
 
 /// The sum that is just this valid region: its chains in canonical form.
-MinkowskiSum canonical_sum(const Region& region);
+PlanarSet canonical_sum(const Region& region);
 
 /// A sum by its chains. A hole goes to the outer chain directly around it; one around which there is
 /// none is the only chain of its component, whose outer chain is empty. Nothing is required: where chains
 /// cross, any outer chain, or none, may count as the one around a hole.
-GivenSum given(const MinkowskiSum& sum);
+GivenSum given(const PlanarSet& sum);
 
 }  // namespace oplus

@@ -14,7 +14,7 @@ namespace {
 
 /// A sum with its edges at hand.
 struct Overlaid {
-  explicit Overlaid(const MinkowskiSum& of) : sum(of), all(edges(of)), features(all) {
+  explicit Overlaid(const PlanarSet& of) : sum(of), all(edges(of)), features(all) {
     regular.assign(all.begin(), all.end() - static_cast<std::ptrdiff_t>(of.dangling_edges.size()));
     for (const Point& p : of.isolated_vertices) features.push_back({p, p});
   }
@@ -27,7 +27,7 @@ struct Overlaid {
                                                                        : Location::outside;
   }
 
-  const MinkowskiSum& sum;
+  const PlanarSet& sum;
   std::vector<Segment> all;
   std::vector<Segment> features;  ///< and the isolated vertices, as segments
   std::vector<Segment> regular;   ///< without the dangling edges
@@ -143,7 +143,7 @@ std::optional<Difference> isolated_difference(const Overlaid& a, const Overlaid&
   return std::nullopt;
 }
 
-bool in_a_hole(const Point& p, const MinkowskiSum& sum) {
+bool in_a_hole(const Point& p, const PlanarSet& sum) {
   return std::any_of(sum.holes.begin(), sum.holes.end(),
                      [&](const Chain& hole) { return winding_number(p, edges(hole)) != 0; });
 }
@@ -158,8 +158,7 @@ std::optional<Difference> difference_far_away(const Overlaid& a, const Overlaid&
   return tells_apart(far + Vector{1, 0}, a, b);
 }
 
-std::string describe_regular(const Difference& found, const MinkowskiSum& a,
-                             const MinkowskiSum& b) {
+std::string describe_regular(const Difference& found, const PlanarSet& a, const PlanarSet& b) {
   const bool more_in_first = found.in_a == Location::inside || found.in_b == Location::outside;
   const std::string more = more_in_first ? "the first" : "the second";
   const std::string less = more_in_first ? "the second" : "the first";
@@ -175,9 +174,9 @@ std::string describe_regular(const Difference& found, const MinkowskiSum& a,
 
 }  // namespace
 
-Location locate(const Point& p, const MinkowskiSum& sum) { return Overlaid(sum).locate(p); }
+Location locate(const Point& p, const PlanarSet& sum) { return Overlaid(sum).locate(p); }
 
-std::optional<Difference> difference(const MinkowskiSum& a, const MinkowskiSum& b) {
+std::optional<Difference> difference(const PlanarSet& a, const PlanarSet& b) {
   if (a == b) return std::nullopt;
   const Overlaid first(a);
   const Overlaid second(b);

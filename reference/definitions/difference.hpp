@@ -4,13 +4,13 @@
 #include <optional>
 #include <string>
 
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 
 namespace oplus {
 
 /// Where a point lies with respect to a sum. A point of a dangling edge or an isolated vertex is on
 /// the boundary.
-Location locate(const Point& p, const MinkowskiSum& sum);
+Location locate(const Point& p, const PlanarSet& sum);
 
 /// What tells two sums apart, and a point that shows it.
 struct Difference {
@@ -25,6 +25,6 @@ struct Difference {
 /// that is inside or outside the other. Where the point sets are equal, so that one of the values
 /// is not in canonical form, in_a == in_b. Exact: O(n log n) for n edges of both, and O(n) for each edge
 /// that only one of them has, until one shows a difference; which most do.
-std::optional<Difference> difference(const MinkowskiSum& a, const MinkowskiSum& b);
+std::optional<Difference> difference(const PlanarSet& a, const PlanarSet& b);
 
 }  // namespace oplus

@@ -87,14 +87,14 @@ enum class Boundary { closed, open };
 ///
 /// Other sets are values of the same form: where a set is closed, dangling edges and isolated vertices
 /// belong to it, as its parts without inner points; where it is open, to its complement.
-struct MinkowskiSum {
+struct PlanarSet {
   std::vector<Chain> outer;              ///< around components of the sum, counterclockwise
   std::vector<Chain> holes;              ///< around holes of the sum, clockwise
   std::vector<Segment> dangling_edges;   ///< of the open sum's complement
   std::vector<Point> isolated_vertices;  ///< likewise
   bool is_unbounded = false;             ///< whether the face around all chains belongs to it
 
-  friend bool operator==(const MinkowskiSum&, const MinkowskiSum&) = default;
+  friend bool operator==(const PlanarSet&, const PlanarSet&) = default;
 };
 
 /// A vertex of a region, and the edge that leaves it: vertex `vertex` of chain `chain`, both from

@@ -2,7 +2,7 @@
 #include "reference/families/cells.hpp"
 
 #include "reference/chains/region_of.hpp"
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 
 namespace oplus {
 

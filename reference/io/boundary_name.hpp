@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 
 namespace oplus {
 

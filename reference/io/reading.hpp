@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "reference/definitions/given_sum.hpp"
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 #include "reference/definitions/region.hpp"
 #include "reference/io/invalid_input.hpp"
 #include "reference/io/overlaps.hpp"
@@ -22,7 +22,7 @@ struct ReadRegion {
 };
 
 struct ReadSum {
-  MinkowskiSum sum;
+  PlanarSet sum;
   std::vector<std::string> notes;
 };
 

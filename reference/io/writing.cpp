@@ -181,7 +181,7 @@ class GeometryText {
       add_tagged("MultiPolygon", [&] { add_list(region.components, add_component); });
   }
 
-  void add(const Region& region, const MinkowskiSum& features) {
+  void add(const Region& region, const PlanarSet& features) {
     std::vector<std::function<void()>> geometries;
     if (!region.components.empty()) geometries.emplace_back([&] { add(region); });
     for (const Segment& s : features.dangling_edges)
@@ -279,7 +279,7 @@ class WkbText {
     for (const Component& c : region.components) add_component(c);
   }
 
-  void add(const Region& region, const MinkowskiSum& features) {
+  void add(const Region& region, const PlanarSet& features) {
     add_tag(7);
     add_count((region.components.empty() ? 0 : 1) + features.dangling_edges.size() +
               features.isolated_vertices.size());
@@ -357,12 +357,12 @@ std::string to_string(const Rational& value, std::optional<int> digits) {
 
 std::string to_string(const Point& p) { return '(' + to_string(p.x) + ", " + to_string(p.y) + ')'; }
 
-bool can_hold(Format format, const MinkowskiSum& sum) {
+bool can_hold(Format format, const PlanarSet& sum) {
   return format == Format::dat ? sum.dangling_edges.empty() && sum.isolated_vertices.empty()
                                : !sum.is_unbounded;
 }
 
-std::optional<Rational> not_a_double(const Region& region, const MinkowskiSum& features) {
+std::optional<Rational> not_a_double(const Region& region, const PlanarSet& features) {
   std::optional<Rational> found;
   const auto look = [&](const Point& p) {
     if (!found && !is_double(p.x)) found = p.x;
@@ -390,11 +390,11 @@ std::string written(const Region& region, Format format, std::optional<int> digi
   return std::move(text).line();
 }
 
-std::string written(const MinkowskiSum& sum, Format format, std::optional<int> digits) {
+std::string written(const PlanarSet& sum, Format format, std::optional<int> digits) {
   return written(sum, region_of(sum), format, digits);
 }
 
-std::string written(const MinkowskiSum& sum, const Region& region, Format format,
+std::string written(const PlanarSet& sum, const Region& region, Format format,
                     std::optional<int> digits) {
   OPLUS_REQUIRES(can_hold(format, sum), "written");
   if (sum.dangling_edges.empty() && sum.isolated_vertices.empty())
@@ -411,6 +411,6 @@ std::string written(const MinkowskiSum& sum, const Region& region, Format format
 }
 
 std::string wkt(const Region& region) { return without_line_end(written(region, Format::wkt)); }
-std::string wkt(const MinkowskiSum& sum) { return without_line_end(written(sum, Format::wkt)); }
+std::string wkt(const PlanarSet& sum) { return without_line_end(written(sum, Format::wkt)); }
 
 }  // namespace oplus

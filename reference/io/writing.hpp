@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 #include "reference/definitions/region.hpp"
 
 namespace oplus {
@@ -27,10 +27,10 @@ std::string to_string(const Point& p);
 
 /// Whether a format can hold the sum: .dat has no form for dangling edges and isolated vertices, the others
 /// have none for what is unbounded.
-bool can_hold(Format format, const MinkowskiSum& sum);
+bool can_hold(Format format, const PlanarSet& sum);
 
 /// A coordinate that is not exactly a double; empty where there is none, so that WKB can hold them all.
-std::optional<Rational> not_a_double(const Region& region, const MinkowskiSum& features);
+std::optional<Rational> not_a_double(const Region& region, const PlanarSet& features);
 
 /// Returns the text of a value, exactly; with `digits`, rounded, which WKT and GeoJSON readers may
 /// find invalid. In GeoJSON a number that is no finite decimal, or has thousands of digits, is a
@@ -38,16 +38,15 @@ std::optional<Rational> not_a_double(const Region& region, const MinkowskiSum& f
 /// line strings and its isolated vertices as points. WKB is written in hexadecimal digits, never rounded.
 /// Requires: can_hold(format, sum); for WKB, that not_a_double returns none.
 std::string written(const Region& region, Format format, std::optional<int> digits = std::nullopt);
-std::string written(const MinkowskiSum& sum, Format format,
-                    std::optional<int> digits = std::nullopt);
+std::string written(const PlanarSet& sum, Format format, std::optional<int> digits = std::nullopt);
 
 /// The same of a sum whose region is known. Requires also: region == region_of(sum).
-std::string written(const MinkowskiSum& sum, const Region& region, Format format,
+std::string written(const PlanarSet& sum, const Region& region, Format format,
                     std::optional<int> digits = std::nullopt);
 
 /// The same in WKT, exactly, without the end of the line.
 std::string wkt(const Region& region);
-std::string wkt(const MinkowskiSum& sum);
+std::string wkt(const PlanarSet& sum);
 
 /// Writes a file as a whole or not at all: to a temporary one beside it, then renamed. "-" is
 /// standard output. A device or another special file is written to, not replaced.

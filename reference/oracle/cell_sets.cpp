@@ -38,8 +38,8 @@ BoundaryFeatures features_of(const Cells& cells, const CellVerdicts& in_set, Bou
   return features;
 }
 
-MinkowskiSum set_where(const std::vector<Segment>& segments, Boundary boundary,
-                       const std::function<bool(const Point&)>& contains) {
+PlanarSet set_where(const std::vector<Segment>& segments, Boundary boundary,
+                    const std::function<bool(const Point&)>& contains) {
   const Cells arrangement = cells(segments);
   CellVerdicts in_set;
   for (const std::vector<Segment>& face : arrangement.faces)  // without a boundary: the plane
@@ -47,7 +47,7 @@ MinkowskiSum set_where(const std::vector<Segment>& segments, Boundary boundary,
   for (const Cells::Edge& e : arrangement.edges)
     in_set.edges.push_back(contains(midpoint(e.segment.source, e.segment.target)));
   for (const Point& x : arrangement.vertices) in_set.vertices.push_back(contains(x));
-  MinkowskiSum set = canonical_sum(features_of(arrangement, in_set, boundary));
+  PlanarSet set = canonical_sum(features_of(arrangement, in_set, boundary));
   set.is_unbounded = in_set.faces[arrangement.unbounded_face];
   return set;
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "reference/definitions/cells.hpp"
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 
 namespace oplus {
 
@@ -21,7 +21,7 @@ BoundaryFeatures features_of(const Cells& cells, const CellVerdicts& in_set, Bou
 
 /// The set of all points for which `contains` holds, asked once in each cell of the arrangement of the
 /// segments. Requires: it does not change inside a cell. Throws as features_of().
-MinkowskiSum set_where(const std::vector<Segment>& segments, Boundary boundary,
-                       const std::function<bool(const Point&)>& contains);
+PlanarSet set_where(const std::vector<Segment>& segments, Boundary boundary,
+                    const std::function<bool(const Point&)>& contains);
 
 }  // namespace oplus

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "reference/definitions/collision.hpp"
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 #include "reference/oracle/cell_sets.hpp"
 #include "reference/oracle/set_by_pieces.hpp"
 
@@ -14,34 +14,34 @@ namespace oplus {
 namespace {
 
 /// All x for which Q + x is in a set.
-MinkowskiSum placements_in(const SetByPieces& set, const SetByPieces& q) {
+PlanarSet placements_in(const SetByPieces& set, const SetByPieces& q) {
   return set_where(vertex_edge_sum(set, reflected(q)), Boundary::closed,
                    [&](const Point& x) { return is_subset(translated(q, x), set); });
 }
 
 /// All x for which x - Q and a set meet: the sums of their points.
-MinkowskiSum sums_of_points(const SetByPieces& set, const SetByPieces& q) {
+PlanarSet sums_of_points(const SetByPieces& set, const SetByPieces& q) {
   const SetByPieces minus_q = reflected(q);
   return set_where(vertex_edge_sum(set, q), Boundary::closed,
                    [&](const Point& x) { return meet(translated(minus_q, x), set); });
 }
 
-MinkowskiSum sum(const Region& p, const Region& q) {
+PlanarSet sum(const Region& p, const Region& q) {
   return sums_of_points(set_by_pieces(p), set_by_pieces(q));
 }
 
-MinkowskiSum path_sum(const Region& p, const Region& q) {
+PlanarSet path_sum(const Region& p, const Region& q) {
   return sums_of_points(path_and_points(p), set_by_pieces(q));
 }
 
 /// Without points of Q: no sum of two points is a cell of the arrangement.
-MinkowskiSum sum_of_paths(const Region& p, const Region& q) {
+PlanarSet sum_of_paths(const Region& p, const Region& q) {
   SetByPieces of_q = path_and_points(q);
   of_q.points.clear();
   return sums_of_points(path_and_points(p), of_q);
 }
 
-MinkowskiSum nfp(const Region& p, const Region& q) {
+PlanarSet nfp(const Region& p, const Region& q) {
   const SetByPieces set = set_by_pieces(p), other = set_by_pieces(q);
   const bool meet_far_away = set.is_unbounded && other.is_unbounded;
   return set_where(vertex_edge_sum(set, reflected(other)), Boundary::open, [&](const Point& x) {
@@ -49,26 +49,26 @@ MinkowskiSum nfp(const Region& p, const Region& q) {
   });
 }
 
-MinkowskiSum ifp(const Region& p, const Region& q) {
+PlanarSet ifp(const Region& p, const Region& q) {
   return placements_in(set_by_pieces(p), set_by_pieces(q));
 }
 
-MinkowskiSum erode(const Region& p, const Region& q) { return regularized(ifp(p, q)); }
+PlanarSet erode(const Region& p, const Region& q) { return regularized(ifp(p, q)); }
 
-MinkowskiSum open(const Region& p, const Region& q) {
+PlanarSet open(const Region& p, const Region& q) {
   return sums_of_points(set_by_pieces(ifp(p, q)), set_by_pieces(q));
 }
 
-MinkowskiSum close(const Region& p, const Region& q) {
+PlanarSet close(const Region& p, const Region& q) {
   return regularized(placements_in(set_by_pieces(sum(p, q)), set_by_pieces(q)));
 }
 
-MinkowskiSum complement(const Region& p, const Region& /*any*/) {
+PlanarSet complement(const Region& p, const Region& /*any*/) {
   return set_where(edges(p), Boundary::closed,
                    [&](const Point& x) { return locate(x, p) != Location::inside; });
 }
 
-MinkowskiSum union_of(const Region& p, const Region& q) {
+PlanarSet union_of(const Region& p, const Region& q) {
   std::vector<Segment> all = edges(p);
   for (const Segment& e : edges(q)) all.push_back(e);
   return set_where(all, Boundary::closed, [&](const Point& x) {

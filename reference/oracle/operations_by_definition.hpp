@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 
 namespace oplus {
 
@@ -15,7 +15,7 @@ struct DefinedOperation {
 
   /// Requires: p and q are valid; both may be unbounded. Throws VerdictsDiffer where the points make no
   /// closed, or no open, set, which the definition says they do.
-  MinkowskiSum (*compute)(const Region& p, const Region& q);
+  PlanarSet (*compute)(const Region& p, const Region& q);
 };
 
 /// All of them, each decided at one point of each cell of the arrangement of all vertex-edge sums:

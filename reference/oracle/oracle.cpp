@@ -58,7 +58,7 @@ class Verdicts {
 };
 
 /// Whether all around a point is in the open sum, though the point may not be.
-bool surrounded(const Point& x, const MinkowskiSum& closed, const std::vector<Segment>& dangling) {
+bool surrounded(const Point& x, const PlanarSet& closed, const std::vector<Segment>& dangling) {
   return locate(x, closed) == Location::inside && !lies_on_one(x, dangling);
 }
 
@@ -78,7 +78,7 @@ OracleSums oracle_sums(const Region& p, const Region& q) {
   const CellVerdicts in_sum = verdicts.decide(arrangement);
 
   BoundaryFeatures open = features_of(arrangement, in_sum, Boundary::open);
-  const MinkowskiSum closed_sum = canonical_sum(BoundaryFeatures{open.edges, {}, {}});
+  const PlanarSet closed_sum = canonical_sum(BoundaryFeatures{open.edges, {}, {}});
   // Where chains touch, a sum of two vertices may be isolated though no segment of 𝒞 passes through
   // it, so that it is no vertex of the arrangement (docs/findings.md).
   for (const Point& x : vertex_sums(p, q)) {
@@ -90,7 +90,7 @@ OracleSums oracle_sums(const Region& p, const Region& q) {
           {arrangement.faces.size(), arrangement.edges.size(), arrangement.vertices.size()}};
 }
 
-MinkowskiSum oracle_sum(const Region& p, const Region& q, Boundary boundary) {
+PlanarSet oracle_sum(const Region& p, const Region& q, Boundary boundary) {
   OracleSums sums = oracle_sums(p, q);
   return boundary == Boundary::closed ? sums.closed : sums.open;
 }

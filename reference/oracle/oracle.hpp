@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 #include "reference/definitions/verdicts_differ.hpp"
 
 namespace oplus {
@@ -17,8 +17,8 @@ struct CellCount {
 
 /// Both sums of two regions, from one arrangement.
 struct OracleSums {
-  MinkowskiSum closed;
-  MinkowskiSum open;
+  PlanarSet closed;
+  PlanarSet open;
   CellCount cells;
 };
 
@@ -30,6 +30,6 @@ struct OracleSums {
 OracleSums oracle_sums(const Region& p, const Region& q);
 
 /// One of the two.
-MinkowskiSum oracle_sum(const Region& p, const Region& q, Boundary boundary);
+PlanarSet oracle_sum(const Region& p, const Region& q, Boundary boundary);
 
 }  // namespace oplus

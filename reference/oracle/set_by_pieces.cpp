@@ -57,8 +57,8 @@ SetByPieces set_by_pieces(const Region& region) {
                                       [](const Component& c) { return c.outer.empty(); })};
 }
 
-SetByPieces set_by_pieces(const MinkowskiSum& value) {
-  MinkowskiSum regular = value;
+SetByPieces set_by_pieces(const PlanarSet& value) {
+  PlanarSet regular = value;
   regular.dangling_edges.clear();
   return {edges(regular), value.dangling_edges, value.isolated_vertices, value.is_unbounded};
 }

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 
 namespace oplus {
 
@@ -23,7 +23,7 @@ struct SetByPieces {
 
 /// The set of a region, and of the value of a closed set (values.hpp).
 SetByPieces set_by_pieces(const Region& region);
-SetByPieces set_by_pieces(const MinkowskiSum& value);
+SetByPieces set_by_pieces(const PlanarSet& value);
 
 /// A path, with points: the edges of a region's first chain but the last one, and the first vertex of each other
 /// chain. Empty where the region has no chain.

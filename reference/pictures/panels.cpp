@@ -30,7 +30,7 @@ std::vector<Panel> panels_of(const Region& p, const Region& q) {
           reduced_convolution_panel(segments(reduced_convolution(p, q)))};
 }
 
-std::vector<Layer> layers_of(const MinkowskiSum& sum) {
+std::vector<Layer> layers_of(const PlanarSet& sum) {
   // A hole may have a part of the sum inside it, so the sum is drawn over the holes.
   Layer holes{style::holes};
   for (const Chain& hole : sum.holes)

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "reference/definitions/direction.hpp"
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 #include "reference/definitions/region.hpp"
 
 namespace oplus {
@@ -67,7 +67,7 @@ Panel reduced_convolution_panel(std::vector<Segment> reduced);
 std::vector<Panel> panels_of(const Region& p, const Region& q);
 
 /// The layers of a sum: its holes, its region, its low-dimensional features; empty ones left out.
-std::vector<Layer> layers_of(const MinkowskiSum& sum);
+std::vector<Layer> layers_of(const PlanarSet& sum);
 
 /// Returns about five digits of a number, for the eye.
 std::string approximate(const Rational& value);

@@ -25,7 +25,7 @@ void Description::say(const std::vector<Segment>& segments) {
   said_ += '\n';
 }
 
-void Description::add(const MinkowskiSum& sum, bool is_rounded) {
+void Description::add(const PlanarSet& sum, bool is_rounded) {
   const std::vector<Segment> all = edges(sum);
   count("sum_chains", sum.outer.size());
   count("sum_holes", sum.holes.size());

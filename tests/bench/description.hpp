@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 
 namespace oplus {
 
@@ -22,7 +22,7 @@ class Description {
   void say(const std::vector<Segment>& segments);
 
   /// Exact sums are in canonical form; chains of other sums are counted as they are.
-  void add(const MinkowskiSum& sum, bool is_rounded = false);
+  void add(const PlanarSet& sum, bool is_rounded = false);
 
   const std::map<std::string, double>& numbers() const { return numbers_; }
 

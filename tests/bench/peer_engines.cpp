@@ -9,8 +9,8 @@ namespace oplus {
 namespace {
 
 /// Exact sums in canonical form; rounded ones with their chains as they are.
-MinkowskiSum sum_of(const ReturnedChains& chains, bool is_rounded) {
-  MinkowskiSum as_they_are;
+PlanarSet sum_of(const ReturnedChains& chains, bool is_rounded) {
+  PlanarSet as_they_are;
   BoundaryFeatures features;
   for (const Chain& chain : chains) {
     (twice_area(chain) > 0 ? as_they_are.outer : as_they_are.holes).push_back(chain);
@@ -46,8 +46,8 @@ std::vector<BenchEngine> peer_engines() {
       engine_of<CgalVertical>(
           "cgal-vertical",
           "CGAL: minkowski_sum_by_decomposition_2 with Polygon_vertical_decomposition_2"),
-      engine_of<ClipperMethod>(
-          "clipper", "Clipper 6: MinkowskiSum, with the larger summand as its filled path"),
+      engine_of<ClipperMethod>("clipper",
+                               "Clipper 6: MinkowskiSum, with the larger summand as its filled path"),
       engine_of<BoostPolygonMethod>(
           "boost-polygon", "Boost.Polygon: its Minkowski example, then the polygon set's union"),
   };

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 #include "reference/families/family.hpp"
 
 namespace oplus {

@@ -92,7 +92,7 @@ SetByPieces set_by_pieces(const ReadSet& set) {
 
 GivenSum parts(const ReadSet& set) { return {set.region, set.segments, set.points}; }
 
-MinkowskiSum sum_by_definition(const ReadSet& p, const ReadSet& q, Boundary boundary) {
+PlanarSet sum_by_definition(const ReadSet& p, const ReadSet& q, Boundary boundary) {
   return set_where(
       vertex_edge_sum(set_by_pieces(p), set_by_pieces(q)), boundary, [&](const Point& x) {
         if (boundary == Boundary::closed)

@@ -68,7 +68,7 @@ TEST_F(Examples, are_what_their_page_says) {
 TEST_F(Examples, the_robot_meets_nothing_on_its_path) {
   const Region obstacles = read_region_file((examples / "robot/obstacles.wkt").string()).region;
   const Region robot = read_region_file((examples / "robot/robot.wkt").string()).region;
-  const MinkowskiSum path = read_sum_file((examples / "robot/path.wkt").string()).sum;
+  const PlanarSet path = read_sum_file((examples / "robot/path.wkt").string()).sum;
   ASSERT_EQ(path.dangling_edges.size(), 5U);
   std::vector<Segment> all = path.dangling_edges;
   for (const ConvolutionSegment& s : convolution(obstacles, reflected(robot)))

@@ -271,7 +271,7 @@ void put(Answer& answer, const char* member, const Shape& shape) {
   });
 }
 
-void put(Answer& answer, const MinkowskiSum& sum) {
+void put(Answer& answer, const PlanarSet& sum) {
   answer.key("sum");
   answer.object([&] {
     answer.member("wkt", wkt(sum));
@@ -315,7 +315,7 @@ void put(Answer& answer, const ConvolutionCycles& traced) {
 }
 
 void put_placement(Answer& answer, const Region& p, const Region& q, const Point& x,
-                   const MinkowskiSum& sum, const ConvolutionCycles& traced) {
+                   const PlanarSet& sum, const ConvolutionCycles& traced) {
   const std::vector<Segment> convolution = segments(full_convolution(traced));
   const Location location = locate(x, region_of(sum));
   answer.key("placement");
@@ -378,7 +378,7 @@ void put_all(Answer& answer, const JsonValue& request) {
     return;
   }
   const Boundary boundary = flag(request, "open") ? Boundary::open : Boundary::closed;
-  const MinkowskiSum sum = slide_sum(p.region, q.region, boundary).sum;
+  const PlanarSet sum = slide_sum(p.region, q.region, boundary).sum;
   const ConvolutionCycles traced = convolution_cycles(p.region, q.region);
   put(answer, sum);
   put(answer, traced);

@@ -20,7 +20,7 @@ namespace {
 
 constexpr const char* no_fit_name = "nfp";
 
-MinkowskiSum sum_of_regions(const Region& p, const Region& q, Boundary boundary) {
+PlanarSet sum_of_regions(const Region& p, const Region& q, Boundary boundary) {
   return slide_sum(p, q, boundary).sum;
 }
 
@@ -45,7 +45,7 @@ void Computation::add(std::string& line, const slide::PreparedSummand& p,
   add(line, sum_of_prepared(p, q, operation.boundary).sum);
 }
 
-void Computation::add(std::string& line, const MinkowskiSum& result) const {
+void Computation::add(std::string& line, const PlanarSet& result) const {
   if (result.is_unbounded) throw UsageError("the result is unbounded");
   if (form == ResultForm::area) {
     line += ", \"area\": \"" + to_string(area(result), digits) + '"';

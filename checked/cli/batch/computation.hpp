@@ -10,7 +10,7 @@
 #include "checked/cli/output.hpp"
 #include "checked/operations/operations.hpp"
 #include "checked/slide/prepared_summand.hpp"
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 #include "reference/io/reading.hpp"
 
 namespace oplus {
@@ -35,7 +35,7 @@ struct Computation {
            const slide::PreparedSummand& q) const;
 
  private:
-  void add(std::string& line, const MinkowskiSum& result) const;
+  void add(std::string& line, const PlanarSet& result) const;
 };
 
 /// Adds a line to the results. compute(line) gets the beginning of the line, `{"line": 7` for example, and

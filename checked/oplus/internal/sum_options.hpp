@@ -11,6 +11,6 @@ ComputedSum computed_sum(const Region& p, const Region& q, Boundary boundary,
                          const SumOptions& options);
 
 /// A set in canonical form as a Sum, without origins and statistics.
-Sum set_of(MinkowskiSum value, Boundary boundary);
+Sum set_of(PlanarSet value, Boundary boundary);
 
 }  // namespace oplus

@@ -25,7 +25,7 @@ int main() {
 
   // For each edge of the result, an edge of one summand and a vertex of the other, by their indices.
   auto sum = minkowski_sum(p, q, {.with_origins = true});
-  const oplus::MinkowskiSum& value = sum.value();
+  const oplus::PlanarSet& value = sum.value();
   for (std::size_t i = 0; i < sum.origins().size(); ++i)
     for (const oplus::Origin& origin : sum.origins()[i]) {
       const oplus::VertexIndex edge = origin.edge, vertex = origin.vertex;

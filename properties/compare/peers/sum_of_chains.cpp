@@ -53,7 +53,7 @@ void check_sides(const std::vector<Segment>& pieces) {
 
 }  // namespace
 
-MinkowskiSum sum_of_chains(const ReturnedChains& chains) {
+PlanarSet sum_of_chains(const ReturnedChains& chains) {
   check_lengths(chains);
   std::vector<Segment> all;
   for (const Chain& chain : chains) std::ranges::copy(edges(chain), std::back_inserter(all));

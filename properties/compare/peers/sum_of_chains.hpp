@@ -3,7 +3,7 @@
 
 #include "properties/compare/engine_failure.hpp"
 #include "properties/compare/peers/method.hpp"
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 
 namespace oplus {
 
@@ -12,6 +12,6 @@ namespace oplus {
 /// than three vertices, edges of length zero, edges that cross, overlap or go back along one another,
 /// and chains that have the sum on both sides or on the wrong one, they are not the boundary of a
 /// region. O(n²). Throws EngineFailure: unreadable.
-MinkowskiSum sum_of_chains(const ReturnedChains& chains);
+PlanarSet sum_of_chains(const ReturnedChains& chains);
 
 }  // namespace oplus

@@ -23,7 +23,7 @@ bool is_right_of(const Vector& d, const Pass& pass) {
 }
 
 /// All passes at each point: at vertices, and where a chain touches an edge inside.
-std::map<Point, std::vector<Pass>> passes_of(const MinkowskiSum& sum,
+std::map<Point, std::vector<Pass>> passes_of(const PlanarSet& sum,
                                              const std::vector<std::vector<Segment>>& pieces) {
   std::map<Point, std::vector<Pass>> passes;
   std::size_t edge = 0;
@@ -57,7 +57,7 @@ std::string defect_of(const Point& at, const std::vector<Pass>& passes) {
 }
 
 Outcome check(const Summands& summands) {
-  const MinkowskiSum sum = rca(summands.p, summands.q, Boundary::closed).sum;
+  const PlanarSet sum = rca(summands.p, summands.q, Boundary::closed).sum;
   const std::vector<Segment> all = edges(sum);
   Outcome outcome;
   for (const auto& [at, passes] : passes_of(sum, cut_at_intersections(all))) {

@@ -13,7 +13,7 @@ namespace {
 
 Outcome check(const Summands& summands) {
   Outcome outcome;
-  const MinkowskiSum sum = oracle_sum(summands.p, summands.q, Boundary::closed);
+  const PlanarSet sum = oracle_sum(summands.p, summands.q, Boundary::closed);
   const std::vector<ConvolutionSegment> reduced = reduced_convolution(summands.p, summands.q);
   for (const Segment& edge : edges(sum)) {
     ++outcome.counts["edges of the boundary"];

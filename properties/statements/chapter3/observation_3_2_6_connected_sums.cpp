@@ -13,7 +13,7 @@ bool are_simple(const Summands& summands) {
   return chains(summands.p).size() == 1 && chains(summands.q).size() == 1;
 }
 
-std::string disconnected(const MinkowskiSum& sum) {
+std::string disconnected(const PlanarSet& sum) {
   const std::size_t components = region_of(sum).components.size();
   if (sum.outer.size() == 1 && components == 1) return "";
   return "the sum has " + std::to_string(sum.outer.size()) + " outer chains and " +
@@ -27,7 +27,7 @@ Outcome law(const Sum& sum, const Summands& summands) {
 
 Outcome check(const Summands& summands) {
   if (!are_simple(summands)) return {Outcome::Kind::discarded, {}, {}};
-  const MinkowskiSum by_definition = oracle_sum(summands.p, summands.q, Boundary::closed);
+  const PlanarSet by_definition = oracle_sum(summands.p, summands.q, Boundary::closed);
   Outcome outcome = unless_broken(disconnected(by_definition));
   if (outcome.kind == Outcome::Kind::holds)
     outcome =

@@ -11,7 +11,7 @@ Outcome check(const Summands& summands) {
   const JudgedPair result = judged({"", summands}, {.engines = checked_engines()});
   Outcome outcome;
   if (result.right) {
-    const MinkowskiSum& open = result.right->open;
+    const PlanarSet& open = result.right->open;
     outcome.counts["sums with holes"] = !result.right->closed.holes.empty();
     outcome.counts["open sums with low-dimensional features"] =
         !open.dangling_edges.empty() || !open.isolated_vertices.empty();

@@ -92,7 +92,7 @@ class Comparison {
 /// What the theorem says of a result: a point in every face of the convolution's arrangement, which
 /// the result's edges cut further, is inside iff its winding number is positive.
 Outcome law(const Sum& sum, const Summands& summands) {
-  const MinkowskiSum result = sum(summands.p, summands.q);
+  const PlanarSet result = sum(summands.p, summands.q);
   const std::vector<Segment> all = segments(convolution(summands.p, summands.q));
   std::vector<Segment> overlaid = all;
   const std::vector<Segment> of_result = edges(result);

@@ -16,7 +16,7 @@ Outcome law(const Sum& computed, const Summands& summands) {
     return {Outcome::Kind::discarded, {}, {}};
   Outcome outcome;
   const std::size_t n = teeth(summands.p);
-  const MinkowskiSum sum = computed(summands.p, summands.q);
+  const PlanarSet sum = computed(summands.p, summands.q);
   outcome.counts["holes"] += sum.holes.size();
   if (sum.outer.size() == 1 && sum.holes.size() == n * n) return outcome;
   return outcome.fail(std::to_string(n) + " teeth per arm, " + std::to_string(sum.outer.size()) +

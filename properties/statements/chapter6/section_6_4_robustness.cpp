@@ -15,7 +15,7 @@ namespace {
 /// How many parts a sum has, and of how many vertices.
 using Shape = std::vector<std::size_t>;
 
-Shape shape_of(const MinkowskiSum& sum) {
+Shape shape_of(const PlanarSet& sum) {
   Shape shape = {sum.dangling_edges.size(), sum.isolated_vertices.size(), sum.outer.size()};
   for (const Chain& chain : sum.outer) shape.push_back(chain.size());
   shape.push_back(sum.holes.size());

@@ -16,7 +16,7 @@ Outcome check(const Summands& summands) {
   const auto& [p, q] = summands;
   if (!can_certify()) return outcome.fail("oplus-certified was not built");
   const ProcessLimits limits{.is_quiet = true};
-  const MinkowskiSum sum = oracle_sums(p, q).closed;
+  const PlanarSet sum = oracle_sums(p, q).closed;
   const Region region = region_of(sum);
   const std::string certificate = certificates::written(certificates::certificate(p, q, region));
   const EndedProcess ended = checked_certificate(p, q, region, certificate, limits);
@@ -29,7 +29,7 @@ Outcome check(const Summands& summands) {
   };
   if (accepts(translated(region, {1, 0}))) return outcome.fail("a translated sum is certified");
   for (std::size_t i = 0; i < sum.holes.size(); ++i) {
-    MinkowskiSum filled = sum;
+    PlanarSet filled = sum;
     filled.holes.erase(filled.holes.begin() + static_cast<std::ptrdiff_t>(i));
     if (accepts(region_of(filled)))
       return outcome.fail("a sum without one of its holes is certified");

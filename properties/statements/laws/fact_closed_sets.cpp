@@ -36,8 +36,8 @@ std::vector<std::pair<GivenSum, GivenSum>> pairs_of_sets(const Region& p, const 
 }
 
 /// Whether a dangling edge or an isolated vertex is outside the region that it is given with.
-bool edges_and_points_are_outside(const MinkowskiSum& set) {
-  MinkowskiSum region = set;
+bool edges_and_points_are_outside(const PlanarSet& set) {
+  PlanarSet region = set;
   region.dangling_edges.clear();
   region.isolated_vertices.clear();
   const auto is_outside = [&](const Point& p) { return locate(p, region) == Location::outside; };
@@ -57,8 +57,8 @@ void check(const GivenSum& p, const GivenSum& q, Outcome& outcome) {
   const auto sum_of = [](const Region& a, const Region& b, Boundary boundary) {
     return slide_sum(a, b, boundary).sum;
   };
-  const MinkowskiSum closed = set_sum(set(p), set(q), Boundary::closed, sum_of);
-  const MinkowskiSum open = set_sum(set(p), set(q), Boundary::open, sum_of);
+  const PlanarSet closed = set_sum(set(p), set(q), Boundary::closed, sum_of);
+  const PlanarSet open = set_sum(set(p), set(q), Boundary::open, sum_of);
   outcome.counts["closed sums with edges or points"] += has_edge_or_point(closed) ? 1 : 0;
   outcome.counts["open sums with edges or points"] += has_edge_or_point(open) ? 1 : 0;
   if (!edges_and_points_are_outside(closed)) {

@@ -16,7 +16,7 @@ Outcome check(const Summands& summands) {
   const auto& [p, q] = summands;
   const OracleSums sums = oracle_sums(p, q);
   for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
-    const MinkowskiSum& sum = boundary == Boundary::open ? sums.open : sums.closed;
+    const PlanarSet& sum = boundary == Boundary::open ? sums.open : sums.closed;
     const Verdict verdict = verify(p, q, boundary, sum);
     if (!verdict.is_sum())
       return outcome.fail("verify refuses the oracle's sum: " + verdict.reasons.front().detail,
@@ -36,7 +36,7 @@ Outcome check(const Summands& summands) {
     with_a_point.region.components.push_back({Chain(3, Point{}), {}});
     if (accepts(with_a_point)) return outcome.fail("verify accepts a chain that is a point");
     for (std::size_t i = 0; i < sum.holes.size(); ++i) {
-      MinkowskiSum filled = sum;
+      PlanarSet filled = sum;
       filled.holes.erase(filled.holes.begin() + static_cast<std::ptrdiff_t>(i));
       if (accepts(given(filled)))
         return outcome.fail("verify accepts a sum without one of its holes");

@@ -26,10 +26,9 @@ Rational squared_distance(const Point& x, const Region& region) {
 
 /// Points where a mistake would show: those of the boundaries of both offsets, and points around each vertex
 /// of P at the distances that matter.
-std::vector<Point> tested_points(const Region& p, const MinkowskiSum& inner,
-                                 const MinkowskiSum& outer) {
+std::vector<Point> tested_points(const Region& p, const PlanarSet& inner, const PlanarSet& outer) {
   std::vector<Point> points;
-  for (const MinkowskiSum* sum : {&inner, &outer})
+  for (const PlanarSet* sum : {&inner, &outer})
     for (const Segment& edge : edges(*sum)) {
       points.push_back(edge.source);
       points.push_back(midpoint(edge.source, edge.target));
@@ -48,7 +47,7 @@ std::vector<Point> tested_points(const Region& p, const MinkowskiSum& inner,
 
 /// What an offset by a polygon must be at a point: it is in it if it is nearer than `near`, and it is not if it is
 /// farther than `far`; at these distances themselves as the sum is closed or open.
-std::string defect(const Point& x, const Region& p, const Sum& sum, const MinkowskiSum& offset,
+std::string defect(const Point& x, const Region& p, const Sum& sum, const PlanarSet& offset,
                    const Rational& near, const Rational& far) {
   const Rational distance = squared_distance(x, p);
   const Location location = locate(x, offset);
@@ -64,8 +63,8 @@ std::string defect(const Point& x, const Region& p, const Sum& sum, const Minkow
 
 Outcome law(const Sum& sum, const Summands& summands) {
   const Region& p = summands.p;
-  const MinkowskiSum inner = sum(p, disc_polygon(radius, DiscSide::inside, error));
-  const MinkowskiSum outer = sum(p, disc_polygon(radius, DiscSide::outside, error));
+  const PlanarSet inner = sum(p, disc_polygon(radius, DiscSide::inside, error));
+  const PlanarSet outer = sum(p, disc_polygon(radius, DiscSide::outside, error));
   Outcome outcome;
   for (const Point& x : tested_points(p, inner, outer)) {
     std::string what = defect(x, p, sum, inner, radius - error, radius);

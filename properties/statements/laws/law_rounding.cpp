@@ -36,7 +36,7 @@ bool is_passed(const Segment& s, const Point& centre, const Rational& step) {
 }
 
 /// Whether all of a set is in another one; a point that shows it if not.
-std::optional<Point> point_outside(const MinkowskiSum& set, const MinkowskiSum& other) {
+std::optional<Point> point_outside(const PlanarSet& set, const PlanarSet& other) {
   const Overlay overlay(given(other), set);
   for (const Overlay::Difference& difference : overlay.differences())
     if (difference.reason.in_given && !difference.reason.in_sum)
@@ -45,7 +45,7 @@ std::optional<Point> point_outside(const MinkowskiSum& set, const MinkowskiSum& 
 }
 
 /// A point of a dangling edge or an isolated vertex that is inside another set.
-std::optional<Point> feature_inside(const MinkowskiSum& set, const MinkowskiSum& other) {
+std::optional<Point> feature_inside(const PlanarSet& set, const PlanarSet& other) {
   std::vector<Point> points = set.isolated_vertices;
   const std::vector<Segment> boundary = edges(other);
   for (const Segment& e : set.dangling_edges)
@@ -57,7 +57,7 @@ std::optional<Point> feature_inside(const MinkowskiSum& set, const MinkowskiSum&
 }
 
 /// Each edge is routed through the pixels that contain a point of it and of a vertex.
-Outcome routed(const MinkowskiSum& sum, const Rational& step) {
+Outcome routed(const PlanarSet& sum, const Rational& step) {
   std::vector<Point> vertices;
   for (const Segment& e : edges(sum)) vertices.push_back(e.source);
   const HotPixels hot(vertices, step);
@@ -78,7 +78,7 @@ Outcome routed(const MinkowskiSum& sum, const Rational& step) {
   return outcome;
 }
 
-Outcome rounded_to(const MinkowskiSum& sum, Boundary boundary, const Rational& step, Side side) {
+Outcome rounded_to(const PlanarSet& sum, Boundary boundary, const Rational& step, Side side) {
   const RoundedSet result = rounded(sum, boundary, step, side);
   Outcome outcome;
   ++outcome.counts[result.is_exact ? "sums on the grid" : "rounded sums"];
@@ -97,7 +97,7 @@ Outcome rounded_to(const MinkowskiSum& sum, Boundary boundary, const Rational& s
     return outcome.fail("the result contains a point where Q just fits", *x);
   if (!rounded(result.set, boundary, step, side).is_exact)
     return outcome.fail("rounding twice is not rounding once");
-  MinkowskiSum exact = sum;
+  PlanarSet exact = sum;
   if (contains && !result.is_exact) {
     exact.dangling_edges.clear();
     exact.isolated_vertices.clear();
@@ -113,7 +113,7 @@ Outcome rounded_to(const MinkowskiSum& sum, Boundary boundary, const Rational& s
 Outcome check(const Summands& summands) {
   Outcome all;
   for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
-    const MinkowskiSum sum = slide_sum(summands.p, summands.q, boundary).sum;
+    const PlanarSet sum = slide_sum(summands.p, summands.q, boundary).sum;
     // Integers are on sides of pixels where they are odd.
     for (const Rational& step : {Rational(2), Rational(7, 3)}) {
       std::vector<Outcome> outcomes = {routed(sum, step)};

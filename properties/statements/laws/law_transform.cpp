@@ -49,7 +49,7 @@ std::string broken(const AffineMap& map, const Region& region) {
     if (locate(map(x), there) != locate(x, region))
       return "the location of " + to_string(x) + " is";
   if (image(inverse(map), there) != region) return "its inverse does not lead back";
-  const MinkowskiSum set = canonical_sum(region);
+  const PlanarSet set = canonical_sum(region);
   if (image(map, set) != canonical_sum(there)) return "the image as a set is another";
   return "";
 }

@@ -49,7 +49,7 @@ Maps linear_map(const std::string& in_words, const AffineMap& map) {
 Law images(std::vector<Maps> all) {
   return [all = std::move(all)](const Sum& sum, const Summands& summands) {
     const auto& [p, q] = summands;
-    const MinkowskiSum here = sum(p, q);
+    const PlanarSet here = sum(p, q);
     for (const Maps& maps : all) {
       const std::string what = difference_in_words(image(maps.of_sum, here),
                                                    sum(image(maps.of_p, p), image(maps.of_q, q)));
@@ -112,7 +112,7 @@ Chain merged(const Chain& p, const Chain& q) {
 
 Outcome convex(const Sum& sum, const Summands& summands) {
   const Chain p = convex_hull(chains(summands.p)), q = convex_hull(chains(summands.q));
-  const MinkowskiSum expected{{merged(p, q)}, {}, {}, {}};
+  const PlanarSet expected{{merged(p, q)}, {}, {}, {}};
   const std::string what = difference_in_words(sum(polygon(p), polygon(q)), expected);
   if (!what.empty()) return unless_broken("of the hulls, " + what);
   if (convex_hull(sum(summands.p, summands.q).outer) != expected.outer[0])
@@ -225,7 +225,7 @@ std::optional<std::vector<Region>> parts(const Region& region) {
 
 Outcome not_distributive(const Sum& sum, const Summands& summands,
                          const std::vector<Region>& parts) {
-  std::vector<MinkowskiSum> sums = {sum(summands.p, summands.q)};
+  std::vector<PlanarSet> sums = {sum(summands.p, summands.q)};
   for (const Region& part : parts) sums.push_back(sum(part, summands.q));
   for (const OverlaidPoint& x : overlaid(sums)) {
     const bool in_whole = x.is_in(0, sum.is_open());
@@ -255,9 +255,9 @@ Outcome distributive(const Sum& sum, const Summands& summands) {
 
 /// P + x, where x is a point of the closed Q, must be in the closed sum.
 Outcome contains_translates(const Sum& sum, const Region& p, const Region& q) {
-  const MinkowskiSum whole = sum(p, q);
+  const PlanarSet whole = sum(p, q);
   for (const Chain& chain : chains(q)) {
-    const MinkowskiSum part = canonical_sum(translated(p, chain[0]));
+    const PlanarSet part = canonical_sum(translated(p, chain[0]));
     for (const OverlaidPoint& at : overlaid({whole, part})) {
       if (at.is_in(1, false) && !at.is_in(0, false))
         return Outcome().fail("P + " + to_string(chain[0]) + " contains " + to_string(at.point) +

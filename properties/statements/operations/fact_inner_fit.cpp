@@ -17,10 +17,10 @@ Outcome check(const Summands& summands) {
     for (const bool second : {false, true}) {
       if (second && kind < 3) continue;
       const auto [how, pair] = fitting_pair(summands, kind, second);
-      const MinkowskiSum value = inner_fit(pair.p, pair.q, by_slide);
-      const MinkowskiSum right = find_defined_operation("ifp")->compute(pair.p, pair.q);
+      const PlanarSet value = inner_fit(pair.p, pair.q, by_slide);
+      const PlanarSet right = find_defined_operation("ifp")->compute(pair.p, pair.q);
       ++outcome.counts["inner-fit polygons"];
-      outcome.counts["empty ones"] += right == MinkowskiSum{};
+      outcome.counts["empty ones"] += right == PlanarSet{};
       outcome.counts["those with edges"] += !right.dangling_edges.empty();
       outcome.counts["those with points"] += !right.isolated_vertices.empty();
       outcome.counts["unbounded ones"] += right.is_unbounded;

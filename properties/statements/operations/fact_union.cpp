@@ -24,12 +24,12 @@ Outcome check(const Summands& summands) {
   Outcome outcome;
   for (const std::vector<Region>& polygons : overlapping(summands)) {
     Region all;
-    std::vector<MinkowskiSum> sets;
+    std::vector<PlanarSet> sets;
     for (const Region& one : polygons) {
       all.components.insert(all.components.end(), one.components.begin(), one.components.end());
       sets.push_back(canonical_sum(one));
     }
-    const MinkowskiSum union_of_all = union_of(all);
+    const PlanarSet union_of_all = union_of(all);
     const Region region = region_of(union_of_all);
     if (const std::optional<Defect> defect = find_defect(region))
       return outcome.fail("the union is invalid: " + describe(defect->kind), defect->where);

@@ -5,7 +5,7 @@
 #include "properties/runner/registry.hpp"
 #include "properties/statements/operations/by_slide.hpp"
 #include "reference/chains/region_of.hpp"
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 #include "reference/definitions/region.hpp"
 #include "reference/oracle/operations_by_definition.hpp"
 #include "reference/oracle/set_by_pieces.hpp"
@@ -16,7 +16,7 @@ namespace {
 
 /// Regions S, of which some are in the placements and some are not: all of them that have area, the same
 /// moved, and P and Q themselves.
-std::vector<Region> tried(const MinkowskiSum& placements, const Summands& pair) {
+std::vector<Region> tried(const PlanarSet& placements, const Summands& pair) {
   std::vector<Region> all = {pair.p, pair.q, reflected(pair.q)};
   const Region fits = region_of(regularized(placements));
   if (fits.components.empty()) return all;
@@ -31,9 +31,9 @@ Outcome check(const Summands& summands) {
   Outcome outcome;
   for (std::size_t kind = 0; kind < fitting_kinds; ++kind) {
     const auto [how, pair] = fitting_pair(summands, kind);
-    const MinkowskiSum placements = inner_fit(pair.p, pair.q, by_slide);
+    const PlanarSet placements = inner_fit(pair.p, pair.q, by_slide);
     for (const Region& s : tried(placements, pair)) {
-      const MinkowskiSum sum = unbounded_sum(s, pair.q, Boundary::closed, by_slide);
+      const PlanarSet sum = unbounded_sum(s, pair.q, Boundary::closed, by_slide);
       if (sum != regularized(sum)) return outcome.fail(how + ": S ⊕ Q is no region");
       const bool sum_fits = is_subset(set_by_pieces(sum), set_by_pieces(pair.p));
       const bool is_among = is_subset(set_by_pieces(s), set_by_pieces(placements));

@@ -15,23 +15,23 @@ namespace oplus {
 namespace {
 
 std::string broken(const Region& p, const Region& q, bool is_of_copies) {
-  const MinkowskiSum all_of_p = canonical_sum(p);
-  const MinkowskiSum open = opened(p, q, by_slide), close = closed(p, q, by_slide);
+  const PlanarSet all_of_p = canonical_sum(p);
+  const PlanarSet open = opened(p, q, by_slide), close = closed(p, q, by_slide);
   if (!is_subset(set_by_pieces(open), set_by_pieces(p))) return "the opening is not contained in P";
   if (!is_subset(set_by_pieces(p), set_by_pieces(close))) return "the closing does not contain P";
   if (is_of_copies && open != all_of_p)
     return "the opening of a union of copies of Q is another set: " +
            difference_in_words(open, all_of_p);
-  const MinkowskiSum open_again = opened(region_of(open), q, by_slide);
+  const PlanarSet open_again = opened(region_of(open), q, by_slide);
   if (open_again != open)
     return "opened twice, it is another set: " + difference_in_words(open, open_again);
-  const MinkowskiSum close_again = closed(region_of(close), q, by_slide);
+  const PlanarSet close_again = closed(region_of(close), q, by_slide);
   if (close_again != close)
     return "closed twice, it is another set: " + difference_in_words(close, close_again);
   // The opening of the complement but for what only exact placements reach.
   const Region minus_q = reflected(q);
   const Region room = region_of(eroded(complement(p), minus_q, by_slide));
-  const MinkowskiSum dual = canonical_sum(
+  const PlanarSet dual = canonical_sum(
       complement(region_of(unbounded_sum(room, minus_q, Boundary::closed, by_slide))));
   if (dual != close)
     return "the closing is not the dual of the opening: " + difference_in_words(close, dual);

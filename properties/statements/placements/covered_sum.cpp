@@ -27,12 +27,12 @@ bool cover(const std::vector<ConvolutionSegment>& segments, const Vector& direct
   return cover(along, edge);
 }
 
-std::string bare(const MinkowskiSum& sum, const std::vector<ConvolutionSegment>& segments,
+std::string bare(const PlanarSet& sum, const std::vector<ConvolutionSegment>& segments,
                  const std::set<Point>& excepted) {
   const auto named = [](const Segment& edge) {
     return "from " + to_string(edge.source) + " to " + to_string(edge.target);
   };
-  for (const Segment& edge : edges(MinkowskiSum{sum.outer, sum.holes, {}, {}})) {
+  for (const Segment& edge : edges(PlanarSet{sum.outer, sum.holes, {}, {}})) {
     if (!cover(segments, direction_of(edge), edge))
       return "no segments of the same direction cover the edge " + named(edge);
   }

@@ -20,7 +20,7 @@ bool cover(const std::vector<ConvolutionSegment>& segments, const Vector& direct
 /// What of a sum the segments do not cover, in words; empty if they cover all: each edge by
 /// segments of its direction, dangling edges by segments of both directions, isolated vertices by
 /// any segment, except for the `excepted` ones.
-std::string bare(const MinkowskiSum& sum, const std::vector<ConvolutionSegment>& segments,
+std::string bare(const PlanarSet& sum, const std::vector<ConvolutionSegment>& segments,
                  const std::set<Point>& excepted);
 
 /// Where isolated vertices may be on no segment of the reduced convolution (docs/findings.md, on

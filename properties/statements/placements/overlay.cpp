@@ -40,9 +40,9 @@ std::vector<OverlaidPoint> overlaid(const std::vector<Region>& regions) {
   return overlaid_with(regions, {});
 }
 
-std::vector<OverlaidPoint> overlaid(const std::vector<MinkowskiSum>& sums) {
+std::vector<OverlaidPoint> overlaid(const std::vector<PlanarSet>& sums) {
   std::vector<Point> isolated;
-  for (const MinkowskiSum& sum : sums)
+  for (const PlanarSet& sum : sums)
     std::ranges::copy(sum.isolated_vertices, std::back_inserter(isolated));
   return overlaid_with(sums, isolated);
 }

@@ -22,6 +22,6 @@ struct OverlaidPoint {
 /// and isolated vertices, located in one region or sum at a time; no collision test is used. What
 /// holds for these points holds for the whole plane.
 std::vector<OverlaidPoint> overlaid(const std::vector<Region>& regions);
-std::vector<OverlaidPoint> overlaid(const std::vector<MinkowskiSum>& sums);
+std::vector<OverlaidPoint> overlaid(const std::vector<PlanarSet>& sums);
 
 }  // namespace oplus

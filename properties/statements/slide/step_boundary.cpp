@@ -10,7 +10,7 @@ namespace {
 
 Outcome check(const Summands& summands) {
   const SlidPair pair(summands);
-  const MinkowskiSum sum = oracle_sums(summands.p, summands.q).closed;
+  const PlanarSet sum = oracle_sums(summands.p, summands.q).closed;
   const std::vector<Segment> boundary = edges(sum);
   slide::FreePieces<SlidPair::Numbers> search(pair.tracks.summands());
   Outcome outcome;

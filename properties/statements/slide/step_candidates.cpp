@@ -21,7 +21,7 @@ slide::OpenCandidates<SlidPair::Numbers> candidates_of(const SlidPair& pair) {
 
 Outcome check(const Summands& summands) {
   const SlidPair pair(summands);
-  const MinkowskiSum open = oracle_sums(summands.p, summands.q).open;
+  const PlanarSet open = oracle_sums(summands.p, summands.q).open;
   Outcome outcome;
   std::vector<Segment> segments;
   std::set<Point> points = sums_of_touching_points(summands);

@@ -7,7 +7,7 @@ namespace oplus {
 namespace {
 
 Outcome check(const Summands& summands) {
-  const MinkowskiSum sum = slide_sum(summands.p, summands.q, Boundary::closed).sum;
+  const PlanarSet sum = slide_sum(summands.p, summands.q, Boundary::closed).sum;
   Outcome outcome;
   for (const std::vector<Chain>* of_kind : {&sum.outer, &sum.holes}) {
     for (const Chain& chain : *of_kind) {

@@ -54,7 +54,7 @@ TEST(Rca, is_exact_where_no_double_is) {
             (std::vector<Chain>{{{3, 3}, {3, 3 + tiny}, {4, 3 + tiny}, {4, 3}}}));
   EXPECT_EQ(rca(slotted(3), square, Boundary::open).sum.dangling_edges,
             (std::vector<Segment>{{{3, 3}, {4, 3}}}));
-  const MinkowskiSum closed = rca(slotted(3 - tiny), square, Boundary::open).sum;
+  const PlanarSet closed = rca(slotted(3 - tiny), square, Boundary::open).sum;
   EXPECT_EQ(closed, canonical_sum(polygon(box(0, 0, 7, 7))));
 }
 

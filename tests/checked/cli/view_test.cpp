@@ -152,7 +152,7 @@ TEST(View, faces_are_candidates_where_rca_asks_and_holes_where_the_sum_has_them)
 TEST(View, loops_draw_each_edge_and_those_of_the_boundary_as_such) {
   for_each_pair_of_shapes([](const Region& p, const Region& q) {
     const ConvolutionArrangement arrangement(traced_reduced_convolution(p, q));
-    const MinkowskiSum sum = rca(p, q, Boundary::closed).sum;
+    const PlanarSet sum = rca(p, q, Boundary::closed).sum;
     std::size_t directed = 0;
     std::size_t on_boundary = 0;
     for (Halfedge h = 0; h < 2 * arrangement.edge_count(); ++h) {

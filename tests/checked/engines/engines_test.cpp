@@ -59,9 +59,9 @@ TEST(Engines, with_the_empty_region_are_empty) {
         const auto sum = [&, hole_test = method](const Region& p, const Region& q) {
           return engine.compute(p, q, boundary, {.with_origins = true, .hole_test = hole_test}).sum;
         };
-        EXPECT_EQ(sum(Region{}, square), MinkowskiSum{}) << engine.name << ", " << name;
-        EXPECT_EQ(sum(square, Region{}), MinkowskiSum{}) << engine.name << ", " << name;
-        EXPECT_EQ(sum(Region{}, Region{}), MinkowskiSum{}) << engine.name << ", " << name;
+        EXPECT_EQ(sum(Region{}, square), PlanarSet{}) << engine.name << ", " << name;
+        EXPECT_EQ(sum(square, Region{}), PlanarSet{}) << engine.name << ", " << name;
+        EXPECT_EQ(sum(Region{}, Region{}), PlanarSet{}) << engine.name << ", " << name;
       }
     }
   }
@@ -99,10 +99,10 @@ TEST(Engines, scale_with_their_summands_beyond_what_doubles_can_hold) {
   std::vector<std::pair<Region, Region>> pairs = {{star(), star()}};
   for (const CorpusPair& row : corpus()) pairs.emplace_back(row.p, row.q);
   for (const auto& [p, q] : pairs) {
-    const MinkowskiSum sum = rca(p, q, Boundary::open).sum;
+    const PlanarSet sum = rca(p, q, Boundary::open).sum;
     for (const auto& [x, y] : {std::pair{huge, huge}, {tiny, tiny}, {huge, tiny}, {tiny, huge}}) {
       const AffineMap scaled{x, 0, 0, y};
-      const MinkowskiSum expected = image(scaled, sum);
+      const PlanarSet expected = image(scaled, sum);
       const Region large_p = image(scaled, p), large_q = image(scaled, q);
       for (const Engine& engine : engines()) {
         for (const auto& [name, method] : hole_test_methods()) {

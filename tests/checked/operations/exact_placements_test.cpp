@@ -5,7 +5,7 @@
 #include "checked/operations/operations.hpp"
 #include "checked/slide/slide.hpp"
 #include "reference/chains/region_of.hpp"
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 #include "reference/oracle/operations_by_definition.hpp"
 #include "tests/reference/definitions/print.hpp"
 #include "tests/reference/definitions/shapes.hpp"
@@ -13,13 +13,13 @@
 namespace oplus {
 namespace {
 
-MinkowskiSum by_slide(const Region& p, const Region& q, Boundary boundary) {
+PlanarSet by_slide(const Region& p, const Region& q, Boundary boundary) {
   return slide_sum(p, q, boundary).sum;
 }
 
 /// The value of an operation, which must be the same by its definition.
-MinkowskiSum value(const std::string& name, const Region& p, const Region& q) {
-  const MinkowskiSum right = find_defined_operation(name)->compute(p, q);
+PlanarSet value(const std::string& name, const Region& p, const Region& q) {
+  const PlanarSet right = find_defined_operation(name)->compute(p, q);
   for (const Operation& operation : operations()) {
     if (operation.name != name) continue;
     EXPECT_EQ(operation.compute(p, q, by_slide), right) << name;
@@ -29,7 +29,7 @@ MinkowskiSum value(const std::string& name, const Region& p, const Region& q) {
   return right;
 }
 
-MinkowskiSum edges_and_points(const std::vector<Segment>& edges, const std::vector<Point>& points) {
+PlanarSet edges_and_points(const std::vector<Segment>& edges, const std::vector<Point>& points) {
   return {{}, {}, edges, points};
 }
 
@@ -38,17 +38,17 @@ const Chain key = {{0, 0}, {5, 0}, {5, 1}, {4, 1}, {4, 3}, {3, 3}, {3, 1}, {0, 1
 TEST(ExactPlacements, a_part_as_large_as_its_bin_has_one_placement) {
   const Region bin = polygon(box(10, 20, 110, 120)), part = polygon(box(0, 0, 100, 100));
   EXPECT_EQ(value("ifp", bin, part), edges_and_points({}, {{10, 20}}));
-  EXPECT_EQ(value("erode", bin, part), MinkowskiSum{});
+  EXPECT_EQ(value("erode", bin, part), PlanarSet{});
   EXPECT_EQ(value("open", bin, part), canonical_sum(bin));
   EXPECT_EQ(value("close", bin, part), canonical_sum(bin));
-  EXPECT_EQ(value("ifp", polygon(box(10, 20, 110, Rational(2399, 20))), part), MinkowskiSum{});
+  EXPECT_EQ(value("ifp", polygon(box(10, 20, 110, Rational(2399, 20))), part), PlanarSet{});
 }
 
 TEST(ExactPlacements, a_key_in_its_keyhole) {
   EXPECT_EQ(value("ifp", translated(polygon(key), {7, 2}), polygon(key)),
             edges_and_points({}, {{7, 2}}));
   const Region plate = holed(box(5, 0, 15, 10), {translated(key, {7, 2})});
-  const MinkowskiSum free = value("ifp", complement(plate), polygon(key));
+  const PlanarSet free = value("ifp", complement(plate), polygon(key));
   EXPECT_TRUE(free.is_unbounded);
   EXPECT_EQ(free.isolated_vertices, (std::vector<Point>{{7, 2}}));
   EXPECT_TRUE(free.dangling_edges.empty());
@@ -69,7 +69,7 @@ TEST(ExactPlacements, a_door_as_wide_as_the_robot) {
                                 {4, 3},
                                 {4, 4},
                                 {0, 4}});
-  const MinkowskiSum free = value("ifp", rooms, polygon(box(0, 0, 2, 2)));
+  const PlanarSet free = value("ifp", rooms, polygon(box(0, 0, 2, 2)));
   EXPECT_EQ(free.outer, (std::vector<Chain>{box(0, 0, 2, 2), box(6, 0, 8, 2)}));
   EXPECT_EQ(free.dangling_edges, (std::vector<Segment>{{{2, 1}, {6, 1}}}));
   EXPECT_TRUE(free.isolated_vertices.empty());
@@ -83,7 +83,7 @@ TEST(ExactPlacements, a_door_as_wide_as_the_robot) {
 
 TEST(ExactPlacements, a_corridor_of_an_l_shaped_bin) {
   const Region bin = polygon({{0, 0}, {9, 0}, {9, 2}, {4, 2}, {4, 9}, {0, 9}});
-  const MinkowskiSum free = value("ifp", bin, polygon(box(0, 0, 2, 2)));
+  const PlanarSet free = value("ifp", bin, polygon(box(0, 0, 2, 2)));
   EXPECT_EQ(free.outer, (std::vector<Chain>{box(0, 0, 2, 7)}));
   EXPECT_EQ(free.dangling_edges, (std::vector<Segment>{{{2, 0}, {7, 0}}}));
   EXPECT_EQ(value("open", bin, polygon(box(0, 0, 2, 2))), canonical_sum(bin));
@@ -105,14 +105,14 @@ TEST(ExactPlacements, a_part_with_a_hole_around_an_island) {
 
 TEST(ExactPlacements, without_a_part_everywhere_and_in_nothing_nowhere) {
   const Region square = polygon(box(0, 0, 1, 1));
-  MinkowskiSum plane;
+  PlanarSet plane;
   plane.is_unbounded = true;
   EXPECT_EQ(value("ifp", square, Region{}), plane);
-  EXPECT_EQ(value("ifp", Region{}, square), MinkowskiSum{});
+  EXPECT_EQ(value("ifp", Region{}, square), PlanarSet{});
   EXPECT_EQ(value("ifp", region_of(plane), square), plane);
   EXPECT_EQ(value("nfp", region_of(plane), square), plane);
-  EXPECT_EQ(value("nfp", square, Region{}), MinkowskiSum{});
-  EXPECT_EQ(value("ifp", square, region_of(plane)), MinkowskiSum{});
+  EXPECT_EQ(value("nfp", square, Region{}), PlanarSet{});
+  EXPECT_EQ(value("ifp", square, region_of(plane)), PlanarSet{});
 }
 
 TEST(ExactPlacements, of_both_unbounded_regions) {
@@ -120,7 +120,7 @@ TEST(ExactPlacements, of_both_unbounded_regions) {
   const Region q = complement(polygon(box(0, 0, 2, 2))), p = complement(polygon(box(0, 0, 1, 1)));
   EXPECT_EQ(value("ifp", p, q), canonical_sum(polygon(box(-1, -1, 0, 0))));
   EXPECT_EQ(value("ifp", q, q), edges_and_points({}, {{0, 0}}));
-  EXPECT_EQ(value("ifp", q, p), MinkowskiSum{});
+  EXPECT_EQ(value("ifp", q, p), PlanarSet{});
 }
 
 }  // namespace

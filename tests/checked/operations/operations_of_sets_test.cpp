@@ -20,21 +20,21 @@
 namespace oplus {
 namespace {
 
-MinkowskiSum by_slide(const Region& p, const Region& q, Boundary boundary) {
+PlanarSet by_slide(const Region& p, const Region& q, Boundary boundary) {
   return slide_sum(p, q, boundary).sum;
 }
 
-MinkowskiSum union_in(const GivenSum& parts) {
+PlanarSet union_in(const GivenSum& parts) {
   return union_of(parts.region, parts.dangling_edges, parts.isolated_vertices);
 }
 
-GivenSum parts_of(const MinkowskiSum& set) {
+GivenSum parts_of(const PlanarSet& set) {
   return {region_of(set), set.dangling_edges, set.isolated_vertices};
 }
 
 GivenSum minus(const GivenSum& set) { return reflected_to({0, 0}, set); }
 
-MinkowskiSum value(const std::string& name, const GivenSum& p, const GivenSum& q) {
+PlanarSet value(const std::string& name, const GivenSum& p, const GivenSum& q) {
   return operation_called(name).compute_of_sets(union_in(p), union_in(q), by_slide);
 }
 
@@ -100,7 +100,7 @@ TEST(OperationsOfSets, nfp_is_that_of_the_definition_on_a_point_of_every_cell) {
     Random random(seed);
     const Summands regions = grid_pair(seed);
     const GivenSum p = drawn(random, regions.p, regions.q), q = drawn(random, regions.q, regions.p);
-    const MinkowskiSum places = value("nfp", p, q);
+    const PlanarSet places = value("nfp", p, q);
     low_dimensional += has_edge_or_point(places);
     for (const Point& x : points_of_cells(p, minus(q))) {
       ++points;
@@ -121,7 +121,7 @@ TEST(OperationsOfSets, ifp_and_what_is_made_of_it_are_those_of_the_definition) {
     Random random(seed);
     const Summands regions = grid_pair(seed);
     const GivenSum p{regions.p, {}, {}}, q = drawn(random, regions.q, regions.p);
-    const MinkowskiSum places = value("ifp", p, q);
+    const PlanarSet places = value("ifp", p, q);
     exact_fits += has_edge_or_point(places);
     for (const Point& x : points_of_cells(p, minus(q))) {
       ++points;
@@ -129,19 +129,19 @@ TEST(OperationsOfSets, ifp_and_what_is_made_of_it_are_those_of_the_definition) {
                 locate(x, places) != Location::outside)
           << to_string(x);
     }
-    MinkowskiSum regular = places;
+    PlanarSet regular = places;
     regular.dangling_edges.clear();
     regular.isolated_vertices.clear();
     EXPECT_EQ(value("erode", p, q), regular);
 
-    const MinkowskiSum opening = value("open", p, q);
+    const PlanarSet opening = value("open", p, q);
     EXPECT_EQ(is_empty(opening), is_empty(places));
     for (const Point& x : points_of_cells(parts_of(places), q)) {
       ++points;
       EXPECT_EQ(meet(parts_of(places), reflected_to(x, q)), locate(x, opening) != Location::outside)
           << to_string(x);
     }
-    const MinkowskiSum dilated = set_sum(union_in(p), union_in(q), Boundary::closed, by_slide);
+    const PlanarSet dilated = set_sum(union_in(p), union_in(q), Boundary::closed, by_slide);
     EXPECT_EQ(value("close", p, q), value("erode", parts_of(dilated), q));
   }
   EXPECT_GT(points, 3000U);

@@ -14,17 +14,17 @@
 namespace oplus {
 namespace {
 
-MinkowskiSum set(const std::string& text) {
+PlanarSet set(const std::string& text) {
   const ReadSet read = read_set(text, "text");
   return union_of(read.region, read.segments, read.points);
 }
 
-MinkowskiSum sum_by_slide(const Region& p, const Region& q, Boundary boundary) {
+PlanarSet sum_by_slide(const Region& p, const Region& q, Boundary boundary) {
   return slide_sum(p, q, boundary).sum;
 }
 
 std::string sum(const std::string& p, const std::string& q, Boundary boundary = Boundary::closed) {
-  const MinkowskiSum result = set_sum(set(p), set(q), boundary, sum_by_slide);
+  const PlanarSet result = set_sum(set(p), set(q), boundary, sum_by_slide);
   EXPECT_EQ(set_sum(set(q), set(p), boundary, sum_by_slide), result);
   EXPECT_EQ(read_sum(wkt(result), "sum").sum, result) << "not canonical";
   return wkt(result);
@@ -97,8 +97,8 @@ std::size_t expect_sums_of_the_definition(const GivenSum& p, const GivenSum& q) 
   const auto value = [](const GivenSum& parts) {
     return union_of(parts.region, parts.dangling_edges, parts.isolated_vertices);
   };
-  const MinkowskiSum closed = set_sum(value(p), value(q), Boundary::closed, sum_by_slide);
-  const MinkowskiSum open = set_sum(value(p), value(q), Boundary::open, sum_by_slide);
+  const PlanarSet closed = set_sum(value(p), value(q), Boundary::closed, sum_by_slide);
+  const PlanarSet open = set_sum(value(p), value(q), Boundary::open, sum_by_slide);
   const std::vector<Point> points = points_of_cells(p, q);
   for (const Point& x : points) {
     const GivenSum placed = reflected_to(x, q);

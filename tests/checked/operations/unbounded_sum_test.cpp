@@ -12,11 +12,11 @@
 namespace oplus {
 namespace {
 
-MinkowskiSum slid(const Region& p, const Region& q, Boundary boundary) {
+PlanarSet slid(const Region& p, const Region& q, Boundary boundary) {
   return slide_sum(p, q, boundary).sum;
 }
 
-MinkowskiSum sum(const Region& p, const Region& q, Boundary boundary = Boundary::closed) {
+PlanarSet sum(const Region& p, const Region& q, Boundary boundary = Boundary::closed) {
   return unbounded_sum(p, q, boundary, slid);
 }
 
@@ -35,10 +35,10 @@ TEST(UnboundedSum, shrinks_what_is_free) {
 }
 
 TEST(UnboundedSum, open_keeps_exact_fits) {
-  const MinkowskiSum wide = sum(room, polygon(box(0, 0, 2, 5)), Boundary::open);
+  const PlanarSet wide = sum(room, polygon(box(0, 0, 2, 5)), Boundary::open);
   EXPECT_TRUE(wide.is_unbounded && wide.holes.empty() && wide.outer.empty());
   EXPECT_EQ(wide.dangling_edges, (std::vector<Segment>{{{2, 5}, {9, 5}}}));
-  const MinkowskiSum exact = sum(room, polygon(box(0, 0, 9, 5)), Boundary::open);
+  const PlanarSet exact = sum(room, polygon(box(0, 0, 9, 5)), Boundary::open);
   EXPECT_EQ(exact.isolated_vertices, (std::vector<Point>{{9, 5}}));
 }
 
@@ -47,13 +47,13 @@ TEST(UnboundedSum, of_a_summand_of_distant_parts_is_right) {
   const Region apart = together({polygon(box(0, 0, 1, 1)), polygon(box(1000, 300, 1001, 301))});
   EXPECT_EQ(sum(room, apart), canonical_sum(plane));
   const Region other = together({polygon(box(0, 0, 1, 1)), polygon(box(5, 0, 6, 1))});
-  const MinkowskiSum rest = sum(room, other);
+  const PlanarSet rest = sum(room, other);
   EXPECT_EQ(rest.holes, (std::vector<Chain>{{{6, 1}, {6, 5}, {9, 5}, {9, 1}}}));
 }
 
 TEST(UnboundedSum, with_nothing_is_nothing_and_with_another_is_the_plane) {
-  EXPECT_EQ(sum(room, Region{}), MinkowskiSum{});
-  EXPECT_EQ(sum(Region{}, plane), MinkowskiSum{});
+  EXPECT_EQ(sum(room, Region{}), PlanarSet{});
+  EXPECT_EQ(sum(Region{}, plane), PlanarSet{});
   EXPECT_EQ(sum(room, room), canonical_sum(plane));
   EXPECT_EQ(sum(plane, polygon(box(0, 0, 1, 1))), canonical_sum(plane));
 }

@@ -10,7 +10,7 @@
 namespace oplus {
 namespace {
 
-MinkowskiSum value(const std::string& text) { return read_sum(text, "text").sum; }
+PlanarSet value(const std::string& text) { return read_sum(text, "text").sum; }
 
 TEST(UnionOf, joins_components_that_overlap_touch_or_share_walls) {
   EXPECT_EQ(union_of(together({polygon(box(0, 0, 2, 2)), polygon(box(1, 1, 3, 3))})),
@@ -67,13 +67,13 @@ TEST(UnionOf, keeps_points_that_are_on_nothing_once) {
       1U);
 }
 
-TEST(UnionOf, of_nothing_is_empty) { EXPECT_EQ(union_of({}), MinkowskiSum{}); }
+TEST(UnionOf, of_nothing_is_empty) { EXPECT_EQ(union_of({}), PlanarSet{}); }
 
 TEST(UnionOf, takes_the_plane_without_holes) {
   Region outside;
   outside.components.push_back({{}, {backwards(box(0, 0, 4, 4))}});
-  const MinkowskiSum all = union_of(together({outside, polygon(box(1, 1, 2, 2))}),
-                                    {{{-1, 3}, {3, 3}}}, {{9, 9}, {3, 1}});
+  const PlanarSet all = union_of(together({outside, polygon(box(1, 1, 2, 2))}), {{{-1, 3}, {3, 3}}},
+                                 {{9, 9}, {3, 1}});
   EXPECT_TRUE(all.is_unbounded);
   EXPECT_EQ(all.outer, std::vector<Chain>{box(1, 1, 2, 2)});
   EXPECT_EQ(all.holes.size(), 1U);

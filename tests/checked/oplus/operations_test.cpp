@@ -47,7 +47,7 @@ TEST(Complement, of_an_open_set_is_closed) {
   EXPECT_EQ(complement(rest), places);
 }
 
-TEST(MinkowskiSum, of_an_unbounded_region) {
+TEST(PlanarSet, of_an_unbounded_region) {
   const ValidRegion free = complement(bin);
   const Sum sum = minkowski_sum(free, part);
   EXPECT_TRUE(is_unbounded(sum.region()));

@@ -28,19 +28,19 @@ TEST(Sum, is_empty_by_default) {
   EXPECT_EQ(sum, minkowski_sum(ValidRegion(), ValidRegion()));
 }
 
-TEST(MinkowskiSum, has_components_with_their_holes) {
+TEST(PlanarSet, has_components_with_their_holes) {
   const Sum sum = minkowski_sum(frame, square);
   const Component expected = {{{0, 0}, {5, 0}, {5, 5}, {0, 5}}, {{{2, 2}, {2, 3}, {3, 3}, {3, 2}}}};
   EXPECT_EQ(sum.components(), std::vector{expected});
   EXPECT_EQ(sum.region().components(), std::vector{expected});
-  EXPECT_EQ(sum.value(), (MinkowskiSum{{expected.outer}, expected.holes, {}, {}}));
+  EXPECT_EQ(sum.value(), (PlanarSet{{expected.outer}, expected.holes, {}, {}}));
   EXPECT_EQ(area(sum), 24);
   EXPECT_TRUE(sum.dangling_edges().empty() && sum.isolated_vertices().empty());
   // It is a region again.
   EXPECT_EQ(area(minkowski_sum(sum.region(), square)), 36);
 }
 
-TEST(MinkowskiSum, is_taken_of_several_components) {
+TEST(PlanarSet, is_taken_of_several_components) {
   const ValidRegion two =
       read_wkt("MULTIPOLYGON(((0 0,1 0,1 1,0 1,0 0)),((9 0,10 0,10 1,9 1,9 0)))");
   EXPECT_EQ(minkowski_sum(two, square).components().size(), 2U);
@@ -48,7 +48,7 @@ TEST(MinkowskiSum, is_taken_of_several_components) {
 }
 
 /// With the address sanitizer, references into what is gone would end the test.
-TEST(MinkowskiSum, without_a_name_can_be_looped_over) {
+TEST(PlanarSet, without_a_name_can_be_looped_over) {
   std::size_t vertices = 0;
   for (const Component& component : minkowski_sum(frame, square).components())
     vertices += component.outer.size() + component.holes.at(0).size();
@@ -65,14 +65,14 @@ TEST(MinkowskiSum, without_a_name_can_be_looped_over) {
   static_assert(!std::is_reference_v<decltype(minkowski_sum(frame, square).isolated_vertices())>);
 }
 
-TEST(MinkowskiSum, splits_chains_into_components_at_touching_points) {
+TEST(PlanarSet, splits_chains_into_components_at_touching_points) {
   const ValidRegion touching = read_wkt("MULTIPOLYGON(((0 0,2 0,0 2,0 0)),((2 0,4 0,4 2,2 0)))");
   const Sum sum =
       minkowski_sum(touching, polygon({{0, 0}, {1, 0}, {0, 1}}), {.boundary = Boundary::open});
   EXPECT_EQ(ValidRegion(sum.region().region()), sum.region());
 }
 
-TEST(MinkowskiSum, has_dangling_edges_and_isolated_vertices_if_open) {
+TEST(PlanarSet, has_dangling_edges_and_isolated_vertices_if_open) {
   const Sum closed = minkowski_sum(frame, -plug);
   const Sum open = minkowski_sum(frame, -plug, {.boundary = Boundary::open});
   EXPECT_EQ(open.boundary(), Boundary::open);
@@ -87,7 +87,7 @@ TEST(MinkowskiSum, has_dangling_edges_and_isolated_vertices_if_open) {
   EXPECT_TRUE(passage.isolated_vertices().empty());
 }
 
-TEST(MinkowskiSum, answers_where_points_are) {
+TEST(PlanarSet, answers_where_points_are) {
   const Sum closed = minkowski_sum(frame, -bar);
   const Sum open = minkowski_sum(frame, -bar, {.boundary = Boundary::open});
   EXPECT_EQ(locate({1, 1.5}, open), Location::boundary);
@@ -101,7 +101,7 @@ TEST(MinkowskiSum, answers_where_points_are) {
   EXPECT_FALSE(contains(closed, {5, 2}));
 }
 
-TEST(MinkowskiSum, says_where_its_edges_came_from_if_asked) {
+TEST(PlanarSet, says_where_its_edges_came_from_if_asked) {
   EXPECT_TRUE(minkowski_sum(frame, square).origins().empty());
   const Sum sum = minkowski_sum(frame, square, {.with_origins = true});
   ASSERT_EQ(sum.origins().size(), 8U);
@@ -112,12 +112,12 @@ TEST(MinkowskiSum, says_where_its_edges_came_from_if_asked) {
   EXPECT_EQ(sum.origins()[4][0].edge.chain, 1U);
 }
 
-TEST(MinkowskiSum, has_statistics) {
+TEST(PlanarSet, has_statistics) {
   const Sum sum = minkowski_sum(frame, square);
   EXPECT_NE(sum.statistics().begin(), sum.statistics().end());
 }
 
-TEST(MinkowskiSum, is_the_same_by_each_number_of_threads) {
+TEST(PlanarSet, is_the_same_by_each_number_of_threads) {
   for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
     const Sum expected = minkowski_sum(frame, -bar, {.boundary = boundary});
     for (const unsigned threads : {0U, 2U, 5U})

@@ -29,7 +29,7 @@ using Polygons =
     bg::model::multi_polygon<bg::model::polygon<bg::model::d2::point_xy<double>, false>>;
 
 /// Of WKT whose rings are without their last vertex.
-MinkowskiSum set_of(const std::string& wkt) {
+PlanarSet set_of(const std::string& wkt) {
   static const std::regex ring(R"(\(([^(),]+),([^(),]+),([^()]+)\))");
   return read_sum(std::regex_replace(wkt, ring, "($1,$2,$3,$1)"), "WKT").sum;
 }
@@ -99,7 +99,7 @@ TEST(Rounded, moves_edges_and_points_and_drops_them_where_the_complement_is) {
 }
 
 TEST(Rounded, on_a_side_of_an_open_set_drops_edges_or_puts_areas_in_their_place) {
-  const MinkowskiSum set =
+  const PlanarSet set =
       set_of("GEOMETRYCOLLECTION (POLYGON ((0 0, 9 0, 9 9, 0 9)), POINT (4.5 4.5))");
   EXPECT_EQ(text(rounded(set, Boundary::open, 1, Side::contain)),
             "POLYGON ((0 0, 10 0, 10 10, 0 10, 0 0)): 1 dangling edge or isolated vertex lost");
@@ -109,7 +109,7 @@ TEST(Rounded, on_a_side_of_an_open_set_drops_edges_or_puts_areas_in_their_place)
 
 TEST(Rounded, a_set_on_the_grid_stays_as_it_is) {
   // An edge passes the pixel of a vertex that is on the grid.
-  const MinkowskiSum set = set_of("POLYGON ((0 0, 5 -1, 10 0, 10 1, 5 0, 0 1))");
+  const PlanarSet set = set_of("POLYGON ((0 0, 5 -1, 10 0, 10 1, 5 0, 0 1))");
   for (const Side side : {Side::nearest, Side::contain, Side::contained}) {
     const RoundedSet same = rounded(set, Boundary::closed, 1, side);
     EXPECT_EQ(same.set, set);
@@ -131,8 +131,8 @@ TEST(Rounded, has_components_with_connected_interiors) {
 }
 
 TEST(Rounded, an_unbounded_set_is_the_complement_of_its_rounded_complement) {
-  const MinkowskiSum hole = set_of("POLYGON ((0.2 0, 5 0, 5 5.6, 0.2 5))");
-  MinkowskiSum outside = {
+  const PlanarSet hole = set_of("POLYGON ((0.2 0, 5 0, 5 5.6, 0.2 5))");
+  PlanarSet outside = {
       {}, {{{Rational(1, 5), 0}, {Rational(1, 5), 5}, {5, Rational(28, 5)}, {5, 0}}}, {}, {}, true};
   for (const auto& [side, other] : std::map<Side, Side>{{Side::nearest, Side::nearest},
                                                         {Side::contain, Side::contained},
@@ -149,14 +149,14 @@ TEST(Rounded, an_unbounded_set_is_the_complement_of_its_rounded_complement) {
 }
 
 /// Whether all of a set is in another one.
-bool contains_set(const MinkowskiSum& set, const MinkowskiSum& other) {
+bool contains_set(const PlanarSet& set, const PlanarSet& other) {
   const Overlay overlay(given(other), set);
   return std::ranges::none_of(overlay.differences(), [](const Overlay::Difference& difference) {
     return difference.reason.in_given && !difference.reason.in_sum;
   });
 }
 
-Rational width_of(const MinkowskiSum& sum) {
+Rational width_of(const PlanarSet& sum) {
   Rational low = sum.outer[0][0].x, high = low;
   for (const Chain& chain : sum.outer)
     for (const Point& p : chain) low = std::min(low, p.x), high = std::max(high, p.x);
@@ -174,11 +174,11 @@ Rational power_of_two_near(const Rational& value) {
 TEST(Rounded, an_unbounded_set_says_which_components_joined) {
   // The wall between the hole and the outside is less than half a step thick.
   const Rational wall(99, 10);
-  const MinkowskiSum ring = {{{{1, 1}, {wall, 1}, {wall, 9}, {1, 9}}},
-                             {{{0, 0}, {0, 10}, {10, 10}, {10, 0}}},
-                             {},
-                             {},
-                             true};
+  const PlanarSet ring = {{{{1, 1}, {wall, 1}, {wall, 9}, {1, 9}}},
+                          {{{0, 0}, {0, 10}, {10, 10}, {10, 0}}},
+                          {},
+                          {},
+                          true};
   EXPECT_EQ(rounded(ring, Boundary::closed, 1, Side::nearest).changes,
             (TopologyChanges{.joined_components = 2}));
 }
@@ -196,7 +196,7 @@ TEST(Rounded, sums_of_all_families) {
       const auto [p, q] =
           generate(family, std::min(family.typical, family.smallest + 1 + seed % 4), seed);
       for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
-        const MinkowskiSum sum = slide_sum(p, q, boundary).sum;
+        const PlanarSet sum = slide_sum(p, q, boundary).sum;
         ++seen["sums"];
         const int cells[] = {3, 7, 40, 1000};
         const Rational step = seed % 5 == 0 ? power_of_two_near(width_of(sum) / 20)
@@ -234,7 +234,7 @@ TEST(Rounded, sums_of_all_families) {
 
         // verify, with the distance in which the bound is. An open set that contains the sum has no edges and points:
         // it is near the closed sum.
-        MinkowskiSum exact = sum;
+        PlanarSet exact = sum;
         if (side == Side::contain && !result.is_exact)
           exact.dangling_edges.clear(), exact.isolated_vertices.clear();
         const Rational distance = result.bound * Rational(141421357, 100000000);
@@ -265,7 +265,7 @@ TEST(Rounded, sums_of_all_families) {
 const Region nine{{{{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, {}}}};
 
 TEST(Closeness, refuses_what_is_farther_than_rounding_goes) {
-  const MinkowskiSum set = set_of("POLYGON ((0 0, 9 0, 9 9, 0 9), (2 2, 2 4, 4 4, 4 2))");
+  const PlanarSet set = set_of("POLYGON ((0 0, 9 0, 9 9, 0 9), (2 2, 2 4, 4 4, 4 2))");
   const auto is_close = [&](const std::string& given, const Rational& distance) {
     return closeness(set, {region_of(set_of(given)), {}, {}}, distance).is_close();
   };
@@ -273,7 +273,7 @@ TEST(Closeness, refuses_what_is_farther_than_rounding_goes) {
   EXPECT_TRUE(is_close("POLYGON ((0 0, 9 0, 9 9, 0 9))", Rational(142, 100)));
   EXPECT_FALSE(is_close("POLYGON ((0 0, 9 0, 9 9, 0 9))", Rational(141, 100)));
   EXPECT_FALSE(is_close("POLYGON ((0 0, 9 0, 9 9, 0 9), (6 6, 6 8, 8 8, 8 6))", 2));
-  const MinkowskiSum with_edge =
+  const PlanarSet with_edge =
       set_of("GEOMETRYCOLLECTION (POLYGON ((0 0, 9 0, 9 9, 0 9)), LINESTRING (4 4, 5 4))");
   EXPECT_FALSE(closeness(with_edge, {nine, {}, {}}, 1).is_close());
   EXPECT_TRUE(closeness(with_edge, {nine, {{{4, 4}, {5, Rational(9, 2)}}}, {}}, 1).is_close());

@@ -14,7 +14,7 @@
 #include "reference/chains/region_of.hpp"
 #include "reference/chains/swept_cells.hpp"
 #include "reference/definitions/difference.hpp"
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 #include "reference/definitions/winding_number.hpp"
 #include "reference/families/family.hpp"
 #include "reference/families/random.hpp"
@@ -24,7 +24,7 @@
 namespace oplus {
 namespace {
 
-std::vector<Segment> boundary_of(const MinkowskiSum& set) { return edges(regularized(set)); }
+std::vector<Segment> boundary_of(const PlanarSet& set) { return edges(regularized(set)); }
 
 /// The connected parts of a bounded set's interior and of its complement, as sets of the cells of an arrangement
 /// that contains its boundary.
@@ -33,8 +33,8 @@ struct Faces {
   std::vector<bool> is_inside;  ///< of each face
 };
 
-Faces faces_of(const MinkowskiSum& given, const Cells& cells) {
-  const MinkowskiSum set = regularized(given);  // a dangling edge is not the end of a face
+Faces faces_of(const PlanarSet& given, const Cells& cells) {
+  const PlanarSet set = regularized(given);  // a dangling edge is not the end of a face
   const std::size_t count = cells.faces.size();
   std::vector<bool> is_inside(count, false);
   for (std::size_t i = 0; i < count; ++i)
@@ -68,7 +68,7 @@ struct Correspondence {
 
 /// For a set and one that contains it, or is contained in it: where a component is in one of the larger set, or a hole
 /// in a hole of the smaller one, and so on.
-Correspondence by_common_points(const MinkowskiSum& set, const MinkowskiSum& rounded) {
+Correspondence by_common_points(const PlanarSet& set, const PlanarSet& rounded) {
   std::vector<Segment> both = boundary_of(set);
   const std::vector<Segment> edges = boundary_of(rounded);
   both.insert(both.end(), edges.begin(), edges.end());
@@ -85,7 +85,7 @@ Correspondence by_common_points(const MinkowskiSum& set, const MinkowskiSum& rou
 
 /// For the nearest set: where the boundary of a face, each edge of which becomes a polyline through hot pixels, winds around
 /// points of the other face.
-Correspondence by_moved_boundaries(const MinkowskiSum& set, const MinkowskiSum& rounded,
+Correspondence by_moved_boundaries(const PlanarSet& set, const PlanarSet& rounded,
                                    const Rational& step) {
   const Cells cells = swept_cells(boundary_of(set));
   std::vector<Segment> all;
@@ -166,7 +166,7 @@ struct Seen {
   TopologyChanges changes;
 };
 
-void expect_what_is_said_is_true(const MinkowskiSum& set, Boundary boundary, const Rational& step,
+void expect_what_is_said_is_true(const PlanarSet& set, Boundary boundary, const Rational& step,
                                  Side side, const std::string& which, Seen& seen) {
   const RoundedSet result = rounded(set, boundary, step, side);
   if (result.is_exact) return;
@@ -198,7 +198,7 @@ void expect_what_is_said_is_true(const MinkowskiSum& set, Boundary boundary, con
 
 /// Triangles with vertices on quarters, or a plate without them: components and holes touch often, and are less than a
 /// step apart.
-MinkowskiSum random_triangles(Random& random, bool are_holes) {
+PlanarSet random_triangles(Random& random, bool are_holes) {
   GivenSum all;
   for (int i = 0; i < 24; ++i) {
     const auto number = [&](const Rational& low, int range) -> Rational {
@@ -246,7 +246,7 @@ TEST(TopologyChanges, of_random_sets_and_of_sums_are_what_happened) {
     Seen seen;
     const Region triangle = polygon({{0, 0}, {Rational(1, 5), 0}, {0, Rational(1, 3)}});
     for (int round = 0; round < rounds; ++round) {
-      const MinkowskiSum set = random_triangles(random, round % 2 == 1);
+      const PlanarSet set = random_triangles(random, round % 2 == 1);
       const std::string which = name + " " + std::to_string(round);
       expect_what_is_said_is_true(set, Boundary::closed, 1, side, which, seen);
       for (const Boundary boundary : {Boundary::closed, Boundary::open})
@@ -265,7 +265,7 @@ TEST(TopologyChanges, of_sums_of_all_families_are_what_happened) {
       const auto [p, q] =
           generate(family, std::min(family.typical, family.smallest + 1 + seed % 2), seed);
       for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
-        const MinkowskiSum sum = slide_sum(p, q, boundary).sum;
+        const PlanarSet sum = slide_sum(p, q, boundary).sum;
         Rational low = sum.outer[0][0].x, high = low;
         for (const Point& v : sum.outer[0]) low = std::min(low, v.x), high = std::max(high, v.x);
         const Rational step = (high - low) / (seed % 2 == 0 ? 7 : 40) * Rational(97, 101);
@@ -279,14 +279,14 @@ TEST(TopologyChanges, of_sums_of_all_families_are_what_happened) {
 }
 
 TEST(TopologyChanges, components_that_rounding_joins_through_an_edge_are_joined) {
-  const MinkowskiSum two =
+  const PlanarSet two =
       canonical_sum(Region{{{{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {}},
                             {{{Rational(5, 2), 0}, {4, 0}, {4, 2}, {Rational(5, 2), 2}}, {}}}});
   EXPECT_EQ(rounded(two, Boundary::closed, 1, Side::contain).changes,
             (TopologyChanges{.joined_components = 2}));
   // Of the hole's side: a wall that is lost between two holes.
   const Rational half(1, 2);
-  const MinkowskiSum plate = canonical_sum(Region{
+  const PlanarSet plate = canonical_sum(Region{
       {{{{0, 0}, {9, 0}, {9, 9}, {0, 9}},
         {{{2, 2}, {2, 4}, {4, 4}, {4, 2}}, {{4 + half, 2}, {4 + half, 4}, {6, 4}, {6, 2}}}}}});
   EXPECT_EQ(rounded(plate, Boundary::closed, 1, Side::contained).changes,

@@ -117,7 +117,7 @@ TEST(ConvexCover, changes_no_sum) {
       const Region of_p = generate(*find_family(p), 60, seed).p;
       const Region of_q = generate(*find_family(q), 60, seed).q;
       for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
-        const MinkowskiSum found = slide_sum(of_p, of_q, boundary).sum;
+        const PlanarSet found = slide_sum(of_p, of_q, boundary).sum;
         EXPECT_TRUE(found == rca.compute(of_p, of_q, boundary, {}).sum) << p << ' ' << q << seed;
         features += found.dangling_edges.size() + found.isolated_vertices.size();
       }

@@ -178,7 +178,7 @@ TEST(SlideStages, are_the_first_that_hold_the_bits_of_a_coordinate) {
 
 TEST(SlideStages, of_what_is_small_but_far_from_the_origin_are_64_bits) {
   const Region square = polygon(box(0, 0, 3, 5));
-  const MinkowskiSum sum = slide_sum(square, triangle, Boundary::closed).sum;
+  const PlanarSet sum = slide_sum(square, triangle, Boundary::closed).sum;
   for (const char* far :
        {"536870912", "1000000000000000000000000000000000000000", "-99999999999"}) {
     const Vector by{Rational(far), -Rational(far) - 7};
@@ -311,7 +311,7 @@ TEST(Slide, of_stretched_summands_is_the_sum_stretched) {
     for (std::uint64_t seed = 0; seed < 4; ++seed) {
       const auto [p, q] = generate(*find_family(name), 5, seed);
       for (const Boundary boundary : both) {
-        const MinkowskiSum sum = slide_sum(p, q, boundary).sum;
+        const PlanarSet sum = slide_sum(p, q, boundary).sum;
         for (const Rational& factor :
              {power_of_two(90), power_of_two(-90), power_of_two(2000), Rational(3, 7)})
           EXPECT_EQ(slide_sum(image(scaling(factor), p), image(scaling(factor), q), boundary).sum,

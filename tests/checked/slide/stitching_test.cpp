@@ -9,7 +9,7 @@
 #include "checked/slide/number_types.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/chains/touching_points.hpp"
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 #include "reference/definitions/sorted_without_copies.hpp"
 #include "reference/families/rich_regions.hpp"
 #include "tests/checked/slide/exact_values.hpp"
@@ -40,8 +40,8 @@ class Stitched {
   }
 
   /// As the sum that has these chains, which are in the canonical order already.
-  MinkowskiSum sum() const {
-    MinkowskiSum result;
+  PlanarSet sum() const {
+    PlanarSet result;
     for (const StitchedChains::Chain& stitched : chains.chains) {
       Chain chain;
       for (const StitchedChains::Edge& edge : chains.edges_of(stitched))
@@ -73,7 +73,7 @@ std::vector<Segment> edges_of(const std::vector<Chain>& chains) {
   return all;
 }
 
-MinkowskiSum stitched_sum(const std::vector<Chain>& chains) {
+PlanarSet stitched_sum(const std::vector<Chain>& chains) {
   return Stitched(edges_of(chains)).sum();
 }
 

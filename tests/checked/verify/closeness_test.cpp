@@ -144,7 +144,7 @@ TEST(Closeness, of_rounded_sums) {
   for (const Family& family : families()) {
     for (const std::uint64_t seed : {1U, 2U}) {
       const auto [p, q] = generate(family, family.smallest + 2, seed);
-      const MinkowskiSum sum = slide_sum(p, q, Boundary::closed).sum;
+      const PlanarSet sum = slide_sum(p, q, Boundary::closed).sum;
       GivenSum given{region_of(sum), {}, {}};
       const auto round = [&](Chain& chain) {
         for (Point& v : chain) {

@@ -80,7 +80,7 @@ struct Stretch {
   Region operator()(const Region& region, const Vector& by) const {
     return mapped(region, [&](const Point& p) { return (*this)(p, by); });
   }
-  MinkowskiSum operator()(MinkowskiSum sum) const {
+  PlanarSet operator()(PlanarSet sum) const {
     const Vector by = of_p + of_q;
     for (std::vector<Chain>* of_sum : {&sum.outer, &sum.holes})
       for (Chain& chain : *of_sum)
@@ -106,7 +106,7 @@ TEST(SumByConvexParts, does_not_depend_on_the_size_of_numbers) {
   std::size_t features = 0;
   for (const auto& [name, p, q] : pairs_of_families(200)) {
     for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
-      const MinkowskiSum sum = sum_by_convex_parts(p, q, boundary);
+      const PlanarSet sum = sum_by_convex_parts(p, q, boundary);
       features += sum.dangling_edges.size() + sum.isolated_vertices.size();
       for (const Stretch& stretch : stretches)
         EXPECT_EQ(sum_by_convex_parts(stretch(p, stretch.of_p), stretch(q, stretch.of_q), boundary),

@@ -22,11 +22,11 @@ struct Damage {
   std::string name;
   std::set<ReasonKind> right_reasons;
   /// Damages what is given of a sum. Changes nothing where there is nothing to be damaged in this way.
-  std::function<void(GivenSum& given, const MinkowskiSum& sum)> apply;
+  std::function<void(GivenSum& given, const PlanarSet& sum)> apply;
 };
 
 /// Whether a segment meets an edge or a feature of a sum.
-inline bool meets(const Segment& s, const MinkowskiSum& sum) {
+inline bool meets(const Segment& s, const PlanarSet& sum) {
   const std::vector<Segment> all = edges(sum);
   return std::any_of(all.begin(), all.end(),
                      [&](const Segment& e) { return !intersection(s, e).empty(); }) ||
@@ -36,7 +36,7 @@ inline bool meets(const Segment& s, const MinkowskiSum& sum) {
 
 /// A counterclockwise triangle that meets nothing of a sum, to the left of a segment of its boundary,
 /// near the middle.
-inline Chain triangle_beside(const Segment& edge, const MinkowskiSum& sum) {
+inline Chain triangle_beside(const Segment& edge, const PlanarSet& sum) {
   std::vector<Segment> around = edges(sum);
   std::vector<Point> ends;
   for (const Segment& e : around) {
@@ -73,7 +73,7 @@ inline Component* component_around(Region& region, const Point& place) {
 
 /// A narrow bridge between two edges of a sum that see each other: its side from the first to the
 /// second, then that back; empty where they do not.
-inline std::optional<Chain> bridge(const Segment& a, const Segment& b, const MinkowskiSum& sum) {
+inline std::optional<Chain> bridge(const Segment& a, const Segment& b, const PlanarSet& sum) {
   const auto at = [](const Segment& s, const Rational& t) {
     return s.source + t * direction_of(s);
   };
@@ -95,7 +95,7 @@ inline std::optional<Chain> bridge(const Segment& a, const Segment& b, const Min
 }
 
 /// Makes two components one, by the first bridge that is found.
-inline void join_components(GivenSum& given, const MinkowskiSum& sum) {
+inline void join_components(GivenSum& given, const PlanarSet& sum) {
   std::vector<Component>& components = given.region.components;
   for (std::size_t c = 1; c < components.size(); ++c) {
     Chain& a = components[0].outer;
@@ -125,20 +125,18 @@ inline Component& first_with_holes(Region& region) {
 inline Chain& first_chain(GivenSum& given) { return given.region.components.front().outer; }
 inline Segment first_edge(const Chain& chain) { return {chain[0], chain[1]}; }
 
-inline bool has_hole(const MinkowskiSum& sum) { return !sum.holes.empty(); }
+inline bool has_hole(const PlanarSet& sum) { return !sum.holes.empty(); }
 
 /// Not one with a component in it, that would stay.
-inline bool has_empty_hole(const MinkowskiSum& sum) {
-  return has_hole(sum) && sum.outer.size() == 1;
-}
+inline bool has_empty_hole(const PlanarSet& sum) { return has_hole(sum) && sum.outer.size() == 1; }
 
-inline bool has_features(const MinkowskiSum& sum) {
+inline bool has_features(const PlanarSet& sum) {
   return !sum.dangling_edges.empty() || !sum.isolated_vertices.empty();
 }
 
 inline std::vector<Damage> damages() {
   using K = ReasonKind;
-  using Sum = const MinkowskiSum&;
+  using Sum = const PlanarSet&;
   std::vector<Damage> all;
   const auto damage = [&](std::string name, std::set<ReasonKind> right_reasons, auto apply) {
     all.push_back({std::move(name), std::move(right_reasons), apply});

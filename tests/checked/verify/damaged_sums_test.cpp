@@ -29,8 +29,8 @@ bool is_inside(const Point& x, const GivenSum& given) {
 bool is_set_reason(ReasonKind kind) { return kind < ReasonKind::wrong_orientation; }
 
 /// That the damage is one, and the first reason true: none of it asks the verifier.
-void expect_true(const Reason& reason, const GivenSum& given, const MinkowskiSum& sum,
-                 const Region& p, const Region& q) {
+void expect_true(const Reason& reason, const GivenSum& given, const PlanarSet& sum, const Region& p,
+                 const Region& q) {
   const Point& x = reason.witness;
   const bool meet = interiors_meet(p, translated(reflected(q), x));
   if (is_set_reason(reason.kind)) {
@@ -80,7 +80,7 @@ TEST(DamagedSums, are_told_with_the_right_reason) {
       const std::size_t n = std::min(family.typical, family.smallest + 3);
       const auto [p, q] = generate(family, n, seed);
       for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
-        const MinkowskiSum sum = slide_sum(p, q, boundary).sum;
+        const PlanarSet sum = slide_sum(p, q, boundary).sum;
         const GivenSum whole{region_of(sum), sum.dangling_edges, sum.isolated_vertices};
         ASSERT_TRUE(verify(p, q, boundary, whole).is_sum()) << family.name << ' ' << seed;
         if (boundary == Boundary::open && !has_features(sum)) continue;  // as the closed one

@@ -42,7 +42,7 @@ TEST(Verify, accepts_every_sum_of_every_engine_in_the_corpus) {
                 boundary == Boundary::open ? row.open : row.closed)
           << row.name;
       for (const Engine& engine : engines_and_oracle()) {
-        const MinkowskiSum sum = engine.compute(row.p, row.q, boundary, {}).sum;
+        const PlanarSet sum = engine.compute(row.p, row.q, boundary, {}).sum;
         const Verdict verdict = verify(row.p, row.q, boundary, sum);
         EXPECT_TRUE(verdict.is_sum()) << row.name << ", " << engine.name;
         EXPECT_EQ(verdict.right, sum) << row.name << ", " << engine.name;
@@ -204,7 +204,7 @@ TEST(Verify, refuses_a_point_for_an_empty_sum) {
 }
 
 TEST(Verify, a_sum_by_its_chains_may_have_a_hole_in_nothing) {
-  MinkowskiSum sum = sum_by_definition(frame, unit, Boundary::closed);
+  PlanarSet sum = sum_by_definition(frame, unit, Boundary::closed);
   EXPECT_TRUE(verify(frame, unit, Boundary::closed, sum).is_sum());
   sum.outer.clear();
   const Verdict verdict = verify(frame, unit, Boundary::closed, sum);
@@ -214,10 +214,10 @@ TEST(Verify, a_sum_by_its_chains_may_have_a_hole_in_nothing) {
 
 /// Which outer chain a hole goes to is then arbitrary, but nothing is accepted.
 TEST(Verify, refuses_a_sum_by_its_chains_where_they_cross) {
-  const MinkowskiSum right = sum_by_definition(frame, unit, Boundary::closed);
+  const PlanarSet right = sum_by_definition(frame, unit, Boundary::closed);
   for (const Chain& outer : {box(3, 3, 7, 7), box(-1, 1, 6, 4), box(4, 4, 6, 6)}) {
     for (const Chain& hole : {backwards(box(1, 1, 4, 6)), backwards(box(2, 2, 4, 4))}) {
-      MinkowskiSum crossing = right;
+      PlanarSet crossing = right;
       crossing.outer.push_back(outer);
       EXPECT_FALSE(verify(frame, unit, Boundary::closed, crossing).is_sum());
       crossing.holes.push_back(hole);
@@ -233,7 +233,7 @@ TEST(Verify, of_huge_and_tiny_coordinates) {
   for (int i = 0; i < 300; ++i) huge *= 10;
   const Rational tiny = 1 / huge;
   const Region p = polygon(box(0, 0, huge, tiny));
-  const MinkowskiSum sum = sum_by_definition(p, unit, Boundary::closed);
+  const PlanarSet sum = sum_by_definition(p, unit, Boundary::closed);
   EXPECT_EQ(sum, canonical_sum(polygon(box(0, 0, huge + 1, tiny + 1))));
   Region given = region_of(sum);
   EXPECT_TRUE(verify(p, unit, Boundary::closed, {given, {}, {}}).is_sum());
@@ -243,8 +243,8 @@ TEST(Verify, of_huge_and_tiny_coordinates) {
 
 TEST(Verify, the_kind_of_boundary_matters) {
   const Region plug = polygon(box(0, 0, 2, 2));
-  const MinkowskiSum open = sum_by_definition(frame, plug, Boundary::open);
-  const MinkowskiSum closed = sum_by_definition(frame, plug, Boundary::closed);
+  const PlanarSet open = sum_by_definition(frame, plug, Boundary::open);
+  const PlanarSet closed = sum_by_definition(frame, plug, Boundary::closed);
   ASSERT_EQ(open.isolated_vertices, (std::vector<Point>{{3, 3}}));
   EXPECT_EQ(kinds(verify(frame, plug, Boundary::open, closed)),
             (Kinds{ReasonKind::missing_isolated_vertex, ReasonKind::wrong_boundary}));

@@ -30,13 +30,13 @@ using Kind = EngineFailure::Kind;
 const Region triangle = polygon({{0, 0}, {1, 0}, {0, 1}});
 const Region square = polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
 const Region two{{{{{0, 0}, {1, 0}, {0, 1}}, {}}, {{{5, 5}, {6, 5}, {5, 6}}, {}}}};
-const MinkowskiSum sum_of_both = canonical_sum(polygon({{0, 0}, {2, 0}, {2, 1}, {1, 2}, {0, 2}}));
+const PlanarSet sum_of_both = canonical_sum(polygon({{0, 0}, {2, 0}, {2, 1}, {1, 2}, {0, 2}}));
 
 /// As `oplus-check` has them, but for all the time there is.
 const ProcessLimits patient{.seconds = 100'000, .address_space_mb = 4000, .output_mb = 64};
 
-MinkowskiSum sum(const std::string& engine, const Region& p = triangle, const Region& q = square,
-                 Boundary boundary = Boundary::closed, const ProcessLimits& limits = patient) {
+PlanarSet sum(const std::string& engine, const Region& p = triangle, const Region& q = square,
+              Boundary boundary = Boundary::closed, const ProcessLimits& limits = patient) {
   return engine_called(engine, limits).value().compute(p, q, boundary, {}).sum;
 }
 
@@ -287,7 +287,7 @@ TEST(Peers, support_what_they_have_an_interface_for) {
 TEST(Peers, of_cgal_are_right_where_a_chain_touches_the_inside_of_an_edge) {
   const Region q{{{{{0, -4}, {4, 0}, {0, 0}}, {{{0, 0}, {1, -1}, {1, -3}}}}}};
   const Region p = polygon({{-1, -2}, {0, 0}, {0, 1}});
-  const MinkowskiSum right_sum =
+  const PlanarSet right_sum =
       canonical_sum(polygon({{-1, -6}, {3, -2}, {4, 0}, {4, 1}, {0, 1}, {-1, -2}}));
   for (const char* peer : {"cgal-reduced", "cgal-vertical", "cgal-triangulation"})
     EXPECT_EQ(sum(peer, p, q), right_sum) << peer;

@@ -11,9 +11,9 @@ namespace {
 Chain square(int low, int high) { return {{low, low}, {high, low}, {high, high}, {low, high}}; }
 Chain hole(int low, int high) { return {{low, low}, {low, high}, {high, high}, {high, low}}; }
 
-const MinkowskiSum frame{{square(0, 9)}, {hole(3, 6)}, {}, {}};
+const PlanarSet frame{{square(0, 9)}, {hole(3, 6)}, {}, {}};
 
-std::string kind(const MinkowskiSum& right, const MinkowskiSum& given) {
+std::string kind(const PlanarSet& right, const PlanarSet& given) {
   const auto found = failure(right, given);
   return found ? found->kind : "";
 }
@@ -25,15 +25,15 @@ TEST(FailureKind, holes) {
   EXPECT_EQ(kind({{square(0, 9)}, {}, {}, {}}, frame), "hole invented");
   // As many as there were, but elsewhere.
   EXPECT_EQ(kind(frame, {{square(0, 9)}, {hole(1, 2)}, {}, {}}), "hole lost");
-  const MinkowskiSum two{
+  const PlanarSet two{
       {square(0, 9)}, {{{1, 1}, {1, 2}, {8, 2}, {8, 1}}, {{1, 3}, {1, 4}, {8, 4}, {8, 3}}}, {}, {}};
-  const MinkowskiSum one{{square(0, 9)}, {{{1, 1}, {1, 4}, {8, 4}, {8, 1}}}, {}, {}};
+  const PlanarSet one{{square(0, 9)}, {{{1, 1}, {1, 4}, {8, 4}, {8, 1}}}, {}, {}};
   EXPECT_EQ(kind(two, one), "holes joined");
   EXPECT_EQ(kind(one, two), "hole split");
 }
 
 TEST(FailureKind, components) {
-  const MinkowskiSum two{{square(0, 2), square(4, 6)}, {}, {}, {}};
+  const PlanarSet two{{square(0, 2), square(4, 6)}, {}, {}, {}};
   EXPECT_EQ(kind(two, {{square(0, 2)}, {}, {}, {}}), "component lost");
   EXPECT_EQ(kind({{square(0, 2)}, {}, {}, {}}, two), "component invented");
   EXPECT_EQ(kind(two, {{square(0, 6)}, {}, {}, {}}), "components joined");
@@ -42,7 +42,7 @@ TEST(FailureKind, components) {
 }
 
 TEST(FailureKind, area) {
-  const MinkowskiSum right{{square(0, 4)}, {}, {}, {}};
+  const PlanarSet right{{square(0, 4)}, {}, {}, {}};
   EXPECT_EQ(kind(right, {{square(0, 3)}, {}, {}, {}}), "area smaller");
   EXPECT_EQ(kind(right, {{square(0, 5)}, {}, {}, {}}), "area larger");
   EXPECT_EQ(kind(right, {{{{0, 0}, {8, 0}, {8, 2}, {0, 2}}}, {}, {}, {}}),
@@ -51,10 +51,9 @@ TEST(FailureKind, area) {
 
 TEST(FailureKind,
      rounded_is_by_less_than_a_step_of_the_grid_or_a_millionth_of_the_largest_coordinate) {
-  const MinkowskiSum right{
-      {{{0, 0}, {9, 0}, {Rational(20, 3), Rational(20, 3)}, {0, 9}}}, {}, {}, {}};
+  const PlanarSet right{{{{0, 0}, {9, 0}, {Rational(20, 3), Rational(20, 3)}, {0, 9}}}, {}, {}, {}};
   const auto with_vertex = [&](std::size_t i, const Point& p) {
-    MinkowskiSum given = right;
+    PlanarSet given = right;
     given.outer[0][2] = {7, 7};
     given.outer[0][i] = p;
     return given;
@@ -68,7 +67,7 @@ TEST(FailureKind,
   EXPECT_EQ(kind(right, with_vertex(1, {8, 0})), "area smaller");
   // On any grid.
   const Rational millionth(9, 1000000);
-  MinkowskiSum nearly = right;
+  PlanarSet nearly = right;
   nearly.outer[0][1].x += millionth;
   EXPECT_EQ(kind(right, nearly), "rounded");
   nearly.outer[0][1].x += millionth;
@@ -77,10 +76,10 @@ TEST(FailureKind,
 
 TEST(FailureKind, rounded_needs_the_same_vertices) {
   const Chain notched{{0, 0}, {2, Rational(1, 2)}, {4, 0}, {4, 4}, {0, 4}};
-  const MinkowskiSum right{{notched}, {}, {}, {}}, hull{{square(0, 4)}, {}, {}, {}};
+  const PlanarSet right{{notched}, {}, {}, {}}, hull{{square(0, 4)}, {}, {}, {}};
   EXPECT_EQ(kind(right, hull), "area larger");
   EXPECT_EQ(kind(hull, right), "area smaller");
-  MinkowskiSum thirds = right, rounded = right;
+  PlanarSet thirds = right, rounded = right;
   thirds.outer[0][1] = {2, Rational(1, 3)};
   EXPECT_EQ(kind(thirds, rounded), "rounded");
   // It starts at another vertex, and has one inside a straight line.
@@ -91,9 +90,9 @@ TEST(FailureKind, rounded_needs_the_same_vertices) {
 }
 
 TEST(FailureKind, rounded_may_add_and_lose_vertices_that_are_nearly_inside_an_edge) {
-  const MinkowskiSum right{{square(0, 4)}, {}, {}, {}};
+  const PlanarSet right{{square(0, 4)}, {}, {}, {}};
   const auto bent = [&](const Rational& by) {
-    MinkowskiSum given = right;
+    PlanarSet given = right;
     given.outer[0].insert(given.outer[0].begin() + 1, Point{2, by});
     return given;
   };
@@ -107,23 +106,23 @@ TEST(FailureKind, rounded_may_add_and_lose_vertices_that_are_nearly_inside_an_ed
 
 TEST(FailureKind, rounded_holes_are_in_the_same_component) {
   const auto sum = [](const Rational& left) {
-    return MinkowskiSum{{square(0, 9), square(10, 19)},
-                        {hole(3, 6), {{left, 13}, {left, 16}, {16, 16}, {16, 13}}},
-                        {},
-                        {}};
+    return PlanarSet{{square(0, 9), square(10, 19)},
+                     {hole(3, 6), {{left, 13}, {left, 16}, {16, 16}, {16, 13}}},
+                     {},
+                     {}};
   };
   EXPECT_EQ(kind(sum(Rational(40, 3)), sum(13)), "rounded");
   EXPECT_EQ(kind(sum(Rational(40, 3)), sum(12)), "area smaller");
-  MinkowskiSum one_hole = sum(13);
+  PlanarSet one_hole = sum(13);
   one_hole.holes.pop_back();
   EXPECT_EQ(kind(sum(Rational(40, 3)), one_hole), "hole lost");
 }
 
 TEST(FailureKind, low_dimensional_features) {
-  MinkowskiSum right = frame;
+  PlanarSet right = frame;
   right.dangling_edges = {{{3, 4}, {6, 4}}};
   right.isolated_vertices = {{4, 5}};
-  MinkowskiSum given = right;
+  PlanarSet given = right;
   given.dangling_edges.clear();
   EXPECT_EQ(kind(right, given), "dangling edge lost");
   EXPECT_EQ(kind(given, right), "dangling edge invented");
@@ -145,7 +144,7 @@ TEST(FailureKind, chains_that_are_not_a_boundary) {
 }
 
 TEST(FailureKind, the_same_points_in_another_form) {
-  MinkowskiSum given = frame;
+  PlanarSet given = frame;
   given.outer[0].insert(given.outer[0].begin() + 1, Point{5, 0});
   EXPECT_EQ(kind(frame, given), "not canonical");
 }

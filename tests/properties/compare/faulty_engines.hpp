@@ -14,22 +14,22 @@ namespace oplus {
 /// slide, with a fault that changes its sum or throws.
 inline Engine faulty(
     const std::string& name,
-    const std::function<void(MinkowskiSum& sum, const Summands& pair, Boundary boundary)>& fault) {
+    const std::function<void(PlanarSet& sum, const Summands& pair, Boundary boundary)>& fault) {
   return named_engine(name, [fault](const Region& p, const Region& q, Boundary boundary) {
-    MinkowskiSum sum = slide_sum(p, q, boundary).sum;
+    PlanarSet sum = slide_sum(p, q, boundary).sum;
     fault(sum, {p, q}, boundary);
     return sum;
   });
 }
 
 /// slide, each sum changed.
-inline Engine changed(const std::function<void(MinkowskiSum& sum)>& change) {
-  return faulty("changed", [change](MinkowskiSum& sum, const Summands&, Boundary) { change(sum); });
+inline Engine changed(const std::function<void(PlanarSet& sum)>& change) {
+  return faulty("changed", [change](PlanarSet& sum, const Summands&, Boundary) { change(sum); });
 }
 
 /// Tries what it is asked with several faults: invents a vertex, and crashes now and then.
 inline Engine of_many_kinds(const std::string& name) {
-  return faulty(name, [](MinkowskiSum& sum, const Summands& pair, Boundary) {
+  return faulty(name, [](PlanarSet& sum, const Summands& pair, Boundary) {
     if (vertex_count(pair.p) == 5)
       throw EngineFailure(EngineFailure::Kind::crashed, "x < y && z|w", "it <died>\n");
     if (vertex_count(pair.p) == 6) std::swap(sum.outer[0][0], sum.outer[0][1]);

@@ -9,7 +9,7 @@
 namespace oplus {
 namespace {
 
-const MinkowskiSum given = canonical_sum(polygon(box(0, 0, 5, 5)));
+const PlanarSet given = canonical_sum(polygon(box(0, 0, 5, 5)));
 
 /// What is wrong with a box instead of the given set, on the grid of step 2.
 std::string kind_of(const Chain& chain, Side side, const Rational& bound) {

@@ -23,11 +23,10 @@ const Task frame_and_plug{
      polygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}})}};
 
 const Engine right = named_engine("right", oracle_sum);
-const Engine without_holes = changed([](MinkowskiSum& sum) { sum.holes.clear(); });
+const Engine without_holes = changed([](PlanarSet& sum) { sum.holes.clear(); });
 const Engine without_isolated_vertices =
-    changed([](MinkowskiSum& sum) { sum.isolated_vertices.clear(); });
-const Engine throwing =
-    changed([](MinkowskiSum&) { throw std::runtime_error("no luck, 13 times"); });
+    changed([](PlanarSet& sum) { sum.isolated_vertices.clear(); });
+const Engine throwing = changed([](PlanarSet&) { throw std::runtime_error("no luck, 13 times"); });
 
 TEST(Judge, passes_the_right_sums_and_classifies_the_pair) {
   const JudgedPair result = judged(frame_and_square, {.engines = {right}});

@@ -19,7 +19,7 @@
 namespace oplus {
 namespace {
 
-const Engine right = changed([](MinkowskiSum&) {});
+const Engine right = changed([](PlanarSet&) {});
 
 Rules rules(const std::string& operation, const Engine& engine) {
   return rules_of_operation(operation, {.engines = {engine}});
@@ -64,7 +64,7 @@ TEST(Operation, counts_what_its_values_have) {
   const TaskSource source = pairs_that_fit(family_source(*find_family("tight"), 40, 1, 2), "ifp");
   for (std::size_t i = 0; i < source.tasks; ++i) {
     const Summands pair = source.task(i).pair;
-    const MinkowskiSum value = find_defined_operation("ifp")->compute(pair.p, pair.q);
+    const PlanarSet value = find_defined_operation("ifp")->compute(pair.p, pair.q);
     for (const std::string& part : parts_of_value(value)) ++expected[part];
   }
   EXPECT_EQ(report.all().values, expected);
@@ -73,7 +73,7 @@ TEST(Operation, counts_what_its_values_have) {
 }
 
 TEST(Operation, finds_lost_points_and_shrinks_the_pair) {
-  const Engine loses = changed([](MinkowskiSum& sum) { sum.isolated_vertices.clear(); });
+  const Engine loses = changed([](PlanarSet& sum) { sum.isolated_vertices.clear(); });
   const CampaignReport report = run_of("ifp", loses, 20);
   EXPECT_FALSE(report.conforms());
   ASSERT_TRUE(report.counterexamples.contains("isolated vertex lost"));
@@ -92,7 +92,7 @@ TEST(Operation, finds_lost_points_and_shrinks_the_pair) {
 class OperationReport : public Shell {};
 
 TEST_F(OperationReport, of_unbounded_pairs_is_written_and_read_again) {
-  const Engine fills = changed([](MinkowskiSum& sum) { sum.holes.clear(); });
+  const Engine fills = changed([](PlanarSet& sum) { sum.holes.clear(); });
   for (const std::string name : {"nfp", "ifp", "close", "closed-sum"}) {
     CampaignReport report = run_of(name, fills, 30);
     EXPECT_FALSE(report.conforms()) << name;

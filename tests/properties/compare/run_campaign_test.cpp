@@ -60,7 +60,7 @@ Summands shrunk_pair(const CampaignReport& report, const std::string& kind) {
 }
 
 /// The largest absolute value of a coordinate of a sum's boundary.
-Rational size_of_sum(const MinkowskiSum& sum) {
+Rational size_of_sum(const PlanarSet& sum) {
   Rational size = 1;
   for (const Chain& chain : sum.outer)
     for (const Point& p : chain) size = std::max({size, Rational(abs(p.x)), Rational(abs(p.y))});
@@ -68,14 +68,14 @@ Rational size_of_sum(const MinkowskiSum& sum) {
 }
 
 /// A triangle that has nothing in common with a sum.
-Chain apart_from(const MinkowskiSum& sum) {
+Chain apart_from(const PlanarSet& sum) {
   const Rational x = 2 * size_of_sum(sum);
   return {{x, x}, {x + 1, x}, {x, x + 1}};
 }
 
 TEST(Conformance, slide_conforms_in_every_part) {
   const SmallRun run{.parts = {}, .cases = 3};
-  const CampaignReport report = run.of(changed([](MinkowskiSum&) {}));
+  const CampaignReport report = run.of(changed([](PlanarSet&) {}));
   EXPECT_TRUE(report.conforms());
   EXPECT_EQ(parts_of(report).size(), conformance_parts().size());
   for (const CountedSource& source : report.sources)
@@ -86,39 +86,38 @@ TEST(Conformance, slide_conforms_in_every_part) {
 
 TEST(Conformance, distinguishes_what_is_lost_and_counts) {
   // Where a component is in the hole, it and the one around become one.
-  expect_only("hole lost", "families", changed([](MinkowskiSum& sum) { sum.holes.clear(); }),
+  expect_only("hole lost", "families", changed([](PlanarSet& sum) { sum.holes.clear(); }),
               "components joined");
   expect_only("dangling edge lost", "families",
-              changed([](MinkowskiSum& sum) { sum.dangling_edges.clear(); }));
+              changed([](PlanarSet& sum) { sum.dangling_edges.clear(); }));
   expect_only("isolated vertex lost", "families",
-              changed([](MinkowskiSum& sum) { sum.isolated_vertices.clear(); }));
+              changed([](PlanarSet& sum) { sum.isolated_vertices.clear(); }));
 }
 
 TEST(Conformance, distinguishes_wrong_boundaries_and_counts) {
-  expect_only("isolated vertex invented", "grids", changed([](MinkowskiSum& sum) {
-                sum.isolated_vertices.push_back(apart_from(sum)[0]);
-              }));
-  expect_only("orientation", "grids", changed([](MinkowskiSum& sum) {
+  expect_only("isolated vertex invented", "grids",
+              changed([](PlanarSet& sum) { sum.isolated_vertices.push_back(apart_from(sum)[0]); }));
+  expect_only("orientation", "grids", changed([](PlanarSet& sum) {
                 std::reverse(sum.outer[0].begin(), sum.outer[0].end());
               }));
-  expect_only("component lost", "grids", changed([](MinkowskiSum& sum) {
+  expect_only("component lost", "grids", changed([](PlanarSet& sum) {
                 sum = {{apart_from(sum)}, {}, {}, {}};
               }));
   expect_only("component invented", "grids",
-              changed([](MinkowskiSum& sum) { sum.outer.push_back(apart_from(sum)); }));
+              changed([](PlanarSet& sum) { sum.outer.push_back(apart_from(sum)); }));
 }
 
 TEST(Conformance, shrinks_one_pair_of_a_kind) {
   const SmallRun run{.parts = {"families"}, .cases = 2, .shrink_tries = 100};
-  const CampaignReport report = run.of(changed([](MinkowskiSum& sum) { sum.holes.clear(); }));
+  const CampaignReport report = run.of(changed([](PlanarSet& sum) { sum.holes.clear(); }));
   const Summands pair = shrunk_pair(report, "hole lost");
   EXPECT_LE(size_of(pair).vertices, 9U);
   EXPECT_FALSE(slide_sum(pair.p, pair.q, Boundary::closed).sum.holes.empty());
 }
 
 TEST(Conformance, sees_one_vertex_too_far_out_and_all_of_them_rounded) {
-  expect_only("area larger", "grids", changed([](MinkowskiSum& sum) {
-                MinkowskiSum moved = sum;
+  expect_only("area larger", "grids", changed([](PlanarSet& sum) {
+                PlanarSet moved = sum;
                 moved.outer[0][0].x -= size_of_sum(sum) / 1000;
                 if (!malformed(moved)) sum = moved;
               }));
@@ -126,7 +125,7 @@ TEST(Conformance, sees_one_vertex_too_far_out_and_all_of_them_rounded) {
     const Rational steps = v / grid;
     v = Rational(steps.get_num() / steps.get_den()) * grid;
   };
-  expect_only("rounded", "grids", changed([&](MinkowskiSum& sum) {
+  expect_only("rounded", "grids", changed([&](PlanarSet& sum) {
                 const Rational grid = size_of_sum(sum) / (1 << 24);
                 for (auto* chains : {&sum.outer, &sum.holes}) {
                   for (Chain& chain : *chains) {
@@ -141,9 +140,9 @@ TEST(Conformance, sees_one_vertex_too_far_out_and_all_of_them_rounded) {
 
 TEST(Conformance, a_missing_sum_is_a_kind_with_its_site) {
   expect_only("crashed: exception: bad luck,  times", "grids",
-              changed([](MinkowskiSum&) { throw std::runtime_error("bad luck, 13 times"); }));
+              changed([](PlanarSet&) { throw std::runtime_error("bad luck, 13 times"); }));
   const auto failing = [](EngineFailure::Kind kind) {
-    return faulty("failing", [kind](MinkowskiSum&, const Summands& pair, Boundary) {
+    return faulty("failing", [kind](PlanarSet&, const Summands& pair, Boundary) {
       if (vertex_count(pair.p) > 3) throw EngineFailure(kind, "f.cpp", "a line");
     });
   };
@@ -158,7 +157,7 @@ TEST(Conformance, a_missing_sum_is_a_kind_with_its_site) {
 }
 
 TEST(Conformance, crashes_at_different_sites_are_different_kinds) {
-  const Engine two = faulty("two sites", [](MinkowskiSum&, const Summands& pair, Boundary) {
+  const Engine two = faulty("two sites", [](PlanarSet&, const Summands& pair, Boundary) {
     if (vertex_count(pair.p) > 3) throw EngineFailure(EngineFailure::Kind::crashed, "a.hpp", "one");
     if (vertex_count(pair.q) > 3) throw EngineFailure(EngineFailure::Kind::crashed, "b.hpp", "two");
   });
@@ -170,7 +169,7 @@ TEST(Conformance, crashes_at_different_sites_are_different_kinds) {
 
 TEST(Conformance, unsupported_open_sums_and_refusals_are_counted_apart_and_no_faults) {
   const Engine closed_only =
-      faulty("closed only", [](MinkowskiSum&, const Summands& pair, Boundary boundary) {
+      faulty("closed only", [](PlanarSet&, const Summands& pair, Boundary boundary) {
         if (boundary == Boundary::open)
           throw EngineFailure(EngineFailure::Kind::open_unsupported, "", "no open sums");
         if (vertex_count(pair.p) == 4)
@@ -193,10 +192,9 @@ TEST(Conformance, unsupported_open_sums_and_refusals_are_counted_apart_and_no_fa
 
 TEST(Conformance, laws_find_more_and_blame_the_sum_that_is_wrong) {
   const Rational far(mpz_class(1) << 300);
-  const Engine careless =
-      faulty("careless", [&](MinkowskiSum& sum, const Summands& pair, Boundary) {
-        if (abs(pair.p.components[0].outer[0].x) > far) sum.holes.clear();
-      });
+  const Engine careless = faulty("careless", [&](PlanarSet& sum, const Summands& pair, Boundary) {
+    if (abs(pair.p.components[0].outer[0].x) > far) sum.holes.clear();
+  });
   EXPECT_TRUE(SmallRun{}.of(careless).conforms());
   const SmallRun laws{.parts = {"laws"}, .cases = 12, .shrink_tries = 60};
   const CampaignReport report = laws.of(careless);
@@ -211,7 +209,7 @@ TEST(Conformance, laws_find_more_and_blame_the_sum_that_is_wrong) {
 TEST(Conformance, statements_judge_where_the_oracle_is_not_asked) {
   // Pairs of the corpus have their sums.
   const SmallRun run{.parts = {"families", "statements", "laws"}, .largest = 0};
-  const CampaignReport report = run.of(changed([](MinkowskiSum& sum) {
+  const CampaignReport report = run.of(changed([](PlanarSet& sum) {
     if (!sum.outer.empty()) sum.outer[0][0].x -= 1;
   }));
   for (const auto& [kind, count] : report.all().kinds)
@@ -224,7 +222,7 @@ TEST(Conformance, statements_judge_where_the_oracle_is_not_asked) {
 
 TEST(Conformance, an_answer_that_is_not_repeated_is_reported_and_not_shrunk) {
   std::size_t asked = 0;
-  const Engine once = changed([&](MinkowskiSum&) {
+  const Engine once = changed([&](PlanarSet&) {
     if (++asked == 5) throw EngineFailure(EngineFailure::Kind::crashed, "once", "only once");
   });
   const CampaignReport report = SmallRun{.parts = {"grids"}, .threads = 1}.of(once);
@@ -235,9 +233,9 @@ TEST(Conformance, an_answer_that_is_not_repeated_is_reported_and_not_shrunk) {
 /// Rulings, kinds, shrunk pairs, the digest: all but the name.
 TEST(RunCampaign, same_report_whoever_judges) {
   for (const Engine& faulty :
-       {of_many_kinds("faulty"), changed([](MinkowskiSum& sum) { sum.holes.clear(); }),
-        changed([](MinkowskiSum& sum) { sum.dangling_edges.clear(); }),
-        changed([](MinkowskiSum& sum) { sum.isolated_vertices.clear(); })}) {
+       {of_many_kinds("faulty"), changed([](PlanarSet& sum) { sum.holes.clear(); }),
+        changed([](PlanarSet& sum) { sum.dangling_edges.clear(); }),
+        changed([](PlanarSet& sum) { sum.isolated_vertices.clear(); })}) {
     SmallRun run{.parts = {"families", "laws"}, .cases = 2, .shrink_tries = 20};
     const CampaignReport expected = run.of(faulty);
     run.judge = "convex-parts";
@@ -250,7 +248,7 @@ TEST(RunCampaign, same_report_whoever_judges) {
 }
 
 TEST(RunCampaign, same_report_however_many_threads) {
-  const Engine loses = changed([](MinkowskiSum& sum) { sum.holes.clear(); });
+  const Engine loses = changed([](PlanarSet& sum) { sum.holes.clear(); });
   const CampaignReport one = SmallRun{.cases = 1, .shrink_tries = 20, .threads = 1}.of(loses);
   const CampaignReport four = SmallRun{.cases = 1, .shrink_tries = 20, .threads = 4}.of(loses);
   EXPECT_FALSE(one.conforms());
@@ -311,7 +309,7 @@ TEST(RunCampaign, interrupted_with_threads_has_the_first_pairs) {
 
 TEST(RunCampaign, interrupted_while_shrinking_keeps_the_smallest_pair_so_far) {
   const TaskSource stars = family_source(*find_family("star"), 2, 1, 8);
-  const Rules faulty{.engines = {changed([](MinkowskiSum& sum) { sum.outer.clear(); })}};
+  const Rules faulty{.engines = {changed([](PlanarSet& sum) { sum.outer.clear(); })}};
   std::vector<std::size_t> tries;
   RunWatch watch;
   watch.while_shrinking = [&](const ShrunkFailure& found) { tries.push_back(found.tries); };

@@ -11,10 +11,9 @@ namespace oplus {
 namespace {
 
 TEST(SumDigest, tells_pairs_and_sums_apart_and_adds_up_in_any_order) {
-  const MinkowskiSum triangle = canonical_sum(polygon({{0, 0}, {1, 0}, {0, 1}}));
-  const MinkowskiSum square = canonical_sum(polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}));
-  const auto digest_of = [](std::uint64_t pair, const MinkowskiSum& closed,
-                            const MinkowskiSum& open) {
+  const PlanarSet triangle = canonical_sum(polygon({{0, 0}, {1, 0}, {0, 1}}));
+  const PlanarSet square = canonical_sum(polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}));
+  const auto digest_of = [](std::uint64_t pair, const PlanarSet& closed, const PlanarSet& open) {
     SumDigest digest;
     digest.add(pair, closed, open);
     return digest;

@@ -62,7 +62,7 @@ TEST_F(CertifiedSums, damaged_ones_are_refused) {
     for (const std::uint64_t seed : {1U, 2U}) {
       const auto [p, q] = generate(family, std::min(family.typical, family.smallest + 3), seed);
       put_summands(p, q);
-      const MinkowskiSum sum = slide_sum(p, q, Boundary::closed).sum;
+      const PlanarSet sum = slide_sum(p, q, Boundary::closed).sum;
       const GivenSum whole{region_of(sum), {}, {}};
       const std::string certificate = written(certificates::certificate(p, q, whole.region));
       ASSERT_EQ(answer(whole.region, certificate), "certified\n") << family.name << ' ' << seed;

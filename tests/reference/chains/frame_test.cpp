@@ -35,7 +35,7 @@ TEST(Unframed, is_the_set_without_the_frame) {
   const Region region = {
       {Component{{}, {{{0, 0}, {0, 9}, {9, 9}, {9, 0}}}}, Component{{{1, 1}, {2, 1}, {1, 2}}, {}}}};
   EXPECT_TRUE(is_unbounded(region));
-  const MinkowskiSum set = unframed(canonical_sum(framed(region, 3)));
+  const PlanarSet set = unframed(canonical_sum(framed(region, 3)));
   EXPECT_TRUE(set.is_unbounded);
   EXPECT_EQ(set, canonical_sum(region));
   EXPECT_EQ(set.outer.size(), 1U);
@@ -46,7 +46,7 @@ TEST(RegionOf, an_unbounded_set_has_the_missing_outer_chain_last) {
   const Region region = {
       {Component{{{1, 1}, {2, 1}, {1, 2}}, {}}, Component{{}, {{{0, 0}, {0, 9}, {9, 9}, {9, 0}}}}}};
   EXPECT_EQ(region_of(canonical_sum(region)), region);
-  MinkowskiSum plane;
+  PlanarSet plane;
   plane.is_unbounded = true;
   EXPECT_EQ(region_of(plane), Region{{Component{}}});
   EXPECT_EQ(canonical_sum(Region{{Component{}}}), plane);

@@ -30,7 +30,7 @@ void for_each_sum(int count, Check check) {
 
 TEST(RegionOf, a_sum_is_valid_and_has_the_same_boundary) {
   int apart = 0;
-  for_each_sum(3000, [&](const Region& region, const MinkowskiSum& sum) {
+  for_each_sum(3000, [&](const Region& region, const PlanarSet& sum) {
     EXPECT_EQ(canonical_sum(region), sum);
     const Region again = region_of(sum);
     ASSERT_FALSE(find_defect(again)) << testing::PrintToString(sum);
@@ -43,7 +43,7 @@ TEST(RegionOf, a_sum_is_valid_and_has_the_same_boundary) {
 
 TEST(RegionOf, a_chain_that_passes_through_its_own_vertices_is_taken_apart) {
   // Triangles under a bar, which they touch inside its lower edge; one of them has a triangle of its own.
-  const MinkowskiSum sum = canonical_sum(
+  const PlanarSet sum = canonical_sum(
       together({polygon(box(0, 4, 9, 5)), polygon({{1, 2}, {3, 2}, {2, 4}}),
                 polygon({{5, 2}, {7, 2}, {6, 4}}), polygon({{4, 0}, {5, 0}, {5, 2}})}));
   ASSERT_EQ(sum.outer.size(), 1u);
@@ -64,7 +64,7 @@ bool is_around(const Chain& outer, const Chain& hole) {
 
 TEST(RegionOf, a_given_sum_has_each_hole_in_the_smallest_outer_chain_around_it) {
   int several = 0;
-  const auto check = [&](const Region&, const MinkowskiSum& sum) {
+  const auto check = [&](const Region&, const PlanarSet& sum) {
     GivenSum expected;
     for (const Chain& outer : sum.outer) expected.region.components.push_back({outer, {}});
     for (const Chain& hole : sum.holes) {

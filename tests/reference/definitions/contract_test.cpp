@@ -5,7 +5,7 @@
 
 #include "reference/chains/region_of.hpp"
 #include "reference/definitions/direction.hpp"
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 
 namespace oplus {
 namespace {
@@ -43,7 +43,7 @@ TEST(Contract, a_boundary_is_closed) {
 }
 
 TEST(Contract, a_hole_has_an_outer_chain_around_it) {
-  const MinkowskiSum hole_alone{{}, {{{0, 0}, {0, 1}, {1, 0}}}, {}, {}};
+  const PlanarSet hole_alone{{}, {{{0, 0}, {0, 1}, {1, 0}}}, {}, {}};
   EXPECT_THROW(region_of(hole_alone), ContractViolation);
 }
 

@@ -14,7 +14,7 @@ namespace oplus {
 namespace {
 
 /// Each chain by its own winding numbers: another way to the same answer.
-Location located(const Point& p, const MinkowskiSum& sum) {
+Location located(const Point& p, const PlanarSet& sum) {
   for (const Segment& e : sum.dangling_edges)
     if (lies_on(p, e)) return Location::boundary;
   const std::vector<Point>& isolated = sum.isolated_vertices;
@@ -23,7 +23,7 @@ Location located(const Point& p, const MinkowskiSum& sum) {
 }
 
 /// Returns the difference, after checking its witness.
-std::optional<Difference> checked_difference(const MinkowskiSum& a, const MinkowskiSum& b) {
+std::optional<Difference> checked_difference(const PlanarSet& a, const PlanarSet& b) {
   const std::optional<Difference> d = difference(a, b);
   EXPECT_EQ(d.has_value(), a != b);
   if (!d) return d;
@@ -36,8 +36,8 @@ std::optional<Difference> checked_difference(const MinkowskiSum& a, const Minkow
   return d;
 }
 
-MinkowskiSum square(std::vector<Segment> dangling_edges = {},
-                    std::vector<Point> isolated_vertices = {}) {
+PlanarSet square(std::vector<Segment> dangling_edges = {},
+                 std::vector<Point> isolated_vertices = {}) {
   return {{box(0, 0, 4, 4)}, {}, std::move(dangling_edges), std::move(isolated_vertices)};
 }
 
@@ -46,8 +46,8 @@ TEST(Difference, of_generated_regions_has_a_true_witness) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
       SCOPED_TRACE(family.name + " " + std::to_string(seed));
       const Summands pair = generate(family, std::max(family.smallest, family.typical), seed);
-      const MinkowskiSum p = canonical_sum(pair.p);
-      const MinkowskiSum q = canonical_sum(pair.q);
+      const PlanarSet p = canonical_sum(pair.p);
+      const PlanarSet q = canonical_sum(pair.q);
       checked_difference(p, q);
       checked_difference(q, p);
       checked_difference(p, p);
@@ -59,16 +59,16 @@ TEST(Difference, of_generated_regions_has_a_true_witness) {
 TEST(Difference, a_chain_that_touches_an_edge_in_its_middle) {
   // The diamond's corner is the middle of the square's edge, and its normal runs into the diamond.
   const Chain diamond{{2, 0}, {3, 1}, {2, 2}, {1, 1}};
-  const MinkowskiSum touched = canonical_sum(holed(box(0, 0, 4, 4), {diamond}));
-  checked_difference(touched, MinkowskiSum{});
+  const PlanarSet touched = canonical_sum(holed(box(0, 0, 4, 4), {diamond}));
+  checked_difference(touched, PlanarSet{});
   checked_difference(touched, canonical_sum(polygon(diamond)));
 }
 
 TEST(Difference, a_missing_hole_has_a_witness_in_it) {
-  MinkowskiSum frame = square();
+  PlanarSet frame = square();
   frame.holes = {backwards(box(1, 1, 2, 2)), backwards(box(2, 2, 3, 3))};
   for (Chain& hole : frame.holes) std::rotate(hole.begin(), std::prev(hole.end()), hole.end());
-  MinkowskiSum one_less = frame;
+  PlanarSet one_less = frame;
   one_less.holes.pop_back();
   const auto d = checked_difference(frame, one_less);
   ASSERT_TRUE(d);
@@ -78,8 +78,8 @@ TEST(Difference, a_missing_hole_has_a_witness_in_it) {
 }
 
 TEST(Difference, of_dangling_edges_avoids_isolated_vertices) {
-  const MinkowskiSum a = square({{{1, 1}, {3, 1}}});
-  const MinkowskiSum b = square({}, {{2, 1}});  // the middle of the edge
+  const PlanarSet a = square({{{1, 1}, {3, 1}}});
+  const PlanarSet b = square({}, {{2, 1}});  // the middle of the edge
   const auto d = checked_difference(a, b);
   ASSERT_TRUE(d);
   EXPECT_EQ(d->what, "a dangling edge of the first is not one of the second");
@@ -89,15 +89,15 @@ TEST(Difference, of_dangling_edges_avoids_isolated_vertices) {
 
 TEST(Difference, steps_past_low_dimensional_features) {
   // Half way from the bottom's middle to the top.
-  const MinkowskiSum dot = square({}, {{2, 2}});
-  const MinkowskiSum across = square({{{1, 2}, {3, 2}}});
-  const MinkowskiSum along = square({{{2, 1}, {2, 3}}});
-  for (const MinkowskiSum& a : {dot, across, along})
-    EXPECT_EQ(checked_difference(a, MinkowskiSum{})->in_a, Location::inside);
+  const PlanarSet dot = square({}, {{2, 2}});
+  const PlanarSet across = square({{{1, 2}, {3, 2}}});
+  const PlanarSet along = square({{{2, 1}, {2, 3}}});
+  for (const PlanarSet& a : {dot, across, along})
+    EXPECT_EQ(checked_difference(a, PlanarSet{})->in_a, Location::inside);
 }
 
 TEST(Difference, of_values_that_are_not_canonical_still_says_something) {
-  MinkowskiSum turned = square();
+  PlanarSet turned = square();
   std::rotate(turned.outer[0].begin(), turned.outer[0].begin() + 1, turned.outer[0].end());
   const auto d = difference(square(), turned);
   ASSERT_TRUE(d);

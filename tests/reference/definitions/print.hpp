@@ -5,7 +5,7 @@
 
 #include <ostream>
 
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 
 namespace oplus {
 
@@ -19,7 +19,7 @@ inline void PrintTo(const Segment& s, std::ostream* out) {
   PrintTo(s.target, out);
 }
 
-inline void PrintTo(const MinkowskiSum& sum, std::ostream* out) {
+inline void PrintTo(const PlanarSet& sum, std::ostream* out) {
   const auto print = [&](const char* what, const auto& all) {
     *out << what << ':';
     for (const auto& one : all) *out << ' ' << testing::PrintToString(one);

@@ -37,7 +37,7 @@ Features of_both_sums(const Summands& pair) {
 }
 
 Features of_moats(const Summands& pair) {
-  const MinkowskiSum open = sum_by_winding_numbers(pair.p, pair.q, Boundary::open).sum;
+  const PlanarSet open = sum_by_winding_numbers(pair.p, pair.q, Boundary::open).sum;
   return {{"islands", open.outer.size() > 1},
           {"exact fits", !open.dangling_edges.empty() || !open.isolated_vertices.empty()},
           {"filled moats", open.outer.size() < pair.p.components.size()}};

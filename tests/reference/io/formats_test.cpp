@@ -168,7 +168,7 @@ INSTANTIATE_TEST_SUITE_P(
            {{{2, 2}, {3, 2}, {2, 3}}, {}}}}}}),
     name_of);
 
-class SumText : public testing::TestWithParam<Text<MinkowskiSum>> {};
+class SumText : public testing::TestWithParam<Text<PlanarSet>> {};
 
 TEST_P(SumText, stands_for_a_sum) { EXPECT_EQ(sum_from(GetParam().text).sum, GetParam().value); }
 
@@ -177,7 +177,7 @@ const std::vector<Segment> dangling{
 
 INSTANTIATE_TEST_SUITE_P(
     All, SumText,
-    testing::ValuesIn(std::vector<Text<MinkowskiSum>>{
+    testing::ValuesIn(std::vector<Text<PlanarSet>>{
         {"wkt_empty_collection", "GEOMETRYCOLLECTION EMPTY", {}},
         {"wkt_empty_geometries",
          "GEOMETRYCOLLECTION (POLYGON EMPTY, POINT EMPTY, LINESTRING EMPTY)",

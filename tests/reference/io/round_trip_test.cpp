@@ -25,7 +25,7 @@ void expect_same_again(const Region& region, Format format) {
   EXPECT_TRUE(read.notes.empty()) << text;
 }
 
-void expect_same_again(const MinkowskiSum& sum, Format format) {
+void expect_same_again(const PlanarSet& sum, Format format) {
   const std::string text = written(sum, format);
   const ReadSum read = sum_from(text);
   EXPECT_EQ(read.sum, sum) << text;
@@ -33,7 +33,7 @@ void expect_same_again(const MinkowskiSum& sum, Format format) {
 }
 
 void expect_round_trips(const Region& region) {
-  MinkowskiSum sum = canonical_sum(region);
+  PlanarSet sum = canonical_sum(region);
   for (const Format format : {Format::dat, Format::wkt, Format::geojson}) {
     expect_same_again(region, format);
     expect_same_again(sum, format);

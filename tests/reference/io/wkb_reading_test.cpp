@@ -95,7 +95,7 @@ TEST(Wkb, is_what_was_written) {
   }
   EXPECT_GT(read, 10U);
   EXPECT_TRUE(read_region(written(Region{}, Format::wkb), "WKB").region.components.empty());
-  const MinkowskiSum sum =
+  const PlanarSet sum =
       read_sum(
           "GEOMETRYCOLLECTION (MULTIPOLYGON (((0 0, 5 0, 0 5, 0 0)), ((9 9, 10 9, 9 10, 9 9))), "
           "LINESTRING (1 1, 2 1), POINT (1 2))",

@@ -12,7 +12,7 @@ namespace {
 const Region with_hole{{{box(0, 0, 3, 3), {{{1, 1}, {1, 2}, {2, 1}}}}}};
 const Region of_two{{{box(0, 0, 1, 1), {}}, {box(2, 0, 3, 1), {}}}};
 
-MinkowskiSum with_features(MinkowskiSum sum) {
+PlanarSet with_features(PlanarSet sum) {
   sum.dangling_edges = {{{1, 1}, {2, Rational(1, 3)}}, {{2, 2}, {3, 2}}};
   sum.isolated_vertices = {{1, 2}, {Rational(1, 2), 2}};
   return sum;
@@ -97,10 +97,10 @@ TEST(Dat, has_hole_counts_otherwise) {
 }
 
 TEST(Dat, can_hold_a_sum_without_features_only) {
-  const MinkowskiSum sum = canonical_sum(of_two);
+  const PlanarSet sum = canonical_sum(of_two);
   EXPECT_TRUE(can_hold(Format::dat, sum));
-  EXPECT_FALSE(can_hold(Format::dat, MinkowskiSum{{}, {}, {{{0, 0}, {1, 0}}}, {}}));
-  EXPECT_FALSE(can_hold(Format::dat, MinkowskiSum{{}, {}, {}, {{0, 0}}}));
+  EXPECT_FALSE(can_hold(Format::dat, PlanarSet{{}, {}, {{{0, 0}, {1, 0}}}, {}}));
+  EXPECT_FALSE(can_hold(Format::dat, PlanarSet{{}, {}, {}, {{0, 0}}}));
   EXPECT_TRUE(can_hold(Format::wkt, with_features(sum)));
   EXPECT_TRUE(can_hold(Format::geojson, with_features(sum)));
   EXPECT_EQ(written(sum, Format::dat), written(of_two, Format::dat));
@@ -112,7 +112,7 @@ TEST(Wkt, is_the_simplest_geometry) {
   EXPECT_EQ(written(of_two, Format::wkt),
             "MULTIPOLYGON (((0 0, 1 0, 1 1, 0 1, 0 0)), ((2 0, 3 0, 3 1, 2 1, 2 0)))\n");
   EXPECT_EQ(written(Region{}, Format::wkt), "POLYGON EMPTY\n");
-  EXPECT_EQ(written(MinkowskiSum{}, Format::wkt), "POLYGON EMPTY\n");
+  EXPECT_EQ(written(PlanarSet{}, Format::wkt), "POLYGON EMPTY\n");
   EXPECT_EQ(written(canonical_sum(with_hole), Format::wkt), written(with_hole, Format::wkt));
 }
 
@@ -120,7 +120,7 @@ TEST(Wkt, of_a_sum_with_features_is_a_collection) {
   EXPECT_EQ(written(with_features(canonical_sum(polygon(box(0, 0, 3, 3)))), Format::wkt),
             "GEOMETRYCOLLECTION (POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0)), LINESTRING (1 1, 2 1/3), "
             "LINESTRING (2 2, 3 2), POINT (1 2), POINT (0.5 2))\n");
-  EXPECT_EQ(written(MinkowskiSum{{}, {}, {}, {{1, 2}}}, Format::wkt),
+  EXPECT_EQ(written(PlanarSet{{}, {}, {}, {{1, 2}}}, Format::wkt),
             "GEOMETRYCOLLECTION (POINT (1 2))\n");
 }
 
@@ -142,7 +142,7 @@ TEST(GeoJson, number_that_does_not_end_is_a_string) {
 }
 
 TEST(GeoJson, of_a_sum_with_features_is_a_collection) {
-  MinkowskiSum sum;
+  PlanarSet sum;
   sum.dangling_edges = {{{0, 0}, {1, 1}}};
   EXPECT_EQ(written(sum, Format::geojson),
             "{\"type\": \"GeometryCollection\", \"geometries\": [{\"type\": \"LineString\", "
@@ -161,7 +161,7 @@ TEST(Digits, round_every_coordinate) {
   EXPECT_EQ(written(thirds, Format::wkt, 0), "POLYGON ((0 0, 1 0, 0 2, 0 0))\n");
   EXPECT_EQ(written(thirds, Format::geojson, 1),
             "{\"type\": \"Polygon\", \"coordinates\": [[[0, 0], [1.3, 0], [0, 1.7], [0, 0]]]}\n");
-  EXPECT_EQ(written(MinkowskiSum{{}, {}, {}, {{Rational(2, 3), 0}}}, Format::wkt, 1),
+  EXPECT_EQ(written(PlanarSet{{}, {}, {}, {{Rational(2, 3), 0}}}, Format::wkt, 1),
             "GEOMETRYCOLLECTION (POINT (0.7 0))\n");
 }
 

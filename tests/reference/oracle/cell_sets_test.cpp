@@ -21,24 +21,24 @@ std::vector<Segment> square_and_tail() {
 bool in_square(const Point& p) { return locate(p, polygon(box(0, 0, 2, 2))) != Location::outside; }
 
 TEST(SetWhere, a_closed_set_has_the_edges_and_points_that_are_in_it) {
-  const MinkowskiSum set = set_where(square_and_tail(), Boundary::closed, [](const Point& p) {
+  const PlanarSet set = set_where(square_and_tail(), Boundary::closed, [](const Point& p) {
     return in_square(p) || (p.y == 1 && p.x >= 2 && p.x <= 4) || p == Point{6, 1};
   });
-  EXPECT_EQ(set, (MinkowskiSum{{box(0, 0, 2, 2)}, {}, {{{2, 1}, {4, 1}}}, {{6, 1}}}));
+  EXPECT_EQ(set, (PlanarSet{{box(0, 0, 2, 2)}, {}, {{{2, 1}, {4, 1}}}, {{6, 1}}}));
 }
 
 TEST(SetWhere, an_open_set_has_those_that_are_missing) {
-  const MinkowskiSum set = set_where(square_and_tail(), Boundary::open, [](const Point& p) {
+  const PlanarSet set = set_where(square_and_tail(), Boundary::open, [](const Point& p) {
     return !(in_square(p) || (p.y == 1 && p.x >= 2 && p.x <= 4) || p == Point{6, 1});
   });
-  MinkowskiSum expected{{}, {backwards(box(0, 0, 2, 2))}, {{{2, 1}, {4, 1}}}, {{6, 1}}};
+  PlanarSet expected{{}, {backwards(box(0, 0, 2, 2))}, {{{2, 1}, {4, 1}}}, {{6, 1}}};
   expected.holes[0] = {{0, 0}, {0, 2}, {2, 2}, {2, 0}};
   expected.is_unbounded = true;
   EXPECT_EQ(set, expected);
 }
 
 TEST(SetWhere, of_nothing_is_the_plane_or_empty) {
-  EXPECT_EQ(set_where({}, Boundary::closed, [](const Point&) { return false; }), MinkowskiSum{});
+  EXPECT_EQ(set_where({}, Boundary::closed, [](const Point&) { return false; }), PlanarSet{});
   EXPECT_TRUE(set_where({}, Boundary::open, [](const Point&) { return true; }).is_unbounded);
 }
 

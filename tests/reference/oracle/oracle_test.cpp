@@ -21,7 +21,7 @@ TEST(Oracle, of_the_pair_on_which_cgal_crashes_has_area_75_halves_and_no_hole) {
   const Region p = polygon({{4, 2}, {3, 1}, {1, 2}, {3, 4}, {0, 2}, {4, 0}});
   const Region q = polygon({{2, 4}, {2, 3}, {0, 0}, {2, 2}, {4, 1}, {4, 2}});
   for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
-    const MinkowskiSum sum = oracle_sum(p, q, boundary);
+    const PlanarSet sum = oracle_sum(p, q, boundary);
     EXPECT_EQ(area(sum), Rational(75, 2));
     EXPECT_EQ(sum.outer.size(), 1u);
     EXPECT_TRUE(sum.holes.empty());
@@ -33,8 +33,8 @@ TEST(Oracle, with_the_empty_region_is_empty) {
   for (const auto& [p, q] :
        {std::pair(Region{}, square), {square, Region{}}, {Region{}, Region{}}}) {
     const OracleSums sums = oracle_sums(p, q);
-    EXPECT_EQ(sums.closed, MinkowskiSum{});
-    EXPECT_EQ(sums.open, MinkowskiSum{});
+    EXPECT_EQ(sums.closed, PlanarSet{});
+    EXPECT_EQ(sums.open, PlanarSet{});
   }
 }
 

@@ -15,7 +15,7 @@ Region complement_of_box(const Chain& chain) { return {{{{}, {backwards(chain)}}
 
 TEST(SetByPieces, contains_its_boundary_edges_and_points) {
   const SetByPieces set =
-      set_by_pieces(MinkowskiSum{{box(0, 0, 1, 1)}, {}, {{{1, 0}, {3, 0}}}, {{5, 5}}});
+      set_by_pieces(PlanarSet{{box(0, 0, 1, 1)}, {}, {{{1, 0}, {3, 0}}}, {{5, 5}}});
   for (const Point& p :
        {Point{0, 0}, Point{Rational(1, 2), Rational(1, 2)}, Point{2, 0}, Point{5, 5}})
     EXPECT_TRUE(set.contains(p));

@@ -182,7 +182,7 @@ TEST(Picture, titles_may_contain_anything) {
 
 TEST(Picture, a_hole_inside_a_hole_is_filled_too) {
   // By the even-odd rule the inner one would be left out of the outer one.
-  const MinkowskiSum nested = canonical_sum(together(
+  const PlanarSet nested = canonical_sum(together(
       {holed(box(0, 0, 9, 9), {box(1, 1, 8, 8)}), holed(box(2, 2, 7, 7), {box(3, 3, 6, 6)})}));
   const ptree panel = first_panel(svg({{"", layers_of(nested)}}));
   const ptree fill = groups(panel, "holes").at(0).get_child("path");
@@ -193,7 +193,7 @@ TEST(Picture, a_hole_inside_a_hole_is_filled_too) {
 }
 
 TEST(Picture, layers_of_a_sum_are_its_parts) {
-  MinkowskiSum sum = canonical_sum(
+  PlanarSet sum = canonical_sum(
       together({holed(box(0, 0, 6, 6), {box(1, 1, 5, 5)}), polygon(box(2, 2, 4, 4))}));
   EXPECT_EQ(layers_of(sum).size(), 2U);
   sum.dangling_edges = {{{0, 0}, {1, 1}}};

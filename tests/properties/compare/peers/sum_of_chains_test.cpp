@@ -18,11 +18,11 @@ std::string defect_of(const ReturnedChains& chains) {
 }
 
 TEST(SumOfChains, is_the_region_in_canonical_form) {
-  const MinkowskiSum sum =
+  const PlanarSet sum =
       sum_of_chains({{{4, 0}, {4, 4}, {0, 4}, {0, 0}, {2, 0}}, {{1, 1}, {1, 2}, {2, 2}}});
   EXPECT_EQ(sum.outer, std::vector<Chain>{square});
   EXPECT_EQ(sum.holes, (std::vector<Chain>{{{1, 1}, {1, 2}, {2, 2}}}));
-  EXPECT_EQ(sum_of_chains({}), MinkowskiSum());
+  EXPECT_EQ(sum_of_chains({}), PlanarSet());
 }
 
 TEST(SumOfChains, may_touch_themselves_and_each_other_in_points) {

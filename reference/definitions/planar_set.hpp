@@ -21,18 +21,18 @@ std::size_t start_of_smallest_rotation(const Chain& chain);
 
 /// Brings features into canonical form.
 /// Requires: as many edges enter each point as leave it.
-MinkowskiSum canonical_sum(const BoundaryFeatures& features);
+PlanarSet canonical_sum(const BoundaryFeatures& features);
 
 /// The closure of a set's interior: the set without dangling edges and isolated vertices.
-MinkowskiSum regularized(MinkowskiSum set);
+PlanarSet regularized(PlanarSet set);
 
 /// The area of the regularized sum.
-Rational area(const MinkowskiSum& sum);
+Rational area(const PlanarSet& sum);
 
 /// All edges of a sum: of the outer chains, of the holes, then the dangling ones.
-std::vector<Segment> edges(const MinkowskiSum& sum);
+std::vector<Segment> edges(const PlanarSet& sum);
 
 /// The origins of the edges of a sum, in the order of `edges(sum)`.
-Origins origins(const MinkowskiSum& sum, const std::vector<ConvolutionSegment>& reduced);
+Origins origins(const PlanarSet& sum, const std::vector<ConvolutionSegment>& reduced);
 
 }  // namespace oplus

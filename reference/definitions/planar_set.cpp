@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -107,8 +107,8 @@ std::size_t start_of_smallest_rotation(const Chain& chain) {
   return best;
 }
 
-MinkowskiSum canonical_sum(const BoundaryFeatures& features) {
-  MinkowskiSum sum;
+PlanarSet canonical_sum(const BoundaryFeatures& features) {
+  PlanarSet sum;
   for (const Chain& stitched : stitch(features.edges)) {
     Chain chain = without_collinear_vertices(stitched);
     std::rotate(chain.begin(),
@@ -127,13 +127,13 @@ MinkowskiSum canonical_sum(const BoundaryFeatures& features) {
   return sum;
 }
 
-MinkowskiSum regularized(MinkowskiSum set) {
+PlanarSet regularized(PlanarSet set) {
   set.dangling_edges.clear();
   set.isolated_vertices.clear();
   return set;
 }
 
-Rational area(const MinkowskiSum& sum) {
+Rational area(const PlanarSet& sum) {
   Rational twice = 0;
   for (const Chain& chain : sum.outer)
     if (!OPLUS_MUTANT("area-is-of-the-first-chain",
@@ -144,7 +144,7 @@ Rational area(const MinkowskiSum& sum) {
   return twice / 2;
 }
 
-std::vector<Segment> edges(const MinkowskiSum& sum) {
+std::vector<Segment> edges(const PlanarSet& sum) {
   std::size_t count = sum.dangling_edges.size();
   for (const std::vector<Chain>* of_sum : {&sum.outer, &sum.holes})
     for (const Chain& chain : *of_sum) count += chain.size();
@@ -158,7 +158,7 @@ std::vector<Segment> edges(const MinkowskiSum& sum) {
   return result;
 }
 
-Origins origins(const MinkowskiSum& sum, const std::vector<ConvolutionSegment>& reduced) {
+Origins origins(const PlanarSet& sum, const std::vector<ConvolutionSegment>& reduced) {
   const std::vector<Segment> of_sum = edges(sum);
   const std::size_t first_dangling = of_sum.size() - sum.dangling_edges.size();
   Origins result(of_sum.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/definitions/minkowski_sum.hpp"
+#include "reference/definitions/planar_set.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,28 +18,28 @@ using Segments = std::vector<Segment>;
 
 const Chain square = box(0, 0, 4, 4);
 
-TEST(MinkowskiSum, two_squares_touching_in_a_corner_are_one_outer_chain) {
+TEST(PlanarSet, two_squares_touching_in_a_corner_are_one_outer_chain) {
   const Region region = shape("two squares touching in a corner");
   // Both bound the same face of the complement: clockwise most, so from one into the other.
   EXPECT_EQ(canonical_sum(region).outer,
             (Chains{{{0, 0}, {1, 0}, {1, 1}, {2, 1}, {2, 2}, {1, 2}, {1, 1}, {0, 1}}}));
 }
 
-TEST(MinkowskiSum, chain_that_starts_where_it_touches_itself_is_the_smaller_rotation) {
+TEST(PlanarSet, chain_that_starts_where_it_touches_itself_is_the_smaller_rotation) {
   const Region region{{{{{0, 0}, {2, 0}, {2, 1}}, {}}, {{{0, 0}, {1, 2}, {0, 2}}, {}}}};
   EXPECT_EQ(canonical_sum(region).outer,
             (Chains{{{0, 0}, {1, 2}, {0, 2}, {0, 0}, {2, 0}, {2, 1}}}));
 }
 
-TEST(MinkowskiSum, hole_touching_the_outer_chain_stays_a_chain_of_its_own) {
-  const MinkowskiSum sum = canonical_sum(shape("hole touching the outer chain"));
+TEST(PlanarSet, hole_touching_the_outer_chain_stays_a_chain_of_its_own) {
+  const PlanarSet sum = canonical_sum(shape("hole touching the outer chain"));
   EXPECT_EQ(sum.outer, Chains{square});
   EXPECT_EQ(sum.holes, (Chains{{{1, 1}, {2, 2}, {3, 1}, {2, 0}}}));
 }
 
-TEST(MinkowskiSum, does_not_depend_on_the_order_of_the_edges) {
+TEST(PlanarSet, does_not_depend_on_the_order_of_the_edges) {
   const Region region{{{box(0, 0, 1, 1), {}}, {{{1, 1}, {2, 1}, {1, 2}}, {}}}};
-  const MinkowskiSum expected = canonical_sum(region);
+  const PlanarSet expected = canonical_sum(region);
   Segments boundary = edges(region);
   std::sort(boundary.begin(), boundary.end());
   do {
@@ -47,17 +47,17 @@ TEST(MinkowskiSum, does_not_depend_on_the_order_of_the_edges) {
   } while (std::next_permutation(boundary.begin(), boundary.end()));
 }
 
-TEST(MinkowskiSum, dangling_edges_are_maximal_directed_and_sorted) {
-  const MinkowskiSum sum = canonical_sum(
+TEST(PlanarSet, dangling_edges_are_maximal_directed_and_sorted) {
+  const PlanarSet sum = canonical_sum(
       BoundaryFeatures{edges(square), {{{3, 1}, {2, 1}}, {{1, 1}, {2, 1}}, {{1, 3}, {1, 2}}}, {}});
   EXPECT_EQ(sum.dangling_edges, (Segments{{{1, 1}, {3, 1}}, {{1, 2}, {1, 3}}}));
 }
 
-TEST(MinkowskiSum, nothing_at_all_is_the_empty_sum) {
-  EXPECT_EQ(canonical_sum(BoundaryFeatures{}), MinkowskiSum{});
-  EXPECT_EQ(canonical_sum(Region{}), MinkowskiSum{});
-  EXPECT_EQ(region_of(MinkowskiSum{}), Region{});
-  EXPECT_EQ(area(MinkowskiSum{}), 0);
+TEST(PlanarSet, nothing_at_all_is_the_empty_sum) {
+  EXPECT_EQ(canonical_sum(BoundaryFeatures{}), PlanarSet{});
+  EXPECT_EQ(canonical_sum(Region{}), PlanarSet{});
+  EXPECT_EQ(region_of(PlanarSet{}), Region{});
+  EXPECT_EQ(area(PlanarSet{}), 0);
 }
 
 /// Closed sums in which chains touch in every way: each other, themselves, at vertices and inside
@@ -87,16 +87,16 @@ std::vector<Shape> touching_shapes() {
   return all;
 }
 
-TEST(MinkowskiSum, as_a_region_is_the_same_sum) {
+TEST(PlanarSet, as_a_region_is_the_same_sum) {
   for (const Shape& shape : touching_shapes()) {
-    const MinkowskiSum sum = canonical_sum(shape.region);
+    const PlanarSet sum = canonical_sum(shape.region);
     EXPECT_EQ(canonical_sum(region_of(sum)), sum) << shape.name;
     EXPECT_EQ(area(region_of(sum)), area(shape.region)) << shape.name;
     EXPECT_EQ(area(sum), area(shape.region)) << shape.name;
   }
 }
 
-TEST(MinkowskiSum, as_a_region_is_valid) {
+TEST(PlanarSet, as_a_region_is_valid) {
   for (const Shape& shape : touching_shapes()) {
     ASSERT_FALSE(find_defect(shape.region)) << shape.name;
     const auto defect = find_defect(region_of(canonical_sum(shape.region)));
@@ -119,8 +119,8 @@ std::vector<std::vector<std::size_t>> names(const Origins& origins) {
   return result;
 }
 
-TEST(MinkowskiSum, origins_run_along_an_edge_in_its_direction) {
-  const MinkowskiSum sum{{box(0, 0, 4, 4)}, {}, {}, {}};
+TEST(PlanarSet, origins_run_along_an_edge_in_its_direction) {
+  const PlanarSet sum{{box(0, 0, 4, 4)}, {}, {}, {}};
   const std::vector<ConvolutionSegment> reduced{
       named({{2, 0}, {4, 0}}, 5),   // a part
       named({{-1, 0}, {2, 0}}, 3),  // another, longer than the edge
@@ -134,8 +134,8 @@ TEST(MinkowskiSum, origins_run_along_an_edge_in_its_direction) {
             (std::vector<std::vector<std::size_t>>{{3, 5}, {7}, {}, {}}));
 }
 
-TEST(MinkowskiSum, origins_of_a_dangling_edge_run_either_way) {
-  const MinkowskiSum sum{{}, {}, {{{0, 0}, {4, 0}}}, {}};
+TEST(PlanarSet, origins_of_a_dangling_edge_run_either_way) {
+  const PlanarSet sum{{}, {}, {{{0, 0}, {4, 0}}}, {}};
   EXPECT_EQ(names(origins(sum, {named({{4, 0}, {1, 0}}, 2), named({{0, 0}, {2, 0}}, 1),
                                 named({{0, 0}, {0, 1}}, 3)})),
             (std::vector<std::vector<std::size_t>>{{1, 2}}));
