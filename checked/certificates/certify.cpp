@@ -6,7 +6,7 @@
 
 namespace oplus {
 
-std::string certify(const ValidRegion& p, const ValidRegion& q, const GivenSum& given) {
+std::string certify(const ValidRegion& p, const ValidRegion& q, const ClaimedSum& given) {
   const Verdict verdict = verify(p, q, given);
   if (!verdict.is_sum()) {
     const Reason& first = verdict.reasons.front();

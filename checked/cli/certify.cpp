@@ -26,7 +26,7 @@ ExitCode certify(const CertifyOptions& options) {
   require_writable({options.output});
   const Region p = read_summand(options.p, nullptr, Extent::bounded, options.overlaps);
   const Region q = read_summand(options.q, nullptr, Extent::bounded, options.overlaps);
-  const GivenSum given = read_unchecked_sum(options.sum);
+  const ClaimedSum given = read_unchecked_sum(options.sum);
   const Verdict verdict = verify(p, q, Boundary::closed, given);
   for (const std::string& note : verdict.notes) say_note(note);
   if (!verdict.is_sum()) {

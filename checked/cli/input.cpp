@@ -130,13 +130,13 @@ PlanarSet set_in(const ReadSet& read) {
   return set;
 }
 
-PlanarSet read_given_sum(const std::string& path) {
+PlanarSet read_claimed_sum(const std::string& path) {
   return said(path, nullptr,
               [&](const ReadingProgress& progress) { return read_sum_file(path, progress); })
       .sum;
 }
 
-GivenSum read_unchecked_sum(const std::string& path) {
+ClaimedSum read_unchecked_sum(const std::string& path) {
   return read_unchecked_sum_file(path, WatchedReading(path, nullptr).progress());
 }
 

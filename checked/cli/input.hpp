@@ -6,7 +6,7 @@
 
 #include "checked/operations/operations.hpp"
 #include "checked/statistics.hpp"
-#include "reference/definitions/given_sum.hpp"
+#include "reference/definitions/claimed_sum.hpp"
 #include "reference/definitions/planar_set.hpp"
 #include "reference/definitions/region.hpp"
 #include "reference/io/reading.hpp"
@@ -30,8 +30,8 @@ Region read_summand(const std::string& path, ReadingTimes* times = nullptr,
                     Extent extent = Extent::bounded, Overlaps overlaps = Overlaps::refused);
 ReadSet read_summand_set(const std::string& path, ReadingTimes* times = nullptr,
                          Overlaps overlaps = Overlaps::refused);
-PlanarSet read_given_sum(const std::string& path);
-GivenSum read_unchecked_sum(const std::string& path);
+PlanarSet read_claimed_sum(const std::string& path);
+ClaimedSum read_unchecked_sum(const std::string& path);
 UncheckedInput read_unchecked_region(const std::string& path);
 
 /// Makes the region the union of its components, where they may overlap.

@@ -111,8 +111,8 @@ Json json_of(const Closeness& close, const Rational& tolerance) {
 }
 
 /// The given chains over the sum; at the witness P and -Q + x.
-std::string picture(const Region& p, const Region& q, const GivenSum& given, const PlanarSet& right,
-                    const std::optional<Point>& witness) {
+std::string picture(const Region& p, const Region& q, const ClaimedSum& given,
+                    const PlanarSet& right, const std::optional<Point>& witness) {
   std::vector<Layer> layers = layers_of(right);
   Layer chains{labelled(style::boundary_loop, "S")};
   chains.segments = edges(given.region);
@@ -145,7 +145,7 @@ ExitCode verify_files(const VerifyOptions& options) {
       options.tolerance ? std::optional(tolerance_in(*options.tolerance)) : std::nullopt;
   const Region p = read_summand(options.p, nullptr, Extent::bounded, options.overlaps);
   const Region q = read_summand(options.q, nullptr, Extent::bounded, options.overlaps);
-  const GivenSum given = read_unchecked_sum(options.sum);
+  const ClaimedSum given = read_unchecked_sum(options.sum);
   const auto draw = [&](const PlanarSet& right, const std::optional<Point>& witness) {
     if (options.svg) write_text(*options.svg, picture(p, q, given, right, witness));
   };

@@ -151,7 +151,7 @@ MultiPolygon to_boost(const ValidRegion& region) {
 
 /// The same of a sum's components(). An open sum's dangling edges and isolated vertices are not in it.
 template <typename MultiPolygon>
-MultiPolygon to_boost(const Sum& sum) {
+MultiPolygon to_boost(const ValidSet& sum) {
   return to_boost<MultiPolygon>(sum.region());
 }
 

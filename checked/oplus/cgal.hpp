@@ -165,7 +165,7 @@ std::vector<CGAL::Polygon_with_holes_2<K>> to_cgal(const ValidRegion& region) {
 
 /// The same of a sum's components(). An open sum's dangling edges and isolated vertices are not in it.
 template <typename K>
-std::vector<CGAL::Polygon_with_holes_2<K>> to_cgal(const Sum& sum) {
+std::vector<CGAL::Polygon_with_holes_2<K>> to_cgal(const ValidSet& sum) {
   return to_cgal<K>(sum.region());
 }
 

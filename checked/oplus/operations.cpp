@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "checked/operations/operations.hpp"
 
-#include <utility>
-
 #include "checked/operations/complement.hpp"
 #include "checked/oplus/internal/sum_options.hpp"
 #include "checked/oplus/oplus.hpp"
 
 namespace oplus {
 
-Sum set_of(PlanarSet value, Boundary boundary) { return Sum(std::move(value), boundary, {}, {}); }
-
 namespace {
 
 template <typename Compute>
-Sum operation(Compute compute, const ValidRegion& p, const ValidRegion& q,
-              const SumOptions& options, Boundary of_result = Boundary::closed) {
+ValidSet operation(Compute compute, const ValidRegion& p, const ValidRegion& q,
+                   const SumOptions& options, Boundary of_result = Boundary::closed) {
   const SumOf sum = [&](const Region& a, const Region& b, Boundary boundary) {
     return computed_sum(a, b, boundary, options).sum;
   };
@@ -24,23 +20,23 @@ Sum operation(Compute compute, const ValidRegion& p, const ValidRegion& q,
 
 }  // namespace
 
-Sum nfp(const ValidRegion& p, const ValidRegion& q, const SumOptions& options) {
+ValidSet nfp(const ValidRegion& p, const ValidRegion& q, const SumOptions& options) {
   return operation(no_fit, p, q, options, Boundary::open);
 }
 
-Sum ifp(const ValidRegion& p, const ValidRegion& q, const SumOptions& options) {
+ValidSet ifp(const ValidRegion& p, const ValidRegion& q, const SumOptions& options) {
   return operation(inner_fit, p, q, options);
 }
 
-Sum erosion(const ValidRegion& p, const ValidRegion& q, const SumOptions& options) {
+ValidSet erosion(const ValidRegion& p, const ValidRegion& q, const SumOptions& options) {
   return operation(eroded, p, q, options);
 }
 
-Sum opening(const ValidRegion& p, const ValidRegion& q, const SumOptions& options) {
+ValidSet opening(const ValidRegion& p, const ValidRegion& q, const SumOptions& options) {
   return operation(opened, p, q, options);
 }
 
-Sum closing(const ValidRegion& p, const ValidRegion& q, const SumOptions& options) {
+ValidSet closing(const ValidRegion& p, const ValidRegion& q, const SumOptions& options) {
   return operation(closed, p, q, options);
 }
 
@@ -48,7 +44,7 @@ ValidRegion complement(const ValidRegion& region) {
   return ValidRegion::found_valid(complement(region.region()));
 }
 
-Sum complement(const Sum& set) {
+ValidSet complement(const ValidSet& set) {
   return set_of(complement(set.value()),
                 set.boundary() == Boundary::open ? Boundary::closed : Boundary::open);
 }

@@ -135,7 +135,7 @@ class ValidRegion {
   friend bool operator==(const ValidRegion&, const ValidRegion&) = default;
 
  private:
-  friend class Sum;
+  friend class ValidSet;
   friend ValidRegion read_wkt(const std::string& text, Overlaps overlaps);
   friend ValidRegion read_geojson(const std::string& text, Overlaps overlaps);
   friend ValidRegion read_text(const std::string& text, Overlaps overlaps);
@@ -211,7 +211,7 @@ Repaired repaired_file(const std::string& path, std::optional<FillRule> fill = s
 /// Cost: n.
 ValidRegion operator-(const ValidRegion& region);
 
-class Sum;
+class ValidSet;
 struct SumOptions;
 
 /// A region that is summed with many others: what the engine slide computes of one region alone, integers
@@ -227,54 +227,11 @@ class PreparedRegion {
   const ValidRegion& region() const;  ///< Returns the region.
 
  private:
-  friend Sum minkowski_sum(const PreparedRegion& p, const PreparedRegion& q,
-                           const SumOptions& options);
+  friend ValidSet minkowski_sum(const PreparedRegion& p, const PreparedRegion& q,
+                                const SumOptions& options);
   struct State;
   std::shared_ptr<const State> state_;
 };
-
-/// A closed set: a region, segments and points together, which may overlap. What a polyline, a set of
-/// points, or a mixture of all three is as a summand.
-class ClosedSet {
- public:
-  /// The empty set.
-  ClosedSet() = default;
-
-  ClosedSet(const ValidRegion& region);  ///< The region.
-
-  /// The union of a region, of polylines and of points. A polyline is the segments between its vertices,
-  /// which may repeat each other; one of a single vertex is a point, one without any is empty. Cost: n log n,
-  /// and the number of crossings.
-  ///
-  /// Example: ClosedSet({}, {{{0, 0}, {4, 0}, {4, 3}}}) is one polyline of two segments.
-  ClosedSet(const ValidRegion& region, const std::vector<std::vector<Coordinates>>& polylines,
-            const std::vector<Coordinates>& points = {});
-
-  /// Returns it in canonical form: chains, maximal segments outside them, points outside both.
-  const PlanarSet& value() const& { return value_; }
-  PlanarSet value() && { return std::move(value_); }  ///< The same.
-
-  /// Whether two are the same set. Cost: their size.
-  friend bool operator==(const ClosedSet&, const ClosedSet&) = default;
-
- private:
-  friend ClosedSet read_set(const std::string& text);
-  friend ClosedSet read_set_file(const std::string& path);
-  friend ClosedSet operator-(const ClosedSet& set);
-  explicit ClosedSet(PlanarSet value) : value_(std::move(value)) {}
-
-  PlanarSet value_;
-};
-
-/// Reads WKT, GeoJSON or .dat, told apart by the first character: also points, line strings, and
-/// collections of them with polygons. Throws as read_wkt does.
-ClosedSet read_set(const std::string& text);
-
-/// The same from a file; "-" is standard input. Throws also where it cannot be read.
-ClosedSet read_set_file(const std::string& path);
-
-/// Returns the set turned by π about the origin. Cost: the size times its logarithm.
-ClosedSet operator-(const ClosedSet& set);
 
 struct Engine;
 struct Rounded;
@@ -287,17 +244,29 @@ struct SumOptions {
   bool with_origins = false;             ///< whether the result has origins()
 };
 
-/// A Minkowski sum, exact. Copies share what they hold, which never changes. References into it are
-/// valid as long as one of them exists. A sum without a name returns copies instead, so that a loop
-/// over minkowski_sum(p, q).components() is right too.
-class Sum {
+/// A set in the plane: a region, dangling edges and isolated vertices together; bounded or not; closed, when these
+/// belong to it, or open, when they belong to its complement. What is read, summed, returned and written: whatever
+/// is made here was found valid, or computed, and is in canonical form. Copies share what they hold, which never
+/// changes. References into it are valid as long as one of them exists. A set without a name returns copies
+/// instead, so that a loop over minkowski_sum(p, q).components() is right too.
+class ValidSet {
  public:
-  /// The empty sum.
-  Sum() : Sum(PlanarSet{}, Boundary::closed, {}, {}) {}
+  /// The empty set, closed.
+  ValidSet() : ValidSet(PlanarSet{}, Boundary::closed, {}, {}) {}
 
-  Boundary boundary() const;  ///< Returns what was asked for: closed or open.
+  ValidSet(const ValidRegion& region);  ///< The region, closed. Cost: n log n.
 
-  /// Returns the regularized sum: simple outer chains, each with the holes in it. Computed when first
+  /// The union of a region, of polylines and of points, closed. A polyline is the segments between its vertices,
+  /// which may repeat each other; one of a single vertex is a point, one without any is empty. Cost: n log n,
+  /// and the number of crossings.
+  ///
+  /// Example: ValidSet({}, {{{0, 0}, {4, 0}, {4, 3}}}) is one polyline of two segments.
+  ValidSet(const ValidRegion& region, const std::vector<std::vector<Coordinates>>& polylines,
+           const std::vector<Coordinates>& points = {});
+
+  Boundary boundary() const;  ///< Returns whether it is closed or open.
+
+  /// Returns the regularized set: simple outer chains, each with the holes in it. Computed when first
   /// asked for, once, on whichever thread asks.
   const std::vector<Component>& components() const&;
   std::vector<Component> components() && {
@@ -308,17 +277,15 @@ class Sum {
   const ValidRegion& region() const&;
   ValidRegion region() && { return std::as_const(*this).region(); }  ///< The same.
 
-  /// Returns where one summand just fits into the other and can be moved: edges of an open sum's
-  /// complement that bound no face of it. None for Boundary::closed, but where summands are ClosedSets: then
-  /// the sum's segments that are outside its region.
+  /// Returns the segments that bound no face of its complement. Of an open sum: where one summand just fits into
+  /// the other and can be moved. Of a closed set: its segments outside its region, such as those of polylines.
   const std::vector<Segment>& dangling_edges() const&;
   std::vector<Segment> dangling_edges() && {
     return std::as_const(*this).dangling_edges();
   }  ///< The same.
 
-  /// Returns where one summand just fits into the other and cannot be moved: points of an open sum's
-  /// complement that bound no face or edge of it. None for Boundary::closed, but where summands are
-  /// ClosedSets: then the sum's points that are outside its region and segments.
+  /// Returns the points that bound no face or segment. Of an open sum: where one summand just fits into the other
+  /// and cannot be moved. Of a closed set: its points outside its region and segments.
   const std::vector<Point>& isolated_vertices() const&;
   std::vector<Point> isolated_vertices() && {
     return std::as_const(*this).isolated_vertices();
@@ -328,28 +295,25 @@ class Sum {
   const PlanarSet& value() const&;
   PlanarSet value() && { return std::as_const(*this).value(); }  ///< The same.
 
-  /// Returns for each edge of value() where it came from. Empty unless asked for.
+  /// Returns for each edge of value() where it came from. Empty unless a sum was asked for with them.
   const Origins& origins() const&;
   Origins origins() && { return std::as_const(*this).origins(); }  ///< The same.
 
-  /// Returns what it took: counts and times, which differ from engine to engine.
+  /// Returns what a sum took: counts and times, which differ from engine to engine.
   const Statistics& statistics() const&;
   Statistics statistics() && { return std::as_const(*this).statistics(); }  ///< The same.
 
-  /// Whether two sums are the same set. Cost: their size.
-  friend bool operator==(const Sum& a, const Sum& b) { return a.value() == b.value(); }
+  /// Whether the points inside, the edges and the vertices are the same. Cost: their size.
+  friend bool operator==(const ValidSet& a, const ValidSet& b) { return a.value() == b.value(); }
 
  private:
-  friend Sum minkowski_sum(const ValidRegion& p, const ValidRegion& q, const SumOptions& options);
-  friend Sum minkowski_sum(const PreparedRegion& p, const PreparedRegion& q,
-                           const SumOptions& options);
-  friend Sum set_of(PlanarSet value, Boundary boundary);
-  friend Sum minkowski_sum(const ClosedSet& p, const ClosedSet& q, const SumOptions& options);
-  friend Rounded rounded(const Sum& sum, const Number& step, Side side);
+  friend ValidSet set_of(PlanarSet value, Boundary boundary, Origins origins,
+                         Statistics statistics);
+  friend Rounded rounded(const ValidSet& sum, const Number& step, Side side);
   friend Rounded rounded(const ValidRegion& region, const Number& step, Side side);
   static Rounded rounded_value(const PlanarSet& value, Boundary boundary, const Number& step,
                                Side side);
-  Sum(PlanarSet value, Boundary boundary, Origins origins, Statistics statistics);
+  ValidSet(PlanarSet value, Boundary boundary, Origins origins, Statistics statistics);
 
   struct State;
   std::shared_ptr<const State> state_;
@@ -359,45 +323,57 @@ class Sum {
 /// segments, times about log(n + m) for each that is looked at; memory grows with the convolution
 /// and the result. Throws nothing for valid regions but std::bad_alloc; InvalidInput for origins of the sum
 /// of an unbounded one.
-Sum minkowski_sum(const ValidRegion& p, const ValidRegion& q, const SumOptions& options = {});
+ValidSet minkowski_sum(const ValidRegion& p, const ValidRegion& q, const SumOptions& options = {});
 
 /// The same of summands of many sums; either may be a ValidRegion. The result is the same, too.
-Sum minkowski_sum(const PreparedRegion& p, const PreparedRegion& q, const SumOptions& options = {});
+ValidSet minkowski_sum(const PreparedRegion& p, const PreparedRegion& q,
+                       const SumOptions& options = {});
 
-/// Returns the same of closed sets (docs/polylines.md). Boundary::closed: all p + q, with dangling edges and
+/// Returns the same of sets (docs/polylines.md). Boundary::closed: all p + q, with dangling edges and
 /// isolated vertices of its own. Boundary::open: P ⊕ int Q and int P ⊕ Q together, an open set; it is empty
-/// where neither has inner points. Without origins. Cost: for sets with segments, that of an arrangement of at
+/// where neither has inner points. Without origins. An open set counts as its region; throws InvalidInput where
+/// it has dangling edges or isolated vertices. Cost: for sets with segments, that of an arrangement of at
 /// most nm edges, less where they follow each other.
 ///
-/// Example: minkowski_sum(ClosedSet({}, {path}), tool) is what the tool covers on its path.
-Sum minkowski_sum(const ClosedSet& p, const ClosedSet& q, const SumOptions& options = {});
+/// Example: minkowski_sum(ValidSet({}, {path}), tool) is what the tool covers on its path.
+ValidSet minkowski_sum(const ValidSet& p, const ValidSet& q, const SumOptions& options = {});
+
+/// Reads what read_text reads but SVG path data, and also points, line strings, and collections of them with
+/// polygons, as a closed set. Throws as read_wkt does.
+ValidSet read_set(const std::string& text);
+
+/// The same of a file; "-" is standard input. Throws also where it cannot be read.
+ValidSet read_set_file(const std::string& path);
+
+/// Returns the set turned by π about the origin. Cost: the size times its logarithm.
+ValidSet operator-(const ValidSet& set);
 
 // Operations (docs/operations.md). Cost: that of the sums they are made of. They take all options but
 // `boundary` and `with_origins`. Either region may be unbounded.
 
 /// Returns the open set of all x where Q + x overlaps P, the no-fit polygon, P ⊕ -Q. On its boundary, with
 /// dangling edges and isolated vertices, the two only touch.
-Sum nfp(const ValidRegion& p, const ValidRegion& q, const SumOptions& options = {});
+ValidSet nfp(const ValidRegion& p, const ValidRegion& q, const SumOptions& options = {});
 
 /// Returns the closed set of all x where Q + x is inside P, the inner-fit polygon. Where Q fits exactly,
 /// dangling_edges() and isolated_vertices() are parts of it that belong to no component.
-Sum ifp(const ValidRegion& p, const ValidRegion& q, const SumOptions& options = {});
+ValidSet ifp(const ValidRegion& p, const ValidRegion& q, const SumOptions& options = {});
 
 /// Returns the erosion of P by Q: ifp without edges and points.
-Sum erosion(const ValidRegion& p, const ValidRegion& q, const SumOptions& options = {});
+ValidSet erosion(const ValidRegion& p, const ValidRegion& q, const SumOptions& options = {});
 
 /// Returns the union of all Q + x inside P.
-Sum opening(const ValidRegion& p, const ValidRegion& q, const SumOptions& options = {});
+ValidSet opening(const ValidRegion& p, const ValidRegion& q, const SumOptions& options = {});
 
 /// Returns the erosion by Q of the closed sum of P and Q, which contains P.
-Sum closing(const ValidRegion& p, const ValidRegion& q, const SumOptions& options = {});
+ValidSet closing(const ValidRegion& p, const ValidRegion& q, const SumOptions& options = {});
 
 /// Returns the closure of the complement. Cost: n log n.
 ValidRegion complement(const ValidRegion& region);
 
 /// Returns the complement, of an open set a closed one, and the reverse: with the same dangling edges and
 /// isolated vertices. Cost: n log n.
-Sum complement(const Sum& set);
+ValidSet complement(const ValidSet& set);
 
 // Transformations (docs/transform.md). Coordinates stay exact. Maps are combined by *, the right one first.
 
@@ -423,7 +399,7 @@ AffineMap rotation_to(const Coordinates& cosine_and_sine);
 ValidRegion transformed(const ValidRegion& region, const AffineMap& map);
 
 /// Returns the image of a sum or another set; without origins. Cost: n log n. Throws likewise.
-Sum transformed(const Sum& set, const AffineMap& map);
+ValidSet transformed(const ValidSet& set, const AffineMap& map);
 
 /// Returns a convex polygon inside or around the disc about the origin, each point of the larger one of the
 /// two at most `error` away from the smaller one, which is decided exactly (docs/discs.md). It has at most a
@@ -444,30 +420,30 @@ bool is_unbounded(const ValidRegion& region);
 Rational area(const ValidRegion& region);
 
 /// Returns the same of a sum.
-Rational area(const Sum& sum);
+Rational area(const ValidSet& sum);
 
 /// Returns whether a point is inside, outside, or on the boundary. Cost: the size.
 Location locate(const Coordinates& point, const ValidRegion& region);
 
 /// Returns the same of a sum. An open sum's dangling edges and isolated vertices belong to its
 /// boundary.
-Location locate(const Coordinates& point, const Sum& sum);
+Location locate(const Coordinates& point, const ValidSet& sum);
 
 /// Whether a point belongs to the region; its boundary does. Cost: the size.
 bool contains(const ValidRegion& region, const Coordinates& point);
 
 /// Whether a point belongs to the sum; its boundary does iff the sum is closed. Cost: the size.
-bool contains(const Sum& sum, const Coordinates& point);
+bool contains(const ValidSet& sum, const Coordinates& point);
 
 /// Decides whether a sum from anywhere is P ⊕ Q, by the definitions and by no engine
 /// (docs/verify.md). Returns reasons with a point each, or none. Nothing is required of the given
 /// sum but denominators that are not zero: else throws InvalidInput; likewise where P or Q is unbounded.
 /// Cost: at least that of all convolution segments against each other near by.
-Verdict verify(const ValidRegion& p, const ValidRegion& q, const GivenSum& given,
+Verdict verify(const ValidRegion& p, const ValidRegion& q, const ClaimedSum& given,
                Boundary boundary = Boundary::closed);
 
 /// The same of a sum from here, with its own boundary().
-Verdict verify(const ValidRegion& p, const ValidRegion& q, const Sum& sum);
+Verdict verify(const ValidRegion& p, const ValidRegion& q, const ValidSet& sum);
 
 /// Returns the text of a certificate that a given set is the closed sum of P and Q, which the program
 /// oplus-certified checks (docs/certificates.md). Its vertices are numbered in the order of the regions, so the
@@ -476,11 +452,11 @@ Verdict verify(const ValidRegion& p, const ValidRegion& q, const Sum& sum);
 /// and as verify does. Cost: that of verify, and of cutting all three into convex pieces.
 ///
 /// Example: certify(p, q, {sum.region().region(), {}, {}}).
-std::string certify(const ValidRegion& p, const ValidRegion& q, const GivenSum& given);
+std::string certify(const ValidRegion& p, const ValidRegion& q, const ClaimedSum& given);
 
 /// What rounding returns.
 struct Rounded {
-  Sum sum;                  ///< the set on the grid; of a region, a closed sum
+  ValidSet sum;             ///< the set on the grid; of a region, a closed sum
   TopologyChanges changes;  ///< what happened to components and holes
   bool is_exact;            ///< whether nothing had to be rounded
   Rational
@@ -494,7 +470,7 @@ struct Rounded {
 /// InvalidInput unless step > 0.
 ///
 /// Example: to_wkt(rounded(sum, "0.01").sum), which all programs read.
-Rounded rounded(const Sum& sum, const Number& step, Side side = Side::nearest);
+Rounded rounded(const ValidSet& sum, const Number& step, Side side = Side::nearest);
 
 /// The same of a region.
 Rounded rounded(const ValidRegion& region, const Number& step, Side side = Side::nearest);
@@ -507,21 +483,21 @@ std::string to_wkt(const ValidRegion& region, std::optional<int> digits = std::n
 
 /// Returns the same of a sum's region(), in a GEOMETRYCOLLECTION with its dangling edges as line
 /// strings and its isolated vertices as points, where it has such.
-std::string to_wkt(const Sum& sum, std::optional<int> digits = std::nullopt);
+std::string to_wkt(const ValidSet& sum, std::optional<int> digits = std::nullopt);
 
 /// Returns the region as a GeoJSON geometry, as to_wkt does. Fractions p/q are strings, which is
 /// GeoJSON to no other reader.
 std::string to_geojson(const ValidRegion& region, std::optional<int> digits = std::nullopt);
 
 /// Returns the same of a sum, as to_wkt does.
-std::string to_geojson(const Sum& sum, std::optional<int> digits = std::nullopt);
+std::string to_geojson(const ValidSet& sum, std::optional<int> digits = std::nullopt);
 
 /// Returns the region as WKB, in hexadecimal digits, as PostGIS writes it and GEOS reads it. Throws
 /// InvalidInput where a coordinate is not exactly a double: rounded(region, 0x1p-20) has such. Cost: the size.
 std::string to_wkb(const ValidRegion& region);
 
 /// Returns the same of a sum, as to_wkt does.
-std::string to_wkb(const Sum& sum);
+std::string to_wkb(const ValidSet& sum);
 
 /// Returns the double nearest to a number, ties to even; an infinity beyond the largest.
 double to_double(const Rational& value);

@@ -27,7 +27,7 @@ void require_bounded(const ValidRegion& p, const ValidRegion& q) {
 
 }  // namespace
 
-struct Sum::State {
+struct ValidSet::State {
   PlanarSet value;
   Boundary boundary;
   Origins origins;
@@ -36,28 +36,32 @@ struct Sum::State {
   mutable ValidRegion region = {};
 };
 
-Sum::Sum(PlanarSet value, Boundary boundary, Origins origins, Statistics statistics)
+ValidSet::ValidSet(PlanarSet value, Boundary boundary, Origins origins, Statistics statistics)
     : state_(new State{std::move(value), boundary, std::move(origins), std::move(statistics)}) {}
 
-Boundary Sum::boundary() const { return state_->boundary; }
+ValidSet set_of(PlanarSet value, Boundary boundary, Origins origins, Statistics statistics) {
+  return ValidSet(std::move(value), boundary, std::move(origins), std::move(statistics));
+}
 
-const ValidRegion& Sum::region() const& {
+Boundary ValidSet::boundary() const { return state_->boundary; }
+
+const ValidRegion& ValidSet::region() const& {
   std::call_once(state_->is_region_computed,
                  [&] { state_->region = ValidRegion::found_valid(region_of(state_->value)); });
   return state_->region;
 }
 
-const std::vector<Component>& Sum::components() const& { return region().components(); }
+const std::vector<Component>& ValidSet::components() const& { return region().components(); }
 
-const std::vector<Segment>& Sum::dangling_edges() const& { return value().dangling_edges; }
+const std::vector<Segment>& ValidSet::dangling_edges() const& { return value().dangling_edges; }
 
-const std::vector<Point>& Sum::isolated_vertices() const& { return value().isolated_vertices; }
+const std::vector<Point>& ValidSet::isolated_vertices() const& { return value().isolated_vertices; }
 
-const PlanarSet& Sum::value() const& { return state_->value; }
+const PlanarSet& ValidSet::value() const& { return state_->value; }
 
-const Origins& Sum::origins() const& { return state_->origins; }
+const Origins& ValidSet::origins() const& { return state_->origins; }
 
-const Statistics& Sum::statistics() const& { return state_->statistics; }
+const Statistics& ValidSet::statistics() const& { return state_->statistics; }
 
 namespace {
 
@@ -90,24 +94,37 @@ SumOf sum_of(const SumOptions& options, Statistics& statistics) {
 
 }  // namespace
 
-Sum minkowski_sum(const ClosedSet& p, const ClosedSet& q, const SumOptions& options) {
-  Statistics statistics;
-  PlanarSet sum =
-      unbounded_sum(p.value(), q.value(), options.boundary, sum_of(options, statistics));
-  return Sum(std::move(sum), options.boundary, {}, std::move(statistics));
+namespace {
+
+/// Its points, where it is closed, or its closure.
+const PlanarSet& summand(const ValidSet& set) {
+  if (set.boundary() == Boundary::open &&
+      !(set.dangling_edges().empty() && set.isolated_vertices().empty()))
+    throw InvalidInput({"summand", 0, 0}, "an open set with dangling edges or isolated vertices",
+                       "a closed set, such as its region");
+  return set.value();
 }
 
-Sum minkowski_sum(const ValidRegion& p, const ValidRegion& q, const SumOptions& options) {
+}  // namespace
+
+ValidSet minkowski_sum(const ValidSet& p, const ValidSet& q, const SumOptions& options) {
+  Statistics statistics;
+  PlanarSet sum =
+      unbounded_sum(summand(p), summand(q), options.boundary, sum_of(options, statistics));
+  return set_of(std::move(sum), options.boundary, {}, std::move(statistics));
+}
+
+ValidSet minkowski_sum(const ValidRegion& p, const ValidRegion& q, const SumOptions& options) {
   if (is_unbounded(p) || is_unbounded(q)) {
     if (options.with_origins) require_bounded(p, q);
     Statistics statistics;
     PlanarSet sum =
         unbounded_sum(p.region(), q.region(), options.boundary, sum_of(options, statistics));
-    return Sum(std::move(sum), options.boundary, {}, std::move(statistics));
+    return set_of(std::move(sum), options.boundary, {}, std::move(statistics));
   }
   ComputedSum computed = computed_sum(p.region(), q.region(), options.boundary, options);
-  return Sum(std::move(computed.sum), options.boundary, std::move(computed.origins),
-             std::move(computed.statistics));
+  return set_of(std::move(computed.sum), options.boundary, std::move(computed.origins),
+                std::move(computed.statistics));
 }
 
 struct PreparedRegion::State {
@@ -124,22 +141,23 @@ PreparedRegion::PreparedRegion(ValidRegion region)
 
 const ValidRegion& PreparedRegion::region() const { return state_->region; }
 
-Sum minkowski_sum(const PreparedRegion& p, const PreparedRegion& q, const SumOptions& options) {
+ValidSet minkowski_sum(const PreparedRegion& p, const PreparedRegion& q,
+                       const SumOptions& options) {
   if (options.engine != nullptr || is_unbounded(p.region()) || is_unbounded(q.region()))
     return minkowski_sum(p.region(), q.region(), options);
   ComputedSum computed = sum_of_prepared(p.state_->summand, q.state_->summand, options.boundary,
                                          engine_options(options));
-  return Sum(std::move(computed.sum), options.boundary, std::move(computed.origins),
-             std::move(computed.statistics));
+  return set_of(std::move(computed.sum), options.boundary, std::move(computed.origins),
+                std::move(computed.statistics));
 }
 
-Rounded Sum::rounded_value(const PlanarSet& value, Boundary boundary, const Number& step,
-                           Side side) {
+Rounded ValidSet::rounded_value(const PlanarSet& value, Boundary boundary, const Number& step,
+                                Side side) {
   if (sgn(step.value()) <= 0)
     throw InvalidInput({"the step of a grid", 0, 0}, to_string(step.value()) + " is not positive",
                        "a number above 0");
   RoundedSet set = oplus::rounded(value, boundary, step.value(), side);
-  Rounded result{Sum(std::move(set.set), boundary, {}, {}), set.changes, set.is_exact,
+  Rounded result{ValidSet(std::move(set.set), boundary, {}, {}), set.changes, set.is_exact,
                  std::move(set.bound)};
   std::call_once(result.sum.state_->is_region_computed, [&] {
     result.sum.state_->region = ValidRegion::found_valid(std::move(set.region));
@@ -147,37 +165,37 @@ Rounded Sum::rounded_value(const PlanarSet& value, Boundary boundary, const Numb
   return result;
 }
 
-Rounded rounded(const Sum& sum, const Number& step, Side side) {
-  return Sum::rounded_value(sum.value(), sum.boundary(), step, side);
+Rounded rounded(const ValidSet& sum, const Number& step, Side side) {
+  return ValidSet::rounded_value(sum.value(), sum.boundary(), step, side);
 }
 
 Rounded rounded(const ValidRegion& region, const Number& step, Side side) {
-  return Sum::rounded_value(canonical_sum(region.region()), Boundary::closed, step, side);
+  return ValidSet::rounded_value(canonical_sum(region.region()), Boundary::closed, step, side);
 }
 
-Rational area(const Sum& sum) { return area(sum.value()); }
+Rational area(const ValidSet& sum) { return area(sum.value()); }
 
-Location locate(const Coordinates& point, const Sum& sum) {
+Location locate(const Coordinates& point, const ValidSet& sum) {
   return locate(point.point(), sum.value());
 }
 
-bool contains(const Sum& sum, const Coordinates& point) {
+bool contains(const ValidSet& sum, const Coordinates& point) {
   const Location location = locate(point, sum);
   return location == Location::inside ||
          (location == Location::boundary && sum.boundary() == Boundary::closed);
 }
 
-Verdict verify(const ValidRegion& p, const ValidRegion& q, const GivenSum& given,
+Verdict verify(const ValidRegion& p, const ValidRegion& q, const ClaimedSum& given,
                Boundary boundary) {
   require_bounded(p, q);
   const auto canonical = [](const Point& point) { return Coordinates(point).point(); };
-  GivenSum sum = {mapped(given.region, canonical), given.dangling_edges, given.isolated_vertices};
+  ClaimedSum sum = {mapped(given.region, canonical), given.dangling_edges, given.isolated_vertices};
   for (Segment& edge : sum.dangling_edges) edge = {canonical(edge.source), canonical(edge.target)};
   for (Point& vertex : sum.isolated_vertices) vertex = canonical(vertex);
   return verify(p.region(), q.region(), boundary, sum);
 }
 
-Verdict verify(const ValidRegion& p, const ValidRegion& q, const Sum& sum) {
+Verdict verify(const ValidRegion& p, const ValidRegion& q, const ValidSet& sum) {
   require_bounded(p, q);
   if (sum.value().is_unbounded)
     throw InvalidInput({"sum", 0, 0}, "the sum is unbounded", "a bounded one");

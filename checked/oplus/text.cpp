@@ -28,8 +28,8 @@ std::string text(const ValidRegion& region, Format format, std::optional<int> di
                 : text({}, region, format);
 }
 
-std::string text(const Sum& exact, Format format, std::optional<int> digits) {
-  const Sum sum = digits ? rounded(exact, step_of(*digits)).sum : exact;
+std::string text(const ValidSet& exact, Format format, std::optional<int> digits) {
+  const ValidSet sum = digits ? rounded(exact, step_of(*digits)).sum : exact;
   return text(sum.value(), sum.region(), format);
 }
 
@@ -45,7 +45,7 @@ std::string to_wkt(const ValidRegion& region, std::optional<int> digits) {
   return text(region, Format::wkt, digits);
 }
 
-std::string to_wkt(const Sum& sum, std::optional<int> digits) {
+std::string to_wkt(const ValidSet& sum, std::optional<int> digits) {
   return text(sum, Format::wkt, digits);
 }
 
@@ -53,7 +53,7 @@ std::string to_geojson(const ValidRegion& region, std::optional<int> digits) {
   return text(region, Format::geojson, digits);
 }
 
-std::string to_geojson(const Sum& sum, std::optional<int> digits) {
+std::string to_geojson(const ValidSet& sum, std::optional<int> digits) {
   return text(sum, Format::geojson, digits);
 }
 
@@ -62,7 +62,7 @@ std::string to_wkb(const ValidRegion& region) {
   return text({}, region, Format::wkb);
 }
 
-std::string to_wkb(const Sum& sum) {
+std::string to_wkb(const ValidSet& sum) {
   require_doubles(not_a_double(sum.region().region(), sum.value()));
   return text(sum.value(), sum.region(), Format::wkb);
 }

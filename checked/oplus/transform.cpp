@@ -21,7 +21,7 @@ ValidRegion transformed(const ValidRegion& region, const AffineMap& map) {
   return ValidRegion::found_valid(image(map, region.region()));
 }
 
-Sum transformed(const Sum& set, const AffineMap& map) {
+ValidSet transformed(const ValidSet& set, const AffineMap& map) {
   require_invertible(map);
   return set_of(image(map, set.value()), set.boundary());
 }

@@ -25,7 +25,7 @@ std::vector<Segment> boundary_of(const PlanarSet& sum) {
   return with_points(edges(sum), sum.isolated_vertices);
 }
 
-std::vector<Segment> boundary_of(const GivenSum& sum) {
+std::vector<Segment> boundary_of(const ClaimedSum& sum) {
   std::vector<Segment> all = edges(sum.region);
   all.insert(all.end(), sum.dangling_edges.begin(), sum.dangling_edges.end());
   return with_points(std::move(all), sum.isolated_vertices);
@@ -122,7 +122,7 @@ struct ChainsByKind {
 
 }  // namespace
 
-Closeness closeness(const PlanarSet& right, const GivenSum& sum, const Rational& tolerance) {
+Closeness closeness(const PlanarSet& right, const ClaimedSum& sum, const Rational& tolerance) {
   Closeness result{};
   const std::vector<Segment> of_right = boundary_of(right);
   const std::vector<Segment> of_given = boundary_of(sum);

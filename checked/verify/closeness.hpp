@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "checked/collision/segment_tree.hpp"
-#include "reference/definitions/given_sum.hpp"
+#include "reference/definitions/claimed_sum.hpp"
 #include "reference/definitions/planar_set.hpp"
 
 namespace oplus {
@@ -47,7 +47,7 @@ struct Closeness {
 /// chain and one of the right sum are partners if their Hausdorff distance is at most D; chains are
 /// those of region_of(right) and of the set the given sum stands for. Components correspond where
 /// outer chains can be paired with partners one to one, and holes likewise. Requires: D >= 0.
-Closeness closeness(const PlanarSet& right, const GivenSum& sum, const Rational& tolerance);
+Closeness closeness(const PlanarSet& right, const ClaimedSum& sum, const Rational& tolerance);
 
 /// Whether each point of `from` is at most as far from `to` as the square root of `squared`; decided
 /// exactly. A segment may be a point.

@@ -71,7 +71,7 @@ bool contains_when_grown(const Boundaries& set, const PlanarSet& features, const
 
 }  // namespace
 
-bool differs_near_only(const PlanarSet& right, const GivenSum& given,
+bool differs_near_only(const PlanarSet& right, const ClaimedSum& given,
                        const std::vector<Segment>& boundary_of_given, const Rational& distance) {
   const Rational half = divided_by_root_of_two(distance);
   if (sgn(half) == 0) return false;

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "reference/definitions/given_sum.hpp"
+#include "reference/definitions/claimed_sum.hpp"
 #include "reference/definitions/planar_set.hpp"
 
 namespace oplus {
@@ -15,7 +15,7 @@ namespace oplus {
 ///  2. each point of a dangling edge and each isolated vertex of R is outside of S, or at most D from its boundary.
 /// `boundary_of_given` is that of S, points as segments, too. Exact, but that the square's side is a rational, smaller by
 /// a 2^64th or less. Requires: D >= 0.
-bool differs_near_only(const PlanarSet& right, const GivenSum& given,
+bool differs_near_only(const PlanarSet& right, const ClaimedSum& given,
                        const std::vector<Segment>& boundary_of_given, const Rational& distance);
 
 }  // namespace oplus

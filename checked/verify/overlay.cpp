@@ -45,9 +45,9 @@ std::vector<std::size_t> parts(std::size_t nodes, const std::vector<Cells::Edge>
 /// In which sets the faces are that a walk is in, which passes from face to face.
 class Membership {
  public:
-  explicit Membership(const std::vector<GivenChain>& chains)
+  explicit Membership(const std::vector<ClaimedChain>& chains)
       : chains_(chains), around_(chains.size() + 1, 0) {
-    for (const GivenChain& chain : chains)
+    for (const ClaimedChain& chain : chains)
       if (chain.component >= outer_.size()) outer_.resize(chain.component + 1, 0);
     holes_.resize(outer_.size(), 0);
   }
@@ -75,7 +75,7 @@ class Membership {
     return outer_[component] > 0 && holes_[component] == 0;
   }
 
-  const std::vector<GivenChain>& chains_;
+  const std::vector<ClaimedChain>& chains_;
   std::vector<int> around_;         ///< winding numbers of the chains, and of the right sum
   std::vector<std::size_t> outer_;  ///< of each component, how many outer chains wind around,
   std::vector<std::size_t> holes_;  ///< and how many of its holes
@@ -152,8 +152,8 @@ Rational twice_area_inside(const std::vector<Segment>& boundary) {
   return sum(parts, 0, parts.size());
 }
 
-Overlay::Overlay(const GivenSum& given, const PlanarSet& right) {
-  const std::vector<GivenChain> chains = given_chains(given);
+Overlay::Overlay(const ClaimedSum& given, const PlanarSet& right) {
+  const std::vector<ClaimedChain> chains = claimed_chains(given);
   const std::size_t of_right = chains.size();
   std::vector<Segment> segments;
   std::vector<std::size_t> chain_of;
@@ -182,7 +182,7 @@ Overlay::Overlay(const GivenSum& given, const PlanarSet& right) {
     return uses[static_cast<std::size_t>(edge - cells.edges.begin())];
   };
   std::vector<bool> turned;  // as what a chain is to be
-  for (const GivenChain& chain : chains)
+  for (const ClaimedChain& chain : chains)
     turned.push_back((sign_of_area(*chain.vertices) < 0) != (chain.hole != 0));
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const std::size_t chain = chain_of[i];

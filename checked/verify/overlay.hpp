@@ -8,7 +8,7 @@
 #include "checked/collision/segment_tree.hpp"
 #include "checked/verify/verdict.hpp"
 #include "reference/definitions/cells.hpp"
-#include "reference/definitions/given_sum.hpp"
+#include "reference/definitions/claimed_sum.hpp"
 #include "reference/definitions/planar_set.hpp"
 
 namespace oplus {
@@ -21,7 +21,7 @@ Rational twice_area_inside(const std::vector<Segment>& boundary);
 class Overlay {
  public:
   /// Low-dimensional features are left out.
-  Overlay(const GivenSum& given, const PlanarSet& right);
+  Overlay(const ClaimedSum& given, const PlanarSet& right);
 
   /// Faces in which the two differ, connected ones together.
   struct Difference {

@@ -156,7 +156,7 @@ std::string from_to(const Segment& s) {
 /// The low-dimensional features in which a given sum differs where the regular sums do not.
 class FeatureReasons {
  public:
-  FeatureReasons(const GivenSum& given, const PlanarSet& right, const Overlay& overlay,
+  FeatureReasons(const ClaimedSum& given, const PlanarSet& right, const Overlay& overlay,
                  Boundary boundary)
       : right_(right),
         overlay_(overlay),
@@ -315,9 +315,9 @@ std::vector<Reason> face_reasons(const Overlay& overlay, const Placements& place
   return reasons;
 }
 
-std::vector<Reason> orientation_reasons(const GivenSum& given, const Overlay& overlay) {
+std::vector<Reason> orientation_reasons(const ClaimedSum& given, const Overlay& overlay) {
   std::vector<Reason> reasons;
-  for (const GivenChain& chain : given_chains(given)) {
+  for (const ClaimedChain& chain : claimed_chains(given)) {
     const int turn = sign_of_area(*chain.vertices);
     if (turn == 0 || (turn > 0) == (chain.hole == 0) ||
         OPLUS_MUTANT("chains-may-run-either-way",
@@ -369,7 +369,7 @@ bool has_features(const Sum& sum) {
   return !sum.dangling_edges.empty() || !sum.isolated_vertices.empty();
 }
 
-bool same_features(const GivenSum& given, const PlanarSet& right) {
+bool same_features(const ClaimedSum& given, const PlanarSet& right) {
   return maximal_segments(given.dangling_edges) == right.dangling_edges &&
          sorted_without_copies(given.isolated_vertices) == right.isolated_vertices;
 }
@@ -409,7 +409,7 @@ PlanarSet decided_sum(const Region& p, const Region& q, Boundary boundary,
 }
 
 Verdict verdict(PlanarSet computed, const Region& p, const Region& q, Boundary boundary,
-                const GivenSum& sum, const Placements& placements, Exceptional& exceptional) {
+                const ClaimedSum& sum, const Placements& placements, Exceptional& exceptional) {
   Verdict result;
   result.right = std::move(computed);
   const PlanarSet& right = result.right;
@@ -450,7 +450,7 @@ Verdict verdict(PlanarSet computed, const Region& p, const Region& q, Boundary b
 
 std::string describe(ReasonKind kind) { return words_for(kind).name; }
 
-Verdict verify(const Region& p, const Region& q, Boundary boundary, const GivenSum& sum) {
+Verdict verify(const Region& p, const Region& q, Boundary boundary, const ClaimedSum& sum) {
   const Placements placements(p, q);
   Exceptional exceptional(p, q);
   return verdict(decided_sum(p, q, boundary, placements, exceptional), p, q, boundary, sum,

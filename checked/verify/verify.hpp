@@ -11,7 +11,7 @@ namespace oplus {
 /// docs/verify.md. Requires: p and q are valid (validity.hpp); of the given sum nothing: where its chains
 /// cross, it is refused, whichever outer chain the holes of a PlanarSet go to (region_of.hpp). Throws
 /// VerdictsDiffer (reference/definitions/verdicts_differ.hpp) where convex parts and the collision test differ.
-Verdict verify(const Region& p, const Region& q, Boundary boundary, const GivenSum& sum);
+Verdict verify(const Region& p, const Region& q, Boundary boundary, const ClaimedSum& sum);
 Verdict verify(const Region& p, const Region& q, Boundary boundary, const PlanarSet& sum);
 
 /// P ⊕ Q by the definitions, as `verify` computes it: sum_by_convex_parts.hpp. Asks the collision test on

@@ -223,8 +223,8 @@ PlanarSet canonical_sum(const Region& region) {
   return sum;
 }
 
-GivenSum given(const PlanarSet& sum) {
-  GivenSum result{{}, sum.dangling_edges, sum.isolated_vertices};
+ClaimedSum given(const PlanarSet& sum) {
+  ClaimedSum result{{}, sum.dangling_edges, sum.isolated_vertices};
   std::vector<const Chain*> outer_chains, hole_chains;
   for (const Chain& outer : sum.outer) {
     outer_chains.push_back(&outer);

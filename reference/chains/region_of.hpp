@@ -19,6 +19,6 @@ PlanarSet canonical_sum(const Region& region);
 /// A sum by its chains. A hole goes to the outer chain directly around it; one around which there is
 /// none is the only chain of its component, whose outer chain is empty. Nothing is required: where chains
 /// cross, any outer chain, or none, may count as the one around a hole.
-GivenSum given(const PlanarSet& sum);
+ClaimedSum given(const PlanarSet& sum);
 
 }  // namespace oplus

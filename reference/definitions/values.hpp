@@ -126,12 +126,12 @@ using Origins = std::vector<std::vector<Origin>>;
 /// The set it stands for: a point on no chain belongs to it iff some component's outer chain winds
 /// around it, in either direction, and none of that component's holes does; the set is the closure
 /// of these points, for Boundary::open its interior without dangling edges and isolated vertices.
-struct GivenSum {
+struct ClaimedSum {
   Region region;                         ///< chains as they were written down
   std::vector<Segment> dangling_edges;   ///< likewise
   std::vector<Point> isolated_vertices;  ///< likewise
 
-  friend bool operator==(const GivenSum&, const GivenSum&) = default;
+  friend bool operator==(const ClaimedSum&, const ClaimedSum&) = default;
 };
 
 }  // namespace oplus

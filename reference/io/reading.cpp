@@ -261,7 +261,7 @@ UncheckedInput unchecked(Parsed parsed) {
   return result;
 }
 
-GivenSum unchecked_sum(Parsed parsed) {
+ClaimedSum unchecked_sum(Parsed parsed) {
   require_outer_chains(parsed, Extent::bounded);
   require_closed_rings(parsed.input, parsed.geometry);
   std::vector<Segment> dangling = edges_of_line_strings(parsed);
@@ -370,12 +370,12 @@ ReadSum read_sum_file(const std::string& path, const ReadingProgress& progress) 
   return read_sum(parsed_file(path, Wanted::sum, progress));
 }
 
-GivenSum read_unchecked_sum(const std::string& text, const std::string& name,
-                            const ReadingProgress& progress) {
+ClaimedSum read_unchecked_sum(const std::string& text, const std::string& name,
+                              const ReadingProgress& progress) {
   return unchecked_sum(parsed(text, name, Wanted::sum, progress));
 }
 
-GivenSum read_unchecked_sum_file(const std::string& path, const ReadingProgress& progress) {
+ClaimedSum read_unchecked_sum_file(const std::string& path, const ReadingProgress& progress) {
   return unchecked_sum(parsed_file(path, Wanted::sum, progress));
 }
 

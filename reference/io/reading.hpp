@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/definitions/given_sum.hpp"
+#include "reference/definitions/claimed_sum.hpp"
 #include "reference/definitions/planar_set.hpp"
 #include "reference/definitions/region.hpp"
 #include "reference/io/invalid_input.hpp"
@@ -94,8 +94,8 @@ ReadSum read_sum_file(const std::string& path, const ReadingProgress& progress =
 
 /// Reads a sum and checks only its syntax, so that its defects can be reported. In the
 /// input's order, points and edges of line strings as they are. Throws InvalidInput.
-GivenSum read_unchecked_sum(const std::string& text, const std::string& name,
-                            const ReadingProgress& progress = {});
-GivenSum read_unchecked_sum_file(const std::string& path, const ReadingProgress& progress = {});
+ClaimedSum read_unchecked_sum(const std::string& text, const std::string& name,
+                              const ReadingProgress& progress = {});
+ClaimedSum read_unchecked_sum_file(const std::string& path, const ReadingProgress& progress = {});
 
 }  // namespace oplus

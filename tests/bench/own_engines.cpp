@@ -88,7 +88,7 @@ struct OpenSums : OwnSums {
 struct Verifying {
   struct Input {
     const Summands& pair;
-    GivenSum sum;
+    ClaimedSum sum;
   };
   using Sum = Verdict;
 

@@ -9,7 +9,7 @@ int main() {
   const std::vector<oplus::Chain> expected = {{{0, 0}, {2, 0}, {2, 1}, {1, 2}, {0, 2}}};
   bool right = oplus::engine_names().size() == 4;
   for (const std::string& name : oplus::engine_names()) {
-    const oplus::Sum sum = minkowski_sum(square, triangle, {.engine = oplus::engine(name)});
+    const oplus::ValidSet sum = minkowski_sum(square, triangle, {.engine = oplus::engine(name)});
     right = right && sum.value().outer == expected && sum.value().holes.empty() &&
             area(sum) == oplus::Rational(7, 2);
     std::cout << name << ": area " << area(sum) << '\n';

@@ -90,14 +90,14 @@ SetByPieces set_by_pieces(const ReadSet& set) {
   return {edges(set.region), set.segments, set.points};
 }
 
-GivenSum parts(const ReadSet& set) { return {set.region, set.segments, set.points}; }
+ClaimedSum parts(const ReadSet& set) { return {set.region, set.segments, set.points}; }
 
 PlanarSet sum_by_definition(const ReadSet& p, const ReadSet& q, Boundary boundary) {
   return set_where(
       vertex_edge_sum(set_by_pieces(p), set_by_pieces(q)), boundary, [&](const Point& x) {
         if (boundary == Boundary::closed)
           return meet(translated(reflected(set_by_pieces(q)), x), set_by_pieces(p));
-        const GivenSum placed = reflected_to(x, parts(q));
+        const ClaimedSum placed = reflected_to(x, parts(q));
         return interior_meets(p.region, placed) || interior_meets(placed.region, parts(p));
       });
 }

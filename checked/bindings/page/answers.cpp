@@ -18,7 +18,7 @@
 #include "checked/verify/verdict_text.hpp"
 #include "checked/verify/verify.hpp"
 #include "reference/chains/region_of.hpp"
-#include "reference/definitions/given_sum.hpp"
+#include "reference/definitions/claimed_sum.hpp"
 #include "reference/definitions/tangent_count.hpp"
 #include "reference/definitions/winding_number.hpp"
 #include "reference/io/counted.hpp"
@@ -336,7 +336,7 @@ void put_verdict(Answer& answer, const Region& p, const Region& q, Boundary boun
   answer.key("verdict");
   answer.object([&] {
     try {
-      const GivenSum given = read_unchecked_sum(given_text, "S");
+      const ClaimedSum given = read_unchecked_sum(given_text, "S");
       answer.member("chains", chains(given.region));
       answer.member("dangling", given.dangling_edges);
       answer.member("isolated", given.isolated_vertices);

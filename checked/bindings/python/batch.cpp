@@ -112,7 +112,7 @@ py::list batch(const std::string& name, py::handle p_value, py::handle q_value,
     throw std::invalid_argument("errors " + errors + "; expected raise or return");
   const Side p(p_value), q(q_value);
   const std::size_t n = number_of_pairs(p, q);
-  std::vector<Sum> sums(n);
+  std::vector<ValidSet> sums(n);
   std::vector<std::optional<Wrong>> wrong(n);
   for_each_below(n, threads, [&](std::size_t i) {
     char side = 'p';
@@ -170,8 +170,8 @@ py::object to_arrays(py::handle value) {
   NewArrays arrays;
   const auto add = [&](py::handle one) {
     // Of a sum, its region: edges and points have none of these arrays.
-    if (py::isinstance<Sum>(one))
-      arrays.add(one.cast<const Sum&>().region());
+    if (py::isinstance<ValidSet>(one))
+      arrays.add(one.cast<const ValidSet&>().region());
     else
       arrays.add(region_of(one).region());
   };
@@ -184,7 +184,7 @@ py::object to_arrays(py::handle value) {
 
 }  // namespace
 
-Sum sum_of(const PreparedRegion& p, const PreparedRegion& q, const SumOptions& options) {
+ValidSet sum_of(const PreparedRegion& p, const PreparedRegion& q, const SumOptions& options) {
   return minkowski_sum(p, q, options);
 }
 

@@ -35,9 +35,7 @@ template <>
 class type_caster<oplus::PreparedRegion>
     : public oplus::python::InstanceCaster<oplus::PreparedRegion> {};
 template <>
-class type_caster<oplus::ClosedSet> : public oplus::python::InstanceCaster<oplus::ClosedSet> {};
-template <>
-class type_caster<oplus::Sum> : public oplus::python::InstanceCaster<oplus::Sum> {};
+class type_caster<oplus::ValidSet> : public oplus::python::InstanceCaster<oplus::ValidSet> {};
 template <>
 class type_caster<oplus::Rounded> : public oplus::python::InstanceCaster<oplus::Rounded> {};
 template <>

@@ -18,23 +18,23 @@ namespace oplus::python {
 
 namespace {
 
-ClosedSet closed_set_of(const Set& set) {
-  if (const auto* closed = std::get_if<ClosedSet>(&set)) return *closed;
+ValidSet planar_set_of(const Set& set) {
+  if (const auto* closed = std::get_if<ValidSet>(&set)) return *closed;
   return std::get<PreparedRegion>(set).region();
 }
 
-Sum minkowski_sum_of(py::handle p_value, py::handle q_value, const std::string& boundary,
-                     long long threads) {
+ValidSet minkowski_sum_of(py::handle p_value, py::handle q_value, const std::string& boundary,
+                          long long threads) {
   const SumOptions options{.boundary = boundary_of(boundary), .threads = checked_threads(threads)};
   const Set p = set_of(p_value), q = set_of(q_value);
   const Unlocked released;
   if (std::holds_alternative<PreparedRegion>(p) && std::holds_alternative<PreparedRegion>(q))
     return minkowski_sum(std::get<PreparedRegion>(p), std::get<PreparedRegion>(q), options);
-  return minkowski_sum(closed_set_of(p), closed_set_of(q), options);
+  return minkowski_sum(planar_set_of(p), planar_set_of(q), options);
 }
 
 template <Operation compute>
-Sum operation_of(py::handle p_value, py::handle q_value, long long threads) {
+ValidSet operation_of(py::handle p_value, py::handle q_value, long long threads) {
   const SumOptions options{.threads = checked_threads(threads)};
   const PreparedRegion p = region_of(p_value), q = region_of(q_value);
   const Unlocked released;
@@ -48,7 +48,7 @@ void define(py::module_& m, const char* name, const char* doc) {
 }
 
 /// Adds the edges of a line; its point if it has no other.
-void add_line(const std::vector<Coordinates>& line, GivenSum& given) {
+void add_line(const std::vector<Coordinates>& line, ClaimedSum& given) {
   bool is_point = !line.empty();
   for (std::size_t i = 1; i < line.size(); ++i) {
     const Segment edge{line[i - 1].point(), line[i].point()};
@@ -60,10 +60,10 @@ void add_line(const std::vector<Coordinates>& line, GivenSum& given) {
 }
 
 /// What is claimed to be a sum; of it, nothing is required.
-GivenSum given_of(py::handle value) {
-  GivenSum given;
-  if (py::isinstance<Sum>(value)) {
-    const Sum sum = value.cast<Sum>();
+ClaimedSum given_of(py::handle value) {
+  ClaimedSum given;
+  if (py::isinstance<ValidSet>(value)) {
+    const ValidSet sum = value.cast<ValidSet>();
     given = {sum.region().region(), sum.dangling_edges(), sum.isolated_vertices()};
   } else if (py::isinstance<PreparedRegion>(value) || is_text(value)) {
     given.region = region_of(value).region().region();
@@ -83,19 +83,19 @@ GivenSum given_of(py::handle value) {
 Verdict verify_of(py::handle p_value, py::handle q_value, py::handle value,
                   const std::optional<std::string>& boundary) {
   const PreparedRegion p = region_of(p_value), q = region_of(q_value);
-  const GivenSum given = given_of(value);
+  const ClaimedSum given = given_of(value);
   Boundary of_given = Boundary::closed;
   if (boundary)
     of_given = boundary_of(*boundary);
-  else if (py::isinstance<Sum>(value))
-    of_given = value.cast<const Sum&>().boundary();
+  else if (py::isinstance<ValidSet>(value))
+    of_given = value.cast<const ValidSet&>().boundary();
   const Unlocked released;
   return verify(p.region(), q.region(), given, of_given);
 }
 
 std::string certify_of(py::handle p_value, py::handle q_value, py::handle value) {
   const PreparedRegion p = region_of(p_value), q = region_of(q_value);
-  const GivenSum given = given_of(value);
+  const ClaimedSum given = given_of(value);
   const Unlocked released;
   return certify(p.region(), q.region(), given);
 }
@@ -110,8 +110,8 @@ Side side_of(const std::string& name) {
 Rounded rounded_of(py::handle value, py::handle step_value, const std::string& side_name) {
   const Number step = number_of(step_value);
   const Side side = side_of(side_name);
-  if (py::isinstance<Sum>(value)) {
-    const Sum sum = value.cast<Sum>();
+  if (py::isinstance<ValidSet>(value)) {
+    const ValidSet sum = value.cast<ValidSet>();
     const Unlocked released;
     return rounded(sum, step, side);
   }
@@ -129,7 +129,7 @@ py::tuple repair(py::handle value, const std::optional<std::string>& fill_name) 
   else if (fill_name)
     throw std::invalid_argument("fill " + *fill_name + "; expected even_odd or nonzero");
   Repaired result;
-  if (py::isinstance<PreparedRegion>(value) || py::isinstance<Sum>(value)) {
+  if (py::isinstance<PreparedRegion>(value) || py::isinstance<ValidSet>(value)) {
     result.region = region_of(value).region();
   } else if (is_text(value)) {
     const std::string text = text_of(value);
@@ -148,8 +148,8 @@ py::tuple repair(py::handle value, const std::optional<std::string>& fill_name) 
 }
 
 py::object complement_of(py::handle value) {
-  if (py::isinstance<Sum>(value)) {
-    const Sum& sum = value.cast<const Sum&>();
+  if (py::isinstance<ValidSet>(value)) {
+    const ValidSet& sum = value.cast<const ValidSet&>();
     return py::cast(unlocked([&] { return complement(sum); }));
   }
   const PreparedRegion region = region_of(value);
@@ -180,7 +180,7 @@ void define_operations(py::module_& m) {
 
 Returns the Minkowski sum, the set of all p + q, exactly.
 
-p, q: whatever Region or ClosedSet takes. boundary: 'closed', or 'open' for the sum of the
+p, q: whatever Region or PlanarSet takes. boundary: 'closed', or 'open' for the sum of the
 interiors, which has dangling edges and isolated vertices. threads: 0 for all cores.
 
 >>> print(oplus.minkowski_sum([[0, 0], [2, 0], [0, 2]], [[0, 0], [1, 0], [1, 1], [0, 1]]))
@@ -241,9 +241,9 @@ void define_others(py::module_& m) {
         py::arg("boundary") = py::none(), R"(verify(p, q, given, *, boundary=None)
 --
 
-Decides whether `given` is the sum of p and q, by the definitions and by no engine. It is a Sum or
+Decides whether `given` is the sum of p and q, by the definitions and by no engine. It is a PlanarSet or
 whatever Region takes, or what would be invalid: chains of geometries and lists may cross. boundary:
-'closed' or 'open'; None: that of a Sum, closed for others. Raises InvalidInput where a region is
+'closed' or 'open'; None: that of a PlanarSet, closed for others. Raises InvalidInput where a region is
 unbounded.
 
 >>> square = [[0, 0], [1, 0], [1, 1], [0, 1]]
@@ -269,7 +269,7 @@ first reason of verify, where it is not the sum.
 --
 
 Returns a Rounded: a valid set whose coordinates are multiples of `step`, and how far it is from the
-exact one. value: a Sum, or whatever Region takes. side: 'nearest', 'contain' for a set that
+exact one. value: a PlanarSet, or whatever Region takes. side: 'nearest', 'contain' for a set that
 contains it, 'contained' for one that is contained in it. Steps 2**-k give exact doubles.
 
 >>> third = oplus.rounded([[0, 0], ['1/3', 0], [0, 1]], '0.01')
@@ -291,7 +291,7 @@ Fraction(2, 1)
   m.def("complement", complement_of, py::arg("value"), R"(complement(value)
 --
 
-Returns the complement: of a region a Region, of a Sum a Sum; closed of an open one, and the reverse.
+Returns the complement: of a region a Region, of a PlanarSet a PlanarSet; closed of an open one, and the reverse.
 
 >>> outside = oplus.complement([[0, 0], [1, 0], [0, 1]])
 >>> (5, 5) in outside

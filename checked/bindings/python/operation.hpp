@@ -13,15 +13,15 @@ namespace oplus::python {
 namespace py = pybind11;
 
 /// An operation of oplus.hpp.
-using Operation = Sum (*)(const PreparedRegion& p, const PreparedRegion& q,
-                          const SumOptions& options);
+using Operation = ValidSet (*)(const PreparedRegion& p, const PreparedRegion& q,
+                               const SumOptions& options);
 
 /// Returns the sum.
-Sum sum_of(const PreparedRegion& p, const PreparedRegion& q, const SumOptions& options);
+ValidSet sum_of(const PreparedRegion& p, const PreparedRegion& q, const SumOptions& options);
 
 /// Returns an operation on two regions, which are the same of `compute`.
-template <Sum (*compute)(const ValidRegion&, const ValidRegion&, const SumOptions&)>
-Sum operation(const PreparedRegion& p, const PreparedRegion& q, const SumOptions& options) {
+template <ValidSet (*compute)(const ValidRegion&, const ValidRegion&, const SumOptions&)>
+ValidSet operation(const PreparedRegion& p, const PreparedRegion& q, const SumOptions& options) {
   return compute(p.region(), q.region(), options);
 }
 

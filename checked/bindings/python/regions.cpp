@@ -205,30 +205,8 @@ rounded(region, 2**-20), say, is valid and exact. Raises InvalidInput where the 
 )");
 }
 
-void define_closed_set(py::module_& m) {
-  using C = const ClosedSet&;
-  py::class_<ClosedSet>(m, "ClosedSet",
-                        R"(A region, line strings and points together, which may overlap.
-
-ClosedSet(value) takes what Region takes, and geometries and text with line strings and points.
-What has no polygons is a summand of minkowski_sum.
-
->>> path = oplus.ClosedSet('LINESTRING (0 0, 4 0, 4 3)')
->>> print(oplus.minkowski_sum(path, [[0, 0], [1, 0], [1, 1], [0, 1]]))
-POLYGON ((0 0, 5 0, 5 4, 4 4, 4 1, 0 1, 0 0))
-)")
-      .def(py::init([](py::handle value) { return closed_set_of(value); }), py::arg("value"))
-      .def(
-          "__neg__", [](C s) { return -s; }, "The set, turned by 180 degrees.")
-      .def(
-          "__eq__", [](C a, C b) { return a == b; }, py::is_operator());
-}
-
 }  // namespace
 
-void define_regions(py::module_& m) {
-  define_region(m);
-  define_closed_set(m);
-}
+void define_regions(py::module_& m) { define_region(m); }
 
 }  // namespace oplus::python

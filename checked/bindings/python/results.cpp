@@ -9,35 +9,47 @@
 #include "checked/bindings/python/instances.hpp"
 #include "checked/bindings/python/numbers.hpp"
 #include "checked/bindings/python/output.hpp"
+#include "checked/bindings/python/shapes.hpp"
 #include "checked/bindings/python/unlocked.hpp"
 
 namespace oplus::python {
 
 namespace {
 
-py::dict geo_interface(const Sum& s) {
+py::dict geo_interface(const ValidSet& s) {
   return python::geo_interface(s.region(), s.dangling_edges(), s.isolated_vertices());
 }
 
-std::string summary(const Sum& sum) {
+std::string summary(const ValidSet& sum) {
   const auto count = [](std::size_t n, const char* what) { return std::to_string(n) + what; };
-  return std::string("<oplus.Sum: ") + (sum.boundary() == Boundary::open ? "open, " : "closed, ") +
+  return std::string("<oplus.PlanarSet: ") +
+         (sum.boundary() == Boundary::open ? "open, " : "closed, ") +
          count(sum.components().size(), " components, ") +
          count(sum.dangling_edges().size(), " dangling edges, ") +
          count(sum.isolated_vertices().size(), " isolated vertices>");
 }
 
 void define_sum(py::module_& m) {
-  using S = const Sum&;
-  py::class_<Sum>(m, "Sum", R"(The result of an operation, exact: a region, with edges and points.
+  using S = const ValidSet&;
+  py::class_<ValidSet>(m, "PlanarSet",
+                       R"(A region, edges and points together, exact: what operations return.
 
-A sum never changes. A closed one without dangling edges and isolated vertices is taken wherever
-a region is; of others, `region` is.
+PlanarSet(value) takes what Region takes, and geometries and text with line strings and points, which
+may overlap. A set never changes. One without dangling edges and isolated vertices is taken wherever
+a region is; of others, `region` is. All closed ones are summands of minkowski_sum.
+
+>>> path = oplus.PlanarSet('LINESTRING (0 0, 4 0, 4 3)')
+>>> print(oplus.minkowski_sum(path, [[0, 0], [1, 0], [1, 1], [0, 1]]))
+POLYGON ((0 0, 5 0, 5 4, 4 4, 4 1, 0 1, 0 0))
 
 >>> room = [[[0, 0], [5, 0], [5, 5], [0, 5]], [[1, 1], [1, 4], [4, 4], [4, 1]]]
 >>> oplus.nfp(room, [[0, 0], [3, 0], [3, 1], [0, 1]])
-<oplus.Sum: open, 1 components, 1 dangling edges, 0 isolated vertices>
+<oplus.PlanarSet: open, 1 components, 1 dangling edges, 0 isolated vertices>
 )")
+      .def(py::init([](py::handle value) { return planar_set_of(value); }), py::arg("value"))
+      .def(
+          "__neg__", [](S s) { return unlocked([&] { return -s; }); },
+          "The set, turned by 180 degrees.")
       .def_property_readonly(
           "boundary", [](S s) { return s.boundary() == Boundary::open ? "open" : "closed"; },
           R"('closed' or 'open'.
@@ -184,7 +196,7 @@ void define_rounded(py::module_& m) {
   using R = const Rounded&;
   py::class_<Rounded>(m, "Rounded", "What rounded returns.")
       .def_property_readonly(
-          "sum", [](R r) { return r.sum; }, "The Sum on the grid.")
+          "sum", [](R r) { return r.sum; }, "The PlanarSet on the grid.")
       .def_property_readonly(
           "is_exact", [](R r) { return r.is_exact; }, "Whether nothing had to be rounded.")
       .def_property_readonly(

@@ -9,10 +9,10 @@ namespace oplus::python {
 
 namespace py = pybind11;
 
-/// Defines Region and ClosedSet.
+/// Defines Region.
 void define_regions(py::module_& module);
 
-/// Defines Sum, Rounded, Reason and Verdict.
+/// Defines PlanarSet, Rounded, Reason and Verdict.
 void define_results(py::module_& module);
 
 }  // namespace oplus::python

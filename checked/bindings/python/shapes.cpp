@@ -68,7 +68,7 @@ void add_line(py::handle points, Shapes& shapes) {
 }
 
 /// A sum that is a closed set. Throws InvalidInput where it is more.
-void require_closed(const Sum& sum) {
+void require_closed(const ValidSet& sum) {
   if (sum.boundary() == Boundary::open &&
       !(sum.dangling_edges().empty() && sum.isolated_vertices().empty()))
     throw invalid("an open set with dangling edges or isolated vertices",
@@ -80,7 +80,7 @@ void add_region(const ValidRegion& region, Shapes& shapes) {
     shapes.region.components.push_back(component);
 }
 
-void add_sum(const Sum& sum, Shapes& shapes) {
+void add_sum(const ValidSet& sum, Shapes& shapes) {
   require_closed(sum);
   add_region(sum.region(), shapes);
   for (const Segment& edge : sum.dangling_edges())
@@ -106,7 +106,7 @@ void add_geometry(py::handle value, Shapes& shapes, int level = 0) {
   // Exactly, not by the doubles of __geo_interface__.
   if (py::isinstance<PreparedRegion>(value))
     return add_region(value.cast<const PreparedRegion&>().region(), shapes);
-  if (py::isinstance<Sum>(value)) return add_sum(value.cast<const Sum&>(), shapes);
+  if (py::isinstance<ValidSet>(value)) return add_sum(value.cast<const ValidSet&>(), shapes);
   if (!py::isinstance<py::dict>(value)) {
     const py::object geometry = geo_interface_of(value);
     if (!geometry)
@@ -164,11 +164,11 @@ int depth(py::handle value, int level = 0) {
   return 1 + depth(py::object(list[0]), level + 1);
 }
 
-ClosedSet closed_set(const Shapes& shapes) {
-  return ClosedSet(ValidRegion(shapes.region), shapes.lines, shapes.points);
+ValidSet planar_set(const Shapes& shapes) {
+  return ValidSet(ValidRegion(shapes.region), shapes.lines, shapes.points);
 }
 
-bool has_more_than_region(const Sum& sum) {
+bool has_more_than_region(const ValidSet& sum) {
   return !sum.dangling_edges().empty() || !sum.isolated_vertices().empty();
 }
 
@@ -247,8 +247,8 @@ Shapes shapes_of(py::handle value) {
 
 PreparedRegion region_of(py::handle value) {
   if (py::isinstance<PreparedRegion>(value)) return value.cast<PreparedRegion>();
-  if (py::isinstance<Sum>(value)) {
-    const Sum sum = value.cast<Sum>();
+  if (py::isinstance<ValidSet>(value)) {
+    const ValidSet sum = value.cast<ValidSet>();
     if (has_more_than_region(sum))
       throw invalid("a set with dangling edges or isolated vertices",
                     "a region, such as its region");
@@ -266,15 +266,9 @@ PreparedRegion region_of(py::handle value) {
   return ValidRegion(std::move(shapes.region));
 }
 
-ClosedSet closed_set_of(py::handle value) {
-  if (py::isinstance<ClosedSet>(value)) return value.cast<ClosedSet>();
+ValidSet planar_set_of(py::handle value) {
+  if (py::isinstance<ValidSet>(value)) return value.cast<ValidSet>();
   if (py::isinstance<PreparedRegion>(value)) return value.cast<const PreparedRegion&>().region();
-  if (py::isinstance<Sum>(value)) {
-    const Sum sum = value.cast<Sum>();
-    Shapes shapes;
-    add_sum(sum, shapes);
-    return closed_set(shapes);
-  }
   if (is_text(value)) {
     const std::string text = text_of(value);
     const Unlocked released;
@@ -282,22 +276,21 @@ ClosedSet closed_set_of(py::handle value) {
   }
   const Shapes shapes = shapes_of(value);
   const Unlocked released;
-  return closed_set(shapes);
+  return planar_set(shapes);
 }
 
 Set set_of(py::handle value) {
-  if (py::isinstance<ClosedSet>(value)) return value.cast<ClosedSet>();
-  if (py::isinstance<Sum>(value)) {
-    const Sum sum = value.cast<Sum>();
-    if (has_more_than_region(sum)) return closed_set_of(value);
-    return PreparedRegion(sum.region());
+  if (py::isinstance<ValidSet>(value)) {
+    const ValidSet set = value.cast<ValidSet>();
+    if (has_more_than_region(set)) return set;
+    return PreparedRegion(set.region());
   }
   if (is_text(value)) {
     try {
       return region_of(value);
     } catch (const InvalidInput&) {
       try {
-        return closed_set_of(value);
+        return planar_set_of(value);
       } catch (const InvalidInput&) {
       }
       throw;
@@ -306,7 +299,7 @@ Set set_of(py::handle value) {
   if (!py::isinstance<PreparedRegion>(value)) {
     Shapes shapes = shapes_of(value);
     const Unlocked released;
-    if (!shapes.lines.empty() || !shapes.points.empty()) return closed_set(shapes);
+    if (!shapes.lines.empty() || !shapes.points.empty()) return planar_set(shapes);
     return PreparedRegion(ValidRegion(std::move(shapes.region)));
   }
   return region_of(value);

@@ -38,7 +38,7 @@ Array array_of(py::handle value, const char* name, const char* expected) {
 }
 
 /// A summand. Regions keep what depends on them alone.
-using Set = std::variant<PreparedRegion, ClosedSet>;
+using Set = std::variant<PreparedRegion, ValidSet>;
 
 /// Coordinates in an array of shape (n, 2) or more columns, of float or int64; what is of another type is
 /// converted, exactly. Arrays of these types are not copied.
@@ -70,14 +70,14 @@ bool is_single(py::handle value);
 /// array. Throws InvalidInput and py::type_error.
 Shapes shapes_of(py::handle value);
 
-/// Returns the region of any of these, or of a Region, a Sum without edges and points of its own, text in any
+/// Returns the region of any of these, or of a Region, a PlanarSet without edges and points of its own, text in any
 /// format that oplus reads, bytes of WKB. Throws InvalidInput and py::type_error.
 PreparedRegion region_of(py::handle value);
 
 /// The same where line strings and points are allowed too.
 Set set_of(py::handle value);
 
-/// The same of something that is not a region.
-ClosedSet closed_set_of(py::handle value);
+/// Returns a set of the same, also of line strings and points.
+ValidSet planar_set_of(py::handle value);
 
 }  // namespace oplus::python

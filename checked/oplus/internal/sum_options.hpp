@@ -10,7 +10,8 @@ namespace oplus {
 ComputedSum computed_sum(const Region& p, const Region& q, Boundary boundary,
                          const SumOptions& options);
 
-/// A set in canonical form as a Sum, without origins and statistics.
-Sum set_of(PlanarSet value, Boundary boundary);
+/// Requires: the set is in canonical form.
+ValidSet set_of(PlanarSet value, Boundary boundary, Origins origins = {},
+                Statistics statistics = {});
 
 }  // namespace oplus

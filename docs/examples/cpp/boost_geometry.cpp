@@ -33,7 +33,7 @@ int main() {
   Polygon polygon;
   bg::read_wkt("POLYGON((0 0,0 4,4 4,4 0,0 0),(1 1,3 1,3 3,1 3,1 1))", polygon);
   auto tool = oplus::polygon({{0, 0}, {0.5, 0}, {0, 0.5}});
-  oplus::Sum sum = minkowski_sum(oplus::from_boost(polygon), tool);
+  oplus::ValidSet sum = minkowski_sum(oplus::from_boost(polygon), tool);
 
   auto result = oplus::to_boost<bg::model::multi_polygon<Polygon>>(sum);
   std::cout << bg::wkt(result) << '\n' << bg::is_valid(result) << '\n';

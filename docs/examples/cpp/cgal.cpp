@@ -15,7 +15,7 @@ int main() {
   triangle.push_back({1, 0});
 
   auto third = oplus::polygon({{0, 0}, {"1/3", 0}, {0, "1/3"}});
-  oplus::Sum sum = minkowski_sum(oplus::from_cgal(triangle), third);
+  oplus::ValidSet sum = minkowski_sum(oplus::from_cgal(triangle), third);
 
   using Exact = CGAL::Epeck;
   const std::vector<CGAL::Polygon_with_holes_2<Exact>> polygons = oplus::to_cgal<Exact>(sum);

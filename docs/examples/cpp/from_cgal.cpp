@@ -23,8 +23,8 @@ int main() {
   const PolygonWithHoles by_cgal = CGAL::minkowski_sum_2(frame, slider);
 
   const oplus::ValidRegion p = oplus::from_cgal(frame), q = oplus::from_cgal(slider);
-  const oplus::Sum closed = minkowski_sum(p, q);
-  const oplus::Sum open = minkowski_sum(p, q, {.boundary = oplus::Boundary::open});
+  const oplus::ValidSet closed = minkowski_sum(p, q);
+  const oplus::ValidSet open = minkowski_sum(p, q, {.boundary = oplus::Boundary::open});
 
   std::cout << "the same area: " << (area(oplus::from_cgal(by_cgal)) == area(closed)) << '\n'
             << "vertices: " << by_cgal.outer_boundary().size() << " by CGAL, "

@@ -14,7 +14,7 @@ int main() {
   // Any type with two coordinates is a point, and text is a number.
   const oplus::ValidRegion triangle = oplus::polygon({{0, 1}, {0, 0}, {1, 0}}),
                            arrow = oplus::polygon({{2, -1}, {0, 1}, {-1, -1}, {0, 0}});
-  const oplus::Sum sum = minkowski_sum(triangle, arrow);
+  const oplus::ValidSet sum = minkowski_sum(triangle, arrow);
   std::cout << to_wkt(sum) << '\n';
 
   // Rounded to hundredths, to a set that contains the sum.

@@ -9,8 +9,8 @@ int main() {
   auto plug = oplus::polygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}});    // as large as the hole
 
   const oplus::SumOptions open = {.boundary = oplus::Boundary::open};
-  oplus::Sum where_slider_meets = minkowski_sum(frame, -slider, open);
-  oplus::Sum where_plug_meets = minkowski_sum(frame, -plug, open);
+  oplus::ValidSet where_slider_meets = minkowski_sum(frame, -slider, open);
+  oplus::ValidSet where_plug_meets = minkowski_sum(frame, -plug, open);
 
   for (const oplus::Segment& edge : where_slider_meets.dangling_edges())
     std::cout << "the slider fits from " << edge.source.x << ' ' << edge.source.y << " to "
@@ -19,7 +19,7 @@ int main() {
     std::cout << "the plug fits at " << vertex.x << ' ' << vertex.y << '\n';
 
   // The closed sum has lost it: touching counts as meeting.
-  oplus::Sum closed = minkowski_sum(frame, -plug);
+  oplus::ValidSet closed = minkowski_sum(frame, -plug);
   std::cout << "at 1 1: open " << contains(where_plug_meets, {1, 1}) << ", closed "
             << contains(closed, {1, 1}) << '\n';
   std::cout << (closed.boundary() == oplus::Boundary::closed) << (closed == where_plug_meets)

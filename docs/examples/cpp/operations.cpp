@@ -8,7 +8,7 @@ int main() {
   auto part = oplus::polygon({{0, 0}, {100, 0}, {100, 30}, {0, 30}});  // as wide as the bin
 
   // All x where the part, moved by x, is inside the bin: exact fits are edges and points.
-  oplus::Sum places = ifp(bin, part);
+  oplus::ValidSet places = ifp(bin, part);
   for (const oplus::Segment& edge : places.dangling_edges())
     std::cout << "it fits from " << edge.source.x << ' ' << edge.source.y << " to " << edge.target.x
               << ' ' << edge.target.y << '\n';

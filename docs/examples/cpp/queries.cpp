@@ -6,8 +6,8 @@
 int main() {
   auto islands = oplus::read_wkt("MULTIPOLYGON(((0 0,1 0,1 1,0 1,0 0)),((4 0,5 0,5 1,4 1,4 0)))");
   auto tool = oplus::polygon({{0, 0}, {"1/3", 0}, {0, "1/3"}});
-  oplus::Sum once = minkowski_sum(islands, tool);
-  oplus::Sum twice = minkowski_sum(once.region(), tool);
+  oplus::ValidSet once = minkowski_sum(islands, tool);
+  oplus::ValidSet twice = minkowski_sum(once.region(), tool);
 
   for (const oplus::Component& component : twice.components())
     std::cout << component.outer.size() << " vertices, " << component.holes.size() << " holes\n";

@@ -13,7 +13,7 @@ int main() {
   std::cout << (by_two == minkowski_sum(room, -robot)) << '\n';
 
   // Nothing is shared between calls; regions and sums that don't change may be.
-  std::vector<oplus::Sum> sums(3);
+  std::vector<oplus::ValidSet> sums(3);
   {
     std::vector<std::jthread> threads;
     for (std::size_t i = 0; i < sums.size(); ++i)

@@ -18,7 +18,7 @@ int main() {
 
   // All points at most 1 away from the part, and some at most 1.1.
   auto around = oplus::disc(1, oplus::DiscSide::outside, "0.1");
-  oplus::Sum offset = minkowski_sum(part, around);
+  oplus::ValidSet offset = minkowski_sum(part, around);
   std::cout << offset.components()[0].outer.size() << " vertices, area " << area(offset) << '\n';
   std::cout << (transformed(offset, turn) ==
                 minkowski_sum(transformed(part, turn), transformed(around, turn)))

@@ -8,7 +8,7 @@ int main() {
   auto square = oplus::polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
 
   // It may be anything: here, the hole is lost.
-  oplus::GivenSum given;
+  oplus::ClaimedSum given;
   given.region = oplus::polygon({{0, 0}, {5, 0}, {5, 5}, {0, 5}}).region();
   oplus::Verdict verdict = verify(frame, square, given);
   std::cout << (verdict.is_sum() ? "right" : "wrong") << '\n';

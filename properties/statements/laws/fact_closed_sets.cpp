@@ -21,12 +21,12 @@ std::vector<Segment> first_polyline(const Region& region) {
 
 /// Polylines with each other and with regions, and a mixture: a region, two edges that leave its first
 /// vertex, and points, with a region and one of the first's edges.
-std::vector<std::pair<GivenSum, GivenSum>> pairs_of_sets(const Region& p, const Region& q) {
+std::vector<std::pair<ClaimedSum, ClaimedSum>> pairs_of_sets(const Region& p, const Region& q) {
   const std::vector<Segment> line_p = first_polyline(p), line_q = first_polyline(q);
   std::vector<Segment> open_p = line_p;
   open_p.pop_back();
   const Vector to_p = line_p[0].source - line_q[0].source;
-  GivenSum mixed{p, {}, {line_q[0].source, line_q[1].target}};
+  ClaimedSum mixed{p, {}, {line_q[0].source, line_q[1].target}};
   for (std::size_t i = 0; i < 2; ++i)
     mixed.dangling_edges.push_back({line_q[i].source + to_p, line_q[i].target + to_p});
   return {{{p, {}, {}}, {{}, line_q, {}}},
@@ -50,8 +50,8 @@ bool edges_and_points_are_outside(const PlanarSet& set) {
       [&](const Point& v) { return is_outside(v) && !lies_on_one(v, set.dangling_edges); });
 }
 
-void check(const GivenSum& p, const GivenSum& q, Outcome& outcome) {
-  const auto set = [](const GivenSum& parts) {
+void check(const ClaimedSum& p, const ClaimedSum& q, Outcome& outcome) {
+  const auto set = [](const ClaimedSum& parts) {
     return union_of(parts.region, parts.dangling_edges, parts.isolated_vertices);
   };
   const auto sum_of = [](const Region& a, const Region& b, Boundary boundary) {
@@ -67,7 +67,7 @@ void check(const GivenSum& p, const GivenSum& q, Outcome& outcome) {
   }
   for (const Point& x : points_of_cells(p, q)) {
     ++outcome.counts["points"];
-    const GivenSum placed = reflected_to(x, q);
+    const ClaimedSum placed = reflected_to(x, q);
     if (meet(p, placed) != (locate(x, closed) != Location::outside)) {
       outcome.fail(
           to_string(x) + " is wrong in the closed sum of " + wkt(set(p)) + " and " + wkt(set(q)),

@@ -4,7 +4,7 @@
 #include "checked/verify/verify.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/chains/region_of.hpp"
-#include "reference/definitions/given_sum.hpp"
+#include "reference/definitions/claimed_sum.hpp"
 #include "reference/oracle/oracle.hpp"
 
 namespace oplus {
@@ -21,18 +21,18 @@ Outcome check(const Summands& summands) {
     if (!verdict.is_sum())
       return outcome.fail("verify refuses the oracle's sum: " + verdict.reasons.front().detail,
                           verdict.reasons.front().witness);
-    const auto accepts = [&](const GivenSum& given) {
+    const auto accepts = [&](const ClaimedSum& given) {
       ++outcome.counts["wrong sums"];
       return verify(p, q, boundary, given).is_sum();
     };
 
-    GivenSum turned = given(sum);
+    ClaimedSum turned = given(sum);
     for (Component& component : turned.region.components) {
       std::reverse(component.outer.begin(), component.outer.end());
       if (accepts(turned)) return outcome.fail("verify accepts a clockwise outer chain");
       std::reverse(component.outer.begin(), component.outer.end());
     }
-    GivenSum with_a_point = given(sum);
+    ClaimedSum with_a_point = given(sum);
     with_a_point.region.components.push_back({Chain(3, Point{}), {}});
     if (accepts(with_a_point)) return outcome.fail("verify accepts a chain that is a point");
     for (std::size_t i = 0; i < sum.holes.size(); ++i) {

@@ -11,13 +11,13 @@ namespace oplus {
 
 namespace {
 
-std::vector<Segment> all_edges(const GivenSum& set) {
+std::vector<Segment> all_edges(const ClaimedSum& set) {
   std::vector<Segment> result = edges(set.region);
   result.insert(result.end(), set.dangling_edges.begin(), set.dangling_edges.end());
   return result;
 }
 
-std::vector<Point> all_vertices(const GivenSum& set) {
+std::vector<Point> all_vertices(const ClaimedSum& set) {
   std::vector<Point> result = set.isolated_vertices;
   for (const Segment& e : all_edges(set)) {
     result.push_back(e.source);
@@ -27,7 +27,7 @@ std::vector<Point> all_vertices(const GivenSum& set) {
 }
 
 /// Whether a vertex or a point of one is in the region or on an edge of the other, or one of its points.
-bool has_vertex_in(const GivenSum& a, const GivenSum& b) {
+bool has_vertex_in(const ClaimedSum& a, const ClaimedSum& b) {
   const std::vector<Segment> edges_of_b = all_edges(b);
   const std::vector<Point> vertices = all_vertices(a);
   return std::any_of(vertices.begin(), vertices.end(), [&](const Point& v) {
@@ -39,14 +39,14 @@ bool has_vertex_in(const GivenSum& a, const GivenSum& b) {
 
 }  // namespace
 
-bool meet(const GivenSum& a, const GivenSum& b) {
+bool meet(const ClaimedSum& a, const ClaimedSum& b) {
   for (const Segment& s : all_edges(a))
     for (const Segment& t : all_edges(b))
       if (!intersection(s, t).empty()) return true;
   return has_vertex_in(a, b) || has_vertex_in(b, a);
 }
 
-bool interior_meets(const Region& a, const GivenSum& b) {
+bool interior_meets(const Region& a, const ClaimedSum& b) {
   if (interiors_meet(a, b.region)) return true;
   const auto is_inside = [&](const Point& p) { return locate(p, a) == Location::inside; };
   const std::vector<Segment> of_a = edges(a);
@@ -56,15 +56,15 @@ bool interior_meets(const Region& a, const GivenSum& b) {
   return std::any_of(b.isolated_vertices.begin(), b.isolated_vertices.end(), is_inside);
 }
 
-GivenSum reflected_to(const Point& x, const GivenSum& set) {
-  GivenSum result{mapped(set.region, [&](const Point& p) { return x - p; }), {}, {}};
+ClaimedSum reflected_to(const Point& x, const ClaimedSum& set) {
+  ClaimedSum result{mapped(set.region, [&](const Point& p) { return x - p; }), {}, {}};
   for (const Segment& s : set.dangling_edges)
     result.dangling_edges.push_back({x - s.source, x - s.target});
   for (const Point& p : set.isolated_vertices) result.isolated_vertices.push_back(x - p);
   return result;
 }
 
-std::vector<Point> points_of_cells(const GivenSum& p, const GivenSum& q) {
+std::vector<Point> points_of_cells(const ClaimedSum& p, const ClaimedSum& q) {
   std::vector<Segment> segments;
   std::vector<Point> points;
   for (const auto& [a, b] : {std::pair(&p, &q), {&q, &p}})

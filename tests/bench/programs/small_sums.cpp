@@ -28,7 +28,7 @@ static oplus::ValidRegion region(const Ring& ring) {
 
 template <typename Value, typename Of>
 static double microseconds(const std::vector<Value>& values, Of of) {
-  std::vector<oplus::Sum> sums(values.size() / 2);
+  std::vector<oplus::ValidSet> sums(values.size() / 2);
   const std::clock_t start = std::clock();
   for (std::size_t i = 0; i < sums.size(); ++i)
     sums[i] = minkowski_sum(of(values[2 * i]), of(values[2 * i + 1]));

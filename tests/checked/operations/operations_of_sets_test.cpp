@@ -24,22 +24,22 @@ PlanarSet by_slide(const Region& p, const Region& q, Boundary boundary) {
   return slide_sum(p, q, boundary).sum;
 }
 
-PlanarSet union_in(const GivenSum& parts) {
+PlanarSet union_in(const ClaimedSum& parts) {
   return union_of(parts.region, parts.dangling_edges, parts.isolated_vertices);
 }
 
-GivenSum parts_of(const PlanarSet& set) {
+ClaimedSum parts_of(const PlanarSet& set) {
   return {region_of(set), set.dangling_edges, set.isolated_vertices};
 }
 
-GivenSum minus(const GivenSum& set) { return reflected_to({0, 0}, set); }
+ClaimedSum minus(const ClaimedSum& set) { return reflected_to({0, 0}, set); }
 
-PlanarSet value(const std::string& name, const GivenSum& p, const GivenSum& q) {
+PlanarSet value(const std::string& name, const ClaimedSum& p, const ClaimedSum& q) {
   return operation_called(name).compute_of_sets(union_in(p), union_in(q), by_slide);
 }
 
 /// By definition: no point of a set is outside of a region.
-bool is_subset(const GivenSum& set, const Region& region) {
+bool is_subset(const ClaimedSum& set, const Region& region) {
   const std::vector<Segment> boundary = edges(region);
   const auto is_in = [&](const Point& p) { return locate(p, region) != Location::outside; };
   const auto has_edge = [&](const Segment& s) {
@@ -64,8 +64,8 @@ Point place(Random& random, std::size_t size) {
 
 /// Of the kinds 1 a region, 2 a polyline and 4 points, those whose sum this is; with edges or points always. The
 /// polyline runs along edges of a region, which it may just fit, or anywhere.
-GivenSum drawn(Random& random, const Region& region, const Region& along) {
-  GivenSum result;
+ClaimedSum drawn(Random& random, const Region& region, const Region& along) {
+  ClaimedSum result;
   const std::size_t kinds = 2 + uniform_index(random, 6);
   if (kinds % 2 == 1) result.region = region;
   if ((kinds & 2U) != 0 && one_in(random, 2)) {
@@ -99,12 +99,13 @@ TEST(OperationsOfSets, nfp_is_that_of_the_definition_on_a_point_of_every_cell) {
     SCOPED_TRACE(seed);
     Random random(seed);
     const Summands regions = grid_pair(seed);
-    const GivenSum p = drawn(random, regions.p, regions.q), q = drawn(random, regions.q, regions.p);
+    const ClaimedSum p = drawn(random, regions.p, regions.q),
+                     q = drawn(random, regions.q, regions.p);
     const PlanarSet places = value("nfp", p, q);
     low_dimensional += has_edge_or_point(places);
     for (const Point& x : points_of_cells(p, minus(q))) {
       ++points;
-      const GivenSum placed = reflected_to(x, minus(q));
+      const ClaimedSum placed = reflected_to(x, minus(q));
       EXPECT_EQ(interior_meets(p.region, placed) || interior_meets(placed.region, p),
                 locate(x, places) == Location::inside)
           << to_string(x);
@@ -120,7 +121,7 @@ TEST(OperationsOfSets, ifp_and_what_is_made_of_it_are_those_of_the_definition) {
     SCOPED_TRACE(seed);
     Random random(seed);
     const Summands regions = grid_pair(seed);
-    const GivenSum p{regions.p, {}, {}}, q = drawn(random, regions.q, regions.p);
+    const ClaimedSum p{regions.p, {}, {}}, q = drawn(random, regions.q, regions.p);
     const PlanarSet places = value("ifp", p, q);
     exact_fits += has_edge_or_point(places);
     for (const Point& x : points_of_cells(p, minus(q))) {

@@ -93,15 +93,15 @@ TEST(SetSum, of_regions_is_what_the_engine_says) {
 }
 
 /// Compares both sums with their definitions; returns the number of points.
-std::size_t expect_sums_of_the_definition(const GivenSum& p, const GivenSum& q) {
-  const auto value = [](const GivenSum& parts) {
+std::size_t expect_sums_of_the_definition(const ClaimedSum& p, const ClaimedSum& q) {
+  const auto value = [](const ClaimedSum& parts) {
     return union_of(parts.region, parts.dangling_edges, parts.isolated_vertices);
   };
   const PlanarSet closed = set_sum(value(p), value(q), Boundary::closed, sum_by_slide);
   const PlanarSet open = set_sum(value(p), value(q), Boundary::open, sum_by_slide);
   const std::vector<Point> points = points_of_cells(p, q);
   for (const Point& x : points) {
-    const GivenSum placed = reflected_to(x, q);
+    const ClaimedSum placed = reflected_to(x, q);
     EXPECT_EQ(meet(p, placed), locate(x, closed) != Location::outside) << to_string(x);
     EXPECT_EQ(interior_meets(p.region, placed) || interior_meets(placed.region, p),
               locate(x, open) == Location::inside)
@@ -132,8 +132,8 @@ class Draw {
   std::uint64_t state_;
 };
 
-GivenSum drawn(Draw& draw, const Region& region) {
-  GivenSum result;
+ClaimedSum drawn(Draw& draw, const Region& region) {
+  ClaimedSum result;
   const int kinds = 1 + draw.below(7);
   if ((kinds & 1) != 0) result.region = region;
   if ((kinds & 2) != 0) {
@@ -156,7 +156,7 @@ TEST(SetSum, is_that_of_the_definition_on_a_point_of_every_cell) {
     SCOPED_TRACE(seed);
     Draw draw(seed);
     const Summands regions = generate(grid, 4, seed);
-    const GivenSum p = drawn(draw, regions.p), q = drawn(draw, regions.q);
+    const ClaimedSum p = drawn(draw, regions.p), q = drawn(draw, regions.q);
     points += expect_sums_of_the_definition(p, q);
   }
   EXPECT_GT(points, 3000U);

@@ -60,7 +60,7 @@ TYPED_TEST(Boost, is_valid_in_orientation_and_closure_of_its_type) {
   if constexpr (std::is_floating_point_v<typename bg::coordinate_type<TypeParam>::type>) {
     std::string reason;
     EXPECT_TRUE(bg::is_valid(to_boost<TypeParam>(frames), reason)) << reason;
-    const Sum sum = minkowski_sum(frames, polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}));
+    const ValidSet sum = minkowski_sum(frames, polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}));
     EXPECT_TRUE(bg::is_valid(to_boost<TypeParam>(sum), reason)) << reason;
     EXPECT_NEAR(static_cast<double>(bg::area(to_boost<TypeParam>(sum))), area(sum).get_d(), 1e-4);
   }
@@ -84,7 +84,7 @@ TEST(ToBoost, refuses_fractions_where_coordinates_are_integers) {
 TEST(ToBoost, leaves_out_what_bounds_no_face) {
   const ValidRegion frame =
       polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{{1, 1}, {1, 3}, {3, 3}, {3, 1}}});
-  const Sum sum =
+  const ValidSet sum =
       minkowski_sum(frame, polygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}}), {.boundary = Boundary::open});
   ASSERT_EQ(sum.isolated_vertices().size(), 1U);
   const auto polygons = to_boost<Polygons<int>>(sum);
@@ -128,7 +128,7 @@ TEST(FromBoost, refuses_what_is_invalid) {
 TEST(FromBoost, and_to_it_agree_with_unions_of_boost) {
   // The sum with a square is the union of what moves along the L's edges.
   const ValidRegion ell = polygon({{0, 0}, {5, 0}, {5, 1}, {1, 1}, {1, 5}, {0, 5}});
-  const Sum sum = minkowski_sum(ell, polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}));
+  const ValidSet sum = minkowski_sum(ell, polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}));
   Polygons<double> a, b, both;
   bg::read_wkt("MULTIPOLYGON(((0 0,6 0,6 2,0 2,0 0)))", a);
   bg::read_wkt("MULTIPOLYGON(((0 0,2 0,2 6,0 6,0 0)))", b);

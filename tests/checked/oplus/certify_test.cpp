@@ -8,7 +8,7 @@ namespace {
 
 const ValidRegion square = polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
 
-std::string refusal(const GivenSum& given) {
+std::string refusal(const ClaimedSum& given) {
   try {
     certify(square, square, given);
   } catch (const InvalidInput& error) {
@@ -38,7 +38,7 @@ TEST(Certify, points_are_written_in_lowest_terms) {
   Rational two;
   two.get_num() = 4;
   two.get_den() = 2;
-  GivenSum given;
+  ClaimedSum given;
   // One vertex is inside an edge.
   given.region.components = {{{{0, 0}, {4, 0}, {4, 1}, {3, 2}, {2, 1}, {two, 0}, {0, 2}}, {}}};
   const std::string text = certify(p, polygon({{0, 0}, {1, 0}, {0, 1}}), given);
@@ -48,7 +48,7 @@ TEST(Certify, points_are_written_in_lowest_terms) {
 
 TEST(Certify, what_is_not_the_sum_is_refused_with_the_reason) {
   EXPECT_TRUE(refusal({square.region(), {}, {}}).starts_with("S: it is not the sum: "));
-  GivenSum with_point = {minkowski_sum(square, square).region().region(), {}, {{5, 5}}};
+  ClaimedSum with_point = {minkowski_sum(square, square).region().region(), {}, {{5, 5}}};
   EXPECT_TRUE(
       refusal(with_point).starts_with("S: it is not the sum: additional isolated vertex: "));
   with_point.isolated_vertices.push_back({7, 8});
@@ -59,7 +59,7 @@ TEST(Certify, it_is_the_sum_of_the_closed_regions) {
   const ValidRegion frame =
       polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{{1, 1}, {1, 3}, {3, 3}, {3, 1}}});
   const ValidRegion part = polygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}});
-  const Sum open = minkowski_sum(frame, part, {.boundary = Boundary::open});
+  const ValidSet open = minkowski_sum(frame, part, {.boundary = Boundary::open});
   ASSERT_EQ(open.isolated_vertices().size(), 1u);
   EXPECT_THROW(certify(frame, part,
                        {open.region().region(), open.dangling_edges(), open.isolated_vertices()}),
@@ -68,7 +68,7 @@ TEST(Certify, it_is_the_sum_of_the_closed_regions) {
 }
 
 TEST(Certify, a_vertex_may_not_repeat_the_one_before) {
-  GivenSum given;
+  ClaimedSum given;
   given.region.components = {{{{0, 0}, {0, 0}, {2, 0}, {2, 2}, {0, 2}}, {}}};
   EXPECT_EQ(refusal(given), "S: the vertex (0, 0) twice in a row; expected an edge between them");
 }

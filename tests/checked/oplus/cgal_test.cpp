@@ -166,7 +166,7 @@ TEST(ToCgal, rounds_to_the_nearest_double_also_if_that_is_no_polygon) {
 TEST(ToCgal, leaves_out_what_bounds_no_face) {
   const ValidRegion frame =
       polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{{1, 1}, {1, 3}, {3, 3}, {3, 1}}});
-  const Sum sum =
+  const ValidSet sum =
       minkowski_sum(frame, polygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}}), {.boundary = Boundary::open});
   ASSERT_EQ(sum.isolated_vertices().size(), 1U);
   const auto polygons = to_cgal<Kernel>(sum);
@@ -216,8 +216,8 @@ TEST(ToCgal, agrees_with_minkowski_sums_of_cgal) {
     const Polygon q = star(random);
     const CGAL::Polygon_with_holes_2<Kernel> expected = CGAL::minkowski_sum_2(p, q);
     if (i % 2 == 0) p.reverse_orientation();
-    const Sum sum = minkowski_sum(from_cgal(p), from_cgal(q));
-    EXPECT_TRUE(verify(from_cgal(p), from_cgal(q), GivenSum{from_cgal(expected).region(), {}, {}})
+    const ValidSet sum = minkowski_sum(from_cgal(p), from_cgal(q));
+    EXPECT_TRUE(verify(from_cgal(p), from_cgal(q), ClaimedSum{from_cgal(expected).region(), {}, {}})
                     .is_sum());
     ASSERT_EQ(to_cgal<Kernel>(sum).size(), 1U);
     const CGAL::Polygon_with_holes_2<Kernel> found = to_cgal<Kernel>(sum)[0];

@@ -25,7 +25,7 @@ TEST(Engine, is_found_by_its_name) {
 }
 
 TEST(Engines, compute_the_same) {
-  const ClosedSet both(bar, {{{2, 1}, {2, 5}}});
+  const ValidSet both(bar, {{{2, 1}, {2, 5}}});
   const PreparedRegion prepared(frame);
   for (const std::string& name : engine_names()) {
     for (const Boundary boundary : {Boundary::closed, Boundary::open}) {

@@ -10,16 +10,16 @@ const ValidRegion bin = polygon({{0, 0}, {100, 0}, {100, 100}, {0, 100}});
 const ValidRegion part = polygon({{0, 0}, {10, 0}, {10, 100}, {0, 100}});
 
 TEST(Operations, are_sets_with_their_boundary) {
-  const Sum overlap = nfp(bin, part);
+  const ValidSet overlap = nfp(bin, part);
   EXPECT_EQ(overlap.boundary(), Boundary::open);
   EXPECT_EQ(area(overlap), 110 * 200);
-  const Sum places = ifp(bin, part);
+  const ValidSet places = ifp(bin, part);
   EXPECT_EQ(places.boundary(), Boundary::closed);
   EXPECT_EQ(places.dangling_edges(), (std::vector<Segment>{{{0, 0}, {90, 0}}}));
   EXPECT_TRUE(contains(places, {45, 0}));
   EXPECT_FALSE(contains(places, {45, 1}));
   EXPECT_EQ(ifp(bin, bin).isolated_vertices(), (std::vector<Point>{{0, 0}}));
-  EXPECT_EQ(erosion(bin, part), Sum());
+  EXPECT_EQ(erosion(bin, part), ValidSet());
   EXPECT_EQ(opening(bin, part).region(), bin);
   EXPECT_EQ(closing(part, bin).region(), part);
 }
@@ -38,8 +38,8 @@ TEST(Complement, is_unbounded) {
 }
 
 TEST(Complement, of_an_open_set_is_closed) {
-  const Sum places = ifp(bin, part);
-  const Sum rest = complement(places);
+  const ValidSet places = ifp(bin, part);
+  const ValidSet rest = complement(places);
   EXPECT_EQ(rest.boundary(), Boundary::open);
   EXPECT_TRUE(contains(rest, {1000, 1}));
   EXPECT_FALSE(contains(rest, {45, 0}));
@@ -47,23 +47,23 @@ TEST(Complement, of_an_open_set_is_closed) {
   EXPECT_EQ(complement(rest), places);
 }
 
-TEST(PlanarSet, of_an_unbounded_region) {
+TEST(ValidSet, of_an_unbounded_region) {
   const ValidRegion free = complement(bin);
-  const Sum sum = minkowski_sum(free, part);
+  const ValidSet sum = minkowski_sum(free, part);
   EXPECT_TRUE(is_unbounded(sum.region()));
   EXPECT_EQ(sum.region(),
             complement(ValidRegion()));  // the part does not fit in with room to spare
   EXPECT_EQ(minkowski_sum(free, part, {.boundary = Boundary::open}).dangling_edges(),
             (std::vector<Segment>{{{10, 100}, {100, 100}}}));
   EXPECT_EQ(minkowski_sum(free, free), sum);
-  EXPECT_EQ(minkowski_sum(free, ValidRegion()), Sum());
+  EXPECT_EQ(minkowski_sum(free, ValidRegion()), ValidSet());
 }
 
 TEST(Unbounded, refused_where_it_makes_no_sense) {
   const ValidRegion free = complement(bin);
   EXPECT_THROW(minkowski_sum(free, part, {.with_origins = true}), InvalidInput);
-  EXPECT_THROW(verify(free, part, Sum()), InvalidInput);
-  EXPECT_THROW(verify(part, free, GivenSum{}), InvalidInput);
+  EXPECT_THROW(verify(free, part, ValidSet()), InvalidInput);
+  EXPECT_THROW(verify(part, free, ClaimedSum{}), InvalidInput);
   EXPECT_THROW(verify(part, part, minkowski_sum(free, part)), InvalidInput);
   EXPECT_THROW(to_wkt(free), std::invalid_argument);
   EXPECT_THROW(to_geojson(minkowski_sum(free, part)), std::invalid_argument);

@@ -17,10 +17,10 @@ TEST(PreparedRegion, has_the_sums_of_its_region) {
   for (const Boundary boundary : {Boundary::closed, Boundary::open})
     for (const ValidRegion& other : {plug, triangle, frame, ValidRegion()}) {
       const SumOptions options = {.boundary = boundary, .with_origins = true};
-      const Sum expected = minkowski_sum(frame, other, options);
+      const ValidSet expected = minkowski_sum(frame, other, options);
       // Either of the two may be a region as it is.
-      for (const Sum& sum : {minkowski_sum(prepared, PreparedRegion(other), options),
-                             minkowski_sum(prepared, other, options)}) {
+      for (const ValidSet& sum : {minkowski_sum(prepared, PreparedRegion(other), options),
+                                  minkowski_sum(prepared, other, options)}) {
         EXPECT_EQ(sum, expected);
         EXPECT_EQ(sum.boundary(), boundary);
         EXPECT_EQ(sum.origins(), expected.origins());

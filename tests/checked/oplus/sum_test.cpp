@@ -18,8 +18,8 @@ const ValidRegion plug = polygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}});
 /// As wide as the frame's hole, not as high.
 const ValidRegion bar = polygon({{0, 0}, {2, 0}, {2, 1}, {0, 1}});
 
-TEST(Sum, is_empty_by_default) {
-  const Sum sum;
+TEST(ValidSet, is_empty_by_default) {
+  const ValidSet sum;
   EXPECT_EQ(sum.boundary(), Boundary::closed);
   EXPECT_TRUE(sum.components().empty());
   EXPECT_EQ(sum.region(), ValidRegion());
@@ -28,8 +28,8 @@ TEST(Sum, is_empty_by_default) {
   EXPECT_EQ(sum, minkowski_sum(ValidRegion(), ValidRegion()));
 }
 
-TEST(PlanarSet, has_components_with_their_holes) {
-  const Sum sum = minkowski_sum(frame, square);
+TEST(ValidSet, has_components_with_their_holes) {
+  const ValidSet sum = minkowski_sum(frame, square);
   const Component expected = {{{0, 0}, {5, 0}, {5, 5}, {0, 5}}, {{{2, 2}, {2, 3}, {3, 3}, {3, 2}}}};
   EXPECT_EQ(sum.components(), std::vector{expected});
   EXPECT_EQ(sum.region().components(), std::vector{expected});
@@ -40,7 +40,7 @@ TEST(PlanarSet, has_components_with_their_holes) {
   EXPECT_EQ(area(minkowski_sum(sum.region(), square)), 36);
 }
 
-TEST(PlanarSet, is_taken_of_several_components) {
+TEST(ValidSet, is_taken_of_several_components) {
   const ValidRegion two =
       read_wkt("MULTIPOLYGON(((0 0,1 0,1 1,0 1,0 0)),((9 0,10 0,10 1,9 1,9 0)))");
   EXPECT_EQ(minkowski_sum(two, square).components().size(), 2U);
@@ -48,7 +48,7 @@ TEST(PlanarSet, is_taken_of_several_components) {
 }
 
 /// With the address sanitizer, references into what is gone would end the test.
-TEST(PlanarSet, without_a_name_can_be_looped_over) {
+TEST(ValidSet, without_a_name_can_be_looped_over) {
   std::size_t vertices = 0;
   for (const Component& component : minkowski_sum(frame, square).components())
     vertices += component.outer.size() + component.holes.at(0).size();
@@ -65,16 +65,16 @@ TEST(PlanarSet, without_a_name_can_be_looped_over) {
   static_assert(!std::is_reference_v<decltype(minkowski_sum(frame, square).isolated_vertices())>);
 }
 
-TEST(PlanarSet, splits_chains_into_components_at_touching_points) {
+TEST(ValidSet, splits_chains_into_components_at_touching_points) {
   const ValidRegion touching = read_wkt("MULTIPOLYGON(((0 0,2 0,0 2,0 0)),((2 0,4 0,4 2,2 0)))");
-  const Sum sum =
+  const ValidSet sum =
       minkowski_sum(touching, polygon({{0, 0}, {1, 0}, {0, 1}}), {.boundary = Boundary::open});
   EXPECT_EQ(ValidRegion(sum.region().region()), sum.region());
 }
 
-TEST(PlanarSet, has_dangling_edges_and_isolated_vertices_if_open) {
-  const Sum closed = minkowski_sum(frame, -plug);
-  const Sum open = minkowski_sum(frame, -plug, {.boundary = Boundary::open});
+TEST(ValidSet, has_dangling_edges_and_isolated_vertices_if_open) {
+  const ValidSet closed = minkowski_sum(frame, -plug);
+  const ValidSet open = minkowski_sum(frame, -plug, {.boundary = Boundary::open});
   EXPECT_EQ(open.boundary(), Boundary::open);
   EXPECT_EQ(open.isolated_vertices(), std::vector{(Point{1, 1})});
   EXPECT_TRUE(open.dangling_edges().empty());
@@ -82,14 +82,14 @@ TEST(PlanarSet, has_dangling_edges_and_isolated_vertices_if_open) {
   EXPECT_EQ(open.components(), closed.components());
   EXPECT_NE(open, closed);
 
-  const Sum passage = minkowski_sum(frame, -bar, {.boundary = Boundary::open});
+  const ValidSet passage = minkowski_sum(frame, -bar, {.boundary = Boundary::open});
   EXPECT_EQ(passage.dangling_edges(), std::vector{(Segment{{1, 1}, {1, 2}})});
   EXPECT_TRUE(passage.isolated_vertices().empty());
 }
 
-TEST(PlanarSet, answers_where_points_are) {
-  const Sum closed = minkowski_sum(frame, -bar);
-  const Sum open = minkowski_sum(frame, -bar, {.boundary = Boundary::open});
+TEST(ValidSet, answers_where_points_are) {
+  const ValidSet closed = minkowski_sum(frame, -bar);
+  const ValidSet open = minkowski_sum(frame, -bar, {.boundary = Boundary::open});
   EXPECT_EQ(locate({1, 1.5}, open), Location::boundary);
   EXPECT_EQ(locate({1, 1.5}, closed), Location::inside);
   EXPECT_EQ(locate({"4", 2}, closed), Location::boundary);
@@ -101,9 +101,9 @@ TEST(PlanarSet, answers_where_points_are) {
   EXPECT_FALSE(contains(closed, {5, 2}));
 }
 
-TEST(PlanarSet, says_where_its_edges_came_from_if_asked) {
+TEST(ValidSet, says_where_its_edges_came_from_if_asked) {
   EXPECT_TRUE(minkowski_sum(frame, square).origins().empty());
-  const Sum sum = minkowski_sum(frame, square, {.with_origins = true});
+  const ValidSet sum = minkowski_sum(frame, square, {.with_origins = true});
   ASSERT_EQ(sum.origins().size(), 8U);
   // The lower edge is that of the frame and that of the square, each at a vertex of the other.
   const std::vector<Origin> expected = {{Summand::P, {0, 0}, {0, 0}}, {Summand::Q, {0, 0}, {0, 1}}};
@@ -112,22 +112,22 @@ TEST(PlanarSet, says_where_its_edges_came_from_if_asked) {
   EXPECT_EQ(sum.origins()[4][0].edge.chain, 1U);
 }
 
-TEST(PlanarSet, has_statistics) {
-  const Sum sum = minkowski_sum(frame, square);
+TEST(ValidSet, has_statistics) {
+  const ValidSet sum = minkowski_sum(frame, square);
   EXPECT_NE(sum.statistics().begin(), sum.statistics().end());
 }
 
-TEST(PlanarSet, is_the_same_by_each_number_of_threads) {
+TEST(ValidSet, is_the_same_by_each_number_of_threads) {
   for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
-    const Sum expected = minkowski_sum(frame, -bar, {.boundary = boundary});
+    const ValidSet expected = minkowski_sum(frame, -bar, {.boundary = boundary});
     for (const unsigned threads : {0U, 2U, 5U})
       EXPECT_EQ(minkowski_sum(frame, -bar, {.boundary = boundary, .threads = threads}), expected);
   }
 }
 
-TEST(Sum, may_be_asked_by_many_threads) {
+TEST(ValidSet, may_be_asked_by_many_threads) {
   for (int round = 0; round < 20; ++round) {
-    const Sum sum = minkowski_sum(frame, square);
+    const ValidSet sum = minkowski_sum(frame, square);
     std::vector<const Component*> seen(8);
     std::vector<std::size_t> holes(8);
     {
@@ -143,21 +143,21 @@ TEST(Sum, may_be_asked_by_many_threads) {
   }
 }
 
-TEST(Sum, keeps_its_value_while_copies_change) {
-  Sum sum = minkowski_sum(frame, square);
-  const Sum copy = sum;
+TEST(ValidSet, keeps_its_value_while_copies_change) {
+  ValidSet sum = minkowski_sum(frame, square);
+  const ValidSet copy = sum;
   sum = minkowski_sum(square, square);
   EXPECT_EQ(area(copy), 24);
   EXPECT_EQ(area(sum), 4);
 }
 
 TEST(Verify, tells_right_sums_from_wrong_ones) {
-  const Sum sum = minkowski_sum(frame, square);
-  const Sum open = minkowski_sum(frame, -plug, {.boundary = Boundary::open});
+  const ValidSet sum = minkowski_sum(frame, square);
+  const ValidSet open = minkowski_sum(frame, -plug, {.boundary = Boundary::open});
   EXPECT_TRUE(verify(frame, square, sum).is_sum());
   EXPECT_TRUE(verify(frame, -plug, open).is_sum());
 
-  const GivenSum filled = {polygon({{0, 0}, {5, 0}, {5, 5}, {0, 5}}).region(), {}, {}};
+  const ClaimedSum filled = {polygon({{0, 0}, {5, 0}, {5, 5}, {0, 5}}).region(), {}, {}};
   const Verdict verdict = verify(frame, square, filled);
   ASSERT_EQ(verdict.reasons.size(), 1U);
   EXPECT_EQ(verdict.reasons[0].kind, ReasonKind::missing_hole);
@@ -167,15 +167,15 @@ TEST(Verify, tells_right_sums_from_wrong_ones) {
 }
 
 TEST(Verify, decides_for_the_boundary_that_was_asked_for) {
-  const Sum open = minkowski_sum(frame, -plug, {.boundary = Boundary::open});
-  const GivenSum with_point = {open.region().region(), {}, open.isolated_vertices()};
+  const ValidSet open = minkowski_sum(frame, -plug, {.boundary = Boundary::open});
+  const ClaimedSum with_point = {open.region().region(), {}, open.isolated_vertices()};
   EXPECT_TRUE(verify(frame, -plug, with_point, Boundary::open).is_sum());
   EXPECT_FALSE(verify(frame, -plug, with_point, Boundary::closed).is_sum());
   EXPECT_FALSE(verify(frame, -plug, with_point).is_sum());
 }
 
 TEST(Verify, makes_coordinates_canonical_and_refuses_zero_denominators) {
-  GivenSum given = {polygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}}).region(), {}, {}};
+  ClaimedSum given = {polygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}}).region(), {}, {}};
   given.region.components[0].outer[2].x.get_num() = 4;
   given.region.components[0].outer[2].x.get_den() = 2;
   EXPECT_TRUE(verify(square, square, given).is_sum());

@@ -10,7 +10,7 @@ const ValidRegion triangle = polygon({{0, 0}, {1, 0}, {0.5, "1/3"}});
 const ValidRegion frame =
     polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{{1, 1}, {1, 3}, {3, 3}, {3, 1}}});
 
-Sum open_sum() {
+ValidSet open_sum() {
   return minkowski_sum(frame, polygon({{0, 0}, {-2, 0}, {-2, -1}, {0, -1}}),
                        {.boundary = Boundary::open});
 }
@@ -30,10 +30,10 @@ TEST(Text, is_read_again) {
 }
 
 TEST(Text, of_a_sum_is_that_of_its_region) {
-  const Sum sum = minkowski_sum(frame, triangle);
+  const ValidSet sum = minkowski_sum(frame, triangle);
   EXPECT_EQ(to_wkt(sum), to_wkt(sum.region()));
   EXPECT_EQ(to_geojson(sum), to_geojson(sum.region()));
-  EXPECT_EQ(to_wkt(Sum()), "POLYGON EMPTY");
+  EXPECT_EQ(to_wkt(ValidSet()), "POLYGON EMPTY");
 }
 
 TEST(Text, has_dangling_edges_and_isolated_vertices) {
@@ -51,14 +51,14 @@ TEST(Text, is_rounded_if_asked) {
   EXPECT_EQ(to_wkt(triangle, 0), "POLYGON EMPTY");
   EXPECT_EQ(to_geojson(triangle, 1),
             R"({"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [0.5, 0.3], [0, 0]]]})");
-  const Sum sum = minkowski_sum(triangle, triangle);
+  const ValidSet sum = minkowski_sum(triangle, triangle);
   EXPECT_EQ(to_wkt(sum, 2), "POLYGON ((0 0, 2 0, 1 0.67, 0 0))");
   EXPECT_EQ(to_geojson(sum, 2),
             R"({"type": "Polygon", "coordinates": [[[0, 0], [2, 0], [1, 0.67], [0, 0]]]})");
 }
 
 TEST(Text, of_what_was_rounded_is_valid) {
-  const Sum sum = minkowski_sum(triangle, triangle);
+  const ValidSet sum = minkowski_sum(triangle, triangle);
   const Rounded nearest = rounded(sum, "0.3");
   EXPECT_EQ(to_wkt(nearest.sum), "POLYGON ((0 0, 2.1 0, 0.9 0.6, 0 0))");
   EXPECT_EQ(nearest.bound, Number("0.15").value());
@@ -86,8 +86,8 @@ TEST(Text, refuses_other_numbers_of_digits) {
   for (const int digits : {-1, 4097}) {
     EXPECT_THROW(to_wkt(triangle, digits), std::invalid_argument);
     EXPECT_THROW(to_geojson(triangle, digits), std::invalid_argument);
-    EXPECT_THROW(to_wkt(Sum(), digits), std::invalid_argument);
-    EXPECT_THROW(to_geojson(Sum(), digits), std::invalid_argument);
+    EXPECT_THROW(to_wkt(ValidSet(), digits), std::invalid_argument);
+    EXPECT_THROW(to_geojson(ValidSet(), digits), std::invalid_argument);
   }
   EXPECT_NO_THROW(to_wkt(triangle, 4096));
 }

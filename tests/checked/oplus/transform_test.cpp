@@ -39,10 +39,10 @@ TEST(Transformed, region_is_valid) {
 
 TEST(Transformed, sum_is_the_sum_of_images_with_its_low_dimensional_parts) {
   const ValidRegion q = polygon({{0, 0}, {2, 0}, {2, 1}, {0, 1}});
-  const Sum open = minkowski_sum(frame, q, {.boundary = Boundary::open});
+  const ValidSet open = minkowski_sum(frame, q, {.boundary = Boundary::open});
   ASSERT_EQ(open.dangling_edges().size(), 1U);
   for (const AffineMap& map : {scaling(1, -3), rotation(50), translation({1, 2})}) {
-    const Sum there = transformed(open, map);
+    const ValidSet there = transformed(open, map);
     EXPECT_EQ(there.boundary(), Boundary::open);
     EXPECT_EQ(there.dangling_edges().size(), 1U);
     AffineMap linear = map;
@@ -62,7 +62,7 @@ TEST(Transformed, refuses_maps_without_inverse) {
   const std::string refusal =
       "transformation: the determinant is zero; expected a map that has an inverse";
   EXPECT_EQ(message_of([] { transformed(frame, AffineMap{1, 1, 1, 1}); }), refusal);
-  EXPECT_EQ(message_of([] { transformed(Sum(), AffineMap{0, 0, 0, 1}); }), refusal);
+  EXPECT_EQ(message_of([] { transformed(ValidSet(), AffineMap{0, 0, 0, 1}); }), refusal);
   EXPECT_EQ(message_of([] { scaling(0, 1); }),
             "scaling: a factor is zero; expected two that are not");
   EXPECT_EQ(message_of([] { rotation(1, 0); }),

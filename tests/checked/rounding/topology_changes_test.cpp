@@ -199,7 +199,7 @@ void expect_what_is_said_is_true(const PlanarSet& set, Boundary boundary, const 
 /// Triangles with vertices on quarters, or a plate without them: components and holes touch often, and are less than a
 /// step apart.
 PlanarSet random_triangles(Random& random, bool are_holes) {
-  GivenSum all;
+  ClaimedSum all;
   for (int i = 0; i < 24; ++i) {
     const auto number = [&](const Rational& low, int range) -> Rational {
       Rational quarters(uniform(random, 0, range), 4);

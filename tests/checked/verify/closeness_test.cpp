@@ -145,7 +145,7 @@ TEST(Closeness, of_rounded_sums) {
     for (const std::uint64_t seed : {1U, 2U}) {
       const auto [p, q] = generate(family, family.smallest + 2, seed);
       const PlanarSet sum = slide_sum(p, q, Boundary::closed).sum;
-      GivenSum given{region_of(sum), {}, {}};
+      ClaimedSum given{region_of(sum), {}, {}};
       const auto round = [&](Chain& chain) {
         for (Point& v : chain) {
           for (Rational* c : {&v.x, &v.y}) {

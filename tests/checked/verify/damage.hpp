@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "checked/verify/verify.hpp"
+#include "reference/definitions/claimed_sum.hpp"
 #include "reference/definitions/difference.hpp"
-#include "reference/definitions/given_sum.hpp"
 #include "reference/definitions/ray.hpp"
 #include "reference/definitions/winding_number.hpp"
 #include "tests/reference/definitions/shapes.hpp"
@@ -22,7 +22,7 @@ struct Damage {
   std::string name;
   std::set<ReasonKind> right_reasons;
   /// Damages what is given of a sum. Changes nothing where there is nothing to be damaged in this way.
-  std::function<void(GivenSum& given, const PlanarSet& sum)> apply;
+  std::function<void(ClaimedSum& given, const PlanarSet& sum)> apply;
 };
 
 /// Whether a segment meets an edge or a feature of a sum.
@@ -95,7 +95,7 @@ inline std::optional<Chain> bridge(const Segment& a, const Segment& b, const Pla
 }
 
 /// Makes two components one, by the first bridge that is found.
-inline void join_components(GivenSum& given, const PlanarSet& sum) {
+inline void join_components(ClaimedSum& given, const PlanarSet& sum) {
   std::vector<Component>& components = given.region.components;
   for (std::size_t c = 1; c < components.size(); ++c) {
     Chain& a = components[0].outer;
@@ -122,7 +122,7 @@ inline Component& first_with_holes(Region& region) {
                        [](const Component& c) { return !c.holes.empty(); });
 }
 
-inline Chain& first_chain(GivenSum& given) { return given.region.components.front().outer; }
+inline Chain& first_chain(ClaimedSum& given) { return given.region.components.front().outer; }
 inline Segment first_edge(const Chain& chain) { return {chain[0], chain[1]}; }
 
 inline bool has_hole(const PlanarSet& sum) { return !sum.holes.empty(); }
@@ -141,97 +141,99 @@ inline std::vector<Damage> damages() {
   const auto damage = [&](std::string name, std::set<ReasonKind> right_reasons, auto apply) {
     all.push_back({std::move(name), std::move(right_reasons), apply});
   };
-  damage("a hole removed", {K::missing_hole}, [](GivenSum& given, Sum sum) {
+  damage("a hole removed", {K::missing_hole}, [](ClaimedSum& given, Sum sum) {
     if (has_empty_hole(sum)) first_with_holes(given.region).holes.pop_back();
   });
-  damage("a hole added", {K::additional_hole}, [](GivenSum& given, Sum sum) {
+  damage("a hole added", {K::additional_hole}, [](ClaimedSum& given, Sum sum) {
     const Chain hole = triangle_beside(first_edge(sum.outer.back()), sum);
     component_around(given.region, hole[0])->holes.push_back(backwards(hole));
   });
-  damage("a vertex moved by 1/1000000", {K::not_in_sum, K::not_in_given}, [](GivenSum& given, Sum) {
-    Chain& chain = first_chain(given);
-    chain[chain.size() / 2].x += Rational(1, 1000000);
-  });
-  damage("an outer chain turned", {K::wrong_orientation}, [](GivenSum& given, Sum) {
+  damage("a vertex moved by 1/1000000", {K::not_in_sum, K::not_in_given},
+         [](ClaimedSum& given, Sum) {
+           Chain& chain = first_chain(given);
+           chain[chain.size() / 2].x += Rational(1, 1000000);
+         });
+  damage("an outer chain turned", {K::wrong_orientation}, [](ClaimedSum& given, Sum) {
     Chain& chain = given.region.components.back().outer;
     chain = backwards(chain);
   });
-  damage("a hole turned", {K::wrong_orientation}, [](GivenSum& given, Sum sum) {
+  damage("a hole turned", {K::wrong_orientation}, [](ClaimedSum& given, Sum sum) {
     if (!has_hole(sum)) return;
     Chain& hole = first_with_holes(given.region).holes.front();
     hole = backwards(hole);
   });
-  damage("a dangling edge lost", {K::missing_dangling_edge}, [](GivenSum& given, Sum sum) {
+  damage("a dangling edge lost", {K::missing_dangling_edge}, [](ClaimedSum& given, Sum sum) {
     if (!sum.dangling_edges.empty()) given.dangling_edges.pop_back();
   });
-  damage("half of a dangling edge lost", {K::missing_dangling_edge}, [](GivenSum& given, Sum sum) {
-    if (sum.dangling_edges.empty()) return;
-    Segment& e = given.dangling_edges.back();
-    e.target = midpoint(e.source, e.target);
-  });
-  damage("a dangling edge invented", {K::additional_dangling_edge}, [](GivenSum& given, Sum sum) {
+  damage("half of a dangling edge lost", {K::missing_dangling_edge},
+         [](ClaimedSum& given, Sum sum) {
+           if (sum.dangling_edges.empty()) return;
+           Segment& e = given.dangling_edges.back();
+           e.target = midpoint(e.source, e.target);
+         });
+  damage("a dangling edge invented", {K::additional_dangling_edge}, [](ClaimedSum& given, Sum sum) {
     const Chain inside = triangle_beside(first_edge(sum.outer.front()), sum);
     given.dangling_edges.push_back(first_edge(inside));
   });
-  damage("an isolated vertex lost", {K::missing_isolated_vertex}, [](GivenSum& given, Sum sum) {
+  damage("an isolated vertex lost", {K::missing_isolated_vertex}, [](ClaimedSum& given, Sum sum) {
     if (!sum.isolated_vertices.empty()) given.isolated_vertices.pop_back();
   });
   damage("an isolated vertex invented", {K::additional_isolated_vertex},
-         [](GivenSum& given, Sum sum) {
+         [](ClaimedSum& given, Sum sum) {
            const Chain inside = triangle_beside(first_edge(sum.outer.front()), sum);
            given.isolated_vertices.push_back(inside[2]);
          });
   damage("two components joined", {K::joined_components}, join_components);
-  damage("a component lost", {K::missing_component}, [](GivenSum& given, Sum sum) {
+  damage("a component lost", {K::missing_component}, [](ClaimedSum& given, Sum sum) {
     // Features inside the component would stay outside.
     if (!has_features(sum)) given.region.components.pop_back();
   });
-  damage("a component twice", {K::unsimple_boundary}, [](GivenSum& given, Sum) {
+  damage("a component twice", {K::unsimple_boundary}, [](ClaimedSum& given, Sum) {
     const Component again = given.region.components.front();
     given.region.components.push_back(again);
   });
-  damage("a component put into a hole", {K::additional_component}, [](GivenSum& given, Sum sum) {
+  damage("a component put into a hole", {K::additional_component}, [](ClaimedSum& given, Sum sum) {
     if (!has_hole(sum)) return;
     const Segment e = first_edge(sum.holes.back());
     given.region.components.push_back({triangle_beside(reversed(e), sum), {}});
   });
-  damage("a component put outside", {K::additional_component}, [](GivenSum& given, Sum sum) {
+  damage("a component put outside", {K::additional_component}, [](ClaimedSum& given, Sum sum) {
     const Segment e = first_edge(sum.outer.front());
     given.region.components.push_back({triangle_beside(reversed(e), sum), {}});
   });
-  damage("a hole filled by a component", {K::missing_hole}, [](GivenSum& given, Sum sum) {
+  damage("a hole filled by a component", {K::missing_hole}, [](ClaimedSum& given, Sum sum) {
     if (!has_empty_hole(sum)) return;
     const Chain hole = first_with_holes(given.region).holes.front();
     given.region.components.push_back({backwards(hole), {}});
   });
-  damage("a spike outwards", {K::unsimple_boundary}, [](GivenSum& given, Sum sum) {
+  damage("a spike outwards", {K::unsimple_boundary}, [](ClaimedSum& given, Sum sum) {
     Chain& chain = first_chain(given);
     const Segment e = first_edge(chain);
     const Point middle = midpoint(e.source, e.target);
     const Point tip = triangle_beside(reversed(e), sum)[0];
     chain.insert(chain.begin() + 1, {middle, tip, middle});
   });
-  damage("a chain that is a point", {K::unsimple_boundary}, [](GivenSum& given, Sum sum) {
+  damage("a chain that is a point", {K::unsimple_boundary}, [](ClaimedSum& given, Sum sum) {
     const Point outside = triangle_beside(reversed(first_edge(sum.outer.front())), sum)[0];
     given.region.components.push_back({Chain(4, outside), {}});
   });
-  damage("a hole that is a point", {K::unsimple_boundary}, [](GivenSum& given, Sum sum) {
+  damage("a hole that is a point", {K::unsimple_boundary}, [](ClaimedSum& given, Sum sum) {
     const Point inside = triangle_beside(first_edge(sum.outer.front()), sum)[0];
     given.region.components.back().holes.push_back(Chain(1, inside));
   });
-  damage("a chain forth and back", {K::unsimple_boundary}, [](GivenSum& given, Sum sum) {
+  damage("a chain forth and back", {K::unsimple_boundary}, [](ClaimedSum& given, Sum sum) {
     const Chain outside = triangle_beside(reversed(first_edge(sum.outer.front())), sum);
     given.region.components.push_back({{outside[0], outside[1], outside[1]}, {}});
   });
-  damage("the other kind of boundary", {K::wrong_boundary}, [](GivenSum& given, Sum) {
+  damage("the other kind of boundary", {K::wrong_boundary}, [](ClaimedSum& given, Sum) {
     given.dangling_edges.clear();
     given.isolated_vertices.clear();
   });
-  damage("translated", {K::not_in_sum, K::not_in_given}, [](GivenSum& given, Sum sum) {
+  damage("translated", {K::not_in_sum, K::not_in_given}, [](ClaimedSum& given, Sum sum) {
     if (!has_features(sum))
       given.region = translated(given.region, {Rational(1, 1000), Rational(1, 777)});
   });
-  damage("a vertex rounded", {K::not_in_sum, K::not_in_given}, [](GivenSum& given, Sum) {
+  damage("a vertex rounded", {K::not_in_sum, K::not_in_given}, [](ClaimedSum& given, Sum) {
     for (Component& component : given.region.components) {
       for (Point& v : component.outer) {
         const mpz_class whole = v.x.get_num() / v.x.get_den();
@@ -241,24 +243,24 @@ inline std::vector<Damage> damages() {
       }
     }
   });
-  damage("a vertex left out", {K::not_in_sum, K::not_in_given}, [](GivenSum& given, Sum) {
+  damage("a vertex left out", {K::not_in_sum, K::not_in_given}, [](ClaimedSum& given, Sum) {
     Chain& chain = first_chain(given);
     if (chain.size() > 3) chain.erase(chain.begin() + 1);
   });
   damage("two vertices exchanged",
          {K::not_in_sum, K::not_in_given, K::split_component, K::additional_component},
-         [](GivenSum& given, Sum) {
+         [](ClaimedSum& given, Sum) {
            Chain& chain = first_chain(given);
            if (chain.size() > 3) std::swap(chain[0], chain[1]);
          });
-  damage("a hole given as a component", {K::missing_hole}, [](GivenSum& given, Sum sum) {
+  damage("a hole given as a component", {K::missing_hole}, [](ClaimedSum& given, Sum sum) {
     if (!has_empty_hole(sum)) return;
     Component& component = first_with_holes(given.region);
     const Chain hole = component.holes.back();
     component.holes.pop_back();
     given.region.components.push_back({hole, {}});
   });
-  damage("nothing given", {K::missing_component}, [](GivenSum& given, Sum) { given = {}; });
+  damage("nothing given", {K::missing_component}, [](ClaimedSum& given, Sum) { given = {}; });
   return all;
 }
 

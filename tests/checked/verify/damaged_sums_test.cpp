@@ -15,7 +15,7 @@ namespace {
 
 /// Membership as the test understands it: rays through all chains of a component, nonzero. Points on
 /// a chain are outside.
-bool is_inside(const Point& x, const GivenSum& given) {
+bool is_inside(const Point& x, const ClaimedSum& given) {
   for (const Component& component : given.region.components) {
     bool inside =
         !lies_on_one(x, edges(component.outer)) && winding_number(x, edges(component.outer)) != 0;
@@ -29,8 +29,8 @@ bool is_inside(const Point& x, const GivenSum& given) {
 bool is_set_reason(ReasonKind kind) { return kind < ReasonKind::wrong_orientation; }
 
 /// That the damage is one, and the first reason true: none of it asks the verifier.
-void expect_true(const Reason& reason, const GivenSum& given, const PlanarSet& sum, const Region& p,
-                 const Region& q) {
+void expect_true(const Reason& reason, const ClaimedSum& given, const PlanarSet& sum,
+                 const Region& p, const Region& q) {
   const Point& x = reason.witness;
   const bool meet = interiors_meet(p, translated(reflected(q), x));
   if (is_set_reason(reason.kind)) {
@@ -81,11 +81,11 @@ TEST(DamagedSums, are_told_with_the_right_reason) {
       const auto [p, q] = generate(family, n, seed);
       for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
         const PlanarSet sum = slide_sum(p, q, boundary).sum;
-        const GivenSum whole{region_of(sum), sum.dangling_edges, sum.isolated_vertices};
+        const ClaimedSum whole{region_of(sum), sum.dangling_edges, sum.isolated_vertices};
         ASSERT_TRUE(verify(p, q, boundary, whole).is_sum()) << family.name << ' ' << seed;
         if (boundary == Boundary::open && !has_features(sum)) continue;  // as the closed one
         for (const Damage& damage : damages()) {
-          GivenSum given = whole;
+          ClaimedSum given = whole;
           damage.apply(given, sum);
           if (given == whole) continue;
           SCOPED_TRACE(damage.name + ", " + family.name + ", n = " + std::to_string(n) + ", seed " +

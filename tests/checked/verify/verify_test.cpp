@@ -153,13 +153,13 @@ TEST(Verify, chains_that_cross_are_unsimple_even_where_the_set_is_right) {
 }
 
 TEST(Verify, of_an_empty_sum) {
-  EXPECT_TRUE(verify({}, unit, Boundary::closed, GivenSum{}).is_sum());
-  EXPECT_TRUE(verify({}, {}, Boundary::open, GivenSum{}).is_sum());
-  EXPECT_EQ(kinds(verify({}, unit, Boundary::closed, GivenSum{unit, {}, {}})),
+  EXPECT_TRUE(verify({}, unit, Boundary::closed, ClaimedSum{}).is_sum());
+  EXPECT_TRUE(verify({}, {}, Boundary::open, ClaimedSum{}).is_sum());
+  EXPECT_EQ(kinds(verify({}, unit, Boundary::closed, ClaimedSum{unit, {}, {}})),
             Kinds{ReasonKind::additional_component});
-  EXPECT_EQ(kinds(verify(unit, unit, Boundary::closed, GivenSum{})),
+  EXPECT_EQ(kinds(verify(unit, unit, Boundary::closed, ClaimedSum{})),
             Kinds{ReasonKind::missing_component});
-  EXPECT_EQ(kinds(verify({}, unit, Boundary::open, GivenSum{{}, {}, {{1, 1}}})),
+  EXPECT_EQ(kinds(verify({}, unit, Boundary::open, ClaimedSum{{}, {}, {{1, 1}}})),
             Kinds{ReasonKind::additional_isolated_vertex});
 }
 
@@ -199,7 +199,7 @@ TEST(Verify, refuses_a_chain_that_is_a_point) {
 }
 
 TEST(Verify, refuses_a_point_for_an_empty_sum) {
-  EXPECT_EQ(kinds(verify({}, unit, Boundary::closed, GivenSum{polygon({{1, 1}}), {}, {}})),
+  EXPECT_EQ(kinds(verify({}, unit, Boundary::closed, ClaimedSum{polygon({{1, 1}}), {}, {}})),
             Kinds{ReasonKind::unsimple_boundary});
 }
 
@@ -255,7 +255,7 @@ TEST(Verify, the_kind_of_boundary_matters) {
 /// The plug fits the hole, so that the open sum lacks the middle of the square; the closed sum does not.
 TEST(Verify, a_witness_is_on_no_isolated_vertex) {
   const Region plug = polygon(box(0, 0, 2, 2));
-  const Verdict verdict = verify(frame, plug, Boundary::closed, GivenSum{});
+  const Verdict verdict = verify(frame, plug, Boundary::closed, ClaimedSum{});
   ASSERT_EQ(kinds(verdict), Kinds{ReasonKind::missing_component});
   EXPECT_NE(verdict.reasons[0].witness, (Point{3, 3}));
   EXPECT_TRUE(verdict.addends.has_value());
@@ -274,7 +274,7 @@ TEST(Verify, the_second_verdict_may_meet_an_isolated_vertex) {
 }
 
 TEST(Verify, features_that_lie_elsewhere_are_too_many) {
-  GivenSum given{sum_of_frame, {{{7, 7}, {8, 8}}}, {{9, 9}, {5, 5}}};
+  ClaimedSum given{sum_of_frame, {{{7, 7}, {8, 8}}}, {{9, 9}, {5, 5}}};
   EXPECT_EQ(kinds(verify(frame, unit, Boundary::open, given)),
             (Kinds{ReasonKind::additional_dangling_edge, ReasonKind::additional_isolated_vertex,
                    ReasonKind::additional_isolated_vertex}));

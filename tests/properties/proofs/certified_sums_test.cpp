@@ -63,11 +63,11 @@ TEST_F(CertifiedSums, damaged_ones_are_refused) {
       const auto [p, q] = generate(family, std::min(family.typical, family.smallest + 3), seed);
       put_summands(p, q);
       const PlanarSet sum = slide_sum(p, q, Boundary::closed).sum;
-      const GivenSum whole{region_of(sum), {}, {}};
+      const ClaimedSum whole{region_of(sum), {}, {}};
       const std::string certificate = written(certificates::certificate(p, q, whole.region));
       ASSERT_EQ(answer(whole.region, certificate), "certified\n") << family.name << ' ' << seed;
       for (const Damage& damage : damages()) {
-        GivenSum given = whole;
+        ClaimedSum given = whole;
         damage.apply(given, sum);
         // Chains are turned when they are read.
         if (given.region == whole.region ||

@@ -62,10 +62,10 @@ bool is_around(const Chain& outer, const Chain& hole) {
   return false;
 }
 
-TEST(RegionOf, a_given_sum_has_each_hole_in_the_smallest_outer_chain_around_it) {
+TEST(RegionOf, a_claimed_sum_has_each_hole_in_the_smallest_outer_chain_around_it) {
   int several = 0;
   const auto check = [&](const Region&, const PlanarSet& sum) {
-    GivenSum expected;
+    ClaimedSum expected;
     for (const Chain& outer : sum.outer) expected.region.components.push_back({outer, {}});
     for (const Chain& hole : sum.holes) {
       std::optional<std::size_t> best;
@@ -91,7 +91,7 @@ TEST(RegionOf, a_given_sum_has_each_hole_in_the_smallest_outer_chain_around_it) 
 
 TEST(RegionOf, a_given_hole_alone_is_a_component_without_an_outer_chain) {
   const Chain hole = backwards(box(5, 0, 6, 1));
-  const GivenSum sum = given({{box(0, 0, 4, 4)}, {hole}, {}, {}});
+  const ClaimedSum sum = given({{box(0, 0, 4, 4)}, {hole}, {}, {}});
   EXPECT_EQ(sum.region, (Region{{{box(0, 0, 4, 4), {}}, {{}, {hole}}}}));
 }
 

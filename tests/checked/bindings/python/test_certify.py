@@ -57,7 +57,7 @@ def test_what_is_not_the_sum(given, reason):
         oplus.certify(FRAME, SQUARE, given)
 
 
-def test_edges_and_points_of_a_given_sum_count():
+def test_edges_and_points_of_a_claimed_sum_count():
     part, slot = [[0, 0], [2, 0], [2, 2], [0, 2]], [[1, 1], [1, 3], [4, 3], [4, 1]]
     for p, more in [(FRAME, "isolated_vertices"), ([[[0, 0], [5, 0], [5, 4], [0, 4]], slot], "dangling_edges")]:
         found = oplus.minkowski_sum(p, part, boundary="open")

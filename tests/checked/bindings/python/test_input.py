@@ -258,7 +258,7 @@ def test_a_geometry_is_asked_once():
 
 
 @pytest.mark.parametrize("kind, use", [
-    (oplus.Region, repr), (oplus.ClosedSet, lambda value: -value), (oplus.Sum, repr), (oplus.Verdict, repr),
+    (oplus.Region, repr), (oplus.PlanarSet, repr), (oplus.Verdict, repr),
     (oplus.Reason, repr), (oplus.Rounded, lambda value: value.bound), (oplus.Region, lambda value: oplus.nfp(value, value))])
 def test_objects_that_were_not_made(kind, use):
     with pytest.raises(TypeError, match="without a value"):
@@ -301,7 +301,7 @@ def test_sums_of_line_strings_and_points():
     assert cross.dangling_edges == [((0, 0), (3, 0))] and cross.components() == []
     collection = shapely.geometry.GeometryCollection([shapely.geometry.Point(9, 9), path])
     assert oplus.minkowski_sum(collection, [[0, 0], [1, 0], [0, 1]]).to_shapely().contains(shapely.geometry.Point(9.2, 9.2))
-    assert oplus.ClosedSet(path) == oplus.ClosedSet(path.wkt) == -oplus.ClosedSet(path.wkt.replace("4", "-4").replace("3", "-3"))
+    assert oplus.PlanarSet(path) == oplus.PlanarSet(path.wkt) == -oplus.PlanarSet(path.wkt.replace("4", "-4").replace("3", "-3"))
     # The result is a summand again, edges included.
     assert oplus.minkowski_sum(cross, SQUARE).area == 4
 

@@ -51,7 +51,7 @@ def test_fractions_and_doubles():
 
 def test_text_of_what_is_unbounded():
     outside = oplus.complement(SQUARE)
-    assert str(outside) == repr(outside) and str(oplus.complement(oplus.nfp(SQUARE, SQUARE))).startswith("<oplus.Sum:")
+    assert str(outside) == repr(outside) and str(oplus.complement(oplus.nfp(SQUARE, SQUARE))).startswith("<oplus.PlanarSet:")
     with pytest.raises(ValueError, match="unbounded"):
         outside.to_wkt()
 
@@ -184,4 +184,4 @@ def test_equal_sets_are_equal():
     assert oplus.minkowski_sum(SQUARE, SQUARE) != oplus.minkowski_sum(SQUARE, SQUARE, boundary="open").region
     assert oplus.Region(SQUARE) != oplus.Region(ROOM) and oplus.Region(SQUARE) != "POLYGON"
     assert repr(oplus.minkowski_sum(SQUARE, SQUARE)) == (
-        "<oplus.Sum: closed, 1 components, 0 dangling edges, 0 isolated vertices>")
+        "<oplus.PlanarSet: closed, 1 components, 0 dangling edges, 0 isolated vertices>")

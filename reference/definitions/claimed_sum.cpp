@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "reference/definitions/given_sum.hpp"
+#include "reference/definitions/claimed_sum.hpp"
 
 namespace oplus {
 
-std::vector<GivenChain> given_chains(const GivenSum& sum) {
-  std::vector<GivenChain> result;
+std::vector<ClaimedChain> claimed_chains(const ClaimedSum& sum) {
+  std::vector<ClaimedChain> result;
   for (std::size_t c = 0; c < sum.region.components.size(); ++c) {
     const Component& component = sum.region.components[c];
     if (!component.outer.empty()) result.push_back({c + 1, 0, &component.outer});
@@ -14,7 +14,7 @@ std::vector<GivenChain> given_chains(const GivenSum& sum) {
   return result;
 }
 
-std::string describe(const GivenChain& chain) {
+std::string describe(const ClaimedChain& chain) {
   return (chain.hole == 0 ? "the outer chain" : "hole " + std::to_string(chain.hole)) +
          " of component " + std::to_string(chain.component);
 }
