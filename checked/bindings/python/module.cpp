@@ -291,7 +291,8 @@ Fraction(2, 1)
   m.def("complement", complement_of, py::arg("value"), R"(complement(value)
 --
 
-Returns the complement: of a region a Region, of a PlanarSet a PlanarSet; closed of an open one, and the reverse.
+Returns the complement: of a region a Region, of a PlanarSet a PlanarSet, closed of an open one, and
+the reverse.
 
 >>> outside = oplus.complement([[0, 0], [1, 0], [0, 1]])
 >>> (5, 5) in outside
