@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/certificates/certificate.hpp"
-#include "checked/cli/command_line/program_frame.hpp"
+#include "checked/cli/command_line/outputs.hpp"
 #include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/input.hpp"
 #include "checked/cli/shared_options.hpp"

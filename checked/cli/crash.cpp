@@ -5,11 +5,10 @@
 #include <unistd.h>
 
 #include <array>
-#include <cstdlib>
-#include <exception>
 #include <string_view>
 
 #include "checked/cli/exit_code.hpp"
+#include "reference/io/output_file.hpp"
 
 namespace oplus {
 
@@ -20,6 +19,7 @@ extern "C" void report_and_exit(int) {
   constexpr std::string_view line =
       "oplus: a bug in oplus: the program crashed; please report it with the input\n";
   [[maybe_unused]] const auto written = ::write(STDERR_FILENO, line.data(), line.size());
+  remove_temporary_files();
   _exit(static_cast<int>(ExitCode::bug));
 }
 
@@ -29,8 +29,6 @@ std::array<char, 1 << 16> handler_stack;
 }  // namespace
 
 void report_crashes() {
-  // The library's own handler would write lines of its own before it aborts.
-  std::set_terminate([] { std::abort(); });
   stack_t stack{};
   stack.ss_sp = handler_stack.data();
   stack.ss_size = handler_stack.size();

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "checked/cli/command_line/program_frame.hpp"
+#include "checked/cli/command_line/outputs.hpp"
 #include "checked/cli/input.hpp"
 #include "checked/cli/layer_styles.hpp"
 #include "checked/cli/numbers.hpp"

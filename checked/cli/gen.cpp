@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cstdint>
 
-#include "checked/cli/command_line/program_frame.hpp"
+#include "checked/cli/command_line/outputs.hpp"
 #include "checked/cli/json_values.hpp"
 #include "checked/cli/shared_options.hpp"
 #include "checked/cli/usage_error.hpp"

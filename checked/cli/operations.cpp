@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/operations/operations.hpp"
 
-#include "checked/cli/command_line/program_frame.hpp"
 #include "checked/cli/command_line/progress.hpp"
 #include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/engines_and_oracle.hpp"
@@ -10,6 +9,7 @@
 #include "checked/cli/shared_options.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "checked/operations/complement.hpp"
+#include "reference/chains/region_of.hpp"
 #include "reference/definitions/unbounded.hpp"
 #include "reference/io/writing.hpp"
 #include "reference/pictures/picture.hpp"
@@ -55,11 +55,14 @@ ExitCode operate(const OperationOptions& options) {
   if (operation.boundary == Boundary::open && !(is_region(p) && is_region(q)) &&
       p.region.components.empty() && q.region.components.empty())
     say_note("neither set has inner points, so they never overlap");
-  write_set(options.output, format, set, operation.boundary);
+  std::vector<OutputTo> others;
   if (options.svg)
-    write_text(*options.svg, svg({panel_of_summand(Summand::P, p),
-                                  panel_of_summand(Summand::Q, q),
-                                  {operation.name + " P Q", layers_of(set)}}));
+    others.emplace_back(*options.svg, svg({panel_of_summand(Summand::P, p),
+                                           panel_of_summand(Summand::Q, q),
+                                           {operation.name + " P Q", layers_of(set)}}));
+  write_output(options.output,
+               output_text(options.output, format, set, region_of(set), operation.boundary),
+               std::move(others));
   return ExitCode::done;
 }
 

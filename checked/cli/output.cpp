@@ -10,13 +10,13 @@
 #include <string_view>
 #include <system_error>
 
-#include "checked/cli/command_line/program_frame.hpp"
 #include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/numbers.hpp"
 #include "checked/cli/rounded_root.hpp"
 #include "checked/cli/usage_error.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/definitions/unbounded.hpp"
+#include "reference/io/output_file.hpp"
 #include "reference/io/power_of_ten.hpp"
 #include "reference/io/quoting.hpp"
 
@@ -32,13 +32,6 @@ std::filesystem::path resolved(const std::string& path) {
   return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
 }
 
-/// Whether the path names a device or a pipe, which is written to and never replaced.
-bool is_special(const std::string& path) {
-  std::error_code failed;
-  const std::filesystem::file_status status = std::filesystem::status(path, failed);
-  return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
-}
-
 void require_writable(const std::string& path) {
   if (path == "-") return;
   if (path.empty()) throw UsageError("an output file needs a name");
@@ -50,8 +43,8 @@ void require_writable(const std::string& path) {
   if (!std::filesystem::is_directory(folder, failed))
     throw UsageError("cannot write " + path + ": there is no folder " + folder.string());
   // A file is replaced as a whole, so its folder must be writable; a device is not replaced.
-  const bool writable =
-      is_special(path) ? access(path.c_str(), W_OK) == 0 : access(folder.c_str(), W_OK) == 0;
+  const bool writable = !OutputFile::is_replaced(path) ? access(path.c_str(), W_OK) == 0
+                                                       : access(folder.c_str(), W_OK) == 0;
   if (!writable)
     throw UsageError("cannot write " + path + ": " +
                      std::error_code(errno, std::generic_category()).message());
@@ -162,8 +155,12 @@ OutputText output_text(const RegionOutput& output, Format format, const PlanarSe
   return result;
 }
 
-void write_output(const RegionOutput& output, const OutputText& text) {
-  write_text(output.path, text.text);
+void write_output(const RegionOutput& output, const OutputText& text,
+                  std::vector<OutputTo> others) {
+  others.emplace_back(output.path, text.text);
+  Outputs outputs;
+  outputs.write(others);
+  outputs.finish();
   say_note_of(text);
 }
 
@@ -185,10 +182,10 @@ void require_writable(std::vector<std::string> paths, const std::optional<std::s
   for (const std::string& path : paths) {
     require_writable(path);
     const std::filesystem::path place = path == "-" ? std::filesystem::path("-") : resolved(path);
-    if (!seen.insert(place).second && !is_special(path))
+    if (!seen.insert(place).second && (path == "-" || OutputFile::is_replaced(path)))
       throw UsageError("two outputs would go to " + name_of(path));
   }
-  if (picture && *picture != "-" && !is_special(*picture) &&
+  if (picture && OutputFile::is_replaced(*picture) &&
       !boost::algorithm::iends_with(*picture, ".svg"))
     throw UsageError("pictures are written as SVG; expected FILE.svg or -, not " + *picture);
 }

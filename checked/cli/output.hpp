@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "checked/cli/command_line/outputs.hpp"
 #include "checked/rounding/rounding.hpp"
 #include "reference/io/writing.hpp"
 
@@ -48,8 +49,10 @@ OutputText output_text(const RegionOutput& output, Format format, const Region& 
 OutputText output_text(const RegionOutput& output, Format format, const PlanarSet& set,
                        const Region& region, Boundary boundary);
 
-/// Writes it, and says what is to be known of it. Throws UsageError where it cannot write.
-void write_output(const RegionOutput& output, const OutputText& text);
+/// Writes it, and other texts with it, and says what is to be known of it. Throws UsageError where it cannot
+/// write; then no file has appeared.
+void write_output(const RegionOutput& output, const OutputText& text,
+                  std::vector<OutputTo> others = {});
 
 /// Says what is to be known, where something is.
 void say_note_of(const OutputText& text);

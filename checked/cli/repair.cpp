@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "checked/cli/command_line/program_frame.hpp"
+#include "checked/cli/command_line/outputs.hpp"
 #include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/input.hpp"
 #include "checked/cli/json_values.hpp"
@@ -66,12 +66,14 @@ ExitCode repair(const RepairOptions& options) {
   UncheckedInput input = read_unchecked_region(options.file);
   const std::string name = one_line(input.name);
   const RepairedRegion result = repaired(std::move(input), options.fill);
-  write_region(options.output, format, result.region);
+  std::vector<OutputTo> others;
+  if (options.json) others.emplace_back("-", json_of(result.mends));
+  write_output(options.output, output_text(options.output, format, result.region),
+               std::move(others));
   for (const Mend& mend : result.mends) say_note(place_of(mend.where) + ": " + mend.what);
   say_note(name + ": " +
            (result.mends.empty() ? "nothing to repair"
                                  : counted(result.mends.size(), "repair", "repairs")));
-  if (options.json) write_text("-", json_of(result.mends));
   return ExitCode::done;
 }
 

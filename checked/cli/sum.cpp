@@ -7,7 +7,6 @@
 
 #include "checked/arrangement/hole_test.hpp"
 #include "checked/certificates/certificate.hpp"
-#include "checked/cli/command_line/program_frame.hpp"
 #include "checked/cli/command_line/progress.hpp"
 #include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/engines_and_oracle.hpp"
@@ -124,6 +123,7 @@ struct Run {
   Seconds certificate{};
   Seconds drawing{};
   Seconds writing{};
+  std::string note;  ///< of what was written; empty where there is nothing to say
 };
 
 /// What the user waited for: each stage, and all together since the command was understood. The rest of
@@ -189,22 +189,21 @@ void sum_sets(const SumOptions& options, const Engine& engine, const EngineOptio
                                       });
   const OutputText content =
       output_text(options.output, format, sum, region_of(sum), options.boundary);
-  const std::optional<std::string> picture =
-      options.svg ? std::optional(svg({panel_of_set(Summand::P, p),
-                                       panel_of_set(Summand::Q, q),
-                                       {"P \u2295 Q", layers_of(sum)}}))
-                  : std::nullopt;
+  std::vector<OutputTo> others;
+  if (options.svg)
+    others.emplace_back(*options.svg, svg({panel_of_set(Summand::P, p),
+                                           panel_of_set(Summand::Q, q),
+                                           {"P \u2295 Q", layers_of(sum)}}));
   step.reset();
   if (options.boundary == Boundary::open && p.outer.empty() && q.outer.empty() && !p.is_unbounded &&
       !q.is_unbounded)
     say_note("neither summand has inner points, so the open sum is empty");
-  write_output(options.output, content);
-  if (picture) write_text(*options.svg, *picture);
+  write_output(options.output, content, std::move(others));
 }
 
 /// All that a user waits for: at its end all memory is free again.
 Run done(const SumOptions& options, const Engine& engine, EngineOptions engine_options,
-         Format format) {
+         Format format, Outputs& outputs) {
   Run run;
   const bool with_statistics = options.stats || options.stats_json;
   ReadSet read_p = read_summand_set(options.p, &run.input, options.overlaps);
@@ -237,19 +236,20 @@ Run done(const SumOptions& options, const Engine& engine, EngineOptions engine_o
     return written(certificates::certificate(p, q, region));
   });
   step->next("writing the sum");
-  timed(run.writing, [&] {
-    const OutputText content =
-        output_text(options.output, format, computed.sum, region, options.boundary);
-    if (options.output.path == "-") step.reset();  // both may be on one terminal
-    write_text(options.output.path, content.text);
-    step.reset();
-    say_note_of(content);
-    if (options.origins)
-      write_text(*options.origins, origins_json(computed.sum, computed.origins, p, q));
-    if (options.certificate) write_text(*options.certificate, certificate);
-  });
+  std::vector<OutputTo> others;
   if (options.svg)
-    timed(run.drawing, [&] { write_text(*options.svg, picture(p, q, computed.sum)); });
+    timed(run.drawing, [&] { others.emplace_back(*options.svg, picture(p, q, computed.sum)); });
+  timed(run.writing, [&] {
+    OutputText content =
+        output_text(options.output, format, computed.sum, region, options.boundary);
+    run.note = std::move(content.note);
+    others.emplace_back(options.output.path, std::move(content.text));
+    if (options.origins)
+      others.emplace_back(*options.origins, origins_json(computed.sum, computed.origins, p, q));
+    if (options.certificate) others.emplace_back(*options.certificate, certificate);
+    if (options.output.path == "-") step.reset();  // both may be on one terminal
+    outputs.write(others);
+  });
   if (with_statistics) run.sum = timed(run.counting, [&] { return statistics_of(computed.sum); });
   run.engine = std::move(computed.statistics);
   return run;
@@ -266,9 +266,14 @@ ExitCode sum(const SumOptions& options) {
   const Format format = output_format(options.output);
 
   Seconds all{};
-  const Run run = timed(all, [&] { return done(options, engine, engine_options, format); });
+  Outputs outputs;
+  const Run run =
+      timed(all, [&] { return done(options, engine, engine_options, format, outputs); });
   const Statistics times = times_of(run, all);
-  if (options.stats_json) write_text(*options.stats_json, statistics_json(options, run, times));
+  if (options.stats_json)
+    outputs.write({{*options.stats_json, statistics_json(options, run, times)}});
+  outputs.finish();
+  if (!run.note.empty()) say_note(run.note);
   if (options.stats)
     for (const Statistics& part : {run.summands, run.engine, run.sum, times}) print(part);
   return ExitCode::done;

@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "checked/cli/command_line/program_frame.hpp"
+#include "checked/cli/command_line/outputs.hpp"
 #include "checked/cli/input.hpp"
 #include "checked/cli/json_values.hpp"
 #include "checked/cli/layer_styles.hpp"
@@ -128,13 +128,16 @@ std::string picture(const Region& p, const Region& q, const ClaimedSum& given,
   return svg_in_columns(columns, 420);
 }
 
-/// Prints the answer and returns its exit code.
+/// Prints the answer, writes the picture if there is one, and returns the exit code.
 ExitCode answer(const VerifyOptions& options, bool is_yes, Json json, std::string text,
-                const std::vector<std::string>& notes) {
+                const std::vector<std::string>& notes, std::vector<OutputTo> outputs) {
   json["boundary"] = name(options.boundary);
   json["notes"] = notes;
   for (const std::string& note : notes) text += "note: " + note + "\n";
-  write_text("-", options.json ? json.dump(2) + "\n" : text);
+  outputs.emplace_back("-", options.json ? json.dump(2) + "\n" : std::move(text));
+  Outputs all;
+  all.write(outputs);
+  all.finish();
   return is_yes ? ExitCode::done : ExitCode::not_equal;
 }
 
@@ -146,22 +149,25 @@ ExitCode verify_files(const VerifyOptions& options) {
   const Region p = read_summand(options.p, nullptr, Extent::bounded, options.overlaps);
   const Region q = read_summand(options.q, nullptr, Extent::bounded, options.overlaps);
   const ClaimedSum given = read_unchecked_sum(options.sum);
-  const auto draw = [&](const PlanarSet& right, const std::optional<Point>& witness) {
-    if (options.svg) write_text(*options.svg, picture(p, q, given, right, witness));
+  const auto drawn = [&](const PlanarSet& right, const std::optional<Point>& witness) {
+    std::vector<OutputTo> outputs;
+    if (options.svg) outputs.emplace_back(*options.svg, picture(p, q, given, right, witness));
+    return outputs;
   };
 
   if (tolerance) {
     const PlanarSet right = sum_by_definition(p, q, options.boundary);
     const Closeness close = closeness(right, given, *tolerance);
     const bool differs = close.distance && sign(close.distance->most_squared) > 0;
-    draw(right, differs ? std::optional(close.distance->farthest) : std::nullopt);
     return answer(options, close.is_close(), json_of(close, *tolerance),
-                  text_of(close, *options.tolerance), close.notes);
+                  text_of(close, *options.tolerance), close.notes,
+                  drawn(right, differs ? std::optional(close.distance->farthest) : std::nullopt));
   }
   const Verdict verdict = verify(p, q, options.boundary, given);
-  draw(verdict.right,
-       verdict.is_sum() ? std::nullopt : std::optional(verdict.reasons.front().witness));
-  return answer(options, verdict.is_sum(), json_of(verdict), text_of(verdict), verdict.notes);
+  return answer(
+      options, verdict.is_sum(), json_of(verdict), text_of(verdict), verdict.notes,
+      drawn(verdict.right,
+            verdict.is_sum() ? std::nullopt : std::optional(verdict.reasons.front().witness)));
 }
 
 }  // namespace

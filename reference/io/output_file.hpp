@@ -22,9 +22,16 @@ class OutputFile {
   /// To be called once, after all is written. Throws std::system_error.
   void finish();
 
+  /// Whether nothing is seen of a file before finish(): not "-", nor a device.
+  static bool is_replaced(const std::string& path);
+
  private:
   class Target;
   std::unique_ptr<Target> target_;
 };
+
+/// Removes the temporary files of all OutputFiles: for a program that ends without destructors. May be called
+/// in a signal handler.
+void remove_temporary_files() noexcept;
 
 }  // namespace oplus

@@ -12,6 +12,7 @@
 #include "reference/definitions/region.hpp"
 #include "reference/io/input_text.hpp"
 #include "reference/io/number.hpp"
+#include "reference/io/overlaps.hpp"
 
 namespace oplus {
 
@@ -100,7 +101,7 @@ PlacedGeometry parse_dat(const InputText& input);
 PlacedGeometry parse_wkt(const InputText& input, Wanted wanted);
 PlacedGeometry parse_geojson(const InputText& input, Wanted wanted);
 PlacedGeometry parse_wkb(const InputText& input, Wanted wanted);
-PlacedGeometry parse_svg_path(const InputText& input);
+PlacedGeometry parse_svg_path(const InputText& input, Overlaps overlaps);
 
 /// Whether a text is to be read as an SVG path: it starts with the command M or m, and not with a word.
 bool is_svg_path(std::string_view text);

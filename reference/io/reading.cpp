@@ -29,7 +29,8 @@ namespace oplus {
 
 namespace {
 
-constexpr const char* formats = "a region in .dat, WKT or GeoJSON, or an SVG path";
+constexpr const char* formats =
+    "a region in .dat, WKT, WKB or GeoJSON, an array, or the data of an SVG path";
 
 std::string whole_text(std::istream& in, const std::string& name) {
   errno = 0;
@@ -80,36 +81,44 @@ PlacedGeometry parse(const InputText& input, Format format, Wanted wanted) {
 }
 
 /// In the format that the first character that is not blank tells, and of an SVG path the second.
-PlacedGeometry parse(const InputText& input, Wanted wanted) {
+PlacedGeometry parse(const InputText& input, Wanted wanted, Overlaps overlaps) {
   const auto first = std::find_if_not(input.text.begin(), input.text.end(), is_blank);
   if (first == input.text.end()) input.refuse({}, "the input is empty", formats);
-  if (is_svg_path(input.text)) return parse_svg_path(input);
+  if (is_svg_path(input.text)) return parse_svg_path(input, overlaps);
+  if (*first == '<') {
+    Position at;
+    std::for_each(input.text.begin(), first, [&](char c) { at.pass(c); });
+    input.refuse(at, "markup, such as an SVG file's",
+                 "of an SVG file the data of a path alone, what its attribute d has");
+  }
   if (*first == '{' || *first == '[') return parse_geojson(input, wanted);
   const bool is_letter = std::isalpha(static_cast<unsigned char>(*first)) != 0;
   return is_letter ? parse_wkt(input, wanted) : parse_dat(input);
 }
 
-Parsed parsed(std::string_view text, const std::string& name, Wanted wanted,
+Parsed parsed(std::string_view text, const std::string& name, Wanted wanted, Overlaps overlaps,
               const ReadingProgress& progress, std::optional<Format> format = std::nullopt) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
   const InputText input{name, text, progress};
   if (!format && starts_as_wkb(text)) format = Format::wkb;
   if (format != Format::wkb) refuse_binary(input);
-  Parsed result{{name}, format ? parse(input, *format, wanted) : parse(input, wanted)};
+  Parsed result{{name}, format ? parse(input, *format, wanted) : parse(input, wanted, overlaps)};
   if (progress) progress(100);
   return result;
 }
 
-Parsed parsed_file(const std::string& path, Wanted wanted, const ReadingProgress& progress) {
+Parsed parsed_file(const std::string& path, Wanted wanted, Overlaps overlaps,
+                   const ReadingProgress& progress) {
   if (path == "-")
-    return parsed(whole_text(std::cin, "standard input"), "standard input", wanted, progress);
+    return parsed(whole_text(std::cin, "standard input"), "standard input", wanted, overlaps,
+                  progress);
   errno = 0;
   std::ifstream in(path, std::ios::binary);
   if (!in)
     throw InvalidInput({path, 0, 0}, std::string("cannot be opened (") + std::strerror(errno) + ")",
                        "a file that can be read");
-  return parsed(whole_text(in, path), path, wanted, progress);
+  return parsed(whole_text(in, path), path, wanted, overlaps, progress);
 }
 
 /// Adds a note where coordinates were left out.
@@ -302,12 +311,13 @@ bool turn_as_named(PlacedChain& chain) {
 
 ReadRegion read_region(const std::string& text, const std::string& name,
                        const ReadingProgress& progress, Extent extent, Overlaps overlaps) {
-  return read_region(parsed(text, name, Wanted::region, progress), extent, overlaps);
+  return read_region(parsed(text, name, Wanted::region, overlaps, progress), extent, overlaps);
 }
 
 ReadRegion read_region_in(Format format, const std::string& text, const std::string& name,
                           Overlaps overlaps) {
-  return read_region(parsed(text, name, Wanted::region, {}, format), Extent::any, overlaps);
+  return read_region(parsed(text, name, Wanted::region, overlaps, {}, format), Extent::any,
+                     overlaps);
 }
 
 ReadRegion oriented_and_checked(Region region, const std::string& name) {
@@ -340,43 +350,43 @@ UncheckedInput unchecked(Region region, const std::string& name) {
 
 ReadSum read_sum(const std::string& text, const std::string& name,
                  const ReadingProgress& progress) {
-  return read_sum(parsed(text, name, Wanted::sum, progress));
+  return read_sum(parsed(text, name, Wanted::sum, Overlaps::refused, progress));
 }
 
 ReadSet read_set(const std::string& text, const std::string& name, const ReadingProgress& progress,
                  Overlaps overlaps) {
-  return read_set(parsed(text, name, Wanted::sum, progress), overlaps);
+  return read_set(parsed(text, name, Wanted::sum, overlaps, progress), overlaps);
 }
 
 ReadSet read_set_file(const std::string& path, const ReadingProgress& progress, Overlaps overlaps) {
-  return read_set(parsed_file(path, Wanted::sum, progress), overlaps);
+  return read_set(parsed_file(path, Wanted::sum, overlaps, progress), overlaps);
 }
 
 ReadRegion read_region_file(const std::string& path, const ReadingProgress& progress, Extent extent,
                             Overlaps overlaps) {
-  return read_region(parsed_file(path, Wanted::region, progress), extent, overlaps);
+  return read_region(parsed_file(path, Wanted::region, overlaps, progress), extent, overlaps);
 }
 
 UncheckedInput read_unchecked(const std::string& text, const std::string& name,
                               const ReadingProgress& progress) {
-  return unchecked(parsed(text, name, Wanted::region, progress));
+  return unchecked(parsed(text, name, Wanted::region, Overlaps::allowed, progress));
 }
 
 UncheckedInput read_unchecked_file(const std::string& path, const ReadingProgress& progress) {
-  return unchecked(parsed_file(path, Wanted::region, progress));
+  return unchecked(parsed_file(path, Wanted::region, Overlaps::allowed, progress));
 }
 
 ReadSum read_sum_file(const std::string& path, const ReadingProgress& progress) {
-  return read_sum(parsed_file(path, Wanted::sum, progress));
+  return read_sum(parsed_file(path, Wanted::sum, Overlaps::refused, progress));
 }
 
 ClaimedSum read_unchecked_sum(const std::string& text, const std::string& name,
                               const ReadingProgress& progress) {
-  return unchecked_sum(parsed(text, name, Wanted::sum, progress));
+  return unchecked_sum(parsed(text, name, Wanted::sum, Overlaps::allowed, progress));
 }
 
 ClaimedSum read_unchecked_sum_file(const std::string& path, const ReadingProgress& progress) {
-  return unchecked_sum(parsed_file(path, Wanted::sum, progress));
+  return unchecked_sum(parsed_file(path, Wanted::sum, Overlaps::allowed, progress));
 }
 
 }  // namespace oplus

@@ -95,8 +95,8 @@ class SvgPathReader {
  private:
   void command() {
     ++commands_;
-    const Token word = rest_.word();
-    const std::string which = "command " + std::to_string(commands_);
+    const Position at = rest_.at();
+    const auto which = [&] { return "command " + std::to_string(commands_); };
     letter_ = rest_.peek();
     switch (upper(letter_)) {
       case 'M':
@@ -118,7 +118,7 @@ class SvgPathReader {
         rest_.take(1);
         return arguments([this] { line_to({here_.x, coordinate('y')}); });
       case 'Z':
-        if (!subpath_) begin_subpath(word.at);
+        if (!subpath_) begin_subpath(at);
         rest_.take(1);
         return close_subpath();
       case 'C':
@@ -126,10 +126,10 @@ class SvgPathReader {
       case 'Q':
       case 'T':
       case 'A':
-        input_.refuse(word.at, which + ", " + quote({&letter_, 1}) + ", is a curve",
+        input_.refuse(at, which() + ", " + quote({&letter_, 1}) + ", is a curve",
                       "straight segments: M, L, H, V and Z");
       default:
-        input_.refuse(word.at, describe(word) + " where " + which + " should be",
+        input_.refuse(at, describe(rest_.word()) + " where " + which() + " should be",
                       "M, L, H, V or Z");
     }
   }
@@ -230,11 +230,18 @@ struct Roles {
   std::vector<std::optional<std::size_t>> around;
 };
 
-Roles roles_of(const std::vector<PlacedChain>& chains) {
+///
+/// Where edges cross, which is refused unless overlaps are allowed, they need not be known: then the sweep ends,
+/// since there may be as many crossings as pairs of edges.
+Roles roles_of(const std::vector<PlacedChain>& chains, Overlaps overlaps) {
   std::vector<const Chain*> all;
   for (const PlacedChain& chain : chains) all.push_back(&chain.vertices);
   const SweptChains swept(all);
-  const Nesting nests = nesting(swept);
+  Nesting nests(swept);
+  sweep(swept.edges, [&](const SweptPlace& place) {
+    nests.pass(place);
+    return overlaps == Overlaps::allowed || !place.points.empty();
+  });
   Roles result;
   for (std::size_t c = 0; c < chains.size(); ++c) result.around.push_back(nests.around(c));
   result.is_hole.resize(chains.size(), false);
@@ -259,11 +266,11 @@ Roles roles_of(const std::vector<PlacedChain>& chains) {
 }
 
 /// In the order of regions: outer chains as they come, each with its holes.
-PlacedGeometry in_components(std::vector<PlacedChain> chains) {
+PlacedGeometry in_components(std::vector<PlacedChain> chains, Overlaps overlaps) {
   PlacedGeometry result;
   result.has_directions = true;
   if (chains.empty()) return result;
-  const Roles roles = roles_of(chains);
+  const Roles roles = roles_of(chains, overlaps);
   std::vector<std::vector<std::size_t>> holes_of(chains.size());
   for (std::size_t c = 0; c < chains.size(); ++c) {
     if (!roles.is_hole[c]) continue;
@@ -293,8 +300,8 @@ bool is_svg_path(std::string_view text) {
   return first + 1 == text.size() || std::isalpha(static_cast<unsigned char>(text[first + 1])) == 0;
 }
 
-PlacedGeometry parse_svg_path(const InputText& input) {
-  return in_components(SvgPathReader(input).read());
+PlacedGeometry parse_svg_path(const InputText& input, Overlaps overlaps) {
+  return in_components(SvgPathReader(input).read(), overlaps);
 }
 
 }  // namespace oplus

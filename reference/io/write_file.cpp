@@ -3,6 +3,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
+#include <atomic>
 #include <cerrno>
 #include <filesystem>
 #include <iostream>
@@ -28,6 +30,18 @@ void write_all(int descriptor, std::string_view content, const std::string& path
     const ssize_t written = ::write(descriptor, content.data(), content.size());
     if (written < 0 && errno != EINTR) fail(errno, path);
     if (written > 0) content.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+/// Names of temporary files that are there. A command has few outputs; more than these are not noted.
+std::array<std::atomic<const char*>, 16> temporary_files;
+static_assert(std::atomic<const char*>::is_always_lock_free);
+
+/// Replaces one entry, if there is one.
+void replace(const char* entry, const char* by) {
+  for (std::atomic<const char*>& one : temporary_files) {
+    const char* expected = entry;
+    if (one.compare_exchange_strong(expected, by)) return;
   }
 }
 
@@ -58,10 +72,12 @@ class OutputFile::Target::Temporary : public Target {
       descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
       if (descriptor_ < 0 && errno != EEXIST) fail(errno, target_);
     }
+    replace(nullptr, path_.c_str());
   }
   ~Temporary() override {
     if (descriptor_ >= 0) ::close(descriptor_);
     if (!is_target_) ::unlink(path_.c_str());
+    replace(path_.c_str(), nullptr);
   }
 
   void write(std::string_view text) override { write_all(descriptor_, text, target_); }
@@ -118,20 +134,16 @@ class OutputFile::Target::InPlace : public Target {
 };
 
 OutputFile::OutputFile(const std::string& path) {
-  if (path == "-") {
-    target_ = std::make_unique<Target::StandardOutput>();
-    return;
-  }
   std::error_code ignored;
-  const fs::file_status status = fs::status(path, ignored);
-  if (fs::exists(status) && !fs::is_regular_file(status)) {
+  if (path == "-")
+    target_ = std::make_unique<Target::StandardOutput>();
+  else if (!is_replaced(path))
     target_ = std::make_unique<Target::InPlace>(path);
-    return;
-  }
-  // A link stays a link: the file it leads to is replaced.
-  target_ = std::make_unique<Target::Temporary>(
-      fs::is_symlink(fs::symlink_status(path, ignored)) && fs::exists(status) ? fs::canonical(path)
-                                                                              : fs::path(path));
+  else  // A link stays a link: the file it leads to is replaced.
+    target_ = std::make_unique<Target::Temporary>(
+        fs::is_symlink(fs::symlink_status(path, ignored)) && fs::exists(path, ignored)
+            ? fs::canonical(path)
+            : fs::path(path));
 }
 
 OutputFile::~OutputFile() = default;
@@ -139,6 +151,17 @@ OutputFile::~OutputFile() = default;
 void OutputFile::write(std::string_view text) { target_->write(text); }
 
 void OutputFile::finish() { target_->finish(); }
+
+bool OutputFile::is_replaced(const std::string& path) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  return path != "-" && (!fs::exists(status) || fs::is_regular_file(status));
+}
+
+void remove_temporary_files() noexcept {
+  for (const std::atomic<const char*>& one : temporary_files)
+    if (const char* const path = one) ::unlink(path);
+}
 
 void write_file(const std::string& path, const std::string& content) {
   OutputFile file(path);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/cli/batch/interrupted.hpp"
 
-#include <unistd.h>
-
 #include <atomic>
-#include <cstdlib>
+
+#include "checked/cli/command_line/early_ends.hpp"
 
 namespace oplus {
 
@@ -15,7 +14,7 @@ static_assert(std::atomic<int>::is_always_lock_free);
 
 extern "C" void note_signal(int number) {
   noted = number;
-  std::signal(number, SIG_DFL);
+  std::signal(number, end_by_signal);
 }
 
 /// A signal that is ignored stays so.
@@ -43,12 +42,6 @@ NotedInterrupt::~NotedInterrupt() {
 
 bool NotedInterrupt::is_noted() { return noted != 0; }
 
-void NotedInterrupt::end_program() {
-  const int number = noted;
-  std::signal(number, SIG_DFL);
-  ::kill(::getpid(), number);
-  // Where the signal is blocked, as a shell would say it.
-  _exit(128 + number);
-}
+void NotedInterrupt::end_program() { end_by_signal(noted); }
 
 }  // namespace oplus

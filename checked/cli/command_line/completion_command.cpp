@@ -4,7 +4,7 @@
 
 #include "checked/cli/command_line/completion.hpp"
 #include "checked/cli/command_line/options.hpp"
-#include "checked/cli/command_line/program_frame.hpp"
+#include "checked/cli/command_line/outputs.hpp"
 #include "checked/cli/command_line/terminal.hpp"
 
 namespace oplus {

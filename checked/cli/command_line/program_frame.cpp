@@ -17,7 +17,9 @@
 #include <vector>
 
 #include "checked/cli/command_line/completion.hpp"
+#include "checked/cli/command_line/early_ends.hpp"
 #include "checked/cli/command_line/help_formatter.hpp"
+#include "checked/cli/command_line/outputs.hpp"
 #include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/exit_code.hpp"
 #include "checked/cli/usage_error.hpp"
@@ -157,6 +159,7 @@ int run_program(const ProgramFrame& frame, AddCommands add_commands, int argc,
   occupy_closed_streams();
   // A reader that closes the pipe ends the program quietly, as it does others, even where it was ignored.
   std::signal(SIGPIPE, SIG_DFL);
+  prepare_for_early_ends();
   return exit_code_of([&] {
     speech().program = frame.name;
     return parse_and_do(frame, add_commands, argc, argv);
@@ -178,15 +181,6 @@ int exit_code_of(const std::function<int()>& work) noexcept {
     return fail_with_bug(error.what());
   } catch (...) {
     return fail_with_bug("an unknown exception");
-  }
-}
-
-void write_text(const std::string& path, const std::string& text) {
-  try {
-    write_file(path, text);
-  } catch (const std::system_error& error) {
-    throw UsageError("cannot write " + (path == "-" ? "standard output" : path) + ": " +
-                     error.code().message());
   }
 }
 

@@ -28,7 +28,4 @@ int run_program(const ProgramFrame& frame, AddCommands add_commands, int argc,
 /// the reason to standard error, in one line.
 int exit_code_of(const std::function<int()>& work) noexcept;
 
-/// Writes all of the text or nothing to a file or standard output (-). Throws UsageError.
-void write_text(const std::string& path, const std::string& text);
-
 }  // namespace oplus

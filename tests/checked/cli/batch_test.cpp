@@ -304,10 +304,12 @@ TEST_F(Batch, a_closed_pipe_ends_it_quietly) {
 }
 
 TEST_F(Batch, is_interrupted_without_leaving_anything) {
-  for (const auto& [name, number] : {std::pair("INT", SIGINT), std::pair("TERM", SIGTERM)})
+  for (const auto& [name, number] :
+       {std::pair("INT", SIGINT), std::pair("TERM", SIGTERM), std::pair("HUP", SIGHUP),
+        std::pair("QUIT", SIGQUIT), std::pair("XCPU", SIGXCPU)})
     // Its exit code is that of a program that does nothing about the signal.
     expect_output(
-        "set -m; rm -f pipe; mkfifo pipe; oplus batch pipe -o out 2>err & exec 3>pipe\n"
+        "ulimit -c 0; set -m; rm -f pipe; mkfifo pipe; oplus batch pipe -o out 2>err & exec 3>pipe\n"
         "cat square.tsv >&3\n"
         "for i in {1..600}; do compgen -G 'out.*' >/dev/null && break; sleep 0.05; done\n"
         "kill -" +

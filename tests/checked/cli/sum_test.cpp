@@ -338,6 +338,22 @@ TEST_F(Sum, refuses_outputs_that_cannot_be_written) {
   expect_refusal("oplus sum square.wkt square.wkt --svg -", "two outputs");
 }
 
+TEST_F(Sum, leaves_all_of_its_files_or_none) {
+  const std::string sum = "oplus sum square.wkt square.wkt -o s.wkt ";
+  for (const std::string option : {"--svg", "--origins", "--certificate", "--stats-json"})
+    expect_refusal(sum + option + " /dev/full", "cannot write /dev/full");
+  expect_refusal(sum + "--svg s.svg --origins - >/dev/full", "cannot write standard output");
+  expect_refusal("oplus nfp square.wkt square.wkt -o s.wkt --svg /dev/full", "/dev/full");
+  expect_refusal("oplus verify square.wkt square.wkt full.wkt --svg s.svg >/dev/full",
+                 "standard output");
+  expect_refusal("oplus repair square.wkt -o s.wkt --json >/dev/full", "standard output");
+  EXPECT_EQ(run(sum + "--svg s.svg --origins o.json --certificate s.cert --stats-json t.json")
+                .exit_code,
+            0);
+  for (const std::string file : {"s.wkt", "s.svg", "o.json", "s.cert", "t.json"})
+    EXPECT_TRUE(files().contains(file)) << file;
+}
+
 TEST_F(Sum, says_that_standard_output_cannot_be_written) {
   expect_refusal("oplus sum square.wkt square.wkt >&-", "standard output");
   expect_refusal("oplus sum square.wkt square.wkt >/dev/full", "standard output");

@@ -145,7 +145,7 @@ TEST(Reading, of_a_file_that_is_not_there_says_so) {
 TEST(Reading, of_a_folder_says_so) {
   EXPECT_EQ(
       refusal([] { read_region_file("/"); }),
-      "/: cannot be read (Is a directory); expected a region in .dat, WKT or GeoJSON, or an SVG path");
+      "/: cannot be read (Is a directory); expected a region in .dat, WKT, WKB or GeoJSON, an array, or the data of an SVG path");
 }
 
 TEST(Reading, of_a_name_with_line_breaks_stays_in_one_line) {

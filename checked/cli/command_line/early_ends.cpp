@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checked/cli/command_line/early_ends.hpp"
+
+#include <gmp.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <exception>
+#include <new>
+#include <string_view>
+
+#include "checked/cli/command_line/terminal.hpp"
+#include "checked/cli/exit_code.hpp"
+#include "reference/io/output_file.hpp"
+
+namespace oplus {
+
+namespace {
+
+extern "C" void handle_end(int number) { end_by_signal(number); }
+
+// GMP has no way to report a failure: its own functions abort.
+extern "C" void* allocate(std::size_t size) {
+  void* const memory = std::malloc(size);
+  if (memory == nullptr) end_without_memory();
+  return memory;
+}
+extern "C" void* reallocate(void* old, std::size_t, std::size_t size) {
+  void* const memory = std::realloc(old, size);
+  if (memory == nullptr) end_without_memory();
+  return memory;
+}
+extern "C" void release(void* memory, std::size_t) { std::free(memory); }
+
+/// Of an exception that no one catches, on another thread for example.
+[[noreturn]] void end_for_exception() {
+  try {
+    if (std::current_exception()) throw;
+  } catch (const std::bad_alloc&) {
+    end_without_memory();
+  } catch (...) {
+  }
+  std::abort();
+}
+
+}  // namespace
+
+void prepare_for_early_ends() {
+  for (const int number : {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGXCPU}) {
+    struct sigaction action {};
+    sigaction(number, nullptr, &action);
+    if (action.sa_handler != SIG_DFL) continue;
+    action.sa_handler = handle_end;
+    sigaction(number, &action, nullptr);
+  }
+  std::signal(SIGXFSZ, SIG_IGN);
+  mp_set_memory_functions(allocate, reallocate, release);
+  std::set_terminate(end_for_exception);
+}
+
+void end_by_signal(int number) {
+  remove_temporary_files();
+  std::signal(number, SIG_DFL);
+  sigset_t only;
+  sigemptyset(&only);
+  sigaddset(&only, number);
+  sigprocmask(SIG_UNBLOCK, &only, nullptr);
+  ::kill(::getpid(), number);
+  // As a shell would say it, should it not have ended.
+  _exit(128 + number);
+}
+
+void end_without_memory() noexcept {
+  // Without a copy, for which there may be no memory either.
+  const auto say = [](std::string_view text) {
+    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
+  };
+  say(speech().program);
+  say(": there is not enough memory for this input\n");
+  remove_temporary_files();
+  _exit(static_cast<int>(ExitCode::invalid));
+}
+
+}  // namespace oplus

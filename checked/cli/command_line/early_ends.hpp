@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace oplus {
+
+/// From now on, a program that ends early leaves no temporary file and says why:
+///  1. a signal that ends it (HUP, INT, QUIT, TERM, XCPU) still does, after its temporary files are removed;
+///  2. a file beyond the limit of its size is an error of writing, not the signal XFSZ;
+///  3. where GMP, or what no one catches, finds too little memory, it ends as invalid input does.
+/// Signals that are handled or ignored already stay so, but for XFSZ.
+void prepare_for_early_ends();
+
+/// Removes temporary files and ends the program by the signal, as if nothing had handled it.
+[[noreturn]] void end_by_signal(int number);
+
+/// Writes one line, removes temporary files, and ends the program with the exit code of invalid input.
+[[noreturn]] void end_without_memory() noexcept;
+
+}  // namespace oplus
