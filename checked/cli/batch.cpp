@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <map>
 #include <mutex>
 
 #include "checked/cli/batch/computation.hpp"
@@ -65,18 +66,16 @@ class Writer {
   explicit Writer(const std::string& path) : path_(path) {
     attempt([&] { output_.emplace(path); });
     // Both would be on one terminal.
-    if (path != "-" || isatty(STDOUT_FILENO) != 1) step_.emplace("computing pairs");
+    if (path == "-" && isatty(STDOUT_FILENO) == 1) ShownStep::hide_all();
   }
 
-  /// Writes the lines, and counts.
-  void pass_on(const Results& results) {
+  /// Writes the lines, and counts. `all` is all of the input, as results have shares of it; 0 if it is unknown.
+  void pass_on(const Results& results, std::size_t all) {
     const std::lock_guard lock(mutex_);
     attempt([&] { output_->write(results.lines); });
     all_.count(results);
-  }
-
-  void show(std::size_t done, std::size_t total) {
-    if (step_ && total > 0) step_->advance(std::min(done, total), total);
+    done_ += results.share;
+    if (all > 0) step_.advance(std::min(done_, all), all);
   }
 
   /// To be called now and then: ends the program where it is interrupted, between two lines and without
@@ -84,14 +83,12 @@ class Writer {
   void end_if_interrupted() {
     if (!NotedInterrupt::is_noted()) return;
     const std::unique_lock lock(mutex_, std::chrono::seconds(1));
-    step_.reset();
     if (lock.owns_lock()) output_.reset();
     NotedInterrupt::end_program();
   }
 
   /// Says at the end what is to be known.
   ExitCode finish() {
-    step_.reset();
     attempt([&] { output_->finish(); });
     if (all_.repaired > 0)
       say_note(all_.first_note +
@@ -118,7 +115,8 @@ class Writer {
 
   std::string path_;
   std::optional<OutputFile> output_;
-  std::optional<ShownStep> step_;
+  ShownStep step_{"computing pairs"};
+  std::size_t done_ = 0;
   std::timed_mutex mutex_;
   Results all_;
 };
@@ -131,6 +129,7 @@ Computation computation_of(const BatchOptions& options) {
 Results results_of(const LineBatch& batch, const std::string& file, Overlaps overlaps,
                    const Computation& computation) {
   Results results;
+  results.share = batch.text.size();
   results.lines.reserve(2 * batch.text.size());
   each_line(batch, [&](std::string_view text, std::size_t number) {
     if (is_blank_or_comment(text)) return;
@@ -156,17 +155,12 @@ ExitCode of_pairs(const BatchOptions& options) {
   Writer writer(options.output);
   OrderedWork<LineBatch, Results>* running = nullptr;
   OrderedWork<LineBatch, Results> work({
-      .take =
-          [&] {
-            // In percent: bytes would tell less.
-            if (batches.bytes() > 0) writer.show(100 * batches.bytes_done() / batches.bytes(), 100);
-            return batches.next([&] { return running->is_stopping(); });
-          },
+      .take = [&] { return batches.next([&] { return running->is_stopping(); }); },
       .work =
           [&](LineBatch&& batch) {
             return results_of(batch, batches.name(), options.overlaps, computation);
           },
-      .pass_on = [&](Results&& results) { writer.pass_on(results); },
+      .pass_on = [&](Results&& results) { writer.pass_on(results, batches.bytes()); },
   });
   running = &work;
   work.run(number_of(options.threads), [&] { writer.end_if_interrupted(); });
@@ -184,6 +178,8 @@ class PairsOfParts {
     if (rotations_.empty()) rotations_.emplace_back();
     p_ = read_parts(*options.parts, options.overlaps, results);
     q_ = options.others ? read_parts(*options.others, options.overlaps, results) : p_;
+    tell_apart(p_, "p");
+    tell_apart(q_, "q");
     for (const Part& part : q_)
       for (const PartRotation& rotation : rotations_)
         turned_q_.push_back(rotation.turned(part.set));
@@ -198,13 +194,13 @@ class PairsOfParts {
 
   Results results_of(std::size_t first, std::size_t last) const {
     Results results;
+    results.share = last - first;
     for (std::size_t i = first; i < last; ++i) {
       const std::size_t p = i / turned_q_.size(), turned_q = i % turned_q_.size();
       const std::size_t q = turned_q / rotations_.size();
       if (is_unordered_ && q < p) continue;
       add_line(results,
-               "{\"p\": " + p_[p].name + ", \"q\": " + q_[q].name +
-                   rotations_[turned_q % rotations_.size()].json,
+               "{" + p_[p].name + ", " + q_[q].name + rotations_[turned_q % rotations_.size()].json,
                [&](std::string& line) {
                  if (computation_.is_sum_of_prepared() && is_region(p_[p].set) &&
                      is_region(turned_q_[turned_q]))
@@ -217,6 +213,18 @@ class PairsOfParts {
   }
 
  private:
+  /// Makes members of names, `"p": "bracket"`; where two parts have one name, with their numbers.
+  static void tell_apart(std::vector<Part>& parts, const std::string& member) {
+    std::map<std::string, std::size_t> times;
+    for (const Part& part : parts) ++times[part.name];
+    for (Part& part : parts) {
+      const bool is_one_of_several = times[part.name] > 1;
+      part.name = '"' + member + "\": " + part.name;
+      if (is_one_of_several)
+        part.name += ", \"" + member + "_part\": " + std::to_string(part.number);
+    }
+  }
+
   bool is_unordered_;
   Computation computation_;
   std::vector<PartRotation> rotations_;
@@ -231,7 +239,7 @@ ExitCode of_parts(const BatchOptions& options) {
   const PairsOfParts pairs(options, of_reading);
   const NotedInterrupt interrupt;
   Writer writer(options.output);
-  writer.pass_on(of_reading);
+  writer.pass_on(of_reading, 0);
   constexpr std::size_t pairs_of_a_batch = 16;
   struct Range {
     std::size_t first, last;
@@ -239,14 +247,13 @@ ExitCode of_parts(const BatchOptions& options) {
   std::size_t next = 0;
   OrderedWork<Range, Results> work({
       .take = [&]() -> std::optional<Range> {
-        writer.show(next, pairs.size());
         if (next == pairs.size()) return std::nullopt;
         const std::size_t first = next;
         next = std::min(next + pairs_of_a_batch, pairs.size());
         return Range{first, next};
       },
       .work = [&](Range&& range) { return pairs.results_of(range.first, range.last); },
-      .pass_on = [&](Results&& results) { writer.pass_on(results); },
+      .pass_on = [&](Results&& results) { writer.pass_on(results, pairs.size()); },
   });
   work.run(number_of(options.threads), [&] { writer.end_if_interrupted(); });
   return writer.finish();
@@ -275,11 +282,12 @@ void add_batch(Program& program) {
   command.file("--with", options.others, "those of this file are Q, those of --parts are P");
   command.flag("--unordered", options.unordered, "of --parts: no pair the other way round");
   command
-      .option("--rotations ANGLE,...", options.rotations,
-              "of --parts: turn Q by each of these angles in degrees, about the origin")
+      .option(
+          "--rotations ANGLE,...", options.rotations,
+          "of --parts: turn Q by each of these angles in degrees, about the origin; such as 0,90,180")
       .separated_by_commas();
   command.option("--rotation-step ANGLE", options.rotation_step,
-                 "the same by all multiples of this angle that are less than 360");
+                 "the same by all multiples of this angle, at least 0.1, that are less than 360");
   add_angle_error(command, options.angle_error);
   command
       .option(
@@ -290,8 +298,12 @@ void add_batch(Program& program) {
   add_union(command, options.overlaps, "each geometry");
   command.choice<ResultForm>(
       "--format", options.form,
-      {{"wkt", ResultForm::wkt}, {"geojson", ResultForm::geojson}, {"area", ResultForm::area}},
-      "write results as wkt, in a string, by default; as geojson; or only their area");
+      {{"wkt", ResultForm::wkt},
+       {"geojson", ResultForm::geojson},
+       {"wkb", ResultForm::wkb},
+       {"area", ResultForm::area}},
+      "write results as wkt, in a string, by default; as geojson; as wkb, in hexadecimal digits; or only "
+      "their area");
   add_rounding(command, options.rounding);
   command.file(
       "-o,--output", options.output,

@@ -25,6 +25,7 @@ struct OperationOptions {
   RegionOutput output;
   Overlaps overlaps = Overlaps::refused;
   std::string engine = engines_and_oracle().front().name;
+  std::optional<unsigned> threads;
   std::optional<std::string> svg;
 };
 
@@ -34,6 +35,7 @@ Panel panel_of_summand(Summand which, const ReadSet& set) {
 
 ExitCode operate(const OperationOptions& options) {
   const Engine& engine = *find_engine(engines_and_oracle(), options.engine);
+  const unsigned threads = threads_of(engine, options.threads);
   require_one_standard_input({options.p, options.q});
   require_writable({options.output.path}, options.svg);
   const Format format = output_format(options.output);
@@ -45,11 +47,16 @@ ExitCode operate(const OperationOptions& options) {
     p.region = read_summand(options.p, nullptr, Extent::any, options.overlaps);
   const ReadSet q = read_summand_set(options.q, nullptr, options.overlaps);
   const SumOf sum = [&](const Region& a, const Region& b, Boundary boundary) {
-    return engine.compute(a, b, boundary, {}).sum;
+    ShownStep step("computing a sum of " + std::to_string(vertex_count(a)) + " and " +
+                   std::to_string(vertex_count(b)) + " vertices");
+    return engine
+        .compute(
+            a, b, boundary,
+            {.threads = threads,
+             .progress = [&](std::size_t done, std::size_t total) { step.advance(done, total); }})
+        .sum;
   };
-  std::optional<ShownStep> step("computing");
   const PlanarSet set = result_of(operation, p, q, sum);
-  step.reset();
   if (options.svg && (is_unbounded(p.region) || is_unbounded(q.region) || set.is_unbounded))
     throw UsageError("--svg is for bounded sets");
   if (operation.boundary == Boundary::open && !(is_region(p) && is_region(q)) &&
@@ -104,6 +111,7 @@ void add_operations(Program& program) {
     command
         .option("--engine NAME", options.engine, "the engine that computes sums, as in oplus sum")
         .one_of(names_of(engines_and_oracle()));
+    add_threads(command, options.threads, " of the engine slide");
     command.file("--svg", options.svg, "draw P, Q and the result there, as SVG");
     command.footer(
         "Q + x is Q moved by x. Where the two just fit, the result has edges and points of its own, written\n"

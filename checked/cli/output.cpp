@@ -127,6 +127,12 @@ std::string note_on_fractions(Format format, const std::string& text) {
 
 }  // namespace
 
+void require_doubles(const Region& region, const PlanarSet& set) {
+  if (const std::optional<Rational> value = not_a_double(region, set))
+    throw UsageError("WKB holds doubles, and the coordinate " + to_string(*value) +
+                     " is not exactly one; --grid 1/1048576 rounds to numbers that are");
+}
+
 OutputText output_text(const RegionOutput& output, Format format, const Region& region) {
   PlanarSet set;
   if (output_grid(output))
@@ -144,14 +150,11 @@ OutputText output_text(const RegionOutput& output, Format format, const PlanarSe
   const PlanarSet& written_set = grid ? rounded.set : set;
   const Region& written_region = grid ? rounded.region : region;
   require_can_hold(format, written_set);
-  if (format == Format::wkb) {
-    if (const std::optional<Rational> value = not_a_double(written_region, written_set))
-      throw UsageError("WKB holds doubles, and the coordinate " + to_string(*value) +
-                       " is not exactly one; --grid 1/1048576 rounds to numbers that are");
-  }
+  if (format == Format::wkb) require_doubles(written_region, written_set);
   OutputText result{written(written_set, written_region, format), ""};
-  result.note =
-      grid && !rounded.is_exact ? said(*grid, rounded) : note_on_fractions(format, result.text);
+  result.note = grid && !rounded.is_exact ? said(*grid, rounded) : "";
+  const std::string of_fractions = note_on_fractions(format, result.text);
+  result.note += (result.note.empty() || of_fractions.empty() ? "" : "; ") + of_fractions;
   return result;
 }
 

@@ -49,6 +49,9 @@ OutputText output_text(const RegionOutput& output, Format format, const Region& 
 OutputText output_text(const RegionOutput& output, Format format, const PlanarSet& set,
                        const Region& region, Boundary boundary);
 
+/// Throws UsageError where WKB cannot hold these.
+void require_doubles(const Region& region, const PlanarSet& set);
+
 /// Writes it, and other texts with it, and says what is to be known of it. Throws UsageError where it cannot
 /// write; then no file has appeared.
 void write_output(const RegionOutput& output, const OutputText& text,

@@ -20,7 +20,8 @@ const ProgramFrame frame = {
     "  0  done; of compare: equal; of verify and certify: it is the sum\n"
     "  1  of compare: not equal; of verify and certify: it is not the sum\n"
     "  2  invalid input or usage, or a file that cannot be read or written\n"
-    "  3  a bug in oplus; please report it"};
+    "  3  a bug in oplus; please report it",
+    true};
 
 void add_commands(Program& program) {
   for (const auto add :

@@ -74,6 +74,12 @@ unsigned number_of(const std::optional<unsigned>& threads) {
   return threads ? *threads : std::max(std::thread::hardware_concurrency(), 1U);
 }
 
+unsigned threads_of(const Engine& engine, const std::optional<unsigned>& threads) {
+  if (threads && !engine.has_threads)
+    throw UsageError("--threads is unsupported by the engine " + engine.name);
+  return number_of(threads);
+}
+
 void add_open(const Command& command, Boundary& boundary, const std::string& what) {
   command.flag(
       "--open", [&boundary] { boundary = Boundary::open; }, what);

@@ -7,6 +7,7 @@
 #include "checked/cli/exit_code.hpp"
 #include "checked/cli/output.hpp"
 #include "checked/cli/subcommands.hpp"
+#include "checked/engine.hpp"
 #include "reference/definitions/planar_set.hpp"
 #include "reference/definitions/rational.hpp"
 #include "reference/io/overlaps.hpp"
@@ -35,6 +36,9 @@ void add_threads(const Command& command, std::optional<unsigned>& threads, const
 
 /// As many threads as were asked for; by default one per core.
 unsigned number_of(const std::optional<unsigned>& threads);
+
+/// The same of an engine. Throws UsageError where it has none, and some were asked for.
+unsigned threads_of(const Engine& engine, const std::optional<unsigned>& threads);
 
 /// Adds `--open`.
 void add_open(const Command& command, Boundary& boundary, const std::string& what);

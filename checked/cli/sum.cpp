@@ -162,12 +162,6 @@ HoleTestMethod chosen_hole_test(const SumOptions& options, const Engine& engine)
       ->second;
 }
 
-unsigned chosen_threads(const SumOptions& options, const Engine& engine) {
-  if (options.threads && !engine.has_threads)
-    throw UsageError("--threads is unsupported by the engine " + engine.name);
-  return number_of(options.threads);
-}
-
 /// The same of sets of which one at least has segments or points (docs/polylines.md).
 void sum_sets(const SumOptions& options, const Engine& engine, const EngineOptions& engine_options,
               Format format, const ReadSet& read_p, const ReadSet& read_q) {
@@ -179,7 +173,7 @@ void sum_sets(const SumOptions& options, const Engine& engine, const EngineOptio
   require_not(options.certificate.has_value(), "--certificate");
   require_not(options.stats, "--stats");
   require_not(options.stats_json.has_value(), "--stats-json");
-  std::optional<ShownStep> step("computing the sum");
+  const ShownStep step("computing the sum");
   const PlanarSet p = union_in(read_p), q = union_in(read_q);
   if (options.svg && (p.is_unbounded || q.is_unbounded))
     throw UsageError("--svg is for bounded sets");
@@ -194,7 +188,6 @@ void sum_sets(const SumOptions& options, const Engine& engine, const EngineOptio
     others.emplace_back(*options.svg, svg({panel_of_set(Summand::P, p),
                                            panel_of_set(Summand::Q, q),
                                            {"P \u2295 Q", layers_of(sum)}}));
-  step.reset();
   if (options.boundary == Boundary::open && p.outer.empty() && q.outer.empty() && !p.is_unbounded &&
       !q.is_unbounded)
     say_note("neither summand has inner points, so the open sum is empty");
@@ -217,9 +210,9 @@ Run done(const SumOptions& options, const Engine& engine, EngineOptions engine_o
   if (is_unbounded(p) || is_unbounded(q)) require_plain(options);
   if (with_statistics) run.summands = timed(run.counting, [&] { return statistics_of(p, q); });
 
-  std::optional<ShownStep> step("computing the sum");
+  ShownStep step("computing the sum");
   engine_options.progress = [&](std::size_t segments, std::size_t total) {
-    step->advance(segments, total);
+    step.advance(segments, total);
   };
   ComputedSum computed;
   const auto by_engine = [&](const Region& a, const Region& b, Boundary boundary) {
@@ -232,10 +225,10 @@ Run done(const SumOptions& options, const Engine& engine, EngineOptions engine_o
   // Before anything is written, in case it cannot be made.
   const std::string certificate = timed(run.certificate, [&] {
     if (!options.certificate) return std::string();
-    step->next("making the certificate");
+    step.next("making the certificate");
     return written(certificates::certificate(p, q, region));
   });
-  step->next("writing the sum");
+  step.next("writing the sum");
   std::vector<OutputTo> others;
   if (options.svg)
     timed(run.drawing, [&] { others.emplace_back(*options.svg, picture(p, q, computed.sum)); });
@@ -247,7 +240,6 @@ Run done(const SumOptions& options, const Engine& engine, EngineOptions engine_o
     if (options.origins)
       others.emplace_back(*options.origins, origins_json(computed.sum, computed.origins, p, q));
     if (options.certificate) others.emplace_back(*options.certificate, certificate);
-    if (options.output.path == "-") step.reset();  // both may be on one terminal
     outputs.write(others);
   });
   if (with_statistics) run.sum = timed(run.counting, [&] { return statistics_of(computed.sum); });
@@ -258,7 +250,7 @@ Run done(const SumOptions& options, const Engine& engine, EngineOptions engine_o
 ExitCode sum(const SumOptions& options) {
   const Engine& engine = *find_engine(engines_and_oracle(), options.engine);
   const EngineOptions engine_options = {.with_origins = options.origins.has_value(),
-                                        .threads = chosen_threads(options, engine),
+                                        .threads = threads_of(engine, options.threads),
                                         .hole_test = chosen_hole_test(options, engine)};
   require_one_standard_input({options.p, options.q});
   require_certifiable(options);

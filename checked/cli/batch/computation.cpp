@@ -7,6 +7,7 @@
 
 #include "checked/cli/input.hpp"
 #include "checked/cli/usage_error.hpp"
+#include "checked/operations/complement.hpp"
 #include "checked/rounding/rounding.hpp"
 #include "checked/slide/slide.hpp"
 #include "reference/chains/region_of.hpp"
@@ -46,24 +47,27 @@ void Computation::add(std::string& line, const slide::PreparedSummand& p,
 }
 
 void Computation::add(std::string& line, const PlanarSet& result) const {
-  if (result.is_unbounded) throw UsageError("the result is unbounded");
+  // Only .dat, which has several lines, can hold an unbounded set.
+  if (result.is_unbounded) line += ", \"complement\": true";
   if (form == ResultForm::area) {
-    line += ", \"area\": \"" + to_string(area(result), digits) + '"';
+    line += ", \"area\": \"" +
+            to_string(area(result.is_unbounded ? complement(result) : result), digits) + '"';
     return;
   }
-  const bool is_wkt = form == ResultForm::wkt;
-  const Format format = is_wkt ? Format::wkt : Format::geojson;
-  std::string text;
-  if (grid) {
-    const RoundedSet on_grid = rounded(result, operation.boundary, grid->step, grid->side);
-    text = written(on_grid.set, on_grid.region, format);
-  } else {
-    text = written(result, format);
-  }
+  RoundedSet of_line =
+      grid ? rounded(result, operation.boundary, grid->step, grid->side) : RoundedSet{result};
+  if (result.is_unbounded) of_line.set = complement(of_line.set);
+  if (!grid || result.is_unbounded) of_line.region = region_of(of_line.set);
+  const Format format = form == ResultForm::wkt   ? Format::wkt
+                        : form == ResultForm::wkb ? Format::wkb
+                                                  : Format::geojson;
+  if (format == Format::wkb) require_doubles(of_line.region, of_line.set);
+  const std::string text = written(of_line.set, of_line.region, format);
+  const char* const quote = form == ResultForm::geojson ? "" : "\"";
   line += ", \"result\": ";
-  if (is_wkt) line += '"';
+  line += quote;
   line.append(text, 0, text.size() - 1);  // without the end of the line
-  if (is_wkt) line += '"';
+  line += quote;
 }
 
 void add_line(Results& results, const std::string& beginning,

@@ -16,7 +16,7 @@
 namespace oplus {
 
 /// How a result is written: as a geometry, or its area alone.
-enum class ResultForm { wkt, geojson, area };
+enum class ResultForm { wkt, geojson, wkb, area };
 
 /// What is computed of each pair, and how it is written.
 struct Computation {

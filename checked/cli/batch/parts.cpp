@@ -28,8 +28,8 @@ std::vector<Part> read_parts(const std::string& path, Overlaps overlaps, Results
       try {
         PartLine part = read_part_line({batches.name(), number, text}, overlaps);
         results.note(batches.name(), number, part.notes);
-        parts.push_back(
-            {std::move(part.set), part.name.empty() ? std::to_string(count) : in_json(part.name)});
+        parts.push_back({std::move(part.set),
+                         part.name.empty() ? std::to_string(count) : in_json(part.name), count});
       } catch (const InvalidInput& invalid) {
         add_error(results, "{\"part\": " + std::to_string(count), invalid.what());
       }

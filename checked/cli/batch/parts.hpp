@@ -13,7 +13,8 @@ namespace oplus {
 /// A set of a file of parts.
 struct Part {
   ReadSet set;
-  std::string name;  ///< as JSON: its name, or its number in the file, from one
+  std::string name;    ///< as JSON: its name, or its number
+  std::size_t number;  ///< in the file, from one
 };
 
 /// Reads a file of parts, one a line (docs/batch.md). An invalid one becomes a line of the results, with

@@ -10,6 +10,7 @@ namespace oplus {
 /// Some results, a line of JSON each, and what is to be said of them at the end.
 struct Results {
   std::string lines;
+  std::size_t share = 0;  ///< how much of the input it was, in bytes or pairs
   std::size_t pairs = 0;  ///< errors too
   std::size_t errors = 0;
   std::size_t bugs = 0;      ///< errors that are not the input's

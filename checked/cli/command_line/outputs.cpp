@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checked/cli/command_line/outputs.hpp"
 
+#include <unistd.h>
+
 #include <system_error>
 #include <tuple>
 
+#include "checked/cli/command_line/progress.hpp"
 #include "checked/cli/usage_error.hpp"
 
 namespace oplus {
@@ -26,6 +29,8 @@ void Outputs::write(const std::vector<OutputTo>& texts) {
   for (const bool is_regular : {true, false}) {
     for (const auto& [path, text] : texts) {
       if (OutputFile::is_replaced(path) != is_regular) continue;
+      // Both would be on one terminal.
+      if (path == "-" && isatty(STDOUT_FILENO) == 1) ShownStep::hide_all();
       attempt(path, [&, &path = path, &text = text] {
         files_.emplace_back(std::piecewise_construct, std::tie(path), std::tie(path));
         files_.back().second.write(text);

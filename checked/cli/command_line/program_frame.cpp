@@ -11,6 +11,7 @@
 #include <iostream>
 #include <memory>
 #include <new>
+#include <optional>
 #include <sstream>
 #include <system_error>
 #include <utility>
@@ -20,6 +21,7 @@
 #include "checked/cli/command_line/early_ends.hpp"
 #include "checked/cli/command_line/help_formatter.hpp"
 #include "checked/cli/command_line/outputs.hpp"
+#include "checked/cli/command_line/progress.hpp"
 #include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/exit_code.hpp"
 #include "checked/cli/usage_error.hpp"
@@ -137,7 +139,12 @@ int parse_and_do(const ProgramFrame& frame, AddCommands add_commands, int argc,
   } catch (const CLI::ParseError& error) {
     throw UsageError(complaint(app, first_word, error));
   }
-  const int exit_code = program.work();
+  const int exit_code = [&] {
+    std::optional<ShownStep> step;
+    if (frame.shows_commands)
+      step.emplace(frame.name + " " + app.get_subcommands().front()->get_name());
+    return program.work();
+  }();
   // Output that was not written is an error.
   if (!std::cout.flush()) throw UsageError("cannot write standard output");
   return exit_code;

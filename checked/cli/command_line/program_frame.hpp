@@ -8,11 +8,12 @@
 
 namespace oplus {
 
-/// The name, description and footer of a program's help.
+/// A program: name, description and footer of its help.
 struct ProgramFrame {
   std::string name;
   std::string what;
   std::string footer;
+  bool shows_commands = false;  ///< whether a terminal shows that a command goes on (ShownStep)
 };
 
 /// Adds the commands of a program.

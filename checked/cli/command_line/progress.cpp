@@ -3,7 +3,11 @@
 
 #include <unistd.h>
 
+#include <condition_variable>
 #include <iostream>
+#include <mutex>
+#include <stop_token>
+#include <thread>
 #include <utility>
 
 #include "checked/cli/command_line/terminal.hpp"
@@ -17,8 +21,8 @@ std::string bar(const std::string& what, std::size_t done, std::size_t total,
   const std::size_t filled = width * done / total;
   const double left = taken.count() / static_cast<double>(done) * static_cast<double>(total - done);
   return what + " [" + std::string(filled, '#') + std::string(width - filled, ' ') + "] " +
-         std::to_string(done) + '/' + std::to_string(total) + ", " +
-         std::to_string(static_cast<long>(left)) + " s left";
+         std::to_string(100 * done / total) + " %, " + std::to_string(static_cast<long>(left)) +
+         " s left";
 }
 
 Progress::Progress(std::string what, std::size_t total)
@@ -51,41 +55,81 @@ void Progress::shrink(const std::string& kind, std::size_t vertices, std::size_t
   std::cerr.flush();
 }
 
-ShownStep::ShownStep(std::string what)
-    : what_(std::move(what)), start_(std::chrono::steady_clock::now()) {
-  if (isatty(STDERR_FILENO) == 1 && !speech().quiet)
-    thread_ = std::jthread([this](const std::stop_token& stop) { show(stop); });
+/// The stages that have begun and not ended, and the thread that shows the last of them. It exists as long as one
+/// of them does.
+class ShownStep::Display {
+ public:
+  /// Returns the one there is, or a new one.
+  static std::shared_ptr<Display> of_the_program() {
+    static std::mutex mutex;
+    static std::weak_ptr<Display> of_all;
+    const std::lock_guard lock(mutex);
+    std::shared_ptr<Display> display = of_all.lock();
+    if (!display) of_all = display = std::make_shared<Display>();
+    return display;
+  }
+
+  Display() {
+    if (isatty(STDERR_FILENO) == 1 && !speech().quiet)
+      thread_ = std::jthread([this](const std::stop_token& stop) { show(stop); });
+  }
+
+  std::mutex mutex;
+  std::list<Stage> stages;
+  bool is_hidden = false;
+
+ private:
+  std::string line() const {
+    const Stage& stage = stages.back();
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - stage.start;
+    return stage.done == 0
+               ? stage.what + " ... " + std::to_string(static_cast<long>(taken.count())) + " s"
+               : bar(stage.what, stage.done, stage.total, taken);
+  }
+
+  void show(const std::stop_token& stop) {
+    std::unique_lock lock(mutex);
+    const auto stopped_within = [&](std::chrono::milliseconds time) {
+      return stopped_.wait_for(lock, stop, time, [&] { return stop.stop_requested(); });
+    };
+    if (stopped_within(std::chrono::seconds(1))) return;
+    do {
+      if (!is_hidden && !stages.empty()) show_passing_line(line());
+    } while (!stopped_within(std::chrono::milliseconds(200)));
+    erase_passing_line();
+  }
+
+  std::condition_variable_any stopped_;
+  std::jthread thread_;  ///< the last: it is joined before the others are gone
+};
+
+ShownStep::ShownStep(std::string what) : display_(Display::of_the_program()) {
+  const std::lock_guard lock(display_->mutex);
+  stage_ = display_->stages.insert(display_->stages.end(),
+                                   {std::move(what), std::chrono::steady_clock::now()});
+}
+
+ShownStep::~ShownStep() {
+  const std::lock_guard lock(display_->mutex);
+  display_->stages.erase(stage_);
 }
 
 void ShownStep::next(std::string what) {
-  const std::lock_guard lock(mutex_);
-  what_ = std::move(what);
-  done_ = 0;
-  start_ = std::chrono::steady_clock::now();
+  const std::lock_guard lock(display_->mutex);
+  *stage_ = {std::move(what), std::chrono::steady_clock::now()};
 }
 
 void ShownStep::advance(std::size_t done, std::size_t total) {
-  const std::lock_guard lock(mutex_);
-  done_ = done;
-  total_ = total;
+  const std::lock_guard lock(display_->mutex);
+  stage_->done = done;
+  stage_->total = total;
 }
 
-std::string ShownStep::line() const {
-  return done_ == 0 ? what_ + " ..."
-                    : bar(what_, done_, total_, std::chrono::steady_clock::now() - start_);
-}
-
-void ShownStep::show(const std::stop_token& stop) {
-  constexpr const char* to_the_end = "\033[K";  // erases
-  std::unique_lock lock(mutex_);
-  const auto stopped_within = [&](std::chrono::milliseconds time) {
-    return stopped_.wait_for(lock, stop, time, [&] { return stop.stop_requested(); });
-  };
-  if (stopped_within(std::chrono::seconds(1))) return;
-  do {
-    std::cerr << "\r" << line() << to_the_end << std::flush;
-  } while (!stopped_within(std::chrono::milliseconds(200)));
-  std::cerr << "\r" << to_the_end << std::flush;
+void ShownStep::hide_all() {
+  const std::shared_ptr<Display> display = Display::of_the_program();
+  const std::lock_guard lock(display->mutex);
+  display->is_hidden = true;
+  erase_passing_line();
 }
 
 void Progress::end_line() {

@@ -2,16 +2,14 @@
 #pragma once
 
 #include <chrono>
-#include <condition_variable>
 #include <cstddef>
-#include <mutex>
-#include <stop_token>
+#include <list>
+#include <memory>
 #include <string>
-#include <thread>
 
 namespace oplus {
 
-/// Returns a line for a terminal: "what [####    ] 4/8, 3 s left", given the time taken so far.
+/// Returns a line for a terminal: "what [####    ] 50 %, 3 s left", given the time taken so far.
 /// Requires: 0 < done <= total.
 std::string bar(const std::string& what, std::size_t done, std::size_t total,
                 std::chrono::duration<double> taken);
@@ -43,13 +41,16 @@ class Progress {
   std::chrono::steady_clock::time_point start_;
 };
 
-/// Shows on a terminal what takes long, and how far it is where that is known, from the second second on;
-/// leaves no trace. Nothing elsewhere, and nothing with --quiet.
+/// A stage of what a program does. From the first second on, a terminal shows the last one that began and has not
+/// ended, with its share done where that is known, and the seconds since it began where it is not; no trace of it
+/// stays. Shows nothing elsewhere, and nothing with --quiet. run_program has one for the whole command, so
+/// that no command is silent.
 class ShownStep {
  public:
   explicit ShownStep(std::string what);
   ShownStep(const ShownStep&) = delete;
   ShownStep& operator=(const ShownStep&) = delete;
+  ~ShownStep();
 
   /// Says that the next step begins.
   void next(std::string what);
@@ -57,17 +58,20 @@ class ShownStep {
   /// Says how far the step is. May be called on any thread.
   void advance(std::size_t done, std::size_t total);
 
- private:
-  void show(const std::stop_token& stop);
-  std::string line() const;
+  /// Shows no step any more: to be called before results go to the terminal.
+  static void hide_all();
 
-  std::string what_;
-  std::size_t done_ = 0;
-  std::size_t total_ = 0;
-  std::chrono::steady_clock::time_point start_;  ///< of the step
-  std::mutex mutex_;                             ///< of all these
-  std::condition_variable_any stopped_;
-  std::jthread thread_;  ///< the last: it is joined before the others are gone
+ private:
+  class Display;
+  struct Stage {
+    std::string what;
+    std::chrono::steady_clock::time_point start;
+    std::size_t done = 0;
+    std::size_t total = 0;
+  };
+
+  std::shared_ptr<Display> display_;
+  std::list<Stage>::iterator stage_;
 };
 
 }  // namespace oplus

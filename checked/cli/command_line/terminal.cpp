@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
+#include <mutex>
 #include <string_view>
 
 namespace oplus {
@@ -30,9 +31,27 @@ bool shows_colours(const std::ostream& where) {
   return is_terminal(where) && !forbidden_by_environment();
 }
 
+/// The line that passes, if there is one.
+struct PassingLine {
+  std::mutex mutex;
+  bool is_shown = false;
+
+  void erase() {
+    if (is_shown) std::cerr << "\r\033[K" << std::flush;
+    is_shown = false;
+  }
+};
+
+PassingLine& passing_line() {
+  static PassingLine of_the_program;
+  return of_the_program;
+}
+
 void write_line(const std::string& prefix, std::string message) {
   std::replace_if(
       message.begin(), message.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  const std::lock_guard lock(passing_line().mutex);
+  passing_line().erase();
   std::cerr << prefix + " " + message + "\n" << std::flush;
 }
 
@@ -70,6 +89,17 @@ void say_error(const std::string& message) {
 
 void say_note(const std::string& message) {
   if (!speech().quiet) say(message);
+}
+
+void show_passing_line(const std::string& text) {
+  const std::lock_guard lock(passing_line().mutex);
+  std::cerr << "\r" + text + "\033[K" << std::flush;
+  passing_line().is_shown = true;
+}
+
+void erase_passing_line() {
+  const std::lock_guard lock(passing_line().mutex);
+  passing_line().erase();
 }
 
 }  // namespace oplus

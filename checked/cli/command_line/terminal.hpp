@@ -36,4 +36,9 @@ void say(const std::string& message);
 void say_error(const std::string& message);
 void say_note(const std::string& message);
 
+/// Shows a line on a terminal, on standard error, until the next call, or until anything is said. May be called on
+/// any thread.
+void show_passing_line(const std::string& text);
+void erase_passing_line();
+
 }  // namespace oplus
