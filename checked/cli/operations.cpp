@@ -47,8 +47,7 @@ ExitCode operate(const OperationOptions& options) {
     p.region = read_summand(options.p, nullptr, Extent::any, options.overlaps);
   const ReadSet q = read_summand_set(options.q, nullptr, options.overlaps);
   const SumOf sum = [&](const Region& a, const Region& b, Boundary boundary) {
-    ShownStep step("computing a sum of " + std::to_string(vertex_count(a)) + " and " +
-                   std::to_string(vertex_count(b)) + " vertices");
+    ShownStep step(step_of_sum(a, b));
     return engine
         .compute(
             a, b, boundary,

@@ -6,6 +6,7 @@
 
 #include "checked/cli/numbers.hpp"
 #include "checked/cli/usage_error.hpp"
+#include "reference/chains/nesting.hpp"
 #include "reference/io/quoting.hpp"
 
 namespace oplus {
@@ -78,6 +79,20 @@ unsigned threads_of(const Engine& engine, const std::optional<unsigned>& threads
   if (threads && !engine.has_threads)
     throw UsageError("--threads is unsupported by the engine " + engine.name);
   return number_of(threads);
+}
+
+std::string step_of_sum(const Region& p, const Region& q) {
+  std::size_t bits = 0;
+  for (const Region* region : {&p, &q})
+    for (const Chain* chain : chains_in(*region))
+      for (const Point& v : *chain)
+        for (const Rational* x : {&v.x, &v.y})
+          bits = std::max(
+              {bits, mpz_sizeinbase(x->get_num_mpz_t(), 2), mpz_sizeinbase(x->get_den_mpz_t(), 2)});
+  constexpr std::size_t many = 1000;
+  return "computing a sum of " + std::to_string(vertex_count(p)) + " and " +
+         std::to_string(vertex_count(q)) + " vertices" +
+         (bits > many ? " with coordinates of up to " + std::to_string(bits) + " bits" : "");
 }
 
 void add_open(const Command& command, Boundary& boundary, const std::string& what) {

@@ -40,6 +40,9 @@ unsigned number_of(const std::optional<unsigned>& threads);
 /// The same of an engine. Throws UsageError where it has none, and some were asked for.
 unsigned threads_of(const Engine& engine, const std::optional<unsigned>& threads);
 
+/// Returns "computing a sum of 30 and 40 vertices" and, where that makes it slow, how long coordinates are.
+std::string step_of_sum(const Region& p, const Region& q);
+
 /// Adds `--open`.
 void add_open(const Command& command, Boundary& boundary, const std::string& what);
 

@@ -210,7 +210,7 @@ Run done(const SumOptions& options, const Engine& engine, EngineOptions engine_o
   if (is_unbounded(p) || is_unbounded(q)) require_plain(options);
   if (with_statistics) run.summands = timed(run.counting, [&] { return statistics_of(p, q); });
 
-  ShownStep step("computing the sum");
+  ShownStep step(step_of_sum(p, q));
   engine_options.progress = [&](std::size_t segments, std::size_t total) {
     step.advance(segments, total);
   };

@@ -54,8 +54,11 @@ void Computation::add(std::string& line, const PlanarSet& result) const {
             to_string(area(result.is_unbounded ? complement(result) : result), digits) + '"';
     return;
   }
-  RoundedSet of_line =
-      grid ? rounded(result, operation.boundary, grid->step, grid->side) : RoundedSet{result};
+  RoundedSet of_line;
+  if (grid)
+    of_line = rounded(result, operation.boundary, grid->step, grid->side);
+  else
+    of_line.set = result;
   if (result.is_unbounded) of_line.set = complement(of_line.set);
   if (!grid || result.is_unbounded) of_line.region = region_of(of_line.set);
   const Format format = form == ResultForm::wkt   ? Format::wkt

@@ -54,14 +54,14 @@ void prepare_for_early_ends() {
     action.sa_handler = handle_end;
     sigaction(number, &action, nullptr);
   }
-  std::signal(SIGXFSZ, SIG_IGN);
+  signal(SIGXFSZ, SIG_IGN);
   mp_set_memory_functions(allocate, reallocate, release);
   std::set_terminate(end_for_exception);
 }
 
 void end_by_signal(int number) {
   remove_temporary_files();
-  std::signal(number, SIG_DFL);
+  signal(number, SIG_DFL);
   sigset_t only;
   sigemptyset(&only);
   sigaddset(&only, number);

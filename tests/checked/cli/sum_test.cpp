@@ -347,9 +347,9 @@ TEST_F(Sum, leaves_all_of_its_files_or_none) {
   expect_refusal("oplus verify square.wkt square.wkt full.wkt --svg s.svg >/dev/full",
                  "standard output");
   expect_refusal("oplus repair square.wkt -o s.wkt --json >/dev/full", "standard output");
-  EXPECT_EQ(run(sum + "--svg s.svg --origins o.json --certificate s.cert --stats-json t.json")
-                .exit_code,
-            0);
+  EXPECT_EQ(
+      run(sum + "--svg s.svg --origins o.json --certificate s.cert --stats-json t.json").exit_code,
+      0);
   for (const std::string file : {"s.wkt", "s.svg", "o.json", "s.cert", "t.json"})
     EXPECT_TRUE(files().contains(file)) << file;
 }

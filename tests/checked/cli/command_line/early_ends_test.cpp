@@ -24,9 +24,9 @@ TEST_F(EarlyEnds, by_a_limit_of_file_size_are_errors_of_writing) {
 
 TEST_F(EarlyEnds, for_lack_of_memory_are_those_of_invalid_input) {
   put_star("star.wkt", 3000);
-  for (const std::string command :
-       {"oplus sum star.wkt star.wkt -o s.wkt --svg s.svg", "oplus batch --parts star.wkt -o s.jsonl",
-        "oplus sum star.wkt star.wkt --engine rca -o s.wkt"})
+  for (const std::string command : {"oplus sum star.wkt star.wkt -o s.wkt --svg s.svg",
+                                    "oplus batch --parts star.wkt -o s.jsonl",
+                                    "oplus sum star.wkt star.wkt --engine rca -o s.wkt"})
     expect_refusal("ulimit -v 100000; " + command, "not enough memory");
 }
 
