@@ -66,8 +66,8 @@ std::string json_verdict(const std::optional<Difference>& found, const PlanarSet
 
 ExitCode compare(const CompareOptions& options) {
   require_one_standard_input({options.a, options.b});
-  const PlanarSet a = read_claimed_sum(options.a);
-  const PlanarSet b = read_claimed_sum(options.b);
+  const PlanarSet a = read_canonical_sum(options.a);
+  const PlanarSet b = read_canonical_sum(options.b);
   const std::optional<Difference> found = difference(a, b);
   write_text("-", (options.json ? json_verdict : verdict)(found, a, b));
   return found ? ExitCode::not_equal : ExitCode::done;

@@ -130,7 +130,7 @@ PlanarSet set_in(const ReadSet& read) {
   return set;
 }
 
-PlanarSet read_claimed_sum(const std::string& path) {
+PlanarSet read_canonical_sum(const std::string& path) {
   return said(path, nullptr,
               [&](const ReadingProgress& progress) { return read_sum_file(path, progress); })
       .sum;

@@ -30,7 +30,7 @@ Region read_summand(const std::string& path, ReadingTimes* times = nullptr,
                     Extent extent = Extent::bounded, Overlaps overlaps = Overlaps::refused);
 ReadSet read_summand_set(const std::string& path, ReadingTimes* times = nullptr,
                          Overlaps overlaps = Overlaps::refused);
-PlanarSet read_claimed_sum(const std::string& path);
+PlanarSet read_canonical_sum(const std::string& path);
 ClaimedSum read_unchecked_sum(const std::string& path);
 UncheckedInput read_unchecked_region(const std::string& path);
 

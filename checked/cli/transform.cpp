@@ -104,7 +104,7 @@ ExitCode reflect(const ReflectOptions& options) {
     write_region(options.output, format, reflected(std::move(read.region)));
     return ExitCode::done;
   }
-  write_set(options.output, format, image(scaling(-1), set_in(read)), options.boundary);
+  write_set(options.output, format, image(scaled_by(-1), set_in(read)), options.boundary);
   return ExitCode::done;
 }
 

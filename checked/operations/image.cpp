@@ -19,7 +19,7 @@ void turn(Chain& chain) {
 
 }  // namespace
 
-AffineMap scaling(const Rational& factor) { return {factor, 0, 0, factor}; }
+AffineMap scaled_by(const Rational& factor) { return {factor, 0, 0, factor}; }
 
 Region image(const AffineMap& map, Region region) {
   OPLUS_REQUIRES(map.determinant() != 0, "image");

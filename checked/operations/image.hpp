@@ -7,7 +7,7 @@
 namespace oplus {
 
 /// The map that takes p to `factor` p.
-AffineMap scaling(const Rational& factor);
+AffineMap scaled_by(const Rational& factor);
 
 /// Returns the image of a region. If the map reverses orientation, so are chains, each from its first
 /// vertex, so that the interior stays to the left of each edge. It may be unbounded.

@@ -20,7 +20,7 @@ PlanarSet as_set(const Region& region) { return canonical_sum(region); }
 const PlanarSet& as_set(const PlanarSet& set) { return set; }
 
 Region opposite(const Region& region) { return reflected(region); }
-PlanarSet opposite(const PlanarSet& set) { return image(scaling(-1), set); }
+PlanarSet opposite(const PlanarSet& set) { return image(scaled_by(-1), set); }
 
 // Of two regions, or of two closed sets.
 

@@ -21,6 +21,8 @@ AffineMap scaling(const Number& of_x, const Number& of_y) {
   return {of_x.value(), 0, 0, of_y.value()};
 }
 
+AffineMap scaling(const Number& of_both) { return scaling(of_both, of_both); }
+
 AffineMap rotation(const Number& degrees, const Number& error) {
   if (error.value() <= 0)
     throw InvalidInput({"rotation", 0, 0},

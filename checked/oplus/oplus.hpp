@@ -5,6 +5,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <iterator>
 #include <memory>
@@ -132,7 +133,8 @@ class ValidRegion {
   const Region& region() const& { return region_; }  ///< Returns the same as a plain value.
   Region region() && { return std::move(region_); }  ///< The same.
 
-  friend bool operator==(const ValidRegion&, const ValidRegion&) = default;
+  /// Whether two are the same set, whatever the order of chains and their first vertices. Cost: n log n.
+  friend bool operator==(const ValidRegion& a, const ValidRegion& b);
 
  private:
   friend class ValidSet;
@@ -242,6 +244,10 @@ struct SumOptions {
   const Engine* engine = nullptr;        ///< DEFAULT: slide. Others: <oplus/engines.hpp>
   unsigned threads = 1;                  ///< 0: as many as there are cores
   bool with_origins = false;             ///< whether the result has origins()
+
+  /// Called now and then while segments are searched, on any of the threads: how many are done. What it throws
+  /// ends the computation, and is thrown by it. DEFAULT: nobody is told.
+  std::function<void(std::size_t done, std::size_t total)> progress = {};
 };
 
 /// A set in the plane: a region, dangling edges and isolated vertices together; bounded or not; closed, when these
@@ -303,7 +309,8 @@ class ValidSet {
   const Statistics& statistics() const&;
   Statistics statistics() && { return std::as_const(*this).statistics(); }  ///< The same.
 
-  /// Whether the points inside, the edges and the vertices are the same. Cost: their size.
+  /// Whether the points inside, the edges and the vertices are the same, so also of an open set and a closed one
+  /// without edges and vertices of their own. Cost: their size.
   friend bool operator==(const ValidSet& a, const ValidSet& b) { return a.value() == b.value(); }
 
  private:
@@ -383,12 +390,13 @@ AffineMap translation(const Coordinates& by);
 /// Returns the map that multiplies each x and each y by a factor, which may be negative: scaling(1, -1) is
 /// the reflection in the x-axis. Throws InvalidInput if one is zero.
 AffineMap scaling(const Number& of_x, const Number& of_y);
+AffineMap scaling(const Number& of_both);  ///< The same with one factor.
 
 /// Returns a rotation about the origin, counterclockwise, by an angle that differs from `degrees` by at most
 /// `error`: by a multiple of 90 exactly, else by the one whose sine and cosine, members c and a of the map,
 /// have the smallest denominator. Cost: as that of numbers with as many bits as the error has, and 64 more.
 /// Throws InvalidInput unless the error is positive.
-AffineMap rotation(const Number& degrees, const Number& error = Rational(1, 10000));
+AffineMap rotation(const Number& degrees, const Number& error = Rational(1, 1000));
 
 /// Returns the rotation about the origin with this cosine and sine: that takes (1, 0) to a point of the unit
 /// circle, such as {"3/5", "4/5"}. Throws InvalidInput if the squares don't add up to 1.
@@ -441,6 +449,10 @@ bool contains(const ValidSet& sum, const Coordinates& point);
 /// Cost: at least that of all convolution segments against each other near by.
 Verdict verify(const ValidRegion& p, const ValidRegion& q, const ClaimedSum& given,
                Boundary boundary = Boundary::closed);
+
+/// Reads what is claimed to be a sum from WKT, GeoJSON or .dat, chains as they are: only the syntax is checked.
+/// Throws as read_wkt does.
+ClaimedSum read_claimed_sum(const std::string& text);
 
 /// The same of a sum from here, with its own boundary().
 Verdict verify(const ValidRegion& p, const ValidRegion& q, const ValidSet& sum);
@@ -498,6 +510,12 @@ std::string to_wkb(const ValidRegion& region);
 
 /// Returns the same of a sum, as to_wkt does.
 std::string to_wkb(const ValidSet& sum);
+
+/// Returns the region as .dat (docs/files.md), which holds unbounded regions, too. Exact.
+std::string to_dat(const ValidRegion& region);
+
+/// Returns the same of a set. Throws std::invalid_argument where it has dangling edges or isolated vertices.
+std::string to_dat(const ValidSet& set);
 
 /// Returns the double nearest to a number, ties to even; an infinity beyond the largest.
 double to_double(const Rational& value);

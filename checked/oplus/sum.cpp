@@ -69,7 +69,8 @@ EngineOptions engine_options(const SumOptions& options) {
   // A system call, which would take longer than some sums.
   static const unsigned processors = std::max(std::thread::hardware_concurrency(), 1U);
   return {.with_origins = options.with_origins,
-          .threads = options.threads != 0 ? options.threads : processors};
+          .threads = options.threads != 0 ? options.threads : processors,
+          .progress = options.progress};
 }
 
 }  // namespace

@@ -67,4 +67,13 @@ std::string to_wkb(const ValidSet& sum) {
   return text(sum.value(), sum.region(), Format::wkb);
 }
 
+std::string to_dat(const ValidRegion& region) { return written(region.region(), Format::dat); }
+
+std::string to_dat(const ValidSet& set) {
+  if (!can_hold(Format::dat, set.value()))
+    throw std::invalid_argument(
+        "the set has dangling edges or isolated vertices, which .dat cannot hold");
+  return to_dat(set.region());
+}
+
 }  // namespace oplus

@@ -31,6 +31,10 @@ ValidRegion::ValidRegion(Region region)
     : ValidRegion(checked(
           mapped(std::move(region), [](const Point& p) { return Coordinates(p).point(); }))) {}
 
+bool operator==(const ValidRegion& a, const ValidRegion& b) {
+  return a.region() == b.region() || canonical_sum(a.region()) == canonical_sum(b.region());
+}
+
 ValidRegion ValidRegion::checked(Region region) {
   return found_valid(oriented_and_checked(std::move(region), "region").region);
 }

@@ -47,6 +47,8 @@ ValidSet read_set_file(const std::string& path) {
   return set_of(value_of(read_set_file(path, {})), Boundary::closed);
 }
 
+ClaimedSum read_claimed_sum(const std::string& text) { return read_unchecked_sum(text, "text"); }
+
 ValidSet operator-(const ValidSet& set) {
   return set_of(image({-1, 0, 0, -1}, set.value()), set.boundary());
 }

@@ -14,8 +14,8 @@ namespace {
 std::vector<Summands> with_covered_holes(const Summands& summands) {
   const auto& [p, q] = summands;
   std::vector<Summands> all{summands};
-  if (has_hole(p) && !has_hole(q)) all.push_back({p, image(scaling(4), q)});
-  if (has_hole(q) && !has_hole(p)) all.push_back({image(scaling(4), p), q});
+  if (has_hole(p) && !has_hole(q)) all.push_back({p, image(scaled_by(4), q)});
+  if (has_hole(q) && !has_hole(p)) all.push_back({image(scaled_by(4), p), q});
   return all;
 }
 

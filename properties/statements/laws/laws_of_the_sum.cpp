@@ -83,7 +83,7 @@ std::vector<Maps> scalings() {
   const Rational large(mpz_class(1) << 600);
   std::vector<Maps> maps;
   for (const Rational& factor : {Rational(-1), Rational(2, 3), large, Rational(1 / large)})
-    maps.push_back(linear_map("scaled by " + factor.get_str(), scaling(factor)));
+    maps.push_back(linear_map("scaled by " + factor.get_str(), scaled_by(factor)));
   return maps;
 }
 
@@ -156,7 +156,7 @@ std::string broken_area(const Sum& sum, const Region& p, const Region& q) {
 
 Outcome area_of_the_sum(const Sum& sum, const Summands& summands) {
   const auto& [p, q] = summands;
-  const Region similar_to_p = translated(image(scaling(Rational(2, 3)), p), {1, 5});
+  const Region similar_to_p = translated(image(scaled_by(Rational(2, 3)), p), {1, 5});
   std::string what = broken_area(sum, p, q);
   what = what.empty() ? broken_area(sum, p, similar_to_p) : "P and a smaller P: " + what;
   Outcome outcome = unless_broken(what);
@@ -279,7 +279,7 @@ std::optional<Rational> value_at_zero(const Rational& f1, const Rational& f2, co
 std::string shrinks_to_p(const Sum& sum, const Region& p, const Region& q) {
   const Rational tiny = 1 / Rational(mpz_class(1) << 300);
   const auto area_with = [&](int times) {
-    return area(sum(p, image(scaling(Rational(times * tiny)), q)));
+    return area(sum(p, image(scaled_by(Rational(times * tiny)), q)));
   };
   const std::optional<Rational> limit =
       value_at_zero(area_with(1), area_with(2), area_with(3), area_with(4));
