@@ -85,15 +85,16 @@ PlanarSet closed(const Region& p, const Region& q, const SumOf& sum) {
 
 const std::vector<Operation>& operations() {
   static const std::vector<Operation> all = {
-      {"nfp", "where Q, moved, overlaps P: the no-fit polygon", Boundary::open, no_fit,
+      {"nfp", "the no-fit polygon: all x where Q, moved by x, overlaps P", Boundary::open, no_fit,
        no_fit_of<PlanarSet>, true},
-      {"ifp", "where Q, moved, is inside P: the inner-fit polygon", Boundary::closed, inner_fit,
-       inner_fit_of<PlanarSet>, false},
-      {"erode", "the inner-fit polygon without edges and points", Boundary::closed, eroded,
-       eroded_of<PlanarSet>, false},
-      {"open", "all copies of Q inside P", Boundary::closed, opened, opened_of<PlanarSet>, false},
-      {"close", "the sum of P and Q, eroded by Q", Boundary::closed, closed, closed_of<PlanarSet>,
-       false}};
+      {"ifp", "the inner-fit polygon: all x where Q, moved by x, is inside P", Boundary::closed,
+       inner_fit, inner_fit_of<PlanarSet>, false},
+      {"erode", "the erosion of P by Q: the inner-fit polygon without edges and points",
+       Boundary::closed, eroded, eroded_of<PlanarSet>, false},
+      {"open", "the opening: the union of all copies of Q, moved, inside P", Boundary::closed,
+       opened, opened_of<PlanarSet>, false},
+      {"close", "the closing: the erosion by Q of the sum of P and Q", Boundary::closed, closed,
+       closed_of<PlanarSet>, false}};
   return all;
 }
 

@@ -28,10 +28,10 @@ PlanarSet opened(const Region& p, const Region& q, const SumOf& sum);
 /// The erosion by Q of the closed sum of P and Q.
 PlanarSet closed(const Region& p, const Region& q, const SumOf& sum);
 
-/// An operation on two sets. The programs, batch and the comparison look it up here.
+/// An operation on two sets. The programs, batch, Python and the comparison look it up here.
 struct Operation {
   std::string name;
-  std::string what;   ///< a line for a list
+  std::string what;   ///< a line of help, after "Compute" or "Returns"
   Boundary boundary;  ///< whether the result is a closed set or an open one
   PlanarSet (*compute)(const Region& p, const Region& q, const SumOf& sum);
   /// The same of closed sets in canonical form (set_sum.hpp): P may have edges and points of its own where

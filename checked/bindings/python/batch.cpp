@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <map>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -12,6 +12,7 @@
 #include "checked/bindings/python/operation.hpp"
 #include "checked/bindings/python/shapes.hpp"
 #include "checked/bindings/python/workers.hpp"
+#include "checked/oplus/internal/named_operations.hpp"
 
 namespace oplus::python {
 
@@ -90,21 +91,29 @@ std::size_t number_of_pairs(const Side& p, const Side& q) {
   return p.size() ? *p.size() : q.size().value_or(1);
 }
 
-Operation operation_of(const std::string& name) {
-  static const std::map<std::string, Operation> all = {
-      {"minkowski_sum", sum_of},     {"nfp", operation<nfp>},      {"ifp", operation<ifp>},
-      {"erode", operation<erosion>}, {"open", operation<opening>}, {"close", operation<closing>},
-  };
-  const auto found = all.find(name);
-  if (found == all.end())
-    throw std::invalid_argument("operation " + name +
-                                "; expected minkowski_sum, nfp, ifp, erode, open or close");
-  return found->second;
+using Compute = std::function<ValidSet(const PreparedRegion& p, const PreparedRegion& q,
+                                       const SumOptions& options)>;
+
+Compute compute_of(const std::string& name) {
+  if (name == "minkowski_sum")
+    return [](const PreparedRegion& p, const PreparedRegion& q, const SumOptions& options) {
+      return minkowski_sum(p, q, options);
+    };
+  std::string expected = "minkowski_sum";
+  const std::vector<NamedOperation> all = named_operations();
+  for (const NamedOperation& operation : all) {
+    if (operation.name == name)
+      return [name](const PreparedRegion& p, const PreparedRegion& q, const SumOptions& options) {
+        return value_of(name, p.region(), q.region(), options);
+      };
+    expected += (&operation == &all.back() ? " or " : ", ") + operation.name;
+  }
+  throw std::invalid_argument("operation " + name + "; expected " + expected);
 }
 
 py::list batch(const std::string& name, py::handle p_value, py::handle q_value,
                const std::string& boundary, long long threads, const std::string& errors) {
-  const Operation compute = operation_of(name);
+  const Compute compute = compute_of(name);
   const SumOptions options{.boundary = boundary_of(boundary)};
   if (options.boundary == Boundary::open && name != "minkowski_sum")
     throw std::invalid_argument("boundary open of " + name + "; expected it of minkowski_sum only");
@@ -183,10 +192,6 @@ py::object to_arrays(py::handle value) {
 }
 
 }  // namespace
-
-ValidSet sum_of(const PreparedRegion& p, const PreparedRegion& q, const SumOptions& options) {
-  return minkowski_sum(p, q, options);
-}
 
 Boundary boundary_of(const std::string& name) {
   if (name == "closed") return Boundary::closed;

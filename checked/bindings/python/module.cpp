@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "checked/bindings/python/arrays.hpp"
@@ -13,6 +15,7 @@
 #include "checked/bindings/python/shapes.hpp"
 #include "checked/bindings/python/unlocked.hpp"
 #include "checked/bindings/python/workers.hpp"
+#include "checked/oplus/internal/named_operations.hpp"
 
 namespace oplus::python {
 
@@ -31,20 +34,6 @@ ValidSet minkowski_sum_of(py::handle p_value, py::handle q_value, const std::str
   if (std::holds_alternative<PreparedRegion>(p) && std::holds_alternative<PreparedRegion>(q))
     return minkowski_sum(std::get<PreparedRegion>(p), std::get<PreparedRegion>(q), options);
   return minkowski_sum(planar_set_of(p), planar_set_of(q), options);
-}
-
-template <Operation compute>
-ValidSet operation_of(py::handle p_value, py::handle q_value, long long threads) {
-  const SumOptions options{.threads = checked_threads(threads)};
-  const PreparedRegion p = region_of(p_value), q = region_of(q_value);
-  const Unlocked released;
-  return compute(p, q, options);
-}
-
-template <Operation compute>
-void define(py::module_& m, const char* name, const char* doc) {
-  m.def(name, operation_of<compute>, py::arg("p"), py::arg("q"), py::kw_only(),
-        py::arg("threads") = 1, doc);
 }
 
 /// Adds the edges of a line; its point if it has no other.
@@ -172,6 +161,57 @@ py::tuple rotation_of(py::handle degrees, py::handle error) {
   return py::make_tuple(to_python(map.a), to_python(map.c));
 }
 
+/// What the docstring of an operation says besides the table's words: on its result, and an example.
+struct Remark {
+  const char* name;
+  const char* text;
+};
+constexpr Remark remarks[] = {
+    {"nfp", R"( It is an open set.
+On its boundary, with dangling edges and isolated vertices, the two only touch.
+
+>>> square = [[0, 0], [1, 0], [1, 1], [0, 1]]
+>>> print(oplus.nfp(square, square))
+POLYGON ((-1 -1, 1 -1, 1 1, -1 1, -1 -1))
+)"},
+    {"ifp", R"( It is a closed set.
+Where q fits exactly there are dangling edges and isolated vertices.
+
+>>> bin = [[0, 0], [100, 0], [100, 100], [0, 100]]
+>>> print(oplus.ifp(bin, bin))
+GEOMETRYCOLLECTION (POINT (0 0))
+)"},
+    {"erode", R"(
+
+>>> square = [[0, 0], [1, 0], [1, 1], [0, 1]]
+>>> print(oplus.erode([[0, 0], [3, 0], [3, 2], [0, 2]], square))
+POLYGON ((0 0, 2 0, 2 1, 0 1, 0 0))
+)"},
+    {"open", R"(
+
+>>> square = [[0, 0], [1, 0], [1, 1], [0, 1]]
+>>> print(oplus.open([[0, 0], [3, 0], [3, '1/2'], [2, '1/2'], [2, 2], [0, 2]], square))
+POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))
+)"},
+    {"close", R"( It contains p.
+
+>>> square = [[0, 0], [1, 0], [1, 1], [0, 1]]
+>>> notched = [[0, 0], [3, 0], [3, 2], [2, 2], [2, 1], ['3/2', 1], ['3/2', 2], [0, 2]]
+>>> print(oplus.close(notched, square))
+POLYGON ((0 0, 3 0, 3 2, 0 2, 0 0))
+)"},
+};
+
+std::string doc_of(const std::string& name, const std::string& what) {
+  std::string doc = name + "(p, q, *, threads=1)\n--\n\nReturns " + what + '.';
+  // The arguments are p and q here. No word begins with either letter.
+  std::ranges::replace(doc, 'P', 'p');
+  std::ranges::replace(doc, 'Q', 'q');
+  for (const Remark& remark : remarks)
+    if (name == remark.name) doc += remark.text;
+  return doc;
+}
+
 void define_operations(py::module_& m) {
   m.def("minkowski_sum", minkowski_sum_of, py::arg("p"), py::arg("q"), py::kw_only(),
         py::arg("boundary") = "closed", py::arg("threads") = 1,
@@ -186,54 +226,15 @@ interiors, which has dangling edges and isolated vertices. threads: 0 for all co
 >>> print(oplus.minkowski_sum([[0, 0], [2, 0], [0, 2]], [[0, 0], [1, 0], [1, 1], [0, 1]]))
 POLYGON ((0 0, 3 0, 3 1, 1 3, 0 3, 0 0))
 )");
-  define<operation<nfp>>(m, "nfp", R"(nfp(p, q, *, threads=1)
---
-
-Returns the no-fit polygon: the open set of all x where q, moved by x, overlaps p. On its boundary,
-with dangling edges and isolated vertices, the two only touch.
-
->>> square = [[0, 0], [1, 0], [1, 1], [0, 1]]
->>> print(oplus.nfp(square, square))
-POLYGON ((-1 -1, 1 -1, 1 1, -1 1, -1 -1))
-)");
-  define<operation<ifp>>(m, "ifp", R"(ifp(p, q, *, threads=1)
---
-
-Returns the inner-fit polygon: the closed set of all x where q, moved by x, is inside p. Where it
-fits exactly there are dangling edges and isolated vertices.
-
->>> bin = [[0, 0], [100, 0], [100, 100], [0, 100]]
->>> print(oplus.ifp(bin, bin))
-GEOMETRYCOLLECTION (POINT (0 0))
-)");
-  define<operation<erosion>>(m, "erode", R"(erode(p, q, *, threads=1)
---
-
-Returns the erosion of p by q: the inner-fit polygon without edges and points.
-
->>> square = [[0, 0], [1, 0], [1, 1], [0, 1]]
->>> print(oplus.erode([[0, 0], [3, 0], [3, 2], [0, 2]], square))
-POLYGON ((0 0, 2 0, 2 1, 0 1, 0 0))
-)");
-  define<operation<opening>>(m, "open", R"(open(p, q, *, threads=1)
---
-
-Returns the opening: the union of all q, moved, inside p.
-
->>> square = [[0, 0], [1, 0], [1, 1], [0, 1]]
->>> print(oplus.open([[0, 0], [3, 0], [3, '1/2'], [2, '1/2'], [2, 2], [0, 2]], square))
-POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))
-)");
-  define<operation<closing>>(m, "close", R"(close(p, q, *, threads=1)
---
-
-Returns the closing: the erosion by q of the sum of p and q. It contains p.
-
->>> square = [[0, 0], [1, 0], [1, 1], [0, 1]]
->>> notched = [[0, 0], [3, 0], [3, 2], [2, 2], [2, 1], ['3/2', 1], ['3/2', 2], [0, 2]]
->>> print(oplus.close(notched, square))
-POLYGON ((0 0, 3 0, 3 2, 0 2, 0 0))
-)");
+  for (const auto& [name, what] : named_operations()) {
+    const auto compute = [name = name](py::handle p_value, py::handle q_value, long long threads) {
+      const SumOptions options{.threads = checked_threads(threads)};
+      const PreparedRegion p = region_of(p_value), q = region_of(q_value);
+      return unlocked([&] { return value_of(name, p.region(), q.region(), options); });
+    };
+    m.def(name.c_str(), compute, py::arg("p"), py::arg("q"), py::kw_only(), py::arg("threads") = 1,
+          doc_of(name, what).c_str());
+  }
 }
 
 void define_others(py::module_& m) {

@@ -12,19 +12,6 @@ namespace oplus::python {
 
 namespace py = pybind11;
 
-/// An operation of oplus.hpp.
-using Operation = ValidSet (*)(const PreparedRegion& p, const PreparedRegion& q,
-                               const SumOptions& options);
-
-/// Returns the sum.
-ValidSet sum_of(const PreparedRegion& p, const PreparedRegion& q, const SumOptions& options);
-
-/// Returns an operation on two regions, which are the same of `compute`.
-template <ValidSet (*compute)(const ValidRegion&, const ValidRegion&, const SumOptions&)>
-ValidSet operation(const PreparedRegion& p, const PreparedRegion& q, const SumOptions& options) {
-  return compute(p.region(), q.region(), options);
-}
-
 /// Returns Boundary::closed or Boundary::open. Throws std::invalid_argument for another name.
 Boundary boundary_of(const std::string& name);
 
