@@ -40,7 +40,7 @@ add_test(NAME page.build COMMAND bash ${PROJECT_SOURCE_DIR}/checked/bindings/pag
 set_tests_properties(page.build PROPERTIES FIXTURES_SETUP page COST 1000)
 add_test(NAME page.core
          COMMAND node ${CMAKE_CURRENT_SOURCE_DIR}/checked/bindings/page/core_test.mjs ${page} $<TARGET_FILE:oplus>
-                 ${CMAKE_CURRENT_SOURCE_DIR}/corpus/pairs.txt)
+                 ${CMAKE_CURRENT_SOURCE_DIR}/corpus/pairs.txt ${cases})
 add_test(NAME page.browser
          COMMAND ${CMAKE_COMMAND} -E env OPLUS_PAGE=${page}
                  ${Python_EXECUTABLE} -B -m pytest -q -p no:cacheprovider

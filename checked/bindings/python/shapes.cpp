@@ -289,11 +289,7 @@ Set set_of(py::handle value) {
     try {
       return region_of(value);
     } catch (const InvalidInput&) {
-      try {
-        return planar_set_of(value);
-      } catch (const InvalidInput&) {
-      }
-      throw;
+      return planar_set_of(value);  // or says what is wrong with it as a set
     }
   }
   if (!py::isinstance<PreparedRegion>(value)) {

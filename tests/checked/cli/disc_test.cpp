@@ -6,15 +6,6 @@ namespace {
 
 class Disc : public Shell {};
 
-TEST_F(Disc, writes_a_polygon_inside_or_around_the_disc) {
-  expect_output("oplus --quiet disc --radius 1 --inside --error 0.1",
-                "POLYGON ((1 0, 0.7 0.7, 0 1, -0.7 0.7, -1 0, -0.7 -0.7, 0 -1, 0.7 -0.7, 1 0))\n");
-  expect_output(
-      "oplus --quiet disc --radius 1 --outside --error 0.1",
-      "POLYGON ((1.1 0, 0.77 0.77, 0 1.1, -0.77 0.77, -1.1 0, -0.77 -0.77, 0 -1.1, 0.77 -0.77, "
-      "1.1 0))\n");
-}
-
 TEST_F(Disc, says_how_many_vertices_it_has) {
   const Ran ran = run("oplus disc --radius 100 --error 1 --outside -o disc.dat");
   EXPECT_EQ(ran.exit_code, 0);
@@ -29,12 +20,6 @@ TEST_F(Disc, is_rounded_to_its_own_side_of_the_circle) {
   expect_output(
       "oplus --quiet disc --radius 3 --inside --error 0.1 --grid 1/4",
       run("oplus --quiet disc --radius 3 --inside --error 0.1 --grid 1/4 --side contained").out);
-}
-
-TEST_F(Disc, offsets_a_region) {
-  put("part.wkt", "POLYGON ((0 0, 30 0, 30 10, 0 10, 0 0))");
-  expect_output("oplus --quiet disc --radius 2 --error 2 --inside | oplus sum part.wkt -",
-                "POLYGON ((-2 0, 0 -2, 30 -2, 32 0, 32 10, 30 12, 0 12, -2 10, -2 0))\n");
 }
 
 TEST_F(Disc, refuses_what_it_cannot_do) {

@@ -13,23 +13,6 @@ class Input : public ShellWithRegions {
   }
 };
 
-TEST_F(Input, in_other_forms_is_the_same_region) {
-  put("line.wkt", "SRID=4326;POLYGON Z ((0 0 1, 4 0 1, 4 4 1, 0 4 1, 0 0 1))");
-  put("feature.json",
-      R"({"type": "FeatureCollection", "features": [{"type": "Feature", "properties": {},
-          "geometry": {"type": "Polygon", "coordinates": [[[0,0],[4,0],[4,4],[0,4],[0,0]]]}}]})");
-  put("array.json", "[[0, 0], [4, 0], [4, 4], [0, 4]]");
-  put("path.svg", "M 0 0 h 4 v 4 h -4 z");
-  for (const std::string file : {"line.wkt", "feature.json", "array.json", "path.svg"}) {
-    expect_output("oplus --quiet sum " + file + " square.wkt",
-                  "POLYGON ((0 0, 5 0, 5 5, 0 5, 0 0))\n");
-    expect_output("oplus compare --quiet full.wkt " + file, "equal\n");
-  }
-  EXPECT_EQ(
-      run("oplus sum line.wkt square.wkt").err,
-      "oplus: line.wkt: of 5 vertices with more than two coordinates, only x and y were read\n");
-}
-
 TEST_F(Input, that_overlaps_is_refused_without_union) {
   expect_refusal("oplus sum walls.wkt square.wkt -o sum.wkt",
                  "outer chain of component 1 and outer chain of component 3 overlap");
@@ -39,23 +22,6 @@ TEST_F(Input, that_overlaps_is_refused_without_union) {
                 "yes\n");
   expect_output("oplus reflect walls.wkt --union | oplus compare - <(oplus reflect frame.wkt)",
                 "equal\n");
-}
-
-TEST_F(Input, that_is_nested_touches_or_comes_twice_is_one_region_with_union) {
-  put("nested.wkt", "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))\nPOLYGON ((1 1, 2 1, 2 2, 1 2, 1 1))");
-  put("twice.wkt", "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))\nPOLYGON ((4 4, 0 4, 0 0, 4 0, 4 4))");
-  put("halves.wkt", "POLYGON ((0 0, 4 0, 4 2, 0 2, 0 0))\nPOLYGON ((0 2, 4 2, 4 4, 0 4, 0 2))");
-  put("plugged.wkt",
-      "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 3, 3 3, 3 1, 1 1))\n"
-      "POLYGON ((1 1, 3 1, 3 3, 1 3, 1 1))");
-  for (const std::string file : {"nested.wkt", "twice.wkt", "halves.wkt", "plugged.wkt"})
-    expect_output("oplus sum " + file + " square.wkt --union",
-                  "POLYGON ((0 0, 5 0, 5 5, 0 5, 0 0))\n");
-  for (const std::string file : {"nested.wkt", "twice.wkt", "halves.wkt", "plugged.wkt"})
-    expect_refusal("oplus sum " + file + " square.wkt", file);
-  // A crossing of a polygon with itself stays an error.
-  put("tie.wkt", "POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))\nPOLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))");
-  expect_refusal("oplus sum tie.wkt square.wkt --union", "two edges of outer chain of component 1");
 }
 
 /// All commands that read a region name --union and take it, with the answer for the union.

@@ -13,16 +13,6 @@ class OperationCommands : public Shell {
   }
 };
 
-TEST_F(OperationCommands, print_sets) {
-  expect_output("oplus ifp bin.wkt bin.wkt", "GEOMETRYCOLLECTION (POINT (0 0))\n");
-  expect_output("oplus ifp bin.wkt part.wkt", "GEOMETRYCOLLECTION (LINESTRING (0 0, 90 0))\n");
-  expect_output("oplus erode bin.wkt part.wkt", "POLYGON EMPTY\n");
-  expect_output("oplus open bin.wkt part.wkt", content("bin.wkt") + "\n");
-  expect_output("oplus close part.wkt bin.wkt", content("part.wkt") + "\n");
-  expect_output("oplus nfp bin.wkt part.wkt",
-                "POLYGON ((-10 -100, 100 -100, 100 100, -10 100, -10 -100))\n");
-}
-
 TEST_F(OperationCommands, take_every_engine) {
   for (const std::string engine : {"slide", "rca", "loops", "winding", "oracle"})
     expect_output("oplus ifp bin.wkt part.wkt --engine " + engine,
@@ -32,19 +22,6 @@ TEST_F(OperationCommands, take_every_engine) {
 TEST_F(OperationCommands, draw_their_result) {
   expect_output("oplus ifp bin.wkt part.wkt --svg ifp.svg -o ifp.wkt", "");
   EXPECT_TRUE(has(content("ifp.svg"), "ifp P Q"));
-}
-
-TEST_F(OperationCommands, complement_is_a_region) {
-  expect_output("oplus complement bin.wkt --format dat", "0\n1\n4\n0 0\n0 100\n100 100\n100 0\n");
-  expect_output("oplus complement bin.wkt --format dat | oplus complement -",
-                content("bin.wkt") + "\n");
-}
-
-TEST_F(OperationCommands, take_unbounded_regions) {
-  expect_output("oplus sum free.dat part.wkt --format dat", "0\n0\n");
-  expect_output("oplus ifp bin.wkt free.dat", "POLYGON EMPTY\n");
-  expect_output("oplus close free.dat bin.wkt --format dat", "0\n0\n");
-  expect_output("oplus reflect free.dat --format dat", "0\n1\n4\n0 0\n0 -9\n-9 -9\n-9 0\n");
 }
 
 /// What no format holds has a complement that one does.
@@ -71,10 +48,6 @@ TEST_F(OperationCommands, refuse_what_they_cannot_do) {
   expect_refusal("oplus sum free.dat bin.wkt --format dat --origins o.json", "bounded");
   expect_refusal("oplus verify free.dat bin.wkt bin.wkt",
                  "outer chain of component 1 is missing, so the region is unbounded");
-  put("two.dat", "0\n0\n0\n0\n");
-  expect_refusal("oplus complement two.dat --format dat", "at most one component");
-  put("inside.dat", "0\n0\n3\n0 0 1 0 0 1\n0\n");
-  expect_refusal("oplus complement inside.dat --format dat", "inside outer chain of component 1");
 }
 
 }  // namespace

@@ -59,29 +59,14 @@ TEST_F(RepairCommand, answers_in_json) {
                 "{\n  \"count\": 0,\n  \"mends\": []\n}\n");
 }
 
-TEST_F(RepairCommand, fills_by_a_rule) {
-  const Ran ran = run("oplus repair tie.wkt --fill even-odd -o ties.wkt");
-  EXPECT_EQ(ran.exit_code, 0);
-  EXPECT_EQ(ran.lines_of_err(), 2);
-  EXPECT_TRUE(has(ran.err, "oplus: tie.wkt:1:21: two edges of outer chain of component 1 cross"));
-  EXPECT_TRUE(has(ran.err, "; all chains filled by the rule even-odd\n"));
-  EXPECT_EQ(content("ties.wkt"), "MULTIPOLYGON (((1 1, 2 0, 2 2, 1 1)), ((0 0, 1 1, 0 2, 0 0)))\n");
-  expect_output("oplus --quiet repair tie.wkt --fill nonzero", content("ties.wkt"));
-}
-
 TEST_F(RepairCommand, refuses_what_it_cannot_do) {
   expect_refusal("oplus repair", "R");
   expect_refusal("oplus repair missing.wkt", "missing.wkt");
   expect_refusal("oplus repair tie.wkt -o out.wkt",
                  "tie.wkt:1:21: two edges of outer chain of component 1 cross at (1, 1)");
-  expect_refusal("oplus repair tie.wkt", "expected what can be repaired without a fill rule");
   expect_refusal("oplus repair tie.wkt --fill odd -o out.wkt", "odd");
   expect_refusal("oplus repair square.wkt --json", "two outputs would go to standard output");
   expect_refusal("oplus repair square.wkt -o out.txt", "out.txt");
-  put("broken.wkt", "POLYGON ((0 0, 4 0, 4");
-  expect_refusal("oplus repair broken.wkt -o out.wkt", "broken.wkt:1:22: ");
-  put("curve.svg", "M 0 0 C 1 1 2 2 3 3 Z");
-  expect_refusal("oplus repair curve.svg -o out.wkt", "curve.svg:1:7: command 2, 'C', is a curve");
 }
 
 }  // namespace

@@ -20,15 +20,6 @@ class Sum : public ShellWithRegions {
   }
 };
 
-TEST_F(Sum, is_wkt_on_standard_output) {
-  expect_output("oplus sum square.wkt square.wkt", doubled_square);
-}
-
-TEST_F(Sum, is_exact) {
-  expect_output("oplus --quiet sum square.wkt triangle.dat",
-                "POLYGON ((0 0, 2 0, 2 1, 1 4/3, 0 4/3, 0 0))\n");
-}
-
 TEST_F(Sum, with_fractions_says_that_others_do_not_read_them) {
   for (const std::string format : {"wkt", "geojson"}) {
     const Ran ran = run("oplus sum square.wkt triangle.dat --format " + format);
@@ -140,23 +131,6 @@ TEST_F(Sum, reads_standard_input) {
   expect_output("oplus --quiet sum - triangle.dat <square.wkt", expected);
   expect_output("oplus --quiet sum square.wkt - <triangle.dat", expected);
   expect_refusal("oplus sum - - <square.wkt", "standard input");
-}
-
-TEST_F(Sum, says_that_orientation_was_repaired) {
-  put("clockwise.wkt", "POLYGON ((0 0, 0 1, 1 1, 1 0, 0 0))");
-  const Ran ran = run("oplus sum clockwise.wkt square.wkt");
-  EXPECT_EQ(ran.out, doubled_square);
-  EXPECT_EQ(ran.exit_code, 0);
-  EXPECT_TRUE(has(ran.err, "clockwise.wkt"));
-}
-
-TEST_F(Sum, closed_has_no_low_dimensional_features_and_open_has) {
-  expect_output("oplus sum frame.wkt plug.wkt", "POLYGON ((-1 -1, 5 -1, 5 5, -1 5, -1 -1))\n");
-  expect_output("oplus sum frame.wkt plug.wkt --open",
-                "GEOMETRYCOLLECTION (POLYGON ((-1 -1, 5 -1, 5 5, -1 5, -1 -1)), POINT (2 2))\n");
-  expect_output("oplus sum frame.wkt slider.wkt --open",
-                "GEOMETRYCOLLECTION (POLYGON ((-1 0, 5 0, 5 5, -1 5, -1 0)), "
-                "LINESTRING (2 2, 2 3))\n");
 }
 
 TEST_F(Sum, dat_cannot_hold_low_dimensional_features) {

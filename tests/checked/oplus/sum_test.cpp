@@ -40,13 +40,6 @@ TEST(ValidSet, has_components_with_their_holes) {
   EXPECT_EQ(area(minkowski_sum(sum.region(), square)), 36);
 }
 
-TEST(ValidSet, is_taken_of_several_components) {
-  const ValidRegion two =
-      read_wkt("MULTIPOLYGON(((0 0,1 0,1 1,0 1,0 0)),((9 0,10 0,10 1,9 1,9 0)))");
-  EXPECT_EQ(minkowski_sum(two, square).components().size(), 2U);
-  EXPECT_EQ(area(minkowski_sum(two, two)), 12);
-}
-
 /// With the address sanitizer, references into what is gone would end the test.
 TEST(ValidSet, without_a_name_can_be_looped_over) {
   std::size_t vertices = 0;
@@ -164,14 +157,6 @@ TEST(Verify, tells_right_sums_from_wrong_ones) {
   EXPECT_EQ(describe(verdict.reasons[0].kind), "missing hole");
   EXPECT_EQ(verdict.right, sum.value());
   EXPECT_FALSE(contains(sum, verdict.reasons[0].witness));
-}
-
-TEST(Verify, decides_for_the_boundary_that_was_asked_for) {
-  const ValidSet open = minkowski_sum(frame, -plug, {.boundary = Boundary::open});
-  const ClaimedSum with_point = {open.region().region(), {}, open.isolated_vertices()};
-  EXPECT_TRUE(verify(frame, -plug, with_point, Boundary::open).is_sum());
-  EXPECT_FALSE(verify(frame, -plug, with_point, Boundary::closed).is_sum());
-  EXPECT_FALSE(verify(frame, -plug, with_point).is_sum());
 }
 
 TEST(Verify, makes_coordinates_canonical_and_refuses_zero_denominators) {

@@ -102,15 +102,14 @@ TEST(Polygon, takes_points_of_any_range) {
             expected);
 }
 
-TEST(Reading, gives_the_region_in_each_format) {
-  const ValidRegion expected = ValidRegion(Region{{{square, {hole}}}});
-  EXPECT_EQ(read_wkt("POLYGON((0 0,0 4,4 4,4 0,0 0),(1 1,1 3,3 3,3 1,1 1))"), expected);
-  EXPECT_EQ(read_wkt("MULTIPOLYGON(((0 0,4 0,4 4,0 4,0 0),(1 1,1 3,3 3,3 1,1 1)))"), expected);
-  EXPECT_EQ(read_wkt("POLYGON EMPTY"), ValidRegion());
-  EXPECT_EQ(read_wkt("POLYGON((0 0,0.1 0,0 1/3,0 0))"), polygon({{0, 0}, {"0.1", 0}, {0, "1/3"}}));
-  EXPECT_EQ(read_geojson(R"({"type": "Polygon", "coordinates":
-            [[[0, 0], [4, 0], [4, 4], [0, 4], [0, 0]], [[1, 1], [1, 3], [3, 3], [3, 1], [1, 1]]]})"),
-            expected);
+TEST(Reading, takes_the_union_of_what_overlaps_where_asked_to) {
+  const std::string wkt =
+      "POLYGON ((0 0, 3 0, 3 4, 0 4, 0 0))\nPOLYGON ((2 0, 4 0, 4 4, 2 4, 2 0))";
+  const std::string json = "[[[[0,0],[3,0],[3,4],[0,4]]], [[[3,0],[4,0],[4,4],[3,4]]]]";
+  EXPECT_THROW(read_wkt(wkt), InvalidInput);
+  EXPECT_THROW(read_geojson(json), InvalidInput);
+  EXPECT_EQ(read_wkt(wkt, Overlaps::allowed), polygon(square));
+  EXPECT_EQ(read_geojson(json, Overlaps::allowed), polygon(square));
 }
 
 TEST(Reading, takes_its_own_format_only) {

@@ -40,14 +40,6 @@ TEST(ValidSet, turns_by_pi) {
   EXPECT_EQ(-outside, ValidSet(complement(-square)));
 }
 
-TEST(ValidSet, is_summed) {
-  const ValidSet path({}, {{{0, 0}, {4, 0}, {4, 3}}});
-  const ValidSet swept = minkowski_sum(path, square);
-  EXPECT_EQ(to_wkt(swept), "POLYGON ((0 0, 5 0, 5 4, 4 4, 4 1, 0 1, 0 0))");
-  EXPECT_EQ(area(swept), 8);
-  EXPECT_EQ(minkowski_sum(ValidSet(square), square), minkowski_sum(square, square));
-}
-
 TEST(ValidSet, has_closed_sums_that_contain_their_edges_and_points) {
   const ValidSet lines =
       minkowski_sum(ValidSet({}, {{{0, 0}, {2, 0}}}, {{0, 9}}), ValidSet({}, {{{0, 0}, {1, 0}}}));

@@ -13,25 +13,6 @@
 namespace oplus {
 namespace {
 
-TEST(Filled, bow_tie_has_two_triangles_by_both_rules) {
-  const Chain bow_tie{{0, 0}, {2, 2}, {2, 0}, {0, 2}};
-  const PlanarSet expected{{{{0, 0}, {1, 1}, {2, 0}, {2, 2}, {1, 1}, {0, 2}}}, {}, {}, {}, false};
-  EXPECT_EQ(filled({bow_tie}, FillRule::even_odd), expected);
-  EXPECT_EQ(filled({bow_tie}, FillRule::nonzero), expected);
-}
-
-TEST(Filled, a_chain_inside_is_a_hole_by_even_odd_or_if_it_runs_the_other_way) {
-  const Chain outer = box(0, 0, 9, 9), inner = box(1, 1, 2, 2);
-  const PlanarSet framed = canonical_sum(holed(outer, {inner}));
-  const PlanarSet full = canonical_sum(polygon(outer));
-  EXPECT_EQ(filled({outer, inner}, FillRule::even_odd), framed);
-  EXPECT_EQ(filled({outer, inner}, FillRule::nonzero), full);
-  EXPECT_EQ(filled({outer, backwards(inner)}, FillRule::nonzero), framed);
-  EXPECT_EQ(filled({outer, outer}, FillRule::even_odd), PlanarSet());
-  EXPECT_EQ(filled({outer, outer}, FillRule::nonzero), full);
-  EXPECT_EQ(filled({}, FillRule::nonzero), PlanarSet());
-}
-
 /// Chains with repeated vertices, spikes, overlaps, and whatever else few grid points make.
 std::vector<Chain> random_chains(Random& random) {
   std::vector<Chain> chains(uniform_index(random, 3) + 1);

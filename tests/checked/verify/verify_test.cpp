@@ -68,30 +68,6 @@ TEST(Verify, adds_convex_parts_to_the_sum_of_the_oracle) {
   EXPECT_GT(features, 0U);
 }
 
-TEST(Verify, accepts_chains_in_any_order_from_any_vertex) {
-  const Region turned{{{{{5, 0}, {5, 5}, {0, 5}, {0, 0}}, {{{3, 2}, {2, 2}, {2, 3}, {3, 3}}}}}};
-  EXPECT_TRUE(of_frame(turned).is_sum());
-  EXPECT_TRUE(of_frame(turned).notes.empty());
-}
-
-TEST(Verify, notes_what_changes_nothing) {
-  const Region given{
-      {{{{0, 0}, {5, 0}, {5, 0}, {5, 2}, {5, 5}, {0, 5}, {0, 0}}, {backwards(box(2, 2, 3, 3))}}}};
-  const Verdict verdict = of_frame(given);
-  EXPECT_TRUE(verdict.is_sum());
-  EXPECT_EQ(verdict.notes, (std::vector<std::string>{"2 vertices repeat the one before",
-                                                     "1 vertex is inside a straight line"}));
-}
-
-TEST(Verify, a_chain_that_touches_itself_is_as_good_as_two) {
-  const Region pieces{{{box(0, 0, 1, 1), {}}, {box(2, 2, 3, 3), {}}}};
-  const Region one_chain =
-      polygon({{0, 0}, {2, 0}, {2, 2}, {4, 2}, {4, 4}, {2, 4}, {2, 2}, {0, 2}});
-  const Verdict verdict = verify(pieces, unit, Boundary::closed, {one_chain, {}, {}});
-  EXPECT_TRUE(verdict.is_sum());
-  EXPECT_EQ(verdict.notes, (std::vector<std::string>{"1 chain touches itself"}));
-}
-
 TEST(Verify, a_missing_hole_has_its_area_and_a_point_of_it) {
   const Verdict verdict = of_frame(polygon(box(0, 0, 5, 5)));
   ASSERT_EQ(kinds(verdict), Kinds{ReasonKind::missing_hole});
@@ -112,67 +88,6 @@ TEST(Verify, what_is_left_out_comes_with_points_that_add_up_to_it) {
   EXPECT_EQ(verdict.addends->p + verdict.addends->q, verdict.reasons[0].witness);
   EXPECT_EQ(locate(verdict.addends->p, frame), Location::inside);
   EXPECT_EQ(locate(verdict.addends->q, unit), Location::inside);
-}
-
-TEST(Verify, the_larger_difference_comes_first) {
-  const Region given{
-      {{box(0, 0, 6, 5), {backwards(box(2, 2, 3, 3)), backwards(box(1, 1, Rational(3, 2), 2))}}}};
-  EXPECT_EQ(kinds(of_frame(given)), (Kinds{ReasonKind::not_in_sum, ReasonKind::additional_hole}));
-}
-
-TEST(Verify, a_component_that_is_cut_is_split) {
-  const Region given{{{box(0, 0, 2, 5), {}}, {box(3, 0, 5, 5), {}}}};
-  // Below the hole and above it.
-  EXPECT_EQ(kinds(of_frame(given)), Kinds(2, ReasonKind::split_component));
-}
-
-TEST(Verify, a_bridge_joins_components) {
-  const Region two{{{box(0, 0, 1, 1), {}}, {box(4, 0, 5, 1), {}}}};
-  const Region bridged = polygon({{0, 0}, {2, 0}, {2, 1}, {4, 1}, {4, 0}, {6, 0}, {6, 2}, {0, 2}});
-  EXPECT_EQ(kinds(verify(two, unit, Boundary::closed, {bridged, {}, {}})),
-            Kinds{ReasonKind::joined_components});
-}
-
-TEST(Verify, each_wrong_orientation_is_a_reason) {
-  const Region given{{{backwards(box(0, 0, 5, 5)), {box(2, 2, 3, 3)}}}};
-  const Verdict verdict = of_frame(given);
-  ASSERT_EQ(kinds(verdict), (Kinds(2, ReasonKind::wrong_orientation)));
-  EXPECT_EQ(verdict.reasons[0].detail,
-            "the outer chain of component 1 runs clockwise, not counterclockwise");
-  EXPECT_EQ(verdict.reasons[1].detail,
-            "hole 1 of component 1 runs counterclockwise, not clockwise");
-}
-
-TEST(Verify, chains_that_cross_are_unsimple_even_where_the_set_is_right) {
-  // Two boxes that overlap: their union is the sum's square.
-  const Region given{{{box(0, 0, 4, 5), {backwards(box(2, 2, 3, 3))}}, {box(4, 0, 5, 5), {}}}};
-  const Verdict touching = of_frame(given);
-  ASSERT_EQ(kinds(touching), Kinds{ReasonKind::unsimple_boundary});
-  EXPECT_EQ(touching.reasons[0].detail,
-            "a chain runs from (4, 0) to (4, 5), where the given set is on both sides");
-}
-
-TEST(Verify, of_an_empty_sum) {
-  EXPECT_TRUE(verify({}, unit, Boundary::closed, ClaimedSum{}).is_sum());
-  EXPECT_TRUE(verify({}, {}, Boundary::open, ClaimedSum{}).is_sum());
-  EXPECT_EQ(kinds(verify({}, unit, Boundary::closed, ClaimedSum{unit, {}, {}})),
-            Kinds{ReasonKind::additional_component});
-  EXPECT_EQ(kinds(verify(unit, unit, Boundary::closed, ClaimedSum{})),
-            Kinds{ReasonKind::missing_component});
-  EXPECT_EQ(kinds(verify({}, unit, Boundary::open, ClaimedSum{{}, {}, {{1, 1}}})),
-            Kinds{ReasonKind::additional_isolated_vertex});
-}
-
-TEST(Verify, takes_chains_of_too_few_points) {
-  const Region lines{{{box(0, 0, 5, 5), {backwards(box(2, 2, 3, 3))}},
-                      {{{1, 1}}, {}},
-                      {{}, {}},
-                      {{{1, 1}, {1, 1}}, {}},
-                      {{{-1, -1}, {-2, -2}}, {{{7, 7}, {8, 8}, {9, 9}}}}}};
-  const Verdict verdict = of_frame(lines);
-  EXPECT_FALSE(verdict.is_sum());
-  for (const Reason& reason : verdict.reasons)
-    EXPECT_EQ(reason.kind, ReasonKind::unsimple_boundary) << reason.detail;
 }
 
 /// Wherever it is: outside, inside, or a vertex of the sum.
@@ -241,17 +156,6 @@ TEST(Verify, of_huge_and_tiny_coordinates) {
   EXPECT_FALSE(verify(p, unit, Boundary::closed, {given, {}, {}}).is_sum());
 }
 
-TEST(Verify, the_kind_of_boundary_matters) {
-  const Region plug = polygon(box(0, 0, 2, 2));
-  const PlanarSet open = sum_by_definition(frame, plug, Boundary::open);
-  const PlanarSet closed = sum_by_definition(frame, plug, Boundary::closed);
-  ASSERT_EQ(open.isolated_vertices, (std::vector<Point>{{3, 3}}));
-  EXPECT_EQ(kinds(verify(frame, plug, Boundary::open, closed)),
-            (Kinds{ReasonKind::missing_isolated_vertex, ReasonKind::wrong_boundary}));
-  EXPECT_EQ(kinds(verify(frame, plug, Boundary::closed, open)),
-            (Kinds{ReasonKind::additional_isolated_vertex, ReasonKind::wrong_boundary}));
-}
-
 /// The plug fits the hole, so that the open sum lacks the middle of the square; the closed sum does not.
 TEST(Verify, a_witness_is_on_no_isolated_vertex) {
   const Region plug = polygon(box(0, 0, 2, 2));
@@ -271,13 +175,6 @@ TEST(Verify, the_second_verdict_may_meet_an_isolated_vertex) {
   ASSERT_EQ(sum_by_definition(around, plug, Boundary::open).isolated_vertices,
             std::vector<Point>{x});
   EXPECT_TRUE(verify(around, plug, Boundary::closed, {polygon(sum), {}, {}}).is_sum());
-}
-
-TEST(Verify, features_that_lie_elsewhere_are_too_many) {
-  ClaimedSum given{sum_of_frame, {{{7, 7}, {8, 8}}}, {{9, 9}, {5, 5}}};
-  EXPECT_EQ(kinds(verify(frame, unit, Boundary::open, given)),
-            (Kinds{ReasonKind::additional_dangling_edge, ReasonKind::additional_isolated_vertex,
-                   ReasonKind::additional_isolated_vertex}));
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 namespace oplus {
 namespace {
 
-const Region with_hole{{{box(0, 0, 3, 3), {{{1, 1}, {1, 2}, {2, 1}}}}}};
 const Region of_two{{{box(0, 0, 1, 1), {}}, {box(2, 0, 3, 1), {}}}};
 
 PlanarSet with_features(PlanarSet sum) {
@@ -85,17 +84,6 @@ TEST(FormatOf, is_by_the_ending) {
   EXPECT_EQ(format_of("b.dat.gz"), std::nullopt);
 }
 
-TEST(Dat, of_one_component_without_holes_has_no_hole_count) {
-  EXPECT_EQ(written(polygon({{0, 0}, {Rational(1, 2), 0}, {0, Rational(1, 3)}}), Format::dat),
-            "3\n0 0\n0.5 0\n0 1/3\n");
-}
-
-TEST(Dat, has_hole_counts_otherwise) {
-  EXPECT_EQ(written(with_hole, Format::dat), "4\n0 0\n3 0\n3 3\n0 3\n1\n3\n1 1\n1 2\n2 1\n");
-  EXPECT_EQ(written(of_two, Format::dat), "4\n0 0\n1 0\n1 1\n0 1\n0\n4\n2 0\n3 0\n3 1\n2 1\n0\n");
-  EXPECT_EQ(written(Region{}, Format::dat), "0\n");
-}
-
 TEST(Dat, can_hold_a_sum_without_features_only) {
   const PlanarSet sum = canonical_sum(of_two);
   EXPECT_TRUE(can_hold(Format::dat, sum));
@@ -104,65 +92,6 @@ TEST(Dat, can_hold_a_sum_without_features_only) {
   EXPECT_TRUE(can_hold(Format::wkt, with_features(sum)));
   EXPECT_TRUE(can_hold(Format::geojson, with_features(sum)));
   EXPECT_EQ(written(sum, Format::dat), written(of_two, Format::dat));
-}
-
-TEST(Wkt, is_the_simplest_geometry) {
-  EXPECT_EQ(written(with_hole, Format::wkt),
-            "POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0), (1 1, 1 2, 2 1, 1 1))\n");
-  EXPECT_EQ(written(of_two, Format::wkt),
-            "MULTIPOLYGON (((0 0, 1 0, 1 1, 0 1, 0 0)), ((2 0, 3 0, 3 1, 2 1, 2 0)))\n");
-  EXPECT_EQ(written(Region{}, Format::wkt), "POLYGON EMPTY\n");
-  EXPECT_EQ(written(PlanarSet{}, Format::wkt), "POLYGON EMPTY\n");
-  EXPECT_EQ(written(canonical_sum(with_hole), Format::wkt), written(with_hole, Format::wkt));
-}
-
-TEST(Wkt, of_a_sum_with_features_is_a_collection) {
-  EXPECT_EQ(written(with_features(canonical_sum(polygon(box(0, 0, 3, 3)))), Format::wkt),
-            "GEOMETRYCOLLECTION (POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0)), LINESTRING (1 1, 2 1/3), "
-            "LINESTRING (2 2, 3 2), POINT (1 2), POINT (0.5 2))\n");
-  EXPECT_EQ(written(PlanarSet{{}, {}, {}, {{1, 2}}}, Format::wkt),
-            "GEOMETRYCOLLECTION (POINT (1 2))\n");
-}
-
-TEST(GeoJson, is_the_simplest_geometry) {
-  EXPECT_EQ(written(with_hole, Format::geojson),
-            "{\"type\": \"Polygon\", \"coordinates\": [[[0, 0], [3, 0], [3, 3], [0, 3], [0, 0]], "
-            "[[1, 1], [1, 2], [2, 1], [1, 1]]]}\n");
-  EXPECT_EQ(written(of_two, Format::geojson),
-            "{\"type\": \"MultiPolygon\", \"coordinates\": [[[[0, 0], [1, 0], [1, 1], [0, 1], [0, "
-            "0]]], [[[2, 0], [3, 0], [3, 1], [2, 1], [2, 0]]]]}\n");
-  EXPECT_EQ(written(Region{}, Format::geojson),
-            "{\"type\": \"MultiPolygon\", \"coordinates\": []}\n");
-}
-
-TEST(GeoJson, number_that_does_not_end_is_a_string) {
-  EXPECT_EQ(
-      written(polygon({{0, 0}, {Rational(1, 2), 0}, {0, Rational(1, 3)}}), Format::geojson),
-      "{\"type\": \"Polygon\", \"coordinates\": [[[0, 0], [0.5, 0], [0, \"1/3\"], [0, 0]]]}\n");
-}
-
-TEST(GeoJson, of_a_sum_with_features_is_a_collection) {
-  PlanarSet sum;
-  sum.dangling_edges = {{{0, 0}, {1, 1}}};
-  EXPECT_EQ(written(sum, Format::geojson),
-            "{\"type\": \"GeometryCollection\", \"geometries\": [{\"type\": \"LineString\", "
-            "\"coordinates\": [[0, 0], [1, 1]]}]}\n");
-  sum = canonical_sum(polygon(box(0, 0, 3, 3)));
-  sum.isolated_vertices = {{1, 2}};
-  EXPECT_EQ(written(sum, Format::geojson),
-            "{\"type\": \"GeometryCollection\", \"geometries\": [{\"type\": \"Polygon\", "
-            "\"coordinates\": [[[0, 0], [3, 0], [3, 3], [0, 3], [0, 0]]]}, {\"type\": \"Point\", "
-            "\"coordinates\": [1, 2]}]}\n");
-}
-
-TEST(Digits, round_every_coordinate) {
-  const Region thirds = polygon({{0, 0}, {Rational(4, 3), 0}, {0, Rational(5, 3)}});
-  EXPECT_EQ(written(thirds, Format::dat, 2), "3\n0 0\n1.33 0\n0 1.67\n");
-  EXPECT_EQ(written(thirds, Format::wkt, 0), "POLYGON ((0 0, 1 0, 0 2, 0 0))\n");
-  EXPECT_EQ(written(thirds, Format::geojson, 1),
-            "{\"type\": \"Polygon\", \"coordinates\": [[[0, 0], [1.3, 0], [0, 1.7], [0, 0]]]}\n");
-  EXPECT_EQ(written(PlanarSet{{}, {}, {}, {{Rational(2, 3), 0}}}, Format::wkt, 1),
-            "GEOMETRYCOLLECTION (POINT (0.7 0))\n");
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// core_test.mjs FOLDER OPLUS CORPUS: what the page's WebAssembly answers is what the program `oplus` does.
+// core_test.mjs FOLDER OPLUS CORPUS CASES: what the page's WebAssembly answers is what the program `oplus` does, and
+// what tests/corpus/cases.json says.
 // Coordinates of 10^7 and more need more bits than a long has there: edges cross in long fractions.
 import assert from "node:assert";
 import {execFileSync} from "node:child_process";
@@ -9,7 +10,7 @@ import path from "node:path";
 import {pathToFileURL} from "node:url";
 import {followsFromWkt} from "./drawn.mjs";
 
-const [folder, oplus, corpus] = process.argv.slice(2);
+const [folder, oplus, corpus, casesFile] = process.argv.slice(2);
 const scratch = mkdtempSync(path.join(tmpdir(), "oplus-web-"));
 // Node takes it for a module by its name.
 copyFileSync(path.join(folder, "oplus.js"), path.join(scratch, "oplus.mjs"));
@@ -76,18 +77,32 @@ assert(places.has(true) && places.has(false), "x is always inside, or always out
 const corner = ask({p: "POLYGON((0 0,4 0,0 4,0 0))", q: "POLYGON((0 0,2 0,0 2,0 0))", x: ["0", "3"]}).placement;
 assert.deepEqual([corner.location, corner.meet, corner.on_convolution], ["on the boundary of", false, true]);
 
-// What is wrong with an input is said as the program says it.
-const square = "POLYGON((0 0,4 0,4 4,0 4,0 0))", bow = "POLYGON((0 0,4 4,4 0,0 4,0 0))";
-const said = (text) => {
-  try {
-    execFileSync(oplus, ["sum", file("P", text), file("q.wkt", square)], {stdio: "pipe"});
-  } catch (failed) {
-    return failed.stderr.toString().trim().replace(scratch + "/", "").replace(/^[a-z]*: /, "");
-  }
-  return assert.fail("the program takes it");
+const square = "POLYGON((0 0,4 0,4 4,0 4,0 0))";
+const {layers, cases} = JSON.parse(readFileSync(casesFile, "utf8"));
+// A summand is named in the cases as a file is.
+const inFile = (said) => said.replace(/^[PQS]:/, "file:");
+const found = ({p, q, s, open}, operation) => {
+  const answer = ask({p, q: q ?? square, s: s ? JSON.stringify(s) : "", open: open ?? false});
+  const notes = answer.p?.notes.map(inFile), error = answer.p?.error ?? answer.error;
+  if (error !== undefined)
+    return {refused: inFile(error)};
+  if (operation === "verify")
+    return {first: answer.verdict.text.split("\n")[0]};
+  return {is: operation === "read" ? answer.p.wkt : answer.sum.wkt, notes};
 };
-for (const text of [bow, "POLYGON((0 0,4 0", "", "POLYGON((0 0,1 1,0 0))"])
-  assert.equal(ask({p: text, q: square}).error, said(text));
+let ran = 0;
+for (const one of cases) {
+  for (const operation of one.run.filter((name) => (one.layers ?? layers[name]).includes("page"))) {
+    ++ran;
+    assert(["read", "sum", "verify"].includes(operation), operation);
+    const {is, refused, reasons, notes} = one, result = found(one, operation);
+    const expected = refused !== undefined ? {refused} :
+      reasons !== undefined ? {first: reasons.length ? `no: ${reasons[0]}` : "yes"} : {is, notes: notes ?? result.notes};
+    assert.deepEqual(result, expected, `${one.name}, ${operation}`);
+  }
+}
+assert(ran > 200, `${ran} cases`);
+
 assert(ask({p: square, q: square, step: "0"}).refused);
 assert(ask({p: square, q: square, x: ["a", "1"]}).refused);
 for (const beyond of [{x: ["1e400", "1"]}, {p: "POLYGON((0 0,1e400 0,0 1,0 0))"}, {s: "POLYGON((0 0,1e400 0,0 1,0 0))"}])
@@ -102,4 +117,4 @@ assert.equal(edited({vertex: 3, how: "add"}).p.points[0][4], "(0, 2)");
 assert.equal(edited({how: "by", at: [1, 1]}).p.points[0][2], "(13/3, 13/3)");
 assert.equal(edited({vertex: 3, how: "remove"}).p.chains[0].length, 3);
 assert(edited({vertex: 0, how: "remove"}, "POLYGON((0 0,1 0,0 1,0 0))").p.error);
-console.log(`${compared} sums compared`);
+console.log(`${compared} sums compared, ${ran} cases`);
