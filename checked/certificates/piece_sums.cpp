@@ -29,26 +29,25 @@ double lowest(const HalfPlane& side, const std::vector<Place>& corners) {
 
 }  // namespace
 
-NearPieces::NearPieces(const ConvexPieces& pieces, const ShiftedDoubles& doubles)
-    : exact(pieces), boxes({}) {
+NearPieces::NearPieces(const ConvexPieces& pieces, const ShiftedDoubles& doubles) : exact(pieces) {
   std::vector<Place> places;
   for (const Point& p : exact.vertices) places.push_back(doubles.near(p));
-  std::vector<Box> around;
+  std::vector<Box> boxes_around;
   for (const ConvexPiece& piece : exact.pieces) {
     auto& [corners, sides] = near.emplace_back();
-    Box& box = around.emplace_back();
+    Box& box = boxes_around.emplace_back();
     for (std::size_t k = 0; k < piece.size(); ++k) {
       const Point& a = exact.vertices[piece[k]];
       const Point& b = exact.vertices[piece[next(k, piece.size())]];
       const Place& place = corners.emplace_back(places[piece[k]]);
-      box.add({place.x, place.x, place.y, place.y});
+      box = around(box, {place.x, place.y, place.x, place.y});
       const double dx = difference(a.x, b.x, doubles), dy = difference(a.y, b.y, doubles);
       const double length = std::hypot(dx, dy);
       HalfPlane& side = sides.emplace_back(HalfPlane{-dy / length, dx / length, 0});
       side.low = along(side, place);
     }
   }
-  boxes = HalvedBoxes(around);
+  boxes = BoxTree<>(boxes_around);
 }
 
 PieceSums::PieceSums(const ConvexPieces& p, const ConvexPieces& q, const ShiftedDoubles& doubles)

@@ -4,17 +4,15 @@
 #include <unordered_map>
 #include <vector>
 
+#include "checked/boxes/box_tree.hpp"
 #include "checked/certificates/integer_line.hpp"
 #include "checked/pieces/convex_pieces.hpp"
-#include "checked/pieces/halved_boxes.hpp"
 #include "checked/pieces/shifted_doubles.hpp"
 
 namespace oplus::certificates {
 
-using pieces::Box;
 using pieces::ConvexPiece;
 using pieces::ConvexPieces;
-using pieces::HalvedBoxes;
 using pieces::Place;
 using pieces::ShiftedDoubles;
 
@@ -39,7 +37,7 @@ struct NearPieces {
 
   const ConvexPieces& exact;
   std::vector<NearPiece> near;
-  HalvedBoxes boxes;
+  BoxTree<> boxes;
 };
 
 /// The sums of a convex piece T of P and one, U, of Q. Side k of T ⊕ U is in the direction of side k of T, and
@@ -68,15 +66,15 @@ class PieceSums {
 
  private:
   template <typename Call>
-  void visit(const Place& place, double margin, const HalvedBoxes::Range& of_p,
-             const HalvedBoxes::Range& of_q, const Call& call) const {
-    const Box &a = p_.boxes[of_p], &b = q_.boxes[of_q];
-    if (place.x + margin < a.x_low + b.x_low || place.x - margin > a.x_high + b.x_high ||
-        place.y + margin < a.y_low + b.y_low || place.y - margin > a.y_high + b.y_high)
+  void visit(const Place& place, double margin, const BoxTree<>::Range& of_p,
+             const BoxTree<>::Range& of_q, const Call& call) const {
+    const Box &a = p_.boxes[of_p], &b = q_.boxes[of_q], sum = a + b;
+    if (place.x + margin < sum.low_x || place.x - margin > sum.high_x ||
+        place.y + margin < sum.low_y || place.y - margin > sum.high_y)
       return;
-    if (of_p.is_one() && of_q.is_one()) {
+    if (of_p.is_leaf() && of_q.is_leaf()) {
       call(Pair{of_p.begin, of_q.begin});
-    } else if (of_q.is_one() || (!of_p.is_one() && a.size() >= b.size())) {
+    } else if (of_q.is_leaf() || (!of_p.is_leaf() && a.size() >= b.size())) {
       const auto [first, second] = of_p.halves();
       visit(place, margin, first, of_q, call);
       visit(place, margin, second, of_q, call);

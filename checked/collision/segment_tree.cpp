@@ -1,33 +1,38 @@
 // SPDX-License-Identifier: MIT
 #include "checked/collision/segment_tree.hpp"
 
-#include <cfloat>
-#include <cmath>
-#include <numeric>
 #include <optional>
 
+#include "reference/chains/near_point.hpp"
 #include "reference/definitions/squared_distance.hpp"
 
 namespace oplus {
 
 namespace {
 
-constexpr std::size_t leaf_size = 4;
-
-Box around(const Box& a, const Box& b) {
-  return {std::min(a.low_x, b.low_x), std::min(a.low_y, b.low_y), std::max(a.high_x, b.high_x),
-          std::max(a.high_y, b.high_y)};
-}
-
-/// Where an interval goes in an order; only the shape of the tree depends on it.
-double middle(double low, double high) {
-  return std::max(low, -DBL_MAX) / 2 + std::min(high, DBL_MAX) / 2;
-}
-
 /// Whether all of b is certainly on one side of the line through a.
 bool is_beside(const IntervalSegment& a, const IntervalSegment& b) {
   const int of_source = orientation_in_doubles(a.source, a.target, b.source);
   return of_source != 0 && orientation_in_doubles(a.source, a.target, b.target) == of_source;
+}
+
+bool is_above(const NearPoint& a, const NearPoint& b) {
+  const std::optional<int> known = compare(a.near.y, b.near.y);
+  return known ? *known > 0 : a.exact->y > b.exact->y;
+}
+
+/// A segment that a ray to the right crosses, from its lower to its upper end.
+struct Crossed {
+  NearPoint low;
+  NearPoint high;
+};
+
+/// Of two segments that one ray crosses.
+bool is_left_of(const Crossed& a, const Crossed& b) {
+  if (is_above(b.low, a.low)) return !is_left_of(b, a);
+  // They meet in ends at most.
+  const int side = orientation(b.low, b.high, a.low);
+  return (side != 0 ? side : orientation(b.low, b.high, a.high)) > 0;
 }
 
 Interval squared_length(const IntervalPoint& v) {
@@ -37,59 +42,19 @@ Interval squared_length(const IntervalPoint& v) {
 
 }  // namespace
 
-Box box_of(const IntervalPoint& p) { return {p.x.low, p.y.low, p.x.high, p.y.high}; }
-
-Box box_of(const IntervalSegment& s) { return around(box_of(s.source), box_of(s.target)); }
-
-/// Each of the five operations is wrong by a 2^53rd at most, or by the least double.
-double squared_gap(const Box& a, const Box& b) {
-  const double x = std::max({0.0, a.low_x - b.high_x, b.low_x - a.high_x});
-  const double y = std::max({0.0, a.low_y - b.high_y, b.low_y - a.high_y});
-  const double squared = x * x + y * y;
-  return squared < DBL_MIN ? 0 : squared * (1 - 0x1p-48);
-}
-
-SegmentTree::SegmentTree(std::vector<Segment> segments)
-    : segments_(std::move(segments)), order_(segments_.size()) {
+SegmentTree::SegmentTree(std::vector<Segment> segments) : segments_(std::move(segments)) {
   certified_.reserve(segments_.size());
   boxes_.reserve(segments_.size());
   for (const Segment& s : segments_) {
     certified_.push_back(interval(s));
     boxes_.push_back(box_of(certified_.back()));
   }
-  std::iota(order_.begin(), order_.end(), 0);
-  if (!segments_.empty()) build(0, segments_.size());
-}
-
-void SegmentTree::build(std::size_t begin, std::size_t end) {
-  Box box = boxes_[order_[begin]];
-  for (std::size_t i = begin + 1; i < end; ++i) box = around(box, boxes_[order_[i]]);
-  const std::size_t self = nodes_.size();
-  nodes_.push_back({box, begin, end});
-  if (end - begin <= leaf_size) return;
-  // Where the middles are further apart: long boxes are told apart by their short sides.
-  const auto middle_of = [&](std::size_t i) -> std::pair<double, double> {
-    const Box& b = boxes_[order_[i]];
-    return {middle(b.low_x, b.high_x), middle(b.low_y, b.high_y)};
-  };
-  const auto [first_x, first_y] = middle_of(begin);
-  Box middles{first_x, first_y, first_x, first_y};
-  for (std::size_t i = begin + 1; i < end; ++i) {
-    const auto [x, y] = middle_of(i);
-    middles = around(middles, {x, y, x, y});
-  }
-  const bool wide = middles.high_x - middles.low_x > middles.high_y - middles.low_y;
-  const auto key = [&](std::size_t i) {
-    const Box& b = boxes_[i];
-    return wide ? middle(b.low_x, b.high_x) : middle(b.low_y, b.high_y);
-  };
-  const std::size_t half = begin + (end - begin) / 2;
-  const auto at = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
-  std::nth_element(at(begin), at(half), at(end),
-                   [&](std::size_t i, std::size_t j) { return key(i) < key(j); });
-  build(begin, half);
-  nodes_[self].right = nodes_.size();
-  build(half, end);
+  order_ = halving_order(boxes_);
+  std::vector<Box> in_order;
+  in_order.reserve(boxes_.size());
+  for (const std::uint32_t i : order_) in_order.push_back(boxes_[i]);
+  boxes_ = std::move(in_order);
+  tree_ = Tree(boxes_);
 }
 
 std::vector<std::size_t> near(const Segment& segment, const SegmentTree& segments) {
@@ -103,9 +68,14 @@ std::vector<std::size_t> near(const Segment& segment, const SegmentTree& segment
 }
 
 bool lies_on_one(const Point& p, const SegmentTree& segments) {
-  for (const std::size_t i : near({p, p}, segments))
-    if (lies_on(p, segments[i])) return true;
-  return false;
+  const IntervalPoint place = interval(p);
+  bool lies = false;
+  segments.look_at_meeting(box_of(place), [&](std::size_t i) {
+    const IntervalSegment& s = segments.certified(i);
+    lies =
+        lies || (orientation_in_doubles(s.source, s.target, place) == 0 && lies_on(p, segments[i]));
+  });
+  return lies;
 }
 
 std::vector<Segment> cut_where_met(const Segment& segment, const SegmentTree& others) {
@@ -115,6 +85,34 @@ std::vector<Segment> cut_where_met(const Segment& segment, const SegmentTree& ot
     met.insert(met.end(), common.begin(), common.end());
   }
   return cut(segment, std::move(met));
+}
+
+std::optional<Crossing> first_to_the_right(const Point& x, const SegmentTree& segments) {
+  // The ray is an infinitesimal above x, so that it meets no end.
+  const NearPoint from = near_point(x);
+  std::optional<Crossed> first;
+  std::optional<Crossing> result;
+  double limit = std::numeric_limits<double>::max();
+  segments.look_for(
+      limit,
+      [&](const Box& box) {
+        const bool may_cross = from.near.x.low <= box.high_x && box.low_y <= from.near.y.high &&
+                               from.near.y.low <= box.high_y;
+        return may_cross ? box.low_x : SegmentTree::nothing;
+      },
+      [&](std::size_t i) {
+        const NearPoint source{segments.certified(i).source, &segments[i].source};
+        const NearPoint target{segments.certified(i).target, &segments[i].target};
+        const bool runs_up = is_above(target, from);
+        if (is_above(source, from) == runs_up) return limit;
+        const Crossed here = runs_up ? Crossed{source, target} : Crossed{target, source};
+        if (orientation(here.low, here.high, from) < 0 || (first && !is_left_of(here, *first)))
+          return limit;
+        first = here;
+        result = {i, runs_up};
+        return limit = std::max(here.low.near.x.high, here.high.near.x.high);
+      });
+  return result;
 }
 
 Interval squared_distance(const IntervalPoint& x, const IntervalSegment& s) {

@@ -4,41 +4,20 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "checked/boxes/box_tree.hpp"
 #include "reference/arithmetic/interval.hpp"
 #include "reference/definitions/segment.hpp"
 
 namespace oplus {
 
-/// A box around what certified intervals contain.
-struct Box {
-  double low_x, low_y, high_x, high_y;
-};
-
-Box box_of(const IntervalPoint& p);
-Box box_of(const IntervalSegment& s);
-
-/// Around all places that a box is moved to.
-inline Box translated(const Box& box, const IntervalPoint& by) {
-  const Interval x = outward(box.low_x + by.x.low, box.high_x + by.x.high);
-  const Interval y = outward(box.low_y + by.y.low, box.high_y + by.y.high);
-  return {x.low, y.low, x.high, y.high};
-}
-
-inline bool meet(const Box& a, const Box& b) {
-  return a.low_x <= b.high_x && b.low_x <= a.high_x && a.low_y <= b.high_y && b.low_y <= a.high_y;
-}
-
-/// At most the squared distance of any two points of the boxes.
-double squared_gap(const Box& a, const Box& b);
-
 /// Segments, or points, in a tree of boxes: those near a place, or near those of another tree (thesis,
-/// Section 5.1.2), are found without a look at all. Built in O(n log n): each box is halved across the side
-/// along which the middles of its segments are furthest apart. Boxes are of certified intervals, so that none is too
-/// small.
+/// Section 5.1.2), are found without a look at all. Built in O(n log n), in halving_order.
 class SegmentTree {
  public:
   SegmentTree(std::vector<Segment> segments);  // NOLINT(google-explicit-constructor)
@@ -73,21 +52,13 @@ class SegmentTree {
   static constexpr double nothing = std::numeric_limits<double>::infinity();
 
  private:
-  /// The left child follows its parent directly; a leaf has none.
-  struct Node {
-    Box box;
-    std::size_t begin, end;
-    std::size_t right = 0;
-    bool is_leaf() const { return right == 0; }
-  };
-
-  void build(std::size_t begin, std::size_t end);
+  using Tree = BoxTree<4>;
 
   std::vector<Segment> segments_;
   std::vector<IntervalSegment> certified_;
-  std::vector<Box> boxes_;
-  std::vector<std::size_t> order_;  ///< the segments, those of a node together
-  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> order_;  ///< the segments, in that of the tree,
+  std::vector<Box> boxes_;            ///< and their boxes
+  Tree tree_;
 };
 
 /// Those which may have a point in common with a segment.
@@ -97,6 +68,14 @@ std::vector<std::size_t> near(const Segment& segment, const SegmentTree& segment
 /// squared_distance.hpp).
 bool lies_on_one(const Point& p, const SegmentTree& segments);
 std::vector<Segment> cut_where_met(const Segment& segment, const SegmentTree& others);
+
+/// The segment that a ray to the right crosses first, from infinitely little above x: it passes no end.
+/// Requires: segments meet in ends at most.
+struct Crossing {
+  std::size_t segment;
+  bool runs_up;
+};
+std::optional<Crossing> first_to_the_right(const Point& x, const SegmentTree& segments);
 
 /// The squared distance from the nearest one, or a number that is not larger than `enough`, where that
 /// distance is not. Segment `left_out` does not count. Requires: there is another.
@@ -108,24 +87,26 @@ Interval squared_distance(const IntervalPoint& x, const IntervalSegment& s);
 
 template <typename Bound, typename Look>
 void SegmentTree::look_for(double limit, const Bound& bound, const Look& look) const {
-  if (nodes_.empty()) return;
-  std::array<std::pair<double, std::size_t>, 128> pending;  // halving makes no tree as deep
+  if (empty()) return;
+  std::array<std::pair<double, Tree::Range>, 64> pending;  // halving makes no tree as deep
   std::size_t size = 0;
-  pending[size++] = {bound(nodes_[0].box), 0};
+  const auto add = [&](const Tree::Range& range) {
+    pending[size++] = {bound(tree_[range]), range};
+  };
+  add(tree_.all());
   while (size > 0) {
-    const auto [least, number] = pending[--size];
+    const auto [least, range] = pending[--size];
     if (least > limit) continue;
-    const Node& node = nodes_[number];
-    if (node.is_leaf()) {
-      for (std::size_t i = node.begin; i < node.end; ++i)
-        if (bound(boxes_[order_[i]]) <= limit) limit = look(order_[i]);
+    if (range.is_leaf()) {
+      for (std::size_t i = range.begin; i < range.end; ++i)
+        if (bound(boxes_[i]) <= limit) limit = look(order_[i]);
       continue;
     }
-    std::pair<double, std::size_t> near{bound(nodes_[number + 1].box), number + 1};
-    std::pair<double, std::size_t> far{bound(nodes_[node.right].box), node.right};
-    if (far < near) std::swap(near, far);
-    pending[size++] = far;
-    pending[size++] = near;
+    const auto [first, second] = range.halves();
+    add(second);
+    add(first);
+    if (pending[size - 2].first < pending[size - 1].first)
+      std::swap(pending[size - 2], pending[size - 1]);
   }
 }
 
@@ -134,27 +115,26 @@ bool SegmentTree::visit_meeting(const SegmentTree& moved, const Vector& by,
                                 const Visit& visit) const {
   if (empty() || moved.empty()) return false;
   const IntervalPoint way = interval(by);
-  std::array<std::pair<std::size_t, std::size_t>, 256> pending;  // each halves a box
+  std::array<std::pair<Tree::Range, Tree::Range>, 128> pending;  // each halves a box
   std::size_t size = 0;
-  pending[size++] = {0, 0};
+  pending[size++] = {tree_.all(), moved.tree_.all()};
   while (size > 0) {
     const auto [a, b] = pending[--size];
-    const Node& node = nodes_[a];
-    const Node& other = moved.nodes_[b];
-    if (!meet(node.box, translated(other.box, way))) continue;
-    if (node.is_leaf() && other.is_leaf()) {
-      for (std::size_t j = other.begin; j < other.end; ++j) {
-        const Box box = translated(moved.boxes_[moved.order_[j]], way);
-        for (std::size_t i = node.begin; i < node.end; ++i)
-          if (meet(boxes_[order_[i]], box) && visit(order_[i], moved.order_[j])) return true;
+    if (!meet(tree_[a], translated(moved.tree_[b], way))) continue;
+    if (a.is_leaf() && b.is_leaf()) {
+      for (std::size_t j = b.begin; j < b.end; ++j) {
+        const Box box = translated(moved.boxes_[j], way);
+        for (std::size_t i = a.begin; i < a.end; ++i)
+          if (meet(boxes_[i], box) && visit(order_[i], moved.order_[j])) return true;
       }
-    } else if (other.is_leaf() ||
-               (!node.is_leaf() && node.end - node.begin > other.end - other.begin)) {
-      pending[size++] = {a + 1, b};
-      pending[size++] = {node.right, b};
+    } else if (b.is_leaf() || (!a.is_leaf() && a.size() > b.size())) {
+      const auto [first, second] = a.halves();
+      pending[size++] = {first, b};
+      pending[size++] = {second, b};
     } else {
-      pending[size++] = {a, b + 1};
-      pending[size++] = {a, other.right};
+      const auto [first, second] = b.halves();
+      pending[size++] = {a, first};
+      pending[size++] = {a, second};
     }
   }
   return false;

@@ -2,11 +2,10 @@
 #include "checked/collision/summand_boundary.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 
-#include "reference/chains/near_point.hpp"
 #include "reference/chains/touching_points.hpp"
+#include "reference/definitions/exact_box.hpp"
 
 namespace oplus {
 
@@ -32,35 +31,10 @@ std::vector<Segment> first_vertices(const std::vector<std::vector<Segment>>& of_
 /// From corner to corner of the box around chains.
 std::vector<Segment> diagonal(const std::vector<std::vector<Segment>>& of_chains) {
   if (of_chains.empty()) return {};
-  Point low = of_chains[0][0].source;
-  Point high = low;
-  for (const std::vector<Segment>& of_chain : of_chains) {
-    for (const Segment& s : of_chain) {
-      low = {std::min(low.x, s.source.x), std::min(low.y, s.source.y)};
-      high = {std::max(high.x, s.source.x), std::max(high.y, s.source.y)};
-    }
-  }
-  return {{low, high}};
-}
-
-bool is_above(const NearPoint& a, const NearPoint& b) {
-  const std::optional<int> known = compare(a.near.y, b.near.y);
-  return known ? *known > 0 : a.exact->y > b.exact->y;
-}
-
-/// A piece to the right of a point, from its lower to its upper end.
-struct Crossed {
-  NearPoint low;
-  NearPoint high;
-  bool runs_up;
-};
-
-/// Of two pieces that one ray crosses.
-bool is_left_of(const Crossed& a, const Crossed& b) {
-  if (is_above(b.low, a.low)) return !is_left_of(b, a);
-  // They meet in ends at most.
-  const int side = orientation(b.low, b.high, a.low);
-  return (side != 0 ? side : orientation(b.low, b.high, a.high)) > 0;
+  ExactBox box(of_chains[0][0].source);
+  for (const std::vector<Segment>& of_chain : of_chains)
+    for (const Segment& s : of_chain) box.add(s.source);
+  return {{box.low, box.high}};
 }
 
 }  // namespace
@@ -76,34 +50,7 @@ SummandBoundary::SummandBoundary(const std::vector<std::vector<Segment>>& of_cha
 }
 
 bool SummandBoundary::contains(const Point& x) const {
-  // The ray is an infinitesimal above x, so that it meets no vertex.
-  const NearPoint from = near_point(x);
-  const auto crossed = [&](std::size_t i) -> std::optional<Crossed> {
-    const NearPoint source{pieces.certified(i).source, &pieces[i].source};
-    const NearPoint target{pieces.certified(i).target, &pieces[i].target};
-    const bool runs_up = is_above(target, from);
-    if (is_above(source, from) == runs_up) return std::nullopt;
-    const Crossed piece = runs_up ? Crossed{source, target, true} : Crossed{target, source, false};
-    if (orientation(piece.low, piece.high, from) < 0) return std::nullopt;
-    return piece;
-  };
-  std::optional<Crossed> first;
-  double limit = std::numeric_limits<double>::max();
-  pieces.look_for(
-      limit,
-      [&](const Box& box) {
-        const bool may_cross = from.near.x.low <= box.high_x && box.low_y <= from.near.y.high &&
-                               from.near.y.low <= box.high_y;
-        return may_cross ? box.low_x : SegmentTree::nothing;
-      },
-      [&](std::size_t i) {
-        const std::optional<Crossed> here = crossed(i);
-        if (here && (!first || is_left_of(*here, *first))) {
-          first = here;
-          limit = std::max(here->low.near.x.high, here->high.near.x.high);
-        }
-        return limit;
-      });
+  const std::optional<Crossing> first = first_to_the_right(x, pieces);
   return first && first->runs_up;
 }
 

@@ -14,6 +14,7 @@
 #include "reference/chains/region_of.hpp"
 #include "reference/chains/touching_points.hpp"
 #include "reference/definitions/difference.hpp"
+#include "reference/definitions/exact_box.hpp"
 #include "reference/definitions/mutant.hpp"
 #include "reference/definitions/sorted_without_copies.hpp"
 
@@ -121,21 +122,16 @@ class NearEdges {
       : region_(region.outer.empty() ? Region{} : region_of(region)),
         edges_(edges(region_)),
         tree_(edges_and_points(set)) {
-    if (edges_.empty()) return;
-    low_ = high_ = edges_[0].source;
-    for (std::size_t i = 0; i < edges_.size(); ++i) {
-      const Point& p = edges_[i].source;
-      low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
-      high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y)};
-    }
+    if (!edges_.empty()) box_ = box_around(edges(region_));
   }
 
   bool meets_interior_at(const Point& x) const {
     if (edges_.empty() || tree_.empty()) return false;
     bool meets = false;
-    tree_.look_at_meeting(box_of(interval(Segment{x - high_, x - low_})), [&](std::size_t i) {
-      meets = meets || meets_interior({x - tree_[i].source, x - tree_[i].target});
-    });
+    tree_.look_at_meeting(
+        box_of(interval(Segment{x - box_->high, x - box_->low})), [&](std::size_t i) {
+          meets = meets || meets_interior({x - tree_[i].source, x - tree_[i].target});
+        });
     return meets;
   }
 
@@ -157,7 +153,7 @@ class NearEdges {
   Region region_;
   SegmentTree edges_;
   SegmentTree tree_;
-  Point low_, high_;
+  std::optional<ExactBox> box_;
 };
 
 /// Decides, by its definition, what is in an open sum.

@@ -8,7 +8,7 @@
 #include <span>
 #include <utility>
 
-#include "checked/pieces/halving_order.hpp"
+#include "checked/boxes/halving_order.hpp"
 #include "checked/pieces/shifted_doubles.hpp"
 #include "checked/pieces/triangulation.hpp"
 
@@ -175,14 +175,16 @@ class MergedTriangles {
   std::vector<std::uint32_t> corners_, flat_corners_;  ///< of pieces, how many
 };
 
-Place centre(const ConvexPiece& piece, const std::vector<Place>& vertices) {
+/// The mean of the corners, as a box.
+Box centre(const ConvexPiece& piece, const std::vector<Place>& vertices) {
   Place sum;
   for (const std::uint32_t corner : piece) {
     sum.x += vertices[corner].x;
     sum.y += vertices[corner].y;
   }
   const auto corners = static_cast<double>(piece.size());
-  return {sum.x / corners, sum.y / corners};
+  const double x = sum.x / corners, y = sum.y / corners;
+  return {x, y, x, y};
 }
 
 }  // namespace
@@ -211,7 +213,7 @@ ConvexPieces convex_pieces(const Region& region, std::uint32_t most_corners) {
   merged.merge();
   std::vector<ConvexPiece> pieces = merged.pieces();
 
-  std::vector<Place> centres;
+  std::vector<Box> centres;
   for (const ConvexPiece& piece : pieces) centres.push_back(centre(piece, places));
   for (const std::uint32_t i : halving_order(centres))
     result.pieces.push_back(std::move(pieces[i]));

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <span>
 
-#include "checked/pieces/halving_order.hpp"
+#include "checked/pieces/place.hpp"
 #include "reference/definitions/values.hpp"
 
 namespace oplus::pieces {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "checked/pieces/halving_order.hpp"
+#include "checked/pieces/place.hpp"
 #include "reference/chains/near_point.hpp"
 #include "reference/chains/plane_sweep.hpp"
 

@@ -75,12 +75,11 @@ bool passes(const Segment& s, const Point& centre, const Rational& half) {
 
 /// Whether a box, with that margin around it, may meet a segment.
 bool may_meet(const Box& box, double margin, const IntervalSegment& s, const Box& around) {
-  const Interval x = outward(box.low_x - margin, box.high_x + margin);
-  const Interval y = outward(box.low_y - margin, box.high_y + margin);
-  if (!meet({x.low, y.low, x.high, y.high}, around)) return false;
+  const Box larger = enlarged(box, margin);
+  if (!meet(larger, around)) return false;
   int sides = 0;
-  for (const double at_x : {x.low, x.high})
-    for (const double at_y : {y.low, y.high})
+  for (const double at_x : {larger.low_x, larger.high_x})
+    for (const double at_y : {larger.low_y, larger.high_y})
       sides += orientation_in_doubles(s.source, s.target, {{at_x, at_x}, {at_y, at_y}});
   return sides != 4 && sides != -4;
 }

@@ -44,11 +44,11 @@ class BlockingSearch {
       : summands_(summands), shift_(shift) {}
 
   /// An interval that contains t, if there is one.
-  std::optional<Interval> at(const Track<Numbers>& track, const Fraction<Numbers>& t) {
+  std::optional<Interval> at(const ReducedSegment<Numbers>& segment, const Fraction<Numbers>& t) {
     ++effort.probes;
-    const NearPoint near = near_place(track, t);
+    const ApproximatePoint near = near_place(segment, t);
     for (std::size_t k = 0; k < remembered_; ++k) {
-      if (auto found = containing(track, t, near, recent_[k])) {
+      if (auto found = containing(segment, t, near, recent_[k])) {
         std::rotate(recent_.begin(), recent_.begin() + static_cast<std::ptrdiff_t>(k),
                     recent_.begin() + static_cast<std::ptrdiff_t>(k) + 1);
         return found;
@@ -56,16 +56,16 @@ class BlockingSearch {
     }
     if (compares_all_pairs()) {
       std::optional<Interval> found;
-      each_near_pair(track, [&](const EdgePair& pair) {
+      each_near_pair(segment, [&](const EdgePair& pair) {
         if (found) return;
-        found = containing(track, t, near, pair);
+        found = containing(segment, t, near, pair);
         if (found) remember(pair);
       });
       return found;
     }
     // What a probe leaves out, each_pair() looks into.
     const bool shifts = shift_ == Shift::to_the_right && summands_.margins.area_is_exact;
-    const Box point = (shifts ? shifted_to_the_right(track, near) : near).box();
+    const FloatBox point = (shifts ? shifted_to_the_right(segment, near) : near).box();
     strips_from_ = effort.box_pairs + without_strips;
     left_out_.clear();
     std::size_t waiting = 0;
@@ -77,7 +77,7 @@ class BlockingSearch {
     while (true) {
       ++effort.box_pairs;
       if (const auto halves = halves_of(boxes)) {
-        const Box first = sum_of(halves->first), second = sum_of(halves->second);
+        const FloatBox first = sum_of(halves->first), second = sum_of(halves->second);
         const bool in_first = contains(first, point) && !beside_strips(halves->first, near, near);
         const bool in_second =
             contains(second, point) && !beside_strips(halves->second, near, near);
@@ -97,7 +97,7 @@ class BlockingSearch {
         }
       } else {
         const EdgePair pair = edges_in(boxes);
-        if (auto found = containing(track, t, near, pair)) {
+        if (auto found = containing(segment, t, near, pair)) {
           remember(pair);
           return found;
         }
@@ -116,26 +116,28 @@ class BlockingSearch {
   /// Prepares each_pair() without a probe.
   void leave_out_all() { left_out_.assign(1, {0, 0}); }
 
-  /// Visits all pairs of edges that can block a place inside a piece of the track, by the numbers of the
+  /// Visits all pairs of edges that can block a place inside a piece of the segment, by the numbers of the
   /// edges; without a shift, all those that can touch each other at a place on it.
   /// Requires: at() was asked about a place on this piece last, and found none; or leave_out_all().
   template <typename Visit>
-  void each_pair(const Track<Numbers>& track, const Piece<Numbers>& piece, const Visit& visit) {
-    if (compares_all_pairs()) return each_near_pair(track, visit);
-    const NearPoint from = near_place(track, piece.from), to = near_place(track, piece.to);
+  void each_pair(const ReducedSegment<Numbers>& segment, const Piece<Numbers>& piece,
+                 const Visit& visit) {
+    if (compares_all_pairs()) return each_near_pair(segment, visit);
+    const ApproximatePoint from = near_place(segment, piece.from),
+                           to = near_place(segment, piece.to);
     const bool exactly = shift_ == Shift::to_the_right && summands_.margins.area_is_exact &&
                          piece.from.denominator() == 1 && piece.to.denominator() == 1;
     const auto visit_if_near = [&](const EdgePair& pair) {
-      if (comes_apart(track, pair)) return;
+      if (comes_apart(segment, pair)) return;
       if (exactly ? outside_exactly(pair, from, to)
-                  : certainly_outside(pair, from, to) || meets_end_only(track, pair) ||
-                        outside_closely(track, pair, piece.from.near(), piece.to.near()))
+                  : certainly_outside(pair, from, to) || meets_end_only(segment, pair) ||
+                        outside_closely(segment, pair, piece.from.near(), piece.to.near()))
         return;
       visit(pair);
     };
     SweptBox swept(from, to);
     if (shift_ == Shift::to_the_right && summands_.margins.area_is_exact)
-      swept.leave_out_touching(track.near, exactly);
+      swept.leave_out_touching(segment.near, exactly);
     strips_from_ = effort.box_pairs + without_strips;
     const auto may_meet = [&](const Pair& boxes) {
       return swept.may_meet(sum_of(boxes)) && !beside_strips(boxes, from, to);
@@ -161,59 +163,60 @@ class BlockingSearch {
     }
   }
 
-  std::optional<Interval> interval_of(const Track<Numbers>& track, const EdgePair& pair) {
+  std::optional<Interval> interval_of(const ReducedSegment<Numbers>& segment,
+                                      const EdgePair& pair) {
     ++effort.by_integers;
-    return blocked_interval(track.exact, summands_.p.edges[pair.first],
+    return blocked_interval(segment.exact, summands_.p.edges[pair.first],
                             summands_.q.edges[pair.second], shift_);
   }
 
   SearchEffort effort;
 
  private:
-  /// Visits all pairs of edges that can block a place on the track.
+  /// Visits all pairs of edges that can block a place on the segment.
   template <typename Visit>
-  void each_near_pair(const Track<Numbers>& track, const Visit& visit) {
+  void each_near_pair(const ReducedSegment<Numbers>& segment, const Visit& visit) {
     const Margins& margins = summands_.margins;
     const double margin = margins.area_is_exact ? 0 : 4 * margins.area;
     // Where doubles are exact, a segment beside a strip may touch its side; along it, the shift decides.
     const double touching = OPLUS_MUTANT("slide-passes-sides-by") ? margin : std::max(margin, 0.5);
     effort.by_doubles += summands_.p.near.size() * summands_.q.near.size();
-    summands_.pairs.each_near(track.near, {shift_ == Shift::none ? touching : margin, touching},
+    summands_.pairs.each_near(segment.near, {shift_ == Shift::none ? touching : margin, touching},
                               [&](const EdgePair& pair) {
                                 --effort.by_doubles;
-                                if (!comes_apart(track, pair)) visit(pair);
+                                if (!comes_apart(segment, pair)) visit(pair);
                               });
   }
 
   using Pair = std::pair<std::uint32_t, std::uint32_t>;  ///< of nodes
 
-  /// Whether these are edges that touch each other all along the track, and that the shift moves apart;
+  /// Whether these are edges that touch each other all along the segment, and that the shift moves apart;
   /// without it they count, since their contact begins and ends.
-  bool comes_apart(const Track<Numbers>& track, const EdgePair& pair) const {
+  bool comes_apart(const ReducedSegment<Numbers>& segment, const EdgePair& pair) const {
     // Without jumps that cannot be predicted.
     const auto is = [&](const EdgePair& other) {
       return int{((pair.first ^ other.first) | (pair.second ^ other.second)) == 0};
     };
-    return shift_ == Shift::to_the_right && (is(track.contact[0]) | is(track.contact[1])) != 0;
+    return shift_ == Shift::to_the_right && (is(segment.contact[0]) | is(segment.contact[1])) != 0;
   }
 
-  /// Whether doubles tell that a track, which has an end at a corner of the sum of a pair of edges, leads
+  /// Whether doubles tell that a segment, which has an end at a corner of the sum of a pair of edges, leads
   /// away from there: most pairs that share a vertex with those that touch.
-  bool meets_end_only(const Track<Numbers>& track, const EdgePair& pair) {
+  bool meets_end_only(const ReducedSegment<Numbers>& segment, const EdgePair& pair) {
     if (shift_ == Shift::none || summands_.margins.area_is_exact) return false;
-    const bool edge_of_p = track.contact[0].first == track.contact[1].first;
+    const bool edge_of_p = segment.contact[0].first == segment.contact[1].first;
     const auto of = [&](const EdgePair& both, bool p) { return p ? both.first : both.second; };
-    const std::uint32_t vertex = of(track.contact[1], !edge_of_p);
+    const std::uint32_t vertex = of(segment.contact[1], !edge_of_p);
     const std::uint32_t at_vertex = of(pair, !edge_of_p);
-    if (at_vertex != vertex && at_vertex != of(track.contact[0], !edge_of_p)) return false;
+    if (at_vertex != vertex && at_vertex != of(segment.contact[0], !edge_of_p)) return false;
     const auto& previous = (edge_of_p ? summands_.p : summands_.q).previous;
-    const std::uint32_t edge = of(track.contact[0], edge_of_p), beside = of(pair, edge_of_p);
+    const std::uint32_t edge = of(segment.contact[0], edge_of_p), beside = of(pair, edge_of_p);
     const bool before = previous[edge] == beside;
     if (!before && previous[beside] != edge) return false;
-    // The sides of the parallelogram lead away from the corner, and so does the track.
+    // The sides of the parallelogram lead away from the corner, and so does the segment.
     const NearSegment& u = (edge_of_p ? summands_.p : summands_.q).near[beside];
     const NearSegment& w = (edge_of_p ? summands_.q : summands_.p).near[at_vertex];
-    const NearSegment& d = track.near;
+    const NearSegment& d = segment.near;
     const int turn = certain_turn(u.dx, u.dy, w.dx, w.dy);
     const int sign_u = before ? -1 : 1, sign_w = at_vertex == vertex ? 1 : -1;
     const int from_u = certain_turn(u.dx, u.dy, d.dx, d.dy);
@@ -228,7 +231,8 @@ class BlockingSearch {
 
   /// Whether no place between two is in the sum of a pair of edges, a parallelogram, or its boundary,
   /// given points near the two.
-  bool certainly_outside(const EdgePair& pair, const NearPoint& from, const NearPoint& to) {
+  bool certainly_outside(const EdgePair& pair, const ApproximatePoint& from,
+                         const ApproximatePoint& to) {
     return beside(pair, from, to, summands_.margins.area,
                   [](double low, double high, double a, double b, double /*right*/) {
                     return std::max(a, b) < low || std::min(a, b) > high;
@@ -236,7 +240,8 @@ class BlockingSearch {
   }
 
   /// Whether no place between two ends of segments, shifted, is inside the sum of a pair of edges.
-  bool outside_exactly(const EdgePair& pair, const NearPoint& from, const NearPoint& to) {
+  bool outside_exactly(const EdgePair& pair, const ApproximatePoint& from,
+                       const ApproximatePoint& to) {
     return beside(pair, from, to, 0, [](double low, double high, double a, double b, double right) {
       // Along a side, the shift decides.
       const bool is_along =
@@ -251,17 +256,17 @@ class BlockingSearch {
   /// pair of edges is the intersection; beside_strip() is told across which part of the line is, and
   /// whether a shift to the right moves it that way.
   template <typename BesideStrip>
-  bool beside(const EdgePair& pair, const NearPoint& from, const NearPoint& to, double margin,
-              const BesideStrip& beside_strip) {
+  bool beside(const EdgePair& pair, const ApproximatePoint& from, const ApproximatePoint& to,
+              double margin, const BesideStrip& beside_strip) {
     const NearSegment& e = summands_.p.near[pair.first];
     const NearSegment& f = summands_.q.near[pair.second];
     const double area = e.dx * f.dy - e.dy * f.dx;
     const double low = std::min(area, 0.0) - margin, high = std::max(area, 0.0) + margin;
     const double corner_x = e.x + f.x, corner_y = e.y + f.y;
-    const auto along_e = [&](const NearPoint& c) {
+    const auto along_e = [&](const ApproximatePoint& c) {
       return (c.x - corner_x) * f.dy - (c.y - corner_y) * f.dx;
     };
-    const auto along_f = [&](const NearPoint& c) {
+    const auto along_f = [&](const ApproximatePoint& c) {
       return e.dx * (c.y - corner_y) - e.dy * (c.x - corner_x);
     };
     const double dx = to.x - from.x, dy = to.y - from.y;
@@ -273,14 +278,15 @@ class BlockingSearch {
     return true;
   }
 
-  /// The same as certainly_outside() for the places between two on the track, with regard to how large
+  /// The same as certainly_outside() for the places between two on the segment, with regard to how large
   /// the numbers of this pair are: for where others are much larger.
-  bool outside_closely(const Track<Numbers>& track, const EdgePair& pair, double from, double to) {
+  bool outside_closely(const ReducedSegment<Numbers>& segment, const EdgePair& pair, double from,
+                       double to) {
     if (summands_.margins.area_is_exact) return false;
     const NearSegment& e = summands_.p.near[pair.first];
     const NearSegment& f = summands_.q.near[pair.second];
-    const double dx = track.near.dx, dy = track.near.dy;
-    const auto is_beside_one = [&](const NearPoint& corner) {
+    const double dx = segment.near.dx, dy = segment.near.dy;
+    const auto is_beside_one = [&](const ApproximatePoint& corner) {
       const double most_x = std::abs(corner.x) + std::abs(dx) + 0x1p47 * corner.error;
       const double most_y = std::abs(corner.y) + std::abs(dy) + 0x1p47 * corner.error;
       const auto is_beside = [&](const NearSegment& along, const NearSegment& across) {
@@ -300,13 +306,13 @@ class BlockingSearch {
     };
     const auto is_beside = [&] {
       if constexpr (!is_small<Numbers>) {
-        const NearPoint near =
-            difference(difference({track.near.x, track.near.y, track.error}, e), f);
+        const ApproximatePoint near =
+            difference(difference({segment.near.x, segment.near.y, segment.error}, e), f);
         if (is_beside_one(near)) return true;
         // Exact differences would tell little more.
         if (near.error < 0x1p-30 * (std::abs(near.x) + std::abs(near.y))) return false;
       }
-      const auto corner = track.exact.source - summands_.p.edges[pair.first].source -
+      const auto corner = segment.exact.source - summands_.p.edges[pair.first].source -
                           summands_.q.edges[pair.second].source;
       const std::size_t shift = summands_.margins.shift;
       return is_beside_one({near(corner.x, shift), near(corner.y, shift)});
@@ -318,20 +324,21 @@ class BlockingSearch {
 
   /// Whether a strip around one of two nodes shows that no place between two is in the sum of what both
   /// are around. Boxes are enough for most searches: strips are only looked at in one that takes long.
-  bool beside_strips(const Pair& boxes, const NearPoint& from, const NearPoint& to) const {
+  bool beside_strips(const Pair& boxes, const ApproximatePoint& from,
+                     const ApproximatePoint& to) const {
     if (effort.box_pairs < strips_from_) return false;
-    const BoxTree::Node& a = summands_.tree_of_p[boxes.first];
-    const BoxTree::Node& b = summands_.tree_of_q[boxes.second];
+    const FloatBoxTree::Node& a = summands_.tree_of_p[boxes.first];
+    const FloatBoxTree::Node& b = summands_.tree_of_q[boxes.second];
     if (a.is_leaf() && b.is_leaf()) return false;  // certainly_outside() tells more
     return beside_strip(summands_.tree_of_p, a, summands_.p, b, summands_.q, from, to) ||
            beside_strip(summands_.tree_of_q, b, summands_.q, a, summands_.p, from, to);
   }
 
   /// The same with the strip around `node`, if it has one.
-  static bool beside_strip(const BoxTree& tree, const BoxTree::Node& node,
-                           const IntegerSummand<Numbers>& summand, const BoxTree::Node& other,
-                           const IntegerSummand<Numbers>& other_summand, const NearPoint& from,
-                           const NearPoint& to) {
+  static bool beside_strip(const FloatBoxTree& tree, const FloatBoxTree::Node& node,
+                           const IntegerSummand<Numbers>& summand, const FloatBoxTree::Node& other,
+                           const IntegerSummand<Numbers>& other_summand,
+                           const ApproximatePoint& from, const ApproximatePoint& to) {
     const auto beside = [&](const Strip& strip) {
       return other.is_leaf() ? is_beside(strip, other_summand.near[other.edge], from, to)
                              : is_beside(strip, other.box, from, to);
@@ -341,21 +348,22 @@ class BlockingSearch {
       const NearSegment& edge = summand.near[node.edge];
       return node.size > other.size && edge.dx != 0 && edge.dy != 0 && beside(strip_along(edge));
     }
-    return node.strip != BoxTree::none && beside(tree.strip(node.strip));
+    return node.strip != FloatBoxTree::none && beside(tree.strip(node.strip));
   }
 
   /// The interval of a pair, if it contains t.
-  std::optional<Interval> containing(const Track<Numbers>& track, const Fraction<Numbers>& t,
-                                     const NearPoint& near, const EdgePair& pair) {
-    if (comes_apart(track, pair) || certainly_outside(pair, near, near) ||
-        meets_end_only(track, pair) || outside_closely(track, pair, t.near(), t.near()))
+  std::optional<Interval> containing(const ReducedSegment<Numbers>& segment,
+                                     const Fraction<Numbers>& t, const ApproximatePoint& near,
+                                     const EdgePair& pair) {
+    if (comes_apart(segment, pair) || certainly_outside(pair, near, near) ||
+        meets_end_only(segment, pair) || outside_closely(segment, pair, t.near(), t.near()))
       return std::nullopt;
-    auto interval = interval_of(track, pair);
+    auto interval = interval_of(segment, pair);
     if (interval && interval->from < t && t < interval->to) return interval;
     return std::nullopt;
   }
 
-  Box sum_of(const Pair& boxes) const {
+  FloatBox sum_of(const Pair& boxes) const {
     return summands_.tree_of_p[boxes.first].box + summands_.tree_of_q[boxes.second].box;
   }
 
@@ -370,15 +378,15 @@ class BlockingSearch {
   /// The larger of two boxes halved, each with the other. Nothing if they are leaves.
   std::optional<Halves> halves_of(const Pair& boxes) const {
     const auto [i, j] = boxes;
-    const BoxTree::Node& a = summands_.tree_of_p[i];
-    const BoxTree::Node& b = summands_.tree_of_q[j];
+    const FloatBoxTree::Node& a = summands_.tree_of_p[i];
+    const FloatBoxTree::Node& b = summands_.tree_of_q[j];
     if (a.is_leaf() && b.is_leaf()) return std::nullopt;
     if (b.is_leaf() || (!a.is_leaf() && a.size > b.size)) return Halves{{i + 1, j}, {a.right, j}};
     return Halves{{i, j + 1}, {i, b.right}};
   }
 
   /// From the middle of a box to a point, twice and by the coordinates' sum.
-  static double distance(const Box& box, const NearPoint& to) {
+  static double distance(const FloatBox& box, const ApproximatePoint& to) {
     return std::abs(static_cast<double>(box[0] - box[2]) - 2 * to.x) +
            std::abs(static_cast<double>(box[1] - box[3]) - 2 * to.y);
   }

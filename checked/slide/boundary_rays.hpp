@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "checked/slide/boxes_around.hpp"
 #include "checked/slide/integer_summands.hpp"
 
 namespace oplus::slide {
@@ -32,7 +31,7 @@ struct Ray {
 template <typename Numbers>
 class BoundaryRays {
  public:
-  BoundaryRays(const IntegerSummand<Numbers>& summand, const BoxTree& tree)
+  BoundaryRays(const IntegerSummand<Numbers>& summand, const FloatBoxTree& tree)
       : summand_(summand), next_(summand.edges.size()) {
     for (std::uint32_t i = 0; i < next_.size(); ++i) next_[summand.previous[i]] = i;
     if (summand.first_of_chain.size() > 1) find_touching(tree);
@@ -113,7 +112,7 @@ class BoundaryRays {
     add(Ray<Numbers>{-summand_.edges[edge].direction, false});
   }
 
-  void find_touching(const BoxTree& tree) {
+  void find_touching(const FloatBoxTree& tree) {
     touching_of_.assign(next_.size(), none);
     for (std::uint32_t v = 0; v < next_.size(); ++v) {
       if (touching_of_[v] != none) continue;

@@ -27,22 +27,22 @@ class ComponentTest {
   /// O(log n + log m) for each pair of components the sum of whose boxes contains x(t), where chains
   /// are not wound around a place. Requires: prepare_component_test(), no edges cross at t, and t is not at
   /// an end of a free piece.
-  bool overlap_at(const Track<Numbers>& track, const Fraction<Numbers>& t) const {
-    return overlap_at(track, t, [](Summand, std::uint32_t) { return true; });
+  bool overlap_at(const ReducedSegment<Numbers>& segment, const Fraction<Numbers>& t) const {
+    return overlap_at(segment, t, [](Summand, std::uint32_t) { return true; });
   }
 
   /// The same, where only those components can be inside another one of which may_be_inside(summand,
   /// first vertex) holds. Requires: without a shift, it does not hold of those that touch another one at x(t).
   template <typename MayBeInside>
-  bool overlap_at(const Track<Numbers>& track, const Fraction<Numbers>& t,
+  bool overlap_at(const ReducedSegment<Numbers>& segment, const Fraction<Numbers>& t,
                   const MayBeInside& may_be_inside) const {
     if (OPLUS_MUTANT("slide-components-never-overlap",
                      "where no edges cross, a component inside another one is not seen"))
       return false;
-    NearPoint near = near_place(track, t);
+    ApproximatePoint near = near_place(segment, t);
     if (shift_ == Shift::to_the_right && summands_.margins.area_is_exact)
-      near = shifted_to_the_right(track, near);
-    return overlap_below(0, 0, track, t, near, may_be_inside);
+      near = shifted_to_the_right(segment, near);
+    return overlap_below(0, 0, segment, t, near, may_be_inside);
   }
 
  private:
@@ -54,8 +54,8 @@ class ComponentTest {
 
   /// Whether components below two nodes of the trees overlap.
   template <typename MayBeInside>
-  bool overlap_below(std::uint32_t i, std::uint32_t j, const Track<Numbers>& track,
-                     const Fraction<Numbers>& t, const NearPoint& x,
+  bool overlap_below(std::uint32_t i, std::uint32_t j, const ReducedSegment<Numbers>& segment,
+                     const Fraction<Numbers>& t, const ApproximatePoint& x,
                      const MayBeInside& may_be_inside) const {
     const ComponentTree::Node& a = summands_.components_of_p.components()[i];
     const ComponentTree::Node& b = summands_.components_of_q.components()[j];
@@ -66,12 +66,12 @@ class ComponentTest {
       const std::uint32_t of_p = p.first_of_component[a.first],
                           of_q = q.first_of_component[b.first];
       return (may_be_inside(Summand::Q, of_q) &&
-              is_inside(p, summands_.components_of_p, a.first, track, t, q, of_q)) ||
+              is_inside(p, summands_.components_of_p, a.first, segment, t, q, of_q)) ||
              (may_be_inside(Summand::P, of_p) &&
-              is_inside(q, summands_.components_of_q, b.first, track, t, p, of_p));
+              is_inside(q, summands_.components_of_q, b.first, segment, t, p, of_p));
     }
     const auto overlap = [&](std::uint32_t in_p, std::uint32_t in_q) {
-      return overlap_below(in_p, in_q, track, t, x, may_be_inside);
+      return overlap_below(in_p, in_q, segment, t, x, may_be_inside);
     };
     if (b.is_leaf() || (!a.is_leaf() && a.box.size() > b.box.size()))
       return overlap(i + 1, j) || overlap(a.right, j);
@@ -90,12 +90,13 @@ class ComponentTest {
   /// Whether x(t) - v is in a component of a summand: by the parity of the edges to the right
   /// of it. v is a vertex of the other summand.
   bool is_inside(const IntegerSummand<Numbers>& summand, const ComponentTree& tree,
-                 std::uint32_t component, const Track<Numbers>& track, const Fraction<Numbers>& t,
-                 const IntegerSummand<Numbers>& other, std::uint32_t vertex) const {
+                 std::uint32_t component, const ReducedSegment<Numbers>& segment,
+                 const Fraction<Numbers>& t, const IntegerSummand<Numbers>& other,
+                 std::uint32_t vertex) const {
     const IntegerVector<Numbers>& v = other.edges[vertex].source;
-    const IntegerVector<Numbers>& d = track.exact.direction;
-    const NearPoint place = near_place(track, t);
-    const NearPoint near = {place.x - other.near[vertex].x, place.y - other.near[vertex].y};
+    const IntegerVector<Numbers>& d = segment.exact.direction;
+    const ApproximatePoint place = near_place(segment, t);
+    const ApproximatePoint near = {place.x - other.near[vertex].x, place.y - other.near[vertex].y};
     // The place times the denominator of t, computed once it is needed.
     const Product scale(t.denominator());
     const auto scaled = [&](const Value& source, const Value& less, const Value& along) {
@@ -107,7 +108,8 @@ class ComponentTest {
     std::optional<Place> computed;
     const auto exact = [&]() -> const Place& {
       if (!computed)
-        computed = {scaled(track.exact.source.x, v.x, d.x), scaled(track.exact.source.y, v.y, d.y)};
+        computed = {scaled(segment.exact.source.x, v.x, d.x),
+                    scaled(segment.exact.source.y, v.y, d.y)};
       return *computed;
     };
     // The right normal of d is (d.y, -d.x).

@@ -17,7 +17,7 @@ class ComponentTree {
   struct NearBox {
     double low_x, low_y, high_x, high_y;
 
-    bool contains(const NearPoint& x, double margin) const {
+    bool contains(const ApproximatePoint& x, double margin) const {
       return low_x - margin <= x.x && x.x <= high_x + margin && low_y - margin <= x.y &&
              x.y <= high_y + margin;
     }
@@ -57,7 +57,7 @@ class ComponentTree {
   /// crosses edge i, which ends at vertex `next`; only parts of chains whose boxes are nearer to x than the margin are
   /// looked into, so it takes O(log n) where chains are not wound around x.
   template <typename IsAbove, typename Crosses>
-  bool is_inside(std::uint32_t component, const NearPoint& x, double margin,
+  bool is_inside(std::uint32_t component, const ApproximatePoint& x, double margin,
                  const IsAbove& is_above, const Crosses& crosses) const {
     return crosses_oddly(chains_of_[component], x, margin, is_above, crosses);
   }
@@ -70,8 +70,8 @@ class ComponentTree {
   void add_part(std::span<const NearSegment> near, std::uint32_t first, std::uint32_t last);
 
   template <typename IsAbove, typename Crosses>
-  bool crosses_oddly(std::uint32_t here, const NearPoint& x, double margin, const IsAbove& is_above,
-                     const Crosses& crosses) const {
+  bool crosses_oddly(std::uint32_t here, const ApproximatePoint& x, double margin,
+                     const IsAbove& is_above, const Crosses& crosses) const {
     const Node& node = parts_[here];
     const NearBox& box = node.box;
     if (box.high_x + margin < x.x || box.high_y + margin < x.y || x.y < box.low_y - margin)

@@ -30,21 +30,21 @@ class ConvexCover {
 
   bool contained_the_last() const { return contained_the_last_; }
 
-  /// Whether all of a track, its ends too, is found to be inside.
-  bool contains(const Track<Numbers>& track) {
+  /// Whether all of a segment, its ends too, is found to be inside.
+  bool contains(const ReducedSegment<Numbers>& segment) {
     if (!convex_) return false;
-    contained_the_last_ = find(of_all_, track.near, {0, 1},
-                               [&](std::uint32_t vertex) { return contains_at(vertex, track); });
+    contained_the_last_ = find(of_all_, segment.near, {0, 1},
+                               [&](std::uint32_t vertex) { return contains_at(vertex, segment); });
     return contained_the_last_;
   }
 
   /// An interval in which t is and all of which is inside, if one is found.
-  std::optional<BlockedInterval<Numbers>> interval_at(const Track<Numbers>& track,
+  std::optional<BlockedInterval<Numbers>> interval_at(const ReducedSegment<Numbers>& segment,
                                                       const Fraction<Numbers>& t) {
     std::optional<BlockedInterval<Numbers>> interval;
     if (convex_)
-      find(of_parts_, track.near, {t.near(), t.near()}, [&](std::uint32_t vertex) {
-        interval = interval_at(vertex, track, t);
+      find(of_parts_, segment.near, {t.near(), t.near()}, [&](std::uint32_t vertex) {
+        interval = interval_at(vertex, segment, t);
         return interval.has_value();
       });
     return interval;
@@ -54,13 +54,13 @@ class ConvexCover {
   using Vector = IntegerVector<Numbers>;
   using Value = typename Numbers::Value;
 
-  bool contains_at(std::uint32_t vertex, const Track<Numbers>& track) const {
-    const NearSegment& s = track.near;
-    if (is_certainly_outside(vertex, {s.x, s.y, track.error}) ||
-        is_certainly_outside(vertex, {s.x + s.dx, s.y + s.dy, track.error}))
+  bool contains_at(std::uint32_t vertex, const ReducedSegment<Numbers>& segment) const {
+    const NearSegment& s = segment.near;
+    if (is_certainly_outside(vertex, {s.x, s.y, segment.error}) ||
+        is_certainly_outside(vertex, {s.x + s.dx, s.y + s.dy, segment.error}))
       return false;
-    const Vector from = track.exact.source - other_->edges[vertex].source;
-    const Vector to = from + track.exact.direction;
+    const Vector from = segment.exact.source - other_->edges[vertex].source;
+    const Vector to = from + segment.exact.direction;
     return std::all_of(convex_->edges.begin(), convex_->edges.end(), [&](const auto& edge) {
       return is_inside(cross(edge.direction, from - edge.source)) &&
              is_inside(cross(edge.direction, to - edge.source));
@@ -76,10 +76,10 @@ class ConvexCover {
   }
 
   /// Whether doubles tell that a place is outside.
-  bool is_certainly_outside(std::uint32_t vertex, const NearPoint& place) const {
-    const NearPoint at = difference(place, other_->near[vertex]);
+  bool is_certainly_outside(std::uint32_t vertex, const ApproximatePoint& place) const {
+    const ApproximatePoint at = difference(place, other_->near[vertex]);
     return std::any_of(convex_->near.begin(), convex_->near.end(), [&](const NearSegment& edge) {
-      const NearPoint d = difference(at, edge);
+      const ApproximatePoint d = difference(at, edge);
       const double left = edge.dx * d.y, right = edge.dy * d.x;
       return right - left > 0x1p-48 * (std::abs(left) + std::abs(right)) +
                                 2 * d.error * (std::abs(edge.dx) + std::abs(edge.dy));
@@ -87,14 +87,14 @@ class ConvexCover {
   }
 
   std::optional<BlockedInterval<Numbers>> interval_at(std::uint32_t vertex,
-                                                      const Track<Numbers>& track,
+                                                      const ReducedSegment<Numbers>& segment,
                                                       const Fraction<Numbers>& t) const {
-    if (is_certainly_outside(vertex, near_place(track, t))) return std::nullopt;
-    const Vector from = track.exact.source - other_->edges[vertex].source;
+    if (is_certainly_outside(vertex, near_place(segment, t))) return std::nullopt;
+    const Vector from = segment.exact.source - other_->edges[vertex].source;
     std::optional<Fraction<Numbers>> first, last;
     for (const IntegerSegment<Numbers>& edge : convex_->edges) {
       const Value side = cross(edge.direction, from - edge.source);
-      const Value slope = cross(edge.direction, track.exact.direction);
+      const Value slope = cross(edge.direction, segment.exact.direction);
       if (slope == 0) {
         if (!is_inside(side)) return std::nullopt;
         continue;
@@ -151,7 +151,7 @@ class ConvexCover {
     waiting_[waiting++] = 0;
     for (int nodes = 0; waiting > 0 && nodes < most_nodes; ++nodes) {
       const std::uint32_t number = waiting_[--waiting];
-      const BoxTree::Node& node = (*tree_)[number];
+      const FloatBoxTree::Node& node = (*tree_)[number];
       if (is_beside(node.box)) continue;
       if (node.is_leaf()) {
         if (is_found(node.edge)) return true;
@@ -163,7 +163,7 @@ class ConvexCover {
     return false;
   }
 
-  bool is_beside(const Box& box) const {
+  bool is_beside(const FloatBox& box) const {
     const double low_x = box[0], low_y = box[1], high_x = -box[2], high_y = -box[3];
     for (std::size_t j = 0; j < limits_.size(); ++j) {
       const NearSegment& e = convex_->near[j];
@@ -175,7 +175,7 @@ class ConvexCover {
 
   const IntegerSummand<Numbers>* convex_ = nullptr;
   const IntegerSummand<Numbers>* other_ = nullptr;
-  const BoxTree* tree_ = nullptr;
+  const FloatBoxTree* tree_ = nullptr;
   Searches of_all_;
   Searches of_parts_;
   bool contained_the_last_ = false;

@@ -199,9 +199,9 @@ bool lies_between(const ExactPoint<Numbers>& x, const ExactPoint<Numbers>& a,
 }
 
 template <typename Numbers>
-Segment in_the_plane(const Track<Numbers>& track, const Scaling& scaling) {
-  return {ExactPoint<Numbers>(track.exact, {0, 1}).in_the_plane(scaling),
-          ExactPoint<Numbers>(track.exact, {1, 1}).in_the_plane(scaling)};
+Segment in_the_plane(const ReducedSegment<Numbers>& segment, const Scaling& scaling) {
+  return {ExactPoint<Numbers>(segment.exact, {0, 1}).in_the_plane(scaling),
+          ExactPoint<Numbers>(segment.exact, {1, 1}).in_the_plane(scaling)};
 }
 
 }  // namespace oplus::slide

@@ -22,6 +22,12 @@ struct IgnoreRest {
 };
 
 /// Finds what no pair of edges blocks of segments. One object a thread.
+///
+/// The words of slide: a place on a segment is a point x(t) of it, from its source, t = 0, to its target, t = 1.
+/// An edge of P and one of -Q + x(t) block the place if they cross properly, where x(t) is shifted by an
+/// infinitesimal to the right of the segment: which they do in one open interval of t (blocked_interval.hpp). A
+/// piece is a closed interval of t; it is free if no pair blocks a place inside it and no component is inside
+/// another one there. So free pieces are on the boundary of the sum.
 template <typename Numbers>
 class FreePieces {
  public:
@@ -32,15 +38,15 @@ class FreePieces {
   /// cover all but these and the pairs that block them, or with inside() and all_is_inside() those that
   /// are in the open sum; and rest.overlapping() with closed pieces on which components overlap.
   template <typename Add, typename Rest = IgnoreRest>
-  void find(const Track<Numbers>& track, const Add& add, Rest&& rest = {}) {
+  void find(const ReducedSegment<Numbers>& segment, const Add& add, Rest&& rest = {}) {
     gaps_.assign(1, Piece<Numbers>{{0, 1}, {1, 1}});
     if (search_.compares_all_pairs() || (last_was_free_ && trust_ >= enough_trust)) {
       search_.leave_out_all();
-      remember(uncovered(track, gaps_.back(), add, rest));
+      remember(uncovered(segment, gaps_.back(), add, rest));
       return;
     }
     const auto is_covered = [&] {
-      if (!cover_.contains(track)) return false;
+      if (!cover_.contains(segment)) return false;
       ++search_.effort.covered;
       remember(false);
       rest.all_is_inside();
@@ -54,11 +60,11 @@ class FreePieces {
       const Piece<Numbers> gap = std::move(gaps_.back());
       gaps_.pop_back();
       const Fraction<Numbers> t = place_inside(gap);
-      if (auto blocked = search_.at(track, t)) {
+      if (auto blocked = search_.at(segment, t)) {
         if (is_whole && !was_asked && !blocked->contains_segment() && is_covered()) return;
         rest.blocked(search_.last_pair(), *blocked);
         if (!is_whole) {
-          if (const auto inside = cover_.interval_at(track, t)) {
+          if (const auto inside = cover_.interval_at(segment, t)) {
             rest.inside(*inside);
             if (inside->from < blocked->from) blocked->from = inside->from;
             if (blocked->to < inside->to) blocked->to = inside->to;
@@ -68,7 +74,7 @@ class FreePieces {
         if (gap.from < blocked->from) gaps_.push_back({gap.from, blocked->from});
         if (blocked->to < gap.to) gaps_.push_back({blocked->to, gap.to});
       } else {
-        const bool is_free = uncovered(track, gap, add, rest);
+        const bool is_free = uncovered(segment, gap, add, rest);
         was_free = is_whole && is_free;
       }
     }
@@ -80,13 +86,13 @@ class FreePieces {
  private:
   /// Returns whether that is all of the gap.
   template <typename Add, typename Rest>
-  bool uncovered(const Track<Numbers>& track, const Piece<Numbers>& gap, const Add& add,
+  bool uncovered(const ReducedSegment<Numbers>& segment, const Piece<Numbers>& gap, const Add& add,
                  Rest& rest) {
     intervals_.clear();
     bool is_blocked = false;
-    search_.each_pair(track, gap, [&](const EdgePair& pair) {
+    search_.each_pair(segment, gap, [&](const EdgePair& pair) {
       if (is_blocked) return;
-      auto blocked = search_.interval_of(track, pair);
+      auto blocked = search_.interval_of(segment, pair);
       if (!blocked) return;
       rest.blocked(pair, *blocked);
       is_blocked = !(gap.from < blocked->from) && !(blocked->to < gap.to);
@@ -99,7 +105,7 @@ class FreePieces {
       if (!(low < high)) return;
       Piece<Numbers> piece{low, high};
       // Along a piece, whether components overlap does not change.
-      if (components_.is_needed() && components_.overlap_at(track, place_inside(piece)))
+      if (components_.is_needed() && components_.overlap_at(segment, place_inside(piece)))
         return rest.overlapping(piece);
       add(std::move(piece));
     };

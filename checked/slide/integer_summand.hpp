@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "checked/slide/box_tree.hpp"
+#include "checked/slide/float_box_tree.hpp"
 #include "checked/slide/fraction.hpp"
 #include "checked/slide/integer_vector.hpp"
 #include "checked/slide/scaling.hpp"
@@ -17,7 +17,7 @@ namespace oplus::slide {
 
 /// Around the segment, whose doubles may be rounded.
 template <typename Numbers>
-Box box_around(const NearSegment& s) {
+FloatBox box_around(const NearSegment& s) {
   if constexpr (is_small<Numbers>) return box_around(s.x, s.y, s.x + s.dx, s.y + s.dy);
   const auto ends = [](double source, double direction) {
     const double error = 0x1p-50 * (std::abs(source) + std::abs(direction)) + 0x1p-400;
@@ -174,11 +174,11 @@ IntegerSummand<Numbers> integer_summand(const Region& region, const Scaling& sca
 }
 
 template <typename Numbers>
-BoxTree box_tree(const IntegerSummand<Numbers>& summand) {
-  std::vector<Box> boxes;
+FloatBoxTree float_box_tree(const IntegerSummand<Numbers>& summand) {
+  std::vector<FloatBox> boxes;
   boxes.reserve(summand.near.size());
   for (const NearSegment& s : summand.near) boxes.push_back(box_around<Numbers>(s));
-  return BoxTree(boxes, span_of(summand.near), span_of(summand.first_of_chain));
+  return FloatBoxTree(boxes, span_of(summand.near), span_of(summand.first_of_chain));
 }
 
 }  // namespace oplus::slide

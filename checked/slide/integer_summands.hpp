@@ -51,8 +51,8 @@ struct IntegerSummands {
   const IntegerSummand<Numbers>& p = kept_p_.summand();
   const IntegerSummand<Numbers>& q = kept_q_.summand();
   PairTable pairs;
-  const BoxTree& tree_of_p = kept_p_.boxes();
-  const BoxTree& tree_of_q = kept_q_.boxes();
+  const FloatBoxTree& tree_of_p = kept_p_.boxes();
+  const FloatBoxTree& tree_of_q = kept_q_.boxes();
   Margins margins;
   /// Empty unless there are several components.
   const ComponentTree& components_of_p = kept_p_.components();
@@ -89,7 +89,7 @@ using EdgePair = std::pair<std::uint32_t, std::uint32_t>;
 
 /// A segment of the convolution, exactly and in doubles.
 template <typename Numbers>
-struct Track {
+struct ReducedSegment {
   IntegerSegment<Numbers> exact;
   NearSegment near;
   double error;  ///< more than a place on it in doubles can be off
@@ -105,30 +105,31 @@ inline double error_of_places(const NearSegment& edge, const NearSegment& vertex
 }
 
 template <typename Numbers>
-NearPoint near_place(const Track<Numbers>& track, const Fraction<Numbers>& t) {
+ApproximatePoint near_place(const ReducedSegment<Numbers>& segment, const Fraction<Numbers>& t) {
   const double near_t = t.near();
-  return {track.near.x + near_t * track.near.dx, track.near.y + near_t * track.near.dy,
-          track.error};
+  return {segment.near.x + near_t * segment.near.dx, segment.near.y + near_t * segment.near.dy,
+          segment.error};
 }
 
-/// A place on a track along an axis, moved to its right by less than there is between integers: so it
+/// A place on a segment along an axis, moved to its right by less than there is between integers: so it
 /// leaves those boxes around integers that it only touches.
 template <typename Numbers>
-NearPoint shifted_to_the_right(const Track<Numbers>& track, NearPoint place) {
+ApproximatePoint shifted_to_the_right(const ReducedSegment<Numbers>& segment,
+                                      ApproximatePoint place) {
   constexpr double part = 0.25;
-  if (track.near.dx == 0) place.x += track.near.dy > 0 ? part : -part;
-  if (track.near.dy == 0) place.y += track.near.dx > 0 ? -part : part;
+  if (segment.near.dx == 0) place.x += segment.near.dy > 0 ? part : -part;
+  if (segment.near.dy == 0) place.y += segment.near.dx > 0 ? -part : part;
   return place;
 }
 
 /// The source of an edge, off by at most a rounding.
-inline NearPoint near_source(const NearSegment& edge) {
+inline ApproximatePoint near_source(const NearSegment& edge) {
   return {edge.x, edge.y, 0x1p-50 * (std::abs(edge.x) + std::abs(edge.y)) + 0x1p-400};
 }
 
 /// A place less the source of an edge.
-inline NearPoint difference(const NearPoint& place, const NearSegment& edge) {
-  const NearPoint source = near_source(edge);
+inline ApproximatePoint difference(const ApproximatePoint& place, const NearSegment& edge) {
+  const ApproximatePoint source = near_source(edge);
   return {place.x - source.x, place.y - source.y,
           place.error + source.error + 0x1p-50 * (std::abs(place.x) + std::abs(place.y))};
 }

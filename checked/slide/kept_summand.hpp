@@ -31,11 +31,11 @@ class KeptSummand {
   const IntegerSummand<Numbers>& summand() const { return summand_; }
 
   /// Empty before prepare_boxes(), which each user must call. So for components().
-  const BoxTree& boxes() const { return boxes_; }
+  const FloatBoxTree& boxes() const { return boxes_; }
   const ComponentTree& components() const { return components_; }
 
   void prepare_boxes() const {
-    std::call_once(has_boxes_, [this] { boxes_ = box_tree(summand_); });
+    std::call_once(has_boxes_, [this] { boxes_ = float_box_tree(summand_); });
   }
   void prepare_components() const {
     std::call_once(has_components_, [this] { components_ = ComponentTree(summand_); });
@@ -52,7 +52,7 @@ class KeptSummand {
  private:
   IntegerSummand<Numbers> summand_;
   mutable std::once_flag has_boxes_, has_components_, has_convexity_;
-  mutable BoxTree boxes_;
+  mutable FloatBoxTree boxes_;
   mutable ComponentTree components_;
   mutable bool is_convex_ = false;
 };

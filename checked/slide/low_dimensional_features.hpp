@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "checked/slide/boxes_around.hpp"
 #include "checked/slide/named_ends.hpp"
 #include "checked/slide/open_places.hpp"
 #include "checked/slide/open_sum_test.hpp"
@@ -32,7 +31,8 @@ class PointLocation {
       : segments_(std::move(segments)), scaling_(scaling), tree_(boxes()) {}
 
   bool is_on_one(const ExactPoint<Numbers>& x) const {
-    const NearPoint near{x.near_x(scaling_), x.near_y(scaling_), 2 * margins(scaling_).point};
+    const ApproximatePoint near{x.near_x(scaling_), x.near_y(scaling_),
+                                2 * margins(scaling_).point};
     return any_leaf_around(tree_, near.box(), [&](std::uint32_t i) {
       const auto& [a, b] = segments_[i];
       return x == *a || x == *b || lies_between(x, *a, *b, scaling_);
@@ -40,8 +40,8 @@ class PointLocation {
   }
 
  private:
-  std::vector<Box> boxes() const {
-    std::vector<Box> boxes;
+  std::vector<FloatBox> boxes() const {
+    std::vector<FloatBox> boxes;
     boxes.reserve(segments_.size());
     for (const auto& [a, b] : segments_)
       boxes.push_back(box_around(a->near_x(scaling_), a->near_y(scaling_), b->near_x(scaling_),
@@ -51,26 +51,30 @@ class PointLocation {
 
   std::vector<Ends> segments_;
   const Scaling& scaling_;
-  BoxTree tree_;
+  FloatBoxTree tree_;
 };
 
 /// A place on a line, as a point, too.
 template <typename Numbers>
-struct PointOnTrack {
-  PointOnTrack(const Track<Numbers>& of, const Fraction<Numbers>& at, const Scaling& scaling)
-      : track(of), t(at), point(of.exact, at), near{point.near_x(scaling), point.near_y(scaling)} {}
+struct PointOnSegment {
+  PointOnSegment(const ReducedSegment<Numbers>& of, const Fraction<Numbers>& at,
+                 const Scaling& scaling)
+      : segment(of),
+        t(at),
+        point(of.exact, at),
+        near{point.near_x(scaling), point.near_y(scaling)} {}
 
-  Track<Numbers> track;
+  ReducedSegment<Numbers> segment;
   Fraction<Numbers> t;
   ExactPoint<Numbers> point;
-  NearPoint near;
+  ApproximatePoint near;
 };
 
 /// The sums of points in which chains of P touch and points in which chains of Q touch.
 template <typename Numbers>
 void add_sums_of_touching_points(const IntegerSummands<Numbers>& summands,
                                  const RaysOfBoth<Numbers>& rays, const Scaling& scaling,
-                                 std::vector<PointOnTrack<Numbers>>& points) {
+                                 std::vector<PointOnSegment<Numbers>>& points) {
   if (OPLUS_MUTANT("touching-points-are-not-tested")) return;
   const std::vector<std::uint32_t> of_q = rays[1].touching_points();
   for (const std::uint32_t v : rays[0].touching_points()) {
@@ -89,7 +93,7 @@ void add_sums_of_touching_points(const IntegerSummands<Numbers>& summands,
 
 /// Of equal points one, in the order in which they are first.
 template <typename Numbers>
-void remove_copies(std::vector<PointOnTrack<Numbers>>& points) {
+void remove_copies(std::vector<PointOnSegment<Numbers>>& points) {
   std::vector<std::uint32_t> order(points.size());
   std::iota(order.begin(), order.end(), 0U);
   // Equal points are equal in doubles, too.
@@ -107,7 +111,7 @@ void remove_copies(std::vector<PointOnTrack<Numbers>>& points) {
                           }),
               order.end());
   std::sort(order.begin(), order.end());
-  std::vector<PointOnTrack<Numbers>> kept;
+  std::vector<PointOnSegment<Numbers>> kept;
   kept.reserve(order.size());
   for (const std::uint32_t i : order) kept.push_back(std::move(points[i]));
   points = std::move(kept);
@@ -116,24 +120,24 @@ void remove_copies(std::vector<PointOnTrack<Numbers>>& points) {
 /// What no pair of edges blocks of the places that were found. Each place on a line is looked at once or
 /// twice, on segments to the right.
 template <typename Numbers>
-OpenCandidates<Numbers> low_dimensional_candidates(const Tracks<Numbers>& tracks,
+OpenCandidates<Numbers> low_dimensional_candidates(const ReducedSegments<Numbers>& segments,
                                                    const RaysOfBoth<Numbers>& rays,
                                                    OpenCandidates<Numbers> found,
                                                    unsigned threads) {
   const auto is_right = [&](const FreePiece<Numbers>& piece) {
-    return is_to_the_right(tracks.direction(piece.segment));
+    return is_to_the_right(segments.direction(piece.segment));
   };
   const auto left = std::stable_partition(found.pieces.begin(), found.pieces.end(), is_right);
   const std::vector<FreePiece<Numbers>> others(left, found.pieces.end());
   found.pieces.erase(left, found.pieces.end());
   std::vector<FreePiece<Numbers>> pieces =
-      PiecesOnLines<Numbers>(tracks, found.pieces, tracks.summands().margins).cover();
+      PiecesOnLines<Numbers>(segments, found.pieces, segments.summands().margins).cover();
   pieces.insert(pieces.end(), others.begin(), others.end());
   found.pieces.clear();
   const auto find_in = [&](std::size_t first, std::size_t last) {
-    OpenPlaces<Numbers> open(tracks.summands(), rays);
+    OpenPlaces<Numbers> open(segments.summands(), rays);
     for (std::size_t i = first; i < last; ++i)
-      open.look_into(pieces[i].segment, tracks[pieces[i].segment], pieces[i].piece);
+      open.look_into(pieces[i].segment, segments[pieces[i].segment], pieces[i].piece);
     return std::move(open.found);
   };
   for (OpenCandidates<Numbers>& of_lot : found_in_parts(pieces.size(), threads, find_in, in_a_lot))
@@ -146,16 +150,16 @@ OpenCandidates<Numbers> low_dimensional_candidates(const Tracks<Numbers>& tracks
 /// Decides which of the candidates, and of the sums of points in which chains touch (docs/findings.md,
 /// on Theorem 2.3.2), are not in the open sum. `boundary` is that of the closed sum.
 template <typename Numbers>
-LowDimensionalFeatures low_dimensional_features(const Tracks<Numbers>& tracks,
+LowDimensionalFeatures low_dimensional_features(const ReducedSegments<Numbers>& segments,
                                                 const RaysOfBoth<Numbers>& rays,
                                                 const OpenCandidates<Numbers>& candidates,
                                                 const NamedEnds<Numbers>& boundary,
                                                 const Scaling& scaling, unsigned threads) {
-  const IntegerSummands<Numbers>& summands = tracks.summands();
+  const IntegerSummands<Numbers>& summands = segments.summands();
   const std::vector<FreePiece<Numbers>>& pieces = candidates.pieces;
-  std::vector<PointOnTrack<Numbers>> points;
+  std::vector<PointOnSegment<Numbers>> points;
   for (const FreePiece<Numbers>& point : candidates.points)
-    points.emplace_back(tracks[point.segment], point.piece.from, scaling);
+    points.emplace_back(segments[point.segment], point.piece.from, scaling);
   add_sums_of_touching_points(summands, rays, scaling, points);
   if (pieces.empty() && points.empty()) return {};
   remove_copies(points);
@@ -171,10 +175,10 @@ LowDimensionalFeatures low_dimensional_features(const Tracks<Numbers>& tracks,
     for (std::size_t i = first; i < last; ++i) {
       if (i < pieces.size()) {
         const auto& [segment, piece] = pieces[i];
-        is_outside[i] = !open_sum.contains_by_components(tracks[segment], place_inside(piece));
+        is_outside[i] = !open_sum.contains_by_components(segments[segment], place_inside(piece));
       } else {
-        const auto& [track, t, point, near] = points[i - pieces.size()];
-        is_outside[i] = !on_boundary.is_on_one(point) && !open_sum.contains(track, t);
+        const auto& [segment, t, point, near] = points[i - pieces.size()];
+        is_outside[i] = !on_boundary.is_on_one(point) && !open_sum.contains(segment, t);
       }
     }
   };
@@ -184,10 +188,10 @@ LowDimensionalFeatures low_dimensional_features(const Tracks<Numbers>& tracks,
   for (std::size_t i = 0; i < pieces.size(); ++i)
     if (is_outside[i]) dangling.push_back(pieces[i]);
   std::vector<ExactPoint<Numbers>> ends;
-  PiecesOnLines<Numbers>(tracks, dangling, summands.margins)
+  PiecesOnLines<Numbers>(segments, dangling, summands.margins)
       .each_connected([&](const FreePiece<Numbers>& first, const FreePiece<Numbers>& last) {
-        ends.emplace_back(tracks[first.segment].exact, first.piece.from);
-        ends.emplace_back(tracks[last.segment].exact, last.piece.to);
+        ends.emplace_back(segments[first.segment].exact, first.piece.from);
+        ends.emplace_back(segments[last.segment].exact, last.piece.to);
       });
   LowDimensionalFeatures found;
   std::vector<typename PointLocation<Numbers>::Ends> of_dangling;

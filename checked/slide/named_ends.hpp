@@ -8,8 +8,8 @@
 #include "checked/slide/boundary_pieces.hpp"
 #include "checked/slide/exact_point.hpp"
 #include "checked/slide/parallel_for.hpp"
+#include "checked/slide/reduced_segments.hpp"
 #include "checked/slide/short_list.hpp"
-#include "checked/slide/tracks.hpp"
 
 namespace oplus::slide {
 
@@ -30,7 +30,7 @@ struct NamedEnds {
 
 template <typename Numbers>
 NamedEnds<Numbers> named_ends(const ShortList<FreePiece<Numbers>>& pieces,
-                              const Tracks<Numbers>& tracks, const Scaling& scaling,
+                              const ReducedSegments<Numbers>& segments, const Scaling& scaling,
                               unsigned threads) {
   struct Place {
     double near_x;
@@ -42,7 +42,7 @@ NamedEnds<Numbers> named_ends(const ShortList<FreePiece<Numbers>>& pieces,
   ShortList<Place> sorted(ends.size());
   for_each_part(pieces.size(), threads, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) {
-      const IntegerSegment<Numbers> segment = tracks.exact(pieces[k].segment);
+      const IntegerSegment<Numbers> segment = segments.exact(pieces[k].segment);
       for (std::size_t i = 2 * k; i < 2 * k + 2; ++i) {
         const Piece<Numbers>& piece = pieces[k].piece;
         ends[i] = ExactPoint<Numbers>(segment, i == 2 * k ? piece.from : piece.to);

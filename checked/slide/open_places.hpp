@@ -55,12 +55,12 @@ class OpenPlaces {
   /// Calls `add` with the free pieces of a segment, as `closed` finds them; adds what the pairs that
   /// it looks at do not block.
   template <typename Add>
-  void find(FreePieces<Numbers>& closed, std::uint32_t segment, const Track<Numbers>& track,
-            const Add& add) {
-    start(segment, track);
+  void find(FreePieces<Numbers>& closed, std::uint32_t number,
+            const ReducedSegment<Numbers>& segment, const Add& add) {
+    start(number, segment);
     settled_.clear();
     closed.find(
-        track,
+        segment,
         [&](Piece<Numbers> piece) {
           settled_.push_back(piece);
           add(std::move(piece));
@@ -73,20 +73,21 @@ class OpenPlaces {
   }
 
   /// Adds what no pair blocks of a piece.
-  void look_into(std::uint32_t segment, const Track<Numbers>& track, const Piece<Numbers>& piece) {
-    start(segment, track);
+  void look_into(std::uint32_t number, const ReducedSegment<Numbers>& segment,
+                 const Piece<Numbers>& piece) {
+    start(number, segment);
     gaps_.assign(1, piece);
     while (!gaps_.empty()) {
       const Piece<Numbers> gap = std::move(gaps_.back());
       gaps_.pop_back();
       if (!(gap.from < gap.to)) {
         add(gap.from, gap.to);
-      } else if (const auto blocked = search_.at(track, place_inside(gap))) {
+      } else if (const auto blocked = search_.at(segment, place_inside(gap))) {
         if (!(blocked->from < gap.from)) gaps_.push_back({gap.from, blocked->from});
         if (!(gap.to < blocked->to)) gaps_.push_back({blocked->to, gap.to});
       } else {
         intervals_.clear();
-        search_.each_pair(track, gap, [&](const EdgePair& pair) { add_interval(pair, nullptr); });
+        search_.each_pair(segment, gap, [&](const EdgePair& pair) { add_interval(pair, nullptr); });
         each_left(gap, [&](const Piece<Numbers>& left) { add(left.from, left.to); });
       }
     }
@@ -99,20 +100,20 @@ class OpenPlaces {
   void all_is_inside() { covers_all_ = true; }
   void inside(const BlockedInterval<Numbers>& interval) {
     // By no pair: that of the segment is as good as any at the ends.
-    intervals_.push_back({interval.from, interval.to, track_->contact[0]});
+    intervals_.push_back({interval.from, interval.to, segment_->contact[0]});
   }
   void overlapping(const Piece<Numbers>& piece) { settled_.push_back(piece); }
 
  private:
-  void start(std::uint32_t segment, const Track<Numbers>& track) {
-    track_ = &track;
-    segment_ = segment;
+  void start(std::uint32_t number, const ReducedSegment<Numbers>& segment) {
+    segment_ = &segment;
+    number_ = number;
     covers_all_ = false;
     intervals_.clear();
   }
 
   void add(const Fraction<Numbers>& from, const Fraction<Numbers>& to) {
-    (from < to ? found.pieces : found.points).push_back({segment_, {from, to}});
+    (from < to ? found.pieces : found.points).push_back({number_, {from, to}});
   }
 
   struct Interval {
@@ -124,14 +125,14 @@ class OpenPlaces {
   /// Adds what a pair blocks. `crossing`: where its edges cross, if it is known and not empty; with
   /// a shift it is the same, but for vertices that slide along edges.
   void add_interval(const EdgePair& pair, const BlockedInterval<Numbers>* crossing) {
-    const IntegerSegment<Numbers>& segment = track_->exact;
-    if (const auto contact = contacts_.along(segment, pair)) {
+    const IntegerSegment<Numbers>& exact = segment_->exact;
+    if (const auto contact = contacts_.along(exact, pair)) {
       if (!contacts_.interiors_meet_at(*contact)) return;
       const auto piece =
-          contact_interval(segment, summands_.p.edges[pair.first], summands_.q.edges[pair.second]);
+          contact_interval(exact, summands_.p.edges[pair.first], summands_.q.edges[pair.second]);
       if (!piece || !(piece->from < piece->to)) return;
       places_.clear();
-      contacts_.each_touching_point(segment, *contact, [&](const Fraction<Numbers>& t) {
+      contacts_.each_touching_point(exact, *contact, [&](const Fraction<Numbers>& t) {
         if (piece->from < t && t < piece->to) places_.push_back(t);
       });
       std::sort(places_.begin(), places_.end());
@@ -146,7 +147,7 @@ class OpenPlaces {
     if (crossing) {
       intervals_.push_back({crossing->from, crossing->to, pair});
       covers_all_ = crossing->contains_segment();
-    } else if (const auto blocked = search_.interval_of(*track_, pair)) {
+    } else if (const auto blocked = search_.interval_of(*segment_, pair)) {
       intervals_.push_back({blocked->from, blocked->to, pair});
     }
   }
@@ -177,14 +178,14 @@ class OpenPlaces {
   }
 
   bool meet_at(const Fraction<Numbers>& t, const EdgePair& pair) {
-    const auto contact = contacts_.at(track_->exact, t, pair);
+    const auto contact = contacts_.at(segment_->exact, t, pair);
     return contact && contacts_.interiors_meet_at(*contact);
   }
 
   /// At an end of the segment two vertices touch.
   bool meet_at_end(const Fraction<Numbers>& t) {
     if (t.numerator() != 0 && t.numerator() != t.denominator()) return false;
-    return meet_at(t, track_->contact[0]) || meet_at(t, track_->contact[1]);
+    return meet_at(t, segment_->contact[0]) || meet_at(t, segment_->contact[1]);
   }
 
   /// What is left of a piece without the settled ones, which are inside such pieces or apart from them.
@@ -203,8 +204,8 @@ class OpenPlaces {
   const IntegerSummands<Numbers>& summands_;
   BlockingSearch<Numbers> search_;
   Contacts<Numbers> contacts_;
-  const Track<Numbers>* track_ = nullptr;
-  std::uint32_t segment_ = 0;
+  const ReducedSegment<Numbers>* segment_ = nullptr;
+  std::uint32_t number_ = 0;
   bool covers_all_ = false;
   std::vector<Interval> intervals_;
   std::vector<Piece<Numbers>> settled_;  ///< free, or in the open sum since components overlap

@@ -28,35 +28,35 @@ class OpenSumTest {
 
   /// A proper crossing decides, else a sector around a contact, else a component without contact that
   /// is inside the other summand (docs/collision.md).
-  bool contains(const Track<Numbers>& track, const Fraction<Numbers>& t) {
+  bool contains(const ReducedSegment<Numbers>& segment, const Fraction<Numbers>& t) {
     if (!crossings_decide_)
       search_.leave_out_all();
-    else if (search_.at(track, t))
+    else if (search_.at(segment, t))
       return true;
     ++test_;
     seen_.clear();
     bool meet = false;
-    search_.each_pair(track, {t, t}, [&](const EdgePair& pair) {
+    search_.each_pair(segment, {t, t}, [&](const EdgePair& pair) {
       if (meet) return;
-      if (!crossings_decide_ && contacts_.cross_at(track.exact, t, pair)) {
+      if (!crossings_decide_ && contacts_.cross_at(segment.exact, t, pair)) {
         meet = true;
-      } else if (const auto contact = contacts_.at(track.exact, t, pair)) {
+      } else if (const auto contact = contacts_.at(segment.exact, t, pair)) {
         touch(pair);
         meet = is_new(*contact) && contacts_.interiors_meet_at(*contact);
       }
     });
-    return meet || (components_.is_needed() && is_component_inside(track, t));
+    return meet || (components_.is_needed() && is_component_inside(segment, t));
   }
 
   /// The same where neither a crossing nor a contact shows that interiors meet.
-  bool contains_by_components(const Track<Numbers>& track, const Fraction<Numbers>& t) {
+  bool contains_by_components(const ReducedSegment<Numbers>& segment, const Fraction<Numbers>& t) {
     if (!components_.is_needed()) return false;
     ++test_;
     search_.leave_out_all();
-    search_.each_pair(track, {t, t}, [&](const EdgePair& pair) {
-      if (contacts_.at(track.exact, t, pair)) touch(pair);
+    search_.each_pair(segment, {t, t}, [&](const EdgePair& pair) {
+      if (contacts_.at(segment.exact, t, pair)) touch(pair);
     });
-    return is_component_inside(track, t);
+    return is_component_inside(segment, t);
   }
 
  private:
@@ -76,8 +76,9 @@ class OpenSumTest {
   /// Of two components that touch and have no sector in common, none is inside the other: the boundary
   /// at the contact, which the other does not enter, divides them. So it is enough to look at outer
   /// chains, and at none if both summands are connected, since those of the segment touch.
-  bool is_component_inside(const Track<Numbers>& track, const Fraction<Numbers>& t) const {
-    return components_.overlap_at(track, t, [&](Summand of, std::uint32_t first) {
+  bool is_component_inside(const ReducedSegment<Numbers>& segment,
+                           const Fraction<Numbers>& t) const {
+    return components_.overlap_at(segment, t, [&](Summand of, std::uint32_t first) {
       return of == Summand::P ? touched_of_p_[summands_.p.chain_of[first]] != test_
                               : touched_of_q_[summands_.q.chain_of[first]] != test_;
     });

@@ -16,11 +16,11 @@ namespace oplus::slide {
 template <typename Numbers>
 class PiecesOnLines {
  public:
-  PiecesOnLines(const Tracks<Numbers>& tracks, const std::vector<FreePiece<Numbers>>& pieces,
-                const Margins& margins)
+  PiecesOnLines(const ReducedSegments<Numbers>& segments,
+                const std::vector<FreePiece<Numbers>>& pieces, const Margins& margins)
       : margin_(4 * margins.point) {
     sorted_.reserve(pieces.size());
-    for (const FreePiece<Numbers>& piece : pieces) sorted_.push_back(on_line(tracks, piece));
+    for (const FreePiece<Numbers>& piece : pieces) sorted_.push_back(on_line(segments, piece));
     std::sort(sorted_.begin(), sorted_.end(), [&](const OnLine& a, const OnLine& b) {
       if (!is_same_line(a, b)) return key(a) < key(b);
       return compared(a.from, b.from) < 0;
@@ -64,14 +64,14 @@ class PiecesOnLines {
 
   static bool is_same_line(const OnLine& a, const OnLine& b) { return key(a) == key(b); }
 
-  static OnLine on_line(const Tracks<Numbers>& tracks, const FreePiece<Numbers>& piece) {
-    const Track<Numbers> track = tracks[piece.segment];
-    const auto& [source, d] = track.exact;
+  static OnLine on_line(const ReducedSegments<Numbers>& segments, const FreePiece<Numbers>& piece) {
+    const ReducedSegment<Numbers> segment = segments[piece.segment];
+    const auto& [source, d] = segment.exact;
     const Value common = common_factor(d.x, d.y);
     const IntegerVector<Numbers> direction{d.x / common, d.y / common};
     const bool is_steep = d.x == 0;
     const auto position = [&, &source = source, &d = d](const Fraction<Numbers>& t) {
-      const NearPoint near = near_place(track, t);
+      const ApproximatePoint near = near_place(segment, t);
       return Position{is_steep ? source.y : source.x, is_steep ? d.y : d.x, t,
                       is_steep ? near.y : near.x};
     };

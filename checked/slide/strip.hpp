@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "checked/slide/box_tree.hpp"
+#include "checked/slide/float_box_tree.hpp"
 
 namespace oplus::slide {
 
@@ -21,8 +21,8 @@ namespace detail {
 /// Whether all between two points is beside a strip widened by `reach` on both sides and moved by
 /// (x, y). The largest coordinates in what these were computed from are most_x and most_y.
 inline bool is_beside(const Strip& strip, double x, double y, double reach, double most_x,
-                      double most_y, const NearPoint& from, const NearPoint& to) {
-  const auto place = [&](const NearPoint& at) {
+                      double most_y, const ApproximatePoint& from, const ApproximatePoint& to) {
+  const auto place = [&](const ApproximatePoint& at) {
     return strip.dx * (at.y - y) - strip.dy * (at.x - x);
   };
   most_x += std::max(std::abs(from.x), std::abs(to.x));
@@ -37,16 +37,16 @@ inline bool is_beside(const Strip& strip, double x, double y, double reach, doub
 }  // namespace detail
 
 /// Whether no place between two is in the sum of a strip and a segment.
-inline bool is_beside(const Strip& strip, const NearSegment& s, const NearPoint& from,
-                      const NearPoint& to) {
+inline bool is_beside(const Strip& strip, const NearSegment& s, const ApproximatePoint& from,
+                      const ApproximatePoint& to) {
   return detail::is_beside(
       strip, s.x + s.dx / 2, s.y + s.dy / 2, std::abs(strip.dx * s.dy - strip.dy * s.dx) / 2,
       std::abs(s.x) + std::abs(s.dx), std::abs(s.y) + std::abs(s.dy), from, to);
 }
 
 /// Whether no place between two is in the sum of a strip and a box.
-inline bool is_beside(const Strip& strip, const Box& box, const NearPoint& from,
-                      const NearPoint& to) {
+inline bool is_beside(const Strip& strip, const FloatBox& box, const ApproximatePoint& from,
+                      const ApproximatePoint& to) {
   const double low_x = static_cast<double>(box[0]), low_y = static_cast<double>(box[1]);
   const double high_x = -static_cast<double>(box[2]), high_y = -static_cast<double>(box[3]);
   return detail::is_beside(

@@ -10,32 +10,32 @@
 #include <utility>
 #include <vector>
 
+#include "checked/collision/segment_tree.hpp"
 #include "checked/slide/all_free_pieces.hpp"
 #include "checked/slide/kept_summands.hpp"
 #include "checked/slide/low_dimensional_features.hpp"
 #include "checked/slide/named_ends.hpp"
 #include "checked/slide/open_places.hpp"
 #include "checked/slide/parallel_for.hpp"
+#include "checked/slide/reduced_segments.hpp"
 #include "checked/slide/search_statistics.hpp"
-#include "checked/slide/segments_along.hpp"
 #include "checked/slide/stitching.hpp"
 #include "checked/slide/sum_in.hpp"
-#include "checked/slide/tracks.hpp"
 
 namespace oplus::slide {
 
 template <typename Numbers>
-ComputedSum sum_of(Tracks<Numbers>& tracks, const Scaling& scaling, Boundary boundary,
+ComputedSum sum_of(ReducedSegments<Numbers>& segments, const Scaling& scaling, Boundary boundary,
                    const EngineOptions& options) {
   std::optional<RaysOfBoth<Numbers>> rays;
   if (boundary == Boundary::open) {
-    tracks.prepare_boxes();
-    rays.emplace(rays_of(tracks.summands()));
+    segments.prepare_boxes();
+    rays.emplace(rays_of(segments.summands()));
   }
-  auto [pieces, open, effort] = all_free_pieces(tracks, options, rays);
+  auto [pieces, open, effort] = all_free_pieces(segments, options, rays);
 
   const unsigned threads = options.threads;
-  const NamedEnds<Numbers> ends = named_ends(pieces, tracks, scaling, threads);
+  const NamedEnds<Numbers> ends = named_ends(pieces, segments, scaling, threads);
   const auto is_on = [&](std::uint32_t i, const BoundaryPiece& piece) {
     return lies_between(ends.points[i], ends.points[piece.from], ends.points[piece.to], scaling);
   };
@@ -43,12 +43,12 @@ ComputedSum sum_of(Tracks<Numbers>& tracks, const Scaling& scaling, Boundary bou
       span_of(ends.pieces), {is_on, span_of(ends.near_x), span_of(ends.near_y)}, threads);
   const StitchedChains stitched_chains = stitched(
       cut, ends.points.size(),
-      [&](std::uint32_t segment) { return tracks.edge_direction(segment); }, threads);
+      [&](std::uint32_t segment) { return segments.edge_direction(segment); }, threads);
 
   ComputedSum result;
-  const auto origins_of = [&](std::span<const std::uint32_t> segments) {
+  const auto origins_of = [&](std::span<const std::uint32_t> numbers) {
     std::vector<Origin> origins;
-    for (const std::uint32_t segment : segments) origins.push_back(tracks.origin(segment));
+    for (const std::uint32_t number : numbers) origins.push_back(segments.origin(number));
     std::sort(origins.begin(), origins.end());
     origins.erase(std::unique(origins.begin(), origins.end()), origins.end());
     return origins;
@@ -81,27 +81,34 @@ ComputedSum sum_of(Tracks<Numbers>& tracks, const Scaling& scaling, Boundary bou
 
   if (boundary == Boundary::open) {
     LowDimensionalFeatures found = low_dimensional_features(
-        tracks, *rays, low_dimensional_candidates(tracks, *rays, std::move(open), options.threads),
-        ends, scaling, options.threads);
+        segments, *rays,
+        low_dimensional_candidates(segments, *rays, std::move(open), options.threads), ends,
+        scaling, options.threads);
     result.sum.dangling_edges = std::move(found.dangling_edges);
     result.sum.isolated_vertices = std::move(found.isolated_vertices);
     if (options.with_origins && !result.sum.dangling_edges.empty()) {
-      const SegmentsAlong<Numbers> segments(tracks, scaling);
-      for (const Segment& edge : result.sum.dangling_edges)
-        result.origins.push_back(origins_of(segments.along(edge)));
+      const SegmentTree edges(result.sum.dangling_edges);
+      std::vector<std::vector<std::uint32_t>> along(edges.size());
+      for (std::uint32_t i = 0; i < segments.size(); ++i) {
+        const Segment segment = in_the_plane(segments[i], scaling);
+        for (const std::size_t edge : oplus::near(segment, edges))
+          if (overlap(segment, edges[edge])) along[edge].push_back(i);
+      }
+      for (const std::vector<std::uint32_t>& numbers : along)
+        result.origins.push_back(origins_of(numbers));
     }
   }
 
-  result.statistics =
-      search_statistics(tracks.size(), scaling.bits, pieces.size(), effort, integers_of<Numbers>());
+  result.statistics = search_statistics(segments.size(), scaling.bits, pieces.size(), effort,
+                                        integers_of<Numbers>());
   return result;
 }
 
 template <typename Numbers>
 ComputedSum sum_in(const Region& p, const Region& q, const Scaling& scaling, Boundary boundary,
                    const EngineOptions& options) {
-  Tracks<Numbers> tracks(p, q, scaling);
-  return sum_of(tracks, scaling, boundary, options);
+  ReducedSegments<Numbers> segments(p, q, scaling);
+  return sum_of(segments, scaling, boundary, options);
 }
 
 template <typename Numbers>
@@ -109,8 +116,8 @@ ComputedSum sum_in(const PreparedSummand& p, const PreparedSummand& q, const Sca
                    Boundary boundary, const EngineOptions& options) {
   const auto kept_p = p.kept().in<Numbers>(p.region(), scaling, scaling.of_p);
   const auto kept_q = q.kept().in<Numbers>(q.region(), scaling, scaling.of_q);
-  Tracks<Numbers> tracks(*kept_p, *kept_q, scaling);
-  return sum_of(tracks, scaling, boundary, options);
+  ReducedSegments<Numbers> segments(*kept_p, *kept_q, scaling);
+  return sum_of(segments, scaling, boundary, options);
 }
 
 }  // namespace oplus::slide

@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "checked/slide/box_tree.hpp"
+#include "checked/slide/float_box_tree.hpp"
 
 namespace oplus::slide {
 
 /// A segment from a to b, which are off by at most the error of a.
 class SweptBox {
  public:
-  SweptBox(const NearPoint& a, const NearPoint& b)
+  SweptBox(const ApproximatePoint& a, const ApproximatePoint& b)
       : dx_(static_cast<float>(b.x - a.x)),
         dy_(static_cast<float>(b.y - a.y)),
         twice_x_(static_cast<float>(2 * a.x)),
@@ -31,19 +31,20 @@ class SweptBox {
   }
 
   /// Leaves out boxes that the segment, shifted to the right by an infinitesimal, only touches. Requires:
-  /// the corners of boxes are integers; the line is that of `track`, in integers. If the ends are
+  /// the corners of boxes are integers; the line is that of `segment`, in integers. If the ends are
   /// integers too, boxes beyond an end are left out that begin there.
-  void leave_out_touching(const NearSegment& track, bool has_integer_ends) {
+  void leave_out_touching(const NearSegment& segment, bool has_integer_ends) {
     constexpr float part = 0.25F;
     const auto moved = [](double right) { return right > 0 ? part : -part; };
-    const float x = track.dx == 0 ? moved(track.dy) : 0, y = track.dy == 0 ? moved(-track.dx) : 0;
-    const float less_x = has_integer_ends && track.dx != 0 ? part : 0;
-    const float less_y = has_integer_ends && track.dy != 0 ? part : 0;
+    const float x = segment.dx == 0 ? moved(segment.dy) : 0,
+                y = segment.dy == 0 ? moved(-segment.dx) : 0;
+    const float less_x = has_integer_ends && segment.dx != 0 ? part : 0;
+    const float less_y = has_integer_ends && segment.dy != 0 ? part : 0;
     high_ += box_of(x - less_x, y - less_y, -x - less_x, -y - less_y);
   }
 
   /// Whether the box, and the segment's line and the box, may have a point in common.
-  bool may_meet(const Box& box) const {
+  bool may_meet(const FloatBox& box) const {
     if (!contains(box, high_)) return false;
     const float low_x = box[0], low_y = box[1], high_x = -box[2], high_y = -box[3];
     const float x = low_x + high_x - twice_x_, y = low_y + high_y - twice_y_;
@@ -54,7 +55,7 @@ class SweptBox {
  private:
   float dx_, dy_;
   float twice_x_, twice_y_;
-  Box high_;
+  FloatBox high_;
   float around_;
   float most_dx_, most_dy_;  ///< more than their sizes
 };

@@ -9,6 +9,7 @@
 #include "checked/verify/near_boundary.hpp"
 #include "checked/verify/overlay.hpp"
 #include "reference/chains/region_of.hpp"
+#include "reference/definitions/exact_box.hpp"
 #include "reference/io/counted.hpp"
 #include "reference/io/writing.hpp"
 
@@ -31,20 +32,6 @@ std::vector<Segment> boundary_of(const ClaimedSum& sum) {
   return with_points(std::move(all), sum.isolated_vertices);
 }
 
-struct ExactBox {
-  Point low;
-  Point high;
-};
-
-ExactBox box_of(const Chain& chain) {
-  ExactBox box{chain[0], chain[0]};
-  for (const Point& p : chain) {
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-  }
-  return box;
-}
-
 /// Where boxes differ by more, so do chains.
 bool boxes_within(const ExactBox& a, const ExactBox& b, const Rational& distance) {
   return abs(a.low.x - b.low.x) <= distance && abs(a.low.y - b.low.y) <= distance &&
@@ -58,10 +45,10 @@ std::string described(const Chain& chain, bool is_hole) {
 
 struct Partner {
   explicit Partner(const Chain& chain)
-      : box(box_of(chain)), edges(oplus::edges(chain)), tree(edges) {}
+      : edges(oplus::edges(chain)), box(box_around(edges)), tree(edges) {}
 
-  ExactBox box;
   std::vector<Segment> edges;
+  ExactBox box;
   SegmentTree tree;
 };
 

@@ -22,9 +22,7 @@ namespace oplus {
 
 namespace {
 
-using convex_parts::Box;
 using convex_parts::Corner;
-using convex_parts::HalvedBoxes;
 using convex_parts::Line;
 using convex_parts::Piece;
 using convex_parts::Side;
@@ -44,7 +42,7 @@ struct Ranks {
   }
 };
 
-/// How far along a track, from 0 to 1: where it meets the line of one summand, moved by a corner of
+/// How far along a segment, from 0 to 1: where it meets the line of one summand, moved by a corner of
 /// the other, or a number.
 struct End {
   double low;
@@ -93,8 +91,8 @@ class ConvexSums::Search {
       for (const Corner& corner : part.corners) are_small_ = are_small_ && is_small(corner);
   }
 
-  std::vector<Track> reduced_convolution() const {
-    std::vector<Track> result;
+  std::vector<EdgeAtVertex> reduced_convolution() const {
+    std::vector<EdgeAtVertex> result;
     for (const Summand edge_of : {Summand::P, Summand::Q}) {
       const SummandParts& of_edge = part(edge_of);
       const SummandParts& of_vertex = part(other(edge_of));
@@ -127,27 +125,27 @@ class ConvexSums::Search {
         }
         // Along the boundary: what covers one often covers the next.
         std::sort(result.begin() + first_of_vertex, result.end(),
-                  [](const Track& a, const Track& b) { return a.edge < b.edge; });
+                  [](const EdgeAtVertex& a, const EdgeAtVertex& b) { return a.edge < b.edge; });
       }
     }
     return result;
   }
 
-  Segment segment(const Track& track) const {
-    const Line& edge = part(track.edge_of).lines[track.edge];
-    const Point& vertex = part(other(track.edge_of)).corners[track.vertex].point;
+  Segment segment(const EdgeAtVertex& candidate) const {
+    const Line& edge = part(candidate.edge_of).lines[candidate.edge];
+    const Point& vertex = part(other(candidate.edge_of)).corners[candidate.vertex].point;
     return {edge.from->point + vertex, edge.to->point + vertex};
   }
 
-  std::vector<Segment> boundary_parts(const Track& track) {
-    start(track);
+  std::vector<Segment> boundary_parts(const EdgeAtVertex& candidate) {
+    start(candidate);
     std::vector<Segment> result;
     for (const Gap& gap : uncovered({whole(0), whole(1)}, true)) result.push_back(between(gap));
     return result;
   }
 
-  Outside outside_parts(const Track& track) {
-    start(track);
+  Outside outside_parts(const EdgeAtVertex& candidate) {
+    start(candidate);
     Outside result;
     for (const Gap& gap : uncovered({whole(0), whole(1)}, false)) {
       if (compare(gap.from, gap.to) == 0) {
@@ -171,8 +169,8 @@ class ConvexSums::Search {
     return result;
   }
 
-  bool source_is_outside(const Track& track) {
-    start(track);
+  bool source_is_outside(const EdgeAtVertex& candidate) {
+    start(candidate);
     return !uncovered({whole(0), whole(0)}, false).empty();
   }
 
@@ -227,11 +225,11 @@ class ConvexSums::Search {
     }
   }
 
-  void start(const Track& track) {
-    const SummandParts& of_edge = part(track.edge_of);
-    const SummandParts& of_vertex = part(other(track.edge_of));
-    along_ = &of_edge.lines[track.edge];
-    by_ = &of_vertex.corners[track.vertex];
+  void start(const EdgeAtVertex& candidate) {
+    const SummandParts& of_edge = part(candidate.edge_of);
+    const SummandParts& of_vertex = part(other(candidate.edge_of));
+    along_ = &of_edge.lines[candidate.edge];
+    by_ = &of_vertex.corners[candidate.vertex];
     source_.reset();
     near_source_ = along_->from->near + by_->near;
   }
@@ -293,13 +291,13 @@ class ConvexSums::Search {
   }
 
   End crossing(const Line& line, const Corner& corner) const {
-    // At an end of the track, where doubles would not decide.
+    // At an end of the segment, where doubles would not decide.
     if (&corner == by_) {
       if (line.ends_at(along_->from)) return whole(0);
       if (line.ends_at(along_->to)) return whole(1);
     }
     if (along_->ends_at(&corner) && line.ends_at(by_)) return whole(&corner == along_->to);
-    // On which side of the moved line the track's source is, times a length, and how fast it moves.
+    // On which side of the moved line the segment's source is, times a length, and how fast it moves.
     Interval side = near_cross(line.near_along, near_source_, line.from->near, corner.near);
     Interval speed = near_cross(line.near_along, along_->near_along, {}, {});
     if (speed.low >= 0)
@@ -312,7 +310,7 @@ class ConvexSums::Search {
     return end;
   }
 
-  /// On which side of the track the sum of two corners is: positive to the left.
+  /// On which side of the segment the sum of two corners is: positive to the left.
   int side_of(const Corner& a, const Corner& b) {
     if ((&a == by_ && along_->ends_at(&b)) || (&b == by_ && along_->ends_at(&a))) return 0;
     const std::optional<int> known =
@@ -361,7 +359,7 @@ class ConvexSums::Search {
     return high;
   }
 
-  /// Where the boundary of the sum of two parts passes the track, from where two walks start, on one side of
+  /// Where the boundary of the sum of two parts passes the segment, from where two walks start, on one side of
   /// it, to where their sides turn as far as `to`, beyond it. The sides of the sum are those of both parts in the
   /// order of their directions, so binary search finds the one that ends beyond.
   template <typename IsBeyond>
@@ -388,20 +386,21 @@ class ConvexSums::Search {
     return crossing(*t[i - 1].line, *u[corner].start);
   }
 
-  /// Finds where a track is inside the sum of two pieces; sets low_ and high_.
+  /// Finds where a segment is inside the sum of two pieces; sets low_ and high_.
   bool meets(const Piece& of_p, const Piece& of_q) {
     low_.reset();
     high_.reset();
     const Walk t = walk(parts_[0], of_p), u = walk(parts_[1], of_q);
     const int along = along_->rank, back = ranks_.opposite(along);
-    // The corners that are furthest to the right of the track, and to its left.
+    // The corners that are furthest to the right of the segment, and to its left.
     if (side_of(*t[t.until(along)].start, *u[u.until(along)].start) >= 0) return false;
     const int left = side_of(*t[t.until(back)].start, *u[u.until(back)].start);
-    // A track along a side, with the sum to its right, is inside it if it is moved there.
+    // A segment along a side, with the sum to its right, is inside it if it is moved there.
     const bool may_run_along =
         beside_ &&
-        !OPLUS_MUTANT("edges-of-convex-sums-count-on-neither-side",
-                      "verify takes what is beside a track for outside a convex sum on its right");
+        !OPLUS_MUTANT(
+            "edges-of-convex-sums-count-on-neither-side",
+            "verify takes what is beside a segment for outside a convex sum on its right");
     if (left < 0 || (left == 0 && !may_run_along)) return false;
     low_ = passing(t.from(back, true), u.from(back, true), along,
                    [&](const Corner& a, const Corner& b) { return side_of(a, b) < 0; });
@@ -430,39 +429,35 @@ class ConvexSums::Search {
     return false;
   }
 
-  /// A box around the part of the track in the window.
+  /// A box around the part of the segment in the window.
   void set_reach() {
     const Interval part{std::max(window_.from.low, 0.0), std::min(window_.to.high, 1.0)};
     const Interval x = near_source_.x + part * along_->near_along.x;
     const Interval y = near_source_.y + part * along_->near_along.y;
-    reach_ = {x.low, x.high, y.low, y.high};
+    reach_ = box_of(IntervalPoint{x, y});
   }
 
-  /// False only if no point of the track in the window is in a sum of the two boxes.
+  /// False only if no point of the segment in the window is in a sum of the two boxes.
   bool may_meet(const Box& a, const Box& b) const {
-    const double x_low = a.x_low + b.x_low, x_high = a.x_high + b.x_high;
-    const double y_low = a.y_low + b.y_low, y_high = a.y_high + b.y_high;
-    if (x_low > reach_.x_high || x_high < reach_.x_low || y_low > reach_.y_high ||
-        y_high < reach_.y_low)
-      return false;
-    const double half_x = (x_high - x_low) / 2, half_y = (y_high - y_low) / 2;
-    const double x = (x_low / 2 + x_high / 2) - near_source_.x.low;
-    const double y = (y_low / 2 + y_high / 2) - near_source_.y.low;
+    const Box sum = a + b;
+    if (!meet(sum, reach_)) return false;
+    const double half_x = (sum.high_x - sum.low_x) / 2, half_y = (sum.high_y - sum.low_y) / 2;
+    const double x = (sum.low_x / 2 + sum.high_x / 2) - near_source_.x.low;
+    const double y = (sum.low_y / 2 + sum.high_y / 2) - near_source_.y.low;
     const double dx = along_->near_along.x.low, dy = along_->near_along.y.low;
     const auto error = [](double low, double high, const Interval& source) {
       return 0x1p-45 * (std::abs(low) + std::abs(high) + std::abs(source.low)) +
              (source.high - source.low);
     };
-    const double error_x = error(x_low, x_high, near_source_.x);
-    const double error_y = error(y_low, y_high, near_source_.y);
+    const double error_x = error(sum.low_x, sum.high_x, near_source_.x);
+    const double error_y = error(sum.low_y, sum.high_y, near_source_.y);
     return !(std::abs(dx * y - dy * x) > std::abs(dx) * (half_y + error_y) * (1 + 0x1p-40) +
                                              std::abs(dy) * (half_x + error_x) * (1 + 0x1p-40) +
                                              0x1p-40 * (std::abs(dx * y) + std::abs(dy * x)));
   }
 
   bool has_probe(const Box& a, const Box& b) const {
-    return a.x_low + b.x_low <= probe_x_ && probe_x_ <= a.x_high + b.x_high &&
-           a.y_low + b.y_low <= probe_y_ && probe_y_ <= a.y_high + b.y_high;
+    return meet(a + b, {probe_x_, probe_y_, probe_x_, probe_y_});
   }
 
   /// Finds a pair that covers the probe: then low_ and high_ are where. Otherwise the window becomes
@@ -479,7 +474,7 @@ class ConvexSums::Search {
       return true;
     }
 
-    const HalvedBoxes &ps = parts_[0].boxes, &qs = parts_[1].boxes;
+    const BoxTree<>&ps = parts_[0].boxes, &qs = parts_[1].boxes;
     if (ps.empty() || qs.empty()) return false;
     near_.assign(1, {ps.all(), qs.all()});
     later_.clear();
@@ -488,7 +483,7 @@ class ConvexSums::Search {
       const auto [a, b] = pending.back();
       pending.pop_back();
       if (!may_meet(ps[a], qs[b])) continue;
-      if (a.is_one() && b.is_one()) {
+      if (a.is_leaf() && b.is_leaf()) {
         if (covers(a.begin, b.begin)) {
           std::rotate(recent_.begin(), recent_.end() - 1, recent_.end());
           recent_.front() = {a.begin, b.begin};
@@ -497,14 +492,14 @@ class ConvexSums::Search {
         continue;
       }
       Ranges first{a, b}, second{a, b};
-      if (b.is_one() || (!a.is_one() && ps.slack(a) > qs.slack(b)))
+      if (b.is_leaf() || (!a.is_leaf() && ps.slack(a) > qs.slack(b)))
         std::tie(first.first, second.first) = a.halves();
       else
         std::tie(first.second, second.second) = b.halves();
       const auto distance = [&](const Ranges& ranges) {
-        const Box &of_p = ps[ranges.first], &of_q = qs[ranges.second];
-        return std::abs((of_p.x_low + of_p.x_high + of_q.x_low + of_q.x_high) / 2 - probe_x_) +
-               std::abs((of_p.y_low + of_p.y_high + of_q.y_low + of_q.y_high) / 2 - probe_y_);
+        const Box sum = ps[ranges.first] + qs[ranges.second];
+        return std::abs((sum.low_x + sum.high_x) / 2 - probe_x_) +
+               std::abs((sum.low_y + sum.high_y) / 2 - probe_y_);
       };
       if (distance(first) < distance(second)) std::swap(first, second);
       for (const Ranges& ranges : {first, second})
@@ -527,7 +522,7 @@ class ConvexSums::Search {
   }
 
   /// The closed parts of a gap that are in no open convex sum; if `beside`, those that are so after a
-  /// shift to the right of the track by an infinitesimal, except points. Sorted.
+  /// shift to the right of the segment by an infinitesimal, except points. Sorted.
   std::vector<Gap> uncovered(const Gap& all, bool beside) {
     beside_ = beside;
     std::vector<Gap> result;
@@ -562,7 +557,7 @@ class ConvexSums::Search {
   Ranks ranks_;
   bool are_small_ = true;  ///< integers for which doubles are exact
 
-  // Of the track.
+  // Of the segment.
   const Line* along_ = nullptr;
   const Corner* by_ = nullptr;
   IntervalPoint near_source_;
@@ -580,7 +575,7 @@ class ConvexSums::Search {
   std::optional<End> low_, high_;
   std::array<std::pair<std::uint32_t, std::uint32_t>, 8>
       recent_{};  ///< that covered a probe, the last one first
-  using Ranges = std::pair<HalvedBoxes::Range, HalvedBoxes::Range>;
+  using Ranges = std::pair<BoxTree<>::Range, BoxTree<>::Range>;
   std::vector<Ranges> near_, later_;
 };
 
@@ -588,20 +583,24 @@ ConvexSums::ConvexSums(const Region& p, const Region& q) : search_(new Search(p,
 
 ConvexSums::~ConvexSums() = default;
 
-std::vector<ConvexSums::Track> ConvexSums::reduced_convolution() const {
+std::vector<ConvexSums::EdgeAtVertex> ConvexSums::reduced_convolution() const {
   return search_->reduced_convolution();
 }
 
-Segment ConvexSums::segment(const Track& track) const { return search_->segment(track); }
-
-std::vector<Segment> ConvexSums::boundary_parts(const Track& track) {
-  return search_->boundary_parts(track);
+Segment ConvexSums::segment(const EdgeAtVertex& candidate) const {
+  return search_->segment(candidate);
 }
 
-ConvexSums::Outside ConvexSums::outside_parts(const Track& track) {
-  return search_->outside_parts(track);
+std::vector<Segment> ConvexSums::boundary_parts(const EdgeAtVertex& candidate) {
+  return search_->boundary_parts(candidate);
 }
 
-bool ConvexSums::source_is_outside(const Track& track) { return search_->source_is_outside(track); }
+ConvexSums::Outside ConvexSums::outside_parts(const EdgeAtVertex& candidate) {
+  return search_->outside_parts(candidate);
+}
+
+bool ConvexSums::source_is_outside(const EdgeAtVertex& candidate) {
+  return search_->source_is_outside(candidate);
+}
 
 }  // namespace oplus

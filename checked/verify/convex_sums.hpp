@@ -18,9 +18,9 @@ class ConvexSums {
   ConvexSums(const Region& p, const Region& q);
   ~ConvexSums();
 
-  /// A candidate: the sum of an edge of one summand and a vertex of the other, both by their numbers
-  /// in `edges` of that summand; the vertex is the source of its edge.
-  struct Track {
+  /// A candidate for the boundary: the sum of an edge of one summand and a vertex of the other, both by their
+  /// numbers in `edges` of that summand; the vertex is the source of its edge.
+  struct EdgeAtVertex {
     Summand edge_of;
     std::size_t edge;
     std::size_t vertex;
@@ -29,25 +29,25 @@ class ConvexSums {
   /// The segments of the reduced convolution (thesis, Definition 2.3.1), by binary search among the
   /// edges in the order of their directions; those of a vertex in the order of the edges.
   /// O((n + m) log(n + m)), and O(log(n + m)) for each.
-  std::vector<Track> reduced_convolution() const;
+  std::vector<EdgeAtVertex> reduced_convolution() const;
 
-  Segment segment(const Track& track) const;
+  Segment segment(const EdgeAtVertex& candidate) const;
 
-  /// The parts of a track that are on the boundary of the closed sum: with the sum to the left,
+  /// The parts of a segment that are on the boundary of the closed sum: with the sum to the left,
   /// which is always so, and not to the right.
-  std::vector<Segment> boundary_parts(const Track& track);
+  std::vector<Segment> boundary_parts(const EdgeAtVertex& candidate);
 
-  /// The parts of a track outside the open sum: of the boundary, and with the sum on both sides. A
+  /// The parts of a segment outside the open sum: of the boundary, and with the sum on both sides. A
   /// part of those may be a point.
   struct Outside {
     std::vector<Segment> boundary;
     std::vector<Segment> inside_closed_sum;
     std::vector<Point> points;
   };
-  Outside outside_parts(const Track& track);
+  Outside outside_parts(const EdgeAtVertex& candidate);
 
-  /// Whether the source of a track is outside the open sum.
-  bool source_is_outside(const Track& track);
+  /// Whether the source of a segment is outside the open sum.
+  bool source_is_outside(const EdgeAtVertex& candidate);
 
  private:
   class Search;

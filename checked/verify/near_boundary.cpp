@@ -9,6 +9,7 @@
 #include "checked/verify/overlay.hpp"
 #include "checked/verify/verify.hpp"
 #include "reference/chains/region_of.hpp"
+#include "reference/definitions/exact_box.hpp"
 #include "reference/definitions/region.hpp"
 
 namespace oplus {
@@ -41,18 +42,9 @@ Boundaries complement_in(const Chain& frame, const Boundaries& boundary) {
 }
 
 Chain frame_around(const Boundaries& a, const Boundaries& b, const Rational& margin) {
-  const Segment& first = a.empty() ? b.front() : a.front();
-  Point low = first.source, high = first.source;
-  for (const Boundaries* edges : {&a, &b}) {
-    for (const Segment& e : *edges) {
-      low = {std::min(low.x, e.source.x), std::min(low.y, e.source.y)};
-      high = {std::max(high.x, e.source.x), std::max(high.y, e.source.y)};
-    }
-  }
-  const Point apart{margin, margin};
-  low = low - apart;
-  high = high + apart;
-  return {low, {high.x, low.y}, high, {low.x, high.y}};
+  Boundaries both = a;
+  both.insert(both.end(), b.begin(), b.end());
+  return box_around(both).enlarged(margin).corners();
 }
 
 /// Whether a set, together with edges and points, grown by a square, contains another one.

@@ -130,19 +130,6 @@ Rational sum(const std::vector<Rational>& values, std::size_t begin, std::size_t
   return sum(values, begin, half) + sum(values, half, end);
 }
 
-/// At a place between the ends of an edge from left to right.
-Rational height(const Segment& s, const Rational& x) {
-  const Vector along = direction_of(s);
-  return s.source.y + (x - s.source.x) * along.y / along.x;
-}
-
-/// Of two edges that do not cross and are both to the left of some place.
-bool is_above(const Segment& a, const Segment& b, const Rational& x) {
-  const int compared = cmp(height(a, x), height(b, x));
-  if (compared != 0) return compared > 0;
-  return sign(cross(direction_of(a), direction_of(b))) > 0;
-}
-
 }  // namespace
 
 Rational twice_area_inside(const std::vector<Segment>& boundary) {
@@ -305,28 +292,10 @@ std::optional<Point> Overlay::common_point() const {
 }
 
 const Overlay::Face& Overlay::face_around(const Point& p) const {
-  const IntervalPoint place = interval(p);
-  std::optional<std::size_t> highest;
-  tree_->look_for(
-      std::numeric_limits<double>::max(),
-      [&](const Box& box) {
-        const bool may_be_below =
-            box.low_x <= place.x.high && place.x.low <= box.high_x && box.low_y <= place.y.high;
-        return may_be_below ? -box.high_y : SegmentTree::nothing;
-      },
-      [&](std::size_t i) {
-        const Segment& s = edges_[i].segment;
-        const IntervalSegment& t = tree_->certified(i);
-        const int side = orientation_in_doubles(t.source, t.target, place);
-        if (side >= 0 && s.source.x < p.x && p.x <= s.target.x &&
-            (side > 0 || orientation(s.source, s.target, p) > 0) &&
-            (!highest || is_above(s, edges_[*highest].segment, p.x)))
-          highest = i;
-        if (!highest) return std::numeric_limits<double>::max();
-        const IntervalSegment& best = tree_->certified(*highest);
-        return -std::min(best.source.y.low, best.target.y.low);
-      });
-  return faces_[highest ? edges_[*highest].left_face : 0];
+  const std::optional<Crossing> first = first_to_the_right(p, *tree_);
+  if (!first) return faces_[0];
+  const Cells::Edge& e = edges_[first->segment];
+  return faces_[first->runs_up ? e.left_face : e.right_face];
 }
 
 Overlay::Place Overlay::locate(const Point& p) const {

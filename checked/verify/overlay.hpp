@@ -67,7 +67,7 @@ class Overlay {
     std::size_t difference = 0;  ///< the connected part of where both are the same
   };
 
-  /// The face that the points infinitely near to p, to its left, are in. Requires: p is on no edge.
+  /// The face that a point is in. Requires: it is on no edge.
   const Face& face_around(const Point& p) const;
 
   std::vector<Face> faces_;

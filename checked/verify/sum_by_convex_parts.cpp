@@ -66,8 +66,8 @@ void add_sums_of_touching_points(const Region& p, const Region& q, ConvexSums& s
   const std::vector<std::size_t> of_q = starting_at(edges(q), touching_points(q));
   for (const std::size_t e : of_p) {
     for (const std::size_t v : of_q) {
-      const ConvexSums::Track track{Summand::P, e, v};
-      if (sums.source_is_outside(track)) outside.push_back(sums.segment(track).source);
+      const ConvexSums::EdgeAtVertex candidate{Summand::P, e, v};
+      if (sums.source_is_outside(candidate)) outside.push_back(sums.segment(candidate).source);
     }
   }
 }
@@ -77,12 +77,12 @@ void add_sums_of_touching_points(const Region& p, const Region& q, ConvexSums& s
 PlanarSet sum_by_convex_parts(const Region& p, const Region& q, Boundary boundary) {
   ConvexSums sums(p, q);
   BoundaryFeatures features;
-  for (const ConvexSums::Track& track : sums.reduced_convolution()) {
+  for (const ConvexSums::EdgeAtVertex& candidate : sums.reduced_convolution()) {
     if (boundary == Boundary::closed) {
-      for (Segment& s : sums.boundary_parts(track)) features.edges.push_back(std::move(s));
+      for (Segment& s : sums.boundary_parts(candidate)) features.edges.push_back(std::move(s));
       continue;
     }
-    ConvexSums::Outside outside = sums.outside_parts(track);
+    ConvexSums::Outside outside = sums.outside_parts(candidate);
     features.edges.insert(features.edges.end(), outside.boundary.begin(), outside.boundary.end());
     for (Segment& s : outside.inside_closed_sum) {
       if (s.target < s.source) swap(s.source, s.target);

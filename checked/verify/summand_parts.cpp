@@ -2,9 +2,6 @@
 #include "checked/verify/summand_parts.hpp"
 
 #include <algorithm>
-#include <cfloat>
-#include <cmath>
-#include <limits>
 #include <unordered_map>
 #include <utility>
 
@@ -14,13 +11,6 @@ namespace oplus::convex_parts {
 
 namespace {
 
-/// Large enough for sums of two boxes to be rounded.
-Box box_around(const Corner& corner) {
-  const Interval x = outward(corner.near.x.low, corner.near.x.high);
-  const Interval y = outward(corner.near.y.low, corner.near.y.high);
-  return {x.low, x.high, y.low, y.high};
-}
-
 Line line_between(const Corner& a, const Corner& b) {
   const IntervalPoint along = b.near - a.near;
   return {&a, &b, is_exact(along.x) && is_exact(along.y) ? along : interval(b.point - a.point)};
@@ -28,7 +18,7 @@ Line line_between(const Corner& a, const Corner& b) {
 
 }  // namespace
 
-SummandParts::SummandParts(const Region& region) : boxes({}) {
+SummandParts::SummandParts(const Region& region) {
   pieces::ConvexPieces all = pieces::convex_pieces(region);
   std::size_t size = 0;
   for (const pieces::ConvexPiece& piece : all.pieces) size += piece.size();
@@ -53,15 +43,15 @@ SummandParts::SummandParts(const Region& region) : boxes({}) {
     lines.push_back(line_between(corners[e], corners[after[e]]));
 
   std::unordered_map<std::uint64_t, const Line*> diagonals;
-  std::vector<Box> around;
+  std::vector<Box> boxes_around;
   sides.reserve(size);
   for (const pieces::ConvexPiece& piece : all.pieces) {
     pieces.push_back(
         {static_cast<std::uint32_t>(sides.size()), static_cast<std::uint32_t>(piece.size())});
-    Box box;
+    Box box;  // large enough for sums of two to be rounded
     for (std::size_t k = 0; k < piece.size(); ++k) {
       const std::uint32_t from = piece[k], to = piece[next(k, piece.size())];
-      box.add(box_around(corners[from]));
+      box = around(box, enlarged(box_of(corners[from].near), 0));
       const Line* line = &lines[from];
       if (line->to != &corners[to]) {
         const Line*& known =
@@ -71,9 +61,9 @@ SummandParts::SummandParts(const Region& region) : boxes({}) {
       }
       sides.push_back({line, &corners[from]});
     }
-    around.push_back(box);
+    boxes_around.push_back(box);
   }
-  boxes = HalvedBoxes(around);
+  boxes = BoxTree<>(boxes_around);
 }
 
 }  // namespace oplus::convex_parts

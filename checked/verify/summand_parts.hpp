@@ -5,14 +5,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "checked/pieces/halved_boxes.hpp"
+#include "checked/boxes/box_tree.hpp"
 #include "reference/arithmetic/interval.hpp"
 #include "reference/definitions/region.hpp"
 
 namespace oplus::convex_parts {
-
-using pieces::Box;
-using pieces::HalvedBoxes;
 
 struct Corner {
   Point point;
@@ -56,7 +53,7 @@ struct SummandParts {
   std::vector<Line> lines;          ///< of the edges, and then of diagonals
   std::vector<Side> sides;
   std::vector<Piece> pieces;
-  HalvedBoxes boxes;  ///< of the pieces
+  BoxTree<> boxes;  ///< of the pieces
 };
 
 }  // namespace oplus::convex_parts

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "reference/arithmetic/floor_of.hpp"
+#include "reference/definitions/exact_box.hpp"
 #include "reference/definitions/ray.hpp"
 #include "reference/definitions/squared_distance.hpp"
 #include "reference/definitions/verdicts_differ.hpp"
@@ -82,13 +83,9 @@ Point point_left_of(const Segment& segment, const std::vector<Segment>& edges,
 
 Point point_of_face(const std::vector<Segment>& boundary, const std::vector<Segment>& avoided) {
   const Point inside = point_left_of(boundary[0], boundary, avoided);
-  Point low = inside, high = inside;
-  for (const Segment& e : boundary) {
-    low = {std::min(low.x, e.source.x), std::min(low.y, e.source.y)};
-    high = {std::max(high.x, e.source.x), std::max(high.y, e.source.y)};
-  }
+  const ExactBox box = box_around(boundary);
   const auto may_be_inside = [&](const Point& p) {
-    return low.x < p.x && p.x < high.x && low.y < p.y && p.y < high.y;
+    return box.low.x < p.x && p.x < box.high.x && box.low.y < p.y && p.y < box.high.y;
   };
   mpz_class scale = 1;
   for (int digits = 0; digits <= 9; ++digits, scale *= 10) {

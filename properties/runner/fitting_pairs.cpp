@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "reference/chains/region_of.hpp"
+#include "reference/definitions/exact_box.hpp"
 #include "reference/definitions/planar_set.hpp"
 #include "reference/oracle/cell_sets.hpp"
 #include "reference/oracle/operations_by_definition.hpp"
@@ -17,13 +18,7 @@ namespace oplus {
 namespace {
 
 Chain box_around(const Region& region) {
-  const SetByPieces set = set_by_pieces(region);
-  Point low = set.boundary.at(0).source, high = low;
-  for (const Segment& e : set.boundary) {
-    low = {std::min(low.x, e.source.x), std::min(low.y, e.source.y)};
-    high = {std::max(high.x, e.source.x), std::max(high.y, e.source.y)};
-  }
-  return {low, {high.x, low.y}, high, {low.x, high.y}};
+  return box_around(set_by_pieces(region).boundary).corners();
 }
 
 Region region_where(const std::vector<Segment>& segments,

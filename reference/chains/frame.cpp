@@ -5,79 +5,52 @@
 #include <optional>
 
 #include "reference/definitions/contract.hpp"
+#include "reference/definitions/exact_box.hpp"
 
 namespace oplus {
 
 namespace {
 
-/// The smallest box around points, its sides parallel to the axes.
-class Box {
- public:
-  void add(const Point& p) {
-    if (!corners_) {
-      corners_ = Segment{p, p};
-      return;
-    }
-    auto& [low, high] = *corners_;
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-
-  Rational extent() const {
-    if (!corners_) return 0;
-    const Vector diagonal = direction_of(*corners_);
-    return std::max(diagonal.x, diagonal.y);
-  }
-
-  /// The corners of the box that is larger on each side, from the lower left one counterclockwise.
-  Chain enlarged(const Rational& margin) const {
-    OPLUS_REQUIRES(margin > 0, "framed");
-    const Segment corners = corners_.value_or(Segment{{0, 0}, {0, 0}});
-    const Point low = corners.source - Vector{margin, margin};
-    const Point high = corners.target + Vector{margin, margin};
-    return {low, {high.x, low.y}, high, {low.x, high.y}};
-  }
-
- private:
-  std::optional<Segment> corners_;
-};
-
-Box box_around(const Region& region) {
-  Box box;
-  for (const Component& component : region.components) {
-    for (const Point& p : component.outer) box.add(p);
-    for (const Chain& hole : component.holes)
-      for (const Point& p : hole) box.add(p);
+/// Around the points of a set, if it has any.
+std::optional<ExactBox> box_of(const std::vector<Segment>& edges,
+                               const std::vector<Point>& points) {
+  std::optional<ExactBox> box;
+  if (!edges.empty()) box = box_around(edges);
+  for (const Point& p : points) {
+    if (!box) box = ExactBox(p);
+    box->add(p);
   }
   return box;
 }
 
-Box box_around(const PlanarSet& set) {
-  Box box;
-  for (const Segment& edge : edges(set)) {
-    box.add(edge.source);
-    box.add(edge.target);
-  }
-  for (const Point& p : set.isolated_vertices) box.add(p);
-  return box;
+Rational extent(const std::optional<ExactBox>& box) {
+  if (!box) return 0;
+  const Vector diagonal = box->high - box->low;
+  return std::max(diagonal.x, diagonal.y);
+}
+
+Chain enlarged(const std::optional<ExactBox>& box, const Rational& margin) {
+  OPLUS_REQUIRES(margin > 0, "framed");
+  return box.value_or(ExactBox({0, 0})).enlarged(margin).corners();
 }
 
 }  // namespace
 
-Rational extent(const Region& region) { return box_around(region).extent(); }
-Rational extent(const PlanarSet& set) { return box_around(set).extent(); }
+Rational extent(const Region& region) { return extent(box_of(edges(region), {})); }
+Rational extent(const PlanarSet& set) { return extent(box_of(edges(set), set.isolated_vertices)); }
 
 Region framed(Region region, const Rational& margin) {
   const auto missing =
       std::find_if(region.components.begin(), region.components.end(),
                    [](const Component& component) { return component.outer.empty(); });
-  if (missing != region.components.end()) missing->outer = box_around(region).enlarged(margin);
+  if (missing != region.components.end())
+    missing->outer = enlarged(box_of(edges(region), {}), margin);
   return region;
 }
 
 PlanarSet framed(PlanarSet set, const Rational& margin) {
   if (!set.is_unbounded) return set;
-  set.outer.insert(set.outer.begin(), box_around(set).enlarged(margin));
+  set.outer.insert(set.outer.begin(), enlarged(box_of(edges(set), set.isolated_vertices), margin));
   set.is_unbounded = false;
   return set;
 }

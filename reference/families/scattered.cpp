@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "reference/definitions/exact_box.hpp"
 #include "reference/families/pairs.hpp"
 #include "reference/families/polygons.hpp"
 
@@ -63,11 +64,7 @@ Summands sieve_pair(Random& random, std::size_t n) {
 Summands pockets_pair(Random& random, std::size_t n) {
   const int side = 5;
   Region q = convex_grid_polygon(random, 5, side);
-  Point low = q.components[0].outer[0], high = low;
-  for (const Point& p : q.components[0].outer) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
+  const auto [low, high] = box_around(edges(q));
   Region p = pierced_square(random, n, side + 2, [&] {
     Point size = high - low;
     size.x += one_in(random, 4);

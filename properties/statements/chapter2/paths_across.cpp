@@ -5,19 +5,13 @@
 
 #include "reference/definitions/convolution.hpp"
 #include "reference/definitions/cut_at_intersections.hpp"
+#include "reference/definitions/exact_box.hpp"
 
 namespace oplus {
 
 std::vector<std::vector<Segment>> paths_across(const Summands& summands) {
   const std::vector<Segment> all = segments(vertex_edge_sum(summands.p, summands.q));
-  Point low = all[0].source, high = low;
-  for (const Segment& s : all) {
-    low = {std::min(low.x, s.source.x), std::min(low.y, s.source.y)};
-    high = {std::max(high.x, s.source.x), std::max(high.y, s.source.y)};
-  }
-  const Vector one = {1, 1};
-  low = low - one;
-  high = high + one;
+  const auto [low, high] = box_around(all).enlarged(1);
   // Horizontal and vertical lines through sums of vertices, and two slanted ones, which hardly ever
   // pass through one.
   std::vector<Segment> paths = {{low, high}, {{low.x, high.y}, {high.x + Rational(1, 7), low.y}}};

@@ -10,6 +10,7 @@
 #include "properties/statements/placements/points_beside.hpp"
 #include "reference/definitions/convolution.hpp"
 #include "reference/definitions/difference.hpp"
+#include "reference/definitions/exact_box.hpp"
 #include "reference/definitions/winding_number.hpp"
 #include "reference/io/writing.hpp"
 
@@ -22,19 +23,15 @@ namespace {
 std::vector<Point> lattice_points(const std::vector<Segment>& segments, int parts,
                                   std::size_t number) {
   if (segments.empty()) return {};
-  Point low = segments[0].source, high = low;
-  for (const Segment& s : segments) {
-    low = {std::min(low.x, s.source.x), std::min(low.y, s.source.y)};
-    high = {std::max(high.x, s.source.x), std::max(high.y, s.source.y)};
-  }
+  const ExactBox box = box_around(segments);
   Random random(static_cast<std::uint64_t>(parts));
   const auto draw = [&](const Rational& from, const Rational& to) {
     return Rational(from + Rational(uniform(random, 0, parts)) / parts * (to - from));
   };
   std::vector<Point> points;
   for (std::size_t i = 0; i < number; ++i) {
-    Rational x = draw(low.x, high.x);
-    points.push_back({std::move(x), draw(low.y, high.y)});
+    Rational x = draw(box.low.x, box.high.x);
+    points.push_back({std::move(x), draw(box.low.y, box.high.y)});
   }
   return points;
 }

@@ -12,18 +12,18 @@ namespace oplus {
 SlidPair::SlidPair(const Summands& pair)
     : summands(pair),
       scaling(slide::scaling_of(pair.p, pair.q)),
-      tracks(pair.p, pair.q, scaling),
+      segments(pair.p, pair.q, scaling),
       minus_q_(reflected(pair.q)) {
   OPLUS_REQUIRES(scaling.bits <= Numbers::bits, "coordinates of 29 bits");
-  tracks.prepare_boxes();
+  segments.prepare_boxes();
 }
 
 Point SlidPair::point(std::uint32_t segment, const Place& t) const {
-  return slide::ExactPoint<Numbers>(tracks[segment].exact, t).in_the_plane(scaling);
+  return slide::ExactPoint<Numbers>(segments[segment].exact, t).in_the_plane(scaling);
 }
 
 Vector SlidPair::direction(std::uint32_t segment) const {
-  const auto& d = tracks.direction(segment);
+  const auto& d = segments.direction(segment);
   return {Rational(d.x), Rational(d.y)};
 }
 
@@ -56,10 +56,10 @@ std::vector<SlidPair::Place> SlidPair::between(std::vector<Place> places) const 
 }
 
 slide::ShortList<slide::FreePiece<SlidPair::Numbers>> SlidPair::free_pieces() const {
-  slide::FreePieces<Numbers> search(tracks.summands());
+  slide::FreePieces<Numbers> search(segments.summands());
   slide::ShortList<slide::FreePiece<Numbers>> pieces;
-  for (std::uint32_t i = 0; i < tracks.size(); ++i)
-    search.find(tracks[i], [&](Piece piece) { pieces.push_back({i, std::move(piece)}); });
+  for (std::uint32_t i = 0; i < segments.size(); ++i)
+    search.find(segments[i], [&](Piece piece) { pieces.push_back({i, std::move(piece)}); });
   return pieces;
 }
 

@@ -4,7 +4,7 @@
 #include "checked/slide/exact_point.hpp"
 #include "checked/slide/free_pieces.hpp"
 #include "checked/slide/named_ends.hpp"
-#include "checked/slide/tracks.hpp"
+#include "checked/slide/reduced_segments.hpp"
 #include "reference/families/family.hpp"
 
 namespace oplus {
@@ -13,7 +13,7 @@ namespace oplus {
 struct SlidPair {
   using Numbers = slide::SmallNumbers;
   using Place = slide::Fraction<Numbers>;
-  using Track = slide::Track<Numbers>;
+  using ReducedSegment = slide::ReducedSegment<Numbers>;
   using Piece = slide::Piece<Numbers>;
 
   /// Requires: coordinates of at most 29 bits.
@@ -39,7 +39,7 @@ struct SlidPair {
 
   const Summands& summands;
   slide::Scaling scaling;
-  slide::Tracks<Numbers> tracks;
+  slide::ReducedSegments<Numbers> segments;
 
  private:
   Region minus_q_;

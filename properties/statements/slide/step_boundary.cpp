@@ -12,12 +12,12 @@ Outcome check(const Summands& summands) {
   const SlidPair pair(summands);
   const PlanarSet sum = oracle_sums(summands.p, summands.q).closed;
   const std::vector<Segment> boundary = edges(sum);
-  slide::FreePieces<SlidPair::Numbers> search(pair.tracks.summands());
+  slide::FreePieces<SlidPair::Numbers> search(pair.segments.summands());
   Outcome outcome;
   std::vector<Segment> free;
-  for (std::uint32_t i = 0; i < pair.tracks.size(); ++i) {
+  for (std::uint32_t i = 0; i < pair.segments.size(); ++i) {
     std::vector<SlidPair::Piece> pieces;
-    search.find(pair.tracks[i], [&](auto piece) { pieces.push_back(std::move(piece)); });
+    search.find(pair.segments[i], [&](auto piece) { pieces.push_back(std::move(piece)); });
     std::vector<SlidPair::Place> ends;
     for (const auto& piece : pieces) {
       ends.insert(ends.end(), {piece.from, piece.to});

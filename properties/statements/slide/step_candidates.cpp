@@ -10,13 +10,13 @@ namespace oplus {
 namespace {
 
 slide::OpenCandidates<SlidPair::Numbers> candidates_of(const SlidPair& pair) {
-  const auto rays = slide::rays_of(pair.tracks.summands());
-  slide::FreePieces<SlidPair::Numbers> closed(pair.tracks.summands());
-  slide::OpenPlaces<SlidPair::Numbers> open(pair.tracks.summands(), rays);
-  for (std::uint32_t i = 0; i < pair.tracks.size(); ++i)
-    if (!slide::right_is_enough(rays) || slide::is_to_the_right(pair.tracks.direction(i)))
-      open.find(closed, i, pair.tracks[i], [](const SlidPair::Piece&) {});
-  return slide::low_dimensional_candidates(pair.tracks, rays, std::move(open.found), 1);
+  const auto rays = slide::rays_of(pair.segments.summands());
+  slide::FreePieces<SlidPair::Numbers> closed(pair.segments.summands());
+  slide::OpenPlaces<SlidPair::Numbers> open(pair.segments.summands(), rays);
+  for (std::uint32_t i = 0; i < pair.segments.size(); ++i)
+    if (!slide::right_is_enough(rays) || slide::is_to_the_right(pair.segments.direction(i)))
+      open.find(closed, i, pair.segments[i], [](const SlidPair::Piece&) {});
+  return slide::low_dimensional_candidates(pair.segments, rays, std::move(open.found), 1);
 }
 
 Outcome check(const Summands& summands) {

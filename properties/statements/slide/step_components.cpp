@@ -22,17 +22,17 @@ Outcome check(const Summands& summands) {
     return outcome.fail(
         "at " + to_string(x) + " on segment " + std::to_string(segment) + " " + what, x);
   };
-  const std::uint32_t step = 1 + static_cast<std::uint32_t>(pair.tracks.size() / 8);
-  for (std::uint32_t i = 0; i < pair.tracks.size(); i += step) {
-    const SlidPair::Track track = pair.tracks[i];
+  const std::uint32_t step = 1 + static_cast<std::uint32_t>(pair.segments.size() / 8);
+  for (std::uint32_t i = 0; i < pair.segments.size(); i += step) {
+    const SlidPair::ReducedSegment segment = pair.segments[i];
     std::vector<SlidPair::Place> ends;
     for (const auto& e : integers.p.edges)
       for (const auto& f : integers.q.edges)
-        if (const auto contact = slide::contact_interval(track.exact, e, f))
+        if (const auto contact = slide::contact_interval(segment.exact, e, f))
           ends.insert(ends.end(), {contact->from, contact->to});
     for (const SlidPair::Place& t : pair.between(ends)) {
-      if (search.at(track, t)) continue;
-      const bool overlap = components.overlap_at(track, t);
+      if (search.at(segment, t)) continue;
+      const bool overlap = components.overlap_at(segment, t);
       ++outcome.counts["places where no edges cross"];
       outcome.counts["places where components overlap"] += overlap;
       if (pair.interiors_meet_at(pair.shifted(i, t)) != overlap)

@@ -10,7 +10,7 @@ namespace {
 Outcome check(const Summands& summands) {
   const SlidPair pair(summands);
   slide::ShortList<slide::FreePiece<SlidPair::Numbers>> pieces = pair.free_pieces();
-  const auto ends = slide::named_ends(pieces, pair.tracks, pair.scaling, 1);
+  const auto ends = slide::named_ends(pieces, pair.segments, pair.scaling, 1);
   std::vector<Point> points;
   for (const auto& x : ends.points) points.push_back(x.in_the_plane(pair.scaling));
   const auto is_on = [&](std::uint32_t i, const slide::BoundaryPiece& piece) {

@@ -12,16 +12,16 @@ namespace {
 
 Outcome check(const Summands& summands) {
   const SlidPair pair(summands);
-  const auto& p = pair.tracks.summands().p.edges;
-  const auto& q = pair.tracks.summands().q.edges;
+  const auto& p = pair.segments.summands().p.edges;
+  const auto& q = pair.segments.summands().q.edges;
   const std::vector<Segment> of_p = edges(summands.p);
   const std::vector<Segment> of_q = edges(reflected(summands.q));
   Outcome outcome;
   // All pairs of edges, on about four segments; which ones depends on the size of P.
-  const std::uint32_t step = 1 + static_cast<std::uint32_t>(pair.tracks.size() / 4);
-  for (std::uint32_t i = static_cast<std::uint32_t>(of_p.size()) % step; i < pair.tracks.size();
+  const std::uint32_t step = 1 + static_cast<std::uint32_t>(pair.segments.size() / 4);
+  for (std::uint32_t i = static_cast<std::uint32_t>(of_p.size()) % step; i < pair.segments.size();
        i += step) {
-    const auto segment = pair.tracks[i].exact;
+    const auto segment = pair.segments[i].exact;
     for (std::size_t a = 0; a < p.size(); ++a) {
       for (std::size_t b = 0; b < q.size(); ++b) {
         const auto blocked =

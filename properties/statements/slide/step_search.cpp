@@ -14,14 +14,14 @@ void compare(const SlidPair& pair, std::size_t most_pairs, Outcome& outcome) {
   integers.prepare_component_test();
   slide::FreePieces<SlidPair::Numbers> search(integers);
   const slide::ComponentTest<SlidPair::Numbers> components(integers);
-  for (std::uint32_t i = 0; i < pair.tracks.size(); ++i) {
-    const SlidPair::Track track = pair.tracks[i];
+  for (std::uint32_t i = 0; i < pair.segments.size(); ++i) {
+    const SlidPair::ReducedSegment segment = pair.segments[i];
     std::vector<SlidPair::Piece> found, defined;
-    search.find(track, [&](SlidPair::Piece piece) { found.push_back(std::move(piece)); });
+    search.find(segment, [&](SlidPair::Piece piece) { found.push_back(std::move(piece)); });
     std::vector<slide::BlockedInterval<SlidPair::Numbers>> intervals;
     for (const auto& e : integers.p.edges)
       for (const auto& f : integers.q.edges)
-        if (auto blocked = slide::blocked_interval(track.exact, e, f, slide::Shift::to_the_right))
+        if (auto blocked = slide::blocked_interval(segment.exact, e, f, slide::Shift::to_the_right))
           intervals.push_back(*blocked);
     std::vector<SlidPair::Place> ends = {{0, 1}, {1, 1}};
     for (const auto& interval : intervals) ends.insert(ends.end(), {interval.from, interval.to});
@@ -35,7 +35,7 @@ void compare(const SlidPair& pair, std::size_t most_pairs, Outcome& outcome) {
       const bool is_blocked =
           std::any_of(intervals.begin(), intervals.end(),
                       [&](const auto& interval) { return interval.from < t && t < interval.to; });
-      if (is_blocked || components.overlap_at(track, t)) continue;
+      if (is_blocked || components.overlap_at(segment, t)) continue;
       defined.push_back(piece);
     }
     std::sort(found.begin(), found.end(),

@@ -10,7 +10,7 @@ namespace {
 Outcome check(const Summands& summands) {
   const SlidPair pair(summands);
   std::vector<Origin> found, defined;
-  for (std::uint32_t i = 0; i < pair.tracks.size(); ++i) found.push_back(pair.tracks.origin(i));
+  for (std::uint32_t i = 0; i < pair.segments.size(); ++i) found.push_back(pair.segments.origin(i));
   for (const ConvolutionSegment& s : reduced_convolution(summands.p, summands.q))
     defined.push_back(s.origin);
   std::sort(found.begin(), found.end());

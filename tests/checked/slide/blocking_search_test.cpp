@@ -5,8 +5,8 @@
 
 #include <set>
 
+#include "checked/slide/reduced_segments.hpp"
 #include "checked/slide/slide.hpp"
-#include "checked/slide/tracks.hpp"
 #include "reference/families/family.hpp"
 #include "reference/families/random.hpp"
 #include "tests/checked/slide/exact_values.hpp"
@@ -89,21 +89,21 @@ template <typename Numbers>
 std::pair<std::size_t, std::size_t> expect_visits_what_blocks(const Region& p, const Region& q,
                                                               const slide::Scaling& scaling) {
   using namespace slide;
-  const Tracks<Numbers> tracks(p, q, scaling);
+  const ReducedSegments<Numbers> segments(p, q, scaling);
   IntegerSummands<Numbers> summands(p, q, scaling, 0);
   BlockingSearch<Numbers> search(summands, Shift::to_the_right);
   std::size_t visits = 0, blocking = 0;
-  for (std::uint32_t i = 0; i < tracks.size(); ++i) {
-    const Track<Numbers> track = tracks[i];
+  for (std::uint32_t i = 0; i < segments.size(); ++i) {
+    const ReducedSegment<Numbers> segment = segments[i];
     for (const Piece<Numbers>& piece :
          {Piece<Numbers>{{0, 1}, {1, 1}}, Piece<Numbers>{{1, 3}, {1, 2}}}) {
       std::set<EdgePair> visited;
       search.leave_out_all();
-      search.each_pair(track, piece, [&](const EdgePair& pair) { visited.insert(pair); });
+      search.each_pair(segment, piece, [&](const EdgePair& pair) { visited.insert(pair); });
       visits += visited.size();
       for (std::uint32_t e = 0; e < summands.p.edges.size(); ++e)
         for (std::uint32_t f = 0; f < summands.q.edges.size(); ++f) {
-          const auto blocked = blocked_interval(track.exact, summands.p.edges[e],
+          const auto blocked = blocked_interval(segment.exact, summands.p.edges[e],
                                                 summands.q.edges[f], Shift::to_the_right);
           if (!blocked || !(blocked->from < piece.to && piece.from < blocked->to)) continue;
           ++blocking;

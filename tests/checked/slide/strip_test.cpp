@@ -18,8 +18,8 @@ TEST(Strip, never_separates_what_has_a_point_in_common) {
       // A place in the sum, or nearly: rounded.
       const double a = uniform(random, 0, 8) / 8.0, b = uniform(random, 0, 8) / 8.0;
       const double x = e.x + a * e.dx + f.x + b * f.dx, y = e.y + a * e.dy + f.y + b * f.dy;
-      const NearPoint at{x, y, 0}, away{x + number(), y + number(), 0};
-      const Box box = box_around(f.x, f.y, f.x + f.dx, f.y + f.dy);
+      const ApproximatePoint at{x, y, 0}, away{x + number(), y + number(), 0};
+      const FloatBox box = box_around(f.x, f.y, f.x + f.dx, f.y + f.dy);
       EXPECT_FALSE(is_beside(strip_along(e), f, at, at));
       EXPECT_FALSE(is_beside(strip_along(e), f, at, away));
       EXPECT_FALSE(is_beside(strip_along(e), box, away, at));

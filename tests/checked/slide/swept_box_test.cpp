@@ -13,7 +13,7 @@ struct Corners {
   int low_x, low_y, high_x, high_y;
 };
 
-Box box_of(const Corners& c) { return box_around(c.low_x, c.low_y, c.high_x, c.high_y); }
+FloatBox box_of(const Corners& c) { return box_around(c.low_x, c.low_y, c.high_x, c.high_y); }
 
 /// Whether a segment and a closed box have a point in common, by clipping with rationals.
 bool meet(const Point& a, const Point& b, const Corners& c) {
@@ -103,7 +103,7 @@ TEST(SweptBox, meets_what_is_nearer_than_its_ends_can_be_off) {
 }
 
 TEST(SweptBox, leaves_out_what_the_segment_shifted_to_the_right_only_touches) {
-  const auto meets = [](const NearPoint& b, const Corners& box, bool has_integer_ends) {
+  const auto meets = [](const ApproximatePoint& b, const Corners& box, bool has_integer_ends) {
     SweptBox swept({0, 0}, b);
     swept.leave_out_touching({0, 0, b.x, b.y}, has_integer_ends);
     return swept.may_meet(box_of(box));

@@ -34,20 +34,20 @@ std::vector<Pair> pairs_of_families(std::size_t largest) {
   return pairs;
 }
 
-TEST(ConvexSums, the_tracks_are_the_reduced_convolution) {
-  std::size_t tracks = 0;
+TEST(ConvexSums, the_segments_are_the_reduced_convolution) {
+  std::size_t all = 0;
   for (const auto& [name, p, q] : pairs_of_families(3000)) {
     const ConvexSums sums(p, q);
     std::vector<Segment> found;
-    for (const ConvexSums::Track& track : sums.reduced_convolution())
-      found.push_back(sums.segment(track));
+    for (const ConvexSums::EdgeAtVertex& candidate : sums.reduced_convolution())
+      found.push_back(sums.segment(candidate));
     std::vector<Segment> defined = segments(reduced_convolution(p, q));
     std::sort(found.begin(), found.end());
     std::sort(defined.begin(), defined.end());
     EXPECT_EQ(found, defined) << name;
-    tracks += found.size();
+    all += found.size();
   }
-  EXPECT_GT(tracks, 1000U);
+  EXPECT_GT(all, 1000U);
 }
 
 /// At places where boundaries touch: not by the sweep, the convolution, or the search.
@@ -58,11 +58,11 @@ TEST(ConvexSums, a_sum_of_vertices_is_outside_iff_the_interiors_do_not_meet) {
     const Placements placements(p, q);
     for (std::size_t e = 0; e < vertex_count(p); ++e) {
       for (std::size_t v = 0; v < vertex_count(q); ++v) {
-        const ConvexSums::Track track{Summand::P, e, v};
-        const Point x = sums.segment(track).source;
-        EXPECT_EQ(sums.source_is_outside(track), !placements.interiors_meet_by_definition_at(x))
+        const ConvexSums::EdgeAtVertex candidate{Summand::P, e, v};
+        const Point x = sums.segment(candidate).source;
+        EXPECT_EQ(sums.source_is_outside(candidate), !placements.interiors_meet_by_definition_at(x))
             << name << ", " << to_string(x);
-        outside += sums.source_is_outside(track);
+        outside += sums.source_is_outside(candidate);
       }
     }
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "checked/slide/box_tree.hpp"
+#include "checked/slide/float_box_tree.hpp"
 
 #include <gtest/gtest.h>
 
@@ -26,10 +26,10 @@ std::vector<double> doubles() {
   return all;
 }
 
-double low_x(const Box& box) { return static_cast<double>(box[0]); }
-double low_y(const Box& box) { return static_cast<double>(box[1]); }
-double high_x(const Box& box) { return -static_cast<double>(box[2]); }
-double high_y(const Box& box) { return -static_cast<double>(box[3]); }
+double low_x(const FloatBox& box) { return static_cast<double>(box[0]); }
+double low_y(const FloatBox& box) { return static_cast<double>(box[1]); }
+double high_x(const FloatBox& box) { return -static_cast<double>(box[2]); }
+double high_y(const FloatBox& box) { return -static_cast<double>(box[3]); }
 
 TEST(BoxAround, contains_its_points_and_is_the_smallest_that_does) {
   const auto above = [](double f) {
@@ -42,7 +42,7 @@ TEST(BoxAround, contains_its_points_and_is_the_smallest_that_does) {
   for (const double ax : doubles()) {
     for (const double bx : doubles()) {
       const double ay = -bx, by = 3 * ax;
-      const Box box = box_around(ax, ay, bx, by);
+      const FloatBox box = box_around(ax, ay, bx, by);
       EXPECT_LE(low_x(box), std::min(ax, bx));
       EXPECT_GT(above(low_x(box)), std::min(ax, bx));
       EXPECT_LE(low_y(box), std::min(ay, by));
@@ -58,9 +58,11 @@ TEST(BoxAround, contains_its_points_and_is_the_smallest_that_does) {
   EXPECT_GT(rounded_to_the_wrong_side, 0u);
 }
 
-TEST(Box, contains_what_is_inside_or_on_its_boundary) {
-  const Box box = box_around(-1, 2, 5, 7);
-  const auto is_inside = [&](double x, double y) { return contains(box, NearPoint{x, y}.box()); };
+TEST(FloatBox, contains_what_is_inside_or_on_its_boundary) {
+  const FloatBox box = box_around(-1, 2, 5, 7);
+  const auto is_inside = [&](double x, double y) {
+    return contains(box, ApproximatePoint{x, y}.box());
+  };
   EXPECT_TRUE(is_inside(0, 3));
   for (const double x : {-1.0, 5.0}) {
     EXPECT_TRUE(is_inside(x, 2));
@@ -70,20 +72,20 @@ TEST(Box, contains_what_is_inside_or_on_its_boundary) {
   }
   EXPECT_FALSE(is_inside(-1.25, 3));
   EXPECT_FALSE(is_inside(5.25, 3));
-  EXPECT_TRUE(contains(box, NearPoint{5.25, 3, 0.25}.box()));
-  EXPECT_TRUE(contains(box, NearPoint{-1.25, 7.25, 0.25}.box()));
-  EXPECT_FALSE(contains(box, NearPoint{5.5, 3, 0.25}.box()));
+  EXPECT_TRUE(contains(box, ApproximatePoint{5.25, 3, 0.25}.box()));
+  EXPECT_TRUE(contains(box, ApproximatePoint{-1.25, 7.25, 0.25}.box()));
+  EXPECT_FALSE(contains(box, ApproximatePoint{5.5, 3, 0.25}.box()));
 }
 
-TEST(Box, sums_are_around_the_sums) {
-  const Box sum = box_around(0, 0, 2, 3) + box_around(10, 20, 9, 25);
+TEST(FloatBox, sums_are_around_the_sums) {
+  const FloatBox sum = box_around(0, 0, 2, 3) + box_around(10, 20, 9, 25);
   EXPECT_EQ(low_x(sum), 9);
   EXPECT_EQ(low_y(sum), 20);
   EXPECT_EQ(high_x(sum), 12);
   EXPECT_EQ(high_y(sum), 28);
 }
 
-TEST(NearPoint, is_in_a_box_that_it_is_in_but_for_rounding) {
+TEST(ApproximatePoint, is_in_a_box_that_it_is_in_but_for_rounding) {
   Random random(6);
   for (int k = 0; k < 20000; ++k) {
     const auto number = [&] {
@@ -91,16 +93,16 @@ TEST(NearPoint, is_in_a_box_that_it_is_in_but_for_rounding) {
       return coarse + uniform(random, 0, 0x1000) * 0x1p-12;
     };
     const double ax = number(), ay = number(), bx = number(), by = number();
-    const Box box = box_around(ax, ay, ax, ay) + box_around(bx, by, bx, by);
-    EXPECT_TRUE(contains(box, NearPoint{ax + bx, ay + by}.box()));
+    const FloatBox box = box_around(ax, ay, ax, ay) + box_around(bx, by, bx, by);
+    EXPECT_TRUE(contains(box, ApproximatePoint{ax + bx, ay + by}.box()));
   }
 }
 
 class BoxTreeOf : public testing::TestWithParam<std::uint32_t> {};
 
-std::vector<Box> some_boxes(std::uint32_t count) {
+std::vector<FloatBox> some_boxes(std::uint32_t count) {
   Random random(count);
-  std::vector<Box> boxes;
+  std::vector<FloatBox> boxes;
   for (std::uint32_t i = 0; i < count; ++i) {
     const double x = uniform(random, -100, 100);
     const double y = uniform(random, -100, 100);
@@ -109,28 +111,28 @@ std::vector<Box> some_boxes(std::uint32_t count) {
   return boxes;
 }
 
-bool same(const Box& a, const Box& b) { return std::experimental::all_of(a == b); }
+bool same(const FloatBox& a, const FloatBox& b) { return std::experimental::all_of(a == b); }
 
 /// Visits the leaves under a node in order. Returns the number of levels.
-std::size_t walk(const BoxTree& tree, std::uint32_t node, std::vector<std::uint32_t>& leaves) {
-  const BoxTree::Node& here = tree[node];
+std::size_t walk(const FloatBoxTree& tree, std::uint32_t node, std::vector<std::uint32_t>& leaves) {
+  const FloatBoxTree::Node& here = tree[node];
   const double circumference =
       2 * (high_x(here.box) - low_x(here.box) + high_y(here.box) - low_y(here.box));
   EXPECT_NEAR(static_cast<double>(here.size), circumference / 2, 1e-3);
-  EXPECT_EQ(here.strip, BoxTree::none);
+  EXPECT_EQ(here.strip, FloatBoxTree::none);
   if (here.is_leaf()) {
     leaves.push_back(here.edge);
     return 1;
   }
-  EXPECT_EQ(here.edge, BoxTree::none);
+  EXPECT_EQ(here.edge, FloatBoxTree::none);
   EXPECT_TRUE(same(here.box, around(tree[node + 1].box, tree[here.right].box)));
   const std::size_t left = walk(tree, node + 1, leaves);
   return 1 + std::max(left, walk(tree, here.right, leaves));
 }
 
 TEST_P(BoxTreeOf, boxes_has_each_once_and_is_balanced) {
-  const std::vector<Box> boxes = some_boxes(GetParam());
-  const BoxTree tree(boxes);
+  const std::vector<FloatBox> boxes = some_boxes(GetParam());
+  const FloatBoxTree tree(boxes);
   std::vector<std::uint32_t> leaves;
   const std::size_t levels = walk(tree, 0, leaves);
   std::sort(leaves.begin(), leaves.end());
@@ -139,14 +141,14 @@ TEST_P(BoxTreeOf, boxes_has_each_once_and_is_balanced) {
   std::size_t least = 1;
   while (std::size_t{1} << (least - 1) < boxes.size()) ++least;
   EXPECT_EQ(levels, least);
-  Box all = boxes[0];
-  for (const Box& box : boxes) all = around(all, box);
+  FloatBox all = boxes[0];
+  for (const FloatBox& box : boxes) all = around(all, box);
   EXPECT_TRUE(same(tree[0].box, all));
 }
 
 TEST_P(BoxTreeOf, boxes_has_each_at_its_leaf) {
-  const std::vector<Box> boxes = some_boxes(GetParam());
-  const BoxTree tree(boxes);
+  const std::vector<FloatBox> boxes = some_boxes(GetParam());
+  const FloatBoxTree tree(boxes);
   std::size_t leaves = 0;
   for (std::uint32_t node = 0; node < 2 * GetParam() - 1; ++node) {
     if (!tree[node].is_leaf()) continue;
@@ -160,58 +162,60 @@ INSTANTIATE_TEST_SUITE_P(Some, BoxTreeOf, testing::Values(1, 2, 3, 4, 5, 64, 100
                          testing::PrintToStringParamName());
 
 /// Unit squares in a row.
-std::vector<Box> squares(const std::vector<int>& places) {
-  std::vector<Box> boxes;
+std::vector<FloatBox> squares(const std::vector<int>& places) {
+  std::vector<FloatBox> boxes;
   for (const int x : places) boxes.push_back(box_around(x, 0, x + 1, 1));
   return boxes;
 }
 
-std::vector<std::uint32_t> leaves_of(const BoxTree& tree) {
+std::vector<std::uint32_t> leaves_of(const FloatBoxTree& tree) {
   std::vector<std::uint32_t> leaves;
   walk(tree, 0, leaves);
   return leaves;
 }
 
 /// The number of nodes whose boxes contain a point.
-std::size_t nodes_at(const BoxTree& tree, const NearPoint& point, std::uint32_t node = 0) {
+std::size_t nodes_at(const FloatBoxTree& tree, const ApproximatePoint& point,
+                     std::uint32_t node = 0) {
   if (!contains(tree[node].box, point.box())) return 0;
   if (tree[node].is_leaf()) return 1;
   return 1 + nodes_at(tree, point, node + 1) + nodes_at(tree, point, tree[node].right);
 }
 
-TEST(BoxTree, halves_by_place_what_is_in_random_order_and_leaves_the_boundary_in_order) {
+TEST(FloatBoxTree, halves_by_place_what_is_in_random_order_and_leaves_the_boundary_in_order) {
   std::vector<int> places(1000);
   std::iota(places.begin(), places.end(), 0);
-  const BoxTree in_order(squares(places));
+  const FloatBoxTree in_order(squares(places));
   const std::vector<std::uint32_t> leaves = leaves_of(in_order);
   EXPECT_TRUE(std::is_sorted(leaves.begin(), leaves.end()));
 
   Random random(4);
   shuffle(random, places);
-  const BoxTree by_place(squares(places));
+  const FloatBoxTree by_place(squares(places));
   for (const double x : {0.5, 123.5, 500.5, 999.5})
     EXPECT_LE(nodes_at(by_place, {x, 0.5}), 3 * nodes_at(in_order, {x, 0.5})) << x;
 }
 
-TEST(BoxTree, divides_rings_into_their_sides) {
-  std::vector<Box> boxes;
+TEST(FloatBoxTree, divides_rings_into_their_sides) {
+  std::vector<FloatBox> boxes;
   for (int r = 1; r <= 1000; ++r) {
     boxes.push_back(box_around(-r, -r, r, -r));
     boxes.push_back(box_around(r, -r, r, r));
     boxes.push_back(box_around(-r, r, r, r));
     boxes.push_back(box_around(-r, -r, -r, r));
   }
-  const BoxTree tree(boxes);
-  for (const NearPoint& at : {NearPoint{0, 0}, NearPoint{10, 500}, NearPoint{-999, 3}})
+  const FloatBoxTree tree(boxes);
+  for (const ApproximatePoint& at :
+       {ApproximatePoint{0, 0}, ApproximatePoint{10, 500}, ApproximatePoint{-999, 3}})
     EXPECT_LE(nodes_at(tree, at), 300u) << at.x;
 }
 
-TEST(BoxTree, keeps_chains_together_and_has_few_levels) {
+TEST(FloatBoxTree, keeps_chains_together_and_has_few_levels) {
   std::vector<int> places(500);
   std::iota(places.begin(), places.end(), 0);
   Random random(5);
   shuffle(random, places);
-  std::vector<Box> boxes;
+  std::vector<FloatBox> boxes;
   std::vector<std::uint32_t> chains;
   const auto begin_chain = [&] { chains.push_back(static_cast<std::uint32_t>(boxes.size())); };
   for (const int place : places) {
@@ -222,7 +226,7 @@ TEST(BoxTree, keeps_chains_together_and_has_few_levels) {
     begin_chain();
     for (int i = 0; i < 5000; ++i) boxes.push_back(box_around(i, 6, i + 1, 7));
   }
-  const BoxTree tree(boxes, {}, chains);
+  const FloatBoxTree tree(boxes, {}, chains);
   std::vector<std::uint32_t> leaves;
   EXPECT_LE(walk(tree, 0, leaves), 26u);
   ASSERT_EQ(leaves.size(), boxes.size());
@@ -247,17 +251,17 @@ std::vector<NearSegment> slanted_teeth(int count, double scale) {
   return edges;
 }
 
-std::vector<Box> boxes_around(const std::vector<NearSegment>& edges) {
-  std::vector<Box> boxes;
+std::vector<FloatBox> boxes_around(const std::vector<NearSegment>& edges) {
+  std::vector<FloatBox> boxes;
   for (const NearSegment& e : edges) boxes.push_back(box_around(e.x, e.y, e.x + e.dx, e.y + e.dy));
   return boxes;
 }
 
 /// Checks that all edges under each node are in its strip. Returns how many have one.
-std::size_t check_strips(const BoxTree& tree, const std::vector<NearSegment>& edges) {
+std::size_t check_strips(const FloatBoxTree& tree, const std::vector<NearSegment>& edges) {
   std::size_t strips = 0;
   for (std::uint32_t node = 0; node < 2 * edges.size() - 1; ++node) {
-    if (tree[node].strip == BoxTree::none) continue;
+    if (tree[node].strip == FloatBoxTree::none) continue;
     ++strips;
     const Strip& strip = tree.strip(tree[node].strip);
     std::vector<std::uint32_t> nodes{node};
@@ -279,14 +283,14 @@ std::size_t check_strips(const BoxTree& tree, const std::vector<NearSegment>& ed
   return strips;
 }
 
-TEST(BoxTree, has_strips_where_boxes_are_much_wider) {
+TEST(FloatBoxTree, has_strips_where_boxes_are_much_wider) {
   for (const double scale : {1.0, 0x1p50}) {
     const std::vector<NearSegment> teeth = slanted_teeth(64, scale);
-    EXPECT_GT(check_strips(BoxTree(boxes_around(teeth), teeth), teeth), 60u);
+    EXPECT_GT(check_strips(FloatBoxTree(boxes_around(teeth), teeth), teeth), 60u);
   }
   std::vector<NearSegment> upright = slanted_teeth(64, 1);
   for (NearSegment& e : upright) e.dx = 0;
-  EXPECT_EQ(check_strips(BoxTree(boxes_around(upright), upright), upright), 0u);
+  EXPECT_EQ(check_strips(FloatBoxTree(boxes_around(upright), upright), upright), 0u);
 }
 
 }  // namespace

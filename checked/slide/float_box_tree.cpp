@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "checked/slide/box_tree.hpp"
+#include "checked/slide/float_box_tree.hpp"
 
 #include <algorithm>
 #include <array>
@@ -23,43 +23,43 @@ float rounded_down(double value) {
 
 }  // namespace
 
-Box box_around(double ax, double ay, double bx, double by) {
+FloatBox box_around(double ax, double ay, double bx, double by) {
   return box_of(rounded_down(std::min(ax, bx)), rounded_down(std::min(ay, by)),
                 rounded_down(-std::max(ax, bx)), rounded_down(-std::max(ay, by)));
 }
 
 /// What a tree is built of.
-struct BoxTree::Edges {
-  const std::vector<Box>& boxes;
+struct FloatBoxTree::Edges {
+  const std::vector<FloatBox>& boxes;
   std::span<const NearSegment> segments;  ///< empty if there are no strips
   std::vector<std::uint32_t> order;       ///< that of the leaves
 };
 
 /// The edges from the first up to, not including, the last.
-struct BoxTree::PartOfBoundary {
-  Box box;
+struct FloatBoxTree::PartOfBoundary {
+  FloatBox box;
   std::uint32_t first, last;
 };
 
 namespace {
 
-float half_circumference(const Box& box) { return -(box[0] + box[1] + box[2] + box[3]); }
+float half_circumference(const FloatBox& box) { return -(box[0] + box[1] + box[2] + box[3]); }
 
-Box box_around(const std::vector<Box>& boxes, std::span<const std::uint32_t> edges) {
-  Box box = boxes[edges[0]];
+FloatBox box_around(const std::vector<FloatBox>& boxes, std::span<const std::uint32_t> edges) {
+  FloatBox box = boxes[edges[0]];
   for (const std::uint32_t edge : edges.subspan(1)) box = around(box, boxes[edge]);
   return box;
 }
 
 /// The boxes around the halves of a set of edges in an order.
 struct Halves {
-  Box first;
-  Box second;
+  FloatBox first;
+  FloatBox second;
 
   float reach() const { return half_circumference(first) + half_circumference(second); }
 };
 
-Halves halves_of(const std::vector<Box>& boxes, std::span<const std::uint32_t> edges) {
+Halves halves_of(const std::vector<FloatBox>& boxes, std::span<const std::uint32_t> edges) {
   const std::size_t half = edges.size() / 2;
   return {box_around(boxes, edges.first(half)), box_around(boxes, edges.subspan(half))};
 }
@@ -69,7 +69,7 @@ constexpr std::size_t too_few = 4;  // edges, for their order to matter
 /// The side of the boxes of items along which they are spread most.
 template <typename Items, typename BoxOf>
 std::size_t side_of_most_spread(const Items& items, const BoxOf& box_of) {
-  Box low = box_of(items[0]), high = low;
+  FloatBox low = box_of(items[0]), high = low;
   for (const auto& item : items) {
     low = std::experimental::min(low, box_of(item));
     high = std::experimental::max(high, box_of(item));
@@ -82,11 +82,11 @@ std::size_t side_of_most_spread(const Items& items, const BoxOf& box_of) {
 
 /// Orders edges by one of the sides of their boxes, that along which they are spread most; then each
 /// half of them, so many times. What is not divided stays in order.
-void order_by_sides(const std::vector<Box>& boxes, std::span<std::uint32_t> edges,
+void order_by_sides(const std::vector<FloatBox>& boxes, std::span<std::uint32_t> edges,
                     unsigned halvings) {
   if (halvings == 0 || edges.size() <= too_few) return;
-  const std::size_t side =
-      side_of_most_spread(edges, [&](std::uint32_t edge) -> const Box& { return boxes[edge]; });
+  const std::size_t side = side_of_most_spread(
+      edges, [&](std::uint32_t edge) -> const FloatBox& { return boxes[edge]; });
   const auto key = [&](std::uint32_t edge) {
     return std::pair<float, std::uint32_t>(boxes[edge][side], edge);
   };
@@ -103,7 +103,7 @@ void order_by_sides(const std::vector<Box>& boxes, std::span<std::uint32_t> edge
 }
 
 /// How large the boxes are around what halvings leave together.
-float reach(const std::vector<Box>& boxes, std::span<const std::uint32_t> edges,
+float reach(const std::vector<FloatBox>& boxes, std::span<const std::uint32_t> edges,
             unsigned halvings) {
   if (halvings == 0 || edges.size() <= too_few) return half_circumference(box_around(boxes, edges));
   const std::size_t half = edges.size() / 2;
@@ -138,7 +138,7 @@ Strip strip_around(std::span<const NearSegment> segments, const EachEdge& each_e
 
 /// Of the points of edges, each edge with the same weight: how many edges, the mean, and the second
 /// moments about it.
-struct BoxTree::Moments {
+struct FloatBoxTree::Moments {
   double count, x, y;
   double xx, xy, yy;
 
@@ -159,8 +159,9 @@ struct BoxTree::Moments {
   }
 };
 
-BoxTree::BoxTree(const std::vector<Box>& of_edges, std::span<const NearSegment> segments,
-                 std::span<const std::uint32_t> chains) {
+FloatBoxTree::FloatBoxTree(const std::vector<FloatBox>& of_edges,
+                           std::span<const NearSegment> segments,
+                           std::span<const std::uint32_t> chains) {
   constexpr std::size_t too_few_for_strips = 32;
   const auto size = static_cast<std::uint32_t>(of_edges.size());
   Edges edges{of_edges,
@@ -178,17 +179,17 @@ BoxTree::BoxTree(const std::vector<Box>& of_edges, std::span<const NearSegment> 
   add(edges, parts);
 }
 
-BoxTree::Moments BoxTree::add(Edges& edges, std::span<PartOfBoundary> chains) {
+FloatBoxTree::Moments FloatBoxTree::add(Edges& edges, std::span<PartOfBoundary> chains) {
   if (chains.size() == 1) return add(edges, chains[0].first, chains[0].last, chains[0].box, 0);
   const std::size_t side = side_of_most_spread(
-      chains, [](const PartOfBoundary& chain) -> const Box& { return chain.box; });
+      chains, [](const PartOfBoundary& chain) -> const FloatBox& { return chain.box; });
   std::sort(chains.begin(), chains.end(), [&](const PartOfBoundary& a, const PartOfBoundary& b) {
     return std::pair<float, std::uint32_t>(a.box[side], a.first) <
            std::pair<float, std::uint32_t>(b.box[side], b.first);
   });
   // As equally as can be by the number of edges.
   std::size_t all = 0, before = 0, middle = 1;
-  Box box = chains[0].box;
+  FloatBox box = chains[0].box;
   for (const PartOfBoundary& chain : chains) {
     all += chain.last - chain.first;
     box = around(box, chain.box);
@@ -209,8 +210,8 @@ BoxTree::Moments BoxTree::add(Edges& edges, std::span<PartOfBoundary> chains) {
   });
 }
 
-BoxTree::Moments BoxTree::add(Edges& edges, std::uint32_t first, std::uint32_t last, const Box& box,
-                              unsigned settled) {
+FloatBoxTree::Moments FloatBoxTree::add(Edges& edges, std::uint32_t first, std::uint32_t last,
+                                        const FloatBox& box, unsigned settled) {
   const std::size_t here = nodes_.size();
   const std::span<std::uint32_t> these(edges.order.data() + first, last - first);
   nodes_.push_back({box, none, none, half_circumference(box), none});
@@ -248,10 +249,11 @@ BoxTree::Moments BoxTree::add(Edges& edges, std::uint32_t first, std::uint32_t l
 }
 
 template <typename EachEdge>
-BoxTree::Moments BoxTree::with_strip(const Edges& edges, std::size_t here, const Moments& left,
-                                     const Moments& right, const EachEdge& each_edge) {
+FloatBoxTree::Moments FloatBoxTree::with_strip(const Edges& edges, std::size_t here,
+                                               const Moments& left, const Moments& right,
+                                               const EachEdge& each_edge) {
   if (edges.segments.empty()) return {};
-  const Box box = nodes_[here].box;
+  const FloatBox box = nodes_[here].box;
 
   // The direction in which the edges are spread most, and their variance across it: a strip is at
   // least twice as wide as the root of that.
