@@ -46,8 +46,8 @@ std::vector<BenchEngine> peer_engines() {
       engine_of<CgalVertical>(
           "cgal-vertical",
           "CGAL: minkowski_sum_by_decomposition_2 with Polygon_vertical_decomposition_2"),
-      engine_of<ClipperMethod>("clipper",
-                               "Clipper 6: MinkowskiSum, with the larger summand as its filled path"),
+      engine_of<ClipperMethod>(
+          "clipper", "Clipper 6: MinkowskiSum, with the larger summand as its filled path"),
       engine_of<BoostPolygonMethod>(
           "boost-polygon", "Boost.Polygon: its Minkowski example, then the polygon set's union"),
   };

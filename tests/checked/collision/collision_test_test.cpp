@@ -36,7 +36,8 @@ TEST(EachCollision, is_right_where_coordinates_are_no_doubles) {
       const Region& q = all[(k + 5) % all.size()].region;
       const Vector away = factor * Vector{-3, 4};
       const auto plain = hierarchy_collision(p, q);
-      const EachMethod each(translated(image(scaled_by(factor), p), away), image(scaled_by(factor), q));
+      const EachMethod each(translated(image(scaled_by(factor), p), away),
+                            image(scaled_by(factor), q));
       for (int i = 0; i <= 8; ++i) {
         for (int j = 0; j <= 8; ++j) {
           ASSERT_EQ(each.wrong_at(factor * Point{i, j} + away, plain->interiors_meet_at({i, j})),
