@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "reference/io/invalid_input.hpp"
+
 namespace oplus::certificates {
 
 namespace {
@@ -69,12 +71,37 @@ double largest_coordinate(const ConvexPieces& pieces, const ShiftedDoubles& doub
   return largest;
 }
 
+// The limits of the checker's reader.
+constexpr std::size_t longest_text = std::size_t{1} << 27;
+constexpr std::size_t longest_word = 100'000;
+constexpr std::size_t deepest_tree = 100'000;
+
+[[noreturn]] void refuse(const std::string& wrong, std::size_t most) {
+  throw InvalidInput({"the certificate", 0, 0}, wrong,
+                     "at most " + std::to_string(most) + ", the limit of oplus-certified");
+}
+
+/// How many cuts are above one another.
+std::size_t depth(const Tree& tree) {
+  std::vector<std::size_t> open = {0};  // the depths of trees that are to follow, the next one last
+  std::size_t deepest = 0;
+  for (const Step& step : tree) {
+    const std::size_t here = open.back();
+    open.pop_back();
+    if (!std::holds_alternative<IntegerLine>(step)) continue;
+    deepest = std::max(deepest, here + 1);
+    open.insert(open.end(), 2, here + 1);
+  }
+  return deepest;
+}
+
 class Text {
  public:
   template <typename... Words>
   void line(const Words&... words) {
     (add(words), ...);
     text_.back() = '\n';
+    if (text_.size() > longest_text) refuse("a text of more bytes", longest_text);
   }
 
   void add_pieces(const ConvexPieces& pieces, const std::vector<Tree>* trees) {
@@ -85,6 +112,8 @@ class Text {
       for (const std::uint32_t corner : pieces.pieces[i]) add(corner);
       text_.back() = '\n';
       if (trees == nullptr) continue;
+      if (const std::size_t cuts = depth((*trees)[i]); cuts > deepest_tree)
+        refuse("a tree of " + std::to_string(cuts) + " cuts above one another", deepest_tree);
       for (const Step& step : (*trees)[i]) {
         if (const auto* cut = std::get_if<IntegerLine>(&step))
           line("cut", cut->a, cut->b, cut->c);
@@ -107,8 +136,13 @@ class Text {
   void add(const char* word) { (text_ += word) += ' '; }
   void add(std::size_t number) { (text_ += std::to_string(number)) += ' '; }
   void add(std::uint32_t number) { add(std::size_t{number}); }
-  void add(const mpz_class& number) { (text_ += number.get_str()) += ' '; }
-  void add(const Rational& number) { (text_ += number.get_str()) += ' '; }
+  void add(const mpz_class& number) { add_number(number.get_str()); }
+  void add(const Rational& number) { add_number(number.get_str()); }
+  void add_number(const std::string& word) {
+    if (word.size() > longest_word)
+      refuse("a number of " + std::to_string(word.size()) + " characters", longest_word);
+    (text_ += word) += ' ';
+  }
 
   std::string text_;
 };

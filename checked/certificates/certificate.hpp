@@ -35,7 +35,7 @@ std::optional<Point> repeated_vertex(const Region& s);
 /// is repeated. That s is part of P ⊕ Q is seen, that it is all of it is not. Throws PointOutsideSum.
 Certificate certificate(const Region& p, const Region& q, const Region& s);
 
-/// The text of a file.
+/// The text of a file. Throws InvalidInput where it is larger than what oplus-certified reads.
 std::string written(const Certificate& certificate);
 
 }  // namespace oplus::certificates

@@ -4,19 +4,23 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <span>
 
 namespace oplus::certificates {
 
 namespace {
 
-/// b - a, as near as a double: where both are exact, or from rationals.
-double difference(const Rational& a, const Rational& b, const ShiftedDoubles& doubles) {
+/// b - a but for a positive factor, as near as doubles. It has a size of its own: the coordinates may be larger
+/// than it by more than all doubles.
+Place direction(const Point& a, const Point& b) {
   const auto is_short = [](const Rational& x) {
     return x.get_den() == 1 && mpz_sizeinbase(x.get_num_mpz_t(), 2) <= 52;
   };
-  if (doubles.shift() == 0 && is_short(a) && is_short(b))
-    return b.get_num().get_d() - a.get_num().get_d();
-  return doubles.near(Rational(b - a));
+  if (is_short(a.x) && is_short(a.y) && is_short(b.x) && is_short(b.y))
+    return {b.x.get_num().get_d() - a.x.get_num().get_d(),
+            b.y.get_num().get_d() - a.y.get_num().get_d()};
+  const Point exact{b.x - a.x, b.y - a.y};
+  return ShiftedDoubles(std::span(&exact, 1)).near(exact);
 }
 
 double along(const HalfPlane& side, const Place& p) { return side.a * p.x + side.b * p.y; }
@@ -41,7 +45,7 @@ NearPieces::NearPieces(const ConvexPieces& pieces, const ShiftedDoubles& doubles
       const Point& b = exact.vertices[piece[next(k, piece.size())]];
       const Place& place = corners.emplace_back(places[piece[k]]);
       box = around(box, {place.x, place.y, place.x, place.y});
-      const double dx = difference(a.x, b.x, doubles), dy = difference(a.y, b.y, doubles);
+      const auto [dx, dy] = direction(a, b);
       const double length = std::hypot(dx, dy);
       HalfPlane& side = sides.emplace_back(HalfPlane{-dy / length, dx / length, 0});
       side.low = along(side, place);

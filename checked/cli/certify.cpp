@@ -66,7 +66,8 @@ void add_certify(Program& program) {
       "\n"
       "Exit codes:\n"
       "  0  done: it is their sum\n"
-      "  1  it is not");
+      "  1  it is not\n"
+      "  2  also: a certificate would be larger than oplus-certified reads");
 }
 
 }  // namespace oplus

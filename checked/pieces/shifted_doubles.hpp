@@ -52,7 +52,7 @@ class ShiftedDoubles {
   Place near(const Point& p) const { return {near(p.x), near(p.y)}; }
 
  private:
-  static constexpr long most_bits = 200;
+  static constexpr long most_bits = 100;
 
   long bits_ = 0;
   long shift_ = 0;

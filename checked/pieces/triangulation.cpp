@@ -198,8 +198,10 @@ class Triangulator {
 };
 
 /// Whether the last of four places is certainly inside the circle through the others, which are counterclockwise.
-/// The bound is Shewchuk's (Adaptive precision floating-point arithmetic, 1997).
+/// The bound is Shewchuk's (Adaptive precision floating-point arithmetic, 1997), and what products that are too small
+/// for doubles lose, of places up to 2^100.
 bool is_in_circle(const Place& a, const Place& b, const Place& c, const Place& d) {
+  constexpr double lost = 0x1p-850;
   const double ax = a.x - d.x, ay = a.y - d.y, bx = b.x - d.x, by = b.y - d.y;
   const double cx = c.x - d.x, cy = c.y - d.y;
   const double a2 = ax * ax + ay * ay, b2 = bx * bx + by * by, c2 = cx * cx + cy * cy;
@@ -208,7 +210,7 @@ bool is_in_circle(const Place& a, const Place& b, const Place& c, const Place& d
   const double size = a2 * (std::abs(bx * cy) + std::abs(by * cx)) +
                       b2 * (std::abs(cx * ay) + std::abs(cy * ax)) +
                       c2 * (std::abs(ax * by) + std::abs(ay * bx));
-  return determinant > 0x1p-49 * size;
+  return determinant > 0x1p-49 * size + lost;
 }
 
 /// Lawson's flips. Each makes the volume below the triangles smaller when places are lifted to a paraboloid, so

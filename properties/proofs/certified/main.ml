@@ -7,8 +7,8 @@ let help =
    The checker is proved in Coq: for what it certifies, a point is in S if and only if it is the sum of a\n\
    point of P and a point of Q. docs/certificates.md says what is proved, and what is trusted.\n\n\
    Arguments:\n\
-  \  P Q S                     regions in WKT: POLYGON, MULTIPOLYGON or EMPTY; numbers are integers,\n\
-  \                            decimals (also 1.5e-3) and fractions p/q\n\
+  \  P Q S                     regions in WKT, POLYGON, MULTIPOLYGON or EMPTY, or in .dat; numbers are\n\
+  \                            integers, decimals (also 1.5e-3) and fractions p/q\n\
   \  CERTIFICATE               what `oplus certify` writes\n\n\
    Options:\n\
   \  -h,--help                 show this help\n\
@@ -22,7 +22,8 @@ let help =
    Exit codes:\n\
   \  0  certified\n\
   \  1  not certified: S may be wrong, or only the certificate\n\
-  \  2  invalid input or usage, or a file that cannot be read\n"
+  \  2  invalid input or usage, a file that cannot be read, output that cannot be written, or too\n\
+  \     little memory\n"
 
 let described (x, y) = Printf.sprintf "(%s, %s)" (Q.to_string x) (Q.to_string y)
 
@@ -62,8 +63,11 @@ let why s (certificate : Checker.certificate) = function
       Printf.sprintf "piece %s of S, %s, is not shown to consist of sums" (Z.to_string n)
         (corners (fst (List.nth certificate.sum_pieces (Z.to_int n))))
 
+let name = "oplus-certified: "
+
 let refuse message =
-  prerr_endline ("oplus-certified: " ^ message);
+  prerr_endline (name ^ message);
+  close_out_noerr stdout; (* what could not be written is not tried again *)
   exit 2
 
 let run is_echoed = function
@@ -76,34 +80,56 @@ let run is_echoed = function
       end;
       let certificate = Certificates.read certificate p q s in
       match Checker.check (Regions.specified p) (Regions.specified q) (Regions.specified s) certificate with
-      | None -> print_endline "certified"
-      | Some refusal ->
-          print_endline ("not certified: " ^ why s certificate refusal);
-          exit 1)
+      | None -> print_endline "certified"; 0
+      | Some refusal -> print_endline ("not certified: " ^ why s certificate refusal); 1)
   | files -> refuse (Printf.sprintf "%d files; expected P Q S CERTIFICATE (see --help)" (List.length files))
 
-(* Recursion is as deep as lists are long, and a heap of 4 GB is more than any sensible input needs. *)
-let start () =
-  if Sys.getenv_opt "OPLUS_CERTIFIED" = None then begin
-    Unix.putenv "OPLUS_CERTIFIED" "stack";
-    let command = "ulimit -s unlimited 2>/dev/null || ulimit -s $(ulimit -H -s); exec \"$@\"" in
-    let shell = [| "sh"; "-c"; command; "sh"; Sys.executable_name |] in
-    try Unix.execv "/bin/sh" (Array.append shell (Array.sub Sys.argv 1 (Array.length Sys.argv - 1)))
-    with Unix.Unix_error _ -> ()
-  end;
-  Gc.set { (Gc.get ()) with minor_heap_size = 1 lsl 20; space_overhead = 200 };
+let too_small = "the memory is too small for these files"
+
+(* Recursion is as deep as lists are long, so the program runs again, with a higher limit on its stack. Where there is
+   no more memory, OCaml's runtime ends that run: what this one says then is one line all the same. *)
+let run_again () =
+  Unix.putenv "OPLUS_CERTIFIED" "stack";
+  let command = "ulimit -s unlimited 2>/dev/null || ulimit -s $(ulimit -H -s); exec \"$@\"" in
+  let shell = [| "sh"; "-c"; command; "sh"; Sys.executable_name |] in
+  let arguments = Array.append shell (Array.sub Sys.argv 1 (Array.length Sys.argv - 1)) in
+  let reading, writing = Unix.pipe ~cloexec:true () in
+  let again = Unix.create_process "/bin/sh" arguments Unix.stdin Unix.stdout writing in
+  Unix.close writing;
+  let said = try input_line (Unix.in_channel_of_descr reading) with End_of_file -> "" in
+  match Unix.waitpid [] again with
+  | _, WEXITED code when code < 2 -> exit code
+  | _ when String.starts_with ~prefix:name said -> prerr_endline said; exit 2
+  | _ -> refuse too_small
+
+(* A heap of 4 GB is more than any sensible input needs. *)
+let limit_heap () =
+  Gc.set { (Gc.get ()) with space_overhead = 200 };
   ignore (Gc.create_alarm (fun () -> if (Gc.quick_stat ()).heap_words > 1 lsl 29 then raise Out_of_memory))
 
-let () =
-  start ();
+let answer () =
   let arguments = List.tl (Array.to_list Sys.argv) in
   let options, files = List.partition (fun a -> String.length a > 1 && a.[0] = '-') arguments in
   match options with
-  | _ when List.exists (fun o -> o = "-h" || o = "--help") options -> print_string help
-  | [ "--version" ] -> print_endline ("oplus-certified " ^ Version.version)
-  | [] | [ "--echo" ] -> (
-      try run (options <> []) files with
-      | Words.Invalid message -> refuse message
-      | Sys_error message -> refuse (String.escaped message)
-      | Out_of_memory | Stack_overflow -> refuse "the memory is too small for these files")
+  | _ when List.exists (fun o -> o = "-h" || o = "--help") options -> print_string help; 0
+  | [ "--version" ] -> print_endline ("oplus-certified " ^ Version.version); 0
+  | [] | [ "--echo" ] -> run (options <> []) files
   | option :: _ -> refuse (Printf.sprintf "the option '%s' is not known (see --help)" (String.escaped option))
+
+let () =
+  let cannot_write why = refuse ("cannot write standard output: " ^ why) in
+  try
+    Sys.set_signal Sys.sigpipe Sys.Signal_ignore;
+    (match Unix.fstat Unix.stdout with
+     | exception Unix.Unix_error (why, _, _) -> cannot_write (Unix.error_message why)
+     | _ -> ());
+    if Sys.getenv_opt "OPLUS_CERTIFIED" = None then run_again ();
+    limit_heap ();
+    let code = answer () in
+    flush stdout;
+    exit code
+  with
+  | Words.Invalid message -> refuse message
+  | Sys_error why -> cannot_write why
+  | Unix.Unix_error (why, _, _) -> refuse (Unix.error_message why)
+  | Out_of_memory | Stack_overflow -> refuse too_small

@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Regions in WKT: POLYGON, MULTIPOLYGON and EMPTY. A chain without its closing vertex starts at its first vertex
-   and is turned if need be, so that outer chains are counterclockwise and holes clockwise. *)
+(* Regions in WKT, POLYGON, MULTIPOLYGON and EMPTY, and in .dat (docs/files.md). A chain without its closing vertex
+   starts at its first vertex and is turned if need be, so that outer chains are counterclockwise and holes clockwise. *)
 open Words
 
 let list_of text item =
@@ -42,13 +42,14 @@ let orientation text chain =
   | edge :: others -> snd (List.fold_left lower edge others)
   | [] -> assert false
 
+let turned wanted text chain =
+  if orientation text chain = - wanted then List.hd chain :: List.rev (List.tl chain) else chain
+
 let ring wanted text =
   match list_of text point with
   | first :: rest -> (
       match List.rev rest with
-      | last :: others when compare_points first last = 0 ->
-          let chain = first :: List.rev others in
-          if orientation text chain = - wanted then first :: others else chain
+      | last :: others when compare_points first last = 0 -> turned wanted text (first :: List.rev others)
       | _ -> refuse text "a ring is not closed" "its first vertex again at its end")
   | [] -> assert false
 
@@ -59,13 +60,39 @@ let polygon text =
       is_outer := false;
       ring wanted text)
 
-let region text =
+let wkt text =
   let keyword = String.uppercase_ascii text.word in
-  if keyword <> "POLYGON" && keyword <> "MULTIPOLYGON" then refuse_word text "POLYGON or MULTIPOLYGON";
+  if keyword <> "POLYGON" && keyword <> "MULTIPOLYGON" then
+    refuse_word text "POLYGON, MULTIPOLYGON or a number of vertices";
   advance text;
   if String.uppercase_ascii text.word = "EMPTY" then begin advance text; [] end
   else if keyword = "POLYGON" then polygon text
   else List.concat (list_of text polygon)
+
+let counted_chain wanted text =
+  let line = text.line_of_word in
+  let count = take_count text in
+  if count < 3 then refuse_line text.name line (Printf.sprintf "a chain of %d vertices" count) "at least 3";
+  turned wanted text (List.init count (fun _ -> point text))
+
+(* Of one component the number of holes may be left out. *)
+let rec dat is_first text =
+  let outer = counted_chain 1 text in
+  if is_first && text.word = "" then [ outer ]
+  else
+    let holes = take_count text in
+    let component = outer :: List.init holes (fun _ -> counted_chain (-1) text) in
+    if text.word = "" then component else component @ dat false text
+
+(* The chain that an unbounded region has not is written as 0 vertices, and so is, alone, what is empty. *)
+let region text =
+  if text.word = "0" then begin
+    advance text;
+    if text.word <> "" then refuse text "an outer chain of 0 vertices" "a bounded region";
+    []
+  end
+  else if is_natural text.word then dat true text
+  else wkt text
 
 let read name = read_file name "()," region
 

@@ -7,6 +7,7 @@
 #include "properties/compare/corpus.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/families/family.hpp"
+#include "reference/io/invalid_input.hpp"
 #include "tests/checked/certificates/defect.hpp"
 #include "tests/reference/definitions/shapes.hpp"
 
@@ -69,6 +70,19 @@ TEST(Certificate, holds_for_coordinates_of_any_size) {
   }
 }
 
+/// In doubles the smaller one is a point.
+TEST(Certificate, holds_for_sizes_that_differ_by_more_than_doubles) {
+  mpz_class power;
+  mpz_ui_pow_ui(power.get_mpz_t(), 10, 324);
+  const Rational large(power);
+  const Region p = polygon({{0, 0}, {large, 0}, {0, large}});
+  const Region q = polygon({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}});
+  const auto smaller = [&](const Point& v) { return Point{v.x / large, v.y / large}; };
+  EXPECT_EQ(defect(p, q), "");
+  EXPECT_EQ(defect(q, p), "");
+  EXPECT_EQ(defect(mapped(p, smaller), mapped(q, smaller)), "");
+}
+
 /// verify accepts such a sum.
 TEST(Certificate, holds_for_a_chain_that_touches_itself) {
   const Region p = together({polygon(box(0, 0, 1, 1)), polygon(box(2, 2, 3, 3))});
@@ -94,6 +108,42 @@ TEST(Certificate, is_written_line_by_line) {
             "summand q\npoints 0\npieces 1\n0 1 2 3\nlinks 0\n"
             "sum\npoints 1\n4 7/2 3\npieces 1\n0 1 2\ncut 3 -4 17\nin 0 0\nin 1 0\n"
             "end\n");
+}
+
+/// oplus-certified would refuse to read it.
+TEST(Certificate, none_is_written_that_is_larger_than_is_read) {
+  const auto refusal = [](const Certificate& certificate) -> std::string {
+    try {
+      return "written: " + written(certificate).substr(0, 20);
+    } catch (const InvalidInput& error) {
+      return error.what();
+    }
+  };
+  const auto of_tree = [](std::size_t cuts) {
+    Certificate made;
+    made.sum.pieces = {{0, 1, 2}};
+    made.trees = {Tree(cuts, IntegerLine{1, 0, 0})};
+    made.trees[0].insert(made.trees[0].end(), cuts + 1, PieceSums::Pair{0, 0});
+    return made;
+  };
+  EXPECT_TRUE(refusal(of_tree(100'000)).starts_with("written: "));
+  EXPECT_EQ(
+      refusal(of_tree(100'001)),
+      "the certificate: a tree of 100001 cuts above one another; expected at most 100000, the "
+      "limit of oplus-certified");
+  Certificate made;
+  mpz_ui_pow_ui(made.unit.get_mpz_t(), 10, 99'999);
+  EXPECT_TRUE(refusal(made).starts_with("written: "));
+  made.unit *= 10;
+  EXPECT_EQ(refusal(made),
+            "the certificate: a number of 100001 characters; expected at most 100000, the limit of "
+            "oplus-certified");
+  made.unit = 1;
+  constexpr std::uint32_t large = ~std::uint32_t{0};
+  made.p.links.assign((std::size_t{1} << 27) / 22 + 1, {large, large});
+  EXPECT_EQ(refusal(made),
+            "the certificate: a text of more bytes; expected at most 134217728, the limit of "
+            "oplus-certified");
 }
 
 TEST(Certificate, unit_of_unlike_denominators_is_a_power_of_two) {

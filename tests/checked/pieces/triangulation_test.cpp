@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "reference/families/family.hpp"
@@ -14,7 +15,8 @@ namespace oplus::pieces {
 namespace {
 
 struct Triangulated {
-  explicit Triangulated(const Region& region) {
+  /// Coordinates in doubles are multiplied by a unit.
+  explicit Triangulated(const Region& region, double unit = 1) {
     for (const Chain& chain : chains(region)) {
       const std::size_t first = vertices.size();
       vertices.insert(vertices.end(), chain.begin(), chain.end());
@@ -27,7 +29,7 @@ struct Triangulated {
     for (const Point& p : vertices) {
       boundary.points.push_back(&p);
       near.push_back(near_point(p));
-      places.push_back({p.x.get_d(), p.y.get_d()});
+      places.push_back({unit * p.x.get_d(), unit * p.y.get_d()});
     }
     made = triangulation(boundary, near, places);
   }
@@ -117,6 +119,19 @@ TEST(Triangulation, is_delaunay_but_for_the_edges) {
     }
   }
   EXPECT_GT(diagonals, 500U);
+}
+
+/// Places so near one another that products of four lose what would show that a flip is one.
+TEST(Triangulation, what_doubles_lose_is_not_flipped) {
+  std::size_t flipped = 0;
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    const Region star = generate(*find_family("star"), 60, seed).p;
+    const Triangulated none(star, 0);
+    flipped += Triangulated(star).made.sources != none.made.sources;
+    for (int power = -270; power <= -242; power += 4)
+      EXPECT_EQ(Triangulated(star, std::ldexp(1, power)).made.sources, none.made.sources) << power;
+  }
+  EXPECT_EQ(flipped, 3U);
 }
 
 /// Where a fan would be made first, and flipped.

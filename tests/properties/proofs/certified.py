@@ -22,6 +22,17 @@ def square(x, y, side):
     return f"({x} {y},{x + side} {y},{x + side} {y + side},{x} {y + side},{x} {y})"
 
 
+def dat(wkt):
+    """The same region, without the closing vertices."""
+    polygons = re.findall(r"\(\([^()]*\)(?:,\([^()]*\))*\)", wkt)
+    text = "" if polygons else "0"
+    for polygon in polygons:
+        rings = [ring.split(",")[:-1] for ring in re.findall(r"\(([^()]+)\)", polygon)]
+        outer, *holes = (f"{len(ring)} {'  '.join(ring)}\n" for ring in rings)
+        text += f"{outer}{len(holes)}\n{''.join(holes)}"
+    return text
+
+
 def convex(*vertices):
     """The part of a certificate about a region that is one convex piece."""
     return f"points 0\npieces 1\n{' '.join(map(str, vertices or range(4)))}\n"
@@ -170,10 +181,24 @@ DAMAGES = [
 
 # Texts of P that are refused, and what is said.
 INVALID_REGIONS = [
-    ("", ":1: the end of the text; expected POLYGON or MULTIPOLYGON"),
-    ("\n\nPOINT(0 0)", ":3: 'POINT'; expected POLYGON or MULTIPOLYGON"),
+    ("", ":1: the end of the text; expected POLYGON, MULTIPOLYGON or a number of vertices"),
+    ("\n\nPOINT(0 0)", ":3: 'POINT'; expected POLYGON, MULTIPOLYGON or a number of vertices"),
     ("{}", "'{}'; expected POLYGON"),
-    ("4\n0 0\n1 0\n1 1\n0 1\n", "'4'; expected POLYGON"),
+    ("4\n0 0\n1 0\n1 1\n0\n", "the end of the text; expected an integer"),
+    ("4 0 0 1 0 1 1 0 1 1", "the end of the text; expected a number from 0"),
+    ("4 0 0 1 0 1 1 0 1 1 2 0 0 1 1", "a chain of 2 vertices; expected at least 3"),
+    ("4 0 0 1 0 1 1 0 1 1 0", "a chain of 0 vertices; expected at least 3"),
+    ("4 0 0 1 0 1 1 0 1 0 3 5 5 6 5 5 6", "the end of the text; expected a number from 0"),
+    ("4 0 0 1 0 1 1 0 1 -1", "'-1'; expected a number from 0"),
+    ("4 0 0,1 0,1 1,0 1", "','; expected an integer"),
+    ("\n0 1\n3 0 0 0 1 1 0", ":2: an outer chain of 0 vertices; expected a bounded region"),
+    ("0 0", "an outer chain of 0 vertices; expected a bounded region"),
+    ("\n2\n0 0 1 1", ":2: a chain of 2 vertices; expected at least 3"),
+    (f"{10 ** 30} 0 0", "; expected a number from 0"),
+    ("-4 0 0", "'-4'; expected POLYGON"),
+    ("[[0,0],[1,0],[0,1]]", "'[[0'; expected POLYGON"),
+    ("M 0 0 L 1 0 0 1 Z", "'M'; expected POLYGON"),
+    ("0103000000010000000400000000000000000000000000000000000000", "; expected a number from 0"),
     ("POLYGON", "the end of the text; expected '('"),
     ("POLYGON()", "')'; expected '('"),
     ("POLYGON(())", "')'; expected an integer"),
@@ -269,6 +294,8 @@ class Test:
     def examples(self):
         for name, texts in EXAMPLES.items():
             self.answer("examples", name, texts, CERTIFIED, "certified")
+            *regions, text = texts
+            self.answer("examples in .dat", name, [*map(dat, regions), text], CERTIFIED, "certified")
         for name, (*texts, wanted) in WRONG_SUMS.items():
             self.answer("wrong sums", name, texts, NOT_CERTIFIED, wanted)
         for name, example, right, wrong, code, wanted in DAMAGES:
@@ -302,11 +329,12 @@ class Test:
     def families(self, oplus):
         """Sums with the certificates that oplus makes for them."""
         _, listed = run([oplus, "gen", "--list"])
-        for family in (line.split()[0] for line in listed.splitlines()):
+        for i, family in enumerate(line.split()[0] for line in listed.splitlines()):
+            written = ("wkt", "dat")[i % 2]
             p, q, s, made = [self.folder / f"made.{name}" for name in ("p", "q", "s", "certificate")]
             for path, summand in ((p, "P"), (q, "Q")):
-                run([oplus, "gen", family, "--n", "5", "--seed", "1", "--summand", summand, "-o", path, "--format", "wkt"])
-            code, said = run([oplus, "sum", p, q, "-o", s, "--format", "wkt", "--quiet", "--certificate", made])
+                run([oplus, "gen", family, "--n", "5", "--seed", "1", "--summand", summand, "-o", path, "--format", written])
+            code, said = run([oplus, "sum", p, q, "-o", s, "--format", written, "--quiet", "--certificate", made])
             self.expect("certificates made", family, code == 0, said)
             self.answer("families", family, [file.read_text() for file in (p, q, s, made)], CERTIFIED, "certified")
 
@@ -324,6 +352,13 @@ class Test:
         _, *others = EXAMPLES["squares"]
         _, said = self.run_on([p, *others], "--echo")
         self.expect("chains", "turned", wanted in said, said)
+        square = "4  0 0  0 1  1 1  1 0\n"
+        of_square = "P has 1 chains\nchain of 4 vertices\n0: (0, 0)\n1: (1, 0)\n2: (1, 1)\n3: (0, 1)\n"
+        for name, text, read in ((".dat", dat(p), wanted), ("empty .dat", " 0\n", "P has 0 chains\n"),
+                                 (".dat without holes", square, of_square),
+                                 (".dat with no holes", square + "0", of_square)):
+            _, said = self.run_on([text, *others], "--echo")
+            self.expect("chains", name, said.startswith(read + "Q has"), said)
         # One that touches itself in its leftmost vertex, where its other part turns the other way.
         bent = ["3 -2", "0 0", "3 2", "3 1", "4 1", "4 4", "0 0", "4 -4", "4 -1", "3 -1"]
         for name, ring in (("counterclockwise", bent), ("clockwise", [bent[0], *bent[:0:-1]])):
@@ -345,6 +380,35 @@ class Test:
                 self.expect("texts without an end", f"{command}, file {place}", code == INVALID and "expected" in said,
                             f"exit code {code}: {said}")
 
+    def one_line(self, kind, name, ran, wanted):
+        """No verdict, exit code 2, and one line on standard error, which the bash script has with the rest."""
+        code, said = ran
+        self.expect(kind, name, code == INVALID and said.count("\n") == 1 and wanted in said, f"exit code {code}: {said}")
+
+    def outputs(self):
+        for place, text in zip("pqsc", EXAMPLES["squares"]):
+            (self.folder / place).write_text(text, encoding="utf-8")
+        for arguments in ("p q s c", "--echo p q s c", "--help", "--version"):
+            for output, why in ((">/dev/full", "No space left"), (">&-", "Bad file"), ("| :", "Broken pipe")):
+                # The reader of the pipe has ended before anything is written.
+                wait = "sleep 0.2; " if output == "| :" else ""
+                script = f"set -o pipefail; ( {wait}exec {self.program} {arguments} 2>&3 3>&- ) 3>&2 {output}"
+                self.one_line("outputs that cannot be written", f"{arguments} {output}",
+                              run(["bash", "-c", script], cwd=self.folder), f"cannot write standard output: {why}")
+
+    def little_memory(self, oplus):
+        """With less and less of it; without a limit the sum is certified."""
+        p, q, s, made = files = [self.folder / f"large.{name}" for name in ("p", "q", "s", "certificate")]
+        run([oplus, "gen", "comb", "--n", "8000", "--summand", "P", "-o", p, "--format", "wkt"])
+        run([oplus, "gen", "comb", "--n", "8000", "--summand", "Q", "-o", q, "--format", "wkt"])
+        run([oplus, "sum", p, q, "-o", s, "--format", "wkt", "--quiet", "--certificate", made])
+        command = f"{self.program} {' '.join(map(str, files))}"
+        code, said = run(["bash", "-c", command])
+        self.expect("little memory", "no limit", code == CERTIFIED, said)
+        for kilobytes in range(15000, 40000, 5000):
+            self.one_line("little memory", f"{kilobytes} kB",
+                          run(["bash", "-c", f"ulimit -c 0 -v {kilobytes}; {command}"]), "the memory is too small")
+
     def usage(self):
         for arguments, code, wanted in (
                 (["--help"], 0, "Usage: oplus-certified"), (["-h"], 0, "Exit codes:"),
@@ -360,9 +424,10 @@ def main():
     with tempfile.TemporaryDirectory() as directory:
         test = Test(program, build, Path(directory))
         for part in (test.examples, test.each_cut_short, test.each_number_changed, test.numbers, test.chains,
-                     test.endless, test.usage):
+                     test.endless, test.outputs, test.usage):
             part()
         test.families(oplus)
+        test.little_memory(oplus)
     for failure in test.failures:
         print(failure)
     print(", ".join(f"{count} {kind}" for kind, count in test.counted.items()))

@@ -16,6 +16,7 @@
 #include "reference/families/family.hpp"
 #include "reference/io/writing.hpp"
 #include "tests/checked/verify/damage.hpp"
+#include "tests/reference/definitions/shapes.hpp"
 
 namespace oplus {
 namespace {
@@ -92,6 +93,40 @@ TEST_F(CertifiedSums, damaged_ones_are_refused) {
   EXPECT_GE(times.size(), 15U);
   RecordProperty("damaged", static_cast<int>(damaged));
   RecordProperty("with_own_certificate", static_cast<int>(with_own_certificate));
+}
+
+/// Sizes that differ by more than all doubles do, and shapes that far from the origin.
+TEST_F(CertifiedSums, of_sizes_beyond_doubles_are_certified) {
+  mpz_class power;
+  mpz_ui_pow_ui(power.get_mpz_t(), 10, 330);
+  const Rational large(power), small = 1 / large;
+  struct Placed {
+    Rational scale, shift;
+  };
+  const Placed all[] = {{1, 0}, {large, 0}, {small, 0}, {1, large}, {small, 1}};
+  const std::vector<Region> few = {polygon({{0, 0}, {1, 0}, {0, 1}}),
+                                   polygon({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}),
+                                   polygon({{-3, -2}, {-1, -2}, {-1, 0}, {-2, -1}, {-3, 1}}),
+                                   holed(box(0, 0, 4, 4), {box(1, 1, 3, 3)})};
+  const auto at = [](const Region& region, const Placed& to) {
+    return mapped(region, [&](const Point& v) {
+      return Point{to.scale * v.x + to.shift, to.scale * v.y};
+    });
+  };
+  for (const Placed& place_of_p : all) {
+    for (const Placed& place_of_q : all) {
+      for (std::size_t i = 0; i < few.size(); ++i) {
+        for (std::size_t j = 0; j < few.size(); ++j) {
+          const Region p = at(few[i], place_of_p), q = at(few[j], place_of_q);
+          put_summands(p, q);
+          const Region s = region_of(slide_sum(p, q, Boundary::closed).sum);
+          EXPECT_EQ(answer(s, written(certificates::certificate(p, q, s))), "certified\n")
+              << i << ", placed " << &place_of_p - all << "; " << j << ", placed "
+              << &place_of_q - all;
+        }
+      }
+    }
+  }
 }
 
 }  // namespace
