@@ -63,7 +63,7 @@ TEST_F(OperationCommands, name_the_complement_of_what_cannot_be_written) {
   // The same of a sum, and of nfp.
   put("room.dat", "0\n1\n4\n0 0\n0 3\n5 3\n5 0\n");
   const std::string where_it_fits = run("oplus complement room.dat | oplus ifp - part.wkt").out;
-  EXPECT_EQ(where_it_fits, "LINESTRING (0 0, 2 0)\n");
+  EXPECT_EQ(where_it_fits, "GEOMETRYCOLLECTION (LINESTRING (0 0, 2 0))\n");
   expect_refusal("oplus nfp room.dat part.wkt", "that of nfp P Q is ifp C Q");
   expect_refusal("oplus reflect part.wkt | oplus sum room.dat - --open",
                  "that of sum P Q --open is ifp C -Q");
