@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The tests of what users get: the public headers, examples, Python, the page, packages; and measurements.
+# The libraries are compiled as users compile them; of the tests warnings are errors here, too.
+add_compile_options(-Werror)
 add_executable(oplus-public-tests ${public_tests} reference/definitions/contract_test.cpp main.cpp)
 target_link_libraries(oplus-public-tests PRIVATE oplus_engines oplus_strict CGAL::CGAL GTest::gtest)
 target_compile_options(oplus-public-tests PRIVATE -O0)
@@ -33,7 +35,7 @@ add_test(NAME python.package
 
 # The page (docs/web.md).
 set(page ${CMAKE_CURRENT_BINARY_DIR}/page)
-add_test(NAME page.build COMMAND bash ${PROJECT_SOURCE_DIR}/checked/bindings/page/make ${page})
+add_test(NAME page.build COMMAND ${CMAKE_COMMAND} -E env OPLUS_WARNINGS_ARE_ERRORS=ON bash ${PROJECT_SOURCE_DIR}/checked/bindings/page/make ${page})
 # The longest first.
 set_tests_properties(page.build PROPERTIES FIXTURES_SETUP page COST 1000)
 add_test(NAME page.core
