@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The tests of what users get: the public headers, examples, Python, the page, packages; and measurements.
+# The libraries are compiled as users compile them; of the tests warnings are errors here, too.
+add_compile_options(-Werror)
 add_executable(oplus-public-tests ${public_tests} reference/definitions/contract_test.cpp main.cpp)
 target_link_libraries(oplus-public-tests PRIVATE oplus_engines oplus_strict CGAL::CGAL GTest::gtest)
 target_compile_options(oplus-public-tests PRIVATE -O0)
@@ -11,18 +13,16 @@ file(GLOB examples CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/docs/examples/cpp/*.c
 foreach(source IN LISTS examples)
   get_filename_component(example ${source} NAME_WE)
   add_executable(example-${example} ${source})
-  target_include_directories(example-${example} PRIVATE ${PROJECT_BINARY_DIR}/include)
-  target_link_libraries(example-${example} PRIVATE oplus_core oplus_strict)
+  target_link_libraries(example-${example} PRIVATE oplus::oplus oplus_strict)
   target_compile_options(example-${example} PRIVATE -O0)
-  add_dependencies(example-${example} oplus_headers)
   add_dependencies(examples example-${example})
   add_test(NAME example.${example}
            COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/docs/example_program
                    $<TARGET_FILE:example-${example}> ${source})
 endforeach()
-target_link_libraries(example-engines PRIVATE oplus_engines)
+target_link_libraries(example-engines PRIVATE oplus::engines)
 foreach(example cgal from_cgal)
-  target_link_libraries(example-${example} PRIVATE CGAL::CGAL)
+  target_link_libraries(example-${example} PRIVATE oplus::cgal)
 endforeach()
 target_include_directories(example-from_clipper SYSTEM PRIVATE ${CLIPPER_INCLUDE_DIR})
 target_link_libraries(example-from_clipper PRIVATE ${CLIPPER_LIBRARY})
@@ -35,7 +35,7 @@ add_test(NAME python.package
 
 # The page (docs/web.md).
 set(page ${CMAKE_CURRENT_BINARY_DIR}/page)
-add_test(NAME page.build COMMAND bash ${PROJECT_SOURCE_DIR}/checked/bindings/page/make ${page})
+add_test(NAME page.build COMMAND ${CMAKE_COMMAND} -E env OPLUS_WARNINGS_ARE_ERRORS=ON bash ${PROJECT_SOURCE_DIR}/checked/bindings/page/make ${page})
 # The longest first.
 set_tests_properties(page.build PROPERTIES FIXTURES_SETUP page COST 1000)
 add_test(NAME page.core

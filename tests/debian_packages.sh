@@ -5,15 +5,16 @@
 packages=(g++ cmake ninja-build ccache python3
           libcgal-dev libgmp-dev libmpfr-dev libboost-dev libcli11-dev nlohmann-json3-dev rapidjson-dev
           libpolyclipping-dev librapidcheck-dev
-          coq ocaml-nox ocaml-findlib libzarith-ocaml-dev)
+          coq ocaml-nox ocaml-findlib libzarith-ocaml-dev
+          help2man dpkg-dev)  # manual pages, and packages
 # More for tests/run.
 packages_of_tests=(clang libclang-rt-14-dev git clang-format make time libgtest-dev libbenchmark-dev
                    jq z3 cvc5
                    pybind11-dev python3-dev python3-numpy python3-shapely python3-pytest
                    python3-hypothesis python3-matplotlib)
 # More for tests/run --everything.
-packages_of_everything=(gnuplot-nox help2man
-                        mmdebstrap lintian dpkg-dev doxygen python3-sphinx python3-breathe
+packages_of_everything=(gnuplot-nox
+                        mmdebstrap lintian doxygen python3-sphinx python3-breathe
                         python3-myst-parser furo nodejs npm python3-pip python3-skbuild python3-venv
                         emscripten chromium chromium-driver python3-selenium)
 

@@ -45,10 +45,7 @@ ExitCode certify(const CertifyOptions& options) {
 void add_certify(Program& program) {
   const auto& [command, options] = program.add(
       "certify", "Write a certificate that a region is the sum of two others, if it is", certify);
-  command
-      .file("P", options.p,
-            "a region: .dat, WKT, GeoJSON or an SVG path (docs/files.md); - is standard input")
-      .required();
+  command.file("P", options.p, "a region (docs/files.md); - is standard input").required();
   command.file("Q", options.q, "the other region").required();
   command.file("S", options.sum, "the sum of the closed regions, from any source").required();
   add_union(command, options.overlaps, "P, and of Q");

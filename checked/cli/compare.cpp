@@ -80,11 +80,7 @@ void add_compare(Program& program) {
       "compare",
       "Check whether two sums are equal; if not, give a point that is in one of them only",
       compare);
-  command
-      .file(
-          "A", options.a,
-          "a sum or a region: .dat, WKT, GeoJSON or an SVG path (docs/files.md); - is standard input")
-      .required();
+  command.file("A", options.a, "a sum or a region (docs/files.md); - is standard input").required();
   command.file("B", options.b, "the other, in any of these formats").required();
   command.flag("--json", options.json, "answer in JSON (docs/json.md)");
   command.footer(

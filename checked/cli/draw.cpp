@@ -125,10 +125,7 @@ std::string view_help() {
 void add_draw(Program& program) {
   const auto& [command, options] =
       program.add("draw", "Draw regions and sums, or what an algorithm sees of two regions", draw);
-  command
-      .file(
-          "FILE", options.files,
-          "regions or sums: .dat, WKT, GeoJSON or an SVG path (docs/files.md); - is standard input")
+  command.file("FILE", options.files, "regions or sums (docs/files.md); - is standard input")
       .required();
   const Option view =
       command.option("--view NAME:{" + view_names(",") + "}", options.view, view_help());

@@ -135,7 +135,7 @@ void add_complement(Program& program) {
   add_union(command, options.overlaps, "R");
   command.footer(
       "The complement of a bounded region is unbounded. Only .dat holds that: 0 vertices in place of an\n"
-      "outer chain.\n"
+      "outer chain, then the holes. 0 and 0 are the plane, and 0 alone is the empty set.\n"
       "\n"
       "Example:\n"
       "  oplus gen star --n 8 --summand P -o part.wkt\n"

@@ -99,8 +99,8 @@ void require_can_hold(Format format, const PlanarSet& set) {
       can_hold(Format::dat, set)
           ? "the result is unbounded, which only .dat can hold; write .dat"
           : "the result is unbounded and has dangling edges or isolated vertices, which no "
-            "format can hold; write its complement: ifp P Q is the complement of nfp of P's complement "
-            "and Q, and nfp P Q that of ifp of these");
+            "format can hold; write its complement: with C, which `oplus complement P` writes, that of "
+            "sum P Q --open is ifp C -Q, that of nfp P Q is ifp C Q, and that of ifp P Q is nfp C Q");
 }
 
 std::string said(const OutputGrid& grid, const RoundedSet& set) {

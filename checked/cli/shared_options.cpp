@@ -67,12 +67,13 @@ void add_threads(const Command& command, std::optional<unsigned>& threads,
                  const std::string& what) {
   command
       .option("--threads N", threads,
-              "the number of threads" + what + ", by default one per core. The result is the same")
-      .range(1, 1024);
+              "the number of threads" + what +
+                  ", by default or with 0 one per core. The result is the same")
+      .range(0, 1024);
 }
 
 unsigned number_of(const std::optional<unsigned>& threads) {
-  return threads ? *threads : std::max(std::thread::hardware_concurrency(), 1U);
+  return threads && *threads > 0 ? *threads : std::max(std::thread::hardware_concurrency(), 1U);
 }
 
 unsigned threads_of(const Engine& engine, const std::optional<unsigned>& threads) {

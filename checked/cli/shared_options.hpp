@@ -34,7 +34,7 @@ void add_union(const Command& command, Overlaps& overlaps, const std::string& wh
 /// Adds `--threads N`. `what` is whose they are: " of ...".
 void add_threads(const Command& command, std::optional<unsigned>& threads, const std::string& what);
 
-/// As many threads as were asked for; by default one per core.
+/// As many threads as were asked for; by default, and for 0, one per core.
 unsigned number_of(const std::optional<unsigned>& threads);
 
 /// The same of an engine. Throws UsageError where it has none, and some were asked for.

@@ -287,10 +287,11 @@ void add_sum(Program& program) {
   command
       .file(
           "P", options.p,
-          "a region (docs/files.md); also line strings, points, and collections of all three; - is "
-          "standard input")
+          "a region (docs/files.md), which may be unbounded (.dat); also line strings, points, and "
+          "collections of all three; - is standard input")
       .required();
-  command.file("Q", options.q, "the other one, in any of these formats").required();
+  command.file("Q", options.q, "the other one, in any of these formats; it may be unbounded, too")
+      .required();
   add_output(command, options.output, "the sum");
   add_union(command, options.overlaps, "P, and of Q");
   add_open(
@@ -322,6 +323,9 @@ void add_sum(Program& program) {
   command.file("--stats-json", options.stats_json,
                "write the same there, as JSON (docs/json.md); - is standard output");
   command.footer(
+      "An unbounded region is written as .dat, with 0 vertices in place of an outer chain: 0 and 0 are the\n"
+      "plane, 0 alone is the empty set.\n"
+      "\n"
       "Example:\n"
       "  oplus gen comb --n 5 --summand P -o p.wkt\n"
       "  oplus gen comb --n 5 --summand Q -o q.wkt\n"

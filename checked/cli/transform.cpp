@@ -123,10 +123,9 @@ void add_transform(Program& program) {
   const auto& [command, options] =
       program.add("transform", "Move, scale, rotate or reflect a region, exactly", transform);
   command
-      .file(
-          "R", options.file,
-          "a region, a sum, line strings or points (docs/files.md); - is standard input; it may be unbounded "
-          "(.dat)")
+      .file("R", options.file,
+            "a region, which may be unbounded, a sum, line strings or points (docs/files.md); - is "
+            "standard input")
       .required();
   // Options take effect in the order of the command line, which is when they are parsed.
   const auto add_step = [&command, &options](const std::string& name, const std::string& value,
@@ -147,8 +146,8 @@ void add_transform(Program& program) {
   add_angle_error(command, options.angle_error).needs(rotate);
   add_image_options(command, options, "the result");
   command.footer(
-      "The options apply in the order in which they are given, any of them several times. No\n"
-      "coordinate is rounded: sine and cosine are fractions.\n"
+      "The options apply in the order in which they are given, any of them several times. Without\n"
+      "--grid and --digits no coordinate is rounded: sine and cosine are fractions.\n"
       "\n"
       "Example:\n"
       "  oplus gen star --n 8 --summand P -o part.wkt\n"

@@ -68,7 +68,8 @@ std::string text_of(const Closeness& close, const std::string& tolerance) {
     text += "\n";
   }
   text += close.no_partners.empty() ? "components and holes correspond\n" : "";
-  for (const std::string& line : close.no_partners) text += line + "\n";
+  for (const std::string& line : close.no_partners)
+    text += line + (close.is_close() ? ", which this tolerance allows\n" : "\n");
   return text;
 }
 
@@ -177,10 +178,7 @@ void add_verify(Program& program) {
       "verify",
       "Check whether a set is the sum of two regions; if not, give a witness and the reason",
       verify_files);
-  command
-      .file("P", options.p,
-            "a region: .dat, WKT, GeoJSON or an SVG path (docs/files.md); - is standard input")
-      .required();
+  command.file("P", options.p, "a region (docs/files.md); - is standard input").required();
   command.file("Q", options.q, "the other region").required();
   command.file("S", options.sum, "the sum to check, valid or not").required();
   add_union(command, options.overlaps, "P, and of Q");

@@ -36,7 +36,8 @@ def installed(root, name):
     first = (root / name).read_text(encoding="utf-8").splitlines()[0]
     body = re.sub(r"\n{3,}", "\n\n", "\n".join(lines))
     body = body.replace("}  // namespace oplus\n\nnamespace oplus {\n\n", "")
-    return f"{first}\n#pragma once\n\n" + "\n".join(sorted(system)) + "\n\n" + body.strip() + "\n"
+    includes = "\n".join(sorted(system)) + "\n\n" if system else ""
+    return f"{first}\n#pragma once\n\n" + includes + body.strip() + "\n"
 
 
 if __name__ == "__main__":

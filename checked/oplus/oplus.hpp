@@ -21,6 +21,7 @@
 
 #include "checked/operations/affine_map.hpp"
 #include "checked/operations/disc_side.hpp"
+#include "checked/oplus/version.hpp"
 #include "checked/repair/mend.hpp"
 #include "checked/rounding/side.hpp"
 #include "checked/statistics.hpp"
@@ -183,8 +184,8 @@ ValidRegion read_wkt(const std::string& text, Overlaps overlaps = Overlaps::refu
 /// arrays. Throws as read_wkt does.
 ValidRegion read_geojson(const std::string& text, Overlaps overlaps = Overlaps::refused);
 
-/// Reads any of the formats of docs/files.md, told apart by what the text starts with: these, .dat, and SVG
-/// path data (M, L, H, V, Z). Throws as read_wkt does.
+/// Reads any of the formats of docs/files.md, told apart by what the text starts with: these, WKB, .dat, and
+/// SVG path data (M, L, H, V, Z). Throws as read_wkt does.
 ValidRegion read_text(const std::string& text, Overlaps overlaps = Overlaps::refused);
 
 /// The same of a file; "-" is standard input. Throws also where the file cannot be read.

@@ -12,7 +12,8 @@ sys.path.insert(0, str(ROOT / "docs/site"))
 
 project = "oplus"
 author = "the authors of oplus"
-release = re.search(r"project\(oplus VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8"))[1]
+header = (ROOT / "checked/oplus/version.hpp").read_text(encoding="utf-8")
+release = ".".join(re.findall(r"#define OPLUS_VERSION_[A-Z]+ ([0-9]+)", header))
 copyright = "MIT for the core, GPL-3.0-or-later for the rest"
 extensions = ["myst_parser", "breathe", "sphinx.ext.autodoc", "tree"]
 

@@ -186,7 +186,7 @@ CampaignReport merged(const std::vector<std::pair<std::string, CampaignReport>>&
     if (report.is_interrupted())
       throw refused(file,
                     "the shard was interrupted: " + std::to_string(report.done) + " of " +
-                        std::to_string(report.pairs) + " pairs",
+                        counted(report.pairs, "pair", "pairs"),
                     "a report of all; run the shard again");
     const auto [known, is_new] = by_shard.try_emplace(report.shard.index, &named);
     if (!is_new && sealed_without_folder(known->second->second) != sealed_without_folder(report))

@@ -26,6 +26,7 @@
 #include "properties/runner/checked_engines.hpp"
 #include "properties/runner/interrupt.hpp"
 #include "properties/runner/known_name.hpp"
+#include "reference/io/counted.hpp"
 #include "reference/io/file_text.hpp"
 #include "reference/io/quoting.hpp"
 #include "reference/io/writing.hpp"
@@ -93,8 +94,8 @@ CampaignReport first_report(CampaignReport begun, const std::string& resume) {
   if (other.empty() && begun.shard.index != kept.shard.index) other = "it is of another shard";
   if (!other.empty()) throw UsageError(resume + " is the state of another run: " + other);
   kept.out = begun.out;
-  say_note("going on after " + std::to_string(kept.done) + " of " + std::to_string(kept.pairs) +
-           " pairs");
+  say_note("going on after " + std::to_string(kept.done) + " of " +
+           counted(kept.pairs, "pair", "pairs"));
   return kept;
 }
 

@@ -167,6 +167,11 @@ Engine program_engine(const std::string& command, ProcessLimits limits) {
 std::string why_it_cannot_run(const std::string& engine, ProcessLimits limits) {
   if (engine == "certified" && !can_certify())
     return "oplus-certified was not built; it needs Debian's coq and libzarith-ocaml-dev";
+  const std::string peer = program_beside("oplus-peer");
+  if (find_engine(peers(limits), engine) && !std::filesystem::exists(peer))
+    return peer +
+           " was not built; `cmake --build --preset release --target oplus-peer` does, and Debian's "
+           "package oplus-peer has it";
   if (!engine.starts_with(exec)) return "";
   limits.is_quiet = true;
   const Region square = polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});

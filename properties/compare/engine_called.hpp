@@ -21,7 +21,7 @@ std::vector<Engine> peers(ProcessLimits limits = {});
 std::optional<Engine> engine_called(const std::string& engine, const ProcessLimits& limits);
 
 /// Runs the command of an engine "exec:…" once, on two squares. Returns what the shell says where it
-/// cannot run the command, why "certified" cannot run, else "".
+/// cannot run the command; why "certified" or a peer cannot run, and how it is built; else "".
 std::string why_it_cannot_run(const std::string& engine, ProcessLimits limits);
 
 /// Any program as an engine. The shell runs the command, in which

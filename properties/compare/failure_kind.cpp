@@ -10,6 +10,7 @@
 #include "reference/definitions/difference.hpp"
 #include "reference/definitions/planar_set.hpp"
 #include "reference/definitions/winding_number.hpp"
+#include "reference/io/counted.hpp"
 #include "reference/io/quoting.hpp"
 #include "reference/io/writing.hpp"
 
@@ -170,7 +171,7 @@ std::optional<Failure> malformed(const PlanarSet& sum) {
   for (const std::vector<Chain>* chains : {&sum.outer, &sum.holes}) {
     for (const Chain& chain : *chains) {
       if (chain.size() < 3)
-        return not_simple("a chain has " + std::to_string(chain.size()) + " vertices");
+        return not_simple("a chain has " + counted(chain.size(), "vertex", "vertices"));
       if (sign(twice_area(chain)) == 0) return not_simple("a chain encloses no area");
       for (const Segment& edge : edges(chain)) {
         if (edge.source == edge.target)

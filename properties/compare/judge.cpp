@@ -11,6 +11,7 @@
 #include "checked/verify/sum_by_convex_parts.hpp"
 #include "properties/runner/checked_engines.hpp"
 #include "reference/definitions/convolution.hpp"
+#include "reference/io/counted.hpp"
 #include "reference/io/quoting.hpp"
 #include "reference/oracle/oracle.hpp"
 
@@ -71,8 +72,8 @@ void rule(JudgedSum& sum, const EngineAnswer& answer, const PlanarSet* right,
 std::string too_large(const Summands& pair, const Rules& rules) {
   const std::size_t size = convolution(pair.p, pair.q).size();
   if (size <= rules.largest) return "";
-  return "its convolution has " + std::to_string(size) + " segments, " + rules.judge.in_words +
-         " takes at most " + std::to_string(rules.largest);
+  return "its convolution has " + counted(size, "segment", "segments") + ", " +
+         rules.judge.in_words + " takes at most " + std::to_string(rules.largest);
 }
 
 /// A sum that a statement asked for.

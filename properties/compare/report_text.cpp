@@ -88,7 +88,8 @@ std::string summary_of_diff(const CampaignReport& report) {
                              : "the hole test " + hole_test + " was asked ")
       << all.face_probes << " times about a face, " << all.point_probes << " times about a point\n";
   for (const auto& [engine, times] : all.open_unsupported)
-    out << counted(times, "open sum", "open sums") << " unsupported by " << engine << '\n';
+    out << engine << " computes closed sums only: " << counted(times, "open sum", "open sums")
+        << " not compared, which is no failure\n";
   for (const auto& [what, times] : all.refused)
     out << counted(times, "sum", "sums") << " refused by " << what << '\n';
   out << interruption(report) << counted(all.ran, "case", "cases") << " run, "
@@ -105,7 +106,7 @@ std::string summary_of_exhaustive(const CampaignReport& report) {
   std::ostringstream out;
   const Tally all = report.all();
   out << report.sources.at(0).name << "; shard " << report.shard.index << " of " << report.shard.of
-      << ": " << report.done << " of " << report.pairs << " pairs\n"
+      << ": " << report.done << " of " << counted(report.pairs, "pair", "pairs") << '\n'
       << "with holes in the sum " << all.holes_in_sum << ", with low-dimensional features "
       << all.low_dimensional_features << ", with overlapping segments " << all.overlapping_segments
       << '\n'
@@ -131,8 +132,9 @@ std::string summary_of_conformance(const CampaignReport& report) {
   for (const CountedPart& part : parts_of(report)) row(part.part, part.all);
   const Tally all = report.all();
   row("all", all);
-  out << engines_in_words(report) << ' ' << report.verdict() << ": " << all.count("passed")
-      << " sums passed, " << all.failures() << " failures of "
+  out << engines_in_words(report) << ' ' << report.verdict() << ": "
+      << counted(all.count("passed"), "sum", "sums") << " passed, "
+      << counted(all.failures(), "failure", "failures") << " of "
       << counted(all.kinds.size(), "kind", "kinds") << '\n';
   return out.str();
 }

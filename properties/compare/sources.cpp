@@ -5,6 +5,7 @@
 
 #include "properties/compare/grid_polygons.hpp"
 #include "reference/chains/region_of.hpp"
+#include "reference/io/counted.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
@@ -81,7 +82,7 @@ TaskSource grid_source(int side, std::size_t most_vertices, std::size_t most_pai
   const std::string points = std::to_string(side) + " x " + std::to_string(side) + " points";
   std::string name = std::to_string(polygons->size()) + " polygons of 3 to " +
                      std::to_string(most_vertices) + " vertices on " + points;
-  if (wanted < all) name += ", " + std::to_string(wanted) + " of " + std::to_string(all) + " pairs";
+  if (wanted < all) name += ", " + std::to_string(wanted) + " of " + counted(all, "pair", "pairs");
   return {"grids", name, wanted, [=](std::size_t k) -> Task {
             const std::size_t index = k * all / wanted;
             const auto [i, j] = (*orbits)[index];

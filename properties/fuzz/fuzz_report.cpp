@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "properties/fuzz/fuzz_report.hpp"
+#include "reference/io/counted.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -54,9 +55,9 @@ FuzzReport report_of(const std::string& target, std::string_view log, bool ended
 std::string line_of(const FuzzReport& report) {
   std::string line = report.target;
   line.resize(std::max<std::size_t>(line.size(), 8), ' ');
-  line += ' ' + std::to_string(report.runs) + " runs, " + std::to_string(report.edges) + " edges";
+  line += ' ' + counted(report.runs, "run", "runs") + ", " + counted(report.edges, "edge", "edges");
   if (report.finding.empty())
-    return line + ", " + std::to_string(report.reached) + " inputs reached, " +
+    return line + ", " + counted(report.reached, "input", "inputs") + " reached, " +
            std::to_string(report.rejected) + " rejected; no finding";
   line += "; finding: " + report.finding;
   if (!report.input.empty()) line += "; input: " + report.input;

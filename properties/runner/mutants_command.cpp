@@ -7,6 +7,7 @@
 #include "checked/cli/command_line/terminal.hpp"
 #include "properties/commands.hpp"
 #include "properties/runner/recorded_pictures.hpp"
+#include "reference/io/counted.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
@@ -45,7 +46,7 @@ std::string in_words(const Kill& kill) {
   if (kill.killed) return "killed by " + where + ": " + kill.why;
   if (kill.by_enumeration || kill.shrunk)
     return "NOT KILLED: " + where + " fails without the fault too: " + kill.why;
-  return "SURVIVED " + std::to_string(kill.cases) + " cases";
+  return "SURVIVED " + counted(kill.cases, "case", "cases");
 }
 
 }  // namespace

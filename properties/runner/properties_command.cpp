@@ -10,6 +10,7 @@
 #include "properties/runner/known_name.hpp"
 #include "properties/runner/recorded_pictures.hpp"
 #include "properties/runner/registry.hpp"
+#include "reference/io/counted.hpp"
 #include "reference/io/reading.hpp"
 #include "reference/io/writing.hpp"
 
@@ -59,8 +60,9 @@ void print_tally(std::ostream& out, const std::string& label,
 void print_run(std::ostream& out, const Statement& statement, const PropertyRun& run) {
   out << statement.id << ": " << statement.text.title << '\n';
   if (run.enumeration && run.enumeration->failure.empty())
-    out << "  proved by enumeration, " << run.enumeration->cases << " cases\n";
-  if (statement.check) out << "  " << run.run << " cases run, " << run.discarded << " discarded\n";
+    out << "  proved by enumeration, " << counted(run.enumeration->cases, "case", "cases") << '\n';
+  if (statement.check)
+    out << "  " << counted(run.run, "case", "cases") << " run, " << run.discarded << " discarded\n";
   print_tally(out, "families", run.families);
   print_tally(out, "cases with", run.classes);
   print_tally(out, "looked at", run.counts);

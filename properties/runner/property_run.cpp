@@ -16,6 +16,7 @@
 #include "properties/runner/classification.hpp"
 #include "properties/runner/shrinking.hpp"
 #include "reference/definitions/mutant.hpp"
+#include "reference/io/counted.hpp"
 
 namespace oplus {
 
@@ -152,7 +153,7 @@ void judge_result(const rc::detail::TestResult& result, PropertyRun& run) {
                                  ? run.counterexample->why
                                  : result.get<rc::detail::FailureResult>().description);
   } else if (result.is<rc::detail::GaveUpResult>()) {
-    run.complaints.push_back("gave up: " + std::to_string(run.discarded) + " cases were discarded");
+    run.complaints.push_back("gave up after discarding " + counted(run.discarded, "case", "cases"));
   } else if (result.is<rc::detail::Error>()) {
     run.complaints.push_back("RapidCheck: " + result.get<rc::detail::Error>().description);
   }
@@ -162,8 +163,8 @@ void judge_number(const RunOptions& options, PropertyRun& run) {
   if (run.run == 0) {
     run.complaints.push_back("no case was run");
   } else if (!run.counterexample && run.run < options.cases) {
-    run.complaints.push_back("only " + std::to_string(run.run) + " cases of " +
-                             std::to_string(options.cases) + " were run");
+    run.complaints.push_back("only " + std::to_string(run.run) + " of " +
+                             counted(options.cases, "case", "cases") + " were run");
   }
 }
 

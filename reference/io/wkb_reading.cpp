@@ -169,7 +169,7 @@ class WkbReader {
     PlacedChain chain{.start = position(at_)};
     const auto count = number<std::uint32_t>();
     if (count > (bytes_.size() - at_) / (8 * (2 + left_out_)))
-      refuse_byte(at_ - 4, name + " of " + std::to_string(count) + " vertices",
+      refuse_byte(at_ - 4, name + " of " + counted(count, "vertex", "vertices"),
                   "no more than follow");
     chain.vertices.reserve(count);
     chain.places.reserve(count);

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""pages_test.py OPLUS: what the pages of docs/ draw, link to and name."""
+"""pages_test.py OPLUS: what README and the pages of docs/ compute, draw, link to and name."""
 
 import os
 import re
@@ -16,25 +16,73 @@ sys.path.insert(0, str(ROOT / "properties/pages"))
 from links import anchor_of, headings_of
 
 PAGES = {page.name: page.read_text(encoding="utf-8") for page in sorted(DOCS.glob("*.md"))}
-COMMAND = re.compile(r"(?<=\n    )oplus .*?(?=(?: #.*)?\n)")
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+COMMAND = re.compile(r"(?<=\n    )(oplus .*?)(?: +# *(.*))?(?=\n)")
+# Columns of README's table, and what they are called in that of docs/benchmarks.md.
+ENGINES = {"oplus": "slide", "CGAL, reduced convolution": "cgal-reduced", "Clipper, which rounds": "clipper"}
+
+
+def table(text, first):
+    """The rows of the table of which the first cell is that, by their first cells: by the heads of their columns."""
+    lines = iter(text.splitlines())
+    cells = lambda line: [cell.strip() for cell in line.strip("| ").split(" | ")]
+    heads = next(cells(line) for line in lines if line.startswith(f"| {first} |"))
+    next(lines)
+    rows = {}
+    for line in lines:
+        if not line.startswith("|"):
+            return rows
+        rows[cells(line)[0]] = dict(zip(heads, cells(line)))
+    return rows
 
 
 class Pages(unittest.TestCase):
+    def run_commands(self, page, folder):
+        """Runs the commands of a page one after another, as they stand there; yields each, and what it printed."""
+        environment = os.environ | {"PATH": f"{PROGRAM.parent}:{os.environ['PATH']}"}
+        for command, comment in COMMAND.findall(page):
+            ran = subprocess.run(["bash", "-c", command.replace("oplus ", "oplus --quiet ")], cwd=folder, env=environment,
+                                 stdin=subprocess.DEVNULL, capture_output=True, text=True)
+            # In a pipe, the exit code is that of the last command.
+            self.assertTrue(ran.returncode == int(comment.startswith("not equal")) and "oplus: " not in ran.stderr,
+                            f"{command}\n{ran.stderr}")
+            yield command, ran.stdout
+
+    def test_readme_computes_what_its_program_prints(self):
+        [(_, printed)] = self.run_commands(README, DOCS)
+        self.assertIn("\n    " + printed, README)
+        self.assertTrue(printed.startswith("POLYGON (("), printed)
+
+    def test_readme_is_short(self):
+        self.assertLessEqual(len(README.splitlines()), 120)
+
+    def test_readme_has_figures_of_the_benchmarks(self):
+        measured = table(PAGES["benchmarks.md"], "sum, ms")
+        figures = table(README, "sum")
+        self.assertEqual(len(figures), 3)
+        for name, row in figures.items():
+            with self.subTest(row=name):
+                self.assertEqual({ENGINES[head]: row[head] for head in list(row)[1:]},
+                                 {engine: measured[name][engine] for engine in ENGINES.values()})
+
+    def test_five_minutes_draw_readmes_picture(self):
+        with tempfile.TemporaryDirectory() as folder:
+            commands = list(self.run_commands(PAGES["command_line.md"], folder))
+            self.assertEqual(len(commands), 14)
+            content = lambda name: (Path(folder) / name).read_bytes()
+            self.assertEqual(content("same.wkt"), content("sum.wkt"))
+            self.assertTrue(content("picture.svg") == (DOCS / "pictures/room_and_diamond.svg").read_bytes(),
+                            "docs/pictures/room_and_diamond.svg is out of date")
+
     def test_draw_their_pictures(self):
-        # README draws one picture.
+        # A command of the command line's page draws README's, under another name.
         drawn = {"docs/pictures/room_and_diamond.svg"}
-        path = f"{PROGRAM.parent}:{os.environ['PATH']}"
         for name, page in PAGES.items():
             with tempfile.TemporaryDirectory() as folder, self.subTest(page=name):
                 folder = Path(folder)
                 (folder / "docs/pictures").mkdir(parents=True)
                 (folder / "docs/shapes").symlink_to(DOCS / "shapes")
-                for command in COMMAND.findall(page):
-                    ran = subprocess.run(["bash", "-c", command.replace("oplus ", "oplus --quiet ")], cwd=folder,
-                                         env=os.environ | {"PATH": path}, stdin=subprocess.DEVNULL,
-                                         capture_output=True, text=True)
-                    # In a pipe, the exit code is that of the last command.
-                    self.assertTrue(ran.returncode == 0 and "oplus: " not in ran.stderr, f"{command}\n{ran.stderr}")
+                for command, _ in self.run_commands(page, folder):
                     for picture in re.findall(r"docs/pictures/\S+\.svg", command):
                         self.assertTrue((folder / picture).read_bytes() == (ROOT / picture).read_bytes(),
                                         f"{picture} is out of date: {command}")
@@ -65,7 +113,7 @@ class Pages(unittest.TestCase):
 
     def test_link_to_what_exists(self):
         """Files, folders, and headings of pages."""
-        texts = {path: path.read_text(encoding="utf-8") for path in [ROOT / "README.md", *DOCS.rglob("*.md")]}
+        texts = {ROOT / "README.md": README} | {path: path.read_text(encoding="utf-8") for path in DOCS.rglob("*.md")}
         links = anchors = 0
         for path, text in texts.items():
             for link in re.findall(r"\]\(([^)]+)\)", text):
@@ -93,9 +141,8 @@ class Pages(unittest.TestCase):
         self.assertGreater(names, 20)
 
     def test_are_linked_from_the_readme(self):
-        readme = (ROOT / "README.md").read_text(encoding="utf-8")
         for name in PAGES:
-            self.assertIn(f"](docs/{name})", readme)
+            self.assertIn(f"](docs/{name})", README)
 
 
 if __name__ == "__main__":

@@ -86,8 +86,8 @@ class Side {
 
 std::size_t number_of_pairs(const Side& p, const Side& q) {
   if (p.size() && q.size() && *p.size() != *q.size())
-    throw std::invalid_argument(std::to_string(*p.size()) + " regions p and " +
-                                std::to_string(*q.size()) + " regions q; expected as many");
+    throw std::invalid_argument("p of length " + std::to_string(*p.size()) + " and q of length " +
+                                std::to_string(*q.size()) + "; expected as many");
   return p.size() ? *p.size() : q.size().value_or(1);
 }
 

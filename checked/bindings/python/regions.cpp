@@ -8,6 +8,7 @@
 #include "checked/bindings/python/results.hpp"
 #include "checked/bindings/python/shapes.hpp"
 #include "checked/bindings/python/unlocked.hpp"
+#include "reference/io/counted.hpp"
 
 namespace oplus::python {
 
@@ -25,8 +26,8 @@ std::string summary(const PreparedRegion& region) {
     vertices += component.outer.size();
     for (const Chain& hole : component.holes) vertices += hole.size();
   }
-  return "<oplus.Region: " + std::to_string(components) + " components, " + std::to_string(holes) +
-         " holes, " + std::to_string(vertices) + " vertices>";
+  return "<oplus.Region: " + counted(components, "component", "components") + ", " +
+         counted(holes, "hole", "holes") + ", " + counted(vertices, "vertex", "vertices") + ">";
 }
 
 void define_region(py::module_& m) {
@@ -44,7 +45,7 @@ A region never changes. It keeps what depends on it alone for the next sum with 
 
 >>> triangle = oplus.Region([[0, 0], [1, 0], [0.5, '1/3']])
 >>> triangle
-<oplus.Region: 1 components, 0 holes, 3 vertices>
+<oplus.Region: 1 component, 0 holes, 3 vertices>
 >>> print(triangle)
 POLYGON ((0 0, 1 0, 0.5 1/3, 0 0))
 >>> oplus.Region([[0, 0], [2, 2], [2, 0], [0, 2]])

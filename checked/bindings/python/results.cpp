@@ -11,6 +11,7 @@
 #include "checked/bindings/python/output.hpp"
 #include "checked/bindings/python/shapes.hpp"
 #include "checked/bindings/python/unlocked.hpp"
+#include "reference/io/counted.hpp"
 
 namespace oplus::python {
 
@@ -21,12 +22,11 @@ py::dict geo_interface(const ValidSet& s) {
 }
 
 std::string summary(const ValidSet& sum) {
-  const auto count = [](std::size_t n, const char* what) { return std::to_string(n) + what; };
   return std::string("<oplus.PlanarSet: ") +
          (sum.boundary() == Boundary::open ? "open, " : "closed, ") +
-         count(sum.components().size(), " components, ") +
-         count(sum.dangling_edges().size(), " dangling edges, ") +
-         count(sum.isolated_vertices().size(), " isolated vertices>");
+         counted(sum.components().size(), "component", "components") + ", " +
+         counted(sum.dangling_edges().size(), "dangling edge", "dangling edges") + ", " +
+         counted(sum.isolated_vertices().size(), "isolated vertex", "isolated vertices") + ">";
 }
 
 void define_sum(py::module_& m) {
@@ -44,7 +44,7 @@ POLYGON ((0 0, 5 0, 5 4, 4 4, 4 1, 0 1, 0 0))
 
 >>> room = [[[0, 0], [5, 0], [5, 5], [0, 5]], [[1, 1], [1, 4], [4, 4], [4, 1]]]
 >>> oplus.nfp(room, [[0, 0], [3, 0], [3, 1], [0, 1]])
-<oplus.PlanarSet: open, 1 components, 1 dangling edges, 0 isolated vertices>
+<oplus.PlanarSet: open, 1 component, 1 dangling edge, 0 isolated vertices>
 )")
       .def(py::init([](py::handle value) { return planar_set_of(value); }), py::arg("value"))
       .def(
@@ -232,8 +232,9 @@ void define_verdict(py::module_& m) {
       .def_property_readonly(
           "notes", [](V v) { return v.notes; }, "What is unusual and changes nothing.")
       .def("__repr__", [](V v) {
-        return v.is_sum() ? std::string("<oplus.Verdict: it is the sum>")
-                          : "<oplus.Verdict: " + std::to_string(v.reasons.size()) + " reasons>";
+        return v.is_sum()
+                   ? std::string("<oplus.Verdict: it is the sum>")
+                   : "<oplus.Verdict: " + counted(v.reasons.size(), "reason", "reasons") + ">";
       });
 }
 

@@ -6,9 +6,9 @@ from pathlib import Path
 
 from skbuild import setup
 
-[version] = re.findall(r"^project\(oplus VERSION ([0-9.]+)", Path("../../../CMakeLists.txt").read_text(encoding="utf-8"), re.M)
+header = Path("../../oplus/version.hpp").read_text(encoding="utf-8")
 setup(
-    version=version,
+    version=".".join(re.findall(r"#define OPLUS_VERSION_[A-Z]+ ([0-9]+)", header)),
     packages=["oplus"],
     cmake_source_dir="../../..",
     cmake_args=["-DOPLUS_PYTHON=ON", "-DOPLUS_ENGINES=OFF", "-DOPLUS_TESTS=OFF"],

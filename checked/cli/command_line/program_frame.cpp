@@ -99,6 +99,14 @@ void add_exit_codes(CLI::App& command) {
                  "  3  a bug in oplus; please report it");
 }
 
+/// Says where the pages are that the help of a command names.
+void say_where_pages_are(CLI::App& command) {
+  if (command.help().find("docs/") == std::string::npos) return;
+  const std::string footer = command.get_footer();
+  command.footer("docs/ is in the sources, and in share/doc/oplus where oplus is installed." +
+                 (footer.empty() ? "" : "\n\n" + footer));
+}
+
 /// The words of the command line; `help COMMAND` is `COMMAND --help`.
 std::vector<std::string> words_of(int argc, const char* const* argv) {
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
@@ -118,7 +126,10 @@ int parse_and_do(const ProgramFrame& frame, AddCommands add_commands, int argc,
   Program program{app};
   add_commands(program);
   add_completion_command(program);
-  for (CLI::App* command : app.get_subcommands({})) add_exit_codes(*command);
+  for (CLI::App* command : app.get_subcommands({})) {
+    add_exit_codes(*command);
+    say_where_pages_are(*command);
+  }
   if (argc > 2 && argv[1] == std::string("--complete")) {
     write_text("-", completions(app, {argv + 2, argv + argc}));
     return 0;

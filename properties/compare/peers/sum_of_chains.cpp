@@ -7,6 +7,7 @@
 #include "reference/definitions/cut_at_intersections.hpp"
 #include "reference/definitions/ray.hpp"
 #include "reference/definitions/winding_number.hpp"
+#include "reference/io/counted.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
@@ -22,7 +23,7 @@ std::string text(const Segment& s) { return to_string(s.source) + " to " + to_st
 
 void check_lengths(const ReturnedChains& chains) {
   for (const Chain& chain : chains) {
-    if (chain.size() < 3) refuse("a chain of " + std::to_string(chain.size()) + " vertices");
+    if (chain.size() < 3) refuse("a chain of " + counted(chain.size(), "vertex", "vertices"));
     for (const Segment& edge : edges(chain))
       if (edge.source == edge.target)
         refuse("an edge of length zero", " at " + to_string(edge.source));

@@ -10,6 +10,7 @@
 #include "properties/proofs/smt/report.hpp"
 #include "properties/runner/temporary_folder.hpp"
 #include "reference/definitions/mutant.hpp"
+#include "reference/io/counted.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
@@ -76,7 +77,7 @@ int prove(const Settings& settings, const std::vector<smt::Query>& queries) {
   }
   const bool is_good = failed == 0 && defects.empty() && !queries.empty();
   const std::string verdict =
-      std::to_string(runs.size()) + " queries, " + std::to_string(failed) + " failed\n";
+      counted(runs.size(), "query", "queries") + ", " + std::to_string(failed) + " failed\n";
   out << with_painted_verdict(verdict, is_good ? Paint::good : Paint::bad, out);
   const std::string record = record_of(queries, runs).dump(2) + "\n";
   if (settings.json) std::cout << record;

@@ -3,6 +3,7 @@
 #include "properties/runner/each_engine.hpp"
 #include "properties/runner/registry.hpp"
 #include "reference/chains/region_of.hpp"
+#include "reference/io/counted.hpp"
 #include "reference/oracle/oracle.hpp"
 
 namespace oplus {
@@ -16,8 +17,8 @@ bool are_simple(const Summands& summands) {
 std::string disconnected(const PlanarSet& sum) {
   const std::size_t components = region_of(sum).components.size();
   if (sum.outer.size() == 1 && components == 1) return "";
-  return "the sum has " + std::to_string(sum.outer.size()) + " outer chains and " +
-         std::to_string(components) + " components";
+  return "the sum has " + counted(sum.outer.size(), "outer chain", "outer chains") + " and " +
+         counted(components, "component", "components");
 }
 
 Outcome law(const Sum& sum, const Summands& summands) {

@@ -5,6 +5,7 @@
 
 #include "checked/operations/image.hpp"
 #include "properties/statements/chapter4/points_in_faces.hpp"
+#include "reference/io/counted.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
@@ -64,11 +65,11 @@ CountedIntersection IntersectionCounter::at(const Point& x) const {
   return {intersection_components(p_, q_, x), parted};
 }
 
-std::string in_words(const CountedIntersection& counted) {
-  std::string words = std::to_string(counted.of_interiors.components) + " components and " +
-                      std::to_string(counted.of_interiors.holes) + " holes";
-  if (counted.parted_exteriors != 0)
-    words += " and touching chains part " + std::to_string(counted.parted_exteriors) + " exteriors";
+std::string in_words(const CountedIntersection& found) {
+  std::string words = counted(found.of_interiors.components, "component", "components") + " and " +
+                      counted(found.of_interiors.holes, "hole", "holes");
+  if (found.parted_exteriors != 0)
+    words += ", exteriors parted by touching chains: " + std::to_string(found.parted_exteriors);
   return words;
 }
 

@@ -30,8 +30,9 @@ Outcome check(const Summands& summands) {
       const int winding = winding_number(x, all);
       if (inside > 0) ++outcome.counts["placements with a reflex vertex inside"];
       if (winding == counted.euler_characteristic() + inside) return std::string();
-      return "the winding number is " + std::to_string(winding) + ", " + std::to_string(inside) +
-             " reflex vertices are inside, and the intersection has " + in_words(counted);
+      return "the winding number is " + std::to_string(winding) +
+             ", reflex vertices inside: " + std::to_string(inside) + ", and the intersection has " +
+             in_words(counted);
     };
   });
 }

@@ -20,8 +20,8 @@ struct Traffic {
 };
 
 std::string in_words(const Traffic& traffic) {
-  return std::to_string(traffic.entering) + " segments enter the state and " +
-         std::to_string(traffic.leaving) + " leave";
+  return "segments that enter the state: " + std::to_string(traffic.entering) +
+         ", that leave it: " + std::to_string(traffic.leaving);
 }
 
 /// Both parts of the lemma.

@@ -77,7 +77,7 @@ Outcome check(const Summands& summands) {
     const bool is_hole = sign(twice_area(along)) < 0;
     ++outcome.counts[is_hole ? "rows and columns along holes" : "along outer chains"];
     if (edges >= (is_hole ? 2U : 1U)) continue;
-    outcome.fail("only " + std::to_string(edges) + " edges leave the line of vertex " +
+    outcome.fail("too few edges, " + std::to_string(edges) + ", leave the line of vertex " +
                  std::to_string(line.at.vertex) + " of chain " + std::to_string(line.at.chain) +
                  " of " + (line.of == Summand::P ? "P" : "Q") + " along chain " +
                  std::to_string(line.along) + " of the other summand");

@@ -65,10 +65,9 @@ Outcome check(const Summands& summands) {
       if (!meet_as_named(origin, of_p, chains(placed)))
         outcome.why = "the named vertex is not inside the named edge";
       else if (met != through)
-        outcome.why = std::to_string(met) + " vertices are inside edges, and " +
-                      std::to_string(through) +
-                      " segments of the vertex-edge sum have the point "
-                      "inside";
+        outcome.why =
+            "vertices inside edges: " + std::to_string(met) +
+            ", segments of the vertex-edge sum with the point inside: " + std::to_string(through);
       if (outcome.why.empty()) continue;
       return outcome.fail("at " + to_string(x) + " " + outcome.why, x);
     }

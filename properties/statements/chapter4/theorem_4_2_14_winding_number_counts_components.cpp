@@ -4,6 +4,7 @@
 #include "reference/definitions/intersection_components.hpp"
 #include "reference/definitions/original_convolution.hpp"
 #include "reference/definitions/winding_number.hpp"
+#include "reference/io/counted.hpp"
 #include "reference/io/writing.hpp"
 
 namespace oplus {
@@ -21,12 +22,13 @@ Outcome check(const Summands& summands) {
   for (const Point& x : generic_placements(summands)) {
     const ComponentsAndHoles seen = intersection_components(p, q, x);
     const int winding = winding_number(x, original);
-    ++outcome.counts[seen.components < 2 ? std::to_string(seen.components) + " components"
+    ++outcome.counts[seen.components < 2 ? counted(seen.components, "component", "components")
                                          : "two components or more"];
     if (winding == static_cast<int>(seen.components) && seen.holes == 0) continue;
     return outcome.fail("at " + to_string(x) + " the winding number is " + std::to_string(winding) +
-                            " and the intersection has " + std::to_string(seen.components) +
-                            " components and " + std::to_string(seen.holes) + " holes",
+                            " and the intersection has " +
+                            counted(seen.components, "component", "components") + " and " +
+                            counted(seen.holes, "hole", "holes"),
                         x);
   }
   return outcome;

@@ -2,6 +2,7 @@
 #include "checked/arrangement/rca.hpp"
 #include "properties/runner/each_engine.hpp"
 #include "properties/runner/registry.hpp"
+#include "reference/io/counted.hpp"
 
 namespace oplus {
 
@@ -19,8 +20,9 @@ Outcome law(const Sum& computed, const Summands& summands) {
   const PlanarSet sum = computed(summands.p, summands.q);
   outcome.counts["holes"] += sum.holes.size();
   if (sum.outer.size() == 1 && sum.holes.size() == n * n) return outcome;
-  return outcome.fail(std::to_string(n) + " teeth per arm, " + std::to_string(sum.outer.size()) +
-                      " outer chains and " + std::to_string(sum.holes.size()) + " holes");
+  return outcome.fail(counted(n, "tooth", "teeth") + " per arm, " +
+                      counted(sum.outer.size(), "outer chain", "outer chains") + " and " +
+                      counted(sum.holes.size(), "hole", "holes"));
 }
 
 Outcome check(const Summands& summands) {

@@ -2,6 +2,7 @@
 #include "properties/runner/mixture.hpp"
 #include "properties/runner/registry.hpp"
 #include "properties/statements/slide/slid_pair.hpp"
+#include "reference/io/counted.hpp"
 
 namespace oplus {
 
@@ -18,7 +19,7 @@ Outcome check(const Summands& summands) {
   Outcome outcome;
   outcome.counts["segments"] = found.size();
   if (found != defined) {
-    outcome.fail(std::to_string(found.size()) + " segments by ranks, " +
+    outcome.fail(counted(found.size(), "segment", "segments") + " by ranks, " +
                  std::to_string(defined.size()) + " by the definition");
   }
   return outcome;

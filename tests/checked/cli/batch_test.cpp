@@ -170,7 +170,7 @@ TEST_F(Batch, of_many_pairs_is_each_sum_in_order) {
       open += line + wkt(slide_sum(p, q, Boundary::open).sum) + "\"}\n";
     }
   put("pairs.tsv", pairs);
-  for (const std::string threads : {"1", "2", "7"}) {
+  for (const std::string threads : {"0", "1", "2", "7"}) {
     EXPECT_EQ(run("oplus batch pairs.tsv --threads " + threads).out, expected);
     EXPECT_EQ(run("oplus batch pairs.tsv --open --threads " + threads).out, open);
   }

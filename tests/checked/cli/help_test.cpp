@@ -4,15 +4,15 @@
 #include <sstream>
 #include <vector>
 
+#include "checked/oplus/version.hpp"
 #include "checked/version.hpp"
 #include "properties/runner/source_tree.hpp"
-#include "reference/io/file_text.hpp"
-#include "tests/checked/cli/shell.hpp"
+#include "tests/checked/cli/command_line/help_pages.hpp"
 
 namespace oplus {
 namespace {
 
-class Help : public Shell {};
+class Help : public HelpPages {};
 
 /// The lines of a help text that are commands.
 std::vector<std::string> example(const std::string& help) {
@@ -45,11 +45,26 @@ TEST_F(Help, of_the_program_explains_the_exit_codes) {
 }
 
 TEST_F(Help, version_is_that_of_the_build) {
-  EXPECT_TRUE(has(text_of_file(source_root() / "CMakeLists.txt", "a project"),
-                  "project(oplus VERSION " + std::string(version) + " "));
+  EXPECT_EQ(version, std::to_string(OPLUS_VERSION_MAJOR) + "." +
+                         std::to_string(OPLUS_VERSION_MINOR) + "." +
+                         std::to_string(OPLUS_VERSION_PATCH));
   expect_output("oplus --version", "oplus " + std::string(version) + "\n");
   expect_output("oplus -V", "oplus " + std::string(version) + "\n");
   expect_output("oplus-peer --version", "oplus-peer " + std::string(version) + "\n");
+}
+
+TEST_F(Help, says_where_the_pages_are_that_it_names) {
+  std::size_t names = 0;
+  for (const std::string& program : programs)
+    for (const std::string& command : commands(program)) {
+      const std::string text = help(program + " " + command);
+      const std::vector<std::string> pages = found(text, "(docs/[a-z_]+\\.md)");
+      names += pages.size();
+      for (const std::string& page : pages)
+        EXPECT_TRUE(std::filesystem::exists(source_root() / page)) << page;
+      EXPECT_EQ(has(text, "share/doc/oplus where oplus is installed"), !pages.empty()) << command;
+    }
+  EXPECT_GT(names, 20U);
 }
 
 TEST_F(Help, is_also_asked_for_by_help) {

@@ -32,10 +32,18 @@ TEST_F(OperationCommands, name_the_complement_of_what_cannot_be_written) {
     for (const std::string options : {"", " --grid 1"})
       expect_refusal(
           "oplus ifp slot.dat part.wkt --format " + format + options,
-          "write its complement: ifp P Q is the complement of nfp of P's complement and Q");
+          "write its complement: with C, which `oplus complement P` writes, that of sum P Q --open is "
+          "ifp C -Q, that of nfp P Q is ifp C Q, and that of ifp P Q is nfp C Q");
   expect_output(
       "oplus complement slot.dat | oplus nfp - part.wkt",
       "GEOMETRYCOLLECTION (POLYGON ((-3 -3, 9 -3, 9 9, -3 9, -3 -3)), LINESTRING (6 3, 9 3))\n");
+  // The same of a sum, and of nfp.
+  put("room.dat", "0\n1\n4\n0 0\n0 3\n5 3\n5 0\n");
+  const std::string where_it_fits = run("oplus complement room.dat | oplus ifp - part.wkt").out;
+  EXPECT_EQ(where_it_fits, "GEOMETRYCOLLECTION (LINESTRING (0 0, 2 0))\n");
+  expect_refusal("oplus nfp room.dat part.wkt", "that of nfp P Q is ifp C Q");
+  expect_refusal("oplus reflect part.wkt | oplus sum room.dat - --open",
+                 "that of sum P Q --open is ifp C -Q");
 }
 
 TEST_F(OperationCommands, refuse_what_they_cannot_do) {

@@ -148,7 +148,7 @@ TEST_F(Sum, every_engine_finds_the_same) {
       EXPECT_EQ(ran.exit_code, 0) << ran.err;
       for (const std::string how :
            {"--engine slide", "--engine rca", "--engine loops", "--engine winding",
-            "--engine oracle", "--threads 1", "--threads 2", "--threads 7"}) {
+            "--engine oracle", "--threads 0", "--threads 1", "--threads 2", "--threads 7"}) {
         EXPECT_EQ(run(command + " --origins o.json " + how).out, ran.out) << command << how;
         EXPECT_EQ(content("default.json"), content("o.json")) << command << how;
       }
@@ -168,7 +168,8 @@ TEST_F(Sum, every_engine_finds_the_same) {
                  "--collision-test is unsupported by the engine slide");
   expect_refusal("oplus sum square.wkt square.wkt --engine rca --threads 2",
                  "--threads is unsupported by the engine rca");
-  expect_refusal("oplus sum square.wkt square.wkt --threads 0", "--threads");
+  expect_refusal("oplus sum square.wkt square.wkt --threads -1", "--threads");
+  expect_refusal("oplus sum square.wkt square.wkt --threads 1025", "--threads");
 }
 
 TEST_F(Sum, origins_are_sums_along_the_edge) {

@@ -119,13 +119,13 @@ TEST_F(VerifyCommand, within_a_tolerance) {
   expect_answer("frame.wkt square.wkt filled.wkt --tolerance 3", 0,
                 "yes: the sets differ only within 3 of the boundary of the sum\n"
                 "distance: 2, at (2, 2) of the boundary of the sum\n"
-                "the hole at (2, 2) of the sum has no partner\n");
+                "the hole at (2, 2) of the sum has no partner, which this tolerance allows\n");
   // The hole's corners are 2 from the boundary of S, whose corner is 0.001 from that of the sum.
   put("moved.wkt", "POLYGON ((0 0, 5.001 0, 5 5, 0 5, 0 0))");
   expect_answer("frame.wkt square.wkt moved.wkt --tolerance 1.5", 0,
                 "yes: the sets differ only within 1.5 of the boundary of the sum\n"
                 "distance of the boundary of S from it: 0.001, at (5.001, 0) of the boundary of S\n"
-                "the hole at (2, 2) of the sum has no partner\n");
+                "the hole at (2, 2) of the sum has no partner, which this tolerance allows\n");
   const auto only_near = nlohmann::json::parse(
       run("oplus verify frame.wkt square.wkt moved.wkt --tolerance 1.5 --json").out);
   EXPECT_EQ(only_near.at("within"), false);

@@ -67,6 +67,16 @@ TEST(EngineCalled, finds_peers_and_programs_only) {
     EXPECT_FALSE(engine_called(other, limits)) << other;
 }
 
+class EngineCalledAlone : public Shell {};
+
+TEST_F(EngineCalledAlone, says_how_the_program_is_built_that_calls_other_libraries) {
+  const Ran ran =
+      run("cp \"$(command -v oplus-check)\" . && ./oplus-check diff --engine cgal-full");
+  EXPECT_EQ(ran.exit_code, 2);
+  EXPECT_EQ(ran.lines_of_err(), 1) << ran.err;
+  EXPECT_TRUE(has(ran.err, "`cmake --build --preset release --target oplus-peer`")) << ran.err;
+}
+
 // The programs that stand in for others are the shell's scripts.
 
 constexpr const char* right = "echo 'POLYGON ((0 0, 2 0, 2 1, 1 2, 0 2, 0 0))'; : ";

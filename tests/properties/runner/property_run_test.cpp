@@ -64,7 +64,7 @@ TEST(PropertyRun, FailsOnAShortRun) {
                    options(20));
   EXPECT_FALSE(run.passed());
   EXPECT_EQ(run.run, 7U);
-  EXPECT_EQ(run.complaints.back(), "only 7 cases of 20 were run");
+  EXPECT_EQ(run.complaints.back(), "only 7 of 20 cases were run");
 }
 
 TEST(PropertyRun, FailsOnAMissedShareOnly) {

@@ -74,7 +74,7 @@ def test_what_is_no_region_is_named(other):
 
 @pytest.mark.parametrize("arguments, options, wrong", [
     (("add", [SQUARE], [SQUARE]), {}, "operation add; expected minkowski_sum, nfp,"),
-    (("nfp", [SQUARE], [SQUARE] * 2), {}, "1 regions p and 2 regions q; expected as many"),
+    (("nfp", [SQUARE], [SQUARE] * 2), {}, "p of length 1 and q of length 2; expected as many"),
     (("nfp", [SQUARE], [SQUARE]), {"errors": "ignore"}, "errors ignore; expected raise or return"),
     (("nfp", [SQUARE], [SQUARE]), {"boundary": "half"}, "boundary half; expected closed or open"),
     (("ifp", [SQUARE], [SQUARE]), {"boundary": "open"}, "boundary open of ifp; expected it of minkowski_sum only"),

@@ -176,4 +176,4 @@ def test_equal_sets_are_equal():
     assert oplus.minkowski_sum(SQUARE, SQUARE) != oplus.minkowski_sum(SQUARE, SQUARE, boundary="open").region
     assert oplus.Region(SQUARE) != oplus.Region(ROOM) and oplus.Region(SQUARE) != "POLYGON"
     assert repr(oplus.minkowski_sum(SQUARE, SQUARE)) == (
-        "<oplus.PlanarSet: closed, 1 components, 0 dangling edges, 0 isolated vertices>")
+        "<oplus.PlanarSet: closed, 1 component, 0 dangling edges, 0 isolated vertices>")

@@ -56,7 +56,7 @@ TEST_F(SmtCommand, any_other_answer_is_a_failure) {
        {"echo unknown", "echo sat", "echo unsat", "echo timeout", "exit 1", "kill -9 $$", "true"}) {
     const Ran ran = with_solvers(script, "oplus-check smt lemma-2.2.5.half-disks");
     EXPECT_EQ(ran.exit_code, 1) << script;
-    EXPECT_NE(ran.out.find("1 queries, 1 failed"), std::string::npos) << script;
+    EXPECT_NE(ran.out.find("1 query, 1 failed"), std::string::npos) << script;
   }
 }
 
