@@ -95,11 +95,11 @@ using Compute = std::function<ValidSet(const PreparedRegion& p, const PreparedRe
                                        const SumOptions& options)>;
 
 Compute compute_of(const std::string& name) {
-  if (name == "minkowski_sum")
+  if (name == "sum" || name == "minkowski_sum")
     return [](const PreparedRegion& p, const PreparedRegion& q, const SumOptions& options) {
       return minkowski_sum(p, q, options);
     };
-  std::string expected = "minkowski_sum";
+  std::string expected = "sum";
   const std::vector<NamedOperation> all = named_operations();
   for (const NamedOperation& operation : all) {
     if (operation.name == name)
@@ -115,8 +115,8 @@ py::list batch(const std::string& name, py::handle p_value, py::handle q_value,
                const std::string& boundary, long long threads, const std::string& errors) {
   const Compute compute = compute_of(name);
   const SumOptions options{.boundary = boundary_of(boundary)};
-  if (options.boundary == Boundary::open && name != "minkowski_sum")
-    throw std::invalid_argument("boundary open of " + name + "; expected it of minkowski_sum only");
+  if (options.boundary == Boundary::open && name != "sum" && name != "minkowski_sum")
+    throw std::invalid_argument("boundary open of " + name + "; expected it of sum only");
   if (errors != "raise" && errors != "return")
     throw std::invalid_argument("errors " + errors + "; expected raise or return");
   const Side p(p_value), q(q_value);
@@ -177,13 +177,7 @@ py::list from_arrays(py::handle value, long long threads) {
 
 py::object to_arrays(py::handle value) {
   NewArrays arrays;
-  const auto add = [&](py::handle one) {
-    // Of a sum, its region: edges and points have none of these arrays.
-    if (py::isinstance<ValidSet>(one))
-      arrays.add(one.cast<const ValidSet&>().region());
-    else
-      arrays.add(region_of(one).region());
-  };
+  const auto add = [&](py::handle one) { arrays.add(region_of(one).region()); };
   if (is_single(value))
     add(value);
   else
@@ -207,10 +201,10 @@ void define_batch(py::module_& m) {
 
 Returns the list of operation(p[i], q[i]), computed on all cores, or on that many threads.
 
-operation: 'minkowski_sum', 'nfp', 'ifp', 'erode', 'open' or 'close'. p, q: Arrays, or lists of
+operation: 'sum' (or 'minkowski_sum'), 'nfp', 'ifp', 'erode', 'open' or 'close'. p, q: Arrays, or lists of
 whatever Region takes, as long as each other; or one region for all pairs (not as a list).
 Regions only: line strings and points are summands of the function minkowski_sum.
-boundary='open' is for 'minkowski_sum' only. An invalid region raises InvalidInput, another type
+boundary='open' is for 'sum' only. An invalid region raises InvalidInput, another type
 than Region takes TypeError, which name the first such pair; with errors='return' the exceptions
 are in the list and the other pairs are computed.
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
 #include <optional>
@@ -26,9 +27,16 @@ ValidSet planar_set_of(const Set& set) {
   return std::get<PreparedRegion>(set).region();
 }
 
+/// The options, so that Ctrl-C ends the computation.
+SumOptions interruptible(SumOptions options) {
+  options.progress = [check = Interruptible()](auto...) mutable { check(); };
+  return options;
+}
+
 ValidSet minkowski_sum_of(py::handle p_value, py::handle q_value, const std::string& boundary,
                           long long threads) {
-  const SumOptions options{.boundary = boundary_of(boundary), .threads = checked_threads(threads)};
+  const SumOptions options =
+      interruptible({.boundary = boundary_of(boundary), .threads = checked_threads(threads)});
   const Set p = set_of(p_value), q = set_of(q_value);
   const Unlocked released;
   if (std::holds_alternative<PreparedRegion>(p) && std::holds_alternative<PreparedRegion>(q))
@@ -54,8 +62,12 @@ ClaimedSum given_of(py::handle value) {
   if (py::isinstance<ValidSet>(value)) {
     const ValidSet sum = value.cast<ValidSet>();
     given = {sum.region().region(), sum.dangling_edges(), sum.isolated_vertices()};
-  } else if (py::isinstance<PreparedRegion>(value) || is_text(value)) {
+  } else if (py::isinstance<PreparedRegion>(value)) {
     given.region = region_of(value).region().region();
+  } else if (is_text(value)) {
+    const std::string text = text_of(value);
+    const Unlocked released;
+    return read_claimed_sum(text);
   } else {
     const Shapes shapes = shapes_of(value);
     try {
@@ -111,12 +123,12 @@ Rounded rounded_of(py::handle value, py::handle step_value, const std::string& s
 
 py::tuple repair(py::handle value, const std::optional<std::string>& fill_name) {
   std::optional<FillRule> fill;
-  if (fill_name == "even_odd")
+  if (fill_name == "even-odd")
     fill = FillRule::even_odd;
   else if (fill_name == "nonzero")
     fill = FillRule::nonzero;
   else if (fill_name)
-    throw std::invalid_argument("fill " + *fill_name + "; expected even_odd or nonzero");
+    throw std::invalid_argument("fill " + *fill_name + "; expected even-odd or nonzero");
   Repaired result;
   if (py::isinstance<PreparedRegion>(value) || py::isinstance<ValidSet>(value)) {
     result.region = region_of(value).region();
@@ -228,7 +240,7 @@ POLYGON ((0 0, 3 0, 3 1, 1 3, 0 3, 0 0))
 )");
   for (const auto& [name, what] : named_operations()) {
     const auto compute = [name = name](py::handle p_value, py::handle q_value, long long threads) {
-      const SumOptions options{.threads = checked_threads(threads)};
+      const SumOptions options = interruptible({.threads = checked_threads(threads)});
       const PreparedRegion p = region_of(p_value), q = region_of(q_value);
       return unlocked([&] { return value_of(name, p.region(), q.region(), options); });
     };
@@ -282,10 +294,10 @@ POLYGON ((0 0, 0.33 0, 0 1, 0 0)) 1/200
 --
 
 Returns (Region, list of what was done): repeated vertices, spikes and chains that enclose nothing
-are left out. Where chains still cross or overlap: what they enclose by the rule fill='even_odd' or
+are left out. Where chains still cross or overlap: what they enclose by the rule fill='even-odd' or
 'nonzero', else InvalidInput is raised. value: text, or whatever Region takes.
 
->>> region, mends = oplus.repair([[0, 0], [2, 2], [2, 0], [0, 2]], fill='even_odd')
+>>> region, mends = oplus.repair([[0, 0], [2, 2], [2, 0], [0, 2]], fill='even-odd')
 >>> region.area
 Fraction(2, 1)
 )");
@@ -299,6 +311,26 @@ the reverse.
 >>> (5, 5) in outside
 True
 )");
+  m.def(
+      "read_file",
+      [](const std::filesystem::path& path) {
+        return unlocked([&] { return PreparedRegion(read_file(path.string())); });
+      },
+      py::arg("path"), R"(read_file(path)
+--
+
+Returns the Region in a file, in any format that oplus reads.
+)");
+  m.def(
+      "read_set_file",
+      [](const std::filesystem::path& path) {
+        return unlocked([&] { return read_set_file(path.string()); });
+      },
+      py::arg("path"), R"(read_set_file(path)
+--
+
+Returns the PlanarSet in a file, with its line strings and points.
+)");
   m.def("disc", disc_of, py::arg("radius"), py::arg("side"), py::arg("error"),
         R"(disc(radius, side, error)
 --
@@ -310,8 +342,8 @@ that needs more than 1000000 vertices.
 >>> (1, 0) in oplus.disc(1, 'outside', '0.01')
 True
 )");
-  m.def("rotation", rotation_of, py::arg("degrees"), py::arg("error") = "1/10000",
-        R"(rotation(degrees, error='1/10000')
+  m.def("rotation", rotation_of, py::arg("degrees"), py::arg("error") = "1/1000",
+        R"(rotation(degrees, error='1/1000')
 --
 
 Returns the exact cosine and sine that Region.rotated takes: Fractions. `error` is in degrees, and

@@ -116,8 +116,11 @@ Point point_of(py::handle value) {
   const auto items = py::reinterpret_steal<py::object>(
       PySequence_Fast(value.ptr(), "a point: expected a pair of numbers"));
   if (!items) throw py::error_already_set();
-  if (PySequence_Fast_GET_SIZE(items.ptr()) < 2)
-    throw InvalidInput({"point", 0, 0}, "it has less than two coordinates", "x and y");
+  if (const Py_ssize_t size = PySequence_Fast_GET_SIZE(items.ptr()); size != 2)
+    throw InvalidInput(
+        {"point", 0, 0},
+        size < 2 ? "it has less than two coordinates" : "it has more than two coordinates",
+        "x and y");
   // Kept: a number may be of a class that changes the list when it is asked for its value.
   const auto item = [&](Py_ssize_t i) {
     return py::reinterpret_borrow<py::object>(PySequence_Fast_GET_ITEM(items.ptr(), i));

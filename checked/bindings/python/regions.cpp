@@ -54,15 +54,12 @@ Traceback (most recent call last):
 oplus.InvalidInput: region: two edges of outer chain of component 1 cross at (1, 1): edge 1 from (0, 0) to (2, 2) and edge 3 from (2, 0) to (0, 2); expected a simple chain
 )")
       .def(py::init([](py::handle value) { return region_of(value); }), py::arg("value"))
-      .def(
+      .def_property_readonly(
           "components", [](R r) { return components_of(r.region().components()); },
-          R"(components()
---
-
-Returns a list of pairs (outer ring, list of holes), rings as lists of pairs of Fractions, the outer
+          R"(A list of pairs (outer ring, list of holes), rings as lists of pairs of Fractions, the outer
 ones counterclockwise, without a repeated point. One outer ring of an unbounded region is empty.
 
->>> oplus.Region([[0, 0], ['1/3', 0], [0, 1]]).components()
+>>> oplus.Region([[0, 0], ['1/3', 0], [0, 1]]).components
 [([(Fraction(0, 1), Fraction(0, 1)), (Fraction(1, 3), Fraction(0, 1)), (Fraction(0, 1), Fraction(1, 1))], [])]
 )")
       .def_property_readonly(
@@ -114,12 +111,12 @@ POLYGON ((0.5 2, 1.5 2, 0.5 3, 0.5 2))
       .def(
           "scaled",
           [](R r, py::handle x, py::handle y) {
-            return mapped(r, scaling(number_of(x), number_of(y)));
+            return mapped(r, scaling(number_of(x), number_of(y.is_none() ? x : y)));
           },
-          py::arg("x"), py::arg("y"), R"(scaled(x, y)
+          py::arg("x"), py::arg("y") = py::none(), R"(scaled(x, y=None)
 --
 
-Returns the region with each x and each y multiplied by a factor; negative ones reflect it. Raises
+Returns the region with each x and each y multiplied by a factor, by default both by x; negative ones reflect it. Raises
 InvalidInput if one is zero.
 
 >>> print(oplus.Region([[0, 0], [1, 0], [0, 1]]).scaled(-1, 1))
@@ -131,7 +128,7 @@ POLYGON ((0 0, 0 1, -1 0, 0 0))
             const Number angle = number_of(degrees), at_most = number_of(error);
             return mapped(r, unlocked([&] { return rotation(angle, at_most); }));
           },
-          py::arg("degrees"), py::arg("error") = "1/10000", R"(rotated(degrees, error='1/10000')
+          py::arg("degrees"), py::arg("error") = "1/1000", R"(rotated(degrees, error='1/1000')
 --
 
 Returns the region, rotated counterclockwise about the origin: exactly by multiples of 90 degrees, else
@@ -149,9 +146,9 @@ POLYGON ((0 0, 0 2, -1 0, 0 0))
       .def("__repr__", summary)
       .def("__str__",
            [](R r) {
-             // Text of anything can be had; no WKT is unbounded.
-             return is_unbounded(r.region()) ? summary(r)
-                                             : unlocked([&] { return to_wkt(r.region()); });
+             return unlocked([&] {
+               return is_unbounded(r.region()) ? to_dat(r.region()) : to_wkt(r.region());
+             });
            })
       .def(
           "to_wkt",
@@ -191,6 +188,13 @@ region is unbounded.
 >>> oplus.Region(oplus.Region([[0, 0], [1, 0], [0, 1]]).to_wkb()).area
 Fraction(1, 2)
 )")
+      .def(
+          "to_dat", [](R r) { return unlocked([&] { return to_dat(r.region()); }); }, R"(to_dat()
+--
+
+Returns .dat, which holds unbounded regions, too; exactly.
+)")
+      .def("__bool__", [](R r) { return !r.region().components().empty(); })
       .def_property_readonly("__geo_interface__",
                              [](R r) { return geo_interface(r.region(), {}, {}); })
       .def(

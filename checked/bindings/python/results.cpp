@@ -65,13 +65,11 @@ POLYGON ((0 0, 5 0, 5 4, 4 4, 4 1, 0 1, 0 0))
 >>> oplus.minkowski_sum(square, square).region.area
 Fraction(4, 1)
 )")
-      .def(
-          "components", [](S s) { return components_of(s.components()); }, R"(components()
---
+      .def_property_readonly(
+          "components", [](S s) { return components_of(s.components()); },
+          R"(A list of pairs (outer ring, list of holes), as Region.components has.
 
-Returns a list of pairs (outer ring, list of holes), as Region.components does.
-
->>> [(outer, holes)] = oplus.minkowski_sum([[0, 0], [1, 0], [0, 1]], [[0, 0], [1, 0], [0, 1]]).components()
+>>> [(outer, holes)] = oplus.minkowski_sum([[0, 0], [1, 0], [0, 1]], [[0, 0], [1, 0], [0, 1]]).components
 >>> outer == [(0, 0), (2, 0), (0, 2)], holes
 (True, [])
 )")
@@ -124,7 +122,10 @@ the boundary.
       .def("__repr__", summary)
       .def("__str__",
            [](S s) {
-             return is_unbounded(s.region()) ? summary(s) : unlocked([&] { return to_wkt(s); });
+             const bool is_dat = is_unbounded(s.region());
+             if (is_dat && !(s.dangling_edges().empty() && s.isolated_vertices().empty()))
+               return summary(s);  // no format holds it
+             return unlocked([&] { return is_dat ? to_dat(s) : to_wkt(s); });
            })
       .def(
           "to_wkt",
@@ -161,6 +162,14 @@ Returns WKB, as to_wkt does. Raises InvalidInput where a coordinate is not exact
 >>> len(oplus.minkowski_sum([[0, 0], [1, 0], [0, 1]], [[0, 0], [1, 0], [0, 1]]).to_wkb())
 77
 )")
+      .def(
+          "to_dat", [](S s) { return unlocked([&] { return to_dat(s); }); }, R"(to_dat()
+--
+
+Returns .dat, which holds unbounded regions, too; exactly. Raises ValueError where the set has dangling
+edges or isolated vertices.
+)")
+      .def("__bool__", [](S s) { return !(s == ValidSet()); })
       .def_property_readonly("__geo_interface__", [](S s) { return geo_interface(s); })
       .def(
           "to_shapely", [](S s) { return to_shapely(geo_interface(s)); }, R"(to_shapely()

@@ -186,7 +186,7 @@ Points::Points(const py::array& array) {
     throw py::type_error(
         "an array of " + py::str(array.dtype()).cast<std::string>() +
         ": expected floats or signed integers of at most 64 bits, or unsigned ones of at most 32");
-  if (array_.ndim() != 2 || array_.shape(1) < 2)
+  if (array_.ndim() != 2 || array_.shape(1) != 2)
     throw invalid("an array of another shape than points", "shape (n, 2)");
   data_ = static_cast<const char*>(array_.data());
   by_row_ = array_.strides(0);

@@ -40,7 +40,7 @@ Array array_of(py::handle value, const char* name, const char* expected) {
 /// A summand. Regions keep what depends on them alone.
 using Set = std::variant<PreparedRegion, ValidSet>;
 
-/// Coordinates in an array of shape (n, 2) or more columns, of float or int64; what is of another type is
+/// Coordinates in an array of shape (n, 2), of float or int64; what is of another type is
 /// converted, exactly. Arrays of these types are not copied.
 class Points {
  public:

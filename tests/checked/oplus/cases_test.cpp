@@ -13,36 +13,6 @@ namespace {
 
 using nlohmann::json;
 
-Coordinates coordinates(const json& pair) {
-  const auto number = [](const json& one) {
-    return one.is_string() ? Number(one.get<std::string>()) : Number(one.get<int>());
-  };
-  return {number(pair.at(0)), number(pair.at(1))};
-}
-
-Chain chain(const json& ring) {
-  Chain all;
-  for (std::size_t i = 0; i + 1 < ring.size(); ++i) all.push_back(coordinates(ring[i]).point());
-  return all;
-}
-
-/// Adds a GeoJSON geometry as it is, valid or not.
-void add(const json& geometry, ClaimedSum& given) {
-  const json& content = geometry.at(geometry.contains("geometries") ? "geometries" : "coordinates");
-  const std::string type = geometry.at("type");
-  if (type == "GeometryCollection") {
-    for (const json& part : content) add(part, given);
-  } else if (type == "Polygon" && !content.empty()) {
-    Component& component = given.region.components.emplace_back(Component{chain(content[0]), {}});
-    for (std::size_t i = 1; i < content.size(); ++i) component.holes.push_back(chain(content[i]));
-  } else if (type == "LineString") {
-    given.dangling_edges.push_back(
-        {coordinates(content[0]).point(), coordinates(content[1]).point()});
-  } else if (type == "Point") {
-    given.isolated_vertices.push_back(coordinates(content).point());
-  }
-}
-
 /// A case of tests/corpus/cases.json, by the functions of the public header.
 class Case {
  public:
@@ -125,8 +95,7 @@ class Case {
   }
 
   json of_verdict() const {
-    ClaimedSum given;
-    add(case_.at("s"), given);
+    const ClaimedSum given = read_claimed_sum(case_.at("s").dump());
     json reasons = json::array();
     for (const Reason& reason : verify(region("p"), region("q"), given, options().boundary).reasons)
       reasons.push_back(describe(reason.kind) + ": " + reason.detail);

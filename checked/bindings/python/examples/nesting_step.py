@@ -22,7 +22,7 @@ QUARTERS = [numpy.array(matrix) for matrix in ([[1, 0], [0, 1]], [[0, 1], [-1, 0
 
 def corners(places):
     """All points among which the lowest one is, areas, edges and exact fits alike."""
-    for outer, _ in places.components():
+    for outer, _ in places.components:
         yield from outer
     for edge in places.dangling_edges:
         yield from edge

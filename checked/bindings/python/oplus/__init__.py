@@ -12,11 +12,11 @@ POLYGON ((0 0, 3 0, 3 1, 1 3, 0 3, 0 0))
 from . import _oplus
 from ._oplus import (Arrays, InvalidInput, PlanarSet, Reason, Region, Rounded, Verdict, batch,
                      certify, close, complement, disc, erode, from_arrays, ifp, minkowski_sum, nfp,
-                     open, repair, rotation, rounded, to_arrays, verify)
+                     open, read_file, read_set_file, repair, rotation, rounded, to_arrays, verify)
 
 __all__ = ["Arrays", "InvalidInput", "PlanarSet", "Reason", "Region", "Rounded", "Verdict",
            "batch", "certify", "close", "complement", "disc", "erode", "from_arrays", "ifp",
-           "minkowski_sum", "nfp", "open", "repair", "rotation", "rounded", "to_arrays", "verify"]
+           "minkowski_sum", "nfp", "open", "read_file", "read_set_file", "repair", "rotation", "rounded", "to_arrays", "verify"]
 __version__ = _oplus.__version__
 
 for _class in (PlanarSet, Reason, Region, Rounded, Verdict):

@@ -30,7 +30,7 @@ def what_was_seen(request):
 
 
 def classify(region, suffix=""):
-    components = region.components()
+    components = region.components
     seen["several components" + suffix] += len(components) > 1
     seen["holes" + suffix] += any(holes for _, holes in components)
 

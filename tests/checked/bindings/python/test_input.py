@@ -30,12 +30,12 @@ def polygon(rings):
 def test_numbers_are_exact(number):
     exact = Fraction(int(number)) if isinstance(number, numpy.integer) else Fraction(*number.as_integer_ratio())
     found = oplus.Region([[number, number], [exact + 1, exact], [exact, exact + 1]])
-    assert found.components()[0][0][0] == (exact, exact)
-    assert type(found.components()[0][0][0][0]) is Fraction
+    assert found.components[0][0][0] == (exact, exact)
+    assert type(found.components[0][0][0][0]) is Fraction
 
 
 def test_text_is_a_number():
-    assert oplus.Region([["0.1", "-1/3"], ["1e2", 0], [0, 1]]).components()[0][0][0] == (
+    assert oplus.Region([["0.1", "-1/3"], ["1e2", 0], [0, 1]]).components[0][0][0] == (
         Fraction(1, 10), Fraction(-1, 3))
 
 
@@ -57,7 +57,7 @@ def test_forms_of_a_region(value):
 @pytest.mark.parametrize("empty", [[], (), "POLYGON EMPTY", shapely.geometry.Polygon(), numpy.zeros((0, 2)),
                                    {"type": "MultiPolygon", "coordinates": []}], ids=repr)
 def test_the_empty_region(empty):
-    assert oplus.Region(empty).components() == []
+    assert oplus.Region(empty).components == []
     assert oplus.minkowski_sum(empty, SQUARE).to_shapely().is_empty
 
 
@@ -294,9 +294,9 @@ def test_geometries_of_exact_regions_are_exact():
 def test_sums_of_line_strings_and_points():
     path = shapely.geometry.LineString([(0, 0), (4, 0), (4, 3)])
     assert oplus.minkowski_sum(path, SQUARE).area == 8
-    assert oplus.minkowski_sum("POINT (3 4)", SQUARE).components() == oplus.Region(SQUARE).translated(3, 4).components()
+    assert oplus.minkowski_sum("POINT (3 4)", SQUARE).components == oplus.Region(SQUARE).translated(3, 4).components
     cross = oplus.minkowski_sum("LINESTRING (0 0, 1 0)", "LINESTRING (0 0, 2 0)")
-    assert cross.dangling_edges == [((0, 0), (3, 0))] and cross.components() == []
+    assert cross.dangling_edges == [((0, 0), (3, 0))] and cross.components == []
     collection = shapely.geometry.GeometryCollection([shapely.geometry.Point(9, 9), path])
     assert oplus.minkowski_sum(collection, [[0, 0], [1, 0], [0, 1]]).to_shapely().contains(shapely.geometry.Point(9.2, 9.2))
     assert oplus.PlanarSet(path) == oplus.PlanarSet(path.wkt) == -oplus.PlanarSet(path.wkt.replace("4", "-4").replace("3", "-3"))
@@ -313,3 +313,13 @@ def test_what_is_more_than_a_region_is_not_taken_for_one():
     with pytest.raises(oplus.InvalidInput, match="open set"):
         oplus.minkowski_sum(blocked, SQUARE)
     assert oplus.minkowski_sum(blocked.region, SQUARE).area == 36
+
+
+@pytest.mark.parametrize("value", [
+    [[0, 0, 5], [1, 0, 5], [0, 1, 5]], numpy.zeros((3, 3)),
+    shapely.geometry.Polygon([(0, 0, 5), (1, 0, 5), (0, 1, 5)])])
+def test_a_third_coordinate_is_an_error(value):
+    with pytest.raises(oplus.InvalidInput, match=r"more than two coordinates|expected shape \(n, 2\)"):
+        oplus.Region(value)
+    with pytest.raises(oplus.InvalidInput, match="more than two coordinates"):
+        oplus.Region(SQUARE).locate((1, 2, 3))

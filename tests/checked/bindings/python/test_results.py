@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What results say, and how they leave."""
 
+import subprocess
+import sys
 from fractions import Fraction
 
 import numpy
@@ -32,7 +34,7 @@ def test_dangling_edges_and_isolated_vertices_reach_shapely():
 
 def test_fractions_and_doubles():
     thirds = oplus.minkowski_sum([[0, 0], ["1/3", 0], [0, 1]], SQUARE)
-    [(outer, holes)] = thirds.components()
+    [(outer, holes)] = thirds.components
     assert (Fraction(4, 3), Fraction(1)) in outer and holes == []
     assert [4 / 3, 1.0] in oplus.to_arrays(thirds).coordinates.tolist()
     assert (4 / 3, 1.0) in thirds.to_shapely().exterior.coords[:]
@@ -44,7 +46,12 @@ def test_fractions_and_doubles():
 
 def test_text_of_what_is_unbounded():
     outside = oplus.complement(SQUARE)
-    assert str(outside) == repr(outside) and str(oplus.complement(oplus.nfp(SQUARE, SQUARE))).startswith("<oplus.PlanarSet:")
+    assert str(outside) == outside.to_dat() == "0\n1\n4\n0 0\n0 1\n1 1\n1 0\n"
+    assert oplus.Region(str(outside)) == outside
+    open_outside = oplus.complement(oplus.PlanarSet(SQUARE))
+    assert str(open_outside) == open_outside.to_dat() == str(outside)
+    with pytest.raises(ValueError, match="dangling edges"):
+        oplus.ifp(SQUARE, SQUARE).to_dat()
     with pytest.raises(ValueError, match="unbounded"):
         outside.to_wkt()
 
@@ -58,6 +65,8 @@ def test_many_regions_as_arrays():
     assert oplus.from_arrays(arrays) == [oplus.Region(ROOM), two, oplus.Region([])]
     with pytest.raises(oplus.InvalidInput, match="unbounded"):
         oplus.to_arrays(oplus.complement(SQUARE))
+    with pytest.raises(oplus.InvalidInput, match="a set with dangling edges or isolated vertices"):
+        oplus.to_arrays(oplus.ifp(SQUARE, SQUARE))
 
 
 @pytest.mark.parametrize("arrays, wrong", [
@@ -85,10 +94,10 @@ def test_unbounded_regions():
 
 def test_maps():
     region = oplus.Region([[0, 0], [2, 0], [0, 1]])
-    assert region.translated("1/3", -1).components()[0][0][0] == (Fraction(1, 3), -1)
+    assert region.translated("1/3", -1).components[0][0][0] == (Fraction(1, 3), -1)
     assert region.scaled(-1, 1).area == 1 and -region == region.rotated(180) == region.scaled(-1, -1)
     cosine, sine = oplus.rotation(30, "0.01")
-    assert region.rotated(30, "0.01").components()[0][0][1] == (2 * cosine, 2 * sine)
+    assert region.rotated(30, "0.01").components[0][0][1] == (2 * cosine, 2 * sine)
     assert cosine**2 + sine**2 == 1 and abs(float(sine) - 0.5) < 2e-4
     with pytest.raises(oplus.InvalidInput):
         region.scaled(0, 1)
@@ -112,7 +121,7 @@ def test_rounding():
     assert oplus.rounded(exact, 2**-10, "contain").sum.area > exact.area > oplus.rounded(exact, 2**-10, "contained").sum.area
     assert oplus.rounded(SQUARE, 1).is_exact
     vanished = oplus.rounded(SQUARE, 10)
-    assert vanished.changes == {"vanished_components": 1} and vanished.sum.components() == []
+    assert vanished.changes == {"vanished_components": 1} and vanished.sum.components == []
     with pytest.raises(ValueError, match="side up; expected nearest, contain or contained"):
         oplus.rounded(exact, 1, "up")
     with pytest.raises(oplus.InvalidInput):
@@ -131,7 +140,7 @@ def test_verify():
     reason = verdict.reasons[0]
     assert (reason.in_sum, reason.in_given) == (False, True)
     assert reason.witness[0] == 1 and "dangling" in reason.detail
-    assert [reason.kind for reason in oplus.verify(ROOM, SQUARE, oplus.minkowski_sum(ROOM, SQUARE).components()[0][0]).reasons] == ["missing hole"]
+    assert [reason.kind for reason in oplus.verify(ROOM, SQUARE, oplus.minkowski_sum(ROOM, SQUARE).components[0][0]).reasons] == ["missing hole"]
     # Chains that cross are judged too.
     assert not oplus.verify(SQUARE, SQUARE, [[0, 0], [2, 2], [2, 0], [0, 2]])
     with pytest.raises(oplus.InvalidInput):
@@ -154,7 +163,7 @@ def test_repair_leaves_what_is_exact():
     assert oplus.repair(outside) == (outside, [])
     assert oplus.repair(oplus.Region(SQUARE).to_wkb())[0] == oplus.Region(SQUARE)
     bow_tie = geometry.Polygon([[0, 0], [2, 2], [2, 0], [0, 2]])
-    assert oplus.repair(bow_tie.wkb, "even_odd")[0].area == 2
+    assert oplus.repair(bow_tie.wkb, "even-odd")[0].area == 2
 
 
 def test_repair():
@@ -164,10 +173,10 @@ def test_repair():
     bow_tie = [[0, 0], [2, 2], [2, 0], [0, 2]]
     assert oplus.repair(bow_tie, "nonzero")[0].area == 2
     overlapping = [[[[0, 0], [2, 0], [2, 2], [0, 2]]], [[[1, 1], [3, 1], [3, 3], [1, 3]]]]
-    assert oplus.repair(overlapping, "nonzero")[0].area == 7 and oplus.repair(overlapping, "even_odd")[0].area == 6
+    assert oplus.repair(overlapping, "nonzero")[0].area == 7 and oplus.repair(overlapping, "even-odd")[0].area == 6
     with pytest.raises(oplus.InvalidInput, match="cross"):
         oplus.repair(bow_tie)
-    with pytest.raises(ValueError, match="fill odd; expected even_odd or nonzero"):
+    with pytest.raises(ValueError, match="fill odd; expected even-odd or nonzero"):
         oplus.repair(bow_tie, "odd")
 
 
@@ -177,3 +186,54 @@ def test_equal_sets_are_equal():
     assert oplus.Region(SQUARE) != oplus.Region(ROOM) and oplus.Region(SQUARE) != "POLYGON"
     assert repr(oplus.minkowski_sum(SQUARE, SQUARE)) == (
         "<oplus.PlanarSet: closed, 1 component, 0 dangling edges, 0 isolated vertices>")
+
+
+def test_text_of_an_open_sum_is_verified():
+    slot = [[[0, 0], [4, 0], [4, 4], [0, 4]], [[1, 1], [1, 3], [3, 3], [3, 1]]]
+    plug = [[0, 0], [2, 0], [2, 2], [0, 2]]
+    open_sum = oplus.minkowski_sum(slot, plug, boundary="open")
+    assert open_sum.isolated_vertices and oplus.verify(slot, plug, str(open_sum), boundary="open")
+    assert not oplus.verify(slot, plug, str(open_sum.region), boundary="open")
+
+
+def test_a_set_is_true_unless_it_is_empty():
+    assert oplus.Region(SQUARE) and oplus.ifp(SQUARE, SQUARE) and oplus.PlanarSet("POINT (1 1)")
+    assert not oplus.Region([]) and not oplus.ifp(SQUARE, [[0, 0], [2, 0], [0, 2]])
+
+
+def test_one_factor_scales_both_coordinates():
+    assert oplus.Region(SQUARE).scaled(2) == oplus.Region(SQUARE).scaled(2, 2)
+
+
+def test_equal_sets_are_equal_in_any_form():
+    turned = oplus.Region(SQUARE[1:] + SQUARE[:1])
+    assert turned == oplus.Region(SQUARE)
+    twice = oplus.minkowski_sum(SQUARE, SQUARE)
+    assert twice == oplus.PlanarSet(twice.region) and twice.region == turned.scaled(2)
+
+
+def test_files(tmp_path):
+    (tmp_path / "set.wkt").write_text("GEOMETRYCOLLECTION (POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0)), POINT (3 3))")
+    (tmp_path / "region.dat").write_text("4 0 0 1 0 1 1 0 1")
+    assert oplus.read_file(tmp_path / "region.dat") == oplus.Region(SQUARE)
+    assert oplus.read_set_file(str(tmp_path / "set.wkt")).isolated_vertices == [(3, 3)]
+    with pytest.raises(oplus.InvalidInput, match="cannot be opened"):
+        oplus.read_file(tmp_path / "missing")
+
+
+def test_ctrl_c_ends_a_computation():
+    program = """
+import math, oplus, os, signal, threading
+ring = [(round(1e6 * (1 + i % 2) * math.cos(i / 600 * math.pi)), round(1e6 * (1 + i % 2) * math.sin(i / 600 * math.pi)))
+        for i in range(1200)]
+thorns = oplus.Region(ring)
+threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+try:
+    for _ in range(10000):
+        oplus.close(thorns, thorns)
+    print("finished")
+except KeyboardInterrupt:
+    print("ended")
+"""
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=300, check=True)
+    assert done.stdout == "ended\n"
