@@ -26,10 +26,11 @@ void add_output(const Command& command, RegionOutput& output, const std::string&
 }
 
 void add_rounding(const Command& command, RoundingOptions& rounding) {
-  command.option("--grid STEP", rounding.grid,
-                 "round to multiples of STEP, so that the output is valid and without fractions "
-                 "(docs/rounding.md); by default it is exact, with fractions p/q where a decimal "
-                 "would not end");
+  command.option(
+      "--grid STEP", rounding.grid,
+      "round to multiples of STEP, so that the output is valid and, where these are decimals, "
+      "without fractions (docs/rounding.md); by default it is exact, with fractions p/q where a "
+      "decimal would not end");
   command.option("--digits N", rounding.digits, "round to N decimals: short for --grid 10^-N")
       .range(0, most_digits);
   command.choice<Side>(

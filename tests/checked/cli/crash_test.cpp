@@ -3,8 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <cstdlib>
+#include <limits>
+#include <new>
 #include <vector>
+
+#include "checked/cli/command_line/early_ends.hpp"
 
 namespace oplus {
 namespace {
@@ -16,7 +21,20 @@ TEST(CrashDeathTest, becomes_a_line_and_the_exit_code_of_a_bug) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   const auto reported = "^oplus: a bug in oplus: the program crashed; please report it[^\n]*\n$";
   EXPECT_EXIT((report_crashes(), std::abort()), testing::ExitedWithCode(3), reported);
-  EXPECT_EXIT((report_crashes(), lose_an_exception()), testing::ExitedWithCode(3), reported);
+  EXPECT_EXIT((report_crashes(), prepare_for_early_ends(), lose_an_exception()),
+              testing::ExitedWithCode(3), reported);
+}
+
+/// The same for more memory than there is.
+void lose_memory() noexcept {
+  volatile std::size_t size = std::numeric_limits<std::ptrdiff_t>::max();
+  ::operator delete(::operator new(size));
+}
+
+TEST(CrashDeathTest, is_none_where_memory_is_missing) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT((report_crashes(), prepare_for_early_ends(), lose_memory()),
+              testing::ExitedWithCode(2), "^oplus: there is not enough memory for this input\n$");
 }
 
 }  // namespace

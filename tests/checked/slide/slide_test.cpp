@@ -314,8 +314,9 @@ TEST(Slide, of_stretched_summands_is_the_sum_stretched) {
         const PlanarSet sum = slide_sum(p, q, boundary).sum;
         for (const Rational& factor :
              {power_of_two(90), power_of_two(-90), power_of_two(2000), Rational(3, 7)})
-          EXPECT_EQ(slide_sum(image(scaling(factor), p), image(scaling(factor), q), boundary).sum,
-                    image(scaling(factor), sum))
+          EXPECT_EQ(
+              slide_sum(image(scaled_by(factor), p), image(scaled_by(factor), q), boundary).sum,
+              image(scaled_by(factor), sum))
               << name << ' ' << seed << ' ' << factor;
       }
     }

@@ -25,9 +25,15 @@ TEST_F(EarlyEnds, by_a_limit_of_file_size_are_errors_of_writing) {
 TEST_F(EarlyEnds, for_lack_of_memory_are_those_of_invalid_input) {
   put_star("star.wkt", 3000);
   for (const std::string command : {"oplus sum star.wkt star.wkt -o s.wkt --svg s.svg",
-                                    "oplus batch --parts star.wkt -o s.jsonl",
-                                    "oplus sum star.wkt star.wkt --engine rca -o s.wkt"})
-    expect_refusal("ulimit -v 100000; " + command, "not enough memory");
+                                    "oplus sum star.wkt star.wkt --engine rca -o s.wkt",
+                                    "oplus verify star.wkt star.wkt star.wkt"})
+    expect_refusal("ulimit -v 50000; " + command, "not enough memory");
+  // Of a batch it is the error of a pair.
+  const Ran batch = run("ulimit -v 50000; oplus batch --parts star.wkt -o s.jsonl");
+  EXPECT_EQ(batch.exit_code, 2);
+  EXPECT_EQ(batch.lines_of_err(), 1) << batch.err;
+  EXPECT_TRUE(has(batch.err, "not enough memory"));
+  for (const std::string& file : files()) EXPECT_FALSE(file.ends_with(".tmp")) << file;
 }
 
 }  // namespace
