@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 
 #include "checked/operations/operations.hpp"
@@ -14,7 +13,6 @@
 #include "reference/oracle/operations_by_definition.hpp"
 #include "tests/checked/cli/shell.hpp"
 #include "tests/properties/compare/faulty_engines.hpp"
-#include "tests/reference/definitions/shapes.hpp"
 
 namespace oplus {
 namespace {
@@ -48,14 +46,6 @@ TEST(Operation, each_has_a_definition_and_agrees_with_it) {
     EXPECT_EQ(report.all().count("passed"), 10U) << name;
   }
   EXPECT_EQ(defined_operations().size(), compared_operations().size());
-}
-
-TEST(Operation, one_value_per_pair_is_judged) {
-  const Region bin = polygon(box(0, 0, 5, 5)), part = polygon(box(0, 0, 5, 5));
-  const JudgedPair judgement = judged({"", {bin, part}}, rules("ifp", right));
-  ASSERT_EQ(judgement.sums.size(), 1U);
-  EXPECT_EQ(judgement.sums[0].ruling, "passed");
-  EXPECT_EQ(judgement.right.value().closed.isolated_vertices, (std::vector<Point>{{0, 0}}));
 }
 
 TEST(Operation, counts_what_its_values_have) {
