@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "properties/compare/corpus.hpp"
-#include "properties/compare/judge.hpp"
+#include "properties/compare/engine_failure.hpp"
 #include "properties/compare/peers/peer_table.hpp"
 #include "properties/runner/finding.hpp"
 #include "properties/runner/temporary_folder.hpp"
@@ -268,18 +268,6 @@ TEST(Peers, of_cgal_are_right_where_a_chain_touches_the_inside_of_an_edge) {
       canonical_sum(polygon({{-1, -6}, {3, -2}, {4, 0}, {4, 1}, {0, 1}, {-1, -2}}));
   for (const char* peer : {"cgal-reduced", "cgal-vertical", "cgal-triangulation"})
     EXPECT_EQ(sum(peer, p, q), right_sum) << peer;
-}
-
-TEST(Peers, that_refuse_a_pair_neither_pass_nor_fail) {
-  const Rules full{.engines = {*engine_called("cgal-full", patient)}};
-  const std::vector<JudgedSum> refused = judged({"", {two, square}}, full).sums;
-  EXPECT_EQ(refused[0].ruling, "refused");
-  EXPECT_EQ(refused[0].why, "supports one component only");
-  EXPECT_EQ(refused[1].ruling, "open unsupported");
-  const std::vector<JudgedSum> supported = judged({"", {triangle, square}}, full).sums;
-  EXPECT_EQ(supported[0].ruling, "passed");
-  EXPECT_EQ(supported[1].ruling, "open unsupported");
-  EXPECT_EQ(supported[1].boundary, Boundary::open);
 }
 
 }  // namespace
