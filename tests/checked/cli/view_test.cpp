@@ -10,7 +10,6 @@
 #include "checked/arrangement/nesting.hpp"
 #include "checked/arrangement/rca.hpp"
 #include "checked/cli/face_drawing.hpp"
-#include "checked/cli/layer_styles.hpp"
 #include "checked/cycles/convolution_cycles.hpp"
 #include "checked/cycles/fiber_grid_picture.hpp"
 #include "reference/definitions/collision.hpp"
@@ -54,16 +53,6 @@ std::size_t points_in(const std::vector<ptree>& layers) {
   std::size_t count = 0;
   for (const ptree& layer : layers) count += layer.count("circle");
   return count;
-}
-
-TEST(View, names_are_found) {
-  std::set<std::string> names;
-  for (const View& view : views()) {
-    EXPECT_EQ(find_view(view.name), &view);
-    names.insert(view.name);
-  }
-  EXPECT_EQ(names.size(), views().size());
-  EXPECT_EQ(find_view("none"), nullptr);
 }
 
 TEST(View, draws_any_regions_the_same_way_twice) {
@@ -229,17 +218,6 @@ TEST(View, winding_numbers_are_those_of_the_definition) {
   for_each_pair_of_shapes([](const Region& p, const Region& q) {
     expect_winding_numbers(winding_view(p, q), convolution(p, q));
   });
-}
-
-TEST(View, winding_numbers_differ_in_their_shade) {
-  std::set<std::string> shades;
-  for (int number = -4; number <= 8; ++number) {
-    EXPECT_EQ(style::winding_number(number).label, "winding number " + std::to_string(number));
-    shades.insert(style::winding_number(number).fill);
-  }
-  EXPECT_EQ(shades.size(), 13U);
-  EXPECT_EQ(style::winding_number(9).fill, style::winding_number(8).fill);
-  EXPECT_EQ(style::winding_number(-5).fill, style::winding_number(-4).fill);
 }
 
 TEST(View, original_has_its_own_winding_numbers_and_its_flipped_segments) {

@@ -9,36 +9,11 @@
 #include "checked/operations/image.hpp"
 #include "properties/compare/corpus.hpp"
 #include "reference/definitions/convolution.hpp"
-#include "reference/oracle/oracle.hpp"
 #include "tests/reference/definitions/print.hpp"
 #include "tests/reference/definitions/shapes.hpp"
 
 namespace oplus {
 namespace {
-
-TEST(Engines, are_the_oracle_on_pairs_of_shapes) {
-  std::size_t with_features = 0;
-  std::size_t with_holes = 0;
-  const std::vector<Shape> all = shapes();
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    // A third of all pairs, each shape with five others; sanitizers make the oracle slow.
-    for (std::size_t j = i % 3; j < all.size(); j += 3) {
-      const auto& [p_name, p] = all[i];
-      const auto& [q_name, q] = all[j];
-      const OracleSums expected = oracle_sums(p, q);
-      for (const Engine& engine : engines()) {
-        ASSERT_EQ(engine.compute(p, q, Boundary::closed, {}).sum, expected.closed)
-            << engine.name << ", " << p_name << " + " << q_name << ", closed";
-        ASSERT_EQ(engine.compute(p, q, Boundary::open, {}).sum, expected.open)
-            << engine.name << ", " << p_name << " + " << q_name << ", open";
-      }
-      if (expected.open != expected.closed) ++with_features;
-      if (!expected.closed.holes.empty()) ++with_holes;
-    }
-  }
-  EXPECT_GT(with_features, 10u);
-  EXPECT_GT(with_holes, 5u);
-}
 
 TEST(Engines, give_origins_only_where_they_are_asked_for) {
   const Region square = polygon(box(0, 0, 1, 1));

@@ -14,7 +14,6 @@
 #include "checked/rounding/snap_rounding.hpp"
 #include "checked/slide/slide.hpp"
 #include "checked/verify/closeness.hpp"
-#include "checked/verify/overlay.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/families/family.hpp"
 #include "reference/io/reading.hpp"
@@ -148,14 +147,6 @@ TEST(Rounded, an_unbounded_set_is_the_complement_of_its_rounded_complement) {
   }
 }
 
-/// Whether all of a set is in another one.
-bool contains_set(const PlanarSet& set, const PlanarSet& other) {
-  const Overlay overlay(given(other), set);
-  return std::ranges::none_of(overlay.differences(), [](const Overlay::Difference& difference) {
-    return difference.reason.in_given && !difference.reason.in_sum;
-  });
-}
-
 Rational width_of(const PlanarSet& sum) {
   Rational low = sum.outer[0][0].x, high = low;
   for (const Chain& chain : sum.outer)
@@ -183,7 +174,7 @@ TEST(Rounded, an_unbounded_set_says_which_components_joined) {
             (TopologyChanges{.joined_components = 2}));
 }
 
-/// Valid by our reader and by Boost.Geometry, within the bound, side kept.
+/// Valid by our reader and by Boost.Geometry, and within the bound; statement law-rounding has the other promises.
 TEST(Rounded, sums_of_all_families) {
 #ifdef __SANITIZE_ADDRESS__
   constexpr std::uint64_t seeds = 5;
@@ -223,14 +214,6 @@ TEST(Rounded, sums_of_all_families) {
         });
         std::string why;
         EXPECT_TRUE(bg::is_valid(to_boost<Polygons>(ValidRegion(in_steps)), why)) << which << why;
-
-        if (side == Side::contain) {
-          EXPECT_TRUE(contains_set(result.set, sum)) << which;
-        }
-        if (side == Side::contained) {
-          EXPECT_TRUE(contains_set(sum, result.set)) << which;
-        }
-        EXPECT_TRUE(rounded(result.set, boundary, step, side).is_exact) << which;
 
         // verify, with the distance in which the bound is. An open set that contains the sum has no edges and points:
         // it is near the closed sum.

@@ -3,9 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <set>
-
-#include "checked/slide/reduced_segments.hpp"
 #include "checked/slide/slide.hpp"
 #include "reference/families/family.hpp"
 #include "reference/families/random.hpp"
@@ -82,62 +79,6 @@ TEST(BlockingSearch, opens_few_boxes_that_are_only_touched) {
 TEST(BlockingSearch, takes_few_rationals) {
   const auto [p, q] = generate(*find_family("fractions"), 100, 1);
   EXPECT_LT(per_segment("in rationals", p, q), 3);
-}
-
-/// Compares with all pairs of edges. Returns how many pairs were visited, and how many block something.
-template <typename Numbers>
-std::pair<std::size_t, std::size_t> expect_visits_what_blocks(const Region& p, const Region& q,
-                                                              const slide::Scaling& scaling) {
-  using namespace slide;
-  const ReducedSegments<Numbers> segments(p, q, scaling);
-  IntegerSummands<Numbers> summands(p, q, scaling, 0);
-  BlockingSearch<Numbers> search(summands, Shift::to_the_right);
-  std::size_t visits = 0, blocking = 0;
-  for (std::uint32_t i = 0; i < segments.size(); ++i) {
-    const ReducedSegment<Numbers> segment = segments[i];
-    for (const Piece<Numbers>& piece :
-         {Piece<Numbers>{{0, 1}, {1, 1}}, Piece<Numbers>{{1, 3}, {1, 2}}}) {
-      std::set<EdgePair> visited;
-      search.leave_out_all();
-      search.each_pair(segment, piece, [&](const EdgePair& pair) { visited.insert(pair); });
-      visits += visited.size();
-      for (std::uint32_t e = 0; e < summands.p.edges.size(); ++e)
-        for (std::uint32_t f = 0; f < summands.q.edges.size(); ++f) {
-          const auto blocked = blocked_interval(segment.exact, summands.p.edges[e],
-                                                summands.q.edges[f], Shift::to_the_right);
-          if (!blocked || !(blocked->from < piece.to && piece.from < blocked->to)) continue;
-          ++blocking;
-          EXPECT_TRUE(visited.contains({e, f})) << i << ": " << e << ' ' << f;
-        }
-    }
-  }
-  return {visits, blocking};
-}
-
-TEST(BlockingSearch, visits_all_pairs_that_block) {
-  using namespace slide;
-  std::size_t visits = 0, blocking = 0;
-  for (const char* family : {"grid", "touching", "star", "comb", "islands", "scales", "fractions"})
-    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-      const auto [p, q] = generate(*find_family(family), 8, seed);
-      SCOPED_TRACE(family);
-      if (has_unlike_denominators(p, q)) {
-        expect_visits_what_blocks<RationalNumbers>(p, q, scaling_of_rationals(p, q));
-        continue;
-      }
-      const Scaling scaling = scaling_of(p, q);
-      if (scaling.bits <= SmallNumbers::bits) {
-        const auto [here, blocking_here] = expect_visits_what_blocks<SmallNumbers>(p, q, scaling);
-        visits += here;
-        blocking += blocking_here;
-      }
-      // No doubles are exact.
-      Scaling larger = scaling;
-      larger.denominator *= (mpz_class(1) << 40) + 1;
-      larger.bits += 41;
-      larger.shift = larger.bits > 60 ? larger.bits - 60 : 0;
-      if (larger.bits <= WideNumbers::bits) expect_visits_what_blocks<WideNumbers>(p, q, larger);
-    }
 }
 
 }  // namespace

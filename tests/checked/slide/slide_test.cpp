@@ -133,20 +133,6 @@ TEST(Slide, finds_where_one_just_fits_into_the_other) {
   expect_as_rca(chain_of_holes(3), polygon(box(0, 0, 2, 2)), "holes that touch, and a square");
 }
 
-TEST(Slide, finds_open_sums_in_all_numbers_and_threads) {
-  for (const auto& [p, q] : {std::pair{passage(12), polygon(box(0, 0, 7, 4))},
-                             {chain_of_holes(3), chain_of_holes(2)},
-                             {staircase(6), fan(3)}}) {
-    const ComputedSum expected = slide_sum(p, q, Boundary::open, {.with_origins = true});
-    for (const SlideNumbers numbers : {SlideNumbers::at_least_256_bits, SlideNumbers::gmp}) {
-      const ComputedSum sum =
-          slide_sum(p, q, Boundary::open, {.with_origins = true, .threads = 3, .numbers = numbers});
-      EXPECT_EQ(sum.sum, expected.sum);
-      EXPECT_EQ(sum.origins, expected.origins);
-    }
-  }
-}
-
 TEST(SlideStages, are_the_first_that_hold_the_bits_of_a_coordinate) {
   const auto power = power_of_two;
   const auto tiny = [](int denominator) { return triangle_to(Rational(1, denominator)); };
@@ -304,23 +290,6 @@ TEST(Slide, does_not_go_through_infinity) {
             (std::vector<Segment>{{{tiny, tiny}, {huge / 2, tiny}}}));
   EXPECT_TRUE(slide_sum(slotted(tiny), dot, Boundary::closed).sum.holes.empty());
   expect_as_rca(slotted(tiny / 2), dot, "closed slot");
-}
-
-TEST(Slide, of_stretched_summands_is_the_sum_stretched) {
-  for (const char* name : {"grid", "tight", "holes", "components", "star"}) {
-    for (std::uint64_t seed = 0; seed < 4; ++seed) {
-      const auto [p, q] = generate(*find_family(name), 5, seed);
-      for (const Boundary boundary : both) {
-        const PlanarSet sum = slide_sum(p, q, boundary).sum;
-        for (const Rational& factor :
-             {power_of_two(90), power_of_two(-90), power_of_two(2000), Rational(3, 7)})
-          EXPECT_EQ(
-              slide_sum(image(scaled_by(factor), p), image(scaled_by(factor), q), boundary).sum,
-              image(scaled_by(factor), sum))
-              << name << ' ' << seed << ' ' << factor;
-      }
-    }
-  }
 }
 
 TEST(Slide, says_how_many_segments_are_done) {

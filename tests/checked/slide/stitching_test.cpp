@@ -19,8 +19,6 @@
 namespace oplus::slide {
 namespace {
 
-using Small = IntegerVector<SmallNumbers>;
-
 /// Stitches edges, which meet at common ends only; segment i is edge i.
 class Stitched {
  public:
@@ -97,28 +95,6 @@ TEST(Stitching, starts_a_chain_that_passes_its_smallest_point_twice_as_the_plane
   const Chain upper{{0, 0}, {3, 1}, {1, 3}}, lower{{0, 0}, {1, -3}, {3, -1}};
   EXPECT_EQ(stitched_sum({upper, lower}).outer,
             (std::vector<Chain>{{{0, 0}, {1, -3}, {3, -1}, {0, 0}, {3, 1}, {1, 3}}}));
-}
-
-TEST(TurnsMoreClockwise, is_the_order_from_the_way_back) {
-  // All directions but the way back, as they are met counterclockwise from there.
-  const std::vector<Small> met{{-5, -1}, {-2, -2}, {-1, -9}, {0, -1}, {1, -7}, {4, -1}, {3, 0},
-                               {9, 1},   {1, 1},   {1, 8},   {0, 3},  {-1, 8}, {-1, 1}, {-9, 1}};
-  const Small in{2, 0};
-  const auto turned = [](const Small& v, int times) {
-    Small result = v;
-    for (; times > 0; --times) result = {-result.y, result.x};
-    return result;
-  };
-  for (int times = 0; times < 4; ++times) {
-    for (std::size_t i = 0; i < met.size(); ++i) {
-      for (std::size_t j = 0; j < met.size(); ++j) {
-        EXPECT_EQ(detail::turns_more_clockwise(turned(in, times), turned(met[i], times),
-                                               turned(met[j], times)),
-                  i < j)
-            << times << ": " << i << ", " << j;
-      }
-    }
-  }
 }
 
 }  // namespace

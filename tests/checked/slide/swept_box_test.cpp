@@ -81,47 +81,11 @@ TEST(SweptBox, rejects_what_is_beside_the_segment_though_in_its_box) {
   EXPECT_FALSE(swept.may_meet(box_of(Corners{-2, -2, -1, -1}))) << "on its line";
 }
 
-TEST(SweptBox, of_a_point_or_along_an_axis) {
-  const SweptBox point({3, 4}, {3, 4});
-  EXPECT_TRUE(point.may_meet(box_of(Corners{3, 4, 3, 4})));
-  EXPECT_TRUE(point.may_meet(box_of(Corners{0, 4, 3, 9})));
-  EXPECT_FALSE(point.may_meet(box_of(Corners{4, 4, 5, 5})));
-  const SweptBox across({0, 2}, {9, 2});
-  EXPECT_TRUE(across.may_meet(box_of(Corners{3, 0, 4, 2})));
-  EXPECT_TRUE(across.may_meet(box_of(Corners{9, 2, 9, 2})));
-  EXPECT_FALSE(across.may_meet(box_of(Corners{3, 0, 4, 1})));
-  const SweptBox up({2, 0}, {2, 9});
-  EXPECT_TRUE(up.may_meet(box_of(Corners{2, 3, 5, 4})));
-  EXPECT_FALSE(up.may_meet(box_of(Corners{3, 3, 5, 4})));
-}
-
 TEST(SweptBox, meets_what_is_nearer_than_its_ends_can_be_off) {
   const SweptBox swept({0, 0, 2}, {8, 8, 2});
   EXPECT_TRUE(swept.may_meet(box_of(Corners{5, 1, 7, 4})));
   EXPECT_TRUE(swept.may_meet(box_of(Corners{9, 9, 10, 10})));
   EXPECT_FALSE(swept.may_meet(box_of(Corners{11, 11, 12, 12})));
-}
-
-TEST(SweptBox, leaves_out_what_the_segment_shifted_to_the_right_only_touches) {
-  const auto meets = [](const ApproximatePoint& b, const Corners& box, bool has_integer_ends) {
-    SweptBox swept({0, 0}, b);
-    swept.leave_out_touching({0, 0, b.x, b.y}, has_integer_ends);
-    return swept.may_meet(box_of(box));
-  };
-  for (const bool has_integer_ends : {false, true}) {
-    EXPECT_TRUE(meets({4, 0}, {1, -2, 3, 0}, has_integer_ends)) << "on its right";
-    EXPECT_FALSE(meets({4, 0}, {1, 0, 3, 2}, has_integer_ends)) << "on its left";
-    EXPECT_FALSE(meets({4, 0}, {1, 0, 3, 0}, has_integer_ends)) << "flat";
-    EXPECT_TRUE(meets({-4, 0}, {-3, 0, -1, 2}, has_integer_ends));
-    EXPECT_FALSE(meets({-4, 0}, {-3, -2, -1, 0}, has_integer_ends));
-    EXPECT_TRUE(meets({0, 4}, {0, 1, 2, 3}, has_integer_ends));
-    EXPECT_FALSE(meets({0, 4}, {-2, 1, 0, 3}, has_integer_ends));
-    EXPECT_TRUE(meets({0, -4}, {-2, -3, 0, -1}, has_integer_ends));
-    EXPECT_FALSE(meets({0, -4}, {0, -3, 2, -1}, has_integer_ends));
-    EXPECT_EQ(meets({4, 0}, {4, -2, 5, 0}, has_integer_ends), !has_integer_ends) << "at its end";
-    EXPECT_EQ(meets({4, 4}, {4, 3, 5, 5}, has_integer_ends), !has_integer_ends);
-    EXPECT_TRUE(meets({4, 4}, {3, 3, 5, 5}, has_integer_ends));
-  }
 }
 
 TEST(SweptBox, leaves_nothing_out_beside_a_short_piece_of_a_steep_line) {

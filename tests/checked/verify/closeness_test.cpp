@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "checked/slide/slide.hpp"
 #include "checked/verify/root_number.hpp"
 #include "reference/chains/region_of.hpp"
 #include "reference/families/family.hpp"
@@ -39,12 +38,6 @@ TEST(Distance, of_a_set_from_itself_is_zero) {
   in_parts.insert(in_parts.end(), square.begin() + 1, square.end());
   EXPECT_EQ(exact(distance(square, in_parts)), 0);
   EXPECT_EQ(exact(distance(in_parts, square)), 0);
-}
-
-TEST(Distance, of_translated_squares_is_how_far) {
-  const Chain square = box(0, 0, 2, 2);
-  EXPECT_EQ(exact(distance(edges(square), edges(translated(square, {Rational(1, 10), 0})))),
-            Rational(1, 100));
 }
 
 TEST(Distance, may_be_largest_inside_an_edge) {
@@ -97,25 +90,11 @@ TEST(Distance, is_what_is_within_says) {
 const Region unit = polygon(box(0, 0, 1, 1));
 const Region frame{{{box(0, 0, 5, 5), {backwards(box(2, 2, 3, 3))}}}};
 
-TEST(Closeness, of_a_sum_and_itself) {
-  const Closeness close = closeness(canonical_sum(frame), {frame, {}, {}}, 0);
-  EXPECT_TRUE(close.is_close());
-  EXPECT_EQ(exact(*close.distance), 0);
-}
-
 TEST(Closeness, is_decided_exactly_at_the_tolerance) {
   const Region moved = translated(frame, {Rational(1, 10), 0});
   EXPECT_TRUE(closeness(canonical_sum(frame), {moved, {}, {}}, Rational(1, 10)).is_close());
   EXPECT_FALSE(
       closeness(canonical_sum(frame), {moved, {}, {}}, Rational(99999999, 1000000000)).is_close());
-}
-
-TEST(Closeness, a_hole_without_a_partner_is_told) {
-  const Closeness close = closeness(canonical_sum(frame), {polygon(box(0, 0, 5, 5)), {}, {}}, 10);
-  EXPECT_TRUE(close.is_within);
-  EXPECT_FALSE(close.has_same_chains());
-  EXPECT_EQ(close.no_partners,
-            (std::vector<std::string>{"the hole at (2, 2) of the sum has no partner"}));
 }
 
 TEST(Closeness, each_chain_has_one_partner) {
@@ -137,35 +116,6 @@ TEST(Closeness, chains_that_cross_by_rounding_are_accepted_and_said) {
   EXPECT_FALSE(close.notes.empty());
   // The hole is open now.
   EXPECT_FALSE(close.no_partners.empty());
-}
-
-TEST(Closeness, of_rounded_sums) {
-  std::size_t rounded = 0;
-  for (const Family& family : families()) {
-    for (const std::uint64_t seed : {1U, 2U}) {
-      const auto [p, q] = generate(family, family.smallest + 2, seed);
-      const PlanarSet sum = slide_sum(p, q, Boundary::closed).sum;
-      ClaimedSum given{region_of(sum), {}, {}};
-      const auto round = [&](Chain& chain) {
-        for (Point& v : chain) {
-          for (Rational* c : {&v.x, &v.y}) {
-            const Rational scaled = *c * 1024;
-            const mpz_class whole = scaled.get_num() / scaled.get_den();
-            rounded += scaled != whole;
-            *c = Rational(whole) / 1024;
-          }
-        }
-      };
-      for (Component& component : given.region.components) {
-        round(component.outer);
-        for (Chain& hole : component.holes) round(hole);
-      }
-      // Each vertex moves by less than √2 / 1024, and so does each point of an edge.
-      EXPECT_TRUE(closeness(sum, given, Rational(3, 2) / 1024).is_within) << family.name << seed;
-      EXPECT_TRUE(closeness(sum, given, Rational(3, 2) / 1024).is_close()) << family.name << seed;
-    }
-  }
-  EXPECT_GT(rounded, 10U);
 }
 
 TEST(Closeness, of_nothing) {

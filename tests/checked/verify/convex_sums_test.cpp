@@ -3,13 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
-#include "checked/verify/placements.hpp"
 #include "checked/verify/sum_by_convex_parts.hpp"
-#include "reference/definitions/convolution.hpp"
 #include "reference/families/family.hpp"
-#include "reference/io/writing.hpp"
 #include "tests/reference/definitions/print.hpp"
 
 namespace oplus {
@@ -32,41 +27,6 @@ std::vector<Pair> pairs_of_families(std::size_t largest) {
     }
   }
   return pairs;
-}
-
-TEST(ConvexSums, the_segments_are_the_reduced_convolution) {
-  std::size_t all = 0;
-  for (const auto& [name, p, q] : pairs_of_families(3000)) {
-    const ConvexSums sums(p, q);
-    std::vector<Segment> found;
-    for (const ConvexSums::EdgeAtVertex& candidate : sums.reduced_convolution())
-      found.push_back(sums.segment(candidate));
-    std::vector<Segment> defined = segments(reduced_convolution(p, q));
-    std::sort(found.begin(), found.end());
-    std::sort(defined.begin(), defined.end());
-    EXPECT_EQ(found, defined) << name;
-    all += found.size();
-  }
-  EXPECT_GT(all, 1000U);
-}
-
-/// At places where boundaries touch: not by the sweep, the convolution, or the search.
-TEST(ConvexSums, a_sum_of_vertices_is_outside_iff_the_interiors_do_not_meet) {
-  std::size_t outside = 0;
-  for (const auto& [name, p, q] : pairs_of_families(150)) {
-    ConvexSums sums(p, q);
-    const Placements placements(p, q);
-    for (std::size_t e = 0; e < vertex_count(p); ++e) {
-      for (std::size_t v = 0; v < vertex_count(q); ++v) {
-        const ConvexSums::EdgeAtVertex candidate{Summand::P, e, v};
-        const Point x = sums.segment(candidate).source;
-        EXPECT_EQ(sums.source_is_outside(candidate), !placements.interiors_meet_by_definition_at(x))
-            << name << ", " << to_string(x);
-        outside += sums.source_is_outside(candidate);
-      }
-    }
-  }
-  EXPECT_GT(outside, 100U);
 }
 
 /// A map that keeps directions, convexity and the order of points.

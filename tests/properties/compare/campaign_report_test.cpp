@@ -126,15 +126,6 @@ TEST(Report, says_who_judged) {
   EXPECT_TRUE(has(replay_line(report, found), " --judge convex-parts "));
 }
 
-TEST(ReportJson, survives_reading) {
-  const CampaignReport& report = report_of_many_kinds();
-  const CampaignReport read = opened(sealed(report), "r.json");
-  EXPECT_EQ(sealed(read), sealed(report));
-  EXPECT_EQ(to_markdown(read), to_markdown(report));
-  EXPECT_EQ(to_junit(read), to_junit(report));
-  EXPECT_EQ(other_campaign(report, read), "");
-}
-
 TEST(ReportJson, sees_what_was_changed) {
   const std::string text = sealed(report_of_many_kinds());
   EXPECT_NO_THROW(opened(text, "r.json"));

@@ -61,15 +61,6 @@ TEST_F(DiffCommand, says_what_hole_tests_were_asked) {
   EXPECT_EQ(diff(pair + " --collision-test none").exit_code, 2);
 }
 
-TEST_F(DiffCommand, compares_families_the_same_for_the_same_seed) {
-  const std::string options = "--family grid --family tight --cases 8 --seed 3 --report ";
-  EXPECT_EQ(diff(options + "one.json").exit_code, 0);
-  EXPECT_EQ(diff(options + "two.json --threads 1").exit_code, 0);
-  EXPECT_EQ(content("one.json"), content("two.json"));
-  EXPECT_EQ(nlohmann::json::parse(content("one.json")).at("sources").at(1).at("counts").at("ran"),
-            8);
-}
-
 TEST_F(DiffCommand, counts_what_it_skips_and_does_not_pass_with_nothing_compared) {
   const Ran ran = diff("--pair frame.dat square.dat --largest 5");
   EXPECT_EQ(ran.exit_code, 2);
@@ -92,17 +83,6 @@ TEST_F(DiffCommand, compares_with_the_judge_that_is_named) {
   EXPECT_EQ(other.at("campaign").at("judge"), "convex-parts");
   EXPECT_LT(one.at("campaign").at("largest"), other.at("campaign").at("largest"));
   EXPECT_EQ(diff(pairs + "no.json --judge nobody").exit_code, 2);
-}
-
-TEST_F(DiffCommand, finds_a_wrong_sum_by_convex_parts_and_reproduces_it) {
-  const Ran ran = diff(
-      "--pair square.dat frame.dat --judge convex-parts --engine 'exec:cat {p} #' --shrink-tries "
-      "20");
-  EXPECT_EQ(ran.exit_code, 1) << ran.err;
-  EXPECT_TRUE(has(ran.out, "the first is the sum of convex parts: 1 outer chain"));
-  const Ran again = run(last_line_after(ran.out, "  reproduce: "));
-  EXPECT_EQ(again.exit_code, 1) << again.err;
-  EXPECT_TRUE(has(again.out, "the first is the sum of convex parts: 1 outer chain"));
 }
 
 TEST_F(DiffCommand, compares_an_operation_with_its_definition) {
@@ -173,14 +153,6 @@ TEST_F(DiffCommand, refuses_options_that_operations_do_not_take) {
   EXPECT_TRUE(has(other.err, R"(operation is "ifp", not "open")")) << other.err;
 }
 
-TEST_F(DiffCommand, does_not_go_on_with_another_judge) {
-  const std::string pairs = "--family grid --cases 3 --engine slide --resume state.json";
-  EXPECT_EQ(diff(pairs).exit_code, 0);
-  const Ran other = diff(pairs + " --judge convex-parts");
-  EXPECT_EQ(other.exit_code, 2);
-  EXPECT_TRUE(has(other.err, R"(judge is "oracle", not "convex-parts")"));
-}
-
 TEST_F(DiffCommand, refuses_invalid_input_and_usage) {
   put("bad.dat", "4\n0 0\n2 2\n2 0\n0 2\n");
   const Ran bad = diff("--pair bad.dat square.dat");
@@ -191,29 +163,6 @@ TEST_F(DiffCommand, refuses_invalid_input_and_usage) {
   EXPECT_EQ(diff("--folder nowhere").exit_code, 2);
   EXPECT_EQ(diff("--engine nonsense").exit_code, 2);
   EXPECT_EQ(diff("--cases 0 --family grid").exit_code, 2);
-}
-
-TEST_F(DiffCommand, compares_another_program) {
-  const Ran ran = diff("--pair square.dat frame.dat --engine 'exec:cat {p} #' --shrink-tries 20");
-  EXPECT_EQ(ran.exit_code, 1) << ran.err;
-  EXPECT_TRUE(has(ran.out, "the second is exec:cat {p} #: 1 outer chain"));
-  EXPECT_TRUE(has(ran.out, "diff --engine 'exec:cat {p} #' --pair oplus-findings/"));
-}
-
-TEST_F(DiffCommand, agrees_with_a_program_that_is_right) {
-  const Ran ran =
-      // Sanitizers want more address space than any limit gives.
-      diff(
-          "--pair square.dat frame.dat --engine 'exec:oplus sum {p} {q} --format wkt' "
-          "--memory-limit 0");
-  EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
-  EXPECT_TRUE(has(ran.out,
-                  "exec:oplus sum {p} {q} --format wkt computes closed sums only: 1 open sum not "
-                  "compared, which is no failure\n"
-                  "1 case run, each closed and open, 1 open sum unsupported, 0 skipped, 0 with"));
-  const auto report = nlohmann::json::parse(content("oplus-findings/diff.json"));
-  EXPECT_EQ(report.at("all").at("open_unsupported").size(), 1U);
-  EXPECT_EQ(report.at("all").at("sums").at("open unsupported"), 1);
 }
 
 TEST_F(DiffCommand, reports_how_a_program_ends_and_skips_what_it_refuses) {

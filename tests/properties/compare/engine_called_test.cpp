@@ -8,16 +8,13 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <optional>
 #include <set>
 #include <stdexcept>
 #include <utility>
 
 #include "properties/compare/corpus.hpp"
-#include "properties/compare/judge.hpp"
+#include "properties/compare/engine_failure.hpp"
 #include "properties/compare/peers/peer_table.hpp"
-#include "properties/compare/run_campaign.hpp"
-#include "properties/compare/sources.hpp"
 #include "properties/runner/finding.hpp"
 #include "properties/runner/temporary_folder.hpp"
 #include "reference/chains/region_of.hpp"
@@ -119,36 +116,6 @@ TEST(ProgramEngine, leaves_no_files) {
   EXPECT_TRUE(said.site().ends_with("/p.wkt")) << said.site();
   EXPECT_FALSE(std::filesystem::exists(said.site()));
   EXPECT_FALSE(std::filesystem::exists(std::filesystem::path(said.site()).parent_path()));
-}
-
-/// What a run of one pair finds.
-ShrunkFailure only_failure(const std::string& engine, const Summands& pair, std::size_t tries) {
-  Campaign campaign;
-  campaign.engines = {engine};
-  campaign.shrink_tries = tries;
-  const std::vector<TaskSource> sources = {given_source({{"", pair}})};
-  const CampaignReport report = run_campaign(begun_report("diff", campaign, {}, sources), sources,
-                                             {.engines = {*engine_called(engine, patient)}}, 1);
-  EXPECT_EQ(report.counterexamples.size(), 1U);
-  return report.counterexamples.begin()->second;
-}
-
-TEST(ProgramEngine, that_is_wrong_disagrees_and_is_shrunk) {
-  const ShrunkFailure found = only_failure("exec:cat {p} #", {triangle, square}, 100);
-  EXPECT_TRUE(found.sum.given);
-  EXPECT_EQ(size_of(found.sum.pair).vertices, 6U);
-}
-
-TEST(ProgramEngine, that_crashes_is_shrunk_to_the_same_crash_in_so_many_tries) {
-  // Crashes on squares one way, on triangles another.
-  const std::string script =
-      "exec:test $(tr -cd , <{q} | wc -c) = 4 && kill -SEGV $$; kill -ABRT $$ # {p}";
-  const Summands large{square, polygon({{0, 0}, {5, 0}, {5, 5}, {0, 5}})};
-  const ShrunkFailure shrunk = only_failure(script, large, 200);
-  EXPECT_EQ(shrunk.sum.failure.kind, "crashed: SIGSEGV");
-  EXPECT_EQ(vertex_count(shrunk.sum.pair.p), 3U);
-  EXPECT_EQ(vertex_count(shrunk.sum.pair.q), 4U);
-  EXPECT_EQ(only_failure(script, large, 0).sum.pair, large);
 }
 
 TEST(ProgramEngine, that_writes_nothing_or_garbage_or_half_a_sum_is_unreadable) {
@@ -301,18 +268,6 @@ TEST(Peers, of_cgal_are_right_where_a_chain_touches_the_inside_of_an_edge) {
       canonical_sum(polygon({{-1, -6}, {3, -2}, {4, 0}, {4, 1}, {0, 1}, {-1, -2}}));
   for (const char* peer : {"cgal-reduced", "cgal-vertical", "cgal-triangulation"})
     EXPECT_EQ(sum(peer, p, q), right_sum) << peer;
-}
-
-TEST(Peers, that_refuse_a_pair_neither_pass_nor_fail) {
-  const Rules full{.engines = {*engine_called("cgal-full", patient)}};
-  const std::vector<JudgedSum> refused = judged({"", {two, square}}, full).sums;
-  EXPECT_EQ(refused[0].ruling, "refused");
-  EXPECT_EQ(refused[0].why, "supports one component only");
-  EXPECT_EQ(refused[1].ruling, "open unsupported");
-  const std::vector<JudgedSum> supported = judged({"", {triangle, square}}, full).sums;
-  EXPECT_EQ(supported[0].ruling, "passed");
-  EXPECT_EQ(supported[1].ruling, "open unsupported");
-  EXPECT_EQ(supported[1].boundary, Boundary::open);
 }
 
 }  // namespace

@@ -55,38 +55,6 @@ TEST(Judge, sees_a_lost_isolated_vertex_in_the_open_sum_only) {
   EXPECT_EQ(result.sums[1].wrong.value().failure.witness, (Point{3, 3}));
 }
 
-TEST(Judge, an_exception_is_a_crash_with_its_message_as_site) {
-  const JudgedPair result = judged(frame_and_square, {.engines = {throwing}});
-  EXPECT_EQ(result.sums[0].ruling, "crashed");
-  const WrongSum& wrong = result.sums[0].wrong.value();
-  EXPECT_EQ(wrong.failure.kind, "crashed: exception: no luck,  times");
-  EXPECT_EQ(wrong.failure.what, "it threw: no luck, 13 times");
-  EXPECT_FALSE(wrong.given);
-}
-
-TEST(Judge, whoever_judges_finds_the_same) {
-  std::size_t faults = 0;
-  for (const Task& task : {frame_and_square, frame_and_plug}) {
-    const Rules by_oracle{.engines = {right, without_holes, without_isolated_vertices, throwing}};
-    Rules by_convex_parts = by_oracle;
-    by_convex_parts.judge = judge_named("convex-parts");
-    const JudgedPair expected = judged(task, by_oracle), found = judged(task, by_convex_parts);
-    ASSERT_EQ(found.sums.size(), expected.sums.size());
-    for (std::size_t i = 0; i < found.sums.size(); ++i) {
-      EXPECT_EQ(found.sums[i].ruling, expected.sums[i].ruling);
-      ASSERT_EQ(found.sums[i].wrong.has_value(), expected.sums[i].wrong.has_value());
-      if (!found.sums[i].wrong) continue;
-      ++faults;
-      EXPECT_EQ(found.sums[i].wrong->failure.kind, expected.sums[i].wrong->failure.kind);
-      EXPECT_EQ(found.sums[i].wrong->right, expected.sums[i].wrong->right);
-    }
-    EXPECT_EQ(found.right.value().closed, expected.right.value().closed);
-    EXPECT_EQ(found.right->open, expected.right->open);
-  }
-  // A lost hole in the closed and in the open sum, a lost vertex in the open one, two crashes each.
-  EXPECT_EQ(faults, 3U + 4U);
-}
-
 TEST(Judge, a_judge_that_throws_is_counted_and_its_sums_are_not_passed) {
   Rules rules{.engines = {right}};
   rules.judge = {"broken", "the broken judge", 1300, [](const Region&, const Region&) -> RightSums {

@@ -3,22 +3,9 @@
 
 #include "properties/compare/report_json.hpp"
 #include "tests/checked/cli/shell.hpp"
-#include "tests/properties/compare/faulty_engines.hpp"
 
 namespace oplus {
 namespace {
-
-TEST(MergedReport, is_that_of_one_run) {
-  const auto report = [](const Shard& shard) {
-    const SmallRun run{.parts = {"grids"}, .cases = 40, .shrink_tries = 10, .shard = shard};
-    return run.of(of_many_kinds("faulty"));
-  };
-  std::vector<std::pair<std::string, CampaignReport>> shards;
-  for (const std::size_t i : {3U, 1U, 2U}) shards.emplace_back("shard", report({i, 3}));
-  const CampaignReport one = report({});
-  EXPECT_GE(one.counterexamples.size(), 2U);
-  EXPECT_EQ(sealed(merged(shards)), sealed(one));
-}
 
 /// Runs oplus-check, whose exit code 1 says that something was found.
 class Merge : public Shell {
@@ -67,10 +54,6 @@ TEST_F(Merge, diff_in_shards_shows_the_first_disagreements_of_all) {
 
 TEST_F(Merge, exhaustive_in_shards_is_exhaustive) {
   expect_same_report("exhaustive --engine slide --grid 3 --vertices 3");
-}
-
-TEST_F(Merge, conformance_in_shards_is_conformance) {
-  expect_same_report("conformance --engine slide --cases 1");
 }
 
 TEST_F(Merge, refuses_what_is_not_one_campaign) {

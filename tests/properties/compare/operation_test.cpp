@@ -3,18 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <filesystem>
-
 #include "checked/operations/operations.hpp"
 #include "properties/compare/counterexample_files.hpp"
-#include "properties/compare/report_json.hpp"
 #include "properties/compare/report_text.hpp"
 #include "properties/compare/sources.hpp"
 #include "reference/oracle/operations_by_definition.hpp"
 #include "tests/checked/cli/shell.hpp"
 #include "tests/properties/compare/faulty_engines.hpp"
-#include "tests/reference/definitions/shapes.hpp"
 
 namespace oplus {
 namespace {
@@ -50,14 +45,6 @@ TEST(Operation, each_has_a_definition_and_agrees_with_it) {
   EXPECT_EQ(defined_operations().size(), compared_operations().size());
 }
 
-TEST(Operation, one_value_per_pair_is_judged) {
-  const Region bin = polygon(box(0, 0, 5, 5)), part = polygon(box(0, 0, 5, 5));
-  const JudgedPair judgement = judged({"", {bin, part}}, rules("ifp", right));
-  ASSERT_EQ(judgement.sums.size(), 1U);
-  EXPECT_EQ(judgement.sums[0].ruling, "passed");
-  EXPECT_EQ(judgement.right.value().closed.isolated_vertices, (std::vector<Point>{{0, 0}}));
-}
-
 TEST(Operation, counts_what_its_values_have) {
   const CampaignReport report = run_of("ifp", right, 40);
   std::map<std::string, std::size_t> expected;
@@ -87,29 +74,6 @@ TEST(Operation, finds_lost_points_and_shrinks_the_pair) {
   EXPECT_TRUE(has(text, "the first is the definition of ifp: ")) << text;
   EXPECT_TRUE(has(text, "oplus-check diff --engine changed --operation ifp --pair ")) << text;
   EXPECT_TRUE(has(to_markdown(report), "Compared with the definition of ifp. One value per pair"));
-}
-
-class OperationReport : public Shell {};
-
-TEST_F(OperationReport, of_unbounded_pairs_is_written_and_read_again) {
-  const Engine fills = changed([](PlanarSet& sum) { sum.holes.clear(); });
-  for (const std::string name : {"nfp", "ifp", "close", "closed-sum"}) {
-    CampaignReport report = run_of(name, fills, 30);
-    EXPECT_FALSE(report.conforms()) << name;
-    put("r.json", sealed(report));
-    EXPECT_EQ(sealed(opened(content("r.json"), "r.json")), sealed(report)) << name;
-    EXPECT_FALSE(to_markdown(report).empty());
-    EXPECT_FALSE(to_junit(report).empty());
-    const std::string here = run("pwd").out;
-    report.out = here.substr(0, here.size() - 1) + "/" + name;
-    write_counterexamples(report);
-    for (const auto& [kind, found] : report.counterexamples) {
-      const CounterexampleFiles files = files_of(found);
-      const Task again = pair_of_files(std::filesystem::path(report.out) / files.p,
-                                       std::filesystem::path(report.out) / files.q, Extent::any);
-      EXPECT_EQ(again.pair, found.sum.pair) << kind;
-    }
-  }
 }
 
 }  // namespace

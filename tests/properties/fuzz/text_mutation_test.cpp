@@ -92,5 +92,28 @@ TEST(TextMutation, of_nothing_and_of_anything_is_a_text) {
   }
 }
 
+/// Texts of forms that no fuzz target starts from: any change gives either a valid value that can be written and
+/// read again, or one line with the place, what is wrong, and what was expected. The check throws where neither holds.
+TEST(TextMutation, of_other_forms_is_a_value_or_refused_in_one_line) {
+  const std::vector<std::string> valid{
+      "SRID=4326;POLYGON Z ((0 0 1, 9 0 1, 9 9 NaN, 0 0 1))\nPOLYGON ((9 9, 10 9, 9 10, 9 9))\n",
+      R"({"type": "FeatureCollection", "features": [{"type": "Feature", "geometry": null},
+        {"type": "Feature", "geometry": {"type": "Polygon", "coordinates":
+         [[[0, 0, 5], [9, 0], [9, "9/1"], [0, 0]]]}}]})",
+      "[[[0, 0], [9, 0], [9, 9], [0, 9]], [[1, 1], [1, 2.5], [2, 1e0], [1, 1]]]",
+      "M0 0H9V9L0,9/1ZM1 1v1.5l1-1.5Zm11 11 1 0-1 1z"};
+  Random random(20);
+  int accepted = 0, refused = 0;
+  for (int i = 0; i < 6000; ++i) {
+    std::string text = valid[uniform_index(random, valid.size())];
+    text = one_in(random, 2) ? with_bytes_changed(random, text)
+                             : mutated_text(random, text, formats[uniform_index(random, 3)]);
+    for (const auto check : {check_region_reader, check_sum_reader})
+      ASSERT_NO_THROW(++(check(text) == FuzzOutcome::reached ? accepted : refused)) << text;
+  }
+  EXPECT_GT(accepted, 200);
+  EXPECT_GT(refused, 3000);
+}
+
 }  // namespace
 }  // namespace oplus

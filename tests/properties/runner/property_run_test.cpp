@@ -158,25 +158,6 @@ TEST(PropertyRun, GoesThroughAnEnumerationAndTriesPairsAsWell) {
   EXPECT_FALSE(run_property(that_always(Outcome::Kind::holds), options(20)).enumeration);
 }
 
-TEST(PropertyRun, NeedsNoPairsWhereThereIsAnEnumerationOnly) {
-  Statement s = enumerated_as({12, ""});
-  s.check = nullptr;
-  s.sources.clear();
-  const PropertyRun run = run_property(s, options(0));
-  EXPECT_TRUE(run.passed());
-  EXPECT_EQ(run.run, 0U);
-}
-
-TEST(PropertyRun, FailsWhereTheEnumerationFails) {
-  const PropertyRun run = run_property(enumerated_as({12, "the third case"}), options(20));
-  EXPECT_EQ(run.complaints, std::vector<std::string>{"enumeration: the third case"});
-}
-
-TEST(PropertyRun, FailsOnAnEmptyEnumeration) {
-  const PropertyRun run = run_property(enumerated_as({}), options(20));
-  EXPECT_EQ(run.complaints, std::vector<std::string>{"enumeration: no case was enumerated"});
-}
-
 TEST(PropertyRun, FailsOnAnExceptionInAnEnumeration) {
   Statement s = enumerated_as({});
   s.enumerate = []() -> Enumeration { throw std::logic_error("broken inside"); };

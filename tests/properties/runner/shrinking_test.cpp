@@ -138,21 +138,6 @@ TEST(Shrink, anything_ends_in_two_unit_triangles) {
   }
 }
 
-TEST(Shrink, ends_where_no_smaller_pair_fails) {
-  // A condition on both: at least 10 of area together, which no single step may undercut.
-  const auto fails = [](const Summands& s) { return area(s.p) + area(s.q) >= 10; };
-  const Family& family = *find_family("grid");
-  int tried = 0;
-  for (std::uint64_t seed = 0; tried < 5; ++seed) {
-    const Summands summands = generate(family, 8, seed);
-    if (!fails(summands)) continue;
-    ++tried;
-    const Summands least = shrink(summands, fails);
-    EXPECT_TRUE(fails(least));
-    for (const Summands& candidate : smaller(least)) EXPECT_FALSE(fails(candidate));
-  }
-}
-
 TEST(Shrink, refuses_a_pair_that_does_not_fail) {
   const Region triangle = polygon({{0, 0}, {1, 0}, {0, 1}});
   EXPECT_THROW(shrink({triangle, triangle}, [](const Summands&) { return false; }),

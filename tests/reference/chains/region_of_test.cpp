@@ -41,15 +41,6 @@ TEST(RegionOf, a_sum_is_valid_and_has_the_same_boundary) {
   EXPECT_GE(apart, 100) << "chains that touch themselves";
 }
 
-TEST(RegionOf, a_chain_that_passes_through_its_own_vertices_is_taken_apart) {
-  // Triangles under a bar, which they touch inside its lower edge; one of them has a triangle of its own.
-  const PlanarSet sum = canonical_sum(
-      together({polygon(box(0, 4, 9, 5)), polygon({{1, 2}, {3, 2}, {2, 4}}),
-                polygon({{5, 2}, {7, 2}, {6, 4}}), polygon({{4, 0}, {5, 0}, {5, 2}})}));
-  ASSERT_EQ(sum.outer.size(), 1u);
-  EXPECT_EQ(region_of(sum).components.size(), 4u);
-}
-
 /// Whether a chain winds around another, which may touch it: one of the other's pieces decides.
 bool is_around(const Chain& outer, const Chain& hole) {
   const std::vector<Segment> around = edges(outer);

@@ -97,24 +97,6 @@ TEST(Validity, of_vertices_names_just_these) {
   }
 }
 
-TEST(Validity, of_edges_shows_at_a_point_of_both) {
-  using enum DefectKind;
-  for (const Invalid& invalid : invalid_regions()) {
-    const auto defect = find_defect(invalid.region);
-    ASSERT_TRUE(defect) << invalid.name;
-    if (defect->kind < self_crossing || defect->kind > chains_overlap) continue;
-    const std::vector<Chain> all = chains(invalid.region);
-    const auto edge = [&](const VertexIndex& at) { return edges(all[at.chain])[at.vertex]; };
-    EXPECT_TRUE(lies_on(defect->where, edge(defect->first))) << invalid.name;
-    EXPECT_TRUE(lies_on(defect->where, edge(defect->second))) << invalid.name;
-  }
-}
-
-TEST(Validity, of_a_spike_is_found) {
-  EXPECT_TRUE(find_defect(polygon({{0, 0}, {4, 0}, {4, 2}, {4, 1}, {0, 3}})));
-  EXPECT_TRUE(find_defect(polygon({{0, 0}, {6, 0}, {6, 2}, {4, 0}, {2, 0}, {1, 2}})));
-}
-
 TEST(Validity, every_kind_of_defect_has_a_case_and_words_of_its_own) {
   std::set<DefectKind> kinds;
   std::set<std::string> words;
@@ -145,22 +127,6 @@ TEST(Validity, of_what_touches_in_points_is_not_in_doubt) {
   };
   for (const Shape& shape : valid) EXPECT_FALSE(find_defect(shape.region)) << shape.name;
   for (const Shape& shape : shapes()) EXPECT_FALSE(find_defect(shape.region)) << shape.name;
-}
-
-TEST(Validity, does_not_depend_on_where_a_chain_starts) {
-  for (const Shape& shape : shapes()) {
-    Region region = shape.region;
-    const auto find_from_each_start = [&](Chain& chain) {
-      for (std::size_t i = 0; i < chain.size(); ++i) {
-        std::rotate(chain.begin(), chain.begin() + 1, chain.end());
-        EXPECT_FALSE(find_defect(region)) << shape.name;
-      }
-    };
-    for (Component& component : region.components) {
-      find_from_each_start(component.outer);
-      for (Chain& hole : component.holes) find_from_each_start(hole);
-    }
-  }
 }
 
 TEST(Validity, sees_a_crossing_by_less_than_a_double_can_hold) {

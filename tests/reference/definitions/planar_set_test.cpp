@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "reference/chains/region_of.hpp"
-#include "reference/chains/validity.hpp"
 #include "tests/reference/definitions/print.hpp"
 #include "tests/reference/definitions/shapes.hpp"
 
@@ -58,51 +57,6 @@ TEST(PlanarSet, nothing_at_all_is_the_empty_sum) {
   EXPECT_EQ(canonical_sum(Region{}), PlanarSet{});
   EXPECT_EQ(region_of(PlanarSet{}), Region{});
   EXPECT_EQ(area(PlanarSet{}), 0);
-}
-
-/// Closed sums in which chains touch in every way: each other, themselves, at vertices and inside
-/// edges.
-std::vector<Shape> touching_shapes() {
-  std::vector<Shape> all = shapes();
-  const std::vector<Shape> more{
-      {"two holes touching in a corner",
-       holed(box(0, 0, 5, 5), {box(1, 1, 2, 2), box(2, 2, 3, 3)})},
-      {"island touching its hole in a corner",
-       together({holed(box(0, 0, 5, 5), {box(1, 1, 4, 4)}), polygon({{1, 1}, {3, 2}, {2, 3}})})},
-      {"frame in a frame", together({holed(box(0, 0, 9, 9), {box(1, 1, 8, 8)}),
-                                     holed(box(2, 2, 7, 7), {box(3, 3, 6, 6)})})},
-      {"three triangles in a ring",
-       together({polygon({{0, 0}, {2, 0}, {1, 2}}), polygon({{2, 0}, {4, 0}, {3, 2}}),
-                 polygon({{1, 2}, {3, 2}, {2, 4}})})},
-      {"two triangles on a line touching in a vertex of both",
-       together({polygon({{0, 0}, {2, 0}, {0, 2}}), polygon({{2, 0}, {4, 0}, {4, 2}})})},
-      {"two holes on a line touching in a vertex of both",
-       holed(box(-1, -1, 5, 5), {{{0, 0}, {2, 0}, {0, 2}}, {{2, 0}, {4, 0}, {4, 2}}})},
-      {"island with its tip inside an edge of its hole",
-       together({holed(box(0, 0, 5, 5), {box(1, 1, 4, 4)}), polygon({{2, 1}, {3, 2}, {2, 3}})})},
-      {"hole whose edges' middles touch the outer chain",
-       holed({{-2, -2}, {4, 0}, {10, -2}, {6, 4}, {4, 12}, {2, 4}}, {{{8, 0}, {4, 8}, {0, 0}}})},
-  };
-  all.insert(all.end(), more.begin(), more.end());
-  return all;
-}
-
-TEST(PlanarSet, as_a_region_is_the_same_sum) {
-  for (const Shape& shape : touching_shapes()) {
-    const PlanarSet sum = canonical_sum(shape.region);
-    EXPECT_EQ(canonical_sum(region_of(sum)), sum) << shape.name;
-    EXPECT_EQ(area(region_of(sum)), area(shape.region)) << shape.name;
-    EXPECT_EQ(area(sum), area(shape.region)) << shape.name;
-  }
-}
-
-TEST(PlanarSet, as_a_region_is_valid) {
-  for (const Shape& shape : touching_shapes()) {
-    ASSERT_FALSE(find_defect(shape.region)) << shape.name;
-    const auto defect = find_defect(region_of(canonical_sum(shape.region)));
-    EXPECT_FALSE(defect) << shape.name << ": " << describe(defect->kind) << " at "
-                         << testing::PrintToString(defect->where);
-  }
 }
 
 /// The named reduced convolution segments, their corners left out: origins do not look at them.

@@ -52,9 +52,6 @@ Layer some(const Style& style) {
 /// The first panel of a document.
 ptree first_panel(const std::string& document) { return groups(parsed(document), "panel").at(0); }
 
-/// The panel of a picture of one layer.
-ptree panel_of(const Layer& layer) { return first_panel(svg({{"", {layer}}})); }
-
 /// Every number in the path data of a panel, but for the mark of the origin, as pairs.
 std::vector<std::pair<double, double>> drawn_points(const ptree& panel) {
   std::vector<std::pair<double, double>> points;
@@ -85,27 +82,6 @@ TEST(Picture, legend_names_each_style_that_is_drawn_once) {
   EXPECT_EQ(std::set<std::string>(labels.begin(), labels.end()).size(), all_styles().size());
 }
 
-TEST(Picture, legend_is_in_the_order_of_places_numbers_and_labels) {
-  const std::vector<Style> styles = {{.name = "a", .label = "first", .place = 0},
-                                     {.name = "b", .label = "second", .place = 1, .number = -3},
-                                     {.name = "b", .label = "also second", .place = 1, .number = 2},
-                                     {.name = "b", .label = "in the end", .place = 1, .number = 2}};
-  const std::string document =
-      svg({{"", {some(styles[3]), some(styles[1])}}, {"", {some(styles[2]), some(styles[0])}}});
-  std::size_t at = document.find("class=\"legend\"");
-  for (const Style& one : styles) {
-    at = document.find(one.label, at);
-    EXPECT_NE(at, std::string::npos) << one.label;
-  }
-}
-
-TEST(Picture, empty_layers_are_left_out) {
-  const ptree tree =
-      parsed(svg({{"nothing", {{style::sum}, {style::holes}, {style::convolution}}}}));
-  EXPECT_TRUE(legend_of(tree).empty());
-  EXPECT_TRUE(groups(groups(tree, "panel").at(0), "sum").empty());
-}
-
 TEST(Picture, nothing_at_all_is_still_a_picture) {
   EXPECT_TRUE(groups(parsed(svg({})), "panel").empty());
   for (const Panel& panel : panels_of({}, {})) {
@@ -114,21 +90,6 @@ TEST(Picture, nothing_at_all_is_still_a_picture) {
     EXPECT_NE(svg({panel}).find(">empty<"), std::string::npos);
   }
   EXPECT_TRUE(layers_of({}).empty());
-}
-
-TEST(Picture, same_panels_same_bytes) {
-  for (const Shape& a : shapes()) {
-    const std::vector<Panel> panels = panels_of(a.region, shapes().back().region);
-    EXPECT_EQ(svg(panels), svg(panels)) << a.name;
-    EXPECT_EQ(groups(parsed(svg(panels)), "panel").size(), 4U) << a.name;
-  }
-}
-
-TEST(Picture, y_axis_is_up) {
-  const auto points = drawn_points(panel_of({style::dangling_edges, {}, {{{0, 0}, {1, 1}}}}));
-  ASSERT_EQ(points.size(), 2U);
-  EXPECT_LT(points[0].first, points[1].first);
-  EXPECT_GT(points[0].second, points[1].second);
 }
 
 TEST(Picture, stays_on_the_page_however_large_or_small_the_coordinates) {
@@ -159,15 +120,6 @@ TEST(Picture, one_point_can_be_drawn) {
   EXPECT_EQ(legend_of(parsed(document)).size(), 1U);
 }
 
-TEST(Picture, directed_segments_have_arrow_heads_and_others_none) {
-  const auto paths = [](const Style& style) {
-    return groups(panel_of({style, {}, {{{0, 0}, {9, 0}}}}), style.name).at(0).count("path");
-  };
-  EXPECT_EQ(paths(style::convolution), 2U);
-  EXPECT_EQ(paths(style::reduced_convolution), 2U);
-  EXPECT_EQ(paths(style::dangling_edges), 1U);
-}
-
 TEST(Picture, titles_may_contain_anything) {
   std::string title;
   for (int c = 1; c < 256; ++c) title += static_cast<char>(c);
@@ -190,35 +142,6 @@ TEST(Picture, a_hole_inside_a_hole_is_filled_too) {
   const Region holes = layers_of(nested).at(0).region;
   EXPECT_EQ(holes.components.size(), 2U);
   for (const Component& hole : holes.components) EXPECT_GT(twice_area(hole.outer), 0);
-}
-
-TEST(Picture, layers_of_a_sum_are_its_parts) {
-  PlanarSet sum = canonical_sum(
-      together({holed(box(0, 0, 6, 6), {box(1, 1, 5, 5)}), polygon(box(2, 2, 4, 4))}));
-  EXPECT_EQ(layers_of(sum).size(), 2U);
-  sum.dangling_edges = {{{0, 0}, {1, 1}}};
-  sum.isolated_vertices = {{3, 3}};
-  const std::vector<Layer> layers = layers_of(sum);
-  ASSERT_EQ(layers.size(), 4U);
-  EXPECT_EQ(layers[0].style.name, style::holes.name);
-  EXPECT_EQ(canonical_sum(layers[0].region), canonical_sum(polygon(box(1, 1, 5, 5))));
-  EXPECT_EQ(layers[1].style.name, style::sum.name);
-  EXPECT_EQ(area(layers[1].region), 36 - 16 + 4);
-  EXPECT_EQ(layers[2].segments, sum.dangling_edges);
-  EXPECT_EQ(layers[3].points, sum.isolated_vertices);
-}
-
-TEST(Picture, numbered_layers_differ_in_their_look) {
-  std::set<std::string> looks;
-  for (int number = 0; number < 28; ++number)
-    looks.insert(svg({{"", {some(labelled(style::cycle(number), "same"))}}}));
-  EXPECT_EQ(looks.size(), 28U);
-}
-
-TEST(Picture, layers_of_one_style_may_have_labels_of_their_own) {
-  const Layer labelled_dot = some(labelled(dot_style, "3 dots"));
-  EXPECT_EQ(legend_of(parsed(svg({{"", {labelled_dot, some(dot_style)}}}))),
-            (std::multiset<std::string>{"3 dots", "a dot"}));
 }
 
 TEST(Picture, a_long_legend_says_how_much_it_leaves_out) {
@@ -253,19 +176,6 @@ TEST(Picture, notes_are_written_where_they_fit_and_counted_where_not) {
   EXPECT_TRUE(notes_of(svg({{"", {layer}}})).empty());
 }
 
-TEST(Picture, a_written_note_stays_in_its_disk) {
-  for (const Rational& radius : {Rational(1, 20), Rational(1, 10), Rational(1, 2)}) {
-    Layer layer = some(area_style);
-    layer.notes = {{"12", {11, 11}, radius * radius}};
-    const ptree note = groups(panel_of(layer), "area").at(0).get_child("text");
-    const auto size = note.get<double>("<xmlattr>.font-size");
-    EXPECT_GT(size, 6);
-    EXPECT_LE(2 * 0.6 * size, 2 * 160 * radius.get_d());
-    // Its middle, not its foot, is at the point.
-    EXPECT_NEAR(note.get<double>("<xmlattr>.y") - 0.365 * size, 42 + 160, 0.1);
-  }
-}
-
 /// The least and the largest coordinates that are drawn in each panel.
 struct Drawn {
   double left, right, top, bottom;
@@ -284,16 +194,6 @@ std::vector<Drawn> drawn_panels(const std::string& document) {
 }
 
 Panel filled(const Region& region) { return {"filled", {{style::sum, region}}}; }
-
-TEST(Picture, columns_stand_beside_each_other_and_their_panels_below) {
-  const Panel flat = filled(polygon(box(0, 0, 3, 1))), square = filled(polygon(box(0, 0, 2, 2)));
-  const std::vector<Drawn> panels = drawn_panels(svg_in_columns({{flat, flat}, {square}}));
-  ASSERT_EQ(panels.size(), 3U);
-  EXPECT_EQ(panels[0].left, panels[1].left);
-  EXPECT_EQ(panels[0].right, panels[1].right);
-  EXPECT_GT(panels[1].top, panels[0].bottom + 40);  // caption and title between
-  EXPECT_GT(panels[2].left, panels[0].right);
-}
 
 TEST(Picture, has_one_scale_in_all_panels) {
   const Panel small = filled(polygon(box(5, 5, 6, 6))), large = filled(polygon(box(0, 0, 4, 8)));
@@ -330,11 +230,6 @@ TEST(Picture, the_origin_is_marked_where_it_is_in_or_near_a_panel) {
     EXPECT_EQ(marks(near), 1U);
   for (const Vector& far : {Vector{1, 0}, Vector{0, 1}, Vector{-11, 0}, Vector{0, -11}})
     EXPECT_EQ(marks(far), 0U);
-}
-
-TEST(Picture, with_one_panel_per_column_is_the_picture_of_the_panels) {
-  const std::vector<Panel> panels = panels_of(shapes()[0].region, shapes()[1].region);
-  EXPECT_EQ(svg_in_columns({{panels[0]}, {panels[1]}, {panels[2]}, {panels[3]}}), svg(panels));
 }
 
 }  // namespace
