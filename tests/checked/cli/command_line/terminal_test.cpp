@@ -16,8 +16,7 @@ class Terminal : public ShellWithRegions {
 
   /// The output of the command on a new terminal.
   std::string on_terminal(const std::string& settings, const std::string& command) const {
-    return run("env -u NO_COLOR TERM=xterm " + settings + " script -qec '" + command +
-               "' /dev/null")
+    return run("env -u NO_COLOR TERM=xterm " + settings + " script -qefc '" + command + "' seen")
         .out;
   }
 };
@@ -73,7 +72,7 @@ TEST_F(Terminal, quiet_leaves_results_and_errors) {
 TEST_F(Terminal, a_file_that_takes_long_to_read_shows_how_far_it_is) {
   // The writer into the pipe waits until it is shown, but not for ever.
   put("slow",
-      "(for i in {1..600}; do grep -q reading ../out && break; sleep 0.1; done; cat square.wkt) |\n"
+      "(for i in {1..600}; do grep -q reading seen && break; sleep 0.1; done; cat square.wkt) |\n"
       "oplus reflect -");
   const std::string shown = on_terminal("", "bash slow");
   EXPECT_TRUE(has(shown, "\rreading standard input ... "));
@@ -85,25 +84,40 @@ TEST_F(Terminal, a_file_that_takes_long_to_read_shows_how_far_it_is) {
 
 TEST_F(Terminal, no_command_is_silent) {
   // All that read a file: what comes from it late stands for all that takes long.
-  for (const std::string command :
-       {"sum - full.wkt", "nfp - full.wkt", "ifp full.wkt -", "erode full.wkt -", "open full.wkt -",
-        "close - full.wkt", "complement - --format dat", "reflect -", "transform - --scale 2",
-        "verify square.wkt - full.wkt", "certify square.wkt - full.wkt", "compare - full.wkt",
-        "repair -", "draw square.wkt - -o d.svg", "batch -", "batch --parts -"}) {
-    put("slow",
-        "(for i in {1..600}; do grep -q ' [1-9] s' ../out && break; sleep 0.1; done; cat square.wkt) |\n"
-        "oplus " +
-            command + " >/dev/null");
-    const std::string shown = on_terminal("", "bash slow");
-    EXPECT_TRUE(has(shown, " ... 1 s\033[K")) << command;
+  const std::vector<std::string> commands = {"sum - full.wkt",
+                                             "nfp - full.wkt",
+                                             "ifp full.wkt -",
+                                             "erode full.wkt -",
+                                             "open full.wkt -",
+                                             "close - full.wkt",
+                                             "complement - --format dat",
+                                             "reflect -",
+                                             "transform - --scale 2",
+                                             "verify square.wkt - full.wkt",
+                                             "certify square.wkt - full.wkt",
+                                             "compare - full.wkt",
+                                             "repair -",
+                                             "draw square.wkt - -o d.svg",
+                                             "batch -",
+                                             "batch --parts -"};
+  std::string all;
+  for (std::size_t c = 0; c < commands.size(); ++c) {
+    const std::string n = std::to_string(c);
+    put("slow" + n, "(for i in {1..600}; do grep -q ' [1-9] s' seen" + n +
+                        " && break; sleep 0.1; done; cat square.wkt) |\noplus " + commands[c] +
+                        " >/dev/null\n");
+    all += "script -qefc 'bash slow" + n + "' seen" + n + " >/dev/null &\n";
   }
+  run("export TERM=xterm\n" + all + "wait");
+  for (std::size_t c = 0; c < commands.size(); ++c)
+    EXPECT_TRUE(has(content("seen" + std::to_string(c)), " ... 1 s\033[K")) << commands[c];
 }
 
 TEST_F(Terminal, a_sum_that_takes_long_to_write_says_so) {
   // The reader of the pipe waits until it is shown, but not for ever.
   put("slow",
       "mkfifo pipe\n"
-      "(for i in {1..600}; do grep -q writing ../out && break; sleep 0.1; done; cat pipe >got) &\n"
+      "(for i in {1..600}; do grep -q writing seen && break; sleep 0.1; done; cat pipe >got) &\n"
       "oplus sum square.wkt square.wkt -o pipe --format wkt; wait; cat got");
   const std::string shown = on_terminal("", "bash slow");
   EXPECT_TRUE(has(shown, "\rwriting the sum ... "));
