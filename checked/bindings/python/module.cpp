@@ -319,7 +319,12 @@ True
       py::arg("path"), R"(read_file(path)
 --
 
-Returns the Region in a file, in any format that oplus reads.
+Returns the Region in a file, in any format that oplus reads. Raises InvalidInput.
+
+>>> oplus.read_file('missing.wkt')
+Traceback (most recent call last):
+    ...
+oplus.InvalidInput: missing.wkt: cannot be opened (No such file or directory); expected a file that can be read
 )");
   m.def(
       "read_set_file",
@@ -329,7 +334,12 @@ Returns the Region in a file, in any format that oplus reads.
       py::arg("path"), R"(read_set_file(path)
 --
 
-Returns the PlanarSet in a file, with its line strings and points.
+Returns the PlanarSet in a file, with its line strings and points. Raises InvalidInput.
+
+>>> oplus.read_set_file('missing.wkt')
+Traceback (most recent call last):
+    ...
+oplus.InvalidInput: missing.wkt: cannot be opened (No such file or directory); expected a file that can be read
 )");
   m.def("disc", disc_of, py::arg("radius"), py::arg("side"), py::arg("error"),
         R"(disc(radius, side, error)

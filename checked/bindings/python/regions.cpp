@@ -116,8 +116,8 @@ POLYGON ((0.5 2, 1.5 2, 0.5 3, 0.5 2))
           py::arg("x"), py::arg("y") = py::none(), R"(scaled(x, y=None)
 --
 
-Returns the region with each x and each y multiplied by a factor, by default both by x; negative ones reflect it. Raises
-InvalidInput if one is zero.
+Returns the region with each x and each y multiplied by a factor, by default both by x; negative ones
+reflect it. Raises InvalidInput if one is zero.
 
 >>> print(oplus.Region([[0, 0], [1, 0], [0, 1]]).scaled(-1, 1))
 POLYGON ((0 0, 0 1, -1 0, 0 0))
@@ -193,6 +193,9 @@ Fraction(1, 2)
 --
 
 Returns .dat, which holds unbounded regions, too; exactly.
+
+>>> oplus.complement([[0, 0], [1, 0], [0, 1]]).to_dat()
+'0\n1\n3\n0 0\n0 1\n1 0\n'
 )")
       .def("__bool__", [](R r) { return !r.region().components().empty(); })
       .def_property_readonly("__geo_interface__",

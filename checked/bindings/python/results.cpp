@@ -168,6 +168,9 @@ Returns WKB, as to_wkt does. Raises InvalidInput where a coordinate is not exact
 
 Returns .dat, which holds unbounded regions, too; exactly. Raises ValueError where the set has dangling
 edges or isolated vertices.
+
+>>> oplus.erode([[0, 0], [2, 0], [0, 2]], [[0, 0], [1, 0], [0, 1]]).to_dat()
+'3\n0 0\n1 0\n0 1\n'
 )")
       .def("__bool__", [](S s) { return !(s == ValidSet()); })
       .def_property_readonly("__geo_interface__", [](S s) { return geo_interface(s); })

@@ -73,11 +73,11 @@ def test_what_is_no_region_is_named(other):
 
 
 @pytest.mark.parametrize("arguments, options, wrong", [
-    (("add", [SQUARE], [SQUARE]), {}, "operation add; expected minkowski_sum, nfp,"),
+    (("add", [SQUARE], [SQUARE]), {}, "operation add; expected sum, nfp,"),
     (("nfp", [SQUARE], [SQUARE] * 2), {}, "p of length 1 and q of length 2; expected as many"),
     (("nfp", [SQUARE], [SQUARE]), {"errors": "ignore"}, "errors ignore; expected raise or return"),
     (("nfp", [SQUARE], [SQUARE]), {"boundary": "half"}, "boundary half; expected closed or open"),
-    (("ifp", [SQUARE], [SQUARE]), {"boundary": "open"}, "boundary open of ifp; expected it of minkowski_sum only"),
+    (("ifp", [SQUARE], [SQUARE]), {"boundary": "open"}, "boundary open of ifp; expected it of sum only"),
     (("nfp", [SQUARE], [SQUARE]), {"threads": 1025}, "threads 1025; expected 0 to 1024"),
     (("nfp", [SQUARE], [SQUARE]), {"threads": -1}, "threads -1; expected 0 to 1024"),
     (("nfp", [SQUARE], [SQUARE]), {"threads": 2**40}, "threads 1099511627776; expected 0 to 1024")])

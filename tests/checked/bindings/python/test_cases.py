@@ -45,7 +45,7 @@ def found(case, operation):
         verdict = oplus.verify(case["p"], case["q"], case["s"], boundary="open" if "open" in case else "closed")
         return {"reasons": [f"{reason.kind}: {reason.detail}" for reason in verdict.reasons]}
     if operation == "repair":
-        region, mends = oplus.repair(case["p"], case.get("fill", "").replace("-", "_") or None)
+        region, mends = oplus.repair(case["p"], case.get("fill"))
         return {"is": region.to_wkt(), "mends": mends}
     value = computed(case, operation)
     if "complement is" in case:

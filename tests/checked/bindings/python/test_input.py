@@ -65,11 +65,11 @@ def test_the_empty_region(empty):
 def test_arrays_of_any_kind(kind):
     array = numpy.array(SQUARE).astype(kind)
     assert oplus.Region(array) == oplus.Region(SQUARE)
-    # Every second row, the columns exchanged, with Z.
+    # Every second row, the columns exchanged, two columns of four.
     assert oplus.Region(numpy.repeat(array, 2, axis=0)[::2]) == oplus.Region(SQUARE)
     assert oplus.Region(array[::-1, ::-1]).area == 1
     assert oplus.Region(numpy.ma.array(array)) == oplus.Region(SQUARE)
-    assert oplus.Region(numpy.hstack([array, array])) == oplus.Region(SQUARE)
+    assert oplus.Region(numpy.hstack([array, array])[:, 2:]) == oplus.Region(SQUARE)
 
 
 @pytest.mark.parametrize("kind, is_copied", [("float64", False), ("int64", False), ("float32", True)])
