@@ -64,9 +64,9 @@ Summands sieve_pair(Random& random, std::size_t n) {
 Summands pockets_pair(Random& random, std::size_t n) {
   const int side = 5;
   Region q = convex_grid_polygon(random, 5, side);
-  const auto [low, high] = box_around(edges(q));
+  const ExactBox box = box_around(edges(q));
   Region p = pierced_square(random, n, side + 2, [&] {
-    Point size = high - low;
+    Point size = box.high - box.low;
     size.x += one_in(random, 4);
     size.y += one_in(random, 4);
     return Chain{{0, 0}, {size.x, 0}, size, {0, size.y}};
