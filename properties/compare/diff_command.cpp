@@ -26,11 +26,11 @@ struct Settings : CompareOptions {
 
 /// How many cases of a family the main job runs.
 std::size_t main_job_cases(const std::string& family) {
-  static const std::map<std::string, std::size_t> counts = {{"grid", 4000},   {"holes", 600},
-                                                            {"tight", 600},   {"components", 300},
-                                                            {"islands", 300}, {"fork", 6}};
+  static const std::map<std::string, std::size_t> counts = {{"grid", 4000},   {"holes", 300},
+                                                            {"tight", 300},   {"components", 150},
+                                                            {"islands", 150}, {"fork", 6}};
   const auto count = counts.find(family);
-  return count == counts.end() ? 60 : count->second;
+  return count == counts.end() ? 40 : count->second;
 }
 
 std::vector<std::string> hole_test_names() {
