@@ -126,10 +126,7 @@ int parse_and_do(const ProgramFrame& frame, AddCommands add_commands, int argc,
   Program program{app};
   add_commands(program);
   add_completion_command(program);
-  for (CLI::App* command : app.get_subcommands({})) {
-    add_exit_codes(*command);
-    say_where_pages_are(*command);
-  }
+  for (CLI::App* command : app.get_subcommands({})) add_exit_codes(*command);
   if (argc > 2 && argv[1] == std::string("--complete")) {
     write_text("-", completions(app, {argv + 2, argv + argc}));
     return 0;
@@ -143,6 +140,8 @@ int parse_and_do(const ProgramFrame& frame, AddCommands add_commands, int argc,
     // Help and version are no answer to a command that does not exist.
     if (const std::string unknown = unknown_word(app, first_word); !unknown.empty())
       throw UsageError(unknown + "; see " + app.get_name() + " --help");
+    // Only now, since all helps would take a third of the time of a small command.
+    for (CLI::App* command : app.get_subcommands()) say_where_pages_are(*command);
     std::ostringstream text;
     app.exit(asked, text, text);
     write_text("-", text.str());
