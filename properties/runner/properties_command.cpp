@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iostream>
 
+#include "checked/cli/command_line/progress.hpp"
 #include "checked/cli/command_line/terminal.hpp"
 #include "properties/commands.hpp"
 #include "properties/runner/finding.hpp"
@@ -83,8 +84,10 @@ bool run_statements(const std::vector<Statement>& statements, std::optional<std:
                     std::vector<PropertyRun>* runs) {
   std::size_t passed = 0;
   for (const Statement& statement : statements) {
-    PropertyRun run =
-        run_property(statement, {.cases = cases.value_or(statement.cases), .seed = seed});
+    PropertyRun run = [&] {
+      const ShownStep step(statement.id);
+      return run_property(statement, {.cases = cases.value_or(statement.cases), .seed = seed});
+    }();
     if (!speech().quiet || !run.passed()) print_run(out, statement, run);
     for (const std::string& complaint : run.complaints)
       out << "  " << painted(Paint::bad, "FAILED", out) << ": " << complaint << '\n';
