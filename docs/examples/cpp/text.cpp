@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Output as WKT, GeoJSON and WKB: exact, or rounded.
+// Output as WKT, GeoJSON, WKB and .dat: exact, or rounded.
 #include <iostream>
 #include <oplus/oplus.hpp>
 
@@ -21,4 +21,7 @@ int main() {
             << (around.changes == oplus::TopologyChanges{} ? "no hole" : "a hole")
             << " or component changed\n"
             << to_wkb(around.sum) << '\n';
+
+  // Only .dat holds what is unbounded.
+  std::cout << to_dat(complement(triangle));
 }

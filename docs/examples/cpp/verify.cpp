@@ -8,8 +8,7 @@ int main() {
   auto square = oplus::polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
 
   // It may be anything: here, the hole is lost.
-  oplus::ClaimedSum given;
-  given.region = oplus::polygon({{0, 0}, {5, 0}, {5, 5}, {0, 5}}).region();
+  oplus::ClaimedSum given = oplus::read_claimed_sum("POLYGON((0 0,5 0,5 5,0 5,0 0))");
   oplus::Verdict verdict = verify(frame, square, given);
   std::cout << (verdict.is_sum() ? "right" : "wrong") << '\n';
   for (const oplus::Reason& reason : verdict.reasons)
