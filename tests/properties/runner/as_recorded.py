@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """as_recorded.py PROGRAM RECORD I N: every N-th statement of the program, from the I-th on, does what RECORD
-(docs/theorems/runs.json) says. Their pictures are drawn into pictures/. All N of these together are all statements;
+(docs/theorems/runs.json) says. Their pictures are drawn into runs-I/pictures/. All N of these together are all statements;
 several tests share them, since all take minutes."""
 
 import difflib
@@ -25,7 +25,8 @@ if ids != list(recorded):
     sys.exit(f"{record} has other statements than the program: bash docs/renew records them anew")
 
 mine = ids[i - 1::n]
-part = f"runs-{i}.json"
+part = Path(f"runs-{i}/runs.json")  # a folder of its own, since a run removes the pictures of the one before
+part.parent.mkdir(exist_ok=True)
 ran = subprocess.run([program, "properties", "--record", part] + [word for id in mine for word in ("--theorem", id)])
 found = lines_of(part)
 differences = [line for id in mine
