@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <unistd.h>
-
 #include <algorithm>
 #include <map>
 #include <mutex>
@@ -11,6 +9,7 @@
 #include "checked/cli/batch/line_batches.hpp"
 #include "checked/cli/batch/ordered_work.hpp"
 #include "checked/cli/batch/parts.hpp"
+#include "checked/cli/command_line/outputs.hpp"
 #include "checked/cli/command_line/progress.hpp"
 #include "checked/cli/command_line/terminal.hpp"
 #include "checked/cli/input.hpp"
@@ -18,7 +17,6 @@
 #include "checked/cli/usage_error.hpp"
 #include "reference/io/counted.hpp"
 #include "reference/io/invalid_input.hpp"
-#include "reference/io/output_file.hpp"
 
 namespace oplus {
 
@@ -63,16 +61,12 @@ void require_consistent(const BatchOptions& options) {
 /// Where results go, and how far they are.
 class Writer {
  public:
-  explicit Writer(const std::string& path) : path_(path) {
-    attempt([&] { output_.emplace(path); });
-    // Both would be on one terminal.
-    if (path == "-" && isatty(STDOUT_FILENO) == 1) ShownStep::hide_all();
-  }
+  explicit Writer(const std::string& path) : output_(path) {}
 
   /// Writes the lines, and counts. `all` is all of the input, as results have shares of it; 0 if it is unknown.
   void pass_on(const Results& results, std::size_t all) {
     const std::lock_guard lock(mutex_);
-    attempt([&] { output_->write(results.lines); });
+    output_->write(results.lines);
     all_.count(results);
     done_ += results.share;
     if (all > 0) step_.advance(std::min(done_, all), all);
@@ -84,12 +78,13 @@ class Writer {
     if (!NotedInterrupt::is_noted()) return;
     const std::unique_lock lock(mutex_, std::chrono::seconds(1));
     if (lock.owns_lock()) output_.reset();
+    ShownStep::hide_all();
     NotedInterrupt::end_program();
   }
 
   /// Says at the end what is to be known.
   ExitCode finish() {
-    attempt([&] { output_->finish(); });
+    output_->finish();
     if (all_.repaired > 0)
       say_note(all_.first_note +
                (all_.repaired == 1
@@ -103,18 +98,7 @@ class Writer {
   }
 
  private:
-  template <typename Write>
-  void attempt(const Write& write) {
-    try {
-      write();
-    } catch (const std::system_error& error) {
-      throw UsageError("cannot write " + (path_ == "-" ? "standard output" : path_) + ": " +
-                       error.code().message());
-    }
-  }
-
-  std::string path_;
-  std::optional<OutputFile> output_;
+  std::optional<CommandOutput> output_;
   ShownStep step_{"computing pairs"};
   std::size_t done_ = 0;
   std::timed_mutex mutex_;

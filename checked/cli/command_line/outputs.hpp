@@ -2,7 +2,9 @@
 #pragma once
 
 #include <list>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -12,6 +14,22 @@ namespace oplus {
 
 /// A path, or - for standard output, and the text that goes there.
 using OutputTo = std::pair<std::string, std::string>;
+
+/// An OutputFile of a command, whose errors name the path; - is standard output. On a terminal it ends what is shown
+/// of the command's steps. All functions throw UsageError.
+class CommandOutput {
+ public:
+  explicit CommandOutput(const std::string& path);
+  void write(std::string_view text);
+  void finish();
+
+ private:
+  template <typename Work>
+  void attempt(const Work& work) const;
+
+  std::string path_;
+  std::optional<OutputFile> file_;
+};
 
 /// What a command writes. Its files appear all together, at finish(), or none does. Standard output (-), devices
 /// and pipes are written to at once, after all files have been prepared.
@@ -24,7 +42,7 @@ class Outputs {
   void finish();
 
  private:
-  std::list<std::pair<std::string, OutputFile>> files_;
+  std::list<CommandOutput> outputs_;
 };
 
 /// Writes one, all of the text or nothing. Throws UsageError.
