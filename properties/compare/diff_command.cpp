@@ -108,16 +108,16 @@ int diff(Settings settings) {
 void add_diff_command(Program& program) {
   const auto& [command, settings] = program.add(
       "diff",
-      "Compare engines with the oracle, or with sums of convex parts, on pairs that are named or on those "
-      "of the main job",
+      "Compare engines with the oracle, or with sums of convex parts, on pairs that you name, or on those "
+      "that properties/run compares",
       diff);
   Campaign& campaign = settings.campaign;
   command
-      .option("--operation NAME", campaign.operation,
-              "What is computed of each pair, by the sums of each engine, and compared with its "
-              "definition: " +
-                  boost::join(compared_operations(), ", ") +
-                  "; sum: the sums themselves. Families give pairs that fit each other")
+      .option(
+          "--operation NAME", campaign.operation,
+          "What to compute of each pair with each engine's sums, and to compare with the operation's "
+          "definition: " +
+              boost::join(compared_operations(), ", ") + "; sum: the sums themselves")
       .one_of(operations_and_sums())
       .default_shown();
   add_engine_option(
@@ -139,7 +139,9 @@ void add_diff_command(Program& program) {
       .existing_folder();
   command.option("--family NAME", settings.families, "A generated family; may be repeated")
       .one_of(texts(families(), &Family::name));
-  command.option("--cases", settings.cases, "Pairs of each family; default: those of the main job")
+  command
+      .option("--cases", settings.cases,
+              "Pairs of each family; default: as many as properties/run has")
       .range(std::size_t{1}, std::size_t{1000000000});
   command.option("--n", campaign.n,
                  "The largest size of a generated pair, as the family understands it");

@@ -74,6 +74,23 @@ class Pages(unittest.TestCase):
             self.assertTrue(content("picture.svg") == (DOCS / "pictures/room_and_diamond.svg").read_bytes(),
                             "docs/pictures/room_and_diamond.svg is out of date")
 
+    def test_five_minutes_compare(self):
+        """The commands of oplus-check, with few cases."""
+        commands = re.findall(r"(?<=\n    )oplus-check .*?(?= +#)", PAGES["command_line.md"])
+        self.assertEqual(len(commands), 8)
+        with tempfile.TemporaryDirectory() as folder:
+            mine = Path(folder) / "my-sum"
+            mine.write_text('#!/bin/sh\nexec oplus --quiet sum "$1" "$2"\n')
+            mine.chmod(0o755)
+            environment = os.environ | {"PATH": f"{PROGRAM.parent}:{folder}:{os.environ['PATH']}"}
+            for command in commands:
+                fewer = re.sub(r"--cases \d+|(?<=conformance)", " --cases 2", command).replace("--vertices 4", "--vertices 3")
+                with self.subTest(command=command):
+                    ran = subprocess.run(["bash", "-c", fewer], cwd=folder, env=environment, stdin=subprocess.DEVNULL,
+                                         capture_output=True, text=True)
+                    self.assertEqual(ran.returncode, 0, ran.stdout + ran.stderr)
+            self.assertIn("conforms", (Path(folder) / "r.md").read_text())
+
     def test_draw_their_pictures(self):
         # A command of the command line's page draws README's, under another name.
         drawn = {"docs/pictures/room_and_diamond.svg"}
