@@ -29,8 +29,6 @@ Definition vertex_of (s : edge_and_vertex) : vertex_of_summand :=
 Definition belongs_to_convolution (s : edge_and_vertex) : bool :=
   in_convolution (fst (fst s)) (snd (fst s)) (snd s).
 
-Definition reversed (s : segment) : segment := Segment (target s) (source s).
-
 Definition segment_of (s : edge_and_vertex) : segment := Segment (starts_at s) (ends_at s).
 
 (* At the chosen vertices, the segments of the convolution are taken away, and all other sums with edges are

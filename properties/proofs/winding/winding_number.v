@@ -10,6 +10,8 @@ Open Scope Q_scope.
 (* A directed segment (thesis, Definition 2.1.7); points are radius vectors. *)
 Record segment := Segment { source : vector; target : vector }.
 
+Definition reversed (s : segment) : segment := Segment (target s) (source s).
+
 Definition minus (a b : vector) : vector := Vector (vx a - vx b) (vy a - vy b).
 
 (* Greater than zero if a, b, c turn left, less if they turn right, equal if they are collinear. *)

@@ -1,0 +1,208 @@
+(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* What minkowski_sum (sum_program.v) returns is the Minkowski sum, as specification.v says: by Theorem 4.2.1 and the
+   winding numbers of filling.v. *)
+From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List Permutation.
+From Oplus Require Import specification checker direction angular_crossings winding_number shifted_ray
+  signed_crossings small_numbers turning_number convolution_size fiber_grid states in_out_degree tracing
+  convolution_winding regions winding_number_of_the_sum interiors_meet neighbourhoods left_of_an_edge
+  beside_every_point theorem_4_2_1 theorem_2_2_10 theorem_2_2_6 observation_2_2_4 lemma_2_2_2 test_of_regions
+  homogeneous_points specification_bridge pieces filling kept_pieces_go_round cut_pieces sum_program.
+Import ListNotations.
+
+Open Scope Q_scope.
+
+Lemma convolution_segments_are_long (p q : region) (s : segment) :
+  no_edges_are_points p -> no_edges_are_points q -> In s (convolution_segments p q) -> nonzero (along s).
+Proof.
+  intros p_edges q_edges I. apply in_map_iff in I. destruct I as ([chains named] & <- & I).
+  apply in_flat_map in I. destruct I as ([a b] & J & I). apply in_prod_iff in J. destruct J as [in_p in_q].
+  apply in_map_iff in I. destruct I as (named' & equal & I). injection equal as <- <-. cbn [fst snd] in *.
+  apply (in_those (length a) (length b) (in_convolution a b)) in I. destruct I as [[i_below j_below] _].
+  destruct named' as [along_ [i j]]. cbn in i_below, j_below.
+  unfold starts_at, ends_at, point_of, state_before, state_after. cbn [fst snd].
+  destruct along_; cbn [step fst snd].
+  - pose proof (region_edges_are_directions p p_edges _ (edge_in_region a p i in_p i_below)) as long.
+    intros [X Y]. apply long. unfold along, minus, plus in *. cbn [source target vx vy] in *. split; lra.
+  - pose proof (region_edges_are_directions q q_edges _ (edge_in_region b q j in_q j_below)) as long.
+    intros [X Y]. apply long. unfold along, minus, plus in *. cbn [source target vx vy] in *. split; lra.
+Qed.
+
+Lemma permuted_winding_number (x : vector) (l m : list segment) :
+  Permutation l m -> winding_number x l = winding_number x m.
+Proof.
+  intros permuted. unfold winding_number, sum. induction permuted; cbn; lia.
+Qed.
+
+Section Sum.
+  Variables p q chains : region.
+  Hypothesis p_region : valid_region p.
+  Hypothesis q_region : valid_region q.
+  Let convolution_ := convolution_segments p q.
+  Hypothesis edges_are : Permutation (region_edges chains) (filled convolution_).
+
+  Lemma all_are_long (t : segment) : In t convolution_ -> nonzero (along t).
+  Proof. destruct p_region as (p_edges & _), q_region as (q_edges & _). now apply convolution_segments_are_long. Qed.
+
+  Lemma winding_number_of_chains (x : vector) :
+    winding_number x (region_edges chains) = if (0 <? winding_number x convolution_)%Z then 1%Z else 0%Z.
+  Proof.
+    destruct p_region as (p_edges & _), q_region as (q_edges & _).
+    rewrite (permuted_winding_number x _ _ edges_are). apply filled_is_right; [exact all_are_long |].
+    now apply convolution_is_closed.
+  Qed.
+
+  Lemma on_the_convolution_is_in_the_sum (x : vector) (s : segment) : In s convolution_ -> lies_on x s -> in_sum x p q.
+  Proof.
+    intros I on. apply vertex_edge_sums_are_in_the_sum.
+    now apply (convolution_is_part_of_the_vertex_edge_sum p q x s).
+  Qed.
+
+  Theorem points_of_the_chains (x : vector) :
+    (exists s, In s (region_edges chains) /\ lies_on x s) \/ winding_number x (region_edges chains) <> 0%Z <->
+    in_sum x p q.
+  Proof.
+    split.
+    - intros [(s & I & on) | round].
+      + apply (Permutation_in _ edges_are) in I.
+        destruct (filled_is_on convolution_ all_are_long s x I on) as (t & J & on_t).
+        now apply (on_the_convolution_is_in_the_sum x t).
+      + rewrite winding_number_of_chains in round.
+        destruct (Z.ltb_spec 0 (winding_number x convolution_)) as [positive_ | _]; [| now destruct round].
+        destruct p_region as (p_edges & p_valid & _), q_region as (q_edges & q_valid & _).
+        now apply positive_winding_number_is_in_the_sum.
+    - intros in_.
+      destruct (on_or_off x (region_edges chains)) as [on | free]; [now left | right].
+      (* near x is a point inside the sum and off the convolution *)
+      destruct (winding_number_near x _ (region_cycles chains) free) as (radius & R & near).
+      pose proof p_region as (p_edges & p_valid & p_meet). pose proof q_region as (q_edges & q_valid & q_meet).
+      destruct (interiors_meet_near p q x ((1 # 2) * radius)) as (y & close & meet); trivial;
+        try (now apply regions_are_regular); [lra |].
+      destruct (interiors_meet_means_inner_point p q y meet) as (radius' & R' & inner).
+      destruct (eventually_and _ _
+        (eventually_for_all (fun s e => ~ lies_on (moved (shifted y) e) s) convolution_ (fun s _ => shifted_off y s))
+        (eventually_and _ _ (small_steps_stay_within ((1 # 2) * Qmin radius radius') y (Vector 1 0)
+            ltac:(assert (0 < Qmin radius radius') by (now apply Q.min_glb_lt); lra))
+          (ex_intro _ 1 (conj (ltac:(lra) : 0 < 1) (fun e some small => conj some small : 0 < e /\ e < 1)))))
+        as (limit & L & all).
+      destruct (all ((1 # 2) * limit)) as (off_ & step_ & e_some & e_small); [lra | lra |].
+      set (e := (1 # 2) * limit) in *. clearbody e. clear all.
+      set (z := moved (shifted y) e) in *.
+      pose proof (Q.le_min_l radius radius') as least. pose proof (Q.le_min_r radius radius') as least'.
+      set (m := Qmin radius radius') in *.
+      assert (square_ : 0 < e * e /\ e * e <= e) by (split; nra).
+      assert (z_near : within ((1 # 2) * m) y z).
+      { unfold within, z, moved, shifted, moved_along in *. cbn [at_ first second vx vy] in *. split; lra. }
+      assert (positive_ : (0 < winding_number z convolution_)%Z).
+      { apply positive_winding_number_iff_common_point; trivial. apply inner. unfold within in *. lra. }
+      destruct (near z) as [_ same_number]; [unfold within in *; lra |].
+      rewrite <- same_number, winding_number_of_chains.
+      destruct (Z.ltb_spec 0 (winding_number z convolution_)); [discriminate | lia].
+  Qed.
+End Sum.
+
+Lemma without_is (e : segment) (l m : list segment) : without e l = Some m -> Permutation (e :: m) l.
+Proof.
+  revert m. induction l as [| f l IH]; cbn; intros m; [discriminate |].
+  destruct (segment_dec e f) as [-> |]; [intros [= ->]; reflexivity |].
+  destruct (without e l) as [others |]; [| discriminate]. cbn. intros [= <-].
+  rewrite <- (IH others eq_refl). apply perm_swap.
+Qed.
+
+Lemma are_permuted_is (l : list segment) : forall m, are_permuted l m = true -> Permutation l m.
+Proof.
+  induction l as [| e l IH]; intros m; cbn.
+  - destruct m; [reflexivity | discriminate].
+  - destruct (without e m) as [others |] eqn:found; [| discriminate]. intros permuted.
+    apply without_is in found. rewrite <- found. constructor. now apply IH.
+Qed.
+
+(* Vertices replaced by equal ones. *)
+Section Equal.
+  Variable h : vector -> vector.
+  Hypothesis same : forall v, equal_vectors (h v) v.
+
+  Definition moved_ends (s : segment) : segment := Segment (h (source s)) (h (target s)).
+
+  Lemma edges_of_images (r : region) : region_edges (map (map h) r) = map moved_ends (region_edges r).
+  Proof.
+    unfold region_edges. induction r as [| c r IH]; [reflexivity |]. cbn [map flat_map]. rewrite map_app, IH. f_equal.
+    unfold edges. assert (rotated_ : rotated (map h c) = map h (rotated c))
+      by (destruct c; [reflexivity |]; cbn; now rewrite map_app).
+    rewrite rotated_. generalize (rotated c). clear rotated_ IH.
+    induction c as [| a c IH]; intros [| b l]; [reflexivity .. |]. cbn. now rewrite IH.
+  Qed.
+
+  Lemma winding_number_of_images (x : vector) (l : list segment) :
+    winding_number x (map moved_ends l) = winding_number x l.
+  Proof.
+    unfold winding_number. rewrite map_map. f_equal. apply map_ext. intros [a b].
+    apply signed_crossing_of_equal; [reflexivity | apply same ..].
+  Qed.
+
+  Lemma on_images (x : vector) (l : list segment) :
+    (exists s, In s (map moved_ends l) /\ lies_on x s) <-> (exists s, In s l /\ lies_on x s).
+  Proof.
+    split.
+    - intros (s & I & on). apply in_map_iff in I. destruct I as ([a b] & <- & I). exists (Segment a b).
+      split; [exact I |]. refine (lies_on_of_equal x x _ _ a b _ _ _ on); [reflexivity | apply same ..].
+    - intros ([a b] & I & on). exists (moved_ends (Segment a b)). split; [now apply in_map |].
+      refine (lies_on_of_equal x x a b _ _ _ _ _ on); [reflexivity | symmetry; apply same ..].
+  Qed.
+End Equal.
+
+Lemma member_of_region (x : point) (r : polygonal_region) : valid_region (as_region r) ->
+  (member x r <-> in_region (as_vector x) (as_region r)).
+Proof.
+  intros (_ & not_negative & _). rewrite member_is, boundary_is. fold (as_region r). unfold in_region.
+  pose proof (nowhere_negative_everywhere _ not_negative (as_vector x)).
+  split; [intros [? | ?]; [tauto | left; lia] | intros [? | ?]; [right; lia | tauto]].
+Qed.
+
+Lemma member_of_chains (x : point) (chains : region) :
+  member x (map (map as_point) chains) <->
+  (exists s, In s (region_edges chains) /\ lies_on (as_vector x) s) \/
+  winding_number (as_vector x) (region_edges chains) <> 0%Z.
+Proof.
+  rewrite member_is, boundary_is, map_map.
+  set (h := fun v => vector_of (homogeneous (as_point v))).
+  assert (same : forall v, equal_vectors (h v) v).
+  { intros v. unfold h. rewrite (homogeneous_is (as_point v)). split; reflexivity. }
+  rewrite (map_ext _ (map h)) by (intros c; now rewrite map_map).
+  rewrite edges_of_images. rewrite (on_images h same), (winding_number_of_images h same). reflexivity.
+Qed.
+
+(* Chains of what is kept, however they are found. *)
+Theorem chains_are_the_sum (p q : polygonal_region) (chains : region) :
+  valid_region (as_region p) -> valid_region (as_region q) ->
+  Permutation (region_edges chains) (filled (convolution_segments (as_region p) (as_region q))) ->
+  is_minkowski_sum p q (map (map as_point) chains).
+Proof.
+  intros p_region q_region permuted x.
+  rewrite member_of_chains, (points_of_the_chains _ _ chains p_region q_region permuted). split.
+  - intros (a & b & in_p & in_q & X & Y). exists (as_point a), (as_point b).
+    rewrite !member_of_region, !as_vector_of_point by assumption. split; [exact in_p |]. split; [exact in_q |].
+    split; [exact X | exact Y].
+  - intros (a & b & in_p & in_q & X & Y). exists (as_vector a), (as_vector b).
+    rewrite <- !member_of_region by assumption. split; [exact in_p |]. split; [exact in_q |].
+    split; [exact X | exact Y].
+Qed.
+
+Theorem sum_of_valid_regions (p q : polygonal_region) (chains : region) :
+  valid_region (as_region p) -> valid_region (as_region q) ->
+  chained (filled (convolution_segments (as_region p) (as_region q))) = Some chains ->
+  is_minkowski_sum p q (map (map as_point) chains).
+Proof.
+  intros p_region q_region found. unfold chained in found.
+  destruct (are_permuted _ _) eqn:permuted; [| discriminate]. injection found as found. rewrite found in permuted.
+  apply are_permuted_is in permuted. now apply chains_are_the_sum.
+Qed.
+
+(* Theorem. *)
+Theorem sums_are_right (p q s : polygonal_region) : minkowski_sum p q = Some s -> is_minkowski_sum p q s.
+Proof.
+  unfold minkowski_sum. cbv zeta.
+  destruct (is_valid_region (as_region p)) eqn:p_valid, (is_valid_region (as_region q)) eqn:q_valid;
+    cbn [andb]; try discriminate.
+  destruct (chained _) as [chains |] eqn:found; cbn [option_map]; [| discriminate]. intros [= <-].
+  apply sum_of_valid_regions; trivial; now apply is_valid_region_is_right.
+Qed.

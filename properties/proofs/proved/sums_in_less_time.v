@@ -1,0 +1,131 @@
+(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* The same sum in less time: copies of pieces are found in a search tree, and segments that do not span the height of a
+   ray are passed over. *)
+From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation SetoidList Orders OrdersEx MSetAVL.
+From Oplus Require Import specification direction angular_crossings winding_number shifted_ray regions
+  convolution_winding theorem_4_2_1 homogeneous_points specification_bridge pieces filling kept_pieces_go_round
+  cut_pieces kept_pieces_balance sum_program sum_is_right total_sum.
+Import ListNotations.
+
+Module Number := PairOrderedType Z_as_OT Positive_as_OT.
+Module Place := PairOrderedType Number Number.
+Module Key := PairOrderedType Place Place.
+Module Keys := MSetAVL.Make Key.
+
+Definition key_of_number (q : Q) : Number.t := (Qnum q, Qden q).
+Definition key_of_vector (v : vector) : Place.t := (key_of_number (vx v), key_of_number (vy v)).
+Definition key_of (s : segment) : Key.t := (key_of_vector (source s), key_of_vector (target s)).
+Definition number_of (k : Number.t) : Q := Qmake (fst k) (snd k).
+Definition vector_of_key (k : Place.t) : vector := Vector (number_of (fst k)) (number_of (snd k)).
+Definition segment_of_key (k : Key.t) : segment := Segment (vector_of_key (fst k)) (vector_of_key (snd k)).
+
+Definition without_copies (l : list segment) : list segment :=
+  map segment_of_key (Keys.elements (fold_left (fun set s => Keys.add (key_of s) set) l Keys.empty)).
+
+Lemma key_and_back (s : segment) : segment_of_key (key_of s) = s.
+Proof. now destruct s as [[[a b] [c d]] [[e f] [g h]]]. Qed.
+
+Lemma equal_keys (a b : Key.t) : Key.eq a b <-> a = b.
+Proof.
+  destruct a as [[[a1 a2] [a3 a4]] [[a5 a6] [a7 a8]]], b as [[[b1 b2] [b3 b4]] [[b5 b6] [b7 b8]]].
+  split; [| intros ->; reflexivity]. intros [[[u1 u2] [u3 u4]] [[u5 u6] [u7 u8]]]. cbn in *.
+  repeat match goal with H : RelationPairs.RelCompFun _ _ _ _ |- _ => unfold RelationPairs.RelCompFun in H;
+    cbn in H end.
+  congruence.
+Qed.
+
+Lemma in_keys (a : Key.t) (l : list Key.t) : InA Key.eq a l <-> In a l.
+Proof.
+  rewrite InA_alt. split; [intros (b & equal & I); apply equal_keys in equal; now subst | intros I; exists a; split;
+    [reflexivity | exact I]].
+Qed.
+
+Lemma in_without_copies (s : segment) (l : list segment) : In s (without_copies l) <-> In s l.
+Proof.
+  assert (in_set : forall l set a, Keys.In a (fold_left (fun set s => Keys.add (key_of s) set) l set) <->
+    Keys.In a set \/ exists t, In t l /\ a = key_of t).
+  { clear. induction l as [| t l IH]; intros set a; cbn [fold_left].
+    - split; [tauto | intros [I | (t & [] & _)]; exact I].
+    - rewrite IH, Keys.add_spec, equal_keys. split.
+      + intros [[-> | I] | (u & U & ->)]; [right; exists t; cbn; tauto | tauto | right; exists u; cbn; tauto].
+      + intros [I | (u & [<- | U] & ->)]; [tauto | tauto | right; exists u; tauto]. }
+  unfold without_copies. rewrite in_map_iff. split.
+  - intros (k & <- & I). apply in_keys, Keys.elements_spec1, in_set in I. destruct I as [I | (t & T & ->)].
+    + now apply Keys.empty_spec in I.
+    + now rewrite key_and_back.
+  - intros I. exists (key_of s). split; [apply key_and_back |]. apply in_keys, Keys.elements_spec1, in_set.
+    right. now exists s.
+Qed.
+
+Lemma without_copies_is_distinct (l : list segment) : NoDup (without_copies l).
+Proof.
+  unfold without_copies. set (set := fold_left _ _ _). pose proof (Keys.elements_spec2w set) as distinct_.
+  revert distinct_. generalize (Keys.elements set). intros keys distinct_.
+  induction distinct_ as [| k keys new rest IH]; cbn [map]; constructor; [| exact IH].
+  intros again. apply in_map_iff in again. destruct again as (j & same & J). apply new, in_keys.
+  destruct k as [[[a1 a2] [a3 a4]] [[a5 a6] [a7 a8]]], j as [[[b1 b2] [b3 b4]] [[b5 b6] [b7 b8]]].
+  cbv in same. injection same as -> -> -> -> -> -> -> ->. exact J.
+Qed.
+
+(* Only what spans the height needs a side. *)
+Definition fast_crossing (p : shifted_point) (s : segment) : Z :=
+  let below a := if is_above p then at_most (vy a) (vy (at_ p)) else negb (at_most (vy (at_ p)) (vy a)) in
+  let from := below (source s) in
+  let to := below (target s) in
+  if Bool.eqb from to then 0%Z else ray_crossing from to (side p s).
+
+Lemma fast_crossing_is (p : shifted_point) (s : segment) : fast_crossing p s = signed_crossing_of_shifted p s.
+Proof.
+  unfold fast_crossing, signed_crossing_of_shifted, ray_crossing. destruct (Bool.eqb _ _); reflexivity.
+Qed.
+
+Definition number_to_the_right (segments : list segment) (e : segment) : Z :=
+  let p := right_of_middle e in fold_left (fun n s => (n + fast_crossing p s)%Z) segments 0%Z.
+
+Lemma number_to_the_right_is (segments : list segment) (e : segment) :
+  number_to_the_right segments e = winding_number_shifted (right_of_middle e) segments.
+Proof.
+  unfold number_to_the_right, winding_number_shifted. set (p := right_of_middle e).
+  enough (from : forall n, fold_left (fun n s => (n + fast_crossing p s)%Z) segments n =
+    (n + sum (map (signed_crossing_of_shifted p) segments))%Z) by (rewrite from; lia).
+  induction segments as [| s l IH]; intros n; cbn [fold_left map]; [unfold sum; cbn; lia |].
+  rewrite IH, fast_crossing_is. unfold sum. cbn [fold_right]. lia.
+Qed.
+
+Definition kept_piece_fast (segments : list segment) (e : segment) : list segment :=
+  match (0 <? number_to_the_right segments (reversed e))%Z, (0 <? number_to_the_right segments e)%Z with
+  | true, false => [e]
+  | false, true => [reversed e]
+  | _, _ => []
+  end.
+
+Definition filled_fast (segments : list segment) : list segment :=
+  flat_map (kept_piece_fast segments)
+    (without_copies (flat_map (fun s => map undirected (cut_where_met s segments)) segments)).
+
+Lemma filled_fast_is (segments : list segment) : Permutation (filled_fast segments) (filled segments).
+Proof.
+  unfold filled_fast, filled. rewrite (flat_map_ext (kept_piece_fast segments) (kept_piece segments)).
+  - apply Permutation_flat_map. apply NoDup_Permutation; [apply without_copies_is_distinct | apply NoDup_nodup |].
+    intros s. unfold pieces_of. rewrite nodup_In. apply in_without_copies.
+  - intros e. unfold kept_piece_fast, kept_piece, is_right_inside. now rewrite !number_to_the_right_is.
+Qed.
+
+Definition fast_sum (p q : polygonal_region) : polygonal_region :=
+  let f := filled_fast (convolution_segments (as_region p) (as_region q)) in
+  map (map as_point) (chains_of (length f) f).
+
+(* Theorem. *)
+Theorem fast_sum_is_the_sum (p q : polygonal_region) :
+  valid_region (as_region p) -> valid_region (as_region q) -> is_minkowski_sum p q (fast_sum p q).
+Proof.
+  intros p_region q_region x. unfold fast_sum. cbv zeta. set (T := convolution_segments _ _).
+  set (chains := chains_of _ _).
+  assert (permuted : Permutation (region_edges chains) (filled T)).
+  { rewrite <- filled_fast_is. apply chains_take_all; [lia |]. intros v.
+    rewrite (surplus_permuted v _ _ (filled_fast_is T)).
+    destruct p_region as (p_edges & _), q_region as (q_edges & _). apply filled_is_balanced.
+    - intros t. now apply convolution_segments_are_long.
+    - now apply convolution_is_closed. }
+  now apply chains_are_the_sum.
+Qed.
