@@ -1,0 +1,228 @@
+(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* The same sum in little time. Nearly all of the convolution is inside the sum, and the sums of two edges
+   (sums_of_two_edges.v) cover nearly all of that. So only segments of which parts are not covered are cut, and only by
+   segments whose boxes meet theirs; and only of pieces in these parts winding numbers are counted. Proved here: a piece
+   that has an inner point of the sum is not kept, so the same pieces are kept. *)
+From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation.
+From Oplus Require Import specification checker homogeneous_points specification_bridge convolution shifted_ray
+  signed_crossings small_numbers in_out_degree convolution_winding regions meeting_of_segments interiors_meet
+  neighbourhoods left_of_an_edge theorem_4_2_1 theorem_2_2_10 observation_2_2_4 location pieces met_pieces
+  naive_collision collision_is_sound beside_a_piece filling kept_pieces_go_round cut_pieces kept_pieces_balance
+  sum_program sum_is_right total_sum sums_in_less_time sums_of_two_edges.
+Import ListNotations.
+
+Open Scope Q_scope.
+
+(* Both numbers of one pair are less than both of the other. *)
+Definition ranges_apart (a b c d : Q) : bool :=
+  (negb (at_most c a) && negb (at_most c b) && negb (at_most d a) && negb (at_most d b)) ||
+  (negb (at_most a c) && negb (at_most b c) && negb (at_most a d) && negb (at_most b d)).
+
+Definition boxes_apart (s t : segment) : bool :=
+  ranges_apart (vx (source s)) (vx (target s)) (vx (source t)) (vx (target t)) ||
+  ranges_apart (vy (source s)) (vy (target s)) (vy (source t)) (vy (target t)).
+
+Definition quick_intersection (s t : segment) : list vector := if boxes_apart s t then [] else intersection s t.
+
+Definition is_in_parts (k : Q) (l : list part) : bool :=
+  existsb (fun part_ => at_most (fst part_) k && at_most k (snd part_)) l.
+
+(* The pieces of a segment that sums of two edges do not cover. *)
+Definition uncovered_pieces (d : denominator) (sums : list sum_of_two) (segments : list segment) (s : segment) :
+  list segment :=
+  match uncovered_parts d sums s with
+  | [] => []
+  | parts => filter (fun piece => is_in_parts (fraction s (middle piece)) parts)
+               (cut s (flat_map (quick_intersection s) segments))
+  end.
+
+Definition quick_filled (p q : region) : list segment :=
+  let segments := convolution_segments p q in
+  let d := common_multiple (denominators (segments ++ region_edges p ++ region_edges q)) in
+  let sums := sums_of_edges d (region_edges p) (region_edges q) in
+  flat_map (kept_piece_fast segments)
+    (without_copies (flat_map (fun s => map undirected (uncovered_pieces d sums segments s)) segments)).
+
+Definition quick_sum (p q : polygonal_region) : polygonal_region :=
+  let f := quick_filled (as_region p) (as_region q) in
+  map (map as_point) (chains_of (length f) f).
+
+(* What is left out is not met. *)
+Lemma what_intersects_meets (s t : segment) : intersection s t <> [] -> exists w, lies_on w s /\ lies_on w t.
+Proof.
+  intros some. unfold intersection in some.
+  destruct (sorted_points _) as [| a l] eqn:sorted.
+  - destruct (cross_properly s t) eqn:crossing_; [| contradiction].
+    destruct (proper_crossing s t crossing_) as (w & in_s & in_t & _). exists w.
+    split; now apply strictly_inside_lies_on.
+  - clear some. exists a.
+    assert (I : In a (sorted_points (filter (fun p => is_on_segment p t) [source s; target s] ++
+      filter (fun p => is_on_segment p s) [source t; target t]))) by (rewrite sorted; now left).
+    apply sorted_in, in_app_iff in I. destruct I as [I | I]; apply filter_In in I; destruct I as [end_ on].
+    + destruct (is_on_spec a t) as [on_t |]; [| discriminate]. split; [| exact on_t].
+      destruct end_ as [<- | [<- | []]]; [apply source_lies_on | apply target_lies_on].
+    + destruct (is_on_spec a s) as [on_s |]; [| discriminate]. split; [exact on_s |].
+      destruct end_ as [<- | [<- | []]]; [apply source_lies_on | apply target_lies_on].
+Qed.
+
+Lemma between_two_numbers (a b u k : Q) : 0 <= u <= 1 ->
+  (a < k -> b < k -> (1 - u) * a + u * b < k) /\ (k < a -> k < b -> k < (1 - u) * a + u * b).
+Proof.
+  intros range. destruct (Qlt_le_dec 0 u) as [some | none].
+  - split; intros first_ second_; nra.
+  - assert (u_is : u == 0) by lra. split; intros; rewrite u_is; lra.
+Qed.
+
+Lemma ranges_apart_is (a b c d u v : Q) : 0 <= u <= 1 -> 0 <= v <= 1 ->
+  (1 - u) * a + u * b == (1 - v) * c + v * d -> ranges_apart a b c d = false.
+Proof.
+  intros u_range v_range common. unfold ranges_apart.
+  destruct (between_two_numbers a b u c u_range) as [c1 c2], (between_two_numbers a b u d u_range) as [d1 d2].
+  destruct (between_two_numbers c d v ((1 - u) * a + u * b) v_range) as [m1 m2].
+  destruct (at_most_spec c a), (at_most_spec c b), (at_most_spec d a), (at_most_spec d b); cbn [negb andb orb];
+    destruct (at_most_spec a c), (at_most_spec b c), (at_most_spec a d), (at_most_spec b d); cbn [negb andb];
+    try reflexivity; exfalso.
+  all: try (assert ((1 - u) * a + u * b < (1 - v) * c + v * d) by (apply m2; [apply c1 | apply d1]; lra); lra).
+  all: assert ((1 - v) * c + v * d < (1 - u) * a + u * b) by (apply m1; [apply c2 | apply d2]; lra); lra.
+Qed.
+
+Lemma quick_intersection_is (s t : segment) : quick_intersection s t = intersection s t.
+Proof.
+  unfold quick_intersection. destruct (boxes_apart s t) eqn:apart_; [| reflexivity].
+  destruct (intersection s t) as [| a l] eqn:common; [reflexivity | exfalso].
+  destruct (what_intersects_meets s t) as (w & (u & u_range & ux & uy) & (v & v_range & vx_ & vy_)).
+  { rewrite common. discriminate. }
+  unfold boxes_apart in apart_.
+  rewrite (ranges_apart_is _ _ _ _ u v u_range v_range), (ranges_apart_is _ _ _ _ u v u_range v_range) in apart_;
+    [discriminate | lra | lra].
+Qed.
+
+Lemma is_in_parts_spec (k : Q) (l : list part) :
+  reflect (exists part_, In part_ l /\ is_in_part k part_) (is_in_parts k l).
+Proof.
+  apply iff_reflect. unfold is_in_parts, is_in_part. rewrite existsb_exists.
+  split; intros (part_ & I & inside_); exists part_; (split; [exact I |]);
+    destruct (at_most_spec (fst part_) k), (at_most_spec k (snd part_)); cbn in *; try easy; lra.
+Qed.
+
+Section ValidRegions.
+  Variables p q : region.
+  Hypothesis p_region : valid_region p.
+  Hypothesis q_region : valid_region q.
+  Let segments := convolution_segments p q.
+
+  Lemma positive_at_inner_points (x : vector) : inner_point_of_sum x p q -> (0 < winding_number x segments)%Z.
+  Proof.
+    intros (radius & R & near).
+    destruct (eventually_and _ _ (same_beside x segments) (eventually_and _ _
+      (eventually_for_all (fun s e => ~ lies_on (moved (shifted x) e) s) segments (fun s _ => shifted_off x s))
+      (eventually_and _ _ (small_steps_stay_within radius x (Vector 1 0) R)
+        (ex_intro _ 1 (conj (ltac:(lra) : 0 < 1) (fun e some small => conj some small : 0 < e /\ e < 1))))))
+      as (limit & L & all).
+    destruct (all ((1 # 2) * limit)) as (<- & free & step_ & some & small); [lra | lra |].
+    set (e := (1 # 2) * limit) in *. clearbody e. apply positive_winding_number_iff_common_point; trivial.
+    apply near. assert (square_ : 0 < e * e /\ e * e <= e) by (split; nra).
+    unfold within, moved, shifted, moved_along in *. cbn [at_ first second vx vy] in *. lra.
+  Qed.
+
+  Lemma segments_are_long (t : segment) : In t segments -> nonzero (along t).
+  Proof. destruct p_region as (p_edges & _), q_region as (q_edges & _). now apply convolution_segments_are_long. Qed.
+
+  Lemma segments_are_closed : cycles segments.
+  Proof. destruct p_region as (p_edges & _), q_region as (q_edges & _). now apply convolution_is_closed. Qed.
+
+  Lemma positive_beside_inner_points (e : segment) (w : vector) : met_only_along segments e -> nonzero (along e) ->
+    strictly_inside w e -> inner_point_of_sum w p q -> is_right_inside segments e = true.
+  Proof.
+    intros only long inside_ (radius & R & near). apply Z.ltb_lt.
+    set (n := Vector (vy (along e)) (- vx (along e))).
+    assert (right_ : cross (along e) n < 0).
+    { pose proof (left_normal e long) as left_. unfold n, cross in *. cbn [vx vy] in *. lra. }
+    destruct (eventually_and _ _ (to_the_right_of_a_piece segments e segments_are_closed only long w n inside_ right_)
+      (small_steps_stay_within ((1 # 2) * radius) w n ltac:(lra))) as (limit & L & all).
+    destruct (all ((1 # 2) * limit)) as [<- close]; [lra | lra |]. apply positive_at_inner_points.
+    exists ((1 # 2) * radius). split; [lra |]. intros y y_near. apply near. unfold within in *. lra.
+  Qed.
+
+  (* Theorem. What has an inner point of the sum is not kept. *)
+  Theorem inner_pieces_are_not_kept (e : segment) (w : vector) : In e (pieces_of segments) -> strictly_inside w e ->
+    inner_point_of_sum w p q -> kept_piece segments e = [].
+  Proof.
+    intros E inside_ inner. pose proof (pieces_are_pieces segments segments_are_long) as pieces_.
+    pose proof (pieces_are_long _ _ pieces_ e E) as long. pose proof (pieces_are_met_along _ _ pieces_ e E) as only.
+    unfold kept_piece. rewrite (positive_beside_inner_points e w), (positive_beside_inner_points (reversed e) w);
+      trivial; [now apply met_only_along_reversed | exact (long_of_one_place _ _ (reversed_place e) long) |].
+    now apply strictly_inside_reversed.
+  Qed.
+
+  Let d := common_multiple (denominators (segments ++ region_edges p ++ region_edges q)).
+  Let sums := sums_of_edges d (region_edges p) (region_edges q).
+  Let listed := flat_map (fun s => map undirected (uncovered_pieces d sums segments s)) segments.
+
+  Lemma uncovered_pieces_are (s piece : segment) :
+    In piece (uncovered_pieces d sums segments s) <->
+    In piece (cut_where_met s segments) /\
+    exists part_, In part_ (uncovered_parts d sums s) /\ is_in_part (fraction s (middle piece)) part_.
+  Proof.
+    unfold uncovered_pieces, cut_where_met. rewrite (flat_map_ext (quick_intersection s) (intersection s)) by
+      apply quick_intersection_is.
+    destruct (uncovered_parts d sums s) as [| part_ parts].
+    - split; [intros [] | intros (_ & part_ & [] & _)].
+    - rewrite filter_In. now destruct (is_in_parts_spec (fraction s (middle piece)) (part_ :: parts)).
+  Qed.
+
+  Lemma listed_are_pieces (e : segment) : In e listed -> In e (pieces_of segments).
+  Proof.
+    intros I. apply in_flat_map in I. destruct I as (s & S & I). apply in_map_iff in I. destruct I as (piece & <- & I).
+    apply uncovered_pieces_are in I. apply nodup_In, in_flat_map. exists s. split; [exact S | now apply in_map].
+  Qed.
+
+  Lemma others_are_not_kept (e : segment) : In e (pieces_of segments) -> ~ In e listed -> kept_piece segments e = [].
+  Proof.
+    intros E not_listed.
+    destruct (piece_is segments segments_are_long e E) as (s & piece & S & P & e_is & part_ & long & _).
+    pose proof (middle_is_inside piece) as in_piece.
+    pose proof (segments_are_long s S) as s_long.
+    destruct (inside_a_part piece s (middle piece) s_long part_ in_piece) as [on_s _].
+    destruct (fraction_on s _ s_long on_s) as (range & X & Y).
+    destruct (covered_is_inside_the_sum p q d s (fraction s (middle piece)) (middle piece)) as [found | inner]; trivial.
+    { intros t which. apply ends_have_denominator, in_app_iff. rewrite in_app_iff. destruct which as [-> |]; tauto. }
+    - exfalso. apply not_listed, in_flat_map. exists s. split; [exact S |]. rewrite e_is. apply in_map.
+      now apply uncovered_pieces_are.
+    - apply (inner_pieces_are_not_kept e (middle piece)); trivial. rewrite e_is.
+      exact (strictly_inside_of_one_place _ _ _ (of_one_place_sym _ _ (undirected_place piece)) in_piece).
+  Qed.
+
+  (* Theorem. The same pieces are kept. *)
+  Theorem quick_filled_is : Permutation (quick_filled p q) (filled segments).
+  Proof.
+    unfold quick_filled. fold segments. cbv zeta. fold d. fold sums. fold listed. unfold filled.
+    rewrite (flat_map_ext (kept_piece_fast segments) (kept_piece segments)).
+    2: { intros e. unfold kept_piece_fast, kept_piece, is_right_inside. now rewrite !number_to_the_right_is. }
+    set (is_listed := fun e => if in_dec segment_dec e listed then true else false).
+    assert (two_parts : forall l, incl l (pieces_of segments) ->
+      Permutation (flat_map (kept_piece segments) (filter is_listed l)) (flat_map (kept_piece segments) l)).
+    { induction l as [| e l IH]; intros part_; [constructor |]. cbn [filter flat_map]. unfold is_listed at 1.
+      assert (rest : incl l (pieces_of segments)) by (intros f F; apply part_; now right).
+      destruct (in_dec segment_dec e listed) as [| not_listed]; cbn [flat_map].
+      - now apply Permutation_app_head, IH.
+      - rewrite (others_are_not_kept e); [now apply IH | apply part_; now left | exact not_listed]. }
+    rewrite <- (two_parts (pieces_of segments)) by apply incl_refl.
+    apply Permutation_flat_map, NoDup_Permutation.
+    - apply without_copies_is_distinct.
+    - apply NoDup_filter, NoDup_nodup.
+    - intros e. rewrite in_without_copies, filter_In. unfold is_listed. fold listed.
+      destruct (in_dec segment_dec e listed) as [I |]; [| easy]. split; [| tauto].
+      intros _. split; [now apply listed_are_pieces | reflexivity].
+  Qed.
+End ValidRegions.
+
+(* Theorem. Of valid regions it is the Minkowski sum. *)
+Theorem quick_sum_is_the_sum (p q : polygonal_region) :
+  valid_region (as_region p) -> valid_region (as_region q) -> is_minkowski_sum p q (quick_sum p q).
+Proof.
+  intros p_region q_region. unfold quick_sum. cbv zeta. apply chains_are_the_sum; trivial.
+  pose proof (quick_filled_is _ _ p_region q_region) as same_pieces. rewrite <- same_pieces.
+  apply chains_take_all; [lia |]. intros v. rewrite (surplus_permuted v _ _ same_pieces).
+  apply filled_is_balanced; [now apply segments_are_long | now apply segments_are_closed].
+Qed.
