@@ -8,7 +8,8 @@ From Oplus Require Import specification checker homogeneous_points specification
   signed_crossings small_numbers in_out_degree convolution_winding regions meeting_of_segments interiors_meet
   neighbourhoods left_of_an_edge theorem_4_2_1 theorem_2_2_10 observation_2_2_4 location pieces met_pieces
   naive_collision collision_is_sound beside_a_piece filling kept_pieces_go_round cut_pieces kept_pieces_balance
-  sum_program sum_is_right total_sum sums_in_less_time sums_of_two_edges.
+  sum_program sum_is_right total_sum sums_in_less_time sums_of_two_edges
+  convolution_in_less_time.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -37,7 +38,7 @@ Definition uncovered_pieces (d : denominator) (sums : list sum_of_two) (segments
   end.
 
 Definition quick_filled (p q : region) : list segment :=
-  let segments := convolution_segments p q in
+  let segments := quick_convolution p q in
   let d := common_multiple (denominators (segments ++ region_edges p ++ region_edges q)) in
   let sums := sums_of_edges d (region_edges p) (region_edges q) in
   flat_map (kept_piece_fast segments)
@@ -196,7 +197,8 @@ Section ValidRegions.
   (* Theorem. The same pieces are kept. *)
   Theorem quick_filled_is : Permutation (quick_filled p q) (filled segments).
   Proof.
-    unfold quick_filled. fold segments. cbv zeta. fold d. fold sums. fold listed. unfold filled.
+    unfold quick_filled. rewrite quick_convolution_is. fold segments. cbv zeta. fold d. fold sums. fold listed.
+    unfold filled.
     rewrite (flat_map_ext (kept_piece_fast segments) (kept_piece segments)).
     2: { intros e. unfold kept_piece_fast, kept_piece, is_right_inside. now rewrite !number_to_the_right_is. }
     set (is_listed := fun e => if in_dec segment_dec e listed then true else false).
