@@ -106,6 +106,24 @@ Proof.
     destruct (at_most_spec (fst part_) k), (at_most_spec k (snd part_)); cbn in *; try easy; lra.
 Qed.
 
+(* Pieces that are not kept may be left out. *)
+Lemma kept_of_a_part (keep : segment -> list segment) (l some : list segment) : NoDup l -> NoDup some -> incl some l ->
+  (forall e, In e l -> ~ In e some -> keep e = []) -> Permutation (flat_map keep some) (flat_map keep l).
+Proof.
+  intros l_distinct some_distinct part_ others.
+  set (is_one := fun e => if in_dec segment_dec e some then true else false).
+  assert (two_parts : forall m, incl m l -> Permutation (flat_map keep (filter is_one m)) (flat_map keep m)).
+  { induction m as [| e m IH]; intros m_part; [constructor |]. cbn [filter flat_map]. unfold is_one at 1.
+    assert (rest : incl m l) by (intros f F; apply m_part; now right).
+    destruct (in_dec segment_dec e some) as [| not_one]; cbn [flat_map].
+    - now apply Permutation_app_head, IH.
+    - rewrite (others e); [now apply IH | apply m_part; now left | exact not_one]. }
+  rewrite <- (two_parts l) by apply incl_refl.
+  apply Permutation_flat_map, NoDup_Permutation; [exact some_distinct | now apply NoDup_filter |].
+  intros e. rewrite filter_In. unfold is_one. destruct (in_dec segment_dec e some) as [I |]; [| easy].
+  split; [| tauto]. intros _. split; [now apply part_ | reflexivity].
+Qed.
+
 Section ValidRegions.
   Variables p q : region.
   Hypothesis p_region : valid_region p.
@@ -201,21 +219,10 @@ Section ValidRegions.
     unfold filled.
     rewrite (flat_map_ext (kept_piece_fast segments) (kept_piece segments)).
     2: { intros e. unfold kept_piece_fast, kept_piece, is_right_inside. now rewrite !number_to_the_right_is. }
-    set (is_listed := fun e => if in_dec segment_dec e listed then true else false).
-    assert (two_parts : forall l, incl l (pieces_of segments) ->
-      Permutation (flat_map (kept_piece segments) (filter is_listed l)) (flat_map (kept_piece segments) l)).
-    { induction l as [| e l IH]; intros part_; [constructor |]. cbn [filter flat_map]. unfold is_listed at 1.
-      assert (rest : incl l (pieces_of segments)) by (intros f F; apply part_; now right).
-      destruct (in_dec segment_dec e listed) as [| not_listed]; cbn [flat_map].
-      - now apply Permutation_app_head, IH.
-      - rewrite (others_are_not_kept e); [now apply IH | apply part_; now left | exact not_listed]. }
-    rewrite <- (two_parts (pieces_of segments)) by apply incl_refl.
-    apply Permutation_flat_map, NoDup_Permutation.
-    - apply without_copies_is_distinct.
-    - apply NoDup_filter, NoDup_nodup.
-    - intros e. rewrite in_without_copies, filter_In. unfold is_listed. fold listed.
-      destruct (in_dec segment_dec e listed) as [I |]; [| easy]. split; [| tauto].
-      intros _. split; [now apply listed_are_pieces | reflexivity].
+    apply kept_of_a_part; [apply NoDup_nodup | apply without_copies_is_distinct | |].
+    - intros e I. apply listed_are_pieces. now apply in_without_copies.
+    - intros e E not_listed. apply others_are_not_kept; [exact E |]. intros I. apply not_listed.
+      now apply in_without_copies.
   Qed.
 End ValidRegions.
 
