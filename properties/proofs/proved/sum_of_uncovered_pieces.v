@@ -25,6 +25,10 @@ Definition boxes_apart (s t : segment) : bool :=
 
 Definition quick_intersection (s t : segment) : list vector := if boxes_apart s t then [] else intersection s t.
 
+(* cut_where_met of pieces.v, in less time. *)
+Definition quick_cut (s : segment) (others : list segment) : list segment :=
+  cut s (flat_map (quick_intersection s) others).
+
 Definition is_in_parts (k : Q) (l : list part) : bool :=
   existsb (fun part_ => at_most (fst part_) k && at_most k (snd part_)) l.
 
@@ -33,8 +37,7 @@ Definition uncovered_pieces (d : denominator) (sums : list sum_of_two) (segments
   list segment :=
   match uncovered_parts d sums s with
   | [] => []
-  | parts => filter (fun piece => is_in_parts (fraction s (middle piece)) parts)
-               (cut s (flat_map (quick_intersection s) segments))
+  | parts => filter (fun piece => is_in_parts (fraction s (middle piece)) parts) (quick_cut s segments)
   end.
 
 Definition quick_filled (p q : region) : list segment :=
@@ -97,6 +100,9 @@ Proof.
   rewrite (ranges_apart_is _ _ _ _ u v u_range v_range), (ranges_apart_is _ _ _ _ u v u_range v_range) in apart_;
     [discriminate | lra | lra].
 Qed.
+
+Lemma quick_cut_is (s : segment) (others : list segment) : quick_cut s others = cut_where_met s others.
+Proof. unfold quick_cut, cut_where_met. f_equal. apply flat_map_ext. apply quick_intersection_is. Qed.
 
 Lemma is_in_parts_spec (k : Q) (l : list part) :
   reflect (exists part_, In part_ l /\ is_in_part k part_) (is_in_parts k l).
@@ -183,8 +189,7 @@ Section ValidRegions.
     In piece (cut_where_met s segments) /\
     exists part_, In part_ (uncovered_parts d sums s) /\ is_in_part (fraction s (middle piece)) part_.
   Proof.
-    unfold uncovered_pieces, cut_where_met. rewrite (flat_map_ext (quick_intersection s) (intersection s)) by
-      apply quick_intersection_is.
+    unfold uncovered_pieces. rewrite quick_cut_is.
     destruct (uncovered_parts d sums s) as [| part_ parts].
     - split; [intros [] | intros (_ & part_ & [] & _)].
     - rewrite filter_In. now destruct (is_in_parts_spec (fraction s (middle piece)) (part_ :: parts)).

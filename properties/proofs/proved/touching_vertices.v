@@ -1,0 +1,167 @@
+(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* Where a vertex of a region touches an edge between its ends, the edge gets a vertex there, too: what the tests of
+   validity ask for (test_of_regions.v). The points of the region stay the same. That the vertices added are in order
+   along the edge is tested, not proved; an edge for which they were not would stay as it is. *)
+From Coq Require Import QArith Lqa ZArith Lia Bool List.
+From Oplus Require Import specification checker homogeneous_points specification_bridge balanced_edges convolution
+  shifted_ray in_out_degree regions meeting_of_segments interiors_meet location pieces sum_program
+  sum_is_right total_sum.
+Import ListNotations.
+
+Open Scope Q_scope.
+
+Definition is_between_ends (v a b : vector) : bool :=
+  is_on_segment v (Segment a b) && negb (same_point v a) && negb (same_point v b).
+
+Fixpoint are_in_order (a b : vector) (l : list vector) : bool :=
+  match l with [] => true | v :: rest => is_between_ends v a b && are_in_order v b rest end.
+
+(* The vertices on an edge, its target excepted. *)
+Definition vertices_along (vertices : list vector) (e : segment) : list vector :=
+  let sorted := sorted_points (filter (fun v => is_between_ends v (source e) (target e)) vertices) in
+  let inner := match compare_points (target e) (source e) with Lt => rev sorted | _ => sorted end in
+  source e :: if are_in_order (source e) (target e) inner then inner else [].
+
+Definition with_touching_vertices (r : region) : region :=
+  let vertices := concat r in map (fun chain => flat_map (vertices_along vertices) (edges chain)) r.
+
+(* A point between two others divides the segment. *)
+Lemma is_between_ends_is (v a b : vector) : is_between_ends v a b = true -> exists k, 0 < k < 1 /\
+  vx v == (1 - k) * vx a + k * vx b /\ vy v == (1 - k) * vy a + k * vy b.
+Proof.
+  unfold is_between_ends. destruct (is_on_spec v (Segment a b)) as [(k & range & X & Y) |]; [| discriminate].
+  destruct (same_point_spec v a) as [| not_a], (same_point_spec v b) as [| not_b]; try discriminate. intros _.
+  cbn [source target] in *. exists k. split; [| now split]. split; apply Qnot_le_lt; intros extreme.
+  - apply not_a. assert (k_is : k == 0) by lra. rewrite k_is in X, Y. split; lra.
+  - apply not_b. assert (k_is : k == 1) by lra. rewrite k_is in X, Y. split; lra.
+Qed.
+
+Lemma on_divided (v a b x : vector) : is_between_ends v a b = true ->
+  lies_on x (Segment a b) <-> lies_on x (Segment a v) \/ lies_on x (Segment v b).
+Proof.
+  intros between_. destruct (is_between_ends_is v a b between_) as (k & [some less] & X & Y). split.
+  - intros (j & [j0 j1] & jx & jy). cbn [source target] in *. destruct (Qlt_le_dec k j) as [after_ | before_].
+    + right. exists ((j - k) / (1 - k)). cbn [source target].
+      assert (value : (j - k) / (1 - k) * (1 - k) == j - k) by (field; lra).
+      split; [split; [apply Qle_shift_div_l | apply Qle_shift_div_r]; lra |].
+      set (h := (j - k) / (1 - k)) in *. clearbody h. assert (j_is : j == k + h * (1 - k)) by lra.
+      rewrite jx, jy, X, Y, j_is. split; ring.
+    + left. exists (j / k). cbn [source target]. assert (value : j / k * k == j) by (field; lra).
+      split; [split; [apply Qle_shift_div_l | apply Qle_shift_div_r]; lra |].
+      set (h := j / k) in *. clearbody h. rewrite jx, jy, X, Y, <- value. split; ring.
+  - intros [(j & [j0 j1] & jx & jy) | (j & [j0 j1] & jx & jy)]; cbn [source target] in *.
+    + exists (j * k). cbn [source target]. rewrite jx, jy, X, Y.
+      assert (0 <= j * k) by (apply Qmult_le_0_compat; lra).
+      assert (0 <= (1 - j) * k) by (apply Qmult_le_0_compat; lra). split; [lra |]. split; ring.
+    + exists (k + j * (1 - k)). cbn [source target]. rewrite jx, jy, X, Y.
+      assert (0 <= j * (1 - k)) by (apply Qmult_le_0_compat; lra).
+      assert (0 <= (1 - j) * (1 - k)) by (apply Qmult_le_0_compat; lra). split; [lra |]. split; ring.
+Qed.
+
+Lemma orientation_same (a b c d x : vector) (k : Q) : 0 < k ->
+  cross (minus b a) (minus x a) == k * cross (minus d c) (minus x c) -> orientation a b x = orientation c d x.
+Proof.
+  intros some multiple.
+  assert (as_cross : forall p q, orientation p q x = (cross (minus q p) (minus x p) ?= 0)).
+  { intros p q. unfold orientation. symmetry. apply compare_as_difference.
+    unfold cross, minus. cbn [vx vy]. ring. }
+  rewrite !as_cross, multiple. set (u := cross (minus d c) (minus x c)). clearbody u.
+  destruct (Qcompare_spec u 0) as [zero_ | low | high].
+  - apply (proj1 (Qeq_alt (k * u) 0)). rewrite zero_. ring.
+  - apply (proj1 (Qlt_alt (k * u) 0)). assert (0 < k * - u) by (apply Qmult_lt_0_compat; lra). lra.
+  - apply (proj1 (Qgt_alt (k * u) 0)). assert (0 < k * u) by (apply Qmult_lt_0_compat; lra). lra.
+Qed.
+
+Lemma crossing_divided (v a b x : vector) : is_between_ends v a b = true ->
+  signed_crossing x (Segment a b) = (signed_crossing x (Segment a v) + signed_crossing x (Segment v b))%Z.
+Proof.
+  intros between_. destruct (is_between_ends_is v a b between_) as (k & [some less] & X & Y).
+  unfold signed_crossing. cbn [source target].
+  rewrite (orientation_same a v a b x k some), (orientation_same v b a b x (1 - k)).
+  2: lra.
+  2: unfold cross, minus; cbn [vx vy]; rewrite X, Y; ring.
+  2: unfold cross, minus; cbn [vx vy]; rewrite X, Y; ring.
+  assert (0 < k * (1 - k)) by (apply Qmult_lt_0_compat; lra).
+  destruct (at_most_spec (vy a) (vy x)) as [a_low | a_high], (at_most_spec (vy b) (vy x)) as [b_low | b_high],
+    (at_most_spec (vy v) (vy x)) as [v_low | v_high]; unfold ray_crossing; cbn [Bool.eqb];
+    destruct (orientation a b x); try lia; exfalso; nra.
+Qed.
+
+(* A whole edge. *)
+Lemma divided_edge (x b : vector) (l : list vector) : forall a, are_in_order a b l = true ->
+  ((exists s, In s (path (a :: l) b) /\ lies_on x s) <-> lies_on x (Segment a b)) /\
+  winding_number x (path (a :: l) b) = signed_crossing x (Segment a b).
+Proof.
+  induction l as [| v l IH]; intros a order.
+  - cbn [path hd]. split; [| unfold winding_number, sum; cbn; lia].
+    split; [intros (s & [<- | []] & on); exact on | intros on; exists (Segment a b); cbn; tauto].
+  - cbn [are_in_order] in order. apply andb_true_iff in order. destruct order as [between_ order].
+    destruct (IH v order) as [on_rest number_of_rest].
+    change (path (a :: v :: l) b) with (Segment a v :: path (v :: l) b). split.
+    + rewrite (on_divided v a b x between_), <- on_rest. split.
+      * intros (s & [<- | S] & on); [now left | right; now exists s].
+      * intros [on | (s & S & on)]; [exists (Segment a v); cbn; tauto | exists s; cbn; tauto].
+    + rewrite (crossing_divided v a b x between_), <- number_of_rest. reflexivity.
+Qed.
+
+Lemma edges_are_a_path (chain : list vector) (a : vector) : edges (a :: chain) = path (a :: chain) a.
+Proof. rewrite path_is. reflexivity. Qed.
+
+Lemma divided_path (vertices : list vector) (z : vector) (chain : list vector) :
+  path (flat_map (vertices_along vertices) (path chain z)) z =
+  flat_map (fun e => path (vertices_along vertices e) (target e)) (path chain z).
+Proof.
+  assert (joined : forall l m y, path (l ++ m) y = path l (hd y m) ++ path m y).
+  { induction l as [| a l IH]; intros m y; [reflexivity |]. cbn [app path]. rewrite IH. f_equal. f_equal.
+    destruct l; [reflexivity |]. reflexivity. }
+  induction chain as [| a chain IH]; [reflexivity |]. cbn [path flat_map]. rewrite joined, IH. f_equal. f_equal.
+  destruct chain as [| b chain]; reflexivity.
+Qed.
+
+Theorem divided_region (r : region) (x : vector) :
+  ((exists s, In s (region_edges (with_touching_vertices r)) /\ lies_on x s) <->
+   (exists s, In s (region_edges r) /\ lies_on x s)) /\
+  winding_number x (region_edges (with_touching_vertices r)) = winding_number x (region_edges r).
+Proof.
+  unfold with_touching_vertices. set (vertices := concat r). clearbody vertices.
+  set (divided := fun e => path (vertices_along vertices e) (target e)).
+  assert (edges_are : region_edges (map (fun chain => flat_map (vertices_along vertices) (edges chain)) r) =
+    flat_map divided (region_edges r)).
+  { unfold region_edges. induction r as [| chain r IH]; [reflexivity |]. cbn [map flat_map].
+    rewrite IH, flat_map_app. f_equal. destruct chain as [| a chain]; [reflexivity |].
+    rewrite (edges_are_a_path chain a). unfold divided. rewrite <- divided_path.
+    cbn [path flat_map]. unfold vertices_along at 1. cbn [source app]. rewrite edges_are_a_path. reflexivity. }
+  rewrite edges_are. clear edges_are.
+  assert (each : forall e, ((exists s, In s (divided e) /\ lies_on x s) <-> lies_on x e) /\
+    winding_number x (divided e) = signed_crossing x e).
+  { intros [a b]. unfold divided, vertices_along. cbn [source target].
+    destruct (are_in_order a b _) eqn:order; now apply divided_edge. }
+  split.
+  - split.
+    + intros (s & S & on). apply in_flat_map in S. destruct S as (e & E & S). exists e. split; [exact E |].
+      apply each. now exists s.
+    + intros (e & E & on). apply each in on. destruct on as (s & S & on). exists s. split; [| exact on].
+      apply in_flat_map. now exists e.
+  - unfold winding_number. induction (region_edges r) as [| e l IH]; [reflexivity |]. cbn [flat_map map].
+    rewrite map_app, sum_of_both, IH. destruct (each e) as [_ number_is]. unfold winding_number in number_is.
+    rewrite number_is. reflexivity.
+Qed.
+
+(* Theorem. The points stay the same. *)
+Theorem touching_vertices_add_no_points (r : polygonal_region) (x : point) :
+  member x (map (map as_point) (with_touching_vertices (as_region r))) <-> member x r.
+Proof.
+  rewrite member_of_chains. destruct (divided_region (as_region r) (as_vector x)) as [same_points same_number].
+  rewrite same_points, same_number. now rewrite (member_is x r), boundary_is.
+Qed.
+
+Definition prepared_region (r : polygonal_region) : polygonal_region :=
+  map (map as_point) (with_touching_vertices (as_region r)).
+
+(* Corollary. So a sum of such regions is the sum of the given ones. *)
+Corollary sum_of_prepared_regions (p q s : polygonal_region) :
+  is_minkowski_sum (prepared_region p) (prepared_region q) s -> is_minkowski_sum p q s.
+Proof.
+  intros is_sum x. rewrite (is_sum x). unfold prepared_region.
+  split; intros (a & b & in_p & in_q & equal); exists a, b; rewrite !touching_vertices_add_no_points in *; tauto.
+Qed.
