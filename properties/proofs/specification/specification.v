@@ -1,6 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* What a certified Minkowski sum is: all that a reader must believe. Nothing else is needed to understand the theorem of
-   certified_sums.v, accepts_only_sums accepts; each line is explained in docs/certificates.md. *)
+(* What a Minkowski sum is, certified or proved: all that a reader must believe. Nothing else is needed to understand the
+   theorem of certified_sums.v, accepts_only_sums accepts, of which docs/certificates.md explains each line, and those
+   of proved/. *)
 From Coq Require Import QArith List.
 Import ListNotations.
 
@@ -57,6 +58,23 @@ Definition member (x : point) (r : polygonal_region) : Prop :=
 (* s is the Minkowski sum of p and q. *)
 Definition is_minkowski_sum (p q s : polygonal_region) : Prop :=
   forall x, member x s <-> exists a b, member a p /\ member b q /\ equal_points x (sum_of_points a b).
+
+(* Inside a region, and not on its boundary. *)
+Definition is_inner_point (x : point) (r : polygonal_region) : Prop :=
+  region_winding_number x r <> 0%Z /\ forall e, In e (edges_of_region r) -> ~ is_on x e.
+
+(* An open set: what chains go round, without the chains, without some edges, and without some points. *)
+Record open_region := OpenRegion {
+  open_chains : polygonal_region; dangling_edges : list edge; isolated_points : list point }.
+
+Definition open_member (x : point) (s : open_region) : Prop :=
+  is_inner_point x (open_chains s) /\ (forall e, In e (dangling_edges s) -> ~ is_on x e) /\
+  (forall v, In v (isolated_points s) -> ~ equal_points x v).
+
+(* s is the open Minkowski sum of p and q: all sums of points inside them. *)
+Definition is_open_sum (p q : polygonal_region) (s : open_region) : Prop :=
+  forall x, open_member x s <->
+    exists a b, is_inner_point a p /\ is_inner_point b q /\ equal_points x (sum_of_points a b).
 
 (* A checker is right if it accepts nothing but Minkowski sums, whatever it is given as a certificate. *)
 Definition accepts_only_sums {certificate : Type} (accepts : polygonal_region -> polygonal_region -> polygonal_region -> certificate -> bool) : Prop :=

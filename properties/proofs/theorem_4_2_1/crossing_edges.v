@@ -73,6 +73,24 @@ Proof.
     split; [lra |]. unfold fx, fy in *. split; lra.
 Qed.
 
+(* Such an x is on no side of the parallelogram. *)
+Lemma off_parallelogram (x : vector) (e f : segment) : not_sum_of_an_end x e f -> off x (parallelogram e f).
+Proof.
+  intros (not_1 & not_2 & not_3 & not_4).
+  assert (backwards : forall w u v, lies_on w (Segment v u) -> lies_on w (Segment u v)).
+  { intros w u v (k & range & X & Y). exists (1 - k). cbn [source target] in *.
+    split; [lra |]. split; [rewrite X | rewrite Y]; ring. }
+  intros side I on. cbn in I. destruct I as [<- | [<- | [<- | [<- | []]]]].
+  - apply not_3. destruct on as (k & range & X & Y). exists k.
+    unfold plus, minus in *. cbn [source target vx vy] in *. split; [exact range |]. split; lra.
+  - apply not_2. destruct on as (k & range & X & Y). exists k.
+    unfold plus, minus in *. cbn [source target vx vy] in *. split; [exact range |]. split; lra.
+  - apply backwards in on. apply not_4. destruct on as (k & range & X & Y). exists k.
+    unfold plus, minus in *. cbn [source target vx vy] in *. split; [exact range |]. split; lra.
+  - apply backwards in on. apply not_1. destruct on as (k & range & X & Y). exists k.
+    unfold plus, minus in *. cbn [source target vx vy] in *. split; [exact range |]. split; lra.
+Qed.
+
 Lemma negative_is_true (u : Q) : u < 0 -> negative u = true.
 Proof. intros below. destruct (negative_spec u); [reflexivity | exfalso; lra]. Qed.
 
@@ -104,20 +122,7 @@ Proof.
   assert (turn : ~ cross (along e) (along f) == 0)
     by (intros parallel; exact (parallel_sums x e f proper_f parallel is_sum no_end)).
   destruct is_sum as (a & b & (s & [s0 s1] & ax & ay) & (t & [t0 t1] & bx & by_) & x_is & y_is).
-  assert (off_boundary : off x (parallelogram e f)).
-  { destruct no_end as (not_1 & not_2 & not_3 & not_4).
-    assert (backwards : forall w u v, lies_on w (Segment v u) -> lies_on w (Segment u v)).
-    { intros w u v (k & range & X & Y). exists (1 - k). cbn [source target] in *.
-      split; [lra |]. split; [rewrite X | rewrite Y]; ring. }
-    intros side I on. cbn in I. destruct I as [<- | [<- | [<- | [<- | []]]]].
-    - apply not_3. destruct on as (k & range & X & Y). exists k.
-      unfold plus, minus in *. cbn [source target vx vy] in *. split; [exact range |]. split; lra.
-    - apply not_2. destruct on as (k & range & X & Y). exists k.
-      unfold plus, minus in *. cbn [source target vx vy] in *. split; [exact range |]. split; lra.
-    - apply backwards in on. apply not_4. destruct on as (k & range & X & Y). exists k.
-      unfold plus, minus in *. cbn [source target vx vy] in *. split; [exact range |]. split; lra.
-    - apply backwards in on. apply not_1. destruct on as (k & range & X & Y). exists k.
-      unfold plus, minus in *. cbn [source target vx vy] in *. split; [exact range |]. split; lra. }
+  assert (off_boundary : off x (parallelogram e f)) by now apply off_parallelogram.
   (* x is inside, not on a side. *)
   assert (s_inside : 0 < s < 1).
   { destruct no_end as (not_1 & not_2 & _). split; apply Qnot_le_lt; intros extreme.
