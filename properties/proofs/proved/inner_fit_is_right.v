@@ -8,7 +8,7 @@ From Oplus Require Import specification checker convolution signed_crossings con
   meeting_of_segments winding_number_of_the_sum interiors_meet neighbourhoods left_of_an_edge beside_every_point
   theorem_4_2_1 location homogeneous_points specification_bridge pieces collision_is_complete placed_collision
   checked_collision sum_program sum_is_right total_sum valid_sum open_sum_program open_sums turned_chains
-  inner_fit_program.
+  inner_fit_program complement_in_a_frame.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -89,25 +89,14 @@ Proof.
   right. intros u [<- | U]; [exact differ | now apply none].
 Qed.
 
-(* The frame. *)
-Lemma frame_goes_round (k : Q) (x : vector) : - k < vx x < k -> - k < vy x < k ->
-  winding_number x (edges (frame k)) = 1%Z /\ off x (edges (frame k)).
+Lemma half_turned_inner_point (b : polygonal_region) (z : point) : valid_region (as_region b) ->
+( is_inner_point z (as_polygonal (half_turned (as_region b))) <->
+  inside (minus (Vector 0 0) (as_vector z)) (as_region b)).
 Proof.
-  intros in_x in_y. split.
-  - unfold winding_number, edges, frame, sum. cbn [rotated app combine map fst snd fold_right].
-    rewrite !signed_crossing_by_turn. cbn [vx vy].
-    assert (low : Qle_bool (- k) (vy x) = true) by (apply Qle_bool_iff; lra).
-    assert (high : Qle_bool k (vy x) = false) by (apply not_true_iff_false; rewrite Qle_bool_iff; lra).
-    rewrite low, high. unfold turn_of; cbn [vx vy].
-    assert (right_ : Qle_bool ((k - k) * (vy x - - k) - (k - - k) * (vx x - k)) 0 = false).
-    { apply not_true_iff_false. rewrite Qle_bool_iff. intros not_. assert (0 < (k - - k) * (k - vx x)) by (apply
-      Qmult_lt_0_compat; lra).
-      lra. }
-    assert (left_ : Qle_bool 0 ((- k - - k) * (vy x - k) - (- k - k) * (vx x - - k)) = true).
-    { apply Qle_bool_iff. assert (0 < (k - - k) * (vx x - - k)) by (apply Qmult_lt_0_compat; lra). lra. }
-    rewrite ?right_, ?left_. reflexivity.
-  - intros s S (t & range & X & Y). unfold edges, frame in S. cbn [rotated app combine map fst snd] in S.
-    destruct S as [<- | [<- | [<- | [<- | []]]]]; cbn [source target vx vy] in *; lra.
+  intros b_region. rewrite inner_point_of_chains. unfold half_turned. rewrite <- inside_placed. unfold inside.
+  destruct (placed_is_valid (Vector 0 0) (as_region b) b_region) as (_ & not_negative & _).
+  split; intros [round free]; split; trivial; [specialize (not_negative _ free) | specialize (not_negative _
+    round)]; lia.
 Qed.
 
 Section InnerFit.
@@ -154,16 +143,12 @@ Section InnerFit.
     a)).
   Proof. reflexivity. Qed.
 
-  Lemma number_of_both (x : vector) (l k : list segment) :
-    winding_number x (l ++ k) = (winding_number x l + winding_number x k)%Z.
-  Proof. unfold winding_number, sum. rewrite map_app. induction (map (signed_crossing x) l); cbn; lia. Qed.
-
   Lemma outside_is_not_inside (x : point) : is_inner_point x (as_polygonal outside) -> ~ member x a.
   Proof.
     intros [round free]%inner_point_of_chains in_a.
     pose proof (members_are_in_the_square a m x a_fits in_a) as [in_x in_y].
     rewrite edges_of_outside, number_of_both, winding_number_of_turned in round.
-    destruct (frame_goes_round (5 * m) (as_vector x)) as [once _]; [lra | lra |].
+    pose proof (frame_goes_round (5 * m) (as_vector x) ltac:(lra) ltac:(lra)) as once.
     apply member_by_edges in in_a. destruct in_a as [on | round_a].
     - apply on_turned in on. destruct on as (e & E & on). apply (free e); [| exact on].
       rewrite edges_of_outside. apply in_app_iff. now right.
@@ -178,20 +163,12 @@ Section InnerFit.
     is_inner_point x (as_polygonal outside).
   Proof.
     intros [in_x in_y] out. apply inner_point_of_chains. rewrite member_by_edges in out.
-    destruct (frame_goes_round (5 * m) (as_vector x)) as [once free]; [lra | lra |].
+    pose proof (frame_goes_round (5 * m) (as_vector x) ltac:(lra) ltac:(lra)) as once.
+    pose proof (off_the_frame (5 * m) (as_vector x) ltac:(lra) ltac:(lra)) as free.
     rewrite edges_of_outside, number_of_both, winding_number_of_turned, once. split.
     - destruct (Z.eq_dec (winding_number (as_vector x) (region_edges (as_region a))) 0); [lia | exfalso; tauto].
     - intros e E on. apply in_app_iff in E. destruct E as [E | E]; [exact (free e E on) |].
       apply out. left. apply on_turned. now exists e.
-  Qed.
-
-  Lemma half_turned_inner_point (z : point) : is_inner_point z (as_polygonal (half_turned (as_region b))) <->
-    inside (minus (Vector 0 0) (as_vector z)) (as_region b).
-  Proof.
-    rewrite inner_point_of_chains. unfold half_turned. rewrite <- inside_placed. unfold inside.
-    destruct (placed_is_valid (Vector 0 0) (as_region b) b_region) as (_ & not_negative & _).
-    split; intros [round free]; split; trivial; [specialize (not_negative _ free) | specialize (not_negative _
-      round)]; lia.
   Qed.
 
   Lemma equal_inner_points (x y : point) (r : polygonal_region) : equal_points x y -> is_inner_point x r ->
@@ -212,7 +189,7 @@ Section InnerFit.
   Lemma open_members_are_no_placements (x : point) : open_member x s -> ~ is_placement x.
   Proof.
     intros open placement. apply is_open in open. destruct open as (w & z & in_w & in_z & [X Y]).
-    apply half_turned_inner_point in in_z. apply (outside_is_not_inside w in_w).
+    apply (half_turned_inner_point b z b_region) in in_z. apply (outside_is_not_inside w in_w).
     set (y := Point (0 - x_of z) (0 - y_of z)).
     apply (equal_members (sum_of_points x y)).
     - unfold equal_points, sum_of_points, y in *; cbn [x_of y_of] in *. rewrite X, Y. split; ring.
@@ -236,7 +213,7 @@ Section InnerFit.
     - apply inner_point_of_chains. destruct (near (as_vector (sum_of_points x (as_point y')))) as [free' same_].
       + unfold within, as_vector, sum_of_points, as_point in *; cbn [vx vy x_of y_of] in *. lra.
       + split; [congruence | exact free'].
-    - apply half_turned_inner_point. refine (inside_equal _ _ _ _ inner_y).
+    - apply half_turned_inner_point; [exact b_region |]. refine (inside_equal _ _ _ _ inner_y).
       unfold minus, as_vector; cbn [vx vy x_of y_of]. split; cbn [vx vy]; ring.
     - unfold equal_points, sum_of_points, as_point; cbn [x_of y_of]. split; ring.
   Qed.
@@ -477,25 +454,48 @@ Proof.
   destruct (0 <? _)%Z; tauto.
 Qed.
 
-(* Theorem. What inner_fit returns are the places where b is inside a. *)
-Theorem inner_fits_are_right (a b : polygonal_region) (f : placements) : inner_fit a b = Some f -> is_inner_fit a b f.
+Lemma half_turned_is_valid (b : region) : valid_region b -> nowhere_above_one b ->
+  valid_region (as_region (as_polygonal (half_turned b))) /\
+  nowhere_above_one (as_region (as_polygonal (half_turned b))).
 Proof.
-  unfold inner_fit. set (size := size_of _). destruct (size_is_large (concat (as_region a) ++ concat (as_region b)))
-    as [large all].
-  fold size in large, all. destruct (concat (as_region b)) as [| v rest] eqn:vertices; [discriminate |].
-  destruct (covers_nothing_twice (as_region a)) eqn:a_test; [| discriminate].
-  destruct (covers_nothing_twice (as_region b)) eqn:b_test; [| discriminate].
-  apply covers_nothing_twice_is_right in a_test, b_test.
-  destruct a_test as [a_region a_simple], b_test as [b_region b_simple].
-  unfold checked_open_sum. set (p := as_polygonal (complement_in_frame _ _)). set (q := as_polygonal (half_turned _)).
-  destruct (covers_nothing_twice (as_region p)) eqn:p_test; [| discriminate].
-  destruct (covers_nothing_twice (as_region q)) eqn:q_test; [| discriminate].
-  apply covers_nothing_twice_is_right in p_test, q_test.
-  destruct p_test as [p_region p_simple], q_test as [q_region q_simple]. cbn [option_map]. intros [= <-].
+  intros valid simple. apply polygonal_is_valid; [now apply placed_is_valid | now apply placed_is_at_most_one].
+Qed.
+
+(* Theorem. What inner_fit returns are the places where b is inside a. *)
+Theorem inner_fit_is_the_inner_fit (a b : polygonal_region) :
+  valid_region (as_region a) -> nowhere_above_one (as_region a) ->
+  valid_region (as_region b) -> nowhere_above_one (as_region b) -> (exists c v, In c b /\ In v c) ->
+  is_inner_fit a b (inner_fit a b).
+Proof.
+  intros a_region a_simple b_region b_simple (c & v & C & V). unfold inner_fit. set (size := size_of _).
+  destruct (size_is_large (concat (as_region a) ++ concat (as_region b))) as [large all]. fold size in large, all.
+  assert (a_fits : forall w, In w (concat (as_region a)) -> in_square size w)
+    by (intros w W; apply all, in_app_iff; now left).
+  destruct (complement_is_valid (as_region a) size (5 * size)) as [p_region p_simple]; trivial; [lra | lra | |].
+  { intros s S. destruct (ends_are_vertices (as_region a) s S). split; now apply a_fits. }
+  destruct (polygonal_is_valid _ p_region p_simple), (half_turned_is_valid _ b_region b_simple).
   apply placements_are_the_inner_fit; trivial.
-  - intros w W. apply all, in_app_iff. now left.
-  - intros w W. apply all, in_app_iff. right. now rewrite <- vertices.
-  - exists v. rewrite vertices. now left.
+  - intros w W. apply all, in_app_iff. now right.
+  - exists (vector_of (homogeneous v)). apply in_concat. exists (map (fun p => vector_of (homogeneous p)) c).
+    split; [unfold as_region; now apply in_map | now apply (in_map (fun p => vector_of (homogeneous p)))].
   - now apply open_sum_of_regions_is_the_open_sum.
   - intros x _. now apply sums_go_round_once.
+Qed.
+
+(* Theorem. And what no_fit returns are those where they overlap. *)
+Theorem no_fit_is_the_no_fit (a b : polygonal_region) :
+  valid_region (as_region a) -> nowhere_above_one (as_region a) ->
+  valid_region (as_region b) -> nowhere_above_one (as_region b) -> is_no_fit a b (no_fit a b).
+Proof.
+  intros a_region a_simple b_region b_simple x.
+  destruct (half_turned_is_valid _ b_region b_simple) as [q_region q_simple].
+  unfold no_fit. rewrite (open_sum_of_regions_is_the_open_sum a _ a_region q_region a_simple q_simple x). split.
+  - intros (y & z & in_a & in_b & [X Y]). apply (half_turned_inner_point b z b_region) in in_b.
+    exists y, (Point (0 - x_of z) (0 - y_of z)). split; [exact in_a |]. split.
+    + apply inner_point_of_valid; [exact b_region | exact in_b].
+    + unfold equal_points, sum_of_points in *; cbn [x_of y_of] in *. rewrite X, Y. split; ring.
+  - intros (y & z & in_a & in_b & [X Y]). exists y, (Point (0 - x_of z) (0 - y_of z)). split; [exact in_a |]. split.
+    + apply half_turned_inner_point; [exact b_region |]. apply (inner_point_of_valid z b b_region) in in_b.
+      refine (inside_equal _ _ _ _ in_b). unfold minus, as_vector; split; cbn [vx vy x_of y_of]; ring.
+    + unfold equal_points, sum_of_points in *; cbn [x_of y_of] in *. rewrite X, Y. split; ring.
 Qed.

@@ -1,12 +1,12 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Where b, moved, is inside a, as a program; exact fits are edges and points. Moved by x, b is inside a iff no point
-   inside b comes to a point outside a: iff x is not in the open sum of the outside of a and -b. The outside of a is
-   unbounded; here it is bounded by a square frame so large that b, where it is close to a, does not come near it.
-   Then what is in the frame's middle and not in the open sum are the placements: chains that were holes are turned.
-   That this is so is proved in inner_fit_is_right.v. *)
+(* Where b, moved, is inside a, and where it overlaps a, as programs; exact fits are edges and points. Moved by x, b
+   is inside a iff no point inside b comes to a point outside a: iff x is not in the open sum of the outside of a and
+   -b. The outside of a is unbounded; here it is bounded by a square frame so large that b, where it is close to a,
+   does not come near it. Then what is in the frame's middle and not in the open sum are the placements: chains that
+   were holes are turned. That this is so is proved in inner_fit_is_right.v. *)
 From Coq Require Import QArith Qabs ZArith Bool List.
-From Oplus Require Import specification convolution specification_bridge regions placed_collision checked_collision
-  sum_program open_sum_program open_sums turned_chains.
+From Oplus Require Import specification convolution specification_bridge regions placed_collision
+  sum_program open_sum_program turned_chains.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -34,18 +34,13 @@ Definition placements_in (k : Q) (s : open_region) : placements :=
 
 Definition as_polygonal (r : region) : polygonal_region := map (map as_point) r.
 
-(* Nothing is returned if a region does not pass the test, or b has no points. *)
-Definition inner_fit (a b : polygonal_region) : option placements :=
-  let a := as_region a in
-  let b := as_region b in
-  let size := size_of (concat a ++ concat b) in
-  match concat b with
-  | [] => None
-  | _ =>
-    if covers_nothing_twice a then
-      if covers_nothing_twice b then
-        option_map (placements_in (2 * size))
-          (checked_open_sum (as_polygonal (complement_in_frame (5 * size) a)) (as_polygonal (half_turned b)))
-      else None
-    else None
-  end.
+(* b has to have points. *)
+Definition inner_fit (a b : polygonal_region) : placements :=
+  let size := size_of (concat (as_region a) ++ concat (as_region b)) in
+  placements_in (2 * size)
+    (open_sum_of_regions (as_polygonal (complement_in_frame (5 * size) (as_region a)))
+      (as_polygonal (half_turned (as_region b)))).
+
+(* Where b, moved, overlaps a. *)
+Definition no_fit (a b : polygonal_region) : open_region :=
+  open_sum_of_regions a (as_polygonal (half_turned (as_region b))).

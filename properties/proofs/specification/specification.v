@@ -1,8 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* What a Minkowski sum is, certified or proved: all that a reader must believe. Nothing else is needed to understand
-  the
-   theorem of certified_sums.v, accepts_only_sums accepts, of which docs/certificates.md explains each line, and those
-   of proved/. *)
+   the theorem of certified_sums.v, accepts_only_sums accepts, of which docs/certificates.md explains each line, and
+   those of proved/. *)
 From Coq Require Import QArith List.
 Import ListNotations.
 
@@ -50,8 +49,7 @@ Definition crossing (x : point) (e : edge) : Z :=
   | _, _ => 0
   end.
 
-Definition region_winding_number (x : point) (r : polygonal_region) : Z := fold_right Z.add 0%Z (map (crossing x)
-  (edges_of_region r)).
+Definition region_winding_number (x : point) (r : polygonal_region) : Z := fold_right Z.add 0%Z (map (crossing x) (edges_of_region r)).
 
 (* A region consists of its edges and of what they go round. *)
 Definition member (x : point) (r : polygonal_region) : Prop :=
@@ -78,19 +76,23 @@ Definition is_open_sum (p q : polygonal_region) (s : open_region) : Prop :=
   forall x, open_member x s <->
     exists a b, is_inner_point a p /\ is_inner_point b q /\ equal_points x (sum_of_points a b).
 
+(* b, moved by x, overlaps a for these x and no others: a point is inside both. *)
+Definition is_no_fit (a b : polygonal_region) (s : open_region) : Prop :=
+  forall x, open_member x s <->
+    exists y z, is_inner_point y a /\ is_inner_point z b /\ equal_points y (sum_of_points x z).
+
 (* Where a region fits: chains with what they go round, edges, and points. *)
 Record placements := Placements {
   fit_chains : polygonal_region; fit_edges : list edge; fit_points : list point }.
 
 Definition fits (x : point) (f : placements) : Prop :=
-  member x (fit_chains f) \/ (exists e, In e (fit_edges f) /\ is_on x e) \/ (exists v, In v (fit_points f) /\
-    equal_points x v).
+  member x (fit_chains f) \/ (exists e, In e (fit_edges f) /\ is_on x e) \/
+  (exists v, In v (fit_points f) /\ equal_points x v).
 
 (* b, moved by x, is inside a for these x and no others. *)
 Definition is_inner_fit (a b : polygonal_region) (f : placements) : Prop :=
   forall x, fits x f <-> forall y, member y b -> member (sum_of_points x y) a.
 
 (* A checker is right if it accepts nothing but Minkowski sums, whatever it is given as a certificate. *)
-Definition accepts_only_sums {certificate : Type} (accepts : polygonal_region -> polygonal_region -> polygonal_region
-  -> certificate -> bool) : Prop :=
+Definition accepts_only_sums {certificate : Type} (accepts : polygonal_region -> polygonal_region -> polygonal_region -> certificate -> bool) : Prop :=
   forall p q s c, accepts p q s c = true -> is_minkowski_sum p q s.
