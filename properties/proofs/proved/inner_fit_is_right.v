@@ -13,9 +13,9 @@ Import ListNotations.
 
 Open Scope Q_scope.
 
-Lemma larger_is (a b : Q) : a <= larger a b /\ b <= larger a b.
+Lemma the_larger_is (a b : Q) : a <= the_larger a b /\ b <= the_larger a b.
 Proof.
-  unfold larger. destruct (Qle_bool a b) eqn:order.
+  unfold the_larger. destruct (Qle_bool a b) eqn:order.
   - apply Qle_bool_iff in order. lra.
   - assert (b <= a); [| lra]. apply Qnot_lt_le. intros less. apply not_true_iff_false in order. apply order,
     Qle_bool_iff. lra.
@@ -26,9 +26,10 @@ Lemma size_is_large (points : list vector) :
 Proof.
   induction points as [| w points [large all]]; [split; [cbn; lra | intros v []] |]. cbn [size_of fold_right].
   fold (size_of points). set (size := size_of points) in *. clearbody size.
-  destruct (larger_is (Qabs (vx w)) (larger (Qabs (vy w)) size)) as [x_low more].
-  destruct (larger_is (Qabs (vy w)) size) as [y_low least].
-  set (k := larger (Qabs (vx w)) (larger (Qabs (vy w)) size)) in *. clearbody k. split; [lra |]. intros v [-> | I].
+  destruct (the_larger_is (Qabs (vx w)) (the_larger (Qabs (vy w)) size)) as [x_low more].
+  destruct (the_larger_is (Qabs (vy w)) size) as [y_low least].
+  set (k := the_larger (Qabs (vx w)) (the_larger (Qabs (vy w)) size)) in *. clearbody k. split; [lra |]. intros v [->
+    | I].
   - pose proof (abs_bounds (vx v)). pose proof (abs_bounds (vy v)). split; lra.
   - apply (in_larger_square size); [lra | now apply all].
 Qed.

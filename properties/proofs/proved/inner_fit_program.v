@@ -11,11 +11,11 @@ Import ListNotations.
 
 Open Scope Q_scope.
 
-Definition larger (a b : Q) : Q := if Qle_bool a b then b else a.
+Definition the_larger (a b : Q) : Q := if Qle_bool a b then b else a.
 
-(* No coordinate is larger. *)
+(* no coordinate is larger. *)
 Definition size_of (points : list vector) : Q :=
-  fold_right (fun v size => larger (Qabs (vx v)) (larger (Qabs (vy v)) size)) 1 points.
+  fold_right (fun v size => the_larger (Qabs (vx v)) (the_larger (Qabs (vy v)) size)) 1 points.
 
 Definition frame (k : Q) : list vector := [Vector (- k) (- k); Vector k (- k); Vector k k; Vector (- k) k].
 

@@ -58,23 +58,34 @@ Lemma leading_across_meets (a b : region) (x : vector) (s f : segment) : valid_r
   In s (region_edges a) -> In f (region_edges b) -> leads_across a f (source s) = true ->
   lies_on (minus x (source s)) f -> ~ is_vertex (minus x (source s)) b -> interiors_meet x a b.
 Proof.
-  intros a_region b_region S F across on free. unfold leads_across in across. apply existsb_exists in across.
-  destruct across as (e & E & both). apply andb_true_iff in both. destruct both as [at_v turn].
-  destruct (same_point_spec (source e) (source s)) as [[vx_is vy_is] |]; [clear at_v | discriminate].
-  destruct (negative_spec (cross (along f) (along e))) as [right_ |]; [clear turn | discriminate].
-  pose proof b_region as (b_edges & b_valid & b_meet). pose proof a_region as (a_edges & a_valid & a_meet).
-  assert (left_ : 0 < cross (along f) (opposite (along e))) by (unfold cross, opposite in *; cbn [vx vy]; lra).
-  destruct (eventually_and _ _ (left_of_an_edge_is_inside b f _ _ b_valid b_meet F on free left_)
-    (ex_intro _ 1 (conj (ltac:(lra) : 0 < 1) (fun t some small => conj some small : 0 < t /\ t < 1))))
-    as (limit & L & near).
-  destruct (near ((1 # 2) * limit)) as (inside_b & some & small); [lra | lra |].
-  set (t := (1 # 2) * limit) in *. clearbody t.
-  apply interiors_meet_other_way.
-  refine (inner_point_and_point b a x _ (moved_along (source e) (along e) t) _ inside_b _ _).
-  - now apply regions_are_regular.
-  - right. exists e. split; [exact E |]. exists t. split; [lra |].
-    unfold moved_along, along, minus; cbn [vx vy]. split; ring.
-  - unfold plus, moved_along, opposite, minus; cbn [vx vy]. split; cbn [vx vy]; lra.
+  intros a_region b_region S F across on free. pose proof a_region as (a_edges & a_valid & a_meet).
+  pose proof b_region as (b_edges & b_valid & b_meet).
+  (* d leads from the vertex along an edge *)
+  assert (found : forall d, 0 < cross (along f) (opposite d) ->
+    (forall t, 0 < t -> t < 1 -> in_region (moved_along (source s) d t) a) -> interiors_meet x a b).
+  { intros d left_ along_e.
+    destruct (eventually_and _ _ (left_of_an_edge_is_inside b f _ _ b_valid b_meet F on free left_)
+      (ex_intro _ 1 (conj (ltac:(lra) : 0 < 1) (fun t some small => conj some small : 0 < t /\ t < 1))))
+      as (limit & L & near).
+    destruct (near ((1 # 2) * limit)) as (inside_b & some & small); [lra | lra |].
+    apply interiors_meet_other_way.
+    refine (inner_point_and_point b a x _ (moved_along (source s) d ((1 # 2) * limit)) _ inside_b _ _).
+    - now apply regions_are_regular.
+    - now apply along_e.
+    - unfold plus, moved_along, opposite, minus; cbn [vx vy]. split; cbn [vx vy]; ring. }
+  unfold leads_across in across. apply existsb_exists in across. destruct across as (e & E & either).
+  apply orb_true_iff in either. destruct either as [both | both]; apply andb_true_iff in both; destruct both as [at_v
+    turn].
+  - destruct (same_point_spec (source e) (source s)) as [[X Y] |]; [clear at_v | discriminate].
+    destruct (negative_spec (cross (along f) (along e))) as [right_ |]; [clear turn | discriminate].
+    apply (found (along e)); [unfold cross, opposite in *; cbn [vx vy]; lra |]. intros t some small.
+    right. exists e. split; [exact E |]. exists t. split; [lra |]. unfold moved_along, along, minus; cbn [vx vy].
+    rewrite <- X, <- Y. split; ring.
+  - destruct (same_point_spec (target e) (source s)) as [[X Y] |]; [clear at_v | discriminate].
+    destruct (negative_spec (cross (along e) (along f))) as [left_ |]; [clear turn | discriminate].
+    apply (found (opposite (along e))); [unfold cross, opposite in *; cbn [vx vy]; lra |]. intros t some small.
+    right. exists e. split; [exact E |]. exists (1 - t). split; [lra |].
+    unfold moved_along, opposite, along, minus; cbn [vx vy]. rewrite <- X, <- Y. split; ring.
 Qed.
 
 Section Pieces.
@@ -96,7 +107,7 @@ Section Pieces.
   Lemma touching_piece_is (e : segment) : In e (touching_pieces p q) ->
     exists s piece, In s all /\ In piece (cut_where_met s all) /\ of_one_place e piece.
   Proof.
-    intros E. unfold touching_pieces in E. apply nodup_In, in_flat_map in E. destruct E as (s & S & E).
+    intros E. unfold touching_pieces in E. apply in_flat_map in E. destruct E as (s & S & E).
     apply in_map_iff in E. destruct E as (piece & <- & I). exists s, piece.
     split; [| split; [exact I | apply undirected_place]].
     apply in_app_iff. apply in_app_iff in S.
@@ -161,7 +172,7 @@ Section Pieces.
       { apply in_app_iff. apply in_app_iff in S. destruct S as [S | S]; apply touching_segments_are_sums in S; tauto. }
       destruct (cut_returns s (flat_map (intersection s) all) (all_vertex_edge_segments_are_long s A)) as [_ cover].
       destruct (cover x on) as (piece & I & _ & on_piece). exists (undirected piece). split.
-      - unfold touching_pieces. apply nodup_In, in_flat_map. exists s. split; [exact S |]. now apply in_map.
+      - unfold touching_pieces. apply in_flat_map. exists s. split; [exact S |]. now apply in_map.
       - exact (lies_on_of_one_place _ _ x (of_one_place_sym _ _ (undirected_place piece)) on_piece). }
     destruct on_sum as [(v & f & (s & S & equal) & F & on) | (u & e & (t & T & equal) & E & on)].
     - assert (on_s : lies_on (minus x (source s)) f).

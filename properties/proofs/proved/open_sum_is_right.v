@@ -89,8 +89,8 @@ Section OpenSum.
     exists y, within radius x y /\ ~ in_sum y p q.
 
   Let convolution_ := convolution_segments p q.
-  Let dangling := dangling_pieces p q.
-  Let isolated := isolated_vertices p q (region_edges sum_) dangling.
+  Let dangling := dangling_among p q (touching_pieces p q).
+  Let isolated := isolated_among p q (touching_pieces p q) (region_edges sum_) dangling.
 
   Lemma convolution_is_closed_ : cycles convolution_.
   Proof. destruct p_region as (p_edges & _), q_region as (q_edges & _). now apply convolution_is_closed. Qed.
@@ -172,14 +172,37 @@ Section OpenSum.
     unfold is_right_inside. rewrite <- same_number. apply Z.ltb_lt, inner_points_are_gone_round, near, close.
   Qed.
 
+  Let crossing_at := pieces_cross_at (boundary_pieces p) (boundary_pieces q).
+
   Lemma meets_at (x : vector) : interiors_meet_at p q x = true <-> interiors_meet x p q.
   Proof. now apply collide_decides_whether_interiors_meet. Qed.
+
+  Lemma crossing_means_meeting (x : vector) : crossing_at x = true -> interiors_meet x p q.
+  Proof.
+    intros crossing_. unfold crossing_at, pieces_cross_at in crossing_.
+    apply existsb_exists in crossing_. destruct crossing_ as (s & S & crossing_).
+    apply existsb_exists in crossing_. destruct crossing_ as (t' & T & crossing_). apply in_map_iff in T.
+    destruct T as (t & <- & T). destruct (proper_crossing s (reflected x t) crossing_) as (w & in_s & in_t & turn).
+    destruct (boundary_piece_is p s (proj1 p_region) S) as (e & E & long_e & s_part & p_free).
+    destruct (boundary_piece_is q t (proj1 q_region) T) as (f & F & long_f & t_part & q_free).
+    destruct (p_free w in_s) as [on_e not_p].
+    destruct (q_free (minus x w)) as [on_f not_q].
+    { destruct in_t as (k & range & X & Y). exists k. unfold reflected, minus in *; cbn [source target vx vy] in *.
+      split; [exact range |]. split; lra. }
+    apply meet_inside_placed, (edges_that_cross_show p (placed x q) p_region (placed_is_valid x q q_region)).
+    exists e, (reflected x f), w. rewrite edges_of_placed.
+    repeat split; trivial; [now apply in_map | now apply on_reflected | now rewrite vertex_of_placed_iff |].
+    intros parallel. apply turn. destruct (long_reflected x s t) as [cross_s _].
+    destruct (long_reflected x e f) as [cross_e _].
+    destruct (cross_of_parts s t e f long_e long_f s_part t_part) as (c & _ & cross_is & _).
+    rewrite cross_s, cross_is. assert (none : cross (along e) (along f) == 0) by lra. rewrite none. ring.
+  Qed.
 
   (* The open sum is inside the closed one. *)
   Lemma open_points_are_inside (x : vector) : interiors_meet x p q ->
     winding_number x (region_edges sum_) <> 0%Z /\ off x (region_edges sum_).
   Proof.
-    intros meet. destruct (interiors_meet_means_inner_point p q x meet) as (radius & R & near).
+    intros meet_x. destruct (interiors_meet_means_inner_point p q x meet_x) as (radius & R & near).
     assert (free : off x (region_edges sum_)).
     { intros s S on. destruct (sum_is_bounded x s radius S on R) as (y & close & out). exact (out (near y close)). }
     split; [| exact free]. destruct (proj2 (sum_is x)) as [(s & S & on) | round]; [| exfalso; exact (free s S on) |
@@ -200,10 +223,11 @@ Section OpenSum.
   Lemma open_points_are_on_no_dangling_edge (x : vector) (e : segment) : interiors_meet x p q -> In e dangling ->
     ~ lies_on x e.
   Proof.
-    intros meet E on. unfold dangling, dangling_pieces in E. apply filter_In in E. destruct E as [E dangles].
-    unfold is_dangling in dangles. destruct (is_right_inside _ e); [| discriminate].
-    destruct (is_right_inside _ (reversed e)); [| discriminate]. apply negb_true_iff in dangles.
-    destruct (interiors_meet_all_near p q x meet) as (radius & R & near).
+    intros meet_x E on. unfold dangling, dangling_among in E. apply nodup_In, filter_In in E. destruct E as [E dangles].
+    fold crossing_at in dangles. unfold is_dangling in dangles. destruct (crossing_at (middle e)); [discriminate |].
+    destruct (is_right_inside _ e); [| discriminate]. destruct (is_right_inside _ (reversed e)); [| discriminate].
+    apply negb_true_iff in dangles.
+    destruct (interiors_meet_all_near p q x meet_x) as (radius & R & near).
     destruct (eventually_and _ _ (small_steps_stay_within radius x (minus (middle e) x) R)
       (ex_intro _ 1 (conj (ltac:(lra) : 0 < 1) (fun t some small => conj some small : 0 < t /\ t < 1))))
       as (limit & L & all).
@@ -222,15 +246,17 @@ Section OpenSum.
     off x (region_edges sum_) -> winding_number x (region_edges sum_) <> 0%Z -> off x dangling ->
     ~ interiors_meet x p q -> In w isolated.
   Proof.
-    intros equal I free round free_d outside. unfold isolated, isolated_vertices. apply filter_In.
-    split; [now apply nodup_In |]. unfold is_isolated.
+    intros equal I free round free_d outside. unfold isolated, isolated_among. apply nodup_In, filter_In.
+    split; [exact I |]. fold crossing_at. unfold is_isolated.
+    assert (outside_w : ~ interiors_meet w p q).
+    { intros meet. apply outside. apply (interiors_meet_of_equal p q w); [now symmetry | exact meet]. }
+    destruct (crossing_at w) eqn:crossing_; [exfalso; apply outside_w; now apply crossing_means_meeting |].
     destruct (is_on_one_spec w (region_edges sum_ ++ dangling)) as [(s & S & on) | _].
     - exfalso. assert (on_x : lies_on x s) by (apply (lies_on_equal w); [now symmetry | exact on]).
       apply in_app_iff in S. destruct S as [S | S]; [exact (free s S on_x) | exact (free_d s S on_x)].
     - destruct equal as [X Y]. rewrite <- (winding_number_of_equal _ _ _ X Y).
       destruct (Z.eqb_spec (winding_number x (region_edges sum_)) 0); [contradiction |].
-      apply negb_true_iff, not_true_iff_false. rewrite meets_at. intros meet. apply outside.
-      apply (interiors_meet_of_equal p q w); [split; lra | exact meet].
+      apply negb_true_iff, not_true_iff_false. now rewrite meets_at.
   Qed.
 
   Theorem open_sum_has (x : vector) :
@@ -259,20 +285,26 @@ Section OpenSum.
             split; apply Qnot_le_lt; intros extreme.
             - apply (ends (source e)); [now left |]. assert (k_is : k == 0) by lra. rewrite k_is in X, Y. split; lra.
             - apply (ends (target e)); [now right |]. assert (k_is : k == 1) by lra. rewrite k_is in X, Y. split; lra. }
-          apply (free_d e); [| exact on_e]. unfold dangling, dangling_pieces. apply filter_In. split; [exact E |].
-          unfold is_dangling. fold convolution_.
+          apply (free_d e); [| exact on_e]. unfold dangling, dangling_among. apply nodup_In, filter_In. split; [exact
+            E |].
+          assert (outside_middle : ~ interiors_meet (middle e) p q).
+          { intros meet. apply outside.
+            apply (meeting_is_the_same_along_a_piece p q p_region q_region p_simple q_simple e (middle e)); trivial.
+            apply middle_is_inside. }
+          fold crossing_at convolution_. unfold is_dangling.
           rewrite (sides_are_inside e e x), (sides_are_inside e (reversed e) x) by tauto.
-          apply negb_true_iff, not_true_iff_false. rewrite meets_at. intros meet. apply outside.
-          apply (meeting_is_the_same_along_a_piece p q p_region q_region p_simple q_simple e (middle e)); trivial.
-          apply middle_is_inside.
+          destruct (crossing_at (middle e)) eqn:crossing_;
+            [exfalso; apply outside_middle; now apply crossing_means_meeting |].
+          apply negb_true_iff, not_true_iff_false. now rewrite meets_at.
       + apply outside. apply off_all_is_general in general.
         apply (positive_winding_number_iff_interiors_meet p q x p_region q_region general).
         apply inner_points_are_gone_round. destruct (all_near_are_inner x free round) as (radius & R & near).
         apply near. now apply within_of_equal.
-    - intros meet. split; [now apply open_points_are_inside |]. split.
+    - intros meet_x. split; [now apply open_points_are_inside |]. split.
       + intros e E. now apply open_points_are_on_no_dangling_edge.
-      + intros v V equal. unfold isolated, isolated_vertices in V. apply filter_In in V. destruct V as [_ alone].
-        unfold is_isolated in alone. destruct (existsb _ _); [discriminate |]. destruct (_ =? 0)%Z; [discriminate |].
+      + intros v V equal. unfold isolated, isolated_among in V. apply nodup_In, filter_In in V. destruct V as [_ alone].
+        fold crossing_at in alone. unfold is_isolated in alone. destruct (crossing_at v); [discriminate |].
+        destruct (existsb _ _); [discriminate |]. destruct (_ =? 0)%Z; [discriminate |].
         apply negb_true_iff in alone. assert (meets : interiors_meet_at p q v = true); [| congruence].
         apply meets_at. now apply (interiors_meet_of_equal p q x).
   Qed.

@@ -5,7 +5,8 @@
    in all points or in none (open_along_a_piece.v), and the collision test at its middle says which. What is left are
    the ends of pieces, and the sums of two vertices. That the result is right is proved in open_sum_is_right.v. *)
 From Coq Require Import QArith ZArith Bool List.
-From Oplus Require Import specification convolution convolution_winding specification_bridge regions location pieces
+From Oplus Require Import specification convolution convolution_winding specification_bridge regions reflected
+  location pieces
   naive_collision placed_collision filling sum_program total_sum.
 Import ListNotations.
 
@@ -23,10 +24,11 @@ Definition vertex_edge_segments (a b : region) : list segment :=
 Definition all_vertex_edge_segments (p q : region) : list segment :=
   vertex_edge_segments p q ++ vertex_edge_segments q p.
 
-(* Whether an edge of r that starts in v leads into the other region, if v is strictly inside its edge f, reflected:
+(* Whether an edge of r at its vertex v leads into the other region, if v is strictly inside its edge f, reflected:
    then the interiors meet all along v + f. *)
 Definition leads_across (r : region) (f : segment) (v : vector) : bool :=
-  existsb (fun e => same_point (source e) v && negative (cross (along f) (along e))) (region_edges r).
+  existsb (fun e => (same_point (source e) v && negative (cross (along f) (along e))) ||
+                    (same_point (target e) v && negative (cross (along e) (along f)))) (region_edges r).
 
 (* Those along which the interiors can fail to meet. *)
 Definition touching_segments (a b : region) : list segment :=
@@ -35,39 +37,50 @@ Definition touching_segments (a b : region) : list segment :=
 
 Definition touching_pieces (p q : region) : list segment :=
   let all := all_vertex_edge_segments p q in
-  nodup segment_dec
-    (flat_map (fun s => map undirected (cut_where_met s all)) (touching_segments p q ++ touching_segments q p)).
+  flat_map (fun s => map undirected (cut_where_met s all)) (touching_segments p q ++ touching_segments q p).
+
+(* Edges that cross are looked for first: they are quickly found, where there are any. *)
+Definition pieces_cross_at (of_p of_q : list segment) (x : vector) : bool :=
+  let reflected_q := map (reflected x) of_q in existsb (fun s => existsb (cross_properly s) reflected_q) of_p.
 
 Definition interiors_meet_at (p q : region) (x : vector) : bool := collide p (placed x q).
 
 (* Pieces with the sum on both sides, along which the interiors do not meet. *)
-Definition is_dangling (p q : region) (convolution_ : list segment) (e : segment) : bool :=
-  if is_right_inside convolution_ e then
-    if is_right_inside convolution_ (reversed e) then negb (interiors_meet_at p q (middle e)) else false
+Definition is_dangling (crossing_at meet_at : vector -> bool) (convolution_ : list segment) (e : segment) : bool :=
+  if crossing_at (middle e) then false
+  else if is_right_inside convolution_ e then
+    if is_right_inside convolution_ (reversed e) then negb (meet_at (middle e)) else false
   else false.
 
 Definition vertex_sums (p q : region) : list vector :=
   flat_map (fun v => map (fun u => reduced_vector (plus v u)) (vertices_of q)) (vertices_of p).
 
 (* Points inside the sum, on no dangling edge, at which the interiors do not meet. *)
-Definition is_isolated (p q : region) (sum_ dangling : list segment) (v : vector) : bool :=
-  if existsb (is_on_segment v) (sum_ ++ dangling) then false
-  else if (winding_number v sum_ =? 0)%Z then false else negb (interiors_meet_at p q v).
+Definition is_isolated (crossing_at meet_at : vector -> bool) (sum_ dangling : list segment) (v : vector) : bool :=
+  if crossing_at v then false
+  else if existsb (is_on_segment v) (sum_ ++ dangling) then false
+  else if (winding_number v sum_ =? 0)%Z then false else negb (meet_at v).
 
-Definition dangling_pieces (p q : region) : list segment :=
-  let convolution_ := convolution_segments p q in
-  filter (is_dangling p q convolution_) (touching_pieces p q).
+Definition dangling_among (p q : region) (pieces : list segment) : list segment :=
+  let crossing_at := pieces_cross_at (boundary_pieces p) (boundary_pieces q) in
+  nodup segment_dec
+    (filter (is_dangling crossing_at (interiors_meet_at p q) (convolution_segments p q)) pieces).
 
-Definition isolated_vertices (p q : region) (sum_ dangling : list segment) : list vector :=
-  filter (is_isolated p q sum_ dangling)
-    (nodup vector_dec (flat_map (fun e => [source e; target e]) (touching_pieces p q) ++ vertex_sums p q)).
+Definition isolated_among (p q : region) (pieces sum_ dangling : list segment) : list vector :=
+  let crossing_at := pieces_cross_at (boundary_pieces p) (boundary_pieces q) in
+  nodup vector_dec
+    (filter (is_isolated crossing_at (interiors_meet_at p q) sum_ dangling)
+      (flat_map (fun e => [source e; target e]) pieces ++ vertex_sums p q)).
 
 Definition as_edge (s : segment) : edge := (as_point (source s), as_point (target s)).
 
 (* The chains are those of a closed sum, however it was found. *)
 Definition open_sum_around (sum_ p q : polygonal_region) : open_region :=
-  let dangling := dangling_pieces (as_region p) (as_region q) in
+  let p := as_region p in
+  let q := as_region q in
+  let pieces := touching_pieces p q in
+  let dangling := dangling_among p q pieces in
   OpenRegion sum_ (map as_edge dangling)
-    (map as_point (isolated_vertices (as_region p) (as_region q) (region_edges (as_region sum_)) dangling)).
+    (map as_point (isolated_among p q pieces (region_edges (as_region sum_)) dangling)).
 
 Definition open_sum_of_regions (p q : polygonal_region) : open_region := open_sum_around (sum_of_regions p q) p q.

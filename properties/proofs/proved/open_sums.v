@@ -105,7 +105,7 @@ Proof.
   transitivity (interiors_meet (as_vector x) (as_region p) (as_region q)).
   - rewrite <- (open_sum_has (as_region p) (as_region q) (as_region sum_) p_region q_region p_simple q_simple).
     + unfold open_member. rewrite inner_point_is. cbn [open_chains dangling_edges isolated_points open_sum_around].
-      set (D := dangling_pieces _ _). set (V := isolated_vertices _ _ _ _).
+      set (D := dangling_among _ _ _). set (V := isolated_among _ _ _ _ _).
       assert (edges_ : (forall e, In e (map as_edge D) -> ~ is_on x e) <-> off (as_vector x) D).
       { split; intros free.
         - intros s S on. exact (free (as_edge s) (in_map as_edge D s S) on).
