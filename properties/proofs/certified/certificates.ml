@@ -14,7 +14,7 @@ let lines text word line =
   read 0 []
 
 let homogeneous_point (x : Q.t) (y : Q.t) =
-  Checker.(homogeneous { x_of = { qnum = x.num; qden = x.den }; y_of = { qnum = y.num; qden = y.den } })
+  Proved.(homogeneous { x_of = { qnum = x.num; qden = x.den }; y_of = { qnum = y.num; qden = y.den } })
 
 (* The points that are put into the edges, by edges, and all vertices that pieces may have. *)
 let points text region =
@@ -73,7 +73,7 @@ let summand text name region =
   let summand_inserted, vertices = points text region in
   let summand_pieces = lines text "pieces" (piece vertices) in
   let links = lines text "links" link in
-  { Checker.summand_inserted; summand_pieces; roots = roots summand_pieces links; links }
+  { Proved.summand_inserted; summand_pieces; roots = roots summand_pieces links; links }
 
 let deepest_tree = 100_000
 
@@ -81,7 +81,7 @@ let rec cells depth text =
   match take text with
   | "in" ->
       let i, j = link text in
-      Checker.SumsOf (i, j)
+      Proved.SumsOf (i, j)
   | "cut" when depth < deepest_tree ->
       let coefficient () =
         if text.word = "-" || String.exists (fun c -> not (is_digit c || c = '-')) text.word then
@@ -94,7 +94,7 @@ let rec cells depth text =
       end_line text;
       let one = cells (depth + 1) text in
       let other = cells (depth + 1) text in
-      Checker.Cut ({ la; lb; lc }, one, other)
+      Proved.Cut ({ la; lb; lc }, one, other)
   | word -> refuse text (quoted word) (Printf.sprintf "'in', or 'cut' in a tree of depth at most %d" deepest_tree)
 
 let certificate p q s text =
@@ -118,6 +118,6 @@ let certificate p q s text =
   let sum_pieces = lines text "pieces" piece_with_tree in
   expect text "end";
   end_line text;
-  { Checker.unit0 = unit_; of_p; of_q; sum_inserted; sum_pieces }
+  { Proved.unit0 = unit_; of_p; of_q; sum_inserted; sum_pieces }
 
 let read name p q s = read_file name "\n" (certificate p q s)

@@ -1,15 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The checker as OCaml, with Zarith's integers for Coq's. Coq's own list of replacements is trusted, and this one. *)
-From Coq Require Extraction ExtrOcamlZBigInt.
-From Coq Require Import ZArith.
-From Oplus Require Import checker.
+(* The checker as OCaml. *)
+From Oplus Require Import zarith checker.
 
-Extraction Language OCaml.
-Extract Inlined Constant Pos.eqb => "Big_int_Z.eq_big_int".
-Extract Inlined Constant Z.leb => "Big_int_Z.le_big_int".
-Extract Inlined Constant Z.ltb => "Big_int_Z.lt_big_int".
-Extract Constant Z.gcd => "Big_int_Z.gcd_big_int".
-Extract Constant Z.ggcd =>
-  "(fun a b -> let g = Big_int_Z.gcd_big_int a b in
-    if Big_int_Z.sign_big_int g = 0 then (g, (a, b)) else (g, (Big_int_Z.div_big_int a g, Big_int_Z.div_big_int b g)))".
-Extraction "checker.ml" check accepts homogeneous.
+Extraction "proved.ml" check accepts homogeneous.

@@ -43,12 +43,12 @@ let rec ends number = function
       let n = List.length chain in
       if number < n then (List.nth chain number, List.nth chain ((number + 1) mod n)) else ends (number - n) rest
 
-let corners (polygon : Checker.polygon) =
+let corners (polygon : Proved.polygon) =
   let coordinate x w = Q.make x w in
-  String.concat " " (List.map (fun { Checker.px; py; pw } -> described (coordinate px pw, coordinate py pw)) polygon)
+  String.concat " " (List.map (fun { Proved.px; py; pw } -> described (coordinate px pw, coordinate py pw)) polygon)
 
-let why s (certificate : Checker.certificate) = function
-  | Checker.PiecesOfP -> "the pieces of P are not convex, or are not P"
+let why s (certificate : Proved.certificate) = function
+  | Proved.PiecesOfP -> "the pieces of P are not convex, or are not P"
   | PiecesOfQ -> "the pieces of Q are not convex, or are not Q"
   | PiecesOfS -> "the pieces of S are not convex, or are not S"
   | LinksOfP -> "the links of P do not lead to all its pieces"
@@ -63,14 +63,7 @@ let why s (certificate : Checker.certificate) = function
       Printf.sprintf "piece %s of S, %s, is not shown to consist of sums" (Z.to_string n)
         (corners (fst (List.nth certificate.sum_pieces (Z.to_int n))))
 
-let name = "oplus-certified: "
-
-let refuse message =
-  prerr_endline (name ^ message);
-  close_out_noerr stdout; (* what could not be written is not tried again *)
-  exit 2
-
-let run is_echoed = function
+let check is_echoed = function
   | [ p; q; s; certificate ] -> (
       let p = Regions.read p and q = Regions.read q and s = Regions.read s in
       if is_echoed then begin
@@ -79,57 +72,17 @@ let run is_echoed = function
         echo "S" s
       end;
       let certificate = Certificates.read certificate p q s in
-      match Checker.check (Regions.specified p) (Regions.specified q) (Regions.specified s) certificate with
+      match Proved.check (Regions.specified p) (Regions.specified q) (Regions.specified s) certificate with
       | None -> print_endline "certified"; 0
       | Some refusal -> print_endline ("not certified: " ^ why s certificate refusal); 1)
-  | files -> refuse (Printf.sprintf "%d files; expected P Q S CERTIFICATE (see --help)" (List.length files))
+  | files -> Program.refuse (Printf.sprintf "%d files; expected P Q S CERTIFICATE (see --help)" (List.length files))
 
-let too_small = "the memory is too small for these files"
-
-(* Recursion is as deep as lists are long, so the program runs again, with a higher limit on its stack. Where there is
-   no more memory, OCaml's runtime ends that run: what this one says then is one line all the same. *)
-let run_again () =
-  Unix.putenv "OPLUS_CERTIFIED" "stack";
-  let command = "ulimit -s unlimited 2>/dev/null || ulimit -s $(ulimit -H -s); exec \"$@\"" in
-  let shell = [| "sh"; "-c"; command; "sh"; Sys.executable_name |] in
-  let arguments = Array.append shell (Array.sub Sys.argv 1 (Array.length Sys.argv - 1)) in
-  let reading, writing = Unix.pipe ~cloexec:true () in
-  let again = Unix.create_process "/bin/sh" arguments Unix.stdin Unix.stdout writing in
-  Unix.close writing;
-  let said = try input_line (Unix.in_channel_of_descr reading) with End_of_file -> "" in
-  match Unix.waitpid [] again with
-  | _, WEXITED code when code < 2 -> exit code
-  | _ when String.starts_with ~prefix:name said -> prerr_endline said; exit 2
-  | _ -> refuse too_small
-
-(* A heap of 4 GB is more than any sensible input needs. *)
-let limit_heap () =
-  Gc.set { (Gc.get ()) with space_overhead = 200 };
-  ignore (Gc.create_alarm (fun () -> if (Gc.quick_stat ()).heap_words > 1 lsl 29 then raise Out_of_memory))
-
-let answer () =
-  let arguments = List.tl (Array.to_list Sys.argv) in
+let answer arguments =
   let options, files = List.partition (fun a -> String.length a > 1 && a.[0] = '-') arguments in
   match options with
   | _ when List.exists (fun o -> o = "-h" || o = "--help") options -> print_string help; 0
   | [ "--version" ] -> print_endline ("oplus-certified " ^ Version.version); 0
-  | [] | [ "--echo" ] -> run (options <> []) files
-  | option :: _ -> refuse (Printf.sprintf "the option '%s' is not known (see --help)" (String.escaped option))
+  | [] | [ "--echo" ] -> check (options <> []) files
+  | option :: _ -> Program.refuse (Printf.sprintf "the option '%s' is not known (see --help)" (String.escaped option))
 
-let () =
-  let cannot_write why = refuse ("cannot write standard output: " ^ why) in
-  try
-    Sys.set_signal Sys.sigpipe Sys.Signal_ignore;
-    (match Unix.fstat Unix.stdout with
-     | exception Unix.Unix_error (why, _, _) -> cannot_write (Unix.error_message why)
-     | _ -> ());
-    if Sys.getenv_opt "OPLUS_CERTIFIED" = None then run_again ();
-    limit_heap ();
-    let code = answer () in
-    flush stdout;
-    exit code
-  with
-  | Words.Invalid message -> refuse message
-  | Sys_error why -> cannot_write why
-  | Unix.Unix_error (why, _, _) -> refuse (Unix.error_message why)
-  | Out_of_memory | Stack_overflow -> refuse too_small
+let () = Program.run "oplus-certified" answer

@@ -251,10 +251,10 @@ def both_checkers(build, folder):
         shutil.copyfile(HERE / source, folder / source)
     if replaced((folder / "plain_extraction.v").read_text(encoding="utf-8")):
         sys.exit("plain_extraction.v replaces what was proved")
-    read = ["checker.mli", "checker.ml", "words.ml", "regions.ml", "certificates.ml"]
+    read = ["proved.mli", "proved.ml", "words.ml", "regions.ml", "certificates.ml"]
     for name in read:
         shutil.copyfile(build / name, folder / name)
-    for command in (["coqc", "-R", build.resolve(), "Oplus", "plain_extraction.v"],
+    for command in (["coqc", "-vok", "-R", build.resolve().parent / "coq", "Oplus", "plain_extraction.v"],
                     ["ocamlfind", "ocamlopt", "-w", "-a", "-package", "zarith", "-linkpkg", "-o", "both_checkers",
                      "plain_checker.mli", "plain_checker.ml", *read, "both_checkers.ml"]):
         code, said = run(command, cwd=folder)

@@ -84,14 +84,23 @@ let take text =
 
 let expect text word = if text.word = word then advance text else refuse_word text (quoted word)
 
+let standard_input = ref (Some stdin)
+
+let open_file = function
+  | "-" ->
+      let channel = !standard_input in
+      standard_input := None;
+      (match channel with Some channel -> channel | None -> raise (Invalid "standard input can be read once only"))
+  | name -> open_in_bin name
+
 (* What is read from a file that has nothing else in it. *)
 let read_file name symbols read =
-  match open_in_bin name with
+  match open_file name with
   | exception Sys_error why -> raise (Invalid (String.escaped why))
   | channel ->
       let block = Bytes.create 65536 in
       let text =
-        { name; channel; block; filled = 0; next = 0; size = 0; line = 1; symbols; word = ""; line_of_word = 1 }
+        { name = (if name = "-" then "standard input" else name); channel; block; filled = 0; next = 0; size = 0; line = 1; symbols; word = ""; line_of_word = 1 }
       in
       let whole () =
         advance text;

@@ -98,5 +98,5 @@ let read name = read_file name "()," region
 
 (* As specification.v has it. *)
 let specified region =
-  let number (q : Q.t) = { Checker.qnum = q.num; qden = q.den } in
-  List.map (List.map (fun (x, y) -> { Checker.x_of = number x; y_of = number y })) region
+  let number (q : Q.t) = { Proved.qnum = q.num; qden = q.den } in
+  List.map (List.map (fun (x, y) -> { Proved.x_of = number x; y_of = number y })) region
