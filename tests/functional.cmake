@@ -13,7 +13,7 @@ target_link_libraries(oplus-tests PRIVATE oplus_cli oplus_properties oplus_peers
 target_compile_options(oplus-tests PRIVATE -O0)
 add_dependencies(oplus-tests oplus oplus-check oplus-maintain oplus-peer)
 if(TARGET oplus-certified)
-  add_dependencies(oplus-tests oplus-certified)
+  add_dependencies(oplus-tests oplus-certified oplus-proved)
 endif()
 # As in the libraries, and GoogleTest; compiled as the tests are.
 if(TARGET oplus_precompiled)

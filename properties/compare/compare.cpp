@@ -39,7 +39,7 @@ std::vector<std::string> engine_names() {
   std::vector<std::string> names = {"all"};
   for (const std::vector<Engine>& some : {engines(), peers()})
     for (const Engine& engine : some) names.push_back(engine.name);
-  names.emplace_back("certified");
+  names.insert(names.end(), {"certified", "proved"});
   return names;
 }
 
@@ -61,7 +61,11 @@ HoleTestMethod hole_test_named(const std::string& name) {
   return all_hole_tests();
 }
 
-/// The engines that were named; where none was, all of oplus, and "certified" if it can run.
+/// Above that, a proved sum takes longer than all others together.
+constexpr std::size_t most_proved_segments = 200;
+
+/// The engines that were named; where none was, all of oplus, and "certified" and, for small pairs, "proved" if they can
+/// run.
 std::vector<Engine> chosen_engines(const Campaign& campaign) {
   std::vector<Engine> chosen = checked_engines(hole_test_named(campaign.hole_test));
   const ProcessLimits limits{.seconds = campaign.time_limit,
@@ -70,10 +74,14 @@ std::vector<Engine> chosen_engines(const Campaign& campaign) {
                              .is_interrupted = is_interrupted};
   const std::vector<std::string>& names = campaign.engines;
   if (names.empty() || std::ranges::count(names, "all") > 0) {
-    if (can_certify())
-      chosen.push_back(certified_engine(limits));
-    else
-      say_note("sums are not certified: " + why_it_cannot_run("certified", limits));
+    for (const Engine& other :
+         {certified_engine(limits), proved_engine(limits, most_proved_segments)}) {
+      const std::string fault = why_it_cannot_run(other.name, limits);
+      if (fault.empty())
+        chosen.push_back(other);
+      else
+        say_note("sums are not " + other.name + ": " + fault);
+    }
     return chosen;
   }
   std::erase_if(chosen,

@@ -47,7 +47,7 @@ std::vector<std::string> operations_and_sums() {
 
 std::string other_engines() {
   std::vector<Engine> others = peers();
-  others.insert(others.begin(), certified_engine({}));
+  others.insert(others.begin(), {certified_engine({}), proved_engine({})});
   std::string lines;
   for (const Engine& peer : others)
     lines += "  " + peer.name + std::string(22 - peer.name.size(), ' ') + peer.what + '\n';
@@ -122,8 +122,8 @@ void add_diff_command(Program& program) {
       .default_shown();
   add_engine_option(
       command, settings,
-      "The engine to check; may be repeated; default: all of oplus, and certified; other libraries and "
-      "programs: below");
+      "The engine to check; may be repeated; default: all of oplus, certified, and, for small pairs, proved; other "
+      "libraries and programs: below");
   command
       .option(
           "--collision-test NAME", campaign.hole_test,

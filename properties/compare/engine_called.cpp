@@ -13,6 +13,7 @@
 #include "properties/runner/checked_engines.hpp"
 #include "properties/runner/finding.hpp"
 #include "properties/runner/temporary_folder.hpp"
+#include "reference/definitions/convolution.hpp"
 #include "reference/io/boundary_name.hpp"
 #include "reference/io/reading.hpp"
 #include "reference/io/writing.hpp"
@@ -134,6 +135,22 @@ EngineFailure open_unsupported() {
 
 }  // namespace
 
+Engine proved_engine(ProcessLimits limits, std::size_t most_segments) {
+  limits.is_quiet = true;
+  Engine engine = named_engine("proved", [=](const Region& p, const Region& q, Boundary boundary) {
+    if (boundary == Boundary::open) throw open_unsupported();
+    if (convolution(p, q).size() > most_segments)
+      throw EngineFailure(Kind::refused, "size",
+                          "it is asked for sums of at most " + std::to_string(most_segments) +
+                              " segments of the convolution");
+    const SummandFiles files(p, q);
+    return sum_by(run_program({program_beside("oplus-proved"), "sum", files.p, files.q}, limits),
+                  limits);
+  });
+  engine.what = "the closed sum by the program oplus-proved, of which it is proved in Coq";
+  return engine;
+}
+
 std::vector<Engine> peers(ProcessLimits limits) {
   limits.is_quiet = true;
 #ifdef __SANITIZE_ADDRESS__
@@ -165,8 +182,9 @@ Engine program_engine(const std::string& command, ProcessLimits limits) {
 }
 
 std::string why_it_cannot_run(const std::string& engine, ProcessLimits limits) {
-  if (engine == "certified" && !can_certify())
-    return "oplus-certified was not built; it needs Debian's coq and libzarith-ocaml-dev";
+  const bool is_extracted = engine == "certified" || engine == "proved";
+  if (is_extracted && !std::filesystem::exists(program_beside("oplus-" + engine)))
+    return "oplus-" + engine + " was not built; it needs Debian's coq and libzarith-ocaml-dev";
   const std::string peer = program_beside("oplus-peer");
   if (find_engine(peers(limits), engine) && !std::filesystem::exists(peer))
     return peer +
@@ -186,6 +204,7 @@ std::string why_it_cannot_run(const std::string& engine, ProcessLimits limits) {
 
 std::optional<Engine> engine_called(const std::string& engine, const ProcessLimits& limits) {
   if (engine == "certified") return certified_engine(limits);
+  if (engine == "proved") return proved_engine(limits);
   const std::vector<Engine> all = peers(limits);
   if (const Engine* peer = find_engine(all, engine)) return *peer;
   if (engine.starts_with(exec) && engine.size() > exec.size())

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,14 +16,20 @@ namespace oplus {
 /// runs `oplus-peer` for each sum, with these limits; see engine_called().
 std::vector<Engine> peers(ProcessLimits limits = {});
 
+/// Closed sums by `oplus-proved`, a program beside this one, for pairs whose convolution has at most so many segments;
+/// others it refuses. It fails as program_engine() does.
+Engine proved_engine(ProcessLimits limits,
+                     std::size_t most_segments = std::numeric_limits<std::size_t>::max());
+
 /// Returns an engine that runs another library or program in a process of its own for each sum; nullopt
-/// where `engine` is neither "certified" (certified_engine.hpp) nor the name of a peer nor "exec:" and a command.
+/// where `engine` is neither "certified" (certified_engine.hpp) nor "proved" nor the name of a peer nor "exec:" and a
+/// command.
 /// Its compute() throws EngineFailure, and std::system_error where no process or file can be made, or, with the
 /// code std::errc::interrupted, where it was interrupted (ProcessLimits); any number of threads may call it.
 std::optional<Engine> engine_called(const std::string& engine, const ProcessLimits& limits);
 
 /// Runs the command of an engine "exec:…" once, on two squares. Returns what the shell says where it
-/// cannot run the command; why "certified" or a peer cannot run, and how it is built; else "".
+/// cannot run the command; why "certified", "proved" or a peer cannot run, and how it is built; else "".
 std::string why_it_cannot_run(const std::string& engine, ProcessLimits limits);
 
 /// Any program as an engine. The shell runs the command, in which

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+
+#include "checked/engines/engines.hpp"
+#include "properties/compare/engine_called.hpp"
+#include "properties/runner/registry.hpp"
+
+namespace oplus {
+
+namespace {
+
+Outcome check(const Summands& summands) {
+  Outcome outcome;
+  const auto& [p, q] = summands;
+  const std::string fault = why_it_cannot_run("proved", {});
+  if (!fault.empty()) return outcome.fail(fault);
+  const PlanarSet proved = proved_engine({}).compute(p, q, Boundary::closed, {}).sum;
+  for (const Engine& engine : engines())
+    if (engine.compute(p, q, Boundary::closed, {}).sum != proved)
+      return outcome.fail(engine.name + " returns another sum than the proved one");
+  outcome.counts["holes of sums"] += proved.holes.size();
+  return outcome;
+}
+
+const Registered registered({
+    .id = "fact-proved-sum",
+    .sources = {{"tight", 4, 6},
+                {"grid", 8, 3},
+                {"holes", 4, 2},
+                {"components", 3, 1},
+                {"islands", 1, 1},
+                {"diamond-u", 1, 1}},
+    .promises = {{"holes", 10},
+                 {"reflex vertices", 10},
+                 {"parallel edges", 40},
+                 {"overlapping segments", 5}},
+    .kills = {"slide-components-never-overlap", "slide-shifts-to-the-left"},
+    .cases = 100,
+    .check = check,
+});
+
+}  // namespace
+
+}  // namespace oplus
