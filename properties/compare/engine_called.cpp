@@ -138,16 +138,16 @@ EngineFailure open_unsupported() {
 Engine proved_engine(ProcessLimits limits, std::size_t most_segments) {
   limits.is_quiet = true;
   Engine engine = named_engine("proved", [=](const Region& p, const Region& q, Boundary boundary) {
-    if (boundary == Boundary::open) throw open_unsupported();
     if (convolution(p, q).size() > most_segments)
       throw EngineFailure(Kind::refused, "size",
                           "it is asked for sums of at most " + std::to_string(most_segments) +
                               " segments of the convolution");
     const SummandFiles files(p, q);
-    return sum_by(run_program({program_beside("oplus-proved"), "sum", files.p, files.q}, limits),
-                  limits);
+    std::vector<std::string> command = {program_beside("oplus-proved"), "sum", files.p, files.q};
+    if (boundary == Boundary::open) command.emplace_back("--open");
+    return sum_by(run_program(command, limits), limits);
   });
-  engine.what = "the closed sum by the program oplus-proved, of which it is proved in Coq";
+  engine.what = "sums by the program oplus-proved, which is proved in Coq";
   return engine;
 }
 

@@ -16,7 +16,7 @@ namespace oplus {
 /// runs `oplus-peer` for each sum, with these limits; see engine_called().
 std::vector<Engine> peers(ProcessLimits limits = {});
 
-/// Closed sums by `oplus-proved`, a program beside this one, for pairs whose convolution has at most so many segments;
+/// Sums by `oplus-proved`, a program beside this one, for pairs whose convolution has at most so many segments;
 /// others it refuses. It fails as program_engine() does.
 Engine proved_engine(ProcessLimits limits,
                      std::size_t most_segments = std::numeric_limits<std::size_t>::max());

@@ -7,7 +7,7 @@ From Coq Require Import QArith Qabs Qminmax Lqa ZArith Lia Bool List Permutation
 From Oplus Require Import specification checker convolution signed_crossings convolution_winding regions
   meeting_of_segments winding_number_of_the_sum interiors_meet neighbourhoods left_of_an_edge beside_every_point
   theorem_4_2_1 location homogeneous_points specification_bridge pieces collision_is_complete placed_collision
-  checked_collision sum_program sum_is_right total_sum valid_sum open_sum_program open_sums turned_chains
+  checked_collision sum_program sum_is_right total_sum sum_of_uncovered_pieces valid_sum open_sum_program open_sums turned_chains
   inner_fit_program complement_in_a_frame.
 Import ListNotations.
 
@@ -437,15 +437,11 @@ End InnerFit.
 (* The winding numbers of a sum are 0 and 1. *)
 Lemma sums_go_round_once (p q : polygonal_region) (x : vector) :
   valid_region (as_region p) -> valid_region (as_region q) ->
-  winding_number x (region_edges (as_region (sum_of_regions p q))) = 0%Z \/
-  winding_number x (region_edges (as_region (sum_of_regions p q))) = 1%Z.
+  winding_number x (region_edges (as_region (quick_sum p q))) = 0%Z \/
+  winding_number x (region_edges (as_region (quick_sum p q))) = 1%Z.
 Proof.
-  intros p_region q_region. unfold sum_of_regions. set (f := filling.filled _).
-  assert (permuted : Permutation (region_edges (chains_of (length f) f)) f).
-  { apply chains_take_all; [lia |].
-    destruct p_region as (p_edges & _), q_region as (q_edges & _). apply filled_is_balanced.
-    - intros t. now apply convolution_segments_are_long.
-    - now apply convolution_is_closed. }
+  intros p_region q_region. pose proof (quick_chains_are (as_region p) (as_region q) p_region q_region) as permuted.
+  unfold quick_sum. cbv zeta in *. set (f := quick_filled _ _) in *.
   set (h := fun v => vector_of (homogeneous (as_point v))).
   assert (same : forall v, equal_vectors (h v) v).
   { intros v. unfold h. rewrite (homogeneous_is (as_point v)). split; reflexivity. }

@@ -2,20 +2,24 @@
 (* oplus-proved: what is computed by programs that are proved. *)
 
 let help =
-  "Compute a Minkowski sum by a program that is proved\n\
+  "Compute Minkowski sums, and where regions fit, by a program that is proved\n\
    Usage: oplus-proved COMMAND [OPTIONS] P Q\n\n\
-   The program is proved in Coq: a point is in the result if and only if it is the sum of a point of P and a\n\
-   point of Q. docs/proved.md says what is proved, and what is trusted. It is slow; `oplus sum` is fast.\n\n\
+   It is proved in Coq that a point is in the result if and only if it is the sum of a point of P and a point\n\
+   of Q, or, of the other commands, a place as is said below. docs/proved.md has what is proved, and what is\n\
+   trusted. `oplus` has the same commands and is faster.\n\n\
    Commands:\n\
-  \  sum                       the Minkowski sum\n\n\
+  \  sum                       the Minkowski sum\n\
+  \  nfp                       the no-fit polygon: all x where Q, moved by x, overlaps P\n\
+  \  ifp                       the inner-fit polygon: all x where Q, moved by x, is inside P\n\n\
    Arguments:\n\
   \  P Q                       regions in WKT, POLYGON, MULTIPOLYGON or EMPTY, or in .dat; numbers are\n\
   \                            integers, decimals (also 1.5e-3) and fractions p/q; - is standard input\n\n\
    Options:\n\
   \  -h,--help                 show this help\n\
   \  --version                 show the version\n\
-  \  --trusted                 show what one has to believe: what the proofs are not about\n\
-  \  -o,--output FILE          write the result there, in WKT; by default to standard output\n\n\
+  \  --trusted                 show what has to be believed, that is, what the proofs are not about\n\
+  \  -o,--output FILE          write the result there, in WKT; by default to standard output\n\
+  \  --open                    sum the regions' interiors: keeps dangling edges and isolated vertices\n\n\
    Example:\n\
   \  oplus-proved sum p.wkt q.wkt -o sum.wkt\n\n\
    Exit codes:\n\
@@ -24,34 +28,48 @@ let help =
 
 let valid name =
   let region = Regions.specified (Regions.read name) in
-  if Proved.can_be_summed region then region
+  if Proved.is_covered region then region
   else
     Program.refuse
       (String.escaped name
        ^ ": not a valid region: edges may meet in vertices only, and holes are inside their outer chain, outside each \
           other (`oplus sum` says where it is wrong)")
 
-let sum p q = Text.wkt (Proved.proved_sum p q)
+let closed_sum p q = Text.wkt (Proved.proved_sum p q)
+let open_region s = Proved.(Text.set (polygons_of_open s) s.dangling_edges s.isolated_points)
+let open_sum p q = open_region (Proved.proved_open_sum p q)
+let no_fit p q = open_region (Proved.proved_no_fit p q)
 
-let commands = [ ("sum", sum) ]
+let inner_fit p q =
+  if not (Proved.has_points q) then Program.refuse "Q is empty, and fits everywhere; expected a region with points";
+  let f = Proved.proved_inner_fit p q in
+  Text.set (Proved.polygons_of_placements f) f.fit_edges f.fit_points
 
-let compute command output files =
-  match (List.assoc_opt command commands, files) with
+let commands = [ ("sum", closed_sum); ("nfp", no_fit); ("ifp", inner_fit) ]
+
+type arguments = { output : string option; is_open : bool; rest : string list }
+
+let compute { output; is_open; rest } =
+  let command, files = match rest with [] -> ("", []) | command :: files -> (command, files) in
+  let operation = if is_open && command = "sum" then Some open_sum else List.assoc_opt command commands in
+  match (operation, files) with
+  | None, _ when command = "" ->
+      Program.refuse (Printf.sprintf "no command; expected %s (see --help)" (String.concat ", " (List.map fst commands)))
   | None, _ -> Program.refuse (Printf.sprintf "the command '%s' is not known (see --help)" (String.escaped command))
   | Some operation, [ p; q ] ->
-      let write = Output.to_file output in
+      if is_open && command <> "sum" then Program.refuse "--open is an option of sum (see --help)";
+      let write = Output.to_file (Option.value output ~default:"-") in
       let p = valid p in
       let q = valid q in
       write (operation p q)
   | Some _, _ -> Program.refuse (Printf.sprintf "%d files; expected P Q (see --help)" (List.length files))
-
-type arguments = { output : string option; rest : string list }
 
 let rec read arguments = function
   | [] -> { arguments with rest = List.rev arguments.rest }
   | ("-o" | "--output") :: rest when arguments.output <> None || rest = [] || rest = [ "" ] ->
       Program.refuse "-o takes the name of one file (see --help)"
   | ("-o" | "--output") :: file :: rest -> read { arguments with output = Some file } rest
+  | "--open" :: rest -> read { arguments with is_open = true } rest
   | option :: _ when String.length option > 1 && option.[0] = '-' ->
       Program.refuse (Printf.sprintf "the option '%s' is not known (see --help)" (String.escaped option))
   | file :: rest -> read { arguments with rest = file :: arguments.rest } rest
@@ -61,10 +79,7 @@ let answer arguments =
    | _ when List.exists (fun a -> a = "-h" || a = "--help") arguments -> print_string help
    | [ "--version" ] -> print_endline ("oplus-proved " ^ Version.version)
    | [ "--trusted" ] -> print_string Trusted.text
-   | _ -> (
-       match read { output = None; rest = [] } arguments with
-       | { rest = []; _ } -> Program.refuse "no command; expected sum (see --help)"
-       | { output; rest = command :: files } -> compute command (Option.value output ~default:"-") files));
+   | _ -> compute (read { output = None; is_open = false; rest = [] } arguments));
   0
 
 let () = Program.run "oplus-proved" answer

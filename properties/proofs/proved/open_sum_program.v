@@ -1,13 +1,13 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* The open sum of two regions, as a program: the sum of the points inside them. It is what the chains of the closed
-   sum go round (total_sum.v), but for the points at which the interiors of P and -Q + x do not meet. These are on
+   sum go round (sum_of_uncovered_pieces.v), but for the points at which the interiors of P and -Q + x do not meet. These are on
    sums of a vertex and an edge. So such segments are cut where others meet them; along each piece the interiors meet
    in all points or in none (open_along_a_piece.v), and the collision test at its middle says which. What is left are
    the ends of pieces, and the sums of two vertices. That the result is right is proved in open_sum_is_right.v. *)
 From Coq Require Import QArith ZArith Bool List.
 From Oplus Require Import specification convolution convolution_winding specification_bridge regions reflected
   location pieces
-  naive_collision placed_collision filling sum_program total_sum.
+  naive_collision placed_collision filling sum_program sum_of_uncovered_pieces.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -83,4 +83,4 @@ Definition open_sum_around (sum_ p q : polygonal_region) : open_region :=
   OpenRegion sum_ (map as_edge dangling)
     (map as_point (isolated_among p q pieces (region_edges (as_region sum_)) dangling)).
 
-Definition open_sum_of_regions (p q : polygonal_region) : open_region := open_sum_around (sum_of_regions p q) p q.
+Definition open_sum_of_regions (p q : polygonal_region) : open_region := open_sum_around (quick_sum p q) p q.

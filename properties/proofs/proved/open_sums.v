@@ -6,7 +6,7 @@ From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation.
 From Oplus Require Import specification checker convolution signed_crossings tie_rule convolution_winding regions
   winding_number_of_the_sum interiors_meet neighbourhoods left_of_an_edge beside_every_point observation_2_2_4
   theorem_4_2_1 location homogeneous_points specification_bridge pieces collision_is_complete checked_collision
-  filling cut_pieces sum_program sum_is_right total_sum valid_sum open_sum_program open_along_a_piece open_sum_is_right.
+  filling cut_pieces sum_program sum_is_right total_sum sum_of_uncovered_pieces valid_sum open_sum_program open_along_a_piece open_sum_is_right.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -133,14 +133,10 @@ Proof.
 Qed.
 
 Lemma sums_are_beside_the_outside (p q : polygonal_region) :
-  valid_region (as_region p) -> valid_region (as_region q) -> beside_the_outside (sum_of_regions p q).
+  valid_region (as_region p) -> valid_region (as_region q) -> beside_the_outside (quick_sum p q).
 Proof.
-  intros p_region q_region. unfold sum_of_regions. set (f := filled _).
-  assert (permuted : Permutation (region_edges (chains_of (length f) f)) f).
-  { apply chains_take_all; [lia |].
-    destruct p_region as (p_edges & _), q_region as (q_edges & _). apply filled_is_balanced.
-    - intros t. now apply convolution_segments_are_long.
-    - now apply convolution_is_closed. }
+  intros p_region q_region. pose proof (quick_chains_are (as_region p) (as_region q) p_region q_region) as permuted.
+  unfold quick_sum. cbv zeta in *. set (f := quick_filled _ _) in *.
   apply chains_are_beside_the_outside.
   - now apply (sums_are_valid (as_region p) (as_region q)).
   - intros y _. rewrite (winding_number_of_chains (as_region p) (as_region q) _ p_region q_region permuted).
@@ -153,7 +149,7 @@ Theorem open_sum_of_regions_is_the_open_sum (p q : polygonal_region) :
   nowhere_above_one (as_region p) -> nowhere_above_one (as_region q) -> is_open_sum p q (open_sum_of_regions p q).
 Proof.
   intros p_region q_region p_simple q_simple. apply open_sum_around_is_the_open_sum; trivial.
-  - now apply sum_of_regions_is_the_sum.
+  - now apply quick_sum_is_the_sum.
   - now apply sums_are_beside_the_outside.
 Qed.
 

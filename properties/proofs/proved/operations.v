@@ -1,20 +1,85 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* What oplus-proved computes, and what that is: the one place that says which functions the program is made of. *)
-From Coq Require Import Bool List.
-From Oplus Require Import specification theorem_4_2_1 test_of_regions theorem_4_2_1_for_valid_regions sum_program
-  sums_in_less_time polygons.
+(* What oplus-proved computes, and what that is: the one place that says which functions the program is made of. Vertices
+   of its regions may touch edges. *)
+From Coq Require Import QArith ZArith Bool List.
+From Oplus Require Import specification convolution regions winding_number_of_the_sum theorem_4_2_1 specification_bridge
+  homogeneous_points collision_is_complete checked_collision sum_program sum_of_uncovered_pieces touching_vertices
+  complement_in_a_frame open_sum_program open_sums inner_fit_program inner_fit_is_right polygons.
+Import ListNotations.
 
 (* Whether the theorems are about the region. *)
-Definition can_be_summed (r : polygonal_region) : bool := is_valid_region (as_region r).
+Definition is_covered (r : polygonal_region) : bool := covers_nothing_twice (as_region (prepared_region r)).
 
-Definition proved_sum (p q : polygonal_region) : list polygon_with_holes := polygons_of (fast_sum p q).
+Lemma is_covered_is_right (r : polygonal_region) : is_covered r = true ->
+  valid_region (as_region (prepared_region r)) /\ nowhere_above_one (as_region (prepared_region r)).
+Proof. exact (covers_nothing_twice_is_right _). Qed.
+
+(* Inner points stay inner points if vertices that touch edges become vertices of these. *)
+Lemma prepared_inner_points (r : polygonal_region) (x : point) :
+  is_inner_point x (prepared_region r) <-> is_inner_point x r.
+Proof.
+  destruct (divided_region (as_region r) (as_vector x)) as [same_points same_number].
+  unfold prepared_region. rewrite inner_point_of_chains, inner_point_is, same_number.
+  split; intros [round free]; (split; [exact round |]); intros s S on.
+  - destruct (proj2 same_points) as (t & T & on_t); [now exists s | exact (free t T on_t)].
+  - destruct (proj1 same_points) as (t & T & on_t); [now exists s | exact (free t T on_t)].
+Qed.
+
+(* The sum, as polygons with holes. *)
+Definition proved_sum (p q : polygonal_region) : list polygon_with_holes :=
+  polygons_of (quick_sum (prepared_region p) (prepared_region q)).
 
 Definition region_of_polygons : list polygon_with_holes -> polygonal_region := flat_map chains_of_polygon.
 
 (* Theorem. *)
-Theorem proved_sums_are_sums (p q : polygonal_region) :
-  can_be_summed p = true -> can_be_summed q = true -> is_minkowski_sum p q (region_of_polygons (proved_sum p q)).
+Theorem proved_sum_is_the_sum (p q : polygonal_region) : is_covered p = true -> is_covered q = true ->
+  is_minkowski_sum p q (region_of_polygons (proved_sum p q)).
 Proof.
-  intros p_valid q_valid x. unfold region_of_polygons, proved_sum. rewrite polygons_are_the_region.
-  apply fast_sum_is_the_sum; now apply is_valid_region_is_right.
+  intros p_valid q_valid x. apply is_covered_is_right in p_valid, q_valid. destruct p_valid, q_valid.
+  unfold region_of_polygons, proved_sum. rewrite polygons_are_the_region.
+  now apply sum_of_prepared_regions, quick_sum_is_the_sum.
 Qed.
+
+Definition proved_open_sum (p q : polygonal_region) : open_region :=
+  open_sum_of_regions (prepared_region p) (prepared_region q).
+
+(* Theorem. *)
+Theorem proved_open_sum_is_the_open_sum (p q : polygonal_region) : is_covered p = true -> is_covered q = true ->
+  is_open_sum p q (proved_open_sum p q).
+Proof.
+  intros p_valid q_valid x. apply is_covered_is_right in p_valid, q_valid. destruct p_valid, q_valid.
+  unfold proved_open_sum. etransitivity; [apply (open_sum_of_regions_is_the_open_sum (prepared_region p) (prepared_region q)); trivial |].
+  split; intros (a & b & in_p & in_q & equal); exists a, b; rewrite !prepared_inner_points in *; tauto.
+Qed.
+
+Definition proved_no_fit (a b : polygonal_region) : open_region := no_fit (prepared_region a) (prepared_region b).
+
+(* Theorem. *)
+Theorem proved_no_fit_is_the_no_fit (a b : polygonal_region) : is_covered a = true -> is_covered b = true ->
+  is_no_fit a b (proved_no_fit a b).
+Proof.
+  intros a_valid b_valid x. apply is_covered_is_right in a_valid, b_valid. destruct a_valid, b_valid.
+  unfold proved_no_fit. etransitivity; [apply (no_fit_is_the_no_fit (prepared_region a) (prepared_region b)); trivial |].
+  split; intros (y & z & in_a & in_b & equal); exists y, z; rewrite !prepared_inner_points in *; tauto.
+Qed.
+
+Definition has_points (r : polygonal_region) : bool :=
+  match concat (prepared_region r) with [] => false | _ => true end.
+
+Definition proved_inner_fit (a b : polygonal_region) : placements := inner_fit (prepared_region a) (prepared_region b).
+
+(* Theorem. *)
+Theorem proved_inner_fit_is_the_inner_fit (a b : polygonal_region) : is_covered a = true -> is_covered b = true ->
+  has_points b = true -> is_inner_fit a b (proved_inner_fit a b).
+Proof.
+  intros a_valid b_valid some x. apply is_covered_is_right in a_valid, b_valid. destruct a_valid, b_valid.
+  unfold proved_inner_fit. etransitivity; [apply (inner_fit_is_the_inner_fit (prepared_region a) (prepared_region b)); trivial |].
+  - unfold has_points in some. destruct (concat (prepared_region b)) as [| v rest] eqn:vertices; [discriminate |].
+    destruct (proj1 (in_concat (prepared_region b) v)) as (c & C & V); [rewrite vertices; now left | now exists c, v].
+  - split; intros all y; specialize (all y); unfold prepared_region in *; rewrite !touching_vertices_add_no_points in *;
+      exact all.
+Qed.
+
+(* The chains of an open region, and of placements, as polygons with holes. *)
+Definition polygons_of_open (s : open_region) : list polygon_with_holes := polygons_of (open_chains s).
+Definition polygons_of_placements (f : placements) : list polygon_with_holes := polygons_of (fit_chains f).

@@ -231,12 +231,18 @@ Section ValidRegions.
   Qed.
 End ValidRegions.
 
+(* The chains consist of these pieces. *)
+Lemma quick_chains_are (p q : region) : valid_region p -> valid_region q ->
+  let f := quick_filled p q in Permutation (region_edges (chains_of (length f) f)) (filled (convolution_segments p q)).
+Proof.
+  intros p_region q_region. cbv zeta. pose proof (quick_filled_is _ _ p_region q_region) as same_pieces.
+  rewrite <- same_pieces. apply chains_take_all; [lia |]. intros v. rewrite (surplus_permuted v _ _ same_pieces).
+  apply filled_is_balanced; [now apply segments_are_long | now apply segments_are_closed].
+Qed.
+
 (* Theorem. Of valid regions it is the Minkowski sum. *)
 Theorem quick_sum_is_the_sum (p q : polygonal_region) :
   valid_region (as_region p) -> valid_region (as_region q) -> is_minkowski_sum p q (quick_sum p q).
 Proof.
-  intros p_region q_region. unfold quick_sum. cbv zeta. apply chains_are_the_sum; trivial.
-  pose proof (quick_filled_is _ _ p_region q_region) as same_pieces. rewrite <- same_pieces.
-  apply chains_take_all; [lia |]. intros v. rewrite (surplus_permuted v _ _ same_pieces).
-  apply filled_is_balanced; [now apply segments_are_long | now apply segments_are_closed].
+  intros p_region q_region. unfold quick_sum. cbv zeta. apply chains_are_the_sum; trivial. now apply quick_chains_are.
 Qed.

@@ -32,3 +32,13 @@ let wkt = function
   | [] -> "POLYGON EMPTY\n"
   | [ component ] -> "POLYGON " ^ polygon component ^ "\n"
   | components -> "MULTIPOLYGON " ^ list_of polygon components ^ "\n"
+
+(* A region with edges and points of its own; without these, the region. *)
+let set components edges points =
+  let region = match components with [] when edges <> [] || points <> [] -> "" | _ -> wkt components in
+  if edges = [] && points = [] then region
+  else
+    let line (a, b) = "LINESTRING " ^ list_of point [ a; b ] in
+    let single p = "POINT " ^ list_of point [ p ] in
+    let parts = (if region = "" then [] else [ String.trim region ]) @ List.map line edges @ List.map single points in
+    "GEOMETRYCOLLECTION " ^ list_of Fun.id parts ^ "\n"

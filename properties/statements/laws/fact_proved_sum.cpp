@@ -4,6 +4,7 @@
 #include "checked/engines/engines.hpp"
 #include "properties/compare/engine_called.hpp"
 #include "properties/runner/registry.hpp"
+#include "reference/io/boundary_name.hpp"
 
 namespace oplus {
 
@@ -14,11 +15,16 @@ Outcome check(const Summands& summands) {
   const auto& [p, q] = summands;
   const std::string fault = why_it_cannot_run("proved", {});
   if (!fault.empty()) return outcome.fail(fault);
-  const PlanarSet proved = proved_engine({}).compute(p, q, Boundary::closed, {}).sum;
-  for (const Engine& engine : engines())
-    if (engine.compute(p, q, Boundary::closed, {}).sum != proved)
-      return outcome.fail(engine.name + " returns another sum than the proved one");
-  outcome.counts["holes of sums"] += proved.holes.size();
+  for (const Boundary boundary : {Boundary::closed, Boundary::open}) {
+    const PlanarSet proved = proved_engine({}).compute(p, q, boundary, {}).sum;
+    for (const Engine& engine : engines())
+      if (engine.compute(p, q, boundary, {}).sum != proved)
+        return outcome.fail(engine.name + ", " + std::string(name(boundary)) +
+                            ": another sum than the proved one");
+    outcome.counts["holes of sums"] += proved.holes.size();
+    outcome.counts["edges and points of open sums"] +=
+        proved.dangling_edges.size() + proved.isolated_vertices.size();
+  }
   return outcome;
 }
 
