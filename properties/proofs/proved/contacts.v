@@ -18,12 +18,12 @@ Definition boundaries_cross (a b : region) : Prop :=
 
 Definition vertex_of_either (v : vector) (a b : region) : Prop := is_vertex v a \/ is_vertex v b.
 
-Definition is_strictly_between (e : segment) (c d v : vector) : Prop :=
+Definition comes_between (e : segment) (c d v : vector) : Prop :=
   fraction e c < fraction e v /\ fraction e v < fraction e d.
 
 (* The edge e of a has no vertex between c and d. *)
 Definition no_vertex_between (a b : region) (e : segment) (c d : vector) : Prop :=
-  forall v, vertex_of_either v a b -> lies_on v e -> ~ is_strictly_between e c d v.
+  forall v, vertex_of_either v a b -> lies_on v e -> ~ comes_between e c d v.
 
 Definition midpoint (c d : vector) : vector := middle (Segment c d).
 
@@ -254,7 +254,7 @@ Qed.
 Lemma runs_along_the_part (a b : region) (e f : segment) (c d w v : vector) :
   no_edges_are_points a -> no_edges_are_points b -> In e (region_edges a) -> In f (region_edges b) ->
   lies_on c e -> lies_on d e -> no_vertex_between a b e c d ->
-  lies_on w e -> is_strictly_between e c d w -> lies_on w f -> cross (along e) (along f) == 0 ->
+  lies_on w e -> comes_between e c d w -> lies_on w f -> cross (along e) (along f) == 0 ->
   lies_on v e -> fraction e c <= fraction e v -> fraction e v <= fraction e d -> lies_on v f.
 Proof.
   intros a_edges b_edges E F on_c on_d none on_w [w_after w_before] on_f parallel on_v v_after v_before.

@@ -63,7 +63,7 @@ Proof.
       * refine (equal_vertex _ _ q _ of_q). symmetry. apply minus_twice.
       * refine (equal_vertex _ _ _ _ of_p). symmetry. apply minus_twice.
     + apply on_reflected. refine (lies_on_equal _ _ _ _ on). symmetry. apply minus_twice.
-    + unfold is_strictly_between. rewrite !fraction_of_reflected, (fraction_of_equal f _ _ (minus_twice x v)). now
+    + unfold comes_between. rewrite !fraction_of_reflected, (fraction_of_equal f _ _ (minus_twice x v)). now
       split.
   - assert (middle_is : equal_vectors (minus x (midpoint (minus x c) (minus x d))) (midpoint c d))
       by (unfold midpoint, middle, minus; cbn [source target vx vy]; split; cbn [vx vy]; field).
@@ -297,7 +297,7 @@ Section OnTheWay.
   Hypothesis q_simple : nowhere_above_one q.
 
   Lemma midpoint_between (e : segment) (c d : vector) : nonzero (along e) -> lies_on c e -> lies_on d e ->
-    fraction e c < fraction e d -> lies_on (midpoint c d) e /\ is_strictly_between e c d (midpoint c d).
+    fraction e c < fraction e d -> lies_on (midpoint c d) e /\ comes_between e c d (midpoint c d).
   Proof.
     intros long on_c on_d order. destruct (ahead_by_fractions e d c long on_d on_c) as [X Y].
     set (step := fraction e d - fraction e c) in *.
@@ -335,7 +335,7 @@ Section OnTheWay.
       split; cbn [vx vy]; [rewrite cx, dx | rewrite cy, dy]; reflexivity. }
     set (mid := fun x => midpoint (marker_at x m) (marker_at x n)).
     assert (facts : forall v, lies_on v way -> lies_on (marker_at v m) e /\ lies_on (marker_at v n) e /\
-      lies_on (mid v) e /\ is_strictly_between e (marker_at v m) (marker_at v n) (mid v) /\
+      lies_on (mid v) e /\ comes_between e (marker_at v m) (marker_at v n) (mid v) /\
       no_vertex_between p (placed v q) e (marker_at v m) (marker_at v n)).
     { intros v V. assert (on_m_v : lies_on (marker_at v m) e) by now apply (markers_stay_on_p y v).
       assert (on_n_v : lies_on (marker_at v n) e) by now apply (markers_stay_on_p y v).

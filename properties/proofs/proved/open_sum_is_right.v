@@ -7,32 +7,13 @@ From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
 From Oplus Require Import convolution tracing signed_crossings tie_rule shifted_ray convolution_winding regions
   reflected
   meeting_of_segments crossing_edges winding_number_of_the_sum interiors_meet neighbourhoods left_of_an_edge
-  theorem_4_2_1 theorem_2_2_10 theorem_2_2_6 lemma_2_2_2 boundary_points location pieces naive_collision met_pieces
+  theorem_4_2_1 observation_2_2_4 right_of_an_edge theorem_2_2_10 theorem_2_2_6 lemma_2_2_2 boundary_points location
+    pieces naive_collision met_pieces
   collision_is_sound collision_is_complete placed_collision beside_a_piece filling kept_pieces_go_round
   kept_pieces_balance cut_pieces contacts contacts_that_stay open_sum_program open_along_a_piece.
 Import ListNotations.
 
 Open Scope Q_scope.
-
-Lemma interiors_meet_all_near (p q : region) (x : vector) : interiors_meet x p q ->
-  exists radius, 0 < radius /\ forall y, within radius x y -> interiors_meet y p q.
-Proof.
-  intros (z & in_p & [free positive_]).
-  destruct (winding_number_near _ _ (region_cycles q) free) as (radius & R & near). exists radius. split; [exact R |].
-  intros y close. exists z. split; [exact in_p |].
-  destruct (near (minus y z)) as [free_y same_number]; [unfold within, minus in *; cbn [vx vy]; lra |].
-  split; [exact free_y | lia].
-Qed.
-
-Lemma within_of_equal (radius : Q) (x y : vector) : 0 < radius -> equal_vectors x y -> within radius x y.
-Proof. intros R [X Y]. unfold within. lra. Qed.
-
-Lemma interiors_meet_of_equal (p q : region) (x y : vector) :
-  equal_vectors x y -> interiors_meet x p q -> interiors_meet y p q.
-Proof.
-  intros equal meet. destruct (interiors_meet_all_near p q x meet) as (radius & R & near).
-  now apply near, within_of_equal.
-Qed.
 
 (* A segment of the convolution is a sum of a vertex and an edge. *)
 Lemma convolution_segment_is_listed (p q : region) (t : segment) : In t (convolution_segments p q) ->
@@ -76,6 +57,14 @@ Proof.
     try (now apply itself); now apply target_is_vertex.
 Qed.
 
+Lemma listed_is_on_the_sum_of (p q : region) (x : vector) (t : segment) : In t (all_vertex_edge_segments p q) ->
+  lies_on x t -> on_vertex_edge_sum x p q.
+Proof.
+  intros T on. apply in_app_iff in T. destruct T as [T | T]; apply in_vertex_edge_segments in T;
+    destruct T as (s & f & S & F & ->); apply on_moved_segment in on; [left | right];
+    exists (source s), f; (split; [exists s; split; [exact S | split; reflexivity] | now split]).
+Qed.
+
 Section OpenSum.
   Variables p q sum_ : region.
   Hypothesis p_region : valid_region p.
@@ -89,7 +78,7 @@ Section OpenSum.
     exists y, within radius x y /\ ~ in_sum y p q.
 
   Let convolution_ := convolution_segments p q.
-  Let dangling := dangling_among p q (touching_pieces p q).
+  Let dangling := dangling_among p q (touching_pieces p q) (region_edges sum_).
   Let isolated := isolated_among p q (touching_pieces p q) (region_edges sum_) dangling.
 
   Lemma convolution_is_closed_ : cycles convolution_.
@@ -172,14 +161,13 @@ Section OpenSum.
     unfold is_right_inside. rewrite <- same_number. apply Z.ltb_lt, inner_points_are_gone_round, near, close.
   Qed.
 
-  Let crossing_at := pieces_cross_at (boundary_pieces p) (boundary_pieces q).
-
   Lemma meets_at (x : vector) : interiors_meet_at p q x = true <-> interiors_meet x p q.
   Proof. now apply collide_decides_whether_interiors_meet. Qed.
 
-  Lemma crossing_means_meeting (x : vector) : crossing_at x = true -> interiors_meet x p q.
+  Lemma crossing_means_meeting (x : vector) : pieces_cross_at (boundary_pieces p) (boundary_pieces q) x = true ->
+    interiors_meet x p q.
   Proof.
-    intros crossing_. unfold crossing_at, pieces_cross_at in crossing_.
+    intros crossing_. unfold pieces_cross_at in crossing_.
     apply existsb_exists in crossing_. destruct crossing_ as (s & S & crossing_).
     apply existsb_exists in crossing_. destruct crossing_ as (t' & T & crossing_). apply in_map_iff in T.
     destruct T as (t & <- & T). destruct (proper_crossing s (reflected x t) crossing_) as (w & in_s & in_t & turn).
@@ -196,6 +184,27 @@ Section OpenSum.
     destruct (long_reflected x e f) as [cross_e _].
     destruct (cross_of_parts s t e f long_e long_f s_part t_part) as (c & _ & cross_is & _).
     rewrite cross_s, cross_is. assert (none : cross (along e) (along f) == 0) by lra. rewrite none. ring.
+  Qed.
+
+  Lemma left_out_is (v : vector) : is_left_out p q (boundary_pieces p) (boundary_pieces q) (region_edges sum_) v =
+    true <->
+    off v (region_edges sum_) /\ winding_number v (region_edges sum_) <> 0%Z /\ ~ interiors_meet v p q.
+  Proof.
+    unfold is_left_out.
+    destruct (is_on_one_spec v (region_edges sum_)) as [(s & S & on) | off_].
+    { split; [discriminate |]. intros (free & _). exfalso. exact (free s S on). }
+    assert (free : off v (region_edges sum_)) by (intros s S on; apply off_; now exists s).
+    destruct (Z.eqb_spec (winding_number v (region_edges sum_)) 0) as [zero_ | round]; [split; [discriminate | tauto]
+      |].
+    destruct (pieces_cross_at _ _ v) eqn:crossing_.
+    { apply crossing_means_meeting in crossing_. split; [discriminate | tauto]. }
+    rewrite negb_true_iff, <- not_true_iff_false, meets_at. tauto.
+  Qed.
+
+  Lemma inner_points_are_off (x : vector) : inner_point_of_sum x p q -> off x (region_edges sum_).
+  Proof.
+    intros (radius & R & near) s S on. destruct (sum_is_bounded x s radius S on R) as (y & close & out).
+    exact (out (near y close)).
   Qed.
 
   (* The open sum is inside the closed one. *)
@@ -224,15 +233,12 @@ Section OpenSum.
     ~ lies_on x e.
   Proof.
     intros meet_x E on. unfold dangling, dangling_among in E. apply nodup_In, filter_In in E. destruct E as [E dangles].
-    fold crossing_at in dangles. unfold is_dangling in dangles. destruct (crossing_at (middle e)); [discriminate |].
-    destruct (is_right_inside _ e); [| discriminate]. destruct (is_right_inside _ (reversed e)); [| discriminate].
-    apply negb_true_iff in dangles.
+    apply left_out_is in dangles. destruct dangles as (_ & _ & outside). apply outside.
     destruct (interiors_meet_all_near p q x meet_x) as (radius & R & near).
     destruct (eventually_and _ _ (small_steps_stay_within radius x (minus (middle e) x) R)
       (ex_intro _ 1 (conj (ltac:(lra) : 0 < 1) (fun t some small => conj some small : 0 < t /\ t < 1))))
       as (limit & L & all).
     destruct (all ((1 # 2) * limit)) as (close & some & small); [lra | lra |].
-    assert (meets : interiors_meet_at p q (middle e) = true); [| congruence]. apply meets_at.
     apply (meeting_is_the_same_along_a_piece p q p_region q_region p_simple q_simple e
       (moved_along x (minus (middle e) x) ((1 # 2) * limit))); trivial.
     - now apply towards_the_middle.
@@ -247,16 +253,59 @@ Section OpenSum.
     ~ interiors_meet x p q -> In w isolated.
   Proof.
     intros equal I free round free_d outside. unfold isolated, isolated_among. apply nodup_In, filter_In.
-    split; [exact I |]. fold crossing_at. unfold is_isolated.
-    assert (outside_w : ~ interiors_meet w p q).
-    { intros meet. apply outside. apply (interiors_meet_of_equal p q w); [now symmetry | exact meet]. }
-    destruct (crossing_at w) eqn:crossing_; [exfalso; apply outside_w; now apply crossing_means_meeting |].
-    destruct (is_on_one_spec w (region_edges sum_ ++ dangling)) as [(s & S & on) | _].
-    - exfalso. assert (on_x : lies_on x s) by (apply (lies_on_equal w); [now symmetry | exact on]).
-      apply in_app_iff in S. destruct S as [S | S]; [exact (free s S on_x) | exact (free_d s S on_x)].
-    - destruct equal as [X Y]. rewrite <- (winding_number_of_equal _ _ _ X Y).
-      destruct (Z.eqb_spec (winding_number x (region_edges sum_)) 0); [contradiction |].
-      apply negb_true_iff, not_true_iff_false. now rewrite meets_at.
+    split; [exact I |].
+    destruct (is_on_one_spec w dangling) as [(s & S & on) | _].
+    - exfalso. apply (free_d s S). apply (lies_on_equal w); [now symmetry | exact on].
+    - apply left_out_is. split; [now apply (off_equal x) |]. destruct equal as [X Y]. split.
+      + now rewrite <- (winding_number_of_equal _ _ _ X Y).
+      + intros meet. apply outside. apply (interiors_meet_of_equal p q w); [split; lra | exact meet].
+  Qed.
+
+  (* All along a piece are inner points of the sum, if one is. *)
+  Lemma inner_all_along (e : segment) (x : vector) : In e (touching_pieces p q) -> strictly_inside x e ->
+    off x (region_edges sum_) -> winding_number x (region_edges sum_) <> 0%Z -> inner_point_of_sum (middle e) p q.
+  Proof.
+    intros E inside_ free round.
+    destruct (touching_piece_is p q e E) as (s & piece & S & I & place_).
+    pose proof (all_vertex_edge_segments_are_long p q p_region q_region s S) as long_s.
+    destruct (cut_returns s (flat_map (intersection s) (all_vertex_edge_segments p q)) long_s) as [parts _].
+    destruct (parts piece I) as [part _]. destruct (part_is_long piece s part long_s) as [long_piece _].
+    pose proof (long_of_one_place _ _ place_ long_piece) as long_e.
+    pose proof (pieces_are_met_along_only e E) as only.
+    assert (middle_at : equal_vectors (middle e) (point_at e (1 # 2)))
+      by (unfold middle, point_at; split; cbn [vx vy]; field).
+    assert (middle_back : equal_vectors (middle e) (point_at (reversed e) (1 # 2)))
+      by (unfold middle, point_at, reversed; cbn [source target]; split; cbn [vx vy]; field).
+    destruct (value_to_the_right_of_the_middle convolution_ e convolution_is_closed_ only long_e) as (r1 & R1 &
+      value_1).
+    destruct (value_to_the_right_of_the_middle convolution_ (reversed e) convolution_is_closed_
+      (met_only_along_reversed _ _ only) (long_of_one_place _ _ (reversed_place e) long_e)) as (r2 & R2 & value_2).
+    pose proof (sides_are_inside e e x E (or_introl eq_refl) inside_ free round) as right_.
+    pose proof (sides_are_inside e (reversed e) x E (or_intror eq_refl) inside_ free round) as left_.
+    apply Z.ltb_lt in right_, left_.
+    destruct (on_its_edge_near e (middle e)) as (r3 & R3 & on_e).
+    { pose proof (rotation.square_positive _ long_e) as square. unfold dot, along, minus, middle in *; cbn [vx vy] in *.
+      set (ux := vx (target e) - vx (source e)) in *. set (uy := vy (target e) - vy (source e)) in *.
+      assert (value : (vx (source e) - (vx (source e) + vx (target e)) / 2) *
+        (vx (target e) - (vx (source e) + vx (target e)) / 2) +
+        (vy (source e) - (vy (source e) + vy (target e)) / 2) *
+        (vy (target e) - (vy (source e) + vy (target e)) / 2) == - (1 # 4) * (ux * ux + uy * uy))
+        by (unfold ux, uy; field).
+      rewrite value. lra. }
+    exists (Qmin r1 (Qmin r2 r3)). split; [repeat apply Q.min_glb_lt; assumption |]. intros y close.
+    pose proof (Q.le_min_l r1 (Qmin r2 r3)). pose proof (Q.le_min_r r1 (Qmin r2 r3)).
+    pose proof (Q.le_min_l r2 r3). pose proof (Q.le_min_r r2 r3).
+    pose proof p_region as (p_edges & p_valid & _). pose proof q_region as (q_edges & q_valid & _).
+    destruct middle_at as [mx my], middle_back as [bx by_].
+    destruct (Q_dec (area e y) 0) as [[low | high] | flat].
+    - apply positive_winding_number_is_in_the_sum; trivial. fold convolution_. rewrite (value_1 y); [exact right_ | |
+      exact low].
+      unfold within in *. lra.
+    - apply positive_winding_number_is_in_the_sum; trivial. fold convolution_.
+      rewrite (value_2 y); [exact left_ | unfold within in *; lra |]. rewrite area_reversed. lra.
+    - apply vertex_edge_sums_are_in_the_sum, (listed_is_on_the_sum_of p q y s); [exact S |].
+      apply (part_lies_on piece s y long_s part). apply (lies_on_of_one_place _ _ y place_). apply on_e; [| exact flat].
+      unfold within in *. lra.
   Qed.
 
   Theorem open_sum_has (x : vector) :
@@ -269,11 +318,9 @@ Section OpenSum.
       destruct (interiors_meet_at p q x) eqn:met; [now apply meets_at |]. exfalso.
       assert (outside : ~ interiors_meet x p q) by (rewrite <- meets_at; congruence).
       destruct (on_or_off x (all_vertex_edge_segments p q)) as [(t & T & on) | general].
-      + assert (on_sum : on_vertex_edge_sum x p q).
-        { apply in_app_iff in T. destruct T as [T | T]; apply in_vertex_edge_segments in T;
-            destruct T as (s & f & S & F & ->); apply on_moved_segment in on; [left | right];
-            exists (source s), f; (split; [exists s; split; [exact S | split; reflexivity] | now split]). }
-        destruct (not_meeting_is_on_a_piece p q p_region q_region x on_sum outside) as [(w & W & equal) | (e & E &
+      + pose proof (listed_is_on_the_sum_of p q x t T on) as on_sum.
+        destruct (not_meeting_is_on_a_piece p q p_region q_region p_simple q_simple x on_sum outside) as [(w & W &
+          equal) | (e & E &
           on_e)].
         * apply (not_isolated w); [| exact equal]. apply (isolated_is_listed x w); trivial. apply in_app_iff. now right.
         * assert (ends : forall w, w = source e \/ w = target e -> ~ equal_vectors x w).
@@ -287,15 +334,16 @@ Section OpenSum.
             - apply (ends (target e)); [now right |]. assert (k_is : k == 1) by lra. rewrite k_is in X, Y. split; lra. }
           apply (free_d e); [| exact on_e]. unfold dangling, dangling_among. apply nodup_In, filter_In. split; [exact
             E |].
-          assert (outside_middle : ~ interiors_meet (middle e) p q).
-          { intros meet. apply outside.
-            apply (meeting_is_the_same_along_a_piece p q p_region q_region p_simple q_simple e (middle e)); trivial.
-            apply middle_is_inside. }
-          fold crossing_at convolution_. unfold is_dangling.
-          rewrite (sides_are_inside e e x), (sides_are_inside e (reversed e) x) by tauto.
-          destruct (crossing_at (middle e)) eqn:crossing_;
-            [exfalso; apply outside_middle; now apply crossing_means_meeting |].
-          apply negb_true_iff, not_true_iff_false. now rewrite meets_at.
+          apply left_out_is. pose proof (inner_all_along e x E inside_ free round) as inner.
+          assert (free_middle : off (middle e) (region_edges sum_)) by now apply inner_points_are_off.
+          split; [exact free_middle |]. split.
+          { destruct inner as (radius & R & near). destruct (proj2 (sum_is (middle e))) as [(s & S & on_s) | round_];
+            trivial.
+            - apply near. now apply within_of_equal.
+            - exfalso. exact (free_middle s S on_s). }
+          intros meet. apply outside.
+          apply (meeting_is_the_same_along_a_piece p q p_region q_region p_simple q_simple e (middle e)); trivial.
+          apply middle_is_inside.
       + apply outside. apply off_all_is_general in general.
         apply (positive_winding_number_iff_interiors_meet p q x p_region q_region general).
         apply inner_points_are_gone_round. destruct (all_near_are_inner x free round) as (radius & R & near).
@@ -303,9 +351,8 @@ Section OpenSum.
     - intros meet_x. split; [now apply open_points_are_inside |]. split.
       + intros e E. now apply open_points_are_on_no_dangling_edge.
       + intros v V equal. unfold isolated, isolated_among in V. apply nodup_In, filter_In in V. destruct V as [_ alone].
-        fold crossing_at in alone. unfold is_isolated in alone. destruct (crossing_at v); [discriminate |].
-        destruct (existsb _ _); [discriminate |]. destruct (_ =? 0)%Z; [discriminate |].
-        apply negb_true_iff in alone. assert (meets : interiors_meet_at p q v = true); [| congruence].
-        apply meets_at. now apply (interiors_meet_of_equal p q x).
+        destruct (existsb _ dangling); [discriminate |]. apply left_out_is in alone. destruct alone as (_ & _ &
+          outside).
+        apply outside. now apply (interiors_meet_of_equal p q x).
   Qed.
 End OpenSum.

@@ -6,7 +6,8 @@ From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation.
 From Oplus Require Import specification checker convolution signed_crossings tie_rule convolution_winding regions
   winding_number_of_the_sum interiors_meet neighbourhoods left_of_an_edge beside_every_point observation_2_2_4
   theorem_4_2_1 location homogeneous_points specification_bridge pieces collision_is_complete checked_collision
-  filling cut_pieces sum_program sum_is_right total_sum sum_of_uncovered_pieces valid_sum open_sum_program open_along_a_piece open_sum_is_right.
+  filling cut_pieces sum_program sum_is_right total_sum valid_sum sum_of_uncovered_pieces open_sum_program
+    open_along_a_piece open_sum_is_right.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -105,7 +106,7 @@ Proof.
   transitivity (interiors_meet (as_vector x) (as_region p) (as_region q)).
   - rewrite <- (open_sum_has (as_region p) (as_region q) (as_region sum_) p_region q_region p_simple q_simple).
     + unfold open_member. rewrite inner_point_is. cbn [open_chains dangling_edges isolated_points open_sum_around].
-      set (D := dangling_among _ _ _). set (V := isolated_among _ _ _ _ _).
+      set (D := dangling_among _ _ _ _). set (V := isolated_among _ _ _ _ _).
       assert (edges_ : (forall e, In e (map as_edge D) -> ~ is_on x e) <-> off (as_vector x) D).
       { split; intros free.
         - intros s S on. exact (free (as_edge s) (in_map as_edge D s S) on).

@@ -271,6 +271,22 @@ Proof.
   assert (- (radius * Y) <= dx * vy b) by nra. assert (- (radius * X) <= - (dy * vx b)) by nra. lra.
 Qed.
 
+Definition is_inside_the_sum_of_two (o a b w : vector) : Prop :=
+  0 < cross (minus w o) b /\ cross (minus w o) b < cross a b /\ 0 < cross a (minus w o) /\
+  cross a (minus w o) < cross a b.
+
+(* Such a point is the sum of points inside the edges. *)
+Lemma as_sum_of_points (o a b w : vector) : is_inside_the_sum_of_two o a b w ->
+  exists g h, 0 < g < 1 /\ 0 < h < 1 /\
+    vx w == vx o + g * vx a + h * vx b /\ vy w == vy o + g * vy a + h * vy b.
+Proof.
+  intros (i1 & i2 & j1 & j2). exists (cross (minus w o) b / cross a b), (cross a (minus w o) / cross a b).
+  assert (turn_ : ~ cross a b == 0) by lra.
+  split; [split; [apply Qlt_shift_div_l | apply Qlt_shift_div_r]; lra |].
+  split; [split; [apply Qlt_shift_div_l | apply Qlt_shift_div_r]; lra |].
+  unfold cross, minus in *; cbn [vx vy] in *. split; field; exact turn_.
+Qed.
+
 Lemma inside_the_sum_of_two_edges (p q : region) (e f : segment) (w a b : vector) :
   In e (region_edges p) -> In f (region_edges q) -> (a = along e /\ b = along f) \/ (a = along f /\ b = along e) ->
   0 < cross (minus w (plus (source e) (source f))) b -> cross (minus w (plus (source e) (source f))) b < cross a b ->
@@ -327,23 +343,22 @@ Proof.
   apply in_flat_map in I. destruct I as (e & E & I). apply in_flat_map in I. destruct I as (f & F & I). now exists e, f.
 Qed.
 
-(* Theorem. What is not in the parts that are returned is inside the sum. *)
-Theorem covered_is_inside_the_sum (p q : region) (d : denominator) (s : segment) (k : Q) (w : vector) :
-  (forall t, t = s \/ In t (region_edges p) \/ In t (region_edges q) ->
-    has_denominator d (source t) /\ has_denominator d (target t)) ->
+(* Theorem. What is not in the parts that are returned is inside the sum of two edges. *)
+Theorem covered_is_inside_a_sum_of_two (of_p of_q : list segment) (d : denominator) (s : segment) (k : Q) (w : vector) :
+  (forall t, t = s \/ In t of_p \/ In t of_q -> has_denominator d (source t) /\ has_denominator d (target t)) ->
   0 <= k <= 1 -> vx w == (1 - k) * vx (source s) + k * vx (target s) ->
   vy w == (1 - k) * vy (source s) + k * vy (target s) ->
-  (exists part_, In part_ (uncovered_parts d (sums_of_edges d (region_edges p) (region_edges q)) s) /\
-    is_in_part k part_) \/
-  inner_point_of_sum w p q.
+  (exists part_, In part_ (uncovered_parts d (sums_of_edges d of_p of_q) s) /\ is_in_part k part_) \/
+  exists e f a b, In e of_p /\ In f of_q /\ (a = along e /\ b = along f \/ a = along f /\ b = along e) /\
+    is_inside_the_sum_of_two (plus (source e) (source f)) a b w.
 Proof.
   intros divides range X Y.
   destruct (uncovered_is (scaled d (source s)) (whole_minus (scaled d (target s)) (scaled d (source s))) k
-    (sums_of_edges d (region_edges p) (region_edges q)) [(0, 1)]) as [found | (g & G & covers_)].
+    (sums_of_edges d of_p of_q) [(0, 1)]) as [found | (g & G & covers_)].
   { exists (0, 1). split; [now left | exact range]. }
   { now left. }
   right. apply in_sums_of_edges in G. destruct G as (e & f & E & F & G).
-  assert (ends : forall t, t = s \/ In t (region_edges p) \/ In t (region_edges q) ->
+  assert (ends : forall t, t = s \/ In t of_p \/ In t of_q ->
     stands_for d (scaled d (source t)) (source t) /\ stands_for d (scaled d (target t)) (target t)).
   { intros t which. destruct (divides t which). split; now apply scaled_is. }
   destruct (ends s (or_introl eq_refl)) as [s_from s_to]. destruct (ends e ltac:(tauto)) as [e_from e_to].
@@ -383,9 +398,25 @@ Proof.
   destruct (whole_cross _ _) as [| m | m] eqn:size_is; [destruct G | |]; destruct G as [<- | []].
   - cbn [its_size] in all. destruct (all (along e) (along f) _ _ e_along f_along covers_) as (i1 & i2 & j1 & j2);
       [exact size_ |].
-    apply (inside_the_sum_of_two_edges p q e f w (along e) (along f)); tauto.
+    exists e, f, (along e), (along f). unfold is_inside_the_sum_of_two. tauto.
   - cbn [its_size] in all. destruct (all (along f) (along e) _ _ f_along e_along covers_) as (i1 & i2 & j1 & j2).
     { assert (other_way : cross (along f) (along e) == - cross (along e) (along f)) by (unfold cross; ring).
       rewrite other_way. change (inject_Z (Zneg m)) with (- inject_Z (Zpos m)) in size_. lra. }
-    apply (inside_the_sum_of_two_edges p q e f w (along f) (along e)); tauto.
+    exists e, f, (along f), (along e). unfold is_inside_the_sum_of_two. tauto.
+Qed.
+
+(* So it is inside the sum. *)
+Corollary covered_is_inside_the_sum (p q : region) (d : denominator) (s : segment) (k : Q) (w : vector) :
+  (forall t, t = s \/ In t (region_edges p) \/ In t (region_edges q) ->
+    has_denominator d (source t) /\ has_denominator d (target t)) ->
+  0 <= k <= 1 -> vx w == (1 - k) * vx (source s) + k * vx (target s) ->
+  vy w == (1 - k) * vy (source s) + k * vy (target s) ->
+  (exists part_, In part_ (uncovered_parts d (sums_of_edges d (region_edges p) (region_edges q)) s) /\
+    is_in_part k part_) \/
+  inner_point_of_sum w p q.
+Proof.
+  intros divides range X Y.
+  destruct (covered_is_inside_a_sum_of_two _ _ d s k w divides range X Y)
+    as [found | (e & f & a & b & E & F & sides & (i1 & i2 & j1 & j2))]; [now left | right].
+  now apply (inside_the_sum_of_two_edges p q e f w a b).
 Qed.
