@@ -8,7 +8,7 @@
 From Coq Require Import QArith ZArith Bool List.
 From Oplus Require Import specification convolution convolution_winding specification_bridge regions reflected
   location pieces naive_collision placed_collision test_of_regions filling sum_program sums_of_two_edges
-  sum_of_uncovered_pieces.
+  sum_of_uncovered_pieces maximal_segments.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -102,6 +102,6 @@ Definition open_sum_around (sum_ p q : polygonal_region) : open_region :=
   let boundary_ := region_edges (as_region sum_) in
   let pieces := touching_pieces p q in
   let dangling := dangling_among p q pieces boundary_ in
-  OpenRegion sum_ (map as_edge dangling) (map as_point (isolated_among p q pieces boundary_ dangling)).
+  OpenRegion sum_ (map as_edge (maximal_segments dangling)) (map as_point (isolated_among p q pieces boundary_ dangling)).
 
 Definition open_sum_of_regions (p q : polygonal_region) : open_region := open_sum_around (quick_sum p q) p q.

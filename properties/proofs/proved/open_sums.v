@@ -7,7 +7,7 @@ From Oplus Require Import specification checker convolution signed_crossings tie
   winding_number_of_the_sum interiors_meet neighbourhoods left_of_an_edge beside_every_point observation_2_2_4
   theorem_4_2_1 location homogeneous_points specification_bridge pieces collision_is_complete checked_collision
   filling cut_pieces sum_program sum_is_right total_sum valid_sum sum_of_uncovered_pieces open_sum_program
-    open_along_a_piece open_sum_is_right.
+    open_along_a_piece open_sum_is_right maximal_segments.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -107,10 +107,21 @@ Proof.
   - rewrite <- (open_sum_has (as_region p) (as_region q) (as_region sum_) p_region q_region p_simple q_simple).
     + unfold open_member. rewrite inner_point_is. cbn [open_chains dangling_edges isolated_points open_sum_around].
       set (D := dangling_among _ _ _ _). set (V := isolated_among _ _ _ _ _).
-      assert (edges_ : (forall e, In e (map as_edge D) -> ~ is_on x e) <-> off (as_vector x) D).
+      assert (long : forall t, In t D -> nonzero (along t)).
+      { intros t T. apply nodup_In, filter_In in T. destruct T as [T _].
+        destruct (touching_piece_is _ _ t T) as (u & piece & U & I & place_). apply (long_of_one_place _ _ place_).
+        pose proof (all_vertex_edge_segments_are_long _ _ p_region q_region u U) as long_u.
+        destruct (cut_returns u (flat_map (intersection u) (all_vertex_edge_segments (as_region p) (as_region q)))
+          long_u)
+          as [parts _].
+        destruct (parts piece I) as [part _]. now destruct (met_pieces.part_is_long piece u part long_u). }
+      pose proof (maximal_segments_are (as_vector x) D long) as same_points.
+      assert (edges_ : (forall e, In e (map as_edge (maximal_segments D)) -> ~ is_on x e) <-> off (as_vector x) D).
       { split; intros free.
-        - intros s S on. exact (free (as_edge s) (in_map as_edge D s S) on).
-        - intros e E on. apply in_map_iff in E. destruct E as (s & <- & S). exact (free s S on). }
+        - intros t T on. destruct (proj2 same_points) as (u & U & on_u); [now exists t |].
+          exact (free (as_edge u) (in_map as_edge _ u U) on_u).
+        - intros e E on. apply in_map_iff in E. destruct E as (u & <- & U).
+          destruct (proj1 same_points) as (t & T & on_t); [now exists u | exact (free t T on_t)]. }
       assert (points_ : (forall v, In v (map as_point V) -> ~ equal_points x v) <->
         (forall v, In v V -> ~ equal_vectors (as_vector x) v)).
       { split; intros free.
