@@ -11,6 +11,11 @@ let say_and_exit name message =
 
 let signals = Sys.[ sigint; sigterm; sighup ]
 
+(* As if it were not handled. *)
+let end_by signal =
+  Sys.set_signal signal Signal_default;
+  Unix.kill (Unix.getpid ()) signal
+
 (* Recursion is as deep as lists are long, so the program runs again, with a higher limit on its stack. Where there is
    no more memory, OCaml's runtime ends that run: what this one says then is one line all the same. *)
 let run_again name =
@@ -26,9 +31,7 @@ let run_again name =
   let rec ended () = try snd (Unix.waitpid [] again) with Unix.Unix_error (EINTR, _, _) -> ended () in
   match ended () with
   | WEXITED code when code < 2 -> exit code
-  | WSIGNALED signal when List.mem signal signals ->
-      Sys.set_signal signal Signal_default;
-      Unix.kill (Unix.getpid ()) signal
+  | WSIGNALED signal when List.mem signal signals -> end_by signal
   | _ when String.starts_with ~prefix:(name ^ ": ") said -> prerr_endline said; exit 2
   | _ -> say_and_exit name too_small
 

@@ -21,7 +21,8 @@ let to_replace name =
   let is_there = ref true in
   let remove () = if !is_there then Unix.unlink beside in
   at_exit remove;
-  List.iter (fun signal -> Sys.set_signal signal (Signal_handle (fun _ -> exit 2))) Program.signals;
+  let ended signal = remove (); is_there := false; Program.end_by signal in
+  List.iter (fun signal -> Sys.set_signal signal (Signal_handle ended)) Program.signals;
   fun text ->
     write_and_close name (Unix.out_channel_of_descr file) text;
     written name (fun () ->

@@ -158,6 +158,20 @@ FAULTS = [
      "(flat_map (distances m n) segments) / 2", "(flat_map (distances m n) segments)", "proved/just_right_of_a_piece.v"),
     ("the test is made to the left", "proved/just_right_of_a_piece.v",
      "Vector (vy (along e)) (- vx (along e))", "Vector (- vy (along e)) (vx (along e))", "proved/just_right_of_a_piece.v"),
+    ("a hole is lost", "proved/polygons.v",
+     "(outer, hole :: holes) :: others else", "(outer, holes) :: others else", "proved/polygons.v"),
+    ("a hole is given to all chains around it", "proved/polygons.v",
+     "then (outer, hole :: holes) :: others", "then (outer, hole :: holes) :: with_hole hole others", "proved/polygons.v"),
+    ("outer chains are lost", "proved/polygons.v",
+     "(map (fun c => (snd c, [])) outer) (map snd holes)", "[] (map snd holes)", "proved/polygons.v"),
+    ("regions may cover something twice", "proved/operations.v",
+     "covers_nothing_twice (as_region (prepared_region r))", "true", "proved/operations.v"),
+    ("vertices that touch edges are tested, not used", "proved/operations.v",
+     "open_sum_of_regions (prepared_region p) (prepared_region q)", "open_sum_of_regions p q", "proved/operations.v"),
+    ("what overlaps is what overlaps the other way round", "proved/operations.v",
+     "no_fit (prepared_region a) (prepared_region b)", "no_fit (prepared_region b) (prepared_region a)", "proved/operations.v"),
+    ("nothing is placed somewhere", "proved/operations.v",
+     "[] => false | _ => true", "_ => true", "proved/operations.v"),
 ]
 
 # Where definitions are that all else is about: of the specification, and of Chapter 2.

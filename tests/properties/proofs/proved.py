@@ -194,7 +194,7 @@ class Test(ProgramTest):
             process.send_signal(number)
             # Standard error ends with the process that computes.
             said = process.communicate(timeout=60)[1]
-            self.expect("interrupts", number.name, process.returncode != 0, f"{process.returncode}, {said}")
+            self.expect("interrupts", number.name, (process.returncode, said) == (-number, ""), f"{process.returncode}, {said}")
             self.expect("interrupts", number.name, set(os.listdir(self.folder)) == here, os.listdir(self.folder))
 
     def little_memory(self):
