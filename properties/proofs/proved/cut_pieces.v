@@ -1,6 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The pieces of filling.v are what kept_pieces_go_round.v asks for: parts of the segments, all of them together, none
-   with an end of another inside, and no two the same. *)
+(* The pieces of filling.v are parts of the segments, all of them together, none has an end of another inside,
+  and no two
+   are the same. *)
 From Coq Require Import QArith Qabs Qminmax Qreduction Lqa Qfield ZArith Lia Bool List.
 From Oplus Require Import direction angular_crossings winding_number shifted_ray meeting_of_segments rotation regions
   neighbourhoods location pieces met_pieces naive_collision collision_is_sound beside_a_piece filling
@@ -219,6 +220,14 @@ Proof.
   right. right. now exists f.
 Qed.
 
+(* What is asked of the pieces. *)
+Record are_pieces (segments pieces : list segment) : Prop := {
+  pieces_are_long : forall e, In e pieces -> nonzero (along e);
+  pieces_are_on : forall e w, In e pieces -> lies_on w e -> exists t, In t segments /\ lies_on w t;
+  pieces_are_all : forall t w, In t segments -> lies_on w t -> exists e, In e pieces /\ lies_on w e;
+  pieces_are_met_along : forall e, In e pieces -> met_only_along segments e;
+  pieces_are_apart : apart_from_all pieces }.
+
 Section Pieces.
   Variable segments : list segment.
   Hypothesis all_long : forall t, In t segments -> nonzero (along t).
@@ -317,12 +326,49 @@ Section Pieces.
       + apply (no_end_inside s1 s2 p1 p2); tauto.
   Qed.
 
-  (* Theorem. The core, of the program. *)
-  Theorem filled_is_right : cycles segments -> forall x,
-    winding_number x (filled segments) = if (0 <? winding_number x segments)%Z then 1%Z else 0%Z.
-  Proof. intros closed. exact (core segments (pieces_of segments) closed pieces_are_pieces). Qed.
+  Definition is_reduced (v : vector) : Prop := reduced_vector v = v.
 
-  Theorem filled_is_on (f : segment) (w : vector) : In f (filled segments) -> lies_on w f ->
-    exists t, In t segments /\ lies_on w t.
-  Proof. exact (kept_are_on segments (pieces_of segments) pieces_are_pieces f w). Qed.
+  Lemma reduced_is_reduced (v : vector) : is_reduced (reduced_vector v).
+  Proof. apply reduced_of_equal, reduced_is. Qed.
+
+  Lemma ends_are_reduced (e : segment) : In e (pieces_of segments) -> is_reduced (source e) /\ is_reduced (target e).
+  Proof.
+    intros E. destruct (piece_is e E) as (s & piece & _ & _ & -> & _). unfold undirected.
+    destruct (compare_points _ _); cbn [source target]; split; apply reduced_is_reduced.
+  Qed.
+
+  Lemma pieces_are_in_order (e : segment) : In e (pieces_of segments) -> comes_first (source e) (target e).
+  Proof.
+    intros E. pose proof (pieces_are_long _ _ pieces_are_pieces e E) as long.
+    destruct (piece_is e E) as (s & piece & _ & _ & -> & _). unfold undirected in *.
+    compared_points (reduced_vector (source piece)) (reduced_vector (target piece)); cbn [source target] in *; trivial.
+    exfalso. apply long. destruct equal_points as [X Y]. unfold along, minus. cbn [source target vx vy]. split; lra.
+  Qed.
+
+  Lemma no_vertex_is_inside (e f : segment) (v : vector) : In e (pieces_of segments) -> In f (pieces_of segments) ->
+    v = source e \/ v = target e -> ~ strictly_inside v f.
+  Proof.
+    intros E F end_ inside_.
+    destruct (piece_is e E) as (s1 & p1 & S1 & P1 & -> & _).
+    destruct (piece_is f F) as (s2 & p2 & S2 & P2 & -> & _).
+    apply (strictly_inside_of_one_place _ _ v (undirected_place p2)) in inside_.
+    assert (end_of_p1 : equal_vectors v (source p1) \/ equal_vectors v (target p1)).
+    { destruct (undirected_place p1) as [[a b] | [a b]], end_ as [-> | ->]; tauto. }
+    assert (moved_ : forall w, equal_vectors v w -> strictly_inside w p2).
+    { intros w [X Y]. destruct inside_ as (k & range & kx & ky). exists k. split; [exact range |].
+      rewrite <- X, <- Y. tauto. }
+    destruct end_of_p1 as [equal | equal];
+      [apply (no_end_inside s1 s2 p1 p2 (source p1)) |
+       apply (no_end_inside s1 s2 p1 p2 (target p1))]; trivial; try tauto; now apply moved_.
+  Qed.
+
+  Definition no_common_inside (s t : segment) : Prop := forall w, strictly_inside w s -> ~ strictly_inside w t.
+
+  Lemma different_pieces (e f : segment) : In e (pieces_of segments) -> In f (pieces_of segments) -> e <> f ->
+    no_common_inside e f.
+  Proof.
+    intros E F differ w. destruct (in_split _ _ E) as (before & after & pieces_are).
+    apply (pieces_are_apart _ _ pieces_are_pieces before e after f w pieces_are).
+    rewrite pieces_are in F. apply in_elt_inv in F. destruct F as [-> | F]; [now destruct differ | exact F].
+  Qed.
 End Pieces.

@@ -7,9 +7,9 @@ From Coq Require Import QArith Qabs Qminmax Lqa ZArith Lia Bool List Permutation
 From Oplus Require Import specification checker convolution signed_crossings convolution_winding regions
   meeting_of_segments winding_number_of_the_sum interiors_meet neighbourhoods left_of_an_edge beside_every_point
   theorem_4_2_1 location homogeneous_points specification_bridge pieces collision_is_complete placed_collision
-  checked_collision sum_program sum_is_right total_sum valid_sum sum_of_uncovered_pieces open_sum_program open_sums
+  checked_collision sum_program sum_is_right sum_of_uncovered_pieces open_sum_program open_sums
     turned_chains
-  inner_fit_program complement_in_a_frame.
+  inner_fit_program complement_in_a_frame walks.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -19,16 +19,19 @@ Definition corner_crossings (v : vector) (delta d : Q) (e : segment) : Z :=
   (signed_crossing (Vector (vx v - delta) (vy v + d)) e - signed_crossing (Vector (vx v + delta) (vy v + d)) e
    - signed_crossing (Vector (vx v - delta) (vy v - d)) e + signed_crossing (Vector (vx v + delta) (vy v - d)) e)%Z.
 
+Lemma inside_or_end (v : vector) (e : segment) : lies_on v e ->
+  strictly_inside v e \/ equal_vectors (source e) v \/ equal_vectors (target e) v.
+Proof.
+  intros (k & range & X & Y). destruct (Qlt_le_dec 0 k) as [some | none].
+  - destruct (Qlt_le_dec k 1) as [less | all].
+    + left. exists k. split; [lra | tauto].
+    + right. right. assert (k_is : k == 1) by lra. rewrite k_is in X, Y. split; lra.
+  - right. left. assert (k_is : k == 0) by lra. rewrite k_is in X, Y. split; lra.
+Qed.
+
 Lemma on_but_not_inside (v : vector) (e : segment) : lies_on v e -> ~ strictly_inside v e ->
   equal_vectors (source e) v \/ equal_vectors (target e) v.
-Proof.
-  intros (k & range & X & Y) not_inside.
-  destruct (Qlt_le_dec 0 k) as [some | none].
-  - destruct (Qlt_le_dec k 1) as [less | all].
-    + exfalso. apply not_inside. exists k. split; [lra | tauto].
-    + right. assert (k_is : k == 1) by lra. rewrite k_is in X, Y. split; lra.
-  - left. assert (k_is : k == 0) by lra. rewrite k_is in X, Y. split; lra.
-Qed.
+Proof. intros on not_inside. destruct (inside_or_end v e on); [contradiction | assumption]. Qed.
 
 Lemma corners_of_others (v : vector) (delta d : Q) (e : segment) : 0 < d -> d < delta ->
   (forall y, within (2 * delta) v y -> ~ lies_on y e) -> corner_crossings v delta d e = 0%Z.
@@ -127,13 +130,14 @@ Proof.
 Qed.
 
 Section Balance.
-  Variables segments pieces : list segment.
-  Hypothesis closed : cycles segments.
-  Hypothesis cut_ : are_pieces segments pieces.
+  Variable inside : vector -> bool.
+  Variable right_inside : segment -> bool.
+  Variable pieces : list segment.
+  Hypothesis ends_ : ends_at_pieces inside right_inside pieces.
   Hypothesis in_order : forall e, In e pieces -> comes_first (source e) (target e).
 
-  Let sign := kept_sign segments.
-  Let inside_ (x : vector) : Z := as_number (0 <? winding_number x segments)%Z.
+  Let sign := kept_sign right_inside.
+  Let inside_ (x : vector) : Z := as_number (inside x).
 
   Definition weighted (f : segment -> Z) (l : list segment) : Z := sum (map (fun e => (f e * sign e)%Z) l).
 
@@ -141,71 +145,81 @@ Section Balance.
     (forall e, In e l -> f e = g e) -> weighted f l = weighted g l.
   Proof. intros same_. unfold weighted. f_equal. apply map_ext_in. intros e E. now rewrite same_. Qed.
 
+  Lemma inside_level (e : segment) (a y : Q) : is_inside_level y a e = true -> strictly_inside (Vector a y) e.
+  Proof.
+    intros level. destruct (is_inside_level_spec y a e) as [(f1 & f2 & f3 & f4) |]; [| discriminate].
+    exists ((a - vx (source e)) / (vx (target e) - vx (source e))).
+    assert (value : (a - vx (source e)) / (vx (target e) - vx (source e)) * (vx (target e) - vx (source e)) ==
+      a - vx (source e)) by (field; lra).
+    split; [split; [apply Qlt_shift_div_l; lra | apply Qlt_shift_div_r; lra] |]. cbn [vx vy]. split; [lra |].
+    rewrite f1, f2. ring.
+  Qed.
+
   (* Above and below a point inside no piece but level ones. *)
   Lemma above_and_below (a y : Q) :
     (forall e, In e pieces -> lies_on (Vector a y) e -> is_inside_level y a e = true) ->
     eventually (fun d => (inside_ (Vector a (y + d)) - inside_ (Vector a (y - d)))%Z =
-                         weighted (fun e => as_number (is_inside_level y a e)) pieces).
+                         weighted (fun e => as_number (is_inside_level y a e)) pieces /\
+                         off (Vector a (y + d)) pieces /\ off (Vector a (y - d)) pieces).
   Proof.
-    intros level_only.
-    destruct (existsb (is_inside_level y a) pieces) eqn:some_level.
-    - apply existsb_exists in some_level. destruct some_level as (e & E & level).
-      destruct (in_split _ _ E) as (before & after & pieces_are).
-      assert (facts : vy (target e) == vy (source e) /\ vy (source e) == y /\ vx (source e) < a /\ a < vx (target e))
-        by (now destruct (is_inside_level_spec y a e)).
-      destruct facts as (same_height & height_ & after_source & before_target).
-      assert (strictly : forall f, is_inside_level y a f = true -> strictly_inside (Vector a y) f).
-      { intros f level_f.
-        assert (facts : vy (target f) == vy (source f) /\ vy (source f) == y /\ vx (source f) < a /\ a < vx (target f))
-          by (now destruct (is_inside_level_spec y a f)).
-        destruct facts as (f1 & f2 & f3 & f4). exists ((a - vx (source f)) / (vx (target f) - vx (source f))).
-        assert (value : (a - vx (source f)) / (vx (target f) - vx (source f)) * (vx (target f) - vx (source f)) ==
-          a - vx (source f)) by (field; lra).
-        split; [split; [apply Qlt_shift_div_l; lra | apply Qlt_shift_div_r; lra] |]. cbn [vx vy]. split; [lra |].
-        rewrite f1, f2. ring. }
-      pose proof (strictly e level) as inside_e. pose proof (strictly_inside_reversed _ _ inside_e) as inside_back.
-      pose proof (pieces_are_long _ _ cut_ e E) as long. pose proof (pieces_are_met_along _ _ cut_ e E) as only.
-      assert (long_back : nonzero (along (reversed e))).
-      { intros [X Y]. apply long. unfold along, minus, reversed in *. cbn [source target vx vy] in *. split; lra. }
-      assert (the_sum : weighted (fun e => as_number (is_inside_level y a e)) pieces = sign e).
-      { assert (none : forall l, incl l (before ++ after) ->
-          weighted (fun e => as_number (is_inside_level y a e)) l = 0%Z).
-        { intros l part. rewrite (weighted_same _ (fun _ => 0%Z)).
-          - unfold weighted, sum. clear part. induction l as [| f l IH]; cbn; [reflexivity | exact IH].
-          - intros f F. destruct (is_inside_level y a f) eqn:level_f; [| reflexivity]. exfalso.
-            exact (pieces_are_apart _ _ cut_ before e after f (Vector a y) pieces_are (part f F) inside_e
-              (strictly f level_f)). }
-        rewrite pieces_are. unfold weighted in *. rewrite map_app, sum_of_both. cbn [map].
-        rewrite (none before) by (intros f F; apply in_app_iff; tauto).
-        change (sum ((as_number (is_inside_level y a e) * sign e)%Z :: ?l))
-          with (as_number (is_inside_level y a e) * sign e + sum l)%Z.
-        unfold sum at 1. cbn [fold_right]. change (fold_right Z.add 0%Z) with sum.
-        rewrite (none after) by (intros f F; apply in_app_iff; tauto). rewrite level. cbn [as_number]. lia. }
-      rewrite the_sum.
-      refine (eventually_implied _ _ _ (eventually_and _ _
-        (to_the_right_of_a_piece segments e closed only long _ (Vector 0 (-1)) inside_e _)
-        (to_the_right_of_a_piece segments (reversed e) closed (met_only_along_reversed _ _ only) long_back _
-          (Vector 0 1) inside_back _))).
-      + intros d [below above]. unfold sign, kept_sign, is_right_inside, inside_. rewrite <- below, <- above.
-        rewrite (winding_number_of_equal (Vector a (y + d)) (moved_along (Vector a y) (Vector 0 1) d)),
-          (winding_number_of_equal (Vector a (y - d)) (moved_along (Vector a y) (Vector 0 (-1)) d));
-          [reflexivity | unfold moved_along; cbn [vx vy]; ring ..].
-      + unfold cross, along, minus. cbn [vx vy]. lra.
-      + unfold cross, along, minus, reversed. cbn [source target vx vy]. lra.
-    - assert (none : forall e, In e pieces -> is_inside_level y a e = false).
-      { intros e E. destruct (is_inside_level y a e) eqn:level; [| reflexivity].
-        assert (existsb (is_inside_level y a) pieces = true) by (apply existsb_exists; now exists e). congruence. }
-      assert (the_sum : weighted (fun e => as_number (is_inside_level y a e)) pieces = 0%Z).
-      { rewrite (weighted_same _ (fun _ => 0%Z)) by (intros e E; now rewrite none).
-        unfold weighted, sum. clear. induction pieces as [| f l IH]; cbn; [reflexivity | exact IH]. }
-      rewrite the_sum.
-      assert (free : off (Vector a y) segments).
-      { intros t J on. destruct (pieces_are_all _ _ cut_ t _ J on) as (e & E & on_e).
-        specialize (level_only e E on_e). rewrite (none e E) in level_only. discriminate. }
-      destruct (winding_number_near _ _ closed free) as (radius & R & near). exists radius. split; [exact R |].
-      intros d some small. unfold inside_.
-      destruct (near (Vector a (y + d))) as [_ ->]; [unfold within; cbn [vx vy]; lra |].
-      destruct (near (Vector a (y - d))) as [_ ->]; [unfold within; cbn [vx vy]; lra |]. lia.
+    intros level_only. apply eventually_and.
+    - destruct (existsb (is_inside_level y a) pieces) eqn:some_level.
+      + apply existsb_exists in some_level. destruct some_level as (e & E & level).
+        destruct (in_split _ _ E) as (before & after & pieces_are).
+        assert (facts : vy (target e) == vy (source e) /\ vy (source e) == y /\ vx (source e) < a /\ a < vx (target e))
+          by (now destruct (is_inside_level_spec y a e)).
+        destruct facts as (same_height & height_ & after_source & before_target).
+        pose proof (inside_level e a y level) as inside_e. pose proof (strictly_inside_reversed _ _ inside_e) as
+          inside_back.
+        assert (the_sum : weighted (fun e => as_number (is_inside_level y a e)) pieces = sign e).
+        { assert (none : forall l, incl l (before ++ after) ->
+            weighted (fun e => as_number (is_inside_level y a e)) l = 0%Z).
+          { intros l part. rewrite (weighted_same _ (fun _ => 0%Z)).
+            - unfold weighted, sum. clear part. induction l as [| f l IH]; cbn; [reflexivity | exact IH].
+            - intros f F. destruct (is_inside_level y a f) eqn:level_f; [| reflexivity]. exfalso.
+              exact (pieces_have_nothing_in_common _ _ _ ends_ before e after f (Vector a y) pieces_are (part f F) inside_e
+                (inside_level f a y level_f)). }
+          rewrite pieces_are. unfold weighted in *. rewrite map_app, sum_of_both. cbn [map].
+          rewrite (none before) by (intros f F; apply in_app_iff; tauto).
+          change (sum ((as_number (is_inside_level y a e) * sign e)%Z :: ?l))
+            with (as_number (is_inside_level y a e) * sign e + sum l)%Z.
+          unfold sum at 1. cbn [fold_right]. change (fold_right Z.add 0%Z) with sum.
+          rewrite (none after) by (intros f F; apply in_app_iff; tauto). rewrite level. cbn [as_number]. lia. }
+        rewrite the_sum.
+        refine (eventually_implied _ _ _ (eventually_and _ _
+          (same_beside_pieces _ _ _ ends_ e e (Vector a y) (Vector 0 (-1)) E (or_introl eq_refl) inside_e _)
+          (same_beside_pieces _ _ _ ends_ e (reversed e) (Vector a y) (Vector 0 1) E (or_intror eq_refl) inside_back
+            _))).
+        * intros d [below above]. unfold sign, kept_sign, inside_. rewrite <- below, <- above.
+          rewrite (same_of_equal _ _ _ ends_ (Vector a (y + d)) (moved_along (Vector a y) (Vector 0 1) d)),
+            (same_of_equal _ _ _ ends_ (Vector a (y - d)) (moved_along (Vector a y) (Vector 0 (-1)) d));
+            [reflexivity | split; unfold moved_along; cbn [vx vy]; ring ..].
+        * unfold cross, along, minus. cbn [vx vy]. lra.
+        * unfold cross, along, minus, reversed. cbn [source target vx vy]. lra.
+      + assert (none : forall e, In e pieces -> is_inside_level y a e = false).
+        { intros e E. destruct (is_inside_level y a e) eqn:level; [| reflexivity].
+          assert (existsb (is_inside_level y a) pieces = true) by (apply existsb_exists; now exists e). congruence. }
+        assert (the_sum : weighted (fun e => as_number (is_inside_level y a e)) pieces = 0%Z).
+        { rewrite (weighted_same _ (fun _ => 0%Z)) by (intros e E; now rewrite none).
+          unfold weighted, sum. clear. induction pieces as [| f l IH]; cbn; [reflexivity | exact IH]. }
+        rewrite the_sum.
+        assert (free : off (Vector a y) pieces).
+        { intros e E on. specialize (level_only e E on). rewrite (none e E) in level_only. discriminate. }
+        destruct (unchanged_near _ _ _ ends_ _ free) as (radius & R & near). exists radius. split; [exact R |].
+        intros d some small. unfold inside_.
+        destruct (near (Vector a (y + d))) as [_ ->]; [unfold within; cbn [vx vy]; lra |].
+        destruct (near (Vector a (y - d))) as [_ ->]; [unfold within; cbn [vx vy]; lra |]. lia.
+    - assert (each : forall e, In e pieces ->
+        eventually (fun d => ~ lies_on (Vector a (y + d)) e /\ ~ lies_on (Vector a (y - d)) e)).
+      { intros e E. destruct (lies_on_dec (Vector a y) e) as [on | free].
+        - specialize (level_only e E on). destruct (is_inside_level_spec y a e) as [(f1 & f2 & _) |]; [| discriminate].
+          exists 1. split; [lra |]. intros d some _.
+          split; intros (k & _ & _ & Y); cbn [vy] in Y; rewrite f1, f2 in Y; lra.
+        - destruct (off_one_segment_near _ e free) as (radius & R & near). exists radius. split; [exact R |].
+          intros d some small. split; apply near; unfold within; cbn [vx vy]; lra. }
+      destruct (eventually_for_all (fun e d => ~ lies_on (Vector a (y + d)) e /\ ~ lies_on (Vector a (y - d)) e) pieces
+        each) as (limit & L & all). exists limit. split; [exact L |].
+      intros d some small. split; intros e E; now apply (all d some small e E).
   Qed.
 
   Variable v : vector.
@@ -303,14 +317,15 @@ Section Balance.
       level_part e)%Z)
       pieces each) (eventually_and _ _ (above_and_below a1 (vy v) (only_level a1 (or_introl eq_refl)))
         (above_and_below a2 (vy v) (only_level a2 (or_intror eq_refl))))) as (limit & L & all).
-    destruct (all ((1 # 2) * limit) ltac:(lra) ltac:(lra)) as (corners_ & jump_1 & jump_2). clear all.
+    destruct (all ((1 # 2) * limit) ltac:(lra) ltac:(lra))
+      as (corners_ & (jump_1 & free_1 & free_1') & jump_2 & free_2 & free_2'). clear all.
     set (d := (1 # 2) * limit) in *. clearbody d.
     assert (by_core : weighted (corner_crossings v delta d) pieces =
       (inside_ (Vector a1 (vy v + d)) - inside_ (Vector a2 (vy v + d))
        - inside_ (Vector a1 (vy v - d)) + inside_ (Vector a2 (vy v - d)))%Z).
-    { unfold inside_. rewrite <- !(core segments pieces closed cut_), !crossings_of_kept.
-      unfold corner_crossings. fold a1 a2. unfold weighted, sign, sum. clear. induction pieces as [| e l IH]; cbn;
-        lia. }
+    { unfold inside_. rewrite <- !(core_off_pieces _ _ _ ends_) by assumption.
+      rewrite !crossings_of_kept. unfold corner_crossings. fold a1 a2. unfold weighted, sign, sum. clear.
+      induction pieces as [| e l IH]; cbn; lia. }
     rewrite (weighted_same _ (fun e => leaves v e + level_part e)%Z) in by_core by exact corners_.
     rewrite weighted_sum in by_core.
     assert (level_sum : weighted level_part pieces =

@@ -1,11 +1,12 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Closed segments cut into pieces that have no points but ends in common: the pieces with a positive winding number to
-   the left and none to the right (filling.v) are crossed once, as seen from where the winding number is positive, and
-   as often in one direction as in the other from elsewhere. Go along the ray to the right, from piece to piece. *)
+(* A set that ends at pieces only, which have no points but ends in common: the pieces that have it on one side go
+   round it once. So seen from a point of the set, they are crossed once more in one direction than in the other, and as
+   often from elsewhere. Go along the ray to the right, from piece to piece. What the set is does not matter: that its
+   points are those of some winding number (rule_of_sides.v), or those where two regions meet. *)
 From Coq Require Import QArith Qabs Qminmax Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import balanced_edges direction angle angular_crossings winding_number shifted_ray signed_crossings
-  tie_rule regions meeting_of_segments first_hit neighbourhoods left_of_an_edge beside_every_point right_of_an_edge
-  location pieces beside_a_piece filling.
+From Oplus Require Import balanced_edges direction angle angular_crossings winding_number shifted_ray small_numbers
+  signed_crossings tie_rule regions meeting_of_segments first_hit neighbourhoods left_of_an_edge beside_every_point
+  right_of_an_edge location pieces beside_a_piece filling.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -95,46 +96,65 @@ Definition apart_from_all (pieces : list segment) : Prop :=
   forall before e after f w, pieces = before ++ e :: after -> In f (before ++ after) ->
     strictly_inside w e -> ~ strictly_inside w f.
 
-(* What is asked of the pieces. *)
-Record are_pieces (segments pieces : list segment) : Prop := {
-  pieces_are_long : forall e, In e pieces -> nonzero (along e);
-  pieces_are_on : forall e w, In e pieces -> lies_on w e -> exists t, In t segments /\ lies_on w t;
-  pieces_are_all : forall t w, In t segments -> lies_on w t -> exists e, In e pieces /\ lies_on w e;
-  pieces_are_met_along : forall e, In e pieces -> met_only_along segments e;
-  pieces_are_apart : apart_from_all pieces }.
+(* A set of points, of which only those off the pieces matter, and what is said to be to the right of pieces. *)
+Record ends_at_pieces (inside : vector -> bool) (right_inside : segment -> bool) (pieces : list segment) : Prop := {
+  pieces_have_length : forall e, In e pieces -> nonzero (along e);
+  pieces_have_nothing_in_common : apart_from_all pieces;
+  same_of_equal : forall a b, equal_vectors a b -> inside a = inside b;
+  same_off_pieces : forall a b, (forall w, lies_on w (Segment a b) -> off w pieces) -> inside a = inside b;
+  same_beside_pieces : forall e s w n, In e pieces -> s = e \/ s = reversed e -> strictly_inside w s ->
+    cross (along s) n < 0 -> eventually (fun d => inside (moved_along w n d) = right_inside s);
+  nothing_far_away : exists limit, forall x, limit < vx x -> inside x = false }.
 
 Definition as_number (b : bool) : Z := if b then 1%Z else 0%Z.
 
+Lemma shifted_stays_within (radius : Q) (x : vector) : 0 < radius ->
+  eventually (fun e => within radius x (moved (shifted x) e)).
+Proof.
+  intros R. exists (Qmin radius 1). split; [apply Q.min_glb_lt; lra |]. intros e some small.
+  pose proof (Q.le_min_l radius 1). pose proof (Q.le_min_r radius 1).
+  assert (0 < e * e /\ e * e <= e) by (split; nra).
+  unfold within, moved, shifted. cbn [at_ first second vx vy]. lra.
+Qed.
+
+Lemma shifted_off_all (x : vector) (segments : list segment) :
+  eventually (fun e => off (moved (shifted x) e) segments).
+Proof.
+  apply (eventually_for_all (fun s e => ~ lies_on (moved (shifted x) e) s)). intros s _. apply shifted_off.
+Qed.
+
 Section Core.
-  Variables segments pieces : list segment.
-  Hypothesis closed : cycles segments.
-  Hypothesis cut_ : are_pieces segments pieces.
+  Variable inside : vector -> bool.
+  Variable right_inside : segment -> bool.
+  Variable pieces : list segment.
+  Hypothesis ends_ : ends_at_pieces inside right_inside pieces.
 
-  Definition kept_sign (e : segment) : Z :=
-    (as_number (is_right_inside segments (reversed e)) - as_number (is_right_inside segments e))%Z.
+  Let kept := kept_pieces right_inside pieces.
 
-  Definition kept_pieces : list segment := flat_map (kept_piece segments) pieces.
+  Definition kept_sign (e : segment) : Z := (as_number (right_inside (reversed e)) - as_number (right_inside e))%Z.
+
+  Lemma kept_is (e s : segment) : In s (kept_piece right_inside e) ->
+    kept_piece right_inside e = [s] /\ (s = e \/ s = reversed e).
+  Proof.
+    unfold kept_piece. destruct (right_inside (reversed e)), (right_inside e); intros I;
+      try destruct I as [<- | []]; try destruct I; tauto.
+  Qed.
 
   Lemma crossings_of_kept (x : vector) :
-    winding_number x kept_pieces = sum (map (fun e => (signed_crossing x e * kept_sign e)%Z) pieces).
+    winding_number x kept = sum (map (fun e => (signed_crossing x e * kept_sign e)%Z) pieces).
   Proof.
-    unfold winding_number, kept_pieces. clear cut_. induction pieces as [| e rest IH]; [reflexivity |].
+    unfold winding_number, kept, kept_pieces. clear ends_. induction pieces as [| e rest IH]; [reflexivity |].
     cbn [flat_map map]. rewrite map_app, sum_of_both, IH. unfold sum at 3. cbn [fold_right]. f_equal.
     unfold kept_piece, kept_sign.
-    destruct (is_right_inside segments (reversed e)), (is_right_inside segments e); cbn [map]; unfold sum;
+    destruct (right_inside (reversed e)), (right_inside e); cbn [map]; unfold sum;
       cbn [fold_right as_number]; rewrite ?signed_crossing_reversed; lia.
   Qed.
 
-  Lemma kept_are_on (f : segment) (w : vector) : In f kept_pieces -> lies_on w f ->
-    exists t, In t segments /\ lies_on w t.
+  Lemma kept_are_on (f : segment) (w : vector) : In f kept -> lies_on w f -> exists e, In e pieces /\ lies_on w e.
   Proof.
-    intros I on. apply in_flat_map in I. destruct I as (e & E & I).
-    apply (pieces_are_on _ _ cut_ e); [exact E |]. unfold kept_piece in I.
-    assert (back : forall s, lies_on w (reversed s) -> lies_on w s).
-    { intros s (k & range & X & Y). exists (1 - k). cbn [reversed source target] in *. split; [lra |].
-      rewrite X, Y. split; ring. }
-    destruct (is_right_inside segments (reversed e)), (is_right_inside segments e); try easy;
-      destruct I as [<- | []]; [exact on | now apply back].
+    intros I on. apply in_flat_map in I. destruct I as (e & E & I). exists e. split; [exact E |].
+    apply kept_is in I. destruct I as [_ [-> | ->]]; [exact on |]. destruct on as (k & range & X & Y).
+    exists (1 - k). cbn [reversed source target] in *. split; [lra |]. rewrite X, Y. split; ring.
   Qed.
 
   Section OneHeight.
@@ -156,66 +176,62 @@ Section Core.
       signed_crossing (Vector a y) s = if meets_ahead a s then direction_of s else 0%Z.
     Proof. now rewrite signed_crossing_by_height. Qed.
 
-    (* For each segment ahead a piece is ahead, at the same place. *)
-    Lemma segment_has_a_piece (t : segment) (a : Q) : In t segments -> meets_ahead a t = true ->
-      exists e, In e pieces /\ meets_ahead a e = true /\ place_at e == place_at t.
+    Definition free_at (a : Q) : Prop := forall e, In e pieces -> spans e y = true -> ~ place_at e == a.
+
+    (* A piece that has a point to the right is met there. *)
+    Lemma met_where_it_is (e : segment) (w : vector) : In e pieces -> vy w == y -> lies_on w e ->
+      spans e y = true /\ place_at e == vx w.
     Proof.
-      intros J ahead. destruct (meets_ahead_spec a t) as [[spanning before] |]; [| discriminate].
-      destruct (pieces_are_all _ _ cut_ t _ J (point_at_height_lies_on t y spanning)) as (e & E & on).
-      destruct (spans_at e (point_at_height t y) (pieces_avoid e E) on) as [spanning_e place_e].
-      change (vy (point_at_height t y)) with y in *. exists e. split; [exact E |].
-      assert (same_place : place_at e == place_at t) by exact place_e. split; [| exact same_place].
-      destruct (meets_ahead_spec a e) as [| not_ahead]; [reflexivity |]. exfalso. apply not_ahead.
-      split; [exact spanning_e | lra].
+      intros E height on. pose proof (lies_on_equal w (Vector (vx w) y) e ltac:(split; [reflexivity | exact height]) on)
+        as on'. exact (spans_at e (Vector (vx w) y) (pieces_avoid e E) on').
     Qed.
 
-    Definition inside_at (a : Q) : bool := (0 <? winding_number (Vector a y) segments)%Z.
+    Lemma same_if_none_between (a b : Q) : a <= b -> free_at a ->
+      (forall e, In e pieces -> meets_ahead a e = true -> b < place_at e) ->
+      inside (Vector a y) = inside (Vector b y).
+    Proof.
+      intros order free none. apply (same_off_pieces _ _ _ ends_). intros w (k & range & X & Y) e E on.
+      cbn [source target vx vy] in X, Y.
+      destruct (met_where_it_is e w E) as [spanning where_]; [rewrite Y; ring | exact on |].
+      assert (0 <= k * (b - a)) by (apply Qmult_le_0_compat; lra).
+      assert (0 <= (1 - k) * (b - a)) by (apply Qmult_le_0_compat; lra).
+      destruct (meets_ahead a e) eqn:met; [specialize (none e E met); lra |].
+      apply (free e E spanning). apply Qle_antisym; [| lra]. apply Qnot_lt_le. intros ahead.
+      destruct (meets_ahead_spec a e) as [| behind]; [discriminate |]. apply behind. now split.
+    Qed.
 
     (* Close to a piece, on its two sides. *)
     Lemma beside_the_piece (e : segment) : In e pieces -> spans e y = true ->
       eventually (fun d =>
-        inside_at (place_at e + d) = is_right_inside segments (if at_most (vy (source e)) y then e else reversed e) /\
-        inside_at (place_at e - d) = is_right_inside segments (if at_most (vy (source e)) y then reversed e else e)).
+        inside (Vector (place_at e + d) y) = right_inside (if at_most (vy (source e)) y then e else reversed e) /\
+        inside (Vector (place_at e - d) y) = right_inside (if at_most (vy (source e)) y then reversed e else e)).
     Proof.
-      intros E spanning. pose proof (pieces_are_long _ _ cut_ e E) as long.
-      pose proof (pieces_are_met_along _ _ cut_ e E) as only.
-      pose proof (met_only_along_reversed _ _ only) as only_back.
-      assert (long_back : nonzero (along (reversed e))).
-      { intros [X Y]. apply long. unfold along, minus, reversed in *. cbn [source target vx vy] in *. split; lra. }
+      intros E spanning.
       pose proof (inside_at_height e y (pieces_avoid e E) spanning) as inside_.
       pose proof (strictly_inside_reversed _ _ inside_) as inside_back.
       apply heights_of_spanning in spanning. destruct (pieces_avoid e E) as [no_source no_target].
-      assert (same_point : forall d, equal_vectors (moved_along (point_at_height e y) (Vector 1 0) d)
-                                                    (Vector (place_at e + d) y) /\
-                                     equal_vectors (moved_along (point_at_height e y) (Vector (-1) 0) d)
-                                                    (Vector (place_at e - d) y)).
-      { intros d. unfold moved_along, equal_vectors, place_at, point_at_height. cbn [vx vy]. repeat split; ring. }
-      unfold inside_at, is_right_inside.
+      pose proof (same_beside_pieces _ _ _ ends_ e) as beside_.
+      assert (moved_ : forall h d, inside (moved_along (point_at_height e y) (Vector h 0) d) =
+        inside (Vector (place_at e + d * h) y)).
+      { intros h d. apply (same_of_equal _ _ _ ends_). unfold moved_along, equal_vectors, place_at, point_at_height.
+        cbn [vx vy]. split; ring. }
+      assert (minus_ : forall d, inside (Vector (place_at e - d) y) = inside (Vector (place_at e + d * -1) y))
+        by (intros d; apply (same_of_equal _ _ _ ends_); split; cbn [vx vy]; ring).
+      assert (plus_ : forall d, inside (Vector (place_at e + d) y) = inside (Vector (place_at e + d * 1) y))
+        by (intros d; apply (same_of_equal _ _ _ ends_); split; cbn [vx vy]; ring).
       destruct (at_most_spec (vy (source e)) y) as [up | down].
       - refine (eventually_implied _ _ _ (eventually_and _ _
-          (to_the_right_of_a_piece segments e closed only long _ (Vector 1 0) inside_ _)
-          (to_the_right_of_a_piece segments (reversed e) closed only_back long_back _ (Vector (-1) 0) inside_back _))).
-        + intros d [right_ left_]. destruct (same_point d) as [[X1 Y1] [X2 Y2]].
-          rewrite <- (winding_number_of_equal _ _ _ X1 Y1), <- (winding_number_of_equal _ _ _ X2 Y2).
-          now rewrite right_, left_.
+          (beside_ e _ (Vector 1 0) E (or_introl eq_refl) inside_ _)
+          (beside_ (reversed e) _ (Vector (-1) 0) E (or_intror eq_refl) inside_back _))).
+        + intros d [right_ left_]. rewrite moved_ in right_, left_. now rewrite plus_, minus_.
         + unfold cross, along, minus. cbn [vx vy]. lra.
         + unfold cross, along, minus, reversed. cbn [source target vx vy]. lra.
       - refine (eventually_implied _ _ _ (eventually_and _ _
-          (to_the_right_of_a_piece segments (reversed e) closed only_back long_back _ (Vector 1 0) inside_back _)
-          (to_the_right_of_a_piece segments e closed only long _ (Vector (-1) 0) inside_ _))).
-        + intros d [right_ left_]. destruct (same_point d) as [[X1 Y1] [X2 Y2]].
-          rewrite <- (winding_number_of_equal _ _ _ X1 Y1), <- (winding_number_of_equal _ _ _ X2 Y2).
-          now rewrite right_, left_.
+          (beside_ (reversed e) _ (Vector 1 0) E (or_intror eq_refl) inside_back _)
+          (beside_ e _ (Vector (-1) 0) E (or_introl eq_refl) inside_ _))).
+        + intros d [right_ left_]. rewrite moved_ in right_, left_. now rewrite plus_, minus_.
         + unfold cross, along, minus, reversed. cbn [source target vx vy]. lra.
         + unfold cross, along, minus. cbn [vx vy]. lra.
-    Qed.
-
-    Lemma same_if_the_same_are_ahead (a b : Q) (l : list segment) :
-      (forall t, In t l -> meets_ahead a t = meets_ahead b t) ->
-      winding_number (Vector a y) l = winding_number (Vector b y) l.
-    Proof.
-      intros same_ahead. unfold winding_number. f_equal. apply map_ext_in. intros t J.
-      now rewrite !crossing_at_height, same_ahead.
     Qed.
 
     Lemma count_of_two_lists (f : segment -> bool) (l m : list segment) :
@@ -223,46 +239,44 @@ Section Core.
     Proof. now rewrite filter_app, app_length. Qed.
 
     (* At a height at which there are no ends. *)
-    Lemma core_at_height (fuel : nat) : forall a, (length (filter (meets_ahead a) pieces) <= fuel)%nat ->
-      winding_number (Vector a y) kept_pieces = as_number (inside_at a).
+    Lemma core_at_height (fuel : nat) : forall a, free_at a -> (length (filter (meets_ahead a) pieces) <= fuel)%nat ->
+      winding_number (Vector a y) kept = as_number (inside (Vector a y)).
     Proof.
-      induction fuel as [| fuel IH]; intros a few.
+      induction fuel as [| fuel IH]; intros a free few.
       - assert (none : forall e, In e pieces -> meets_ahead a e = false).
         { intros e E. destruct (meets_ahead a e) eqn:ahead; [| reflexivity]. exfalso.
           assert (In e (filter (meets_ahead a) pieces)) as found by (now apply filter_In).
           destruct (filter (meets_ahead a) pieces); [destruct found | cbn in few; lia]. }
-        rewrite crossings_of_kept. unfold inside_at.
-        assert (zero_sum : forall l, (forall e, In e l -> signed_crossing (Vector a y) e = 0%Z) ->
-          sum (map (fun e => (signed_crossing (Vector a y) e * kept_sign e)%Z) l) = 0%Z /\
-          winding_number (Vector a y) l = 0%Z).
-        { unfold winding_number, sum. induction l as [| e l IHl]; intros all_zero; [split; reflexivity |].
-          cbn [map fold_right]. destruct IHl as [one two]; [intros; apply all_zero; now right |].
-          rewrite one, two, (all_zero e) by now left. split; reflexivity. }
-        destruct (zero_sum pieces) as [-> _].
-        { intros e E. now rewrite crossing_at_height, none. }
-        destruct (zero_sum segments) as [_ ->]; [| reflexivity].
-        intros t J. rewrite crossing_at_height. destruct (meets_ahead a t) eqn:ahead; [| reflexivity].
-        destruct (segment_has_a_piece t a J ahead) as (e & E & ahead_e & _). now rewrite none in ahead_e.
+        rewrite crossings_of_kept.
+        assert (zero_sum : forall l, incl l pieces ->
+          sum (map (fun e => (signed_crossing (Vector a y) e * kept_sign e)%Z) l) = 0%Z).
+        { unfold sum. induction l as [| e l IHl]; intros part; [reflexivity |]. cbn [map fold_right].
+          rewrite IHl by (intros f F; apply part; now right).
+          now rewrite crossing_at_height, none by (apply part; now left). }
+        rewrite zero_sum by apply incl_refl. destruct (nothing_far_away _ _ _ ends_) as (limit & far).
+        rewrite (same_if_none_between a (Qmax (limit + 1) a)); trivial.
+        + rewrite far; [reflexivity |]. cbn [vx]. pose proof (Q.le_max_l (limit + 1) a). lra.
+        + apply Q.le_max_r.
+        + intros e E ahead. now rewrite none in ahead.
       - destruct (filter (meets_ahead a) pieces) as [| first_ others] eqn:met.
-        { apply IH. rewrite met. cbn. lia. }
+        { apply IH; [exact free |]. rewrite met. cbn. lia. }
         destruct (least_of place_at (filter (meets_ahead a) pieces)) as (e & listed & least); [now rewrite met |].
         apply filter_In in listed. destruct listed as [E ahead].
         assert (least_piece : forall f, In f pieces -> meets_ahead a f = true -> place_at e <= place_at f).
         { intros f F ahead_f. apply least. now apply filter_In. }
-        assert (least_segment : forall t, In t segments -> meets_ahead a t = true -> place_at e <= place_at t).
-        { intros t J ahead_t. destruct (segment_has_a_piece t a J ahead_t) as (f & F & ahead_f & same_place).
-          rewrite <- same_place. now apply least_piece. }
         assert (facts : spans e y = true /\ a < place_at e) by (now destruct (meets_ahead_spec a e)).
         destruct facts as [spanning before]. destruct (in_split _ _ E) as (earlier & later & pieces_are).
-        assert (others_beyond : forall f, In f (earlier ++ later) -> meets_ahead a f = true -> place_at e < place_at f).
-        { intros f F ahead_f. assert (F' : In f pieces).
-          { rewrite pieces_are. apply in_app_iff in F. apply in_app_iff. cbn. tauto. }
+        assert (part : incl (earlier ++ later) pieces).
+        { intros f F. rewrite pieces_are. apply in_app_iff in F. apply in_app_iff. cbn. tauto. }
+        assert (others_beyond : forall f, In f (earlier ++ later) -> meets_ahead a f = true ->
+          place_at e < place_at f).
+        { intros f F ahead_f. pose proof (part f F) as F'.
           destruct (Q_dec (place_at e) (place_at f)) as [[less | more] | equal]; [exact less | |].
           - pose proof (least_piece f F' ahead_f). lra.
           - exfalso. destruct (meets_ahead_spec a f) as [[spanning_f _] |]; [| discriminate].
             pose proof (inside_at_height e y (pieces_avoid e E) spanning) as inside_e.
             pose proof (inside_at_height f y (pieces_avoid f F') spanning_f) as inside_f.
-            apply (pieces_are_apart _ _ cut_ earlier e later f (point_at_height e y) pieces_are F inside_e).
+            apply (pieces_have_nothing_in_common _ _ _ ends_ earlier e later f (point_at_height e y) pieces_are F inside_e).
             destruct inside_f as (k & range & X & Y). exists k. split; [exact range |].
             split; [| exact Y]. unfold place_at in equal. now rewrite equal. }
         (* a little further, and a little before *)
@@ -278,70 +292,84 @@ Section Core.
         destruct (near ((1 # 2) * limit)) as (beyond & (after_number & before_number) & d_some & d_small);
           [lra | lra |].
         set (d := (1 # 2) * limit) in *. clearbody d. clear near gaps L limit.
-        assert (number_before : inside_at a = inside_at (place_at e - d)).
-        { unfold inside_at. rewrite (same_if_the_same_are_ahead a (place_at e - d)); [reflexivity |]. intros t J.
-          destruct (meets_ahead a t) eqn:ahead_t.
-          - pose proof (least_segment t J ahead_t). destruct (meets_ahead_spec a t) as [[spanning_t _] |];
-              [| discriminate].
-            destruct (meets_ahead_spec (place_at e - d) t) as [| no]; [reflexivity |]. exfalso. apply no. split;
-              [assumption | lra].
-          - destruct (meets_ahead_spec (place_at e - d) t) as [[spanning_t beyond_t] |]; [| reflexivity].
-            destruct (meets_ahead_spec a t) as [| no]; [discriminate |]. exfalso. apply no. split; [assumption | lra]. }
+        rewrite (same_if_none_between a (place_at e - d)); [| lra | exact free |].
+        2: { intros f F ahead_f. pose proof (least_piece f F ahead_f). lra. }
+        assert (passed : meets_ahead (place_at e + d) e = false).
+        { destruct (meets_ahead_spec (place_at e + d) e) as [[_ wrong] |]; [lra | reflexivity]. }
         assert (same_others : forall f, In f (earlier ++ later) -> meets_ahead (place_at e + d) f = meets_ahead a f).
         { intros f F. destruct (meets_ahead a f) eqn:ahead_f.
           - pose proof (beyond f F ahead_f). destruct (meets_ahead_spec a f) as [[spanning_f _] |]; [| discriminate].
-            destruct (meets_ahead_spec (place_at e + d) f) as [| no]; [reflexivity |]. exfalso. apply no. split;
-              [assumption | lra].
+            destruct (meets_ahead_spec (place_at e + d) f) as [| no]; [reflexivity |]. exfalso. apply no.
+            split; [assumption | lra].
           - destruct (meets_ahead_spec (place_at e + d) f) as [[spanning_f beyond_f] |]; [| reflexivity].
             destruct (meets_ahead_spec a f) as [| no]; [discriminate |]. exfalso. apply no. split; [assumption | lra]. }
-        assert (passed : meets_ahead (place_at e + d) e = false).
-        { destruct (meets_ahead_spec (place_at e + d) e) as [[_ wrong] |]; [lra | reflexivity]. }
+        assert (free_after : free_at (place_at e + d)).
+        { intros f F spanning_f where_. rewrite pieces_are in F. apply in_elt_inv in F.
+          destruct F as [<- | F]; [lra |]. assert (ahead_f : meets_ahead a f = true).
+          { destruct (meets_ahead_spec a f) as [| no]; [reflexivity |]. exfalso. apply no. split; [assumption | lra]. }
+          pose proof (beyond f F ahead_f). lra. }
         assert (fewer : (length (filter (meets_ahead (place_at e + d)) pieces) <= fuel)%nat).
         { rewrite <- met in few. rewrite pieces_are in few |- *. rewrite count_of_two_lists in few |- *.
           cbn [filter] in *. rewrite passed. rewrite ahead in few. cbn [length] in few.
-          assert (alike : forall l, incl l (earlier ++ later) -> filter (meets_ahead (place_at e + d)) l = filter
-            (meets_ahead a) l).
-          { intros l part. apply filter_ext_in. intros f F. apply same_others, part, F. }
+          assert (alike : forall l, incl l (earlier ++ later) ->
+            filter (meets_ahead (place_at e + d)) l = filter (meets_ahead a) l).
+          { intros l part'. apply filter_ext_in. intros f F. apply same_others, part', F. }
           rewrite (alike earlier), (alike later); [lia | |]; intros f F; apply in_app_iff; tauto. }
-        specialize (IH (place_at e + d) fewer).
-        assert (step : winding_number (Vector a y) kept_pieces =
-          (winding_number (Vector (place_at e + d) y) kept_pieces + direction_of e * kept_sign e)%Z).
+        specialize (IH (place_at e + d) free_after fewer).
+        assert (step : winding_number (Vector a y) kept =
+          (winding_number (Vector (place_at e + d) y) kept + direction_of e * kept_sign e)%Z).
         { rewrite !crossings_of_kept, pieces_are, !map_app, !sum_of_both. cbn [map].
           assert (alike : forall l, incl l (earlier ++ later) ->
             map (fun f => (signed_crossing (Vector a y) f * kept_sign f)%Z) l =
             map (fun f => (signed_crossing (Vector (place_at e + d) y) f * kept_sign f)%Z) l).
-          { intros l part. apply map_ext_in. intros f F.
-            now rewrite !crossing_at_height, (same_others f (part f F)). }
+          { intros l part'. apply map_ext_in. intros f F.
+            now rewrite !crossing_at_height, (same_others f (part' f F)). }
           rewrite (alike earlier), (alike later); [| intros f F; apply in_app_iff; tauto ..].
           unfold sum at 2 4. cbn [fold_right]. rewrite !crossing_at_height, ahead, passed.
           change (fold_right Z.add 0%Z) with sum. lia. }
-        rewrite step, IH, number_before, before_number, after_number. unfold kept_sign, direction_of.
+        rewrite step, IH, before_number, after_number. unfold kept_sign, direction_of.
         destruct (at_most (vy (source e)) y); lia.
     Qed.
   End OneHeight.
 
-  (* Theorem. Seen from anywhere, also from points on the segments. *)
+  (* Theorem. Seen from anywhere, also from points on the pieces: the winding number is that close beside. *)
   Theorem core (x : vector) :
-    winding_number x kept_pieces = as_number (0 <? winding_number x segments)%Z.
+    eventually (fun d => winding_number x kept = as_number (inside (moved (shifted x) d))).
   Proof.
-    assert (beside : eventually (fun d => forall s, In s (segments ++ pieces ++ kept_pieces) ->
-      signed_crossing (moved (shifted x) d) s = signed_crossing x s /\ ends_avoid (vy (moved (shifted x) d)) s)).
-    { apply (eventually_for_all (fun s d => signed_crossing (moved (shifted x) d) s = signed_crossing x s /\
-        ends_avoid (vy (moved (shifted x) d)) s)). intros s _.
-      refine (eventually_implied _ _ _ (eventually_and _ _ (crossing_beside x s) (eventually_and _ _
-        (below_nearby (shifted x) (source s) (shifted_leaves_its_height x))
-        (below_nearby (shifted x) (target s) (shifted_leaves_its_height x))))).
-      intros d (same_crossing & (_ & no_source) & (_ & no_target)). split; [exact same_crossing | now split]. }
-    destruct beside as (limit & L & near). specialize (near ((1 # 2) * limit)).
-    set (z := moved (shifted x) ((1 # 2) * limit)) in *.
-    assert (good : forall s, In s (segments ++ pieces ++ kept_pieces) ->
-      signed_crossing z s = signed_crossing x s /\ ends_avoid (vy z) s) by (apply near; lra).
-    clear near. clearbody z.
-    assert (same_number : forall l, incl l (segments ++ pieces ++ kept_pieces) ->
-      winding_number x l = winding_number z l).
-    { intros l part. unfold winding_number. f_equal. apply map_ext_in. intros s I. symmetry. now apply good, part. }
-    rewrite !same_number by (intros s I; rewrite !in_app_iff; tauto). destruct z as [a y].
-    apply (core_at_height y) with (fuel := length (filter (meets_ahead y a) pieces)); [| lia].
-    intros e E. apply good. rewrite !in_app_iff. tauto.
+    assert (beside : eventually (fun d =>
+      (forall s, In s kept -> signed_crossing (moved (shifted x) d) s = signed_crossing x s) /\
+      (forall e, In e pieces -> ends_avoid (vy (moved (shifted x) d)) e) /\ off (moved (shifted x) d) pieces)).
+    { apply eventually_and; [| apply eventually_and; [| apply shifted_off_all]].
+      - apply (eventually_for_all (fun s d => signed_crossing (moved (shifted x) d) s = signed_crossing x s)).
+        intros s _. apply crossing_beside.
+      - apply (eventually_for_all (fun s d => ends_avoid (vy (moved (shifted x) d)) s)). intros s _.
+        refine (eventually_implied _ _ _ (eventually_and _ _
+          (below_nearby (shifted x) (source s) (shifted_leaves_its_height x))
+          (below_nearby (shifted x) (target s) (shifted_leaves_its_height x)))).
+        intros d ((_ & no_source) & (_ & no_target)). now split. }
+    refine (eventually_implied _ _ _ beside). intros d (same_crossing & avoid & free).
+    assert (same_number : winding_number x kept = winding_number (moved (shifted x) d) kept).
+    { unfold winding_number. f_equal. apply map_ext_in. intros s S. symmetry. now apply same_crossing. }
+    rewrite same_number. destruct (moved (shifted x) d) as [a y]. cbn [vy] in avoid.
+    apply (core_at_height y avoid (length (filter (meets_ahead y a) pieces))); [| lia].
+    intros e E spanning where_. apply (free e E).
+    refine (lies_on_equal (point_at_height e y) _ e _ (point_at_height_lies_on e y spanning)).
+    split; [exact where_ | reflexivity].
+  Qed.
+
+  (* A set that ends at the pieces does not end around a point off them. *)
+  Lemma unchanged_near (x : vector) : off x pieces ->
+    exists radius, 0 < radius /\ forall y, within radius x y -> off y pieces /\ inside y = inside x.
+  Proof.
+    intros free. destruct (off_near x pieces free) as (radius & R & near). exists radius. split; [exact R |].
+    intros y close. split; [now apply near |]. symmetry. apply (same_off_pieces _ _ _ ends_). intros w on. apply near.
+    apply (within_along radius x x y); trivial. unfold within. lra.
+  Qed.
+
+  Corollary core_off_pieces (x : vector) : off x pieces -> winding_number x kept = as_number (inside x).
+  Proof.
+    intros free. destruct (unchanged_near x free) as (radius & R & near).
+    destruct (eventually_and _ _ (core x) (shifted_stays_within radius x R)) as (limit & L & all).
+    destruct (all ((1 # 2) * limit)) as [-> close]; [lra | lra |]. now destruct (near _ close) as [_ ->].
   Qed.
 End Core.

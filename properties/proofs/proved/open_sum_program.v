@@ -8,7 +8,7 @@
 From Coq Require Import QArith ZArith Bool List.
 From Oplus Require Import specification convolution convolution_winding specification_bridge regions reflected
   location pieces naive_collision placed_collision test_of_regions filling sum_program sums_of_two_edges
-  sum_of_uncovered_pieces maximal_segments.
+  sum_of_uncovered_pieces maximal_segments walks.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -1,13 +1,13 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* The open sum in the words of specification.v: for regions that pass the test of checked_collision.v,
-   checked_open_sum returns the open sum. Its chains are those of the closed sum, as they are found by total_sum.v or
+   checked_open_sum returns the open sum. Its chains are those of the closed sum, as they are found by.v or
    otherwise. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation.
 From Oplus Require Import specification checker convolution signed_crossings tie_rule convolution_winding regions
   winding_number_of_the_sum interiors_meet neighbourhoods left_of_an_edge beside_every_point observation_2_2_4
   theorem_4_2_1 location homogeneous_points specification_bridge pieces collision_is_complete checked_collision
-  filling cut_pieces sum_program sum_is_right total_sum valid_sum sum_of_uncovered_pieces open_sum_program
-    open_along_a_piece open_sum_is_right maximal_segments.
+  filling cut_pieces sum_program sum_is_right sum_of_uncovered_pieces open_sum_program
+    open_along_a_piece open_sum_is_right maximal_segments walks.
 Import ListNotations.
 
 Open Scope Q_scope.

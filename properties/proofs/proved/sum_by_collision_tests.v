@@ -10,7 +10,7 @@ From Oplus Require Import specification checker homogeneous_points specification
   neighbourhoods left_of_an_edge theorem_4_2_1 theorem_2_2_10 lemma_2_2_2 boundary_points reduced_convolution
   interiors_at_touching_points test_of_regions location pieces met_pieces naive_collision collision_is_sound
   collision_is_complete placed_collision checked_collision beside_a_piece filling kept_pieces_go_round cut_pieces
-  kept_pieces_balance sum_program sum_is_right total_sum valid_sum sum_of_uncovered_pieces just_right_of_a_piece.
+  kept_pieces_balance sum_program sum_is_right sum_of_uncovered_pieces just_right_of_a_piece walks.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -47,7 +47,7 @@ Section ValidRegions.
   Let cut_ := pieces_are_pieces segments all_long.
 
   (* Off the reduced convolution, all of the convolution is inside the sum (Theorem 2.3.2). *)
-  Lemma kept_are_on_the_reduced_convolution (e : segment) : In e (pieces_of segments) -> kept_piece segments e <> [] ->
+  Lemma kept_are_on_the_reduced_convolution (e : segment) : In e (pieces_of segments) -> kept_piece (is_right_inside segments) e <> [] ->
     on_reduced_convolution (middle e) p q.
   Proof.
     intros E kept_. destruct (on_or_off (middle e) (reduced_convolution p q)) as [on | free]; [exact on | exfalso].
@@ -58,7 +58,7 @@ Section ValidRegions.
     exact (on_the_convolution_is_in_the_sum p q (middle e) t T on_t).
   Qed.
 
-  Lemma kept_are_reduced_pieces (e : segment) : In e (pieces_of segments) -> kept_piece segments e <> [] ->
+  Lemma kept_are_reduced_pieces (e : segment) : In e (pieces_of segments) -> kept_piece (is_right_inside segments) e <> [] ->
     In e (reduced_pieces p q).
   Proof.
     intros E kept_. destruct (kept_are_on_the_reduced_convolution e E kept_) as (r & R & on_r).
@@ -118,7 +118,7 @@ Section ValidRegions.
   Qed.
 
   Lemma kept_by_collisions_is (e : segment) : In e (pieces_of segments) ->
-    kept_by_collisions p q e = kept_piece segments e.
+    kept_by_collisions p q e = kept_piece (is_right_inside segments) e.
   Proof.
     intros E. pose proof (pieces_are_long _ _ cut_ e E) as long. pose proof (pieces_are_met_along _ _ cut_ e E) as only.
     unfold kept_by_collisions, kept_piece. rewrite (collides_to_the_right_is e long only), collides_to_the_right_is.
@@ -133,14 +133,14 @@ Section ValidRegions.
     assert (part_ : incl (reduced_pieces p q) (pieces_of segments)).
     { intros e I. apply nodup_In, in_flat_map in I. destruct I as (r & R & I). apply nodup_In, in_flat_map. exists r.
       split; [now apply reduced_is_part_of_the_convolution | exact I]. }
-    unfold reduced_filled, filled.
-    transitivity (flat_map (kept_piece segments) (reduced_pieces p q)).
+    unfold reduced_filled, filled, kept_pieces.
+    transitivity (flat_map (kept_piece (is_right_inside segments)) (reduced_pieces p q)).
     - enough (same_ : forall l, incl l (pieces_of segments) ->
-        flat_map (kept_by_collisions p q) l = flat_map (kept_piece segments) l) by (now rewrite same_).
+        flat_map (kept_by_collisions p q) l = flat_map (kept_piece (is_right_inside segments)) l) by (now rewrite same_).
       induction l as [| e l IH]; intros l_part; [reflexivity |]. cbn [flat_map].
       rewrite kept_by_collisions_is by (apply l_part; now left). f_equal. apply IH. intros f F. apply l_part. now right.
     - apply kept_of_a_part; [apply NoDup_nodup | apply NoDup_nodup | exact part_ |].
-      intros e E not_listed. destruct (kept_piece segments e) as [| s l] eqn:kept_; [reflexivity | exfalso].
+      intros e E not_listed. destruct (kept_piece (is_right_inside segments) e) as [| s l] eqn:kept_; [reflexivity | exfalso].
       apply not_listed, kept_are_reduced_pieces; [exact E |]. rewrite kept_. discriminate.
   Qed.
 End ValidRegions.

@@ -1,12 +1,15 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* What minkowski_sum (sum_program.v) returns is the Minkowski sum, as specification.v says: by Theorem 4.2.1 and the
-   winding numbers of filling.v. *)
+(* What sum_of_regions (sum_program.v) returns is the Minkowski sum, as specification.v says: off the convolution,
+  by Theorem
+   4.2.1; what is on the convolution is in the sum; and near each point of the sum are points where the interiors
+   meet. The rest is true of all sets that end at pieces (region_of_pieces.v). *)
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List Permutation.
 From Oplus Require Import specification checker direction angular_crossings winding_number shifted_ray
   signed_crossings small_numbers turning_number convolution_size fiber_grid states in_out_degree tracing
   convolution_winding regions winding_number_of_the_sum interiors_meet neighbourhoods left_of_an_edge
   beside_every_point theorem_4_2_1 theorem_2_2_10 theorem_2_2_6 observation_2_2_4 lemma_2_2_2 test_of_regions
-  homogeneous_points specification_bridge pieces filling kept_pieces_go_round cut_pieces sum_program.
+  homogeneous_points specification_bridge pieces filling kept_pieces_go_round cut_pieces rule_of_sides
+  region_of_pieces walks sum_program.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -27,10 +30,11 @@ Proof.
     intros [X Y]. apply long. unfold along, minus, plus in *. cbn [source target vx vy] in *. split; lra.
 Qed.
 
-Lemma permuted_winding_number (x : vector) (l m : list segment) :
-  Permutation l m -> winding_number x l = winding_number x m.
+Theorem filled_is_balanced (segments : list segment) : (forall t, In t segments -> nonzero (along t)) ->
+  cycles segments -> is_balanced (filled segments).
 Proof.
-  intros permuted. unfold winding_number, sum. induction permuted; cbn; lia.
+  intros all_long closed. exact (kept_is_balanced segments all_long _ _ (filled_ends_at_pieces segments all_long
+    closed)).
 Qed.
 
 Section Sum.
@@ -43,12 +47,14 @@ Section Sum.
   Lemma all_are_long (t : segment) : In t convolution_ -> nonzero (along t).
   Proof. destruct p_region as (p_edges & _), q_region as (q_edges & _). now apply convolution_segments_are_long. Qed.
 
+  Lemma all_are_closed : cycles convolution_.
+  Proof. destruct p_region as (p_edges & _), q_region as (q_edges & _). now apply convolution_is_closed. Qed.
+
   Lemma winding_number_of_chains (x : vector) :
     winding_number x (region_edges chains) = if (0 <? winding_number x convolution_)%Z then 1%Z else 0%Z.
   Proof.
-    destruct p_region as (p_edges & _), q_region as (q_edges & _).
-    rewrite (permuted_winding_number x _ _ edges_are). apply filled_is_right; [exact all_are_long |].
-    now apply convolution_is_closed.
+    rewrite (permuted_winding_number x _ _ edges_are). apply filled_is_right;
+      [exact all_are_long | exact all_are_closed].
   Qed.
 
   Lemma on_the_convolution_is_in_the_sum (x : vector) (s : segment) : In s convolution_ -> lies_on x s -> in_sum x p q.
@@ -57,64 +63,30 @@ Section Sum.
     now apply (convolution_is_part_of_the_vertex_edge_sum p q x s).
   Qed.
 
-  Theorem points_of_the_chains (x : vector) :
-    (exists s, In s (region_edges chains) /\ lies_on x s) \/ winding_number x (region_edges chains) <> 0%Z <->
-    in_sum x p q.
+  Lemma sums_are_regular (x : vector) : in_sum x p q -> regularised (fun y => in_sum y p q) x.
   Proof.
-    split.
-    - intros [(s & I & on) | round].
-      + apply (Permutation_in _ edges_are) in I.
-        destruct (filled_is_on convolution_ all_are_long s x I on) as (t & J & on_t).
-        now apply (on_the_convolution_is_in_the_sum x t).
-      + rewrite winding_number_of_chains in round.
-        destruct (Z.ltb_spec 0 (winding_number x convolution_)) as [positive_ | _]; [| now destruct round].
-        destruct p_region as (p_edges & p_valid & _), q_region as (q_edges & q_valid & _).
-        now apply positive_winding_number_is_in_the_sum.
-    - intros in_.
-      destruct (on_or_off x (region_edges chains)) as [on | free]; [now left | right].
-      (* near x is a point inside the sum and off the convolution *)
-      destruct (winding_number_near x _ (region_cycles chains) free) as (radius & R & near).
-      pose proof p_region as (p_edges & p_valid & p_meet). pose proof q_region as (q_edges & q_valid & q_meet).
-      destruct (interiors_meet_near p q x ((1 # 2) * radius)) as (y & close & meet); trivial;
-        try (now apply regions_are_regular); [lra |].
-      destruct (interiors_meet_means_inner_point p q y meet) as (radius' & R' & inner).
-      destruct (eventually_and _ _
-        (eventually_for_all (fun s e => ~ lies_on (moved (shifted y) e) s) convolution_ (fun s _ => shifted_off y s))
-        (eventually_and _ _ (small_steps_stay_within ((1 # 2) * Qmin radius radius') y (Vector 1 0)
-            ltac:(assert (0 < Qmin radius radius') by (now apply Q.min_glb_lt); lra))
-          (ex_intro _ 1 (conj (ltac:(lra) : 0 < 1) (fun e some small => conj some small : 0 < e /\ e < 1)))))
-        as (limit & L & all).
-      destruct (all ((1 # 2) * limit)) as (off_ & step_ & e_some & e_small); [lra | lra |].
-      set (e := (1 # 2) * limit) in *. clearbody e. clear all.
-      set (z := moved (shifted y) e) in *.
-      pose proof (Q.le_min_l radius radius') as least. pose proof (Q.le_min_r radius radius') as least'.
-      set (m := Qmin radius radius') in *.
-      assert (square_ : 0 < e * e /\ e * e <= e) by (split; nra).
-      assert (z_near : within ((1 # 2) * m) y z).
-      { unfold within, z, moved, shifted, moved_along in *. cbn [at_ first second vx vy] in *. split; lra. }
-      assert (positive_ : (0 < winding_number z convolution_)%Z).
-      { apply positive_winding_number_iff_common_point; trivial. apply inner. unfold within in *. lra. }
-      destruct (near z) as [_ same_number]; [unfold within in *; lra |].
-      rewrite <- same_number, winding_number_of_chains.
-      destruct (Z.ltb_spec 0 (winding_number z convolution_)); [discriminate | lia].
+    pose proof p_region as (p_edges & p_numbers & p_meet). pose proof q_region as (q_edges & q_numbers & q_meet).
+    intros in_ radius R. destruct (interiors_meet_near p q x radius) as (y & close & meet); trivial;
+      try (now apply regions_are_regular).
+    exists y. split; [exact close |]. now apply interiors_meet_means_inner_point.
+  Qed.
+
+  Theorem points_of_the_sum (x : vector) : in_region x chains <-> in_sum x p q.
+  Proof.
+    apply (points_of_a_closed_set convolution_ all_are_long _ _
+      (filled_ends_at_pieces _ all_are_long all_are_closed) chains edges_are (fun y => in_sum y p q)).
+    - intros y free. now rewrite Z.ltb_lt, <- (positive_winding_number_iff_common_point p q y p_region q_region free).
+    - exact on_the_convolution_is_in_the_sum.
+    - exact sums_are_regular.
+  Qed.
+
+  (* Theorem. The sum is a valid region again. *)
+  Theorem sums_are_valid : valid_region chains.
+  Proof.
+    exact (chains_are_valid convolution_ all_are_long _ _ (filled_ends_at_pieces _ all_are_long all_are_closed)
+      chains edges_are).
   Qed.
 End Sum.
-
-Lemma without_is (e : segment) (l m : list segment) : without e l = Some m -> Permutation (e :: m) l.
-Proof.
-  revert m. induction l as [| f l IH]; cbn; intros m; [discriminate |].
-  destruct (segment_dec e f) as [-> |]; [intros [= ->]; reflexivity |].
-  destruct (without e l) as [others |]; [| discriminate]. cbn. intros [= <-].
-  rewrite <- (IH others eq_refl). apply perm_swap.
-Qed.
-
-Lemma are_permuted_is (l : list segment) : forall m, are_permuted l m = true -> Permutation l m.
-Proof.
-  induction l as [| e l IH]; intros m; cbn.
-  - destruct m; [reflexivity | discriminate].
-  - destruct (without e m) as [others |] eqn:found; [| discriminate]. intros permuted.
-    apply without_is in found. rewrite <- found. constructor. now apply IH.
-Qed.
 
 (* Vertices replaced by equal ones. *)
 Section Equal.
@@ -177,8 +149,12 @@ Theorem chains_are_the_sum (p q : polygonal_region) (chains : region) :
   Permutation (region_edges chains) (filled (convolution_segments (as_region p) (as_region q))) ->
   is_minkowski_sum p q (map (map as_point) chains).
 Proof.
-  intros p_region q_region permuted x.
-  rewrite member_of_chains, (points_of_the_chains _ _ chains p_region q_region permuted). split.
+  intros p_region q_region permuted x. rewrite member_of_chains.
+  pose proof (sums_are_valid _ _ chains p_region q_region permuted) as (_ & not_negative & _).
+  pose proof (nowhere_negative_everywhere _ not_negative (as_vector x)).
+  transitivity (in_region (as_vector x) chains).
+  { unfold in_region. split; [intros [? | ?]; [tauto | left; lia] | intros [? | ?]; [right; lia | tauto]]. }
+  rewrite (points_of_the_sum _ _ chains p_region q_region permuted). split.
   - intros (a & b & in_p & in_q & X & Y). exists (as_point a), (as_point b).
     rewrite !member_of_region, !as_vector_of_point by assumption. split; [exact in_p |]. split; [exact in_q |].
     split; [exact X | exact Y].
@@ -187,22 +163,24 @@ Proof.
     split; [exact X | exact Y].
 Qed.
 
-Theorem sum_of_valid_regions (p q : polygonal_region) (chains : region) :
-  valid_region (as_region p) -> valid_region (as_region q) ->
-  chained (filled (convolution_segments (as_region p) (as_region q))) = Some chains ->
-  is_minkowski_sum p q (map (map as_point) chains).
+(* Theorem. Of valid regions it is the Minkowski sum. *)
+Theorem sum_of_regions_is_the_sum (p q : polygonal_region) :
+  valid_region (as_region p) -> valid_region (as_region q) -> is_minkowski_sum p q (sum_of_regions p q).
 Proof.
-  intros p_region q_region found. unfold chained in found.
-  destruct (are_permuted _ _) eqn:permuted; [| discriminate]. injection found as found. rewrite found in permuted.
-  apply are_permuted_is in permuted. now apply chains_are_the_sum.
+  intros p_region q_region. apply chains_are_the_sum; trivial. apply chains_take_all; [lia |].
+  apply filled_is_balanced; [now apply all_are_long | now apply all_are_closed].
 Qed.
 
-(* Theorem. *)
+(* Theorem. The program with its test returns something for all regions that the test accepts. *)
+Theorem minkowski_sum_returns (p q : polygonal_region) :
+  is_valid_region (as_region p) = true -> is_valid_region (as_region q) = true ->
+  minkowski_sum p q = Some (sum_of_regions p q).
+Proof. intros p_valid q_valid. unfold minkowski_sum. now rewrite p_valid, q_valid. Qed.
+
+(* Theorem. And what it returns is the sum. *)
 Theorem sums_are_right (p q s : polygonal_region) : minkowski_sum p q = Some s -> is_minkowski_sum p q s.
 Proof.
-  unfold minkowski_sum. cbv zeta.
-  destruct (is_valid_region (as_region p)) eqn:p_valid, (is_valid_region (as_region q)) eqn:q_valid;
-    cbn [andb]; try discriminate.
-  destruct (chained _) as [chains |] eqn:found; cbn [option_map]; [| discriminate]. intros [= <-].
-  apply sum_of_valid_regions; trivial; now apply is_valid_region_is_right.
+  unfold minkowski_sum.
+  destruct (is_valid_region (as_region p)) eqn:p_valid, (is_valid_region (as_region q)) eqn:q_valid; try discriminate.
+  intros [= <-]. now apply sum_of_regions_is_the_sum; apply is_valid_region_is_right.
 Qed.

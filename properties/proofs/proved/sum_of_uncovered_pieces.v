@@ -8,8 +8,8 @@ From Oplus Require Import specification checker homogeneous_points specification
   signed_crossings small_numbers in_out_degree convolution_winding regions meeting_of_segments interiors_meet
   neighbourhoods left_of_an_edge theorem_4_2_1 theorem_2_2_10 observation_2_2_4 location pieces met_pieces
   naive_collision collision_is_sound beside_a_piece filling kept_pieces_go_round cut_pieces kept_pieces_balance
-  sum_program sum_is_right total_sum sums_in_less_time sums_of_two_edges
-  convolution_in_less_time.
+  sum_program sum_is_right sums_in_less_time sums_of_two_edges
+  convolution_in_less_time walks.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -171,7 +171,7 @@ Section ValidRegions.
 
   (* Theorem. What has an inner point of the sum is not kept. *)
   Theorem inner_pieces_are_not_kept (e : segment) (w : vector) : In e (pieces_of segments) -> strictly_inside w e ->
-    inner_point_of_sum w p q -> kept_piece segments e = [].
+    inner_point_of_sum w p q -> kept_piece (is_right_inside segments) e = [].
   Proof.
     intros E inside_ inner. pose proof (pieces_are_pieces segments segments_are_long) as pieces_.
     pose proof (pieces_are_long _ _ pieces_ e E) as long. pose proof (pieces_are_met_along _ _ pieces_ e E) as only.
@@ -201,7 +201,7 @@ Section ValidRegions.
     apply uncovered_pieces_are in I. apply nodup_In, in_flat_map. exists s. split; [exact S | now apply in_map].
   Qed.
 
-  Lemma others_are_not_kept (e : segment) : In e (pieces_of segments) -> ~ In e listed -> kept_piece segments e = [].
+  Lemma others_are_not_kept (e : segment) : In e (pieces_of segments) -> ~ In e listed -> kept_piece (is_right_inside segments) e = [].
   Proof.
     intros E not_listed.
     destruct (piece_is segments segments_are_long e E) as (s & piece & S & P & e_is & part_ & long & _).
@@ -221,8 +221,8 @@ Section ValidRegions.
   Theorem quick_filled_is : Permutation (quick_filled p q) (filled segments).
   Proof.
     unfold quick_filled. rewrite quick_convolution_is. fold segments. cbv zeta. fold d. fold sums. fold listed.
-    unfold filled.
-    rewrite (flat_map_ext (kept_piece_fast segments) (kept_piece segments)).
+    unfold filled, kept_pieces.
+    rewrite (flat_map_ext (kept_piece_fast segments) (kept_piece (is_right_inside segments))).
     2: { intros e. unfold kept_piece_fast, kept_piece, is_right_inside. now rewrite !number_to_the_right_is. }
     apply kept_of_a_part; [apply NoDup_nodup | apply without_copies_is_distinct | |].
     - intros e I. apply listed_are_pieces. now apply in_without_copies.

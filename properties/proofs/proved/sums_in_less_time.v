@@ -4,7 +4,7 @@
 From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation SetoidList Orders OrdersEx MSetAVL.
 From Oplus Require Import specification direction angular_crossings winding_number shifted_ray regions
   convolution_winding theorem_4_2_1 homogeneous_points specification_bridge pieces filling kept_pieces_go_round
-  cut_pieces kept_pieces_balance sum_program sum_is_right total_sum.
+  cut_pieces kept_pieces_balance sum_program sum_is_right walks.
 Import ListNotations.
 
 Module Number := PairOrderedType Z_as_OT Positive_as_OT.
@@ -105,7 +105,7 @@ Definition filled_fast (segments : list segment) : list segment :=
 
 Lemma filled_fast_is (segments : list segment) : Permutation (filled_fast segments) (filled segments).
 Proof.
-  unfold filled_fast, filled. rewrite (flat_map_ext (kept_piece_fast segments) (kept_piece segments)).
+  unfold filled_fast, filled, kept_pieces. rewrite (flat_map_ext (kept_piece_fast segments) (kept_piece (is_right_inside segments))).
   - apply Permutation_flat_map. apply NoDup_Permutation; [apply without_copies_is_distinct | apply NoDup_nodup |].
     intros s. unfold pieces_of. rewrite nodup_In. apply in_without_copies.
   - intros e. unfold kept_piece_fast, kept_piece, is_right_inside. now rewrite !number_to_the_right_is.

@@ -5,7 +5,7 @@
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
 From Oplus Require Import specification checker homogeneous_points specification_bridge balanced_edges convolution
   shifted_ray in_out_degree regions meeting_of_segments interiors_meet location pieces sum_program
-  sum_is_right total_sum.
+  sum_is_right walks.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -4,7 +4,7 @@
    (inner_fit_program.v). *)
 From Coq Require Import QArith Lqa Qabs ZArith Lia Bool List Permutation.
 From Oplus Require Import convolution signed_crossings meeting_of_segments regions first_hit pieces
-  kept_pieces_go_round sum_is_right.
+  kept_pieces_go_round sum_is_right region_of_pieces.
 Import ListNotations.
 
 Open Scope Q_scope.

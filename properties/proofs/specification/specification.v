@@ -93,6 +93,27 @@ Definition fits (x : point) (f : placements) : Prop :=
 Definition is_inner_fit (a b : polygonal_region) (f : placements) : Prop :=
   forall x, fits x f <-> forall y, member y b -> member (sum_of_points x y) a.
 
+(* Within less than the radius in both coordinates. *)
+Definition is_near (radius : Q) (a b : point) : Prop :=
+  (- radius < x_of b - x_of a < radius) /\ (- radius < y_of b - y_of a < radius).
+
+Definition interior (A : point -> Prop) (a : point) : Prop :=
+  exists radius, 0 < radius /\ forall b, is_near radius a b -> A b.
+
+Definition closure (A : point -> Prop) (a : point) : Prop :=
+  forall radius, 0 < radius -> exists b, is_near radius a b /\ A b.
+
+(* s consists of all points of p and of q. *)
+Definition is_union (p q s : polygonal_region) : Prop := forall x, member x s <-> member x p \/ member x q.
+
+(* s consists of what p and q have in common, but for points and edges without anything around them. *)
+Definition is_intersection (p q s : polygonal_region) : Prop :=
+  forall x, member x s <-> closure (interior (fun y => member y p /\ member y q)) x.
+
+(* s consists of what is in p and not in q, and of the boundary of that. *)
+Definition is_difference (p q s : polygonal_region) : Prop :=
+  forall x, member x s <-> closure (interior (fun y => member y p /\ ~ member y q)) x.
+
 (* A checker is right if it accepts nothing but Minkowski sums, whatever it is given as a certificate. *)
 Definition accepts_only_sums {certificate : Type} (accepts : polygonal_region -> polygonal_region -> polygonal_region -> certificate -> bool) : Prop :=
   forall p q s c, accepts p q s c = true -> is_minkowski_sum p q s.
