@@ -177,7 +177,8 @@ Section Balance.
           { intros l part. rewrite (weighted_same _ (fun _ => 0%Z)).
             - unfold weighted, sum. clear part. induction l as [| f l IH]; cbn; [reflexivity | exact IH].
             - intros f F. destruct (is_inside_level y a f) eqn:level_f; [| reflexivity]. exfalso.
-              exact (pieces_have_nothing_in_common _ _ _ ends_ before e after f (Vector a y) pieces_are (part f F) inside_e
+              exact (pieces_have_nothing_in_common _ _ _ ends_ before e after f (Vector a y) pieces_are (part f F)
+                inside_e
                 (inside_level f a y level_f)). }
           rewrite pieces_are. unfold weighted in *. rewrite map_app, sum_of_both. cbn [map].
           rewrite (none before) by (intros f F; apply in_app_iff; tauto).

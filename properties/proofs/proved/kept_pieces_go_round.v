@@ -276,7 +276,8 @@ Section Core.
           - exfalso. destruct (meets_ahead_spec a f) as [[spanning_f _] |]; [| discriminate].
             pose proof (inside_at_height e y (pieces_avoid e E) spanning) as inside_e.
             pose proof (inside_at_height f y (pieces_avoid f F') spanning_f) as inside_f.
-            apply (pieces_have_nothing_in_common _ _ _ ends_ earlier e later f (point_at_height e y) pieces_are F inside_e).
+            apply (pieces_have_nothing_in_common _ _ _ ends_ earlier e later f (point_at_height e y) pieces_are F
+              inside_e).
             destruct inside_f as (k & range & X & Y). exists k. split; [exact range |].
             split; [| exact Y]. unfold place_at in equal. now rewrite equal. }
         (* a little further, and a little before *)

@@ -1,10 +1,12 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* What oplus-proved computes, and what that is: the one place that says which functions the program is made of. Vertices
+(* What oplus-proved computes, and what that is: the one place that says which functions the program is made of.
+  Vertices
    of its regions may touch edges. *)
 From Coq Require Import QArith ZArith Bool List.
 From Oplus Require Import specification convolution regions winding_number_of_the_sum theorem_4_2_1 specification_bridge
   homogeneous_points collision_is_complete checked_collision sum_program sum_of_uncovered_pieces touching_vertices
-  complement_in_a_frame open_sum_program open_sums inner_fit_program inner_fit_is_right polygons.
+  complement_in_a_frame open_sum_program open_sums inner_fit_program inner_fit_is_right polygons canonical_regions
+    boolean_operations.
 Import ListNotations.
 
 (* Whether the theorems are about the region. *)
@@ -27,7 +29,7 @@ Qed.
 
 (* The sum, as polygons with holes. *)
 Definition proved_sum (p q : polygonal_region) : list polygon_with_holes :=
-  polygons_of (quick_sum (prepared_region p) (prepared_region q)).
+  canonical_polygons (quick_sum (prepared_region p) (prepared_region q)).
 
 Definition region_of_polygons : list polygon_with_holes -> polygonal_region := flat_map chains_of_polygon.
 
@@ -36,7 +38,7 @@ Theorem proved_sum_is_the_sum (p q : polygonal_region) : is_covered p = true -> 
   is_minkowski_sum p q (region_of_polygons (proved_sum p q)).
 Proof.
   intros p_valid q_valid x. apply is_covered_is_right in p_valid, q_valid. destruct p_valid, q_valid.
-  unfold region_of_polygons, proved_sum. rewrite polygons_are_the_region.
+  unfold region_of_polygons, proved_sum. rewrite (proj1 (canonical_polygons_are_the_region _ x)).
   now apply sum_of_prepared_regions, quick_sum_is_the_sum.
 Qed.
 
@@ -48,7 +50,8 @@ Theorem proved_open_sum_is_the_open_sum (p q : polygonal_region) : is_covered p 
   is_open_sum p q (proved_open_sum p q).
 Proof.
   intros p_valid q_valid x. apply is_covered_is_right in p_valid, q_valid. destruct p_valid, q_valid.
-  unfold proved_open_sum. etransitivity; [apply (open_sum_of_regions_is_the_open_sum (prepared_region p) (prepared_region q)); trivial |].
+  unfold proved_open_sum. etransitivity; [apply (open_sum_of_regions_is_the_open_sum (prepared_region p)
+    (prepared_region q)); trivial |].
   split; intros (a & b & in_p & in_q & equal); exists a, b; rewrite !prepared_inner_points in *; tauto.
 Qed.
 
@@ -59,7 +62,8 @@ Theorem proved_no_fit_is_the_no_fit (a b : polygonal_region) : is_covered a = tr
   is_no_fit a b (proved_no_fit a b).
 Proof.
   intros a_valid b_valid x. apply is_covered_is_right in a_valid, b_valid. destruct a_valid, b_valid.
-  unfold proved_no_fit. etransitivity; [apply (no_fit_is_the_no_fit (prepared_region a) (prepared_region b)); trivial |].
+  unfold proved_no_fit. etransitivity; [apply (no_fit_is_the_no_fit (prepared_region a) (prepared_region b));
+    trivial |].
   split; intros (y & z & in_a & in_b & equal); exists y, z; rewrite !prepared_inner_points in *; tauto.
 Qed.
 
@@ -73,7 +77,8 @@ Theorem proved_inner_fit_is_the_inner_fit (a b : polygonal_region) : is_covered 
   has_points b = true -> is_inner_fit a b (proved_inner_fit a b).
 Proof.
   intros a_valid b_valid some x. apply is_covered_is_right in a_valid, b_valid. destruct a_valid, b_valid.
-  unfold proved_inner_fit. etransitivity; [apply (inner_fit_is_the_inner_fit (prepared_region a) (prepared_region b)); trivial |].
+  unfold proved_inner_fit. etransitivity; [apply (inner_fit_is_the_inner_fit (prepared_region a) (prepared_region b));
+    trivial |].
   - unfold has_points in some. destruct (concat (prepared_region b)) as [| v rest] eqn:vertices; [discriminate |].
     destruct (proj1 (in_concat (prepared_region b) v)) as (c & C & V); [rewrite vertices; now left | now exists c, v].
   - split; intros all y; specialize (all y); unfold prepared_region in *; rewrite !touching_vertices_add_no_points in *;
@@ -81,5 +86,48 @@ Proof.
 Qed.
 
 (* The chains of an open region, and of placements, as polygons with holes. *)
-Definition polygons_of_open (s : open_region) : list polygon_with_holes := polygons_of (open_chains s).
-Definition polygons_of_placements (f : placements) : list polygon_with_holes := polygons_of (fit_chains f).
+Definition polygons_of_open (s : open_region) : list polygon_with_holes := canonical_polygons (open_chains s).
+Definition polygons_of_placements (f : placements) : list polygon_with_holes := canonical_polygons (fit_chains f).
+
+(* Theorem. They are the chains: the points of placements, and the inner points of an open region, stay. *)
+Theorem canonical_chains_are_the_chains (s : open_region) (f : placements) (x : point) :
+  (is_inner_point x (region_of_polygons (polygons_of_open s)) <-> is_inner_point x (open_chains s)) /\
+  (member x (region_of_polygons (polygons_of_placements f)) <-> member x (fit_chains f)).
+Proof. split; apply canonical_polygons_are_the_region. Qed.
+
+(* Union, intersection and difference of regions. *)
+Definition of_prepared (operation : polygonal_region -> polygonal_region -> polygonal_region)
+  (p q : polygonal_region) : list polygon_with_holes :=
+  canonical_polygons (operation (prepared_region p) (prepared_region q)).
+
+Definition proved_union : polygonal_region -> polygonal_region -> list polygon_with_holes := of_prepared union.
+Definition proved_intersection : polygonal_region -> polygonal_region -> list polygon_with_holes :=
+  of_prepared intersection_of_regions.
+Definition proved_difference : polygonal_region -> polygonal_region -> list polygon_with_holes :=
+  of_prepared difference.
+
+Lemma same_closure (A B : point -> Prop) (x : point) : (forall y, A y <-> B y) ->
+  (closure (interior A) x <-> closure (interior B) x).
+Proof.
+  intros same. split; intros closure_ radius R; destruct (closure_ radius R) as (y & close & inner & I & all_in);
+    exists y; (split; [exact close |]); exists inner; (split; [exact I |]); intros z near_z;
+    now apply same, all_in.
+Qed.
+
+(* Theorem. *)
+Theorem proved_booleans_are_right (p q : polygonal_region) : is_covered p = true -> is_covered q = true ->
+  is_union p q (region_of_polygons (proved_union p q)) /\
+  is_intersection p q (region_of_polygons (proved_intersection p q)) /\
+  is_difference p q (region_of_polygons (proved_difference p q)).
+Proof.
+  intros p_valid q_valid. apply is_covered_is_right in p_valid, q_valid.
+  destruct p_valid as [p_valid _], q_valid as [q_valid _].
+  assert (same_p : forall y, member y (prepared_region p) <-> member y p) by apply touching_vertices_add_no_points.
+  assert (same_q : forall y, member y (prepared_region q) <-> member y q) by apply touching_vertices_add_no_points.
+  split; [| split]; intros x; (etransitivity; [apply canonical_polygons_are_the_region |]).
+  - rewrite (union_is_the_union _ _ p_valid q_valid x). now rewrite same_p, same_q.
+  - rewrite (intersection_is_the_intersection _ _ p_valid q_valid x). apply same_closure.
+    intros y. now rewrite same_p, same_q.
+  - rewrite (difference_is_the_difference _ _ p_valid q_valid x). apply same_closure.
+    intros y. now rewrite same_p, same_q.
+Qed.

@@ -1,35 +1,58 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Walks from segment to segment, until the start is reached again. If every point is left as often as it is entered,
-   each walk closes, what it leaves over is like that again, and so all segments are on some chain. *)
+(* Walks from segment to segment that turn clockwise most at each point (thesis, Definition 3.2.1), until the next one
+   would be the first again. If every point is left as often as it is entered, each walk closes, what it leaves over is
+   like that again, and so all segments are on some chain. *)
 From Coq Require Import QArith ZArith Lia Bool List Permutation.
 From Oplus Require Import balanced_edges direction angular_crossings winding_number regions filling.
 Import ListNotations.
 
-(* The first of the segments that starts there, and the others. *)
-Fixpoint taken_from (v : vector) (l : list segment) : option (segment * list segment) :=
+
+(* Which of the directions a and b is met first on the way counterclockwise from the way back: the other if it is the
+   way back itself. *)
+Definition half_turn (back d : vector) : nat :=
+  match (0 ?= cross back d)%Q with
+  | Lt => 0
+  | Gt => 1
+  | Eq => match (0 ?= dot back d)%Q with Lt => 2 | _ => 1 end
+  end.
+
+Definition turns_more (before a b : segment) : bool :=
+  let back := minus (source before) (target before) in
+  match Nat.compare (half_turn back (along a)) (half_turn back (along b)) with
+  | Lt => true
+  | Gt => false
+  | Eq => match (0 ?= cross (along a) (along b))%Q with Gt => false | _ => true end
+  end.
+
+(* Of the segments that start where one ends, that which turns clockwise most, and the others. *)
+Fixpoint next_and_others (before : segment) (l : list segment) : option (segment * list segment) :=
   match l with
   | [] => None
   | e :: rest =>
-    if vector_dec (source e) v then Some (e, rest)
-    else match taken_from v rest with None => None | Some (f, others) => Some (f, e :: others) end
+    let starts_there := if vector_dec (source e) (target before) then true else false in
+    match next_and_others before rest with
+    | None => if starts_there then Some (e, rest) else None
+    | Some (f, others) => if starts_there && turns_more before e f then Some (e, rest) else Some (f, e :: others)
+    end
   end.
 
-(* From segment to segment until the start is reached again; the segments that are left. *)
-Fixpoint walk (fuel : nat) (start here : vector) (l : list segment) : list vector * list segment :=
+(* From segment to segment until it would be the first again; the segments that are left. *)
+Fixpoint walk (fuel : nat) (first before : segment) (l : list segment) : list vector * list segment :=
   match fuel with
   | O => ([], l)
   | S fewer =>
-    match taken_from here l with
+    match next_and_others before l with
     | None => ([], l)
     | Some (e, rest) =>
-      if vector_dec (target e) start then ([here], rest)
-      else let (chain, others) := walk fewer start (target e) rest in (here :: chain, others)
+      if (if vector_dec (target before) (source first) then turns_more before first e else false) then ([], l)
+      else let (chain, others) := walk fewer first e rest in (source e :: chain, others)
     end
   end.
 
 Fixpoint chains_of (fuel : nat) (l : list segment) : list (list vector) :=
   match fuel, l with
-  | S fewer, e :: _ => let (chain, others) := walk (length l) (source e) (source e) l in chain :: chains_of fewer others
+  | S fewer, e :: rest =>
+    let (chain, others) := walk (length rest) e e rest in (source e :: chain) :: chains_of fewer others
   | _, _ => []
   end.
 
@@ -47,21 +70,28 @@ Proof. reflexivity. Qed.
 Lemma surplus_permuted (v : vector) (l m : list segment) : Permutation l m -> surplus v l = surplus v m.
 Proof. unfold surplus, sum. intros permuted. induction permuted; cbn; lia. Qed.
 
-Lemma taken_from_is (v : vector) (l : list segment) (e : segment) : forall rest,
-  taken_from v l = Some (e, rest) -> source e = v /\ Permutation (e :: rest) l.
+Lemma next_is (before : segment) (l : list segment) (e : segment) : forall rest,
+  next_and_others before l = Some (e, rest) -> source e = target before /\ Permutation (e :: rest) l.
 Proof.
-  induction l as [| f l IH]; intros rest; cbn; [discriminate |].
-  destruct (vector_dec (source f) v) as [is_v |]; [intros [= <- <-]; split; [exact is_v | reflexivity] |].
-  destruct (taken_from v l) as [[g others] |]; [| discriminate]. intros [= <- <-].
-  destruct (IH others eq_refl) as [is_v permuted]. split; [exact is_v |]. rewrite <- permuted. apply perm_swap.
+  revert e. induction l as [| f l IH]; intros e rest; cbn [next_and_others]; [discriminate |].
+  destruct (next_and_others before l) as [[g others] |]; destruct (vector_dec (source f) (target before)) as [there |];
+    cbn [andb]; try discriminate.
+  - destruct (turns_more before f g); intros [= <- <-]; [split; [exact there | reflexivity] |].
+    destruct (IH g others eq_refl) as [is_there permuted]. split;
+      [exact is_there |]. rewrite <- permuted. apply perm_swap.
+  - intros [= <- <-]. destruct (IH g others eq_refl) as [is_there permuted]. split; [exact is_there |].
+    rewrite <- permuted. apply perm_swap.
+  - intros [= <- <-]. split; [exact there | reflexivity].
 Qed.
 
-Lemma something_is_taken (v : vector) (l : list segment) : (exists e, In e l /\ source e = v) -> taken_from v l <> None.
+Lemma no_next (before : segment) (l : list segment) : next_and_others before l = None ->
+  forall e, In e l -> source e <> target before.
 Proof.
-  induction l as [| f l IH]; intros (e & I & is_v); [destruct I |]. cbn.
-  destruct (vector_dec (source f) v); [discriminate |]. destruct I as [-> | I]; [contradiction |].
-  destruct (taken_from v l) as [[g others] |] eqn:taken; [discriminate |].
-  exfalso. apply IH; [now exists e | reflexivity].
+  induction l as [| f l IH]; intros none e I; [destruct I |]. cbn [next_and_others] in none.
+  destruct (next_and_others before l) as [[g others] |].
+  - destruct (_ && _); discriminate.
+  - destruct (vector_dec (source f) (target before)) as [| not_there]; [discriminate |].
+    destruct I as [<- | I]; [exact not_there | now apply IH].
 Qed.
 
 Lemma something_leaves (v : vector) (l : list segment) : 0 < surplus v l -> exists e, In e l /\ source e = v.
@@ -84,33 +114,37 @@ Proof.
   change (path (first :: a :: chain) z) with (Segment first a :: path (a :: chain) z). now rewrite IH.
 Qed.
 
-Lemma walk_returns (start : vector) (fuel : nat) : forall here l, (length l <= fuel)%nat ->
-  (forall v, surplus v l = one_if here v - one_if start v) -> (exists e, In e l /\ source e = here) ->
-  exists rest others, walk fuel start here l = (here :: rest, others) /\ is_balanced others /\
-    Permutation (path (here :: rest) start ++ others) l.
+Lemma walk_returns (fuel : nat) (first : segment) : forall before l, (length l <= fuel)%nat ->
+  (forall v, surplus v l = one_if (target before) v - one_if (source first) v) ->
+  exists chain others, walk fuel first before l = (chain, others) /\ is_balanced others /\
+    hd (source first) chain = target before /\ Permutation (path chain (source first) ++ others) l.
 Proof.
-  induction fuel as [| fuel IH]; intros here l enough_ counts some.
-  - destruct some as (e & I & _). destruct l; [destruct I | cbn in enough_; lia].
-  - cbn [walk]. pose proof (something_is_taken here l some) as taken_.
-    destruct (taken_from here l) as [[e rest] |] eqn:taken; [| contradiction]. clear taken_.
-    apply taken_from_is in taken. destruct taken as [is_here permuted].
-    assert (counts_rest : forall v, surplus v rest = one_if (target e) v - one_if start v).
-    { intros v. specialize (counts v). rewrite <- (surplus_permuted v _ _ permuted), surplus_of_more,
-      is_here in counts. lia. }
-    destruct (vector_dec (target e) start) as [returned | going].
-    + exists [], rest. split; [reflexivity |]. split.
-      * intros v. rewrite counts_rest, returned. lia.
-      * cbn [path hd app]. rewrite <- permuted, <- is_here, <- returned. now destruct e.
-    + destruct (IH (target e) rest) as (further & others & -> & balanced_ & all).
-      * apply Permutation_length in permuted. cbn in permuted. lia.
-      * exact counts_rest.
-      * apply something_leaves. rewrite counts_rest. unfold one_if.
-        destruct (vector_dec (target e) (target e)) as [_ |]; [| contradiction].
-        destruct (vector_dec start (target e)); [congruence | lia].
-      * exists (target e :: further), others. split; [reflexivity |]. split; [exact balanced_ |].
-        change (path (here :: target e :: further) start) with
-          (Segment here (target e) :: path (target e :: further) start).
-        cbn [app]. rewrite all, <- permuted, <- is_here. now destruct e.
+  assert (stop : forall before l, (forall v, surplus v l = one_if (target before) v - one_if (source first) v) ->
+    target before = source first ->
+    exists chain others, ([], l) = (chain, others) /\ is_balanced others /\
+      hd (source first) chain = target before /\ Permutation (path chain (source first) ++ others) l).
+  { intros before l counts returned. exists [], l. split; [reflexivity |]. split; [| split;
+    [now symmetry | reflexivity]].
+    intros v. rewrite counts, returned. lia. }
+  assert (returned : forall before l, (forall v, surplus v l = one_if (target before) v - one_if (source first) v) ->
+    (forall e, In e l -> source e <> target before) -> target before = source first).
+  { intros before l counts none. destruct (vector_dec (target before) (source first)) as [| going]; [assumption |].
+    exfalso. destruct (something_leaves (target before) l) as (e & E & there); [| exact (none e E there)].
+    rewrite counts. unfold one_if. destruct (vector_dec (target before) (target before)) as [_ |]; [| contradiction].
+    destruct (vector_dec (source first) (target before)); [congruence | lia]. }
+  induction fuel as [| fuel IH]; intros before l enough_ counts; cbn [walk].
+  - apply stop; [exact counts |]. apply (returned before l counts). destruct l; [intros e [] | cbn in enough_; lia].
+  - destruct (next_and_others before l) as [[e rest] |] eqn:next_.
+    2: { apply stop; [exact counts |]. exact (returned before l counts (no_next before l next_)). }
+    destruct (if vector_dec _ _ then _ else _) eqn:closes.
+    { apply stop; [exact counts |]. destruct (vector_dec (target before) (source first)); [assumption | discriminate]. }
+    apply next_is in next_. destruct next_ as [there permuted].
+    destruct (IH e rest) as (chain & others & -> & balanced_ & starts & all).
+    + apply Permutation_length in permuted. cbn in permuted. lia.
+    + intros v. specialize (counts v). rewrite <- (surplus_permuted v _ _ permuted), surplus_of_more,
+        there in counts. lia.
+    + exists (source e :: chain), others. split; [reflexivity |]. split; [exact balanced_ |]. split; [exact there |].
+      cbn [path app]. rewrite starts, all, <- permuted. now destruct e.
 Qed.
 
 Lemma chains_take_all (fuel : nat) : forall l, (length l <= fuel)%nat -> is_balanced l ->
@@ -119,15 +153,15 @@ Proof.
   induction fuel as [| fuel IH]; intros l enough_ balanced_.
   - destruct l; [reflexivity | cbn in enough_; lia].
   - destruct l as [| e l]; [reflexivity |]. cbn [chains_of].
-    destruct (walk_returns (source e) (length (e :: l)) (source e) (e :: l)) as (rest & others & -> & balanced_others
-      & all).
+    destruct (walk_returns (length l) e e l) as (chain & others & -> & balanced_others & starts & all).
     + lia.
-    + intros v. rewrite balanced_. lia.
-    + exists e. split; [now left | reflexivity].
-    + cbn [region_edges flat_map]. fold (region_edges (chains_of fuel others)).
+    + intros v. specialize (balanced_ v). rewrite surplus_of_more in balanced_. lia.
+    + cbn [region_edges flat_map].
       assert (fewer : (length others <= fuel)%nat).
-      { apply Permutation_length in all. rewrite app_length in all. cbn [path length] in all, enough_. lia. }
+      { apply Permutation_length in all. rewrite app_length in all. cbn [length] in enough_. lia. }
       change (flat_map edges (chains_of fuel others)) with (region_edges (chains_of fuel others)).
-      rewrite (IH others fewer balanced_others). etransitivity; [| exact all]. apply Permutation_app_tail.
-      rewrite path_is. reflexivity.
+      rewrite (IH others fewer balanced_others).
+      transitivity (path (source e :: chain) (source e) ++ others).
+      * apply Permutation_app_tail. rewrite path_is. reflexivity.
+      * cbn [path app]. rewrite starts, all. now destruct e.
 Qed.

@@ -1,0 +1,108 @@
+(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* Regions in canonical form, as oplus writes them: canonical chains (canonical_chains.v), and polygons with their holes
+   (polygons.v) in order. The points of a region stay, and so do its inner points. *)
+From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation Orders Mergesort.
+From Oplus Require Import specification direction winding_number in_out_degree regions specification_bridge pieces
+  sum_program sum_is_right inner_fit_is_right open_sums polygons canonical_chains.
+Import ListNotations.
+
+Definition canonical_region (r : polygonal_region) : polygonal_region :=
+  map (map as_point) (map canonical_chain (map (map as_vector) r)).
+
+Lemma as_written (r : polygonal_region) : map (map as_point) (map (map as_vector) r) = r.
+Proof.
+  rewrite map_map. rewrite <- (map_id r) at 2. apply map_ext. intros c. rewrite map_map. rewrite <- (map_id c) at 2.
+  apply map_ext. now intros [a b].
+Qed.
+
+(* Theorem. *)
+Theorem canonical_region_has_the_points (r : polygonal_region) (x : point) : member x (canonical_region r) <-> member
+  x r.
+Proof.
+  rewrite <- (as_written r) at 2. unfold canonical_region. rewrite !member_of_chains.
+  destruct (canonical_chains_are_alike (as_vector x) (map (map as_vector) r)) as [on number_is].
+  now rewrite on, number_is.
+Qed.
+
+(* Theorem. *)
+Theorem canonical_region_has_the_inner_points (r : polygonal_region) (x : point) :
+  is_inner_point x (canonical_region r) <-> is_inner_point x r.
+Proof.
+  rewrite <- (as_written r) at 2. unfold canonical_region. rewrite !inner_point_of_chains.
+  destruct (canonical_chains_are_alike (as_vector x) (map (map as_vector) r)) as [on number_is].
+  rewrite number_is. split; intros [round free]; (split; [exact round |]); intros s S on_s.
+  - destruct (proj2 on) as (t & T & on_t); [now exists s | exact (free t T on_t)].
+  - destruct (proj1 on) as (t & T & on_t); [now exists s | exact (free t T on_t)].
+Qed.
+
+(* By their points, those with smaller first ones first. *)
+Definition chain_is_smaller (c d : chain) : bool :=
+  match compare_chains (map as_vector c) (map as_vector d) with Gt => false | _ => true end.
+
+Lemma compare_chains_antisym (c : list vector) : forall d, compare_chains d c = CompOpp (compare_chains c d).
+Proof.
+  induction c as [| v c IH]; intros [| w d]; try reflexivity. cbn [compare_chains].
+  assert (points : compare_points w v = CompOpp (compare_points v w)).
+  { unfold compare_points. rewrite <- (Qcompare_antisym (vx v)), <- (Qcompare_antisym (vy v)).
+    destruct (vx v ?= vx w)%Q; reflexivity. }
+  rewrite points, (IH d). destruct (compare_points v w); reflexivity.
+Qed.
+
+Lemma chain_is_smaller_total (c d : chain) : chain_is_smaller c d = true \/ chain_is_smaller d c = true.
+Proof.
+  unfold chain_is_smaller. rewrite (compare_chains_antisym (map as_vector c)).
+  destruct (compare_chains (map as_vector c) (map as_vector d)); cbn; tauto.
+Qed.
+
+Module ByPoints <: TotalLeBool.
+  Definition t := chain.
+  Definition leb := chain_is_smaller.
+  Definition leb_total := chain_is_smaller_total.
+End ByPoints.
+Module SortedByPoints := Sort ByPoints.
+
+Module ByOuterChain <: TotalLeBool.
+  Definition t := polygon_with_holes.
+  Definition leb (p q : t) := chain_is_smaller (fst p) (fst q).
+  Definition leb_total (p q : t) := chain_is_smaller_total (fst p) (fst q).
+End ByOuterChain.
+Module SortedByOuterChain := Sort ByOuterChain.
+
+Definition canonical_polygons (r : polygonal_region) : list polygon_with_holes :=
+  SortedByOuterChain.sort (map (fun p => (fst p, SortedByPoints.sort (snd p))) (polygons_of (canonical_region r))).
+
+Lemma sorted_polygons (polygons : list polygon_with_holes) :
+  Permutation (flat_map chains_of_polygon (SortedByOuterChain.sort (map (fun p => (fst p, SortedByPoints.sort (snd p)))
+    polygons))) (flat_map chains_of_polygon polygons).
+Proof.
+  rewrite <- (Permutation_flat_map chains_of_polygon (SortedByOuterChain.Permuted_sort _)).
+  induction polygons as [| [outer holes] others IH]; [reflexivity |]. cbn [map flat_map]. apply Permutation_app;
+    [| exact IH].
+  unfold chains_of_polygon. cbn [fst snd]. constructor. symmetry. apply SortedByPoints.Permuted_sort.
+Qed.
+
+Lemma chains_in_another_order (r s : polygonal_region) (x : point) : Permutation r s ->
+  (member x r <-> member x s) /\ (is_inner_point x r <-> is_inner_point x s).
+Proof.
+  intros permuted.
+  assert (edges_are : Permutation (edges_of_region r) (edges_of_region s)) by (now apply Permutation_flat_map).
+  assert (number_is : region_winding_number x r = region_winding_number x s).
+  { unfold region_winding_number. apply (Permutation_map (crossing x)) in edges_are. revert edges_are. clear.
+    generalize (map (crossing x) (edges_of_region r)), (map (crossing x) (edges_of_region s)).
+    intros l m permuted. induction permuted; cbn; lia. }
+  assert (same : forall e, In e (edges_of_region r) <-> In e (edges_of_region s)).
+  { intros e. split; apply Permutation_in; [exact edges_are | now symmetry]. }
+  unfold member, is_inner_point. rewrite number_is. setoid_rewrite same. tauto.
+Qed.
+
+(* Theorem. *)
+Theorem canonical_polygons_are_the_region (r : polygonal_region) (x : point) :
+  (member x (flat_map chains_of_polygon (canonical_polygons r)) <-> member x r) /\
+  (is_inner_point x (flat_map chains_of_polygon (canonical_polygons r)) <-> is_inner_point x r).
+Proof.
+  destruct (chains_in_another_order _ _ x
+    (Permutation_trans (sorted_polygons _) (chains_of_polygons (canonical_region r)))) as [same_points same_inner].
+  split; [etransitivity; [exact same_points |] | etransitivity; [exact same_inner |]].
+  - apply canonical_region_has_the_points.
+  - apply canonical_region_has_the_inner_points.
+Qed.
