@@ -2,5 +2,5 @@
 (* The program's functions as OCaml. *)
 From Oplus Require Import zarith operations.
 
-Extraction "proved.ml" is_covered has_points proved_sum proved_open_sum proved_no_fit proved_inner_fit polygons_of_open
-  polygons_of_placements.
+Extraction "proved.ml" is_covered has_points proved_sum proved_open_sum proved_no_fit proved_inner_fit proved_union
+  proved_intersection proved_difference polygons_of_open polygons_of_placements.

@@ -2,7 +2,7 @@
 (* oplus-proved: what is computed by programs that are proved. *)
 
 let help =
-  "Compute Minkowski sums, and where regions fit, by a program that is proved\n\
+  "Compute Minkowski sums, where regions fit, and unions by a program that is proved\n\
    Usage: oplus-proved COMMAND [OPTIONS] P Q\n\n\
    It is proved in Coq that a point is in the result if and only if it is the sum of a point of P and a point\n\
    of Q, or, of the other commands, a place as is said below. docs/proved.md has what is proved, and what is\n\
@@ -10,7 +10,10 @@ let help =
    Commands:\n\
   \  sum                       the Minkowski sum\n\
   \  nfp                       the no-fit polygon: all x where Q, moved by x, overlaps P\n\
-  \  ifp                       the inner-fit polygon: all x where Q, moved by x, is inside P\n\n\
+  \  ifp                       the inner-fit polygon: all x where Q, moved by x, is inside P\n\
+  \  union                     the union of P and Q\n\
+  \  intersection              the closure of what is inside both\n\
+  \  difference                the closure of what is inside P and not in Q\n\n\
    Arguments:\n\
   \  P Q                       regions in WKT, POLYGON, MULTIPOLYGON or EMPTY, or in .dat; numbers are\n\
   \                            integers, decimals (also 1.5e-3) and fractions p/q; - is standard input\n\n\
@@ -35,7 +38,6 @@ let valid name =
        ^ ": not a valid region: edges may meet in vertices only, and holes are inside their outer chain, outside each \
           other (`oplus sum` says where it is wrong)")
 
-let closed_sum p q = Text.wkt (Proved.proved_sum p q)
 let open_region s = Proved.(Text.set (polygons_of_open s) s.dangling_edges s.isolated_points)
 let open_sum p q = open_region (Proved.proved_open_sum p q)
 let no_fit p q = open_region (Proved.proved_no_fit p q)
@@ -45,7 +47,11 @@ let inner_fit p q =
   let f = Proved.proved_inner_fit p q in
   Text.set (Proved.polygons_of_placements f) f.fit_edges f.fit_points
 
-let commands = [ ("sum", closed_sum); ("nfp", no_fit); ("ifp", inner_fit) ]
+let polygons operation p q = Text.wkt (operation p q)
+
+let commands =
+  [ ("sum", polygons Proved.proved_sum); ("nfp", no_fit); ("ifp", inner_fit); ("union", polygons Proved.proved_union);
+    ("intersection", polygons Proved.proved_intersection); ("difference", polygons Proved.proved_difference) ]
 
 type arguments = { output : string option; is_open : bool; rest : string list }
 

@@ -1,11 +1,10 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* What oplus-proved computes, and what that is: the one place that says which functions the program is made of.
-  Vertices
-   of its regions may touch edges. *)
+   Vertices of its regions may touch edges. *)
 From Coq Require Import QArith ZArith Bool List.
 From Oplus Require Import specification convolution regions winding_number_of_the_sum theorem_4_2_1 specification_bridge
   homogeneous_points collision_is_complete checked_collision sum_program sum_of_uncovered_pieces touching_vertices
-  complement_in_a_frame open_sum_program open_sums inner_fit_program inner_fit_is_right polygons canonical_regions
+  complement_in_a_frame open_sum_program open_sums inner_fit_program inner_fit_is_right polygons canonical_regions walked_again
     boolean_operations.
 Import ListNotations.
 
@@ -87,13 +86,16 @@ Qed.
 
 (* The chains of an open region, and of placements, as polygons with holes. *)
 Definition polygons_of_open (s : open_region) : list polygon_with_holes := canonical_polygons (open_chains s).
-Definition polygons_of_placements (f : placements) : list polygon_with_holes := canonical_polygons (fit_chains f).
+Definition polygons_of_placements (f : placements) : list polygon_with_holes := canonical_polygons (walked_again (fit_chains f)).
 
 (* Theorem. They are the chains: the points of placements, and the inner points of an open region, stay. *)
 Theorem canonical_chains_are_the_chains (s : open_region) (f : placements) (x : point) :
   (is_inner_point x (region_of_polygons (polygons_of_open s)) <-> is_inner_point x (open_chains s)) /\
   (member x (region_of_polygons (polygons_of_placements f)) <-> member x (fit_chains f)).
-Proof. split; apply canonical_polygons_are_the_region. Qed.
+Proof.
+  split; [apply canonical_polygons_are_the_region |].
+  etransitivity; [apply canonical_polygons_are_the_region | apply walked_again_has_the_points].
+Qed.
 
 (* Union, intersection and difference of regions. *)
 Definition of_prepared (operation : polygonal_region -> polygonal_region -> polygonal_region)
