@@ -81,11 +81,11 @@ Proof.
   unfold chains_of_polygon. cbn [fst snd]. constructor. symmetry. apply SortedByPoints.Permuted_sort.
 Qed.
 
-Lemma chains_in_another_order (r s : polygonal_region) (x : point) : Permutation r s ->
+(* Points depend on edges, in any order. *)
+Lemma edges_in_another_order (r s : polygonal_region) (x : point) : Permutation (edges_of_region r) (edges_of_region s) ->
   (member x r <-> member x s) /\ (is_inner_point x r <-> is_inner_point x s).
 Proof.
-  intros permuted.
-  assert (edges_are : Permutation (edges_of_region r) (edges_of_region s)) by (now apply Permutation_flat_map).
+  intros edges_are.
   assert (number_is : region_winding_number x r = region_winding_number x s).
   { unfold region_winding_number. apply (Permutation_map (crossing x)) in edges_are. revert edges_are. clear.
     generalize (map (crossing x) (edges_of_region r)), (map (crossing x) (edges_of_region s)).
@@ -94,6 +94,10 @@ Proof.
   { intros e. split; apply Permutation_in; [exact edges_are | now symmetry]. }
   unfold member, is_inner_point. rewrite number_is. setoid_rewrite same. tauto.
 Qed.
+
+Lemma chains_in_another_order (r s : polygonal_region) (x : point) : Permutation r s ->
+  (member x r <-> member x s) /\ (is_inner_point x r <-> is_inner_point x s).
+Proof. intros permuted. now apply edges_in_another_order, Permutation_flat_map. Qed.
 
 (* Theorem. *)
 Theorem canonical_polygons_are_the_region (r : polygonal_region) (x : point) :

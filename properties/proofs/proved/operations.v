@@ -4,7 +4,7 @@
 From Coq Require Import QArith ZArith Bool List.
 From Oplus Require Import specification convolution regions winding_number_of_the_sum theorem_4_2_1 specification_bridge
   homogeneous_points collision_is_complete checked_collision sum_program sum_of_uncovered_pieces touching_vertices
-  complement_in_a_frame open_sum_program open_sums inner_fit_program inner_fit_is_right polygons canonical_regions walked_again
+  complement_in_a_frame open_sum_program open_sums inner_fit_program inner_fit_is_right polygons canonical_regions simple_rings walked_again
     boolean_operations.
 Import ListNotations.
 
@@ -26,9 +26,19 @@ Proof.
   - destruct (proj1 same_points) as (t & T & on_t); [now exists s | exact (free t T on_t)].
 Qed.
 
+(* Results as files have them. *)
+Definition written_polygons (r : polygonal_region) : list polygon_with_holes := canonical_polygons (simple_rings r).
+
+Lemma written_polygons_are_the_region (r : polygonal_region) (x : point) :
+  (member x (flat_map chains_of_polygon (written_polygons r)) <-> member x r) /\
+  (is_inner_point x (flat_map chains_of_polygon (written_polygons r)) <-> is_inner_point x r).
+Proof.
+  split; (etransitivity; [apply canonical_polygons_are_the_region | apply simple_rings_have_the_points]).
+Qed.
+
 (* The sum, as polygons with holes. *)
 Definition proved_sum (p q : polygonal_region) : list polygon_with_holes :=
-  canonical_polygons (quick_sum (prepared_region p) (prepared_region q)).
+  written_polygons (quick_sum (prepared_region p) (prepared_region q)).
 
 Definition region_of_polygons : list polygon_with_holes -> polygonal_region := flat_map chains_of_polygon.
 
@@ -37,7 +47,7 @@ Theorem proved_sum_is_the_sum (p q : polygonal_region) : is_covered p = true -> 
   is_minkowski_sum p q (region_of_polygons (proved_sum p q)).
 Proof.
   intros p_valid q_valid x. apply is_covered_is_right in p_valid, q_valid. destruct p_valid, q_valid.
-  unfold region_of_polygons, proved_sum. rewrite (proj1 (canonical_polygons_are_the_region _ x)).
+  unfold region_of_polygons, proved_sum. rewrite (proj1 (written_polygons_are_the_region _ x)).
   now apply sum_of_prepared_regions, quick_sum_is_the_sum.
 Qed.
 
@@ -85,22 +95,22 @@ Proof.
 Qed.
 
 (* The chains of an open region, and of placements, as polygons with holes. *)
-Definition polygons_of_open (s : open_region) : list polygon_with_holes := canonical_polygons (open_chains s).
-Definition polygons_of_placements (f : placements) : list polygon_with_holes := canonical_polygons (walked_again (fit_chains f)).
+Definition polygons_of_open (s : open_region) : list polygon_with_holes := written_polygons (open_chains s).
+Definition polygons_of_placements (f : placements) : list polygon_with_holes := written_polygons (walked_again (fit_chains f)).
 
 (* Theorem. They are the chains: the points of placements, and the inner points of an open region, stay. *)
 Theorem canonical_chains_are_the_chains (s : open_region) (f : placements) (x : point) :
   (is_inner_point x (region_of_polygons (polygons_of_open s)) <-> is_inner_point x (open_chains s)) /\
   (member x (region_of_polygons (polygons_of_placements f)) <-> member x (fit_chains f)).
 Proof.
-  split; [apply canonical_polygons_are_the_region |].
-  etransitivity; [apply canonical_polygons_are_the_region | apply walked_again_has_the_points].
+  split; [apply written_polygons_are_the_region |].
+  etransitivity; [apply written_polygons_are_the_region | apply walked_again_has_the_points].
 Qed.
 
 (* Union, intersection and difference of regions. *)
 Definition of_prepared (operation : polygonal_region -> polygonal_region -> polygonal_region)
   (p q : polygonal_region) : list polygon_with_holes :=
-  canonical_polygons (operation (prepared_region p) (prepared_region q)).
+  written_polygons (operation (prepared_region p) (prepared_region q)).
 
 Definition proved_union : polygonal_region -> polygonal_region -> list polygon_with_holes := of_prepared union.
 Definition proved_intersection : polygonal_region -> polygonal_region -> list polygon_with_holes :=
@@ -126,7 +136,7 @@ Proof.
   destruct p_valid as [p_valid _], q_valid as [q_valid _].
   assert (same_p : forall y, member y (prepared_region p) <-> member y p) by apply touching_vertices_add_no_points.
   assert (same_q : forall y, member y (prepared_region q) <-> member y q) by apply touching_vertices_add_no_points.
-  split; [| split]; intros x; (etransitivity; [apply canonical_polygons_are_the_region |]).
+  split; [| split]; intros x; (etransitivity; [apply written_polygons_are_the_region |]).
   - rewrite (union_is_the_union _ _ p_valid q_valid x). now rewrite same_p, same_q.
   - rewrite (intersection_is_the_intersection _ _ p_valid q_valid x). apply same_closure.
     intros y. now rewrite same_p, same_q.

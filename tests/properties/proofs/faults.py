@@ -170,6 +170,10 @@ FAULTS = [
      "open_sum_of_regions (prepared_region p) (prepared_region q)", "open_sum_of_regions p q", "proved/operations.v"),
     ("nothing is placed somewhere", "proved/operations.v",
      "[] => false | _ => true", "_ => true", "proved/operations.v"),
+    ("a ring is lost", "proved/simple_rings.v",
+     "(v :: rev since) :: rings_of (v :: before) rest", "rings_of (v :: before) rest", "proved/simple_rings.v"),
+    ("the rest of a chain starts elsewhere", "proved/simple_rings.v",
+     ":: rings_of (v :: before) rest", ":: rings_of before rest", "proved/simple_rings.v"),
     ("chains of placements are walked with an edge left out", "proved/walked_again.v",
      "chains_of (length edges_) edges_", "chains_of (length edges_) (tl edges_)", "proved/walked_again.v"),
 ]
