@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Sourced by tests/run and properties/run: what they need of Debian 12, and how they get it.
 
-# The main job: the programs `oplus`, `oplus-check`, `oplus-certified` and `oplus-peer`.
+# The main job: the programs `oplus`, `oplus-check`, `oplus-certified`, `oplus-proved` and `oplus-peer`.
 packages=(g++ cmake ninja-build ccache python3
           libcgal-dev libgmp-dev libmpfr-dev libboost-dev libcli11-dev nlohmann-json3-dev rapidjson-dev
           libpolyclipping-dev librapidcheck-dev

@@ -62,7 +62,7 @@ HoleTestMethod hole_test_named(const std::string& name) {
 }
 
 /// Above that, a proved sum takes longer than all others together.
-constexpr std::size_t most_proved_segments = 200;
+constexpr std::size_t most_proved_segments = 1000;
 
 /// The engines that were named; where none was, all of oplus, and "certified" and, for small pairs, "proved" if they can
 /// run.

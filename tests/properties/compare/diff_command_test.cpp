@@ -38,7 +38,7 @@ TEST_F(DiffCommand, compares_pairs_and_says_what_ran_and_where_the_report_is) {
   EXPECT_EQ(report.at("all").at("ran"), 2);
   EXPECT_EQ(report.at("all").at("holes_in_sum"), 1);
   EXPECT_EQ(report.at("campaign").at("engines"),
-            nlohmann::json({"slide", "rca", "loops", "winding", "certified"}));
+            nlohmann::json({"slide", "rca", "loops", "winding", "certified", "proved"}));
   EXPECT_EQ(report.at("campaign").at("hole_test"), "all");
 }
 
