@@ -16,7 +16,7 @@ packages_of_tests=(clang libclang-rt-14-dev git clang-format make time libgtest-
 packages_of_everything=(gnuplot-nox
                         mmdebstrap lintian doxygen python3-sphinx python3-breathe
                         python3-myst-parser furo nodejs npm python3-pip python3-skbuild python3-venv
-                        emscripten chromium chromium-driver python3-selenium)
+                        emscripten js-of-ocaml chromium chromium-driver python3-selenium)
 
 # Installs what is missing. Asks nothing; says what it installs.
 install_missing_packages() {
