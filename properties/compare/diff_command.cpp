@@ -26,9 +26,9 @@ struct Settings : CompareOptions {
 
 /// How many cases of a family the main job runs.
 std::size_t main_job_cases(const std::string& family) {
-  static const std::map<std::string, std::size_t> counts = {{"grid", 4000},   {"holes", 300},
-                                                            {"tight", 300},   {"components", 150},
-                                                            {"islands", 150}, {"fork", 6}};
+  static const std::map<std::string, std::size_t> counts = {{"grid", 1500},  {"holes", 150},
+                                                            {"tight", 150},  {"components", 75},
+                                                            {"islands", 75}, {"fork", 6}};
   const auto count = counts.find(family);
   return count == counts.end() ? 40 : count->second;
 }
