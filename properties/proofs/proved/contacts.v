@@ -207,6 +207,13 @@ Proof.
   pose proof (multiple (vx (along e))). pose proof (multiple (vy (along e))). rewrite kx, ky, jx, jy. split; lra.
 Qed.
 
+Lemma later_inside (e : segment) (c d v : vector) : strictly_inside v (Segment c d) -> comes_later e c d ->
+  comes_later e c v /\ comes_later e v d.
+Proof.
+  intros (k & range & X & Y) later. unfold comes_later, dot, minus in *; cbn [source target vx vy] in *. rewrite X, Y.
+  split; nra.
+Qed.
+
 (* What is parallel to e, with a point strictly between c and d and no end there, runs along all of that part. *)
 Lemma runs_along_the_part (e f : segment) (c d w : vector) : nonzero (along e) -> nonzero (along f) ->
   lies_on c e -> lies_on d e -> comes_later e c d -> cross (along e) (along f) == 0 ->

@@ -14,12 +14,12 @@ Import ListNotations.
 Open Scope Q_scope.
 
 Lemma minus_twice (x w : vector) : equal_vectors (minus x (minus x w)) w.
-Proof. by_coordinates. Qed.
+Proof. by_computing. Qed.
 
 Lemma vertex_of_placed_iff (x w : vector) (q : region) : is_vertex w (placed x q) <-> is_vertex (minus x w) q.
 Proof.
   split; [| apply vertex_of_placed]. intros (u & U & equal). rewrite edges_of_placed in U. apply in_map_iff in U.
-  destruct U as (t & <- & T). exists t. split; [exact T | by_coordinates].
+  destruct U as (t & <- & T). exists t. split; [exact T | by_computing].
 Qed.
 
 Lemma meet_inside_placed (x : vector) (p q : region) : meet_inside p (placed x q) <-> interiors_meet x p q.
@@ -36,8 +36,8 @@ Lemma runs_inside_reflected (x : vector) (r : region) (s e : segment) : runs_ins
   runs_inside (placed x r) (reflected x s) (reflected x e).
 Proof.
   intros (E & (c & along_x & along_y) & free). split; [rewrite edges_of_placed; now apply in_map |].
-  split; [exists c; in_coordinates; split; lra |]. intros w (k & range & X & Y).
-  rewrite on_reflected, vertex_of_placed_iff. apply free. exists k. split; [exact range | by_coordinates].
+  split; [exists c; to_coordinates; split; lra |]. intros w (k & range & X & Y).
+  rewrite on_reflected, vertex_of_placed_iff. apply free. exists k. split; [exact range | by_computing].
 Qed.
 
 Lemma vertex_of_either_reflected (x v : vector) (p q : region) :
@@ -55,16 +55,16 @@ Proof.
   intros (F & c_is & d_is & on_c & on_d & ahead & none & shows).
   destruct (edge_of_placed x q f' F) as (f & I & ->). exists f.
   apply vertex_of_either_reflected in c_is, d_is. apply on_reflected in on_c, on_d. repeat split; trivial.
-  - unfold comes_later in *. by_coordinates.
+  - unfold comes_later in *. by_computing.
   - intros v vertex (k & range & X & Y). apply (none (minus x v)).
-    + apply vertex_of_either_reflected. destruct vertex; [left | right]; now apply (equal_vertex v); [by_coordinates |].
-    + exists k. split; [exact range | by_coordinates].
+    + apply vertex_of_either_reflected. destruct vertex; [left | right]; now apply (equal_vertex v); [by_computing |].
+    + exists k. split; [exact range | by_computing].
   - assert (middle_is : equal_vectors (minus x (middle (Segment (minus x c) (minus x d)))) (middle (Segment c d)))
-      by by_coordinates.
+      by by_computing.
     destruct shows as [inside_p | (e & E & on & parallel & same_way)]; [left | right].
     + apply inside_placed. now apply (inside_equal (middle (Segment c d))).
     + exists (reflected x e). rewrite edges_of_placed. split; [now apply in_map |].
-      split; [apply on_reflected; now apply (lies_on_equal (middle (Segment c d))) | by_coordinates].
+      split; [apply on_reflected; now apply (lies_on_equal (middle (Segment c d))) | by_computing].
 Qed.
 
 (* Contacts stay on the way. *)
@@ -78,13 +78,13 @@ Record contacts_stay (p q : region) (way : segment) : Prop := {
 Lemma contacts_stay_other_way (p q : region) (way : segment) : contacts_stay p q way -> contacts_stay q p way.
 Proof.
   intros [of_p of_q none]. split; [intros y z v f Y Z S F; now apply of_q | intros y z e u Y Z E U; now apply of_p |].
-  intros y v u Y V U equal. apply (none y u v Y U V). by_coordinates.
+  intros y v u Y V U equal. apply (none y u v Y U V). by_computing.
 Qed.
 
 Lemma long_reflected (x : vector) (e f : segment) :
   cross (along e) (along (reflected x f)) == - cross (along e) (along f) /\
   dot (along e) (along (reflected x f)) == - dot (along e) (along f).
-Proof. by_coordinates. Qed.
+Proof. by_computing. Qed.
 
 Section OnTheWay.
   Variables p q : region.
@@ -119,13 +119,13 @@ Section OnTheWay.
       by (intros v vertex on on'; apply not_p; now apply (equal_vertex v), vertex; apply once).
     assert (vertex_of_q : forall u, is_vertex u q -> lies_on u f -> ~ lies_on (minus y u) e).
     { intros u vertex on on'. apply not_q. apply (equal_vertex u); [| exact vertex].
-      assert (equal : equal_vectors (minus y u) w); [| by_coordinates].
-      apply once; [exact on' | apply (lies_on_equal u); [by_coordinates | exact on]]. }
+      assert (equal : equal_vectors (minus y u) w); [| by_computing].
+      apply once; [exact on' | apply (lies_on_equal u); [by_computing | exact on]]. }
     assert (general : not_sum_of_an_end y e f).
     { repeat split; [apply vertex_of_p | apply vertex_of_p | apply vertex_of_q | apply vertex_of_q];
         auto using source_is_vertex, target_is_vertex, source_lies_on, target_lies_on. }
     assert (is_sum : is_sum_of_points y e f).
-    { exists w, (minus y w). split; [exact on_e |]. split; [now apply on_reflected | by_coordinates]. }
+    { exists w, (minus y w). split; [exact on_e |]. split; [now apply on_reflected | by_computing]. }
     assert (same_number : winding_number y (parallelogram e f) = winding_number z (parallelogram e f)).
     { apply (winding_number_along (Segment y z) _ (closed_chain_cycles _)). intros v on.
       apply off_parallelogram, (ends_stay y v e f); trivial. now apply (common_part way y z). }
@@ -135,11 +135,11 @@ Section OnTheWay.
     destruct (parallelogram_winding_number z e f) as [none | [_ (v & u & on_v & on_u & equal)]]; [contradiction |].
     apply meet_inside_placed, (edges_that_cross_show p (placed z q) p_region (placed_is_valid z q q_region)).
     exists e, (reflected z f), v. rewrite edges_of_placed, vertex_of_placed_iff.
-    assert (on_minus : lies_on (minus z v) f) by (apply (lies_on_equal u); [by_coordinates | exact on_u]).
+    assert (on_minus : lies_on (minus z v) f) by (apply (lies_on_equal u); [by_computing | exact on_u]).
     repeat split; trivial; [now apply in_map | now apply on_reflected | | |].
     - intros vertex. apply (vertex_of_p v vertex on_v). now apply (vertices_of_p_stay _ _ _ stay z y).
     - intros vertex. apply (vertex_of_q _ vertex on_minus), (vertices_of_q_stay _ _ _ stay z y); trivial.
-      apply (lies_on_equal v); [by_coordinates | exact on_v].
+      apply (lies_on_equal v); [by_computing | exact on_v].
     - destruct (long_reflected z e f). lra.
   Qed.
 
@@ -173,7 +173,7 @@ Section OnTheWay.
   Proof.
     rewrite !on_reflected. intros Y Z F. destruct m as [v | u]; cbn [listed marker_at]; intros I.
     - now apply (vertices_of_p_stay _ _ _ stay y z).
-    - apply lies_on_equal. by_coordinates.
+    - apply lies_on_equal. by_computing.
   Qed.
 
   (* Vertices on an edge of P keep their order. *)
@@ -191,42 +191,32 @@ Section OnTheWay.
     clearbody t. set (v := point_at (Segment y z) t).
     assert (here : lies_on v way) by now apply (common_part way y z), point_at_lies_on.
     assert (linear : gap v == (1 - t) * gap y + t * gap z)
-      by (unfold gap, v; destruct m, n; cbn [marker_at]; by_coordinates).
+      by (unfold gap, v; destruct m, n; cbn [marker_at]; by_computing).
     assert (equal : equal_vectors (marker_at v m) (marker_at v n)).
     { apply (equal_if_not_apart e); [now apply (region_edges_are_directions p) | | | fold (gap v); lra];
         now apply (markers_stay_on_p y v). }
     destruct m as [s | s], n as [u | u]; cbn [marker_at listed] in *.
-    - cbn in before_some. assert (dot (along e) (minus u s) == 0); [| lra]. by_coordinates.
-    - apply (no_vertices_meet _ _ _ stay v s u here M N). by_coordinates.
-    - apply (no_vertices_meet _ _ _ stay v u s here N M). by_coordinates.
-    - cbn in before_some. assert (dot (along e) (minus (minus y u) (minus y s)) == 0); [| lra]. by_coordinates.
+    - cbn in before_some. assert (dot (along e) (minus u s) == 0); [| lra]. by_computing.
+    - apply (no_vertices_meet _ _ _ stay v s u here M N). by_computing.
+    - apply (no_vertices_meet _ _ _ stay v u s here N M). by_computing.
+    - cbn in before_some. assert (dot (along e) (minus (minus y u) (minus y s)) == 0); [| lra]. by_computing.
   Qed.
+
+  Definition none_between (x : vector) (m n : vector + vector) : Prop :=
+    forall k, listed k -> ~ strictly_inside (marker_at x k) (Segment (marker_at x m) (marker_at x n)).
 
   Lemma none_comes_between (y z : vector) (e : segment) (m n : vector + vector) :
     lies_on y way -> lies_on z way -> In e (region_edges p) -> listed m -> listed n ->
     lies_on (marker_at y m) e -> lies_on (marker_at y n) e -> comes_later e (marker_at y m) (marker_at y n) ->
-    no_vertex_between p (placed y q) (marker_at y m) (marker_at y n) ->
-    no_vertex_between p (placed z q) (marker_at z m) (marker_at z n).
+    none_between y m n -> none_between z m n.
   Proof.
-    intros Y Z E M N on_m on_n ahead none v vertex inside_.
-    pose proof (markers_keep_their_order y z e m n Y Z E M N on_m on_n ahead) as ahead_z.
-    assert (m_z : lies_on (marker_at z m) e) by now apply (markers_stay_on_p y z).
-    assert (n_z : lies_on (marker_at z n) e) by now apply (markers_stay_on_p y z).
-    destruct (marker_of_vertex z v vertex) as (k & K & equal).
-    assert (on_k : lies_on (marker_at z k) e).
-    { apply (lies_on_equal v _ _ equal), (common_part e _ _ v m_z n_z). now apply strictly_inside_lies_on. }
-    apply (none (marker_at y k)); [now apply vertex_of_marker |].
-    assert (k_y : lies_on (marker_at y k) e) by now apply (markers_stay_on_p z y).
-    destruct inside_ as (t & range & tx & ty). cbn [source target] in tx, ty. destruct equal as [kx ky].
-    rewrite tx in kx. rewrite ty in ky. unfold comes_later in ahead_z.
-    apply (inside_if_between e); trivial; [now apply (region_edges_are_directions p) | |];
-      apply (markers_keep_their_order z y); trivial; unfold comes_later.
-    - setoid_replace (dot (along e) (minus (marker_at z k) (marker_at z m)))
-        with (t * dot (along e) (minus (marker_at z n) (marker_at z m)));
-        [apply Qmult_lt_0_compat; lra | unfold dot, minus; cbn [vx vy]; rewrite <- kx, <- ky; ring].
-    - setoid_replace (dot (along e) (minus (marker_at z n) (marker_at z k)))
-        with ((1 - t) * dot (along e) (minus (marker_at z n) (marker_at z m)));
-        [apply Qmult_lt_0_compat; lra | unfold dot, minus; cbn [vx vy]; rewrite <- kx, <- ky; ring].
+    intros Y Z E M N on_m on_n later none k K inside_.
+    pose proof (markers_keep_their_order y z e m n Y Z E M N on_m on_n later) as later_z.
+    destruct (later_inside e _ _ _ inside_ later_z) as [after before].
+    pose proof (markers_stay_on_p y z e m Y Z E M on_m) as m_z. pose proof (markers_stay_on_p y z e n Y Z E N on_n) as n_z.
+    pose proof (common_part e _ _ _ m_z n_z (strictly_inside_lies_on _ _ inside_)) as on_k.
+    apply (none k K), (inside_if_between e); trivial; [now apply (region_edges_are_directions p) | | |];
+      [now apply (markers_stay_on_p z y) | now apply (markers_keep_their_order z y) ..].
   Qed.
 
   Hypothesis p_simple : nowhere_above_one p.
@@ -244,33 +234,37 @@ Section OnTheWay.
     pose proof (region_edges_are_directions p p_edges e E) as long.
     apply (lies_on_equal _ _ _ c_equal) in on_c. apply (lies_on_equal _ _ _ d_equal) in on_d.
     set (mid := fun x => middle (Segment (marker_at x m) (marker_at x n))).
-    assert (mid_equal : equal_vectors (middle (Segment c d)) (mid y)) by (unfold mid; by_coordinates).
+    assert (mid_equal : equal_vectors (middle (Segment c d)) (mid y)) by (unfold mid; by_computing).
     assert (ahead_y : comes_later e (marker_at y m) (marker_at y n)).
     { destruct c_equal as [cx cy], d_equal as [dx dy]. unfold comes_later, dot, minus in *; cbn [vx vy] in *.
       now rewrite <- cx, <- cy, <- dx, <- dy. }
-    assert (none_y : no_vertex_between p (placed y q) (marker_at y m) (marker_at y n)).
-    { intros v vertex (k & range & kx & ky). apply (none v vertex). exists k. split; [exact range |].
-      destruct c_equal as [cx cy], d_equal as [dx dy]. cbn [source target] in *. now rewrite cx, cy, dx, dy. }
+    assert (none_y : none_between y m n).
+    { intros k K (t & range & tx & ty). apply (none (marker_at y k) (vertex_of_marker y k K)). exists t.
+      split; [exact range |]. destruct c_equal as [cx cy], d_equal as [dx dy]. cbn [source target] in *.
+      now rewrite cx, cy, dx, dy. }
     assert (facts : forall v, lies_on v way -> lies_on (marker_at v m) e /\ lies_on (marker_at v n) e /\
       lies_on (mid v) e /\ comes_later e (marker_at v m) (marker_at v n) /\
-      no_vertex_between p (placed v q) (marker_at v m) (marker_at v n)).
+      none_between v m n).
     { intros v V. assert (on_m_v : lies_on (marker_at v m) e) by now apply (markers_stay_on_p y v).
       assert (on_n_v : lies_on (marker_at v n) e) by now apply (markers_stay_on_p y v).
       split; [exact on_m_v |]. split; [exact on_n_v |].
       split; [apply (common_part e _ _ _ on_m_v on_n_v); apply strictly_inside_lies_on, middle_is_inside |].
       split; [now apply (markers_keep_their_order y v) | now apply (none_comes_between y v e)]. }
     assert (no_vertex : forall v, lies_on v way -> ~ is_vertex (mid v) p /\ ~ is_vertex (mid v) (placed v q)).
-    { intros v V. destruct (facts v V) as (_ & _ & _ & _ & none_v).
-      split; intros vertex; apply (none_v (mid v)); try apply middle_is_inside; [now left | now right]. }
+    { intros v V. destruct (facts v V) as (_ & _ & _ & _ & none_v). rewrite vertex_of_placed_iff.
+      split; intros vertex; [apply (none_v (inl (mid v)) vertex), middle_is_inside |].
+      apply (none_v (inr (minus v (mid v))) vertex). destruct (minus_twice v (mid v)) as [ex ey].
+      destruct (middle_is_inside (Segment (marker_at v m) (marker_at v n))) as (k & range & kx & ky).
+      exists k. split; [exact range |]. cbn [marker_at]. now rewrite ex, ey. }
     assert (parallel_runs : forall v x f, lies_on v way -> lies_on x way -> In f (region_edges q) ->
       cross (along e) (along f) == 0 -> lies_on (mid v) (reflected v f) -> lies_on (mid x) (reflected x f)).
     { intros v x f V X F parallel on. destruct (facts v V) as (m_v & n_v & _ & ahead_v & none_v).
       destruct (long_reflected v e f) as [cross_v _].
-      assert (F' : In (reflected v f) (region_edges (placed v q))) by (rewrite edges_of_placed; now apply in_map).
       destruct (runs_along_the_part e (reflected v f) (marker_at v m) (marker_at v n) (mid v)) as [m_f n_f]; trivial.
-      - exact (region_edges_are_directions _ (proj1 (placed_is_valid v q q_region)) _ F').
+      - apply (region_edges_are_directions _ (proj1 (placed_is_valid v q q_region))). rewrite edges_of_placed. now apply in_map.
       - lra.
-      - intros u end_. apply none_v. right. destruct end_ as [-> | ->]; auto using source_is_vertex, target_is_vertex.
+      - intros u [-> | ->]; [apply (none_v (inr (source f))) | apply (none_v (inr (target f)))];
+          cbn; auto using source_is_vertex, target_is_vertex.
       - apply middle_is_inside.
       - apply (common_part _ (marker_at x m) (marker_at x n)); [now apply (markers_stay_on_q v x) .. |].
         apply strictly_inside_lies_on, middle_is_inside. }
@@ -280,7 +274,7 @@ Section OnTheWay.
       assert (off_all : forall v, lies_on v way -> off (minus v (mid v)) (region_edges q)).
       { intros v V f F on. apply on_reflected in on.
         destruct (Qeq_dec (cross (along e) (along f)) 0) as [parallel | turn].
-        - apply (free f F). apply (lies_on_equal (minus y (mid y))); [by_coordinates |].
+        - apply (free f F). apply (lies_on_equal (minus y (mid y))); [by_computing |].
           apply on_reflected. now apply (parallel_runs v y f).
         - apply not_met. apply (crossing_stays v z V Z). destruct (facts v V) as (_ & _ & mid_v & _).
           destruct (no_vertex v V) as [not_p not_q]. exists e, (reflected v f), (mid v).
@@ -292,14 +286,14 @@ Section OnTheWay.
         intros w (t & range & wx & wy). cbn [source target] in wx, wy.
         apply (off_equal (minus (point_at (Segment y z) t) (mid (point_at (Segment y z) t))));
           [| now apply off_all, (common_part way y z), point_at_lies_on].
-        unfold mid in *. destruct m, n; cbn [marker_at] in *; by_coordinates. }
+        unfold mid in *. destruct m, n; cbn [marker_at] in *; by_computing. }
       apply interiors_meet_other_way, (inner_point_and_point q p z (minus z (mid z)) (mid z)).
       + now apply valid_is_regular.
       + split; [now apply off_all |]. rewrite <- same_number.
         rewrite <- (winding_number_of_equal (minus y (middle (Segment c d))) (minus y (mid y)));
-          [exact round | by_coordinates ..].
+          [exact round | by_computing ..].
       + right. exists e. now destruct (facts z Z) as (_ & _ & mid_z & _).
-      + by_coordinates.
+      + by_computing.
     - (* it stays on the same edge *)
       destruct (edge_of_placed y q f' F') as (f & F & ->). destruct (long_reflected y e f) as [cross_is dot_is].
       assert (on_z : lies_on (mid z) (reflected z f)).

@@ -8,18 +8,18 @@ Import ListNotations.
 
 Open Scope Q_scope.
 
-Ltac in_coordinates :=
+Ltac to_coordinates :=
   unfold equal_vectors, equal_points, sum_of_points, as_vector, as_point, within, area, cross, dot, moved_along,
     opposite, plus, reflected, reversed, middle, point_at, along, minus, Qdiv in *;
   cbn [source target vx vy x_of y_of] in *; change (/ 2) with (1 # 2) in *.
 
 (* Solves what is linear in coordinates, or equal as polynomials. *)
-Ltac by_coordinates :=
+Ltac by_computing :=
   repeat match goal with E : equal_vectors _ _ |- _ => destruct E end;
-  in_coordinates; repeat match goal with |- _ /\ _ => split end; first [lra | ring | field].
+  to_coordinates; repeat match goal with |- _ /\ _ => split end; first [lra | ring | field].
 
 (* A point of a segment, (1 - k) source + k target. *)
-Ltac at_fraction k := exists k; split; [lra | by_coordinates].
+Ltac at_fraction k := exists k; split; [lra | by_computing].
 
 Lemma piece_is_part (s piece : segment) (others : list segment) :
   nonzero (along s) -> In piece (cut_where_met s others) -> is_part piece s.
@@ -38,8 +38,8 @@ Lemma inside_or_an_end (x : vector) (s : segment) : lies_on x s ->
   strictly_inside x s \/ equal_vectors x (source s) \/ equal_vectors x (target s).
 Proof.
   intros (k & range & X & Y). destruct (Qeq_dec k 0) as [k_is |]; [| destruct (Qeq_dec k 1) as [k_is |]].
-  - rewrite k_is in X, Y. right. left. by_coordinates.
-  - rewrite k_is in X, Y. right. right. by_coordinates.
+  - rewrite k_is in X, Y. right. left. by_computing.
+  - rewrite k_is in X, Y. right. right. by_computing.
   - left. exists k. split; [lra | now split].
 Qed.
 

@@ -140,7 +140,7 @@ Section InnerFit.
     intros open placement. apply is_open in open. destruct open as (w & z & in_w & in_z & equal).
     apply (half_turned_inner_point b z b_region) in in_z. set (y := Point (0 - x_of z) (0 - y_of z)).
     assert (in_a : member w a).
-    { apply (equal_members (sum_of_points x y)); [unfold y; by_coordinates |].
+    { apply (equal_members (sum_of_points x y)); [unfold y; by_computing |].
       apply placement, member_of_region; [exact b_region |]. left. now destruct in_z. }
     apply outside_is in in_w; [contradiction |].
     apply (in_larger_square m); [lra | now apply (members_are_in_the_square a)].
@@ -151,16 +151,16 @@ Section InnerFit.
     ~ member (sum_of_points x y) a -> open_member x s.
   Proof.
     intros close in_b out. apply is_open. pose proof (members_are_in_the_square b m y b_fits in_b) as in_y.
-    apply outside_is in out; [| unfold in_square in *; in_coordinates; lra].
+    apply outside_is in out; [| unfold in_square in *; to_coordinates; lra].
     apply inner_point_of_chains in out. destruct out as [round free].
     destruct (winding_number_near _ _ (region_cycles outside) free) as (radius & R & near).
     apply (member_of_region y b b_region) in in_b.
     destruct (inside_near _ _ radius (valid_is_regular _ b_region) in_b R) as (y' & near_y & inner_y).
     exists (sum_of_points x (as_point y')), (Point (0 - vx y') (0 - vy y')). split; [| split].
     - apply inner_point_of_chains. destruct (near (as_vector (sum_of_points x (as_point y')))) as [free' same_];
-        [clear - near_y; by_coordinates | split; [congruence | exact free']].
-    - apply half_turned_inner_point; [exact b_region |]. apply (inside_equal y'); [by_coordinates | exact inner_y].
-    - clear. by_coordinates.
+        [clear - near_y; by_computing | split; [congruence | exact free']].
+    - apply half_turned_inner_point; [exact b_region |]. apply (inside_equal y'); [by_computing | exact inner_y].
+    - clear. by_computing.
   Qed.
 
   Lemma others_are_placements (x : point) : in_square (3 * m) (as_vector x) -> ~ open_member x s -> is_placement x.
@@ -181,11 +181,11 @@ Section InnerFit.
   Proof.
     intros placement. destruct some_point_of_b as (v & in_b & in_v).
     pose proof (members_are_in_the_square a m _ a_fits (placement _ in_b)) as in_a.
-    unfold in_square in *. in_coordinates. lra.
+    unfold in_square in *. to_coordinates. lra.
   Qed.
 
   (* What is not open is in the smaller square, or not in the larger one. *)
-  Lemma gap (w : vector) : ~ open_member (as_point w) s -> in_square (3 * m) w -> in_square (2 * m) w.
+  Lemma not_open_is_close (w : vector) : ~ open_member (as_point w) s -> in_square (3 * m) w -> in_square (2 * m) w.
   Proof. intros not_open close. now apply (placements_are_close (as_point w)), others_are_placements. Qed.
 
   (* So what has no points of the open set, and a point in the one, is in the other. *)
@@ -193,8 +193,8 @@ Section InnerFit.
     lies_on u e -> lies_on v e -> in_square (3 * m) u -> in_square (2 * m) v.
   Proof.
     intros not_open on_u on_v close. destruct (some_steps m u v) as (n & steps); [lra |].
-    apply (stays_in_steps (in_square (2 * m)) m n u v steps); [| now apply gap; [apply not_open |]].
-    intros w y W Y near in_w. apply gap; [apply not_open; now apply (common_part e u v) |].
+    apply (stays_in_steps (in_square (2 * m)) m n u v steps); [| now apply not_open_is_close; [apply not_open |]].
+    intros w y W Y near in_w. apply not_open_is_close; [apply not_open; now apply (common_part e u v) |].
     unfold in_square, within in *. lra.
   Qed.
 
@@ -269,7 +269,7 @@ Section InnerFit.
     assert (open : open_member (as_point y) s).
     { destruct some_point_of_b as (v & in_b & in_v). apply (open_by_a_point _ v); trivial.
       intros in_a. apply (members_are_in_the_square a m _ a_fits) in in_a.
-      unfold in_square, y in *. in_coordinates. lra. }
+      unfold in_square, y in *. to_coordinates. lra. }
     destruct open as [inner _]. apply inner_point_is in inner. rewrite as_vector_of_point in inner.
     fold chains in inner. destruct inner as [round free].
     pose proof (number_of_inner_and_outer y) as both. rewrite (nothing_inside_goes_round_outside y far_y) in both.
@@ -303,7 +303,7 @@ Section InnerFit.
       + apply (stays_in_the_square (ends_of e) (as_vector (fst e))); auto using (source_lies_on (ends_of e)).
         intros w. now apply dangling_edges_are_not_open.
       + rewrite point_is. now apply (dangling_edges_are_not_open e).
-      + unfold in_square in *. clear - close equal. in_coordinates. lra.
+      + unfold in_square in *. clear - close equal. to_coordinates. lra.
       + intros (_ & _ & free). exact (free v V equal).
     - intros placement. pose proof (placements_are_close x placement) as close.
       assert (not_open : ~ open_member x s) by (intros open; exact (open_members_are_no_placements x open placement)).
@@ -319,7 +319,7 @@ Section InnerFit.
       + destruct (one_of_or_none (equal_points x) (isolated_points s)) as [(v & V & equal) | none'].
         { intros v. destruct (same_point_spec (as_vector x) (as_vector v)); [now left | now right]. }
         * right. exists v. split; [split; [exact V |] | exact equal].
-          unfold in_square in *. clear - close equal. in_coordinates. lra.
+          unfold in_square in *. clear - close equal. to_coordinates. lra.
         * exfalso. apply not_open. split; [| split; [exact none | exact none']]. apply inner_point_is. fold chains.
           split; [lia |]. intros f F on. apply in_flat_map in F. destruct F as (c & C & F).
           apply (free_inner f); [| exact on]. apply in_flat_map. exists c. split; [| exact F]. apply filter_In.
@@ -376,8 +376,8 @@ Proof.
   destruct (half_turned_is_valid _ b_region b_simple) as [q_region q_simple].
   unfold no_fit. rewrite (open_sum_of_regions_is_the_open_sum a _ a_region q_region a_simple q_simple x).
   split; intros (y & z & in_a & in_b & equal); exists y, (Point (0 - x_of z) (0 - y_of z));
-    (split; [exact in_a |]; split; [| clear - equal; by_coordinates]).
+    (split; [exact in_a |]; split; [| clear - equal; by_computing]).
   - apply (half_turned_inner_point b z b_region) in in_b. apply inner_point_of_valid; [exact b_region | exact in_b].
   - apply half_turned_inner_point; [exact b_region |]. apply (inner_point_of_valid z b b_region) in in_b.
-    apply (inside_equal (as_vector z)); [clear; by_coordinates | exact in_b].
+    apply (inside_equal (as_vector z)); [clear; by_computing | exact in_b].
 Qed.

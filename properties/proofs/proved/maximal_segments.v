@@ -59,15 +59,15 @@ Proof.
   assert (some : 0 < c) by (unfold dot in *; rewrite cx, cy in same_way; nra).
   set (d := along s) in *.
   assert (whole : equal_vectors (along (Segment (source s) (target t))) (moved_along d d c))
-    by (unfold d in *; clear - meet cx cy; by_coordinates).
+    by (unfold d in *; clear - meet cx cy; by_computing).
   assert (not_none : forall k, 0 < k -> ~ (k * vx d == 0 /\ k * vy d == 0)).
   { intros k positive_ [X Y]. apply Qmult_integral in X, Y. apply long. split; lra. }
   assert (between_ : is_between_ends (target s) (source s) (target t) = true).
   { unfold is_between_ends. destruct (is_on_spec (target s) (Segment (source s) (target t))) as [_ | off_].
     - destruct (same_point_spec (target s) (source s)) as [equal |];
-        [destruct (not_none 1); [lra |]; unfold d; clear - equal; by_coordinates |].
+        [destruct (not_none 1); [lra |]; unfold d; clear - equal; by_computing |].
       destruct (same_point_spec (target s) (target t)) as [equal |]; [| reflexivity].
-      destruct (not_none c some). unfold d in *. clear - equal meet cx cy. by_coordinates.
+      destruct (not_none c some). unfold d in *. clear - equal meet cx cy. by_computing.
     - exfalso. apply off_. assert (value : / (1 + c) * (1 + c) == 1) by (field; lra).
       exists (/ (1 + c)). split; [split; [apply Qlt_le_weak, Qinv_lt_0_compat; lra | nra] |].
       set (k := / (1 + c)) in *. assert (multiple : forall u, k * (1 + c) * u == u) by (intros u; rewrite value; ring).

@@ -15,27 +15,7 @@ Open Scope Q_scope.
 
 Lemma on_moved_segment (x v : vector) (s : segment) : lies_on x (moved_segment v s) <-> lies_on (minus x v) s.
 Proof.
-  unfold moved_segment. split; intros (t & range & on); exists t; (split; [exact range |]); destruct on; by_coordinates.
-Qed.
-
-Lemma in_vertex_edge_segments (a b : region) (t : segment) :
-  In t (vertex_edge_segments a b) <->
-  exists s f, In s (region_edges a) /\ In f (region_edges b) /\ t = moved_segment (source s) f.
-Proof.
-  unfold vertex_edge_segments, vertices_of. rewrite in_flat_map. setoid_rewrite in_map_iff. split.
-  - intros (v & (s & <- & S) & f & <- & F). now exists s, f.
-  - intros (s & f & S & F & ->). exists (source s). split; [now exists s | now exists f].
-Qed.
-
-Lemma in_touching_segments (a b : region) (t : segment) :
-  In t (touching_segments a b) <->
-  exists s f, In s (region_edges a) /\ In f (region_edges b) /\ leads_across a f (source s) = false /\
-    t = moved_segment (source s) f.
-Proof.
-  unfold touching_segments, vertices_of. rewrite in_flat_map. setoid_rewrite in_map_iff. setoid_rewrite filter_In.
-  setoid_rewrite negb_true_iff. split.
-  - intros (v & (s & <- & S) & f & <- & F & no). now exists s, f.
-  - intros (s & f & S & F & no & ->). exists (source s). split; [now exists s | now exists f].
+  unfold moved_segment. split; intros (t & range & on); exists t; (split; [exact range |]); destruct on; by_computing.
 Qed.
 
 (* P and Q, in one order or the other. *)
@@ -47,27 +27,33 @@ Proof. intros [[-> ->] | [-> ->]]; [trivial | apply interiors_meet_other_way]. Q
 Lemma in_all (p q : region) (t : segment) : In t (all_vertex_edge_segments p q) <-> exists a b s f,
   are_both p q a b /\ In s (region_edges a) /\ In f (region_edges b) /\ t = moved_segment (source s) f.
 Proof.
-  unfold all_vertex_edge_segments. rewrite in_app_iff, !in_vertex_edge_segments. split.
-  - intros [(s & f & facts) | (s & f & facts)]; [exists p, q, s, f | exists q, p, s, f]; unfold are_both; tauto.
-  - intros (a & b & s & f & [[-> ->] | [-> ->]] & facts); [left | right]; now exists s, f.
+  unfold all_vertex_edge_segments, vertex_edge_segments, vertices_of. rewrite in_app_iff, !in_flat_map.
+  setoid_rewrite in_map_iff. split.
+  - intros [(v & (s & <- & S) & f & <- & F) | (v & (s & <- & S) & f & <- & F)];
+      [exists p, q, s, f | exists q, p, s, f]; unfold are_both; tauto.
+  - intros (a & b & s & f & [[-> ->] | [-> ->]] & S & F & ->); [left | right]; exists (source s); split; eauto.
 Qed.
 
-Lemma on_vertex_edge_sum_is (x : vector) (p q : region) : on_vertex_edge_sum x p q <-> exists a b v f,
-  are_both p q a b /\ is_vertex v a /\ In f (region_edges b) /\ lies_on (minus x v) f.
+Lemma in_touching (p q : region) (t : segment) : In t (touching_segments p q ++ touching_segments q p) <->
+  exists a b s f, are_both p q a b /\ In s (region_edges a) /\ In f (region_edges b) /\
+    leads_across a f (source s) = false /\ t = moved_segment (source s) f.
 Proof.
-  split.
-  - intros [(v & f & facts) | (v & f & facts)]; [exists p, q, v, f | exists q, p, v, f]; unfold are_both; tauto.
-  - intros (a & b & v & f & [[-> ->] | [-> ->]] & facts); [left | right]; now exists v, f.
+  unfold touching_segments, vertices_of. rewrite in_app_iff, !in_flat_map. setoid_rewrite in_map_iff.
+  setoid_rewrite filter_In. setoid_rewrite negb_true_iff. split.
+  - intros [(v & (s & <- & S) & f & <- & F) | (v & (s & <- & S) & f & <- & F)];
+      [exists p, q, s, f | exists q, p, s, f]; unfold are_both; tauto.
+  - intros (a & b & s & f & [[-> ->] | [-> ->]] & S & F & no & ->); [left | right]; exists (source s); split; eauto.
 Qed.
 
 Lemma on_listed_is (p q : region) (x : vector) :
   (exists t, In t (all_vertex_edge_segments p q) /\ lies_on x t) <-> on_vertex_edge_sum x p q.
 Proof.
-  rewrite on_vertex_edge_sum_is. setoid_rewrite in_all. split.
+  setoid_rewrite in_all. split.
   - intros (t & (a & b & s & f & both & S & F & ->) & on). apply on_moved_segment in on.
-    exists a, b, (source s), f. repeat split; trivial. now apply source_is_vertex.
-  - intros (a & b & v & f & both & (s & S & equal) & F & on). exists (moved_segment (source s) f).
-    split; [now exists a, b, s, f |]. apply on_moved_segment, (lies_on_equal (minus x v)); [by_coordinates | exact on].
+    destruct both as [[-> ->] | [-> ->]]; [left | right]; exists (source s), f; auto using source_is_vertex.
+  - intros [(v & f & (s & S & equal) & F & on) | (v & f & (s & S & equal) & F & on)];
+      exists (moved_segment (source s) f); (split; [| apply on_moved_segment, (lies_on_equal (minus x v)); trivial;
+      by_computing]); [exists p, q, s, f | exists q, p, s, f]; unfold are_both; tauto.
 Qed.
 
 Lemma off_listed_is (p q : region) (x : vector) : off x (all_vertex_edge_segments p q) -> off_vertex_edge_sum x p q.
@@ -75,8 +61,8 @@ Proof.
   intros free e f E F.
   assert (none : ~ on_vertex_edge_sum x p q) by (rewrite <- on_listed_is; intros (t & T & on); exact (free t T on)).
   repeat split; intros on; apply none;
-    [left; exists (source e), f | left; exists (target e), f | right; exists (source f), e | right; exists (target f), e];
-    auto using source_is_vertex, target_is_vertex.
+    [left; exists (source e), f | left; exists (target e), f |
+     right; exists (source f), e | right; exists (target f), e]; auto using source_is_vertex, target_is_vertex.
 Qed.
 
 (* A point w of a, and u inside an edge of -b + x at w: a leads into it from w. *)
@@ -89,7 +75,7 @@ Proof.
   destruct (eventually_some _ bound (left_of_an_edge_is_inside b f u _ b_valid b_meet F on free left_) some)
     as (t & range & inside_b).
   apply interiors_meet_other_way, (inner_point_and_point b a x (moved_along u (opposite d) t) (moved_along w d t));
-    [now apply valid_is_regular | exact inside_b | now apply along_d | clear - equal; by_coordinates].
+    [now apply valid_is_regular | exact inside_b | now apply along_d | by_computing].
 Qed.
 
 (* Where an edge leads across, the interiors meet. *)
@@ -101,17 +87,14 @@ Proof.
   assert (found : forall d, cross (along f) d < 0 ->
     (forall t, 0 < t < 1 -> in_region (moved_along (source s) d t) a) -> interiors_meet x a b).
   { intros d right_. apply (a_step_inside a b x (source s) (minus x (source s)) d f 1); trivial;
-      [by_coordinates | lra]. }
+      [by_computing | lra]. }
   apply existsb_exists in across. destruct across as (e & E & either).
-  apply orb_true_iff in either. destruct either as [both | both]; apply andb_true_iff in both; destruct both as [at_v turn].
-  - destruct (same_point_spec (source e) (source s)) as [equal |]; [clear at_v | discriminate].
-    destruct (negative_spec (cross (along f) (along e))) as [right_ |]; [clear turn | discriminate].
-    apply (found (along e) right_). intros t range. right. exists e. split; [exact E |].
-    clear - equal range. at_fraction t.
-  - destruct (same_point_spec (target e) (source s)) as [equal |]; [clear at_v | discriminate].
-    destruct (negative_spec (cross (along e) (along f))) as [left_ |]; [clear turn | discriminate].
-    apply (found (opposite (along e))); [unfold cross, opposite in *; cbn [vx vy]; lra |]. intros t range.
-    right. exists e. split; [exact E |]. clear - equal range. at_fraction (1 - t).
+  rewrite orb_true_iff, !andb_true_iff, <- !(reflect_iff _ _ (same_point_spec _ _)),
+    <- !(reflect_iff _ _ (negative_spec _)) in either.
+  destruct either as [[equal right_] | [equal left_]].
+  - apply (found (along e) right_). intros t range. right. exists e. split; [exact E | at_fraction t].
+  - apply (found (opposite (along e))); [unfold cross, opposite in *; cbn [vx vy]; lra |]. intros t range.
+    right. exists e. split; [exact E | at_fraction (1 - t)].
 Qed.
 
 (* Inside the sum of two edges the interiors meet: beside the point where they cross, a point of the edge of P is
@@ -131,12 +114,12 @@ Proof.
     assert (free : ~ is_vertex (point_at f h) q) by (apply (clear_ h); [exact h_range | reflexivity ..]).
     destruct (Q_dec (cross (along f) (along e)) 0) as [[low | high] | flat]; [| | contradiction].
     - apply (a_step_inside p q x _ _ (along e) f (1 - g) p_region q_region F on_f free equal low); [lra |].
-      intros t range. right. exists e. split; [exact E |]. clear - g_range range. at_fraction (g + t).
+      intros t range. right. exists e. split; [exact E |]. at_fraction (g + t).
     - apply (a_step_inside p q x _ _ (opposite (along e)) f g p_region q_region F on_f free equal);
         [clear - high; unfold cross, opposite in *; cbn [vx vy]; lra | lra |].
-      intros t range. right. exists e. split; [exact E |]. clear - g_range range. at_fraction (g - t). }
+      intros t range. right. exists e. split; [exact E |]. at_fraction (g - t). }
   destruct (as_sum_of_points _ a b x inside_) as (g & h & g_range & h_range & X & Y). clear inside_ turn.
-  destruct sides as [[-> ->] | [-> ->]]; [apply (found g h) | apply (found h g)]; trivial; clear - X Y; by_coordinates.
+  destruct sides as [[-> ->] | [-> ->]]; [apply (found g h) | apply (found h g)]; trivial; by_computing.
 Qed.
 
 Lemma interiors_meet_all_near (p q : region) (x : vector) : interiors_meet x p q ->
@@ -145,11 +128,11 @@ Proof.
   intros (z & in_p & [free positive_]).
   destruct (winding_number_near _ _ (region_cycles q) free) as (radius & R & near). exists radius. split; [exact R |].
   intros y close. exists z. split; [exact in_p |].
-  destruct (near (minus y z)) as [free_y same_number]; [clear - close; by_coordinates |]. split; [exact free_y | lia].
+  destruct (near (minus y z)) as [free_y same_number]; [by_computing |]. split; [exact free_y | lia].
 Qed.
 
 Lemma within_of_equal (radius : Q) (x y : vector) : 0 < radius -> equal_vectors x y -> within radius x y.
-Proof. intros R equal. by_coordinates. Qed.
+Proof. intros R equal. by_computing. Qed.
 
 Lemma interiors_meet_of_equal (p q : region) (x y : vector) :
   equal_vectors x y -> interiors_meet x p q -> interiors_meet y p q.
@@ -175,15 +158,14 @@ Section Pieces.
     intros I. apply in_all in I. destruct I as (a & b & s & f & both & _ & F & ->).
     destruct (both_are_valid a b both) as [_ (b_edges & _)].
     pose proof (region_edges_are_directions b b_edges f F) as long. intros [X Y]. apply long.
-    unfold moved_segment in *. by_coordinates.
+    unfold moved_segment in *. by_computing.
   Qed.
 
   Let touching := touching_segments p q ++ touching_segments q p.
 
   Lemma touching_are_listed : incl touching all.
   Proof.
-    intros t T. apply in_all. apply in_app_iff in T. rewrite !in_touching_segments in T. unfold are_both.
-    destruct T as [(s & f & facts) | (s & f & facts)]; [exists p, q, s, f | exists q, p, s, f]; tauto.
+    intros t T. apply in_touching in T. destruct T as (a & b & s & f & facts). apply in_all. exists a, b, s, f. tauto.
   Qed.
 
   Lemma touching_piece_is (e : segment) : In e (touching_pieces p q) ->
@@ -200,8 +182,10 @@ Section Pieces.
     repeat split; trivial; try apply part_. now apply (long_of_one_place _ _ place_), (part_is_long piece s).
   Qed.
 
-  Lemma contacts_stay_along_a_piece (s piece : segment) (y z : vector) : In s all -> In piece (cut_where_met s all) ->
-    strictly_inside y piece -> strictly_inside z piece -> contacts_stay p q (Segment y z).
+  (* While x moves inside a piece, contacts stay. *)
+  Lemma meeting_is_the_same_inside (s piece : segment) (y z : vector) : In s all ->
+    In piece (cut_where_met s all) -> strictly_inside y piece -> strictly_inside z piece ->
+    interiors_meet y p q -> interiors_meet z p q.
   Proof.
     intros S I in_y in_z. pose proof (all_vertex_edge_segments_are_long s S) as long.
     assert (inside_ : forall v, lies_on v (Segment y z) -> strictly_inside v piece)
@@ -209,26 +193,19 @@ Section Pieces.
     assert (stays : forall a b v w u f, are_both p q a b -> lies_on v (Segment y z) -> lies_on w (Segment y z) ->
       is_vertex u a -> In f (region_edges b) -> lies_on (minus v u) f -> lies_on (minus w u) f).
     { intros a b v w u f both V W (t & T & equal) F on.
-      assert (same : forall x, equal_vectors (minus x u) (minus x (source t))) by (intros x; clear - equal; by_coordinates).
+      assert (same : forall x, equal_vectors (minus x u) (minus x (source t))) by (intros x; by_computing).
       assert (listed : In (moved_segment (source t) f) all) by (apply in_all; now exists a, b, t, f).
       apply (lies_on_equal _ _ _ (symmetry (same w))), on_moved_segment.
       apply (runs_along_the_piece s all piece _ v w); auto; [now apply all_vertex_edge_segments_are_long |].
       apply on_moved_segment. exact (lies_on_equal _ _ _ (same v) on). }
-    split; [intros v w u f; apply (stays p q); now left | intros v w e u V W E U; apply (stays q p); trivial; now right |].
+    apply (meeting_stays p q (Segment y z)); trivial;
+      [| exact (source_lies_on (Segment y z)) | exact (target_lies_on (Segment y z))].
+    split; [intros v w u f; apply (stays p q); now left |
+      intros v w e u V W E U; apply (stays q p); trivial; now right |].
     intros v u1 u2 V (s1 & S1 & equal_1) (s2 & S2 & equal_2) equal.
-    destruct (nothing_meets_a_piece s all piece (moved_segment (source s1) s2) v long I (inside_ v V)) as (no_source & _).
+    destruct (nothing_meets_a_piece s all piece (moved_segment (source s1) s2) v long I (inside_ v V)) as [no_source _].
     - apply in_all. exists p, q, s1, s2. unfold are_both. tauto.
-    - apply no_source. clear - equal equal_1 equal_2. unfold moved_segment. by_coordinates.
-  Qed.
-
-  Lemma meeting_is_the_same_inside (s piece : segment) (y z : vector) : In s all ->
-    In piece (cut_where_met s all) -> strictly_inside y piece -> strictly_inside z piece ->
-    interiors_meet y p q -> interiors_meet z p q.
-  Proof.
-    intros S I in_y in_z. apply (meeting_stays p q (Segment y z)); trivial.
-    - now apply (contacts_stay_along_a_piece s piece).
-    - exact (source_lies_on (Segment y z)).
-    - exact (target_lies_on (Segment y z)).
+    - apply no_source. unfold moved_segment. by_computing.
   Qed.
 
   (* Theorem. All along a piece the interiors meet, or nowhere. *)
@@ -251,7 +228,7 @@ Section Pieces.
     is_in_parts k (uncovered_parts d (sums_of_edges d of_p of_q) s) = true.
   Proof.
     intros d S range X Y outside.
-    destruct (is_in_parts_spec k (uncovered_parts d (sums_of_edges d of_p of_q) s)) as [| none]; [reflexivity | exfalso].
+    destruct (is_in_parts_spec k (uncovered_parts d (sums_of_edges d of_p of_q) s)); [reflexivity | exfalso].
     destruct (covered_is_inside_a_sum_of_two of_p of_q d s k w) as [| (e & f & a & b & E & F & sides & inside_)];
       trivial; [| contradiction |].
     - intros t which. apply ends_have_denominator. rewrite !in_app_iff. destruct which as [-> | which]; tauto.
@@ -264,7 +241,7 @@ Section Pieces.
     equal_vectors x (plus v u) -> ~ interiors_meet x p q -> exists w, In w (vertex_sums p q) /\ equal_vectors x w.
   Proof.
     intros (s & S & equal_v) (t & T & equal_u) equal_x outside. set (w := plus (source s) (source t)).
-    assert (equal : equal_vectors x w) by (unfold w; clear - equal_v equal_u equal_x; by_coordinates).
+    assert (equal : equal_vectors x w) by (unfold w; by_computing).
     exists (reduced_vector w). split; [| transitivity w; [exact equal | symmetry; apply reduced_is]].
     unfold vertex_sums. cbv zeta. fold of_p of_q. set (points := flat_map _ (vertices_of p)).
     assert (W : In (Segment w w) points).
@@ -305,22 +282,18 @@ Section Pieces.
 
   (* Theorem. Where the interiors do not meet, and x is the sum of a vertex and a point of an edge, it is one of two
      vertices, or on a piece. *)
-  Theorem not_meeting_is_on_a_piece (x : vector) : on_vertex_edge_sum x p q -> ~ interiors_meet x p q ->
+  Theorem not_meeting_is_on_a_piece (x : vector) (t : segment) : In t all -> lies_on x t -> ~ interiors_meet x p q ->
     (exists w, In w (vertex_sums p q) /\ equal_vectors x w) \/ exists e, In e (touching_pieces p q) /\ lies_on x e.
   Proof.
-    intros on_sum outside. apply on_vertex_edge_sum_is in on_sum.
-    destruct on_sum as (a & b & v & f & both & (s & S & equal) & F & on). destruct (both_are_valid a b both).
-    apply (lies_on_equal _ (minus x (source s))) in on; [| clear - equal; by_coordinates].
-    pose proof (source_is_vertex a s S) as vertex_s.
+    intros T on outside. apply in_all in T. destruct T as (a & b & s & f & both & S & F & ->).
+    destruct (both_are_valid a b both). pose proof (source_is_vertex a s S) as vertex_s.
+    pose proof (proj1 (on_moved_segment x (source s) f) on) as on_f.
     destruct (vertex_or_not (minus x (source s)) b) as [vertex | free]; [left | right].
     - destruct both as [[-> ->] | [-> ->]];
         [apply (vertex_sum_is_listed x (source s) (minus x (source s))) |
-         apply (vertex_sum_is_listed x (minus x (source s)) (source s))]; trivial; clear; by_coordinates.
-    - apply (not_meeting_is_on_a_touching_piece x (moved_segment (source s) f)); trivial;
-        [| now apply on_moved_segment].
-      assert (touches : In (moved_segment (source s) f) (touching_segments a b)).
-      { apply in_touching_segments. exists s, f. repeat split; trivial. apply not_true_iff_false. intros across.
-        apply outside, (both_meet p q a b x both). now apply (leading_across_meets a b x s f). }
-      apply in_app_iff. destruct both as [[-> ->] | [-> ->]]; tauto.
+         apply (vertex_sum_is_listed x (minus x (source s)) (source s))]; trivial; by_computing.
+    - apply (not_meeting_is_on_a_touching_piece x (moved_segment (source s) f)); trivial.
+      apply in_touching. exists a, b, s, f. repeat split; trivial. apply not_true_iff_false. intros across.
+      apply outside, (both_meet p q a b x both). now apply (leading_across_meets a b x s f).
   Qed.
 End Pieces.

@@ -30,9 +30,9 @@ Proof.
     [exists (moved_segment (source (edge_at b j)) (edge_at a i)) |
      exists (moved_segment (source (edge_at a i)) (edge_at b j))]; (split; [apply in_all |]).
   - exists q, p, (edge_at b j), (edge_at a i). unfold are_both. tauto.
-  - rewrite !edge_at_is by assumption. unfold moved_segment. split; by_coordinates.
+  - rewrite !edge_at_is by assumption. unfold moved_segment. split; by_computing.
   - exists p, q, (edge_at a i), (edge_at b j). unfold are_both. tauto.
-  - rewrite !edge_at_is by assumption. unfold moved_segment. split; by_coordinates.
+  - rewrite !edge_at_is by assumption. unfold moved_segment. split; by_computing.
 Qed.
 
 Section OpenSum.
@@ -81,8 +81,8 @@ Section OpenSum.
   Proof.
     intros (radius & R & near). assert (free : off x (region_edges sum_)).
     { intros s S on. destruct (sum_is_bounded x s radius S on R) as (y & close & out). exact (out (near y close)). }
-    split; [exact free |]. destruct (proj2 (sum_is x)) as [(s & S & on) | round]; [| now destruct (free s S) | exact round].
-    now apply near, within_of_equal.
+    split; [exact free |]. destruct (proj2 (sum_is x)) as [(s & S & on) | round];
+      [now apply near, within_of_equal | now destruct (free s S) | exact round].
   Qed.
 
   Lemma pieces_are_met_along_only (e : segment) : In e (touching_pieces p q) -> met_only_along convolution_ e.
@@ -97,7 +97,7 @@ Section OpenSum.
     apply (collinear_of_one_place e piece t place_).
     apply (collinear_by_direction piece t w); [now apply strictly_inside_lies_on | exact on |].
     destruct (part_is_long piece s part long) as (_ & c & _ & cx & cy).
-    assert (same : equal_vectors (along t) (along u)) by (clear - same_source same_target; by_coordinates).
+    assert (same : equal_vectors (along t) (along u)) by (clear - same_source same_target; by_computing).
     destruct same as [along_x along_y]. unfold cross in *. rewrite cx, cy, along_x, along_y.
     setoid_replace (c * vx (along s) * vy (along u) - c * vy (along s) * vx (along u))
       with (c * (vx (along s) * vy (along u) - vy (along s) * vx (along u))) by ring.
@@ -167,7 +167,7 @@ Section OpenSum.
       [reflexivity |].
     apply (meeting_is_the_same_along_a_piece p q p_region q_region p_simple q_simple e
       (moved_along x (minus (middle e) x) t)); trivial; [| apply middle_is_inside | now apply near].
-    exists ((1 - t) * k + t * (1 # 2)). split; [split; nra |]. clear - X Y. in_coordinates. rewrite X, Y. split; lra.
+    exists ((1 - t) * k + t * (1 # 2)). split; [split; nra |]. clear - X Y. to_coordinates. rewrite X, Y. split; lra.
   Qed.
 
   (* All along a piece are inner points of the sum, if one is. *)
@@ -186,19 +186,19 @@ Section OpenSum.
     destruct (value_to_the_right_of_the_middle convolution_ _ convolution_is_closed_ only_back long_back)
       as (r2 & R2 & value_2).
     destruct (on_its_edge_near e (middle e)) as (r3 & R3 & on_e).
-    { pose proof (rotation.square_positive _ long_e). in_coordinates. lra. }
+    { pose proof (rotation.square_positive _ long_e). to_coordinates. lra. }
     exists (Qmin r1 (Qmin r2 r3)). split; [repeat apply Q.min_glb_lt; assumption |]. intros y close.
     pose proof (Q.le_min_l r1 (Qmin r2 r3)). pose proof (Q.le_min_r r1 (Qmin r2 r3)).
     pose proof (Q.le_min_l r2 r3). pose proof (Q.le_min_r r2 r3). set (r := Qmin r1 (Qmin r2 r3)) in *. clearbody r.
     pose proof p_region as (p_edges & p_valid & _). pose proof q_region as (q_edges & q_valid & _).
     destruct (Q_dec (area e y) 0) as [[low | high] | flat].
     - apply positive_winding_number_is_in_the_sum; trivial. fold convolution_.
-      rewrite (value_1 y); [exact right_ | | exact low]. clear - close H. by_coordinates.
+      rewrite (value_1 y); [exact right_ | | exact low]. clear - close H. by_computing.
     - apply positive_winding_number_is_in_the_sum; trivial. fold convolution_.
-      rewrite (value_2 y); [exact left_ | | rewrite area_reversed; lra]. clear - close H0 H1. by_coordinates.
+      rewrite (value_2 y); [exact left_ | | rewrite area_reversed; lra]. clear - close H0 H1. by_computing.
     - apply vertex_edge_sums_are_in_the_sum, on_listed_is. exists s. split; [exact S |].
       apply (part_lies_on piece s y long_s part), (lies_on_of_one_place _ _ y place_), on_e; [| exact flat].
-      clear - close H0 H2. by_coordinates.
+      clear - close H0 H2. by_computing.
   Qed.
 
   Theorem open_sum_has (x : vector) :
@@ -219,9 +219,8 @@ Section OpenSum.
         - intros meet. apply outside. now apply (interiors_meet_of_equal p q w). }
       destruct (all_near_are_inner x gone) as (radius & R & near).
       assert (inner : inner_point_of_sum x p q) by now apply near, within_of_equal.
-      destruct (on_or_off x (all_vertex_edge_segments p q)) as [on | general].
-      + apply on_listed_is in on.
-        destruct (not_meeting_is_on_a_piece p q p_region q_region p_simple q_simple x on outside)
+      destruct (on_or_off x (all_vertex_edge_segments p q)) as [(t & T & on) | general].
+      + destruct (not_meeting_is_on_a_piece p q p_region q_region p_simple q_simple x t T on outside)
           as [(w & W & equal) | (e & E & on_e)].
         * apply (alone w equal), in_app_iff. now right.
         * assert (ends : forall w, In w [source e; target e] -> ~ equal_vectors x w).
@@ -232,9 +231,10 @@ Section OpenSum.
           split; [now apply inner_points_are_off, (inner_all_along e x) |]. intros meet. apply outside.
           apply (meeting_is_the_same_along_a_piece p q p_region q_region p_simple q_simple e (middle e)); trivial.
           apply middle_is_inside.
-      + apply outside, (positive_winding_number_iff_interiors_meet p q x p_region q_region (off_listed_is p q x general)).
+      + apply off_listed_is in general. apply outside, positive_winding_number_iff_interiors_meet; trivial.
         now apply inner_points_are_gone_round.
-    - intros meet_x. destruct (inner_points_are_off x (interiors_meet_means_inner_point p q x meet_x)). split; [tauto |].
+    - intros meet_x. pose proof (interiors_meet_means_inner_point p q x meet_x) as inner.
+      apply inner_points_are_off in inner. destruct inner. split; [now split |].
       split; [intros e E; now apply open_points_are_on_no_dangling_edge |].
       intros v V equal. apply isolated_is in V. now apply V, (interiors_meet_of_equal p q x).
   Qed.

@@ -128,10 +128,10 @@ Proof.
   - split.
     + intros (z & in_p & in_q). exists (as_point z), (as_point (minus (as_vector x) z)).
       rewrite !inner_point_of_valid, !as_vector_of_point by assumption.
-      split; [exact in_p | split; [exact in_q | by_coordinates]].
+      split; [exact in_p | split; [exact in_q | by_computing]].
     + intros (a & b & in_p & in_q & equal). exists (as_vector a).
       rewrite !inner_point_of_valid in * by assumption. split; [exact in_p |].
-      apply (inside_equal (as_vector b)); [clear - equal; by_coordinates | exact in_q].
+      apply (inside_equal (as_vector b)); [clear - equal; by_computing | exact in_q].
 Qed.
 
 Lemma sums_are_beside_the_outside (p q : polygonal_region) :

@@ -5,8 +5,8 @@
    a segment at once). Integers: coordinates are multiplied by a common denominator. Large parallelograms come first,
    which only saves time. *)
 From Coq Require Import QArith Qabs Qminmax Lqa Qfield ZArith Lia Bool List Permutation Orders Mergesort.
-From Oplus Require Import convolution small_numbers in_out_degree regions meeting_of_segments neighbourhoods interiors_meet
-  right_of_an_edge theorem_2_2_10 coordinates.
+From Oplus Require Import convolution small_numbers in_out_degree regions meeting_of_segments neighbourhoods
+  interiors_meet right_of_an_edge specification_bridge theorem_2_2_10 coordinates.
 Import ListNotations.
 
 Open Scope Z_scope.
@@ -106,9 +106,8 @@ Lemma common_multiple_is (a : denominator) (l : list denominator) :
 Proof.
   induction l as [| b l IH]; [intros [] |].
   assert (is_lcm : Zpos (common_multiple (b :: l)) = Z.lcm (Zpos b) (Zpos (common_multiple l))).
-  { cbn [common_multiple fold_right]. apply Z2Pos.id. fold (common_multiple l).
-    pose proof (Z.lcm_nonneg (Zpos b) (Zpos (common_multiple l))).
-    assert (Z.lcm (Zpos b) (Zpos (common_multiple l)) <> 0) by (intros none; apply Z.lcm_eq_0 in none; lia). lia. }
+  { apply Z2Pos.id. fold (common_multiple l). pose proof (Z.lcm_nonneg (Zpos b) (Zpos (common_multiple l))).
+    pose proof (Z.lcm_eq_0 (Zpos b) (Zpos (common_multiple l))). lia. }
   rewrite is_lcm. intros [-> | I]; [apply Z.divide_lcm_l |].
   etransitivity; [exact (IH I) | apply Z.divide_lcm_r].
 Qed.
@@ -121,9 +120,7 @@ Definition has_denominator (d : denominator) (v : vector) : Prop :=
 Lemma ends_have_denominator (l : list segment) (s : segment) : In s l ->
   has_denominator (common_multiple (denominators l)) (source s) /\
   has_denominator (common_multiple (denominators l)) (target s).
-Proof.
-  intros I. repeat split; apply common_multiple_is, in_flat_map; exists s; (split; [exact I | cbn; tauto]).
-Qed.
+Proof. intros I. repeat split; apply common_multiple_is, in_flat_map; exists s; (split; [exact I | cbn; tauto]). Qed.
 
 Section Scaled.
   Variable d : denominator.
@@ -143,17 +140,11 @@ Section Scaled.
 
   Lemma minus_stands_for (a b : whole_vector) (v w : vector) :
     stands_for a v -> stands_for b w -> stands_for (whole_minus a b) (minus v w).
-  Proof.
-    intros [ax ay] [bx by_]. unfold stands_for, whole_minus, minus. cbn [fst snd vx vy].
-    unfold Z.sub. rewrite !inject_Z_plus, !inject_Z_opp, ax, ay, bx, by_. split; ring.
-  Qed.
+  Proof. unfold stands_for, whole_minus, minus, Z.sub; cbn. rewrite !inject_Z_plus, !inject_Z_opp. lra. Qed.
 
   Lemma plus_stands_for (a b : whole_vector) (v w : vector) :
     stands_for a v -> stands_for b w -> stands_for (whole_plus a b) (plus v w).
-  Proof.
-    intros [ax ay] [bx by_]. unfold stands_for, whole_plus, plus. cbn [fst snd vx vy].
-    rewrite !inject_Z_plus, ax, ay, bx, by_. split; ring.
-  Qed.
+  Proof. unfold stands_for, whole_plus, plus; cbn. rewrite !inject_Z_plus. lra. Qed.
 
   Lemma cross_stands_for (a b : whole_vector) (v w : vector) : stands_for a v -> stands_for b w ->
     inject_Z (whole_cross a b) == unit_ * unit_ * cross v w.
@@ -173,16 +164,10 @@ Definition covers_place (start along_ : whole_vector) (g : sum_of_two) (k : Q) :
   is_strictly_between (whole_cross (side_1 g) from) (whole_cross (side_1 g) along_) (its_size g) k.
 
 Lemma larger_spec (a b k : Q) : larger a b < k -> a < k /\ b < k.
-Proof.
-  unfold larger. destruct (Qle_bool a b) eqn:order; intros below; [apply Qle_bool_iff in order; lra |].
-  assert (~ a <= b) by (rewrite <- Qle_bool_iff; congruence). lra.
-Qed.
+Proof. unfold larger. rewrite <- at_most_is. destruct (at_most_spec a b); lra. Qed.
 
 Lemma smaller_spec (a b k : Q) : k < smaller a b -> k < a /\ k < b.
-Proof.
-  unfold smaller. destruct (Qle_bool a b) eqn:order; intros below; [apply Qle_bool_iff in order; lra |].
-  assert (~ a <= b) by (rewrite <- Qle_bool_iff; congruence). lra.
-Qed.
+Proof. unfold smaller. rewrite <- at_most_is. destruct (at_most_spec a b); lra. Qed.
 
 Lemma quotients (n : Z) (m : denominator) (k : Q) :
   ((n # m) < k <-> inject_Z n < k * inject_Z (Zpos m)) /\ (k < (n # m) <-> k * inject_Z (Zpos m) < inject_Z n).
@@ -216,14 +201,11 @@ Lemma without_inner_is (inner : Q * Q) (l : part) (k : Q) : is_in_part k l -> ~ 
   exists rest, In rest (without_inner inner l) /\ is_in_part k rest.
 Proof.
   destruct inner as [low high]. unfold without_inner, is_in_part. cbn [fst snd]. intros [above below] not_inside.
-  destruct (Qle_bool high low || Qle_bool (snd l) low || Qle_bool high (fst l)).
-  { exists l. cbn. tauto. }
-  destruct (Qlt_le_dec low k) as [after_ | before_].
-  - assert (high_before : high <= k) by (apply Qnot_lt_le; tauto).
-    assert (right_ : Qle_bool high (snd l) = true) by (apply Qle_bool_iff; lra).
-    exists (high, snd l). split; [apply in_app_iff; right; rewrite right_; now left | cbn; lra].
-  - assert (left_ : Qle_bool (fst l) low = true) by (apply Qle_bool_iff; lra).
-    exists (fst l, low). split; [apply in_app_iff; left; rewrite left_; now left | cbn; lra].
+  destruct (Qle_bool high low || Qle_bool (snd l) low || Qle_bool high (fst l)); [exists l; cbn; tauto |].
+  setoid_rewrite in_app_iff. rewrite <- (at_most_is (fst l)), <- (at_most_is high). destruct (Qlt_le_dec low k).
+  - assert (high <= k) by (apply Qnot_lt_le; tauto). exists (high, snd l).
+    destruct (at_most_spec high (snd l)); [cbn; split; [right; now left | lra] | lra].
+  - exists (fst l, low). destruct (at_most_spec (fst l) low); [cbn; split; [left; now left | lra] | lra].
 Qed.
 
 Lemma uncovered_is (start along_ : whole_vector) (k : Q) (sums : list sum_of_two) : forall l,
@@ -232,21 +214,17 @@ Lemma uncovered_is (start along_ : whole_vector) (k : Q) (sums : list sum_of_two
   (exists g, In g sums /\ covers_place start along_ g k).
 Proof.
   induction sums as [| g sums IH]; intros l has; [left; now destruct l |].
-  assert (unfolded : uncovered start along_ l (g :: sums) =
-    match l with [] => [] | _ => uncovered start along_
-      match part_inside start along_ g with None => l | Some inner => flat_map (without_inner inner) l end sums end)
-    by now destruct l.
-  rewrite unfolded. destruct l as [| first_ l]; [now destruct has as (? & [] & _) |].
-  destruct (part_inside start along_ g) as [inner |] eqn:inside_.
-  - destruct (Qlt_le_dec (fst inner) k) as [above |];
-      [destruct (Qlt_le_dec k (snd inner)) as [below |] |].
-    { right. exists g. split; [now left | exact (part_inside_is _ _ _ _ _ inside_ above below)]. }
-    all: destruct (IH (flat_map (without_inner inner) (first_ :: l))) as [found | (h & H & covers_)];
-      [| now left | right; exists h; split; [now right | exact covers_]];
-      destruct has as (part_ & I & in_part); destruct (without_inner_is inner part_ k in_part) as (rest & R & in_rest);
-      [lra | exists rest; split; [| exact in_rest]; apply in_flat_map; now exists part_].
-  - destruct (IH (first_ :: l) has) as [found | (h & H & covers_)]; [now left |].
-    right. exists h. split; [now right | exact covers_].
+  destruct l as [| first_ l]; [now destruct has as (? & [] & _) |]. cbn [uncovered]. set (l' := first_ :: l) in *.
+  set (rest := match part_inside start along_ g with None => l' | Some _ => _ end).
+  assert (step : (exists part_, In part_ rest /\ is_in_part k part_) \/ covers_place start along_ g k).
+  { unfold rest. destruct (part_inside start along_ g) as [inner |] eqn:inside_; [| now left].
+    destruct has as (part_ & I & in_part).
+    destruct (Qlt_le_dec (fst inner) k); [destruct (Qlt_le_dec k (snd inner)) |];
+      [right; now apply (part_inside_is _ _ _ inner) | left | left];
+      (destruct (without_inner_is inner part_ k in_part) as (more & R & in_more); [lra |]);
+      exists more; (split; [apply in_flat_map; now exists part_ | exact in_more]). }
+  destruct step as [has' | covers_]; [| right; exists g; split; [now left | exact covers_]].
+  destruct (IH rest has') as [found | (h & H & covers_)]; [now left | right; exists h; split; [now right | exact covers_]].
 Qed.
 
 (* The point w is strictly inside the parallelogram with a corner o and sides a and b. *)
@@ -281,19 +259,20 @@ Lemma inside_the_sum_of_two_edges (p q : region) (e f : segment) (w a b : vector
   is_inside_the_sum_of_two (plus (source e) (source f)) a b w -> inner_point_of_sum w p q.
 Proof.
   intros E F sides (i1 & i2 & j1 & j2). set (o := plus (source e) (source f)) in *.
-  destruct (eventually_some _ 1 (eventually_and _ _
-    (eventually_and _ _ (positive_near w b _ i1) (positive_near w (opposite b) (cross a b - cross (minus w o) b) ltac:(lra)))
-    (eventually_and _ _ (positive_near w (opposite a) _ j1) (positive_near w a (cross a b - cross a (minus w o)) ltac:(lra)))))
+  destruct (eventually_some _ 1
+    (eventually_and _ _ (eventually_and _ _ (positive_near w b _ i1) (positive_near w (opposite a) _ j1))
+      (eventually_and _ _ (positive_near w (opposite b) (cross a b - cross (minus w o) b) ltac:(lra))
+        (positive_near w a (cross a b - cross a (minus w o)) ltac:(lra)))))
     as (radius & [R _] & (near_1 & near_2) & near_3 & near_4); [lra |].
   exists radius. split; [exact R |]. intros y close.
   specialize (near_1 y close). specialize (near_2 y close). specialize (near_3 y close). specialize (near_4 y close).
-  destruct (as_sum_of_points o a b y) as (g & h & g_range & h_range & X & Y).
-  { clear - near_1 near_2 near_3 near_4. unfold is_inside_the_sum_of_two, cross, minus, opposite in *; cbn [vx vy] in *. lra. }
+  destruct (as_sum_of_points o a b y) as (g & h & g_range & h_range & X & Y);
+    [unfold is_inside_the_sum_of_two; to_coordinates; lra |].
   assert (on_edge : forall r s k, In s (region_edges r) -> 0 < k < 1 -> in_region (point_at s k) r)
     by (intros r s k S range; right; exists s; split; [exact S | apply point_at_lies_on; lra]).
-  unfold o in *. clear i1 i2 j1 j2 near_1 near_2 near_3 near_4 o.
-  destruct sides as [[-> ->] | [-> ->]]; [exists (point_at e g), (point_at f h) | exists (point_at e h), (point_at f g)];
-    (split; [now apply on_edge |]; split; [now apply on_edge | by_coordinates]).
+  unfold o in *. clear i1 i2 j1 j2 near_1 near_2 near_3 near_4 o. destruct sides as [[-> ->] | [-> ->]];
+    [exists (point_at e g), (point_at f h) | exists (point_at e h), (point_at f g)];
+    (split; [now apply on_edge |]; split; [now apply on_edge | by_computing]).
 Qed.
 
 Lemma in_sums_of_edges (d : denominator) (p q : list segment) (g : sum_of_two) : In g (sums_of_edges d p q) ->
@@ -315,7 +294,8 @@ Lemma sum_of_edges_is (d : denominator) (e f : segment) (g : sum_of_two) : ends_
     stands_for d (its_corner g) (plus (source e) (source f)) /\ stands_for d (side_1 g) a /\
     stands_for d (side_2 g) b /\ inject_Z (its_size g) == inject_Z (Zpos d) * inject_Z (Zpos d) * cross a b.
 Proof.
-  intros e_is f_is G. pose proof (along_stands_for d e e_is) as e_along. pose proof (along_stands_for d f f_is) as f_along.
+  intros e_is f_is G.
+  pose proof (along_stands_for d e e_is) as e_along. pose proof (along_stands_for d f f_is) as f_along.
   pose proof (plus_stands_for d _ _ _ _ (scaled_is d _ (proj1 e_is)) (scaled_is d _ (proj1 f_is))) as start_.
   pose proof (cross_stands_for d _ _ _ _ e_along f_along) as size_. unfold sum_of_edges in G.
   destruct (whole_cross _ _) as [| m | m]; [destruct G | |]; destruct G as [<- | []];

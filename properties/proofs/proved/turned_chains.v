@@ -138,7 +138,7 @@ Proof.
     change (inject_Z (2 ^ Z.of_nat 0)) with 1 in close. unfold within in *. lra.
   - rewrite Nat2Z.inj_succ, Z.pow_succ_r, inject_Z_mult in close by lia. change (inject_Z 2) with 2 in close.
     assert (on : lies_on (middle (Segment u v)) (Segment u v)) by (at_fraction (1 # 2)).
-    apply (IH (middle (Segment u v)) v); [by_coordinates | | apply (IH u); [by_coordinates | | exact start]];
+    apply (IH (middle (Segment u v)) v); [by_computing | | apply (IH u); [by_computing | | exact start]];
       intros w y W Y; apply step; (eapply common_part; [| | eassumption]); trivial;
       (apply (source_lies_on (Segment u v)) || apply (target_lies_on (Segment u v))).
 Qed.
