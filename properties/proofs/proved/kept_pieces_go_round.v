@@ -78,9 +78,6 @@ Proof.
   rewrite X, Y. split; ring.
 Qed.
 
-Lemma area_reversed (s : segment) (w : vector) : area (reversed s) w == - area s w.
-Proof. unfold area, cross, minus, reversed. cbn [source target vx vy]. ring. Qed.
-
 Lemma reversed_twice (s : segment) : reversed (reversed s) = s.
 Proof. now destruct s. Qed.
 
@@ -107,21 +104,6 @@ Record ends_at_pieces (inside : vector -> bool) (right_inside : segment -> bool)
   nothing_far_away : exists limit, forall x, limit < vx x -> inside x = false }.
 
 Definition as_number (b : bool) : Z := if b then 1%Z else 0%Z.
-
-Lemma shifted_stays_within (radius : Q) (x : vector) : 0 < radius ->
-  eventually (fun e => within radius x (moved (shifted x) e)).
-Proof.
-  intros R. exists (Qmin radius 1). split; [apply Q.min_glb_lt; lra |]. intros e some small.
-  pose proof (Q.le_min_l radius 1). pose proof (Q.le_min_r radius 1).
-  assert (0 < e * e /\ e * e <= e) by (split; nra).
-  unfold within, moved, shifted. cbn [at_ first second vx vy]. lra.
-Qed.
-
-Lemma shifted_off_all (x : vector) (segments : list segment) :
-  eventually (fun e => off (moved (shifted x) e) segments).
-Proof.
-  apply (eventually_for_all (fun s e => ~ lies_on (moved (shifted x) e) s)). intros s _. apply shifted_off.
-Qed.
 
 Section Core.
   Variable inside : vector -> bool.
