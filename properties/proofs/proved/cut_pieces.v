@@ -78,6 +78,10 @@ Proof.
   intros (k & _ & X & Y) (j & _ & U & V) parallel. unfold collinear. in_coordinates. split; by_equations.
 Qed.
 
+Lemma is_a_multiple (u v : vector) : nonzero u -> cross u v == 0 ->
+  exists c, vx v == c * vx u /\ vy v == c * vy u.
+Proof. intros long parallel. apply multiple_of; [exact long | unfold cross in *; lra]. Qed.
+
 (* Two segments with a common point inside both, and no end of one inside the other, are in one place. *)
 Lemma same_place_ahead (e f : segment) (w : vector) (c : Q) :
   0 < c -> vx (along f) == c * vx (along e) -> vy (along f) == c * vy (along e) ->
@@ -121,8 +125,7 @@ Lemma one_place (e f : segment) (w : vector) :
   ~ strictly_inside (source f) e -> ~ strictly_inside (target f) e ->
   ~ strictly_inside (source e) f -> ~ strictly_inside (target e) f -> of_one_place e f.
 Proof.
-  intros long_e long_f parallel in_e in_f a b c d.
-  destruct (multiple_of (along f) (along e) long_e) as (r & rx & ry); [unfold cross in *; lra |].
+  intros long_e long_f parallel in_e in_f a b c d. destruct (is_a_multiple _ _ long_e parallel) as (r & rx & ry).
   destruct (Q_dec r 0) as [[low | high] | none].
   - right. apply (same_place_ahead e (reversed f) w (- r)); trivial; try lra.
     + in_coordinates. lra.
@@ -134,19 +137,28 @@ Proof.
   - exfalso. apply long_f. rewrite rx, ry, none. split; ring.
 Qed.
 
-Lemma intersection_is (s f : segment) (p : vector) : In p (intersection s f) ->
-  (p = source s \/ p = target s \/ p = source f \/ p = target f) \/
-  (lies_on p s /\ lies_on p f /\ ~ cross (along s) (along f) == 0).
+Lemma intersection_is_on_both (s f : segment) (p : vector) : In p (intersection s f) ->
+  lies_on p s /\ lies_on p f /\
+  ((p = source s \/ p = target s \/ p = source f \/ p = target f) \/ ~ cross (along s) (along f) == 0).
 Proof.
-  intros I. assert (whole := I). unfold intersection in I. destruct (sorted_points _) as [| a l] eqn:sorted.
-  - destruct (cross_properly s f) eqn:crossing_; [| destruct I]. destruct I as [<- | []]. right.
+  intros I. unfold intersection in I. destruct (sorted_points _) as [| a l] eqn:sorted.
+  - destruct (cross_properly s f) eqn:crossing_; [| destruct I]. destruct I as [<- | []].
     destruct (proper_crossing s f crossing_) as (w & in_s & in_f & turn).
     apply strictly_inside_lies_on in in_s, in_f. destruct (intersection_has s f w turn in_s in_f) as (q & J & equal).
     unfold intersection in J. rewrite sorted, crossing_ in J. destruct J as [<- | []].
-    split; [| split; [| exact turn]]; now apply (lies_on_equal w).
-  - left. rewrite <- sorted in I. apply sorted_in, in_app_iff in I.
-    destruct I as [I | I]; apply filter_In in I; destruct I as [I _]; cbn in I; intuition.
+    split; [now apply (lies_on_equal w) |]. split; [now apply (lies_on_equal w) | now right].
+  - rewrite <- sorted in I. apply sorted_in, in_app_iff in I.
+    destruct I as [I | I]; apply filter_In in I; destruct I as [end_ on]; cbn in end_.
+    + destruct (is_on_spec p f) as [on_f |]; [| discriminate]. split; [| intuition].
+      destruct end_ as [<- | [<- | []]]; [apply source_lies_on | apply target_lies_on].
+    + destruct (is_on_spec p s) as [on_s |]; [| discriminate]. split; [exact on_s |]. split; [| intuition].
+      destruct end_ as [<- | [<- | []]]; [apply source_lies_on | apply target_lies_on].
 Qed.
+
+Lemma intersection_is (s f : segment) (p : vector) : In p (intersection s f) ->
+  (p = source s \/ p = target s \/ p = source f \/ p = target f) \/
+  (lies_on p s /\ lies_on p f /\ ~ cross (along s) (along f) == 0).
+Proof. intros I. destruct (intersection_is_on_both s f p I) as (on_s & on_f & [ends | turn]); tauto. Qed.
 
 Lemma ends_of_a_piece (s piece : segment) (others : list segment) (p : vector) :
   In piece (cut_where_met s others) -> p = source piece \/ p = target piece ->
@@ -195,8 +207,8 @@ Section Pieces.
       + destruct (nothing_meets_a_piece s2 segments p2 s1 p (all_long s2 S2) P2 inside_ S1) as (_ & _ & first_).
         destruct (nothing_meets_a_piece s2 segments p2 f p (all_long s2 S2) P2 inside_ F) as (_ & _ & second_).
         specialize (first_ on_s1). specialize (second_ on_f). apply turn.
-        destruct (multiple_of (along s1) (along s2) (all_long s2 S2)) as (a & ax & ay); [unfold cross in *; lra |].
-        destruct (multiple_of (along f) (along s2) (all_long s2 S2)) as (b & bx & by_); [unfold cross in *; lra |].
+        destruct (is_a_multiple _ _ (all_long s2 S2) first_) as (a & ax & ay).
+        destruct (is_a_multiple _ _ (all_long s2 S2) second_) as (b & bx & by_).
         unfold cross. rewrite ax, ay, bx, by_. ring.
   Qed.
 

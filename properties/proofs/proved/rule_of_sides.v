@@ -72,6 +72,18 @@ Section Rule.
       pose proof (Q.le_max_l limit limit_of_l). pose proof (Q.le_max_r limit limit_of_l).
       intros m [<- | M] x far; [apply zero_of_l | apply (zero_ m M)]; lra.
   Qed.
+
+  (* Theorem. What is kept by a rule goes once round the points to which it applies, also seen from the segments. *)
+  Theorem boundary_by_rule_goes_round (x : vector) :
+    winding_number x (boundary_by_rule rule families) = as_number (by_rule x).
+  Proof.
+    assert (same_ : eventually (fun d => by_rule (moved (shifted x) d) = by_rule x)).
+    { refine (eventually_implied _ _ _ (eventually_for_all (fun l d =>
+        winding_number (moved (shifted x) d) l = winding_number x l) families (fun l _ => same_beside x l))).
+      intros d. apply by_rule_same. }
+    destruct (some_small _ (eventually_and _ _ (core _ _ _ rule_ends_at_pieces x) same_)) as (e & _ & number_is & same_number).
+    now rewrite <- same_number.
+  Qed.
 End Rule.
 
 (* What closed segments go round. *)

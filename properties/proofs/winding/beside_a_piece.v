@@ -86,6 +86,23 @@ Qed.
 Definition point_at (s : segment) (k : Q) : vector :=
   Vector ((1 - k) * vx (source s) + k * vx (target s)) ((1 - k) * vy (source s) + k * vy (target s)).
 
+Lemma point_at_lies_on (s : segment) (k : Q) : 0 <= k <= 1 -> lies_on (point_at s k) s.
+Proof. intros range. exists k. split; [exact range |]. split; reflexivity. Qed.
+
+Lemma strictly_inside_at (s : segment) (k : Q) : 0 < k < 1 -> strictly_inside (point_at s k) s.
+Proof. intros range. exists k. split; [exact range |]. split; reflexivity. Qed.
+
+Lemma point_at_is_on_the_line (s : segment) (k : Q) : area s (point_at s k) == 0.
+Proof. unfold point_at. by_coordinates. Qed.
+
+Lemma right_step_is_right (s : segment) (w n : vector) (e : Q) :
+  area s w == 0 -> 0 < cross (along s) n -> 0 < e -> area s (moved_along w n (- e)) < 0.
+Proof.
+  intros line left_ some. setoid_replace (area s (moved_along w n (- e))) with (area s w - e * cross (along s) n)
+    by by_coordinates.
+  rewrite line. nra.
+Qed.
+
 (* All of t is on the line of s. *)
 Definition collinear (s t : segment) : Prop := area s (source t) == 0 /\ area s (target t) == 0.
 
@@ -171,7 +188,7 @@ Section OnePiece.
   Proof.
     set (m := right_of_middle s).
     destruct (right_side_is_alike (point_at s (1 # 2))) as (radius & R & alike);
-      [exists (1 # 2); split; [lra | split; reflexivity] |].
+      [now apply strictly_inside_at |].
     destruct (some_small _ (eventually_and _ _ (shifts_are_small_moves s segments long) (moved_stays_within radius m R)))
       as (e & some & [_ number_is] & close).
     exists radius. split; [exact R |]. intros y y_near y_right. fold m in number_is. rewrite <- number_is.
