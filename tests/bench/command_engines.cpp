@@ -47,6 +47,10 @@ Command check(const Files& files) {
   return {program_beside("oplus-certified"), files.p, files.q, files.sum, files.certificate};
 }
 
+Command proved_sum(const Files& files) {
+  return {program_beside("oplus-proved"), "sum", files.p, files.q, "-o", files.sum};
+}
+
 /// The size of a file by gzip.
 std::size_t zipped_size(const std::string& path) {
   return run_program({"gzip", "-9", "-c", path}, {}).output.size();
@@ -146,6 +150,8 @@ std::vector<BenchEngine> command_engines() {
       command_engine("oplus-certified",
                      "the whole command `oplus-certified P.wkt Q.wkt S.wkt CERTIFICATE`",
                      {check, Format::wkt, sum_with_certificate}),
+      command_engine("oplus-proved", "the whole command `oplus-proved sum P.wkt Q.wkt -o S.wkt`",
+                     {proved_sum, Format::wkt}),
       command_engine("cgal-sum",
                      "a whole program (tests/bench/programs/cgal_sum.cpp): reads, "
                      "minkowski_sum_by_reduced_convolution_2, writes exactly",

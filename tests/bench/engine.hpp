@@ -112,8 +112,8 @@ const std::vector<BenchEngine>& bench_engines();
 std::vector<BenchEngine> own_engines();
 std::vector<BenchEngine> peer_engines();
 
-/// Engines of sums that are programs: oplus's, CGAL's and Clipper's, from files to a file; and the check of a
-/// certificate of one.
+/// Engines of sums that are programs: oplus's, the proved one, CGAL's and Clipper's, from files to a file; and the
+/// check of a certificate of one.
 std::vector<BenchEngine> command_engines();
 
 /// The convolution itself, not a sum: by cycle tracing, the same without coordinates, and by all pairs

@@ -32,7 +32,7 @@ class InAFolder(unittest.TestCase):
 
 class Table(InAFolder):
     def test_engines_agree(self):
-        rows = "(certificate_)?fork_10|comb_20|convolution_of_convex_50"
+        rows = "(certificate_)?fork_10|comb_20|proved_star_30_star_30|convolution_of_convex_50"
         code, out, err = self.ran("table.py", "--rows", rows, "--min-time", "0", "--limit", "100000", "--json", "run.json")
         self.assertEqual((code, err), (0, ""), out)
         self.assertNotRegex(out, "crashed|failed|> 100000|DISAGREE")
@@ -41,10 +41,10 @@ class Table(InAFolder):
                          {"clipper:", "boost-polygon:"},
                          {"slide", "rca", "winding", "slide-open", "verify", "cgal-reduced", "cgal-full",
                           "cgal-vertical", "clipper", "boost-polygon", "oplus-sum", "sum-certificate", "oplus-certified",
-                          "traced", "without-points", "naive"})
+                          "oplus-proved", "traced", "without-points", "naive"})
         self.assertEqual(self.ran("table.py", "--from", "run.json", "--markdown", "page.md"), (0, "", ""))
         page = (self.folder / "page.md").read_text()
-        self.assertIn("On 4 of 4 rows", page)
+        self.assertIn("On 5 of 5 rows", page)
         self.assertIn(f"table.py --rows '{rows}' --limit 100000 --min-time 0 --markdown docs/benchmarks.md", page)
         self.assertNotIn(str(self.folder), page)
 

@@ -137,6 +137,13 @@ Row certificate_row(const std::string& group, Row row) {
   return row;
 }
 
+Row proved_row(std::size_t n) {
+  Row row = pair_of("proved", star, n, star, n);
+  row.name = "proved_" + row.name;
+  row.subject = "proved";
+  return row;
+}
+
 /// A pair of a family on which an earlier slide took long, by what makes it hard.
 Row hard_row(const std::string& family, std::size_t n) {
   return {.name = family + '_' + std::to_string(n),
@@ -158,6 +165,7 @@ std::vector<std::string> engines_for(const Row& row) {
   if (row.subject == "growth") return {"slide", "slide2"};
   if (row.pairs > 1 && row.subject == "commands") return {"slide", "oplus-batch", "cgal-reduced"};
   if (row.subject == "commands") return {"slide", "oplus-sum", "cgal-sum", "clipper-sum"};
+  if (row.subject == "proved") return {"slide", "cgal-reduced", "cgal-full", "oplus-proved"};
   std::vector<std::string> names;
   if (row.subject == "certificates") {
     names = {"slide", "oplus-sum", "sum-certificate", "oplus-certified"};
@@ -234,6 +242,7 @@ Rows benchmark_rows() {
   for (const std::size_t n : {1000, 5000})
     made.push_back(certificate_row(growth, pair_of("", coast, n, convex, 20)));
   made.push_back(certificate_row(growth, hard_row("spiral", 4000)));
+  add({30, 60, 100}, proved_row);
   for (const Kind& kind : {convex, star})
     add({50, 100, 200, 400}, [&](std::size_t n) { return convolution_row(kind, n); });
   for (Row& row : made) row.engines = engines_for(row);

@@ -94,7 +94,7 @@ class Goals(unittest.TestCase):
 
     def test_without_a_run(self):
         goals = table.goals_of(run_of())
-        self.assertEqual(len(goals), 21)
+        self.assertEqual(len(goals), 24)
         self.assertEqual({cells[2] for cells in goals}, {"not measured"})
 
     def test_at_their_number(self):
@@ -144,6 +144,18 @@ class Goals(unittest.TestCase):
                          checked(of("oplus-sum", 1), of("sum-certificate", 10.2)))
         self.assert_goal("gzip", "at most 200, c", "yes",
                          checked(of("slide", 1), of("sum-certificate", 1, zipped_bytes=200e6)))
+
+    def test_the_proved_program(self):
+        for name, seconds, measured, reached in (("star_30_star_30", 0.3, "at most 0.300, proved_star_30_star_30", "yes"),
+                                                 ("star_30_star_30", 0.31, "at most 0.310, proved_star_30_star_30", "**no**"),
+                                                 ("star_60_star_60", 5.1, "at most 5.10, proved_star_60_star_60", "**no**")):
+            self.assert_goal(f"stars of {name[5:7]} and {name[5:7]} in", measured, reached,
+                             row("proved_" + name, of("oplus-proved", seconds), subject="proved"))
+        for other, measured, reached in ((of("cgal-full", 4), "2.00, proved_star_100_star_100", "yes"),
+                                         (of("cgal-full", 1), "0.500, proved_star_100_star_100", "**no**"),
+                                         (stopped("cgal-full"), "> 30.0, proved_star_100_star_100", "yes")):
+            self.assert_goal("CGAL's full", measured, reached,
+                             row("proved_star_100_star_100", of("oplus-proved", 2), other, subject="proved"))
 
 
 class Page(unittest.TestCase):

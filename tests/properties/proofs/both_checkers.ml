@@ -1,19 +1,9 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Asks the checker of oplus-certified and the one that is extracted without any replacement, and fails unless they
    give one answer, which it writes. Usage: both_checkers P Q S CERTIFICATE *)
-module Integer = Z
-open Plain_checker
+open Plain
+open Plain_values
 
-let rec positive n =
-  if Integer.equal n Integer.one then XH
-  else
-    let half = positive (Integer.shift_right n 1) in
-    if Integer.is_odd n then XI half else XO half
-
-let integer n = match Integer.sign n with 0 -> Z0 | 1 -> Zpos (positive n) | _ -> Zneg (positive (Integer.neg n))
-let rec coq_list f = function [] -> Nil | a :: rest -> Cons (f a, coq_list f rest)
-let rational (q : Proved.q) = { qnum = integer q.qnum; qden = positive q.qden }
-let point (p : Proved.point) = { x_of = rational p.x_of; y_of = rational p.y_of }
 let hpoint (p : Proved.hpoint) = { px = integer p.px; py = integer p.py; pw = positive p.pw }
 let polygon = coq_list hpoint
 let line (l : Proved.line) = { la = integer l.la; lb = integer l.lb; lc = integer l.lc }
@@ -40,9 +30,6 @@ let plain (c : Proved.certificate) =
     sum_pieces = coq_list (fun (v, tree) -> Pair (polygon v, cells tree)) c.sum_pieces;
   }
 
-let rec value = function XH -> Integer.one | XO p -> Integer.shift_left (value p) 1 | XI p -> Integer.succ (Integer.shift_left (value p) 1)
-let natural = function N0 -> Integer.zero | Npos p -> value p
-
 let refusal : refusal option -> Proved.refusal Option.t = function
   | None -> None
   | Some PiecesOfP -> Some Proved.PiecesOfP
@@ -57,7 +44,7 @@ let refusal : refusal option -> Proved.refusal Option.t = function
 let () =
   let p = Regions.read Sys.argv.(1) and q = Regions.read Sys.argv.(2) and s = Regions.read Sys.argv.(3) in
   let certificate = Certificates.read Sys.argv.(4) p q s in
-  let specified r = coq_list (coq_list point) (Regions.specified r) in
+  let specified r = region (Regions.specified r) in
   let fast : Proved.refusal Option.t = Proved.check (Regions.specified p) (Regions.specified q) (Regions.specified s) certificate in
   let slow = refusal (check (specified p) (specified q) (specified s) (plain certificate)) in
   if fast <> slow then failwith "the checkers disagree";

@@ -5,15 +5,12 @@ checker does that is extracted from Coq without any replacement.
 Usage: certified.py PROGRAM BUILD OPLUS, the folder in which it was built and the program that makes certificates"""
 
 import re
-import shutil
 import sys
 import tempfile
 from pathlib import Path
 
-from extracted import replaced
-from extracted_program import INVALID, INVALID_REGIONS, NUMBERS, ProgramTest, dat, run, square
+from extracted_program import INVALID, INVALID_REGIONS, NUMBERS, ProgramTest, beside_plain, dat, run, square
 
-HERE = Path(__file__).parent
 CERTIFIED, NOT_CERTIFIED = 0, 1
 
 
@@ -167,28 +164,10 @@ ENDLESS = ["yes", "yes '('", "cat /dev/zero", "echo 'oplus certificate 1'; yes u
            "printf 'POLYGON(('; tr '\\0' 1 </dev/zero"]
 
 
-def both_checkers(build, folder):
-    """Builds the program that asks both checkers."""
-    for source in ("plain_extraction.v", "both_checkers.ml"):
-        shutil.copyfile(HERE / source, folder / source)
-    if replaced((folder / "plain_extraction.v").read_text(encoding="utf-8")):
-        sys.exit("plain_extraction.v replaces what was proved")
-    read = ["proved.mli", "proved.ml", "words.ml", "regions.ml", "certificates.ml"]
-    for name in read:
-        shutil.copyfile(build / name, folder / name)
-    for command in (["coqc", "-vok", "-R", build.resolve().parent / "coq", "Oplus", "plain_extraction.v"],
-                    ["ocamlfind", "ocamlopt", "-w", "-a", "-package", "zarith", "-linkpkg", "-o", "both_checkers",
-                     "plain_checker.mli", "plain_checker.ml", *read, "both_checkers.ml"]):
-        code, said = run(command, cwd=folder)
-        if code != 0 or "axiom" in said.lower():
-            sys.exit(f"{' '.join(map(str, command))}\n{said}")
-    return folder / "both_checkers"
-
-
 class Test(ProgramTest):
     def __init__(self, program, build, folder):
         super().__init__(program, folder)
-        self.both = both_checkers(build, folder)
+        self.both = beside_plain("both_checkers", build, folder, "certificates.ml")
 
     def run_on(self, texts, *options):
         """What the program answers. Fails unless both checkers do so."""

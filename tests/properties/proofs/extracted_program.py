@@ -1,10 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the tests of the programs that are extracted from Coq have in common: regions, valid and not, numbers, and outputs
-that cannot be written."""
+that cannot be written; and the programs without any replacement that they are compared with."""
 
 import re
+import shutil
 import subprocess
+import sys
+from pathlib import Path
+
+from extracted import replaced
+
+HERE = Path(__file__).parent
 
 INVALID = 2
 
@@ -85,6 +92,25 @@ NUMBERS = [("7", "7"), ("-007", "-7"), ("+1", "1"), ("2.50", "5/2"), (".5", "1/2
 def run(command, **more):
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=300, **more)
     return done.returncode, done.stdout
+
+
+def beside_plain(name, build, folder, *in_ocaml):
+    """Builds the program of that name, which asks both what is extracted to `build` and the same without any
+    replacement. `in_ocaml`: its sources besides those that read regions."""
+    for source in ("plain_extraction.v", "plain_values.ml", name + ".ml"):
+        shutil.copyfile(HERE / source, folder / source)
+    if replaced((folder / "plain_extraction.v").read_text(encoding="utf-8")):
+        sys.exit("plain_extraction.v replaces what was proved")
+    read = ["proved.mli", "proved.ml", "words.ml", "regions.ml", *in_ocaml]
+    for source in read:
+        shutil.copyfile(build / source, folder / source)
+    for command in (["coqc", "-vok", "-R", build.resolve().parent / "coq", "Oplus", "plain_extraction.v"],
+                    ["ocamlfind", "ocamlopt", "-w", "-a", "-package", "zarith", "-linkpkg", "-o", name,
+                     "plain.mli", "plain.ml", *read, "plain_values.ml", name + ".ml"]):
+        code, said = run(command, cwd=folder)
+        if code != 0 or "axiom" in said.lower():
+            sys.exit(f"{' '.join(map(str, command))}\n{said}")
+    return folder / name
 
 
 class ProgramTest:

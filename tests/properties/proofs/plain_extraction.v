@@ -1,7 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The same without a replacement: types, numbers and all are Coq's. Slow, and compared with the program by tests. *)
+(* The same without a replacement: types, numbers and all are Coq's. Slow, and compared with the programs by tests. *)
 From Coq Require Extraction.
-From Oplus Require Import checker.
+From Oplus Require Import checker operations.
 
 Extraction Language OCaml.
-Extraction "plain_checker.ml" check homogeneous.
+Extraction "plain.ml" check is_covered has_points proved_sum proved_open_sum proved_no_fit proved_inner_fit
+  proved_union proved_intersection proved_difference polygons_of_open polygons_of_placements.

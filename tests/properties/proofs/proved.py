@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tests oplus-proved: that it writes what oplus writes, as the same text; that it refuses what it
-cannot read or write, in one line and with nothing half-written; and that it is what was extracted.
+cannot read or write, in one line and with nothing half-written; and that it is what was extracted, and computes as
+what is extracted from Coq without any replacement does.
 Usage: proved.py PROGRAM BUILD OPLUS PROOFS, the folder in which it was built, the program that it is compared with, and
 the sources of the proofs"""
 
@@ -15,7 +16,7 @@ import time
 from pathlib import Path
 
 from extracted import replaced
-from extracted_program import INVALID, INVALID_REGIONS, NUMBERS, ProgramTest, dat, run, square
+from extracted_program import INVALID, INVALID_REGIONS, NUMBERS, ProgramTest, beside_plain, dat, run, square
 
 UNIT = f"POLYGON({square(0, 0, 1)})"
 L_SHAPE = "POLYGON((0 0,2 0,2 1,1 1,1 2,0 2,0 0))"
@@ -61,9 +62,10 @@ def numbers_of(text):
 
 
 class Test(ProgramTest):
-    def __init__(self, program, oplus, folder):
+    def __init__(self, program, build, oplus, folder):
         super().__init__(program, folder)
         self.oplus = oplus
+        self.both = beside_plain("both_programs", build, folder)
 
     def put(self, **texts):
         for name, text in texts.items():
@@ -103,6 +105,11 @@ class Test(ProgramTest):
             self.expect(kind, f"{name}, {one}", equal == 0, why)
         self.expect(kind, f"{name}, differences", (self.folder / "none").read_text() == "POLYGON EMPTY\n", "they overlap")
 
+    def same_as_plain(self, name):
+        """Of the files p and q: what the program's functions return, and the same without any replacement."""
+        code, said = run([self.both, "p", "q"], cwd=self.folder)
+        self.expect("pairs without replacements", name, code == 0 and said == "the same\n", said)
+
     def canonical(self, file):
         return self.oplus_says("transform", file, "--scale", "1", "--union")[1]
 
@@ -110,6 +117,7 @@ class Test(ProgramTest):
         for name, (p, q) in EXAMPLES.items():
             self.put(p=p, q=q)
             self.same_as_oplus("examples", name)
+            self.same_as_plain(name)
             self.put(p=dat(p), q=dat(q))
             self.same_as_oplus("examples in .dat", name)
 
@@ -251,7 +259,7 @@ class Test(ProgramTest):
 def main():
     program, build, oplus, proofs = (Path(argument).resolve() for argument in sys.argv[1:5])
     with tempfile.TemporaryDirectory() as directory:
-        test = Test(program, oplus, Path(directory))
+        test = Test(program, build, oplus, Path(directory))
         for part in (test.examples, test.families, test.empty, test.numbers, test.invalid, test.endless,
                      test.standard_input, test.files, test.interrupted, test.little_memory, test.usage):
             part()
