@@ -25,10 +25,10 @@ Proof.
       right; intros (u & [<- | I] & [ux uy]); [tauto | apply none; exists u; split; [exact I | now split]]]).
 Qed.
 
-(* Edges that follow each other do not lie along each other. *)
-Lemma following_edges_turn (r : region) (f_in f_out : segment) : valid_region r ->
-  In f_in (region_edges r) -> In f_out (region_edges r) -> equal_vectors (target f_in) (source f_out) ->
-  turns (along f_in) (along f_out).
+(* Edges one of which begins where the other ends do not lie along each other. *)
+Lemma consecutive_edges_turn (r : region) (f_in f_out : segment) :
+  valid_region r -> In f_in (region_edges r) -> In f_out (region_edges r) ->
+  equal_vectors (target f_in) (source f_out) -> turns (along f_in) (along f_out).
 Proof.
   intros (not_points & valid & meet) I J [tx ty].
   pose proof (region_edges_are_directions r not_points f_in I) as long_in.
@@ -85,7 +85,7 @@ Qed.
 
 Lemma vertex_turns (r : region) (f_in f_out : segment) :
   valid_region r -> meet_in_vertex f_in f_out r -> turns (along f_in) (along f_out).
-Proof. intros r_valid (I & J & equal & _). now apply (following_edges_turn r). Qed.
+Proof. intros valid (I & J & follows & _). now apply (consecutive_edges_turn r). Qed.
 
 (* The boundary of a region at one of its points: an edge of a chain comes in direction u and one leaves in
    direction v; at a point inside an edge both are that edge. *)

@@ -113,53 +113,79 @@ Definition leaving (w : vector) (r : region) : Z := sum_of (fun s => Z.b2z (leav
 Definition leaving_to_the_left (w a : vector) (r : region) : Z :=
   sum_of (fun s => Z.b2z (leaves w s) * Z.b2z (positive (cross a (along s))))%Z (region_edges r).
 
-(* -a is not the direction of an edge at w, and none leaves w in the direction a. *)
-Definition clear_direction (w a d : vector) (r : region) : Prop :=
-  nonzero d /\ angle d == angle (opposite a) /\ off (plus w a) (region_edges r) /\
+(* No edge at w has the direction -a, and none leaves w in the direction a. *)
+Definition clear_direction (w a : vector) (r : region) : Prop :=
+  off (plus w a) (region_edges r) /\
   forall s, In s (region_edges r) -> lies_on w s ->
-    ~ angle (along s) == angle d /\ (leaves w s = true -> ~ cross a (along s) == 0).
+    ~ same_direction (along s) (opposite a) /\ (leaves w s = true -> ~ cross a (along s) == 0).
 
-(* Theorem. The sum of the three numbers is the same in all directions. *)
-Theorem same_in_all_directions (r : region) (w a b da db : vector) (label : summand) (radius : Q) :
-  no_edges_are_points r -> nothing_else_near w radius (region_edges r) -> 0 < cross a b ->
-  within radius w (plus w a) -> within radius w (plus w b) ->
-  clear_direction w a da r -> clear_direction w b db r ->
-  (tangents_at w (Direction da label) r + leaving_to_the_left w a r +
-   winding_number (plus w a) (region_edges r) =
-   tangents_at w (Direction db label) r + leaving_to_the_left w b r +
-   winding_number (plus w b) (region_edges r))%Z.
-Proof.
-  intros not_points near turn near_a near_b (proper_da & a_back & off_a & clear_a) (proper_db & b_back & off_b & clear_b).
-  pose proof (winding_number_around_the_point w a b radius turn near_a near_b r not_points near off_a off_b) as numbers.
-  assert (tangents : (tangents_at w (Direction da label) r - tangents_at w (Direction db label) r)%Z =
-    sum_of (fun s => (Z.b2z (enters w s) - Z.b2z (leaves w s)) * change da db label (along s))%Z (region_edges r)).
-  { rewrite <- vertices_at_a_point. unfold tangents_at. rewrite <- sum_minus. apply sum_equally. intros [v c] I.
-    cbn [fst snd]. unfold if_tangent, change.
-    assert (proper_c : proper_corner c).
-    { destruct (edges_of_vertex v c r I) as ((s & S & _ & in_) & (t & T & _ & out_)).
-      unfold proper_corner. rewrite <- in_, <- out_. split; now apply (region_edges_are_directions r). }
-    rewrite !in_tangent_set_as_difference by assumption. cbn [of]. lia. }
-  assert (wraps_nowhere : sum_of (fun s => (Z.b2z (enters w s) - Z.b2z (leaves w s)) * wraps da db)%Z
-    (region_edges r) = 0%Z).
-  { rewrite <- (vertices_at_a_point r w (fun _ => wraps da db)). apply sum_of_zeros. intros. lia. }
-  enough (each : (sum_of (fun s => (Z.b2z (enters w s) - Z.b2z (leaves w s)) * change da db label (along s))%Z
-      (region_edges r) + leaving_to_the_left w a r - leaving_to_the_left w b r -
-      sum_of (fun s => Z.b2z (leaves w s) * Z.b2z (is_between a b (along s)) -
-                       Z.b2z (enters w s) * Z.b2z (is_between a b (opposite (along s))))%Z (region_edges r) =
-      sum_of (fun s => (Z.b2z (enters w s) - Z.b2z (leaves w s)) * wraps da db)%Z (region_edges r))%Z) by lia.
-  unfold leaving_to_the_left. rewrite <- sum_plus, <- !sum_minus. apply sum_equally. intros s I.
-  destruct (lies_on_dec w s) as [on | free].
-  2: { assert (away : leaves w s = false /\ enters w s = false).
-       { unfold leaves, enters, passes. now destruct (lies_on_dec w s). }
-       destruct away as [-> ->]. reflexivity. }
-  destruct (clear_a s I on) as [differ_a aside_a], (clear_b s I on) as [differ_b aside_b].
-  pose proof (edges_while_turning a b da db label turn a_back b_back proper_da proper_db (along s)
-    (region_edges_are_directions r not_points s I) differ_a differ_b) as turned_.
-  destruct (leaves w s) eqn:leaving_.
-  - pose proof (leaving_while_turning a b (along s) (aside_a eq_refl) (aside_b eq_refl)) as left_.
-    destruct (enters w s); cbn [Z.b2z]; lia.
-  - destruct (enters w s); cbn [Z.b2z]; lia.
-Qed.
+Section AtThePoint.
+  Variable r : region.
+  Variable w : vector.
+  Variable label : summand.
+  Variable radius : Q.
+  Hypothesis not_points : no_edges_are_points r.
+  Hypothesis near : nothing_else_near w radius r.
+
+  (* Theorem. The sum of the three numbers is the same in all directions. *)
+  Theorem same_in_all_directions (a b da db : vector) : 0 < cross a b ->
+    within radius w (plus w a) -> within radius w (plus w b) -> clear_direction w a r -> clear_direction w b r ->
+    nonzero da -> nonzero db -> same_direction da (opposite a) -> same_direction db (opposite b) ->
+    (tangents_at w (Direction da label) r + leaving_to_the_left w a r + winding_number (plus w a) (region_edges r) =
+     tangents_at w (Direction db label) r + leaving_to_the_left w b r + winding_number (plus w b) (region_edges r))%Z.
+  Proof.
+    intros turn near_a near_b [off_a clear_a] [off_b clear_b] proper_da proper_db a_back b_back.
+    pose proof (winding_number_around_the_point r w a b radius not_points near turn near_a near_b off_a off_b)
+      as numbers.
+    assert (tangents : (tangents_at w (Direction da label) r - tangents_at w (Direction db label) r)%Z =
+      sum_of (fun s => (Z.b2z (enters w s) - Z.b2z (leaves w s)) * change da db label (along s))%Z (region_edges r)).
+    { rewrite <- vertices_at_a_point. unfold tangents_at. rewrite <- sum_minus. apply sum_equally. intros [v c] I.
+      cbn [fst snd]. unfold if_tangent, change.
+      assert (proper_c : proper_corner c).
+      { destruct (edges_of_vertex v c r I) as ((s & S & _ & in_) & (t & T & _ & out_)).
+        unfold proper_corner. rewrite <- in_, <- out_. split; now apply (region_edges_are_directions r). }
+      rewrite !in_tangent_set_as_difference by assumption. cbn [of]. lia. }
+    assert (as_many : sum_of (fun s => (Z.b2z (enters w s) - Z.b2z (leaves w s)) * wraps da db)%Z
+      (region_edges r) = 0%Z).
+    { rewrite <- (vertices_at_a_point r w (fun _ => wraps da db)). apply sum_of_zeros. intros. lia. }
+    enough (each : (sum_of (fun s => (Z.b2z (enters w s) - Z.b2z (leaves w s)) * change da db label (along s))%Z
+        (region_edges r) + leaving_to_the_left w a r - leaving_to_the_left w b r -
+        sum_of (fun s => Z.b2z (leaves w s) * Z.b2z (is_between a b (along s)) -
+                         Z.b2z (enters w s) * Z.b2z (is_between a b (opposite (along s))))%Z (region_edges r) =
+        sum_of (fun s => (Z.b2z (enters w s) - Z.b2z (leaves w s)) * wraps da db)%Z (region_edges r))%Z) by lia.
+    unfold leaving_to_the_left. rewrite <- sum_plus, <- !sum_minus. apply sum_equally. intros s I.
+    destruct (lies_on_dec w s) as [on | free].
+    2: { unfold leaves, enters, passes. destruct (lies_on_dec w s); [contradiction | reflexivity]. }
+    destruct (clear_a s I on) as [differ_a aside_a], (clear_b s I on) as [differ_b aside_b].
+    pose proof (region_edges_are_directions r not_points s I) as long.
+    assert (proper : forall v, 0 < cross v b \/ 0 < cross a v -> nonzero (opposite v)).
+    { intros v some. apply opposite_nonzero. intros [X Y]. unfold cross in some. rewrite X, Y in some. lra. }
+    assert (angles : forall d v, nonzero d -> nonzero (opposite v) -> same_direction d (opposite v) ->
+      ~ same_direction (along s) (opposite v) -> angle d == angle (opposite v) /\ ~ angle (along s) == angle d).
+    { intros d v proper_d proper_v same_ differ. rewrite same_direction_angle in same_, differ by trivial. lra. }
+    destruct (angles da a) as [angle_a apart_a]; auto. destruct (angles db b) as [angle_b apart_b]; auto.
+    pose proof (edges_while_turning a b da db label turn angle_a angle_b proper_da proper_db (along s) long apart_a
+      apart_b) as turned_.
+    destruct (leaves w s) eqn:leaving_.
+    - pose proof (leaving_while_turning a b (along s) (aside_a eq_refl) (aside_b eq_refl)) as left_.
+      destruct (enters w s); cbn [Z.b2z]; lia.
+    - destruct (enters w s); cbn [Z.b2z]; lia.
+  Qed.
+
+  (* A direction that is parallel to no edge at w. *)
+  Lemma general_directions_are_clear (y : vector) : within radius w (plus w y) ->
+    (forall s, In s (region_edges r) -> lies_on w s -> ~ cross y (along s) == 0) -> clear_direction w y r.
+  Proof.
+    intros close general. split.
+    - intros s I on. destruct near as [_ near_]. destruct (near_ s) as [on_w | free].
+      + apply in_flat_map. exists s. split; [exact I | now left].
+      + destruct (ahead_or_behind w y s on_w on) as (m & X & Y & _). apply (general s I on_w).
+        unfold cross. rewrite X, Y. ring.
+      + exact (free _ close on).
+    - intros s I on. pose proof (general s I on) as aside. split; [| intros _; exact aside].
+      intros (m & _ & X & Y). apply aside. unfold cross, opposite in *; cbn [vx vy] in *. rewrite X, Y. ring.
+  Qed.
+End AtThePoint.
 
 Lemma shift_stays_within (radius : Q) (a : vector) : 0 < radius ->
   eventually (fun e => within radius a (moved (shifted a) e)).
@@ -167,7 +193,7 @@ Proof.
   intros R. refine (eventually_implied _ _ _ (eventually_and _ _
     (ex_intro _ 1 (conj _ (fun e some below => conj some below)))
     (small_steps_stay_within radius a (Vector 1 1) R))); [| lra].
-  intros e [[some below] near]. unfold within, moved_along, moved, shifted in *; cbn in *.
+  intros e [[some below] close]. unfold within, moved_along, moved, shifted in *; cbn in *.
   assert (0 <= e * e <= e) by nra. lra.
 Qed.
 
@@ -176,19 +202,17 @@ Lemma inner_point_off_lines (r : region) (w : vector) (radius : Q) (lines : list
   is_regular r -> in_region w r -> 0 < radius -> (forall t, In t lines -> nonzero (along t)) ->
   exists y, within radius w y /\ inside y r /\ forall t, In t lines -> ~ area t y == 0.
 Proof.
-  intros regular in_r R long.
-  destruct (inside_near r w ((1 # 2) * radius) regular in_r) as (a & close & free & round); [lra |].
-  assert (half : 0 < (1 # 2) * radius) by lra.
+  intros regular in_r R long. assert (half : 0 < (1 # 2) * radius) by lra.
+  destruct (inside_near r w _ regular in_r half) as (a & close & free & round).
   assert (off_line : forall t, In t lines -> eventually (fun e => ~ area t (moved (shifted a) e) == 0)).
   { intros t I. refine (eventually_implied _ _ _ (side_of_segment_nearby a t (long t I))).
     intros e [_ off_line] on_line. apply off_line. rewrite orientation_by_area. destruct t.
     now apply (proj1 (Qeq_alt _ _)). }
   destruct (eventually_and _ _ (shift_stays_within _ a half) (eventually_and _ _
     (same_beside a (region_edges r)) (eventually_and _ _
-    (eventually_for_all (fun s e => ~ lies_on (moved (shifted a) e) s) (region_edges r)
-      (fun s _ => shifted_off a s))
-    (eventually_for_all (fun t e => ~ area t (moved (shifted a) e) == 0) lines off_line)))) as (limit & L & near).
-  destruct (near ((1 # 2) * limit)) as (near_a & same_number & off_r & off_lines); [lra | lra |].
+    (eventually_for_all _ (region_edges r) (fun s _ => shifted_off a s))
+    (eventually_for_all _ lines off_line)))) as (limit & L & all).
+  destruct (all ((1 # 2) * limit)) as (near_a & same_number & off_r & off_lines); [lra | lra |].
   exists (moved (shifted a) ((1 # 2) * limit)). split; [| split; [split; [exact off_r | lia] | exact off_lines]].
   apply (within_twice ((1 # 2) * radius) ((1 # 2) * radius) radius w a); [lra | exact close | exact near_a].
 Qed.
@@ -199,15 +223,17 @@ Section OneDirection.
   Variable label : summand.
   Variable radius : Q.
   Hypothesis r_region : valid_region r.
-  Hypothesis near : nothing_else_near w radius (region_edges r).
+  Hypothesis near : nothing_else_near w radius r.
   Hypothesis near_z : within radius w (plus w z).
-  Hypothesis clear_z : clear_direction w z d r.
+  Hypothesis clear_z : clear_direction w z r.
   Hypothesis nothing_there : winding_number (plus w z) (region_edges r) = 0%Z.
+  Hypothesis proper_d : nonzero d.
+  Hypothesis z_back : same_direction d (opposite z).
   Hypothesis no_tangent : tangents_at w (Direction d label) r = 0%Z.
 
   Let not_points : no_edges_are_points r := proj1 r_region.
 
-  (* The direction y is in general position if neither an edge at w is parallel to it, nor z. *)
+  (* The sum is the same in a direction y and in the opposite one: one of them is inside. *)
   Lemma half_by_a_general_direction (y : vector) : 0 < cross z y ->
     within radius w (plus w y) -> within radius w (plus w (opposite y)) ->
     (forall s, In s (region_edges r) -> lies_on w s -> ~ cross y (along s) == 0) ->
@@ -217,64 +243,45 @@ Section OneDirection.
   Proof.
     intros turn near_y near_back general round.
     assert (proper_y : nonzero y) by (intros [X Y]; unfold cross in turn; rewrite X, Y in turn; lra).
-    assert (clear_of : forall v v', nonzero v' -> angle v' == angle (opposite v) -> within radius w (plus w v) ->
-      (forall s, cross v (along s) == 0 -> cross y (along s) == 0) ->
-      (forall s, angle (along s) == angle v' -> nonzero (along s) -> cross y (along s) == 0) ->
-      clear_direction w v v' r).
-    { intros v v' proper_v' back close parallel same_. split; [exact proper_v' |]. split; [exact back |]. split.
-      - intros s I on. destruct near as [R near_]. destruct (near_ s I) as ([on_w | free] & _); [| exact (free _ close on)].
-        apply (general s I on_w), parallel.
-        destruct on as (k & _ & X & Y), on_w as (l & _ & X' & Y'). unfold plus in X, Y; cbn [vx vy] in X, Y.
-        assert (vx_is : vx v == (k - l) * vx (along s)) by (unfold along, minus; cbn [vx]; lra).
-        assert (vy_is : vy v == (k - l) * vy (along s)) by (unfold along, minus; cbn [vy]; lra).
-        unfold cross. rewrite vx_is, vy_is. ring.
-      - intros s I on. split.
-        + intros equal. apply (general s I on), same_; [exact equal | now apply (region_edges_are_directions r)].
-        + intros _ equal. now apply (general s I on), parallel. }
-    assert (same_line : forall s v', angle (along s) == angle v' -> nonzero (along s) -> nonzero v' ->
-      v' = y \/ v' = opposite y -> cross y (along s) == 0).
-    { intros s v' equal proper_s proper_v' is_y.
-      apply same_direction_angle in equal; trivial. destruct equal as (m & _ & m_x & m_y).
-      unfold cross. rewrite m_x, m_y. destruct is_y as [-> | ->]; unfold opposite; cbn [vx vy]; ring. }
-    assert (clear_y : clear_direction w y (opposite y) r).
-    { apply clear_of; trivial; [now apply opposite_nonzero | reflexivity |].
-      intros s equal proper_s. apply (same_line s (opposite y)); auto using opposite_nonzero. }
-    assert (clear_back : clear_direction w (opposite y) y r).
-    { apply clear_of; trivial; [rewrite opposite_twice; reflexivity | |].
-      - intros s parallel. unfold cross, opposite in *; cbn [vx vy] in *. lra.
-      - intros s equal proper_s. apply (same_line s y); auto. }
-    assert (turn_back : 0 < cross (opposite y) z) by (unfold cross, opposite in *; cbn [vx vy]; lra).
-    pose proof (same_in_all_directions r w z y d (opposite y) label radius not_points near turn near_z near_y
-      clear_z clear_y) as ahead.
-    pose proof (same_in_all_directions r w (opposite y) z y d label radius not_points near turn_back near_back near_z
-      clear_back clear_z) as behind.
+    assert (back : forall v, cross (opposite y) v == - cross y v)
+      by (intros; unfold cross, opposite; cbn [vx vy]; ring).
+    assert (turn_back : 0 < cross (opposite y) z) by (rewrite back; unfold cross in *; lra).
+    assert (itself : forall v, same_direction v v) by (intros v; exists 1; split; [lra | split; ring]).
+    pose proof (general_directions_are_clear r w radius near y near_y general) as clear_y.
+    assert (clear_back : clear_direction w (opposite y) r).
+    { apply (general_directions_are_clear r w radius); trivial. intros s I on. rewrite back.
+      pose proof (general s I on). lra. }
+    pose proof (same_in_all_directions r w label radius not_points near z y d (opposite y) turn near_z near_y
+      clear_z clear_y proper_d (opposite_nonzero y proper_y) z_back (itself _)) as ahead.
+    assert (y_back : same_direction y (opposite (opposite y))) by (rewrite opposite_twice; apply itself).
+    pose proof (same_in_all_directions r w label radius not_points near (opposite y) z y d turn_back near_back near_z
+      clear_back clear_z proper_y proper_d y_back z_back) as behind.
     assert (both_sides : (leaving_to_the_left w y r + leaving_to_the_left w (opposite y) r = leaving w r)%Z).
     { unfold leaving_to_the_left, leaving. rewrite <- sum_plus. apply sum_equally. intros s I.
       destruct (leaves w s) eqn:leaving_; cbn [Z.b2z]; [| lia]. apply leaves_is in leaving_.
-      pose proof (general s I (proj1 leaving_)) as aside.
-      assert (back : cross (opposite y) (along s) == - cross y (along s))
-        by (unfold cross, opposite; cbn [vx vy]; ring).
+      pose proof (general s I (proj1 leaving_)) as aside. pose proof (back (along s)).
       destruct (positive_spec (cross y (along s))), (positive_spec (cross (opposite y) (along s)));
         cbn [Z.b2z]; try lia; exfalso; lra. }
     assert (tangents : forall d', (0 <= tangents_at w d' r)%Z).
     { intros d'. apply sum_is_not_negative. intros v _. unfold if_tangent.
       destruct (same_place w (fst v)), (in_tangent_set d' (snd v)); cbn [Z.b2z]; lia. }
     pose proof (tangents (Direction y label)). pose proof (tangents (Direction (opposite y) label)).
-    pose proof (nowhere_negative_everywhere r (proj1 (proj2 r_region)) (plus w y)).
-    pose proof (nowhere_negative_everywhere r (proj1 (proj2 r_region)) (plus w (opposite y))).
-    lia.
+    pose proof (nowhere_negative_everywhere r (proj1 (proj2 r_region))) as not_negative.
+    pose proof (not_negative (plus w y)). pose proof (not_negative (plus w (opposite y))). lia.
   Qed.
 
   (* Theorem. *)
-  Theorem more_than_half_leave_to_the_left : nonzero z -> (exists s, In s (region_edges r) /\ lies_on w s) ->
+  Theorem more_than_half_leave_to_the_left : (exists s, In s (region_edges r) /\ lies_on w s) ->
     (leaving w r < 2 * leaving_to_the_left w z r)%Z.
   Proof.
-    intros proper_z on_boundary. pose proof r_region as (_ & valid & meet). pose proof near as [R _].
+    intros on_boundary. pose proof r_region as (_ & valid & meet). pose proof near as [R _].
     pose proof (regions_are_regular r not_points valid meet) as regular.
-    destruct (inner_point_off_lines r w radius (Segment w (plus w z) :: region_edges r) regular (or_intror on_boundary) R)
-      as (p & close & [_ round] & general).
+    destruct (inner_point_off_lines r w radius (Segment w (plus w z) :: region_edges r) regular
+      (or_intror on_boundary) R) as (p & close & [_ round] & general).
     { intros t [<- | I]; [| now apply (region_edges_are_directions r)].
-      intros [X Y]. apply proper_z. unfold along, plus, minus in X, Y; cbn [source target vx vy] in X, Y. lra. }
+      intros [X Y]. unfold along, plus, minus in X, Y; cbn [source target vx vy] in X, Y.
+      apply proper_d. destruct z_back as (m & _ & dx & dy). rewrite dx, dy. unfold opposite; cbn [vx vy].
+      setoid_replace (vx z) with 0 by lra. setoid_replace (vy z) with 0 by lra. split; ring. }
     set (y := minus p w).
     assert (p_is : equal_vectors p (plus w y)) by (unfold y, plus, minus; split; cbn [vx vy]; ring).
     pose proof (general _ (or_introl eq_refl)) as aside.

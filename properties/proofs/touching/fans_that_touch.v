@@ -7,10 +7,10 @@
    the point are to the left of f backwards (fan_at_a_point.v), which is to the right of f. In the same way more than
    half of the edges of Q that leave it are to the right of each such edge of P. But of two edges only one is to the
    right of the other. So an edge of one is in a tangent set of the other, and x is on the convolution. *)
-From Coq Require Import QArith Qminmax Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import convolution signed_crossings tie_rule convolution_winding regions weight finite_sums tangent_count
-  meeting_of_segments neighbourhoods beside_every_point winding_number_of_the_sum interiors_meet left_of_an_edge
-  theorem_4_2_1 simple_chain definition_2_2_8 boundary_points edges_at_a_point fan_at_a_point.
+From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
+From Oplus Require Import convolution signed_crossings tie_rule convolution_winding regions weight finite_sums
+  tangent_count meeting_of_segments neighbourhoods winding_number_of_the_sum interiors_meet left_of_an_edge
+  theorem_4_2_1 simple_chain definition_2_2_8 boundary_points parallel_edges edges_at_a_point fan_at_a_point.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -20,10 +20,10 @@ Lemma chains_turn_everywhere (r : region) (chain : list vector) :
   valid_region r -> In chain r -> turns_everywhere chain.
 Proof.
   intros r_valid I c J. apply (In_nth _ _ (Corner nowhere nowhere)) in J. destruct J as (i & below & <-).
-  rewrite corners_length in below. change (turns (incoming (corner_of_chain chain i)) (outgoing (corner_of_chain chain i))).
+  rewrite corners_length in below. fold (corner_of_chain chain i).
   pose proof (previous_below _ _ below) as before_.
   rewrite corner_is by exact below. cbn [incoming outgoing]. rewrite !direction_by_index by assumption.
-  apply (following_edges_turn r); trivial; try now apply edge_at_in_region.
+  apply (consecutive_edges_turn r); trivial; try now apply edge_at_in_region.
   rewrite !edge_by_index by assumption. cbn [source target]. rewrite next_previous by exact below.
   split; reflexivity.
 Qed.
@@ -45,6 +45,18 @@ Proof.
   apply (in_map (fun s => Segment (starts_at s) (ends_at s)) _ _ I).
 Qed.
 
+Lemma no_tangents_at (r : region) (w : vector) (d : direction) :
+  (forall chain i, In chain r -> (i < length chain)%nat -> equal_vectors w (vertex chain i) ->
+     in_tangent_set d (corner_of_chain chain i) = true -> False) -> tangents_at w d r = 0%Z.
+Proof.
+  intros none. apply sum_of_zeros. intros v I. destruct (same_place_spec w (fst v)) as [at_v |]; [| reflexivity].
+  unfold if_tangent. destruct (in_tangent_set d (snd v)) eqn:tangent; [exfalso | reflexivity].
+  apply in_flat_map in I. destruct I as (chain & J & I). apply (In_nth _ _ (nowhere, Corner nowhere nowhere)) in I.
+  destruct I as (i & below & v_is). rewrite combine_length, corners_length in below.
+  rewrite combine_nth in v_is by (symmetry; apply corners_length). subst v.
+  apply (none chain i J); [lia | exact at_v | exact tangent].
+Qed.
+
 (* Off the convolution no edges of one direction add up to x, and no tangent edge. *)
 Section OffTheConvolution.
   Variables p q : region.
@@ -55,10 +67,12 @@ Section OffTheConvolution.
   Hypothesis sum_ : equal_vectors x (plus w u).
 
   Lemma no_common_direction (e f : segment) : In e (region_edges p) -> In f (region_edges q) ->
-    lies_on w e -> lies_on u f -> ~ angle (along e) == angle (along f).
+    lies_on w e -> lies_on u f -> ~ same_direction (along e) (along f).
   Proof.
-    intros E F on_e on_f same_. destruct (edge_by_chain p e E) as (a & i & A & I & ->).
-    destruct (edge_by_chain q f F) as (b & j & B & J & ->).
+    intros E F on_e on_f same_.
+    apply same_direction_angle in same_; [| apply (region_edges_are_directions _ (proj1 p_region)); exact E |
+      apply (region_edges_are_directions _ (proj1 q_region)); exact F].
+    destruct (edge_by_chain p e E) as (a & i & A & I & ->). destruct (edge_by_chain q f F) as (b & j & B & J & ->).
     destruct (on_by_index a i w I on_e) as (t & t_range & w_is), (on_by_index b j u J on_f) as (o & o_range & u_is).
     apply (on_the_convolution p q x a b A B); [| exact free].
     apply (sum_of_two_edges a b (chains_turn_everywhere p a p_region A) (chains_turn_everywhere q b q_region B)
@@ -72,13 +86,8 @@ Section OffTheConvolution.
   Proof.
     intros F on_f. destruct (edge_by_chain q f F) as (b & j & B & J & ->).
     destruct (on_by_index b j u J on_f) as (o & o_range & u_is).
-    apply sum_of_zeros. intros v I. destruct (same_place_spec w (fst v)) as [at_v |]; [| reflexivity].
-    unfold if_tangent. destruct (in_tangent_set _ (snd v)) eqn:tangent; [exfalso | reflexivity].
-    apply in_flat_map in I. destruct I as (a & A & I). apply (In_nth _ _ (nowhere, Corner nowhere nowhere)) in I.
-    destruct I as (i & I & v_is). rewrite combine_length, corners_length in I. assert (below : (i < length a)%nat) by lia.
-    rewrite combine_nth in v_is by (symmetry; apply corners_length). subst v. cbn [fst snd] in at_v, tangent.
-    apply (on_the_convolution p q x a b A B); [| exact free].
-    exists i, j, o. split; [exact below |]. split; [exact J |]. split; [exact o_range |]. right. split.
+    apply no_tangents_at. intros a i A I at_vertex tangent. apply (on_the_convolution p q x a b A B); [| exact free].
+    exists i, j, o. split; [exact I |]. split; [exact J |]. split; [exact o_range |]. right. split.
     - unfold is_convolution_segment. rewrite direction_by_index by exact J. exact tangent.
     - rewrite sum_. now apply plus_of_equal.
   Qed.
@@ -88,13 +97,8 @@ Section OffTheConvolution.
   Proof.
     intros E on_e. destruct (edge_by_chain p e E) as (a & i & A & I & ->).
     destruct (on_by_index a i w I on_e) as (t & t_range & w_is).
-    apply sum_of_zeros. intros v J. destruct (same_place_spec u (fst v)) as [at_v |]; [| reflexivity].
-    unfold if_tangent. destruct (in_tangent_set _ (snd v)) eqn:tangent; [exfalso | reflexivity].
-    apply in_flat_map in J. destruct J as (b & B & J). apply (In_nth _ _ (nowhere, Corner nowhere nowhere)) in J.
-    destruct J as (j & J & v_is). rewrite combine_length, corners_length in J. assert (below : (j < length b)%nat) by lia.
-    rewrite combine_nth in v_is by (symmetry; apply corners_length). subst v. cbn [fst snd] in at_v, tangent.
-    apply (on_the_convolution p q x a b A B); [| exact free].
-    exists i, j, t. split; [exact I |]. split; [exact below |]. split; [exact t_range |]. left. split.
+    apply no_tangents_at. intros b j B J at_vertex tangent. apply (on_the_convolution p q x a b A B); [| exact free].
+    exists i, j, t. split; [exact I |]. split; [exact J |]. split; [exact t_range |]. left. split.
     - unfold is_convolution_segment. rewrite direction_by_index by exact I. exact tangent.
     - rewrite sum_. now apply plus_of_equal.
   Qed.
@@ -125,8 +129,8 @@ Lemma same_half (r : region) (w a b : vector) (k : Q) : 0 < k -> vx b == k * vx 
 Proof.
   intros some X Y. apply sum_equally. intros s _. f_equal. f_equal.
   assert (value : cross b (along s) == k * cross a (along s)) by (unfold cross; rewrite X, Y; ring).
-  destruct (positive_spec (cross b (along s))) as [left_ | none], (positive_spec (cross a (along s))) as [left' | none'];
-    try reflexivity; exfalso.
+  destruct (positive_spec (cross b (along s))) as [left_ | none],
+    (positive_spec (cross a (along s))) as [left' | none']; try reflexivity; exfalso.
   - assert (0 <= k * - cross a (along s)) by (apply Qmult_le_0_compat; lra). lra.
   - apply none. rewrite value. now apply Qmult_lt_0_compat.
 Qed.
@@ -134,9 +138,9 @@ Qed.
 (* An edge f of the one that leaves the common point: the interiors meet, or more than half of the edges of the other
    leave to the right of it. *)
 Lemma half_beside_an_edge (p q : region) (x w u : vector) (f : segment) (label : summand) :
-  valid_region p -> valid_region q -> equal_vectors x (plus w u) -> (exists e, In e (region_edges p) /\ lies_on w e) ->
-  In f (region_edges q) -> leaves u f = true ->
-  (forall e, In e (region_edges p) -> lies_on w e -> ~ angle (along e) == angle (along f)) ->
+  valid_region p -> valid_region q -> equal_vectors x (plus w u) ->
+  (exists e, In e (region_edges p) /\ lies_on w e) -> In f (region_edges q) -> leaves u f = true ->
+  (forall e, In e (region_edges p) -> lies_on w e -> ~ same_direction (along e) (along f)) ->
   tangents_at w (Direction (along f) label) p = 0%Z ->
   interiors_meet x p q \/ (leaving w p < 2 * leaving_to_the_left w (opposite (along f)) p)%Z.
 Proof.
@@ -150,14 +154,13 @@ Proof.
     destruct (leaves w e) eqn:e_leaves; [| right; discriminate].
     destruct (Qeq_dec (cross (opposite g) (along e)) 0) as [parallel | turn]; [left | now right].
     apply (opposite_edges_meet p q x w u e f); trivial; try now apply goes_ahead_from.
-    pose proof (region_edges_are_directions p p_edges e E) as long_e. pose proof (opposite_nonzero g long) as long_back.
-    apply same_direction_angle; trivial. fold g. apply leaves_is in e_leaves.
-    pose proof (no_common e E (proj1 e_leaves)) as differ.
+    pose proof (region_edges_are_directions p p_edges e E) as long_e. fold g.
+    pose proof (opposite_nonzero g long) as long_back. apply leaves_is in e_leaves.
+    pose proof (no_common e E (proj1 e_leaves)) as differ. rewrite same_direction_angle in differ |- * by trivial.
     pose proof (cross_angle _ _ long_back long_e) as turn_. unfold turns_by in turn_.
-    pose proof (opposite_angle g long) as back. pose proof (angle_range _ long). pose proof (angle_range _ long_e).
-    lra. }
+    pose proof (opposite_angle g long). pose proof (angle_range _ long). pose proof (angle_range _ long_e). lra. }
   destruct decided as [| aside]; [now left |].
-  destruct (some_square w (region_edges p)) as (radius & near). pose proof near as [R near_].
+  destruct (some_square w p) as (radius & near). pose proof near as [R near_].
   destruct (eventually_and _ _ (small_steps_stay_within radius w (opposite g) R) (goes_ahead_from u f f_leaves))
     as (limit & L & close).
   destruct (close ((1 # 2) * limit)) as [near_z on_f]; [lra | lra |].
@@ -165,47 +168,33 @@ Proof.
   set (z := Vector (k * vx (opposite g)) (k * vy (opposite g))).
   assert (z_back : same_direction g (opposite z)).
   { exists (/ k). split; [now apply Qinv_lt_0_compat |]. unfold z, opposite; cbn [vx vy]. split; field; lra. }
-  assert (long_z : nonzero z).
-  { intros [X Y]. apply long. unfold z, opposite in X, Y; cbn [vx vy] in X, Y.
-    split; apply (Qmult_inj_r _ _ k); lra. }
-  assert (z_angle : angle g == angle (opposite z))
-    by (apply same_direction_angle; trivial; now apply opposite_nonzero).
-  change (moved_along w (opposite g) k) with (plus w z) in near_z.
+  assert (aside_z : forall e, cross z (along e) == 0 -> cross (opposite g) (along e) == 0).
+  { intros e parallel. apply (Qmult_inj_r _ _ k); [lra |].
+    transitivity (cross z (along e)); [unfold cross, z; cbn [vx vy]; ring | lra]. }
+  assert (no_common_z : forall e, In e (region_edges p) -> lies_on w e -> ~ same_direction (along e) (opposite z)).
+  { intros e E on (m & m_some & X & Y). apply (no_common e E on). exists (m * k).
+    unfold z, opposite in X, Y; cbn [vx vy] in X, Y. rewrite X, Y.
+    split; [now apply Qmult_lt_0_compat | split; ring]. }
   destruct (on_or_off (plus w z) (region_edges p)) as [(e & E & on) | off_z].
-  - (* only an edge that enters w from there would be, in the direction of f *)
-    exfalso. destruct (near_ e E) as ([on_w | free] & _); [| exact (free _ near_z on)].
-    destruct on as (m & [m0 m1] & mx & my), on_w as (l & [l0 l1] & lx & ly). unfold plus, z in mx, my; cbn [vx vy] in mx, my.
-    assert (x_is : k * vx g == (l - m) * vx (along e)) by (unfold opposite in mx; cbn [vx] in mx; unfold along, minus; cbn [vx]; lra).
-    assert (y_is : k * vy g == (l - m) * vy (along e)) by (unfold opposite in my; cbn [vy] in my; unfold along, minus; cbn [vy]; lra).
-    destruct (leaves w e) eqn:e_leaves.
-    + apply (aside e E e_leaves). apply (Qmult_inj_r _ _ k); [lra |].
-      setoid_replace (cross (opposite g) (along e) * k) with (vx (along e) * (k * vy g) - vy (along e) * (k * vx g))
-        by (unfold cross, opposite; cbn [vx vy]; ring).
-      rewrite x_is, y_is. ring.
-    + assert (on_w : lies_on w e) by (exists l; tauto). apply (no_common e E on_w).
-      assert (at_end : l == 1).
-      { destruct (Qeq_dec l 1) as [| before_end]; [assumption | exfalso].
-        enough (leaves w e = true) by congruence. apply leaves_is. split; [exact on_w |]. intros [X Y].
-        apply (region_edges_are_directions p p_edges e E). unfold along, minus; cbn [vx vy].
-        split; apply (Qmult_inj_r _ _ (1 - l)); lra. }
-      pose proof (region_edges_are_directions p p_edges e E) as long_e.
-      assert (ahead : 0 < l - m).
-      { apply Qnot_le_lt. intros none. apply long. assert (zero_ : l - m == 0) by lra. rewrite zero_ in x_is, y_is.
-        split; apply (Qmult_inj_r _ _ k); lra. }
-      apply same_direction_angle; trivial. exists (k / (l - m)).
-      split; [apply Qlt_shift_div_l; lra |].
-      split; apply (Qmult_inj_r _ _ (l - m)); try lra; field_simplify; lra.
+  - (* an edge there neither leaves w nor enters it *)
+    exfalso. destruct (near_ e) as [on_w | free]; [apply in_flat_map; exists e; split; [exact E | now left] | |].
+    2: exact (free _ near_z on).
+    pose proof (region_edges_are_directions p p_edges e E) as long_e.
+    destruct (ahead_or_behind w z e on_w on) as (m & X & Y & ahead & _).
+    destruct (Q_dec m 0) as [[low | high] | none].
+    + apply (no_common_z e E on_w). exists (/ - m). split; [apply Qinv_lt_0_compat; lra |].
+      unfold opposite; cbn [vx vy]. rewrite X, Y. split; field; lra.
+    + apply (aside e E (ahead high long_e)), aside_z. unfold cross. rewrite X, Y. ring.
+    + apply long. rewrite none in X, Y. unfold z, opposite in X, Y; cbn [vx vy] in X, Y.
+      split; apply (Qmult_inj_r _ _ k); lra.
   - destruct (Z_lt_le_dec 0 (winding_number (plus w z) (region_edges p))) as [round | none].
     + left. apply (inner_point_and_point p q x (plus w z) (moved_along u g k) q_regular); [now split | |].
       * right. now exists f.
       * destruct sum_ as [X Y]. unfold plus, moved_along, z, opposite in *; cbn [vx vy] in *. split; cbn [vx vy]; lra.
-    + right. pose proof (p_valid _ off_z).
-      rewrite <- (same_half p w (opposite g) z k some); [| reflexivity ..].
+    + right. pose proof (p_valid _ off_z). rewrite <- (same_half p w (opposite g) z k some); [| reflexivity ..].
       apply (more_than_half_leave_to_the_left p w z g label radius); trivial; [| lia].
-      split; [exact long |]. split; [exact z_angle |]. split; [exact off_z |]. intros e E on. split.
-      * now apply no_common.
-      * intros e_leaves parallel. apply (aside e E e_leaves). apply (Qmult_inj_r _ _ k); [lra |].
-        transitivity (cross z (along e)); [unfold cross, z; cbn [vx vy]; ring | lra].
+      split; [exact off_z |]. intros e E on. split; [now apply no_common_z |].
+      intros e_leaves parallel. now apply (aside e E e_leaves), aside_z.
 Qed.
 
 Lemma some_edge_leaves (r : region) (w : vector) : no_edges_are_points r ->
@@ -236,39 +225,28 @@ Proof.
   apply sum_is_not_negative. intros a I. specialize (each a I). lia.
 Qed.
 
-(* Of two edges only one is to the right of the other. *)
-Lemma not_more_than_half_both_ways (p q : region) (w u : vector) : (0 < leaving w p)%Z -> (0 < leaving u q)%Z ->
-  (forall f, In f (region_edges q) -> leaves u f = true ->
-     (leaving w p < 2 * leaving_to_the_left w (opposite (along f)) p)%Z) ->
-  (forall e, In e (region_edges p) -> leaves w e = true ->
-     (leaving u q < 2 * leaving_to_the_left u (opposite (along e)) q)%Z) -> False.
+(* If of each pair only one sees the other, not all of both see more than half of the others. *)
+Lemma not_more_than_half_both_ways (A B : Type) (l : A -> Z) (m : B -> Z) (c d : A -> B -> Z) some others :
+  (forall a, 0 <= l a)%Z -> (forall b, 0 <= m b)%Z -> (forall a b, c a b + d a b <= 1)%Z ->
+  (forall b, In b others -> 0 < m b -> sum_of l some < 2 * sum_of (fun a => l a * c a b) some)%Z ->
+  (forall a, In a some -> 0 < l a -> sum_of m others < 2 * sum_of (fun b => m b * d a b) others)%Z ->
+  (0 < sum_of l some)%Z -> (0 < sum_of m others)%Z -> False.
 Proof.
-  intros some_p some_q right_of_q right_of_p.
-  assert (by_q : (leaving u q * (leaving w p + 1) <=
-    sum_of (fun f => 2 * (Z.b2z (leaves u f) * leaving_to_the_left w (opposite (along f)) p)) (region_edges q))%Z).
-  { unfold leaving at 1. rewrite Z.mul_comm, <- sum_times. apply sum_is_at_most. intros f F.
-    destruct (leaves u f) eqn:f_leaves; cbn [Z.b2z]; [specialize (right_of_q f F f_leaves) |]; lia. }
-  assert (by_p : (leaving w p * (leaving u q + 1) <=
-    sum_of (fun e => 2 * (Z.b2z (leaves w e) * leaving_to_the_left u (opposite (along e)) q)) (region_edges p))%Z).
-  { unfold leaving at 1. rewrite Z.mul_comm, <- sum_times. apply sum_is_at_most. intros e E.
-    destruct (leaves w e) eqn:e_leaves; cbn [Z.b2z]; [specialize (right_of_p e E e_leaves) |]; lia. }
-  rewrite sum_times in by_q, by_p.
-  assert (pairs : (sum_of (fun f => Z.b2z (leaves u f) * leaving_to_the_left w (opposite (along f)) p) (region_edges q) +
-    sum_of (fun e => Z.b2z (leaves w e) * leaving_to_the_left u (opposite (along e)) q) (region_edges p) <=
-    leaving w p * leaving u q)%Z).
-  { unfold leaving_to_the_left.
-    rewrite (sum_equally _ (fun f => Z.b2z (leaves u f) * _)%Z (fun f => sum_of (fun e =>
-      Z.b2z (leaves u f) * (Z.b2z (leaves w e) * Z.b2z (positive (cross (opposite (along f)) (along e))))) (region_edges p))%Z)
+  intros l_sign m_sign one_way most most' l_some m_some.
+  set (L := sum_of l some) in *. set (M := sum_of m others) in *.
+  assert (by_others : ((L + 1) * M <= 2 * sum_of (fun b => m b * sum_of (fun a => l a * c a b) some) others)%Z).
+  { unfold M. rewrite <- !sum_times. apply sum_is_at_most. intros b I. specialize (most b I).
+    destruct (Zle_lt_or_eq _ _ (m_sign b)) as [high | <-]; [specialize (most high); nia | lia]. }
+  assert (by_some : ((M + 1) * L <= 2 * sum_of (fun a => l a * sum_of (fun b => m b * d a b) others) some)%Z).
+  { unfold L. rewrite <- !sum_times. apply sum_is_at_most. intros a I. specialize (most' a I).
+    destruct (Zle_lt_or_eq _ _ (l_sign a)) as [high | <-]; [specialize (most' high); nia | lia]. }
+  assert (pairs : (sum_of (fun b => m b * sum_of (fun a => l a * c a b) some) others +
+    sum_of (fun a => l a * sum_of (fun b => m b * d a b) others) some <= M * L)%Z).
+  { rewrite (sum_equally _ _ (fun b => sum_of (fun a => m b * (l a * c a b)) some)%Z)
       by (intros; now rewrite sum_times).
-    rewrite (sums_exchanged _ _ (fun f e => Z.b2z (leaves u f) * (Z.b2z (leaves w e) *
-      Z.b2z (positive (cross (opposite (along f)) (along e)))))%Z), <- sum_plus.
-    unfold leaving at 1. rewrite Z.mul_comm, <- sum_times. apply sum_is_at_most. intros e _.
-    rewrite <- (sum_times _ _ (Z.b2z (leaves w e))), <- sum_plus.
-    unfold leaving. rewrite Z.mul_comm, <- sum_times. apply sum_is_at_most. intros f _.
-    assert (one_way : cross (opposite (along f)) (along e) == - cross (opposite (along e)) (along f))
-      by (unfold cross, opposite; cbn [vx vy]; ring).
-    destruct (leaves u f), (leaves w e), (positive_spec (cross (opposite (along f)) (along e))),
-      (positive_spec (cross (opposite (along e)) (along f))); cbn [Z.b2z]; try lia; exfalso; lra. }
+    rewrite (sums_exchanged _ _ (fun b a => m b * (l a * c a b))%Z), <- sum_plus. unfold L. rewrite <- sum_times.
+    apply sum_is_at_most. intros a _. rewrite <- sum_times, <- sum_plus, Z.mul_comm. unfold M. rewrite <- sum_times.
+    apply sum_is_at_most. intros b _. specialize (one_way a b). specialize (l_sign a). specialize (m_sign b). nia. }
   nia.
 Qed.
 
@@ -301,15 +279,29 @@ Proof.
   { intros e E. destruct (leaves w e) eqn:e_leaves; [| right; discriminate].
     pose proof (proj1 (proj1 (leaves_is w e) e_leaves)) as on_e.
     destruct (half_beside_an_edge q p x u w e OfP q_region p_region swapped on_q E e_leaves) as [meet |]; auto.
-    - intros f F on_f equal. symmetry in equal. now apply (no_common_direction p q x w u p_region q_region free sum_ e f).
+    - intros f F on_f same_. apply (no_common_direction p q x w u p_region q_region free sum_ e f); trivial.
+      now apply same_direction_symmetric.
     - now apply (no_tangent_of_p p q x w u).
     - left. now apply interiors_meet_other_way. }
-  exfalso. apply (not_more_than_half_both_ways p q w u); trivial; now apply some_edge_leaves.
+  (* of two edges only one is to the right of the other *)
+  exfalso. apply (not_more_than_half_both_ways _ _ (fun e => Z.b2z (leaves w e)) (fun f => Z.b2z (leaves u f))
+    (fun e f => Z.b2z (positive (cross (opposite (along f)) (along e))))
+    (fun e f => Z.b2z (positive (cross (opposite (along e)) (along f)))) (region_edges p) (region_edges q)).
+  - intros e. destruct (leaves w e); discriminate.
+  - intros f. destruct (leaves u f); discriminate.
+  - intros e f. assert (turned_ : cross (opposite (along f)) (along e) == - cross (opposite (along e)) (along f))
+      by (unfold cross, opposite; cbn [vx vy]; ring).
+    destruct (positive_spec (cross (opposite (along f)) (along e))),
+      (positive_spec (cross (opposite (along e)) (along f))); cbn [Z.b2z]; try lia; exfalso; lra.
+  - intros f F f_leaves. apply (right_of_q f F). now destruct (leaves u f).
+  - intros e E e_leaves. apply (right_of_p e E). now destruct (leaves w e).
+  - now apply (some_edge_leaves p w).
+  - now apply (some_edge_leaves q u).
 Qed.
 
 (* Theorem 4.2.1 for interiors. Off the convolution, the winding number is positive if and only if the interiors of P
    and -Q + x have a point in common. *)
-Theorem positive_winding_number_iff_interiors_meet_off_the_convolution (p q : region) (x : vector) :
+Theorem positive_winding_number_iff_common_inner_point (p q : region) (x : vector) :
   valid_region p -> valid_region q -> off x (convolution_segments p q) ->
   ((0 < winding_number x (convolution_segments p q))%Z <-> interiors_meet x p q).
 Proof.
