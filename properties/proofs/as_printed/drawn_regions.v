@@ -65,6 +65,7 @@ Ltac computed_segments :=
   repeat match goal with
   | |- context [region_edges ?r] =>
       let l := eval vm_compute in (region_edges r) in change (region_edges r) with l
+  | |- context [edges ?chain] => let l := eval vm_compute in (edges chain) in change (edges chain) with l
   | |- context [convolution_segments ?p ?q] =>
       let l := eval vm_compute in (convolution_segments p q) in change (convolution_segments p q) with l
   end.
