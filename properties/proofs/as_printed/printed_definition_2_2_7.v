@@ -1,0 +1,47 @@
+(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* What the thesis says beside Definition 2.2.7: whether directions of Q are turned a little, so that they come after equal
+   directions of P, or those of P, so that they come after those of Q, the points of the convolution are the same; its
+   segments need not be. To turn those of P is to apply the definition with the names P and Q exchanged. And what it
+   says below Definition 2.2.8: both definitions give the same points. Without ties, as in Definition 2.2.8, P and Q have
+   the same part, so the first follows from the second, which is proved in definition_2_2_8.v. *)
+From Coq Require Import QArith Lqa Bool List.
+From Oplus Require Import convolution regions theorem_4_2_1 definition_2_2_8 small_polygons polygons_of_the_thesis
+  drawn_regions.
+Import ListNotations.
+
+Open Scope Q_scope.
+
+(* Theorem, Definition 2.2.8. *)
+Theorem definition_2_2_8_as_printed (p q : region) (x : vector) :
+  valid_region p -> valid_region q -> in_convolution_by_2_2_7 p q x <-> in_convolution_by_2_2_8 p q x.
+Proof.
+  intros p_region q_region.
+  apply both_definitions_have_the_same_points; intros chain; now apply valid_regions_turn_everywhere.
+Qed.
+
+Lemma definition_2_2_8_is_symmetric (p q : region) (x : vector) :
+  in_convolution_by_2_2_8 p q x -> in_convolution_by_2_2_8 q p x.
+Proof.
+  intros (chain_p & chain_q & a & b & d & P & Q_ & D & A & B & X & Y). exists chain_q, chain_p, b, a, d.
+  repeat split; trivial; unfold plus in *; cbn [vx vy] in *; lra.
+Qed.
+
+(* Theorem, Definition 2.2.7. *)
+Theorem definition_2_2_7_as_printed (p q : region) (x : vector) :
+  valid_region p -> valid_region q -> in_convolution_by_2_2_7 p q x <-> in_convolution_by_2_2_7 q p x.
+Proof.
+  intros. rewrite !definition_2_2_8_as_printed by assumption. split; apply definition_2_2_8_is_symmetric.
+Qed.
+
+(* Two squares with parallel sides: all directions of the one are equal to some of the other. *)
+Example ties_do_not_matter (x : vector) : in_convolution_by_2_2_7 chamber [square] x <-> in_convolution_by_2_2_7 [square] chamber x.
+Proof. apply definition_2_2_7_as_printed; [apply drawn_regions | apply square_is_a_region]. Qed.
+
+(* The segments differ: with Q's directions turned, the edge of the small square from (0, 0) to (2, 0) is at the vertex
+   (6, 0) of the large one, with those of P turned it is at (0, 0). *)
+Example but_the_segments_are_others :
+  existsb (fun s => Qeq_bool (vx (starts_at s)) 0 && Qeq_bool (vy (starts_at s)) 0 && Qeq_bool (vx (ends_at s)) 2)
+    (segments_of_regions chamber [square]) = false /\
+  existsb (fun s => Qeq_bool (vx (starts_at s)) 0 && Qeq_bool (vy (starts_at s)) 0 && Qeq_bool (vx (ends_at s)) 2)
+    (segments_of_regions [square] chamber) = true.
+Proof. split; vm_compute; reflexivity. Qed.

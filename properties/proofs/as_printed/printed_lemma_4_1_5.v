@@ -1,0 +1,21 @@
+(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* Lemma 4.1.5 as printed: the convolution graph decomposes into directed cycles that share no edge. Its nodes are points;
+   a cycle passes no node twice. It is proved in convolution_graph.v, with closed walks of which no two have a node
+   in common, Euler circuits. *)
+From Coq Require Import QArith Bool List Permutation.
+From Oplus Require Import convolution regions theorem_4_2_1 balanced_graph convolution_graph small_polygons
+  polygons_of_the_thesis drawn_regions.
+Import ListNotations.
+
+(* Theorem, Lemma 4.1.5. *)
+Theorem lemma_4_1_5_as_printed (p q : region) :
+  no_edges_are_points p -> no_edges_are_points q ->
+  exists cycles,
+    Forall (simple_cycle starts_at_node ends_at_node) cycles /\ Permutation (concat cycles) (segments_of_regions p q).
+Proof. exact (edge_disjoint_cycles p q). Qed.
+
+(* The square with a hole and the square. *)
+Example cycles_of_a_square_with_a_hole :
+  exists cycles, Forall (simple_cycle starts_at_node ends_at_node) cycles /\
+    Permutation (concat cycles) (segments_of_regions chamber [square]).
+Proof. apply lemma_4_1_5_as_printed; [apply drawn_regions | apply square_is_a_region]. Qed.
