@@ -55,13 +55,16 @@ def defects_of_graph(statements):
         yield f"{', '.join(error.args[1][1:])}: rest on each other"
 
 
-def defects_of_texts(statements, texts):
-    """Each statement has one text, and each text a statement; the program was built with these texts."""
-    ids = [text.id for text in texts]
+def defects_of_texts(statements, records):
+    """Each statement has one text, and each text a statement; the program was built with these texts; the findings that
+    they name exist."""
+    ids = [text.id for text in records.texts]
     registered = {statement["statement"]: statement for statement in statements}
     yield from (f"{id}: two texts in statements.md" for id in sorted({id for id in ids if ids.count(id) > 1}))
     yield from (f"{id}: no text in statements.md" for id in registered if id not in ids)
-    for text in texts:
+    for text in records.texts:
+        for name in missing_findings(" ".join([text.says, text.thesis, text.differs, text.why]), records.findings):
+            yield f"{text.id}: docs/findings.md has no heading with {name}"
         if text.id not in registered:
             yield f"{text.id}: a text in statements.md, but there is no such statement"
         elif registered[text.id]["says"] != text.says:
@@ -95,8 +98,6 @@ def defects_of_records(statements, records):
             yield f"{id}: the recorded run has not passed"
         elif statement["cases"] and not run["run"]:
             yield f"{id}: it has no check for the pairs of its families"
-        for name in missing_findings(statement["says"] + " " + statement["why"], records.findings):
-            yield f"{id}: docs/findings.md has no heading with {name}"
     yield from (f"{id}: no kill of {name} is recorded" for id, name in sorted(named - recorded))
     yield from (f"{id}: a kill of {name} is recorded, which it does not name" for id, name in sorted(recorded - named))
     yield from (f"{id}: a run is recorded, but there is no such statement" for id in records.runs if id not in ids)

@@ -52,8 +52,7 @@ def graph_page():
     return ("# The graph of statements\nAn arrow leads from a [statement](../theorems.md) to one that it rests on. "
             "The colour of a node is the strongest way in which the statement is backed:\n\n" +
             "".join(f"- {colour}: {name}\n" for name, _, colour in LOOKS) +
-            "\nAll are stated in C++. The border shows what is stated in Coq, too:\n\n"
-            "- dark green: all of it\n- brown: a part of it, or of its proof\n- grey: nothing\n"
+            "\nAll are stated in C++, too.\n"
             "\n![The graph of statements](graph.svg)\n\n"
             "Generated from the sources by `properties/pages/pages.py`.\n")
 
@@ -64,9 +63,9 @@ def graph_in_dot(statements, records):
     # A fixed width, so that the drawing does not depend on the installed fonts.
     text = ("digraph G {\nrankdir=LR; ranksep=0.35; nodesep=0.12;\n"
             'node [shape=box, style="filled,rounded", fontname="sans-serif", fontsize=10, fixedsize=true, '
-            'width=1.7, height=0.28, penwidth=2];\nedge [color="#8898aa", arrowsize=0.6];\n')
+            'width=1.7, height=0.28, color="#8898aa"];\nedge [color="#8898aa", arrowsize=0.6];\n')
     for id, i in number.items():
         text += (f'{i}[label="{id}", URL="{id}.md", tooltip="{statements[i]["title"]}", '
-                 f'fillcolor="{records.backing.colour(id)}", color="{records.backing.border_colour(id)}"];\n')
+                 f'fillcolor="{records.backing.colour(id)}"];\n')
     return text + "".join(f"{i}->{number[below]} ;\n" for i, statement in enumerate(statements)
                           for below in statement["rests_on"]) + "}\n"

@@ -16,7 +16,6 @@ import defects
 from index_pages import graph_in_dot, graph_page, mutants_page, theorems_page
 from records import InvalidRecord, Records
 from statement_page import statement_page
-from texts import texts
 
 ROOT = Path(__file__).resolve().parents[2]
 RECORDED = {"theorems/runs.json", "theorems/kills.json", "theorems/graph.svg"}
@@ -28,8 +27,10 @@ def all_pages(statements, mutants, records):
              "mutants.md": mutants_page(mutants, records.kills),
              "theorems/graph.md": graph_page(),
              "theorems/graph.dot": graph_in_dot(statements, records)}
+    text_of = {text.id: text for text in records.texts}
     for statement in statements:
-        pages[f"theorems/{statement['statement']}.md"] = statement_page(statement, statements, mutants, records)
+        pages[f"theorems/{statement['statement']}.md"] = statement_page(
+            statement, text_of[statement["statement"]], statements, mutants, records)
     return pages
 
 
@@ -48,7 +49,7 @@ def superfluous(pages, pictures, docs):
 
 def defects_of_sources(statements, mutants, records, root):
     return [*defects.defects_of_list(statements, mutants), *defects.defects_of_graph(statements),
-            *defects.defects_of_texts(statements, texts(root)), *defects.defects_of_files(statements, root),
+            *defects.defects_of_texts(statements, records), *defects.defects_of_files(statements, root),
             *defects.defects_of_records(statements, records)]
 
 

@@ -6,13 +6,18 @@ import json
 import re
 
 from links import citing_pages, headings_of
+from texts import texts
 
 # From the strongest to the weakest: how a statement is backed, the colour of its node for Graphviz, in words.
-LOOKS = [("machine-checked", "#7cc26a", "green"),
+LOOKS = [("machine-checked as printed", "#7cc26a", "green"),
+         ("machine-checked: refuted and corrected", "#8fd0c6", "blue green"),
          ("proved by enumeration", "#bfe3b4", "light green"),
          ("machine-checked in part", "#fff2a8", "yellow"),
          ("proved by SMT in local form", "#fbd9b0", "orange"),
          ("sampled", "#e8eef7", "blue")]
+
+# How much of a statement a theorem proves.
+EXTENTS = ("as printed", "refuted and corrected", "in part")
 
 
 class InvalidRecord(Exception):
@@ -25,15 +30,45 @@ def formal_statement(coq, name):
     return found and found[0]
 
 
+def is_in_the_thesis(statement):
+    return statement.partition("-")[0] not in ("fact", "law", "step")
+
+
+def ends_in_a_negation(formal):
+    """Whether the conclusion of a statement in Coq is one."""
+    before = None
+    while before != formal:
+        before, formal = formal, re.sub(r"\([^()]*\)", "()", formal)
+    return bool(re.search(r"(?::|,|->)\s*~[^~>]*$", formal))
+
+
+def defects_of_extents(theorems):
+    """What the extents promise and the theorems do not keep. "as printed": the theorem is in as_printed/, where statements
+    use the thesis's notions only. "refuted and corrected": one theorem ends in a negation, another one says what
+    holds."""
+    for theorem in theorems:
+        printed = theorem["extent"] == "as printed" and is_in_the_thesis(theorem["statement"])
+        if printed != theorem["file"].startswith("as_printed/"):
+            yield f"{theorem['theorem']}: '{theorem['extent']}', but in {theorem['file']}"
+    refuted = {}
+    for theorem in theorems:
+        if theorem["extent"] == "refuted and corrected":
+            refuted.setdefault(theorem["statement"], set()).add(ends_in_a_negation(theorem["formal"]))
+    yield from (f"{id}: 'refuted and corrected' needs a theorem that ends in a negation, and one that does not"
+                for id, kinds in refuted.items() if kinds != {True, False})
+
+
 def with_formal_statements(theorems, proofs):
     """The entries of theorems.json, each with its statement in Coq as "formal"."""
     for theorem in theorems:
-        if theorem["extent"] not in ("whole", "part"):
+        if theorem["extent"] not in EXTENTS:
             raise InvalidRecord(f"{theorem['theorem']}: an extent of '{theorem['extent']}'")
         file = proofs / theorem["file"]
         theorem["formal"] = formal_statement(file.read_text(encoding="utf-8"), theorem["theorem"])
         if not theorem["formal"]:
             raise InvalidRecord(f"{file}: no theorem {theorem['theorem']}")
+    for defect in defects_of_extents(theorems):
+        raise InvalidRecord(defect)
     return theorems
 
 
@@ -82,26 +117,21 @@ class Backing:
     def amounts(self, statement):
         """How many theorems, cases, queries or pairs, for each of LOOKS."""
         run = self.runs.get(statement, {})
-        return [(self.theorems_of(statement, "whole"), "theorem", "theorems"),
+        return [(self.theorems_of(statement, "as printed"), "theorem", "theorems"),
+                (self.theorems_of(statement, "refuted and corrected"), "theorem", "theorems"),
                 (run.get("enumerated", 0), "cases", "cases"),
-                (self.theorems_of(statement, "part"), "theorem", "theorems"),
+                (self.theorems_of(statement, "in part"), "theorem", "theorems"),
                 (sum(query["statement"] == statement for query in self.queries), "query", "queries"),
                 (run.get("run", 0), "pairs", "pairs")]
 
     def in_words(self, statement):
-        """All ways, with numbers: "machine-checked, 2 theorems; sampled, 1500 pairs"."""
+        """All ways, with numbers: "machine-checked as printed, 2 theorems; sampled, 1500 pairs"."""
         return "; ".join(f"{look[0]}, {number} {one if number == 1 else many}"
                          for look, (number, one, many) in zip(LOOKS, self.amounts(statement)) if number)
 
     def colour(self, statement):
         """The colour of its node in the graph: that of its strongest backing."""
         return next((look[1] for look, amount in zip(LOOKS, self.amounts(statement)) if amount[0]), LOOKS[-1][1])
-
-    def border_colour(self, statement):
-        """Whether all of it, a part of it or nothing is stated in Coq."""
-        if self.theorems_of(statement, "whole"):
-            return "#1d6b2f"
-        return "#c98a00" if self.theorems_of(statement, "part") else "#8898aa"
 
 
 class Records:
@@ -115,6 +145,7 @@ class Records:
             self.kills = read(docs / "theorems/kills.json")["kills"]
             self.theorems = with_formal_statements(self.backing.theorems, proofs)
             self.queries = with_expected_answers(self.backing.queries)
+            self.texts = texts(root)
             self.citing = citing_pages(docs)
             self.findings = headings_of((docs / "findings.md").read_text(encoding="utf-8"))
         except (KeyError, TypeError, ValueError, OSError) as error:

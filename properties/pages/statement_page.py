@@ -48,17 +48,17 @@ def recorded_run(statement, run):
     return text
 
 
-def proofs(theorems):
+def proofs(theorems, backing):
+    text = f"## What is proved, and what is tested\nIn short: {backing}.\n"
     if not theorems:
-        return ""
-    text = "\n## Checked by Coq\n`ctest -L proofs` checks the proofs again, and that they use no axioms.\n"
+        return text + "Nothing of it is proved by Coq.\n\n"
+    text += "`ctest -L proofs` checks the proofs again, and that they use no axioms.\n"
     for theorem in theorems:
-        part = "" if theorem["extent"] == "whole" else ", a part"
         formal = theorem["formal"].replace("\n", "\n    ")
-        text += (f"\n`{theorem['theorem']}`, {link_to_source('properties/proofs/' + theorem['file'])}{part}.\n"
-                 f"{theorem['gloss']}\n\n    {formal}\n\n"
+        text += (f"\n`{theorem['theorem']}`, {link_to_source('properties/proofs/' + theorem['file'])}, "
+                 f"*{theorem['extent']}*.\n{theorem['gloss']}\n\n    {formal}\n\n"
                  f"- covered: {theorem['covers']}\n- not covered: {theorem['not_covered']}\n")
-    return text
+    return text + "\n"
 
 
 def answers(queries):
@@ -99,8 +99,18 @@ def counterexample(statement, kills):
             PICTURE.format(statement + "-shrunk.svg"))
 
 
-def statement_page(statement, statements, mutants, records):
-    """The text of the page. mutants: by name."""
+def what_it_says(text, findings):
+    """The statement, and where ours is another one than the thesis's, that and why."""
+    linked = lambda words: with_links_to_findings(words, findings)
+    if not text.thesis:
+        return f"## Statement\n{linked(text.says)}\n\n"
+    return (f"## The statement of the thesis\n{linked(text.thesis)}\n\n"
+            f"## What is stated here\n{linked(text.says)}\n\n" +
+            (f"*The difference:* {linked(text.differs)}\n\n" if text.differs else ""))
+
+
+def statement_page(statement, text_of_it, statements, mutants, records):
+    """The text of the page. text_of_it: from statements.md; mutants: by name."""
     def of_this(entries):
         return [entry for entry in entries if entry["statement"] == id]
     id = statement["statement"]
@@ -110,15 +120,15 @@ def statement_page(statement, statements, mutants, records):
     protects = sorted({mutants[kill["mutant"]]["file"] for kill in kills})
     text = (f"# {statement['title']}\n{source_of_theory(statement)}, `{id}`. Words and symbols: "
             "[notation](../notation.md). Generated from the sources by `properties/pages/pages.py`.\n\n"
-            f"## Statement\n{with_links_to_findings(statement['says'], records.findings)}\n\n"
+            f"{what_it_says(text_of_it, records.findings)}"
+            f"{proofs(of_this(records.theorems), records.backing.in_words(id))}"
             f"## Why it holds\n{with_links_to_findings(statement['why'], records.findings)}\n\n## Hypotheses\n" +
             "".join(f"- {hypothesis}\n" for hypothesis in statement["hypotheses"]) +
             f"\nRests on: {list_of_statements(statement['rests_on'], 'definitions only')}.\n"
             f"\nWhat rests on it: {list_of_statements(above, 'nothing')}. All of this: [the graph](graph.md).\n" +
             (f"\nCited by: {cited_by}.\n" if cited_by else "") +
-            f"\n## How it is backed\n- {records.backing.in_words(id)}\n- the property: {link_to_source(statement['file'])}\n"
-            f"- what it protects: {', '.join(map(link_to_source, protects))}\n" +
-            proofs(of_this(records.theorems)) + answers(of_this(records.queries)) +
+            f"\n## How it is tested\n- the property: {link_to_source(statement['file'])}\n"
+            f"- what it protects: {', '.join(map(link_to_source, protects))}\n" + answers(of_this(records.queries)) +
             recorded_run(statement, run) + kill_table(kills, mutants))
     if "typical" in run:
         text += ("\n## A typical case\nThe median by size of the pairs of the run.\n\n" +

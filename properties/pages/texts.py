@@ -10,22 +10,24 @@ class Text:
     id: str
     title: str
     says: str = ""
+    thesis: str = ""
+    differs: str = ""
     why: str = ""
     hypotheses: tuple = ()
     rests_on: tuple = ()
 
 
 def text_of(section):
-    """Of "# ID: TITLE" and what follows, in paragraphs: what it says, "Why: ...", "Hypotheses:" as a list, and
-    "Rests on: ID, ..."."""
+    """Of "# ID: TITLE" and what follows, in paragraphs: what it says, "Thesis: ..." where the thesis says it
+    otherwise, "Differs: ..." which says how and why, "Why: ...", "Hypotheses:" as a list, and "Rests on: ID, ..."."""
     heading, *paragraphs = re.split(r"\n\n+", section.strip())
     id, _, title = heading.partition(": ")
     text = Text(id, title)
     for paragraph in paragraphs:
         name, _, words = paragraph.partition(":")
         one_line = re.sub(r"\s*\n\s*", " ", words).strip()
-        if name == "Why":
-            text.why = one_line
+        if name in ("Thesis", "Differs", "Why"):
+            setattr(text, name.lower(), one_line)
         elif name == "Hypotheses":
             text.hypotheses = tuple(re.sub(r"\s*\n\s*", " ", item) for item in re.split(r"\n- ", words)[1:])
         elif name == "Rests on":

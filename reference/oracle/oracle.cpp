@@ -79,8 +79,8 @@ OracleSums oracle_sums(const Region& p, const Region& q) {
 
   BoundaryFeatures open = features_of(arrangement, in_sum, Boundary::open);
   const PlanarSet closed_sum = canonical_sum(BoundaryFeatures{open.edges, {}, {}});
-  // Where chains touch, a sum of two vertices may be isolated though no segment of 𝒞 passes through
-  // it, so that it is no vertex of the arrangement (docs/findings.md).
+  // That isolated vertices are on segments of 𝒞 is Theorem 2.2.10. The oracle does not rely on it: it
+  // tries all sums of two vertices.
   for (const Point& x : vertex_sums(p, q)) {
     if (!verdicts.interiors_meet_at(x) && surrounded(x, closed_sum, open.dangling_edges))
       open.isolated_vertices.push_back(x);

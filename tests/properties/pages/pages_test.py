@@ -18,6 +18,11 @@ TEXT = """# lemma-9.9.9: Edges exist
 There are
 edges.
 
+Thesis: There may be
+edges, says docs/findings.md.
+
+Differs: Edges are no points.
+
 Why: See the definition, and docs/findings.md,
 on Lemma 9.9.9.
 
@@ -54,7 +59,7 @@ class Pages(unittest.TestCase):
                     "families": {"grid": 40}, "classes": {"holes": 10}, "counts": {"edges": 99}, "typical": PAIR}
         self.kill = {"statement": "lemma-9.9.9", "mutant": "sign-flipped", "killed": True, "by_enumeration": False,
                      "cases": 5, "why": "at (1, 2) it has none", "at": ["1", "2"], "shrunk": PAIR}
-        self.theorem = {"statement": "lemma-9.9.9", "extent": "part", "theorem": "edges_exist", "file": "edges.v",
+        self.theorem = {"statement": "lemma-9.9.9", "extent": "in part", "theorem": "edges_exist", "file": "edges.v",
                         "gloss": "There is one.", "covers": "All.", "not_covered": "Nothing."}
         self.query = {"id": "lemma-9.9.9.sign", "statement": "lemma-9.9.9", "file": "sign.cpp",
                       "hypotheses": {"one": "x is positive"}, "conclusion": "x is not 0",
@@ -127,17 +132,21 @@ class Pages(unittest.TestCase):
         change(lambda: self.run["counts"].update(edges=98), PAGE)
         change(lambda: self.kill.update(cases=6), "mutants.md", PAGE)
         change(lambda: self.query["counterexamples"]["one"].update(x="-1"), PAGE)
-        change(lambda: self.theorem.update(extent="whole"), "theorems.md", "theorems/graph.dot", PAGE)
+        self.write("properties/proofs/as_printed/lemma.v", "Theorem edges_exist (a : nat) :\n  a = a.\nProof. easy. Qed.\n")
+        change(lambda: self.theorem.update(extent="as printed", file="as_printed/lemma.v"), "theorems.md",
+               "theorems/graph.dot", PAGE)
         (self.docs / "rca.md").write_text("")
         change(lambda: None, PAGE)
 
     def test_show_what_they_rest_on(self):
-        for part in ["[notation](../notation.md)", "Cited by: [rca](../rca.md), [slide](../slide.md).",
+        for part in ["## The statement of the thesis\nThere may be edges, says [docs/findings.md](../findings.md).\n",
+                     "## What is stated here\nThere are edges.\n\n*The difference:* Edges are no points.\n",
+                     "[notation](../notation.md)", "Cited by: [rca](../rca.md), [slide](../slide.md).",
                      "[docs/findings.md, on Lemma 9.9.9](../findings.md#lemma-999-no-edges)",
                      "    Theorem edges_exist (a : nat) :\n      a = a.\n", "- x is positive; false without: x = 0\n",
                      "| holes | 10 | 25 % | 15 % |\n", f"    P: {PAIR['p']}\n    Q: {PAIR['q']}\n",
-                     "- proved by enumeration, 12 cases; machine-checked in part, 1 theorem; proved by SMT in local "
-                     "form, 1 query; sampled, 40 pairs\n"]:
+                     "In short: proved by enumeration, 12 cases; machine-checked in part, 1 theorem; proved by SMT in "
+                     "local form, 1 query; sampled, 40 pairs.\n"]:
             self.assertIn(part, self.page())
 
     def test_statement_without_a_mutant(self):
@@ -157,7 +166,8 @@ class Pages(unittest.TestCase):
     def test_statement_without_a_text(self):
         self.write("properties/statements/chapter9/statements.md", TEXT.replace("9.9.9", "9.9.8") * 2)
         self.expect("lemma-9.9.8: two texts in statements.md", "lemma-9.9.9: no text in statements.md",
-                    *2 * ["lemma-9.9.8: a text in statements.md, but there is no such statement"])
+                    *2 * ["lemma-9.9.8: docs/findings.md has no heading with Lemma 9.9.8",
+                          "lemma-9.9.8: a text in statements.md, but there is no such statement"])
 
     def test_program_with_another_text(self):
         self.first()["says"] = "There are none."
@@ -218,7 +228,11 @@ class Pages(unittest.TestCase):
         refused("edges.v: no theorem corners")
         self.theorem["extent"] = "most"
         refused("an extent of 'most'")
-        self.theorem.update(extent="whole", theorem="edges_exist")
+        self.theorem.update(extent="as printed", theorem="edges_exist")
+        refused("edges_exist: 'as printed', but in edges.v")
+        self.theorem.update(extent="refuted and corrected")
+        refused("lemma-9.9.9: 'refuted and corrected' needs a theorem that ends in a negation, and one that does not")
+        self.theorem.update(extent="in part")
         for question, answer in [("proof", "none"), ("hypotheses", "unsat"), ("twin-one", "unsat")]:
             before = copy.deepcopy(self.query)
             self.query["answers"][question]["z3"] = answer
@@ -243,29 +257,40 @@ class Strength(unittest.TestCase):
         backing = object.__new__(records.Backing)
         backing.runs, backing.theorems, backing.queries = {"a": {"run": 40}}, [], []
         colours = [backing.colour("a")]
-        borders = [backing.border_colour("a")]
         def expect(words):
             self.assertEqual(backing.in_words("a"), words)
             colours.append(backing.colour("a"))
-            borders.append(backing.border_colour("a"))
         backing.queries = [{"statement": "a"}, {"statement": "c"}]
         expect("proved by SMT in local form, 1 query; sampled, 40 pairs")
-        backing.theorems = [{"statement": "a", "extent": "part"}, {"statement": "c", "extent": "whole"}]
+        backing.theorems = [{"statement": "a", "extent": "in part"}, {"statement": "c", "extent": "as printed"}]
         expect("machine-checked in part, 1 theorem; proved by SMT in local form, 1 query; sampled, 40 pairs")
         backing.runs["a"]["enumerated"] = 7
         backing.queries = []
         expect("proved by enumeration, 7 cases; machine-checked in part, 1 theorem; sampled, 40 pairs")
-        backing.theorems = 2 * [{"statement": "a", "extent": "whole"}]
-        expect("machine-checked, 2 theorems; proved by enumeration, 7 cases; sampled, 40 pairs")
-        self.assertEqual(len(set(colours)), 5)
-        self.assertEqual(len(set(borders)), 3)
+        backing.theorems = 2 * [{"statement": "a", "extent": "refuted and corrected"}]
+        expect("machine-checked: refuted and corrected, 2 theorems; proved by enumeration, 7 cases; sampled, 40 pairs")
+        backing.theorems = 2 * [{"statement": "a", "extent": "as printed"}]
+        expect("machine-checked as printed, 2 theorems; proved by enumeration, 7 cases; sampled, 40 pairs")
+        self.assertEqual(len(set(colours)), 6)
+
+
+class Refutation(unittest.TestCase):
+    def test_ends_in_a_negation_and_stands_beside_what_holds(self):
+        def defects(*formals):
+            return list(records.defects_of_extents([
+                {"statement": "lemma-9.9.9", "theorem": f"t{i}", "extent": "refuted and corrected", "file": "a.v",
+                 "formal": formal} for i, formal in enumerate(formals)]))
+        self.assertEqual(defects("Theorem a : ~ False.", "Theorem b : 0 = 0."), [])
+        self.assertEqual(defects("Lemma a (p : region) :\n  ~ (forall x, p x).", "Theorem b : ~ False -> 0 = 0."), [])
+        self.assertEqual(len(defects("Theorem a : ~ False.")), 1)
+        self.assertEqual(len(defects("Theorem b : 0 = 0.")), 1)
 
 
 class Texts(unittest.TestCase):
     def test_in_paragraphs(self):
         self.assertEqual(texts.text_of(TEXT[2:]), texts.Text(
-            "lemma-9.9.9", "Edges exist", "There are edges.",
-            "See the definition, and docs/findings.md, on Lemma 9.9.9.", ("P is valid, which is all", "Q is P"),
+            "lemma-9.9.9", "Edges exist", "There are edges.", "There may be edges, says docs/findings.md.",
+            "Edges are no points.", "See the definition, and docs/findings.md, on Lemma 9.9.9.", ("P is valid, which is all", "Q is P"),
             ("fact-a", "fact-b")))
 
     def test_as_a_literal(self):

@@ -190,7 +190,7 @@ TEST_F(PropertiesCommand, ProgramListsStatements) {
   EXPECT_NE(entry.find("reflex"), std::string::npos) << entry;
   const auto [proved_code, proved] = oplus_check("theorems lemma-4.1.4");
   EXPECT_EQ(proved_code, 0);
-  for (const char* part : {"\nBacked by: machine-checked, ", "; sampled, ", " pairs\n",
+  for (const char* part : {"\nBacked by: machine-checked as printed, ", "; sampled, ", " pairs\n",
                            "\nPage: docs/theorems/lemma-4.1.4.md\n"})
     EXPECT_NE(proved.find(part), std::string::npos) << part << " in " << proved;
 }

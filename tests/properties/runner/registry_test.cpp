@@ -29,7 +29,7 @@ TEST(Registry, AddsTheTexts) {
   EXPECT_TRUE(text.why.starts_with("At a state, "));
   EXPECT_EQ(text.hypotheses.size(), 2U);
   EXPECT_EQ(text.rests_on, std::vector<std::string>{"lemma-4.1.3"});
-  EXPECT_TRUE(text.backing.starts_with("machine-checked, "));
+  EXPECT_TRUE(text.backing.starts_with("machine-checked as printed, "));
 }
 
 TEST(Registry, KnowsTheFileOfAStatement) {
