@@ -4,8 +4,8 @@
    reduced convolution, if no chains of P touch, and none of Q (interiors_at_touching_points.v); where a touching point of P
    meets one of Q that is false (docs/findings.md). *)
 From Coq Require Import QArith Lqa ZArith Bool List.
-From Oplus Require Import convolution convolution_winding regions interiors_meet neighbourhoods theorem_4_2_1
-  theorem_2_2_10 theorem_2_2_6 lemma_2_2_2 boundary_points reduced_convolution interiors_at_touching_points
+From Oplus Require Import regions_and_sums theorem_2_2_10 theorem_2_2_6 lemma_2_2_2 boundary_points
+  reduced_convolution interiors_at_touching_points
   fans_that_touch.
 
 Open Scope Q_scope.
