@@ -29,44 +29,20 @@ let help =
   \  0  done\n\
   \  2  invalid input or usage, a file that cannot be read or written, or too little memory\n"
 
-let valid name =
-  let region = Regions.specified (Regions.read name) in
-  if Proved.is_covered region then region
-  else
-    Program.refuse
-      (String.escaped name
-       ^ ": not a valid region: edges may meet in vertices only, and holes are inside their outer chain, outside each \
-          other (`oplus sum` says where it is wrong)")
-
-let open_region s = Proved.(Text.set (polygons_of_open s) s.dangling_edges s.isolated_points)
-let open_sum p q = open_region (Proved.proved_open_sum p q)
-let no_fit p q = open_region (Proved.proved_no_fit p q)
-
-let inner_fit p q =
-  if not (Proved.has_points q) then Program.refuse "Q is empty, and fits everywhere; expected a region with points";
-  let f = Proved.proved_inner_fit p q in
-  Text.set (Proved.polygons_of_placements f) f.fit_edges f.fit_points
-
-let polygons operation p q = Text.wkt (operation p q)
-
-let commands =
-  [ ("sum", polygons Proved.proved_sum); ("nfp", no_fit); ("ifp", inner_fit); ("union", polygons Proved.proved_union);
-    ("intersection", polygons Proved.proved_intersection); ("difference", polygons Proved.proved_difference) ]
-
 type arguments = { output : string option; is_open : bool; rest : string list }
 
 let compute { output; is_open; rest } =
   let command, files = match rest with [] -> ("", []) | command :: files -> (command, files) in
-  let operation = if is_open && command = "sum" then Some open_sum else List.assoc_opt command commands in
-  match (operation, files) with
+  match (Commands.operation command is_open, files) with
   | None, _ when command = "" ->
-      Program.refuse (Printf.sprintf "no command; expected %s (see --help)" (String.concat ", " (List.map fst commands)))
+      Program.refuse
+        (Printf.sprintf "no command; expected %s (see --help)" (String.concat ", " (List.map fst Commands.all)))
   | None, _ -> Program.refuse (Printf.sprintf "the command '%s' is not known (see --help)" (String.escaped command))
   | Some operation, [ p; q ] ->
       if is_open && command <> "sum" then Program.refuse "--open is an option of sum (see --help)";
       let write = Output.to_file (Option.value output ~default:"-") in
-      let p = valid p in
-      let q = valid q in
+      let p = Commands.valid p (Regions.read p) in
+      let q = Commands.valid q (Regions.read q) in
       write (operation p q)
   | Some _, _ -> Program.refuse (Printf.sprintf "%d files; expected P Q (see --help)" (List.length files))
 

@@ -241,7 +241,8 @@ class Test(ProgramTest):
             self.expect("replacements told", name, code == 0 and f"  Constant {name} =>" in said, said)
         self.expect("replacements told", "Coq's own", "  Constant Z.add =>" in said and "  Inductive positive =>" in said, said)
         self.expect("replacements told", "all", len(re.findall(r"^  (Inlined )?(Constant|Inductive) ", said, re.M)) > 60, said)
-        for source in ("specification.v", "words.ml", "regions.ml", "program.ml", "text.ml", "output.ml", "main.ml"):
+        for source in ("specification.v", "words.ml", "regions.ml", "program.ml", "text.ml", "commands.ml", "output.ml",
+                       "main.ml"):
             self.expect("sources told", source, re.search(rf"^ +\d+  {re.escape(source)}: \w", said, re.M), said)
         extraction = (proofs / "proved/extraction.v").read_text(encoding="utf-8")
         self.expect("extraction", "replaces nothing", not replaced(extraction), replaced(extraction))

@@ -1,0 +1,31 @@
+(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* The commands: of each the proved function, from two valid regions to a text. *)
+
+let refuse message = raise (Words.Invalid message)
+
+(* The region, if the theorems are about it. *)
+let valid name read =
+  let region = Regions.specified read in
+  if Proved.is_covered region then region
+  else
+    refuse
+      (String.escaped name
+       ^ ": not a valid region: edges may meet in vertices only, and holes are inside their outer chain, outside each \
+          other (`oplus sum` says where it is wrong)")
+
+let open_region s = Proved.(Text.set (polygons_of_open s) s.dangling_edges s.isolated_points)
+let open_sum p q = open_region (Proved.proved_open_sum p q)
+let no_fit p q = open_region (Proved.proved_no_fit p q)
+
+let inner_fit p q =
+  if not (Proved.has_points q) then refuse "Q is empty, and fits everywhere; expected a region with points";
+  let f = Proved.proved_inner_fit p q in
+  Text.set (Proved.polygons_of_placements f) f.fit_edges f.fit_points
+
+let polygons operation p q = Text.wkt (operation p q)
+
+let all =
+  [ ("sum", polygons Proved.proved_sum); ("nfp", no_fit); ("ifp", inner_fit); ("union", polygons Proved.proved_union);
+    ("intersection", polygons Proved.proved_intersection); ("difference", polygons Proved.proved_difference) ]
+
+let operation command is_open = if is_open && command = "sum" then Some open_sum else List.assoc_opt command all
