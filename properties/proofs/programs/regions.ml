@@ -78,23 +78,26 @@ let counted_chain wanted text =
 (* Of one component the number of holes may be left out. *)
 let rec dat is_first text =
   let outer = counted_chain 1 text in
-  if is_first && text.word = "" then [ outer ]
-  else
-    let holes = take_count text in
-    let component = outer :: List.init holes (fun _ -> counted_chain (-1) text) in
-    if text.word = "" then component else component @ dat false text
+  if is_first && text.word = "" then [ outer ] else outer :: holes_and_others text
 
-(* The chain that an unbounded region has not is written as 0 vertices, and so is, alone, what is empty. *)
-let region text =
+and holes_and_others text =
+  let count = take_count text in
+  let holes = List.init count (fun _ -> counted_chain (-1) text) in
+  if text.word = "" then holes else holes @ dat false text
+
+(* Whether it is unbounded, and its chains. The chain that an unbounded region has not is written as 0 vertices, and so
+   is, alone, what is empty. *)
+let region may_be_unbounded text =
   if text.word = "0" then begin
     advance text;
-    if text.word <> "" then refuse text "an outer chain of 0 vertices" "a bounded region";
-    []
+    if text.word = "" then (false, [])
+    else if may_be_unbounded then (true, holes_and_others text)
+    else refuse text "an outer chain of 0 vertices" "a bounded region"
   end
-  else if is_natural text.word then dat true text
-  else wkt text
+  else (false, if is_natural text.word then dat true text else wkt text)
 
-let read name = read_file name "()," region
+let read_any name = read_file name "()," (region true)
+let read name = snd (read_file name "()," (region false))
 
 (* As specification.v has it. *)
 let specified region =
