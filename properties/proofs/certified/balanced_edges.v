@@ -4,14 +4,11 @@
    sum over the edges of the region is a sum over the sides of the pieces, if the terms of an edge and its reverse
    cancel, and those of the parts of an edge add up; and every point of an edge is on a side of a piece. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation.
-From Oplus Require Import convolution specification checker signed_crossings homogeneous_points
+From Oplus Require Import convolution angular_crossings specification checker signed_crossings homogeneous_points
   specification_bridge neighbourhoods.
 Import ListNotations.
 
 Open Scope Z_scope.
-
-Lemma sum_of_both (l m : list Z) : sum (l ++ m) = sum l + sum m.
-Proof. unfold sum. induction l as [| z l IH]; cbn; lia. Qed.
 
 Lemma sum_over_lists {A B} (f : B -> Z) (g : A -> list B) (l : list A) :
   sum (map f (flat_map g l)) = sum (map (fun a => sum (map f (g a))) l).
@@ -108,7 +105,7 @@ Proof.
   change (px a # pw a) with (vx (vector_of a)) in *. change (py a # pw a) with (vy (vector_of a)) in *.
   change (px b # pw b) with (vx (vector_of b)) in *. change (py b # pw b) with (vy (vector_of b)) in *.
   change (px m # pw m) with (vx (vector_of m)) in *. change (py m # pw m) with (vy (vector_of m)) in *.
-  apply neighbourhoods.lies_on_by_signs. unfold turn_of, cross, dot, winding_number.minus in *.
+  apply lies_on_by_signs. unfold turn_of, cross, dot, winding_number.minus in *.
   cbn [source target vx vy] in *.
   split; [lra |].
   assert (opposite : forall s t z : Q, ((s <= z /\ z <= t) \/ (t <= z /\ z <= s) -> (s - z) * (t - z) <= 0)%Q)

@@ -17,35 +17,16 @@ Lemma in_sum_of (y a b : vector) (p q : region) :
   in_region a p -> in_region b q -> equal_vectors y (plus a b) -> in_sum y p q.
 Proof. intros in_p in_q equal. now exists a, b. Qed.
 
-Lemma left_normal (s : segment) : nonzero (along s) ->
-  0 < cross (along s) (Vector (- vy (along s)) (vx (along s))).
-Proof.
-  intros long. unfold cross; cbn [vx vy].
-  destruct (Qlt_le_dec 0 (vx (along s) * vx (along s) + vy (along s) * vy (along s))) as [| none]; [lra |].
-  exfalso. apply long. now apply no_squares.
-Qed.
-
 (* A point of an edge that is not one of its ends is strictly between them. *)
 Lemma strictly_between (r : region) (s : segment) (w : vector) :
   nonzero (along s) -> In s (region_edges r) -> lies_on w s -> ~ is_vertex w r ->
   dot (minus (source s) w) (minus (target s) w) < 0.
 Proof.
-  intros long I (k & [k0 k1] & X & Y) no_vertex.
-  assert (first_part : 0 < k).
-  { apply Qnot_le_lt. intros extreme. apply no_vertex. exists s. split; [exact I |].
-    assert (k == 0) as k_is by lra. rewrite k_is in X, Y. split; lra. }
-  assert (second_part : k < 1).
-  { apply Qnot_le_lt. intros extreme. apply no_vertex.
-    destruct (target_is_vertex r s I) as (u & J & tx & ty). exists u. split; [exact J |].
-    assert (k == 1) as k_is by lra. rewrite k_is in X, Y. split; lra. }
-  set (u := vx (along s)) in *. set (v := vy (along s)) in *.
-  assert (value : dot (minus (source s) w) (minus (target s) w) == - (k * (1 - k) * (u * u + v * v)))
-    by (unfold dot, minus, u, v, along, minus; cbn [vx vy]; rewrite X, Y; ring).
-  assert (square : 0 < u * u + v * v).
-  { destruct (Qlt_le_dec 0 (u * u + v * v)) as [| none]; [assumption |]. exfalso. apply long.
-    now apply no_squares. }
-  assert (0 < k * (1 - k)) by (apply Qmult_lt_0_compat; lra).
-  assert (0 < k * (1 - k) * (u * u + v * v)) by now apply Qmult_lt_0_compat. lra.
+  intros long I on no_vertex. destruct (inside_an_edge r s w I on no_vertex) as (k & range & X & Y).
+  pose proof (square_positive _ long) as square. assert (0 < k * (1 - k)) by (apply Qmult_lt_0_compat; lra).
+  setoid_replace (dot (minus (source s) w) (minus (target s) w)) with (- (k * (1 - k) * dot (along s) (along s)))
+    by (in_coordinates; by_equations).
+  nra.
 Qed.
 
 Lemma on_its_edge_near (s : segment) (w : vector) : dot (minus (source s) w) (minus (target s) w) < 0 ->
@@ -80,40 +61,24 @@ Theorem half_square_beside_an_edge (r : region) (s : segment) (w : vector) :
 Proof.
   intros (not_points & valid & meet) I on no_vertex.
   pose proof (region_edges_are_directions r not_points s I) as long.
-  destruct (in_split _ _ I) as (earlier & later & edges_are).
-  assert (free : off w (earlier ++ later)).
-  { intros t J on_t. apply no_vertex. exact (meet earlier s later t w edges_are J on on_t). }
-  destruct (off_near w _ free) as (r1 & R1 & near_1).
+  destruct (no_other_edge_near r s w meet I on no_vertex) as (earlier & later & r1 & _ & R1 & near_1).
   destruct (on_its_edge_near s w (strictly_between r s w long I on no_vertex)) as (r2 & R2 & near_2).
   set (n := Vector (- vy (along s)) (vx (along s))).
   pose proof (left_normal s long) as left_. fold n in left_.
-  destruct (eventually_and _ _ (left_of_an_edge_is_inside r s w n valid meet I on no_vertex left_)
-    (small_steps_stay_within r1 w n R1)) as (limit & L & near).
-  destruct (near ((1 # 2) * limit)) as (start_inside & start_near); [lra | lra |].
-  set (e := (1 # 2) * limit) in *. assert (e_positive : 0 < e) by (unfold e; lra). clearbody e. clear near.
+  destruct (some_small _ (eventually_and _ _ (left_of_an_edge_is_inside r s w n valid meet I on no_vertex left_)
+    (small_steps_stay_within r1 w n R1))) as (e & e_positive & start_inside & start_near).
   set (start := moved_along w n e) in *.
   assert (start_left : 0 < area s start).
-  { assert (value : area s start == e * cross (along s) n + area s w)
-      by (unfold area, start, cross, along, minus, moved_along; cbn [vx vy]; ring).
-    pose proof (on_its_line w s on) as line. rewrite orientation_by_area in line.
-    apply equal_comparison in line. assert (area s w == 0) as line_ by (destruct s; exact line).
-    rewrite value, line_. assert (0 < e * cross (along s) n) by now apply Qmult_lt_0_compat. lra. }
+  { setoid_replace (area s start) with (e * cross (along s) n + area s w) by (unfold start; by_coordinates).
+    rewrite (on_the_line w s on). nra. }
   exists (Qmin r1 r2). split; [now apply Q.min_glb_lt |]. intros z close.
   assert (close_1 : within r1 w z) by (refine (within_smaller _ _ _ _ _ close); apply Q.le_min_l).
   assert (close_2 : within r2 w z) by (refine (within_smaller _ _ _ _ _ close); apply Q.le_min_r).
   split; [intros z_left | now apply near_2].
   assert (free_way : forall v, lies_on v (Segment start z) -> off v (region_edges r)).
-  { intros v on_way t J. rewrite edges_are in J. apply in_app_iff in J.
-    assert (v_near : within r1 w v) by now apply (within_along r1 w start z).
-    destruct J as [J | [<- | J]]; [apply near_1; trivial; apply in_app_iff; tauto | |
-      apply near_1; trivial; apply in_app_iff; tauto].
-    apply off_by_area. destruct on_way as (h & range & vx_is & vy_is). cbn [source target] in *.
-    assert (value : area s v == (1 - h) * area s start + h * area s z)
-      by (unfold area, cross, minus; cbn [vx vy]; rewrite vx_is, vy_is; ring).
-    rewrite value. intros zero_. destruct (Qlt_le_dec 0 h) as [some | none].
-    - assert (0 < h * area s z) by now apply Qmult_lt_0_compat.
-      assert (0 <= (1 - h) * area s start) by (apply Qmult_le_0_compat; lra). lra.
-    - assert (h == 0) as h_is by lra. rewrite h_is in zero_. lra. }
+  { intros v on_way. apply near_1; [now apply (within_along r1 w start z) |].
+    pose proof (area_between (reversed s) start z v) as left_v. rewrite !area_reversed in left_v.
+    specialize (left_v ltac:(lra) ltac:(lra) on_way). lra. }
   split.
   - apply free_way. exists 1. cbn [source target]. split; [lra |]. split; ring.
   - pose proof (winding_number_along (Segment start z) _ (region_cycles r) free_way) as same_number.
@@ -131,15 +96,11 @@ Proof.
   destruct (half_square_beside_an_edge p e w p_region I on no_vertex) as (radius & R & near).
   exists radius. split; [exact R |]. intros y close left_.
   assert (close_w : within radius w (minus y u)) by (unfold within, plus, minus in *; cbn [vx vy] in *; lra).
-  destruct (near _ close_w) as [to_the_left on_the_line].
+  destruct (near _ close_w) as [to_the_left on_the_edge].
   assert (value : area e (minus y u) == cross (along e) (minus y (plus w u))).
-  { pose proof (on_its_line w e on) as line. rewrite orientation_by_area in line.
-    apply equal_comparison in line. assert (area e w == 0) as line_ by (destruct e; exact line).
-    setoid_replace (area e (minus y u)) with (cross (along e) (minus y (plus w u)) + area e w)
-      by (unfold area, cross, along, plus, minus; cbn [vx vy]; ring).
-    rewrite line_. ring. }
+  { pose proof (on_the_line w e on). unfold plus in *. in_coordinates. by_equations. }
   apply (in_sum_of y (minus y u) u); [| exact in_q | split; unfold plus, minus; cbn [vx vy]; ring].
   rewrite <- value in left_. destruct (Qlt_le_dec 0 (area e (minus y u))) as [inside_ | at_most_].
   - apply inside_is_in_region. now apply to_the_left.
-  - right. exists e. split; [exact I |]. apply on_the_line. lra.
+  - right. exists e. split; [exact I |]. apply on_the_edge. lra.
 Qed.

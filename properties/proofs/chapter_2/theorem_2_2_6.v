@@ -27,25 +27,32 @@ Proof.
   intros I below. rewrite <- edge_at_is by exact below. now apply edge_at_in_region.
 Qed.
 
+(* A segment of the convolution is an edge moved by a vertex. *)
+Lemma convolution_segment_is (p q : region) (s : segment) : In s (convolution_segments p q) ->
+  exists a b i j, In a p /\ In b q /\ (i < length a)%nat /\ (j < length b)%nat /\
+    (s = Segment (plus (nth i a nowhere) (nth j b nowhere)) (plus (nth (next i (length a)) a nowhere) (nth j b nowhere)) \/
+     s = Segment (plus (nth i a nowhere) (nth j b nowhere)) (plus (nth i a nowhere) (nth (next j (length b)) b nowhere))).
+Proof.
+  intros I. apply in_map_iff in I. destruct I as ([chains named] & <- & I).
+  apply in_flat_map in I. destruct I as ([a b] & J & I). apply in_prod_iff in J. destruct J as [in_p in_q].
+  apply in_map_iff in I. destruct I as (named' & equal & I). injection equal as <- <-. cbn [fst snd] in *.
+  apply (in_those (length a) (length b) (in_convolution a b)) in I. destruct I as [[i_below j_below] _].
+  destruct named' as [along_ [i j]]. exists a, b, i, j. repeat split; trivial. destruct along_; [now left | now right].
+Qed.
+
 (* Lemma. The convolution is part of the vertex-edge sum. *)
 Lemma convolution_is_part_of_the_vertex_edge_sum (p q : region) (x : vector) (s : segment) :
   In s (convolution_segments p q) -> lies_on x s -> on_vertex_edge_sum x p q.
 Proof.
-  intros I on. apply in_map_iff in I. destruct I as ([chains named] & <- & I).
-  apply in_flat_map in I. destruct I as ([a b] & J & I). apply in_prod_iff in J. destruct J as [in_p in_q].
-  apply in_map_iff in I. destruct I as (named' & equal & I). injection equal as <- <-. cbn [fst snd] in *.
-  apply (in_those (length a) (length b) (in_convolution a b)) in I. destruct I as [[i_below j_below] _].
-  destruct named' as [along_ [i j]]. cbn in i_below, j_below.
-  unfold starts_at, ends_at, point_of, state_before, state_after in on. cbn [fst snd] in on.
-  destruct on as (k & range & X & Y). destruct along_; cbn [step fst snd source target] in X, Y.
+  intros I on.
+  destruct (convolution_segment_is p q s I) as (a & b & i & j & in_p & in_q & i_below & j_below & [-> | ->]);
+    destruct on as (k & range & X & Y); unfold plus in X, Y; cbn [source target vx vy] in X, Y.
   - right. exists (nth j b nowhere), (Segment (nth i a nowhere) (nth (next i (length a)) a nowhere)).
     split; [now apply vertex_by_index |]. split; [now apply edge_in_region |].
-    exists k. unfold plus, minus in *. cbn [source target vx vy] in *. split; [exact range |].
-    rewrite X, Y. split; ring.
+    exists k. unfold minus. cbn [source target vx vy]. split; [exact range |]. rewrite X, Y. split; ring.
   - left. exists (nth i a nowhere), (Segment (nth j b nowhere) (nth (next j (length b)) b nowhere)).
     split; [now apply vertex_by_index |]. split; [now apply edge_in_region |].
-    exists k. unfold plus, minus in *. cbn [source target vx vy] in *. split; [exact range |].
-    rewrite X, Y. split; ring.
+    exists k. unfold minus. cbn [source target vx vy]. split; [exact range |]. rewrite X, Y. split; ring.
 Qed.
 
 (* Theorem 2.2.6. The boundary of the sum is part of the vertex-edge sum. *)

@@ -6,7 +6,7 @@
    direction: else the winding number behind one of the two would be 2. That the test is right where it returns true is
    in collision_is_sound.v. *)
 From Coq Require Import QArith Qminmax Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import convolution shifted_ray signed_crossings tie_rule meeting_of_segments weight regions
+From Oplus Require Import convolution small_numbers shifted_ray signed_crossings tie_rule meeting_of_segments weight regions
   first_hit interiors_meet neighbourhoods left_of_an_edge winding_number_of_the_sum theorem_4_2_1 location pieces
   naive_collision met_pieces collision_is_sound rotation.
 Import ListNotations.
@@ -17,32 +17,12 @@ Open Scope Q_scope.
 Definition nowhere_above_one (r : region) : Prop :=
   forall x, off x (region_edges r) -> (winding_number x (region_edges r) <= 1)%Z.
 
-Lemma multiple_of (u v : vector) : nonzero v -> cross u v == 0 ->
-  exists c, vx u == c * vx v /\ vy u == c * vy v.
-Proof.
-  intros some parallel. pose proof (square_positive v some) as square. exists (dot u v / dot v v).
-  assert (value : dot u v / dot v v * dot v v == dot u v) by (field; lra).
-  set (c := dot u v / dot v v) in *. clearbody c.
-  split; apply (Qmult_inj_r _ _ (dot v v)); try lra.
-  - setoid_replace (c * vx v * dot v v) with (c * dot v v * vx v) by ring. rewrite value.
-    setoid_replace (vx u * dot v v) with (dot u v * vx v + cross u v * vy v) by (unfold dot, cross; ring).
-    rewrite parallel. ring.
-  - setoid_replace (c * vy v * dot v v) with (c * dot v v * vy v) by ring. rewrite value.
-    setoid_replace (vy u * dot v v) with (dot u v * vy v - cross u v * vx v) by (unfold dot, cross; ring).
-    rewrite parallel. ring.
-Qed.
-
 Lemma strictly_inside_between (v w x : vector) (s : segment) : strictly_inside v s -> strictly_inside w s ->
   lies_on x (Segment v w) -> strictly_inside x s.
 Proof.
   intros (k & k_range & kx & ky) (l & l_range & lx & ly) (t & t_range & tx & ty). cbn [source target] in *.
-  exists ((1 - t) * k + t * l). split; [| rewrite tx, ty, kx, ky, lx, ly; split; ring].
-  assert (mixed : forall u v : Q, 0 < u -> 0 < v -> 0 < (1 - t) * u + t * v).
-  { intros u u' U V. destruct (Qlt_le_dec 0 t) as [some | none].
-    - assert (0 < t * u') by now apply Qmult_lt_0_compat.
-      assert (0 <= (1 - t) * u) by (apply Qmult_le_0_compat; lra). lra.
-    - assert (t_is : t == 0) by lra. rewrite t_is. lra. }
-  pose proof (mixed k l). pose proof (mixed (1 - k) (1 - l)). lra.
+  exists ((1 - t) * k + t * l). split; [split; [apply mixed_is_more | apply mixed_is_less]; lra |].
+  rewrite tx, ty, kx, ky, lx, ly. split; ring.
 Qed.
 
 (* Theorem. What has a point strictly inside a piece runs along all of it. *)
@@ -62,32 +42,22 @@ Proof.
   destruct on_v as (m & m_range & mx & my).
   set (step := (l - k) * d * c).
   assert (x_is : vx w == (1 - (m + step)) * vx (source t) + (m + step) * vx (target t)).
-  { assert (difference : vx w - vx v == step * vx (along t)).
-    { setoid_replace (vx w - vx v) with ((l - k) * vx (along piece))
-        by (rewrite kx, lx; unfold along, minus; cbn [vx vy]; ring).
-      rewrite dx, cx. unfold step. ring. }
-    assert (vx w == vx v + step * vx (along t)) as -> by lra. rewrite mx. unfold along, minus; cbn [vx vy]. ring. }
+  { unfold step. in_coordinates. by_equations. }
   assert (y_is : vy w == (1 - (m + step)) * vy (source t) + (m + step) * vy (target t)).
-  { assert (difference : vy w - vy v == step * vy (along t)).
-    { setoid_replace (vy w - vy v) with ((l - k) * vy (along piece))
-        by (rewrite ky, ly; unfold along, minus; cbn [vx vy]; ring).
-      rewrite dy, cy. unfold step. ring. }
-    assert (vy w == vy v + step * vy (along t)) as -> by lra. rewrite my. unfold along, minus; cbn [vx vy]. ring. }
+  { unfold step. in_coordinates. by_equations. }
   clearbody step. exists (m + step). split; [| now split].
   destruct (Qlt_le_dec (m + step) 0) as [below | above]; [exfalso | split; [exact above |]].
   - assert (quotient : - m / step * step == - m) by (field; lra).
     set (r := - m / step) in *. clearbody r. assert (r_range : 0 <= r <= 1) by (split; nra).
     destruct (no_end (source t)) as [not_source _]; [| apply not_source; split; reflexivity].
     exists r. cbn [source target]. split; [exact r_range |].
-    rewrite x_is, y_is, mx, my.
-    assert (m_is : m == - (r * step)) by lra. rewrite m_is. split; ring.
+    split; by_equations.
   - destruct (Qlt_le_dec 1 (m + step)) as [beyond | fine]; [exfalso | exact fine].
     assert (quotient : (1 - m) / step * step == 1 - m) by (field; lra).
     set (r := (1 - m) / step) in *. clearbody r. assert (r_range : 0 <= r <= 1) by (split; nra).
     destruct (no_end (target t)) as [_ not_target]; [| apply not_target; split; reflexivity].
     exists r. cbn [source target]. split; [exact r_range |].
-    rewrite x_is, y_is, mx, my.
-    assert (m_is : m == 1 - r * step) by lra. rewrite m_is. split; ring.
+    split; by_equations.
 Qed.
 
 (* Pieces of the boundary of a, cut once more where the boundary of b meets them. *)
@@ -104,34 +74,6 @@ Proof.
   intros not_points E on. pose proof (region_edges_are_directions r not_points e E) as long.
   destruct (cut_returns e (flat_map (intersection e) (region_edges r)) long) as [_ cover].
   destruct (cover w on) as (t & T & part & on_t). exists t. split; [apply in_flat_map; now exists e | now split].
-Qed.
-
-Lemma inside_by_height (w : vector) (s : segment) : lies_on w s -> ~ vy (source s) == vy w -> ~ vy (target s) == vy w ->
-  strictly_inside w s.
-Proof.
-  intros (t & range & X & Y) not_source not_target. exists t. split; [| now split].
-  split; apply Qnot_le_lt; intros extreme.
-  - apply not_source. assert (t_is : t == 0) by lra. rewrite Y, t_is. ring.
-  - apply not_target. assert (t_is : t == 1) by lra. rewrite Y, t_is. ring.
-Qed.
-
-Lemma met_at_height (v : vector) (f : segment) (y : Q) : lies_on v f -> vy v == y ->
-  ~ vy (source f) == y -> ~ vy (target f) == y -> spans f y = true /\ vx v == vx (point_at_height f y).
-Proof.
-  intros (t & range & X & Y) height not_source not_target.
-  assert (heights : vy (source f) < y < vy (target f) \/ vy (target f) < y < vy (source f)).
-  { rewrite <- height in *. destruct (Qlt_le_dec (vy (source f)) (vy (target f))).
-    - left. split; apply Qnot_le_lt; intros extreme; [apply not_source | apply not_target]; nra.
-    - right. split; apply Qnot_le_lt; intros extreme; [apply not_target | apply not_source]; nra. }
-  split.
-  - unfold spans. destruct (at_most_spec (vy (source f)) y), (at_most_spec (vy (target f)) y); trivial; exfalso; lra.
-  - unfold point_at_height; cbn [vx].
-    assert (t_is : (y - vy (source f)) / (vy (target f) - vy (source f)) == t).
-    { apply (Qmult_inj_r _ _ (vy (target f) - vy (source f))); [lra |].
-      setoid_replace ((y - vy (source f)) / (vy (target f) - vy (source f)) * (vy (target f) - vy (source f)))
-        with (y - vy (source f)) by (field; lra).
-      rewrite <- height, Y. ring. }
-    rewrite t_is, X. ring.
 Qed.
 
 Section FirstHit.
@@ -155,10 +97,7 @@ Section FirstHit.
 
   Lemma hit_is_ahead : lies_on w s /\ vx z < vx w.
   Proof.
-    pose proof met as met_. rewrite signed_crossing_by_height in met_.
-    destruct (spans s (vy z)) eqn:spanning; [| now destruct met_].
-    split; [now apply point_at_height_lies_on |].
-    destruct (negative_spec (vx z - vx (point_at_height s (vy z)))); [unfold w; lra | now destruct met_].
+    destruct (crossed_ahead z s met) as [spanning ahead]. split; [now apply point_at_height_lies_on | exact ahead].
   Qed.
 
   Lemma height_along (v : vector) : lies_on v (Segment z w) -> vy v == vy z /\ vx z <= vx v <= vx w.
@@ -175,9 +114,7 @@ Section FirstHit.
     destruct (met_at_height v f (vy z) on_f height no_source no_target) as [spanning here].
     destruct (Qlt_le_dec (vx z) (vx v)) as [after_z | at_z].
     - assert (vx w <= vx (point_at_height f (vy z))); [| lra]. apply first; [exact F |].
-      rewrite signed_crossing_by_height, spanning. cbn [andb].
-      destruct (negative_spec (vx z - vx (point_at_height f (vy z)))); [| lra].
-      destruct (at_most (vy (source f)) (vy z)); discriminate.
+      apply ahead_is_crossed; [exact spanning | lra].
     - assert (on_z : lies_on z f) by (apply (lies_on_equal v); [split; lra | exact on_f]).
       apply in_app_iff in F. destruct F as [F | F].
       + exact (proj1 in_a f F on_z).
@@ -323,20 +260,17 @@ Proof.
   intros [off_a in_a] [off_b in_b].
   destruct (winding_number_near z _ (region_cycles a) off_a) as (r1 & R1 & near_a).
   destruct (winding_number_near z _ (region_cycles b) off_b) as (r2 & R2 & near_b).
-  assert (moves : nonzero (Vector 0 1)) by (unfold nonzero; cbn; lra).
   assert (leaves : forall c, eventually (fun e => ~ c == vy (moved_along z (Vector 0 1) e))).
-  { intros c. refine (eventually_implied _ _ _ (leaves_a_point z (Vector 0 1) (Vector (vx z) c) moves)).
-    intros e differ equal. apply differ. split; [unfold moved_along; cbn [vx vy]; ring |].
-    cbn [vy]. now symmetry. }
-  destruct (eventually_and _ _ (small_steps_stay_within r1 z (Vector 0 1) R1)
+  { intros c. refine (eventually_implied _ _ _ (leaves_a_number (vy z) 1 c _)); [| lra].
+    intros e differ equal. apply differ. now symmetry. }
+  destruct (some_small _ (eventually_and _ _ (small_steps_stay_within r1 z (Vector 0 1) R1)
     (eventually_and _ _ (small_steps_stay_within r2 z (Vector 0 1) R2)
       (eventually_for_all (fun s e => ~ vy (source s) == vy (moved_along z (Vector 0 1) e) /\
           ~ vy (target s) == vy (moved_along z (Vector 0 1) e)) segments
-        (fun s _ => eventually_and _ _ (leaves (vy (source s))) (leaves (vy (target s)))))))
-    as (limit & L & near).
-  destruct (near ((1 # 2) * limit)) as (close_a & close_b & heights); [lra | lra |].
+        (fun s _ => eventually_and _ _ (leaves (vy (source s))) (leaves (vy (target s))))))))
+    as (height & _ & close_a & close_b & heights).
   destruct (near_a _ close_a) as [free_a same_a], (near_b _ close_b) as [free_b same_b].
-  exists (moved_along z (Vector 0 1) ((1 # 2) * limit)).
+  exists (moved_along z (Vector 0 1) height).
   split; [split; [exact free_a | lia] |]. split; [split; [exact free_b | lia] |]. exact heights.
 Qed.
 
@@ -351,17 +285,9 @@ Proof.
     ((region_edges a ++ region_edges b) ++ (region_edges b ++ region_edges a) ++
      pieces_between_contacts a b ++ pieces_between_contacts b a) in_a_ in_b_) as (y & in_a & in_b & heights).
   clear in_a_ in_b_ z.
-  assert (some : filter (fun s => negb (signed_crossing y s =? 0)%Z) (region_edges a ++ region_edges b) <> []).
-  { intros none. destruct in_a as [_ positive_].
-    assert (winding_number y (region_edges a) = 0%Z); [| lia]. apply finite_sums.sum_of_zeros. intros s I.
-    destruct (Z.eq_dec (signed_crossing y s) 0) as [| crosses]; [assumption | exfalso].
-    assert (J : In s []) by (rewrite <- none; apply filter_In; split;
-      [apply in_app_iff; now left | now apply negb_true_iff, Z.eqb_neq]). destruct J. }
-  destruct (least_of (fun s => vx (point_at_height s (vy y))) _ some) as (s & I & first).
-  apply filter_In in I. destruct I as [I met]. apply negb_true_iff, Z.eqb_neq in met.
-  assert (first_of_all : forall t, In t (region_edges a ++ region_edges b) -> signed_crossing y t <> 0%Z ->
-    vx (point_at_height s (vy y)) <= vx (point_at_height t (vy y))).
-  { intros t J also. apply first, filter_In. split; [exact J |]. now apply negb_true_iff, Z.eqb_neq. }
+  destruct (first_crossed y (region_edges a ++ region_edges b)) as [none | (s & I & met & first_of_all)].
+  { destruct in_a as [_ positive_]. assert (winding_number y (region_edges a) = 0%Z); [| lia].
+    apply sum_of_zeros. intros s I. apply none, in_app_iff. now left. }
   unfold collide. rewrite !orb_true_iff. apply in_app_iff in I. destruct I as [I | I].
   - left. right. apply (first_hit_shows a b y s); trivial.
     + intros t J. apply heights, in_app_iff. now left.

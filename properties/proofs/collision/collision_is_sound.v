@@ -4,7 +4,7 @@
    inside (left_of_an_edge.v); beside a point of one boundary inside the other region is a point inside both; and
    pieces that run along each other in the same direction have the inside on the same side. *)
 From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import convolution shifted_ray tie_rule meeting_of_segments weight regions first_hit
+From Oplus Require Import convolution small_numbers shifted_ray tie_rule meeting_of_segments weight regions first_hit
   interiors_meet neighbourhoods left_of_an_edge winding_number_of_the_sum theorem_4_2_1 location pieces
   naive_collision met_pieces rotation.
 Import ListNotations.
@@ -20,10 +20,10 @@ Lemma left_of_both (a b : region) (e f : segment) (w n : vector) :
   0 < cross (along e) n -> 0 < cross (along f) n -> meet_inside a b.
 Proof.
   intros (_ & a_valid & a_meet) (_ & b_valid & b_meet) E F on_e on_f a_free b_free left_of_e left_of_f.
-  destruct (eventually_and _ _
+  destruct (some_small _ (eventually_and _ _
     (left_of_an_edge_is_inside a e w n a_valid a_meet E on_e a_free left_of_e)
-    (left_of_an_edge_is_inside b f w n b_valid b_meet F on_f b_free left_of_f)) as (limit & some & near).
-  exists (moved_along w n ((1 # 2) * limit)). apply near; lra.
+    (left_of_an_edge_is_inside b f w n b_valid b_meet F on_f b_free left_of_f))) as (d & _ & both).
+  now exists (moved_along w n d).
 Qed.
 
 (* Two edges that cross. *)
@@ -69,34 +69,18 @@ Proof.
     by (unfold p, q, area, cross, along, minus; cbn [source target vx vy]; ring).
   assert (turn : ~ cross (along s) (along t) == 0) by lra.
   set (D := cross (along s) (along t)) in *.
-  assert (fractions : 0 < p / D < 1 /\ 0 < - u / D < 1).
-  { assert (p_is : p / D * D == p) by (field; exact turn). assert (u_is : - u / D * D == - u) by (field; exact turn).
-    set (k := p / D) in *. set (l := - u / D) in *.
-    assert (fraction_ : forall x y : Q, 0 < x * y -> 0 < (1 - x) * y -> 0 < x < 1).
-    { intros x y X Y. destruct (Qlt_le_dec 0 y); split; apply Qnot_le_lt; intros extreme; nra. }
-    assert (fraction_of_negative : forall x y : Q, x * y < 0 -> (1 - x) * y < 0 -> 0 < x < 1).
-    { intros x y X Y. apply (fraction_ x (- y)); lra. }
-    split; [destruct s_across as [[P Q_] | [P Q_]] | destruct t_across as [[P Q_] | [P Q_]]].
-    - apply (fraction_of_negative k D); lra.
-    - apply (fraction_ k D); lra.
-    - apply (fraction_ l D); lra.
-    - apply (fraction_of_negative l D); lra. }
-  destruct fractions as [k_range l_range].
-  exists (Vector ((1 - p / D) * vx (source s) + p / D * vx (target s))
-                 ((1 - p / D) * vy (source s) + p / D * vy (target s))).
-  split; [exists (p / D); split; [exact k_range |]; split; reflexivity |]. split; [| exact turn].
-  exists (- u / D). split; [exact l_range |]. cbn [vx vy].
-  split; apply (Qmult_inj_r _ _ D turn).
-  - setoid_replace (((1 - p / D) * vx (source s) + p / D * vx (target s)) * D)
-      with (D * vx (source s) + p * (vx (target s) - vx (source s))) by (field; exact turn).
-    setoid_replace (((1 - - u / D) * vx (source t) + - u / D * vx (target t)) * D)
-      with (D * vx (source t) - u * (vx (target t) - vx (source t))) by (field; exact turn).
-    unfold p, u, D, area, cross, along, minus; cbn [source target vx vy]. ring.
-  - setoid_replace (((1 - p / D) * vy (source s) + p / D * vy (target s)) * D)
-      with (D * vy (source s) + p * (vy (target s) - vy (source s))) by (field; exact turn).
-    setoid_replace (((1 - - u / D) * vy (source t) + - u / D * vy (target t)) * D)
-      with (D * vy (source t) - u * (vy (target t) - vy (source t))) by (field; exact turn).
-    unfold p, u, D, area, cross, along, minus; cbn [source target vx vy]. ring.
+  assert (p_is : p / D * D == p) by (field; exact turn). assert (u_is : - u / D * D == - u) by (field; exact turn).
+  set (k := p / D) in *. set (l := - u / D) in *. clearbody k l.
+  assert (fraction_ : forall x y : Q, 0 < x * y -> 0 < (1 - x) * y -> 0 < x < 1).
+  { intros x y X Y. destruct (Qlt_le_dec 0 y); split; apply Qnot_le_lt; intros extreme; nra. }
+  assert (range : 0 < k < 1 /\ 0 < l < 1).
+  { destruct s_across as [[P Q_] | [P Q_]], t_across as [[P' Q'] | [P' Q']]; split;
+      first [apply (fraction_ _ D); lra | apply (fraction_ _ (- D)); lra]. }
+  destruct range as [k_range l_range].
+  exists (Vector ((1 - k) * vx (source s) + k * vx (target s)) ((1 - k) * vy (source s) + k * vy (target s))).
+  split; [exists k; split; [exact k_range |]; split; reflexivity |]. split; [| exact turn].
+  exists l. split; [exact l_range |]. clear fraction_ k_range l_range s_across t_across. cbn [vx vy].
+  split; apply (Qmult_inj_r _ _ D turn); unfold p, u, q, v, D in *; in_coordinates; by_equations.
 Qed.
 
 Lemma middle_is_inside (s : segment) : strictly_inside (middle s) s.

@@ -13,22 +13,7 @@ Lemma lines_meet_once (s f : segment) (p w : vector) : ~ cross (along s) (along 
   lies_on p s -> lies_on p f -> lies_on w s -> lies_on w f -> equal_vectors w p.
 Proof.
   intros turn (t & _ & tx & ty) (u & _ & ux & uy) (t' & _ & tx' & ty') (u' & _ & ux' & uy').
-  unfold cross, along, minus in turn; cbn [vx vy] in turn.
-  assert (same_x : (t' - t) * (vx (target s) - vx (source s)) == (u' - u) * (vx (target f) - vx (source f))).
-  { setoid_replace ((t' - t) * (vx (target s) - vx (source s))) with (vx w - vx p) by (rewrite tx, tx'; ring).
-    rewrite ux, ux'. ring. }
-  assert (same_y : (t' - t) * (vy (target s) - vy (source s)) == (u' - u) * (vy (target f) - vy (source f))).
-  { setoid_replace ((t' - t) * (vy (target s) - vy (source s))) with (vy w - vy p) by (rewrite ty, ty'; ring).
-    rewrite uy, uy'. ring. }
-  assert (none : t' - t == 0).
-  { destruct (Qmult_integral (t' - t) ((vx (target s) - vx (source s)) * (vy (target f) - vy (source f)) -
-        (vy (target s) - vy (source s)) * (vx (target f) - vx (source f)))) as [none |]; trivial; [| contradiction].
-    setoid_replace ((t' - t) * ((vx (target s) - vx (source s)) * (vy (target f) - vy (source f)) -
-        (vy (target s) - vy (source s)) * (vx (target f) - vx (source f)))) with
-      ((t' - t) * (vx (target s) - vx (source s)) * (vy (target f) - vy (source f)) -
-       (t' - t) * (vy (target s) - vy (source s)) * (vx (target f) - vx (source f))) by ring.
-    rewrite same_x, same_y. ring. }
-  assert (t_is : t' == t) by lra. split; [rewrite tx, tx', t_is | rewrite ty, ty', t_is]; reflexivity.
+  split; apply (Qmult_inj_l _ _ _ turn); in_coordinates; by_equations.
 Qed.
 
 (* An end that is on the other segment is found. *)
@@ -58,44 +43,22 @@ Proof.
               (p = source f \/ p = target f) /\ lies_on p s -> False).
     { intros p which. destruct (intersection_has_ends s f p which) as (q & I & _). now rewrite common in I. }
     assert (crossing_ : cross_properly s f = true).
-    { destruct on_s as (t & t_range & tx & ty), on_f as (u & u_range & ux & uy).
-      assert (t_inside : 0 < t < 1).
-      { split; apply Qnot_le_lt; intros extreme.
-        - apply (no_end (source s)). left. split; [now left |]. assert (t_is : t == 0) by lra.
-          exists u. split; [exact u_range |]. rewrite t_is in tx, ty. split; lra.
-        - apply (no_end (target s)). left. split; [now right |]. assert (t_is : t == 1) by lra.
-          exists u. split; [exact u_range |]. rewrite t_is in tx, ty. split; lra. }
-      assert (u_inside : 0 < u < 1).
-      { split; apply Qnot_le_lt; intros extreme.
-        - apply (no_end (source f)). right. split; [now left |]. assert (u_is : u == 0) by lra.
-          exists t. split; [exact t_range |]. rewrite u_is in ux, uy. split; lra.
-        - apply (no_end (target f)). right. split; [now right |]. assert (u_is : u == 1) by lra.
-          exists t. split; [exact t_range |]. rewrite u_is in ux, uy. split; lra. }
+    { assert (in_s : strictly_inside w s).
+      { destruct (inside_or_end w s on_s) as [| [equal | equal]]; [assumption | exfalso ..];
+          [apply (no_end (source s)) | apply (no_end (target s))]; left;
+          (split; [tauto | apply (lies_on_equal w); [now symmetry | exact on_f]]). }
+      assert (in_f : strictly_inside w f).
+      { destruct (inside_or_end w f on_f) as [| [equal | equal]]; [assumption | exfalso ..];
+          [apply (no_end (source f)) | apply (no_end (target f))]; right;
+          (split; [tauto | apply (lies_on_equal w); [now symmetry | exact on_s]]). }
+      destruct in_s as (t & t_inside & tx & ty), in_f as (u & u_inside & ux & uy).
       set (D := cross (along s) (along f)) in *.
-      assert (one : area (Segment (source s) (target s)) (source f) == - u * D).
-      { unfold area, D, cross, along, minus; cbn [source target vx vy].
-        assert (vx (source f) == vx w - u * (vx (target f) - vx (source f))) as x_is by (rewrite ux; ring).
-        assert (vy (source f) == vy w - u * (vy (target f) - vy (source f))) as y_is by (rewrite uy; ring).
-        set (fx := vx (target f) - vx (source f)) in *. set (fy := vy (target f) - vy (source f)) in *.
-        rewrite x_is, y_is, tx, ty. ring. }
-      assert (two : area (Segment (source s) (target s)) (target f) == (1 - u) * D).
-      { unfold area, D, cross, along, minus; cbn [source target vx vy].
-        assert (vx (target f) == vx w + (1 - u) * (vx (target f) - vx (source f))) as x_is by (rewrite ux; ring).
-        assert (vy (target f) == vy w + (1 - u) * (vy (target f) - vy (source f))) as y_is by (rewrite uy; ring).
-        set (fx := vx (target f) - vx (source f)) in *. set (fy := vy (target f) - vy (source f)) in *.
-        rewrite x_is, y_is, tx, ty. ring. }
-      assert (three : area (Segment (source f) (target f)) (source s) == t * D).
-      { unfold area, D, cross, along, minus; cbn [source target vx vy].
-        assert (vx (source s) == vx w - t * (vx (target s) - vx (source s))) as x_is by (rewrite tx; ring).
-        assert (vy (source s) == vy w - t * (vy (target s) - vy (source s))) as y_is by (rewrite ty; ring).
-        set (sx := vx (target s) - vx (source s)) in *. set (sy := vy (target s) - vy (source s)) in *.
-        rewrite x_is, y_is, ux, uy. ring. }
-      assert (four : area (Segment (source f) (target f)) (target s) == - ((1 - t) * D)).
-      { unfold area, D, cross, along, minus; cbn [source target vx vy].
-        assert (vx (target s) == vx w + (1 - t) * (vx (target s) - vx (source s))) as x_is by (rewrite tx; ring).
-        assert (vy (target s) == vy w + (1 - t) * (vy (target s) - vy (source s))) as y_is by (rewrite ty; ring).
-        set (sx := vx (target s) - vx (source s)) in *. set (sy := vy (target s) - vy (source s)) in *.
-        rewrite x_is, y_is, ux, uy. ring. }
+      assert (areas : (area (Segment (source s) (target s)) (source f) == - u * D /\
+                       area (Segment (source s) (target s)) (target f) == (1 - u) * D) /\
+                      (area (Segment (source f) (target f)) (source s) == t * D /\
+                       area (Segment (source f) (target f)) (target s) == - ((1 - t) * D)))
+        by (repeat split; unfold D; in_coordinates; by_equations).
+      destruct areas as ((one & two) & three & four).
       unfold cross_properly. rewrite !orientation_by_area, one, two, three, four.
       clearbody D. clear - turn t_inside u_inside.
       compared_numbers (- u * D ?= 0); compared_numbers ((1 - u) * D ?= 0);
@@ -117,13 +80,9 @@ Proof.
     destruct on_both as [[p_on_s p_on_f] | ->]; [now apply (lines_meet_once s f) |].
     destruct on_s as (t & t_range & tx & ty), on_f as (u & u_range & ux & uy).
     assert (t_is : cross (minus (source f) (source s)) (along f) / cross (along s) (along f) == t).
-    { apply (Qmult_inj_r _ _ (cross (along s) (along f)) turn).
-      setoid_replace (cross (minus (source f) (source s)) (along f) / cross (along s) (along f) *
-        cross (along s) (along f)) with (cross (minus (source f) (source s)) (along f)) by (field; exact turn).
-      assert (x_is : vx (source f) == vx w - u * vx (along f)) by (rewrite ux; unfold along, minus; cbn; ring).
-      assert (y_is : vy (source f) == vy w - u * vy (along f)) by (rewrite uy; unfold along, minus; cbn; ring).
-      unfold cross. unfold minus at 1 2. cbn [vx vy]. rewrite x_is, y_is, tx, ty.
-      set (F := along f). unfold along, minus; cbn [vx vy]. ring. }
+    { setoid_replace (cross (minus (source f) (source s)) (along f)) with (t * cross (along s) (along f))
+        by (in_coordinates; by_equations).
+      field. exact turn. }
     unfold crossing_point. split; cbn [vx vy]; rewrite t_is; unfold along, minus; cbn [vx vy];
       [rewrite tx | rewrite ty]; ring.
 Qed.
@@ -136,10 +95,8 @@ Proof.
   destruct (fraction_on s _ long on_source) as (_ & jx & jy).
   destruct (fraction_on s _ long on_target) as (_ & kx & ky).
   set (j := fraction s (source piece)) in *. set (k := fraction s (target piece)) in *. clearbody j k.
-  assert (x_is : vx (along piece) == (k - j) * vx (along s))
-    by (unfold along, minus; cbn [vx vy]; rewrite jx, kx; ring).
-  assert (y_is : vy (along piece) == (k - j) * vy (along s))
-    by (unfold along, minus; cbn [vx vy]; rewrite jy, ky; ring).
+  assert (x_is : vx (along piece) == (k - j) * vx (along s)) by (in_coordinates; by_equations).
+  assert (y_is : vy (along piece) == (k - j) * vy (along s)) by (in_coordinates; by_equations).
   split; [| exists (k - j); split; [lra | tauto]].
   intros [no_x no_y]. rewrite x_is in no_x. rewrite y_is in no_y. apply long.
   destruct (Qmult_integral _ _ no_x); destruct (Qmult_integral _ _ no_y); split; trivial; exfalso; lra.

@@ -183,10 +183,9 @@ Lemma fraction_is (s : segment) (p : vector) (t : Q) : nonzero (along s) ->
   vy p == (1 - t) * vy (source s) + t * vy (target s) -> fraction s p == t.
 Proof.
   intros long X Y. pose proof (square_positive _ long) as square. unfold fraction.
-  apply (Qmult_inj_r _ _ (dot (along s) (along s))); [lra |].
-  setoid_replace (dot (minus p (source s)) (along s) / dot (along s) (along s) * dot (along s) (along s))
-    with (dot (minus p (source s)) (along s)) by (field; lra).
-  unfold dot, minus, along; cbn [vx vy]. rewrite X, Y. unfold minus; cbn [vx vy]. ring.
+  setoid_replace (dot (minus p (source s)) (along s)) with (t * dot (along s) (along s))
+    by (in_coordinates; by_equations).
+  field. lra.
 Qed.
 
 Lemma fraction_on (s : segment) (p : vector) : nonzero (along s) -> lies_on p s ->
@@ -275,10 +274,6 @@ Qed.
 Definition is_part (piece s : segment) : Prop :=
   lies_on (source piece) s /\ lies_on (target piece) s /\ fraction s (source piece) < fraction s (target piece).
 
-Definition strictly_inside (w : vector) (s : segment) : Prop :=
-  exists k, 0 < k < 1 /\ vx w == (1 - k) * vx (source s) + k * vx (target s) /\
-    vy w == (1 - k) * vy (source s) + k * vy (target s).
-
 Lemma point_of_part (piece s : segment) (w : vector) (k : Q) : nonzero (along s) -> is_part piece s ->
   0 <= k <= 1 -> vx w == (1 - k) * vx (source piece) + k * vx (target piece) ->
   vy w == (1 - k) * vy (source piece) + k * vy (target piece) ->
@@ -288,11 +283,7 @@ Proof.
   destruct (fraction_on s _ long on_source) as (range_j & jx & jy).
   destruct (fraction_on s _ long on_target) as (range_k & kx & ky).
   set (j := fraction s (source piece)) in *. set (l := fraction s (target piece)) in *. clearbody j l.
-  assert (x_is : vx w == (1 - ((1 - k) * j + k * l)) * vx (source s) + ((1 - k) * j + k * l) * vx (target s))
-    by (rewrite X, jx, kx; ring).
-  assert (y_is : vy w == (1 - ((1 - k) * j + k * l)) * vy (source s) + ((1 - k) * j + k * l) * vy (target s))
-    by (rewrite Y, jy, ky; ring).
-  split; [| now apply fraction_is]. exists ((1 - k) * j + k * l). split; [split; nra | tauto].
+  split; [exists ((1 - k) * j + k * l); split; [split; nra |]; split | apply fraction_is; [exact long | |]]; by_equations.
 Qed.
 
 Lemma inside_a_part (piece s : segment) (w : vector) : nonzero (along s) -> is_part piece s ->
@@ -348,9 +339,7 @@ Proof.
   split.
   - intros piece I. split; [now apply part |]. intros p w J inside_ equal.
     destruct (inside_a_part piece s w long (part piece I) inside_) as [on_w between_].
-    assert (on_p : lies_on p s).
-    { destruct on_w as (t & range & X & Y). exists t. destruct equal as [x_is y_is].
-      split; [exact range |]. split; [rewrite <- x_is; exact X | rewrite <- y_is; exact Y]. }
+    assert (on_p : lies_on p s) by now apply (lies_on_equal w).
     destruct (has p (or_intror (or_intror (conj J on_p)))) as (q & K & equal_q).
     unfold cut in I. apply consecutive_iff in I. destruct I as (before & after & list_is).
     unfold along_is_ordered in order. rewrite list_is in order, K. apply gap in order.
@@ -371,6 +360,5 @@ Proof.
     set (t := fraction s w) in *. clearbody j k t.
     assert (quotient : (t - j) / (k - j) * (k - j) == t - j) by (field; lra).
     exists ((t - j) / (k - j)). set (r := (t - j) / (k - j)) in *. clearbody r.
-    split; [split; nra |]. rewrite X, Y, jx, jy, kx, ky.
-    assert (t_is : t == j + r * (k - j)) by lra. rewrite t_is. split; ring.
+    split; [split; nra |]. split; by_equations.
 Qed.

@@ -3,7 +3,7 @@
    is replaced by the diamond |x| + |y| = 1, of circumference 4 in the norm |x| + |y| of its quarter:
    which directions are met, and in which order, is the same, and all numbers stay rational. *)
 From Coq Require Import QArith Qabs Lqa Bool Lia.
-From Oplus Require Import directions.
+From Oplus Require Import direction angle cyclic_order.
 
 Open Scope Q_scope.
 

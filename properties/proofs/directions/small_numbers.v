@@ -18,6 +18,19 @@ Proof.
     split; [apply ha | apply hb]; lra.
 Qed.
 
+(* So for some number. *)
+Lemma some_small (holds : Q -> Prop) : eventually holds -> exists epsilon, 0 < epsilon /\ holds epsilon.
+Proof. intros (bound & some & near). exists ((1 # 2) * bound). split; [lra |]. apply near; lra. Qed.
+
+Lemma eventually_below (limit : Q) : 0 < limit -> eventually (fun epsilon => 0 < epsilon /\ epsilon < limit).
+Proof. intros some. exists limit. now split. Qed.
+
+Lemma eventually_squared (holds : Q -> Prop) : eventually holds -> eventually (fun epsilon => holds (epsilon * epsilon)).
+Proof.
+  intros (bound & some & near). exists (Qmin 1 bound). split; [apply Q.min_glb_lt; lra |]. intros e positive_ less.
+  pose proof (Q.le_min_l 1 bound). pose proof (Q.le_min_r 1 bound). apply near; nra.
+Qed.
+
 Lemma eventually_implied (A B : Q -> Prop) :
   (forall epsilon, A epsilon -> B epsilon) -> eventually A -> eventually B.
 Proof. intros i (a & p & h). exists a. auto. Qed.

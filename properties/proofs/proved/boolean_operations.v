@@ -4,8 +4,7 @@
    depend on it. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
 From Oplus Require Import specification direction winding_number_of_the_sum winding_number regions interiors_meet
-  neighbourhoods left_of_an_edge
-  theorem_4_2_1 specification_bridge filling rule_of_sides region_of_pieces sum_program sum_is_right regions_by_rule.
+  neighbourhoods left_of_an_edge theorem_4_2_1 specification_bridge filling rule_of_sides region_of_pieces sum_program sum_is_right regions_by_rule.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -1,6 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The pieces of filling.v are parts of the segments, all of them together, none has an end of another inside,
-  and no two
+(* The pieces of filling.v are parts of the segments, all of them together, none has an end of another inside, and no two
    are the same. *)
 From Coq Require Import QArith Qabs Qminmax Qreduction Lqa Qfield ZArith Lia Bool List.
 From Oplus Require Import direction angular_crossings winding_number shifted_ray meeting_of_segments rotation regions
@@ -49,17 +48,15 @@ Qed.
 
 Lemma lies_on_of_one_place (e f : segment) (w : vector) : of_one_place e f -> lies_on w e -> lies_on w f.
 Proof.
-  intros [[[X1 Y1] [X2 Y2]] | [[X1 Y1] [X2 Y2]]] (k & range & X & Y).
-  - exists k. split; [exact range |]. rewrite X, Y, X1, Y1, X2, Y2. split; reflexivity.
-  - exists (1 - k). split; [lra |]. rewrite X, Y, X1, Y1, X2, Y2. split; ring.
+  intros [[[X1 Y1] [X2 Y2]] | [[X1 Y1] [X2 Y2]]] (k & range & X & Y); [exists k | exists (1 - k)];
+    (split; [lra |]); rewrite X, Y, X1, Y1, X2, Y2; split; ring.
 Qed.
 
 Lemma strictly_inside_of_one_place (e f : segment) (w : vector) :
   of_one_place e f -> strictly_inside w e -> strictly_inside w f.
 Proof.
-  intros [[[X1 Y1] [X2 Y2]] | [[X1 Y1] [X2 Y2]]] (k & range & X & Y).
-  - exists k. split; [exact range |]. rewrite X, Y, X1, Y1, X2, Y2. split; reflexivity.
-  - exists (1 - k). split; [lra |]. rewrite X, Y, X1, Y1, X2, Y2. split; ring.
+  intros [[[X1 Y1] [X2 Y2]] | [[X1 Y1] [X2 Y2]]] (k & range & X & Y); [exists k | exists (1 - k)];
+    (split; [lra |]); rewrite X, Y, X1, Y1, X2, Y2; split; ring.
 Qed.
 
 Lemma long_of_one_place (e f : segment) : of_one_place e f -> nonzero (along f) -> nonzero (along e).
@@ -78,41 +75,12 @@ Qed.
 Lemma collinear_by_direction (e t : segment) (w : vector) :
   lies_on w e -> lies_on w t -> cross (along e) (along t) == 0 -> collinear e t.
 Proof.
-  intros (k & _ & X & Y) (j & _ & U & V) parallel. unfold collinear, area, cross, along, minus in *. cbn [vx vy] in *.
-  set (ux := vx (target e) - vx (source e)) in *. set (uy := vy (target e) - vy (source e)) in *.
-  set (tx := vx (target t) - vx (source t)) in *. set (ty := vy (target t) - vy (source t)) in *.
-  assert (X' : vx w == vx (source e) + k * ux) by (rewrite X; unfold ux; ring).
-  assert (Y' : vy w == vy (source e) + k * uy) by (rewrite Y; unfold uy; ring).
-  assert (sx : vx (source t) == vx w - j * tx) by (rewrite U; unfold tx; ring).
-  assert (sy : vy (source t) == vy w - j * ty) by (rewrite V; unfold ty; ring).
-  assert (gx : vx (target t) == vx w + (1 - j) * tx) by (rewrite U; unfold tx; ring).
-  assert (gy : vy (target t) == vy w + (1 - j) * ty) by (rewrite V; unfold ty; ring).
-  rewrite sx, sy, gx, gy, X', Y'. split.
-  - setoid_replace (ux * (vy (source e) + k * uy - j * ty - vy (source e)) -
-      uy * (vx (source e) + k * ux - j * tx - vx (source e))) with (- j * (ux * ty - uy * tx)) by ring.
-    rewrite parallel. ring.
-  - setoid_replace (ux * (vy (source e) + k * uy + (1 - j) * ty - vy (source e)) -
-      uy * (vx (source e) + k * ux + (1 - j) * tx - vx (source e))) with ((1 - j) * (ux * ty - uy * tx)) by ring.
-    rewrite parallel. ring.
+  intros (k & _ & X & Y) (j & _ & U & V) parallel. unfold collinear. in_coordinates. split; by_equations.
 Qed.
 
-(* What is parallel is a is_a_multiple. *)
 Lemma is_a_multiple (u v : vector) : nonzero u -> cross u v == 0 ->
   exists c, vx v == c * vx u /\ vy v == c * vy u.
-Proof.
-  intros long parallel. pose proof (square_positive u long) as some. exists (dot u v / dot u u).
-  assert (value : dot u v / dot u u * dot u u == dot u v) by (field; lra).
-  set (c := dot u v / dot u u) in *. clearbody c. unfold dot, cross in *.
-  split; apply (Qmult_inj_r _ _ (vx u * vx u + vy u * vy u)); try lra.
-  - setoid_replace (c * vx u * (vx u * vx u + vy u * vy u)) with (c * (vx u * vx u + vy u * vy u) * vx u) by ring.
-    rewrite value.
-    setoid_replace ((vx u * vx v + vy u * vy v) * vx u) with
-      (vx v * (vx u * vx u + vy u * vy u) + (vx u * vy v - vy u * vx v) * vy u) by ring. rewrite parallel. ring.
-  - setoid_replace (c * vy u * (vx u * vx u + vy u * vy u)) with (c * (vx u * vx u + vy u * vy u) * vy u) by ring.
-    rewrite value.
-    setoid_replace ((vx u * vx v + vy u * vy v) * vy u) with
-      (vy v * (vx u * vx u + vy u * vy u) - (vx u * vy v - vy u * vx v) * vx u) by ring. rewrite parallel. ring.
-Qed.
+Proof. intros long parallel. apply multiple_of; [exact long | unfold cross in *; lra]. Qed.
 
 (* Two segments with a common point inside both, and no end of one inside the other, are in one place. *)
 Lemma same_place_ahead (e f : segment) (w : vector) (c : Q) :
@@ -123,47 +91,29 @@ Lemma same_place_ahead (e f : segment) (w : vector) (c : Q) :
   equal_vectors (source e) (source f) /\ equal_vectors (target e) (target f).
 Proof.
   intros some along_x along_y (k & k_range & kx & ky) (j & j_range & jx & jy) f_source f_target e_source e_target.
-  unfold along, minus in *. cbn [vx vy] in *.
-  set (ux := vx (target e) - vx (source e)) in *. set (uy := vy (target e) - vy (source e)) in *.
-  assert (tx : vx (target e) == vx (source e) + ux) by (unfold ux; ring).
-  assert (ty : vy (target e) == vy (source e) + uy) by (unfold uy; ring).
-  assert (fx : vx (target f) == vx (source f) + c * ux) by lra.
-  assert (fy : vy (target f) == vy (source f) + c * uy) by lra.
-  clearbody ux uy.
-  set (a := k - j * c). set (b := k + (1 - j) * c).
-  assert (sx : vx (source f) == vx (source e) + a * ux).
-  { assert (vx (source e) + k * ux == vx (source f) + j * (c * ux)); [| unfold a; lra].
-    transitivity (vx w); [rewrite kx, tx | rewrite jx, fx]; ring. }
-  assert (sy : vy (source f) == vy (source e) + a * uy).
-  { assert (vy (source e) + k * uy == vy (source f) + j * (c * uy)); [| unfold a; lra].
-    transitivity (vy w); [rewrite ky, ty | rewrite jy, fy]; ring. }
-  assert (b_is : b == a + c) by (unfold a, b; ring).
-  assert (0 < j * c) by (apply Qmult_lt_0_compat; lra). assert (0 < (1 - j) * c) by (apply Qmult_lt_0_compat; lra).
-  assert (a < k) by (unfold a; lra). assert (k < b) by (unfold b; lra). clearbody a b.
-  assert (a_low : a <= 0).
-  { apply Qnot_lt_le. intros high. apply f_source. exists a. split; [lra |]. rewrite sx, sy, tx, ty. split; ring. }
-  assert (b_high : 1 <= b).
-  { apply Qnot_lt_le. intros low. apply f_target. exists b. split; [lra |]. rewrite fx, fy, sx, sy, tx, ty, b_is.
-    split; ring. }
+  (* where points of f are along e *)
+  set (a := k - j * c). assert (0 < j * c) by (apply Qmult_lt_0_compat; lra).
+  assert (0 < (1 - j) * c) by (apply Qmult_lt_0_compat; lra). assert (a_range : a < 1 /\ 0 < a + c) by (unfold a; lra).
+  assert (same_x : forall l, (1 - l) * vx (source f) + l * vx (target f) ==
+    (1 - (a + l * c)) * vx (source e) + (a + l * c) * vx (target e)) by (intros l; unfold a; in_coordinates; by_equations).
+  assert (same_y : forall l, (1 - l) * vy (source f) + l * vy (target f) ==
+    (1 - (a + l * c)) * vy (source e) + (a + l * c) * vy (target e)) by (intros l; unfold a; in_coordinates; by_equations).
+  clearbody a. clear along_x along_y kx ky jx jy.
+  pose proof (same_x 0) as x0. pose proof (same_y 0) as y0. pose proof (same_x 1) as x1. pose proof (same_y 1) as y1.
+  assert (a_low : a <= 0) by (apply Qnot_lt_le; intros high; apply f_source; exists a; repeat split; lra).
+  assert (b_high : 1 <= a + c) by (apply Qnot_lt_le; intros low; apply f_target; exists (a + c); repeat split; lra).
   assert (a_is : a == 0).
   { destruct (Qlt_le_dec a 0) as [low |]; [exfalso | lra]. apply e_source. exists (- a / c).
     assert (value : - a / c * c == - a) by (field; lra). split.
     - split; [apply Qlt_shift_div_l; lra | apply Qlt_shift_div_r; lra].
-    - rewrite fx, fy, sx, sy. set (q := - a / c) in *. split.
-      + setoid_replace ((1 - q) * (vx (source e) + a * ux) + q * (vx (source e) + a * ux + c * ux))
-          with (vx (source e) + a * ux + q * c * ux) by ring. rewrite value. ring.
-      + setoid_replace ((1 - q) * (vy (source e) + a * uy) + q * (vy (source e) + a * uy + c * uy))
-          with (vy (source e) + a * uy + q * c * uy) by ring. rewrite value. ring. }
+    - pose proof (same_x (- a / c)). pose proof (same_y (- a / c)). set (l := - a / c) in *. clearbody l.
+      split; by_equations. }
   assert (c_is : c == 1).
   { destruct (Qlt_le_dec 1 c) as [long |]; [exfalso | lra]. apply e_target. exists (1 / c).
     assert (value : 1 / c * c == 1) by (field; lra). split.
     - split; [apply Qlt_shift_div_l; lra | apply Qlt_shift_div_r; lra].
-    - rewrite fx, fy, sx, sy, tx, ty, a_is. set (q := 1 / c) in *. split.
-      + setoid_replace ((1 - q) * (vx (source e) + 0 * ux) + q * (vx (source e) + 0 * ux + c * ux))
-          with (vx (source e) + q * c * ux) by ring. rewrite value. ring.
-      + setoid_replace ((1 - q) * (vy (source e) + 0 * uy) + q * (vy (source e) + 0 * uy + c * uy))
-          with (vy (source e) + q * c * uy) by ring. rewrite value. ring. }
-  unfold equal_vectors. rewrite fx, fy, sx, sy, tx, ty, a_is, c_is. repeat split; ring.
+    - pose proof (same_x (1 / c)). pose proof (same_y (1 / c)). set (l := 1 / c) in *. clearbody l. split; by_equations. }
+  rewrite a_is, c_is in x0, y0, x1, y1. unfold equal_vectors. lra.
 Qed.
 
 Lemma reversed_place (f : segment) : of_one_place (reversed f) f.
@@ -178,8 +128,8 @@ Proof.
   intros long_e long_f parallel in_e in_f a b c d. destruct (is_a_multiple _ _ long_e parallel) as (r & rx & ry).
   destruct (Q_dec r 0) as [[low | high] | none].
   - right. apply (same_place_ahead e (reversed f) w (- r)); trivial; try lra.
-    + unfold along, minus, reversed in *; cbn [source target vx vy] in *. lra.
-    + unfold along, minus, reversed in *; cbn [source target vx vy] in *. lra.
+    + in_coordinates. lra.
+    + in_coordinates. lra.
     + now apply strictly_inside_reversed.
     + intros inside_. apply c. apply strictly_inside_reversed in inside_. now rewrite reversed_twice in inside_.
     + intros inside_. apply d. apply strictly_inside_reversed in inside_. now rewrite reversed_twice in inside_.
@@ -187,21 +137,28 @@ Proof.
   - exfalso. apply long_f. rewrite rx, ry, none. split; ring.
 Qed.
 
+Lemma intersection_is_on_both (s f : segment) (p : vector) : In p (intersection s f) ->
+  lies_on p s /\ lies_on p f /\
+  ((p = source s \/ p = target s \/ p = source f \/ p = target f) \/ ~ cross (along s) (along f) == 0).
+Proof.
+  intros I. unfold intersection in I. destruct (sorted_points _) as [| a l] eqn:sorted.
+  - destruct (cross_properly s f) eqn:crossing_; [| destruct I]. destruct I as [<- | []].
+    destruct (proper_crossing s f crossing_) as (w & in_s & in_f & turn).
+    apply strictly_inside_lies_on in in_s, in_f. destruct (intersection_has s f w turn in_s in_f) as (q & J & equal).
+    unfold intersection in J. rewrite sorted, crossing_ in J. destruct J as [<- | []].
+    split; [now apply (lies_on_equal w) |]. split; [now apply (lies_on_equal w) | now right].
+  - rewrite <- sorted in I. apply sorted_in, in_app_iff in I.
+    destruct I as [I | I]; apply filter_In in I; destruct I as [end_ on]; cbn in end_.
+    + destruct (is_on_spec p f) as [on_f |]; [| discriminate]. split; [| intuition].
+      destruct end_ as [<- | [<- | []]]; [apply source_lies_on | apply target_lies_on].
+    + destruct (is_on_spec p s) as [on_s |]; [| discriminate]. split; [exact on_s |]. split; [| intuition].
+      destruct end_ as [<- | [<- | []]]; [apply source_lies_on | apply target_lies_on].
+Qed.
+
 Lemma intersection_is (s f : segment) (p : vector) : In p (intersection s f) ->
   (p = source s \/ p = target s \/ p = source f \/ p = target f) \/
   (lies_on p s /\ lies_on p f /\ ~ cross (along s) (along f) == 0).
-Proof.
-  intros I. assert (whole := I). unfold intersection in I. destruct (sorted_points _) as [| a l] eqn:sorted.
-  - destruct (cross_properly s f) eqn:crossing_; [| destruct I]. destruct I as [<- | []]. right.
-    destruct (proper_crossing s f crossing_) as (w & in_s & in_f & turn).
-    assert (on : forall t, strictly_inside w t -> lies_on w t)
-      by (intros t (k & range & X & Y); exists k; split; [lra | tauto]).
-    destruct (intersection_has s f w turn (on s in_s) (on f in_f)) as (q & J & equal).
-    unfold intersection in J. rewrite sorted, crossing_ in J. destruct J as [<- | []].
-    split; [| split; [| exact turn]]; apply (lies_on_equal w); trivial; now apply on.
-  - left. rewrite <- sorted in I. apply sorted_in, in_app_iff in I.
-    destruct I as [I | I]; apply filter_In in I; destruct I as [I _]; cbn in I; intuition.
-Qed.
+Proof. intros I. destruct (intersection_is_on_both s f p I) as (on_s & on_f & [ends | turn]); tauto. Qed.
 
 Lemma ends_of_a_piece (s piece : segment) (others : list segment) (p : vector) :
   In piece (cut_where_met s others) -> p = source piece \/ p = target piece ->
@@ -245,11 +202,8 @@ Section Pieces.
     destruct (ends_of_a_piece s1 p1 segments p P1 end_) as [is_source | [is_target | (f & F & met)]].
     - destruct (no_end s1 S1). congruence.
     - destruct (no_end s1 S1). congruence.
-    - apply intersection_is in met. destruct met as [[-> | [-> | [-> | ->]]] | (on_s1 & on_f & turn)].
-      + destruct (no_end s1 S1). congruence.
-      + destruct (no_end s1 S1). congruence.
-      + destruct (no_end f F). congruence.
-      + destruct (no_end f F). congruence.
+    - apply intersection_is in met. destruct met as [ends | (on_s1 & on_f & turn)].
+      + destruct (no_end s1 S1), (no_end f F). intuition congruence.
       + destruct (nothing_meets_a_piece s2 segments p2 s1 p (all_long s2 S2) P2 inside_ S1) as (_ & _ & first_).
         destruct (nothing_meets_a_piece s2 segments p2 f p (all_long s2 S2) P2 inside_ F) as (_ & _ & second_).
         specialize (first_ on_s1). specialize (second_ on_f). apply turn.
@@ -276,9 +230,6 @@ Section Pieces.
     intros long part (k & range & X & Y). now destruct (point_of_part piece s w k long part range X Y).
   Qed.
 
-  Lemma strictly_inside_lies_on (w : vector) (s : segment) : strictly_inside w s -> lies_on w s.
-  Proof. intros (k & range & X & Y). exists k. split; [lra | tauto]. Qed.
-
   Theorem pieces_are_pieces : are_pieces segments (pieces_of segments).
   Proof.
     split.
@@ -297,10 +248,7 @@ Section Pieces.
       apply (collinear_of_one_place _ piece); [apply undirected_place |].
       destruct (nothing_meets_a_piece s segments piece t w (all_long s S) P inside_ J) as (_ & _ & parallel).
       apply (collinear_by_direction piece t w); [now apply strictly_inside_lies_on | exact on |].
-      specialize (parallel on). unfold cross in *. rewrite cx, cy.
-      setoid_replace (c * vx (along s) * vy (along t) - c * vy (along s) * vx (along t))
-        with (c * (vx (along s) * vy (along t) - vy (along s) * vx (along t))) by ring.
-      rewrite parallel. ring.
+      specialize (parallel on). unfold cross in *. by_equations.
     - intros before e after f w pieces_are F in_e in_f.
       assert (distinct_ : NoDup (pieces_of segments)) by apply NoDup_nodup.
       assert (E : In e (pieces_of segments)) by (rewrite pieces_are; apply in_app_iff; cbn; tauto).
@@ -316,10 +264,7 @@ Section Pieces.
       destruct (nothing_meets_a_piece s1 segments p1 s2 w (all_long s1 S1) P1 in_e S2) as (_ & _ & parallel).
       specialize (parallel (part_lies_on p2 s2 w (all_long s2 S2) part2 (strictly_inside_lies_on w p2 in_f))).
       apply (one_place p1 p2 w); trivial.
-      + unfold cross in *. rewrite x1, y1, x2, y2.
-        setoid_replace (c1 * vx (along s1) * (c2 * vy (along s2)) - c1 * vy (along s1) * (c2 * vx (along s2)))
-          with (c1 * c2 * (vx (along s1) * vy (along s2) - vy (along s1) * vx (along s2))) by ring.
-        rewrite parallel. ring.
+      + unfold cross in *. by_equations.
       + apply (no_end_inside s2 s1 p2 p1); tauto.
       + apply (no_end_inside s2 s1 p2 p1); tauto.
       + apply (no_end_inside s1 s2 p1 p2); tauto.

@@ -7,88 +7,54 @@ From Coq Require Import QArith Qabs Qminmax Lqa ZArith Lia Bool List Permutation
 From Oplus Require Import specification checker convolution signed_crossings convolution_winding regions
   meeting_of_segments winding_number_of_the_sum interiors_meet neighbourhoods left_of_an_edge beside_every_point
   theorem_4_2_1 location homogeneous_points specification_bridge pieces collision_is_complete placed_collision
-  checked_collision sum_program sum_is_right sum_of_uncovered_pieces open_sum_program open_sums
-    turned_chains
-  inner_fit_program complement_in_a_frame walks.
+  checked_collision sum_program sum_is_right sum_of_uncovered_pieces coordinates open_sum_program open_sums
+  turned_chains inner_fit_program complement_in_a_frame walks.
 Import ListNotations.
 
 Open Scope Q_scope.
 
 Lemma the_larger_is (a b : Q) : a <= the_larger a b /\ b <= the_larger a b.
-Proof.
-  unfold the_larger. destruct (Qle_bool a b) eqn:order.
-  - apply Qle_bool_iff in order. lra.
-  - assert (b <= a); [| lra]. apply Qnot_lt_le. intros less. apply not_true_iff_false in order. apply order,
-    Qle_bool_iff. lra.
-Qed.
+Proof. unfold the_larger. rewrite <- at_most_is. destruct (at_most_spec a b); lra. Qed.
 
 Lemma size_is_large (points : list vector) :
   1 <= size_of points /\ forall v, In v points -> in_square (size_of points) v.
 Proof.
   induction points as [| w points [large all]]; [split; [cbn; lra | intros v []] |]. cbn [size_of fold_right].
-  fold (size_of points). set (size := size_of points) in *. clearbody size.
-  destruct (the_larger_is (Qabs (vx w)) (the_larger (Qabs (vy w)) size)) as [x_low more].
-  destruct (the_larger_is (Qabs (vy w)) size) as [y_low least].
-  set (k := the_larger (Qabs (vx w)) (the_larger (Qabs (vy w)) size)) in *. clearbody k. split; [lra |]. intros v [->
-    | I].
+  fold (size_of points). set (size := size_of points) in *.
+  destruct (the_larger_is (Qabs (vx w)) (the_larger (Qabs (vy w)) size)), (the_larger_is (Qabs (vy w)) size).
+  set (k := the_larger (Qabs (vx w)) _) in *. split; [lra |]. intros v [-> | I].
   - pose proof (abs_bounds (vx v)). pose proof (abs_bounds (vy v)). split; lra.
   - apply (in_larger_square size); [lra | now apply all].
 Qed.
 
-Lemma ends_are_vertices (r : region) (s : segment) : In s (region_edges r) ->
-  In (source s) (concat r) /\ In (target s) (concat r).
+Lemma edges_in_square (r : region) (k : Q) : (forall v, In v (concat r) -> in_square k v) ->
+  forall e, In e (region_edges r) -> in_square k (source e) /\ in_square k (target e).
 Proof.
-  intros S. apply in_flat_map in S. destruct S as (c & C & S).
-  assert (ends : In (source s) c /\ In (target s) (rotated c)).
-  { destruct (edges_ends c) as [sources targets].
-    split; [rewrite <- sources | rewrite <- targets]; now apply in_map. }
-  destruct ends as [source_in target_in]. split; apply in_concat; exists c; (split; [exact C |]); [exact source_in |].
-  destruct c as [| v rest]; [destruct target_in |]. cbn [rotated] in target_in. apply in_app_iff in target_in.
-  destruct target_in as [I | [<- | []]]; [now right | now left].
+  intros all. assert (sources : forall e, In e (region_edges r) -> in_square k (source e)).
+  { intros e E. apply in_flat_map in E. destruct E as (c & C & E). apply all, in_concat. exists c.
+    split; [exact C |]. rewrite <- (proj1 (edges_ends c)). now apply in_map. }
+  intros e E. split; [now apply sources |]. destruct (target_is_vertex r e E) as (u & U & X & Y).
+  destruct (sources u U). unfold in_square. now rewrite X, Y.
 Qed.
 
-(* Members and inner points of regions whose vertices are written in another way. *)
+(* What holds at one end of an edge and at the other, holds at all vertices of a chain or at none. *)
+Lemma alike_along_a_chain (A : vector -> Prop) (c : list vector) :
+  (forall e, In e (edges c) -> A (source e) <-> A (target e)) ->
+  forall e, In e (edges c) -> (A (source e) <-> A (hd nowhere c)).
+Proof.
+  destruct c as [| first rest]; [intros _ e [] |]. rewrite edges_are_consecutive. cbn [hd app].
+  generalize (rest ++ [first]). intros l. revert first. clear rest.
+  induction l as [| u l IH]; intros v alike e E; [destruct E |]. destruct E as [<- | E]; [reflexivity |].
+  rewrite (IH u (fun f F => alike f (or_intror F)) e E). symmetry. exact (alike _ (or_introl eq_refl)).
+Qed.
+
+(* Inner points of regions whose vertices are written in another way. *)
 Lemma inner_point_of_chains (x : point) (r : region) :
   is_inner_point x (as_polygonal r) <->
   winding_number (as_vector x) (region_edges r) <> 0%Z /\ off (as_vector x) (region_edges r).
 Proof.
-  set (h := fun v => vector_of (homogeneous (as_point v))).
-  assert (same : forall v, equal_vectors (h v) v).
-  { intros v. unfold h. rewrite (homogeneous_is (as_point v)). split; reflexivity. }
-  assert (edges_are : region_edges (as_region (as_polygonal r)) = map (moved_ends h) (region_edges r)).
-  { unfold as_region, as_polygonal. rewrite map_map, <- edges_of_images. f_equal. apply map_ext. intros c.
-    now rewrite map_map. }
-  rewrite inner_point_is, edges_are, (winding_number_of_images h same).
-  pose proof (on_images h same (as_vector x) (region_edges r)) as on_both. unfold off.
-  split; intros [round free]; (split; [exact round |]); intros s S on.
-  - destruct (proj2 on_both) as (t & T & on_t); [now exists s | exact (free t T on_t)].
-  - destruct (proj1 on_both) as (t & T & on_t); [now exists s | exact (free t T on_t)].
-Qed.
-
-Lemma member_by_edges (x : point) (r : polygonal_region) :
-  member x r <-> (exists s, In s (region_edges (as_region r)) /\ lies_on (as_vector x) s) \/
-    winding_number (as_vector x) (region_edges (as_region r)) <> 0%Z.
-Proof. unfold member. now rewrite on_boundary_is, number_of_region_is. Qed.
-
-(* Whether x is on one of some edges, or one of some points. *)
-Lemma on_one_or_none (x : point) (l : list edge) :
-  (exists e, In e l /\ is_on x e) \/ forall e, In e l -> ~ is_on x e.
-Proof.
-  induction l as [| e l IH]; [right; intros e [] |].
-  destruct (lies_on_dec (as_vector x) (Segment (as_vector (fst e)) (as_vector (snd e)))) as [on | off_];
-    [left; exists e; split; [now left | exact on] |].
-  destruct IH as [(f & F & on) | none]; [left; exists f; split; [now right | exact on] |].
-  right. intros f [<- | F]; [exact off_ | now apply none].
-Qed.
-
-Lemma one_of_or_none (x : point) (l : list point) :
-  (exists v, In v l /\ equal_points x v) \/ forall v, In v l -> ~ equal_points x v.
-Proof.
-  induction l as [| v l IH]; [right; intros v [] |].
-  destruct (same_point_spec (as_vector x) (as_vector v)) as [equal | differ];
-    [left; exists v; split; [now left | exact equal] |].
-  destruct IH as [(u & U & equal) | none]; [left; exists u; split; [now right | exact equal] |].
-  right. intros u [<- | U]; [exact differ | now apply none].
+  destruct (written_chains (as_vector x) r) as [same_points same_number].
+  unfold as_polygonal. now rewrite inner_point_is, !off_is, same_points, same_number.
 Qed.
 
 Lemma half_turned_inner_point (b : polygonal_region) (z : point) : valid_region (as_region b) ->
@@ -97,8 +63,27 @@ Lemma half_turned_inner_point (b : polygonal_region) (z : point) : valid_region 
 Proof.
   intros b_region. rewrite inner_point_of_chains. unfold half_turned. rewrite <- inside_placed. unfold inside.
   destruct (placed_is_valid (Vector 0 0) (as_region b) b_region) as (_ & not_negative & _).
-  split; intros [round free]; split; trivial; [specialize (not_negative _ free) | specialize (not_negative _
-    round)]; lia.
+  pose proof (not_negative (as_vector z)). intuition lia.
+Qed.
+
+Lemma equal_members (x y : point) (r : polygonal_region) : equal_points x y -> member x r -> member y r.
+Proof.
+  intros [X Y]. rewrite !member_by_edges. intros [(e & E & on) | round].
+  - left. exists e. split; [exact E |]. apply (lies_on_equal (as_vector x)); [now split | exact on].
+  - right. now rewrite <- (winding_number_of_equal (as_vector x) (as_vector y) _ X Y).
+Qed.
+
+Lemma member_dec (x : point) (r : polygonal_region) : member x r \/ ~ member x r.
+Proof.
+  rewrite member_by_edges. destruct (on_or_off (as_vector x) (region_edges (as_region r))) as [on | free]; [tauto |].
+  rewrite off_is in free. destruct (Z.eq_dec (winding_number (as_vector x) (region_edges (as_region r))) 0); tauto.
+Qed.
+
+Lemma one_of_or_none {A : Type} (P : A -> Prop) (l : list A) : (forall a, {P a} + {~ P a}) ->
+  (exists a, In a l /\ P a) \/ forall a, In a l -> ~ P a.
+Proof.
+  intros decided. destruct (Exists_dec P l decided) as [some | none]; [left; now apply Exists_exists | right].
+  intros a I holds. apply none, Exists_exists. now exists a.
 Qed.
 
 Section InnerFit.
@@ -120,168 +105,122 @@ Section InnerFit.
 
   Definition is_placement (x : point) : Prop := forall y, member y b -> member (sum_of_points x y) a.
 
-  Lemma edges_in_square (r : region) (k : Q) : (forall v, In v (concat r) -> in_square k v) ->
-    forall e, In e (region_edges r) -> in_square k (source e) /\ in_square k (target e).
-  Proof. intros all e E. destruct (ends_are_vertices r e E). split; now apply all. Qed.
-
   Lemma members_are_in_the_square (r : polygonal_region) (k : Q) (x : point) :
     (forall v, In v (concat (as_region r)) -> in_square k v) -> member x r -> in_square k (as_vector x).
   Proof.
-    intros all in_r. apply member_by_edges in in_r. destruct in_r as [(e & E & on) | round].
-    - destruct (edges_in_square _ _ all e E). now apply (squares_are_convex k e).
+    intros all in_r. pose proof (edges_in_square _ _ all) as ends. apply member_by_edges in in_r.
+    destruct in_r as [(e & E & on) | round].
+    - destruct (ends e E). now apply (squares_are_convex k e).
     - destruct (is_in_square_spec k (as_vector x)) as [| out]; [assumption | exfalso]. apply round.
-      apply (nothing_goes_round_outside k); [apply region_cycles | now apply edges_in_square | exact out].
+      now apply (nothing_goes_round_outside k); [apply region_cycles | |].
   Qed.
 
-  Lemma member_dec (x : point) (r : polygonal_region) : member x r \/ ~ member x r.
+  (* Inner points of the outside are outside; and what is not inside, and not at the frame, is one. *)
+  Lemma outside_is (x : point) : in_square (4 * m) (as_vector x) ->
+    (is_inner_point x (as_polygonal outside) <-> ~ member x a).
   Proof.
-    rewrite member_by_edges. destruct (on_or_off (as_vector x) (region_edges (as_region r))) as [on | free]; [tauto |].
-    destruct (Z.eq_dec (winding_number (as_vector x) (region_edges (as_region r))) 0) as [zero_ | round]; [| tauto].
-    right. intros [(e & E & on) | round]; [exact (free e E on) | contradiction].
-  Qed.
-
-  (* Inner points of the outside are outside. *)
-  Lemma edges_of_outside : region_edges outside = edges (frame (5 * m)) ++ region_edges (map turned_chain (as_region
-    a)).
-  Proof. reflexivity. Qed.
-
-  Lemma outside_is_not_inside (x : point) : is_inner_point x (as_polygonal outside) -> ~ member x a.
-  Proof.
-    intros [round free]%inner_point_of_chains in_a.
-    pose proof (members_are_in_the_square a m x a_fits in_a) as [in_x in_y].
-    rewrite edges_of_outside, number_of_both, winding_number_of_turned in round.
-    pose proof (frame_goes_round (5 * m) (as_vector x) ltac:(lra) ltac:(lra)) as once.
-    apply member_by_edges in in_a. destruct in_a as [on | round_a].
-    - apply on_turned in on. destruct on as (e & E & on). apply (free e); [| exact on].
-      rewrite edges_of_outside. apply in_app_iff. now right.
-    - assert (free_a : off (as_vector x) (region_edges (as_region a))).
-      { intros e E on. destruct (proj2 (on_turned (as_vector x) (as_region a))) as (e' & E' & on'); [now exists e |].
-        apply (free e'); [| exact on']. rewrite edges_of_outside. apply in_app_iff. now right. }
-      pose proof (a_simple _ free_a). destruct a_region as (_ & not_negative & _).
-      pose proof (not_negative _ free_a). lia.
-  Qed.
-
-  Lemma what_is_not_inside_is_outside (x : point) : in_square (4 * m) (as_vector x) -> ~ member x a ->
-    is_inner_point x (as_polygonal outside).
-  Proof.
-    intros [in_x in_y] out. apply inner_point_of_chains. rewrite member_by_edges in out.
-    pose proof (frame_goes_round (5 * m) (as_vector x) ltac:(lra) ltac:(lra)) as once.
-    pose proof (off_the_frame (5 * m) (as_vector x) ltac:(lra) ltac:(lra)) as free.
-    rewrite edges_of_outside, number_of_both, winding_number_of_turned, once. split.
-    - destruct (Z.eq_dec (winding_number (as_vector x) (region_edges (as_region a))) 0); [lia | exfalso; tauto].
-    - intros e E on. apply in_app_iff in E. destruct E as [E | E]; [exact (free e E on) |].
-      apply out. left. apply on_turned. now exists e.
-  Qed.
-
-  Lemma equal_inner_points (x y : point) (r : polygonal_region) : equal_points x y -> is_inner_point x r ->
-    is_inner_point y r.
-  Proof.
-    intros equal. rewrite !inner_point_is. intros [round free]. destruct equal as [X Y]. split.
-    - now rewrite <- (winding_number_of_equal (as_vector x) (as_vector y) _ X Y).
-    - apply (off_equal (as_vector x)); [now split | exact free].
-  Qed.
-
-  Lemma equal_members (x y : point) (r : polygonal_region) : equal_points x y -> member x r -> member y r.
-  Proof.
-    intros [X Y]. rewrite !member_by_edges. intros [(e & E & on) | round].
-    - left. exists e. split; [exact E |]. apply (lies_on_equal (as_vector x)); [now split | exact on].
-    - right. now rewrite <- (winding_number_of_equal (as_vector x) (as_vector y) _ X Y).
+    intros [in_x in_y]. rewrite inner_point_of_chains, member_by_edges. unfold outside.
+    change (region_edges (complement_in_frame (5 * m) (as_region a)))
+      with (edges (frame (5 * m)) ++ region_edges (map turned_chain (as_region a))).
+    rewrite number_of_both, winding_number_of_turned, frame_goes_round by lra.
+    pose proof (off_the_frame (5 * m) (as_vector x) ltac:(lra) ltac:(lra)) as free_frame.
+    assert (same : off (as_vector x) (edges (frame (5 * m)) ++ region_edges (map turned_chain (as_region a))) <->
+      off (as_vector x) (region_edges (as_region a))).
+    { rewrite (off_is _ (region_edges (as_region a))), <- on_turned, <- off_is. split; intros free e E.
+      - apply free, in_app_iff. now right.
+      - apply in_app_iff in E. destruct E as [E | E]; [now apply free_frame | now apply free]. }
+    rewrite same. pose proof (a_simple (as_vector x)) as simple. destruct a_region as (_ & not_negative & _).
+    specialize (not_negative (as_vector x)). rewrite off_is in *.
+    destruct (Z.eq_dec (winding_number (as_vector x) (region_edges (as_region a))) 0); [rewrite e; intuition lia |].
+    split; [intros [round free] | tauto]. specialize (simple free). specialize (not_negative free). lia.
   Qed.
 
   Lemma open_members_are_no_placements (x : point) : open_member x s -> ~ is_placement x.
   Proof.
-    intros open placement. apply is_open in open. destruct open as (w & z & in_w & in_z & [X Y]).
-    apply (half_turned_inner_point b z b_region) in in_z. apply (outside_is_not_inside w in_w).
-    set (y := Point (0 - x_of z) (0 - y_of z)).
-    apply (equal_members (sum_of_points x y)).
-    - unfold equal_points, sum_of_points, y in *; cbn [x_of y_of] in *. rewrite X, Y. split; ring.
-    - apply placement, member_of_region; [exact b_region |]. left. now destruct in_z.
+    intros open placement. apply is_open in open. destruct open as (w & z & in_w & in_z & equal).
+    apply (half_turned_inner_point b z b_region) in in_z. set (y := Point (0 - x_of z) (0 - y_of z)).
+    assert (in_a : member w a).
+    { apply (equal_members (sum_of_points x y)); [unfold y; by_computing |].
+      apply placement, member_of_region; [exact b_region |]. left. now destruct in_z. }
+    apply outside_is in in_w; [contradiction |].
+    apply (in_larger_square m); [lra | now apply (members_are_in_the_square a)].
   Qed.
 
   (* Where b does not come to the frame. *)
+  Lemma open_by_a_point (x y : point) : in_square (3 * m) (as_vector x) -> member y b ->
+    ~ member (sum_of_points x y) a -> open_member x s.
+  Proof.
+    intros close in_b out. apply is_open. pose proof (members_are_in_the_square b m y b_fits in_b) as in_y.
+    apply outside_is in out; [| unfold in_square in *; to_coordinates; lra].
+    apply inner_point_of_chains in out. destruct out as [round free].
+    destruct (winding_number_near _ _ (region_cycles outside) free) as (radius & R & near).
+    apply (member_of_region y b b_region) in in_b.
+    destruct (inside_near _ _ radius (valid_is_regular _ b_region) in_b R) as (y' & near_y & inner_y).
+    exists (sum_of_points x (as_point y')), (Point (0 - vx y') (0 - vy y')). split; [| split].
+    - apply inner_point_of_chains. destruct (near (as_vector (sum_of_points x (as_point y')))) as [free' same_];
+        [clear - near_y; by_computing | split; [congruence | exact free']].
+    - apply half_turned_inner_point; [exact b_region |]. apply (inside_equal y'); [by_computing | exact inner_y].
+    - clear. by_computing.
+  Qed.
+
   Lemma others_are_placements (x : point) : in_square (3 * m) (as_vector x) -> ~ open_member x s -> is_placement x.
   Proof.
     intros close not_open y in_b. destruct (member_dec (sum_of_points x y) a) as [| out]; [assumption | exfalso].
-    apply not_open, is_open. pose proof (members_are_in_the_square b m y b_fits in_b) as in_y.
-    assert (in_sum : in_square (4 * m) (as_vector (sum_of_points x y))).
-    { unfold in_square, as_vector, sum_of_points in *; cbn [vx vy x_of y_of] in *. lra. }
-    pose proof (what_is_not_inside_is_outside _ in_sum out) as inner. apply inner_point_of_chains in inner.
-    destruct inner as [round free]. destruct (winding_number_near _ _ (region_cycles outside) free) as (radius & R &
-      near).
-    apply (member_of_region y b b_region) in in_b. destruct b_region as (b_edges & b_valid & b_meet).
-    destruct (inside_near (as_region b) (as_vector y) radius (regions_are_regular _ b_edges b_valid b_meet) in_b R)
-      as (y' & near_y & inner_y).
-    exists (sum_of_points x (as_point y')), (Point (0 - vx y') (0 - vy y')). split; [| split].
-    - apply inner_point_of_chains. destruct (near (as_vector (sum_of_points x (as_point y')))) as [free' same_].
-      + unfold within, as_vector, sum_of_points, as_point in *; cbn [vx vy x_of y_of] in *. lra.
-      + split; [congruence | exact free'].
-    - apply half_turned_inner_point; [exact b_region |]. refine (inside_equal _ _ _ _ inner_y).
-      unfold minus, as_vector; cbn [vx vy x_of y_of]. split; cbn [vx vy]; ring.
-    - unfold equal_points, sum_of_points, as_point; cbn [x_of y_of]. split; ring.
+    now apply not_open, (open_by_a_point x y).
+  Qed.
+
+  Lemma some_point_of_b : exists v, member v b /\ in_square m (as_vector v).
+  Proof.
+    destruct b_some as (v & V). exists (as_point v). rewrite member_by_edges, as_vector_of_point.
+    split; [left | now apply b_fits]. apply in_concat in V. destruct V as (c & C & V).
+    rewrite <- (proj1 (edges_ends c)) in V. apply in_map_iff in V. destruct V as (e & <- & E).
+    exists e. split; [apply in_flat_map; now exists c | apply source_lies_on].
   Qed.
 
   Lemma placements_are_close (x : point) : is_placement x -> in_square (2 * m) (as_vector x).
   Proof.
-    intros placement. destruct b_some as (v & V).
-    assert (in_b : member (as_point v) b).
-    { apply member_by_edges. left. rewrite as_vector_of_point. apply in_concat in V. destruct V as (c & C & V).
-      destruct (edges_ends c) as [sources _]. rewrite <- sources in V. apply in_map_iff in V. destruct V as (e & <- &
-        E).
-      exists e. split; [apply in_flat_map; now exists c | apply source_lies_on]. }
-    pose proof (members_are_in_the_square a m _ a_fits (placement _ in_b)) as in_a. pose proof (b_fits v V) as in_v.
-    unfold in_square, as_vector, sum_of_points, as_point in *; cbn [vx vy x_of y_of] in *. lra.
+    intros placement. destruct some_point_of_b as (v & in_b & in_v).
+    pose proof (members_are_in_the_square a m _ a_fits (placement _ in_b)) as in_a.
+    unfold in_square in *. to_coordinates. lra.
   Qed.
 
-  (* What has no points of the open set, and a point in the smaller square, is in it. *)
-  Lemma stays_in_the_square (e : segment) (u v : vector) :
-    (forall x, lies_on (as_vector x) e -> ~ open_member x s) -> lies_on u e -> lies_on v e ->
-    in_square (3 * m) u -> in_square (2 * m) v.
+  (* What is not open is in the smaller square, or not in the larger one. *)
+  Lemma not_open_is_close (w : vector) : ~ open_member (as_point w) s -> in_square (3 * m) w -> in_square (2 * m) w.
+  Proof. intros not_open close. now apply (placements_are_close (as_point w)), others_are_placements. Qed.
+
+  (* So what has no points of the open set, and a point in the one, is in the other. *)
+  Lemma stays_in_the_square (e : segment) (u v : vector) : (forall w, lies_on w e -> ~ open_member (as_point w) s) ->
+    lies_on u e -> lies_on v e -> in_square (3 * m) u -> in_square (2 * m) v.
   Proof.
-    intros not_open on_u on_v close.
-    assert (in_u : in_square (2 * m) u).
-    { rewrite <- (as_vector_of_point u). apply placements_are_close, others_are_placements;
-        [now rewrite as_vector_of_point |]. apply not_open. now rewrite as_vector_of_point. }
-    destruct (is_in_square_spec (2 * m) v) as [| out]; [assumption | exfalso].
-    destruct (leaves_the_square u v m) as (w & on_w & close_w & far_w); [lra | exact in_u | exact out |].
-    apply far_w. rewrite <- (as_vector_of_point w). apply placements_are_close, others_are_placements;
-      [now rewrite as_vector_of_point |]. apply not_open. rewrite as_vector_of_point.
-    now apply (contacts_that_stay.common_part e u v).
+    intros not_open on_u on_v close. destruct (some_steps m u v) as (n & steps); [lra |].
+    apply (stays_in_steps (in_square (2 * m)) m n u v steps); [| now apply not_open_is_close; [apply not_open |]].
+    intros w y W Y near in_w. apply not_open_is_close; [apply not_open; now apply (common_part e u v) |].
+    unfold in_square, within in *. lra.
   Qed.
 
-  Lemma chains_are_not_open (e : segment) (x : point) : In e (region_edges chains) -> lies_on (as_vector x) e ->
-    ~ open_member x s.
-  Proof. intros E on [inner _]. apply inner_point_is in inner. destruct inner as [_ free]. exact (free e E on). Qed.
+  Lemma chains_are_not_open (e : segment) (w : vector) : In e (region_edges chains) -> lies_on w e ->
+    ~ open_member (as_point w) s.
+  Proof. intros E on [inner _]. apply inner_point_is in inner. exact (proj2 inner e E on). Qed.
 
-  Lemma dangling_edges_are_not_open (e : edge) (x : point) : In e (dangling_edges s) -> is_on x e -> ~ open_member x s.
+  Lemma dangling_edges_are_not_open (e : edge) (w : vector) : In e (dangling_edges s) ->
+    lies_on w (ends_of e) -> ~ open_member (as_point w) s.
   Proof. intros E on (_ & free & _). exact (free e E on). Qed.
 
-  (* All vertices of a chain are in the smaller square, or none. *)
-  Lemma chain_is_in_or_out (c : list vector) (e : segment) (w : vector) : In c chains -> In e (edges c) -> lies_on w e
-    ->
-    in_square (3 * m) w -> starts_in (2 * m) c = true.
+  (* A chain is in the smaller square, or none of its points are in the larger one. *)
+  Lemma chain_is_in_or_out (c : list vector) (e : segment) (w : vector) : In c chains -> In e (edges c) ->
+    lies_on w e ->
+    (in_square (3 * m) w -> starts_in (2 * m) c = true) /\ (starts_in (2 * m) c = true -> in_square (2 * m) w).
   Proof.
-    intros C E on close. destruct c as [| first rest]; [destruct E |]. cbn [starts_in].
-    destruct (is_in_square_spec (2 * m) first) as [| out]; [reflexivity | exfalso].
-    assert (not_open : forall f, In f (edges (first :: rest)) -> forall x, lies_on (as_vector x) f -> ~ open_member x
-      s).
-    { intros f F x. apply chains_are_not_open. apply in_flat_map. now exists (first :: rest). }
-    assert (all_out : forall f, In f (edges (first :: rest)) -> ~ in_square (2 * m) (source f)).
-    { rewrite edges_are_consecutive in *. clear E on. cbn [app].
-      assert (step : forall l v, (forall f, In f (consecutive (v :: l)) ->
-          In f (consecutive (first :: rest ++ [first]))) -> ~ in_square (2 * m) v ->
-        forall f, In f (consecutive (v :: l)) -> ~ in_square (2 * m) (source f)).
-      { induction l as [| u l IH]; intros v among out_v f F; [destruct F |].
-        change (consecutive (v :: u :: l)) with (Segment v u :: consecutive (u :: l)) in *.
-        destruct F as [<- | F]; [exact out_v |]. apply (IH u); trivial.
-        - intros g G. apply among. now right.
-        - intros in_u. apply out_v. apply (stays_in_the_square (Segment v u) u v).
-          + apply not_open, among. now left.
-          + exact (target_lies_on (Segment v u)).
-          + exact (source_lies_on (Segment v u)).
-          + apply (in_larger_square (2 * m)); [lra | exact in_u]. }
-      apply (step (rest ++ [first]) first); trivial. }
-    apply (all_out e E). apply (stays_in_the_square e w); [now apply not_open | exact on | apply source_lies_on |
-      exact close].
+    intros C E on.
+    assert (stays : forall f u v, In f (edges c) -> lies_on u f -> lies_on v f -> in_square (3 * m) u ->
+      in_square (2 * m) v).
+    { intros f u v F. apply stays_in_the_square. intros y. apply chains_are_not_open, in_flat_map. now exists c. }
+    assert (larger_ : forall v, in_square (2 * m) v -> in_square (3 * m) v) by (intros v; apply in_larger_square; lra).
+    assert (starts : starts_in (2 * m) c = true <-> in_square (2 * m) (hd nowhere c)).
+    { destruct c as [| v rest]; [destruct E |]. cbn. now destruct (is_in_square_spec (2 * m) v). }
+    rewrite starts, <- (alike_along_a_chain (in_square (2 * m)) c) with (e := e); trivial.
+    - split; intros in_; eapply (stays e); eauto using source_lies_on.
+    - intros f F. split; intros in_; eapply (stays f); eauto using source_lies_on, target_lies_on.
   Qed.
 
   Let inner_chains := filter (starts_in (2 * m)) chains.
@@ -291,9 +230,8 @@ Section InnerFit.
     winding_number x (region_edges chains) =
     (winding_number x (region_edges inner_chains) + winding_number x (region_edges outer_chains))%Z.
   Proof.
-    unfold inner_chains, outer_chains, region_edges. generalize chains. intros r. induction r as [| c l IH];
-      [reflexivity |].
-    cbn [filter flat_map]. rewrite number_of_both, IH.
+    unfold inner_chains, outer_chains, region_edges. generalize chains. intros r.
+    induction r as [| c l IH]; [reflexivity |]. cbn [filter flat_map]. rewrite number_of_both, IH.
     destruct (starts_in (2 * m) c); cbn [negb flat_map]; rewrite number_of_both; lia.
   Qed.
 
@@ -301,55 +239,20 @@ Section InnerFit.
     in_square (2 * m) w.
   Proof.
     intros E on. apply in_flat_map in E. destruct E as (c & C & E). apply filter_In in C. destruct C as [C starts].
-    destruct c as [| first rest]; [discriminate |]. cbn [starts_in] in starts.
-    destruct (is_in_square_spec (2 * m) first) as [in_first |]; [| discriminate].
-    assert (not_open : forall f, In f (edges (first :: rest)) -> forall x, lies_on (as_vector x) f -> ~ open_member x
-      s).
-    { intros f F x. apply chains_are_not_open. apply in_flat_map. now exists (first :: rest). }
-    assert (all_in : forall f, In f (edges (first :: rest)) -> in_square (2 * m) (source f)).
-    { rewrite edges_are_consecutive in *. clear E.
-      assert (step : forall l v, (forall f, In f (consecutive (v :: l)) ->
-          In f (consecutive (first :: rest ++ [first]))) -> in_square (2 * m) v ->
-        forall f, In f (consecutive (v :: l)) -> in_square (2 * m) (source f)).
-      { induction l as [| u l IH]; intros v among in_v f F; [destruct F |].
-        change (consecutive (v :: u :: l)) with (Segment v u :: consecutive (u :: l)) in *.
-        destruct F as [<- | F]; [exact in_v |]. apply (IH u); trivial.
-        - intros g G. apply among. now right.
-        - apply (stays_in_the_square (Segment v u) v u).
-          + apply not_open, among. now left.
-          + exact (source_lies_on (Segment v u)).
-          + exact (target_lies_on (Segment v u)).
-          + apply (in_larger_square (2 * m)); [lra | exact in_v]. }
-      apply (step (rest ++ [first]) first); trivial. }
-    apply (stays_in_the_square e (source e) w); [now apply not_open | apply source_lies_on | exact on |].
-    apply (in_larger_square (2 * m)); [lra | now apply all_in].
+    now apply (chain_is_in_or_out c e).
   Qed.
 
   Lemma outer_chains_are_far (w : vector) : in_square (3 * m) w -> off w (region_edges outer_chains).
   Proof.
-    intros close e E on. apply in_flat_map in E. destruct E as (c & C & E). apply filter_In in C. destruct C as [C
-      starts].
-    rewrite (chain_is_in_or_out c e w C E on close) in starts. discriminate.
+    intros close e E on. apply in_flat_map in E. destruct E as (c & C & E). apply filter_In in C. destruct C as [C far].
+    now rewrite (proj1 (chain_is_in_or_out c e w C E on) close) in far.
   Qed.
 
   Lemma nothing_inside_goes_round_outside (x : vector) : ~ in_square (2 * m) x ->
     winding_number x (region_edges inner_chains) = 0%Z.
   Proof.
-    intros far. apply (nothing_goes_round_outside (2 * m)); [apply region_cycles | | exact far].
+    apply (nothing_goes_round_outside (2 * m)); [apply region_cycles |].
     intros e E. split; apply (inner_chains_are_close e); trivial; [apply source_lies_on | apply target_lies_on].
-  Qed.
-
-  Lemma open_member_dec (x : point) : open_member x s \/ ~ open_member x s.
-  Proof.
-    unfold open_member. rewrite inner_point_is.
-    destruct (Z.eq_dec (winding_number (as_vector x) (region_edges (as_region (open_chains s)))) 0) as [zero_ | round];
-      [right; tauto |].
-    destruct (on_or_off (as_vector x) (region_edges (as_region (open_chains s)))) as [(e & E & on) | free];
-      [right; intros ((_ & free) & _); exact (free e E on) |].
-    destruct (on_one_or_none x (dangling_edges s)) as [(e & E & on) | none]; [right; intros (_ & free' & _); exact
-      (free' e E on) |].
-    destruct (one_of_or_none x (isolated_points s)) as [(v & V & equal) | none']; [right; intros (_ & _ & free');
-      exact (free' v V equal) | tauto].
   Qed.
 
   (* The outer chains go once round the smaller square. *)
@@ -364,9 +267,9 @@ Section InnerFit.
     2: { intros w on. apply outer_chains_are_far. apply (squares_are_convex (3 * m) (Segment x y)); trivial.
          apply (in_larger_square (2 * m)); [lra | exact close]. }
     assert (open : open_member (as_point y) s).
-    { destruct (open_member_dec (as_point y)) as [| not_]; [assumption | exfalso]. apply far_y.
-      rewrite <- (as_vector_of_point y). apply placements_are_close, others_are_placements; [| exact not_].
-      now rewrite as_vector_of_point. }
+    { destruct some_point_of_b as (v & in_b & in_v). apply (open_by_a_point _ v); trivial.
+      intros in_a. apply (members_are_in_the_square a m _ a_fits) in in_a.
+      unfold in_square, y in *. to_coordinates. lra. }
     destruct open as [inner _]. apply inner_point_is in inner. rewrite as_vector_of_point in inner.
     fold chains in inner. destruct inner as [round free].
     pose proof (number_of_inner_and_outer y) as both. rewrite (nothing_inside_goes_round_outside y far_y) in both.
@@ -378,60 +281,49 @@ Section InnerFit.
   Proof.
     intros x. unfold fits, placements_in. cbn [fit_chains fit_edges fit_points].
     rewrite member_of_chains, on_turned, winding_number_of_turned. fold chains inner_chains.
-    assert (enough : in_square (2 * m) (as_vector x) -> ~ open_member x s -> is_placement x).
-    { intros close not_open. apply others_are_placements; [| exact not_open].
-      apply (in_larger_square (2 * m)); [lra | exact close]. }
-    assert (among : forall e, In e (region_edges inner_chains) -> In e (region_edges chains)).
-    { intros e E. apply in_flat_map in E. destruct E as (c & C & E). apply filter_In in C. apply in_flat_map. now
-      exists c. }
+    setoid_rewrite filter_In.
+    assert (in_is : forall v, is_in_square (2 * m) v = true <-> in_square (2 * m) v)
+      by (intros v; now destruct (is_in_square_spec (2 * m) v)).
+    setoid_rewrite in_is. pose proof (number_of_inner_and_outer (as_vector x)) as both.
+    assert (larger_ : forall v, in_square (2 * m) v -> in_square (3 * m) v) by (intros v; apply in_larger_square; lra).
+    assert (point_is : x = as_point (as_vector x)) by now destruct x.
     split.
-    - intros [[(e & E & on) | round] | [(e & E & on) | (v & V & equal)]]; apply enough.
+    - assert (enough : in_square (2 * m) (as_vector x) -> ~ open_member x s -> is_placement x)
+        by (intros close; apply others_are_placements; auto).
+      intros [[(e & E & on) | round] | [(e & (E & close) & on) | (v & (V & close) & equal)]]; apply enough.
       + now apply (inner_chains_are_close e).
-      + intros open. exact (chains_are_not_open e x (among e E) on open).
+      + rewrite point_is. apply (chains_are_not_open e); [| exact on]. apply in_flat_map in E.
+        destruct E as (c & C & E). apply filter_In in C. apply in_flat_map. now exists c.
       + destruct (is_in_square_spec (2 * m) (as_vector x)) as [| far]; [assumption | exfalso].
         rewrite (nothing_inside_goes_round_outside _ far) in round. now apply round.
       + intros [inner _]. apply inner_point_is in inner. fold chains in inner. destruct inner as [some free].
         destruct (is_in_square_spec (2 * m) (as_vector x)) as [close | far].
-        * pose proof (number_of_inner_and_outer (as_vector x)) as both. rewrite (outer_chains_go_round _ close) in both.
-          destruct (chains_simple _ free); lia.
+        * rewrite (outer_chains_go_round _ close) in both. destruct (chains_simple _ free); lia.
         * rewrite (nothing_inside_goes_round_outside _ far) in round. now apply round.
-      + apply filter_In in E. destruct E as [E close].
-        destruct (is_in_square_spec (2 * m) (as_vector (fst e))) as [in_ |]; [| discriminate].
-        apply (stays_in_the_square (Segment (as_vector (fst e)) (as_vector (snd e))) (as_vector (fst e))).
-        * intros y on_y. now apply (dangling_edges_are_not_open e).
-        * exact (source_lies_on (Segment (as_vector (fst e)) (as_vector (snd e)))).
-        * exact on.
-        * apply (in_larger_square (2 * m)); [lra | exact in_].
-      + apply filter_In in E. destruct E as [E _]. now apply (dangling_edges_are_not_open e).
-      + apply filter_In in V. destruct V as [_ close]. destruct (is_in_square_spec (2 * m) (as_vector v)) as [in_ |];
-        [| discriminate].
-        destruct equal as [X Y]. unfold in_square, as_vector in *; cbn [vx vy] in *. lra.
-      + apply filter_In in V. destruct V as [V _]. intros (_ & _ & free). exact (free v V equal).
+      + apply (stays_in_the_square (ends_of e) (as_vector (fst e))); auto using (source_lies_on (ends_of e)).
+        intros w. now apply dangling_edges_are_not_open.
+      + rewrite point_is. now apply (dangling_edges_are_not_open e).
+      + unfold in_square in *. clear - close equal. to_coordinates. lra.
+      + intros (_ & _ & free). exact (free v V equal).
     - intros placement. pose proof (placements_are_close x placement) as close.
       assert (not_open : ~ open_member x s) by (intros open; exact (open_members_are_no_placements x open placement)).
-      assert (close_ : in_square (3 * m) (as_vector x)) by (apply (in_larger_square (2 * m)); [lra | exact close]).
-      destruct (on_or_off (as_vector x) (region_edges inner_chains)) as [on | free_inner]; [left; now left |].
-      pose proof (number_of_inner_and_outer (as_vector x)) as both. rewrite (outer_chains_go_round _ close) in both.
-      destruct (Z.eq_dec (winding_number (as_vector x) (region_edges inner_chains)) 0) as [zero_ | round];
-        [| left; right; lia].
-      assert (free : off (as_vector x) (region_edges chains)).
-      { intros e E on. apply in_flat_map in E. destruct E as (c & C & E).
-        apply (free_inner e); [| exact on]. apply in_flat_map. exists c. split; [| exact E]. apply filter_In.
-        split; [exact C |]. now apply (chain_is_in_or_out c e (as_vector x)). }
-      right.
-      destruct (on_one_or_none x (dangling_edges s)) as [(e & E & on) | none].
-      + left. exists e. split; [| exact on]. apply filter_In. split; [exact E |].
-        destruct (is_in_square_spec (2 * m) (as_vector (fst e))) as [| far]; [reflexivity | exfalso]. apply far.
-        apply (stays_in_the_square (Segment (as_vector (fst e)) (as_vector (snd e))) (as_vector x)); trivial.
-        * intros y on_y. now apply (dangling_edges_are_not_open e).
-        * exact (source_lies_on (Segment (as_vector (fst e)) (as_vector (snd e)))).
-      + right.
-        destruct (one_of_or_none x (isolated_points s)) as [(v & V & equal) | none'].
-        * exists v. split; [| exact equal]. apply filter_In. split; [exact V |].
-          destruct (is_in_square_spec (2 * m) (as_vector v)) as [| far]; [reflexivity | exfalso]. apply far.
-          destruct equal as [X Y]. unfold in_square, as_vector in *; cbn [vx vy] in *. lra.
+      destruct (on_or_off (as_vector x) (region_edges inner_chains)) as [on | free_inner]; [tauto |].
+      rewrite (outer_chains_go_round _ close) in both.
+      destruct (Z.eq_dec (winding_number (as_vector x) (region_edges inner_chains)) 0) as [zero_ |];
+        [right | left; right; lia].
+      destruct (one_of_or_none (is_on x) (dangling_edges s)) as [(e & E & on) | none].
+      { intros e. exact (lies_on_dec (as_vector x) (ends_of e)). }
+      + left. exists e. split; [split; [exact E |] | exact on].
+        apply (stays_in_the_square (ends_of e) (as_vector x)); auto using (source_lies_on (ends_of e)).
+        intros w. now apply dangling_edges_are_not_open.
+      + destruct (one_of_or_none (equal_points x) (isolated_points s)) as [(v & V & equal) | none'].
+        { intros v. destruct (same_point_spec (as_vector x) (as_vector v)); [now left | now right]. }
+        * right. exists v. split; [split; [exact V |] | exact equal].
+          unfold in_square in *. clear - close equal. to_coordinates. lra.
         * exfalso. apply not_open. split; [| split; [exact none | exact none']]. apply inner_point_is. fold chains.
-          split; [lia | exact free].
+          split; [lia |]. intros f F on. apply in_flat_map in F. destruct F as (c & C & F).
+          apply (free_inner f); [| exact on]. apply in_flat_map. exists c. split; [| exact F]. apply filter_In.
+          split; [exact C |]. now apply (chain_is_in_or_out c f (as_vector x)); auto.
   Qed.
 End InnerFit.
 
@@ -442,12 +334,7 @@ Lemma sums_go_round_once (p q : polygonal_region) (x : vector) :
   winding_number x (region_edges (as_region (quick_sum p q))) = 1%Z.
 Proof.
   intros p_region q_region. pose proof (quick_chains_are (as_region p) (as_region q) p_region q_region) as permuted.
-  unfold quick_sum. cbv zeta in *. set (f := quick_filled _ _) in *.
-  set (h := fun v => vector_of (homogeneous (as_point v))).
-  assert (same : forall v, equal_vectors (h v) v).
-  { intros v. unfold h. rewrite (homogeneous_is (as_point v)). split; reflexivity. }
-  unfold as_region at 1 2. rewrite !map_map, (map_ext _ (map h)) by (intros c; now rewrite map_map).
-  rewrite edges_of_images, (winding_number_of_images h same).
+  unfold quick_sum. cbv zeta in *. set (f := quick_filled _ _) in *. rewrite !(proj2 (written_chains x _)).
   rewrite (winding_number_of_chains (as_region p) (as_region q) _ p_region q_region permuted).
   destruct (0 <? _)%Z; tauto.
 Qed.
@@ -469,8 +356,8 @@ Proof.
   destruct (size_is_large (concat (as_region a) ++ concat (as_region b))) as [large all]. fold size in large, all.
   assert (a_fits : forall w, In w (concat (as_region a)) -> in_square size w)
     by (intros w W; apply all, in_app_iff; now left).
-  destruct (complement_is_valid (as_region a) size (5 * size)) as [p_region p_simple]; trivial; [lra | lra | |].
-  { intros s S. destruct (ends_are_vertices (as_region a) s S). split; now apply a_fits. }
+  destruct (complement_is_valid (as_region a) size (5 * size)) as [p_region p_simple]; trivial;
+    [lra | lra | now apply edges_in_square |].
   destruct (polygonal_is_valid _ p_region p_simple), (half_turned_is_valid _ b_region b_simple).
   apply placements_are_the_inner_fit; trivial.
   - intros w W. apply all, in_app_iff. now right.
@@ -487,13 +374,10 @@ Theorem no_fit_is_the_no_fit (a b : polygonal_region) :
 Proof.
   intros a_region a_simple b_region b_simple x.
   destruct (half_turned_is_valid _ b_region b_simple) as [q_region q_simple].
-  unfold no_fit. rewrite (open_sum_of_regions_is_the_open_sum a _ a_region q_region a_simple q_simple x). split.
-  - intros (y & z & in_a & in_b & [X Y]). apply (half_turned_inner_point b z b_region) in in_b.
-    exists y, (Point (0 - x_of z) (0 - y_of z)). split; [exact in_a |]. split.
-    + apply inner_point_of_valid; [exact b_region | exact in_b].
-    + unfold equal_points, sum_of_points in *; cbn [x_of y_of] in *. rewrite X, Y. split; ring.
-  - intros (y & z & in_a & in_b & [X Y]). exists y, (Point (0 - x_of z) (0 - y_of z)). split; [exact in_a |]. split.
-    + apply half_turned_inner_point; [exact b_region |]. apply (inner_point_of_valid z b b_region) in in_b.
-      refine (inside_equal _ _ _ _ in_b). unfold minus, as_vector; split; cbn [vx vy x_of y_of]; ring.
-    + unfold equal_points, sum_of_points in *; cbn [x_of y_of] in *. rewrite X, Y. split; ring.
+  unfold no_fit. rewrite (open_sum_of_regions_is_the_open_sum a _ a_region q_region a_simple q_simple x).
+  split; intros (y & z & in_a & in_b & equal); exists y, (Point (0 - x_of z) (0 - y_of z));
+    (split; [exact in_a |]; split; [| clear - equal; by_computing]).
+  - apply (half_turned_inner_point b z b_region) in in_b. apply inner_point_of_valid; [exact b_region | exact in_b].
+  - apply half_turned_inner_point; [exact b_region |]. apply (inner_point_of_valid z b b_region) in in_b.
+    apply (inside_equal (as_vector z)); [clear; by_computing | exact in_b].
 Qed.

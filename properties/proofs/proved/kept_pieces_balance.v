@@ -2,9 +2,9 @@
 (* The pieces that are kept (kept_pieces_go_round.v) enter each point as often as they leave it: compare their crossings
    as seen from four points around it. *)
 From Coq Require Import QArith Qabs Qminmax Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import balanced_edges direction angle angular_crossings winding_number shifted_ray signed_crossings
-  small_numbers regions meeting_of_segments first_hit neighbourhoods left_of_an_edge right_of_an_edge location pieces
-  beside_a_piece filling kept_pieces_go_round.
+From Oplus Require Import direction angle angular_crossings winding_number shifted_ray signed_crossings
+  small_numbers regions meeting_of_segments first_hit neighbourhoods left_of_an_edge location pieces beside_a_piece
+  filling kept_pieces_go_round.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -18,16 +18,6 @@ Definition is_level (e : segment) : bool := zero (vy (target e) - vy (source e))
 Definition corner_crossings (v : vector) (delta d : Q) (e : segment) : Z :=
   (signed_crossing (Vector (vx v - delta) (vy v + d)) e - signed_crossing (Vector (vx v + delta) (vy v + d)) e
    - signed_crossing (Vector (vx v - delta) (vy v - d)) e + signed_crossing (Vector (vx v + delta) (vy v - d)) e)%Z.
-
-Lemma inside_or_end (v : vector) (e : segment) : lies_on v e ->
-  strictly_inside v e \/ equal_vectors (source e) v \/ equal_vectors (target e) v.
-Proof.
-  intros (k & range & X & Y). destruct (Qlt_le_dec 0 k) as [some | none].
-  - destruct (Qlt_le_dec k 1) as [less | all].
-    + left. exists k. split; [lra | tauto].
-    + right. right. assert (k_is : k == 1) by lra. rewrite k_is in X, Y. split; lra.
-  - right. left. assert (k_is : k == 0) by lra. rewrite k_is in X, Y. split; lra.
-Qed.
 
 Lemma on_but_not_inside (v : vector) (e : segment) : lies_on v e -> ~ strictly_inside v e ->
   equal_vectors (source e) v \/ equal_vectors (target e) v.
@@ -169,28 +159,18 @@ Section Balance.
         assert (facts : vy (target e) == vy (source e) /\ vy (source e) == y /\ vx (source e) < a /\ a < vx (target e))
           by (now destruct (is_inside_level_spec y a e)).
         destruct facts as (same_height & height_ & after_source & before_target).
-        pose proof (inside_level e a y level) as inside_e. pose proof (strictly_inside_reversed _ _ inside_e) as
-          inside_back.
+        pose proof (inside_level e a y level) as inside_e.
         assert (the_sum : weighted (fun e => as_number (is_inside_level y a e)) pieces = sign e).
-        { assert (none : forall l, incl l (before ++ after) ->
-            weighted (fun e => as_number (is_inside_level y a e)) l = 0%Z).
-          { intros l part. rewrite (weighted_same _ (fun _ => 0%Z)).
-            - unfold weighted, sum. clear part. induction l as [| f l IH]; cbn; [reflexivity | exact IH].
-            - intros f F. destruct (is_inside_level y a f) eqn:level_f; [| reflexivity]. exfalso.
-              exact (pieces_have_nothing_in_common _ _ _ ends_ before e after f (Vector a y) pieces_are (part f F)
-                inside_e
-                (inside_level f a y level_f)). }
-          rewrite pieces_are. unfold weighted in *. rewrite map_app, sum_of_both. cbn [map].
-          rewrite (none before) by (intros f F; apply in_app_iff; tauto).
-          change (sum ((as_number (is_inside_level y a e) * sign e)%Z :: ?l))
-            with (as_number (is_inside_level y a e) * sign e + sum l)%Z.
-          unfold sum at 1. cbn [fold_right]. change (fold_right Z.add 0%Z) with sum.
-          rewrite (none after) by (intros f F; apply in_app_iff; tauto). rewrite level. cbn [as_number]. lia. }
+        { unfold weighted. rewrite pieces_are, (sums_but_for_one _ _ (fun _ => 0%Z));
+            [rewrite sum_of_zeros, level by trivial; cbn [as_number]; lia |].
+          intros f F. destruct (is_inside_level y a f) eqn:level_f; [| reflexivity]. exfalso.
+          exact (pieces_have_nothing_in_common _ _ _ ends_ before e after f (Vector a y) pieces_are F inside_e
+            (inside_level f a y level_f)). }
         rewrite the_sum.
         refine (eventually_implied _ _ _ (eventually_and _ _
           (same_beside_pieces _ _ _ ends_ e e (Vector a y) (Vector 0 (-1)) E (or_introl eq_refl) inside_e _)
-          (same_beside_pieces _ _ _ ends_ e (reversed e) (Vector a y) (Vector 0 1) E (or_intror eq_refl) inside_back
-            _))).
+          (same_beside_pieces _ _ _ ends_ e (reversed e) (Vector a y) (Vector 0 1) E (or_intror eq_refl)
+            (strictly_inside_reversed _ _ inside_e) _))).
         * intros d [below above]. unfold sign, kept_sign, inside_. rewrite <- below, <- above.
           rewrite (same_of_equal _ _ _ ends_ (Vector a (y + d)) (moved_along (Vector a y) (Vector 0 1) d)),
             (same_of_equal _ _ _ ends_ (Vector a (y - d)) (moved_along (Vector a y) (Vector 0 (-1)) d));
@@ -201,8 +181,7 @@ Section Balance.
         { intros e E. destruct (is_inside_level y a e) eqn:level; [| reflexivity].
           assert (existsb (is_inside_level y a) pieces = true) by (apply existsb_exists; now exists e). congruence. }
         assert (the_sum : weighted (fun e => as_number (is_inside_level y a e)) pieces = 0%Z).
-        { rewrite (weighted_same _ (fun _ => 0%Z)) by (intros e E; now rewrite none).
-          unfold weighted, sum. clear. induction pieces as [| f l IH]; cbn; [reflexivity | exact IH]. }
+        { apply sum_of_zeros. intros e E. now rewrite none. }
         rewrite the_sum.
         assert (free : off (Vector a y) pieces).
         { intros e E on. specialize (level_only e E on). rewrite (none e E) in level_only. discriminate. }
@@ -218,9 +197,7 @@ Section Balance.
           split; intros (k & _ & _ & Y); cbn [vy] in Y; rewrite f1, f2 in Y; lra.
         - destruct (off_one_segment_near _ e free) as (radius & R & near). exists radius. split; [exact R |].
           intros d some small. split; apply near; unfold within; cbn [vx vy]; lra. }
-      destruct (eventually_for_all (fun e d => ~ lies_on (Vector a (y + d)) e /\ ~ lies_on (Vector a (y - d)) e) pieces
-        each) as (limit & L & all). exists limit. split; [exact L |].
-      intros d some small. split; intros e E; now apply (all d some small e E).
+      refine (eventually_implied _ _ _ (eventually_for_all _ pieces each)). intros d all. split; intros e E; now apply all.
   Qed.
 
   Variable v : vector.
@@ -249,9 +226,7 @@ Section Balance.
         exists (vx v - vx (source e)). split; [lra |]. intros; lra.
       - destruct (Qlt_le_dec (vx v) (vx (target e))); [| exists 1; split; [lra | intros; lra]].
         exists (vx (target e) - vx v). split; [lra |]. intros; lra. }
-    destruct near as (limit & L & near). specialize (near ((1 # 2) * limit) ltac:(lra) ltac:(lra)).
-    set (delta := (1 # 2) * limit) in *. assert (wide : 0 < delta) by (unfold delta;
-      lra). clearbody delta. clear limit L.
+    destruct (some_small _ near) as (delta & wide & near'). clear near. rename near' into near.
     set (a1 := vx v - delta). set (a2 := vx v + delta).
     assert (only_level : forall a, a = a1 \/ a = a2 -> forall e, In e pieces -> lies_on (Vector a (vy v)) e ->
       is_inside_level (vy v) a e = true).
@@ -260,24 +235,19 @@ Section Balance.
           destruct on as (k & range & kx & ky); cbn [vx vy] in kx, ky;
           pose proof (in_order e E) as order_; unfold comes_first in order_;
           destruct (is_inside_level_spec (vy v) a e) as [| not_level]; trivial; exfalso; apply not_level.
-        + assert (k_some : 0 < k).
-          { destruct (Qlt_le_dec 0 k); [assumption |]. assert (k_is : k == 0) by lra. rewrite k_is in kx.
-            destruct which as [-> | ->]; unfold a1, a2 in *; lra. }
-          assert (level : vy (target e) == vy (source e)).
-          { assert (none : k * (vy (target e) - vy (source e)) == 0) by lra.
-            destruct (Qmult_integral _ _ none); lra. }
+        + assert (k_some : ~ k == 0)
+            by (intros none; rewrite none in kx; destruct which as [-> | ->]; unfold a1, a2 in *; lra).
+          assert (level : vy (target e) == vy (source e)) by (apply (Qmult_inj_l _ _ k k_some); lra).
           assert (0 <= k * (vx (target e) - vx (source e))) by (apply Qmult_le_0_compat; lra).
           destruct which as [-> | ->]; unfold a1, a2 in *; [exfalso; lra |].
-          assert (vx v < vx (target e)) by lra. specialize (right_ ltac:(assumption)). repeat split; lra.
-        + assert (k_some : 0 < 1 - k).
-          { destruct (Qlt_le_dec 0 (1 - k)); [assumption |]. assert (k_is : k == 1) by lra. rewrite k_is in kx.
-            destruct which as [-> | ->]; unfold a1, a2 in *; lra. }
-          assert (level : vy (target e) == vy (source e)).
-          { assert (none : (1 - k) * (vy (target e) - vy (source e)) == 0) by lra.
-            destruct (Qmult_integral _ _ none); lra. }
+          specialize (right_ ltac:(lra)). repeat split; lra.
+        + assert (k_some : ~ 1 - k == 0)
+            by (intros none; assert (k == 1) as k_is by lra; rewrite k_is in kx; destruct which as [-> | ->];
+                unfold a1, a2 in *; lra).
+          assert (level : vy (target e) == vy (source e)) by (apply (Qmult_inj_l _ _ (1 - k) k_some); lra).
           assert (0 <= (1 - k) * (vx (target e) - vx (source e))) by (apply Qmult_le_0_compat; lra).
           destruct which as [-> | ->]; unfold a1, a2 in *; [| exfalso; lra].
-          assert (vx (source e) < vx v) by lra. specialize (left_ ltac:(assumption)). repeat split; lra.
+          specialize (left_ ltac:(lra)). repeat split; lra.
       - exfalso. apply (free (Vector a (vy v))); [| exact on].
         unfold within. cbn [vx vy]. destruct which as [-> | ->]; unfold a1, a2; lra. }
     set (level_part := fun e => (as_number (is_inside_level (vy v) a1 e) - as_number (is_inside_level (vy v) a2 e))%Z).
@@ -308,19 +278,13 @@ Section Balance.
         { intros a which. destruct (is_inside_level_spec (vy v) a e) as [(e1 & e2 & e3 & e4) |]; [| reflexivity].
           exfalso. apply (free (Vector a (vy v))).
           - unfold within. cbn [vx vy]. destruct which as [-> | ->]; unfold a1, a2; lra.
-          - exists ((a - vx (source e)) / (vx (target e) - vx (source e))).
-            assert (value : (a - vx (source e)) / (vx (target e) - vx (source e)) * (vx (target e) - vx (source e)) ==
-              a - vx (source e)) by (field; lra).
-            split; [split; [apply Qle_shift_div_l; lra | apply Qle_shift_div_r; lra] |]. cbn [vx vy].
-            split; [lra |]. rewrite e1, e2. ring. }
+          - apply strictly_inside_lies_on, inside_level. now destruct (is_inside_level_spec (vy v) a e) as [| []]. }
         rewrite (not_inside a1), (not_inside a2) by tauto. reflexivity. }
-    destruct (eventually_and _ _ (eventually_for_all (fun e d => corner_crossings v delta d e = (leaves v e +
-      level_part e)%Z)
-      pieces each) (eventually_and _ _ (above_and_below a1 (vy v) (only_level a1 (or_introl eq_refl)))
-        (above_and_below a2 (vy v) (only_level a2 (or_intror eq_refl))))) as (limit & L & all).
-    destruct (all ((1 # 2) * limit) ltac:(lra) ltac:(lra))
-      as (corners_ & (jump_1 & free_1 & free_1') & jump_2 & free_2 & free_2'). clear all.
-    set (d := (1 # 2) * limit) in *. clearbody d.
+    destruct (some_small _ (eventually_and _ _ (eventually_for_all (fun e d => corner_crossings v delta d e =
+      (leaves v e + level_part e)%Z) pieces each)
+      (eventually_and _ _ (above_and_below a1 (vy v) (only_level a1 (or_introl eq_refl)))
+        (above_and_below a2 (vy v) (only_level a2 (or_intror eq_refl))))))
+      as (d & _ & corners_ & (jump_1 & free_1 & free_1') & jump_2 & free_2 & free_2').
     assert (by_core : weighted (corner_crossings v delta d) pieces =
       (inside_ (Vector a1 (vy v + d)) - inside_ (Vector a2 (vy v + d))
        - inside_ (Vector a1 (vy v - d)) + inside_ (Vector a2 (vy v - d)))%Z).

@@ -4,52 +4,18 @@
    often from elsewhere. Go along the ray to the right, from piece to piece. What the set is does not matter: that its
    points are those of some winding number (rule_of_sides.v), or those where two regions meet. *)
 From Coq Require Import QArith Qabs Qminmax Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import balanced_edges direction angle angular_crossings winding_number shifted_ray small_numbers
-  signed_crossings tie_rule regions meeting_of_segments first_hit neighbourhoods left_of_an_edge beside_every_point
-  right_of_an_edge location pieces beside_a_piece filling.
+From Oplus Require Import direction angle angular_crossings winding_number shifted_ray small_numbers signed_crossings
+  tie_rule regions meeting_of_segments first_hit neighbourhoods left_of_an_edge beside_every_point location pieces
+  beside_a_piece filling.
 Import ListNotations.
 
 Open Scope Q_scope.
 
 Definition ends_avoid (height : Q) (s : segment) : Prop := ~ vy (source s) == height /\ ~ vy (target s) == height.
 
-Lemma spans_at (s : segment) (w : vector) : ends_avoid (vy w) s -> lies_on w s ->
-  spans s (vy w) = true /\ vx (point_at_height s (vy w)) == vx w.
-Proof.
-  intros [no_source no_target] (k & range & X & Y).
-  set (a := vy (source s)) in *. set (b := vy (target s)) in *.
-  assert (sides : (a < vy w /\ vy w < b) \/ (b < vy w /\ vy w < a)).
-  { destruct (Q_dec a (vy w)) as [[? | ?] | ?]; [| | contradiction];
-      (destruct (Q_dec b (vy w)) as [[? | ?] | ?]; [| | contradiction]); try tauto; exfalso.
-    - assert (0 <= (1 - k) * (vy w - a)) by (apply Qmult_le_0_compat; lra).
-      assert (0 <= k * (vy w - b)) by (apply Qmult_le_0_compat; lra).
-      destruct (Qlt_le_dec 0 k).
-      + assert (0 < k * (vy w - b)) by (apply Qmult_lt_0_compat; lra). lra.
-      + assert (k == 0) as k_is by lra. rewrite k_is in Y. lra.
-    - assert (0 <= (1 - k) * (a - vy w)) by (apply Qmult_le_0_compat; lra).
-      assert (0 <= k * (b - vy w)) by (apply Qmult_le_0_compat; lra).
-      destruct (Qlt_le_dec 0 k).
-      + assert (0 < k * (b - vy w)) by (apply Qmult_lt_0_compat; lra). lra.
-      + assert (k == 0) as k_is by lra. rewrite k_is in Y. lra. }
-  split.
-  - unfold spans. fold a b. destruct (at_most_spec a (vy w)), (at_most_spec b (vy w)); try reflexivity; exfalso; lra.
-  - unfold point_at_height. cbn [vx]. fold a b.
-    assert (fraction_ : (vy w - a) / (b - a) == k).
-    { apply (Qmult_inj_r _ _ (b - a)); [lra |].
-      setoid_replace ((vy w - a) / (b - a) * (b - a)) with (vy w - a) by (field; lra). rewrite Y. ring. }
-    rewrite fraction_, X. ring.
-Qed.
-
 Lemma inside_at_height (s : segment) (y : Q) : ends_avoid y s -> spans s y = true ->
   strictly_inside (point_at_height s y) s.
-Proof.
-  intros [no_source no_target] spanning. pose proof (heights_of_spanning s y spanning) as heights.
-  destruct (point_at_height_lies_on s y spanning) as (k & range & X & Y). exists k. split; [| split; assumption].
-  change (vy (point_at_height s y)) with y in Y.
-  split; apply Qnot_le_lt; intros extreme.
-  - apply no_source. assert (k == 0) as k_is by lra. rewrite Y, k_is. ring.
-  - apply no_target. assert (k == 1) as k_is by lra. rewrite Y, k_is. ring.
-Qed.
+Proof. intros [no_source no_target] spanning. apply inside_by_height; trivial. now apply point_at_height_lies_on. Qed.
 
 Lemma spans_reversed (s : segment) (y : Q) : spans (reversed s) y = spans s y.
 Proof. unfold spans, reversed. cbn [source target]. apply xorb_comm. Qed.
@@ -78,9 +44,6 @@ Proof.
   rewrite X, Y. split; ring.
 Qed.
 
-Lemma area_reversed (s : segment) (w : vector) : area (reversed s) w == - area s w.
-Proof. unfold area, cross, minus, reversed. cbn [source target vx vy]. ring. Qed.
-
 Lemma reversed_twice (s : segment) : reversed (reversed s) = s.
 Proof. now destruct s. Qed.
 
@@ -107,21 +70,6 @@ Record ends_at_pieces (inside : vector -> bool) (right_inside : segment -> bool)
   nothing_far_away : exists limit, forall x, limit < vx x -> inside x = false }.
 
 Definition as_number (b : bool) : Z := if b then 1%Z else 0%Z.
-
-Lemma shifted_stays_within (radius : Q) (x : vector) : 0 < radius ->
-  eventually (fun e => within radius x (moved (shifted x) e)).
-Proof.
-  intros R. exists (Qmin radius 1). split; [apply Q.min_glb_lt; lra |]. intros e some small.
-  pose proof (Q.le_min_l radius 1). pose proof (Q.le_min_r radius 1).
-  assert (0 < e * e /\ e * e <= e) by (split; nra).
-  unfold within, moved, shifted. cbn [at_ first second vx vy]. lra.
-Qed.
-
-Lemma shifted_off_all (x : vector) (segments : list segment) :
-  eventually (fun e => off (moved (shifted x) e) segments).
-Proof.
-  apply (eventually_for_all (fun s e => ~ lies_on (moved (shifted x) e) s)). intros s _. apply shifted_off.
-Qed.
 
 Section Core.
   Variable inside : vector -> bool.
@@ -150,13 +98,6 @@ Section Core.
       cbn [fold_right as_number]; rewrite ?signed_crossing_reversed; lia.
   Qed.
 
-  Lemma kept_are_on (f : segment) (w : vector) : In f kept -> lies_on w f -> exists e, In e pieces /\ lies_on w e.
-  Proof.
-    intros I on. apply in_flat_map in I. destruct I as (e & E & I). exists e. split; [exact E |].
-    apply kept_is in I. destruct I as [_ [-> | ->]]; [exact on |]. destruct on as (k & range & X & Y).
-    exists (1 - k). cbn [reversed source target] in *. split; [lra |]. rewrite X, Y. split; ring.
-  Qed.
-
   Section OneHeight.
     Variable y : Q.
     Hypothesis pieces_avoid : forall e, In e pieces -> ends_avoid y e.
@@ -179,11 +120,11 @@ Section Core.
     Definition free_at (a : Q) : Prop := forall e, In e pieces -> spans e y = true -> ~ place_at e == a.
 
     (* A piece that has a point to the right is met there. *)
-    Lemma met_where_it_is (e : segment) (w : vector) : In e pieces -> vy w == y -> lies_on w e ->
+Lemma met_where_it_is (e : segment) (w : vector) : In e pieces -> vy w == y -> lies_on w e ->
       spans e y = true /\ place_at e == vx w.
     Proof.
-      intros E height on. pose proof (lies_on_equal w (Vector (vx w) y) e ltac:(split; [reflexivity | exact height]) on)
-        as on'. exact (spans_at e (Vector (vx w) y) (pieces_avoid e E) on').
+      intros E height on. destruct (pieces_avoid e E) as [no_source no_target].
+      destruct (met_at_height w e y on height no_source no_target). now split.
     Qed.
 
     Lemma same_if_none_between (a b : Q) : a <= b -> free_at a ->
@@ -200,43 +141,31 @@ Section Core.
       destruct (meets_ahead_spec a e) as [| behind]; [discriminate |]. apply behind. now split.
     Qed.
 
-    (* Close to a piece, on its two sides. *)
+    (* Close to a piece, on its two sides, in the direction in which it goes up. *)
     Lemma beside_the_piece (e : segment) : In e pieces -> spans e y = true ->
-      eventually (fun d =>
-        inside (Vector (place_at e + d) y) = right_inside (if at_most (vy (source e)) y then e else reversed e) /\
-        inside (Vector (place_at e - d) y) = right_inside (if at_most (vy (source e)) y then reversed e else e)).
+      exists up, (direction_of e * kept_sign e)%Z =
+          (as_number (right_inside (reversed up)) - as_number (right_inside up))%Z /\
+        eventually (fun d => inside (Vector (place_at e + d) y) = right_inside up /\
+                             inside (Vector (place_at e - d) y) = right_inside (reversed up)).
     Proof.
-      intros E spanning.
-      pose proof (inside_at_height e y (pieces_avoid e E) spanning) as inside_.
-      pose proof (strictly_inside_reversed _ _ inside_) as inside_back.
-      apply heights_of_spanning in spanning. destruct (pieces_avoid e E) as [no_source no_target].
-      pose proof (same_beside_pieces _ _ _ ends_ e) as beside_.
-      assert (moved_ : forall h d, inside (moved_along (point_at_height e y) (Vector h 0) d) =
-        inside (Vector (place_at e + d * h) y)).
-      { intros h d. apply (same_of_equal _ _ _ ends_). unfold moved_along, equal_vectors, place_at, point_at_height.
-        cbn [vx vy]. split; ring. }
-      assert (minus_ : forall d, inside (Vector (place_at e - d) y) = inside (Vector (place_at e + d * -1) y))
-        by (intros d; apply (same_of_equal _ _ _ ends_); split; cbn [vx vy]; ring).
-      assert (plus_ : forall d, inside (Vector (place_at e + d) y) = inside (Vector (place_at e + d * 1) y))
-        by (intros d; apply (same_of_equal _ _ _ ends_); split; cbn [vx vy]; ring).
-      destruct (at_most_spec (vy (source e)) y) as [up | down].
-      - refine (eventually_implied _ _ _ (eventually_and _ _
-          (beside_ e _ (Vector 1 0) E (or_introl eq_refl) inside_ _)
-          (beside_ (reversed e) _ (Vector (-1) 0) E (or_intror eq_refl) inside_back _))).
-        + intros d [right_ left_]. rewrite moved_ in right_, left_. now rewrite plus_, minus_.
-        + unfold cross, along, minus. cbn [vx vy]. lra.
-        + unfold cross, along, minus, reversed. cbn [source target vx vy]. lra.
-      - refine (eventually_implied _ _ _ (eventually_and _ _
-          (beside_ (reversed e) _ (Vector 1 0) E (or_intror eq_refl) inside_back _)
-          (beside_ e _ (Vector (-1) 0) E (or_introl eq_refl) inside_ _))).
-        + intros d [right_ left_]. rewrite moved_ in right_, left_. now rewrite plus_, minus_.
-        + unfold cross, along, minus, reversed. cbn [source target vx vy]. lra.
-        + unfold cross, along, minus. cbn [vx vy]. lra.
+      intros E spanning. pose proof (inside_at_height e y (pieces_avoid e E) spanning) as inside_.
+      apply heights_of_spanning in spanning.
+      assert (found : exists up, (up = e \/ up = reversed e) /\ vy (source up) < vy (target up) /\
+        (direction_of e * kept_sign e)%Z = (as_number (right_inside (reversed up)) - as_number (right_inside up))%Z).
+      { unfold direction_of, kept_sign. destruct (at_most_spec (vy (source e)) y); [exists e | exists (reversed e)];
+          rewrite ?reversed_twice; cbn [reversed source target]; (split; [tauto |]); (split; [lra | lia]). }
+      destruct found as (up & which & rising & sign_). exists up. split; [exact sign_ |].
+      assert (inside_up : strictly_inside (point_at_height e y) up)
+        by (destruct which as [-> | ->]; [exact inside_ | now apply strictly_inside_reversed]).
+      assert (back : reversed up = e \/ reversed up = reversed e)
+        by (destruct which as [-> | ->]; [now right | left; apply reversed_twice]).
+      refine (eventually_implied _ _ _ (eventually_and _ _
+        (same_beside_pieces _ _ _ ends_ e up _ (Vector 1 0) E which inside_up ltac:(in_coordinates; lra))
+        (same_beside_pieces _ _ _ ends_ e (reversed up) _ (Vector (-1) 0) E back
+          (strictly_inside_reversed _ _ inside_up) ltac:(in_coordinates; lra)))).
+      intros d [<- <-]. split; apply (same_of_equal _ _ _ ends_); unfold moved_along, place_at, point_at_height;
+        split; cbn [vx vy]; ring.
     Qed.
-
-    Lemma count_of_two_lists (f : segment -> bool) (l m : list segment) :
-      length (filter f (l ++ m)) = (length (filter f l) + length (filter f m))%nat.
-    Proof. now rewrite filter_app, app_length. Qed.
 
     (* At a height at which there are no ends. *)
     Lemma core_at_height (fuel : nat) : forall a, free_at a -> (length (filter (meets_ahead a) pieces) <= fuel)%nat ->
@@ -247,13 +176,8 @@ Section Core.
         { intros e E. destruct (meets_ahead a e) eqn:ahead; [| reflexivity]. exfalso.
           assert (In e (filter (meets_ahead a) pieces)) as found by (now apply filter_In).
           destruct (filter (meets_ahead a) pieces); [destruct found | cbn in few; lia]. }
-        rewrite crossings_of_kept.
-        assert (zero_sum : forall l, incl l pieces ->
-          sum (map (fun e => (signed_crossing (Vector a y) e * kept_sign e)%Z) l) = 0%Z).
-        { unfold sum. induction l as [| e l IHl]; intros part; [reflexivity |]. cbn [map fold_right].
-          rewrite IHl by (intros f F; apply part; now right).
-          now rewrite crossing_at_height, none by (apply part; now left). }
-        rewrite zero_sum by apply incl_refl. destruct (nothing_far_away _ _ _ ends_) as (limit & far).
+        rewrite crossings_of_kept, sum_of_zeros by (intros e E; now rewrite crossing_at_height, none).
+        destruct (nothing_far_away _ _ _ ends_) as (limit & far).
         rewrite (same_if_none_between a (Qmax (limit + 1) a)); trivial.
         + rewrite far; [reflexivity |]. cbn [vx]. pose proof (Q.le_max_l (limit + 1) a). lra.
         + apply Q.le_max_r.
@@ -287,12 +211,10 @@ Section Core.
           destruct (meets_ahead a f) eqn:ahead_f.
           - pose proof (others_beyond f F ahead_f). exists (place_at f - place_at e). split; [lra |]. intros; lra.
           - exists 1. split; [lra |]. discriminate. }
-        destruct (eventually_and _ _ gaps (eventually_and _ _ (beside_the_piece e E spanning)
-          (ex_intro _ (place_at e - a) (conj (ltac:(lra) : 0 < place_at e - a)
-            (fun d some small => conj some small : 0 < d /\ d < place_at e - a))))) as (limit & L & near).
-        destruct (near ((1 # 2) * limit)) as (beyond & (after_number & before_number) & d_some & d_small);
-          [lra | lra |].
-        set (d := (1 # 2) * limit) in *. clearbody d. clear near gaps L limit.
+        destruct (beside_the_piece e E spanning) as (up & sign_ & beside_).
+        destruct (some_small _ (eventually_and _ _ gaps (eventually_and _ _ beside_
+          (eventually_below (place_at e - a) ltac:(lra)))))
+          as (d & _ & beyond & (after_number & before_number) & d_some & d_small).
         rewrite (same_if_none_between a (place_at e - d)); [| lra | exact free |].
         2: { intros f F ahead_f. pose proof (least_piece f F ahead_f). lra. }
         assert (passed : meets_ahead (place_at e + d) e = false).
@@ -310,7 +232,7 @@ Section Core.
           { destruct (meets_ahead_spec a f) as [| no]; [reflexivity |]. exfalso. apply no. split; [assumption | lra]. }
           pose proof (beyond f F ahead_f). lra. }
         assert (fewer : (length (filter (meets_ahead (place_at e + d)) pieces) <= fuel)%nat).
-        { rewrite <- met in few. rewrite pieces_are in few |- *. rewrite count_of_two_lists in few |- *.
+        { rewrite <- met in few. rewrite pieces_are in few |- *. rewrite !filter_app, !app_length in few |- *.
           cbn [filter] in *. rewrite passed. rewrite ahead in few. cbn [length] in few.
           assert (alike : forall l, incl l (earlier ++ later) ->
             filter (meets_ahead (place_at e + d)) l = filter (meets_ahead a) l).
@@ -319,17 +241,10 @@ Section Core.
         specialize (IH (place_at e + d) free_after fewer).
         assert (step : winding_number (Vector a y) kept =
           (winding_number (Vector (place_at e + d) y) kept + direction_of e * kept_sign e)%Z).
-        { rewrite !crossings_of_kept, pieces_are, !map_app, !sum_of_both. cbn [map].
-          assert (alike : forall l, incl l (earlier ++ later) ->
-            map (fun f => (signed_crossing (Vector a y) f * kept_sign f)%Z) l =
-            map (fun f => (signed_crossing (Vector (place_at e + d) y) f * kept_sign f)%Z) l).
-          { intros l part'. apply map_ext_in. intros f F.
-            now rewrite !crossing_at_height, (same_others f (part' f F)). }
-          rewrite (alike earlier), (alike later); [| intros f F; apply in_app_iff; tauto ..].
-          unfold sum at 2 4. cbn [fold_right]. rewrite !crossing_at_height, ahead, passed.
-          change (fold_right Z.add 0%Z) with sum. lia. }
-        rewrite step, IH, before_number, after_number. unfold kept_sign, direction_of.
-        destruct (at_most (vy (source e)) y); lia.
+        { rewrite !crossings_of_kept, pieces_are, (sums_but_for_one _ _ (fun f =>
+            signed_crossing (Vector (place_at e + d) y) f * kept_sign f)%Z), !crossing_at_height, ahead, passed; [lia |].
+          intros f F. now rewrite !crossing_at_height, (same_others f F). }
+        rewrite step, IH, before_number, after_number. lia.
     Qed.
   End OneHeight.
 
@@ -370,7 +285,7 @@ Section Core.
   Corollary core_off_pieces (x : vector) : off x pieces -> winding_number x kept = as_number (inside x).
   Proof.
     intros free. destruct (unchanged_near x free) as (radius & R & near).
-    destruct (eventually_and _ _ (core x) (shifted_stays_within radius x R)) as (limit & L & all).
-    destruct (all ((1 # 2) * limit)) as [-> close]; [lra | lra |]. now destruct (near _ close) as [_ ->].
+    destruct (some_small _ (eventually_and _ _ (core x) (shifted_stays_within radius x R))) as (e & _ & -> & close).
+    now destruct (near _ close) as [_ ->].
   Qed.
 End Core.

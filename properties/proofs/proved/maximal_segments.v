@@ -2,7 +2,8 @@
 (* Segments that go on in the same direction where another ends are joined, so that dangling edges are as long as can
    be; and sorted. The points are the same. *)
 From Coq Require Import QArith Lqa Qfield ZArith Bool List.
-From Oplus Require Import convolution meeting_of_segments rotation regions location pieces collision_is_complete.
+From Oplus Require Import convolution meeting_of_segments rotation regions neighbourhoods location pieces
+  collision_is_complete specification_bridge coordinates touching_vertices.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -49,56 +50,35 @@ Lemma on_both_parts (s t : segment) (x : vector) : nonzero (along s) -> goes_on 
   nonzero (along (Segment (source s) (target t))).
 Proof.
   intros long both. unfold goes_on in both. rewrite !andb_true_iff in both. destruct both as [[at_end line] ahead].
-  destruct (same_point_spec (target s) (source t)) as [[X Y] |]; [clear at_end | discriminate].
+  destruct (same_point_spec (target s) (source t)) as [meet |]; [clear at_end | discriminate].
   destruct (zero_spec (cross (along s) (along t))) as [parallel |]; [clear line | discriminate].
-  unfold positive in ahead. destruct (negative_spec (- dot (along s) (along t))) as [same_way |]; [clear ahead |
-    discriminate].
+  unfold positive in ahead.
+  destruct (negative_spec (- dot (along s) (along t))) as [same_way |]; [clear ahead | discriminate].
   destruct (multiple_of (along t) (along s) long) as (c & cx & cy); [unfold cross in *; lra |].
   pose proof (square_positive _ long) as square.
-  assert (some : 0 < c).
-  { apply Qnot_le_lt. intros back. unfold dot in *. rewrite cx, cy in same_way.
-    assert (0 <= - c * (vx (along s) * vx (along s) + vy (along s) * vy (along s))) by (apply Qmult_le_0_compat; lra).
-    lra. }
-  unfold along, minus in cx, cy; cbn [vx vy] in cx, cy.
-  set (ux := vx (target s) - vx (source s)) in *. set (uy := vy (target s) - vy (source s)) in *.
-  assert (sx : vx (target s) == vx (source s) + ux) by (unfold ux; ring).
-  assert (sy : vy (target s) == vy (source s) + uy) by (unfold uy; ring).
-  assert (tx : vx (target t) == vx (source s) + (1 + c) * ux) by lra.
-  assert (ty : vy (target t) == vy (source s) + (1 + c) * uy) by lra.
-  assert (from_x : vx (source t) == vx (source s) + ux) by lra.
-  assert (from_y : vy (source t) == vy (source s) + uy) by lra.
-  split.
-  - split.
-    + intros (k & range & kx & ky). cbn [source target] in kx, ky.
-      assert (0 <= k * (1 + c)) by (apply Qmult_le_0_compat; lra).
-      assert (0 <= (1 - k) * (1 + c)) by (apply Qmult_le_0_compat; lra).
-      destruct (Qlt_le_dec 1 (k * (1 + c))) as [later | earlier]; [right | left].
-      * assert (value : (k * (1 + c) - 1) / c * c == k * (1 + c) - 1) by (field; lra).
-        exists ((k * (1 + c) - 1) / c). split; [split; [apply Qle_shift_div_l | apply Qle_shift_div_r]; lra |].
-        set (j := (k * (1 + c) - 1) / c) in *. clearbody j. rewrite kx, ky, tx, ty, from_x, from_y. split.
-        -- setoid_replace ((1 - j) * (vx (source s) + ux) + j * (vx (source s) + (1 + c) * ux))
-             with (vx (source s) + ux + j * c * ux) by ring. rewrite value. ring.
-        -- setoid_replace ((1 - j) * (vy (source s) + uy) + j * (vy (source s) + (1 + c) * uy))
-             with (vy (source s) + uy + j * c * uy) by ring. rewrite value. ring.
-      * exists (k * (1 + c)). split; [lra |]. rewrite kx, ky, tx, ty, sx, sy. split; ring.
-    + intros [(k & range & kx & ky) | (k & range & kx & ky)].
-      * assert (value : k / (1 + c) * (1 + c) == k) by (field; lra).
-        exists (k / (1 + c)). split; [split; [apply Qle_shift_div_l | apply Qle_shift_div_r]; lra |].
-        set (j := k / (1 + c)) in *. clearbody j. cbn [source target]. rewrite kx, ky, tx, ty, sx, sy, <- value.
-        split; ring.
-      * assert (value : (1 + k * c) / (1 + c) * (1 + c) == 1 + k * c) by (field; lra).
-        assert (0 <= k * c) by (apply Qmult_le_0_compat; lra). assert (0 <= (1 - k) * c) by (apply Qmult_le_0_compat;
-          lra).
-        exists ((1 + k * c) / (1 + c)). split; [split; [apply Qle_shift_div_l | apply Qle_shift_div_r]; lra |].
-        set (j := (1 + k * c) / (1 + c)) in *. clearbody j. cbn [source target].
-        rewrite kx, ky, tx, ty, from_x, from_y. split.
-        -- setoid_replace ((1 - j) * vx (source s) + j * (vx (source s) + (1 + c) * ux))
-             with (vx (source s) + j * (1 + c) * ux) by ring. rewrite value. ring.
-        -- setoid_replace ((1 - j) * vy (source s) + j * (vy (source s) + (1 + c) * uy))
-             with (vy (source s) + j * (1 + c) * uy) by ring. rewrite value. ring.
-  - intros [no_x no_y]. apply long. unfold along, minus in *; cbn [source target vx vy] in *. fold ux uy.
-    rewrite tx in no_x. rewrite ty in no_y. assert (zero_x : (1 + c) * ux == 0) by lra.
-    assert (zero_y : (1 + c) * uy == 0) by lra. apply Qmult_integral in zero_x, zero_y. split; lra.
+  assert (some : 0 < c) by (unfold dot in *; rewrite cx, cy in same_way; nra).
+  set (d := along s) in *.
+  assert (whole : equal_vectors (along (Segment (source s) (target t))) (moved_along d d c))
+    by (unfold d in *; clear - meet cx cy; by_computing).
+  assert (not_none : forall k, 0 < k -> ~ (k * vx d == 0 /\ k * vy d == 0)).
+  { intros k positive_ [X Y]. apply Qmult_integral in X, Y. apply long. split; lra. }
+  assert (between_ : is_between_ends (target s) (source s) (target t) = true).
+  { unfold is_between_ends. destruct (is_on_spec (target s) (Segment (source s) (target t))) as [_ | off_].
+    - destruct (same_point_spec (target s) (source s)) as [equal |];
+        [destruct (not_none 1); [lra |]; unfold d; clear - equal; by_computing |].
+      destruct (same_point_spec (target s) (target t)) as [equal |]; [| reflexivity].
+      destruct (not_none c some). unfold d in *. clear - equal meet cx cy. by_computing.
+    - exfalso. apply off_. assert (value : / (1 + c) * (1 + c) == 1) by (field; lra).
+      exists (/ (1 + c)). split; [split; [apply Qlt_le_weak, Qinv_lt_0_compat; lra | nra] |].
+      set (k := / (1 + c)) in *. assert (multiple : forall u, k * (1 + c) * u == u) by (intros u; rewrite value; ring).
+      pose proof (multiple (vx d)). pose proof (multiple (vy d)). destruct whole as [wx wy].
+      unfold d, moved_along, along, minus in *; cbn [source target vx vy] in *. split; nra. }
+  split; [| intros [X Y]; destruct whole as [wx wy]; rewrite wx in X; rewrite wy in Y;
+    apply (not_none (1 + c)); [lra |]; unfold moved_along in *; cbn [vx vy] in *; split; lra].
+  rewrite (on_divided _ _ _ x between_).
+  assert (same : lies_on x (Segment (target s) (target t)) <-> lies_on x t).
+  { destruct t as [v b]. split; apply lies_on_of_equal; try reflexivity; [exact meet | now symmetry]. }
+  destruct s. rewrite same. tauto.
 Qed.
 
 Lemma joined_with_is (x : vector) (l : list segment) : (forall t, In t l -> nonzero (along t)) -> forall s,

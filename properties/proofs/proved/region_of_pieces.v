@@ -63,9 +63,7 @@ Section Region.
   Proof.
     intros v. set (ends_in := fun e => source e = v \/ target e = v).
     destruct (Exists_dec ends_in pieces) as [some | none].
-    { intros e. unfold ends_in. destruct (vector_dec (source e) v), (vector_dec (target e) v);
-      [left | left | left | right];
-        tauto. }
+    { intros e. unfold ends_in. destruct (vector_dec (source e) v), (vector_dec (target e) v); tauto. }
     - apply Exists_exists in some. destruct some as (e & E & end_).
       assert (v_end : v = source e \/ v = target e) by (destruct end_; [left | right]; congruence).
       destruct (ends_are_reduced segments all_long e E) as [s_reduced t_reduced].
@@ -139,10 +137,9 @@ Section Region.
     intros E inside_ turn. apply (eventually_for_all (fun f d => ~ lies_on (moved_along w n d) f)). intros f F.
     destruct (segment_dec e f) as [<- | differ].
     - exists 1. split; [lra |]. intros d some _. apply off_by_area.
-      destruct inside_ as (k & range & X & Y).
-      assert (value : area e (moved_along w n d) == d * cross (along e) n)
-        by (unfold area, moved_along, cross, along, minus; cbn [vx vy]; rewrite X, Y; ring).
-      rewrite value. intros zero_. apply Qmult_integral in zero_. destruct zero_; [lra | contradiction].
+      pose proof (on_the_line w e (strictly_inside_lies_on w e inside_)) as line.
+      setoid_replace (area e (moved_along w n d)) with (area e w + d * cross (along e) n) by by_coordinates.
+      rewrite line. intros zero_. destruct (Qmult_integral d (cross (along e) n)); [lra | lra | contradiction].
     - assert (free : ~ lies_on w f).
       { intros on. assert (ends_of_f : ~ strictly_inside w f)
           by (intros inside_f; exact (different_pieces segments all_long e f E F differ w inside_ inside_f)).
@@ -163,30 +160,21 @@ Section Region.
     assert (left_ : right_inside (reversed f) = true).
     { unfold kept_piece in I. destruct (right_inside (reversed e)) eqn:l, (right_inside e) eqn:r;
         try destruct I as [<- | []]; try destruct I; [exact l |]. now rewrite reversed_twice. }
-    destruct (between_near ((1 # 2) * radius) x (middle f)) as (limit & L & near); [lra |].
-    set (t := (1 # 2) * Qmin limit 1). assert (t_range : 0 < t < limit /\ t < 1).
-    { pose proof (Q.le_min_l limit 1). pose proof (Q.le_min_r limit 1).
-      assert (0 < Qmin limit 1) by (apply Q.min_glb_lt; lra). unfold t. lra. }
-    specialize (near t ltac:(lra) ltac:(lra)). set (w := Vector _ _) in near.
+    destruct (some_small _ (eventually_and _ _ (between_near ((1 # 2) * radius) x (middle f) ltac:(lra))
+      (eventually_below 1 ltac:(lra)))) as (t & t_some & near & _ & t_less). set (w := Vector _ _) in near.
     assert (inside_f : strictly_inside w f).
-    { destruct on as (k & range & X & Y). exists ((1 - t) * k + t * (1 # 2)).
-      assert (0 <= (1 - t) * k) by (apply Qmult_le_0_compat; lra).
-      assert (0 <= (1 - t) * (1 - k)) by (apply Qmult_le_0_compat; lra). split; [lra |].
+    { destruct on as (k & range & X & Y). exists ((1 - t) * k + t * (1 # 2)). split; [split; nra |].
       unfold w, middle. cbn [vx vy]. rewrite X, Y. split; field. }
     assert (inside_e : strictly_inside w e) by (now apply (inside_of_kept e f)).
     set (n := Vector (- vy (along f)) (vx (along f))). pose proof (left_normal f long) as turn. fold n in turn.
-    destruct (eventually_and _ _ (same_beside_pieces _ _ _ ends_ e (reversed f) w n E
+    destruct (some_small _ (eventually_and _ _ (same_beside_pieces _ _ _ ends_ e (reversed f) w n E
         ltac:(destruct which as [-> | ->]; [now right | left; apply reversed_twice])
-        (strictly_inside_reversed _ _ inside_f)
-        ltac:(unfold cross, along, minus, reversed in *; cbn [source target vx vy] in *; lra))
-      (eventually_and _ _ (beside_is_off e w n E inside_e
-        ltac:(destruct which as [-> | ->]; unfold cross, along, minus, reversed in *; cbn [source target vx vy] in *;
-          lra))
-        (small_steps_stay_within ((1 # 2) * radius) w n ltac:(lra)))) as (limit' & L' & all).
-    destruct (all ((1 # 2) * limit')) as (inside_ & free & close); [lra | lra |].
-    exists (moved_along w n ((1 # 2) * limit')). split; [unfold within in *; lra |]. split.
-    - intros s S on_s. destruct (pieces_are_all _ _ (pieces_are_pieces segments all_long) s _ S on_s) as (e' & E' &
-        on').
+        (strictly_inside_reversed _ _ inside_f) ltac:(in_coordinates; lra))
+      (eventually_and _ _ (beside_is_off e w n E inside_e ltac:(destruct which as [-> | ->]; in_coordinates; lra))
+        (small_steps_stay_within ((1 # 2) * radius) w n ltac:(lra))))) as (d & _ & inside_ & free & close).
+    exists (moved_along w n d). split; [unfold within in *; lra |]. split.
+    - intros s S on_s.
+      destruct (pieces_are_all _ _ (pieces_are_pieces segments all_long) s _ S on_s) as (e' & E' & on').
       exact (free e' E' on').
     - now rewrite inside_, left_.
   Qed.
@@ -235,6 +223,19 @@ Section Region.
       apply (ends t T'). apply on_but_not_inside; [exact on_t | exact (apart_ w in_s)].
   Qed.
 
+  (* A point off the segments near which are inner points of A is in the set, and so are those with its winding number. *)
+  Lemma inside_near_inner_points (A : vector -> Prop) (x : vector) (radius : Q) :
+    (forall y, off y segments -> (A y <-> inside y = true)) -> regularised A x -> 0 < radius ->
+    exists z, within radius x z /\ off z segments /\ inside z = true.
+  Proof.
+    intros A_is closure_ R. destruct (closure_ ((1 # 2) * radius)) as (y & close & inner & I & all_in); [lra |].
+    destruct (some_small _ (eventually_and _ _ (eventually_and _ _ (shifted_stays_within inner y I)
+      (shifted_stays_within ((1 # 2) * radius) y ltac:(lra))) (shifted_off_all y segments)))
+      as (e & _ & (close_i & close_z) & free_z).
+    exists (moved (shifted y) e). split; [unfold within in *; lra |]. split; [exact free_z |].
+    apply A_is; [exact free_z | now apply all_in].
+  Qed.
+
   (* Theorem. If off the segments the set is A, the region is the closure of the interior of A. *)
   Theorem points_of_the_chains (A : vector -> Prop) (x : vector) :
     (forall y, off y segments -> (A y <-> inside y = true)) -> (in_region x chains <-> regularised A x).
@@ -244,12 +245,11 @@ Section Region.
       assert (some : exists y, within radius x y /\ off y segments /\ inside y = true).
       { destruct in_ as [positive_ | (f & F & on)].
         - rewrite (permuted_winding_number x _ _ edges_are) in positive_.
-          destruct (eventually_and _ _ (core _ _ _ ends_ x) (eventually_and _ _ (shifted_stays_within radius x R)
-            (shifted_off_all x segments))) as (limit & L & near).
-          destruct (near ((1 # 2) * limit)) as (number_is & close & free); [lra | lra |].
-          exists (moved (shifted x) ((1 # 2) * limit)). split; [exact close |]. split; [exact free |].
-          unfold kept in positive_. rewrite number_is in positive_. destruct (inside _);
-            [reflexivity | cbn in positive_; lia].
+          destruct (some_small _ (eventually_and _ _ (core _ _ _ ends_ x) (eventually_and _ _
+            (shifted_stays_within radius x R) (shifted_off_all x segments)))) as (e & _ & number_is & close & free).
+          exists (moved (shifted x) e). split; [exact close |]. split; [exact free |].
+          unfold kept in positive_. rewrite number_is in positive_.
+          destruct (inside _); [reflexivity | cbn in positive_; lia].
         - apply (inside_near_kept f x radius); trivial. now apply (Permutation_in _ edges_are). }
       destruct some as (y & close & free & inside_). exists y. split; [exact close |].
       destruct (off_near y segments free) as (r1 & R1 & near_1).
@@ -260,15 +260,8 @@ Section Region.
         apply (within_smaller (Qmin r1 r2)); trivial.
     - intros closure_. destruct (on_or_off x (region_edges chains)) as [on | free]; [now right | left].
       destruct (winding_number_near x _ (region_cycles chains) free) as (radius & R & near).
-      destruct (closure_ ((1 # 2) * radius)) as (y & close & inner & I & all_in); [lra |].
-      destruct (eventually_and _ _ (shifted_stays_within (Qmin inner ((1 # 2) * radius)) y
-        ltac:(apply Q.min_glb_lt; lra)) (shifted_off_all y segments)) as (limit & L & beside).
-      destruct (beside ((1 # 2) * limit)) as (close_z & free_z); [lra | lra |].
-      set (z := moved (shifted y) _) in *.
-      pose proof (Q.le_min_l inner ((1 # 2) * radius)). pose proof (Q.le_min_r inner ((1 # 2) * radius)).
-      destruct (near z) as [_ <-]; [unfold within in *; lra |]. rewrite round_the_chains by exact free_z.
-      replace (inside z) with true; [cbn; lia |]. symmetry. apply A_is; [exact free_z |]. apply all_in.
-      exact (within_smaller _ _ _ _ (Q.le_min_l inner ((1 # 2) * radius)) close_z).
+      destruct (inside_near_inner_points A x radius A_is closure_ R) as (z & close & free_z & inside_z).
+      destruct (near z close) as [_ <-]. rewrite round_the_chains, inside_z by exact free_z. cbn. lia.
   Qed.
 
   (* Corollary. If the segments are in A, and near each point of A are inner points of it, the region is A. *)
@@ -280,13 +273,7 @@ Section Region.
     intros A_is on_segments regular. rewrite (points_of_the_chains A x A_is). split; [| apply regular].
     intros closure_. destruct (on_or_off x segments) as [(t & T & on) | free]; [exact (on_segments x t T on) |].
     apply A_is; [exact free |]. destruct (unchanged_near _ _ _ ends_ x (off_pieces x free)) as (radius & R & near).
-    destruct (closure_ ((1 # 2) * radius)) as (y & close & inner & I & all_in); [lra |].
-    destruct (eventually_and _ _ (shifted_stays_within (Qmin inner ((1 # 2) * radius)) y
-      ltac:(apply Q.min_glb_lt; lra)) (shifted_off_all y segments)) as (limit & L & beside).
-    destruct (beside ((1 # 2) * limit)) as (close_z & free_z); [lra | lra |].
-    set (z := moved (shifted y) _) in *.
-    pose proof (Q.le_min_l inner ((1 # 2) * radius)). pose proof (Q.le_min_r inner ((1 # 2) * radius)).
-    destruct (near z) as [_ <-]; [unfold within in *; lra |]. apply A_is; [exact free_z |]. apply all_in.
-    exact (within_smaller _ _ _ _ (Q.le_min_l inner ((1 # 2) * radius)) close_z).
+    destruct (inside_near_inner_points A x radius A_is closure_ R) as (z & close & free_z & inside_z).
+    now destruct (near z close) as [_ <-].
   Qed.
 End Region.

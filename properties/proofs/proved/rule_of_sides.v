@@ -4,8 +4,7 @@
    what closed segments go round, unions, intersections and differences. *)
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
 From Oplus Require Import direction angle angular_crossings winding_number shifted_ray small_numbers signed_crossings
-  regions
-  meeting_of_segments first_hit interiors_meet neighbourhoods location pieces beside_a_piece filling
+  regions meeting_of_segments first_hit interiors_meet neighbourhoods location pieces beside_a_piece filling
   kept_pieces_go_round cut_pieces.
 Import ListNotations.
 
@@ -82,8 +81,8 @@ Section Rule.
     { refine (eventually_implied _ _ _ (eventually_for_all (fun l d =>
         winding_number (moved (shifted x) d) l = winding_number x l) families (fun l _ => same_beside x l))).
       intros d. apply by_rule_same. }
-    destruct (eventually_and _ _ (core _ _ _ rule_ends_at_pieces x) same_) as (limit & L & near).
-    destruct (near ((1 # 2) * limit)) as [number_is same_number]; [lra | lra |]. now rewrite <- same_number.
+    destruct (some_small _ (eventually_and _ _ (core _ _ _ rule_ends_at_pieces x) same_)) as (e & _ & number_is & same_number).
+    now rewrite <- same_number.
   Qed.
 End Rule.
 
@@ -105,14 +104,9 @@ Section Filled.
   Theorem filled_is_right (x : vector) :
     winding_number x (filled segments) = if (0 <? winding_number x segments)%Z then 1%Z else 0%Z.
   Proof.
-    destruct (eventually_and _ _ (core _ _ _ filled_ends_at_pieces x) (same_beside x segments)) as (limit & L & near).
-    destruct (near ((1 # 2) * limit)) as [number_is same_number]; [lra | lra |]. now rewrite <- same_number.
+    destruct (some_small _ (eventually_and _ _ (core _ _ _ filled_ends_at_pieces x) (same_beside x segments)))
+      as (e & _ & number_is & same_number).
+    now rewrite <- same_number.
   Qed.
 
-  Lemma filled_is_on (f : segment) (w : vector) : In f (filled segments) -> lies_on w f ->
-    exists t, In t segments /\ lies_on w t.
-  Proof.
-    intros F on. destruct (kept_are_on (is_right_inside segments) (pieces_of segments) f w F on) as (e & E & on_e).
-    exact (pieces_are_on _ _ (pieces_are_pieces segments all_long) e w E on_e).
-  Qed.
 End Filled.

@@ -42,8 +42,8 @@ Section ValidRegions.
   Hypothesis p_apart : chains_do_not_touch p.
   Hypothesis q_apart : chains_do_not_touch q.
   Let segments := convolution_segments p q.
-  Let all_long := segments_are_long p q p_region q_region.
-  Let closed := segments_are_closed p q p_region q_region.
+  Let all_long := all_are_long p q p_region q_region.
+  Let closed := all_are_closed p q p_region q_region.
   Let cut_ := pieces_are_pieces segments all_long.
 
   (* Off the reduced convolution, all of the convolution is inside the sum (Theorem 2.3.2). *)
@@ -72,17 +72,14 @@ Section ValidRegions.
     - exfalso. refine (different_pieces segments all_long e (undirected piece) E listed differ (middle e)
         (middle_is_inside e) _).
       pose proof (lies_on_of_one_place _ _ _ (of_one_place_sym _ _ (undirected_place piece)) on_piece) as on_.
-      destruct on_ as (k & range & X & Y).
       assert (not_end : forall v, v = source (undirected piece) \/ v = target (undirected piece) ->
-        ~ equal_vectors (middle e) v).
+        ~ equal_vectors v (middle e)).
       { intros v end_ [same_x same_y].
         apply (no_vertex_is_inside segments all_long (undirected piece) e v listed E end_).
-        destruct (middle_is_inside e) as (j & j_range & jx & jy). exists j. rewrite <- same_x, <- same_y. tauto. }
-      exists k. split; [| tauto]. split; apply Qnot_le_lt; intros extreme.
-      + apply (not_end (source (undirected piece))); [now left |]. assert (k_is : k == 0) by lra.
-        rewrite k_is in X, Y. split; lra.
-      + apply (not_end (target (undirected piece))); [now right |]. assert (k_is : k == 1) by lra.
-        rewrite k_is in X, Y. split; lra.
+        destruct (middle_is_inside e) as (j & j_range & jx & jy). exists j. rewrite same_x, same_y. tauto. }
+      destruct (inside_or_end _ _ on_) as [inside_ | [equal | equal]]; [exact inside_ | exfalso ..].
+      + apply (not_end (source (undirected piece))); tauto.
+      + apply (not_end (target (undirected piece))); tauto.
   Qed.
 
   Hypothesis p_simple : nowhere_above_one p.
@@ -94,11 +91,9 @@ Section ValidRegions.
   Proof.
     intros long only. set (m := middle s). set (n := to_the_right s). set (far := half_way m n segments).
     assert (far_some : 0 < far) by apply half_way_is.
-    destruct (to_the_right_of_a_piece segments s closed only long m n (middle_is_inside s) (right_normal s long))
-      as (limit & L & near).
-    set (d := (1 # 2) * (if Qlt_le_dec limit far then limit else far)).
-    assert (d_range : 0 < d /\ d < limit /\ d < far) by (unfold d; destruct (Qlt_le_dec limit far); lra).
-    clearbody d. unfold is_right_inside. rewrite <- (near d) by lra.
+    destruct (some_small _ (eventually_and _ _ (to_the_right_of_a_piece segments s closed only long m n
+      (middle_is_inside s) (right_normal s long)) (eventually_below far far_some))) as (d & _ & near & d_range).
+    unfold is_right_inside. rewrite <- near.
     assert (way_is_free : forall w, lies_on w (Segment (moved_along m n d) (just_right_of segments s)) ->
       off w segments).
     { intros w (k & range & X & Y).
@@ -155,7 +150,7 @@ Proof.
   apply chains_are_the_sum; trivial.
   pose proof (reduced_filled_is _ _ p_region q_region p_apart q_apart p_simple q_simple) as same_pieces.
   rewrite <- same_pieces. apply chains_take_all; [lia |]. intros v. rewrite (surplus_permuted v _ _ same_pieces).
-  apply filled_is_balanced; [now apply segments_are_long | now apply segments_are_closed].
+  apply filled_is_balanced; [now apply all_are_long | now apply all_are_closed].
 Qed.
 
 (* Corollary. So it is of regions that pass two tests by comparisons. *)

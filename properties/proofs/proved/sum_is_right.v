@@ -1,7 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* What sum_of_regions (sum_program.v) returns is the Minkowski sum, as specification.v says: off the convolution,
-  by Theorem
-   4.2.1; what is on the convolution is in the sum; and near each point of the sum are points where the interiors
+(* Chains of the pieces of the convolution that are kept are the Minkowski sum, as specification.v says: off the
+   convolution, by Theorem 4.2.1; what is on the convolution is in the sum; and near each point of the sum are points where the interiors
    meet. The rest is true of all sets that end at pieces (region_of_pieces.v). *)
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List Permutation.
 From Oplus Require Import specification checker direction angular_crossings winding_number shifted_ray
@@ -17,17 +16,12 @@ Open Scope Q_scope.
 Lemma convolution_segments_are_long (p q : region) (s : segment) :
   no_edges_are_points p -> no_edges_are_points q -> In s (convolution_segments p q) -> nonzero (along s).
 Proof.
-  intros p_edges q_edges I. apply in_map_iff in I. destruct I as ([chains named] & <- & I).
-  apply in_flat_map in I. destruct I as ([a b] & J & I). apply in_prod_iff in J. destruct J as [in_p in_q].
-  apply in_map_iff in I. destruct I as (named' & equal & I). injection equal as <- <-. cbn [fst snd] in *.
-  apply (in_those (length a) (length b) (in_convolution a b)) in I. destruct I as [[i_below j_below] _].
-  destruct named' as [along_ [i j]]. cbn in i_below, j_below.
-  unfold starts_at, ends_at, point_of, state_before, state_after. cbn [fst snd].
-  destruct along_; cbn [step fst snd].
+  intros p_edges q_edges I.
+  destruct (convolution_segment_is p q s I) as (a & b & i & j & in_p & in_q & i_below & j_below & [-> | ->]).
   - pose proof (region_edges_are_directions p p_edges _ (edge_in_region a p i in_p i_below)) as long.
-    intros [X Y]. apply long. unfold along, minus, plus in *. cbn [source target vx vy] in *. split; lra.
+    intros [X Y]. apply long. unfold plus in *. in_coordinates. split; lra.
   - pose proof (region_edges_are_directions q q_edges _ (edge_in_region b q j in_q j_below)) as long.
-    intros [X Y]. apply long. unfold along, minus, plus in *. cbn [source target vx vy] in *. split; lra.
+    intros [X Y]. apply long. unfold plus in *. in_coordinates. split; lra.
 Qed.
 
 Theorem filled_is_balanced (segments : list segment) : (forall t, In t segments -> nonzero (along t)) ->
@@ -143,17 +137,22 @@ Proof.
   rewrite edges_of_images. rewrite (on_images h same), (winding_number_of_images h same). reflexivity.
 Qed.
 
+Lemma member_of_valid_chains (x : point) (chains : region) : valid_region chains ->
+  (member x (map (map as_point) chains) <-> in_region (as_vector x) chains).
+Proof.
+  intros (_ & not_negative & _). rewrite member_of_chains. unfold in_region.
+  pose proof (nowhere_negative_everywhere _ not_negative (as_vector x)).
+  split; [intros [? | ?]; [tauto | left; lia] | intros [? | ?]; [right; lia | tauto]].
+Qed.
+
 (* Chains of what is kept, however they are found. *)
 Theorem chains_are_the_sum (p q : polygonal_region) (chains : region) :
   valid_region (as_region p) -> valid_region (as_region q) ->
   Permutation (region_edges chains) (filled (convolution_segments (as_region p) (as_region q))) ->
   is_minkowski_sum p q (map (map as_point) chains).
 Proof.
-  intros p_region q_region permuted x. rewrite member_of_chains.
-  pose proof (sums_are_valid _ _ chains p_region q_region permuted) as (_ & not_negative & _).
-  pose proof (nowhere_negative_everywhere _ not_negative (as_vector x)).
-  transitivity (in_region (as_vector x) chains).
-  { unfold in_region. split; [intros [? | ?]; [tauto | left; lia] | intros [? | ?]; [right; lia | tauto]]. }
+  intros p_region q_region permuted x.
+  rewrite member_of_valid_chains by exact (sums_are_valid _ _ chains p_region q_region permuted).
   rewrite (points_of_the_sum _ _ chains p_region q_region permuted). split.
   - intros (a & b & in_p & in_q & X & Y). exists (as_point a), (as_point b).
     rewrite !member_of_region, !as_vector_of_point by assumption. split; [exact in_p |]. split; [exact in_q |].
@@ -161,26 +160,4 @@ Proof.
   - intros (a & b & in_p & in_q & X & Y). exists (as_vector a), (as_vector b).
     rewrite <- !member_of_region by assumption. split; [exact in_p |]. split; [exact in_q |].
     split; [exact X | exact Y].
-Qed.
-
-(* Theorem. Of valid regions it is the Minkowski sum. *)
-Theorem sum_of_regions_is_the_sum (p q : polygonal_region) :
-  valid_region (as_region p) -> valid_region (as_region q) -> is_minkowski_sum p q (sum_of_regions p q).
-Proof.
-  intros p_region q_region. apply chains_are_the_sum; trivial. apply chains_take_all; [lia |].
-  apply filled_is_balanced; [now apply all_are_long | now apply all_are_closed].
-Qed.
-
-(* Theorem. The program with its test returns something for all regions that the test accepts. *)
-Theorem minkowski_sum_returns (p q : polygonal_region) :
-  is_valid_region (as_region p) = true -> is_valid_region (as_region q) = true ->
-  minkowski_sum p q = Some (sum_of_regions p q).
-Proof. intros p_valid q_valid. unfold minkowski_sum. now rewrite p_valid, q_valid. Qed.
-
-(* Theorem. And what it returns is the sum. *)
-Theorem sums_are_right (p q s : polygonal_region) : minkowski_sum p q = Some s -> is_minkowski_sum p q s.
-Proof.
-  unfold minkowski_sum.
-  destruct (is_valid_region (as_region p)) eqn:p_valid, (is_valid_region (as_region q)) eqn:q_valid; try discriminate.
-  intros [= <-]. now apply sum_of_regions_is_the_sum; apply is_valid_region_is_right.
 Qed.

@@ -8,8 +8,7 @@ From Oplus Require Import specification checker homogeneous_points specification
   signed_crossings small_numbers in_out_degree convolution_winding regions meeting_of_segments interiors_meet
   neighbourhoods left_of_an_edge theorem_4_2_1 theorem_2_2_10 observation_2_2_4 location pieces met_pieces
   naive_collision collision_is_sound beside_a_piece filling kept_pieces_go_round cut_pieces kept_pieces_balance
-  sum_program sum_is_right sums_in_less_time sums_of_two_edges
-  convolution_in_less_time walks.
+  sum_program sum_is_right sums_in_less_time sums_of_two_edges convolution_in_less_time walks.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -54,40 +53,21 @@ Definition quick_sum (p q : polygonal_region) : polygonal_region :=
 (* What is left out is not met. *)
 Lemma what_intersects_meets (s t : segment) : intersection s t <> [] -> exists w, lies_on w s /\ lies_on w t.
 Proof.
-  intros some. unfold intersection in some.
-  destruct (sorted_points _) as [| a l] eqn:sorted.
-  - destruct (cross_properly s t) eqn:crossing_; [| contradiction].
-    destruct (proper_crossing s t crossing_) as (w & in_s & in_t & _). exists w.
-    split; now apply strictly_inside_lies_on.
-  - clear some. exists a.
-    assert (I : In a (sorted_points (filter (fun p => is_on_segment p t) [source s; target s] ++
-      filter (fun p => is_on_segment p s) [source t; target t]))) by (rewrite sorted; now left).
-    apply sorted_in, in_app_iff in I. destruct I as [I | I]; apply filter_In in I; destruct I as [end_ on].
-    + destruct (is_on_spec a t) as [on_t |]; [| discriminate]. split; [| exact on_t].
-      destruct end_ as [<- | [<- | []]]; [apply source_lies_on | apply target_lies_on].
-    + destruct (is_on_spec a s) as [on_s |]; [| discriminate]. split; [exact on_s |].
-      destruct end_ as [<- | [<- | []]]; [apply source_lies_on | apply target_lies_on].
-Qed.
-
-Lemma between_two_numbers (a b u k : Q) : 0 <= u <= 1 ->
-  (a < k -> b < k -> (1 - u) * a + u * b < k) /\ (k < a -> k < b -> k < (1 - u) * a + u * b).
-Proof.
-  intros range. destruct (Qlt_le_dec 0 u) as [some | none].
-  - split; intros first_ second_; nra.
-  - assert (u_is : u == 0) by lra. split; intros; rewrite u_is; lra.
+  destruct (intersection s t) as [| w l] eqn:common; [contradiction |]. intros _. exists w.
+  destruct (intersection_is_on_both s t w) as (on_s & on_t & _); [rewrite common; now left | now split].
 Qed.
 
 Lemma ranges_apart_is (a b c d u v : Q) : 0 <= u <= 1 -> 0 <= v <= 1 ->
   (1 - u) * a + u * b == (1 - v) * c + v * d -> ranges_apart a b c d = false.
 Proof.
   intros u_range v_range common. unfold ranges_apart.
-  destruct (between_two_numbers a b u c u_range) as [c1 c2], (between_two_numbers a b u d u_range) as [d1 d2].
-  destruct (between_two_numbers c d v ((1 - u) * a + u * b) v_range) as [m1 m2].
   destruct (at_most_spec c a), (at_most_spec c b), (at_most_spec d a), (at_most_spec d b); cbn [negb andb orb];
     destruct (at_most_spec a c), (at_most_spec b c), (at_most_spec a d), (at_most_spec b d); cbn [negb andb];
     try reflexivity; exfalso.
-  all: try (assert ((1 - u) * a + u * b < (1 - v) * c + v * d) by (apply m2; [apply c1 | apply d1]; lra); lra).
-  all: assert ((1 - v) * c + v * d < (1 - u) * a + u * b) by (apply m1; [apply c2 | apply d2]; lra); lra.
+  all: try (assert ((1 - u) * a + u * b < (1 - v) * c + v * d)
+    by (apply mixed_is_more; trivial; apply mixed_is_less; trivial; lra); lra).
+  all: assert ((1 - v) * c + v * d < (1 - u) * a + u * b)
+    by (apply mixed_is_more; trivial; apply mixed_is_less; trivial; lra); lra.
 Qed.
 
 Lemma quick_intersection_is (s t : segment) : quick_intersection s t = intersection s t.
@@ -139,22 +119,13 @@ Section ValidRegions.
   Lemma positive_at_inner_points (x : vector) : inner_point_of_sum x p q -> (0 < winding_number x segments)%Z.
   Proof.
     intros (radius & R & near).
-    destruct (eventually_and _ _ (same_beside x segments) (eventually_and _ _
-      (eventually_for_all (fun s e => ~ lies_on (moved (shifted x) e) s) segments (fun s _ => shifted_off x s))
-      (eventually_and _ _ (small_steps_stay_within radius x (Vector 1 0) R)
-        (ex_intro _ 1 (conj (ltac:(lra) : 0 < 1) (fun e some small => conj some small : 0 < e /\ e < 1))))))
-      as (limit & L & all).
-    destruct (all ((1 # 2) * limit)) as (<- & free & step_ & some & small); [lra | lra |].
-    set (e := (1 # 2) * limit) in *. clearbody e. apply positive_winding_number_iff_common_point; trivial.
-    apply near. assert (square_ : 0 < e * e /\ e * e <= e) by (split; nra).
-    unfold within, moved, shifted, moved_along in *. cbn [at_ first second vx vy] in *. lra.
+    destruct (some_small _ (eventually_and _ _ (same_beside x segments) (eventually_and _ _
+      (shifted_off_all x segments) (shifted_stays_within radius x R)))) as (e & _ & <- & free & close).
+    apply positive_winding_number_iff_common_point; trivial. now apply near.
   Qed.
 
-  Lemma segments_are_long (t : segment) : In t segments -> nonzero (along t).
-  Proof. destruct p_region as (p_edges & _), q_region as (q_edges & _). now apply convolution_segments_are_long. Qed.
-
-  Lemma segments_are_closed : cycles segments.
-  Proof. destruct p_region as (p_edges & _), q_region as (q_edges & _). now apply convolution_is_closed. Qed.
+  Let segments_are_long := all_are_long p q p_region q_region.
+  Let segments_are_closed := all_are_closed p q p_region q_region.
 
   Lemma positive_beside_inner_points (e : segment) (w : vector) : met_only_along segments e -> nonzero (along e) ->
     strictly_inside w e -> inner_point_of_sum w p q -> is_right_inside segments e = true.
@@ -163,9 +134,10 @@ Section ValidRegions.
     set (n := Vector (vy (along e)) (- vx (along e))).
     assert (right_ : cross (along e) n < 0).
     { pose proof (left_normal e long) as left_. unfold n, cross in *. cbn [vx vy] in *. lra. }
-    destruct (eventually_and _ _ (to_the_right_of_a_piece segments e segments_are_closed only long w n inside_ right_)
-      (small_steps_stay_within ((1 # 2) * radius) w n ltac:(lra))) as (limit & L & all).
-    destruct (all ((1 # 2) * limit)) as [<- close]; [lra | lra |]. apply positive_at_inner_points.
+    destruct (some_small _ (eventually_and _ _
+      (to_the_right_of_a_piece segments e segments_are_closed only long w n inside_ right_)
+      (small_steps_stay_within ((1 # 2) * radius) w n ltac:(lra)))) as (d & _ & <- & close).
+    apply positive_at_inner_points.
     exists ((1 # 2) * radius). split; [lra |]. intros y y_near. apply near. unfold within in *. lra.
   Qed.
 
@@ -237,7 +209,7 @@ Lemma quick_chains_are (p q : region) : valid_region p -> valid_region q ->
 Proof.
   intros p_region q_region. cbv zeta. pose proof (quick_filled_is _ _ p_region q_region) as same_pieces.
   rewrite <- same_pieces. apply chains_take_all; [lia |]. intros v. rewrite (surplus_permuted v _ _ same_pieces).
-  apply filled_is_balanced; [now apply segments_are_long | now apply segments_are_closed].
+  apply filled_is_balanced; [now apply all_are_long | now apply all_are_closed].
 Qed.
 
 (* Theorem. Of valid regions it is the Minkowski sum. *)

@@ -1,10 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The same sum in less time: copies of pieces are found in a search tree, and segments that do not span the height of a
+(* The same pieces in less time: copies of pieces are found in a search tree, and segments that do not span the height of a
    ray are passed over. *)
-From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation SetoidList Orders OrdersEx MSetAVL.
-From Oplus Require Import specification direction angular_crossings winding_number shifted_ray regions
-  convolution_winding theorem_4_2_1 homogeneous_points specification_bridge pieces filling kept_pieces_go_round
-  cut_pieces kept_pieces_balance sum_program sum_is_right walks.
+From Coq Require Import QArith ZArith Lia Bool List SetoidList Orders OrdersEx MSetAVL.
+From Oplus Require Import direction angular_crossings winding_number shifted_ray.
 Import ListNotations.
 
 Module Number := PairOrderedType Z_as_OT Positive_as_OT.
@@ -98,34 +96,3 @@ Definition kept_piece_fast (segments : list segment) (e : segment) : list segmen
   | false, true => [reversed e]
   | _, _ => []
   end.
-
-Definition filled_fast (segments : list segment) : list segment :=
-  flat_map (kept_piece_fast segments)
-    (without_copies (flat_map (fun s => map undirected (cut_where_met s segments)) segments)).
-
-Lemma filled_fast_is (segments : list segment) : Permutation (filled_fast segments) (filled segments).
-Proof.
-  unfold filled_fast, filled, kept_pieces. rewrite (flat_map_ext (kept_piece_fast segments) (kept_piece (is_right_inside segments))).
-  - apply Permutation_flat_map. apply NoDup_Permutation; [apply without_copies_is_distinct | apply NoDup_nodup |].
-    intros s. unfold pieces_of. rewrite nodup_In. apply in_without_copies.
-  - intros e. unfold kept_piece_fast, kept_piece, is_right_inside. now rewrite !number_to_the_right_is.
-Qed.
-
-Definition fast_sum (p q : polygonal_region) : polygonal_region :=
-  let f := filled_fast (convolution_segments (as_region p) (as_region q)) in
-  map (map as_point) (chains_of (length f) f).
-
-(* Theorem. *)
-Theorem fast_sum_is_the_sum (p q : polygonal_region) :
-  valid_region (as_region p) -> valid_region (as_region q) -> is_minkowski_sum p q (fast_sum p q).
-Proof.
-  intros p_region q_region x. unfold fast_sum. cbv zeta. set (T := convolution_segments _ _).
-  set (chains := chains_of _ _).
-  assert (permuted : Permutation (region_edges chains) (filled T)).
-  { rewrite <- filled_fast_is. apply chains_take_all; [lia |]. intros v.
-    rewrite (surplus_permuted v _ _ (filled_fast_is T)).
-    destruct p_region as (p_edges & _), q_region as (q_edges & _). apply filled_is_balanced.
-    - intros t. now apply convolution_segments_are_long.
-    - now apply convolution_is_closed. }
-  now apply chains_are_the_sum.
-Qed.

@@ -5,8 +5,8 @@
    a segment at once). Integers: coordinates are multiplied by a common denominator. Large parallelograms come first,
    which only saves time. *)
 From Coq Require Import QArith Qabs Qminmax Lqa Qfield ZArith Lia Bool List Permutation Orders Mergesort.
-From Oplus Require Import convolution in_out_degree regions meeting_of_segments neighbourhoods interiors_meet
-  theorem_2_2_10.
+From Oplus Require Import convolution small_numbers in_out_degree regions meeting_of_segments neighbourhoods
+  interiors_meet right_of_an_edge specification_bridge theorem_2_2_10 coordinates.
 Import ListNotations.
 
 Open Scope Z_scope.
@@ -106,9 +106,8 @@ Lemma common_multiple_is (a : denominator) (l : list denominator) :
 Proof.
   induction l as [| b l IH]; [intros [] |].
   assert (is_lcm : Zpos (common_multiple (b :: l)) = Z.lcm (Zpos b) (Zpos (common_multiple l))).
-  { cbn [common_multiple fold_right]. apply Z2Pos.id. fold (common_multiple l).
-    pose proof (Z.lcm_nonneg (Zpos b) (Zpos (common_multiple l))).
-    assert (Z.lcm (Zpos b) (Zpos (common_multiple l)) <> 0) by (intros none; apply Z.lcm_eq_0 in none; lia). lia. }
+  { apply Z2Pos.id. fold (common_multiple l). pose proof (Z.lcm_nonneg (Zpos b) (Zpos (common_multiple l))).
+    pose proof (Z.lcm_eq_0 (Zpos b) (Zpos (common_multiple l))). lia. }
   rewrite is_lcm. intros [-> | I]; [apply Z.divide_lcm_l |].
   etransitivity; [exact (IH I) | apply Z.divide_lcm_r].
 Qed.
@@ -121,9 +120,7 @@ Definition has_denominator (d : denominator) (v : vector) : Prop :=
 Lemma ends_have_denominator (l : list segment) (s : segment) : In s l ->
   has_denominator (common_multiple (denominators l)) (source s) /\
   has_denominator (common_multiple (denominators l)) (target s).
-Proof.
-  intros I. repeat split; apply common_multiple_is, in_flat_map; exists s; (split; [exact I | cbn; tauto]).
-Qed.
+Proof. intros I. repeat split; apply common_multiple_is, in_flat_map; exists s; (split; [exact I | cbn; tauto]). Qed.
 
 Section Scaled.
   Variable d : denominator.
@@ -143,17 +140,11 @@ Section Scaled.
 
   Lemma minus_stands_for (a b : whole_vector) (v w : vector) :
     stands_for a v -> stands_for b w -> stands_for (whole_minus a b) (minus v w).
-  Proof.
-    intros [ax ay] [bx by_]. unfold stands_for, whole_minus, minus. cbn [fst snd vx vy].
-    unfold Z.sub. rewrite !inject_Z_plus, !inject_Z_opp, ax, ay, bx, by_. split; ring.
-  Qed.
+  Proof. unfold stands_for, whole_minus, minus, Z.sub; cbn. rewrite !inject_Z_plus, !inject_Z_opp. lra. Qed.
 
   Lemma plus_stands_for (a b : whole_vector) (v w : vector) :
     stands_for a v -> stands_for b w -> stands_for (whole_plus a b) (plus v w).
-  Proof.
-    intros [ax ay] [bx by_]. unfold stands_for, whole_plus, plus. cbn [fst snd vx vy].
-    rewrite !inject_Z_plus, ax, ay, bx, by_. split; ring.
-  Qed.
+  Proof. unfold stands_for, whole_plus, plus; cbn. rewrite !inject_Z_plus. lra. Qed.
 
   Lemma cross_stands_for (a b : whole_vector) (v w : vector) : stands_for a v -> stands_for b w ->
     inject_Z (whole_cross a b) == unit_ * unit_ * cross v w.
@@ -173,42 +164,28 @@ Definition covers_place (start along_ : whole_vector) (g : sum_of_two) (k : Q) :
   is_strictly_between (whole_cross (side_1 g) from) (whole_cross (side_1 g) along_) (its_size g) k.
 
 Lemma larger_spec (a b k : Q) : larger a b < k -> a < k /\ b < k.
-Proof.
-  unfold larger. destruct (Qle_bool a b) eqn:order; intros below; [apply Qle_bool_iff in order; lra |].
-  assert (~ a <= b) by (rewrite <- Qle_bool_iff; congruence). lra.
-Qed.
+Proof. unfold larger. rewrite <- at_most_is. destruct (at_most_spec a b); lra. Qed.
 
 Lemma smaller_spec (a b k : Q) : k < smaller a b -> k < a /\ k < b.
-Proof.
-  unfold smaller. destruct (Qle_bool a b) eqn:order; intros below; [apply Qle_bool_iff in order; lra |].
-  assert (~ a <= b) by (rewrite <- Qle_bool_iff; congruence). lra.
-Qed.
+Proof. unfold smaller. rewrite <- at_most_is. destruct (at_most_spec a b); lra. Qed.
 
-Lemma quotient_is (n : Z) (k : denominator) : (n # k) * inject_Z (Zpos k) == inject_Z n.
-Proof. unfold inject_Z, Qeq, Qmult. cbn [Qnum Qden]. lia. Qed.
+Lemma quotients (n : Z) (m : denominator) (k : Q) :
+  ((n # m) < k <-> inject_Z n < k * inject_Z (Zpos m)) /\ (k < (n # m) <-> k * inject_Z (Zpos m) < inject_Z n).
+Proof. unfold Qlt, Qmult, inject_Z. cbn [Qnum Qden]. rewrite !Pos.mul_1_r. lia. Qed.
 
 Lemma narrowed_is (u v c : Z) (l : Q * Q) (k : Q) :
   fst (narrowed u v c l) < k -> k < snd (narrowed u v c l) -> fst l < k /\ k < snd l /\ is_strictly_between u v c k.
 Proof.
-  unfold narrowed, is_strictly_between. destruct v as [| m | m]; intros above below.
+  unfold narrowed, is_strictly_between. destruct v as [| m | m]; cbn [fst snd]; intros above below.
   - destruct ((0 <? u)%Z && (u <? c)%Z) eqn:inside_; cbn [fst snd] in *; [| lra].
     apply andb_true_iff in inside_. destruct inside_ as [u_some u_less]. apply Z.ltb_lt in u_some, u_less.
     rewrite Zlt_Qlt in u_some, u_less. change (inject_Z 0) with 0 in *. repeat split; lra.
-  - cbn [fst snd] in *. apply larger_spec in above. apply smaller_spec in below.
-    assert (some : 0 < inject_Z (Zpos m)) by reflexivity.
-    pose proof (quotient_is (- u) m) as low. pose proof (quotient_is (c - u) m) as high.
-    unfold Z.sub in high. rewrite inject_Z_plus in high. rewrite inject_Z_opp in low, high.
-    set (unit_ := inject_Z (Zpos m)) in *. clearbody unit_.
-    destruct above as [above above'], below as [below below'].
-    apply (Qmult_lt_compat_r _ _ unit_ some) in above', below'. unfold Z.sub in below'. repeat split; lra.
-  - cbn [fst snd] in *. apply larger_spec in above. apply smaller_spec in below.
-    assert (some : 0 < inject_Z (Zpos m)) by reflexivity.
-    pose proof (quotient_is (u - c) m) as low. pose proof (quotient_is u m) as high.
-    unfold Z.sub in low. rewrite inject_Z_plus, inject_Z_opp in low.
-    change (inject_Z (Zneg m)) with (- inject_Z (Zpos m)).
-    set (unit_ := inject_Z (Zpos m)) in *. clearbody unit_.
-    destruct above as [above above'], below as [below below'].
-    apply (Qmult_lt_compat_r _ _ unit_ some) in above', below'. unfold Z.sub in above'. repeat split; lra.
+  - apply larger_spec in above. apply smaller_spec in below.
+    rewrite (proj1 (quotients _ m k)), inject_Z_opp in above. unfold Z.sub in below.
+    rewrite (proj2 (quotients _ m k)), inject_Z_plus, inject_Z_opp in below. repeat split; lra.
+  - apply larger_spec in above. apply smaller_spec in below. unfold Z.sub in above.
+    rewrite (proj1 (quotients _ m k)), inject_Z_plus, inject_Z_opp in above. rewrite (proj2 (quotients _ m k)) in below.
+    change (inject_Z (Zneg m)) with (- inject_Z (Zpos m)). repeat split; lra.
 Qed.
 
 Lemma part_inside_is (start along_ : whole_vector) (g : sum_of_two) (inner : Q * Q) (k : Q) :
@@ -224,14 +201,11 @@ Lemma without_inner_is (inner : Q * Q) (l : part) (k : Q) : is_in_part k l -> ~ 
   exists rest, In rest (without_inner inner l) /\ is_in_part k rest.
 Proof.
   destruct inner as [low high]. unfold without_inner, is_in_part. cbn [fst snd]. intros [above below] not_inside.
-  destruct (Qle_bool high low || Qle_bool (snd l) low || Qle_bool high (fst l)).
-  { exists l. cbn. tauto. }
-  destruct (Qlt_le_dec low k) as [after_ | before_].
-  - assert (high_before : high <= k) by (apply Qnot_lt_le; tauto).
-    assert (right_ : Qle_bool high (snd l) = true) by (apply Qle_bool_iff; lra).
-    exists (high, snd l). split; [apply in_app_iff; right; rewrite right_; now left | cbn; lra].
-  - assert (left_ : Qle_bool (fst l) low = true) by (apply Qle_bool_iff; lra).
-    exists (fst l, low). split; [apply in_app_iff; left; rewrite left_; now left | cbn; lra].
+  destruct (Qle_bool high low || Qle_bool (snd l) low || Qle_bool high (fst l)); [exists l; cbn; tauto |].
+  setoid_rewrite in_app_iff. rewrite <- (at_most_is (fst l)), <- (at_most_is high). destruct (Qlt_le_dec low k).
+  - assert (high <= k) by (apply Qnot_lt_le; tauto). exists (high, snd l).
+    destruct (at_most_spec high (snd l)); [cbn; split; [right; now left | lra] | lra].
+  - exists (fst l, low). destruct (at_most_spec (fst l) low); [cbn; split; [left; now left | lra] | lra].
 Qed.
 
 Lemma uncovered_is (start along_ : whole_vector) (k : Q) (sums : list sum_of_two) : forall l,
@@ -240,37 +214,20 @@ Lemma uncovered_is (start along_ : whole_vector) (k : Q) (sums : list sum_of_two
   (exists g, In g sums /\ covers_place start along_ g k).
 Proof.
   induction sums as [| g sums IH]; intros l has; [left; now destruct l |].
-  assert (unfolded : uncovered start along_ l (g :: sums) =
-    match l with [] => [] | _ => uncovered start along_
-      match part_inside start along_ g with None => l | Some inner => flat_map (without_inner inner) l end sums end)
-    by now destruct l.
-  rewrite unfolded. destruct l as [| first_ l]; [now destruct has as (? & [] & _) |].
-  destruct (part_inside start along_ g) as [inner |] eqn:inside_.
-  - destruct (Qlt_le_dec (fst inner) k) as [above |];
-      [destruct (Qlt_le_dec k (snd inner)) as [below |] |].
-    { right. exists g. split; [now left | exact (part_inside_is _ _ _ _ _ inside_ above below)]. }
-    all: destruct (IH (flat_map (without_inner inner) (first_ :: l))) as [found | (h & H & covers_)];
-      [| now left | right; exists h; split; [now right | exact covers_]];
-      destruct has as (part_ & I & in_part); destruct (without_inner_is inner part_ k in_part) as (rest & R & in_rest);
-      [lra | exists rest; split; [| exact in_rest]; apply in_flat_map; now exists part_].
-  - destruct (IH (first_ :: l) has) as [found | (h & H & covers_)]; [now left |].
-    right. exists h. split; [now right | exact covers_].
+  destruct l as [| first_ l]; [now destruct has as (? & [] & _) |]. cbn [uncovered]. set (l' := first_ :: l) in *.
+  set (rest := match part_inside start along_ g with None => l' | Some _ => _ end).
+  assert (step : (exists part_, In part_ rest /\ is_in_part k part_) \/ covers_place start along_ g k).
+  { unfold rest. destruct (part_inside start along_ g) as [inner |] eqn:inside_; [| now left].
+    destruct has as (part_ & I & in_part).
+    destruct (Qlt_le_dec (fst inner) k); [destruct (Qlt_le_dec k (snd inner)) |];
+      [right; now apply (part_inside_is _ _ _ inner) | left | left];
+      (destruct (without_inner_is inner part_ k in_part) as (more & R & in_more); [lra |]);
+      exists more; (split; [apply in_flat_map; now exists part_ | exact in_more]). }
+  destruct step as [has' | covers_]; [| right; exists g; split; [now left | exact covers_]].
+  destruct (IH rest has') as [found | (h & H & covers_)]; [now left | right; exists h; split; [now right | exact covers_]].
 Qed.
 
-(* Points strictly inside the sum of two edges are inside the sum of the regions. *)
-Lemma positive_nearby_in_plane (w b : vector) (u : Q) : 0 < u ->
-  exists radius, 0 < radius /\ forall y, within radius w y -> 0 < u + cross (minus y w) b.
-Proof.
-  intros some. pose proof (abs_bounds (vx b)) as (x0 & x1 & x2). pose proof (abs_bounds (vy b)) as (y0 & y1 & y2).
-  set (X := Qabs (vx b)) in *. set (Y := Qabs (vy b)) in *. clearbody X Y.
-  assert (radius_some : 0 < u / (1 + X + Y)) by (apply Qlt_shift_div_l; lra).
-  assert (radius_is : u / (1 + X + Y) * (1 + X + Y) == u) by (field; lra).
-  set (radius := u / (1 + X + Y)) in *. clearbody radius. exists radius. split; [exact radius_some |].
-  intros y [near_x near_y]. unfold cross, minus. cbn [vx vy].
-  set (dx := vx y - vx w) in *. set (dy := vy y - vy w) in *. clearbody dx dy.
-  assert (- (radius * Y) <= dx * vy b) by nra. assert (- (radius * X) <= - (dy * vx b)) by nra. lra.
-Qed.
-
+(* The point w is strictly inside the parallelogram with a corner o and sides a and b. *)
 Definition is_inside_the_sum_of_two (o a b w : vector) : Prop :=
   0 < cross (minus w o) b /\ cross (minus w o) b < cross a b /\ 0 < cross a (minus w o) /\
   cross a (minus w o) < cross a b.
@@ -281,59 +238,41 @@ Lemma as_sum_of_points (o a b w : vector) : is_inside_the_sum_of_two o a b w ->
     vx w == vx o + g * vx a + h * vx b /\ vy w == vy o + g * vy a + h * vy b.
 Proof.
   intros (i1 & i2 & j1 & j2). exists (cross (minus w o) b / cross a b), (cross a (minus w o) / cross a b).
-  assert (turn_ : ~ cross a b == 0) by lra.
   split; [split; [apply Qlt_shift_div_l | apply Qlt_shift_div_r]; lra |].
   split; [split; [apply Qlt_shift_div_l | apply Qlt_shift_div_r]; lra |].
-  unfold cross, minus in *; cbn [vx vy] in *. split; field; exact turn_.
+  assert (turn_ : ~ cross a b == 0) by lra. unfold cross, minus in *; cbn [vx vy] in *. split; field; exact turn_.
+Qed.
+
+(* And so are all points near. *)
+Lemma positive_near (w v : vector) (u : Q) : 0 < u ->
+  eventually (fun radius => forall y, within radius w y -> 0 < u + cross (minus y w) v).
+Proof.
+  intros some. pose proof (abs_bounds (vx v)). pose proof (abs_bounds (vy v)).
+  destruct (radius_for u (Qabs (vx v) + Qabs (vy v)) some) as (limit & L & small); [lra |].
+  exists limit. split; [exact L |]. intros radius R less y [near_x near_y].
+  pose proof (product_bounds _ (vy v) radius near_x). pose proof (product_bounds _ (vx v) radius near_y).
+  unfold cross, minus; cbn [vx vy]. nra.
 Qed.
 
 Lemma inside_the_sum_of_two_edges (p q : region) (e f : segment) (w a b : vector) :
   In e (region_edges p) -> In f (region_edges q) -> (a = along e /\ b = along f) \/ (a = along f /\ b = along e) ->
-  0 < cross (minus w (plus (source e) (source f))) b -> cross (minus w (plus (source e) (source f))) b < cross a b ->
-  0 < cross a (minus w (plus (source e) (source f))) -> cross a (minus w (plus (source e) (source f))) < cross a b ->
-  inner_point_of_sum w p q.
+  is_inside_the_sum_of_two (plus (source e) (source f)) a b w -> inner_point_of_sum w p q.
 Proof.
-  intros E F sides i1 i2 j1 j2. set (o := plus (source e) (source f)) in *.
-  destruct (positive_nearby_in_plane w b _ i1) as (r1 & R1 & near_1).
-  destruct (positive_nearby_in_plane w (opposite b) (cross a b - cross (minus w o) b)) as (r2 & R2 & near_2); [lra |].
-  destruct (positive_nearby_in_plane w (opposite a) _ j1) as (r3 & R3 & near_3).
-  destruct (positive_nearby_in_plane w a (cross a b - cross a (minus w o))) as (r4 & R4 & near_4); [lra |].
-  exists (Qmin (Qmin r1 r2) (Qmin r3 r4)). split; [repeat apply Q.min_glb_lt; assumption |].
-  pose proof (Q.le_min_l (Qmin r1 r2) (Qmin r3 r4)). pose proof (Q.le_min_r (Qmin r1 r2) (Qmin r3 r4)).
-  pose proof (Q.le_min_l r1 r2). pose proof (Q.le_min_r r1 r2). pose proof (Q.le_min_l r3 r4).
-  pose proof (Q.le_min_r r3 r4). set (r := Qmin (Qmin r1 r2) (Qmin r3 r4)) in *. clearbody r.
-  intros y close.
-  assert (smaller_ : forall radius, r <= radius -> within radius w y) by (intros radius less; unfold within in *; lra).
-  specialize (near_1 y (smaller_ r1 ltac:(lra))). specialize (near_2 y (smaller_ r2 ltac:(lra))).
-  specialize (near_3 y (smaller_ r3 ltac:(lra))). specialize (near_4 y (smaller_ r4 ltac:(lra))).
-  clear smaller_ close.
-  assert (y1 : 0 < cross (minus y o) b) by (unfold cross, minus, opposite in *; cbn [vx vy] in *; lra).
-  assert (y2 : cross (minus y o) b < cross a b) by (unfold cross, minus, opposite in *; cbn [vx vy] in *; lra).
-  assert (y3 : 0 < cross a (minus y o)) by (unfold cross, minus, opposite in *; cbn [vx vy] in *; lra).
-  assert (y4 : cross a (minus y o) < cross a b) by (unfold cross, minus, opposite in *; cbn [vx vy] in *; lra).
-  clear near_1 near_2 near_3 near_4.
-  set (g := cross (minus y o) b / cross a b). set (h := cross a (minus y o) / cross a b).
-  assert (g_range : 0 <= g <= 1) by (unfold g; split; [apply Qle_shift_div_l | apply Qle_shift_div_r]; lra).
-  assert (h_range : 0 <= h <= 1) by (unfold h; split; [apply Qle_shift_div_l | apply Qle_shift_div_r]; lra).
-  assert (turn_ : ~ cross a b == 0) by lra.
-  assert (y_x : vx y == vx o + g * vx a + h * vx b)
-    by (unfold g, h, cross, minus in *; cbn [vx vy] in *; field; exact turn_).
-  assert (y_y : vy y == vy o + g * vy a + h * vy b)
-    by (unfold g, h, cross, minus in *; cbn [vx vy] in *; field; exact turn_).
-  clearbody g h.
-  assert (on_edge : forall (s : segment) k, 0 <= k <= 1 -> lies_on (moved_along (source s) (along s) k) s).
-  { intros s k range. exists k. unfold moved_along, along, minus. cbn [vx vy]. split; [exact range |]. split; ring. }
-  assert (in_p : forall k, 0 <= k <= 1 -> in_region (moved_along (source e) (along e) k) p)
-    by (intros k range; right; exists e; split; [exact E | now apply on_edge]).
-  assert (in_q : forall k, 0 <= k <= 1 -> in_region (moved_along (source f) (along f) k) q)
-    by (intros k range; right; exists f; split; [exact F | now apply on_edge]).
-  destruct sides as [[-> ->] | [-> ->]].
-  - exists (moved_along (source e) (along e) g), (moved_along (source f) (along f) h).
-    split; [now apply in_p |]. split; [now apply in_q |].
-    unfold o, plus, moved_along in *. cbn [vx vy] in *. split; cbn [vx vy]; lra.
-  - exists (moved_along (source e) (along e) h), (moved_along (source f) (along f) g).
-    split; [now apply in_p |]. split; [now apply in_q |].
-    unfold o, plus, moved_along in *. cbn [vx vy] in *. split; cbn [vx vy]; lra.
+  intros E F sides (i1 & i2 & j1 & j2). set (o := plus (source e) (source f)) in *.
+  destruct (eventually_some _ 1
+    (eventually_and _ _ (eventually_and _ _ (positive_near w b _ i1) (positive_near w (opposite a) _ j1))
+      (eventually_and _ _ (positive_near w (opposite b) (cross a b - cross (minus w o) b) ltac:(lra))
+        (positive_near w a (cross a b - cross a (minus w o)) ltac:(lra)))))
+    as (radius & [R _] & (near_1 & near_2) & near_3 & near_4); [lra |].
+  exists radius. split; [exact R |]. intros y close.
+  specialize (near_1 y close). specialize (near_2 y close). specialize (near_3 y close). specialize (near_4 y close).
+  destruct (as_sum_of_points o a b y) as (g & h & g_range & h_range & X & Y);
+    [unfold is_inside_the_sum_of_two; to_coordinates; lra |].
+  assert (on_edge : forall r s k, In s (region_edges r) -> 0 < k < 1 -> in_region (point_at s k) r)
+    by (intros r s k S range; right; exists s; split; [exact S | apply point_at_lies_on; lra]).
+  unfold o in *. clear i1 i2 j1 j2 near_1 near_2 near_3 near_4 o. destruct sides as [[-> ->] | [-> ->]];
+    [exists (point_at e g), (point_at f h) | exists (point_at e h), (point_at f g)];
+    (split; [now apply on_edge |]; split; [now apply on_edge | by_computing]).
 Qed.
 
 Lemma in_sums_of_edges (d : denominator) (p q : list segment) (g : sum_of_two) : In g (sums_of_edges d p q) ->
@@ -341,6 +280,28 @@ Lemma in_sums_of_edges (d : denominator) (p q : list segment) (g : sum_of_two) :
 Proof.
   intros I. apply (Permutation_in _ (Permutation_sym (Sorted_by_size.Permuted_sort _))) in I.
   apply in_flat_map in I. destruct I as (e & E & I). apply in_flat_map in I. destruct I as (f & F & I). now exists e, f.
+Qed.
+
+Definition ends_stand (d : denominator) (s : segment) : Prop :=
+  has_denominator d (source s) /\ has_denominator d (target s).
+
+Lemma along_stands_for (d : denominator) (s : segment) : ends_stand d s ->
+  stands_for d (whole_minus (scaled d (target s)) (scaled d (source s))) (along s).
+Proof. intros [from to]. apply minus_stands_for; now apply scaled_is. Qed.
+
+Lemma sum_of_edges_is (d : denominator) (e f : segment) (g : sum_of_two) : ends_stand d e -> ends_stand d f ->
+  In g (sum_of_edges d e f) -> exists a b, (a = along e /\ b = along f \/ a = along f /\ b = along e) /\
+    stands_for d (its_corner g) (plus (source e) (source f)) /\ stands_for d (side_1 g) a /\
+    stands_for d (side_2 g) b /\ inject_Z (its_size g) == inject_Z (Zpos d) * inject_Z (Zpos d) * cross a b.
+Proof.
+  intros e_is f_is G.
+  pose proof (along_stands_for d e e_is) as e_along. pose proof (along_stands_for d f f_is) as f_along.
+  pose proof (plus_stands_for d _ _ _ _ (scaled_is d _ (proj1 e_is)) (scaled_is d _ (proj1 f_is))) as start_.
+  pose proof (cross_stands_for d _ _ _ _ e_along f_along) as size_. unfold sum_of_edges in G.
+  destruct (whole_cross _ _) as [| m | m]; [destruct G | |]; destruct G as [<- | []];
+    [exists (along e), (along f) | exists (along f), (along e)]; cbn [its_corner side_1 side_2 its_size];
+    repeat (split; [tauto |]); [exact size_ |].
+  change (inject_Z (Zneg m)) with (- inject_Z (Zpos m)) in size_. unfold cross in *. lra.
 Qed.
 
 (* Theorem. What is not in the parts that are returned is inside the sum of two edges. *)
@@ -354,55 +315,25 @@ Theorem covered_is_inside_a_sum_of_two (of_p of_q : list segment) (d : denominat
 Proof.
   intros divides range X Y.
   destruct (uncovered_is (scaled d (source s)) (whole_minus (scaled d (target s)) (scaled d (source s))) k
-    (sums_of_edges d of_p of_q) [(0, 1)]) as [found | (g & G & covers_)].
-  { exists (0, 1). split; [now left | exact range]. }
-  { now left. }
-  right. apply in_sums_of_edges in G. destruct G as (e & f & E & F & G).
-  assert (ends : forall t, t = s \/ In t of_p \/ In t of_q ->
-    stands_for d (scaled d (source t)) (source t) /\ stands_for d (scaled d (target t)) (target t)).
-  { intros t which. destruct (divides t which). split; now apply scaled_is. }
-  destruct (ends s (or_introl eq_refl)) as [s_from s_to]. destruct (ends e ltac:(tauto)) as [e_from e_to].
-  destruct (ends f ltac:(tauto)) as [f_from f_to].
-  pose proof (minus_stands_for d _ _ _ _ s_to s_from) as s_along. fold (along s) in s_along.
-  pose proof (minus_stands_for d _ _ _ _ e_to e_from) as e_along. fold (along e) in e_along.
-  pose proof (minus_stands_for d _ _ _ _ f_to f_from) as f_along. fold (along f) in f_along.
-  pose proof (plus_stands_for d _ _ _ _ e_from f_from) as start_.
-  pose proof (minus_stands_for d _ _ _ _ s_from start_) as from_.
-  pose proof (cross_stands_for d _ _ _ _ e_along f_along) as size_.
+    (sums_of_edges d of_p of_q) [(0, 1)]) as [found | (g & G & [[c1 c2] [c3 c4]])];
+    [exists (0, 1); split; [now left | exact range] | now left | right].
+  apply in_sums_of_edges in G. destruct G as (e & f & E & F & G).
+  destruct (sum_of_edges_is d e f g (divides e ltac:(tauto)) (divides f ltac:(tauto)) G)
+    as (a & b & sides & corner_ & a_is & b_is & size_is).
+  pose proof (divides s (or_introl eq_refl)) as s_is. pose proof (along_stands_for d s s_is) as s_along.
+  pose proof (minus_stands_for d _ _ _ _ (scaled_is d _ (proj1 s_is)) corner_) as from_.
+  exists e, f, a, b. split; [exact E |]. split; [exact F |]. split; [exact sides |].
   set (o := plus (source e) (source f)) in *.
+  rewrite (cross_stands_for d _ _ _ _ from_ b_is), (cross_stands_for d _ _ _ _ s_along b_is) in c1, c2.
+  rewrite (cross_stands_for d _ _ _ _ a_is from_), (cross_stands_for d _ _ _ _ a_is s_along) in c3, c4.
+  rewrite size_is in c2, c4. clear - X Y c1 c2 c3 c4. clearbody o.
+  assert (w_b : cross (minus w o) b == cross (minus (source s) o) b + k * cross (along s) b)
+    by (unfold cross, along, minus; cbn [vx vy]; rewrite X, Y; ring).
+  assert (a_w : cross a (minus w o) == cross a (minus (source s) o) + k * cross a (along s))
+    by (unfold cross, along, minus; cbn [vx vy]; rewrite X, Y; ring).
   assert (some : 0 < inject_Z (Zpos d) * inject_Z (Zpos d)) by reflexivity.
   set (unit_ := inject_Z (Zpos d) * inject_Z (Zpos d)) in *.
-  assert (positive_ : forall u, 0 < unit_ * u -> 0 < u).
-  { intros u above. apply (Qmult_lt_l 0 u unit_ some). lra. }
-  assert (all : forall a b a' b', stands_for d a' a -> stands_for d b' b ->
-    covers_place (scaled d (source s)) (whole_minus (scaled d (target s)) (scaled d (source s)))
-      (SumOfTwo (whole_plus (scaled d (source e)) (scaled d (source f))) a' b' (its_size g)) k ->
-    inject_Z (its_size g) == unit_ * cross a b ->
-    0 < cross (minus w o) b /\ cross (minus w o) b < cross a b /\ 0 < cross a (minus w o) /\
-    cross a (minus w o) < cross a b).
-  { intros a b a' b' a_is b_is [[c1 c2] [c3 c4]] size_is. cbn [its_corner side_1 side_2 its_size] in *.
-    rewrite (cross_stands_for d _ _ _ _ from_ b_is), (cross_stands_for d _ _ _ _ s_along b_is) in c1, c2.
-    rewrite (cross_stands_for d _ _ _ _ a_is from_), (cross_stands_for d _ _ _ _ a_is s_along) in c3, c4.
-    rewrite size_is in c2, c4. fold unit_ in c1, c2, c3, c4.
-    assert (w_b : cross (minus w o) b == cross (minus (source s) o) b + k * cross (along s) b)
-      by (unfold cross, along, minus; cbn [vx vy]; rewrite X, Y; ring).
-    assert (a_w : cross a (minus w o) == cross a (minus (source s) o) + k * cross a (along s))
-      by (unfold cross, along, minus; cbn [vx vy]; rewrite X, Y; ring).
-    rewrite w_b, a_w.
-    assert (0 < cross (minus (source s) o) b + k * cross (along s) b) by (apply positive_; lra).
-    assert (0 < cross a b - (cross (minus (source s) o) b + k * cross (along s) b)) by (apply positive_; lra).
-    assert (0 < cross a (minus (source s) o) + k * cross a (along s)) by (apply positive_; lra).
-    assert (0 < cross a b - (cross a (minus (source s) o) + k * cross a (along s))) by (apply positive_; lra).
-    repeat split; lra. }
-  unfold sum_of_edges in G.
-  destruct (whole_cross _ _) as [| m | m] eqn:size_is; [destruct G | |]; destruct G as [<- | []].
-  - cbn [its_size] in all. destruct (all (along e) (along f) _ _ e_along f_along covers_) as (i1 & i2 & j1 & j2);
-      [exact size_ |].
-    exists e, f, (along e), (along f). unfold is_inside_the_sum_of_two. tauto.
-  - cbn [its_size] in all. destruct (all (along f) (along e) _ _ f_along e_along covers_) as (i1 & i2 & j1 & j2).
-    { assert (other_way : cross (along f) (along e) == - cross (along e) (along f)) by (unfold cross; ring).
-      rewrite other_way. change (inject_Z (Zneg m)) with (- inject_Z (Zpos m)) in size_. lra. }
-    exists e, f, (along f), (along e). unfold is_inside_the_sum_of_two. tauto.
+  unfold is_inside_the_sum_of_two. rewrite w_b, a_w. repeat split; apply (Qmult_lt_l _ _ unit_ some); lra.
 Qed.
 
 (* So it is inside the sum. *)
@@ -417,6 +348,6 @@ Corollary covered_is_inside_the_sum (p q : region) (d : denominator) (s : segmen
 Proof.
   intros divides range X Y.
   destruct (covered_is_inside_a_sum_of_two _ _ d s k w divides range X Y)
-    as [found | (e & f & a & b & E & F & sides & (i1 & i2 & j1 & j2))]; [now left | right].
+    as [found | (e & f & a & b & E & F & sides & inside_)]; [now left | right].
   now apply (inside_the_sum_of_two_edges p q e f w a b).
 Qed.

@@ -4,7 +4,7 @@
    (inner_fit_program.v). *)
 From Coq Require Import QArith Lqa Qabs ZArith Lia Bool List Permutation.
 From Oplus Require Import convolution signed_crossings meeting_of_segments regions first_hit pieces
-  kept_pieces_go_round sum_is_right region_of_pieces.
+  kept_pieces_go_round sum_is_right region_of_pieces neighbourhoods naive_collision coordinates.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -128,52 +128,26 @@ Proof.
   assert (vx w == vx x) by (rewrite X; ring). lra.
 Qed.
 
-(* A segment that leaves a square of half the size 2 m has a point outside of it that is in the square of 3 m. *)
-Lemma first_exit (a b m : Q) : 0 < m -> - (2 * m) <= a <= 2 * m ->
-  exists t, 0 <= t <= 1 /\ (forall s, 0 <= s <= t -> - (3 * m) <= (1 - s) * a + s * b <= 3 * m) /\
-    (t == 1 \/ (1 - t) * a + t * b == 3 * m \/ (1 - t) * a + t * b == - (3 * m)).
+(* What holds at u, and stays in steps of less than m along a segment, holds at v: by halving. *)
+Lemma stays_in_steps (A : vector -> Prop) (m : Q) (n : nat) : forall u v,
+  within (m * inject_Z (2 ^ Z.of_nat n)) u v ->
+  (forall w y, lies_on w (Segment u v) -> lies_on y (Segment u v) -> within m w y -> A w -> A y) -> A u -> A v.
 Proof.
-  intros some inside_.
-  destruct (Qlt_le_dec (3 * m) b) as [over | not_over].
-  - exists ((3 * m - a) / (b - a)).
-    assert (value : (3 * m - a) / (b - a) * (b - a) == 3 * m - a) by (field; lra).
-    assert (range : 0 <= (3 * m - a) / (b - a) <= 1) by (split; [apply Qle_shift_div_l; lra | apply Qle_shift_div_r;
-      lra]).
-    set (t := (3 * m - a) / (b - a)) in *. clearbody t. split; [exact range |]. split; [| lra].
-    intros s s_range. assert (0 <= s * (b - a)) by (apply Qmult_le_0_compat; lra).
-    assert (0 <= (t - s) * (b - a)) by (apply Qmult_le_0_compat; lra). lra.
-  - destruct (Qlt_le_dec b (- (3 * m))) as [under | not_under].
-    + exists ((3 * m + a) / (a - b)).
-      assert (value : (3 * m + a) / (a - b) * (a - b) == 3 * m + a) by (field; lra).
-      assert (range : 0 <= (3 * m + a) / (a - b) <= 1) by (split; [apply Qle_shift_div_l; lra | apply Qle_shift_div_r;
-        lra]).
-      set (t := (3 * m + a) / (a - b)) in *. clearbody t. split; [exact range |]. split; [| lra].
-      intros s s_range. assert (0 <= s * (a - b)) by (apply Qmult_le_0_compat; lra).
-      assert (0 <= (t - s) * (a - b)) by (apply Qmult_le_0_compat; lra). lra.
-    + exists 1. split; [lra |]. split; [| left; reflexivity]. intros s range.
-      assert (0 <= (1 - s) * (a + 3 * m)) by (apply Qmult_le_0_compat; lra).
-      assert (0 <= s * (b + 3 * m)) by (apply Qmult_le_0_compat; lra).
-      assert (0 <= (1 - s) * (3 * m - a)) by (apply Qmult_le_0_compat; lra).
-      assert (0 <= s * (3 * m - b)) by (apply Qmult_le_0_compat; lra). lra.
+  induction n as [| n IH]; intros u v close step start.
+  - apply (step u); [apply (source_lies_on (Segment u v)) | apply (target_lies_on (Segment u v)) | | exact start].
+    change (inject_Z (2 ^ Z.of_nat 0)) with 1 in close. unfold within in *. lra.
+  - rewrite Nat2Z.inj_succ, Z.pow_succ_r, inject_Z_mult in close by lia. change (inject_Z 2) with 2 in close.
+    assert (on : lies_on (middle (Segment u v)) (Segment u v)) by (at_fraction (1 # 2)).
+    apply (IH (middle (Segment u v)) v); [by_computing | | apply (IH u); [by_computing | | exact start]];
+      intros w y W Y; apply step; (eapply common_part; [| | eassumption]); trivial;
+      (apply (source_lies_on (Segment u v)) || apply (target_lies_on (Segment u v))).
 Qed.
 
-Lemma leaves_the_square (u v : vector) (m : Q) : 0 < m -> in_square (2 * m) u -> ~ in_square (2 * m) v ->
-  exists w, lies_on w (Segment u v) /\ in_square (3 * m) w /\ ~ in_square (2 * m) w.
+Lemma some_steps (m : Q) (u v : vector) : 0 < m -> exists n, within (m * inject_Z (2 ^ Z.of_nat n)) u v.
 Proof.
-  intros some [in_x in_y] out.
-  destruct (first_exit (vx u) (vx v) m some in_x) as (t1 & range_1 & before_1 & end_1).
-  destruct (first_exit (vy u) (vy v) m some in_y) as (t2 & range_2 & before_2 & end_2).
-  assert (take : forall t, 0 <= t <= t1 -> t <= t2 -> t == 1 \/ t == t1 /\ ~ t1 == 1 \/ t == t2 /\ ~ t2 == 1 ->
-    exists w, lies_on w (Segment u v) /\ in_square (3 * m) w /\ ~ in_square (2 * m) w).
-  { intros t T1 T2 which. exists (Vector ((1 - t) * vx u + t * vx v) ((1 - t) * vy u + t * vy v)).
-    specialize (before_1 t ltac:(lra)). specialize (before_2 t ltac:(lra)).
-    split; [exists t; split; [lra | split; reflexivity] |]. split; [now split |].
-    intros [still_x still_y]. cbn [vx vy] in *. destruct which as [whole | [[at_1 less] | [at_2 less]]].
-    - apply out. rewrite whole in still_x, still_y. split; lra.
-    - rewrite at_1 in still_x. destruct end_1 as [? | [? | ?]]; [contradiction | lra | lra].
-    - rewrite at_2 in still_y. destruct end_2 as [? | [? | ?]]; [contradiction | lra | lra]. }
-  destruct (Qlt_le_dec t1 t2) as [less | not_less].
-  - apply (take t1); [lra | lra |]. right. left. split; [reflexivity | lra].
-  - apply (take t2); [lra | lra |]. destruct (Qeq_dec t2 1) as [whole | part]; [now left | right; right].
-    split; [reflexivity | exact part].
+  intros some. pose proof (abs_bounds (vx v - vx u)). pose proof (abs_bounds (vy v - vy u)).
+  destruct (Qarchimedean ((Qabs (vx v - vx u) + Qabs (vy v - vy u)) / m)) as [p less]. exists (Pos.to_nat p).
+  rewrite positive_nat_Z. pose proof (Z.pow_gt_lin_r 2 (Zpos p) ltac:(lia) ltac:(lia)) as more.
+  rewrite Zlt_Qlt in more. apply (Qlt_trans _ _ _ less), (Qmult_lt_l _ _ m some) in more.
+  rewrite Qmult_div_r in more by lra. unfold within. lra.
 Qed.

@@ -7,8 +7,6 @@ Import ListNotations.
 
 Open Scope nat_scope.
 
-Definition along (s : segment) : vector := minus (target s) (source s).
-
 Definition region_edges (r : region) : list segment := flat_map edges r.
 
 (* Each vertex with the edges before and after it. *)
@@ -38,6 +36,20 @@ Qed.
 
 Lemma edges_are_as_many (chain : list vector) : length (edges chain) = length chain.
 Proof. rewrite <- (map_length source (edges chain)). now destruct (edges_ends chain) as [-> _]. Qed.
+
+Lemma ends_of_edges (chain : list vector) (s : segment) : In s (edges chain) -> In (source s) chain /\ In (target s) chain.
+Proof.
+  intros I. destruct (edges_ends chain) as [sources targets].
+  assert (J : In (target s) (rotated chain)) by (rewrite <- targets; now apply in_map).
+  split; [rewrite <- sources; now apply in_map |]. destruct chain as [| v rest]; [destruct J |].
+  cbn [rotated] in J. apply in_app_iff in J. destruct J as [J | [<- | []]]; [now right | now left].
+Qed.
+
+Lemma edge_from_vertex (chain : list vector) (v : vector) : In v chain -> exists s, In s (edges chain) /\ source s = v.
+Proof.
+  intros I. destruct (edges_ends chain) as [sources _]. rewrite <- sources in I. apply in_map_iff in I.
+  destruct I as (s & equal & I). now exists s.
+Qed.
 
 Lemma nth_rotated A (l : list A) default i :
   i < length l -> nth i (rotated l) default = nth (next i (length l)) l default.
@@ -101,9 +113,8 @@ Proof. intros below. now rewrite direction_by_index, edge_by_index. Qed.
 Lemma vertex_is_on_the_boundary (v : vector) (c : corner) (r : region) :
   In (v, c) (region_vertices r) -> exists s, In s (region_edges r) /\ lies_on v s.
 Proof.
-  intros I. apply in_flat_map in I. destruct I as (chain & J & I). apply in_combine_l in I.
-  destruct (edges_ends chain) as [sources _]. rewrite <- sources in I. apply in_map_iff in I.
-  destruct I as (s & <- & I). exists s. split.
+  intros I. apply in_flat_map in I. destruct I as (chain & J & I). apply in_combine_l, edge_from_vertex in I.
+  destruct I as (s & I & <-). exists s. split.
   - apply in_flat_map. now exists chain.
   - exists 0%Q. repeat split; try (intro; discriminate); cbn; ring.
 Qed.

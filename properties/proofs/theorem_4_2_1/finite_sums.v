@@ -16,16 +16,10 @@ Lemma sum_of_more A (f : A -> Z) a l : sum_of f (a :: l) = f a + sum_of f l.
 Proof. reflexivity. Qed.
 
 Lemma sum_of_two_lists A (f : A -> Z) l m : sum_of f (l ++ m) = sum_of f l + sum_of f m.
-Proof. induction l as [| a l IH]; [reflexivity |]. cbn [app]. rewrite !sum_of_more, IH. lia. Qed.
+Proof. unfold sum_of. now rewrite map_app, sum_of_both. Qed.
 
 Lemma sum_equally A (f g : A -> Z) l : (forall a, In a l -> f a = g a) -> sum_of f l = sum_of g l.
 Proof. intros equal. unfold sum_of. f_equal. now apply map_ext_in. Qed.
-
-Lemma sum_of_zeros A (f : A -> Z) l : (forall a, In a l -> f a = 0) -> sum_of f l = 0.
-Proof.
-  intros zeros. induction l as [| a l IH]; [reflexivity |].
-  rewrite sum_of_more, (zeros a (or_introl eq_refl)), IH by (intros b I; apply zeros; now right). lia.
-Qed.
 
 Lemma sum_plus A (f g : A -> Z) l : sum_of (fun a => f a + g a) l = sum_of f l + sum_of g l.
 Proof. induction l as [| a l IH]; [reflexivity |]. rewrite !sum_of_more, IH. lia. Qed.

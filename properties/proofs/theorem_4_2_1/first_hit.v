@@ -61,19 +61,69 @@ Proof.
   rewrite orientation_by_area. cbn [source target] in *.
   unfold spans in *. cbn [source target] in *.
   destruct (at_most_spec (vy a) (vy p)) as [A | A], (at_most_spec (vy b) (vy p)) as [B | B];
-    cbn [xorb Bool.eqb andb] in *; try reflexivity; specialize (heights eq_refl).
-  - assert (value : area (Segment a b) p ==
+    cbn [xorb Bool.eqb andb] in *; try reflexivity; specialize (heights eq_refl);
+    (assert (value : area (Segment a b) p ==
       (vy b - vy a) * (vx (point_at_height (Segment a b) (vy p)) - vx p))
-      by (unfold area, point_at_height, cross, minus; cbn; field; lra).
-    set (X := vx (point_at_height (Segment a b) (vy p))) in *. clearbody X.
+      by (unfold area, point_at_height, cross, minus; cbn; field; lra));
+    set (X := vx (point_at_height (Segment a b) (vy p))) in *; clearbody X;
     destruct (negative_spec (vx p - X)); compared_numbers (area (Segment a b) p ?= 0);
       try reflexivity; exfalso; nra.
-  - assert (value : area (Segment a b) p ==
-      (vy b - vy a) * (vx (point_at_height (Segment a b) (vy p)) - vx p))
-      by (unfold area, point_at_height, cross, minus; cbn; field; lra).
-    set (X := vx (point_at_height (Segment a b) (vy p))) in *. clearbody X.
-    destruct (negative_spec (vx p - X)); compared_numbers (area (Segment a b) p ?= 0);
-      try reflexivity; exfalso; nra.
+Qed.
+
+Lemma crossed_ahead (p : vector) (s : segment) : signed_crossing p s <> 0%Z ->
+  spans s (vy p) = true /\ vx p < vx (point_at_height s (vy p)).
+Proof.
+  rewrite signed_crossing_by_height. destruct (spans s (vy p)); [| now intros []].
+  destruct (negative_spec (vx p - vx (point_at_height s (vy p)))); [split; [reflexivity | lra] | now intros []].
+Qed.
+
+Lemma ahead_is_crossed (p : vector) (s : segment) :
+  spans s (vy p) = true -> vx p < vx (point_at_height s (vy p)) -> signed_crossing p s <> 0%Z.
+Proof.
+  intros spanning ahead_. rewrite signed_crossing_by_height, spanning. cbn [andb].
+  destruct (negative_spec (vx p - vx (point_at_height s (vy p)))); [| lra].
+  now destruct (at_most (vy (source s)) (vy p)).
+Qed.
+
+(* Of the segments that the ray crosses the first. *)
+Lemma first_crossed (p : vector) (segments : list segment) :
+  (forall s, In s segments -> signed_crossing p s = 0%Z) \/
+  exists s, In s segments /\ signed_crossing p s <> 0%Z /\
+    forall t, In t segments -> signed_crossing p t <> 0%Z ->
+      vx (point_at_height s (vy p)) <= vx (point_at_height t (vy p)).
+Proof.
+  set (crossed := fun s => negb (signed_crossing p s =? 0)%Z).
+  assert (crossed_is : forall s, In s segments -> signed_crossing p s <> 0%Z -> In s (filter crossed segments))
+    by (intros s I met; apply filter_In; split; [exact I |]; now apply negb_true_iff, Z.eqb_neq).
+  destruct (filter crossed segments) as [| a rest] eqn:hits.
+  - left. intros s I. destruct (Z.eq_dec (signed_crossing p s) 0) as [| met]; [assumption |].
+    destruct (crossed_is s I met).
+  - right. destruct (least_of (fun s => vx (point_at_height s (vy p))) (a :: rest)) as (s & I & first); [discriminate |].
+    exists s. rewrite <- hits in I. apply filter_In in I. destruct I as [I met].
+    split; [exact I |]. split; [now apply Z.eqb_neq, negb_true_iff |]. intros t J also. now apply first, crossed_is.
+Qed.
+
+Lemma inside_by_height (w : vector) (s : segment) : lies_on w s -> ~ vy (source s) == vy w -> ~ vy (target s) == vy w ->
+  strictly_inside w s.
+Proof.
+  intros on not_source not_target.
+  destruct (inside_or_end w s on) as [inside_ | [[_ Y] | [_ Y]]]; [exact inside_ | contradiction ..].
+Qed.
+
+Lemma met_at_height (v : vector) (f : segment) (y : Q) : lies_on v f -> vy v == y ->
+  ~ vy (source f) == y -> ~ vy (target f) == y -> spans f y = true /\ vx v == vx (point_at_height f y).
+Proof.
+  intros (t & range & X & Y) height not_source not_target.
+  assert (heights : vy (source f) < y < vy (target f) \/ vy (target f) < y < vy (source f)).
+  { rewrite <- height in *. destruct (Qlt_le_dec (vy (source f)) (vy (target f))).
+    - left. split; apply Qnot_le_lt; intros extreme; [apply not_source | apply not_target]; nra.
+    - right. split; apply Qnot_le_lt; intros extreme; [apply not_target | apply not_source]; nra. }
+  split.
+  - unfold spans. destruct (at_most_spec (vy (source f)) y), (at_most_spec (vy (target f)) y); trivial; exfalso; lra.
+  - unfold point_at_height; cbn [vx].
+    assert (t_is : (y - vy (source f)) / (vy (target f) - vy (source f)) == t)
+      by (rewrite <- height, Y; field; lra).
+    rewrite t_is, X. ring.
 Qed.
 
 (* They have no point in common, and no end of a segment of the second has winding number other than zero with
@@ -111,10 +161,7 @@ Lemma same_at_the_first_hit (z : vector) (s : segment) (some others : list segme
 Proof.
   intros separate I met first. unfold winding_number. f_equal. apply map_ext_in. intros t J.
   specialize (first t J).
-  assert (on_s : spans s (vy z) = true /\ vx z < vx (point_at_height s (vy z))).
-  { rewrite signed_crossing_by_height in met. destruct (spans s (vy z)); [| now destruct met].
-    destruct (negative_spec (vx z - vx (point_at_height s (vy z)))); [split; [reflexivity | lra] |].
-    now destruct met. }
+  pose proof (crossed_ahead z s met) as on_s.
   rewrite !signed_crossing_by_height. rewrite signed_crossing_by_height in first.
   change (vy (point_at_height s (vy z))) with (vy z).
   destruct (spans t (vy z)) eqn:spanning; [| reflexivity]. cbn [andb] in *.
@@ -142,8 +189,7 @@ Proof.
   intros closed separate outside I met first.
   rewrite <- (same_at_the_first_hit z s some others separate I met first).
   apply (segments_outside some others closed separate outside s); [exact I |].
-  apply point_at_height_lies_on. rewrite signed_crossing_by_height in met.
-  destruct (spans s (vy z)); [reflexivity | now destruct met].
+  now apply point_at_height_lies_on, crossed_ahead.
 Qed.
 
 (* Theorem. If closed chains have no point in common with others, and no vertex of either has a winding number
@@ -155,23 +201,9 @@ Theorem apart_means_no_common_interior (some others : list segment) (z : vector)
   winding_number z some = 0%Z \/ winding_number z others = 0%Z.
 Proof.
   intros closed closed_others separate outside others_outside.
-  destruct (filter (fun s => negb (signed_crossing z s =? 0)%Z) (some ++ others)) as [| a rest] eqn:hits.
-  - left. unfold winding_number, sum.
-    assert (none : forall s, In s some -> signed_crossing z s = 0%Z).
-    { intros s I. destruct (Z.eq_dec (signed_crossing z s) 0) as [| met]; [assumption | exfalso].
-      assert (In s []) as []. rewrite <- hits. apply filter_In. split; [apply in_app_iff; now left |].
-      apply negb_true_iff, Z.eqb_neq, met. }
-    clear -none. induction some as [| s rest IH]; [reflexivity |]. cbn.
-    rewrite (none s (or_introl eq_refl)), IH by (intros t I; apply none; now right). reflexivity.
-  - destruct (least_of (fun s => vx (point_at_height s (vy z))) (a :: rest)) as (s & I & first);
-      [discriminate |].
-    rewrite <- hits in I, first. apply filter_In in I. destruct I as [I met].
-    apply negb_true_iff, Z.eqb_neq in met.
-    assert (first_of_all : forall t, In t (some ++ others) -> signed_crossing z t <> 0%Z ->
-      vx (point_at_height s (vy z)) <= vx (point_at_height t (vy z))).
-    { intros t J also. apply first. apply filter_In. split; [exact J |].
-      now apply negb_true_iff, Z.eqb_neq. }
-    clear first hits. apply in_app_iff in I. destruct I as [I | I].
+  destruct (first_crossed z (some ++ others)) as [none | (s & I & met & first_of_all)].
+  - left. apply sum_of_zeros. intros s I. apply none, in_app_iff. now left.
+  - apply in_app_iff in I. destruct I as [I | I].
     + right. apply (first_hit_of_some z s some others); trivial.
       intros t J. apply first_of_all. apply in_app_iff. now right.
     + left. apply (first_hit_of_some z s others some); trivial.

@@ -4,7 +4,7 @@
    every direction; so no edges cross (crossing_edges.v), no vertex of one is inside the other
    (tangent_direction.v), and nothing is inside both (first_hit.v). *)
 From Coq Require Import PeanoNat QArith Qminmax Lqa ZArith Lia Bool List.
-From Oplus Require Import convolution shifted_ray signed_crossings tie_rule convolution_winding finite_sums weight
+From Oplus Require Import convolution shifted_ray signed_crossings small_numbers tie_rule convolution_winding finite_sums weight
   regions parallelogram tangent_count beside_every_point winding_number_of_the_sum meeting_of_segments first_hit
   reflected tangent_direction crossing_edges.
 Import ListNotations.
@@ -63,11 +63,7 @@ Proof.
   intros general separate one s I.
   pose proof (reflected_cycles x _ (region_cycles q)) as closed.
   apply in_flat_map in I. destruct I as (chain & J & I).
-  assert (K : In (target s) chain).
-  { destruct (edges_ends chain) as [_ targets].
-    assert (K : In (target s) (rotated chain)) by (rewrite <- targets; now apply in_map).
-    destruct chain as [| v rest]; [destruct K |]. cbn [rotated] in K. apply in_app_iff in K.
-    destruct K as [K | [<- | []]]; [now right | now left]. }
+  destruct (ends_of_edges chain s I) as [_ K].
   destruct (one chain J) as (i & below & outside); [now destruct chain |].
   assert (separate_chain : have_no_common_point (edges chain) (map (reflected x) (region_edges q))).
   { intros e t w E. apply separate. apply in_flat_map. now exists chain. }
@@ -237,15 +233,6 @@ Proof.
     unfold not_sum_of_an_end. repeat apply eventually_and; apply one.
 Qed.
 
-Lemma same_beside (x : vector) (segments : list segment) :
-  eventually (fun e => winding_number (moved (shifted x) e) segments = winding_number x segments).
-Proof.
-  refine (eventually_implied _ _ _ (eventually_for_all (fun s e =>
-    signed_crossing (moved (shifted x) e) s = signed_crossing x s) segments _)).
-  - intros e same_ones. unfold winding_number. f_equal. now apply map_ext_in.
-  - intros s _. apply crossing_beside.
-Qed.
-
 (* Theorem. P and Q are regions of any closed chains, with no negative winding number. If a point is inside P and
    inside -Q + x, the winding number of the convolution at x is positive. x may be on the convolution: there
    the winding number is that of a point beside it. *)
@@ -254,14 +241,10 @@ Theorem interiors_meet_means_positive_winding_number (p q : region) (x : vector)
   interiors_meet x p q -> (0 < winding_number x (convolution_segments p q))%Z.
 Proof.
   intros p_edges q_edges p_valid q_valid (z & in_p & [free in_q]).
-  assert (off_beside : eventually (fun e => off (moved (shifted (minus x z)) e) (region_edges q))).
-  { apply (eventually_for_all (fun s e => ~ lies_on (moved (shifted (minus x z)) e) s)).
-    intros s _. apply shifted_off. }
-  destruct (eventually_and _ _ (general_position_beside p q x)
-    (eventually_and _ _ (same_beside x (convolution_segments p q))
-      (eventually_and _ _ (same_beside (minus x z) (region_edges q)) off_beside))) as (limit & some & near).
-  destruct (near ((1 # 2) * limit)) as (general & same_1 & same_2 & free_2); [lra | lra |].
-  set (e := (1 # 2) * limit) in *. clearbody e. rewrite <- same_1.
+  destruct (some_small _ (eventually_and _ _ (general_position_beside p q x)
+    (eventually_and _ _ (same_beside x (convolution_segments p q)) (eventually_and _ _
+      (same_beside (minus x z) (region_edges q)) (shifted_off_all (minus x z) (region_edges q))))))
+    as (e & _ & general & <- & same_2 & free_2).
   apply interiors_meet_in_general_position; trivial.
   exists z. split; [exact in_p |]. destruct (shifted_minus x z e) as [X Y]. split.
   - exact (off_equal _ _ _ (shifted_minus x z e) free_2).

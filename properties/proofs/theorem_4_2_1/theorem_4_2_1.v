@@ -5,7 +5,7 @@
    both has points inside near it (left_of_an_edge.v), and near x the winding number is the same
    (neighbourhoods.v). In general position the interiors meet, too. *)
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
-From Oplus Require Import convolution signed_crossings tie_rule convolution_winding weight regions parallelogram
+From Oplus Require Import convolution signed_crossings small_numbers tie_rule convolution_winding weight regions parallelogram
   winding_number_of_the_sum crossing_edges interiors_meet neighbourhoods left_of_an_edge.
 Import ListNotations.
 
@@ -58,9 +58,8 @@ Lemma vertex_inside (p q : region) (x : vector) (v : vector * tangent_set.corner
 Proof.
   intros p_regular general I positive_. destruct v as [v c]. cbn [fst] in *.
   assert (vertex : exists s, In s (region_edges p) /\ source s = v).
-  { apply in_flat_map in I. destruct I as (chain & J & I). apply in_combine_l in I.
-    destruct (edges_ends chain) as [sources _]. rewrite <- sources in I. apply in_map_iff in I.
-    destruct I as (s & is_source & I). exists s. split; [apply in_flat_map; now exists chain | exact is_source]. }
+  { apply in_flat_map in I. destruct I as (chain & J & I). apply in_combine_l, edge_from_vertex in I.
+    destruct I as (s & I & is_source). exists s. split; [apply in_flat_map; now exists chain | exact is_source]. }
   destruct vertex as (s & J & <-).
   assert (free : off (minus x (source s)) (region_edges q)) by (intros f F; now destruct (general s f J F)).
   destruct (winding_number_near _ _ (region_cycles q) free) as (radius & R & near).
@@ -71,14 +70,33 @@ Proof.
   - split; [exact off_z | lia].
 Qed.
 
+Lemma transversal_edges_meet (p q : region) (x w u : vector) (e f : segment) :
+  valid_region p -> valid_region q -> In e (region_edges p) -> In f (region_edges q) -> lies_on w e -> lies_on u f ->
+  ~ is_vertex w p -> ~ is_vertex u q -> equal_vectors x (plus w u) -> ~ cross (along e) (along f) == 0 ->
+  interiors_meet x p q.
+Proof.
+  intros (p_edges & p_valid & p_meet) (q_edges & q_valid & q_meet) E F on_e on_f w_free u_free [X Y] turn.
+  assert (found : forall n, 0 < cross (along e) n -> 0 < cross (along f) (opposite n) -> interiors_meet x p q).
+  { intros n left_of_e left_of_f.
+    destruct (some_small _ (eventually_and _ _
+      (left_of_an_edge_is_inside p e w n p_valid p_meet E on_e w_free left_of_e)
+      (left_of_an_edge_is_inside q f u (opposite n) q_valid q_meet F on_f u_free left_of_f))) as (d & _ & in_p & in_q).
+    exists (moved_along w n d). split; [exact in_p |]. refine (inside_equal _ _ _ _ in_q).
+    unfold plus, minus, moved_along, opposite in *. split; cbn [vx vy] in *; [rewrite X | rewrite Y]; ring. }
+  set (E_ := along e) in *. set (F_ := along f) in *. unfold cross in *.
+  destruct (Q_dec (vx E_ * vy F_ - vy E_ * vx F_) 0) as [[right_ | left_] | parallel]; [| | contradiction].
+  - apply (found (Vector (- (vx E_ + vx F_)) (- (vy E_ + vy F_)))); unfold opposite; cbn [vx vy]; lra.
+  - apply (found (Vector (vx E_ + vx F_) (vy E_ + vy F_))); unfold opposite; cbn [vx vy]; lra.
+Qed.
+
 (* Beside the point where two edges cross are inner points of both. *)
 Lemma crossing_inside (p q : region) (x : vector) (e f : segment) :
   valid_region p -> valid_region q -> off_vertex_edge_sum x p q ->
   In e (region_edges p) -> In f (region_edges q) -> is_sum_of_points x e f -> interiors_meet x p q.
 Proof.
-  intros (p_edges & p_valid & p_meet) (q_edges & q_valid & q_meet) general E F is_sum.
-  pose proof (crossing_edges_count x e f (region_edges_are_directions p p_edges e E)
-    (region_edges_are_directions q q_edges f F) is_sum (general e f E F)) as turn.
+  intros p_region q_region general E F is_sum.
+  pose proof (crossing_edges_count x e f (region_edges_are_directions p (proj1 p_region) e E)
+    (region_edges_are_directions q (proj1 q_region) f F) is_sum (general e f E F)) as turn.
   destruct is_sum as (w & u & on_e & on_f & X & Y).
   assert (w_free : ~ is_vertex w p).
   { intros (t & T & tx & ty). destruct (general t f T F) as (free & _). apply free.
@@ -88,19 +106,7 @@ Proof.
   { intros (t & T & tx & ty). destruct (general e t E T) as (_ & _ & free & _). apply free.
     destruct on_e as (k & range & wx & wy). exists k. unfold plus, minus in *. cbn [vx vy] in *.
     split; [exact range |]. split; lra. }
-  assert (found : forall n, 0 < cross (along e) n -> 0 < cross (along f) (opposite n) -> interiors_meet x p q).
-  { intros n left_of_e left_of_f.
-    destruct (eventually_and _ _
-      (left_of_an_edge_is_inside p e w n p_valid p_meet E on_e w_free left_of_e)
-      (left_of_an_edge_is_inside q f u (opposite n) q_valid q_meet F on_f u_free left_of_f))
-      as (limit & L & near).
-    destruct (near ((1 # 2) * limit)) as [in_p in_q]; [lra | lra |].
-    exists (moved_along w n ((1 # 2) * limit)). split; [exact in_p |]. refine (inside_equal _ _ _ _ in_q).
-    unfold plus, minus, moved_along, opposite in *. split; cbn [vx vy] in *; [rewrite X | rewrite Y]; ring. }
-  set (E_ := along e) in *. set (F_ := along f) in *. unfold cross in *.
-  destruct turn as [[sign _] | [sign _]].
-  - apply (found (Vector (vx E_ + vx F_) (vy E_ + vy F_))); unfold opposite; cbn [vx vy]; lra.
-  - apply (found (Vector (- (vx E_ + vx F_)) (- (vy E_ + vy F_)))); unfold opposite; cbn [vx vy]; lra.
+  apply (transversal_edges_meet p q x w u e f); trivial; [now split | destruct turn as [[sign _] | [sign _]]; lra].
 Qed.
 
 (* Theorem. If x is on no sum of a vertex and an edge, the interiors of P and -Q + x meet if and only if the winding

@@ -25,6 +25,23 @@ Definition turns (from to : vector) : Prop :=
 (* The sum over a list of numbers. *)
 Definition sum (numbers : list Z) : Z := fold_right Z.add 0%Z numbers.
 
+Lemma sum_of_both (l m : list Z) : sum (l ++ m) = (sum l + sum m)%Z.
+Proof. unfold sum. induction l; cbn; lia. Qed.
+
+Lemma sum_of_zeros A (f : A -> Z) l : (forall a, In a l -> f a = 0%Z) -> sum (map f l) = 0%Z.
+Proof.
+  intros zeros. unfold sum. induction l as [| a l IH]; [reflexivity |]. cbn.
+  rewrite (zeros a (or_introl eq_refl)), IH by (intros b I; apply zeros; now right). reflexivity.
+Qed.
+
+(* Sums that differ in one place. *)
+Lemma sums_but_for_one A (f g : A -> Z) before a after : (forall b, In b (before ++ after) -> f b = g b) ->
+  sum (map f (before ++ a :: after)) = (sum (map g (before ++ a :: after)) - g a + f a)%Z.
+Proof.
+  intros same_. rewrite !map_app, !sum_of_both. cbn [map]. rewrite (map_ext_in f g before), (map_ext_in f g after);
+    [unfold sum; cbn; lia | |]; intros b I; apply same_, in_app_iff; tauto.
+Qed.
+
 Lemma equal_comparison x y : (x ?= y) = Eq -> x == y.
 Proof. apply (proj2 (Qeq_alt x y)). Qed.
 Lemma less_comparison x y : (x ?= y) = Lt -> x < y.
@@ -141,12 +158,6 @@ Proof.
 Qed.
 
 Definition total (f : vector * vector -> Z) (pairs : list (vector * vector)) : Z := sum (map f pairs).
-
-Lemma total_of_two_lists : forall f some others,
-  total f (some ++ others) = (total f some + total f others)%Z.
-Proof.
-  intros f some others. unfold total, sum. induction some as [| p rest IH]; cbn; lia.
-Qed.
 
 Lemma sum_of_permuted : forall (f : vector -> Z),
   (forall u v, equal_vectors u v -> f u = f v) ->

@@ -8,12 +8,25 @@ Import ListNotations.
 
 Open Scope Q_scope.
 
-(* Twice the area of the triangle of a segment and a point: positive if the point is to the left. *)
-Definition area (s : segment) (p : vector) : Q :=
-  cross (minus (target s) (source s)) (minus p (source s)).
-
 Lemma orientation_by_area (a b p : vector) : orientation a b p = (area (Segment a b) p ?= 0).
 Proof. unfold orientation. apply compare_as_difference. unfold area, cross, minus; cbn. ring. Qed.
+
+Lemma on_the_line (w : vector) (s : segment) : lies_on w s -> area s w == 0.
+Proof. intros (t & _ & X & Y). in_coordinates. by_equations. Qed.
+
+Lemma off_by_area (p : vector) (s : segment) : ~ area s p == 0 -> ~ lies_on p s.
+Proof. intros beside on. now apply beside, on_the_line. Qed.
+
+Lemma area_reversed (s : segment) (w : vector) : area (reversed s) w == - area s w.
+Proof. unfold area, cross, minus, reversed. cbn [source target vx vy]. ring. Qed.
+
+Lemma area_between (s : segment) (y z v : vector) :
+  area s y < 0 -> area s z < 0 -> lies_on v (Segment y z) -> area s v < 0.
+Proof.
+  intros y_right z_right (h & range & X & Y). setoid_replace (area s v) with ((1 - h) * area s y + h * area s z)
+    by (in_coordinates; by_equations).
+  now apply mixed_is_less.
+Qed.
 
 (* Not on the same side, ties decided by one and the same rule. *)
 Lemma sides_differ (c d tie : comparison) (u v : Q) :
@@ -34,11 +47,8 @@ Proof.
   assert (value : u / (u - v) * (u - v) == u) by (field; lra).
   set (t := u / (u - v)) in *. clearbody t.
   destruct (Qlt_le_dec u v) as [below | above].
-  - split; [destruct (Qlt_le_dec t 0); [exfalso; nra | assumption] |
-            destruct (Qlt_le_dec 1 t); [exfalso; nra | assumption]].
-  - assert (v < u) by lra.
-    split; [destruct (Qlt_le_dec t 0); [exfalso; nra | assumption] |
-            destruct (Qlt_le_dec 1 t); [exfalso; nra | assumption]].
+  - split; apply Qnot_lt_le; intros outside; nra.
+  - assert (v < u) by lra. split; apply Qnot_lt_le; intros outside; nra.
 Qed.
 
 (* Theorem. Where a step crosses a segment, by the rule for signed crossings, they have a point in common. *)
@@ -70,17 +80,10 @@ Proof.
   assert (fraction : U / (U - V) == - U / (F - T))
     by (setoid_replace (U - V) with (- (F - T)) by exact opposite; field; exact D).
   rewrite fraction.
-  split; apply (Qmult_inj_r _ _ (F - T) D).
-  - setoid_replace (((1 - F / (F - T)) * vx from + F / (F - T) * vx to) * (F - T))
-      with ((F - T) * vx from + F * (vx to - vx from)) by (field; exact D).
-    setoid_replace (((1 - - U / (F - T)) * vx a + - U / (F - T) * vx b) * (F - T))
-      with ((F - T) * vx a - U * (vx b - vx a)) by (field; exact D).
-    unfold F, T, U, area, cross, minus; cbn. ring.
-  - setoid_replace (((1 - F / (F - T)) * vy from + F / (F - T) * vy to) * (F - T))
-      with ((F - T) * vy from + F * (vy to - vy from)) by (field; exact D).
-    setoid_replace (((1 - - U / (F - T)) * vy a + - U / (F - T) * vy b) * (F - T))
-      with ((F - T) * vy a - U * (vy b - vy a)) by (field; exact D).
-    unfold F, T, U, area, cross, minus; cbn. ring.
+  assert (f_is : F / (F - T) * (F - T) == F) by (field; exact D).
+  assert (u_is : - U / (F - T) * (F - T) == - U) by (field; exact D).
+  set (f := F / (F - T)) in *. set (g := - U / (F - T)) in *. clearbody f g. clear - f_is u_is D.
+  split; apply (Qmult_inj_r _ _ (F - T) D); unfold F, T, U in *; in_coordinates; by_equations.
 Qed.
 
 Lemma source_lies_on (s : segment) : lies_on (source s) s.
@@ -103,13 +106,9 @@ Proof.
     (assert (moves : nonzero (minus to from)) by (unfold nonzero, minus; cbn; tauto);
      pose proof (step_changes_winding_number from to segments closed off_source off_target moves) as change;
      assert (none : sum (map (signed_crossing_of_step from to) segments) = 0%Z);
-     [| lia];
-     clear change closed off_source off_target; unfold sum; induction segments as [| s rest IH];
-     [reflexivity |]; cbn [map fold_right];
-     rewrite IH by (intros w on t I; apply (apart w on); now right);
-     destruct (Z.eq_dec (signed_crossing_of_step from to s) 0) as [-> | crosses]; [reflexivity |];
-     exfalso; destruct (crossing_steps_meet from to s crosses) as (w & on & on_s);
-     apply (apart w on s (or_introl eq_refl) on_s)).
+     [| lia]; apply sum_of_zeros; intros s I;
+     destruct (Z.eq_dec (signed_crossing_of_step from to s) 0) as [| crosses]; [assumption |];
+     exfalso; destruct (crossing_steps_meet from to s crosses) as (w & on & on_s); exact (apart w on s I on_s)).
 Qed.
 
 (* A part of a segment from one of its points to its end. *)

@@ -3,7 +3,7 @@
    number (thesis, Observation 4.2.5). Whether a point is on a segment is decidable. Segments and winding
    numbers are those of winding_number.v. *)
 From Coq Require Import QArith Qabs Qminmax Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import winding shifted_ray signed_crossings tie_rule meeting_of_segments.
+From Oplus Require Import winding shifted_ray signed_crossings small_numbers tie_rule meeting_of_segments.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -14,57 +14,6 @@ Definition within (radius : Q) (x y : vector) : Prop :=
 
 Lemma abs_bounds (a : Q) : 0 <= Qabs a /\ - Qabs a <= a <= Qabs a.
 Proof. destruct (abs_cases a) as [[sign ->] | [sign ->]]; split; lra. Qed.
-
-(* A point is on a segment if it is on its line, and between the ends as seen from there. *)
-Lemma lies_on_by_signs (p : vector) (s : segment) :
-  lies_on p s <->
-  cross (minus (source s) p) (minus (target s) p) == 0 /\ dot (minus (source s) p) (minus (target s) p) <= 0.
-Proof.
-  destruct s as [a b]. unfold lies_on, cross, dot, minus. cbn [source target vx vy]. split.
-  - intros (t & range & X & Y).
-    assert (first_x : vx a - vx p == - t * (vx b - vx a)) by (rewrite X; ring).
-    assert (first_y : vy a - vy p == - t * (vy b - vy a)) by (rewrite Y; ring).
-    assert (second_x : vx b - vx p == (1 - t) * (vx b - vx a)) by (rewrite X; ring).
-    assert (second_y : vy b - vy p == (1 - t) * (vy b - vy a)) by (rewrite Y; ring).
-    rewrite first_x, first_y, second_x, second_y.
-    set (u := vx b - vx a). set (v := vy b - vy a). split; [ring |].
-    setoid_replace (- t * u * ((1 - t) * u) + - t * v * ((1 - t) * v))
-      with (- (t * (1 - t) * (u * u + v * v))) by ring.
-    assert (0 <= t * (1 - t)) by (apply Qmult_le_0_compat; lra).
-    assert (0 <= u * u + v * v) by nra.
-    assert (0 <= t * (1 - t) * (u * u + v * v)) by (now apply Qmult_le_0_compat). lra.
-  - set (ux := vx a - vx p). set (uy := vy a - vy p). set (wx := vx b - vx p). set (wy := vy b - vy p).
-    intros [line between_].
-    assert (dx : vx b - vx a == wx - ux) by (unfold wx, ux; ring).
-    assert (dy : vy b - vy a == wy - uy) by (unfold wy, uy; ring).
-    set (len := (wx - ux) * (wx - ux) + (wy - uy) * (wy - uy)).
-    destruct (Qlt_le_dec 0 len) as [long | point].
-    + set (t := - (ux * (wx - ux) + uy * (wy - uy)) / len).
-      assert (value : t * len == - (ux * (wx - ux) + uy * (wy - uy))) by (unfold t; field; lra).
-      exists t. split; [split |].
-      * unfold t. apply Qle_shift_div_l; [exact long |]. unfold len in *. nra.
-      * unfold t. apply Qle_shift_div_r; [exact long |]. unfold len in *. nra.
-      * assert (x_part : ux + t * (wx - ux) == 0).
-        { apply (Qmult_inj_r _ _ len); [lra |].
-          setoid_replace ((ux + t * (wx - ux)) * len) with (ux * len + t * len * (wx - ux)) by ring.
-          rewrite value. unfold len.
-          setoid_replace (ux * ((wx - ux) * (wx - ux) + (wy - uy) * (wy - uy)) +
-            - (ux * (wx - ux) + uy * (wy - uy)) * (wx - ux)) with ((ux * wy - uy * wx) * (wy - uy)) by ring.
-          rewrite line. ring. }
-        assert (y_part : uy + t * (wy - uy) == 0).
-        { apply (Qmult_inj_r _ _ len); [lra |].
-          setoid_replace ((uy + t * (wy - uy)) * len) with (uy * len + t * len * (wy - uy)) by ring.
-          rewrite value. unfold len.
-          setoid_replace (uy * ((wx - ux) * (wx - ux) + (wy - uy) * (wy - uy)) +
-            - (ux * (wx - ux) + uy * (wy - uy)) * (wy - uy)) with (- (ux * wy - uy * wx) * (wx - ux)) by ring.
-          rewrite line. ring. }
-        clearbody t. unfold ux, uy, wx, wy in x_part, y_part. split; lra.
-    + apply no_squares in point. destruct point as [no_x no_y].
-      assert (square : ux * ux + uy * uy <= 0).
-      { assert (wx == ux) as wx_is by lra. assert (wy == uy) as wy_is by lra.
-        rewrite wx_is, wy_is in between_. exact between_. }
-      apply no_squares in square. exists 0. unfold ux, uy in square. split; [lra |]. split; lra.
-Qed.
 
 Lemma lies_on_dec (p : vector) (s : segment) : {lies_on p s} + {~ lies_on p s}.
 Proof.
@@ -143,40 +92,32 @@ Qed.
 Lemma within_smaller (r s : Q) (x y : vector) : r <= s -> within r x y -> within s x y.
 Proof. unfold within. lra. Qed.
 
+Lemma off_near_one (x : vector) (s : segment) : ~ lies_on x s ->
+  eventually (fun radius => forall y, within radius x y -> ~ lies_on y s).
+Proof.
+  intros free. destruct (off_one_segment_near x s free) as (radius & R & near). exists radius. split; [exact R |].
+  intros smaller _ less y close. apply near. refine (within_smaller _ _ _ _ _ close). lra.
+Qed.
+
 Lemma off_near (x : vector) (segments : list segment) : off x segments ->
   exists radius, 0 < radius /\ forall y, within radius x y -> off y segments.
 Proof.
-  induction segments as [| s rest IH]; intros free.
-  - exists 1. split; [lra |]. intros y _ s [].
-  - destruct (off_one_segment_near x s (free s (or_introl eq_refl))) as (r1 & R1 & near_1).
-    destruct IH as (r2 & R2 & near_2); [intros t I; apply free; now right |].
-    exists (Qmin r1 r2). split; [now apply Q.min_glb_lt |]. intros y near t [<- | I].
-    + apply near_1. refine (within_smaller _ _ _ _ _ near). apply Q.le_min_l.
-    + apply near_2; [| exact I]. refine (within_smaller _ _ _ _ _ near). apply Q.le_min_r.
+  intros free.
+  destruct (some_small _ (eventually_for_all (fun s radius => forall y, within radius x y -> ~ lies_on y s) segments
+    (fun s I => off_near_one x s (free s I)))) as (radius & R & near).
+  exists radius. split; [exact R |]. intros y close s I. exact (near s I y close).
 Qed.
 
 (* A square is convex. *)
 Lemma between_bounds (a b h radius : Q) :
   - radius < a < radius -> - radius < b < radius -> 0 <= h <= 1 -> - radius < (1 - h) * a + h * b < radius.
-Proof.
-  intros range_a range_b range.
-  assert (mixed : forall u v : Q, 0 < u -> 0 < v -> 0 < (1 - h) * u + h * v).
-  { intros u v U V. destruct (Qlt_le_dec 0 h) as [some | none].
-    - assert (0 < h * v) by now apply Qmult_lt_0_compat.
-      assert (0 <= (1 - h) * u) by (apply Qmult_le_0_compat; lra). lra.
-    - assert (0 < (1 - h) * u) by (apply Qmult_lt_0_compat; lra).
-      assert (h == 0) as -> by lra. lra. }
-  pose proof (mixed (radius - a) (radius - b)). pose proof (mixed (radius + a) (radius + b)). lra.
-Qed.
+Proof. intros range_a range_b range. split; [apply mixed_is_more | apply mixed_is_less]; lra. Qed.
 
 Lemma within_along (radius : Q) (w x y v : vector) :
   within radius w x -> within radius w y -> lies_on v (Segment x y) -> within radius w v.
 Proof.
   intros [X1 Y1] [X2 Y2] (h & range & vx_is & vy_is). cbn [source target] in *. unfold within.
-  rewrite vx_is, vy_is.
-  setoid_replace ((1 - h) * vx x + h * vx y - vx w) with ((1 - h) * (vx x - vx w) + h * (vx y - vx w)) by ring.
-  setoid_replace ((1 - h) * vy x + h * vy y - vy w) with ((1 - h) * (vy x - vy w) + h * (vy y - vy w)) by ring.
-  split; now apply between_bounds.
+  pose proof (between_bounds _ _ h _ X1 X2 range). pose proof (between_bounds _ _ h _ Y1 Y2 range). lra.
 Qed.
 
 (* Theorem. Around every point off closed chains there is a square of points off them that have its winding
@@ -193,8 +134,6 @@ Proof.
 Qed.
 
 (* A small step in any direction stays in the square. *)
-Definition moved_along (w u : vector) (e : Q) : vector := Vector (vx w + e * vx u) (vy w + e * vy u).
-
 Lemma small_steps_stay_within (radius : Q) (w u : vector) : 0 < radius ->
   eventually (fun e => within radius w (moved_along w u e)).
 Proof.
@@ -209,3 +148,16 @@ Proof.
   assert (0 <= limit * Qabs (vx u)) by (apply Qmult_le_0_compat; lra).
   assert (0 <= limit * Qabs (vy u)) by (apply Qmult_le_0_compat; lra). lra.
 Qed.
+
+Lemma moved_stays_within (radius : Q) (p : shifted_point) : 0 < radius ->
+  eventually (fun e => within radius (at_ p) (moved p e)).
+Proof.
+  intros R. assert (half : 0 < (1 # 2) * radius) by lra.
+  refine (eventually_implied _ _ _ (eventually_and _ _ (small_steps_stay_within _ (at_ p) (first p) half)
+    (eventually_squared _ (small_steps_stay_within _ (at_ p) (second p) half)))).
+  intros e. unfold within, moved, moved_along. cbn [vx vy]. lra.
+Qed.
+
+Lemma shifted_stays_within (radius : Q) (x : vector) : 0 < radius ->
+  eventually (fun e => within radius x (moved (shifted x) e)).
+Proof. exact (moved_stays_within radius (shifted x)). Qed.

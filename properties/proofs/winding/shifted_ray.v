@@ -189,15 +189,10 @@ Lemma crossing_nearby : forall edge s,
     signed_crossing_of_shifted (right_of_middle edge) s).
 Proof.
   intros edge s N. pose proof (middles_leave_their_height edge N) as U.
-  destruct (below_nearby (right_of_middle edge) (source s) U) as (l1 & L1 & H1).
-  destruct (below_nearby (right_of_middle edge) (target s) U) as (l2 & L2 & H2).
-  destruct (side_nearby (right_of_middle edge) s) as (l3 & L3 & H3).
-  exists (Qmin l1 (Qmin l2 l3)). split.
-  { apply Q.min_glb_lt; [exact L1 | apply Q.min_glb_lt; assumption]. }
-  intros e E M. pose proof (Q.le_min_l l1 (Qmin l2 l3)). pose proof (Q.le_min_r l1 (Qmin l2 l3)).
-  pose proof (Q.le_min_l l2 l3). pose proof (Q.le_min_r l2 l3).
-  destruct (H1 e E) as [B1 A1]; [lra |]. destruct (H2 e E) as [B2 _]; [lra |].
-  specialize (H3 e E). assert (O : e < l3) by lra. specialize (H3 O). split.
+  refine (eventually_implied _ _ _ (eventually_and _ _ (eventually_and _ _
+    (below_nearby (right_of_middle edge) (source s) U) (below_nearby (right_of_middle edge) (target s) U))
+    (side_nearby (right_of_middle edge) s))).
+  intros e (([B1 A1] & [B2 _]) & H3). split.
   - intros I. pose proof (on_its_line _ _ I) as Z. rewrite H3 in Z.
     apply (beside_every_segment edge s); [exact N | | exact Z].
     intros [X Y]. destruct I as (t & _ & _ & I). apply A1. cbn in X, Y. rewrite I.
@@ -215,15 +210,10 @@ Theorem shifts_are_small_moves : forall edge segments,
     winding_number (moved (right_of_middle edge) e) segments =
     winding_number_shifted (right_of_middle edge) segments).
 Proof.
-  intros edge segments N. induction segments as [| s rest (l & L & H)].
-  - exists 1. split; [lra |]. intros e _ _. split; [intros s [] | reflexivity].
-  - destruct (crossing_nearby edge s N) as (k & K & C).
-    exists (Qmin k l). split; [now apply Q.min_glb_lt |]. intros e E M.
-    pose proof (Q.le_min_l k l). pose proof (Q.le_min_r k l).
-    destruct (C e E) as [O C1]; [lra |]. destruct (H e E) as [P W]; [lra |]. split.
-    + intros t [<- | I]; [exact O | now apply P].
-    + unfold winding_number, winding_number_shifted, sum in *. cbn [map fold_right]. rewrite C1, W.
-      reflexivity.
+  intros edge segments N.
+  refine (eventually_implied _ _ _ (eventually_for_all _ segments (fun s _ => crossing_nearby edge s N))).
+  intros e near. split; [intros s I; now apply near |]. unfold winding_number, winding_number_shifted. f_equal.
+  apply map_ext_in. intros s I. now apply near.
 Qed.
 
 (* Theorem. So a ray in any other direction, turned to either side, from such a point counts the same

@@ -92,15 +92,10 @@ Proof.
   apply equal_comparison in E.
   assert (Z : cross (minus a p) (minus b p) == 0) by (unfold cross, minus; cbn; lra).
   specialize (D Z). set (u := minus a p) in *. set (v := minus b p) in *. clearbody u v.
-  assert (S : 0 < vx u * vx u + vy u * vy u).
-  { destruct (Qlt_le_dec 0 (vx u * vx u + vy u * vy u)); [assumption |].
-    exfalso. apply A. now apply no_squares. }
-  assert (I : (vx u * vx u + vy u * vy u) * cross d v == dot u v * cross d u).
-  { setoid_replace ((vx u * vx u + vy u * vy u) * cross d v) with
-      (dot u v * cross d u + cross u v * dot d u) by (unfold cross, dot; ring).
-    rewrite Z. ring. }
+  pose proof (square_positive u A) as S.
+  assert (I : dot u u * cross d v == dot u v * cross d u) by (unfold cross, dot in *; by_equations).
   assert (F : forall w, cross w d == - cross d w) by (intros; unfold cross; ring).
-  set (q := vx u * vx u + vy u * vy u) in *. clearbody q.
+  set (q := dot u u) in *. clearbody q.
   unfold left_of_ray. destruct k.
   - f_equal. destruct (negative_spec (cross d u)), (negative_spec (cross d v)); trivial; exfalso; nra.
   - destruct (negative_spec (cross u d)), (negative_spec (cross v d)); trivial; exfalso;
@@ -180,12 +175,9 @@ Proof.
     destruct (zero_spec (vx to - vx first)) as [X |], (zero_spec (vy to - vy first)) as [Y |];
       cbn [andb].
     + rewrite (winding_number_of_equal to first) by lra. lia.
-    + rewrite step_changes_winding_number; [lia | exact C | | |]; try (apply O; cbn; tauto).
-      unfold nonzero, minus; cbn; tauto.
-    + rewrite step_changes_winding_number; [lia | exact C | | |]; try (apply O; cbn; tauto).
-      unfold nonzero, minus; cbn; tauto.
-    + rewrite step_changes_winding_number; [lia | exact C | | |]; try (apply O; cbn; tauto).
-      unfold nonzero, minus; cbn; tauto.
+    + rewrite step_changes_winding_number; [lia | exact C | apply O; cbn; tauto .. | intros []; contradiction].
+    + rewrite step_changes_winding_number; [lia | exact C | apply O; cbn; tauto .. | intros []; contradiction].
+    + rewrite step_changes_winding_number; [lia | exact C | apply O; cbn; tauto .. | intros []; contradiction].
 Qed.
 
 (* A point of the path moved by (e, e^2), which the path's points on the chains need. *)
@@ -237,14 +229,12 @@ Lemma step_nearby : forall from to s, nonzero (minus to from) ->
     signed_crossing_of_step from to s).
 Proof.
   intros from to s N.
-  destruct (side_of_step_nearby from to (source s) N) as (l1 & L1 & H1).
-  destruct (side_of_step_nearby from to (target s) N) as (l2 & L2 & H2).
+  pose proof (eventually_and _ _ (side_of_step_nearby from to (source s) N) (side_of_step_nearby from to (target s) N))
+    as ends.
   destruct (zero_spec (vx (target s) - vx (source s))) as [X | X],
     (zero_spec (vy (target s) - vy (source s))) as [Y | Y].
   1: { (* a segment of length zero is on one side of everything *)
-    exists (Qmin l1 l2). split; [now apply Q.min_glb_lt |]. intros e E M.
-    pose proof (Q.le_min_l l1 l2). pose proof (Q.le_min_r l1 l2).
-    unfold signed_crossing_of_step. rewrite H1, H2 by lra.
+    refine (eventually_implied _ _ _ ends). intros e [H1 H2]. unfold signed_crossing_of_step. rewrite H1, H2.
     assert (side_of_step from to (source s) = side_of_step from to (target s)) as ->.
     { unfold side_of_step, orientation.
       rewrite (compare_as_difference ((vx to - vx from) * (vy (source s) - vy from)) ((vy to - vy from) * (vx (source s) - vx from))
@@ -254,15 +244,9 @@ Proof.
       assert (vy (target s) == vy (source s)) as -> by lra. ring. }
     destruct (side_of_step from to (target s)); cbn [same_side]; rewrite !orb_true_r; reflexivity. }
   all: assert (D : nonzero (minus (target s) (source s))) by (unfold nonzero, minus; cbn; tauto);
-    destruct (side_of_segment_nearby from s D) as (l3 & L3 & H3);
-    destruct (side_of_segment_nearby to s D) as (l4 & L4 & H4);
-    exists (Qmin (Qmin l1 l2) (Qmin l3 l4));
-    (split; [repeat apply Q.min_glb_lt; assumption |]); intros e E M;
-    pose proof (Q.le_min_l (Qmin l1 l2) (Qmin l3 l4)); pose proof (Q.le_min_r (Qmin l1 l2) (Qmin l3 l4));
-    pose proof (Q.le_min_l l1 l2); pose proof (Q.le_min_r l1 l2);
-    pose proof (Q.le_min_l l3 l4); pose proof (Q.le_min_r l3 l4);
-    unfold signed_crossing_of_step; rewrite H1, H2 by lra;
-    destruct (H3 e E) as [-> _]; [lra |]; destruct (H4 e E) as [-> _]; [lra | reflexivity].
+    refine (eventually_implied _ _ _ (eventually_and _ _ ends
+      (eventually_and _ _ (side_of_segment_nearby from s D) (side_of_segment_nearby to s D))));
+    intros e ([H1 H2] & [H3 _] & [H4 _]); unfold signed_crossing_of_step; now rewrite H1, H2, H3, H4.
 Qed.
 
 Lemma shifted_leaves_its_height : forall p, leaves_its_height (shifted p).
@@ -282,35 +266,33 @@ Proof.
     intros e E M I; destruct (H e E M) as [_ N]; apply N; now apply on_its_line.
 Qed.
 
-Lemma crossing_of_shifted : forall p s, ~ lies_on p s ->
-  eventually (fun e =>
-    signed_crossing (moved (shifted p) e) s = signed_crossing p s).
+Lemma shifted_off_all (x : vector) (segments : list segment) :
+  eventually (fun e => off (moved (shifted x) e) segments).
+Proof. exact (eventually_for_all _ segments (fun s _ => shifted_off x s)). Qed.
+
+Lemma crossing_beside (p : vector) (s : segment) :
+  eventually (fun e => signed_crossing (moved (shifted p) e) s = signed_crossing p s).
 Proof.
-  intros p s N.
-  destruct (below_nearby (shifted p) (source s) (shifted_leaves_its_height p)) as (l1 & L1 & H1).
-  destruct (below_nearby (shifted p) (target s) (shifted_leaves_its_height p)) as (l2 & L2 & H2).
-  destruct (side_nearby (shifted p) s) as (l3 & L3 & H3).
-  exists (Qmin l1 (Qmin l2 l3)). split; [repeat apply Q.min_glb_lt; assumption |]. intros e E M.
-  pose proof (Q.le_min_l l1 (Qmin l2 l3)). pose proof (Q.le_min_r l1 (Qmin l2 l3)).
-  pose proof (Q.le_min_l l2 l3). pose proof (Q.le_min_r l2 l3).
-  destruct (H1 e E) as [B1 _]; [lra |]. destruct (H2 e E) as [B2 _]; [lra |].
-  assert (e < l3) as E3 by lra. specialize (H3 e E E3).
-  change (is_above (shifted p)) with true in B1, B2. cbv iota in B1, B2.
-  change (vy (at_ (shifted p))) with (vy p) in B1, B2.
-  pose proof (beside_what_crosses OfQ right p s N) as O.
-  pose proof (the_codes_ray p s) as C. unfold signed_crossing, signed_crossing_of_ray, ray_crossing in C.
-  unfold signed_crossing, ray_crossing. rewrite B1, B2, H3.
-  assert (K : forall a, at_most (vy a) (vy p) = negb (left_of_ray OfQ right (minus a p))).
-  { intros a. unfold at_most, left_of_ray, negative.
-    rewrite (compare_as_difference (cross (minus a p) right) 0 (vy p) (vy a))
-      by (unfold cross, minus, right; cbn; ring).
-    rewrite <- (Qcompare_antisym (vy a) (vy p)). destruct (vy a ?= vy p); reflexivity. }
-  rewrite !K.
-  destruct (left_of_ray OfQ right (minus (source s) p)), (left_of_ray OfQ right (minus (target s) p));
-    cbn [negb Bool.eqb]; try reflexivity;
-    (assert (T : true <> false) by discriminate; assert (F : false <> true) by discriminate);
-    try specialize (O T); try specialize (O F); unfold side; cbn [shifted at_];
-    destruct (orientation (source s) (target s) p); try reflexivity; now destruct O.
+  pose proof (below_nearby (shifted p) (source s) (shifted_leaves_its_height p)) as source_height.
+  pose proof (below_nearby (shifted p) (target s) (shifted_leaves_its_height p)) as target_height.
+  pose proof (side_nearby (shifted p) s) as on_side.
+  refine (eventually_implied _ _ _ (eventually_and _ _ source_height (eventually_and _ _ target_height on_side))).
+  intros e ((source_is & _) & (target_is & _) & side_is).
+  change (is_above (shifted p)) with true in *. cbv iota in *.
+  change (vy (at_ (shifted p))) with (vy p) in *.
+  unfold signed_crossing. rewrite source_is, target_is, side_is. unfold side. cbn [shifted at_ first second].
+  destruct (orientation (source s) (target s) p); try reflexivity. unfold ray_crossing, at_most.
+  compared_numbers (vy (source s) ?= vy p); compared_numbers (vy (target s) ?= vy p);
+    cbn [Bool.eqb]; try reflexivity;
+    compared_numbers (cross (minus (target s) (source s)) (Vector 1 0) ?= 0);
+    unfold cross, minus in *; cbn in *; try reflexivity; exfalso; lra.
+Qed.
+
+Lemma same_beside (x : vector) (segments : list segment) :
+  eventually (fun e => winding_number (moved (shifted x) e) segments = winding_number x segments).
+Proof.
+  refine (eventually_implied _ _ _ (eventually_for_all _ segments (fun s _ => crossing_beside x s))).
+  intros e same_ones. unfold winding_number. f_equal. now apply map_ext_in.
 Qed.
 
 Lemma path_nearby : forall segments path,
@@ -321,8 +303,7 @@ Proof.
   intros segments path. induction path as [| from [| to rest] IH].
   - exists 1. split; [lra | reflexivity].
   - exists 1. split; [lra | reflexivity].
-  - destruct IH as (l & L & H).
-    assert (S : eventually (fun e =>
+  - assert (S : eventually (fun e =>
       (if zero (vx to - vx from) && zero (vy to - vy from) then 0%Z
        else sum (map (signed_crossing_of_step (moved (shifted from) e) (moved (shifted to) e)) segments)) =
       (if zero (vx to - vx from) && zero (vy to - vy from) then 0%Z
@@ -332,13 +313,9 @@ Proof.
       - assert (N : nonzero (minus to from)).
         { unfold nonzero, minus; cbn. destruct (zero_spec (vx to - vx from)), (zero_spec (vy to - vy from));
             cbn in Z; try discriminate; tauto. }
-        destruct (eventually_for_all (fun s e =>
-          signed_crossing_of_step (moved (shifted from) e) (moved (shifted to) e) s =
-          signed_crossing_of_step from to s) segments) as (k & K & F).
-        { intros s _. now apply step_nearby. }
-        exists k. split; [exact K |]. intros e E M. f_equal. apply map_ext_in. exact (F e E M). }
-    destruct S as (k & K & F). exists (Qmin k l). split; [now apply Q.min_glb_lt |]. intros e E M.
-    pose proof (Q.le_min_l k l). pose proof (Q.le_min_r k l).
+        refine (eventually_implied _ _ _ (eventually_for_all _ segments (fun s _ => step_nearby from to s N))).
+        intros e F. f_equal. now apply map_ext_in. }
+    refine (eventually_implied _ _ _ (eventually_and _ _ S IH)). intros e [F H].
     assert (zero_moved : forall a b, zero (vx (moved (shifted a) e) - vx (moved (shifted b) e)) =
                                      zero (vx a - vx b) /\
                                      zero (vy (moved (shifted a) e) - vy (moved (shifted b) e)) =
@@ -351,7 +328,7 @@ Proof.
         else sum (map (signed_crossing_of_step a b) segments))
        + signed_crossings_of_path (b :: others) segments)%Z) by reflexivity.
     cbn [map]. rewrite !unfolded. destruct (zero_moved to from) as [-> ->].
-    rewrite F by lra. cbn [map] in H. rewrite H by lra. reflexivity.
+    rewrite F. cbn [map] in H. now rewrite H.
 Qed.
 
 Lemma last_of_images : forall A B (f : A -> B) l a, last (map f l) (f a) = f (last l a).
@@ -369,34 +346,15 @@ Theorem signed_crossings_add_up : forall segments path first,
   (winding_number (last path first) segments - winding_number first segments)%Z.
 Proof.
   intros segments path first C O P.
-  destruct (path_nearby segments (first :: path)) as (l1 & L1 & H1).
-  assert (S : forall p, eventually (fun e =>
-    off (moved (shifted p) e) segments)).
-  { intros p. apply (eventually_for_all (fun s e => ~ lies_on (moved (shifted p) e) s)).
-    intros s _. apply shifted_off. }
-  destruct (eventually_for_all (fun p e => off (moved (shifted p) e) segments) (first :: path)
-              (fun p _ => S p)) as (l2 & L2 & H2).
-  assert (W : forall p, off p segments -> eventually (fun e =>
-    winding_number (moved (shifted p) e) segments = winding_number p segments)).
-  { intros p F.
-    destruct (eventually_for_all (fun s e =>
-      signed_crossing (moved (shifted p) e) s = signed_crossing p s) segments) as (k & K & G).
-    { intros s I. apply crossing_of_shifted. now apply F. }
-    exists k. split; [exact K |]. intros e E M. unfold winding_number. f_equal.
-    apply map_ext_in. exact (G e E M). }
-  destruct (W first O) as (l3 & L3 & H3). destruct (W (last path first) P) as (l4 & L4 & H4).
-  set (e := (1 # 2) * Qmin (Qmin l1 l2) (Qmin l3 l4)).
-  assert (0 < Qmin (Qmin l1 l2) (Qmin l3 l4)) by (repeat apply Q.min_glb_lt; assumption).
-  assert (E : e < Qmin (Qmin l1 l2) (Qmin l3 l4)) by (unfold e; lra).
-  assert (E0 : 0 < e) by (unfold e; lra).
-  pose proof (Q.le_min_l (Qmin l1 l2) (Qmin l3 l4)). pose proof (Q.le_min_r (Qmin l1 l2) (Qmin l3 l4)).
-  pose proof (Q.le_min_l l1 l2). pose proof (Q.le_min_r l1 l2).
-  pose proof (Q.le_min_l l3 l4). pose proof (Q.le_min_r l3 l4). clearbody e.
-  rewrite <- (H1 e) by lra. rewrite <- (H3 e) by lra. rewrite <- (H4 e) by lra.
+  destruct (some_small _ (eventually_and _ _ (eventually_and _ _ (path_nearby segments (first :: path))
+    (eventually_for_all (fun p e => off (moved (shifted p) e) segments) (first :: path)
+      (fun p _ => shifted_off_all p segments)))
+    (eventually_and _ _ (same_beside first segments) (same_beside (last path first) segments))))
+    as (e & _ & (<- & H2) & <- & <-).
   cbn [map]. rewrite crossings_of_free_paths.
   - rewrite (last_of_images _ _ (fun p => moved (shifted p) e)). reflexivity.
   - exact C.
   - intros p I. change (moved (shifted first) e :: map (fun q => moved (shifted q) e) path) with
       (map (fun q => moved (shifted q) e) (first :: path)) in I.
-    apply in_map_iff in I. destruct I as (q & <- & I). apply H2; [exact E0 | lra | exact I].
+    apply in_map_iff in I. destruct I as (q & <- & I). now apply H2.
 Qed.

@@ -2,7 +2,8 @@
 (* Winding numbers as signed crossings of a ray, as reference/definitions/winding_number.cpp counts
    them: they are the same for every ray. *)
 From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List SetoidList SetoidPermutation.
-From Oplus Require Import direction angular_crossings.
+From Coq Require NsatzTactic.
+From Oplus Require Import direction angle rotation angular_crossings.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -13,6 +14,50 @@ Record segment := Segment { source : vector; target : vector }.
 Definition reversed (s : segment) : segment := Segment (target s) (source s).
 
 Definition minus (a b : vector) : vector := Vector (vx a - vx b) (vy a - vy b).
+
+Definition along (s : segment) : vector := minus (target s) (source s).
+
+Definition moved_along (w u : vector) (e : Q) : vector := Vector (vx w + e * vx u) (vy w + e * vy u).
+
+(* Twice the area of the triangle of a segment and a point: positive if the point is to the left. *)
+Definition area (s : segment) (p : vector) : Q :=
+  cross (minus (target s) (source s)) (minus p (source s)).
+
+(* An equation between polynomials that follows from those in the context, by Groebner bases. *)
+Ltac by_equations :=
+  repeat match goal with H : ?P |- _ =>
+    lazymatch type of P with Prop => lazymatch P with _ == _ => fail | _ => clear H end end
+  end;
+  solve [NsatzTactic.nsatz_default].
+
+Ltac in_coordinates :=
+  unfold equal_vectors, area, cross, dot, moved_along, along, opposite, minus, reversed in *;
+  cbn [source target vx vy] in *.
+
+Lemma left_normal (s : segment) : nonzero (along s) ->
+  0 < cross (along s) (Vector (- vy (along s)) (vx (along s))).
+Proof. intros long. pose proof (square_positive _ long). unfold cross, dot in *. cbn [vx vy]. lra. Qed.
+
+(* One that is always true. *)
+Ltac by_coordinates :=
+  unfold area, cross, dot, moved_along, along, opposite, minus, reversed; cbn [source target vx vy]; ring.
+
+(* What is parallel is a multiple. *)
+Lemma multiple_of (u v : vector) : nonzero v -> cross u v == 0 ->
+  exists c, vx u == c * vx v /\ vy u == c * vy v.
+Proof.
+  intros some parallel. pose proof (square_positive v some) as square. exists (dot u v / dot v v).
+  assert (value : dot u v / dot v v * dot v v == dot u v) by (field; lra).
+  set (c := dot u v / dot v v) in *. clearbody c. unfold dot, cross in *.
+  split; apply (Qmult_inj_l _ _ (vx v * vx v + vy v * vy v)); (lra || by_equations).
+Qed.
+
+(* A number between two others is on the same side of a third as these. *)
+Lemma mixed_is_less (k a b c : Q) : 0 <= k <= 1 -> a < c -> b < c -> (1 - k) * a + k * b < c.
+Proof. intros range less_a less_b. destruct (Qlt_le_dec 0 k); [nra |]. setoid_replace k with 0 by lra. lra. Qed.
+
+Lemma mixed_is_more (k a b c : Q) : 0 <= k <= 1 -> c < a -> c < b -> c < (1 - k) * a + k * b.
+Proof. intros range more_a more_b. destruct (Qlt_le_dec 0 k); [nra |]. setoid_replace k with 0 by lra. lra. Qed.
 
 (* Greater than zero if a, b, c turn left, less if they turn right, equal if they are collinear. *)
 Definition orientation (a b c : vector) : comparison :=
@@ -57,6 +102,23 @@ Definition lies_on (p : vector) (s : segment) : Prop :=
     vx p == (1 - t) * vx (source s) + t * vx (target s) /\
     vy p == (1 - t) * vy (source s) + t * vy (target s).
 
+(* And none of its ends. *)
+Definition strictly_inside (w : vector) (s : segment) : Prop :=
+  exists k, 0 < k < 1 /\ vx w == (1 - k) * vx (source s) + k * vx (target s) /\
+    vy w == (1 - k) * vy (source s) + k * vy (target s).
+
+Lemma strictly_inside_lies_on (w : vector) (s : segment) : strictly_inside w s -> lies_on w s.
+Proof. intros (k & range & X & Y). exists k. split; [lra | tauto]. Qed.
+
+Lemma inside_or_end (v : vector) (e : segment) : lies_on v e ->
+  strictly_inside v e \/ equal_vectors (source e) v \/ equal_vectors (target e) v.
+Proof.
+  intros (k & range & X & Y). destruct (Qlt_le_dec 0 k) as [some | none]; [destruct (Qlt_le_dec k 1) as [less | all] |].
+  - left. exists k. split; [lra | tauto].
+  - right. right. assert (k == 1) as k_is by lra. rewrite k_is in X, Y. split; lra.
+  - right. left. assert (k == 0) as k_is by lra. rewrite k_is in X, Y. split; lra.
+Qed.
+
 Lemma lies_on_equal (p q : vector) (s : segment) : equal_vectors p q -> lies_on p s -> lies_on q s.
 Proof. intros [X Y] (t & range & on_x & on_y). exists t. rewrite <- X, <- Y. tauto. Qed.
 
@@ -74,37 +136,37 @@ Proof.
     try (split; lra); exfalso; nra.
 Qed.
 
+(* A point is on a segment if it is on its line, and between the ends as seen from there. *)
+Lemma lies_on_by_signs (p : vector) (s : segment) :
+  lies_on p s <->
+  cross (minus (source s) p) (minus (target s) p) == 0 /\ dot (minus (source s) p) (minus (target s) p) <= 0.
+Proof.
+  destruct s as [a b]. unfold lies_on, cross, dot, minus. cbn [source target vx vy].
+  set (u := vx b - vx a). set (v := vy b - vy a).
+  assert (b_x : vx b == vx a + u) by (unfold u; ring). assert (b_y : vy b == vy a + v) by (unfold v; ring).
+  clearbody u v. split.
+  - intros (t & range & X & Y). split; [by_equations |].
+    assert (0 <= t * (1 - t) * (u * u + v * v)) by (apply Qmult_le_0_compat; nra).
+    setoid_replace ((vx a - vx p) * (vx b - vx p) + (vy a - vy p) * (vy b - vy p))
+      with (- (t * (1 - t) * (u * u + v * v))) by by_equations. lra.
+  - intros [line between_]. rewrite b_x, b_y in between_. destruct (Qlt_le_dec 0 (u * u + v * v)) as [long | point].
+    + set (t := ((vx p - vx a) * u + (vy p - vy a) * v) / (u * u + v * v)).
+      assert (value : t * (u * u + v * v) == (vx p - vx a) * u + (vy p - vy a) * v) by (unfold t; field; lra).
+      assert (squares : forall k l : Q, 0 <= k * k + l * l) by (intros k l; nra).
+      pose proof (squares (vx p - vx a) (vy p - vy a)). pose proof (squares (vx p - vx a - u) (vy p - vy a - v)).
+      exists t. split; [unfold t; split; [apply Qle_shift_div_l | apply Qle_shift_div_r]; lra |].
+      clearbody t. split; apply (Qmult_inj_l _ _ (u * u + v * v)); (lra || by_equations).
+    + apply no_squares in point. destruct point as [no_x no_y].
+      destruct (no_squares (vx a - vx p) (vy a - vy p)); [nra |]. exists 0. repeat split; lra.
+Qed.
+
 Lemma turns_around : forall p s,
   ~ lies_on p s -> turns (minus (source s) p) (minus (target s) p).
 Proof.
-  intros [px py] [[ax ay] [bx by_]] N. unfold turns, nonzero, minus, cross, dot; cbn.
-  repeat split.
-  - intros [X Y]. apply N. exists 0. cbn. repeat split; lra.
-  - intros [X Y]. apply N. exists 1. cbn. repeat split; lra.
-  - intros C. destruct (Qlt_le_dec 0 ((ax - px) * (bx - px) + (ay - py) * (by_ - py))) as [|L];
-      [assumption | exfalso].
-    assert (0 < (ax - px) * (ax - px) + (ay - py) * (ay - py)) as A.
-    { destruct (Qlt_le_dec 0 ((ax - px) * (ax - px) + (ay - py) * (ay - py))) as [|M]; [assumption |].
-      exfalso. apply no_squares in M. destruct M as [X Y]. apply N. exists 0. cbn. repeat split; lra. }
-    set (u := ax - px) in *. set (v := ay - py) in *. set (w := bx - px) in *.
-    set (z := by_ - py) in *. set (t := (u * u + v * v) / (u * u + v * v - (u * w + v * z))).
-    assert (D : 0 < u * u + v * v - (u * w + v * z)) by lra.
-    assert (T : t * (u * u + v * v - (u * w + v * z)) == u * u + v * v) by (unfold t; field; lra).
-    assert (X : (1 - t) * u + t * w == 0).
-    { apply (Qmult_inj_r _ _ (u * u + v * v - (u * w + v * z))); [lra |].
-      setoid_replace (((1 - t) * u + t * w) * (u * u + v * v - (u * w + v * z))) with
-        (- v * (u * z - v * w) +
-         (t * (u * u + v * v - (u * w + v * z)) - (u * u + v * v)) * (w - u)) by ring.
-      rewrite T, C. ring. }
-    assert (Y : (1 - t) * v + t * z == 0).
-    { apply (Qmult_inj_r _ _ (u * u + v * v - (u * w + v * z))); [lra |].
-      setoid_replace (((1 - t) * v + t * z) * (u * u + v * v - (u * w + v * z))) with
-        (u * (u * z - v * w) +
-         (t * (u * u + v * v - (u * w + v * z)) - (u * u + v * v)) * (z - v)) by ring.
-      rewrite T, C. ring. }
-    apply N. exists t. cbn. subst u v w z.
-    split; [| split; lra].
-    split; nra.
+  intros p s free. unfold turns, nonzero. repeat split.
+  - intros [X Y]. apply free. exists 0. unfold minus in *. cbn in *. repeat split; lra.
+  - intros [X Y]. apply free. exists 1. unfold minus in *. cbn in *. repeat split; lra.
+  - intros line. apply Qnot_le_lt. intros between_. now apply free, lies_on_by_signs.
 Qed.
 
 Lemma permuted_images : forall (f : vector -> vector),
@@ -213,8 +275,7 @@ Qed.
 Theorem winding_number_is_additive : forall p some others,
   winding_number p (some ++ others) = (winding_number p some + winding_number p others)%Z.
 Proof.
-  intros p some others. unfold winding_number, sum.
-  induction some as [| s rest IH]; cbn; lia.
+  intros p some others. unfold winding_number. now rewrite map_app, sum_of_both.
 Qed.
 
 (* The edges of a closed chain, edge i leaving vertex i: reference/definitions/region.cpp. *)

@@ -1,0 +1,58 @@
+(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* What is true of vectors and points of segments by computing with coordinates is left to Coq's decision procedures;
+   and what many proofs about pieces of segments say: a piece is a part, a point is between the ends or an end. *)
+From Coq Require Import QArith Lqa Qfield List.
+From Oplus Require Import convolution small_numbers regions meeting_of_segments reflected neighbourhoods left_of_an_edge
+  right_of_an_edge location pieces naive_collision specification_bridge specification theorem_4_2_1.
+Import ListNotations.
+
+Open Scope Q_scope.
+
+Ltac to_coordinates :=
+  unfold equal_vectors, equal_points, sum_of_points, as_vector, as_point, within, area, cross, dot, moved_along,
+    opposite, plus, reflected, reversed, middle, point_at, along, minus, Qdiv in *;
+  cbn [source target vx vy x_of y_of] in *; change (/ 2) with (1 # 2) in *.
+
+(* Solves what is linear in coordinates, or equal as polynomials. *)
+Ltac by_computing :=
+  repeat match goal with E : equal_vectors _ _ |- _ => destruct E end;
+  to_coordinates; repeat match goal with |- _ /\ _ => split end; first [lra | ring | field].
+
+(* A point of a segment, (1 - k) source + k target. *)
+Ltac at_fraction k := exists k; split; [lra | by_computing].
+
+Lemma piece_is_part (s piece : segment) (others : list segment) :
+  nonzero (along s) -> In piece (cut_where_met s others) -> is_part piece s.
+Proof. intros long I. now destruct (proj1 (cut_returns s _ long) piece I). Qed.
+
+Lemma source_is_vertex (r : region) (s : segment) : In s (region_edges r) -> is_vertex (source s) r.
+Proof. intros S. exists s. split; [exact S | reflexivity]. Qed.
+
+Lemma common_part (s : segment) (v w y : vector) : lies_on v s -> lies_on w s -> lies_on y (Segment v w) -> lies_on y s.
+Proof.
+  intros (k & k_range & kx & ky) (l & l_range & lx & ly) (t & t_range & tx & ty). cbn [source target] in *.
+  exists ((1 - t) * k + t * l). split; [nra | rewrite tx, ty, kx, ky, lx, ly; split; ring].
+Qed.
+
+Lemma inside_or_an_end (x : vector) (s : segment) : lies_on x s ->
+  strictly_inside x s \/ equal_vectors x (source s) \/ equal_vectors x (target s).
+Proof.
+  intros (k & range & X & Y). destruct (Qeq_dec k 0) as [k_is |]; [| destruct (Qeq_dec k 1) as [k_is |]].
+  - rewrite k_is in X, Y. right. left. by_computing.
+  - rewrite k_is in X, Y. right. right. by_computing.
+  - left. exists k. split; [lra | now split].
+Qed.
+
+Lemma off_is (x : vector) (l : list segment) : off x l <-> ~ exists s, In s l /\ lies_on x s.
+Proof. split; [intros free (s & S & on); exact (free s S on) | intros none s S on; apply none; now exists s]. Qed.
+
+Lemma valid_is_regular (r : region) : valid_region r -> is_regular r.
+Proof. intros (not_points & not_negative & meet). now apply regions_are_regular. Qed.
+
+(* Small numbers of a kind, as small as one likes. *)
+Lemma eventually_some (A : Q -> Prop) (bound : Q) : eventually A -> 0 < bound -> exists t, 0 < t < bound /\ A t.
+Proof.
+  intros (limit & L & all) some. destruct (Qlt_le_dec limit bound).
+  - exists ((1 # 2) * limit). split; [lra | apply all; lra].
+  - exists ((1 # 2) * bound). split; [lra | apply all; lra].
+Qed.
