@@ -4,7 +4,7 @@
    bounded one there. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
 From Oplus Require Import specification convolution signed_crossings regions interiors_meet neighbourhoods theorem_4_2_1
-  specification_bridge collision_is_complete checked_collision sum_program sum_is_right open_sums turned_chains
+  specification_bridge collision_is_complete checked_collision sum_program sum_is_right coordinates open_sums turned_chains
   inner_fit_program complement_in_a_frame inner_fit_is_right.
 Import ListNotations.
 
@@ -12,23 +12,18 @@ Open Scope Q_scope.
 
 Definition turned_region (r : region) : polygonal_region := as_polygonal (map turned_chain r).
 
-Definition on_edges (x : point) (r : region) : Prop := exists s, In s (region_edges r) /\ lies_on (as_vector x) s.
-
 Lemma unbounded_member_is (x : point) (r : polygonal_region) : unbounded_member x r <-> ~ is_inner_point x r.
 Proof.
-  split.
-  - intros [(e & E & on) | zero_] [round free]; [exact (free e E on) | exact (round zero_)].
-  - intros not_inner. destruct (on_one_or_none x (edges_of_region r)) as [on | free]; [now left | right].
-    destruct (Z.eq_dec (region_winding_number x r) 0) as [| round]; [assumption | now destruct not_inner].
+  unfold unbounded_member. rewrite on_boundary_is, number_of_region_is, inner_point_is.
+  destruct (on_or_off (as_vector x) (region_edges (as_region r))) as [on | free],
+    (Z.eq_dec (winding_number (as_vector x) (region_edges (as_region r))) 0); rewrite off_is in *; tauto.
 Qed.
 
-Lemma unbounded_member_of_chains (x : point) (r : region) :
-  unbounded_member x (as_polygonal r) <-> on_edges x r \/ winding_number (as_vector x) (region_edges r) = 0%Z.
+Lemma unbounded_member_of_chains (x : point) (r : region) : unbounded_member x (as_polygonal r) <->
+  (exists s, In s (region_edges r) /\ lies_on (as_vector x) s) \/ winding_number (as_vector x) (region_edges r) = 0%Z.
 Proof.
-  rewrite unbounded_member_is, inner_point_of_chains. split.
-  - intros not_inner. destruct (on_or_off (as_vector x) (region_edges r)) as [on | free]; [now left |].
-    destruct (Z.eq_dec (winding_number (as_vector x) (region_edges r)) 0); tauto.
-  - intros [(s & S & on) | zero_] [round free]; [exact (free s S on) | contradiction].
+  unfold unbounded_member, as_polygonal. rewrite on_boundary_is, number_of_region_is.
+  destruct (written_chains (as_vector x) r) as [-> ->]. reflexivity.
 Qed.
 
 (* What is not in A, if off some edges that is where numbers are 0, and edges are beside such points. *)
@@ -52,8 +47,7 @@ Qed.
 Theorem turned_region_is_the_complement (p : polygonal_region) : valid_region (as_region p) ->
   nowhere_above_one (as_region p) -> is_complement p (turned_region (as_region p)).
 Proof.
-  intros valid simple x. unfold turned_region, on_edges. rewrite unbounded_member_of_chains. unfold on_edges.
-  rewrite on_turned, winding_number_of_turned.
+  intros valid simple x. unfold turned_region. rewrite unbounded_member_of_chains, on_turned, winding_number_of_turned.
   assert (outside : forall y, off (as_vector y) (region_edges (as_region p)) ->
     (~ member y p <-> winding_number (as_vector y) (region_edges (as_region p)) = 0%Z)).
   { intros y free. rewrite member_by_edges. split; [intros out | intros zero_ [(s & S & on) | round]].
@@ -77,8 +71,7 @@ Section Unbounded.
 
   Lemma u_is_in_the_square : 1 <= m /\ forall s, In s (region_edges u) -> in_square m (source s) /\ in_square m (target s).
   Proof.
-    destruct (size_is_large (concat u)) as [large all]. split; [exact large |]. intros s S.
-    destruct (ends_are_vertices u s S). split; now apply all.
+    destruct (size_is_large (concat u)) as [large all]. split; [exact large | now apply edges_in_square].
   Qed.
 
   Lemma number_in_the_frame (x : vector) : in_square m x ->
@@ -130,7 +123,7 @@ Section Unbounded.
   Theorem the_frame_does_not_matter (k : Q) (x : point) : - k < x_of x < k -> - k < y_of x < k ->
     (member x (as_polygonal (frame k :: u)) <-> unbounded_member x (as_polygonal u)).
   Proof.
-    intros in_x in_y. unfold as_polygonal at 1. rewrite member_of_chains, unbounded_member_of_chains. unfold on_edges.
+    intros in_x in_y. unfold as_polygonal at 1. rewrite member_of_chains, unbounded_member_of_chains.
     change (region_edges (frame k :: u)) with (edges (frame k) ++ region_edges u).
     rewrite number_of_both, frame_goes_round by assumption.
     pose proof (off_the_frame k (as_vector x) in_x in_y) as apart.

@@ -37,7 +37,7 @@ type arguments = { output : string option; is_open : bool; rest : string list }
 
 let compute { output; is_open; rest } =
   let command, files = match rest with [] -> ("", []) | command :: files -> (command, files) in
-  if is_open && command <> "sum" && List.mem_assoc command Commands.all then Program.refuse "--open is an option of sum (see --help)";
+  if is_open && command <> "sum" then Program.refuse "--open is an option of sum (see --help)";
   let files_are expected = Program.refuse (Printf.sprintf "%d files; expected %s (see --help)" (List.length files) expected) in
   let to_output () = Output.to_file (Option.value output ~default:"-") in
   match (command, Commands.operation command is_open, files) with

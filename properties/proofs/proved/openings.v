@@ -16,8 +16,6 @@ Open Scope Q_scope.
 Definition some_nonzero (numbers : list Z) : bool := existsb (fun n => negb (n =? 0)%Z) numbers.
 Definition gone_round : list (list segment) -> polygonal_region := region_by_rule some_nonzero.
 
-Definition as_vectors (r : polygonal_region) : region := map (map as_vector) r.
-
 Definition erosion (a b : polygonal_region) : polygonal_region :=
   gone_round [region_edges (as_vectors (fit_chains (inner_fit a b)))].
 
@@ -107,63 +105,23 @@ Proof.
     destruct (free s ltac:(apply in_app_iff; now right) on).
 Qed.
 
-Lemma quick_sum_is_valid (p q : polygonal_region) : valid_region (as_region p) -> valid_region (as_region q) ->
-  valid_region (as_region (quick_sum p q)) /\ nowhere_above_one (as_region (quick_sum p q)).
-Proof.
-  intros p_region q_region. split.
-  - apply written_chains_are_valid, (sums_are_valid (as_region p) (as_region q)); trivial. now apply quick_chains_are.
-  - intros x _. destruct (sums_go_round_once p q x p_region q_region) as [-> | ->]; lia.
-Qed.
-
 Section Operations.
   Variables a b : polygonal_region.
   Hypothesis a_region : valid_region (as_region a).
   Hypothesis a_simple : nowhere_above_one (as_region a).
   Hypothesis b_region : valid_region (as_region b).
   Hypothesis b_simple : nowhere_above_one (as_region b).
+  Hypothesis b_some : exists c v, In c b /\ In v c.
   Let f := inner_fit a b.
-  Let size := size_of (concat (as_region a) ++ concat (as_region b)).
-  Let outside := as_polygonal (complement_in_frame (5 * size) (as_region a)).
-  Let half := as_polygonal (half_turned (as_region b)).
-
-  Lemma outside_is_valid : valid_region (as_region outside) /\ nowhere_above_one (as_region outside) /\
-    valid_region (as_region half) /\ nowhere_above_one (as_region half).
-  Proof.
-    destruct (size_is_large (concat (as_region a) ++ concat (as_region b))) as [large all]. fold size in large, all.
-    destruct (complement_is_valid (as_region a) size (5 * size)) as [p_region p_simple]; trivial; [lra | lra | |].
-    { intros s S. destruct (ends_are_vertices (as_region a) s S). split; apply all, in_app_iff; now left. }
-    destruct (polygonal_is_valid _ p_region p_simple), (half_turned_is_valid _ b_region b_simple). tauto.
-  Qed.
-
-  Lemma chains_of_the_fit : as_vectors (fit_chains f) =
-    map turned_chain (filter (starts_in (2 * size)) (as_region (quick_sum outside half))).
-  Proof.
-    unfold as_vectors, f, inner_fit, placements_in. cbv zeta. cbn [fit_chains]. fold size outside half.
-    rewrite map_map. etransitivity; [| apply map_id]. apply map_ext. intros c. rewrite map_map.
-    etransitivity; [| apply map_id]. apply map_ext. exact as_vector_of_point.
-  Qed.
-
-  Lemma edge_of_the_fit (t : segment) : In t (region_edges (as_vectors (fit_chains f))) ->
-    exists e, t = reversed e /\ In e (region_edges (as_region (quick_sum outside half))) /\
-      In e (region_edges (filter (starts_in (2 * size)) (as_region (quick_sum outside half)))).
-  Proof.
-    rewrite chains_of_the_fit. intros T. apply (Permutation_in _ (region_edges_of_turned _)), in_map_iff in T.
-    destruct T as (e & <- & E). exists e. split; [reflexivity |]. split; [| exact E].
-    apply in_flat_map in E. destruct E as (c & [C _]%filter_In & E). apply in_flat_map. exists c. split; assumption.
-  Qed.
-
+  Let places := is_inside b (fun y => member y a).
+  Let right_ := inner_fit_is_the_inner_fit a b a_region a_simple b_region b_simple b_some.
   Let families := [region_edges (as_vectors (fit_chains f))].
 
   Lemma fit_edges_are_closed (l : list segment) : In l families -> cycles l.
   Proof. intros [<- | []]. apply region_cycles. Qed.
 
   Lemma fit_edges_are_long (t : segment) : In t (concat families) -> nonzero (along t).
-  Proof.
-    unfold families. cbn [concat]. rewrite app_nil_r. intros (e & -> & E & _)%edge_of_the_fit. destruct outside_is_valid as (p_region & _ & q_region & _).
-    destruct (quick_sum_is_valid _ _ p_region q_region) as [(long & _) _].
-    pose proof (region_edges_are_directions _ long e E) as e_long. intros [X Y]. apply e_long.
-    unfold along, reversed, minus in *; cbn [source target vx vy] in *. split; lra.
-  Qed.
+  Proof. unfold families. cbn [concat]. rewrite app_nil_r. exact (proj1 (proj2 right_) t). Qed.
 
   Lemma erosion_is_valid : valid_region (as_region (erosion a b)) /\ nowhere_above_one (as_region (erosion a b)).
   Proof. exact (gone_round_is_valid _ fit_edges_are_closed fit_edges_are_long). Qed.
@@ -188,20 +146,8 @@ Section Operations.
     destruct all_in as [(s & S & on) | round]; [destruct (free_y s S on) | exact round].
   Qed.
 
-  Section Somewhere.
-  Hypothesis b_some : exists c v, In c b /\ In v c.
-
-  Lemma b_has_vertices : exists v, In v (concat (as_region b)).
-  Proof.
-    destruct b_some as (c & v & C & V). exists (vector_of (homogeneous v)). apply in_concat.
-    exists (map (fun p => vector_of (homogeneous p)) c). split; [unfold as_region; now apply in_map |].
-    now apply (in_map (fun p => vector_of (homogeneous p))).
-  Qed.
-
-  Let places := is_inside b (fun y => member y a).
-
   Lemma places_are (x : point) : fits x f <-> places x.
-  Proof. now apply inner_fit_is_the_inner_fit. Qed.
+  Proof. apply right_. Qed.
 
   (* Theorem. *)
   Theorem erosion_is_the_erosion : is_erosion a b (erosion a b).
@@ -211,54 +157,14 @@ Section Operations.
     - apply interior_of_placements. refine (more_closure _ _ x _ near). intros y. apply places_are.
   Qed.
 
-  (* Near edges of the chains are interior points. *)
-  Lemma placements_are (x : point) : fits x f -> member x (erosion a b) \/
-    exists s, In s (exact_fits f) /\ lies_on (as_vector x) s.
+  Lemma placements_are (x : point) : fits x f ->
+    member x (erosion a b) \/ exists s, In s (exact_fits f) /\ lies_on (as_vector x) s.
   Proof.
-    destruct (size_is_large (concat (as_region a) ++ concat (as_region b))) as [large all]. fold size in large, all.
-    destruct outside_is_valid as (p_region & p_simple & q_region & q_simple).
     intros [in_chains | on_fits]; [left | right; now apply on_exact_fits].
-    apply erosion_is_the_erosion. apply member_of_vectors in in_chains. 
-    destruct (on_or_off (as_vector x) (region_edges (as_vectors (fit_chains f)))) as [(t & T & on) | free].
-    - destruct (edge_of_the_fit t T) as (e & -> & E & inner). apply lies_on_reversed in on.
-      assert (is_open : is_open_sum outside half (open_sum_of_regions outside half))
-        by (apply open_sum_of_regions_is_the_open_sum; assumption).
-      assert (close_x : in_square (2 * size) (as_vector x)).
-      { pose proof b_has_vertices. apply (inner_chains_are_close a b size (open_sum_of_regions outside half)) with (e := e); try assumption;
-          intros v V; apply all, in_app_iff; tauto. }
-      intros radius R.
-      destruct (proj2 (on_boundary_is x (quick_sum outside half))) as (e' & E' & on'); [exists e; split; assumption |].
-      destruct (sums_are_beside_the_outside outside half p_region q_region x e' (Qmin radius (1 # 2)) E' on') as (y & close & out);
-        [apply Q.min_glb_lt; lra |].
-      pose proof (Q.le_min_l radius (1 # 2)). pose proof (Q.le_min_r radius (1 # 2)).
-      exists y. split; [unfold within, is_near, as_vector in *; cbn [vx vy] in *; lra |]. rewrite member_by_edges in out.
-      destruct (on_or_off (as_vector y) (region_edges (as_region (quick_sum outside half)))) as [on_y | free]; [tauto |].
-      destruct (winding_number_near _ _ (region_cycles _) free) as (inner_ & I & same_).
-      exists (Qmin inner_ (1 # 2)). split; [apply Q.min_glb_lt; lra |]. intros z close_z.
-      pose proof (Q.le_min_r inner_ (1 # 2)).
-      destruct (same_ (as_vector z) (within_smaller _ _ (as_vector y) (as_vector z) (Q.le_min_l inner_ (1 # 2)) close_z)) as [_ number_is].
-      apply (others_are_placements a b size (open_sum_of_regions outside half)); try assumption.
-      + intros v V. apply all, in_app_iff. right. exact V.
-      + unfold in_square, is_near, within, as_vector in *; cbn [vx vy] in *. lra.
-      + intros [[round _]%inner_point_is _]. apply out. right. rewrite <- number_is. exact round.
-    - destruct in_chains as [(s & S & on) | round]; [destruct (free s S on) |]. intros radius R. exists x.
-      split; [unfold is_near; lra |].
-      destruct (winding_number_near _ _ (region_cycles _) free) as (inner_ & I & same_). exists inner_. split; [exact I |].
-      intros z close_z. apply places_are. left. apply member_of_vectors. right.
-      destruct (same_ (as_vector z) close_z) as [_ ->]. exact round.
+    apply erosion_is_the_erosion. now apply right_.
   Qed.
-  End Somewhere.
 
   Local Opaque inner_fit quick_sum erosion.
-
-  Lemma some_vertices (z : point) : member z b -> exists c v, In c b /\ In v c.
-  Proof.
-    intros in_b. destruct (edges_of_region b) as [| e l] eqn:edges_are.
-    - destruct in_b as [(e & E & _) | round]; [now rewrite edges_are in E |].
-      unfold region_winding_number in round. now rewrite edges_are in round.
-    - assert (E : In e (edges_of_region b)) by (rewrite edges_are; now left). apply in_flat_map in E.
-      destruct E as ([| v rest] & C & E); [destruct E |]. exists (v :: rest), v. split; [exact C | now left].
-  Qed.
 
   Let all_families := region_edges (as_region (quick_sum (erosion a b) b)) ::
     flat_map (swept (as_region b)) (exact_fits f).
@@ -276,7 +182,7 @@ Section Operations.
     intros (l & L & T)%in_concat. apply in_families in L. destruct L as [-> | (s & S & L)].
     - destruct (quick_sum_is_valid _ _ (proj1 erosion_is_valid) b_region) as [(long & _) _].
       exact (region_edges_are_directions _ long t T).
-    - destruct b_region as (long & _). exact (swept_segments_are_long _ s long l t L T).
+    - pose proof (proj1 b_region) as long. exact (swept_segments_are_long _ s long l t L T).
   Qed.
 
   Let is_covered_by_b (x : point) := exists t z, fits t f /\ member z b /\ equal_points x (sum_of_points t z).
@@ -300,10 +206,10 @@ Section Operations.
   Proof.
     intros x. transitivity (is_covered_by_b x).
     2: { split; intros (t & z & place & in_b & equal); exists t, z; (split; [| tauto]);
-         apply (places_are (some_vertices z in_b)); exact place. }
+         now apply places_are. }
     apply (members_of_a_closed_set some_nonzero all_families families_are_closed families_are_long (nothing_is_zero _)).
     - intros y free. rewrite by_some_nonzero. split.
-      + intros (t & z & place & in_b & equal). destruct (placements_are (some_vertices z in_b) t place) as [in_r | (s & S & on)].
+      + intros (t & z & place & in_b & equal). destruct (placements_are t place) as [in_r | (s & S & on)].
         * eexists. split; [now left |].
           assert (in_sum : member y (quick_sum (erosion a b) b)).
           { apply (quick_sum_is_the_sum _ _ (proj1 erosion_is_valid) b_region). exists t, z. tauto. }
@@ -311,14 +217,14 @@ Section Operations.
           destruct (free e ltac:(apply in_concat; eexists; split; [now left | exact E]) on).
         * assert (free_s : forall l, In l (swept (as_region b) s) -> off (as_vector y) l).
           { intros l L e E. apply free, in_concat. exists l. split; [| exact E]. right. apply in_flat_map. now exists s. }
-          destruct b_region as (long & _).
+          pose proof (proj1 b_region) as long.
           destruct (proj1 (inside_swept _ s long (as_vector y) free_s)) as (l & L & round).
           { exists (as_vector t), (as_vector z). split; [exact on |]. split; [now apply member_by_edges | exact equal]. }
           exists l. split; [| exact round]. right. apply in_flat_map. now exists s.
       + intros (l & L & round). assert (free_l : off (as_vector y) l) by (intros e E; apply free, in_concat; now exists l).
         pose proof L as which. apply in_families in which. destruct which as [-> | (s & S & L')].
         * apply sums_are_covered, member_by_edges. now right.
-        * apply (swept_is_covered s y S). destruct b_region as (long & _). apply inside_swept; trivial; [| now exists l].
+        * apply (swept_is_covered s y S). pose proof (proj1 b_region) as long. apply inside_swept; trivial; [| now exists l].
           intros l' L'' e E. apply free, in_concat. exists l'. split; [| exact E]. right. apply in_flat_map. now exists s.
     - intros y t (l & L & T)%in_concat on. apply in_families in L. destruct L as [-> | (s & S & L)].
       + apply sums_are_covered, member_by_edges. left. now exists t.

@@ -93,11 +93,10 @@ Theorem proved_inner_fit_is_the_inner_fit (a b : polygonal_region) : is_covered 
   has_points b = true -> is_inner_fit a b (proved_inner_fit a b).
 Proof.
   intros a_valid b_valid some x. apply is_covered_is_right in a_valid, b_valid. destruct a_valid, b_valid.
-  unfold proved_inner_fit. etransitivity; [apply (inner_fit_is_the_inner_fit (prepared_region a) (prepared_region b));
-    trivial |].
-  - now apply has_points_is.
-  - split; intros all y; specialize (all y); unfold prepared_region in *; rewrite !touching_vertices_add_no_points in *;
-      exact all.
+  unfold proved_inner_fit. destruct (inner_fit_is_the_inner_fit (prepared_region a) (prepared_region b)) as [is_fit _];
+    trivial; [now apply has_points_is |].
+  etransitivity; [apply is_fit |]. split; intros all y; specialize (all y); unfold prepared_region in *;
+    rewrite !touching_vertices_add_no_points in *; exact all.
 Qed.
 
 (* The chains of an open region, and of placements, as polygons with holes. *)
@@ -165,7 +164,7 @@ Proof.
   split; [| split]; intros x; (etransitivity; [apply written_polygons_are_the_region |]).
   - rewrite (erosion_is_the_erosion _ _ p_valid p_simple q_valid q_simple some x). apply same_closure.
     intros y. unfold is_inside. setoid_rewrite same_p. setoid_rewrite same_q. reflexivity.
-  - rewrite (opening_is_the_opening _ _ p_valid p_simple q_valid q_simple x).
+  - rewrite (opening_is_the_opening _ _ p_valid p_simple q_valid q_simple some x).
     unfold is_inside. setoid_rewrite same_p. setoid_rewrite same_q. reflexivity.
   - rewrite (closing_is_the_closing _ _ p_valid q_valid q_simple some x). apply same_closure.
     intros y. unfold is_inside. setoid_rewrite same_p. setoid_rewrite same_q. reflexivity.
