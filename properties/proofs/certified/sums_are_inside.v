@@ -138,11 +138,9 @@ Proof.
   assert (u_is : vx n * (bx - ax) + vy n * (by_ - ay) == 0) by lra.
   assert (v_is : vx n * (cx - ax) + vy n * (cy - ay) == 0) by lra.
   assert (x_part : vx n * area == 0).
-  { setoid_replace (vx n * area) with ((vx n * (bx - ax) + vy n * (by_ - ay)) * (cy - ay) -
-      (vx n * (cx - ax) + vy n * (cy - ay)) * (by_ - ay)) by (unfold area; ring). rewrite u_is, v_is. ring. }
+  { unfold area. by_equations. }
   assert (y_part : vy n * area == 0).
-  { setoid_replace (vy n * area) with ((vx n * (cx - ax) + vy n * (cy - ay)) * (bx - ax) -
-      (vx n * (bx - ax) + vy n * (by_ - ay)) * (cx - ax)) by (unfold area; ring). rewrite u_is, v_is. ring. }
+  { unfold area. by_equations. }
   apply Qmult_integral in x_part. apply Qmult_integral in y_part. tauto.
 Qed.
 
@@ -248,10 +246,7 @@ Section Beside.
     destruct on as (r & range & x_is & y_is). cbn [source target segment_of_hedge] in *.
     assert (y_dot : dot n y == (1 - r) * dot n (vector_of (fst e)) + r * dot n (vector_of (snd e)))
       by (unfold dot; rewrite x_is, y_is; ring).
-    destruct (Qlt_le_dec 0 r) as [later | start].
-    - assert (0 < r * (dot n y - dot n (vector_of (snd e)))) by (apply Qmult_lt_0_compat; lra).
-      assert (0 <= (1 - r) * (dot n y - dot n (vector_of (fst e)))) by (apply Qmult_le_0_compat; lra). lra.
-    - assert (r_is : r == 0) by lra. rewrite r_is in y_dot. lra.
+    pose proof (mixed_is_less r _ _ _ range first second). lra.
   Qed.
 
   Lemma winding_number_by_a_corner_of_p (m : hpoint) (t u : piece) : In t p -> In u q -> In m (corners_of t) ->

@@ -57,10 +57,7 @@ Proof.
   cbn [source target] in *. unfold in_front in *.
   assert (nothing : (1 - s) * (1 - t) * dot w (minus c a) + s * (1 - t) * dot w (minus c b) +
                     (1 - s) * t * dot w (minus e a) + s * t * dot w (minus e b) == 0).
-  { transitivity (dot w (minus (Vector ((1 - t) * vx c + t * vx e) ((1 - t) * vy c + t * vy e))
-                               (Vector ((1 - s) * vx a + s * vx b) ((1 - s) * vy a + s * vy b)))).
-    - unfold dot, minus. cbn [vx vy]. ring.
-    - unfold dot, minus. cbn [vx vy]. rewrite <- xs, <- ys, <- xt, <- yt. ring. }
+  { in_coordinates. by_equations. }
   assert (0 <= (1 - s) * (1 - t) /\ 0 <= s * (1 - t) /\ 0 <= (1 - s) * t /\ 0 <= s * t) as parts
     by (repeat split; apply Qmult_le_0_compat; lra).
   set (p := (1 - s) * (1 - t)) in *. set (q := s * (1 - t)) in *. set (r := (1 - s) * t) in *.
@@ -94,30 +91,13 @@ Proof.
   set (p := dot u (minus c a)) in *. set (q := dot u (minus e a)) in *.
   assert (along : forall z, cross u (minus z a) == 0 ->
     dot u u * (vx z - vx a) == dot u (minus z a) * vx u /\
-    dot u u * (vy z - vy a) == dot u (minus z a) * vy u).
-  { intros z on. unfold cross, dot, minus in *. cbn [vx vy] in *. split.
-    - setoid_replace ((vx u * vx u + vy u * vy u) * (vx z - vx a)) with
-        ((vx u * (vx z - vx a) + vy u * (vy z - vy a)) * vx u
-         - vy u * (vx u * (vy z - vy a) - vy u * (vx z - vx a))) by ring.
-      rewrite on. ring.
-    - setoid_replace ((vx u * vx u + vy u * vy u) * (vy z - vy a)) with
-        ((vx u * (vx z - vx a) + vy u * (vy z - vy a)) * vy u
-         + vx u * (vx u * (vy z - vy a) - vy u * (vx z - vx a))) by ring.
-      rewrite on. ring. }
+    dot u u * (vy z - vy a) == dot u (minus z a) * vy u)
+    by (intros z on; in_coordinates; split; by_equations).
   destruct (along c on_c) as [xc yc], (along e on_e) as [xe ye]. fold p in xc, yc. fold q in xe, ye.
-  apply (on_segment c e a (- p / (q - p))).
-  - split; [apply Qle_shift_div_l | apply Qle_shift_div_r]; lra.
-  - split; cbn [vx vy].
-    + apply (Qmult_inj_l _ _ (dot u u * (q - p))); [nra |].
-      setoid_replace (dot u u * (q - p) * (vx c + - p / (q - p) * (vx e - vx c))) with
-        (dot u u * (q - p) * vx a + (q - p) * (dot u u * (vx c - vx a))
-         - p * (dot u u * (vx e - vx a) - dot u u * (vx c - vx a))) by (field; lra).
-      rewrite xc, xe. ring.
-    + apply (Qmult_inj_l _ _ (dot u u * (q - p))); [nra |].
-      setoid_replace (dot u u * (q - p) * (vy c + - p / (q - p) * (vy e - vy c))) with
-        (dot u u * (q - p) * vy a + (q - p) * (dot u u * (vy c - vy a))
-         - p * (dot u u * (vy e - vy a) - dot u u * (vy c - vy a))) by (field; lra).
-      rewrite yc, ye. ring.
+  assert (value : - p / (q - p) * (q - p) == - p) by (field; lra).
+  assert (range : 0 <= - p / (q - p) <= 1) by (split; [apply Qle_shift_div_l | apply Qle_shift_div_r]; lra).
+  set (l := - p / (q - p)) in *. clearbody l p q. apply (on_segment c e a l); [exact range |].
+  split; cbn [vx vy]; apply (Qmult_inj_l _ _ (dot u u * (q - p))); (nra || by_equations).
 Qed.
 
 (* On the line of the segment from a to b, a point that is neither before a nor after b is on it. *)
@@ -149,13 +129,8 @@ Proof.
   assert (t_is : t * cross u v == cross (minus c a) u) by (unfold t; field; assumption).
   set (x := Vector (vx a + s * vx u) (vy a + s * vy u)).
   assert (x_on_both : equal_vectors x (Vector (vx c + t * vx v) (vy c + t * vy v))).
-  { unfold x. split; cbn [vx vy]; apply (Qmult_inj_l _ _ (cross u v)); try assumption.
-    - setoid_replace (cross u v * (vx a + s * vx u)) with (cross u v * vx a + (s * cross u v) * vx u) by ring.
-      setoid_replace (cross u v * (vx c + t * vx v)) with (cross u v * vx c + (t * cross u v) * vx v) by ring.
-      rewrite s_is, t_is. unfold cross, minus. cbn [vx vy]. ring.
-    - setoid_replace (cross u v * (vy a + s * vy u)) with (cross u v * vy a + (s * cross u v) * vy u) by ring.
-      setoid_replace (cross u v * (vy c + t * vy v)) with (cross u v * vy c + (t * cross u v) * vy v) by ring.
-      rewrite s_is, t_is. unfold cross, minus. cbn [vx vy]. ring. }
+  { unfold x. clearbody s t.
+    split; cbn [vx vy]; apply (Qmult_inj_l _ _ _ crossing_lines); unfold u, v in *; in_coordinates; by_equations. }
   assert (within_or_outside : have_a_common_point a b c e \/ ~ (0 <= s <= 1) \/ ~ (0 <= t <= 1)).
   { destruct (Qlt_le_dec s 0), (Qlt_le_dec 1 s), (Qlt_le_dec t 0), (Qlt_le_dec 1 t);
       try (right; left; lra); try (right; right; lra). left. exists x. split.
@@ -168,9 +143,7 @@ Proof.
                     dot (Vector (- vy v) (vx v)) (minus c b) == (1 - s) * cross u v /\
                     dot (Vector (- vy v) (vx v)) (minus e a) == - s * cross u v /\
                     dot (Vector (- vy v) (vx v)) (minus e b) == (1 - s) * cross u v).
-    { setoid_replace (- s * cross u v) with (- (s * cross u v)) by ring.
-      setoid_replace ((1 - s) * cross u v) with (cross u v - s * cross u v) by ring. rewrite s_is.
-      unfold dot, cross, u, v, minus. cbn [vx vy]. repeat split; ring. }
+    { clear outside. unfold u, v in *. in_coordinates. repeat split; by_equations. }
     destruct sides as (-> & -> & -> & ->).
     destruct (Q_dec (cross u v) 0) as [[? | ?] | ?]; [| | contradiction];
       (destruct (Qlt_le_dec s 0); [| assert (1 < s) by (apply Qnot_le_lt; intro; apply outside; lra)]);
@@ -179,9 +152,7 @@ Proof.
                     dot (Vector (- vy u) (vx u)) (minus c b) == - t * cross u v /\
                     dot (Vector (- vy u) (vx u)) (minus e a) == (1 - t) * cross u v /\
                     dot (Vector (- vy u) (vx u)) (minus e b) == (1 - t) * cross u v).
-    { setoid_replace (- t * cross u v) with (- (t * cross u v)) by ring.
-      setoid_replace ((1 - t) * cross u v) with (cross u v - t * cross u v) by ring. rewrite t_is.
-      unfold dot, cross, u, v, minus. cbn [vx vy]. repeat split; ring. }
+    { clear outside. unfold u, v in *. in_coordinates. repeat split; by_equations. }
     destruct sides as (-> & -> & -> & ->).
     destruct (Q_dec (cross u v) 0) as [[? | ?] | ?]; [| | contradiction];
       (destruct (Qlt_le_dec t 0); [| assert (1 < t) by (apply Qnot_le_lt; intro; apply outside; lra)]);
@@ -277,10 +248,7 @@ Proof.
   - intros t x (s & range_s & xs & ys) (r & range_r & xr & yr). cbn [source target] in *.
     destruct (turning_is_in_front _ _ t) as (w & f & g). unfold in_front in *.
     assert (nothing : (1 - s) * dot w (minus b a) + r * dot w (minus c b) == 0).
-    { transitivity (dot w (minus (Vector ((1 - r) * vx b + r * vx c) ((1 - r) * vy b + r * vy c))
-                                 (Vector ((1 - s) * vx a + s * vx b) ((1 - s) * vy a + s * vy b)))).
-      - unfold dot, minus. cbn [vx vy]. ring.
-      - unfold dot, minus. cbn [vx vy]. rewrite <- xs, <- ys, <- xr, <- yr. ring. }
+    { in_coordinates. by_equations. }
     assert (0 <= (1 - s) * dot w (minus b a)) by (apply Qmult_le_0_compat; lra).
     assert (0 <= r * dot w (minus c b)) by (apply Qmult_le_0_compat; lra).
     assert (none : r * dot w (minus c b) == 0) by lra.

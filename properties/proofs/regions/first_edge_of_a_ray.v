@@ -29,13 +29,7 @@ Proof.
     compared_numbers (cross a c ?= 0); try discriminate.
     compared_numbers (cross b c - cross a c ?= 0); try discriminate.
     assert (b_is : cross b c == 0) by lra.
-    apply nc. split; apply (Qmult_inj_l _ _ (cross a b)); trivial.
-    + setoid_replace (cross a b * vx c) with (vx a * cross c b - vx b * cross c a)
-        by (unfold cross; ring).
-      assert (cross c b == 0 /\ cross c a == 0) as [-> ->] by (unfold cross in *; split; lra). ring.
-    + setoid_replace (cross a b * vy c) with (vy a * cross c b - vy b * cross c a)
-        by (unfold cross; ring).
-      assert (cross c b == 0 /\ cross c a == 0) as [-> ->] by (unfold cross in *; split; lra). ring.
+    apply nc. split; apply (Qmult_inj_l _ _ (cross a b)); trivial; unfold cross in *; by_equations.
   - set (t := (1 # 2) * (if Qlt_le_dec limit 1 then limit else 1)).
     assert (t_range : 0 < t /\ t < 1 /\ t < limit)
       by (unfold t; destruct (Qlt_le_dec limit 1); lra).
@@ -73,33 +67,20 @@ Lemma on_segment_is_crossing s t : avoids s -> lies_on (moved_along x u t) s ->
   crosses_line s = true /\ t == place_of_crossing s.
 Proof.
   intros [source_off target_off] (r & range & x_is & y_is).
-  assert (x_sum : t * vx u == (1 - r) * vx (minus (source s) x) + r * vx (minus (target s) x))
-    by (unfold moved_along, minus in *; cbn [vx] in *; lra).
-  assert (y_sum : t * vy u == (1 - r) * vy (minus (source s) x) + r * vy (minus (target s) x))
-    by (unfold moved_along, minus in *; cbn [vy] in *; lra).
-  assert (balance : (1 - r) * side_of (source s) + r * side_of (target s) == 0).
-  { transitivity (vx u * ((1 - r) * vy (minus (source s) x) + r * vy (minus (target s) x))
-                  - vy u * ((1 - r) * vx (minus (source s) x) + r * vx (minus (target s) x))).
-    - unfold side_of, cross. ring.
-    - rewrite <- x_sum, <- y_sum. ring. }
+  assert (balance : (1 - r) * side_of (source s) + r * side_of (target s) == 0)
+    by (unfold side_of; in_coordinates; by_equations).
   assert (opposite_sides : side_of (source s) * side_of (target s) < 0).
   { set (p := side_of (source s)) in *. set (q := side_of (target s)) in *. clearbody p q.
     destruct (Q_dec p 0) as [[p_neg | p_pos] | ?], (Q_dec q 0) as [[q_neg | q_pos] | ?];
       try contradiction; [exfalso | nra | nra | exfalso].
-    - assert (0 <= (1 - r) * - p) by (apply Qmult_le_0_compat; lra).
-      assert (0 <= r * - q) by (apply Qmult_le_0_compat; lra). nra.
-    - assert (0 <= (1 - r) * p) by (apply Qmult_le_0_compat; lra).
-      assert (0 <= r * q) by (apply Qmult_le_0_compat; lra). nra. }
+    - pose proof (mixed_is_less r p q 0 range p_neg q_neg). lra.
+    - pose proof (mixed_is_more r p q 0 range p_pos q_pos). lra. }
   assert (crossed : crosses_line s = true) by (destruct (crosses_line_spec s); [reflexivity | contradiction]).
   split; [exact crossed |]. pose proof (crossing_not_parallel s crossed) as nonzero_cross.
-  apply (Qmult_inj_r _ _ (cross u (along s))); [exact nonzero_cross |].
-  unfold place_of_crossing.
-  setoid_replace (cross (minus (source s) x) (along s) / cross u (along s)
-                  * cross u (along s)) with (cross (minus (source s) x) (along s))
-    by (field; exact nonzero_cross).
-  transitivity ((t * vx u) * vy (along s) - (t * vy u) * vx (along s));
-    [unfold cross; ring |].
-  rewrite x_sum, y_sum. unfold cross, along, minus. cbn [vx vy]. ring.
+  assert (value : place_of_crossing s * cross u (along s) == cross (minus (source s) x) (along s))
+    by (unfold place_of_crossing; field; exact nonzero_cross).
+  apply (Qmult_inj_r _ _ _ nonzero_cross). clear balance opposite_sides. set (k := place_of_crossing s) in *. clearbody k.
+  in_coordinates. by_equations.
 Qed.
 
 (* The point a part of the way along. *)
@@ -127,26 +108,11 @@ Proof.
     assert (0 <= p * p /\ 0 <= q * q) as [? ?] by (split; nra).
     set (square := (p - q) * (p - q)) in *. clearbody square part. split; nra. }
   destruct range as [after_start before_end]. split; [exact after_start | split; [exact before_end |]].
-  set (e := along s) in *. set (k := place_of_crossing s).
-  assert (k_is : k * cross u e == cross (minus (source s) x) e)
-    by (unfold k, place_of_crossing; fold e; field; exact nonzero_cross).
-  set (from := minus (source s) x) in *.
-  set (gap := Vector (vx from + part * vx e - k * vx u) (vy from + part * vy e - k * vy u)).
-  assert (along_ray : cross u gap == 0).
-  { transitivity (p + part * cross u e); [unfold gap, p, side_of, cross; cbn [vx vy]; fold from; ring |].
-    rewrite across. setoid_replace (p + part * (q - p)) with (p - part * (p - q)) by ring.
-    rewrite part_is. ring. }
-  assert (along_edge : cross gap e == 0).
-  { transitivity (cross from e - k * cross u e); [unfold gap, cross; cbn [vx vy]; ring |].
-    rewrite k_is. ring. }
-  assert (no_gap : vx gap == 0 /\ vy gap == 0).
-  { split; apply (Qmult_inj_l _ _ (cross u e)); trivial.
-    - setoid_replace (cross u e * vx gap) with (vx u * cross gap e + vx e * cross u gap)
-        by (unfold cross; ring). rewrite along_ray, along_edge. ring.
-    - setoid_replace (cross u e * vy gap) with (vy u * cross gap e + vy e * cross u gap)
-        by (unfold cross; ring). rewrite along_ray, along_edge. ring. }
-  destruct no_gap as [x_none y_none]. unfold gap, e, from, along in x_none, y_none.
-  unfold moved_along, inside_segment, minus, equal_vectors in *. cbn [vx vy] in *. split; lra.
+  assert (k_is : place_of_crossing s * cross u (along s) == cross (minus (source s) x) (along s))
+    by (unfold place_of_crossing; field; exact nonzero_cross).
+  set (k := place_of_crossing s) in *. clearbody k part. clear opposite_sides differ after_start before_end across.
+  unfold inside_segment, p, q, side_of in *. in_coordinates.
+  split; apply (Qmult_inj_l _ _ _ nonzero_cross); by_equations.
 Qed.
 
 (* Theorem. If a ray that has no end of some segments on it meets one of them, it meets one first: between its ends,

@@ -67,9 +67,7 @@ Lemma area_of_common_point (s t : segment) (w : vector) (k : Q) :
   (1 - k) * area s (source t) + k * area s (target t) == 0.
 Proof.
   intros (h & _ & wx & wy) X Y.
-  assert (value : (1 - k) * area s (source t) + k * area s (target t) == area s w)
-    by (unfold area, cross, minus; cbn [vx vy]; rewrite X, Y; ring).
-  rewrite value. unfold area, cross, minus; cbn [vx vy]. rewrite wx, wy. ring.
+  in_coordinates. by_equations.
 Qed.
 
 Definition is_end (w : vector) (s : segment) : Prop := equal_vectors w (source s) \/ equal_vectors w (target s).
@@ -80,13 +78,9 @@ Proof.
   intros check on_s (k & [k0 k1] & X & Y). pose proof (area_of_common_point s t w k on_s X Y) as zero_.
   unfold on_one_side in check. set (a := area s (source t)) in *. set (b := area s (target t)) in *. clearbody a b.
   destruct (negative_spec a), (negative_spec b), (negative_spec (- a)), (negative_spec (- b)); try discriminate check;
-    try lra;
-    (destruct (Qlt_le_dec 0 k) as [some | none]; [| assert (k == 0) as k_is by lra; rewrite k_is in zero_; lra]).
-  - assert (0 < k * - b) by (apply Qmult_lt_0_compat; lra).
-    assert (0 <= (1 - k) * - a) by (apply Qmult_le_0_compat; lra).
-    lra.
-  - assert (0 < k * b) by (apply Qmult_lt_0_compat; lra). assert (0 <= (1 - k) * a) by (apply Qmult_le_0_compat; lra).
-    lra.
+    try lra.
+  - pose proof (mixed_is_less k a b 0 (conj k0 k1) ltac:(assumption) ltac:(assumption)). lra.
+  - pose proof (mixed_is_more k a b 0 (conj k0 k1) ltac:(lra) ltac:(lra)). lra.
 Qed.
 
 Lemma one_end_is_common (s t : segment) (w : vector) :
@@ -111,9 +105,7 @@ Proof.
   unfold one_after_the_other in check. cbv zeta in check.
   set (a := dot (along s) (minus (source t) (source s))) in *.
   set (b := dot (along s) (minus (target t) (source s))) in *. set (len := dot (along s) (along s)) in *.
-  assert (some : 0 < len).
-  { unfold len, dot. destruct (Qlt_le_dec 0 (vx (along s) * vx (along s) + vy (along s) * vy (along s))) as [| none];
-      [assumption |]. exfalso. apply long. now apply no_squares. }
+  assert (some : 0 < len) by exact (square_positive _ long).
   assert (where_ : (1 - k) * a + k * b == h * len).
   { assert (by_t : (1 - k) * a + k * b == dot (along s) (minus w (source s)))
       by (unfold a, b, dot, minus; cbn [vx vy]; rewrite X, Y; ring).

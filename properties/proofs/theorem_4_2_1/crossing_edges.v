@@ -19,32 +19,11 @@ Lemma parallel_sums (x : vector) (e f : segment) :
 Proof.
   intros proper_f parallel (a & b & (s & [s0 s1] & ax & ay) & (t & [t0 t1] & bx & by_) & x_is & y_is)
     (not_1 & not_2 & not_3 & not_4).
-  destruct e as [e1 e2], f as [f1 f2]. unfold along, cross, nonzero, plus, minus, lies_on in *.
-  cbn [source target vx vy] in *.
-  set (fx := vx f2 - vx f1) in *. set (fy := vy f2 - vy f1) in *.
-  assert (square : 0 < fx * fx + fy * fy).
-  { destruct (Qlt_le_dec 0 (fx * fx + fy * fy)); [assumption |].
-    exfalso. apply proper_f. now apply no_squares. }
-  set (r := ((vx e2 - vx e1) * fx + (vy e2 - vy e1) * fy) / (fx * fx + fy * fy)).
-  assert (along_x : vx e2 - vx e1 == r * fx).
-  { apply (Qmult_inj_r _ _ (fx * fx + fy * fy)); [lra |].
-    setoid_replace (r * fx * (fx * fx + fy * fy)) with
-      (((vx e2 - vx e1) * fx + (vy e2 - vy e1) * fy) * fx) by (unfold r; field; lra).
-    setoid_replace (((vx e2 - vx e1) * fx + (vy e2 - vy e1) * fy) * fx) with
-      ((vx e2 - vx e1) * (fx * fx + fy * fy) - ((vx e2 - vx e1) * fy - (vy e2 - vy e1) * fx) * fy) by ring.
-    rewrite parallel. ring. }
-  assert (along_y : vy e2 - vy e1 == r * fy).
-  { apply (Qmult_inj_r _ _ (fx * fx + fy * fy)); [lra |].
-    setoid_replace (r * fy * (fx * fx + fy * fy)) with
-      (((vx e2 - vx e1) * fx + (vy e2 - vy e1) * fy) * fy) by (unfold r; field; lra).
-    setoid_replace (((vx e2 - vx e1) * fx + (vy e2 - vy e1) * fy) * fy) with
-      ((vy e2 - vy e1) * (fx * fx + fy * fy) + ((vx e2 - vx e1) * fy - (vy e2 - vy e1) * fx) * fx) by ring.
-    rewrite parallel. ring. }
-  clearbody r.
-  assert (x_value : vx x - vx e1 == vx f1 + (t + s * r) * fx)
-    by (rewrite x_is, ax, bx; unfold fx in *; assert (vx e2 == vx e1 + r * (vx f2 - vx f1)) as -> by lra; ring).
-  assert (y_value : vy x - vy e1 == vy f1 + (t + s * r) * fy)
-    by (rewrite y_is, ay, by_; unfold fy in *; assert (vy e2 == vy e1 + r * (vy f2 - vy f1)) as -> by lra; ring).
+  destruct (multiple_of (along e) (along f) proper_f parallel) as (r & along_x & along_y).
+  destruct e as [e1 e2], f as [f1 f2]. unfold along, plus, minus, lies_on in *. cbn [source target vx vy] in *.
+  clear proper_f parallel. set (fx := vx f2 - vx f1) in *. set (fy := vy f2 - vy f1) in *.
+  assert (x_value : vx x - vx e1 == vx f1 + (t + s * r) * fx) by (unfold fx in *; by_equations).
+  assert (y_value : vy x - vy e1 == vy f1 + (t + s * r) * fy) by (unfold fy in *; by_equations).
   (* Where the ends of e, moved, are along f. *)
   assert (out_1 : ~ 0 <= t + s * r <= 1).
   { intros range. apply not_1. exists (t + s * r). split; [exact range |].
@@ -54,9 +33,7 @@ Proof.
   assert (on_e : forall u k : Q, 0 <= u <= 1 -> u * r == s * r + k ->
             vx x - vx e1 - (vx f1 + (t - k) * fx) == u * (vx e2 - vx e1) /\
             vy x - vy e1 - (vy f1 + (t - k) * fy) == u * (vy e2 - vy e1)).
-  { intros u k _ equal. rewrite x_value, y_value, along_x, along_y. split.
-    - setoid_replace (u * (r * fx)) with (u * r * fx) by ring. rewrite equal. ring.
-    - setoid_replace (u * (r * fy)) with (u * r * fy) by ring. rewrite equal. ring. }
+  { intros u k _ equal. rewrite x_value, y_value, along_x, along_y. split; by_equations. }
   destruct (Qlt_le_dec (t + s * r) 0) as [below | above].
   - assert (r < 0) by nra.
     assert (quotient : t / r * r == t) by (field; lra). set (k := t / r) in *.
@@ -81,14 +58,12 @@ Proof.
   { intros w u v (k & range & X & Y). exists (1 - k). cbn [source target] in *.
     split; [lra |]. split; [rewrite X | rewrite Y]; ring. }
   intros side I on. cbn in I. destruct I as [<- | [<- | [<- | [<- | []]]]].
-  - apply not_3. destruct on as (k & range & X & Y). exists k.
-    unfold plus, minus in *. cbn [source target vx vy] in *. split; [exact range |]. split; lra.
-  - apply not_2. destruct on as (k & range & X & Y). exists k.
-    unfold plus, minus in *. cbn [source target vx vy] in *. split; [exact range |]. split; lra.
-  - apply backwards in on. apply not_4. destruct on as (k & range & X & Y). exists k.
-    unfold plus, minus in *. cbn [source target vx vy] in *. split; [exact range |]. split; lra.
-  - apply backwards in on. apply not_1. destruct on as (k & range & X & Y). exists k.
-    unfold plus, minus in *. cbn [source target vx vy] in *. split; [exact range |]. split; lra.
+  - apply not_3. destruct on as (k & range & X & Y). exists k. cbn in *. split; [exact range |]. split; lra.
+  - apply not_2. destruct on as (k & range & X & Y). exists k. cbn in *. split; [exact range |]. split; lra.
+  - apply backwards in on. apply not_4. destruct on as (k & range & X & Y). exists k. cbn in *.
+    split; [exact range |]. split; lra.
+  - apply backwards in on. apply not_1. destruct on as (k & range & X & Y). exists k. cbn in *.
+    split; [exact range |]. split; lra.
 Qed.
 
 Lemma negative_is_true (u : Q) : u < 0 -> negative u = true.

@@ -50,15 +50,9 @@ Proof.
     set (fa := dot (normal v) (minus from a)) in *. set (ta := dot (normal v) (minus to a)) in *.
     set (au := dot (normal u) (minus a from)) in *. set (bu := dot (normal u) (minus b from)) in *.
     assert (on_segment_line : (1 - t) * fa + t * ta == 0).
-    { transitivity (dot (normal v) (minus (Vector ((1 - t) * vx from + t * vx to)
-                                                  ((1 - t) * vy from + t * vy to)) a)).
-      - unfold fa, ta, dot, normal, minus. cbn [vx vy]. ring.
-      - unfold dot, normal, v, minus. cbn [vx vy]. rewrite <- xt, <- yt, xr, yr. ring. }
+    { unfold fa, ta, u, v, normal in *. in_coordinates. by_equations. }
     assert (on_step_line : (1 - r) * au + r * bu == 0).
-    { transitivity (dot (normal u) (minus (Vector ((1 - r) * vx a + r * vx b)
-                                                  ((1 - r) * vy a + r * vy b)) from)).
-      - unfold au, bu, dot, normal, minus. cbn [vx vy]. ring.
-      - unfold dot, normal, u, minus. cbn [vx vy]. rewrite <- xr, <- yr, xt, yt. ring. }
+    { unfold au, bu, u, v, normal in *. in_coordinates. by_equations. }
     destruct (sides_differ fa ta t range_t on_segment_line from_off to_off) as [apart_ends sign_is].
     destruct (sides_differ au bu r range_r on_step_line a_off b_off) as [apart_sides _].
     assert (fa_is : match fa ?= 0 with Eq => turn_to_shift v | c => c end = (fa ?= 0)) by now destruct (fa ?= 0).
@@ -104,22 +98,8 @@ Theorem crossing_is_that_of_a_shifted_step (from to : vector) (s : segment) :
     signed_crossing_of_step from' to' s = signed_crossing_of_step from to s).
 Proof.
   intros n m.
-  destruct (step_nearby from to s n) as (l1 & p1 & same_crossing).
-  destruct (side_of_segment_nearby from s m) as (l2 & p2 & from_off).
-  destruct (side_of_segment_nearby to s m) as (l3 & p3 & to_off).
-  destruct (ends_leave_the_line from to (source s) n) as (l4 & p4 & source_off).
-  destruct (ends_leave_the_line from to (target s) n) as (l5 & p5 & target_off).
-  exists (Qmin l1 (Qmin (Qmin l2 l3) (Qmin l4 l5))). split; [repeat apply Q.min_glb_lt; assumption |].
-  intros e e_positive small.
-  pose proof (Q.le_min_l l1 (Qmin (Qmin l2 l3) (Qmin l4 l5))).
-  pose proof (Q.le_min_r l1 (Qmin (Qmin l2 l3) (Qmin l4 l5))).
-  pose proof (Q.le_min_l (Qmin l2 l3) (Qmin l4 l5)). pose proof (Q.le_min_r (Qmin l2 l3) (Qmin l4 l5)).
-  pose proof (Q.le_min_l l2 l3). pose proof (Q.le_min_r l2 l3).
-  pose proof (Q.le_min_l l4 l5). pose proof (Q.le_min_r l4 l5).
-  split; [| apply same_crossing; [assumption | lra]].
-  split; [| split; [| split]].
-  - apply from_off; [assumption | lra].
-  - apply to_off; [assumption | lra].
-  - apply source_off; [assumption | lra].
-  - apply target_off; [assumption | lra].
+  refine (eventually_implied _ _ _ (eventually_and _ _ (step_nearby from to s n) (eventually_and _ _
+    (eventually_and _ _ (side_of_segment_nearby from s m) (side_of_segment_nearby to s m))
+    (eventually_and _ _ (ends_leave_the_line from to (source s) n) (ends_leave_the_line from to (target s) n))))).
+  intros e (same_crossing & ([_ from_off] & [_ to_off]) & source_off & target_off). now repeat split.
 Qed.
