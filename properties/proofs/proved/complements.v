@@ -1,10 +1,12 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The complement of a region has its chains, turned: they go round what was outside. That edges belong to it is all that
+(* The complement of a region has its chains, turned: they go round what was outside. That edges belong to it is all
+   that
    there is to prove: near each of their points is one outside. In any frame around a point, an unbounded region is a
    bounded one there. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
 From Oplus Require Import specification convolution signed_crossings regions interiors_meet neighbourhoods theorem_4_2_1
-  specification_bridge collision_is_complete checked_collision sum_program sum_is_right coordinates open_sums turned_chains
+  specification_bridge collision_is_complete checked_collision sum_program sum_is_right coordinates open_sums
+    turned_chains
   inner_fit_program complement_in_a_frame inner_fit_is_right.
 Import ListNotations.
 
@@ -38,7 +40,8 @@ Proof.
   - split; [intros _; left; now exists s | intros _ radius R; now apply (beside s)].
   - split.
     + intros near. right. destruct (winding_number_near _ _ closed free) as (radius & R & same_).
-      destruct (near radius R) as (y & close & out). destruct (same_ (as_vector y) close) as [free_y <-]. now apply A_is.
+      destruct (near radius R) as (y & close & out). destruct (same_ (as_vector y) close) as [free_y <-].
+      now apply A_is.
     + intros [(s & S & on) | number_is] radius R; [destruct (free s S on) |]. exists x.
       split; [unfold is_near; lra | now apply A_is].
 Qed.
@@ -69,7 +72,8 @@ Section Unbounded.
   Hypothesis simple : nowhere_above_one (framed u).
   Let m := size_of (concat u).
 
-  Lemma u_is_in_the_square : 1 <= m /\ forall s, In s (region_edges u) -> in_square m (source s) /\ in_square m (target s).
+  Lemma u_is_in_the_square : 1 <= m /\ forall s, In s (region_edges u) -> in_square m (source s) /\ in_square m
+    (target s).
   Proof.
     destruct (size_is_large (concat u)) as [large all]. split; [exact large | now apply edges_in_square].
   Qed.
@@ -100,7 +104,8 @@ Section Unbounded.
     intros x. unfold turned_region, as_polygonal at 2. rewrite member_of_chains, on_turned, winding_number_of_turned.
     assert (outside : forall y, off (as_vector y) (region_edges u) ->
       (~ unbounded_member y (as_polygonal u) <-> winding_number (as_vector y) (region_edges u) = (-1)%Z)).
-    { intros y free. rewrite unbounded_member_of_chains. destruct (number_of_unbounded _ free) as [number_is | number_is].
+    { intros y free. rewrite unbounded_member_of_chains. destruct (number_of_unbounded _ free) as [number_is |
+        number_is].
       - rewrite number_is. split; [tauto | discriminate].
       - split; [trivial |]. intros _ [(s & S & on) | zero_]; [exact (free s S on) | congruence]. }
     rewrite (closure_of_the_rest _ _ (-1) x (region_cycles _) outside).
@@ -131,7 +136,8 @@ Section Unbounded.
     - split; intros _; left; exists s; (split; [| exact on]); [exact S | apply in_app_iff; now right].
     - destruct (number_of_unbounded _ free) as [number_is | number_is]; rewrite number_is.
       + split; intros _; right; [reflexivity | discriminate].
-      + split; intros [(s & S & on) | wrong]; try (exfalso; exact (free s S on)); try (exfalso; now apply wrong); try discriminate.
+      + split; intros [(s & S & on) | wrong]; try (exfalso; exact (free s S on)); try (exfalso; now apply wrong);
+          try discriminate.
         apply in_app_iff in S. exfalso. destruct S as [S | S]; [exact (apart s S on) | exact (free s S on)].
   Qed.
 End Unbounded.

@@ -370,7 +370,8 @@ Section InnerFit.
       pose proof (Q.le_min_r inner (1 # 2)).
       apply others_are_placements; [unfold in_square, is_near, within in *; to_coordinates; lra |].
       intros [[round _]%inner_point_is _]. apply round.
-      destruct (same_ (as_vector z) (within_smaller _ _ y (as_vector z) (Q.le_min_l inner (1 # 2)) close_z)) as [_ same].
+      destruct (same_ (as_vector z) (within_smaller _ _ y (as_vector z) (Q.le_min_l inner
+        (1 # 2)) close_z)) as [_ same].
       exact (eq_trans same zero_).
     - destruct on_or_round as [(e & E & on) | round]; [destruct (free e E on) |].
       assert (free' : off (as_vector x) (region_edges (map turned_chain inner_chains)))

@@ -1,12 +1,15 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Erosion, opening and closing, of where one region is inside another (inner_fit_program.v). The erosion is what the
-   chains found there go round; the opening is its sum with b, together with b moved along the edges and to the points at
+   chains found there go round; the opening is its sum with b, together with b moved along the edges and to the points
+   at
    which it just fits. Chains that go round something are the only ones that matter, so all are regions by a rule. *)
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List Permutation.
-From Oplus Require Import specification checker convolution signed_crossings shifted_ray small_numbers regions winding_number_of_the_sum
-  meeting_of_segments neighbourhoods interiors_meet left_of_an_edge theorem_4_2_1 homogeneous_points specification_bridge
+From Oplus Require Import specification checker convolution signed_crossings shifted_ray small_numbers regions
+  winding_number_of_the_sum
+  meeting_of_segments neighbourhoods interiors_meet left_of_an_edge theorem_4_2_1 homogeneous_points
+    specification_bridge
   collision_is_complete filling kept_pieces_go_round rule_of_sides region_of_pieces sum_program sum_is_right
-  sum_of_uncovered_pieces open_sum_program open_sums turned_chains inner_fit_program complement_in_a_frame
+  sum_of_uncovered_pieces coordinates open_sum_program open_sums turned_chains inner_fit_program complement_in_a_frame
   regions_by_rule canonical_regions inner_fit_is_right swept_regions.
 Import ListNotations.
 
@@ -16,17 +19,16 @@ Open Scope Q_scope.
 Definition some_nonzero (numbers : list Z) : bool := existsb (fun n => negb (n =? 0)%Z) numbers.
 Definition gone_round : list (list segment) -> polygonal_region := region_by_rule some_nonzero.
 
-Definition erosion (a b : polygonal_region) : polygonal_region :=
-  gone_round [region_edges (as_vectors (fit_chains (inner_fit a b)))].
+Definition areas (f : placements) : polygonal_region := gone_round [region_edges (as_vectors (fit_chains f))].
+Definition erosion (a b : polygonal_region) : polygonal_region := areas (inner_fit a b).
 
 (* Where b just fits: edges, and points as edges from the point to itself. *)
 Definition exact_fits (f : placements) : list segment :=
-  map (fun e => Segment (as_vector (fst e)) (as_vector (snd e))) (fit_edges f) ++
-  map (fun v => Segment (as_vector v) (as_vector v)) (fit_points f).
+  map ends_of (fit_edges f) ++ map (fun v => ends_of (v, v)) (fit_points f).
 
 Definition opening (a b : polygonal_region) : polygonal_region :=
-  gone_round (region_edges (as_region (quick_sum (erosion a b) b)) ::
-    flat_map (swept (as_region b)) (exact_fits (inner_fit a b))).
+  let f := inner_fit a b in
+  gone_round (region_edges (as_region (quick_sum (areas f) b)) :: flat_map (swept (as_region b)) (exact_fits f)).
 
 Definition closing (a b : polygonal_region) : polygonal_region := erosion (quick_sum a b) b.
 
@@ -65,17 +67,11 @@ Lemma on_exact_fits (f : placements) (x : point) :
   (exists s, In s (exact_fits f) /\ lies_on (as_vector x) s) <->
   (exists e, In e (fit_edges f) /\ is_on x e) \/ exists v, In v (fit_points f) /\ equal_points x v.
 Proof.
-  unfold exact_fits. split.
-  - intros (s & [S | S]%in_app_iff & on); apply in_map_iff in S.
-    + destruct S as (e & <- & E). left. now exists e.
-    + destruct S as (v & <- & V), on as (k & _ & X & Y). right. exists v. split; [exact V |].
-      unfold equal_points. cbn in *. split; lra.
-  - intros [(e & E & on) | (v & V & X & Y)].
-    + exists (Segment (as_vector (fst e)) (as_vector (snd e))). split; [| exact on]. apply in_app_iff. left.
-      now apply (in_map (fun e => Segment (as_vector (fst e)) (as_vector (snd e)))).
-    + exists (Segment (as_vector v) (as_vector v)). split.
-      * apply in_app_iff. right. now apply (in_map (fun v => Segment (as_vector v) (as_vector v))).
-      * exists 0. cbn. split; [lra |]. split; lra.
+  unfold exact_fits. setoid_rewrite in_app_iff. setoid_rewrite in_map_iff. split.
+  - intros (s & [(e & <- & E) | (v & <- & V)] & on); [left; now exists e | right].
+    exists v. split; [exact V |]. destruct on as (k & _ & X & Y). unfold ends_of in *. cbn [fst snd] in *. by_computing.
+  - intros [(e & E & on) | (v & V & X & Y)]; [exists (ends_of e); split; [left; now exists e | exact on] |].
+    exists (ends_of (v, v)). split; [right; now exists v |]. unfold ends_of. cbn [fst snd]. at_fraction 0.
 Qed.
 
 Lemma member_of_vectors (x : point) (r : polygonal_region) : member x r <->
@@ -95,7 +91,8 @@ Proof.
   pose proof (Q.le_min_l inner ((1 # 2) * radius)). pose proof (Q.le_min_r inner ((1 # 2) * radius)).
   exists (as_point z). split; [unfold within, is_near in *; cbn in *; lra |].
   assert (free_z : off z edges_) by (intros s S; apply free, in_app_iff; now left).
-  destruct (winding_number_near z edges_ (region_cycles _) free_z) as (r & some & same_). exists r. split; [exact some |].
+  destruct (winding_number_near z edges_ (region_cycles _) free_z) as (r & some & same_). exists r.
+  split; [exact some |].
   intros w close_w. apply member_of_vectors. right. fold edges_. destruct (same_ (as_vector w) close_w) as [_ ->].
   destruct (all_fit (as_point z)) as [in_chains | on_fits].
   - unfold within, is_near in *; cbn in *; lra.
@@ -164,10 +161,13 @@ Section Operations.
     apply erosion_is_the_erosion. now apply right_.
   Qed.
 
-  Local Opaque inner_fit quick_sum erosion.
-
   Let all_families := region_edges (as_region (quick_sum (erosion a b) b)) ::
     flat_map (swept (as_region b)) (exact_fits f).
+
+  Lemma opening_is : opening a b = gone_round all_families.
+  Proof. reflexivity. Qed.
+
+  Local Opaque inner_fit quick_sum erosion.
 
   Lemma in_families (l : list segment) : In l all_families ->
     l = region_edges (as_region (quick_sum (erosion a b) b)) \/
@@ -204,7 +204,7 @@ Section Operations.
   (* Theorem. *)
   Theorem opening_is_the_opening : is_opening a b (opening a b).
   Proof.
-    intros x. transitivity (is_covered_by_b x).
+    intros x. rewrite opening_is. transitivity (is_covered_by_b x).
     2: { split; intros (t & z & place & in_b & equal); exists t, z; (split; [| tauto]);
          now apply places_are. }
     apply (members_of_a_closed_set some_nonzero all_families families_are_closed families_are_long (nothing_is_zero _)).
@@ -216,22 +216,28 @@ Section Operations.
           apply member_by_edges in in_sum. destruct in_sum as [(e & E & on) | round]; [| exact round].
           destruct (free e ltac:(apply in_concat; eexists; split; [now left | exact E]) on).
         * assert (free_s : forall l, In l (swept (as_region b) s) -> off (as_vector y) l).
-          { intros l L e E. apply free, in_concat. exists l. split; [| exact E]. right. apply in_flat_map. now exists s. }
+          { intros l L e E. apply free, in_concat. exists l. split; [| exact E]. right. apply in_flat_map. now exists s.
+            }
           pose proof (proj1 b_region) as long.
           destruct (proj1 (inside_swept _ s long (as_vector y) free_s)) as (l & L & round).
-          { exists (as_vector t), (as_vector z). split; [exact on |]. split; [now apply member_by_edges | exact equal]. }
+          { exists (as_vector t), (as_vector z). split; [exact on |]. split; [now apply member_by_edges | exact equal].
+            }
           exists l. split; [| exact round]. right. apply in_flat_map. now exists s.
-      + intros (l & L & round). assert (free_l : off (as_vector y) l) by (intros e E; apply free, in_concat; now exists l).
+      + intros (l & L & round). assert (free_l : off (as_vector y) l) by (intros e E; apply free, in_concat;
+          now exists l).
         pose proof L as which. apply in_families in which. destruct which as [-> | (s & S & L')].
         * apply sums_are_covered, member_by_edges. now right.
-        * apply (swept_is_covered s y S). pose proof (proj1 b_region) as long. apply inside_swept; trivial; [| now exists l].
-          intros l' L'' e E. apply free, in_concat. exists l'. split; [| exact E]. right. apply in_flat_map. now exists s.
+        * apply (swept_is_covered s y S). pose proof (proj1 b_region) as long.
+          apply inside_swept; trivial; [| now exists l].
+          intros l' L'' e E. apply free, in_concat. exists l'. split; [| exact E]. right. apply in_flat_map.
+          now exists s.
     - intros y t (l & L & T)%in_concat on. apply in_families in L. destruct L as [-> | (s & S & L)].
       + apply sums_are_covered, member_by_edges. left. now exists t.
       + apply (swept_is_covered s y S). exact (on_swept _ s _ l t L T on).
     - intros y (t & z & place & in_b & X & Y) radius R. pose proof b_region as (b_edges & b_numbers & b_meet).
       apply (member_of_region z b b_region) in in_b.
-      destruct (inside_near _ _ radius (regions_are_regular _ b_edges b_numbers b_meet) in_b R) as (w & close & free & some).
+      destruct (inside_near _ _ radius (regions_are_regular _ b_edges b_numbers b_meet) in_b R) as
+        (w & close & free & some).
       destruct (winding_number_near w _ (region_cycles _) free) as (inner & I & near).
       exists (sum_of_points t (as_point w)). cbn in X, Y. split; [unfold within, is_near in *; cbn in *; lra |].
       exists inner. split; [exact I |]. intros v close_v.

@@ -4,7 +4,8 @@
 From Coq Require Import QArith ZArith Bool List Permutation.
 From Oplus Require Import specification convolution regions winding_number_of_the_sum theorem_4_2_1 specification_bridge
   homogeneous_points collision_is_complete checked_collision sum_program sum_of_uncovered_pieces touching_vertices
-  complement_in_a_frame open_sum_program open_sums inner_fit_program inner_fit_is_right polygons canonical_regions simple_rings walked_again
+  complement_in_a_frame open_sum_program open_sums inner_fit_program inner_fit_is_right polygons canonical_regions
+    simple_rings walked_again
   boolean_operations complements openings.
 Import ListNotations.
 
@@ -101,7 +102,8 @@ Qed.
 
 (* The chains of an open region, and of placements, as polygons with holes. *)
 Definition polygons_of_open (s : open_region) : list polygon_with_holes := written_polygons (open_chains s).
-Definition polygons_of_placements (f : placements) : list polygon_with_holes := written_polygons (walked_again (fit_chains f)).
+Definition polygons_of_placements (f : placements) : list polygon_with_holes := written_polygons (walked_again
+  (fit_chains f)).
 
 (* Theorem. They are the chains: the points of placements, and the inner points of an open region, stay. *)
 Theorem canonical_chains_are_the_chains (s : open_region) (f : placements) (x : point) :
@@ -193,7 +195,8 @@ Proof.
     [| apply written_polygons_are_the_region].
   apply chains_in_another_order. unfold region_of_polygons. generalize (written_polygons r). intros all.
   pose proof (partition_permutes (fun p : polygon_with_holes => Qle_bool 0 (twice_the_area (fst p))) all) as permuted.
-  unfold polygon_with_holes in *. destruct (partition _ all). cbn [fst snd] in *. rewrite <- flat_map_app. now apply Permutation_flat_map.
+  unfold polygon_with_holes in *. destruct (partition _ all). cbn [fst snd] in *. rewrite <- flat_map_app.
+  now apply Permutation_flat_map.
 Qed.
 
 Definition proved_complement (p : polygonal_region) : unbounded_polygons :=
@@ -216,7 +219,8 @@ Definition is_covered_unbounded (u : polygonal_region) : bool :=
 Definition proved_complement_of_unbounded (u : polygonal_region) : list polygon_with_holes :=
   written_polygons (walked_again (turned_region (with_touching_vertices (as_region u)))).
 
-(* Theorem. And in any square around x, the unbounded region is the bounded one that has the square as its outer chain. *)
+(* Theorem. And in any square around x, the unbounded region is the bounded one that has the square as its outer chain.
+   *)
 Theorem proved_complement_of_unbounded_is_the_complement (u : polygonal_region) : is_covered_unbounded u = true ->
   is_complement_of_unbounded u (region_of_polygons (proved_complement_of_unbounded u)) /\
   forall k x, - k < x_of x < k -> - k < y_of x < k ->
