@@ -75,26 +75,27 @@ let counted_chain wanted text =
   if count < 3 then refuse_line text.name line (Printf.sprintf "a chain of %d vertices" count) "at least 3";
   turned wanted text (List.init count (fun _ -> point text))
 
-(* Of one component the number of holes may be left out. *)
-let rec dat is_first text =
-  let outer = counted_chain 1 text in
-  if is_first && text.word = "" then [ outer ]
-  else
-    let holes = take_count text in
-    let component = outer :: List.init holes (fun _ -> counted_chain (-1) text) in
-    if text.word = "" then component else component @ dat false text
-
-(* The chain that an unbounded region has not is written as 0 vertices, and so is, alone, what is empty. *)
-let region text =
-  if text.word = "0" then begin
-    advance text;
-    if text.word <> "" then refuse text "an outer chain of 0 vertices" "a bounded region";
-    []
+(* Whether it is unbounded, and its chains. The chain that an unbounded region has not is written as 0 vertices, and so
+   is, alone, what is empty. Of one component the number of holes may be left out. *)
+let rec dat may_be_unbounded is_first text =
+  let is_unbounded = text.word = "0" in
+  let outer = if is_unbounded then begin advance text; [] end else [ counted_chain 1 text ] in
+  if is_first && text.word = "" then (false, outer)
+  else begin
+    if is_unbounded && not may_be_unbounded then refuse text "an outer chain of 0 vertices" "a bounded region";
+    let count = take_count text in
+    let holes = List.init count (fun _ -> counted_chain (-1) text) in
+    let others_are, others =
+      if text.word = "" then (false, []) else dat (may_be_unbounded && not is_unbounded) false text
+    in
+    (is_unbounded || others_are, outer @ holes @ others)
   end
-  else if is_natural text.word then dat true text
-  else wkt text
 
-let read name = read_file name "()," region
+let region may_be_unbounded text =
+  if is_natural text.word then dat may_be_unbounded true text else (false, wkt text)
+
+let read_any name = read_file name "()," (region true)
+let read name = snd (read_file name "()," (region false))
 
 (* As specification.v has it. *)
 let specified region =

@@ -3,4 +3,5 @@
 From Oplus Require Import zarith operations.
 
 Extraction "proved.ml" is_covered has_points proved_sum proved_open_sum proved_no_fit proved_inner_fit proved_union
-  proved_intersection proved_difference polygons_of_open polygons_of_placements.
+  proved_intersection proved_difference proved_erosion proved_opening proved_closing is_covered_unbounded
+  proved_complement proved_complement_of_unbounded polygons_of_open polygons_of_placements.

@@ -86,6 +86,8 @@ Proof.
   intros a I holds. apply none, Exists_exists. now exists a.
 Qed.
 
+Definition as_vectors (r : polygonal_region) : region := map (map as_vector) r.
+
 Section InnerFit.
   Variables a b : polygonal_region.
   Variable m : Q.
@@ -100,8 +102,15 @@ Section InnerFit.
   Let outside := complement_in_frame (5 * m) (as_region a).
   Hypothesis is_open : is_open_sum (as_polygonal outside) (as_polygonal (half_turned (as_region b))) s.
   Let chains := as_region (open_chains s).
-  Hypothesis chains_simple : forall x, off x (region_edges chains) ->
+  Hypothesis chains_region : valid_region chains.
+  Hypothesis chains_simple : nowhere_above_one chains.
+
+  Lemma chains_go_round_once (x : vector) : off x (region_edges chains) ->
     winding_number x (region_edges chains) = 0%Z \/ winding_number x (region_edges chains) = 1%Z.
+  Proof.
+    intros free. destruct chains_region as (_ & not_negative & _). pose proof (not_negative x free).
+    pose proof (chains_simple x free). lia.
+  Qed.
 
   Definition is_placement (x : point) : Prop := forall y, member y b -> member (sum_of_points x y) a.
 
@@ -226,6 +235,9 @@ Section InnerFit.
   Let inner_chains := filter (starts_in (2 * m)) chains.
   Let outer_chains := filter (fun c => negb (starts_in (2 * m) c)) chains.
 
+  Lemma inner_chains_are_among (e : segment) : In e (region_edges inner_chains) -> In e (region_edges chains).
+  Proof. intros (c & [C _]%filter_In & E)%in_flat_map. apply in_flat_map. now exists c. Qed.
+
   Lemma number_of_inner_and_outer (x : vector) :
     winding_number x (region_edges chains) =
     (winding_number x (region_edges inner_chains) + winding_number x (region_edges outer_chains))%Z.
@@ -273,7 +285,7 @@ Section InnerFit.
     destruct open as [inner _]. apply inner_point_is in inner. rewrite as_vector_of_point in inner.
     fold chains in inner. destruct inner as [round free].
     pose proof (number_of_inner_and_outer y) as both. rewrite (nothing_inside_goes_round_outside y far_y) in both.
-    destruct (chains_simple y free); lia.
+    destruct (chains_go_round_once y free); lia.
   Qed.
 
   (* Theorem. *)
@@ -298,7 +310,7 @@ Section InnerFit.
         rewrite (nothing_inside_goes_round_outside _ far) in round. now apply round.
       + intros [inner _]. apply inner_point_is in inner. fold chains in inner. destruct inner as [some free].
         destruct (is_in_square_spec (2 * m) (as_vector x)) as [close | far].
-        * rewrite (outer_chains_go_round _ close) in both. destruct (chains_simple _ free); lia.
+        * rewrite (outer_chains_go_round _ close) in both. destruct (chains_go_round_once _ free); lia.
         * rewrite (nothing_inside_goes_round_outside _ far) in round. now apply round.
       + apply (stays_in_the_square (ends_of e) (as_vector (fst e))); auto using (source_lies_on (ends_of e)).
         intros w. now apply dangling_edges_are_not_open.
@@ -325,18 +337,61 @@ Section InnerFit.
           apply (free_inner f); [| exact on]. apply in_flat_map. exists c. split; [| exact F]. apply filter_In.
           split; [exact C |]. now apply (chain_is_in_or_out c f (as_vector x)); auto.
   Qed.
+
+  Lemma fit_chains_are : as_vectors (fit_chains (placements_in (2 * m) s)) = map turned_chain inner_chains.
+  Proof.
+    cbn [placements_in fit_chains]. unfold as_vectors. rewrite map_map. etransitivity; [| apply map_id]. apply map_ext.
+    intros c. rewrite map_map. etransitivity; [| apply map_id]. apply map_ext. exact as_vector_of_point.
+  Qed.
+
+  Lemma edges_of_the_fit_are_long (t : segment) :
+    In t (region_edges (as_vectors (fit_chains (placements_in (2 * m) s)))) -> nonzero (along t).
+  Proof.
+    rewrite fit_chains_are. intros T. apply (Permutation_in _ (region_edges_of_turned _)), in_map_iff in T.
+    destruct T as (e & <- & E). destruct chains_region as (long & _).
+    pose proof (region_edges_are_directions _ long e (inner_chains_are_among e E)) as e_long.
+    intros [X Y]. apply e_long. by_computing.
+  Qed.
+
+  (* Theorem. Near each point of the chains, the placements have inner points: edges of the chains are beside them. *)
+  Theorem chains_of_the_fit_are_regular (x : point) : member x (fit_chains (placements_in (2 * m) s)) ->
+    closure (interior is_placement) x.
+  Proof.
+    intros in_chains radius R. pose proof in_chains as on_or_round. unfold placements_in in on_or_round.
+    cbn [fit_chains] in on_or_round. rewrite member_of_chains, on_turned in on_or_round.
+    destruct (on_or_off (as_vector x) (region_edges inner_chains)) as [(e & E & on) | free].
+    - pose proof (inner_chains_are_close e _ E on) as close_x.
+      destruct (outside_is_near chains (as_vector x) e (Qmin radius (1 # 2)) chains_region chains_simple
+        (inner_chains_are_among e E) on) as (y & close & free & zero_); [apply Q.min_glb_lt; lra |].
+      pose proof (Q.le_min_r radius (1 # 2)).
+      exists (as_point y). split; [exact (within_smaller _ _ (as_vector x) y (Q.le_min_l radius (1 # 2)) close) |].
+      destruct (winding_number_near y _ (region_cycles chains) free) as (inner & I & same_).
+      exists (Qmin inner (1 # 2)). split; [apply Q.min_glb_lt; lra |]. intros z close_z.
+      pose proof (Q.le_min_r inner (1 # 2)).
+      apply others_are_placements; [unfold in_square, is_near, within in *; to_coordinates; lra |].
+      intros [[round _]%inner_point_is _]. apply round.
+      destruct (same_ (as_vector z) (within_smaller _ _ y (as_vector z) (Q.le_min_l inner
+        (1 # 2)) close_z)) as [_ same].
+      exact (eq_trans same zero_).
+    - destruct on_or_round as [(e & E & on) | round]; [destruct (free e E on) |].
+      assert (free' : off (as_vector x) (region_edges (map turned_chain inner_chains)))
+        by (rewrite off_is, on_turned, <- off_is; exact free).
+      destruct (winding_number_near _ _ (region_cycles _) free') as (inner & I & same_).
+      exists x. split; [unfold is_near; lra |]. exists inner. split; [exact I |]. intros z close_z.
+      refine (proj1 (placements_are_the_inner_fit z) _). left. unfold placements_in. cbn [fit_chains].
+      rewrite member_of_chains. right.
+      destruct (same_ (as_vector z) close_z) as [_ same]. exact (fun zero_ => round (eq_trans (eq_sym same) zero_)).
+  Qed.
 End InnerFit.
 
-(* The winding numbers of a sum are 0 and 1. *)
-Lemma sums_go_round_once (p q : polygonal_region) (x : vector) :
-  valid_region (as_region p) -> valid_region (as_region q) ->
-  winding_number x (region_edges (as_region (quick_sum p q))) = 0%Z \/
-  winding_number x (region_edges (as_region (quick_sum p q))) = 1%Z.
+(* Sums are regions of which one may ask for sums again. *)
+Lemma quick_sum_is_valid (p q : polygonal_region) : valid_region (as_region p) -> valid_region (as_region q) ->
+  valid_region (as_region (quick_sum p q)) /\ nowhere_above_one (as_region (quick_sum p q)).
 Proof.
   intros p_region q_region. pose proof (quick_chains_are (as_region p) (as_region q) p_region q_region) as permuted.
-  unfold quick_sum. cbv zeta in *. set (f := quick_filled _ _) in *. rewrite !(proj2 (written_chains x _)).
+  apply polygonal_is_valid; [now apply (sums_are_valid (as_region p) (as_region q)) |]. intros x _.
   rewrite (winding_number_of_chains (as_region p) (as_region q) _ p_region q_region permuted).
-  destruct (0 <? _)%Z; tauto.
+  destruct (0 <? _)%Z; lia.
 Qed.
 
 Lemma half_turned_is_valid (b : region) : valid_region b -> nowhere_above_one b ->
@@ -350,7 +405,9 @@ Qed.
 Theorem inner_fit_is_the_inner_fit (a b : polygonal_region) :
   valid_region (as_region a) -> nowhere_above_one (as_region a) ->
   valid_region (as_region b) -> nowhere_above_one (as_region b) -> (exists c v, In c b /\ In v c) ->
-  is_inner_fit a b (inner_fit a b).
+  is_inner_fit a b (inner_fit a b) /\
+  (forall t, In t (region_edges (as_vectors (fit_chains (inner_fit a b)))) -> nonzero (along t)) /\
+  forall x, member x (fit_chains (inner_fit a b)) -> closure (interior (is_placement a b)) x.
 Proof.
   intros a_region a_simple b_region b_simple (c & v & C & V). unfold inner_fit. set (size := size_of _).
   destruct (size_is_large (concat (as_region a) ++ concat (as_region b))) as [large all]. fold size in large, all.
@@ -359,12 +416,17 @@ Proof.
   destruct (complement_is_valid (as_region a) size (5 * size)) as [p_region p_simple]; trivial;
     [lra | lra | now apply edges_in_square |].
   destruct (polygonal_is_valid _ p_region p_simple), (half_turned_is_valid _ b_region b_simple).
-  apply placements_are_the_inner_fit; trivial.
-  - intros w W. apply all, in_app_iff. now right.
-  - exists (vector_of (homogeneous v)). apply in_concat. exists (map (fun p => vector_of (homogeneous p)) c).
-    split; [unfold as_region; now apply in_map | now apply (in_map (fun p => vector_of (homogeneous p)))].
-  - now apply open_sum_of_regions_is_the_open_sum.
-  - intros x _. now apply sums_go_round_once.
+  assert (b_fits : forall w, In w (concat (as_region b)) -> in_square size w)
+    by (intros w W; apply all, in_app_iff; now right).
+  assert (b_some : exists w, In w (concat (as_region b))).
+  { exists (vector_of (homogeneous v)). apply in_concat. exists (map (fun p => vector_of (homogeneous p)) c).
+    split; [unfold as_region; now apply in_map | now apply (in_map (fun p => vector_of (homogeneous p)))]. }
+  set (p := as_polygonal (complement_in_frame (5 * size) (as_region a))) in *.
+  set (q := as_polygonal (half_turned (as_region b))) in *.
+  assert (is_open : is_open_sum p q (open_sum_of_regions p q)) by now apply open_sum_of_regions_is_the_open_sum.
+  destruct (quick_sum_is_valid p q) as [s_region s_simple]; trivial.
+  split; [| split]; [now apply placements_are_the_inner_fit | now apply edges_of_the_fit_are_long |
+    now apply chains_of_the_fit_are_regular].
 Qed.
 
 (* Theorem. And what no_fit returns are those where they overlap. *)

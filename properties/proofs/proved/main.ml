@@ -2,7 +2,7 @@
 (* oplus-proved: what is computed by programs that are proved. *)
 
 let help =
-  "Compute Minkowski sums, where regions fit, and unions by a program that is proved\n\
+  "Compute Minkowski sums, where regions fit, unions and complements by a program that is proved\n\
    Usage: oplus-proved COMMAND [OPTIONS] P Q\n\n\
    It is proved in Coq that a point is in the result if and only if it is the sum of a point of P and a point\n\
    of Q, or, of the other commands, a place as is said below. docs/proved.md has what is proved, and what is\n\
@@ -11,9 +11,13 @@ let help =
   \  sum                       the Minkowski sum\n\
   \  nfp                       the no-fit polygon: all x where Q, moved by x, overlaps P\n\
   \  ifp                       the inner-fit polygon: all x where Q, moved by x, is inside P\n\
+  \  erode                     the same without edges and points of its own\n\
+  \  open                      all points of Q where it is moved inside P\n\
+  \  close                     all x where Q, moved by x, is inside the sum, without edges and points of its own\n\
   \  union                     the union of P and Q\n\
   \  intersection              the closure of what is inside both\n\
-  \  difference                the closure of what is inside P and not in Q\n\n\
+  \  difference                the closure of what is inside P and not in Q\n\
+  \  complement                all points outside P, and its boundary; P alone, which may be unbounded\n\n\
    Arguments:\n\
   \  P Q                       regions in WKT, POLYGON, MULTIPOLYGON or EMPTY, or in .dat; numbers are\n\
   \                            integers, decimals (also 1.5e-3) and fractions p/q; - is standard input\n\n\
@@ -21,7 +25,7 @@ let help =
   \  -h,--help                 show this help\n\
   \  --version                 show the version\n\
   \  --trusted                 show what has to be believed, that is, what the proofs are not about\n\
-  \  -o,--output FILE          write the result there, in WKT; by default to standard output\n\
+  \  -o,--output FILE          write the result there, in WKT, an unbounded one in .dat; by default to standard output\n\
   \  --open                    sum the regions' interiors: keeps dangling edges and isolated vertices\n\n\
    Example:\n\
   \  oplus-proved sum p.wkt q.wkt -o sum.wkt\n\n\
@@ -29,46 +33,28 @@ let help =
   \  0  done\n\
   \  2  invalid input or usage, a file that cannot be read or written, or too little memory\n"
 
-let valid name =
-  let region = Regions.specified (Regions.read name) in
-  if Proved.is_covered region then region
-  else
-    Program.refuse
-      (String.escaped name
-       ^ ": not a valid region: edges may meet in vertices only, and holes are inside their outer chain, outside each \
-          other (`oplus sum` says where it is wrong)")
-
-let open_region s = Proved.(Text.set (polygons_of_open s) s.dangling_edges s.isolated_points)
-let open_sum p q = open_region (Proved.proved_open_sum p q)
-let no_fit p q = open_region (Proved.proved_no_fit p q)
-
-let inner_fit p q =
-  if not (Proved.has_points q) then Program.refuse "Q is empty, and fits everywhere; expected a region with points";
-  let f = Proved.proved_inner_fit p q in
-  Text.set (Proved.polygons_of_placements f) f.fit_edges f.fit_points
-
-let polygons operation p q = Text.wkt (operation p q)
-
-let commands =
-  [ ("sum", polygons Proved.proved_sum); ("nfp", no_fit); ("ifp", inner_fit); ("union", polygons Proved.proved_union);
-    ("intersection", polygons Proved.proved_intersection); ("difference", polygons Proved.proved_difference) ]
-
 type arguments = { output : string option; is_open : bool; rest : string list }
 
 let compute { output; is_open; rest } =
   let command, files = match rest with [] -> ("", []) | command :: files -> (command, files) in
-  let operation = if is_open && command = "sum" then Some open_sum else List.assoc_opt command commands in
-  match (operation, files) with
-  | None, _ when command = "" ->
-      Program.refuse (Printf.sprintf "no command; expected %s (see --help)" (String.concat ", " (List.map fst commands)))
-  | None, _ -> Program.refuse (Printf.sprintf "the command '%s' is not known (see --help)" (String.escaped command))
-  | Some operation, [ p; q ] ->
-      if is_open && command <> "sum" then Program.refuse "--open is an option of sum (see --help)";
-      let write = Output.to_file (Option.value output ~default:"-") in
-      let p = valid p in
-      let q = valid q in
+  if is_open && command <> "sum" then Program.refuse "--open is an option of sum (see --help)";
+  let files_are expected = Program.refuse (Printf.sprintf "%d files; expected %s (see --help)" (List.length files) expected) in
+  let to_output () = Output.to_file (Option.value output ~default:"-") in
+  match (command, Commands.operation command is_open, files) with
+  | "", _, _ ->
+      let names = List.map fst Commands.all @ [ "complement" ] in
+      Program.refuse (Printf.sprintf "no command; expected %s (see --help)" (String.concat ", " names))
+  | "complement", _, [ p ] ->
+      let write = to_output () in
+      write (Commands.complement p (Regions.read_any p))
+  | "complement", _, _ -> files_are "P"
+  | _, Some operation, [ p; q ] ->
+      let write = to_output () in
+      let p = Commands.valid p (Regions.read p) in
+      let q = Commands.valid q (Regions.read q) in
       write (operation p q)
-  | Some _, _ -> Program.refuse (Printf.sprintf "%d files; expected P Q (see --help)" (List.length files))
+  | _, Some _, _ -> files_are "P Q"
+  | _, None, _ -> Program.refuse (Printf.sprintf "the command '%s' is not known (see --help)" (String.escaped command))
 
 let rec read arguments = function
   | [] -> { arguments with rest = List.rev arguments.rest }

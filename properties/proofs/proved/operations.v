@@ -1,11 +1,12 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* What oplus-proved computes, and what that is: the one place that says which functions the program is made of.
    Vertices of its regions may touch edges. *)
-From Coq Require Import QArith ZArith Bool List.
+From Coq Require Import QArith ZArith Bool List Permutation.
 From Oplus Require Import specification convolution regions winding_number_of_the_sum theorem_4_2_1 specification_bridge
   homogeneous_points collision_is_complete checked_collision sum_program sum_of_uncovered_pieces touching_vertices
-  complement_in_a_frame open_sum_program open_sums inner_fit_program inner_fit_is_right polygons canonical_regions simple_rings walked_again
-    boolean_operations.
+  complement_in_a_frame open_sum_program open_sums inner_fit_program inner_fit_is_right polygons canonical_regions
+    simple_rings walked_again
+  boolean_operations complements openings.
 Import ListNotations.
 
 (* Whether the theorems are about the region. *)
@@ -79,6 +80,13 @@ Qed.
 Definition has_points (r : polygonal_region) : bool :=
   match concat (prepared_region r) with [] => false | _ => true end.
 
+Lemma has_points_is (r : polygonal_region) : has_points r = true ->
+  exists c v, In c (prepared_region r) /\ In v c.
+Proof.
+  unfold has_points. intros some. destruct (concat (prepared_region r)) as [| v rest] eqn:vertices; [discriminate |].
+  destruct (proj1 (in_concat (prepared_region r) v)) as (c & C & V); [rewrite vertices; now left | now exists c, v].
+Qed.
+
 Definition proved_inner_fit (a b : polygonal_region) : placements := inner_fit (prepared_region a) (prepared_region b).
 
 (* Theorem. *)
@@ -86,17 +94,16 @@ Theorem proved_inner_fit_is_the_inner_fit (a b : polygonal_region) : is_covered 
   has_points b = true -> is_inner_fit a b (proved_inner_fit a b).
 Proof.
   intros a_valid b_valid some x. apply is_covered_is_right in a_valid, b_valid. destruct a_valid, b_valid.
-  unfold proved_inner_fit. etransitivity; [apply (inner_fit_is_the_inner_fit (prepared_region a) (prepared_region b));
-    trivial |].
-  - unfold has_points in some. destruct (concat (prepared_region b)) as [| v rest] eqn:vertices; [discriminate |].
-    destruct (proj1 (in_concat (prepared_region b) v)) as (c & C & V); [rewrite vertices; now left | now exists c, v].
-  - split; intros all y; specialize (all y); unfold prepared_region in *; rewrite !touching_vertices_add_no_points in *;
-      exact all.
+  unfold proved_inner_fit. destruct (inner_fit_is_the_inner_fit (prepared_region a) (prepared_region b)) as [is_fit _];
+    trivial; [now apply has_points_is |].
+  etransitivity; [apply is_fit |]. split; intros all y; specialize (all y); unfold prepared_region in *;
+    rewrite !touching_vertices_add_no_points in *; exact all.
 Qed.
 
 (* The chains of an open region, and of placements, as polygons with holes. *)
 Definition polygons_of_open (s : open_region) : list polygon_with_holes := written_polygons (open_chains s).
-Definition polygons_of_placements (f : placements) : list polygon_with_holes := written_polygons (walked_again (fit_chains f)).
+Definition polygons_of_placements (f : placements) : list polygon_with_holes := written_polygons (walked_again
+  (fit_chains f)).
 
 (* Theorem. They are the chains: the points of placements, and the inner points of an open region, stay. *)
 Theorem canonical_chains_are_the_chains (s : open_region) (f : placements) (x : point) :
@@ -120,11 +127,7 @@ Definition proved_difference : polygonal_region -> polygonal_region -> list poly
 
 Lemma same_closure (A B : point -> Prop) (x : point) : (forall y, A y <-> B y) ->
   (closure (interior A) x <-> closure (interior B) x).
-Proof.
-  intros same. split; intros closure_ radius R; destruct (closure_ radius R) as (y & close & inner & I & all_in);
-    exists y; (split; [exact close |]); exists inner; (split; [exact I |]); intros z near_z;
-    now apply same, all_in.
-Qed.
+Proof. intros same. split; apply more_closure; intros y; apply same. Qed.
 
 (* Theorem. *)
 Theorem proved_booleans_are_right (p q : polygonal_region) : is_covered p = true -> is_covered q = true ->
@@ -142,4 +145,94 @@ Proof.
     intros y. now rewrite same_p, same_q.
   - rewrite (difference_is_the_difference _ _ p_valid q_valid x). apply same_closure.
     intros y. now rewrite same_p, same_q.
+Qed.
+
+(* Erosion, opening and closing, of a region that has points. *)
+Definition proved_erosion : polygonal_region -> polygonal_region -> list polygon_with_holes := of_prepared erosion.
+Definition proved_opening : polygonal_region -> polygonal_region -> list polygon_with_holes := of_prepared opening.
+Definition proved_closing : polygonal_region -> polygonal_region -> list polygon_with_holes := of_prepared closing.
+
+(* Theorem. *)
+Theorem proved_erosion_opening_and_closing_are_right (p q : polygonal_region) :
+  is_covered p = true -> is_covered q = true -> has_points q = true ->
+  is_erosion p q (region_of_polygons (proved_erosion p q)) /\
+  is_opening p q (region_of_polygons (proved_opening p q)) /\
+  is_closing p q (region_of_polygons (proved_closing p q)).
+Proof.
+  intros p_valid q_valid some%has_points_is. apply is_covered_is_right in p_valid, q_valid.
+  destruct p_valid as [p_valid p_simple], q_valid as [q_valid q_simple].
+  assert (same_p : forall y, member y (prepared_region p) <-> member y p) by apply touching_vertices_add_no_points.
+  assert (same_q : forall y, member y (prepared_region q) <-> member y q) by apply touching_vertices_add_no_points.
+  split; [| split]; intros x; (etransitivity; [apply written_polygons_are_the_region |]).
+  - rewrite (erosion_is_the_erosion _ _ p_valid p_simple q_valid q_simple some x). apply same_closure.
+    intros y. unfold is_inside. setoid_rewrite same_p. setoid_rewrite same_q. reflexivity.
+  - rewrite (opening_is_the_opening _ _ p_valid p_simple q_valid q_simple some x).
+    unfold is_inside. setoid_rewrite same_p. setoid_rewrite same_q. reflexivity.
+  - rewrite (closing_is_the_closing _ _ p_valid q_valid q_simple some x). apply same_closure.
+    intros y. unfold is_inside. setoid_rewrite same_p. setoid_rewrite same_q. reflexivity.
+Qed.
+
+(* What is unbounded, as the holes in it, and what is in these. *)
+Definition unbounded_polygons := (list chain * list polygon_with_holes)%type.
+Definition region_of_unbounded (s : unbounded_polygons) : polygonal_region := fst s ++ region_of_polygons (snd s).
+
+Definition written_unbounded (r : polygonal_region) : unbounded_polygons :=
+  let (polygons, holes) := partition (fun p => Qle_bool 0 (twice_the_area (fst p))) (written_polygons r) in
+  (region_of_polygons holes, polygons).
+
+Lemma partition_permutes {A : Type} (f : A -> bool) (l : list A) :
+  Permutation (snd (partition f l) ++ fst (partition f l)) l.
+Proof.
+  induction l as [| a l IH]; [reflexivity |]. cbn [partition]. destruct (partition f l) as [left right].
+  destruct (f a); cbn [fst snd app] in *; [rewrite <- Permutation_middle |]; now constructor.
+Qed.
+
+Lemma written_unbounded_is_the_region (r : polygonal_region) (x : point) :
+  unbounded_member x (region_of_unbounded (written_unbounded r)) <-> unbounded_member x r.
+Proof.
+  rewrite !unbounded_member_is. apply not_iff_compat. unfold written_unbounded, region_of_unbounded.
+  transitivity (is_inner_point x (region_of_polygons (written_polygons r)));
+    [| apply written_polygons_are_the_region].
+  apply chains_in_another_order. unfold region_of_polygons. generalize (written_polygons r). intros all.
+  pose proof (partition_permutes (fun p : polygon_with_holes => Qle_bool 0 (twice_the_area (fst p))) all) as permuted.
+  unfold polygon_with_holes in *. destruct (partition _ all). cbn [fst snd] in *. rewrite <- flat_map_app.
+  now apply Permutation_flat_map.
+Qed.
+
+Definition proved_complement (p : polygonal_region) : unbounded_polygons :=
+  written_unbounded (walked_again (turned_region (as_region (prepared_region p)))).
+
+(* Theorem. *)
+Theorem proved_complement_is_the_complement (p : polygonal_region) : is_covered p = true ->
+  is_complement p (region_of_unbounded (proved_complement p)).
+Proof.
+  intros [valid simple]%is_covered_is_right x. unfold proved_complement.
+  rewrite written_unbounded_is_the_region, unbounded_member_is, (proj2 (walked_again_has_the_points _ x)),
+    <- unbounded_member_is, (turned_region_is_the_complement _ valid simple x).
+  unfold closure, prepared_region. now setoid_rewrite touching_vertices_add_no_points.
+Qed.
+
+(* Whether the theorems are about the unbounded region. *)
+Definition is_covered_unbounded (u : polygonal_region) : bool :=
+  covers_nothing_twice (framed (with_touching_vertices (as_region u))).
+
+Definition proved_complement_of_unbounded (u : polygonal_region) : list polygon_with_holes :=
+  written_polygons (walked_again (turned_region (with_touching_vertices (as_region u)))).
+
+(* Theorem. And in any square around x, the unbounded region is the bounded one that has the square as its outer chain.
+   *)
+Theorem proved_complement_of_unbounded_is_the_complement (u : polygonal_region) : is_covered_unbounded u = true ->
+  is_complement_of_unbounded u (region_of_polygons (proved_complement_of_unbounded u)) /\
+  forall k x, - k < x_of x < k -> - k < y_of x < k ->
+    (member x (map as_point (frame k) :: prepared_region u) <-> unbounded_member x u).
+Proof.
+  intros [valid simple]%covers_nothing_twice_is_right.
+  assert (same : forall x, unbounded_member x (prepared_region u) <-> unbounded_member x u).
+  { intros x. rewrite !unbounded_member_is. apply not_iff_compat, prepared_inner_points. }
+  split.
+  - intros x. unfold proved_complement_of_unbounded.
+    rewrite (proj1 (written_polygons_are_the_region _ x)), (proj1 (walked_again_has_the_points _ x)),
+      (turned_region_is_the_complement_of_unbounded _ valid simple x).
+    change (as_polygonal _) with (prepared_region u). unfold closure. now setoid_rewrite same.
+  - intros k x in_x in_y. rewrite <- same. exact (the_frame_does_not_matter _ valid simple k x in_x in_y).
 Qed.

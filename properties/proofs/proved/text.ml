@@ -42,3 +42,9 @@ let set components edges points =
     let single p = "POINT " ^ list_of point [ p ] in
     let parts = (if region = "" then [] else [ String.trim region ]) @ List.map line edges @ List.map single points in
     "GEOMETRYCOLLECTION " ^ list_of Fun.id parts ^ "\n"
+
+(* An unbounded region: what is in its holes, and these, of a component without an outer chain. *)
+let dat (holes, components) =
+  let chain c = Printf.sprintf "%d\n%s" (List.length c) (String.concat "" (List.map (fun p -> point p ^ "\n") c)) in
+  let chains l = Printf.sprintf "%d\n%s" (List.length l) (String.concat "" (List.map chain l)) in
+  String.concat "" (List.map (fun (outer, holes) -> chain outer ^ chains holes) components) ^ "0\n" ^ chains holes

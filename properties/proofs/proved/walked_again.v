@@ -3,7 +3,7 @@
    round holes of another region do so only after that, once they are turned. The points stay. *)
 From Coq Require Import QArith ZArith Lia Bool List Permutation.
 From Oplus Require Import specification balanced_edges angular_crossings convolution regions specification_bridge
-  homogeneous_points filling sum_is_right walks.
+  filling open_sum_program walks canonical_regions.
 Import ListNotations.
 
 Definition walked_again (r : polygonal_region) : polygonal_region :=
@@ -26,24 +26,20 @@ Proof.
   unfold sum. induction l as [| e l IH]; cbn; lia.
 Qed.
 
-(* Theorem. *)
-Theorem walked_again_has_the_points (r : polygonal_region) (x : point) : member x (walked_again r) <-> member x r.
+Lemma edges_of_chains (r : region) : edges_of_region (map (map as_point) r) = map as_edge (region_edges r).
 Proof.
-  assert (same : r = map (map as_point) (map (map as_vector) r)).
-  { rewrite map_map. rewrite <- (map_id r) at 1. apply map_ext. intros c. rewrite map_map. rewrite <- (map_id c) at 1.
-    apply map_ext. now intros [a b]. }
-  rewrite same at 2. unfold walked_again. set (chains := map (map as_vector) r).
-  pose proof (chains_take_all (length (region_edges chains)) (region_edges chains) (le_n _) (chains_are_balanced chains))
-    as permuted.
-  rewrite !member_of_chains.
-  assert (number_is : winding_number.winding_number (as_vector x) (region_edges (chains_of (length (region_edges chains)) (region_edges chains)))
-    = winding_number.winding_number (as_vector x) (region_edges chains)).
-  { unfold winding_number.winding_number. apply (Permutation_map (winding_number.signed_crossing (as_vector x))) in permuted. revert permuted.
-    generalize (map (winding_number.signed_crossing (as_vector x)) (region_edges chains)).
-    generalize (map (winding_number.signed_crossing (as_vector x))
-      (region_edges (chains_of (length (region_edges chains)) (region_edges chains)))).
-    unfold sum. intros l m permuted. induction permuted; cbn; lia. }
-  rewrite number_is.
-  split; (intros [(s & S & on) | round]; [left; exists s; split; [| exact on] | now right]);
-    [exact (Permutation_in _ permuted S) | exact (Permutation_in _ (Permutation_sym permuted) S)].
+  unfold edges_of_region, region_edges. induction r as [| c r IH]; [reflexivity |]. cbn [map flat_map].
+  rewrite IH, map_app. f_equal. clear IH. destruct c as [| first rest]; [reflexivity |]. unfold edges.
+  cbn [map rotated edges_of_chain]. change [as_point first] with (map as_point [first]). rewrite <- map_app.
+  change (as_point first :: map as_point rest) with (map as_point (first :: rest)).
+  generalize (first :: rest) (rest ++ [first]). intros l. induction l as [| a l IH]; intros [| b m]; [reflexivity .. |].
+  cbn. now rewrite IH.
+Qed.
+
+(* Theorem. *)
+Theorem walked_again_has_the_points (r : polygonal_region) (x : point) :
+  (member x (walked_again r) <-> member x r) /\ (is_inner_point x (walked_again r) <-> is_inner_point x r).
+Proof.
+  apply edges_in_another_order. rewrite <- (as_written r) at 2. unfold walked_again. rewrite !edges_of_chains.
+  apply Permutation_map, chains_take_all; [apply le_n | apply chains_are_balanced].
 Qed.

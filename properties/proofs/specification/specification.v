@@ -114,6 +114,36 @@ Definition is_intersection (p q s : polygonal_region) : Prop :=
 Definition is_difference (p q s : polygonal_region) : Prop :=
   forall x, member x s <-> closure (interior (fun y => member y p /\ ~ member y q)) x.
 
+(* An unbounded region is all that its chains do not go round, and these chains. *)
+Definition unbounded_member (x : point) (r : polygonal_region) : Prop :=
+  (exists e, In e (edges_of_region r) /\ is_on x e) \/ region_winding_number x r = 0%Z.
+
+(* s, unbounded, consists of what is not in p, and of the boundary of that. *)
+Definition is_complement (p s : polygonal_region) : Prop :=
+  forall x, unbounded_member x s <-> closure (fun y => ~ member y p) x.
+
+(* The same of an unbounded p and a bounded s. *)
+Definition is_complement_of_unbounded (p s : polygonal_region) : Prop :=
+  forall x, member x s <-> closure (fun y => ~ unbounded_member y p) x.
+
+(* Where q is inside A: all its points, moved by x, are points of A. *)
+Definition is_inside (q : polygonal_region) (A : point -> Prop) (x : point) : Prop :=
+  forall y, member y q -> A (sum_of_points x y).
+
+(* s consists of the places at which q is inside p, but for edges and points without anything around them. *)
+Definition is_erosion (p q s : polygonal_region) : Prop :=
+  forall x, member x s <-> closure (interior (is_inside q (fun y => member y p))) x.
+
+(* s consists of the points of q at these places. *)
+Definition is_opening (p q s : polygonal_region) : Prop :=
+  forall x, member x s <->
+    exists y z, is_inside q (fun a => member a p) y /\ member z q /\ equal_points x (sum_of_points y z).
+
+(* s consists of the places at which q is inside the sum of p and q, but for edges and points as before. *)
+Definition is_closing (p q s : polygonal_region) : Prop :=
+  forall x, member x s <-> closure (interior (is_inside q (fun y =>
+    exists a b, member a p /\ member b q /\ equal_points y (sum_of_points a b)))) x.
+
 (* A checker is right if it accepts nothing but Minkowski sums, whatever it is given as a certificate. *)
 Definition accepts_only_sums {certificate : Type} (accepts : polygonal_region -> polygonal_region -> polygonal_region -> certificate -> bool) : Prop :=
   forall p q s c, accepts p q s c = true -> is_minkowski_sum p q s.

@@ -21,7 +21,8 @@ from extracted_program import INVALID, INVALID_REGIONS, NUMBERS, ProgramTest, be
 UNIT = f"POLYGON({square(0, 0, 1)})"
 L_SHAPE = "POLYGON((0 0,2 0,2 1,1 1,1 2,0 2,0 0))"
 AROUND = f"POLYGON({square(0, 0, 4)},(1 1,1 3,3 3,3 1,1 1))"
-COMMANDS = ("sum", "sum --open", "nfp", "ifp")
+PLACES = ("erode", "open", "close")
+COMMANDS = ("sum", "sum --open", "nfp", "ifp", *PLACES)
 
 # Names, P and Q, for all commands.
 EXAMPLES = {
@@ -53,6 +54,16 @@ INVALID_CHAINS = {
     "a component inside another": f"MULTIPOLYGON(({square(0, 0, 9)}),({square(1, 1, 1)}))",
     "a component twice": f"MULTIPOLYGON(({square(0, 0, 1)}),({square(0, 0, 1)}))",
 }
+
+# Without an outer chain.
+INVALID_UNBOUNDED = [
+    ("0 1", "the end of the text; expected a number"), ("0 1 2 0 0 1 1", "a chain of 2 vertices; expected at least 3"),
+    ("0 0 3 0 0 1 0", "the end of the text; expected an integer"),
+    ("0 1 4 0 0 2 2 2 0 0 2", "p: not a valid region"),
+    ("0 2 4 0 0 0 2 2 2 2 0 4 1 1 1 3 3 3 3 1", "p: not a valid region"),
+    ("0 2 4 0 0 0 4 4 4 4 0 4 1 1 1 3 3 3 3 1", "p: not a valid region"),
+    ("0 1 4 0 0 0 2 2 2 2 0 4 5 5 6 5 6 6 5 6 0", "p: not a valid region"),
+]
 
 ENDLESS = ["yes", "cat /dev/zero", "tr '\\0' 1 </dev/zero", "printf 'POLYGON(('; tr '\\0' 1 </dev/zero"]
 
@@ -89,7 +100,20 @@ class Test(ProgramTest):
             if command == "sum":
                 right, given = ((self.folder / f"{file}.wkt").read_text() for file in ("right", "given"))
                 self.expect(kind, f"{name}, {command}, as texts", given == right, f"{given}{right}")
+        self.complements(kind, name)
         self.booleans(kind, name)
+
+    def complements(self, kind, name):
+        """As oplus writes them; the complement's complement is the region."""
+        for file in "pq":
+            code, right = self.oplus_says("complement", file, "--format", "dat")
+            self.expect("sets of oplus", f"{name}, complement of {file}", code == 0, right)
+            code, said = self.proved(f"complement {file}")
+            self.expect(kind, f"{name}, complement of {file}", code == 0 and said == right, f"{said}{right}")
+            self.put(outside=right)
+            code, said = self.proved("complement outside")
+            right = self.oplus_says("complement", "outside")[1]
+            self.expect(kind, f"{name}, complement of what is outside {file}", code == 0 and said == right, f"{said}{right}")
 
     def booleans(self, kind, name):
         """The union is oplus's; with what is in both, what is in one only is all of that one."""
@@ -131,9 +155,14 @@ class Test(ProgramTest):
 
     def empty(self):
         self.put(p="POLYGON EMPTY", q=UNIT)
-        for arguments in ("sum p q", "sum q p", "sum --open p q", "sum p p", "nfp p q", "nfp q p", "ifp p q"):
+        for arguments in ("sum p q", "sum q p", "sum --open p q", "sum p p", "nfp p q", "nfp q p", "ifp p q", "erode p q", "open p q",
+                          "close p q"):
             self.expect("empty", arguments, self.proved(arguments) == (0, "POLYGON EMPTY\n"), self.proved(arguments)[1])
-        self.one_line("empty", "ifp q p", self.proved("ifp q p"), "Q is empty, and fits everywhere")
+        for command in ("ifp", *PLACES):
+            self.one_line("empty", command, self.proved(f"{command} q p"), "Q is empty, and fits everywhere")
+        self.put(plane="0\n0\n")
+        for file, right in (("p", "0\n0\n"), ("plane", "POLYGON EMPTY\n")):
+            self.expect("empty", f"complement of {file}", self.proved(f"complement {file}") == (0, right), right)
 
     def numbers(self):
         """Read and written exactly."""
@@ -157,6 +186,11 @@ class Test(ProgramTest):
             for command in COMMANDS:
                 self.one_line("invalid chains", name, self.proved(command + " p q"), "p: not a valid region")
                 self.one_line("invalid chains", name, self.proved(command + " q p"), "p: not a valid region")
+            self.one_line("invalid chains", name, self.proved("complement p"), "p: not a valid region")
+        for text, wanted in INVALID_UNBOUNDED:
+            self.put(p=text)
+            self.one_line("invalid unbounded regions", text, self.proved("complement p"), wanted)
+            self.one_line("invalid unbounded regions", text, self.proved("sum p q"), "an outer chain of 0 vertices")
 
     def endless(self):
         self.put(p=UNIT)
@@ -232,8 +266,10 @@ class Test(ProgramTest):
     def usage(self):
         for arguments, code, wanted in (
                 ("--help", 0, "Usage: oplus-proved"), ("sum -h", 0, "Exit codes:"), ("--version", 0, "oplus-proved 0."),
-                ("", 2, "no command; expected sum, nfp, ifp, union"), ("add p q", 2, "the command 'add' is not known"),
+                ("", 2, "no command; expected sum, nfp, ifp, erode"), ("add p q", 2, "the command 'add' is not known"),
                 ("sum", 2, "0 files; expected P Q"), ("sum p", 2, "1 files; expected P Q"), ("nfp p q r", 2, "3 files"),
+                ("complement", 2, "0 files; expected P (see"), ("complement p q", 2, "2 files; expected P (see"),
+                ("complement /nowhere", 2, "/nowhere: No such file"), ("complement p --open", 2, "--open is an option of sum"),
                 ("sum p q --fast", 2, "the option '--fast' is not known"), ("sum p q -o", 2, "-o takes the name of one file"),
                 ("nfp p q --open", 2, "--open is an option of sum"), ("ifp p q --open", 2, "--open is an option of sum"),
                 ("sum /nowhere p", 2, "/nowhere: No such file"), ("sum / p", 2, "/:1: Is a directory")):
@@ -249,7 +285,8 @@ class Test(ProgramTest):
             self.expect("replacements told", name, code == 0 and f"  Constant {name} =>" in said, said)
         self.expect("replacements told", "Coq's own", "  Constant Z.add =>" in said and "  Inductive positive =>" in said, said)
         self.expect("replacements told", "all", len(re.findall(r"^  (Inlined )?(Constant|Inductive) ", said, re.M)) > 60, said)
-        for source in ("specification.v", "words.ml", "regions.ml", "program.ml", "text.ml", "output.ml", "main.ml"):
+        for source in ("specification.v", "words.ml", "regions.ml", "program.ml", "text.ml", "commands.ml", "output.ml",
+                       "main.ml"):
             self.expect("sources told", source, re.search(rf"^ +\d+  {re.escape(source)}: \w", said, re.M), said)
         extraction = (proofs / "proved/extraction.v").read_text(encoding="utf-8")
         self.expect("extraction", "replaces nothing", not replaced(extraction), replaced(extraction))
