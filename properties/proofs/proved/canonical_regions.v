@@ -99,13 +99,16 @@ Lemma chains_in_another_order (r s : polygonal_region) (x : point) : Permutation
   (member x r <-> member x s) /\ (is_inner_point x r <-> is_inner_point x s).
 Proof. intros permuted. now apply edges_in_another_order, Permutation_flat_map. Qed.
 
+Lemma canonical_polygons_permute (r : polygonal_region) :
+  Permutation (flat_map chains_of_polygon (canonical_polygons r)) (canonical_region r).
+Proof. exact (Permutation_trans (sorted_polygons _) (chains_of_polygons (canonical_region r))). Qed.
+
 (* Theorem. *)
 Theorem canonical_polygons_are_the_region (r : polygonal_region) (x : point) :
   (member x (flat_map chains_of_polygon (canonical_polygons r)) <-> member x r) /\
   (is_inner_point x (flat_map chains_of_polygon (canonical_polygons r)) <-> is_inner_point x r).
 Proof.
-  destruct (chains_in_another_order _ _ x
-    (Permutation_trans (sorted_polygons _) (chains_of_polygons (canonical_region r)))) as [same_points same_inner].
+  destruct (chains_in_another_order _ _ x (canonical_polygons_permute r)) as [same_points same_inner].
   split; [etransitivity; [exact same_points |] | etransitivity; [exact same_inner |]].
   - apply canonical_region_has_the_points.
   - apply canonical_region_has_the_inner_points.

@@ -1,11 +1,11 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* What oplus-proved computes, and what that is: the one place that says which functions the program is made of.
    Vertices of its regions may touch edges. *)
-From Coq Require Import QArith ZArith Bool List.
+From Coq Require Import QArith ZArith Bool List Permutation.
 From Oplus Require Import specification convolution regions winding_number_of_the_sum theorem_4_2_1 specification_bridge
-  homogeneous_points collision_is_complete checked_collision sum_program sum_of_uncovered_pieces touching_vertices
-  complement_in_a_frame open_sum_program open_sums inner_fit_program inner_fit_is_right polygons canonical_regions simple_rings walked_again
-    boolean_operations.
+  homogeneous_points location pieces collision_is_complete checked_collision sum_program sum_of_uncovered_pieces
+  touching_vertices complement_in_a_frame open_sum_program open_sums inner_fit_program inner_fit_is_right polygons
+  canonical_chains canonical_regions simple_rings walked_again boolean_operations.
 Import ListNotations.
 
 (* Whether the theorems are about the region. *)
@@ -34,6 +34,22 @@ Lemma written_polygons_are_the_region (r : polygonal_region) (x : point) :
   (is_inner_point x (flat_map chains_of_polygon (written_polygons r)) <-> is_inner_point x r).
 Proof.
   split; (etransitivity; [apply canonical_polygons_are_the_region | apply simple_rings_have_the_points]).
+Qed.
+
+(* Theorem. Of three vertices in a row, the first ones following the last, none is inside the edge that the others
+   would have. *)
+Theorem written_chains_are_straight (r : polygonal_region) (c before after : chain) (a v b : point) :
+  In c (flat_map chains_of_polygon (written_polygons r)) -> c ++ c = before ++ a :: v :: b :: after ->
+  is_on v (a, b) -> equal_points v a \/ equal_points v b.
+Proof.
+  intros C twice on. apply (Permutation_in _ (canonical_polygons_permute (simple_rings r))) in C.
+  apply in_map_iff in C. destruct C as (d & <- & D). apply in_map_iff in D. destruct D as (e & <- & _).
+  apply (f_equal (map as_vector)) in twice.
+  rewrite !map_app, map_map, (map_ext _ (fun u => u)), map_id in twice by (now intros []).
+  apply canonical_chain_is_straight in twice. unfold is_between_ends in twice.
+  destruct (is_on_spec (as_vector v) (Segment (as_vector a) (as_vector b))) as [_ | off_]; [| destruct (off_ on)].
+  destruct (same_point_spec (as_vector v) (as_vector a)) as [equal | _]; [now left |].
+  destruct (same_point_spec (as_vector v) (as_vector b)) as [equal | _]; [now right | discriminate].
 Qed.
 
 (* The sum, as polygons with holes. *)
