@@ -138,22 +138,6 @@ Proof.
 Qed.
 
 (* From here on: no vertex is left inside a straight line. *)
-Lemma is_between (v a b : vector) : is_between_ends v a b = true <-> ~ equal_vectors a b /\ exists k, 0 < k < 1 /\
-  vx v == (1 - k) * vx a + k * vx b /\ vy v == (1 - k) * vy a + k * vy b.
-Proof.
-  split.
-  - intros between_. destruct (is_between_ends_is v a b between_) as (k & range & X & Y). split; [| now exists k].
-    intros [same_x same_y]. unfold is_between_ends in between_.
-    destruct (same_point_spec v a) as [| differ]; [now rewrite andb_false_r in between_ |].
-    apply differ. rewrite <- same_x in X. rewrite <- same_y in Y. split; lra.
-  - intros (long & k & range & X & Y). unfold is_between_ends.
-    destruct (is_on_spec v (Segment a b)) as [_ | off_]; [| exfalso; apply off_; exists k; split; [lra | now split]].
-    destruct (same_point_spec v a) as [[x_is y_is] |], (same_point_spec v b) as [[x_is' y_is'] |]; try reflexivity;
-      exfalso; apply long; rewrite X in *; rewrite Y in *.
-    1, 2: split; apply (Qmult_inj_r _ _ k); lra.
-    split; apply (Qmult_inj_r _ _ (1 - k)); lra.
-Qed.
-
 (* Four points in line. *)
 Lemma between_in_line (a b c d : vector) : is_between_ends c b d = true ->
   (is_between_ends a b c = true -> is_between_ends a b d = true) /\
