@@ -1,5 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Chains in canonical form (reference/definitions/values.hpp): no vertex is between the two beside it, and the first one
+(* Chains in canonical form (reference/definitions/values.hpp): no vertex is between the two beside it, and the first
+one
    is the smallest, which therefore is between no others: so one walk along the chain finds all to leave out. The points
    of a region and all winding numbers stay what they were, since two edges in line have the points of one. That
    chains turn clockwise most is in walks.v. *)
@@ -97,11 +98,6 @@ Section Alike.
   Qed.
 End Alike.
 
-Lemma path_of_both (l m : list vector) (z : vector) : path (l ++ m) z = path l (hd z m) ++ path m z.
-Proof.
-  induction l as [| a l IH]; [reflexivity |]. cbn [app path]. rewrite IH. f_equal. f_equal. now destruct l.
-Qed.
-
 Lemma edges_of_rotation (a b : list vector) : Permutation (edges (b ++ a)) (edges (a ++ b)).
 Proof.
   destruct a as [| v a]; [now rewrite app_nil_r |]. destruct b as [| w b]; [now rewrite app_nil_r |].
@@ -126,7 +122,8 @@ Proof. destruct c as [| first rest]; [now exists [], [] | apply (starts_at _ _ [
 Lemma canonical_chain_is_alike (x : vector) (c : list vector) : alike_from x (edges (canonical_chain c)) (edges c).
 Proof.
   apply (alike_transitive x _ _ _ (straight_chain_is_alike x _)).
-  destruct (from_smallest_is_a_rotation c) as (a & b & c_is & ->). rewrite c_is. apply alike_permuted, edges_of_rotation.
+  destruct (from_smallest_is_a_rotation c) as (a & b & c_is & ->). rewrite c_is. apply alike_permuted,
+    edges_of_rotation.
 Qed.
 
 (* Theorem. *)
@@ -157,8 +154,10 @@ Proof.
     + intros [X Y]. apply long'. rewrite cx' in X. rewrite cy' in Y.
       split; apply (Qmult_inj_l _ _ (s + (1 - s) * t)); lra.
     + exists k. split; [exact range |].
-      setoid_replace ((1 - k) * vx a + k * vx c) with (vx a + k * (s + (1 - s) * t) * (vx d - vx a)) by (rewrite cx'; ring).
-      setoid_replace ((1 - k) * vy a + k * vy c) with (vy a + k * (s + (1 - s) * t) * (vy d - vy a)) by (rewrite cy'; ring).
+      setoid_replace ((1 - k) * vx a + k * vx c) with (vx a + k * (s + (1 - s) * t) * (vx d - vx a)) by (rewrite cx';
+        ring).
+      setoid_replace ((1 - k) * vy a + k * vy c) with (vy a + k * (s + (1 - s) * t) * (vy d - vy a)) by (rewrite cy';
+        ring).
       rewrite value, sx, sy. split; ring.
 Qed.
 

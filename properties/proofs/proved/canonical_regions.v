@@ -1,13 +1,17 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Regions in canonical form, as oplus writes them: canonical chains (canonical_chains.v), and polygons with their holes
-   (polygons.v) in order. The points of a region stay, and so do its inner points. *)
+(* Regions in canonical form, as oplus writes them: rings (simple_rings.v) that are canonical chains
+(canonical_chains.v),
+   and polygons with their holes (polygons.v) in order. The points of a region stay, and so do its inner points. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation Orders Mergesort.
 From Oplus Require Import specification direction winding_number in_out_degree regions specification_bridge pieces
-  sum_program sum_is_right inner_fit_is_right open_sums polygons canonical_chains.
+  sum_program sum_is_right inner_fit_is_right open_sums polygons simple_rings canonical_chains.
 Import ListNotations.
 
+(* Chains that go the edges of the region. *)
+Definition written_chains (r : region) : region := map canonical_chain (simple_rings r).
+
 Definition canonical_region (r : polygonal_region) : polygonal_region :=
-  map (map as_point) (map canonical_chain (map (map as_vector) r)).
+  map (map as_point) (written_chains (map (map as_vector) r)).
 
 Lemma as_written (r : polygonal_region) : map (map as_point) (map (map as_vector) r) = r.
 Proof.
@@ -15,22 +19,20 @@ Proof.
   apply map_ext. now intros [a b].
 Qed.
 
-(* Theorem. *)
-Theorem canonical_region_has_the_points (r : polygonal_region) (x : point) : member x (canonical_region r) <-> member
-  x r.
+Lemma written_chains_go_the_same (x : vector) (r : region) :
+  alike_from x (region_edges (written_chains r)) (region_edges r).
 Proof.
-  rewrite <- (as_written r) at 2. unfold canonical_region. rewrite !member_of_chains.
-  destruct (canonical_chains_are_alike (as_vector x) (map (map as_vector) r)) as [on number_is].
-  now rewrite on, number_is.
+  apply (alike_transitive x _ _ _ (canonical_chains_are_alike x (simple_rings r))).
+  apply alike_permuted, simple_rings_have_the_edges.
 Qed.
 
 (* Theorem. *)
-Theorem canonical_region_has_the_inner_points (r : polygonal_region) (x : point) :
-  is_inner_point x (canonical_region r) <-> is_inner_point x r.
+Theorem canonical_region_has_the_points (r : polygonal_region) (x : point) :
+  (member x (canonical_region r) <-> member x r) /\ (is_inner_point x (canonical_region r) <-> is_inner_point x r).
 Proof.
-  rewrite <- (as_written r) at 2. unfold canonical_region. rewrite !inner_point_of_chains.
-  destruct (canonical_chains_are_alike (as_vector x) (map (map as_vector) r)) as [on number_is].
-  rewrite number_is. split; intros [round free]; (split; [exact round |]); intros s S on_s.
+  rewrite <- (as_written r) at 2 4. unfold canonical_region. rewrite !member_of_chains, !inner_point_of_chains.
+  destruct (written_chains_go_the_same (as_vector x) (map (map as_vector) r)) as [on number_is].
+  rewrite on, number_is. split; [reflexivity |]. split; intros [round free]; (split; [exact round |]); intros s S on_s.
   - destruct (proj2 on) as (t & T & on_t); [now exists s | exact (free t T on_t)].
   - destruct (proj1 on) as (t & T & on_t); [now exists s | exact (free t T on_t)].
 Qed.
@@ -82,7 +84,8 @@ Proof.
 Qed.
 
 (* Points depend on edges, in any order. *)
-Lemma edges_in_another_order (r s : polygonal_region) (x : point) : Permutation (edges_of_region r) (edges_of_region s) ->
+Lemma edges_in_another_order (r s : polygonal_region) (x : point) : Permutation (edges_of_region r) (edges_of_region
+  s) ->
   (member x r <-> member x s) /\ (is_inner_point x r <-> is_inner_point x s).
 Proof.
   intros edges_are.
@@ -109,7 +112,5 @@ Theorem canonical_polygons_are_the_region (r : polygonal_region) (x : point) :
   (is_inner_point x (flat_map chains_of_polygon (canonical_polygons r)) <-> is_inner_point x r).
 Proof.
   destruct (chains_in_another_order _ _ x (canonical_polygons_permute r)) as [same_points same_inner].
-  split; [etransitivity; [exact same_points |] | etransitivity; [exact same_inner |]].
-  - apply canonical_region_has_the_points.
-  - apply canonical_region_has_the_inner_points.
+  rewrite same_points, same_inner. apply canonical_region_has_the_points.
 Qed.

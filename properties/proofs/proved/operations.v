@@ -5,7 +5,7 @@ From Coq Require Import QArith ZArith Bool List Permutation.
 From Oplus Require Import specification convolution regions winding_number_of_the_sum theorem_4_2_1 specification_bridge
   homogeneous_points location pieces collision_is_complete checked_collision sum_program sum_of_uncovered_pieces
   touching_vertices complement_in_a_frame open_sum_program open_sums inner_fit_program inner_fit_is_right polygons
-  canonical_chains canonical_regions simple_rings walked_again boolean_operations.
+  canonical_chains canonical_regions walked_again boolean_operations written_regions.
 Import ListNotations.
 
 (* Whether the theorems are about the region. *)
@@ -27,14 +27,9 @@ Proof.
 Qed.
 
 (* Results as files have them. *)
-Definition written_polygons (r : polygonal_region) : list polygon_with_holes := canonical_polygons (simple_rings r).
+Definition written_polygons : polygonal_region -> list polygon_with_holes := canonical_polygons.
 
-Lemma written_polygons_are_the_region (r : polygonal_region) (x : point) :
-  (member x (flat_map chains_of_polygon (written_polygons r)) <-> member x r) /\
-  (is_inner_point x (flat_map chains_of_polygon (written_polygons r)) <-> is_inner_point x r).
-Proof.
-  split; (etransitivity; [apply canonical_polygons_are_the_region | apply simple_rings_have_the_points]).
-Qed.
+Definition written_polygons_are_the_region := canonical_polygons_are_the_region.
 
 (* Theorem. Of three vertices in a row, the first ones following the last, none is inside the edge that the others
    would have. *)
@@ -42,7 +37,7 @@ Theorem written_chains_are_straight (r : polygonal_region) (c before after : cha
   In c (flat_map chains_of_polygon (written_polygons r)) -> c ++ c = before ++ a :: v :: b :: after ->
   is_on v (a, b) -> equal_points v a \/ equal_points v b.
 Proof.
-  intros C twice on. apply (Permutation_in _ (canonical_polygons_permute (simple_rings r))) in C.
+  intros C twice on. apply (Permutation_in _ (canonical_polygons_permute r)) in C.
   apply in_map_iff in C. destruct C as (d & <- & D). apply in_map_iff in D. destruct D as (e & <- & _).
   apply (f_equal (map as_vector)) in twice.
   rewrite !map_app, map_map, (map_ext _ (fun u => u)), map_id in twice by (now intros []).
@@ -112,7 +107,8 @@ Qed.
 
 (* The chains of an open region, and of placements, as polygons with holes. *)
 Definition polygons_of_open (s : open_region) : list polygon_with_holes := written_polygons (open_chains s).
-Definition polygons_of_placements (f : placements) : list polygon_with_holes := written_polygons (walked_again (fit_chains f)).
+Definition polygons_of_placements (f : placements) : list polygon_with_holes := written_polygons (walked_again
+  (fit_chains f)).
 
 (* Theorem. They are the chains: the points of placements, and the inner points of an open region, stay. *)
 Theorem canonical_chains_are_the_chains (s : open_region) (f : placements) (x : point) :
@@ -158,4 +154,25 @@ Proof.
     intros y. now rewrite same_p, same_q.
   - rewrite (difference_is_the_difference _ _ p_valid q_valid x). apply same_closure.
     intros y. now rewrite same_p, same_q.
+Qed.
+
+(* Theorem. What is written of these is accepted again; of the sets that are open, their chains are. *)
+Theorem results_are_covered (p q : polygonal_region) : is_covered p = true -> is_covered q = true ->
+  forall polygons, In polygons [proved_sum p q; polygons_of_open (proved_open_sum p q); polygons_of_open
+    (proved_no_fit p q);
+    proved_union p q; proved_intersection p q; proved_difference p q] ->
+  is_covered (region_of_polygons polygons) = true.
+Proof.
+  intros p_valid q_valid polygons. apply is_covered_is_right in p_valid, q_valid.
+  destruct p_valid as [p_valid _], q_valid as [q_valid q_above].
+  pose proof (two_are_closed (prepared_region p) (prepared_region q)) as closed.
+  pose proof (two_are_long (prepared_region p) (prepared_region q) p_valid q_valid) as long.
+  pose proof (half_turned_is_valid _ q_valid q_above) as [turned _].
+  unfold is_covered, region_of_polygons. intros [<- | [<- | [<- | [<- | [<- | [<- | []]]]]]].
+  - exact (written_sums_are_accepted _ _ p_valid q_valid).
+  - exact (written_sums_are_accepted _ _ p_valid q_valid).
+  - exact (written_sums_are_accepted _ _ p_valid turned).
+  - exact (written_regions_by_rule_are_accepted some_positive _ closed long eq_refl).
+  - exact (written_regions_by_rule_are_accepted all_positive _ closed long eq_refl).
+  - exact (written_regions_by_rule_are_accepted first_positive _ closed long eq_refl).
 Qed.

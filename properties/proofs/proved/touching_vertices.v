@@ -120,17 +120,11 @@ Proof.
     + rewrite (crossing_divided v a b x between_), <- number_of_rest. reflexivity.
 Qed.
 
-Lemma edges_are_a_path (chain : list vector) (a : vector) : edges (a :: chain) = path (a :: chain) a.
-Proof. rewrite path_is. reflexivity. Qed.
-
 Lemma divided_path (vertices : list vector) (z : vector) (chain : list vector) :
   path (flat_map (vertices_along vertices) (path chain z)) z =
   flat_map (fun e => path (vertices_along vertices e) (target e)) (path chain z).
 Proof.
-  assert (joined : forall l m y, path (l ++ m) y = path l (hd y m) ++ path m y).
-  { induction l as [| a l IH]; intros m y; [reflexivity |]. cbn [app path]. rewrite IH. f_equal. f_equal.
-    destruct l; [reflexivity |]. reflexivity. }
-  induction chain as [| a chain IH]; [reflexivity |]. cbn [path flat_map]. rewrite joined, IH. f_equal. f_equal.
+  induction chain as [| a chain IH]; [reflexivity |]. cbn [path flat_map]. rewrite path_of_both, IH. f_equal. f_equal.
   destruct chain as [| b chain]; reflexivity.
 Qed.
 

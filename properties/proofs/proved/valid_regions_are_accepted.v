@@ -25,7 +25,8 @@ Qed.
 Lemma pair_at_position {A : Type} (R : A -> A -> Prop) (s t : A) (later earlier : list A) :
   (forall a b, R a b -> R b a) -> ForallOrdPairs R (earlier ++ s :: later) -> In t (earlier ++ later) -> R s t.
 Proof.
-  intros sym. induction earlier as [| a earlier IH]; intros pairs T; cbn [app] in *; inversion pairs as [| ? ? first rest];
+  intros sym. induction earlier as [| a earlier IH]; intros pairs T; cbn [app] in *; inversion pairs as [| ? ? first
+    rest];
     subst; rewrite Forall_forall in first; [now apply first |].
   destruct T as [<- | T]; [| now apply IH]. apply sym, first, in_elt.
 Qed.
@@ -68,13 +69,15 @@ Proof.
       assert (k_is : k == c).
       { unfold k, dot. rewrite cx, cy. unfold len, dot in *. field. lra. }
       rewrite k_is. unfold minus in cx, cy; cbn [vx vy] in cx, cy. split; lra. }
-    destruct (places (source t) line_1) as [ax ay], (places (target t) line_2) as [bx by_]. fold a in ax, ay. fold b in bx, by_.
+    destruct (places (source t) line_1) as [ax ay], (places (target t) line_2) as [bx by_]. fold a in ax, ay. fold b
+      in bx, by_.
     assert (a_is : a / len * len == a) by (field; lra). assert (b_is : b / len * len == b) by (field; lra).
     set (j := a / len) in *. set (k := b / len) in *. clearbody j k len.
     assert (differ : ~ j == k).
     { intros same. apply long_t. unfold along, minus. cbn [vx vy]. rewrite ax, ay, bx, by_, same. split; ring. }
     assert (overlap : forall m, 0 < m < 1 -> (j < m < k \/ k < m < j) -> False).
-    { intros m range between_. apply (none (Vector (vx (source s) + m * vx (along s)) (vy (source s) + m * vy (along s)))).
+    { intros m range between_. apply (none (Vector (vx (source s) + m * vx (along s)) (vy (source s) + m * vy (along
+      s)))).
       - exists m. split; [exact range |]. unfold along, minus. cbn [vx vy]. split; ring.
       - assert (some : ~ k - j == 0) by lra. exists ((m - j) / (k - j)).
         assert (value : (m - j) / (k - j) * (k - j) == m - j) by (field; exact some).
@@ -95,15 +98,19 @@ Proof.
   - (* the ends of t are on two sides of s; so are those of s, and they cross *)
     exfalso. destruct (negative_spec (area s (source t))), (negative_spec (- area s (source t))),
       (negative_spec (area s (target t))), (negative_spec (- area s (target t))); try discriminate one; try lra.
-    all: destruct (zero_spec (area t (source s))) as [on_1 | beside_1], (zero_spec (area t (target s))) as [on_2 | beside_2];
+    all: destruct (zero_spec (area t (source s))) as [on_1 | beside_1], (zero_spec (area t (target s))) as [on_2 |
+      beside_2];
       try discriminate four.
-    all: try (apply off_1; destruct (is_a_multiple (along t) (minus (source s) (source t)) long_t on_1) as (c & cx & cy);
+    all: try (apply off_1; destruct (is_a_multiple (along t) (minus (source s) (source t)) long_t on_1) as (c & cx &
+      cy);
       destruct (is_a_multiple (along t) (minus (target s) (source t)) long_t on_2) as (d & dx & dy);
       unfold area, cross, along, minus in *; cbn [vx vy] in *; nra).
     all: destruct (negative_spec (area t (source s))), (negative_spec (- area t (source s))),
       (negative_spec (area t (target s))), (negative_spec (- area t (target s))); try discriminate two; try lra.
-    all: destruct (proper_crossing s t) as (w & in_s & in_t & _); [| apply (none w in_s); now apply strictly_inside_lies_on].
-    all: unfold cross_properly; rewrite !orientation_by_area; destruct s as [s1 s2], t as [t1 t2]; cbn [source target] in *.
+    all: destruct (proper_crossing s t) as (w & in_s & in_t & _); [| apply (none w in_s); now apply
+      strictly_inside_lies_on].
+    all: unfold cross_properly; rewrite !orientation_by_area; destruct s as [s1 s2], t as [t1 t2]; cbn [source
+      target] in *.
     all: compared_numbers (area (Segment s1 s2) t1 ?= 0); compared_numbers (area (Segment s1 s2) t2 ?= 0);
       compared_numbers (area (Segment t1 t2) s1 ?= 0); compared_numbers (area (Segment t1 t2) s2 ?= 0);
       try reflexivity; exfalso; lra.
@@ -117,7 +124,8 @@ Proof.
   intros long. induction l as [| v l IH]; intros a on less all order; [reflexivity |].
   destruct order as [first rest].
   destruct (all v (or_introl eq_refl)) as (on_v & after_a & before_end). cbn [are_in_order]. apply andb_true_iff. split.
-  - apply is_between. destruct (fraction_on s a long on) as (_ & ax & ay), (fraction_on s v long on_v) as (_ & bx & by_).
+  - apply is_between. destruct (fraction_on s a long on) as (_ & ax & ay), (fraction_on s v long on_v) as (_ & bx &
+    by_).
     set (j := fraction s a) in *. set (k := fraction s v) in *. clearbody j k. split.
     + intros [X Y]. apply long. unfold along, minus. cbn [vx vy]. rewrite ax in X. rewrite ay in Y.
       split; apply (Qmult_inj_l _ _ (1 - j)); lra.
@@ -195,7 +203,8 @@ Proof.
   - cbn [path hd]. assert (long : nonzero (along (Segment a b))).
     { intros [X Y]. apply long_. unfold along, minus in *; cbn [source target vx vy] in *. split; lra. }
     split; [| constructor; constructor]. intros s [<- | []]. split; [exact long |]. split; [trivial |].
-    split; [now left |]. intros v [-> | [-> | []]] inside_; destruct (ends_are_not_inside _ _ long inside_) as [no_a no_b];
+    split; [now left |]. intros v [-> | [-> | []]] inside_; destruct (ends_are_not_inside _ _ long inside_) as [no_a
+      no_b];
       [apply no_a | apply no_b]; split; reflexivity.
   - cbn [are_in_order] in order. apply andb_true_iff in order. destruct order as [between_ order].
     pose proof (is_between v a b) as facts. rewrite between_ in facts. destruct facts as [facts _].
@@ -236,7 +245,8 @@ Qed.
 
 (* Theorem. The test accepts a valid region whose winding numbers are at most 1, if no vertex is inside an edge. *)
 Theorem clear_regions_are_accepted (s : region) : valid_region s -> nowhere_above_one s ->
-  (forall t, In t (region_edges s) -> forall w, strictly_inside w t -> ~ is_vertex w s) -> covers_nothing_twice s = true.
+  (forall t, In t (region_edges s) -> forall w, strictly_inside w t -> ~ is_vertex w s) -> covers_nothing_twice s =
+    true.
 Proof.
   intros (not_points & not_negative & meet) above clear_.
   assert (long : forall t, In t (region_edges s) -> nonzero (along t))
@@ -244,7 +254,8 @@ Proof.
   assert (number_is : forall t, In t (region_edges s) ->
     winding_number_shifted (right_of_middle t) (region_edges s) = 0%Z).
   { intros t T. pose proof (long t T) as long_t.
-    destruct (right_value_of_the_middle s t meet T long_t (fun k w range X Y => clear_ t T w (ex_intro _ k (conj range (conj X Y))))) as (radius & R & value).
+    destruct (right_value_of_the_middle s t meet T long_t (fun k w range X Y => clear_ t T w (ex_intro _ k (conj
+      range (conj X Y))))) as (radius & R & value).
     set (n := Vector (- vy (along t)) (vx (along t))). pose proof (left_normal t long_t) as turn. fold n in turn.
     assert (range : 0 < 1 # 2 < 1) by lra. pose proof (strictly_inside_at t (1 # 2) range) as inside_.
     destruct (eventually_and _ _ (left_is_one_more s t (point_at t (1 # 2)) n meet T
@@ -265,7 +276,8 @@ Proof.
       exact (clear_ t T w inside_ (common w (strictly_inside_lies_on _ _ inside_) on)). }
     assert (pairs : ForallOrdPairs (fun t u => forall w, lies_on w t -> lies_on w u -> is_vertex w s) (region_edges s)).
     { apply pairs_by_position. intros earlier t later u is_ U w. now apply (meet earlier t later u w). }
-    revert pairs all. generalize (region_edges s). intros l pairs. induction pairs as [| t l first _ IH]; [reflexivity |].
+    revert pairs all. generalize (region_edges s). intros l pairs. induction pairs as [| t l first _ IH];
+      [reflexivity |].
     intros all. cbn [all_pairs]. apply andb_true_iff. split; [| apply IH; intros; apply all; cbn; tauto].
     rewrite Forall_forall in first. apply forallb_forall. intros u U.
     apply all; [now left | now right | now apply first].
@@ -345,7 +357,8 @@ Proof.
     - exists k. rewrite <- ex, <- ey. tauto. }
   assert (meet_s : edges_meet_in_vertices s).
   { intros earlier t later u w is_ U. rewrite is_ in pairs. revert w.
-    refine (pair_at_position (fun t u => forall w, lies_on w t -> lies_on w u -> is_vertex w s) t u later earlier _ pairs U).
+    refine (pair_at_position (fun t u => forall w, lies_on w t -> lies_on w u -> is_vertex w s) t u later earlier _
+      pairs U).
     intros a b R w on_b on_a. now apply R. }
   assert (off_r : forall y, off y (region_edges s) -> off y (region_edges r)).
   { intros y free u U on. destruct (divided_region r y) as [same _].
@@ -373,7 +386,8 @@ Proof.
   { unfold as_region, as_polygonal. rewrite map_map. apply map_ext. intros c. now rewrite map_map. }
   change (prepared_region r) with (as_polygonal s). rewrite is_image.
   intros t T w (k & range & X & Y) (u & U & ux & uy). rewrite edges_of_images in T, U.
-  apply in_map_iff in T, U. destruct T as (t' & <- & T), U as (u' & <- & U). unfold moved_ends in *. cbn [source target] in *.
+  apply in_map_iff in T, U. destruct T as (t' & <- & T), U as (u' & <- & U). unfold moved_ends in *. cbn [source
+    target] in *.
   destruct (same (source t')) as [ax ay], (same (target t')) as [bx by_], (same (source u')) as [cx cy].
   apply (clear_ t' T w); [exists k | exists u'; split; [exact U |]]; [rewrite <- ax, <- ay, <- bx, <- by_; tauto |].
   split; lra.
