@@ -1,13 +1,11 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Chains in canonical form (reference/definitions/values.hpp): no vertex is between the two beside it, and the first
-one
-   is the smallest, which therefore is between no others: so one walk along the chain finds all to leave out. The points
+(* Chains in canonical form (reference/definitions/values.hpp): no vertex is between the two beside it, and the first is
+   the smallest, which therefore is between no others: so one walk along the chain finds all to leave out. The points
    of a region and all winding numbers stay what they were, since two edges in line have the points of one. That
    chains turn clockwise most is in walks.v. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation.
 From Oplus Require Import balanced_edges direction angular_crossings winding_number in_out_degree regions location
-  pieces
-  walks touching_vertices.
+  pieces walks touching_vertices.
 Import ListNotations.
 
 Fixpoint compare_chains (c d : list vector) : comparison :=

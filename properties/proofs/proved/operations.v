@@ -62,27 +62,44 @@ Proof.
   now apply sum_of_prepared_regions, quick_sum_is_the_sum.
 Qed.
 
+(* The single points of a set in order. *)
+Definition open_in_order (s : open_region) : open_region :=
+  OpenRegion (open_chains s) (dangling_edges s) (written_points (isolated_points s)).
+Definition placements_in_order (f : placements) : placements :=
+  Placements (fit_chains f) (fit_edges f) (written_points (fit_points f)).
+
+Lemma in_order_is_the_same (s : open_region) (f : placements) (x : point) :
+  (open_member x (open_in_order s) <-> open_member x s) /\ (fits x (placements_in_order f) <-> fits x f).
+Proof.
+  pose proof (written_points_are (isolated_points s) x) as of_open. pose proof (written_points_are (fit_points f) x) as of_fit.
+  split; [| unfold fits, placements_in_order; cbn [fit_chains fit_edges fit_points]; now rewrite of_fit].
+  assert (none : forall l, (forall v, In v l -> ~ equal_points x v) <-> ~ exists v, In v l /\ equal_points x v) by firstorder.
+  unfold open_member, open_in_order. cbn [open_chains dangling_edges isolated_points]. now rewrite !none, of_open.
+Qed.
+
 Definition proved_open_sum (p q : polygonal_region) : open_region :=
-  open_sum_of_regions (prepared_region p) (prepared_region q).
+  open_in_order (open_sum_of_regions (prepared_region p) (prepared_region q)).
 
 (* Theorem. *)
 Theorem proved_open_sum_is_the_open_sum (p q : polygonal_region) : is_covered p = true -> is_covered q = true ->
   is_open_sum p q (proved_open_sum p q).
 Proof.
   intros p_valid q_valid x. apply is_covered_is_right in p_valid, q_valid. destruct p_valid, q_valid.
-  unfold proved_open_sum. etransitivity; [apply (open_sum_of_regions_is_the_open_sum (prepared_region p)
+  unfold proved_open_sum. rewrite (proj1 (in_order_is_the_same _ (Placements [] [] []) x)).
+  etransitivity; [apply (open_sum_of_regions_is_the_open_sum (prepared_region p)
     (prepared_region q)); trivial |].
   split; intros (a & b & in_p & in_q & equal); exists a, b; rewrite !prepared_inner_points in *; tauto.
 Qed.
 
-Definition proved_no_fit (a b : polygonal_region) : open_region := no_fit (prepared_region a) (prepared_region b).
+Definition proved_no_fit (a b : polygonal_region) : open_region :=
+  open_in_order (no_fit (prepared_region a) (prepared_region b)).
 
 (* Theorem. *)
 Theorem proved_no_fit_is_the_no_fit (a b : polygonal_region) : is_covered a = true -> is_covered b = true ->
   is_no_fit a b (proved_no_fit a b).
 Proof.
   intros a_valid b_valid x. apply is_covered_is_right in a_valid, b_valid. destruct a_valid, b_valid.
-  unfold proved_no_fit. etransitivity; [apply (no_fit_is_the_no_fit (prepared_region a) (prepared_region b));
+  unfold proved_no_fit. rewrite (proj1 (in_order_is_the_same _ (Placements [] [] []) x)). etransitivity; [apply (no_fit_is_the_no_fit (prepared_region a) (prepared_region b));
     trivial |].
   split; intros (y & z & in_a & in_b & equal); exists y, z; rewrite !prepared_inner_points in *; tauto.
 Qed.
@@ -90,14 +107,15 @@ Qed.
 Definition has_points (r : polygonal_region) : bool :=
   match concat (prepared_region r) with [] => false | _ => true end.
 
-Definition proved_inner_fit (a b : polygonal_region) : placements := inner_fit (prepared_region a) (prepared_region b).
+Definition proved_inner_fit (a b : polygonal_region) : placements :=
+  placements_in_order (inner_fit (prepared_region a) (prepared_region b)).
 
 (* Theorem. *)
 Theorem proved_inner_fit_is_the_inner_fit (a b : polygonal_region) : is_covered a = true -> is_covered b = true ->
   has_points b = true -> is_inner_fit a b (proved_inner_fit a b).
 Proof.
   intros a_valid b_valid some x. apply is_covered_is_right in a_valid, b_valid. destruct a_valid, b_valid.
-  unfold proved_inner_fit. etransitivity; [apply (inner_fit_is_the_inner_fit (prepared_region a) (prepared_region b));
+  unfold proved_inner_fit. rewrite (proj2 (in_order_is_the_same (OpenRegion [] [] []) _ x)). etransitivity; [apply (inner_fit_is_the_inner_fit (prepared_region a) (prepared_region b));
     trivial |].
   - unfold has_points in some. destruct (concat (prepared_region b)) as [| v rest] eqn:vertices; [discriminate |].
     destruct (proj1 (in_concat (prepared_region b) v)) as (c & C & V); [rewrite vertices; now left | now exists c, v].
