@@ -14,6 +14,6 @@ let run answer =
       let code, text =
         try answer (Array.map Js.to_string (Js.to_array texts)) with
         | Words.Invalid message -> (2, message)
-        | Stack_overflow -> (2, "the browser's stack is too small for these regions")
+        | Stack_overflow -> (2, "P and Q are too large for this browser's stack")
       in
       Worker.post_message Js.Unsafe.(obj [| ("code", inject code); ("text", inject (Js.string text)) |]))
