@@ -19,6 +19,7 @@
 #include "checked/verify/verdict_text.hpp"
 #include "checked/verify/verify.hpp"
 #include "reference/chains/region_of.hpp"
+#include "reference/chains/touching_points.hpp"
 #include "reference/definitions/claimed_sum.hpp"
 #include "reference/definitions/tangent_count.hpp"
 #include "reference/definitions/winding_number.hpp"
@@ -272,10 +273,11 @@ void put(Answer& answer, const char* member, const Shape& shape) {
   });
 }
 
-/// A sum and its text.
+/// A sum and its text; of another program's, whether the core's is the same set.
 struct WrittenSum {
   PlanarSet set;
   std::string wkt;
+  std::optional<bool> is_same = {};
 };
 
 WrittenSum written_sum(PlanarSet set) {
@@ -284,12 +286,12 @@ WrittenSum written_sum(PlanarSet set) {
 }
 
 /// What another program has written, with its text as it is.
-WrittenSum read_sum(const std::string& text) {
-  ClaimedSum given = read_unchecked_sum(text, "sum");
-  PlanarSet set = canonical_sum(given.region);
-  set.dangling_edges = std::move(given.dangling_edges);
-  set.isolated_vertices = std::move(given.isolated_vertices);
-  return {std::move(set), text};
+WrittenSum read_sum(const std::string& text, const PlanarSet& core) {
+  const ClaimedSum given = read_unchecked_sum(text, "sum");
+  PlanarSet set =
+      canonical_sum({boundary_pieces(given.region), given.dangling_edges, given.isolated_vertices});
+  const bool is_same = set == core;
+  return {std::move(set), text, is_same};
 }
 
 void put(Answer& answer, const WrittenSum& written) {
@@ -297,6 +299,7 @@ void put(Answer& answer, const WrittenSum& written) {
   answer.key("sum");
   answer.object([&] {
     answer.member("wkt", written.wkt);
+    if (written.is_same) answer.member("same", *written.is_same);
     answer.member("area", to_string(area(sum)));
     answer.member("outer", sum.outer);
     answer.member("holes", sum.holes);
@@ -416,7 +419,8 @@ void put_all(Answer& answer, const JsonValue& request) {
   const Boundary boundary = flag(request, "open") ? Boundary::open : Boundary::closed;
   const auto sum_of = [&](Boundary of) { return slide_sum(p.region, q.region, of).sum; };
   const std::string given = text(request, "sum");
-  const WrittenSum sum = given.empty() ? written_sum(sum_of(boundary)) : read_sum(given);
+  const PlanarSet core = sum_of(boundary);
+  const WrittenSum sum = given.empty() ? written_sum(core) : read_sum(given, core);
   const ConvolutionCycles traced = convolution_cycles(p.region, q.region);
   put(answer, sum);
   put(answer, traced);

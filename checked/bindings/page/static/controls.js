@@ -50,7 +50,7 @@ function take(given, after) {
 
 function prove() {
   if (drag || !answer) return;
-  proofs.prove(state, answer === valid ? valid.sum.wkt : undefined, () => {
+  proofs.prove(state, () => {
     tell();
     if (proofs.sumOf(state)) update();
   });
@@ -150,8 +150,10 @@ const field = (id, text) => { if (document.activeElement !== $(id) && !typed.has
 function tell() {
   const isStale = answer !== valid, {p, q} = answer;
   $("proved").checked = state.proved;
-  $("proof").textContent = proofs.lineOfSum(state);
-  $("sum-caption").textContent = valid && valid.sum.wkt === proofs.sumOf(state) ? "P ⊕ Q, proved" : "P ⊕ Q";
+  const same = proofs.sumOf(state) ? valid.sum.same : undefined;  // of the proved sum; none before it is shown
+  $("proof").textContent = proofs.lineOfSum(state)
+    + (same === undefined ? "" : same ? " The core computes the same one." : " The core computes another one.");
+  $("sum-caption").textContent = same === undefined ? "P ⊕ Q" : "P ⊕ Q, proved";
   const {line = "", isWrong = false, text = ""} = proofs.verdictOf(state);
   $("certified").textContent = line;
   $("certified").classList.toggle("wrong", isWrong);

@@ -13,9 +13,8 @@ export const isBusy = () => summing.isBusy || checking.isBusy;
 /** The text of the proved sum of a state, if it is there. */
 export const sumOf = (state) => state.proved && sum.pair === pair(state) ? sum.text : undefined;
 
-/** Asks for the sum of a state, unless that was done, and calls tell() when there is more to tell. `core` is the text of
- * the core's sum; there is none where P or Q is invalid. */
-export function prove(state, core, tell) {
+/** Asks for the sum of a state, unless that was done, and calls tell() when there is more to tell. */
+export function prove(state, tell) {
   if (!state.proved) {
     summing.end();
     sum = {};
@@ -25,9 +24,8 @@ export function prove(state, core, tell) {
   if (sum.pair === of) return;
   sum = {pair: of, line: "The proved program is computing."};
   summing.ask([state.open ? "open" : "closed", state.p, state.q], ({code, text, ms}) => {
-    const same = core === text ? " The core writes the same text." : state.open ? "" : " The core writes another text.";
     sum = code ? {pair: of, line: `No proved sum: ${text}.`}
-      : {pair: of, text, line: `The proved program has computed this sum in ${ms} ms.${same}`};
+      : {pair: of, text, line: `The proved program has computed this sum in ${ms} ms.`};
     tell();
   });
 }

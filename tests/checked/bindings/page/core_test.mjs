@@ -65,20 +65,20 @@ const verdict = (s, asked, words, name) => {
   assert.equal(witness?.length, is_sum ? undefined : 2, name);
 };
 
-/** `expected` is what `oplus` wrote. */
+/** The proved sum is the core's set, and its certificates are accepted, other ones not; `expected` is what `oplus` wrote. */
 const proofs = (pair, open, {p, q, sum}, expected) => {
   const name = `${pair.name}, open: ${open}`, asked = {p: pair.P, q: pair.Q, open};
   const {code, text} = proved(open ? "open" : "closed", p.wkt, q.wkt);
   assert.equal(code, 0, `${name}: ${text}`);
-  if (open) assert(ask({...asked, s: text}).verdict.is_sum, `${name}: ${text}`);
-  else assert.equal(text, expected, name);
-  const shown = ask({...asked, sum: text}).sum;
-  assert.deepEqual([shown.wkt, shown.area, shown.outer, shown.holes], [text, sum.area, sum.outer, sum.holes], name);
+  assert(ask({...asked, s: text}).verdict.is_sum, `${name}: ${text}`);
+  const {wkt, same, ...shown} = ask({...asked, sum: text}).sum;
+  assert.deepEqual({wkt, same, ...shown}, {...sum, wkt: text, same: true}, name);
+  assert.equal(ask({...asked, sum: p.wkt}).sum.same, p.wkt === expected, name);
   const {certificate} = ask({...asked, certificate: true});
   assert.equal(certificate.error, undefined, name);
   assert.deepEqual(certified(p.wkt, q.wkt, certificate.sum, certificate.text), {code: 0, text: "certified"}, name);
   const moved = certificate.text.replace(/^in \d+ \d+$/m, "in 0 7777");
-  assert.equal(certified(p.wkt, q.wkt, certificate.sum, moved).code, 1, name);
+  if (moved !== certificate.text) assert.equal(certified(p.wkt, q.wkt, certificate.sum, moved).code, 1, name);
   if (p.wkt !== certificate.sum) assert.notEqual(certified(p.wkt, q.wkt, p.wkt, certificate.text).code, 0, name);
 };
 
