@@ -35,17 +35,20 @@ add_test(NAME python.package
 
 # The page (docs/web.md).
 set(page ${CMAKE_CURRENT_BINARY_DIR}/page)
-add_test(NAME page.build COMMAND ${CMAKE_COMMAND} -E env OPLUS_WARNINGS_ARE_ERRORS=ON bash ${PROJECT_SOURCE_DIR}/checked/bindings/page/make ${page})
+add_test(NAME page.build COMMAND ${CMAKE_COMMAND} -E env OPLUS_WARNINGS_ARE_ERRORS=ON OPLUS_BUILD=${PROJECT_BINARY_DIR}
+                                bash ${PROJECT_SOURCE_DIR}/checked/bindings/page/make ${page})
 # The longest first.
 set_tests_properties(page.build PROPERTIES FIXTURES_SETUP page COST 1000)
 add_test(NAME page.core
          COMMAND node ${CMAKE_CURRENT_SOURCE_DIR}/checked/bindings/page/core_test.mjs ${page} $<TARGET_FILE:oplus>
                  ${CMAKE_CURRENT_SOURCE_DIR}/corpus/pairs.txt ${cases})
-add_test(NAME page.browser
-         COMMAND ${CMAKE_COMMAND} -E env OPLUS_PAGE=${page}
-                 ${Python_EXECUTABLE} -B -m pytest -q -p no:cacheprovider
-                 ${CMAKE_CURRENT_SOURCE_DIR}/checked/bindings/page/page_test.py)
-set_tests_properties(page.core page.browser PROPERTIES FIXTURES_REQUIRED page)
+foreach(test page proofs)
+  add_test(NAME page.browser-${test}
+           COMMAND ${CMAKE_COMMAND} -E env OPLUS_PAGE=${page}
+                   ${Python_EXECUTABLE} -B -m pytest -q -p no:cacheprovider
+                   ${CMAKE_CURRENT_SOURCE_DIR}/checked/bindings/page/${test}_test.py)
+endforeach()
+set_tests_properties(page.core page.browser-page page.browser-proofs PROPERTIES FIXTURES_REQUIRED page)
 
 # The API reference: everything in it is documented, and every function is in an example.
 add_test(NAME docs.api COMMAND bash ${PROJECT_SOURCE_DIR}/docs/api/make ${CMAKE_CURRENT_BINARY_DIR}/api)

@@ -12,12 +12,14 @@
 #include <utility>
 #include <vector>
 
+#include "checked/certificates/certificate.hpp"
 #include "checked/collision/collision_test.hpp"
 #include "checked/cycles/convolution_cycles.hpp"
 #include "checked/slide/slide.hpp"
 #include "checked/verify/verdict_text.hpp"
 #include "checked/verify/verify.hpp"
 #include "reference/chains/region_of.hpp"
+#include "reference/chains/touching_points.hpp"
 #include "reference/definitions/claimed_sum.hpp"
 #include "reference/definitions/tangent_count.hpp"
 #include "reference/definitions/winding_number.hpp"
@@ -271,10 +273,33 @@ void put(Answer& answer, const char* member, const Shape& shape) {
   });
 }
 
-void put(Answer& answer, const PlanarSet& sum) {
+/// A sum and its text; of another program's, whether the core's is the same set.
+struct WrittenSum {
+  PlanarSet set;
+  std::string wkt;
+  std::optional<bool> is_same = {};
+};
+
+WrittenSum written_sum(PlanarSet set) {
+  std::string text = wkt(set);
+  return {std::move(set), std::move(text)};
+}
+
+/// What another program has written, with its text as it is.
+WrittenSum read_sum(const std::string& text, const PlanarSet& core) {
+  const ClaimedSum given = read_unchecked_sum(text, "sum");
+  PlanarSet set =
+      canonical_sum({boundary_pieces(given.region), given.dangling_edges, given.isolated_vertices});
+  const bool is_same = set == core;
+  return {std::move(set), text, is_same};
+}
+
+void put(Answer& answer, const WrittenSum& written) {
+  const PlanarSet& sum = written.set;
   answer.key("sum");
   answer.object([&] {
-    answer.member("wkt", wkt(sum));
+    answer.member("wkt", written.wkt);
+    if (written.is_same) answer.member("same", *written.is_same);
     answer.member("area", to_string(area(sum)));
     answer.member("outer", sum.outer);
     answer.member("holes", sum.holes);
@@ -351,6 +376,20 @@ void put_verdict(Answer& answer, const Region& p, const Region& q, Boundary boun
   });
 }
 
+/// Of the closed sum, which is written with it.
+void put_certificate(Answer& answer, const Region& p, const Region& q, const PlanarSet& sum) {
+  answer.key("certificate");
+  answer.object([&] {
+    try {
+      const Region s = region_of(sum);
+      answer.member("text", written(certificates::certificate(p, q, s)));
+      answer.member("sum", wkt(s));
+    } catch (const InvalidInput& too_large) {
+      answer.member("error", too_large.what());
+    }
+  });
+}
+
 Point point_x(const JsonValue& request, const Rational& step) {
   const auto [x, y] = two(request, "x");
   Point point{number("x", x), number("x", y)};
@@ -378,11 +417,17 @@ void put_all(Answer& answer, const JsonValue& request) {
     return;
   }
   const Boundary boundary = flag(request, "open") ? Boundary::open : Boundary::closed;
-  const PlanarSet sum = slide_sum(p.region, q.region, boundary).sum;
+  const auto sum_of = [&](Boundary of) { return slide_sum(p.region, q.region, of).sum; };
+  const std::string given = text(request, "sum");
+  const PlanarSet core = sum_of(boundary);
+  const WrittenSum sum = given.empty() ? written_sum(core) : read_sum(given, core);
   const ConvolutionCycles traced = convolution_cycles(p.region, q.region);
   put(answer, sum);
   put(answer, traced);
-  put_placement(answer, p.region, q.region, x, sum, traced);
+  put_placement(answer, p.region, q.region, x, sum.set, traced);
+  if (flag(request, "certificate"))
+    put_certificate(answer, p.region, q.region,
+                    boundary == Boundary::closed ? sum.set : sum_of(Boundary::closed));
   if (const std::string s = text(request, "s"); !s.empty())
     put_verdict(answer, p.region, q.region, boundary, s);
 }

@@ -25,56 +25,26 @@ let help =
   \  2  invalid input or usage, a file that cannot be read, output that cannot be written, or too\n\
   \     little memory\n"
 
-let described (x, y) = Printf.sprintf "(%s, %s)" (Q.to_string x) (Q.to_string y)
-
 let echo name region =
   Printf.printf "%s has %d chains\n" name (List.length region);
   let number = ref 0 in
   let vertex v =
-    Printf.printf "%d: %s\n" !number (described v);
+    Printf.printf "%d: %s\n" !number (Verdict.described v);
     incr number
   in
   List.iter (fun chain -> Printf.printf "chain of %d vertices\n" (List.length chain); List.iter vertex chain) region
 
-(* The ends of an edge, numbered by its source. *)
-let rec ends number = function
-  | [] -> invalid_arg "ends"
-  | chain :: rest ->
-      let n = List.length chain in
-      if number < n then (List.nth chain number, List.nth chain ((number + 1) mod n)) else ends (number - n) rest
-
-let corners (polygon : Proved.polygon) =
-  let coordinate x w = Q.make x w in
-  String.concat " " (List.map (fun { Proved.px; py; pw } -> described (coordinate px pw, coordinate py pw)) polygon)
-
-let why s (certificate : Proved.certificate) = function
-  | Proved.PiecesOfP -> "the pieces of P are not convex, or are not P"
-  | PiecesOfQ -> "the pieces of Q are not convex, or are not Q"
-  | PiecesOfS -> "the pieces of S are not convex, or are not S"
-  | LinksOfP -> "the links of P do not lead to all its pieces"
-  | LinksOfQ -> "the links of Q do not lead to all its pieces"
-  | RootOutside -> "the sum of a point inside a piece of P and one inside a piece of Q is not in S"
-  | EdgeInside n ->
-      let a, b = ends (Z.to_int n) s in
-      Printf.sprintf
-        "edge %s of S, from %s to %s, is not shown to be beside the sum of each piece of P and each of Q"
-        (Z.to_string n) (described a) (described b)
-  | CellOutside n ->
-      Printf.sprintf "piece %s of S, %s, is not shown to consist of sums" (Z.to_string n)
-        (corners (fst (List.nth certificate.sum_pieces (Z.to_int n))))
-
 let check is_echoed = function
-  | [ p; q; s; certificate ] -> (
+  | [ p; q; s; certificate ] ->
       let p = Regions.read p and q = Regions.read q and s = Regions.read s in
       if is_echoed then begin
         echo "P" p;
         echo "Q" q;
         echo "S" s
       end;
-      let certificate = Certificates.read certificate p q s in
-      match Proved.check (Regions.specified p) (Regions.specified q) (Regions.specified s) certificate with
-      | None -> print_endline "certified"; 0
-      | Some refusal -> print_endline ("not certified: " ^ why s certificate refusal); 1)
+      let code, verdict = Verdict.of_certificate p q s (Certificates.read certificate p q s) in
+      print_endline verdict;
+      code
   | files -> Program.refuse (Printf.sprintf "%d files; expected P Q S CERTIFICATE (see --help)" (List.length files))
 
 let answer arguments =

@@ -8,6 +8,10 @@ function ml_z_of_big(n) { return BigInt.asIntN(32, n) === n ? Number(n) : n; }
 //Provides: ml_z_init const
 function ml_z_init() { return 0; }
 
+//Provides: ml_z_to_int
+//Requires: caml_raise_constant, caml_named_value
+function ml_z_to_int(n) { return typeof n === "number" ? n : caml_raise_constant(caml_named_value("ml_z_overflow")); }
+
 // Signs and order: JavaScript compares numbers and BigInts by value.
 
 //Provides: ml_z_compare const

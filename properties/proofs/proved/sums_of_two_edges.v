@@ -14,8 +14,9 @@ Open Scope Z_scope.
 Definition denominator := BinNums.positive.
 Definition whole_vector := (Z * Z)%type.
 
-Definition common_multiple (l : list denominator) : denominator :=
-  fold_right (fun a d => Z.to_pos (Z.lcm (Zpos a) (Zpos d))) 1%positive l.
+(* From the left, which needs no stack: browsers have little, and there are thousands of denominators. *)
+Definition multiple_of_both (d a : denominator) : denominator := Z.to_pos (Z.lcm (Zpos d) (Zpos a)).
+Definition common_multiple (l : list denominator) : denominator := fold_left multiple_of_both l 1%positive.
 
 Definition denominators (l : list segment) : list denominator :=
   flat_map (fun s => [Qden (vx (source s)); Qden (vy (source s)); Qden (vx (target s)); Qden (vy (target s))]) l.
@@ -101,16 +102,23 @@ Definition uncovered_parts (d : denominator) (sums : list sum_of_two) (s : segme
   uncovered (scaled d (source s)) (whole_minus (scaled d (target s)) (scaled d (source s))) [(0%Q, 1%Q)] sums.
 
 (* From here on: what they return. *)
+Lemma common_multiple_from (l : list denominator) : forall d,
+  (Zpos d | Zpos (fold_left multiple_of_both l d)) /\
+  (forall a, In a l -> (Zpos a | Zpos (fold_left multiple_of_both l d))).
+Proof.
+  induction l as [| b l IH]; intros d; cbn [fold_left]; [split; [reflexivity | intros a []] |].
+  destruct (IH (multiple_of_both d b)) as [of_both of_others].
+  assert (is_lcm : Zpos (multiple_of_both d b) = Z.lcm (Zpos d) (Zpos b)).
+  { apply Z2Pos.id. pose proof (Z.lcm_nonneg (Zpos d) (Zpos b)).
+    assert (Z.lcm (Zpos d) (Zpos b) <> 0) by (intros none; apply Z.lcm_eq_0 in none; lia). lia. }
+  rewrite is_lcm in of_both. split; [| intros a [<- | I]; [| exact (of_others a I)]]; (etransitivity; [| exact of_both]).
+  - apply Z.divide_lcm_l.
+  - apply Z.divide_lcm_r.
+Qed.
+
 Lemma common_multiple_is (a : denominator) (l : list denominator) :
   In a l -> (Zpos a | Zpos (common_multiple l)).
-Proof.
-  induction l as [| b l IH]; [intros [] |].
-  assert (is_lcm : Zpos (common_multiple (b :: l)) = Z.lcm (Zpos b) (Zpos (common_multiple l))).
-  { apply Z2Pos.id. fold (common_multiple l). pose proof (Z.lcm_nonneg (Zpos b) (Zpos (common_multiple l))).
-    pose proof (Z.lcm_eq_0 (Zpos b) (Zpos (common_multiple l))). lia. }
-  rewrite is_lcm. intros [-> | I]; [apply Z.divide_lcm_l |].
-  etransitivity; [exact (IH I) | apply Z.divide_lcm_r].
-Qed.
+Proof. exact (proj2 (common_multiple_from l 1) a). Qed.
 
 Open Scope Q_scope.
 

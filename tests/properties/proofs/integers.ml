@@ -26,6 +26,9 @@ let say words = print_string (String.concat " " words ^ "\n")
 let () =
   List.iter (fun a ->
       say (Z.to_string a :: string_of_int (Z.sign a) :: List.map (fun f -> Z.to_string (f a)) Z.[ neg; abs; succ; pred ]);
+      (* An int is longer on the machine than in JavaScript. *)
+      if Z.compare (Z.abs a) (Z.of_int 0x3fff_ffff) <= 0 || Z.compare (Z.abs a) (Z.pow (Z.of_int 2) 63) > 0 then
+        say [ "as int"; of_outcome (fun () -> string_of_int (Z.to_int a)) ];
       List.iter (fun n -> say [ "power"; integer (fun () -> Z.pow a n) ]) [ 0; 1; 2; 5; 16; 31; -1 ];
       List.iter (fun b ->
           let exact = if Z.sign b <> 0 && Z.sign (snd (Z.ediv_rem a b)) = 0 then Z.to_string (Z.divexact a b) else "no" in

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 import {ask, onLate} from "./core.js";
 import {Drawing, drawSum, drawSummands, element} from "./drawing.js";
+import * as proofs from "./proofs.js";
 import {examples, layers, read, write} from "./state.js";
 
 const $ = (id) => document.getElementById(id);
@@ -15,8 +16,9 @@ const handles = new Map();
 onLate(() => { $("status").textContent = "Computing."; });
 summands.redraw = sum.redraw = () => draw();
 
+/** With the proved sum, if P and Q are to be what they are. */
 const request = (edit) => ({p: state.p, q: state.q, x: state.x, step: state.step, open: state.open, s: state.s,
-  ...(edit && {edit})});
+  sum: !edit || edit.of === "x" ? proofs.sumOf(state) : undefined, ...(edit && {edit})});
 
 /** Takes an answer as the new state, or says why there is none. */
 function take(given, after) {
@@ -42,7 +44,16 @@ function take(given, after) {
   }
   if (!drag) write(state);
   draw();
+  prove();
   tell();
+}
+
+function prove() {
+  if (drag || !answer) return;
+  proofs.prove(state, () => {
+    tell();
+    if (proofs.sumOf(state)) update();
+  });
 }
 
 /** Where the selected vertex is now, if the core has turned its chain, which keeps the first vertex. */
@@ -132,12 +143,22 @@ function drawHandles() {
   }
 }
 
-const typed = new Set();  // P and Q that were typed and are not used yet
+const typed = new Set();  // P and Q that were typed and are not used yet, and a certificate that was
 const field = (id, text) => { if (document.activeElement !== $(id) && !typed.has(id)) $(id).value = text; };
 
 /** All texts of the page. */
 function tell() {
   const isStale = answer !== valid, {p, q} = answer;
+  $("proved").checked = state.proved;
+  const same = proofs.sumOf(state) ? valid.sum.same : undefined;  // of the proved sum; none before it is shown
+  $("proof").textContent = proofs.lineOfSum(state)
+    + (same === undefined ? "" : same ? " The core computes the same one." : " The core computes another one.");
+  $("sum-caption").textContent = same === undefined ? "P ⊕ Q" : "P ⊕ Q, proved";
+  const {line = "", isWrong = false, text = ""} = proofs.verdictOf(state);
+  $("certified").textContent = line;
+  $("certified").classList.toggle("wrong", isWrong);
+  $("cancel").disabled = !proofs.isBusy();
+  field("certificate", text);
   $("stale").hidden = !isStale || !valid;
   field("p-wkt", p.wkt);
   field("q-wkt", q.wkt);
@@ -232,6 +253,7 @@ for (const drawing of [summands, sum]) {
     if (!drag) return;
     drag = null;
     write(state);
+    prove();
   };
   svg.addEventListener("pointerup", drop);
   svg.addEventListener("pointercancel", drop);
@@ -334,6 +356,26 @@ for (const name of ["p", "q", "s"]) {
     fit();
   }));
 }
+$("proved").addEventListener("change", () => {
+  state = {...state, proved: $("proved").checked};
+  write(state);
+  update();
+});
+$("certificate").addEventListener("input", () => {
+  if ($("certificate").value) typed.add("certificate");
+  else typed.delete("certificate");
+});
+$("check").addEventListener("click", () => {
+  ask(() => ({...request(), certificate: true}), (given) => {
+    take(given);
+    const other = typed.has("certificate") ? $("certificate").value : undefined;
+    if (given.certificate) proofs.check(state, given.certificate, other, tell);
+  });
+});
+$("cancel").addEventListener("click", () => {
+  proofs.cancel();
+  tell();
+});
 $("forget").addEventListener("click", () => {
   $("s-wkt").value = "";
   change({s: ""});

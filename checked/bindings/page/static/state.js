@@ -16,7 +16,7 @@ export const layers = {
 
 const first = () => ({
   p: examples["Room and diamond"][0], q: examples["Room and diamond"][1], x: ["7/2", "3"], step: "1/2",
-  open: true, s: "", layers: Object.keys(layers).filter((name) => layers[name][2]), cycle: 0, at: 0,
+  open: true, proved: false, s: "", layers: Object.keys(layers).filter((name) => layers[name][2]), cycle: 0, at: 0,
 });
 
 /** The state in an address; what is missing is as at first. */
@@ -27,7 +27,7 @@ export function read(hash) {
     const [x = "0", y = "0"] = given.get("x").split(",");
     state.x = [x, y];
   }
-  if (given.has("open")) state.open = given.get("open") === "1";
+  for (const name of ["open", "proved"]) if (given.has(name)) state[name] = given.get(name) === "1";
   if (given.has("layers")) state.layers = given.get("layers").split(",").filter((name) => name in layers);
   for (const name of ["cycle", "at"]) state[name] = Math.max(0, parseInt(given.get(name), 10) || 0);
   return state;
@@ -36,6 +36,6 @@ export function read(hash) {
 export function write(state) {
   const {p, q, s, step, cycle, at} = state;
   const text = new URLSearchParams({p, q, x: state.x.join(","), step, open: state.open ? "1" : "0",
-    layers: state.layers.join(","), cycle, at, ...(s && {s})});
+    layers: state.layers.join(","), cycle, at, ...(state.proved && {proved: "1"}), ...(s && {s})});
   history.replaceState(null, "", "#" + text);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // core_test.mjs FOLDER OPLUS CORPUS CASES: what the page's WebAssembly answers is what the program `oplus` does, and
-// what tests/corpus/cases.json says.
+// what tests/corpus/cases.json says. The proved programs beside it compute the same sums, and accept its certificates.
 // Coordinates of 10^7 and more need more bits than a long has there: edges cross in long fractions.
 import assert from "node:assert";
 import {execFileSync} from "node:child_process";
@@ -8,6 +8,7 @@ import {mkdtempSync, readFileSync, writeFileSync, copyFileSync} from "node:fs";
 import {tmpdir} from "node:os";
 import path from "node:path";
 import {pathToFileURL} from "node:url";
+import vm from "node:vm";
 import {followsFromWkt} from "./drawn.mjs";
 
 const [folder, oplus, corpus, casesFile] = process.argv.slice(2);
@@ -22,6 +23,17 @@ const core = await load({wasmBinary: readFileSync(path.join(folder, "oplus.wasm"
 
 const ask = (request) => JSON.parse(core.ccall("oplus_answer", "string", ["string"], [JSON.stringify({
   x: ["1/2", "1/3"], step: "1", s: "", open: false, ...request})]));
+/** A proved program, as a function of what its worker is sent. */
+const program = (name) => {
+  let answer;
+  const worker = vm.createContext({onmessage: null, postMessage: ({code, text}) => { answer = {code, text: text.trim()}; }});
+  vm.runInContext(readFileSync(path.join(folder, name), "utf8"), worker);
+  return (...data) => {
+    worker.onmessage({data});
+    return answer;
+  };
+};
+const proved = program("oplus-proved.js"), certified = program("oplus-certified.js");
 const run = (...words) => {
   try {
     return execFileSync(oplus, words, {encoding: "utf8", stdio: ["ignore", "pipe", "pipe"]});
@@ -53,7 +65,24 @@ const verdict = (s, asked, words, name) => {
   assert.equal(witness?.length, is_sum ? undefined : 2, name);
 };
 
-let compared = 0;
+/** The proved sum is the core's set, and its certificates are accepted, other ones not; `expected` is what `oplus` wrote. */
+const proofs = (pair, open, {p, q, sum}, expected) => {
+  const name = `${pair.name}, open: ${open}`, asked = {p: pair.P, q: pair.Q, open};
+  const {code, text} = proved(open ? "open" : "closed", p.wkt, q.wkt);
+  assert.equal(code, 0, `${name}: ${text}`);
+  assert(ask({...asked, s: text}).verdict.is_sum, `${name}: ${text}`);
+  const {wkt, same, ...shown} = ask({...asked, sum: text}).sum;
+  assert.deepEqual({wkt, same, ...shown}, {...sum, wkt: text, same: true}, name);
+  assert.equal(ask({...asked, sum: p.wkt}).sum.same, p.wkt === expected, name);
+  const {certificate} = ask({...asked, certificate: true});
+  assert.equal(certificate.error, undefined, name);
+  assert.deepEqual(certified(p.wkt, q.wkt, certificate.sum, certificate.text), {code: 0, text: "certified"}, name);
+  const moved = certificate.text.replace(/^in \d+ \d+$/m, "in 0 7777");
+  if (moved !== certificate.text) assert.equal(certified(p.wkt, q.wkt, certificate.sum, moved).code, 1, name);
+  if (p.wkt !== certificate.sum) assert.notEqual(certified(p.wkt, q.wkt, p.wkt, certificate.text).code, 0, name);
+};
+
+let compared = 0, asProved = 0;
 const places = new Set();
 for (const pair of pairs.filter(isSmall)) {
   const {name, P, Q} = pair, p = file("p.wkt", P), q = file("q.wkt", Q);
@@ -69,6 +98,10 @@ for (const pair of pairs.filter(isSmall)) {
       places.add(followsFromWkt(ask({p: P, q: Q, open, x}), x, name));
     verdict(expected, {p: P, q: Q, open}, [p, q, file("s.wkt", expected), ...kind], name);
     verdict(P, {p: P, q: Q, open}, [p, q, p, ...kind], `${name}, P as its sum`);
+    if ((P + Q).length < 1000) {
+      proofs(pair, open, answer, expected);
+      ++asProved;
+    }
     ++compared;
   }
 }
@@ -117,4 +150,5 @@ assert.equal(edited({vertex: 3, how: "add"}).p.points[0][4], "(0, 2)");
 assert.equal(edited({how: "by", at: [1, 1]}).p.points[0][2], "(13/3, 13/3)");
 assert.equal(edited({vertex: 3, how: "remove"}).p.chains[0].length, 3);
 assert(edited({vertex: 0, how: "remove"}, "POLYGON((0 0,1 0,0 1,0 0))").p.error);
-console.log(`${compared} sums compared, ${ran} cases`);
+assert(asProved >= 30, `${asProved} proved sums`);
+console.log(`${compared} sums compared, ${asProved} of them with proved ones, ${ran} cases`);

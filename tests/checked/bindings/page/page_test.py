@@ -2,105 +2,18 @@
 """The page in Chromium without a window, by Selenium: OPLUS_PAGE names its folder."""
 
 import functools
-import http.server
-import os
 import re
-import threading
-import time
-from pathlib import Path
 from urllib.parse import quote
 
 import pytest
-from selenium import webdriver
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
-from selenium.webdriver.support.ui import Select, WebDriverWait
+from selenium.webdriver.support.ui import Select
 
-FOLDER = Path(os.environ["OPLUS_PAGE"])
-SQUARE = "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))"
-TRIANGLE = "POLYGON ((0 0, 2 0, 0 2, 0 0))"
+from conftest import FOLDER, SQUARE, TRIANGLE
+
 FRAME = "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 3, 3 3, 3 1, 1 1))"
-
-
-class Quiet(http.server.SimpleHTTPRequestHandler):
-    def log_message(self, *_):
-        pass
-
-
-@pytest.fixture(scope="session")
-def server():
-    handler = functools.partial(Quiet, directory=str(FOLDER))
-    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as httpd:
-        threading.Thread(target=httpd.serve_forever, daemon=True).start()
-        yield f"http://127.0.0.1:{httpd.server_address[1]}/"
-        httpd.shutdown()
-
-
-@pytest.fixture(scope="session")
-def driver():
-    options = webdriver.ChromeOptions()
-    for argument in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--disable-gpu"):
-        options.add_argument(argument)
-    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
-    service = webdriver.chrome.service.Service("/usr/bin/chromedriver")
-    driver = webdriver.Chrome(options=options, service=service)
-    yield driver
-    driver.quit()
-
-
-class Page:
-    def __init__(self, driver, server):
-        self.driver, self.server = driver, server
-
-    def open(self, fragment="", width=1280, height=1000):
-        self.driver.set_window_size(width, height)
-        self.driver.get("about:blank")
-        self.driver.get(self.server + "#" + fragment)
-        self.until(lambda: self.text("status").startswith("P"))
-        return self
-
-    def pair(self, p=SQUARE, q=TRIANGLE, more=""):
-        return self.open(f"p={quote(p)}&q={quote(q)}&step=1&x=1,1&layers=sum{more}")
-
-    def __call__(self, name):
-        return self.driver.find_element(By.ID, name)
-
-    def text(self, name):
-        return self(name).text
-
-    def value(self, name):
-        return self(name).get_attribute("value")
-
-    def until(self, holds):
-        WebDriverWait(self.driver, 10).until(lambda _: holds())
-
-    def handle(self, label):
-        return self.driver.find_element(By.CSS_SELECTOR, f'.handle[aria-label^="{label}"]')
-
-    def vertex(self, number, of="P"):
-        return self.handle(f"{of}, outer chain of component 1, vertex {number} ")
-
-    def type(self, name, text):
-        self(name).clear()
-        self(name).send_keys(text)
-
-    def drag(self, what, by):
-        ActionChains(self.driver).drag_and_drop_by_offset(what, *by).perform()
-
-    def layer(self, name):
-        return self.driver.find_elements(By.CSS_SELECTOR, f'#sum [data-layer="{name}"]')
-
-
-@pytest.fixture
-def page(driver, server):
-    for log in ("browser", "performance"):
-        driver.get_log(log)
-    yield Page(driver, server)
-    errors = [entry for entry in driver.get_log("browser") if entry["level"] == "SEVERE"]
-    assert errors == []
-    asked = re.findall(r'"url":"(https?://[^"]*)"', "".join(e["message"] for e in driver.get_log("performance")))
-    assert asked and all(url.startswith(server) for url in asked)
 
 
 def test_exact_sum_and_area(page):
