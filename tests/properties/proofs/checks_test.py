@@ -187,14 +187,14 @@ class Faults(ProofsTest):
         self.assertEqual(faults.way({"a.v": [], "b.v": ["a.v"], "c.v": ["b.v"]}, "c.v", "b.v"), ([], {"a.v", "b.v"}))
 
     def test_each_fault_is_in_one_part(self):
-        parts = faults.chosen("few"), faults.chosen("rest")
+        parts = [faults.chosen(part) for part in ("few", "proved", "rest")]
         self.assertTrue(all(parts))
-        self.assertEqual(sorted(parts[0] + parts[1]), sorted(faults.chosen("")))
+        self.assertEqual(sorted(sum(parts, [])), sorted(faults.chosen("")))
 
     def test_what_is_not_there(self):
         self.assertEqual(faults.survivor(self.build, Path(__file__).parent,
-                                         ("a fault", "faults.py", "no" + "where", "", "a.v"), {}),
-                         "a fault: `nowhere` stands in faults.py 0 times")
+                                         ("a fault", "faults.py", "not" + "hing there", "", "a.v"), {}),
+                         "a fault: `nothing there` stands in faults.py 0 times")
 
 
 if __name__ == "__main__":
