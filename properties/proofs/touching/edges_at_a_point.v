@@ -16,33 +16,33 @@ Proof.
   unfold same_place, equal_vectors. destruct (zero_spec (vx a - vx b)), (zero_spec (vy a - vy b)); constructor; lra.
 Qed.
 
-(* The edge s leaves w, or enters it; it does both if w is between its ends. *)
-Definition passes (w : vector) (s : segment) : bool := if lies_on_dec w s then true else false.
-Definition leaves (w : vector) (s : segment) : bool := passes w s && negb (same_place w (target s)).
-Definition enters (w : vector) (s : segment) : bool := passes w s && negb (same_place w (source s)).
+(* The edge s departs from w, or arrives at it; it does both if w is between its ends. *)
+Definition comes_by (w : vector) (s : segment) : bool := if lies_on_dec w s then true else false.
+Definition departs (w : vector) (s : segment) : bool := comes_by w s && negb (same_place w (target s)).
+Definition arrives (w : vector) (s : segment) : bool := comes_by w s && negb (same_place w (source s)).
 
-Lemma leaves_is (w : vector) (s : segment) :
-  leaves w s = true <-> lies_on w s /\ ~ equal_vectors w (target s).
+Lemma departs_is (w : vector) (s : segment) :
+  departs w s = true <-> lies_on w s /\ ~ equal_vectors w (target s).
 Proof.
-  unfold leaves, passes. destruct (lies_on_dec w s), (same_place_spec w (target s)); cbn [andb negb];
+  unfold departs, comes_by. destruct (lies_on_dec w s), (same_place_spec w (target s)); cbn [andb negb];
     split; try discriminate; tauto.
 Qed.
 
-Lemma enters_is (w : vector) (s : segment) :
-  enters w s = true <-> lies_on w s /\ ~ equal_vectors w (source s).
+Lemma arrives_is (w : vector) (s : segment) :
+  arrives w s = true <-> lies_on w s /\ ~ equal_vectors w (source s).
 Proof.
-  unfold enters, passes. destruct (lies_on_dec w s), (same_place_spec w (source s)); cbn [andb negb];
+  unfold arrives, comes_by. destruct (lies_on_dec w s), (same_place_spec w (source s)); cbn [andb negb];
     split; try discriminate; tauto.
 Qed.
 
-(* Another point of an edge at w is ahead of w, if it leaves w, or behind, if it enters w. *)
+(* Another point of an edge at w is ahead of w, if it departs from w, or behind, if it arrives. *)
 Lemma ahead_or_behind (w y : vector) (s : segment) : lies_on w s -> lies_on (plus w y) s ->
   exists m, vx y == m * vx (along s) /\ vy y == m * vy (along s) /\
-    (0 < m -> nonzero (along s) -> leaves w s = true) /\ (m < 0 -> nonzero (along s) -> enters w s = true).
+    (0 < m -> nonzero (along s) -> departs w s = true) /\ (m < 0 -> nonzero (along s) -> arrives w s = true).
 Proof.
   intros on (l & [l0 l1] & lx & ly). pose proof on as (k & [k0 k1] & kx & ky). unfold plus in lx, ly.
   cbn [vx vy] in lx, ly. exists (l - k). unfold along, minus; cbn [vx vy]. split; [lra |]. split; [lra |].
-  split; intros sign long; [apply leaves_is | apply enters_is]; (split; [exact on |]); intros [X Y]; apply long;
+  split; intros sign long; [apply departs_is | apply arrives_is]; (split; [exact on |]); intros [X Y]; apply long;
     cbn [vx vy].
   - split; apply (Qmult_inj_r _ _ (1 - k)); lra.
   - split; apply (Qmult_inj_r _ _ k); lra.
@@ -59,18 +59,18 @@ Definition nothing_else_near (w : vector) (radius : Q) (r : region) : Prop :=
 Lemma some_square (w : vector) (r : region) : exists radius, nothing_else_near w radius r.
 Proof.
   set (segments := flat_map with_ends (region_edges r)).
-  destruct (off_near w (filter (fun t => negb (passes w t)) segments)) as (radius & R & near).
-  - intros t I on. apply filter_In in I. destruct I as [_ I]. unfold passes in I. now destruct (lies_on_dec w t).
+  destruct (off_near w (filter (fun t => negb (comes_by w t)) segments)) as (radius & R & near).
+  - intros t I on. apply filter_In in I. destruct I as [_ I]. unfold comes_by in I. now destruct (lies_on_dec w t).
   - exists radius. split; [exact R |]. intros t I. destruct (lies_on_dec w t) as [on | free] eqn:decided; [now left |].
-    right. intros y close. apply (near y close), filter_In. split; [exact I |]. unfold passes. now rewrite decided.
+    right. intros y close. apply (near y close), filter_In. split; [exact I |]. unfold comes_by. now rewrite decided.
 Qed.
 
 (* v is between a and b, which is to the left of a. *)
-Definition is_between (a b v : vector) : bool := positive (cross a v) && positive (cross v b).
+Definition is_amid (a b v : vector) : bool := positive (cross a v) && positive (cross v b).
 
-Lemma is_between_spec (a b v : vector) : reflect (0 < cross a v /\ 0 < cross v b) (is_between a b v).
+Lemma is_amid_spec (a b v : vector) : reflect (0 < cross a v /\ 0 < cross v b) (is_amid a b v).
 Proof.
-  unfold is_between. destruct (positive_spec (cross a v)), (positive_spec (cross v b)); constructor; tauto.
+  unfold is_amid. destruct (positive_spec (cross a v)), (positive_spec (cross v b)); constructor; tauto.
 Qed.
 
 Lemma signed_crossing_by_areas (from to : vector) (s : segment) :
@@ -138,8 +138,8 @@ Section OneStep.
 
   Lemma crossing_at_the_point (s : segment) : In s (region_edges r) ->
     signed_crossing_of_step (plus w a) (plus w b) s =
-    (Z.b2z (leaves w s && is_between a b (along s)) -
-     Z.b2z (enters w s && is_between a b (opposite (along s))))%Z.
+    (Z.b2z (departs w s && is_amid a b (along s)) -
+     Z.b2z (arrives w s && is_amid a b (opposite (along s))))%Z.
   Proof.
     intros I. pose proof (region_edges_are_directions r not_points s I) as long.
     destruct (signed_crossing_by_areas (plus w a) (plus w b) s) as [once once_back].
@@ -156,19 +156,19 @@ Section OneStep.
     { intros (k & range & X & Y). exists k. split; [exact range |].
       unfold equal_vectors, moved_along, area, plus, cross, opposite, along, minus; cbn [source target vx vy].
       repeat split; rewrite ?X, ?Y; ring. }
-    destruct (leaves w s && is_between a b (along s)) eqn:ahead,
-      (enters w s && is_between a b (opposite (along s))) eqn:behind; cbn [Z.b2z].
+    destruct (departs w s && is_amid a b (along s)) eqn:ahead,
+      (arrives w s && is_amid a b (opposite (along s))) eqn:behind; cbn [Z.b2z].
     - exfalso. apply andb_true_iff in ahead, behind. destruct ahead as [_ ahead], behind as [_ behind].
-      destruct (is_between_spec a b (along s)), (is_between_spec a b (opposite (along s))); try discriminate. lra.
-    - apply andb_true_iff in ahead. destruct ahead as [leaving ahead]. apply leaves_is in leaving.
-      destruct leaving as [on goes_on]. destruct (is_between_spec a b (along s)) as [[after_a before_b] |];
+      destruct (is_amid_spec a b (along s)), (is_amid_spec a b (opposite (along s))); try discriminate. lra.
+    - apply andb_true_iff in ahead. destruct ahead as [leaving ahead]. apply departs_is in leaving.
+      destruct leaving as [on goes_on]. destruct (is_amid_spec a b (along s)) as [[after_a before_b] |];
         [| discriminate].
       destruct (areas on) as (k & [k0 k1] & _ & target_is & area_a & area_b & of_source & of_target).
       apply once; try lra.
       + assert (0 <= k * (cross a (along s) + cross (along s) b)) by (apply Qmult_le_0_compat; lra). lra.
       + rewrite of_target. apply (goes_beyond_the_step s _ (target s)); trivial; [tauto | lra].
-    - apply andb_true_iff in behind. destruct behind as [entering behind]. apply enters_is in entering.
-      destruct entering as [on comes]. destruct (is_between_spec a b (opposite (along s))) as [[after_a before_b] |];
+    - apply andb_true_iff in behind. destruct behind as [entering behind]. apply arrives_is in entering.
+      destruct entering as [on comes]. destruct (is_amid_spec a b (opposite (along s))) as [[after_a before_b] |];
         [| discriminate].
       destruct (areas on) as (k & [k0 k1] & source_is & _ & area_a & area_b & of_source & of_target).
       apply once_back; try lra.
@@ -208,20 +208,20 @@ Section OneStep.
       destruct (sign _ after_a) as [[front u] | [rear u]], (sign _ before_b) as [[front' u'] | [rear' u']];
         try (exfalso; lra).
       + rewrite (leaving front long) in ahead.
-        destruct (is_between_spec a b (along s)) as [| []]; [discriminate | tauto].
+        destruct (is_amid_spec a b (along s)) as [| []]; [discriminate | tauto].
       + rewrite (entering rear long) in behind.
-        destruct (is_between_spec a b (opposite (along s))) as [| []]; [discriminate | lra].
+        destruct (is_amid_spec a b (opposite (along s))) as [| []]; [discriminate | lra].
   Qed.
 
   (* Theorem. How the winding number changes around w. *)
   Theorem winding_number_around_the_point :
     (winding_number (plus w b) (region_edges r) - winding_number (plus w a) (region_edges r))%Z =
-    sum_of (fun s => Z.b2z (leaves w s) * Z.b2z (is_between a b (along s)) -
-                     Z.b2z (enters w s) * Z.b2z (is_between a b (opposite (along s))))%Z (region_edges r).
+    sum_of (fun s => Z.b2z (departs w s) * Z.b2z (is_amid a b (along s)) -
+                     Z.b2z (arrives w s) * Z.b2z (is_amid a b (opposite (along s))))%Z (region_edges r).
   Proof.
     rewrite <- step_changes_winding_number; trivial; [| apply region_cycles |].
     - apply sum_equally. intros s I. rewrite (crossing_at_the_point s I).
-      destruct (leaves w s), (enters w s), (is_between a b (along s)), (is_between a b (opposite (along s)));
+      destruct (departs w s), (arrives w s), (is_amid a b (along s)), (is_amid a b (opposite (along s)));
         reflexivity.
     - intros [X Y]. unfold minus, plus in X, Y; cbn [vx vy] in X, Y. assert (cross a b == 0); [| lra].
       unfold cross. assert (vx_is : vx b == vx a) by lra. assert (vy_is : vy b == vy a) by lra.

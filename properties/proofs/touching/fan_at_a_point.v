@@ -17,7 +17,7 @@ Open Scope Q_scope.
 Lemma vertices_at_a_point (r : region) (w : vector) (f : vector -> Z) :
   sum_of (fun v => Z.b2z (same_place w (fst v)) * (f (incoming (snd v)) - f (outgoing (snd v))))%Z
     (region_vertices r) =
-  sum_of (fun s => (Z.b2z (enters w s) - Z.b2z (leaves w s)) * f (along s))%Z (region_edges r).
+  sum_of (fun s => (Z.b2z (arrives w s) - Z.b2z (departs w s)) * f (along s))%Z (region_edges r).
 Proof.
   unfold region_vertices, region_edges. rewrite !sum_of_flat_map. apply sum_equally. intros chain _.
   rewrite vertices_by_index, (sum_by_index _ _ no_segment _ (length chain)) by apply edges_are_as_many.
@@ -31,7 +31,7 @@ Proof.
     set (s := nth i (edges chain) no_segment).
     assert (ends : at_ i = Z.b2z (same_place w (source s)) /\ at_ (next i n) = Z.b2z (same_place w (target s))).
     { unfold s. rewrite edge_by_index by exact I. now split. }
-    destruct ends as [-> ->]. unfold enters, leaves, passes.
+    destruct ends as [-> ->]. unfold arrives, departs, comes_by.
     destruct (lies_on_dec w s) as [on | free], (same_place_spec w (source s)) as [at_source |],
       (same_place_spec w (target s)) as [at_target |]; cbn [andb negb Z.b2z]; try lia; exfalso; apply free.
     + apply (lies_on_equal (source s)); [now symmetry | apply source_lies_on].
@@ -63,7 +63,7 @@ Section Turning.
   Definition wraps : Z := if Qlt_le_dec (angle db) (angle da) then 1 else 0.
 
   Lemma edges_while_turning (v : vector) : nonzero v -> ~ angle v == angle da -> ~ angle v == angle db ->
-    (change v + Z.b2z (is_between a b (opposite v)) = wraps)%Z.
+    (change v + Z.b2z (is_amid a b (opposite v)) = wraps)%Z.
   Proof.
     intros proper_v differ_a differ_b.
     assert (proper_a : nonzero a) by (intros [X Y]; unfold cross in turn; rewrite X, Y in turn; lra).
@@ -78,7 +78,7 @@ Section Turning.
     rewrite <- a_back in *. rewrite <- b_back in *. rewrite <- back_a in *. rewrite <- back_b in *.
     clear a_back b_back turn_back back_a back_b turn.
     pose proof (angle_range v proper_v). pose proof (angle_range da proper_da). pose proof (angle_range db proper_db).
-    unfold change, wraps, is_between.
+    unfold change, wraps, is_amid.
     destruct (before_spec (Direction v (other label)) (Direction da label) proper_v proper_da) as [va | va],
       (before_spec (Direction v (other label)) (Direction db label) proper_v proper_db) as [vb | vb];
       unfold earlier in va, vb; cbn [vec] in va, vb.
@@ -90,15 +90,15 @@ Section Turning.
     all: lra.
   Qed.
 
-  Lemma leaving_while_turning (v : vector) : ~ cross a v == 0 -> ~ cross b v == 0 ->
-    (Z.b2z (positive (cross a v)) - Z.b2z (positive (cross b v)) - Z.b2z (is_between a b v) +
-     Z.b2z (is_between a b (opposite v)) = 0)%Z.
+  Lemma departing_while_turning (v : vector) : ~ cross a v == 0 -> ~ cross b v == 0 ->
+    (Z.b2z (positive (cross a v)) - Z.b2z (positive (cross b v)) - Z.b2z (is_amid a b v) +
+     Z.b2z (is_amid a b (opposite v)) = 0)%Z.
   Proof.
     intros off_a off_b.
     assert (back : cross a (opposite v) == - cross a v /\ cross (opposite v) b == - cross v b /\
       cross b v == - cross v b) by (unfold cross, opposite; cbn [vx vy]; repeat split; ring).
     destruct back as (back_a & back_b & swapped).
-    unfold is_between. destruct (positive_spec (cross a v)), (positive_spec (cross b v)), (positive_spec (cross v b)),
+    unfold is_amid. destruct (positive_spec (cross a v)), (positive_spec (cross b v)), (positive_spec (cross v b)),
       (positive_spec (cross a (opposite v))), (positive_spec (cross (opposite v) b));
       cbn [andb Z.b2z]; try reflexivity; exfalso; lra.
   Qed.
@@ -108,16 +108,16 @@ End Turning.
 Definition tangents_at (w : vector) (d : direction) (r : region) : Z :=
   sum_of (fun v => Z.b2z (same_place w (fst v)) * if_tangent d (snd v))%Z (region_vertices r).
 
-Definition leaving (w : vector) (r : region) : Z := sum_of (fun s => Z.b2z (leaves w s)) (region_edges r).
+Definition departures (w : vector) (r : region) : Z := sum_of (fun s => Z.b2z (departs w s)) (region_edges r).
 
-Definition leaving_to_the_left (w a : vector) (r : region) : Z :=
-  sum_of (fun s => Z.b2z (leaves w s) * Z.b2z (positive (cross a (along s))))%Z (region_edges r).
+Definition departures_left_of (w a : vector) (r : region) : Z :=
+  sum_of (fun s => Z.b2z (departs w s) * Z.b2z (positive (cross a (along s))))%Z (region_edges r).
 
 (* No edge at w has the direction -a, and none leaves w in the direction a. *)
 Definition clear_direction (w a : vector) (r : region) : Prop :=
   off (plus w a) (region_edges r) /\
   forall s, In s (region_edges r) -> lies_on w s ->
-    ~ same_direction (along s) (opposite a) /\ (leaves w s = true -> ~ cross a (along s) == 0).
+    ~ same_direction (along s) (opposite a) /\ (departs w s = true -> ~ cross a (along s) == 0).
 
 Section AtThePoint.
   Variable r : region.
@@ -131,31 +131,31 @@ Section AtThePoint.
   Theorem same_in_all_directions (a b da db : vector) : 0 < cross a b ->
     within radius w (plus w a) -> within radius w (plus w b) -> clear_direction w a r -> clear_direction w b r ->
     nonzero da -> nonzero db -> same_direction da (opposite a) -> same_direction db (opposite b) ->
-    (tangents_at w (Direction da label) r + leaving_to_the_left w a r + winding_number (plus w a) (region_edges r) =
-     tangents_at w (Direction db label) r + leaving_to_the_left w b r + winding_number (plus w b) (region_edges r))%Z.
+    (tangents_at w (Direction da label) r + departures_left_of w a r + winding_number (plus w a) (region_edges r) =
+     tangents_at w (Direction db label) r + departures_left_of w b r + winding_number (plus w b) (region_edges r))%Z.
   Proof.
     intros turn near_a near_b [off_a clear_a] [off_b clear_b] proper_da proper_db a_back b_back.
     pose proof (winding_number_around_the_point r w a b radius not_points near turn near_a near_b off_a off_b)
       as numbers.
     assert (tangents : (tangents_at w (Direction da label) r - tangents_at w (Direction db label) r)%Z =
-      sum_of (fun s => (Z.b2z (enters w s) - Z.b2z (leaves w s)) * change da db label (along s))%Z (region_edges r)).
+      sum_of (fun s => (Z.b2z (arrives w s) - Z.b2z (departs w s)) * change da db label (along s))%Z (region_edges r)).
     { rewrite <- vertices_at_a_point. unfold tangents_at. rewrite <- sum_minus. apply sum_equally. intros [v c] I.
       cbn [fst snd]. unfold if_tangent, change.
       assert (proper_c : proper_corner c).
       { destruct (edges_of_vertex v c r I) as ((s & S & _ & in_) & (t & T & _ & out_)).
         unfold proper_corner. rewrite <- in_, <- out_. split; now apply (region_edges_are_directions r). }
       rewrite !in_tangent_set_as_difference by assumption. cbn [of]. lia. }
-    assert (as_many : sum_of (fun s => (Z.b2z (enters w s) - Z.b2z (leaves w s)) * wraps da db)%Z
+    assert (as_many : sum_of (fun s => (Z.b2z (arrives w s) - Z.b2z (departs w s)) * wraps da db)%Z
       (region_edges r) = 0%Z).
     { rewrite <- (vertices_at_a_point r w (fun _ => wraps da db)). apply sum_of_zeros. intros. lia. }
-    enough (each : (sum_of (fun s => (Z.b2z (enters w s) - Z.b2z (leaves w s)) * change da db label (along s))%Z
-        (region_edges r) + leaving_to_the_left w a r - leaving_to_the_left w b r -
-        sum_of (fun s => Z.b2z (leaves w s) * Z.b2z (is_between a b (along s)) -
-                         Z.b2z (enters w s) * Z.b2z (is_between a b (opposite (along s))))%Z (region_edges r) =
-        sum_of (fun s => (Z.b2z (enters w s) - Z.b2z (leaves w s)) * wraps da db)%Z (region_edges r))%Z) by lia.
-    unfold leaving_to_the_left. rewrite <- sum_plus, <- !sum_minus. apply sum_equally. intros s I.
+    enough (each : (sum_of (fun s => (Z.b2z (arrives w s) - Z.b2z (departs w s)) * change da db label (along s))%Z
+        (region_edges r) + departures_left_of w a r - departures_left_of w b r -
+        sum_of (fun s => Z.b2z (departs w s) * Z.b2z (is_amid a b (along s)) -
+                         Z.b2z (arrives w s) * Z.b2z (is_amid a b (opposite (along s))))%Z (region_edges r) =
+        sum_of (fun s => (Z.b2z (arrives w s) - Z.b2z (departs w s)) * wraps da db)%Z (region_edges r))%Z) by lia.
+    unfold departures_left_of. rewrite <- sum_plus, <- !sum_minus. apply sum_equally. intros s I.
     destruct (lies_on_dec w s) as [on | free].
-    2: { unfold leaves, enters, passes. destruct (lies_on_dec w s); [contradiction | reflexivity]. }
+    2: { unfold departs, arrives, comes_by. destruct (lies_on_dec w s); [contradiction | reflexivity]. }
     destruct (clear_a s I on) as [differ_a aside_a], (clear_b s I on) as [differ_b aside_b].
     pose proof (region_edges_are_directions r not_points s I) as long.
     assert (proper : forall v, 0 < cross v b \/ 0 < cross a v -> nonzero (opposite v)).
@@ -166,10 +166,10 @@ Section AtThePoint.
     destruct (angles da a) as [angle_a apart_a]; auto. destruct (angles db b) as [angle_b apart_b]; auto.
     pose proof (edges_while_turning a b da db label turn angle_a angle_b proper_da proper_db (along s) long apart_a
       apart_b) as turned_.
-    destruct (leaves w s) eqn:leaving_.
-    - pose proof (leaving_while_turning a b (along s) (aside_a eq_refl) (aside_b eq_refl)) as left_.
-      destruct (enters w s); cbn [Z.b2z]; lia.
-    - destruct (enters w s); cbn [Z.b2z]; lia.
+    destruct (departs w s) eqn:departing_.
+    - pose proof (departing_while_turning a b (along s) (aside_a eq_refl) (aside_b eq_refl)) as left_.
+      destruct (arrives w s); cbn [Z.b2z]; lia.
+    - destruct (arrives w s); cbn [Z.b2z]; lia.
   Qed.
 
   (* A direction that is parallel to no edge at w. *)
@@ -239,7 +239,7 @@ Section OneDirection.
     (forall s, In s (region_edges r) -> lies_on w s -> ~ cross y (along s) == 0) ->
     (0 < winding_number (plus w y) (region_edges r) \/
      0 < winding_number (plus w (opposite y)) (region_edges r))%Z ->
-    (leaving w r < 2 * leaving_to_the_left w z r)%Z.
+    (departures w r < 2 * departures_left_of w z r)%Z.
   Proof.
     intros turn near_y near_back general round.
     assert (proper_y : nonzero y) by (intros [X Y]; unfold cross in turn; rewrite X, Y in turn; lra).
@@ -256,10 +256,10 @@ Section OneDirection.
     assert (y_back : same_direction y (opposite (opposite y))) by (rewrite opposite_twice; apply itself).
     pose proof (same_in_all_directions r w label radius not_points near (opposite y) z y d turn_back near_back near_z
       clear_back clear_z proper_y proper_d y_back z_back) as behind.
-    assert (both_sides : (leaving_to_the_left w y r + leaving_to_the_left w (opposite y) r = leaving w r)%Z).
-    { unfold leaving_to_the_left, leaving. rewrite <- sum_plus. apply sum_equally. intros s I.
-      destruct (leaves w s) eqn:leaving_; cbn [Z.b2z]; [| lia]. apply leaves_is in leaving_.
-      pose proof (general s I (proj1 leaving_)) as aside. pose proof (back (along s)).
+    assert (both_sides : (departures_left_of w y r + departures_left_of w (opposite y) r = departures w r)%Z).
+    { unfold departures_left_of, departures. rewrite <- sum_plus. apply sum_equally. intros s I.
+      destruct (departs w s) eqn:departing_; cbn [Z.b2z]; [| lia]. apply departs_is in departing_.
+      pose proof (general s I (proj1 departing_)) as aside. pose proof (back (along s)).
       destruct (positive_spec (cross y (along s))), (positive_spec (cross (opposite y) (along s)));
         cbn [Z.b2z]; try lia; exfalso; lra. }
     assert (tangents : forall d', (0 <= tangents_at w d' r)%Z).
@@ -271,8 +271,8 @@ Section OneDirection.
   Qed.
 
   (* Theorem. *)
-  Theorem more_than_half_leave_to_the_left : (exists s, In s (region_edges r) /\ lies_on w s) ->
-    (leaving w r < 2 * leaving_to_the_left w z r)%Z.
+  Theorem more_than_half_depart_to_the_left : (exists s, In s (region_edges r) /\ lies_on w s) ->
+    (departures w r < 2 * departures_left_of w z r)%Z.
   Proof.
     intros on_boundary. pose proof r_region as (_ & valid & meet). pose proof near as [R _].
     pose proof (regions_are_regular r not_points valid meet) as regular.

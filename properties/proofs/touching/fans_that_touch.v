@@ -104,10 +104,10 @@ Section OffTheConvolution.
   Qed.
 End OffTheConvolution.
 
-Lemma goes_ahead_from (w : vector) (s : segment) : leaves w s = true ->
+Lemma goes_ahead_from (w : vector) (s : segment) : departs w s = true ->
   eventually (fun t => lies_on (moved_along w (along s) t) s).
 Proof.
-  intros leaving_. apply leaves_is in leaving_. destruct leaving_ as [(k & [k0 k1] & X & Y) goes_on].
+  intros departing_. apply departs_is in departing_. destruct departing_ as [(k & [k0 k1] & X & Y) goes_on].
   assert (before_end : k < 1).
   { apply Qnot_le_lt. intros at_end. apply goes_on. assert (k_is : k == 1) by lra. rewrite k_is in X, Y.
     split; lra. }
@@ -125,7 +125,7 @@ Proof.
 Qed.
 
 Lemma same_half (r : region) (w a b : vector) (k : Q) : 0 < k -> vx b == k * vx a -> vy b == k * vy a ->
-  leaving_to_the_left w b r = leaving_to_the_left w a r.
+  departures_left_of w b r = departures_left_of w a r.
 Proof.
   intros some X Y. apply sum_equally. intros s _. f_equal. f_equal.
   assert (value : cross b (along s) == k * cross a (along s)) by (unfold cross; rewrite X, Y; ring).
@@ -139,29 +139,29 @@ Qed.
    leave to the right of it. *)
 Lemma half_beside_an_edge (p q : region) (x w u : vector) (f : segment) (label : summand) :
   valid_region p -> valid_region q -> equal_vectors x (plus w u) ->
-  (exists e, In e (region_edges p) /\ lies_on w e) -> In f (region_edges q) -> leaves u f = true ->
+  (exists e, In e (region_edges p) /\ lies_on w e) -> In f (region_edges q) -> departs u f = true ->
   (forall e, In e (region_edges p) -> lies_on w e -> ~ same_direction (along e) (along f)) ->
   tangents_at w (Direction (along f) label) p = 0%Z ->
-  interiors_meet x p q \/ (leaving w p < 2 * leaving_to_the_left w (opposite (along f)) p)%Z.
+  interiors_meet x p q \/ (departures w p < 2 * departures_left_of w (opposite (along f)) p)%Z.
 Proof.
-  intros p_region q_region sum_ on_boundary F f_leaves no_common no_tangent.
+  intros p_region q_region sum_ on_boundary F f_departs no_common no_tangent.
   pose proof p_region as (p_edges & p_valid & p_meet). pose proof q_region as (q_edges & q_valid & q_meet).
   pose proof (regions_are_regular q q_edges q_valid q_meet) as q_regular.
   pose proof (region_edges_are_directions q q_edges f F) as long. set (g := along f) in *.
   assert (decided : interiors_meet x p q \/ forall e, In e (region_edges p) ->
-    leaves w e = true -> ~ cross (opposite g) (along e) == 0).
-  { apply (one_or_all _ (fun e => leaves w e = true -> ~ cross (opposite g) (along e) == 0)). intros e E.
-    destruct (leaves w e) eqn:e_leaves; [| right; discriminate].
+    departs w e = true -> ~ cross (opposite g) (along e) == 0).
+  { apply (one_or_all _ (fun e => departs w e = true -> ~ cross (opposite g) (along e) == 0)). intros e E.
+    destruct (departs w e) eqn:e_departs; [| right; discriminate].
     destruct (Qeq_dec (cross (opposite g) (along e)) 0) as [parallel | turn]; [left | now right].
     apply (opposite_edges_meet p q x w u e f); trivial; try now apply goes_ahead_from.
     pose proof (region_edges_are_directions p p_edges e E) as long_e. fold g.
-    pose proof (opposite_nonzero g long) as long_back. apply leaves_is in e_leaves.
-    pose proof (no_common e E (proj1 e_leaves)) as differ. rewrite same_direction_angle in differ |- * by trivial.
+    pose proof (opposite_nonzero g long) as long_back. apply departs_is in e_departs.
+    pose proof (no_common e E (proj1 e_departs)) as differ. rewrite same_direction_angle in differ |- * by trivial.
     pose proof (cross_angle _ _ long_back long_e) as turn_. unfold turns_by in turn_.
     pose proof (opposite_angle g long). pose proof (angle_range _ long). pose proof (angle_range _ long_e). lra. }
   destruct decided as [| aside]; [now left |].
   destruct (some_square w p) as (radius & near). pose proof near as [R near_].
-  destruct (eventually_and _ _ (small_steps_stay_within radius w (opposite g) R) (goes_ahead_from u f f_leaves))
+  destruct (eventually_and _ _ (small_steps_stay_within radius w (opposite g) R) (goes_ahead_from u f f_departs))
     as (limit & L & close).
   destruct (close ((1 # 2) * limit)) as [near_z on_f]; [lra | lra |].
   set (k := (1 # 2) * limit) in *. assert (some : 0 < k) by (unfold k; lra). clearbody k. fold g in on_f.
@@ -192,30 +192,30 @@ Proof.
       * right. now exists f.
       * destruct sum_ as [X Y]. unfold plus, moved_along, z, opposite in *; cbn [vx vy] in *. split; cbn [vx vy]; lra.
     + right. pose proof (p_valid _ off_z). rewrite <- (same_half p w (opposite g) z k some); [| reflexivity ..].
-      apply (more_than_half_leave_to_the_left p w z g label radius); trivial; [| lia].
+      apply (more_than_half_depart_to_the_left p w z g label radius); trivial; [| lia].
       split; [exact off_z |]. intros e E on. split; [now apply no_common_z |].
-      intros e_leaves parallel. now apply (aside e E e_leaves), aside_z.
+      intros e_departs parallel. now apply (aside e E e_departs), aside_z.
 Qed.
 
-Lemma some_edge_leaves (r : region) (w : vector) : no_edges_are_points r ->
-  (exists s, In s (region_edges r) /\ lies_on w s) -> (0 < leaving w r)%Z.
+Lemma some_edge_departs (r : region) (w : vector) : no_edges_are_points r ->
+  (exists s, In s (region_edges r) /\ lies_on w s) -> (0 < departures w r)%Z.
 Proof.
   intros not_points (s & I & on).
-  assert (found : exists t, In t (region_edges r) /\ leaves w t = true).
+  assert (found : exists t, In t (region_edges r) /\ departs w t = true).
   { destruct (same_place_spec w (target s)) as [at_end | goes_on];
-      [| exists s; split; [exact I | apply leaves_is; tauto]].
-    destruct (target_is_vertex r s I) as (t & J & equal). exists t. split; [exact J |]. apply leaves_is.
+      [| exists s; split; [exact I | apply departs_is; tauto]].
+    destruct (target_is_vertex r s I) as (t & J & equal). exists t. split; [exact J |]. apply departs_is.
     assert (at_start : equal_vectors w (source t)) by now rewrite at_end.
     split; [apply (lies_on_equal (source t)); [now symmetry | apply source_lies_on] |].
     intros [X Y]. destruct at_start as [X' Y']. apply (region_edges_are_directions r not_points t J).
     unfold along, minus; cbn [vx vy]. lra. }
-  destruct found as (t & J & t_leaves).
-  assert (terms : forall s, In s (region_edges r) -> (0 <= Z.b2z (leaves w s))%Z)
-    by (intros e _; destruct (leaves w e); cbn; lia).
-  pose proof (sum_is_not_negative _ _ _ terms) as not_negative. fold (leaving w r) in not_negative.
-  destruct (Z.eq_dec (leaving w r) 0) as [none |]; [exfalso | lia].
+  destruct found as (t & J & t_departs).
+  assert (terms : forall s, In s (region_edges r) -> (0 <= Z.b2z (departs w s))%Z)
+    by (intros e _; destruct (departs w e); cbn; lia).
+  pose proof (sum_is_not_negative _ _ _ terms) as not_negative. fold (departures w r) in not_negative.
+  destruct (Z.eq_dec (departures w r) 0) as [none |]; [exfalso | lia].
   pose proof (zero_sum _ _ _ terms none t J) as term. cbv beta in term.
-  rewrite t_leaves in term. discriminate.
+  rewrite t_departs in term. discriminate.
 Qed.
 
 Lemma sum_is_at_most (A : Type) (f g : A -> Z) (l : list A) :
@@ -267,36 +267,36 @@ Proof.
   2: { apply interiors_meet_other_way. apply (inner_point_and_point q p x u w p_regular); trivial.
        split; [exact off_q |].
        destruct in_q as [positive_ | (s & S & on)]; [exact positive_ | exfalso; exact (off_q s S on)]. }
-  destruct (one_or_all (interiors_meet x p q) (fun f => leaves u f = true ->
-    (leaving w p < 2 * leaving_to_the_left w (opposite (along f)) p)%Z) (region_edges q)) as [| right_of_q]; trivial.
-  { intros f F. destruct (leaves u f) eqn:f_leaves; [| right; discriminate].
-    pose proof (proj1 (proj1 (leaves_is u f) f_leaves)) as on_f.
-    destruct (half_beside_an_edge p q x w u f OfQ p_region q_region sum_ on_p F f_leaves) as [|]; auto.
+  destruct (one_or_all (interiors_meet x p q) (fun f => departs u f = true ->
+    (departures w p < 2 * departures_left_of w (opposite (along f)) p)%Z) (region_edges q)) as [| right_of_q]; trivial.
+  { intros f F. destruct (departs u f) eqn:f_departs; [| right; discriminate].
+    pose proof (proj1 (proj1 (departs_is u f) f_departs)) as on_f.
+    destruct (half_beside_an_edge p q x w u f OfQ p_region q_region sum_ on_p F f_departs) as [|]; auto.
     - intros e E on_e. now apply (no_common_direction p q x w u).
     - now apply (no_tangent_of_q p q x w u). }
-  destruct (one_or_all (interiors_meet x p q) (fun e => leaves w e = true ->
-    (leaving u q < 2 * leaving_to_the_left u (opposite (along e)) q)%Z) (region_edges p)) as [| right_of_p]; trivial.
-  { intros e E. destruct (leaves w e) eqn:e_leaves; [| right; discriminate].
-    pose proof (proj1 (proj1 (leaves_is w e) e_leaves)) as on_e.
-    destruct (half_beside_an_edge q p x u w e OfP q_region p_region swapped on_q E e_leaves) as [meet |]; auto.
+  destruct (one_or_all (interiors_meet x p q) (fun e => departs w e = true ->
+    (departures u q < 2 * departures_left_of u (opposite (along e)) q)%Z) (region_edges p)) as [| right_of_p]; trivial.
+  { intros e E. destruct (departs w e) eqn:e_departs; [| right; discriminate].
+    pose proof (proj1 (proj1 (departs_is w e) e_departs)) as on_e.
+    destruct (half_beside_an_edge q p x u w e OfP q_region p_region swapped on_q E e_departs) as [meet |]; auto.
     - intros f F on_f same_. apply (no_common_direction p q x w u p_region q_region free sum_ e f); trivial.
       now apply same_direction_symmetric.
     - now apply (no_tangent_of_p p q x w u).
     - left. now apply interiors_meet_other_way. }
   (* of two edges only one is to the right of the other *)
-  exfalso. apply (not_more_than_half_both_ways _ _ (fun e => Z.b2z (leaves w e)) (fun f => Z.b2z (leaves u f))
+  exfalso. apply (not_more_than_half_both_ways _ _ (fun e => Z.b2z (departs w e)) (fun f => Z.b2z (departs u f))
     (fun e f => Z.b2z (positive (cross (opposite (along f)) (along e))))
     (fun e f => Z.b2z (positive (cross (opposite (along e)) (along f)))) (region_edges p) (region_edges q)).
-  - intros e. destruct (leaves w e); discriminate.
-  - intros f. destruct (leaves u f); discriminate.
+  - intros e. destruct (departs w e); discriminate.
+  - intros f. destruct (departs u f); discriminate.
   - intros e f. assert (turned_ : cross (opposite (along f)) (along e) == - cross (opposite (along e)) (along f))
       by (unfold cross, opposite; cbn [vx vy]; ring).
     destruct (positive_spec (cross (opposite (along f)) (along e))),
       (positive_spec (cross (opposite (along e)) (along f))); cbn [Z.b2z]; try lia; exfalso; lra.
-  - intros f F f_leaves. apply (right_of_q f F). now destruct (leaves u f).
-  - intros e E e_leaves. apply (right_of_p e E). now destruct (leaves w e).
-  - now apply (some_edge_leaves p w).
-  - now apply (some_edge_leaves q u).
+  - intros f F f_departs. apply (right_of_q f F). now destruct (departs u f).
+  - intros e E e_departs. apply (right_of_p e E). now destruct (departs w e).
+  - now apply (some_edge_departs p w).
+  - now apply (some_edge_departs q u).
 Qed.
 
 (* Theorem 4.2.1 for interiors. Off the convolution, the winding number is positive if and only if the interiors of P
