@@ -1,15 +1,17 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Lemma 4.1.3 as printed: at each state (i, j) to which Algorithm 2 comes along a convolution segment, (1) a convolution
-   segment leaves the state; (2) two do, to (i+1, j) and to (i, j+1), if and only if two lead to it, from (i-1, j) and
-   from (i, j-1). Indices are cyclic. It is proved in states.v, for all closed chains without edges that are points. *)
-From Coq Require Import QArith Bool List.
-From Oplus Require Import convolution tracing small_polygons simple_chain polygons_of_the_thesis drawn_regions.
+(* Lemma 4.1.3 as printed: at each state (i, j) to which Algorithm 2 comes along a convolution segment, (1) a
+   convolution segment leaves the state; (2) two do, to (i+1, j) and to (i, j+1), if and only if two lead to it, from
+   (i-1, j) and from (i, j-1). Indices are cyclic. It is proved in states.v, for all closed chains without edges that
+   are points. *)
+From Coq Require Import List.
+From Oplus Require Import convolution polygons_of_the_thesis drawn_regions.
 Import ListNotations.
 
 Open Scope nat_scope.
 
 (* The convolution segment from (i, j) along P's edge or Q's edge exists; so does that to (i, j). *)
-Definition leaves (p q : list vector) (along_ : summand) (at_ : state) : Prop := in_convolution p q (along_, at_) = true.
+Definition leaves (p q : list vector) (along_ : summand) (at_ : state) : Prop :=
+  in_convolution p q (along_, at_) = true.
 Definition leads_to (p q : list vector) (along_ : summand) (at_ : state) : Prop :=
   in_convolution p q (segment_to (length p) (length q) along_ at_) = true.
 
@@ -29,7 +31,8 @@ Qed.
 (* Two rooms: at the inner corner (6, 5) of one and (1, 1) of the other both segments leave, so both lead there. *)
 Example opposite_inner_corners : leads_to room room OfP (5, 7) /\ leads_to room room OfQ (5, 7).
 Proof.
-  assert (edges_ : no_edge_is_a_point room) by (apply (simple_polygons_are_regions room); [apply drawn_polygons | now left]).
+  assert (edges_ : no_edge_is_a_point room)
+    by (apply (simple_polygons_are_regions room); [apply drawn_polygons | now left]).
   apply (lemma_4_1_3_as_printed room room 5 7); trivial.
   - cbn. repeat constructor.
   - cbn. repeat constructor.

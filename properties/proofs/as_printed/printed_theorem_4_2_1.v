@@ -1,11 +1,12 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Theorem 4.2.1 as printed: P and Q are two simple polygons, x is a point off their convolution. Then the winding number of
-   the convolution at x is positive if and only if P and -Q + x have a point in common. The thesis has closed polygons; for
-   open ones, whose common point is inside both, it holds, too. Both are proved for all regions, of any number of
-   chains: the first in theorem_4_2_1.v; the second in interiors_at_touching_points.v, if no chains of a region touch. *)
-From Coq Require Import QArith ZArith List.
+(* Theorem 4.2.1 as printed: P and Q are two simple polygons, x is a point off their convolution. Then the winding
+   number of the convolution at x is positive if and only if P and -Q + x have a point in common. The thesis has
+   closed polygons; for open ones, whose common point is inside both, it holds, too. Both are proved for all regions,
+   of any number of chains: the first in theorem_4_2_1.v; the second in interiors_at_touching_points.v, if no chains
+   of a region touch. *)
+From Coq Require Import QArith List.
 From Oplus Require Import convolution convolution_winding regions interiors_meet theorem_4_2_1 boundary_points
-  interiors_at_touching_points small_polygons simple_polygons test_of_regions polygons_of_the_thesis drawn_regions.
+  interiors_at_touching_points simple_polygons test_of_regions polygons_of_the_thesis drawn_regions.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -1,12 +1,12 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Corollary 4.1.9 is false as printed: two simple polygons of n and m vertices need not have a convolution cycle of n + m
-   segments. The convolution of the triangle and the arrow head of no_short_cycle.v is one cycle of 10 segments that passes
-   no point twice, so every closed walk in it has a multiple of 10 segments, and not 7. What holds is proved in
-   corollary_4_1_9.v: each cycle that is traced goes round both chains whole numbers of times, and one of them goes round both, so it has
-   n + m segments or more; two convex polygons have one cycle, of n + m segments. *)
-From Coq Require Import PeanoNat QArith Lia Bool List Permutation.
+(* Corollary 4.1.9 is false as printed: two simple polygons of n and m vertices need not have a convolution cycle of n
+   + m segments. The convolution of the triangle and the arrow head of no_short_cycle.v is one cycle of 10 segments
+   that passes no point twice, so every closed walk in it has a multiple of 10 segments, and not 7. What holds is
+   proved in corollary_4_1_9.v: each cycle that is traced goes round both chains whole numbers of times, and one of
+   them goes round both, so it has n + m segments or more; two convex polygons have one cycle, of n + m segments. *)
+From Coq Require Import QArith Lia List Permutation.
 From Oplus Require Import convolution tracing balanced_graph convolution_graph no_short_cycle sizes_of_cycles
-  corollary_4_1_9 small_polygons simple_chain simple_chains_turn_once polygons_of_the_thesis drawn_regions.
+  corollary_4_1_9 small_polygons simple_chain polygons_of_the_thesis drawn_regions.
 Import ListNotations.
 
 Open Scope nat_scope.
@@ -27,8 +27,8 @@ Definition place (v : vector) : nat := place_of v points_of_the_cycle.
 Lemma each_segment_leads_on (s : segment_of_regions) :
   In s their_segments -> place (ends_at_node s) = (place (starts_at_node s) + 1) mod 10.
 Proof.
-  assert (checked : forallb (fun s => place (ends_at_node s) =? (place (starts_at_node s) + 1) mod 10) their_segments = true)
-    by (vm_compute; reflexivity).
+  assert (checked : forallb (fun s => place (ends_at_node s) =? (place (starts_at_node s) + 1) mod 10)
+    their_segments = true) by (vm_compute; reflexivity).
   rewrite forallb_forall in checked. intros I. now apply Nat.eqb_eq, checked.
 Qed.
 

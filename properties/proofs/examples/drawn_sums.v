@@ -1,10 +1,10 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Points of sums that one can draw, for the examples of this folder: points of the boundary of a closed sum, a point of a
-   dangling edge of an open sum, and an isolated vertex of one. *)
+(* Points of sums that one can draw, for the examples of this folder: points of the boundary of a closed sum, a point
+   of a dangling edge of an open sum, and an isolated vertex of one. *)
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
-From Oplus Require Import convolution convolution_winding shifted_ray tie_rule regions meeting_of_segments interiors_meet
-  neighbourhoods left_of_an_edge theorem_4_2_1 theorem_2_2_10 theorem_2_2_6 boundary_points small_polygons simple_polygons
-  location test_of_regions checked_collision theorem_3_2_8 theorem_3_2_10
+From Oplus Require Import convolution convolution_winding shifted_ray tie_rule regions meeting_of_segments
+  interiors_meet neighbourhoods left_of_an_edge theorem_4_2_1 theorem_2_2_10 theorem_2_2_6 boundary_points
+  small_polygons simple_polygons location test_of_regions checked_collision theorem_3_2_8 theorem_3_2_10
   polygons_of_the_thesis drawn_regions.
 Import ListNotations.
 
@@ -58,14 +58,16 @@ Lemma size_of_the_diamond (w : vector) :
   inside w [diamond] -> 0 < vx w < 1 /\ - (1 # 2) < vy w < 1 # 2.
 Proof.
   destruct w as [a b]. intros [free positive_]. cbn [vx vy].
-  assert (bounds : forall outside : Prop, (outside -> winding_number (Vector a b) (region_edges [diamond]) = 0%Z) -> ~ outside).
+  assert (bounds : forall outside : Prop,
+    (outside -> winding_number (Vector a b) (region_edges [diamond]) = 0%Z) -> ~ outside).
   { intros outside none yes. rewrite (none yes) in positive_. now apply Z.lt_irrefl in positive_. }
   assert (corner_ : ~ (a == 0 /\ b == 0)).
   { intros [X Y]. apply (free (Segment (Vector 0 0) (Vector (1 # 2) (- (1 # 2))))); [now left |].
     exists 0. cbn [source target vx vy]. lra. }
-  repeat split; apply Qnot_le_lt; apply bounds; intros beyond; clear - beyond corner_; [| clear corner_; number_by_arithmetic ..].
-  destruct (Qlt_le_dec b 0); [| destruct (Qlt_le_dec 0 b); [| assert (a < 0) by (apply Qnot_le_lt; intros ?; apply corner_; lra)]];
-    number_by_arithmetic.
+  repeat split; apply Qnot_le_lt; apply bounds; intros beyond; clear - beyond corner_;
+    [| clear corner_; number_by_arithmetic ..].
+  destruct (Qlt_le_dec b 0); [| destruct (Qlt_le_dec 0 b);
+    [| assert (a < 0) by (apply Qnot_le_lt; intros ?; apply corner_; lra)]]; number_by_arithmetic.
 Qed.
 
 Lemma hatch_is_free (height : Q) :
@@ -98,7 +100,8 @@ Proof.
     unfold moved_along, minus; cbn [vx vy]. split; inside_by_arithmetic.
 Qed.
 
-(* Four vertices of the inscribed diamond touch the four sides of the chamber's hole, (3, 3) is its only place there. *)
+(* Four vertices of the inscribed diamond touch the four sides of the chamber's hole, (3, 3) is its only place there.
+   *)
 Lemma only_place_in_the_chamber : isolated_vertex (Vector 3 3) chamber [inscribed_diamond].
 Proof.
   split.
