@@ -23,7 +23,7 @@ Proof.
   intros c [<- | []]. split; [exact chain_simple | split; [exact turned |]]. split; [intros h [] | constructor].
 Qed.
 
-Lemma edges_of_one_chain (chain : list vector) : edges_of_components [Component chain []] = region_edges [chain].
+Lemma edges_of_a_polygon (chain : list vector) : edges_of_components [Component chain []] = region_edges [chain].
 Proof. apply edges_of_region_are_its_chains. Qed.
 
 (* Theorem. A simple polygon is a valid region. *)
@@ -37,7 +37,7 @@ Lemma simple_polygons_go_round_once (chain : list vector) (x : vector) :
   simple_polygon chain -> off x (region_edges [chain]) ->
   winding_number x (region_edges [chain]) = 0%Z \/ winding_number x (region_edges [chain]) = 1%Z.
 Proof.
-  rewrite <- edges_of_one_chain. intros polygon.
+  rewrite <- edges_of_a_polygon. intros polygon.
   now apply winding_numbers_of_valid_regions, simple_polygon_is_a_component.
 Qed.
 

@@ -16,7 +16,7 @@ Theorem corollary_2_2_3_as_printed (p q : region) (x : vector) :
 Proof. exact (boundary_points_are_sums_of_boundary_points p q x). Qed.
 
 (* In the room, the diamond can touch the left wall. *)
-Example at_the_wall : exists a b, on_boundary a [room] /\ on_boundary b [diamond] /\
+Example at_the_wall : exists a b, on_boundary a [room] /\ on_boundary b [fitting_diamond] /\
   equal_vectors (Vector 2 3) (plus a b).
 Proof.
   apply corollary_2_2_3_as_printed; [apply simple_polygons_are_regions, drawn_polygons .. | exact wall_of_the_sum].

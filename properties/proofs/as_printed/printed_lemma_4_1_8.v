@@ -30,6 +30,6 @@ Qed.
 
 (* The room and the diamond. *)
 Example rows_and_columns_of_the_room :
-  (forall j, j < 4 -> exists i, i < 12 /\ is_convolution_segment room diamond OfQ i j = true) /\
-  (forall i, i < 12 -> exists j, j < 4 /\ is_convolution_segment room diamond OfP i j = true).
-Proof. apply (lemma_4_1_8_as_printed room diamond); apply drawn_polygons. Qed.
+  (forall j, j < 4 -> exists i, i < 12 /\ is_convolution_segment room fitting_diamond OfQ i j = true) /\
+  (forall i, i < 12 -> exists j, j < 4 /\ is_convolution_segment room fitting_diamond OfP i j = true).
+Proof. apply (lemma_4_1_8_as_printed room fitting_diamond); apply drawn_polygons. Qed.

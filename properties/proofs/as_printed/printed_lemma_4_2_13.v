@@ -33,5 +33,6 @@ Proof.
 Qed.
 
 (* The room has four reflex vertices. *)
-Example the_original_convolution_of_the_room : well_defined_winding_numbers (original_convolution [room] [diamond]).
+Example the_original_convolution_of_the_room :
+  well_defined_winding_numbers (original_convolution [room] [fitting_diamond]).
 Proof. apply lemma_4_2_13_as_printed; apply simple_polygons_are_regions, drawn_polygons. Qed.

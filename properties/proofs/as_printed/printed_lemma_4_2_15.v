@@ -90,10 +90,10 @@ Qed.
 
 (* At the inner corner (6, 5) of the room, in a point inside the diamond placed there. *)
 Example at_an_inner_corner : let x := Vector (13 # 2) 5 in
-  winding_number x (replaced (only_vertex OfP room 5) [room] [diamond]) =
-  (winding_number x (convolution_segments [room] [diamond]) - 1)%Z.
+  winding_number x (replaced (only_vertex OfP room 5) [room] [fitting_diamond]) =
+  (winding_number x (convolution_segments [room] [fitting_diamond]) - 1)%Z.
 Proof.
-  apply (lemma_4_2_15_as_printed room diamond 5); [apply drawn_polygons .. | | |].
+  apply (lemma_4_2_15_as_printed room fitting_diamond 5); [apply drawn_polygons .. | | |].
   - cbn. repeat constructor.
   - apply off_by_computation. vm_compute. reflexivity.
   - apply inside_by_computation. vm_compute. reflexivity.

@@ -27,10 +27,10 @@ Qed.
 
 (* (2, 3) is on a segment of the convolution of the room and the diamond; there the diamond touches the wall. *)
 Example a_vertex_on_an_edge :
-  (exists v f, is_vertex v [room] /\ In f (region_edges (placed (Vector 2 3) [diamond])) /\ lies_on v f) \/
-  (exists v e, is_vertex v (placed (Vector 2 3) [diamond]) /\ In e (region_edges [room]) /\ lies_on v e).
+  (exists v f, is_vertex v [room] /\ In f (region_edges (placed (Vector 2 3) [fitting_diamond])) /\ lies_on v f) \/
+  (exists v e, is_vertex v (placed (Vector 2 3) [fitting_diamond]) /\ In e (region_edges [room]) /\ lies_on v e).
 Proof.
-  apply (observation_4_2_8_as_printed [room] [diamond] _ (Segment (Vector 2 1) (Vector 2 5))).
+  apply (observation_4_2_8_as_printed [room] [fitting_diamond] _ (Segment (Vector 2 1) (Vector 2 5))).
   - vm_compute. tauto.
   - apply on_edge_by_computation. vm_compute. reflexivity.
 Qed.

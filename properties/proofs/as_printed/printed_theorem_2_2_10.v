@@ -16,7 +16,7 @@ Proof. exact (boundary_is_part_of_the_convolution p q x). Qed.
 
 (* Where the diamond touches the room's wall. *)
 Example the_wall_is_on_the_convolution :
-  exists s, In s (convolution_segments [room] [diamond]) /\ lies_on (Vector 2 3) s.
+  exists s, In s (convolution_segments [room] [fitting_diamond]) /\ lies_on (Vector 2 3) s.
 Proof.
   apply theorem_2_2_10_as_printed; [apply simple_polygons_are_regions, drawn_polygons .. | exact wall_of_the_sum].
 Qed.

@@ -43,14 +43,14 @@ Qed.
 
 (* In the hatch of the room the diamond, moved a little to the side, meets a wall; in the middle of the room it does
    not. *)
-Example in_the_hatch : exists z, inside z [room] /\ inside (minus (Vector (41 # 10) (11 # 2)) z) [diamond].
+Example in_the_hatch : exists z, inside z [room] /\ inside (minus (Vector (41 # 10) (11 # 2)) z) [fitting_diamond].
 Proof.
   apply theorem_4_2_1_for_open_polygons; [apply drawn_polygons .. | |].
   - apply off_by_computation. vm_compute. reflexivity.
   - vm_compute. reflexivity.
 Qed.
 
-Example in_the_room : ~ exists z, in_region z [room] /\ in_reflected (Vector 4 3) [diamond] z.
+Example in_the_room : ~ exists z, in_region z [room] /\ in_reflected (Vector 4 3) [fitting_diamond] z.
 Proof.
   rewrite <- theorem_4_2_1_as_printed; [| apply drawn_polygons .. |].
   - intros positive_. vm_compute in positive_. discriminate positive_.

@@ -14,13 +14,13 @@ Open Scope Q_scope.
 (* The room has a hatch from (3, 5) to (4, 6), the diamond has the same width. *)
 Definition room : list vector :=
   points_at [(0, 0); (7, 0); (7, 6); (4, 6); (4, 5); (6, 5); (6, 1); (1, 1); (1, 5); (3, 5); (3, 6); (0, 6)].
-Definition diamond : list vector := points_at [(0, 0); (1 # 2, - (1 # 2)); (1, 0); (1 # 2, 1 # 2)].
+Definition fitting_diamond : list vector := points_at [(0, 0); (1 # 2, - (1 # 2)); (1, 0); (1 # 2, 1 # 2)].
 
 (* A square of side 6 with a square hole of side 2, and the diamond that touches all four sides of this hole. *)
 Definition chamber : region := square_with_hole.
 Definition inscribed_diamond : list vector := points_at [(-1, 0); (0, -1); (1, 0); (0, 1)].
 
-Lemma drawn_polygons : simple_polygon square /\ simple_polygon room /\ simple_polygon diamond /\
+Lemma drawn_polygons : simple_polygon square /\ simple_polygon room /\ simple_polygon fitting_diamond /\
   simple_polygon inscribed_diamond /\ simple_polygon letter_l.
 Proof. repeat split; apply is_simple_decides; vm_compute; reflexivity. Qed.
 
@@ -103,14 +103,14 @@ Proof.
     assert (0 <= t * (vy (target s) - height)) by (apply Qmult_le_0_compat; lra). lra.
 Qed.
 
-Definition is_above (height : Q) (r : region) : bool :=
+Definition is_not_below (height : Q) (r : region) : bool :=
   forallb (fun s => Qle_bool height (vy (source s)) && Qle_bool height (vy (target s))) (region_edges r).
 
 (* So nothing of a sum is lower than P's and Q's lowest vertices together, and what is as low is on its boundary. *)
 Lemma nothing_is_lower (p q : region) (low_p low_q : Q) (x : vector) :
-  is_above low_p p = true -> is_above low_q q = true -> vy x < low_p + low_q -> ~ in_sum x p q.
+  is_not_below low_p p = true -> is_not_below low_q q = true -> vy x < low_p + low_q -> ~ in_sum x p q.
 Proof.
-  unfold is_above. rewrite !forallb_forall. intros above_p above_q lower (a & b & in_p & in_q & _ & Y).
+  unfold is_not_below. rewrite !forallb_forall. intros above_p above_q lower (a & b & in_p & in_q & _ & Y).
   unfold plus in Y. cbn [vy] in Y.
   assert (low_p <= vy a).
   { apply (lowest_point p); [| exact in_p]. intros s I. specialize (above_p s I).
@@ -122,7 +122,7 @@ Proof.
 Qed.
 
 Lemma lowest_points_are_on_the_boundary (p q : region) (low_p low_q : Q) (x : vector) :
-  is_above low_p p = true -> is_above low_q q = true -> in_sum x p q -> vy x == low_p + low_q ->
+  is_not_below low_p p = true -> is_not_below low_q q = true -> in_sum x p q -> vy x == low_p + low_q ->
   on_boundary_of_sum x p q.
 Proof.
   intros above_p above_q in_ low radius R. split.

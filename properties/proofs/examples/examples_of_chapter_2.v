@@ -22,7 +22,7 @@ Proof.
 Qed.
 
 (* The point of the dangling edge in the hatch is a boundary point of the open sum. *)
-Lemma hatch_is_on_the_boundary_of_the_open_sum : on_boundary_of_open_sum (Vector 4 (11 # 2)) [room] [diamond].
+Lemma hatch_is_on_the_boundary_of_the_open_sum : on_boundary_of_open_sum (Vector 4 (11 # 2)) [room] [fitting_diamond].
 Proof.
   destruct passage_of_the_hatch as (outside & _ & _ & (n & _ & beside) & _). split; [exact outside |].
   intros radius R. destruct (eventually_and _ _ beside (small_steps_stay_within radius (Vector 4 (11 # 2)) n R))
@@ -31,13 +31,13 @@ Proof.
   exists (moved_along (Vector 4 (11 # 2)) n ((1 # 2) * limit)). now split.
 Qed.
 
-Example the_hatch_is_on_the_reduced_convolution : on_reduced_convolution (Vector 4 (11 # 2)) [room] [diamond].
+Example the_hatch_is_on_the_reduced_convolution : on_reduced_convolution (Vector 4 (11 # 2)) [room] [fitting_diamond].
 Proof.
   apply boundary_of_the_open_sum; [apply simple_polygons_are_regions, drawn_polygons .. | | |
     exact hatch_is_on_the_boundary_of_the_open_sum]; apply simple_polygons_do_not_touch, drawn_polygons.
 Qed.
 
-Example the_hatch_is_on_the_vertex_edge_sum : on_vertex_edge_sum (Vector 4 (11 # 2)) [room] [diamond].
+Example the_hatch_is_on_the_vertex_edge_sum : on_vertex_edge_sum (Vector 4 (11 # 2)) [room] [fitting_diamond].
 Proof.
   apply boundary_of_the_open_sum_is_on_the_vertex_edge_sum; [apply simple_polygons_are_regions, drawn_polygons .. | | |
     exact hatch_is_on_the_boundary_of_the_open_sum]; apply simple_polygons_do_not_touch, drawn_polygons.

@@ -37,9 +37,9 @@ Qed.
 
 (* Theorem 3.2.8. Segments lead through the hatch in both directions. *)
 Example segments_through_the_hatch :
-  (exists s, In s (reduced_convolution [room] [diamond]) /\ lies_on (Vector 4 (11 # 2)) s /\
+  (exists s, In s (reduced_convolution [room] [fitting_diamond]) /\ lies_on (Vector 4 (11 # 2)) s /\
      same_direction (along s) (Vector 0 1)) /\
-  (exists s, In s (reduced_convolution [room] [diamond]) /\ lies_on (Vector 4 (11 # 2)) s /\
+  (exists s, In s (reduced_convolution [room] [fitting_diamond]) /\ lies_on (Vector 4 (11 # 2)) s /\
      same_direction (along s) (opposite (Vector 0 1))).
 Proof.
   apply dangling_edges_are_on_opposite_segments; [apply simple_polygons_are_regions, drawn_polygons .. | | | |].

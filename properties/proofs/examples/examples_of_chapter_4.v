@@ -12,46 +12,49 @@ Import ListNotations.
 Open Scope Q_scope.
 
 (* The convolution has 12 (1 + 0) + 4 (1 + 4) segments, since the room has four reflex vertices. *)
-Example size_of_the_convolution : length (convolution room diamond) = 32%nat.
+Example size_of_the_convolution : length (convolution room fitting_diamond) = 32%nat.
 Proof.
   rewrite convolution_size; [vm_compute; reflexivity | | | vm_compute; reflexivity ..];
-    [apply (valid_regions_turn_everywhere [room]) | apply (valid_regions_turn_everywhere [diamond])];
+    [apply (valid_regions_turn_everywhere [room]) | apply (valid_regions_turn_everywhere [fitting_diamond])];
     [apply simple_polygons_are_regions, drawn_polygons | now left ..
     | apply simple_polygons_are_regions, drawn_polygons | now left].
 Qed.
 
 (* Theorem 4.1.6 as it is coded, Theorem 4.1.10: tracing looks at 12 + 4 - 1 + 32 states, less one for each cycle. *)
 Example tracing_the_room : exists cycles,
-  trace_cycles 12 4 (in_convolution room diamond) = Some cycles /\ Forall (is_cycle 12 4) cycles /\
-  Permutation (concat cycles) (convolution room diamond) /\
+  trace_cycles 12 4 (in_convolution room fitting_diamond) = Some cycles /\ Forall (is_cycle 12 4) cycles /\
+  Permutation (concat cycles) (convolution room fitting_diamond) /\
   (states_looked_at 12 4 cycles + length cycles = 47)%nat.
 Proof.
-  assert (edges_ : no_edge_is_a_point room /\ no_edge_is_a_point diamond).
-  { split; [apply (simple_polygons_are_regions room) | apply (simple_polygons_are_regions diamond)];
+  assert (edges_ : no_edge_is_a_point room /\ no_edge_is_a_point fitting_diamond).
+  { split; [apply (simple_polygons_are_regions room) | apply (simple_polygons_are_regions fitting_diamond)];
       first [apply drawn_polygons | now left]. }
   destruct edges_ as [p_edges q_edges].
-  destruct (cycles_cover_the_convolution room diamond p_edges q_edges) as (cycles & traced & are_cycles & together);
+  destruct (cycles_cover_the_convolution room fitting_diamond p_edges q_edges)
+    as (cycles & traced & are_cycles & together);
     [discriminate .. |].
   exists cycles. split; [exact traced |]. split; [exact are_cycles |]. split; [exact together |].
-  pose proof (states_looked_at_are_few room diamond cycles p_edges q_edges) as few.
-  rewrite size_of_the_convolution in few. cbn [length room diamond points_at map] in few.
+  pose proof (states_looked_at_are_few room fitting_diamond cycles p_edges q_edges) as few.
+  rewrite size_of_the_convolution in few. cbn [length room fitting_diamond points_at map] in few.
   specialize (few ltac:(discriminate) ltac:(discriminate) traced). lia.
 Qed.
 
 (* Observation 4.2.5. From outside, through the hatch's walls, to the middle of the room: crossings add up to zero. *)
 Example a_path_into_the_room :
-  signed_crossings_of_path [Vector 20 20; Vector 5 (11 # 2); Vector 4 3] (convolution_segments [room] [diamond]) = 0%Z.
+  signed_crossings_of_path [Vector 20 20; Vector 5 (11 # 2); Vector 4 3]
+    (convolution_segments [room] [fitting_diamond]) = 0%Z.
 Proof.
-  destruct (convolution_crossings_add_up [room] [diamond] [Vector 5 (11 # 2); Vector 4 3] (Vector 20 20)) as [-> _].
+  destruct (convolution_crossings_add_up [room] [fitting_diamond] [Vector 5 (11 # 2); Vector 4 3]
+    (Vector 20 20)) as [-> _].
   - apply (simple_polygons_are_regions room), drawn_polygons.
-  - apply (simple_polygons_are_regions diamond), drawn_polygons.
+  - apply (simple_polygons_are_regions fitting_diamond), drawn_polygons.
   - apply off_by_computation. vm_compute. reflexivity.
   - apply off_by_computation. vm_compute. reflexivity.
   - vm_compute. reflexivity.
 Qed.
 
 (* Theorem 4.2.1 in general position. *)
-Example in_general_position : interiors_meet (Vector (41 # 10) (11 # 2)) [room] [diamond].
+Example hatch_in_general_position : interiors_meet (Vector (41 # 10) (11 # 2)) [room] [fitting_diamond].
 Proof.
   apply positive_winding_number_iff_interiors_meet; [apply simple_polygons_are_regions, drawn_polygons .. | |].
   - apply general_position_by_computation. vm_compute. reflexivity.
@@ -60,7 +63,7 @@ Qed.
 
 (* Section 4.2.4: the features at which a direction is tangent are as many for every direction. *)
 Example tangents_in_the_hatch (d : vector) : nonzero d ->
-  tangent_features d (Vector (41 # 10) (11 # 2)) [room] [diamond] = 1%Z.
+  tangent_features d (Vector (41 # 10) (11 # 2)) [room] [fitting_diamond] = 1%Z.
 Proof.
   intros some. rewrite (tangent_features_do_not_depend_on_the_direction _ _ d (Vector 1 0)).
   - vm_compute. reflexivity.
@@ -72,11 +75,12 @@ Qed.
 
 (* The same by any other ray, and as turns around the point. *)
 Example by_any_ray (side : summand) (d : vector) : nonzero d ->
-  winding_number_by_ray side d (Vector 4 3) (convolution_segments [room] [diamond]) = 0%Z.
+  winding_number_by_ray side d (Vector 4 3) (convolution_segments [room] [fitting_diamond]) = 0%Z.
 Proof.
-  intros some. destruct (convolution_winding_number_by_any_ray [room] [diamond] (Vector 4 3) side d) as [-> _]; trivial.
+  intros some. destruct (convolution_winding_number_by_any_ray [room] [fitting_diamond] (Vector 4 3) side d)
+    as [-> _]; trivial.
   - apply (simple_polygons_are_regions room), drawn_polygons.
-  - apply (simple_polygons_are_regions diamond), drawn_polygons.
+  - apply (simple_polygons_are_regions fitting_diamond), drawn_polygons.
   - apply off_by_computation. vm_compute. reflexivity.
 Qed.
 
@@ -108,8 +112,8 @@ Qed.
 
 (* The tangent count: in the hatch, the point is counted once for every direction. *)
 Example tangents_counted (d : vector) : nonzero d ->
-  count_tangents (Vector (41 # 10) (11 # 2)) [room] [diamond] d =
-  winding_number (Vector (41 # 10) (11 # 2)) (convolution_segments [room] [diamond]).
+  count_tangents (Vector (41 # 10) (11 # 2)) [room] [fitting_diamond] d =
+  winding_number (Vector (41 # 10) (11 # 2)) (convolution_segments [room] [fitting_diamond]).
 Proof.
   intros some. apply count_tangents_returns; trivial.
   - apply simple_polygons_are_regions, drawn_polygons.

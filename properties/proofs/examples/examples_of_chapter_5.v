@@ -13,10 +13,10 @@ Open Scope Q_scope.
 Example ray_from_the_wall :
   let wall := Segment (Vector 2 1) (Vector 2 5) in
   signed_crossing_of_shifted (right_of_middle wall) wall = 0%Z /\
-  eventually (fun e => ~ in_sum (moved (right_of_middle wall) e) [room] [diamond]).
+  eventually (fun e => ~ in_sum (moved (right_of_middle wall) e) [room] [fitting_diamond]).
 Proof.
   split; [now apply what_an_edge_adds_to_its_ray |].
-  destruct (rays_from_edges_decide [room] [diamond] (Segment (Vector 2 1) (Vector 2 5))) as (limit & L & near).
+  destruct (rays_from_edges_decide [room] [fitting_diamond] (Segment (Vector 2 1) (Vector 2 5))) as (limit & L & near).
   - apply simple_polygons_are_regions, drawn_polygons.
   - apply simple_polygons_are_regions, drawn_polygons.
   - intros [_ Y]. discriminate Y.
@@ -25,7 +25,7 @@ Proof.
 Qed.
 
 (* Off the vertex-edge sum, the collision test and the winding number say the same. *)
-Example both_verdicts : collide [room] (placed (Vector (41 # 10) (11 # 2)) [diamond]) = true.
+Example both_verdicts : collide [room] (placed (Vector (41 # 10) (11 # 2)) [fitting_diamond]) = true.
 Proof.
   apply collide_is_positive_winding_number; [apply simple_polygons_are_regions, drawn_polygons .. | | | |].
   - apply simple_polygons_cover_nothing_twice, drawn_polygons.
@@ -35,7 +35,7 @@ Proof.
 Qed.
 
 (* On the dangling edge the collision test is right, too. *)
-Example no_collision_in_the_hatch : collide [room] (placed (Vector 4 (11 # 2)) [diamond]) <> true.
+Example no_collision_in_the_hatch : collide [room] (placed (Vector 4 (11 # 2)) [fitting_diamond]) <> true.
 Proof.
   rewrite collide_decides_whether_interiors_meet; [apply passage_of_the_hatch | | | |];
     first [apply simple_polygons_are_regions | apply simple_polygons_cover_nothing_twice]; apply drawn_polygons.

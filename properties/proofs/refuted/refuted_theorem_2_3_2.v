@@ -7,9 +7,9 @@
    theorem_2_3_2.v: no other chain touches the vertex. So the reduced convolution covers the boundary if no chains of
    P touch, and none of Q. *)
 From Coq Require Import QArith Lqa List.
-From Oplus Require Import convolution regions left_of_an_edge theorem_4_2_1 theorem_4_2_1_for_valid_regions
-  theorem_2_2_10 valid_components inside_a_corner boundary_points reduced_convolution theorem_2_3_2 small_polygons
-  polygons_of_the_thesis drawn_regions drawn_sums touching_holes.
+From Oplus Require Import convolution regions left_of_an_edge theorem_4_2_1 theorem_2_2_10 valid_components
+  inside_a_corner boundary_points reduced_convolution theorem_2_3_2 small_polygons polygons_of_the_thesis
+  drawn_regions drawn_sums touching_holes.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -67,7 +67,7 @@ Proof.
   - reflexivity.
 Qed.
 
-Example the_wall_is_on_the_reduced_convolution : on_reduced_convolution (Vector 2 3) [room] [diamond].
+Example the_wall_is_on_the_reduced_convolution : on_reduced_convolution (Vector 2 3) [room] [fitting_diamond].
 Proof.
   apply title_of_theorem_2_3_2_as_corrected;
     [apply simple_polygons_are_regions, drawn_polygons .. | | | exact wall_of_the_sum];

@@ -4,8 +4,8 @@
    activation, for a triangle and a quadrangle one of whose vertices has all directions of the triangle in its tangent
    set, the algorithm goes round the triangle at that vertex for ever. What holds is proved in algorithm_2.v: with
    segments marked as soon as they are taken, it returns. *)
-From Coq Require Import QArith Lia Bool List.
-From Oplus Require Import convolution tracing algorithm_2 simple_chain polygons_of_the_thesis drawn_regions.
+From Coq Require Import Lia List.
+From Oplus Require Import convolution tracing algorithm_2 simple_chain polygons_of_the_thesis.
 Import ListNotations.
 
 Open Scope nat_scope.

@@ -29,12 +29,12 @@ Proof.
 Qed.
 
 (* That a hole is inside a chain by Definition 2.1.17, by arithmetic. It touches the chain in some of its vertices. *)
-Ltac apart_from_all vertices free :=
+Ltac apart_from_each vertices free :=
   match vertices with
   | ?v :: ?rest =>
       let apart := fresh "apart" in
       pose proof (apart_from_point_on v _ _ _ free eq_refl) as apart; cbn [vx vy] in apart;
-      destruct apart as [apart | [apart | [apart | apart]]]; try (exfalso; lra); apart_from_all rest free
+      destruct apart as [apart | [apart | [apart | apart]]]; try (exfalso; lra); apart_from_each rest free
   | _ => clear free
   end.
 
@@ -50,10 +50,10 @@ Ltac hole_by_arithmetic hole vertices :=
     first [exfalso; lra | let l := eval vm_compute in (edges hole) in source_of_an_edge l]
   | intros [? ?] on_hole free [_ number]; each_edge on_hole;
     match type of number with ?n = _ => let one := fresh "one" in
-      assert (one : n = 1%Z) by (clear number; apart_from_all vertices free; number_by_arithmetic);
+      assert (one : n = 1%Z) by (clear number; apart_from_each vertices free; number_by_arithmetic);
       rewrite one in number; discriminate number end
   | intros [? ?] on_outer free; split; [exact free |]; each_edge on_outer;
-    apart_from_all vertices free; number_by_arithmetic ].
+    apart_from_each vertices free; number_by_arithmetic ].
 
 (* A square from (0, 0) to (6, 6) with a hole that touches its lower side in (3, 0), and a triangle that, reflected,
    just fits into the hole's corner there. *)
