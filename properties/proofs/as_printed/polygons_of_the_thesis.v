@@ -1,14 +1,15 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Polygons as the thesis has them are regions as the proofs have them, so that the files of this folder can say what
-   the thesis says. A simple polygon (Definition 2.1.12) is one closed chain that meets itself nowhere, counterclockwise,
-   so that its interior is to the left of its edges. A region is a list of closed chains. The proofs ask of it
-   that no edge is a point, that edges meet in vertices only (a vertex may touch the inside of an edge), and that chains
-   go round no point clockwise more often than counterclockwise: `valid_region`. Collections of simple chains as in
-   Definition 2.1.17 are such (valid_components_are_valid_regions), and simple polygons are, which is proved here. *)
-From Coq Require Import QArith Lqa ZArith Lia Bool List Arith.
-From Oplus Require Import convolution regions left_of_an_edge meeting_of_segments weight winding_number_of_the_sum
-  simple_chain simple_chains_turn_once valid_components winding_numbers_of_valid_regions theorem_4_2_1
-  theorem_4_2_1_for_valid_regions boundary_points reflected placed_collision collision_is_complete inside_a_corner.
+   the thesis says. A simple polygon (Definition 2.1.12) is one closed chain that meets itself nowhere,
+   counterclockwise, so that its interior is to the left of its edges. A region is a list of closed chains. The proofs
+   ask of it that no edge is a point, that edges meet in vertices only (a vertex may touch the inside of an edge), and
+   that chains go round no point clockwise more often than counterclockwise: `valid_region`. Collections of simple
+   chains as in Definition 2.1.17 are such (valid_components_are_valid_regions), and simple polygons are, which is
+   proved here. *)
+From Coq Require Import QArith Lqa Lia List.
+From Oplus Require Import convolution regions meeting_of_segments simple_chain simple_chains_turn_once
+  valid_components winding_numbers_of_valid_regions theorem_4_2_1 theorem_4_2_1_for_valid_regions boundary_points
+  collision_is_complete.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -22,7 +23,7 @@ Proof.
   intros c [<- | []]. split; [exact chain_simple | split; [exact turned |]]. split; [intros h [] | constructor].
 Qed.
 
-Lemma edges_of_one_chain (chain : list vector) : edges_of_components [Component chain []] = region_edges [chain].
+Lemma edges_of_a_polygon (chain : list vector) : edges_of_components [Component chain []] = region_edges [chain].
 Proof. apply edges_of_region_are_its_chains. Qed.
 
 (* Theorem. A simple polygon is a valid region. *)
@@ -36,7 +37,7 @@ Lemma simple_polygons_go_round_once (chain : list vector) (x : vector) :
   simple_polygon chain -> off x (region_edges [chain]) ->
   winding_number x (region_edges [chain]) = 0%Z \/ winding_number x (region_edges [chain]) = 1%Z.
 Proof.
-  rewrite <- edges_of_one_chain. intros polygon.
+  rewrite <- edges_of_a_polygon. intros polygon.
   now apply winding_numbers_of_valid_regions, simple_polygon_is_a_component.
 Qed.
 

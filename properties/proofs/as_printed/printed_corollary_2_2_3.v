@@ -1,9 +1,10 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Corollary 2.2.3 as printed: each point of the boundary of the sum of two polygons is the sum of a boundary point of P
-   and one of Q. Polygons may have holes, several components and chains that touch. It is proved in lemma_2_2_2.v. *)
-From Coq Require Import QArith Lqa List.
-From Oplus Require Import convolution regions theorem_4_2_1 theorem_2_2_10 lemma_2_2_2 small_polygons
-  polygons_of_the_thesis drawn_regions drawn_sums.
+(* Corollary 2.2.3 as printed: each point of the boundary of the sum of two polygons is the sum of a boundary point of
+   P and one of Q. Polygons may have holes, several components and chains that touch. It is proved in lemma_2_2_2.v.
+   *)
+From Coq Require Import QArith List.
+From Oplus Require Import convolution theorem_4_2_1 theorem_2_2_10 lemma_2_2_2 polygons_of_the_thesis drawn_regions
+  drawn_sums.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -15,7 +16,7 @@ Theorem corollary_2_2_3_as_printed (p q : region) (x : vector) :
 Proof. exact (boundary_points_are_sums_of_boundary_points p q x). Qed.
 
 (* In the room, the diamond can touch the left wall. *)
-Example at_the_wall : exists a b, on_boundary a [room] /\ on_boundary b [diamond] /\
+Example at_the_wall : exists a b, on_boundary a [room] /\ on_boundary b [fitting_diamond] /\
   equal_vectors (Vector 2 3) (plus a b).
 Proof.
   apply corollary_2_2_3_as_printed; [apply simple_polygons_are_regions, drawn_polygons .. | exact wall_of_the_sum].

@@ -1,11 +1,11 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* What the thesis says beside Definition 2.2.7: whether directions of Q are turned a little, so that they come after equal
-   directions of P, or those of P, so that they come after those of Q, the points of the convolution are the same; its
-   segments need not be. To turn those of P is to apply the definition with the names P and Q exchanged. And what it
-   says below Definition 2.2.8: both definitions give the same points. Without ties, as in Definition 2.2.8, P and Q have
-   the same part, so the first follows from the second, which is proved in definition_2_2_8.v. *)
-From Coq Require Import QArith Lqa Bool List.
-From Oplus Require Import convolution regions theorem_4_2_1 definition_2_2_8 small_polygons polygons_of_the_thesis
+(* What the thesis says beside Definition 2.2.7: whether directions of Q are turned a little, so that they come after
+   equal directions of P, or those of P, so that they come after those of Q, the points of the convolution are the
+   same; its segments need not be. To turn those of P is to apply the definition with the names P and Q exchanged. And
+   what it says below Definition 2.2.8: both definitions give the same points. Without ties, as in Definition 2.2.8, P
+   and Q have the same part, so the first follows from the second, which is proved in definition_2_2_8.v. *)
+From Coq Require Import QArith Lqa List.
+From Oplus Require Import convolution theorem_4_2_1 definition_2_2_8 small_polygons polygons_of_the_thesis
   drawn_regions.
 Import ListNotations.
 
@@ -34,11 +34,12 @@ Proof.
 Qed.
 
 (* Two squares with parallel sides: all directions of the one are equal to some of the other. *)
-Example ties_do_not_matter (x : vector) : in_convolution_by_2_2_7 chamber [square] x <-> in_convolution_by_2_2_7 [square] chamber x.
+Example ties_do_not_matter (x : vector) :
+  in_convolution_by_2_2_7 chamber [square] x <-> in_convolution_by_2_2_7 [square] chamber x.
 Proof. apply definition_2_2_7_as_printed; [apply drawn_regions | apply square_is_a_region]. Qed.
 
-(* The segments differ: with Q's directions turned, the edge of the small square from (0, 0) to (2, 0) is at the vertex
-   (6, 0) of the large one, with those of P turned it is at (0, 0). *)
+(* The segments differ: with Q's directions turned, the edge of the small square from (0, 0) to (2, 0) is at the
+   vertex (6, 0) of the large one, with those of P turned it is at (0, 0). *)
 Example but_the_segments_are_others :
   existsb (fun s => Qeq_bool (vx (starts_at s)) 0 && Qeq_bool (vy (starts_at s)) 0 && Qeq_bool (vx (ends_at s)) 2)
     (segments_of_regions chamber [square]) = false /\

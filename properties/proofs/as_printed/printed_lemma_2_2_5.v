@@ -1,11 +1,11 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Lemma 2.2.5 as printed: if a point inside an edge of P and a point inside an edge of Q add up to a boundary point of
-   the sum, their tangent sets are equal. The points are no vertices, also of no other chain. By Definition 2.1.13 the
-   tangent set of a point inside an edge has the edge's direction and no other, so the edges have the same direction,
-   which is proved in lemma_2_2_5.v. *)
-From Coq Require Import QArith Lqa Qfield List.
-From Oplus Require Import convolution regions left_of_an_edge weight winding_number_of_the_sum theorem_4_2_1
-  theorem_2_2_10 lemma_2_2_5 theorem_3_2_8 small_polygons polygons_of_the_thesis drawn_regions drawn_sums.
+(* Lemma 2.2.5 as printed: if a point inside an edge of P and a point inside an edge of Q add up to a boundary point
+   of the sum, their tangent sets are equal. The points are no vertices, also of no other chain. By Definition 2.1.13
+   the tangent set of a point inside an edge has the edge's direction and no other, so the edges have the same
+   direction, which is proved in lemma_2_2_5.v. *)
+From Coq Require Import Lqa Qfield List.
+From Oplus Require Import convolution regions left_of_an_edge winding_number_of_the_sum theorem_4_2_1 theorem_2_2_10
+  lemma_2_2_5 theorem_3_2_8 small_polygons drawn_regions drawn_sums.
 Import ListNotations.
 
 Open Scope Q_scope.

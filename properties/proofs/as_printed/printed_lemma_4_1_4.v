@@ -1,11 +1,12 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Lemma 4.1.4 as printed: at each vertex of the convolution graph (Definition 4.1.2), which is a point, as many
    convolution segments end as start. It is proved in in_out_degree.v, for polygons of any number of chains. *)
-From Coq Require Import QArith Bool List.
-From Oplus Require Import convolution regions theorem_4_2_1 small_polygons polygons_of_the_thesis drawn_regions.
+From Coq Require Import QArith List.
+From Oplus Require Import convolution regions small_polygons drawn_regions.
 Import ListNotations.
 
-Definition indegree (p q : region) (x : vector) : nat := count (fun s => is_point x (ends_at s)) (segments_of_regions p q).
+Definition indegree (p q : region) (x : vector) : nat :=
+  count (fun s => is_point x (ends_at s)) (segments_of_regions p q).
 Definition outdegree (p q : region) (x : vector) : nat :=
   count (fun s => is_point x (starts_at s)) (segments_of_regions p q).
 
@@ -14,8 +15,8 @@ Theorem lemma_4_1_4_as_printed (p q : region) (x : vector) :
   no_edges_are_points p -> no_edges_are_points q -> indegree p q x = outdegree p q x.
 Proof. exact (in_out_degree p q x). Qed.
 
-(* Four segments end in (4, 4), and four start there. Four states are this point: each corner of the hole with the opposite
-   one of the square. *)
+(* Four segments end in (4, 4), and four start there. Four states are this point: each corner of the hole with the
+   opposite one of the square. *)
 Example degrees_where_states_coincide :
   indegree chamber [square] (Vector 4 4) = outdegree chamber [square] (Vector 4 4) /\
   outdegree chamber [square] (Vector 4 4) = 4%nat.

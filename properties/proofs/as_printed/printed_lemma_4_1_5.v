@@ -1,10 +1,9 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Lemma 4.1.5 as printed: the convolution graph decomposes into directed cycles that share no edge. Its nodes are points;
-   a cycle passes no node twice. It is proved in convolution_graph.v, with closed walks of which no two have a node
-   in common, Euler circuits. *)
-From Coq Require Import QArith Bool List Permutation.
-From Oplus Require Import convolution regions theorem_4_2_1 balanced_graph convolution_graph small_polygons
-  polygons_of_the_thesis drawn_regions.
+(* Lemma 4.1.5 as printed: the convolution graph decomposes into directed cycles that share no edge. Its nodes are
+   points; a cycle passes no node twice. It is proved in convolution_graph.v, with closed walks of which no two have a
+   node in common, Euler circuits. *)
+From Coq Require Import List Permutation.
+From Oplus Require Import convolution regions balanced_graph convolution_graph small_polygons drawn_regions.
 Import ListNotations.
 
 (* Theorem, Lemma 4.1.5. *)

@@ -2,9 +2,8 @@
 (* Lemma 4.1.8 as printed, for the fiber grid of two simple polygons (Definition 4.1.7): each row, the states of one
    vertex of Q, has a state that a vertical edge leaves, along Q; each column, the states of one vertex of P, has one
    that a horizontal edge leaves, along P. It is proved in lemma_4_1_8.v, for holes with two instead of one. *)
-From Coq Require Import QArith Lia Bool List.
-From Oplus Require Import convolution simple_chain simple_chains_turn_once lemma_4_1_8 polygons_of_the_thesis
-  drawn_regions.
+From Coq Require Import Lia List.
+From Oplus Require Import convolution lemma_4_1_8 polygons_of_the_thesis drawn_regions.
 Import ListNotations.
 
 Open Scope nat_scope.
@@ -12,7 +11,7 @@ Open Scope nat_scope.
 Lemma counted_ones_exist (test : nat -> bool) (n : nat) :
   1 <= count test (seq 0 n) -> exists i, i < n /\ test i = true.
 Proof.
-  intros some. destruct (filter test (seq 0 n)) as [| i rest] eqn:found; [unfold count in some; rewrite found in some; inversion some |].
+  unfold count. intros some. destruct (filter test (seq 0 n)) as [| i rest] eqn:found; [inversion some |].
   assert (I : In i (filter test (seq 0 n))) by (rewrite found; now left).
   apply filter_In in I. destruct I as [I yes]. apply in_seq in I. exists i. split; [lia | exact yes].
 Qed.
@@ -31,6 +30,6 @@ Qed.
 
 (* The room and the diamond. *)
 Example rows_and_columns_of_the_room :
-  (forall j, j < 4 -> exists i, i < 12 /\ is_convolution_segment room diamond OfQ i j = true) /\
-  (forall i, i < 12 -> exists j, j < 4 /\ is_convolution_segment room diamond OfP i j = true).
-Proof. apply (lemma_4_1_8_as_printed room diamond); apply drawn_polygons. Qed.
+  (forall j, j < 4 -> exists i, i < 12 /\ is_convolution_segment room fitting_diamond OfQ i j = true) /\
+  (forall i, i < 12 -> exists j, j < 4 /\ is_convolution_segment room fitting_diamond OfP i j = true).
+Proof. apply (lemma_4_1_8_as_printed room fitting_diamond); apply drawn_polygons. Qed.

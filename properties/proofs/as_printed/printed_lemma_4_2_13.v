@@ -4,14 +4,15 @@
    from a point off the segments, signed crossings add up to zero, so the number at a point does not depend on the
    path by which it is found. Paths consist of straight steps here. It is proved in lemma_4_2_13.v, for any vertices
    of any regions. *)
-From Coq Require Import QArith ZArith Bool List.
-From Oplus Require Import convolution signed_crossings convolution_winding regions replaced_segments lemma_4_2_13
-  theorem_4_2_1 polygons_of_the_thesis drawn_regions.
+From Coq Require Import ZArith List.
+From Oplus Require Import convolution signed_crossings replaced_segments lemma_4_2_13 theorem_4_2_1
+  polygons_of_the_thesis drawn_regions.
 Import ListNotations.
 
 Open Scope Z_scope.
 
-(* Two paths from points of known numbers to the same point give it the same number; and closed paths add up to zero. *)
+(* Two paths from points of known numbers to the same point give it the same number; and closed paths add up to zero.
+   *)
 Definition well_defined_winding_numbers (segments : list segment) : Prop :=
   (forall path first, off first segments -> last path first = first ->
      signed_crossings_of_path (first :: path) segments = 0) /\
@@ -31,6 +32,7 @@ Proof.
   now rewrite <- same_end.
 Qed.
 
-(* The room has six reflex vertices. *)
-Example the_original_convolution_of_the_room : well_defined_winding_numbers (original_convolution [room] [diamond]).
+(* The room has four reflex vertices. *)
+Example the_original_convolution_of_the_room :
+  well_defined_winding_numbers (original_convolution [room] [fitting_diamond]).
 Proof. apply lemma_4_2_13_as_printed; apply simple_polygons_are_regions, drawn_polygons. Qed.

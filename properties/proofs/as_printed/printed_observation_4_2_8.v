@@ -1,10 +1,11 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Observation 4.2.8 as printed: if x is a point of a convolution segment, then a vertex of P is on an edge of -Q + x, or a
-   vertex of -Q + x on an edge of P. The thesis says it of points inside the segment; it holds for its ends, too. A
-   segment of the convolution is a sum of a vertex and an edge (theorem_2_2_6.v); Equations 4.2 to 4.5 say the same. *)
+(* Observation 4.2.8 as printed: if x is a point of a convolution segment, then a vertex of P is on an edge of -Q + x,
+   or a vertex of -Q + x on an edge of P. The thesis says it of points inside the segment; it holds for its ends, too.
+   A segment of the convolution is a sum of a vertex and an edge (theorem_2_2_6.v); Equations 4.2 to 4.5 say the same.
+   *)
 From Coq Require Import QArith Lqa List.
 From Oplus Require Import convolution convolution_winding regions left_of_an_edge theorem_2_2_6 reflected
-  placed_collision small_polygons polygons_of_the_thesis drawn_regions.
+  placed_collision drawn_regions.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -26,10 +27,10 @@ Qed.
 
 (* (2, 3) is on a segment of the convolution of the room and the diamond; there the diamond touches the wall. *)
 Example a_vertex_on_an_edge :
-  (exists v f, is_vertex v [room] /\ In f (region_edges (placed (Vector 2 3) [diamond])) /\ lies_on v f) \/
-  (exists v e, is_vertex v (placed (Vector 2 3) [diamond]) /\ In e (region_edges [room]) /\ lies_on v e).
+  (exists v f, is_vertex v [room] /\ In f (region_edges (placed (Vector 2 3) [fitting_diamond])) /\ lies_on v f) \/
+  (exists v e, is_vertex v (placed (Vector 2 3) [fitting_diamond]) /\ In e (region_edges [room]) /\ lies_on v e).
 Proof.
-  apply (observation_4_2_8_as_printed [room] [diamond] _ (Segment (Vector 2 1) (Vector 2 5))).
+  apply (observation_4_2_8_as_printed [room] [fitting_diamond] _ (Segment (Vector 2 1) (Vector 2 5))).
   - vm_compute. tauto.
   - apply on_edge_by_computation. vm_compute. reflexivity.
 Qed.

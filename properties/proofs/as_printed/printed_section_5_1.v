@@ -1,13 +1,13 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Section 5.1 as printed: the collision test decides whether two simple polygons have a point of their interiors in common;
-   touching does not count. `collide` is the naive test with the cases of Section 5.1.1: edges that cross, or a piece of an
-   edge, between two contacts, that is inside the other polygon or along its boundary in the same direction. The second
-   theorem is the naive test as it is told in Section 5.1: where no vertex is on an edge, interiors meet if and only
-   if two edges cross, or a vertex of one is inside the other. Both are proved for all regions, in
-   collision_is_complete.v and section_5_1.v. *)
-From Coq Require Import QArith Lqa ZArith Bool List.
-From Oplus Require Import convolution regions interiors_meet theorem_4_2_1 naive_collision collision_is_complete
-  placed_collision section_5_1 simple_chain simple_chains_turn_once small_polygons simple_polygons polygons_of_the_thesis drawn_regions.
+(* Section 5.1 as printed: the collision test decides whether two simple polygons have a point of their interiors in
+   common; touching does not count. `collide` is the naive test with the cases of Section 5.1.1: edges that cross, or
+   a piece of an edge, between two contacts, that is inside the other polygon or along its boundary in the same
+   direction. The second theorem is the naive test as it is told in Section 5.1: where no vertex is on an edge,
+   interiors meet if and only if two edges cross, or a vertex of one is inside the other. Both are proved for all
+   regions, in collision_is_complete.v and section_5_1.v. *)
+From Coq Require Import QArith List.
+From Oplus Require Import convolution interiors_meet naive_collision collision_is_complete section_5_1 simple_chain
+  small_polygons simple_polygons polygons_of_the_thesis drawn_regions.
 Import ListNotations.
 
 Open Scope Q_scope.

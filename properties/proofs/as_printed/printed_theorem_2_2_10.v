@@ -1,9 +1,9 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Theorem 2.2.10 as printed: the boundary of the sum of two polygons is part of the convolution (Definition 2.2.7). It is
-   proved in theorem_2_2_10.v. *)
+(* Theorem 2.2.10 as printed: the boundary of the sum of two polygons is part of the convolution (Definition 2.2.7).
+   It is proved in theorem_2_2_10.v. *)
 From Coq Require Import QArith List.
-From Oplus Require Import convolution convolution_winding regions theorem_4_2_1 theorem_2_2_10
-  polygons_of_the_thesis drawn_regions drawn_sums.
+From Oplus Require Import convolution convolution_winding theorem_4_2_1 theorem_2_2_10 polygons_of_the_thesis
+  drawn_regions drawn_sums.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -16,7 +16,7 @@ Proof. exact (boundary_is_part_of_the_convolution p q x). Qed.
 
 (* Where the diamond touches the room's wall. *)
 Example the_wall_is_on_the_convolution :
-  exists s, In s (convolution_segments [room] [diamond]) /\ lies_on (Vector 2 3) s.
+  exists s, In s (convolution_segments [room] [fitting_diamond]) /\ lies_on (Vector 2 3) s.
 Proof.
   apply theorem_2_2_10_as_printed; [apply simple_polygons_are_regions, drawn_polygons .. | exact wall_of_the_sum].
 Qed.

@@ -16,7 +16,7 @@ Theorem theorem_2_2_6_as_printed (p q : region) (x : vector) :
 Proof. exact (boundary_is_part_of_the_vertex_edge_sum p q x). Qed.
 
 (* Where the diamond touches the room's wall. *)
-Example the_wall_is_on_the_vertex_edge_sum : on_vertex_edge_sum (Vector 2 3) [room] [diamond].
+Example the_wall_is_on_the_vertex_edge_sum : on_vertex_edge_sum (Vector 2 3) [room] [fitting_diamond].
 Proof.
   apply theorem_2_2_6_as_printed; [apply simple_polygons_are_regions, drawn_polygons .. | exact wall_of_the_sum].
 Qed.

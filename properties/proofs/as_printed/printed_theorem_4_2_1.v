@@ -1,11 +1,12 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Theorem 4.2.1 as printed: P and Q are two simple polygons, x is a point off their convolution. Then the winding number of
-   the convolution at x is positive if and only if P and -Q + x have a point in common. The thesis has closed polygons; for
-   open ones, whose common point is inside both, it holds, too. Both are proved for all regions, of any number of
-   chains: the first in theorem_4_2_1.v; the second in interiors_at_touching_points.v, if no chains of a region touch. *)
-From Coq Require Import QArith ZArith List.
+(* Theorem 4.2.1 as printed: P and Q are two simple polygons, x is a point off their convolution. Then the winding
+   number of the convolution at x is positive if and only if P and -Q + x have a point in common. The thesis has
+   closed polygons; for open ones, whose common point is inside both, it holds, too. Both are proved for all regions,
+   of any number of chains: the first in theorem_4_2_1.v; the second in interiors_at_touching_points.v, if no chains
+   of a region touch. *)
+From Coq Require Import QArith List.
 From Oplus Require Import convolution convolution_winding regions interiors_meet theorem_4_2_1 boundary_points
-  interiors_at_touching_points small_polygons simple_polygons test_of_regions polygons_of_the_thesis drawn_regions.
+  interiors_at_touching_points simple_polygons test_of_regions polygons_of_the_thesis drawn_regions.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -42,14 +43,14 @@ Qed.
 
 (* In the hatch of the room the diamond, moved a little to the side, meets a wall; in the middle of the room it does
    not. *)
-Example in_the_hatch : exists z, inside z [room] /\ inside (minus (Vector (41 # 10) (11 # 2)) z) [diamond].
+Example in_the_hatch : exists z, inside z [room] /\ inside (minus (Vector (41 # 10) (11 # 2)) z) [fitting_diamond].
 Proof.
   apply theorem_4_2_1_for_open_polygons; [apply drawn_polygons .. | |].
   - apply off_by_computation. vm_compute. reflexivity.
   - vm_compute. reflexivity.
 Qed.
 
-Example in_the_room : ~ exists z, in_region z [room] /\ in_reflected (Vector 4 3) [diamond] z.
+Example in_the_room : ~ exists z, in_region z [room] /\ in_reflected (Vector 4 3) [fitting_diamond] z.
 Proof.
   rewrite <- theorem_4_2_1_as_printed; [| apply drawn_polygons .. |].
   - intros positive_. vm_compute in positive_. discriminate positive_.

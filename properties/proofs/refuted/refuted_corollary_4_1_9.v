@@ -1,12 +1,12 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Corollary 4.1.9 is false as printed: two simple polygons of n and m vertices need not have a convolution cycle of n + m
-   segments. The convolution of the triangle and the arrow head of no_short_cycle.v is one cycle of 10 segments that passes
-   no point twice, so every closed walk in it has a multiple of 10 segments, and not 7. What holds is proved in
-   corollary_4_1_9.v: each cycle that is traced goes round both chains whole numbers of times, and one of them goes round both, so it has
-   n + m segments or more; two convex polygons have one cycle, of n + m segments. *)
-From Coq Require Import PeanoNat QArith Lia Bool List Permutation.
+(* Corollary 4.1.9 is false as printed: two simple polygons of n and m vertices need not have a convolution cycle of n
+   + m segments. The convolution of the triangle and the arrow head of no_short_cycle.v is one cycle of 10 segments
+   that passes no point twice, so every closed walk in it has a multiple of 10 segments, and not 7. What holds is
+   proved in corollary_4_1_9.v: each cycle that is traced goes round both chains whole numbers of times, and one of
+   them goes round both, so it has n + m segments or more; two convex polygons have one cycle, of n + m segments. *)
+From Coq Require Import QArith Lia List Permutation.
 From Oplus Require Import convolution tracing balanced_graph convolution_graph no_short_cycle sizes_of_cycles
-  corollary_4_1_9 small_polygons simple_chain simple_chains_turn_once polygons_of_the_thesis drawn_regions.
+  corollary_4_1_9 small_polygons simple_chain polygons_of_the_thesis drawn_regions.
 Import ListNotations.
 
 Open Scope nat_scope.
@@ -18,22 +18,22 @@ Definition corollary_4_1_9_as_printed : Prop :=
       leads starts_at_node ends_at_node a cycle a /\ length cycle = length p + length q.
 
 (* Numbers of the points of the one cycle, in its order. *)
-Fixpoint place_of (v : vector) (l : list vector) : nat :=
-  match l with [] => 0 | u :: rest => if vector_eq_dec u v then 0 else S (place_of v rest) end.
+Fixpoint rank_among (v : vector) (l : list vector) : nat :=
+  match l with [] => 0 | u :: rest => if vector_eq_dec u v then 0 else S (rank_among v rest) end.
 Definition points_of_the_cycle : list vector :=
   match their_segments with [] => [] | s :: _ => map starts_at_node (reached 10 s) end.
-Definition place (v : vector) : nat := place_of v points_of_the_cycle.
+Definition rank_of (v : vector) : nat := rank_among v points_of_the_cycle.
 
 Lemma each_segment_leads_on (s : segment_of_regions) :
-  In s their_segments -> place (ends_at_node s) = (place (starts_at_node s) + 1) mod 10.
+  In s their_segments -> rank_of (ends_at_node s) = (rank_of (starts_at_node s) + 1) mod 10.
 Proof.
-  assert (checked : forallb (fun s => place (ends_at_node s) =? (place (starts_at_node s) + 1) mod 10) their_segments = true)
-    by (vm_compute; reflexivity).
+  assert (checked : forallb (fun s => rank_of (ends_at_node s) =? (rank_of (starts_at_node s) + 1) mod 10)
+    their_segments = true) by (vm_compute; reflexivity).
   rewrite forallb_forall in checked. intros I. now apply Nat.eqb_eq, checked.
 Qed.
 
 Lemma walks_go_round (c : list segment_of_regions) : forall a b, incl c their_segments ->
-  leads starts_at_node ends_at_node a c b -> (place a + length c) mod 10 = place b mod 10.
+  leads starts_at_node ends_at_node a c b -> (rank_of a + length c) mod 10 = rank_of b mod 10.
 Proof.
   induction c as [| s c IH]; intros a b within_ walk; cbn [leads length] in *.
   - subst b. now rewrite Nat.add_0_r.
@@ -50,8 +50,8 @@ Proof.
   - split; [apply is_simple_decides |]; vm_compute; reflexivity.
   - pose proof (walks_go_round cycle a a within_ walk) as round. unfold segment_of_regions in round.
     rewrite size in round. change (length some_triangle + length dart) with 7 in round.
-    pose proof (Nat.div_mod (place a + 7) 10). pose proof (Nat.div_mod (place a) 10).
-    pose proof (Nat.mod_upper_bound (place a) 10). lia.
+    pose proof (Nat.div_mod (rank_of a + 7) 10). pose proof (Nat.div_mod (rank_of a) 10).
+    pose proof (Nat.mod_upper_bound (rank_of a) 10). lia.
 Qed.
 
 (* Theorem, Corollary 4.1.9 as corrected. *)
@@ -77,7 +77,8 @@ Proof. exact (one_cycle_of_convex_chains p q). Qed.
 
 (* The square and the diamond have one cycle, of 8 segments. *)
 Example square_and_diamond :
-  exists cycle, trace_cycles 4 4 (in_convolution square diamond) = Some [cycle] /\ length cycle = 8.
+  exists cycle, trace_cycles 4 4 (in_convolution square fitting_diamond) = Some [cycle] /\ length cycle = 8.
 Proof.
-  apply (corollary_4_1_9_for_convex_polygons square diamond); [apply drawn_polygons .. | |]; vm_compute; reflexivity.
+  apply (corollary_4_1_9_for_convex_polygons square fitting_diamond); [apply drawn_polygons .. | |];
+    vm_compute; reflexivity.
 Qed.

@@ -1,19 +1,19 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* What the thesis says below Definition 2.1.9 is false as printed: signed angles of closed weakly simple chains add up to one
-   full turn, in one direction or the other. By Definition 2.1.6 a chain may pass a point twice and cross itself there, as
-   this does in (0, 0): its two loops turn in opposite directions, and the sum is zero. Also, the text says that the sum is
-   negative for counterclockwise chains; with the formula of the definition it is positive. What holds is proved in
-   simple_chains_turn_once.v and total_turn.v: simple chains turn once, counterclockwise ones by a positive angle.
-   Angles are measured along a diamond (angle.v), on which a full turn is 4, and not 2 pi. *)
-From Coq Require Import QArith Lqa Lia Bool List.
-From Oplus Require Import convolution regions meeting_of_segments pieces total_turn small_polygons simple_polygons simple_chain simple_chains_turn_once
-  polygons_of_the_thesis drawn_regions.
+(* What the thesis says below Definition 2.1.9 is false as printed: signed angles of closed weakly simple chains add
+   up to one full turn, in one direction or the other. By Definition 2.1.6 a chain may pass a point twice and cross
+   itself there, as this does in (0, 0): its two loops turn in opposite directions, and the sum is zero. Also, the
+   text says that the sum is negative for counterclockwise chains; with the formula of the definition it is positive.
+   What holds is proved in simple_chains_turn_once.v and total_turn.v: simple chains turn once, counterclockwise ones
+   by a positive angle. Angles are measured along a diamond (angle.v), on which a full turn is 4, and not 2 pi. *)
+From Coq Require Import QArith Lqa Lia List.
+From Oplus Require Import convolution regions meeting_of_segments pieces total_turn small_polygons simple_polygons
+  simple_chain simple_chains_turn_once polygons_of_the_thesis drawn_regions.
 Import ListNotations.
 
 Open Scope Q_scope.
 
-(* Definition 2.1.6. No point is inside two of the edges; and where a vertex is inside an edge, the vertices before and
-   after it are on the same side of that edge. *)
+(* Definition 2.1.6. No point is inside two of the edges; and where a vertex is inside an edge, the vertices before
+   and after it are on the same side of that edge. *)
 Definition weakly_simple (chain : list vector) : Prop :=
   let n := length chain in
   (forall i j x, (i < n)%nat -> (j < n)%nat -> i <> j ->
@@ -24,7 +24,7 @@ Definition weakly_simple (chain : list vector) : Prop :=
 
 (* Of chains that turn back nowhere, so that the sign of each angle is determined. *)
 Definition definition_2_1_9_as_printed : Prop :=
-  forall chain, turns_everywhere chain -> weakly_simple chain ->
+  forall chain, chain <> [] -> turns_everywhere chain -> weakly_simple chain ->
     total_angle (turns_of chain) == 4 \/ total_angle (turns_of chain) == -4.
 
 Definition crossing_loops : list vector := points_at [(-1, -1); (0, 0); (1, 1); (1, -1); (0, 0); (-1, 1)].
@@ -45,10 +45,10 @@ Theorem definition_2_1_9_is_false_as_printed : ~ definition_2_1_9_as_printed.
 Proof.
   intros printed.
   assert (none : total_angle (turns_of crossing_loops) == 0) by (vm_compute; reflexivity).
-  destruct (printed crossing_loops) as [once | once]; [| | lra | lra].
+  destruct (printed crossing_loops) as [once | once]; [discriminate | | | lra | lra].
   - intros c I. vm_compute in I.
     repeat match type of I with _ \/ _ => destruct I as [I | I] end; try contradiction; subst c;
-      (split; [intros [X Y]; vm_compute in X, Y; discriminate | split; [intros [X Y]; vm_compute in X, Y; discriminate |]]);
+      (split; [| split]; [intros [X Y]; vm_compute in X, Y; discriminate .. |]);
       intros parallel; vm_compute in parallel |- *; congruence.
   - split.
     + intros i j [a b] I J differ [(k & range & X & Y) (l & range' & X' & Y')].

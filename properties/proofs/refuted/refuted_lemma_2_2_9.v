@@ -1,12 +1,13 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Lemma 2.2.9, the sliding lemma, is false as printed. It says that the sum of an edge e of P and a vertex of Q is interior
-   to the sum if the edge of Q that leaves the vertex, or the one that enters it reversed, leads to the right of e. With the
-   regions of refuted_observation_2_2_4.v, both edges of Q's vertex (0, 0) lead to the right of P's lower side; and (3, 0)
-   on that side, where the hole touches it, is no inner point of the sum: what slides from there does not sweep over (3, 0), and the hole is beside
-   it. What holds is proved in lemma_2_2_9.v: for points of e that are no vertices of P. *)
+(* Lemma 2.2.9, the sliding lemma, is false as printed. It says that the sum of an edge e of P and a vertex of Q is
+   interior to the sum if the edge of Q that leaves the vertex, or the one that enters it reversed, leads to the right
+   of e. With the regions of refuted_observation_2_2_4.v, both edges of Q's vertex (0, 0) lead to the right of P's
+   lower side; and (3, 0) on that side, where the hole touches it, is no inner point of the sum: what slides from
+   there does not sweep over (3, 0), and the hole is beside it. What holds is proved in lemma_2_2_9.v: for points of e
+   that are no vertices of P. *)
 From Coq Require Import QArith Qminmax Lqa List.
-From Oplus Require Import convolution regions left_of_an_edge neighbourhoods theorem_4_2_1 theorem_4_2_1_for_valid_regions
-  theorem_2_2_10 valid_components test_of_components lemma_2_2_9 drawn_regions touching_holes.
+From Oplus Require Import convolution regions left_of_an_edge neighbourhoods theorem_4_2_1
+  theorem_4_2_1_for_valid_regions theorem_2_2_10 valid_components lemma_2_2_9 drawn_regions touching_holes.
 Import ListNotations.
 
 Open Scope Q_scope.

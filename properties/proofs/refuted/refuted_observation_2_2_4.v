@@ -1,12 +1,13 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Observation 2.2.4 is false as printed. It says that around the sum of a point inside an edge of P and any point of Q, a
-   half disk, to the left of the edge, is in the sum. Where a hole of P touches the edge in that point, P itself does not
-   fill a half disk there: P is a square whose hole touches its lower side in (3, 0), Q a triangle that fits,
-   reflected, into the hole's corner; no point directly above (3, 0) is in the sum. What holds is proved in observation_2_2_4.v:
-   the point inside the edge is no vertex of P, not of another chain either. Half squares instead of half disks say the same. *)
+(* Observation 2.2.4 is false as printed. It says that around the sum of a point inside an edge of P and any point of
+   Q, a half disk, to the left of the edge, is in the sum. Where a hole of P touches the edge in that point, P itself
+   does not fill a half disk there: P is a square whose hole touches its lower side in (3, 0), Q a triangle that fits,
+   reflected, into the hole's corner; no point directly above (3, 0) is in the sum. What holds is proved in
+   observation_2_2_4.v: the point inside the edge is no vertex of P, not of another chain either. Half squares instead
+   of half disks say the same. *)
 From Coq Require Import QArith Qminmax Lqa List.
-From Oplus Require Import convolution regions left_of_an_edge neighbourhoods theorem_4_2_1 theorem_4_2_1_for_valid_regions
-  valid_components test_of_components observation_2_2_4 drawn_regions touching_holes.
+From Oplus Require Import convolution regions left_of_an_edge neighbourhoods theorem_4_2_1
+  theorem_4_2_1_for_valid_regions valid_components observation_2_2_4 drawn_regions touching_holes.
 Import ListNotations.
 
 Open Scope Q_scope.

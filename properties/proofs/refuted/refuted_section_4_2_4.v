@@ -1,36 +1,23 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Section 4.2.4 is false as printed where it says that Theorem 4.2.14 holds for polygons that are not simple: that the winding
-   number of the original convolution at x, off both convolutions, is the number of connected components of the intersection of P and
-   -Q + x. P is a triangle with a triangular hole, Q a triangle whose reflection covers the hole: the number is 0, and the intersection is not empty. What
-   holds is proved in theorem_4_2_14.v, for an intersection whose boundary is given: the number of its outer chains less
-   that of its holes. What the section says of Theorem 4.2.1 is right (theorem_4_2_1_for_regions). *)
-From Coq Require Import QArith ZArith Lia Bool List.
-From Oplus Require Import convolution convolution_winding regions region_size rows_and_columns theorem_4_2_1
-  theorem_4_2_1_for_valid_regions valid_components test_of_components replaced_segments tangent_features theorem_4_2_14
-  collision_is_complete checked_collision small_intersection simple_polygons polygons_of_the_thesis drawn_regions.
+(* Section 4.2.4 is false as printed where it says that Theorem 4.2.14 holds for polygons that are not simple: that
+   the winding number of the original convolution at x, off both convolutions, is the number of connected components
+   of the intersection of P and -Q + x. P is a triangle with a triangular hole, Q a triangle whose reflection covers
+   the hole: the number is 0, and the intersection is not empty. What holds is proved in theorem_4_2_14.v, for an
+   intersection whose boundary is given: the number of its outer chains less that of its holes. What the section says
+   of Theorem 4.2.1 is right (theorem_4_2_1_for_regions). *)
+From Coq Require Import QArith Lia List.
+From Oplus Require Import connected_sets convolution convolution_winding regions rows_and_columns theorem_4_2_1
+  theorem_4_2_1_for_valid_regions valid_components test_of_components replaced_segments tangent_features
+  theorem_4_2_14 checked_collision small_intersection simple_polygons polygons_of_the_thesis drawn_regions.
 Import ListNotations.
 
 Open Scope Q_scope.
 
-(* A path of straight steps inside A. *)
-Fixpoint leads_through (A : vector -> Prop) (a : vector) (path : list vector) (b : vector) : Prop :=
-  match path with
-  | [] => forall z, lies_on z (Segment a b) -> A z
-  | c :: rest => (forall z, lies_on z (Segment a c) -> A z) /\ leads_through A c rest b
-  end.
-
-Definition connected_in (A : vector -> Prop) (a b : vector) : Prop := exists path, leads_through A a path b.
-
-(* A has k connected components: one for each of k points. *)
-Definition has_components (A : vector -> Prop) (k : nat) : Prop :=
-  exists points, length points = k /\ (forall a, In a points -> A a) /\
-    (forall z, A z -> exists a, In a points /\ connected_in A z a) /\
-    ForallOrdPairs (fun a b => ~ connected_in A a b) points.
-
 Definition section_4_2_4_as_printed : Prop :=
   forall (p q : list component) (x : vector),
     valid_components p -> valid_components q ->
-    off x (convolution_segments (region_of p) (region_of q)) -> off x (original_convolution (region_of p) (region_of q)) ->
+    off x (convolution_segments (region_of p) (region_of q)) ->
+    off x (original_convolution (region_of p) (region_of q)) ->
     exists k, has_components (fun z => in_region z (region_of p) /\ in_reflected x (region_of q) z) k /\
       winding_number x (original_convolution (region_of p) (region_of q)) = Z.of_nat k.
 
@@ -54,7 +41,8 @@ Proof.
       (original_convolution (region_of triangle_with_a_hole) (region_of covering_triangle)) = 0%Z)
       by (vm_compute; reflexivity).
     rewrite zero_ in number. assert (k = 0%nat) as -> by lia.
-    assert (meet : exists z, in_region z (region_of triangle_with_a_hole) /\ in_reflected x (region_of covering_triangle) z).
+    assert (meet : exists z, in_region z (region_of triangle_with_a_hole) /\
+      in_reflected x (region_of covering_triangle) z).
     { rewrite <- sum_as_intersection. apply positive_winding_number_iff_common_point; trivial;
         [now apply valid_components_are_valid_regions .. | vm_compute; reflexivity]. }
     destruct components as (points & none & _ & covered & _). destruct meet as (z & in_both).
@@ -72,7 +60,8 @@ Proof. exact (original_winding_number_counts_components_less_holes p q outer_cha
 (* A bar across the two arms of the letter U meets it in two rectangles, two outer chains and no hole. *)
 Example two_outer_chains : winding_number origin (original_convolution region_of_letter_u bar) = 2%Z.
 Proof.
-  assert (once : forall r, covers_nothing_twice r = true -> valid_region r /\ turns_in_all_chains r /\ numbers_are_0_or_1 r).
+  assert (once : forall r, covers_nothing_twice r = true ->
+    valid_region r /\ turns_in_all_chains r /\ numbers_are_0_or_1 r).
   { intros r test. apply covers_nothing_twice_is_right in test. destruct test as [valid once].
     split; [exact valid |]. split; [intros chain; now apply valid_regions_turn_everywhere |].
     intros x free. pose proof (proj1 (proj2 valid) x free). pose proof (once x free). lia. }

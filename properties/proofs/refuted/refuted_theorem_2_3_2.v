@@ -1,13 +1,14 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Theorem 2.3.2 is false as printed, for polygons whose chains touch. It says that the sum of an edge e of P and a reflex
-   vertex of Q is not on the boundary of the sum. Q is a triangle with a hole that touches its right side in the vertex
-   (4, 3), which is reflex, P a triangle with a vertical side at its right: their sum is part of the right side of the sum,
-   (6, 7/2) is one of its points. The proof in the thesis looks at the edges that encompass e, at points where chains touch; there these
-   are the outer chain's, not the hole's. What holds is proved in theorem_2_3_2.v: no other chain touches the vertex.
-   So the reduced convolution covers the boundary if no chains of P touch, and none of Q. *)
+(* Theorem 2.3.2 is false as printed, for polygons whose chains touch. It says that the sum of an edge e of P and a
+   reflex vertex of Q is not on the boundary of the sum. Q is a triangle with a hole that touches its right side in
+   the vertex (4, 3), which is reflex, P a triangle with a vertical side at its right: their sum is part of the right
+   side of the sum, (6, 7/2) is one of its points. The proof in the thesis looks at the edges that encompass e, at
+   points where chains touch; there these are the outer chain's, not the hole's. What holds is proved in
+   theorem_2_3_2.v: no other chain touches the vertex. So the reduced convolution covers the boundary if no chains of
+   P touch, and none of Q. *)
 From Coq Require Import QArith Lqa List.
-From Oplus Require Import convolution regions left_of_an_edge theorem_4_2_1 theorem_4_2_1_for_valid_regions theorem_2_2_10
-  valid_components inside_a_corner boundary_points reduced_convolution theorem_2_3_2 small_polygons polygons_of_the_thesis
+From Oplus Require Import convolution regions left_of_an_edge theorem_4_2_1 theorem_2_2_10 valid_components
+  inside_a_corner boundary_points reduced_convolution theorem_2_3_2 small_polygons polygons_of_the_thesis
   drawn_regions drawn_sums touching_holes.
 Import ListNotations.
 
@@ -36,8 +37,8 @@ Proof.
     apply right_side_is_on_the_boundary; cbn; lra.
 Qed.
 
-(* Theorem 2.3.2 as corrected: the edges f_in and f_out of Q meet in a reflex vertex that no other chain touches, and w is
-   no vertex of P. *)
+(* Theorem 2.3.2 as corrected: the edges f_in and f_out of Q meet in a reflex vertex that no other chain touches, and
+   w is no vertex of P. *)
 Theorem theorem_2_3_2_as_corrected (p q : region) (e f_in f_out : segment) (w : vector) :
   valid_region p -> valid_region q -> In e (region_edges p) -> lies_on w e -> ~ is_vertex w p ->
   meet_in_vertex f_in f_out q -> cross (along f_in) (along f_out) < 0 ->
@@ -66,7 +67,7 @@ Proof.
   - reflexivity.
 Qed.
 
-Example the_wall_is_on_the_reduced_convolution : on_reduced_convolution (Vector 2 3) [room] [diamond].
+Example the_wall_is_on_the_reduced_convolution : on_reduced_convolution (Vector 2 3) [room] [fitting_diamond].
 Proof.
   apply title_of_theorem_2_3_2_as_corrected;
     [apply simple_polygons_are_regions, drawn_polygons .. | | | exact wall_of_the_sum];

@@ -1,17 +1,17 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Theorem 4.1.6 is false as printed: Algorithm 2 need not return to the state where it starts. As printed, segments count as
-   visited if an earlier activation took them, and none is marked while a cycle is traced. Then, in the first activation,
-   for a triangle and a quadrangle one of whose vertices has all directions of the triangle in its tangent set, the
-   algorithm goes round the triangle at that vertex for ever. What holds is proved in algorithm_2.v: with segments marked as
-   soon as they are taken, it returns. *)
-From Coq Require Import QArith Lia Bool List.
-From Oplus Require Import convolution tracing algorithm_2 simple_chain polygons_of_the_thesis drawn_regions.
+(* Theorem 4.1.6 is false as printed: Algorithm 2 need not return to the state where it starts. As printed, segments
+   count as visited if an earlier activation took them, and none is marked while a cycle is traced. Then, in the first
+   activation, for a triangle and a quadrangle one of whose vertices has all directions of the triangle in its tangent
+   set, the algorithm goes round the triangle at that vertex for ever. What holds is proved in algorithm_2.v: with
+   segments marked as soon as they are taken, it returns. *)
+From Coq Require Import Lia List.
+From Oplus Require Import convolution tracing algorithm_2 simple_chain polygons_of_the_thesis.
 Import ListNotations.
 
 Open Scope nat_scope.
 
-(* The first activation, before which nothing was visited, from a state that a convolution segment leaves, returns after
-   some number of steps. *)
+(* The first activation, before which nothing was visited, from a state that a convolution segment leaves, returns
+   after some number of steps. *)
 Definition theorem_4_1_6_as_printed : Prop :=
   forall (p q : list vector) (start : state),
     simple_polygon p -> simple_polygon q -> in_grid (length p) (length q) start ->
@@ -31,8 +31,8 @@ Proof.
   - cbn [length triangle quadrangle] in returned. rewrite never in returned. discriminate returned.
 Qed.
 
-(* Theorem 4.1.6 as corrected. `visited` are the segments of earlier cycles; the cycle that is traced is a closed walk of
-   convolution segments of which none was visited and none is there twice, and with them visited the next
+(* Theorem 4.1.6 as corrected. `visited` are the segments of earlier cycles; the cycle that is traced is a closed walk
+   of convolution segments of which none was visited and none is there twice, and with them visited the next
    activation can start. *)
 Theorem theorem_4_1_6_as_corrected (p q : list vector) (visited : list named_segment) (start : state) :
   no_edge_is_a_point p -> no_edge_is_a_point q ->

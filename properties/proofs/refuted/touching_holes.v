@@ -1,11 +1,12 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Two regions with a hole that touches the outer chain, between the ends of its edges, and their sums with a triangle each:
-   the counterexamples to Observation 2.2.4, Lemma 2.2.9 and Theorem 2.3.2 as printed (docs/findings.md has pictures). They are
-   regions as in Definition 2.1.17, collections of simple chains, by the definition itself (valid_components.v). *)
+(* Two regions with a hole that touches the outer chain, between the ends of its edges, and their sums with a triangle
+   each: the counterexamples to Observation 2.2.4, Lemma 2.2.9 and Theorem 2.3.2 as printed (docs/findings.md has
+   pictures). They are regions as in Definition 2.1.17, collections of simple chains, by the definition itself
+   (valid_components.v). *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
 From Oplus Require Import convolution convolution_winding regions meeting_of_segments neighbourhoods simple_chain
-  simple_chains_turn_once valid_components location theorem_4_2_1 theorem_4_2_1_for_valid_regions theorem_2_2_10 simple_polygons
-  test_of_components polygons_of_the_thesis drawn_regions.
+  simple_chains_turn_once valid_components location theorem_4_2_1 theorem_4_2_1_for_valid_regions theorem_2_2_10
+  simple_polygons test_of_components polygons_of_the_thesis drawn_regions.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -28,11 +29,12 @@ Proof.
 Qed.
 
 (* That a hole is inside a chain by Definition 2.1.17, by arithmetic. It touches the chain in some of its vertices. *)
-Ltac apart_from_all vertices free :=
+Ltac apart_from_each vertices free :=
   match vertices with
   | ?v :: ?rest =>
-      let apart := fresh "apart" in pose proof (apart_from_point_on v _ _ _ free eq_refl) as apart; cbn [vx vy] in apart;
-      destruct apart as [apart | [apart | [apart | apart]]]; try (exfalso; lra); apart_from_all rest free
+      let apart := fresh "apart" in
+      pose proof (apart_from_point_on v _ _ _ free eq_refl) as apart; cbn [vx vy] in apart;
+      destruct apart as [apart | [apart | [apart | apart]]]; try (exfalso; lra); apart_from_each rest free
   | _ => clear free
   end.
 
@@ -48,13 +50,13 @@ Ltac hole_by_arithmetic hole vertices :=
     first [exfalso; lra | let l := eval vm_compute in (edges hole) in source_of_an_edge l]
   | intros [? ?] on_hole free [_ number]; each_edge on_hole;
     match type of number with ?n = _ => let one := fresh "one" in
-      assert (one : n = 1%Z) by (clear number; apart_from_all vertices free; number_by_arithmetic);
+      assert (one : n = 1%Z) by (clear number; apart_from_each vertices free; number_by_arithmetic);
       rewrite one in number; discriminate number end
   | intros [? ?] on_outer free; split; [exact free |]; each_edge on_outer;
-    apart_from_all vertices free; number_by_arithmetic ].
+    apart_from_each vertices free; number_by_arithmetic ].
 
-(* A square from (0, 0) to (6, 6) with a hole that touches its lower side in (3, 0), and a triangle that, reflected, just
-   fits into the hole's corner there. *)
+(* A square from (0, 0) to (6, 6) with a hole that touches its lower side in (3, 0), and a triangle that, reflected,
+   just fits into the hole's corner there. *)
 Definition lower_hole : list vector := points_at [(3, 0); (1, 3); (5, 3)].
 Definition large_square : list vector := points_at [(0, 0); (6, 0); (6, 6); (0, 6)].
 Definition square_with_lower_hole : list component := [Component large_square [lower_hole]].
@@ -85,8 +87,8 @@ Proof.
   - off_by_arithmetic.
 Qed.
 
-(* A triangle with a hole that touches its right side in (4, 3), its upper side in (3, 4) and its third side in (2, 3),
-   and a smaller triangle with a vertical side from (2, 0) to (2, 1), which is as far right as it goes. *)
+(* A triangle with a hole that touches its right side in (4, 3), its upper side in (3, 4) and its third side in (2,
+   3), and a smaller triangle with a vertical side from (2, 0) to (2, 1), which is as far right as it goes. *)
 Definition inscribed_hole : list vector := points_at [(4, 3); (2, 3); (3, 4)].
 Definition large_triangle : list vector := points_at [(4, 2); (4, 4); (0, 4)].
 Definition triangle_with_inscribed_hole : list component := [Component large_triangle [inscribed_hole]].

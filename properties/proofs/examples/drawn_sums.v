@@ -1,10 +1,10 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Points of sums that one can draw, for the examples of this folder: points of the boundary of a closed sum, a point of a
-   dangling edge of an open sum, and an isolated vertex of one. *)
+(* Points of sums that one can draw, for the examples of this folder: points of the boundary of a closed sum, a point
+   of a dangling edge of an open sum, and an isolated vertex of one. *)
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
-From Oplus Require Import convolution convolution_winding shifted_ray tie_rule regions meeting_of_segments interiors_meet
-  neighbourhoods left_of_an_edge theorem_4_2_1 theorem_2_2_10 theorem_2_2_6 boundary_points small_polygons simple_polygons
-  location test_of_regions checked_collision theorem_3_2_8 theorem_3_2_10
+From Oplus Require Import convolution convolution_winding shifted_ray tie_rule regions meeting_of_segments
+  interiors_meet neighbourhoods left_of_an_edge theorem_4_2_1 theorem_2_2_10 theorem_2_2_6 boundary_points
+  small_polygons simple_polygons location test_of_regions checked_collision theorem_3_2_8 theorem_3_2_10
   polygons_of_the_thesis drawn_regions.
 Import ListNotations.
 
@@ -23,17 +23,18 @@ Proof.
 Qed.
 
 (* Between (2, 3) and (3, 3) there is room for the reflected diamond in the room. *)
-Lemma inside_the_room (a : Q) : 2 < a < 3 -> ~ in_sum (Vector a 3) [room] [diamond].
+Lemma inside_the_room (a : Q) : 2 < a < 3 -> ~ in_sum (Vector a 3) [room] [fitting_diamond].
 Proof.
   intros range. rewrite <- positive_winding_number_iff_common_point;
     try (apply simple_polygons_are_regions, drawn_polygons).
-  - assert (none : winding_number (Vector a 3) (convolution_segments [room] [diamond]) = 0%Z) by number_by_arithmetic.
+  - assert (none : winding_number (Vector a 3) (convolution_segments [room] [fitting_diamond]) = 0%Z)
+      by number_by_arithmetic.
     rewrite none. now apply Z.lt_irrefl.
   - off_by_arithmetic.
 Qed.
 
 (* So the left wall is part of the boundary: the room's wall and the diamond's right vertex. *)
-Lemma wall_of_the_sum : on_boundary_of_sum (Vector 2 3) [room] [diamond].
+Lemma wall_of_the_sum : on_boundary_of_sum (Vector 2 3) [room] [fitting_diamond].
 Proof.
   intros radius R. split.
   - exists (Vector 2 3). split; [unfold within; cbn [vx vy]; lra |].
@@ -55,21 +56,24 @@ Ltac inside_by_arithmetic :=
 
 (* The reflected diamond at (4, height) is between the sides of the hatch. *)
 Lemma size_of_the_diamond (w : vector) :
-  inside w [diamond] -> 0 < vx w < 1 /\ - (1 # 2) < vy w < 1 # 2.
+  inside w [fitting_diamond] -> 0 < vx w < 1 /\ - (1 # 2) < vy w < 1 # 2.
 Proof.
   destruct w as [a b]. intros [free positive_]. cbn [vx vy].
-  assert (bounds : forall outside : Prop, (outside -> winding_number (Vector a b) (region_edges [diamond]) = 0%Z) -> ~ outside).
+  assert (bounds : forall outside : Prop,
+    (outside -> winding_number (Vector a b) (region_edges [fitting_diamond]) = 0%Z) -> ~ outside).
   { intros outside none yes. rewrite (none yes) in positive_. now apply Z.lt_irrefl in positive_. }
   assert (corner_ : ~ (a == 0 /\ b == 0)).
   { intros [X Y]. apply (free (Segment (Vector 0 0) (Vector (1 # 2) (- (1 # 2))))); [now left |].
     exists 0. cbn [source target vx vy]. lra. }
-  repeat split; apply Qnot_le_lt; apply bounds; intros beyond; clear - beyond corner_; [| clear corner_; number_by_arithmetic ..].
-  destruct (Qlt_le_dec b 0); [| destruct (Qlt_le_dec 0 b); [| assert (a < 0) by (apply Qnot_le_lt; intros ?; apply corner_; lra)]];
-    number_by_arithmetic.
+  repeat split; apply Qnot_le_lt; apply bounds; intros beyond; clear - beyond corner_;
+    [| clear corner_; number_by_arithmetic ..].
+  destruct (Qlt_le_dec b 0); [| destruct (Qlt_le_dec 0 b);
+    [| assert (a < 0) by (apply Qnot_le_lt; intros ?; apply corner_; lra)]]; number_by_arithmetic.
 Qed.
 
 Lemma hatch_is_free (height : Q) :
-  (11 # 2) - (1 # 4) < height -> height < (11 # 2) + (1 # 4) -> ~ interiors_meet (Vector 4 height) [room] [diamond].
+  (11 # 2) - (1 # 4) < height -> height < (11 # 2) + (1 # 4) ->
+  ~ interiors_meet (Vector 4 height) [room] [fitting_diamond].
 Proof.
   intros above below ([a b] & [_ positive_] & in_diamond). apply size_of_the_diamond in in_diamond.
   unfold minus in in_diamond; cbn [vx vy] in in_diamond.
@@ -79,7 +83,7 @@ Qed.
 
 (* The diamond passes the hatch: (4, 11/2) is on a dangling edge of the open sum. A little to the left of it the
    reflected diamond overlaps the hatch's left side, a little to the right the right one. *)
-Lemma passage_of_the_hatch : on_dangling_edge (Vector 4 (11 # 2)) (Vector 0 1) [room] [diamond].
+Lemma passage_of_the_hatch : on_dangling_edge (Vector 4 (11 # 2)) (Vector 0 1) [room] [fitting_diamond].
 Proof.
   split; [apply hatch_is_free; lra |]. split; [| split; [| split]].
   - exists (1 # 4). split; [lra |]. intros t some little. unfold moved_along; cbn [vx vy].
@@ -98,7 +102,8 @@ Proof.
     unfold moved_along, minus; cbn [vx vy]. split; inside_by_arithmetic.
 Qed.
 
-(* Four vertices of the inscribed diamond touch the four sides of the chamber's hole, (3, 3) is its only place there. *)
+(* Four vertices of the inscribed diamond touch the four sides of the chamber's hole, (3, 3) is its only place there.
+   *)
 Lemma only_place_in_the_chamber : isolated_vertex (Vector 3 3) chamber [inscribed_diamond].
 Proof.
   split.
