@@ -2,11 +2,10 @@
 (* Theorem 4.2.1 as printed: P and Q are two simple polygons, x is a point off their convolution. Then the winding
    number of the convolution at x is positive if and only if P and -Q + x have a point in common. The thesis has
    closed polygons; for open ones, whose common point is inside both, it holds, too. Both are proved for all regions,
-   of any number of chains: the first in theorem_4_2_1.v; the second in interiors_at_touching_points.v, if no chains
-   of a region touch. *)
+   of any number of chains: the first in theorem_4_2_1.v, the second in fans_that_touch.v. *)
 From Coq Require Import QArith List.
-From Oplus Require Import convolution convolution_winding regions interiors_meet theorem_4_2_1 boundary_points
-  interiors_at_touching_points simple_polygons test_of_regions polygons_of_the_thesis drawn_regions.
+From Oplus Require Import convolution convolution_winding regions interiors_meet theorem_4_2_1
+  fans_that_touch simple_polygons test_of_regions polygons_of_the_thesis drawn_regions.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -26,19 +25,18 @@ Theorem theorem_4_2_1_for_open_polygons (p q : list vector) (x : vector) :
   ((0 < winding_number x (convolution_segments [p] [q]))%Z <-> exists z, inside z [p] /\ inside (minus x z) [q]).
 Proof.
   intros. apply positive_winding_number_iff_common_inner_point; trivial;
-    first [now apply simple_polygons_are_regions | now apply simple_polygons_do_not_touch].
+    now apply simple_polygons_are_regions.
 Qed.
 
 (* Theorem 4.2.1 for polygons with holes and several components, as Section 4.2.4 has them. *)
 Theorem theorem_4_2_1_for_regions (p q : region) (x : vector) :
   valid_region p -> valid_region q -> off x (convolution_segments p q) ->
   ((0 < winding_number x (convolution_segments p q))%Z <-> exists z, in_region z p /\ in_reflected x q z) /\
-  (chains_do_not_touch p -> chains_do_not_touch q ->
-   ((0 < winding_number x (convolution_segments p q))%Z <-> exists z, inside z p /\ inside (minus x z) q)).
+  ((0 < winding_number x (convolution_segments p q))%Z <-> exists z, inside z p /\ inside (minus x z) q).
 Proof.
   intros. rewrite <- sum_as_intersection. split.
   - now apply positive_winding_number_iff_common_point.
-  - intros. now apply positive_winding_number_iff_common_inner_point.
+  - now apply positive_winding_number_iff_common_inner_point.
 Qed.
 
 (* In the hatch of the room the diamond, moved a little to the side, meets a wall; in the middle of the room it does

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Asks Coq which axioms the theorems in theorems.json use, and fails if there are any.
 
-theorems.json says for each which registered statement it backs, whether it is the whole of it or a
-part (extent), its name and file, what it says in plain words (gloss), what of the statement it covers
+theorems.json says for each which registered statement it backs, how much of it (extent, which
+properties/pages/records.py checks), its name and file, what it says in plain words (gloss), what of the statement it covers
 and what not. Each is a Theorem, Lemma or Corollary of its file with a comment right above it.
 Usage: headlines.py SOURCES BUILD STATEMENTS, BUILD made by compiled.py, STATEMENTS the folder of
 the registered statements."""
