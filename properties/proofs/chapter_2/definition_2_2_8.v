@@ -246,7 +246,8 @@ Qed.
 Lemma turned_further_back i : chain <> [] -> (i < n)%nat -> comes_to_a_turn (previous n) i.
 Proof.
   intros some I. destruct (turns_somewhere some) as (j & J & turn).
-  destruct (some_steps_forward n j i J I) as (t & <-). apply (comes_to_it _ t). now rewrite (steps_back n j t J).
+  destruct (some_steps_forward n j i J I) as (t & <-). apply (comes_to_it _ t).
+  now rewrite (steps_back n j t J : Nat.iter t (previous n) (Nat.iter t (fun k => next k n) j) = j).
 Qed.
 
 End Chain.
