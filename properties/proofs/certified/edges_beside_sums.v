@@ -323,9 +323,6 @@ Section Boxes.
     - rewrite Zlt_Qlt in sign. change (inject_Z 0) with 0 in sign. nra.
   Qed.
 
-  Lemma unit_is_positive : 0 < unit_.
-  Proof. reflexivity. Qed.
-
   Lemma no_more_in_units (x y : Q) : x * unit_ <= y * unit_ -> x <= y.
   Proof. apply Qmult_le_r. reflexivity. Qed.
 

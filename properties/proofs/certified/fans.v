@@ -29,14 +29,6 @@ Proof.
   unfold are_weights. repeat split; auto; unfold turn_of in *; field; lra.
 Qed.
 
-Lemma turn_of_combination (p q r : Q) (u v a b c x : vector) :
-  are_weights p q r -> is_combination p q r a b c x ->
-  turn_of u v x == p * turn_of u v a + q * turn_of u v b + r * turn_of u v c.
-Proof.
-  intros (_ & _ & _ & total) [x_is y_is]. unfold turn_of. rewrite x_is, y_is.
-  assert (r_is : r == 1 - p - q) by lra. rewrite r_is. ring.
-Qed.
-
 Lemma value_at_combination (p q r : Q) (l : line) (a b c x : vector) :
   are_weights p q r -> is_combination p q r a b c x ->
   value_at l x == p * value_at l a + q * value_at l b + r * value_at l c.

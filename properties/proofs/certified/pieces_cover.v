@@ -122,12 +122,6 @@ Section Accepted.
     apply winding_number_of_a_triangle, (fan_triangles_turn_left (corners_of t)); [now apply has_its_fan | exact k_in].
   Qed.
 
-  Theorem regions_are_nowhere_negative (x : vector) : 0 <= winding_number x (boundary r).
-  Proof.
-    rewrite winding_number_of_pieces. apply terms_are_less. intros t t_in. apply terms_are_less. intros k k_in.
-    now apply (triangle_is_not_negative t).
-  Qed.
-
   (* Theorem. Every point of the region is in a piece. *)
   Theorem region_is_in_pieces (x : point) : member x r -> exists t, In t pieces /\ inside_piece t (as_vector x).
   Proof.
@@ -173,9 +167,4 @@ Section Accepted.
     lia.
   Qed.
 
-  (* The pieces cover the region, and nothing else. *)
-  Corollary region_is_made_of_pieces (x : point) : member x r <-> exists t, In t pieces /\ inside_piece t (as_vector x).
-  Proof.
-    split; [apply region_is_in_pieces |]. intros (t & t_in & x_in). now apply (pieces_are_in_region t).
-  Qed.
 End Accepted.

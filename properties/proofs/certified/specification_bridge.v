@@ -14,12 +14,6 @@ Definition as_point (v : vector) : point := Point (vx v) (vy v).
 Lemma as_vector_of_point (v : vector) : as_vector (as_point v) = v.
 Proof. now destruct v. Qed.
 
-Lemma equal_points_are (a b : point) : equal_points a b <-> equal_vectors (as_vector a) (as_vector b).
-Proof. reflexivity. Qed.
-
-Lemma sum_of_points_is (a b : point) : as_vector (sum_of_points a b) = added (as_vector a) (as_vector b).
-Proof. reflexivity. Qed.
-
 Definition boundary (r : polygonal_region) : list segment := map segment_of_hedge (hedges_of_region r).
 
 Lemma boundary_is (r : polygonal_region) :

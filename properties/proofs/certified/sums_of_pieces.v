@@ -12,11 +12,6 @@ Open Scope Q_scope.
 Definition is_in_sum (t u : piece) (x : vector) : Prop :=
   exists a b, inside_piece t a /\ inside_piece u b /\ equal_vectors x (added a b).
 
-Lemma inside_at_equal_points (t : piece) (x y : vector) : equal_vectors x y -> inside_piece t x -> inside_piece t y.
-Proof.
-  intros [x_is y_is] x_in l side. specialize (x_in l side). unfold value_at in *. now rewrite <- x_is, <- y_is.
-Qed.
-
 (* A point of the segment between two points of a piece. *)
 Lemma segment_is_inside (t : piece) (a b : vector) (s : Q) :
   0 <= s <= 1 -> inside_piece t a -> inside_piece t b ->

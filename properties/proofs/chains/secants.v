@@ -49,9 +49,7 @@ Proof.
     assert (b_is : cross b (opposite w) == cross w b /\ cross (opposite w) b == - cross w b)
       by (unfold cross, opposite; cbn [vx vy]; split; ring).
     assert (0 < dot w w).
-    { unfold dot, nonzero, opposite in *. cbn [vx vy] in nw.
-      destruct (Qlt_le_dec 0 (vx w * vx w + vy w * vy w)) as [| none]; [assumption |].
-      apply no_squares in none. exfalso. apply nw. lra. }
+    { apply square_positive. intros [x_is y_is]. apply nw. unfold opposite. cbn [vx vy]. lra. }
     unfold left_of_ray. destruct s;
       [destruct (negative_spec (cross (opposite w) a)), (negative_spec (cross (opposite w) b))
       | destruct (negative_spec (cross a (opposite w))), (negative_spec (cross b (opposite w)))];
@@ -109,9 +107,7 @@ Proof.
   - assert (positive : 0 < cross u v * cross u v) by (destruct turn; nra).
     exists (Vector (cross u v * (vy v - vy u)) (cross u v * (vx u - vx v))).
     unfold in_front, dot, cross in *. cbn [vx vy]. split; nra.
-  - exists u. split; [| now apply ahead]. unfold in_front, dot.
-    destruct (Qlt_le_dec 0 (vx u * vx u + vy u * vy u)) as [| none]; [assumption |].
-    now apply no_squares in none.
+  - exists u. split; [exact (square_positive u nu) | now apply ahead].
 Qed.
 
 (* Two turns make one: the cell of two consecutive edges. *)

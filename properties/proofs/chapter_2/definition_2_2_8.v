@@ -5,7 +5,8 @@
    ties are not told apart. The segments by Definition 2.2.7 are in convolution_size.v, what rotating
    means in rotation.v, that edges do not all have one direction in sizes_of_cycles.v. *)
 From Coq Require Import PeanoNat QArith Lqa Qfield Lia Bool List.
-From Oplus Require Import convolution rotation tracing sizes_of_cycles secants segments_apart simple_chain.
+From Oplus Require Import convolution rotation tracing sizes_of_cycles secants segments_apart simple_chain
+  tangent_direction parallel_edges.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -36,6 +37,11 @@ Definition in_convolution_by_2_2_8 (p q : region) (x : vector) : Prop :=
 Definition in_convolution_by_2_2_7 (p q : region) (x : vector) : Prop :=
   exists s, In s (segments_of_regions p q) /\ lies_on x (Segment (starts_at s) (ends_at s)).
 
+(* What ccw says of three directions, by their angles. *)
+Ltac by_angles o :=
+  unfold in_order, earlier, place in o; cbn [vec of] in o; split; intros; trivial; try discriminate;
+    (lra || (exfalso; apply o; lra)).
+
 (* Angles met in this order, going round. *)
 Definition met (a b c : Q) : Prop := (a < b /\ b < c) \/ (b < c /\ c < a) \/ (c < a /\ a < b).
 
@@ -44,9 +50,7 @@ Lemma ccw_by_angles (d u v : vector) :
   ccw_of_vectors d u v = true <-> met (angle u) (angle d) (angle v).
 Proof.
   intros nd nu nv. unfold ccw_of_vectors, met.
-  destruct (ccw_spec (Direction d OfP) (Direction u OfP) (Direction v OfP) nd nu nv) as [o | o];
-    unfold in_order, earlier, place in o; cbn [vec of] in o; split; intros; trivial; try discriminate;
-    [lra | exfalso; apply o; lra].
+  destruct (ccw_spec (Direction d OfP) (Direction u OfP) (Direction v OfP) nd nu nv) as [o | o]; by_angles o.
 Qed.
 
 (* The tie rule: an edge of P is also at a vertex of Q whose outgoing edge has its direction, an edge of Q at a
@@ -57,9 +61,7 @@ Lemma edge_of_p_by_angles (e u v : vector) :
   met (angle u) (angle e) (angle v) \/ (angle e == angle v /\ ~ angle u == angle v).
 Proof.
   intros ne nu nv. unfold in_tangent_set, met. cbn [incoming outgoing of other].
-  destruct (ccw_spec (Direction e OfP) (Direction u OfQ) (Direction v OfQ) ne nu nv) as [o | o];
-    unfold in_order, earlier, place in o; cbn [vec of] in o; split; intros side; trivial; try discriminate;
-    [lra | exfalso; apply o; lra].
+  destruct (ccw_spec (Direction e OfP) (Direction u OfQ) (Direction v OfQ) ne nu nv) as [o | o]; by_angles o.
 Qed.
 
 Lemma edge_of_q_by_angles (f u v : vector) :
@@ -68,9 +70,7 @@ Lemma edge_of_q_by_angles (f u v : vector) :
   met (angle u) (angle f) (angle v) \/ (angle f == angle u /\ ~ angle u == angle v).
 Proof.
   intros nf nu nv. unfold in_tangent_set, met. cbn [incoming outgoing of other].
-  destruct (ccw_spec (Direction f OfQ) (Direction u OfP) (Direction v OfP) nf nu nv) as [o | o];
-    unfold in_order, earlier, place in o; cbn [vec of] in o; split; intros side; trivial; try discriminate;
-    [lra | exfalso; apply o; lra].
+  destruct (ccw_spec (Direction f OfQ) (Direction u OfP) (Direction v OfP) nf nu nv) as [o | o]; by_angles o.
 Qed.
 
 Lemma direction_between (a b : Q) :
@@ -229,56 +229,25 @@ Inductive comes_to_a_turn (go : nat -> nat) : nat -> Prop :=
 | turns_later i : comes_to_a_turn go (go i) -> comes_to_a_turn go i.
 
 Lemma turns_somewhere : chain <> [] -> exists i, (i < n)%nat /\ ~ straight_at i.
+Proof. exact (some_vertex_turns chain (turning_chains_have_edges chain turning)). Qed.
+
+Lemma comes_to_it go t i : ~ straight_at (Nat.iter t go i) -> comes_to_a_turn go i.
 Proof.
-  intros some.
-  destruct (all_or_one (fun i => if Qeq_dec (angle (edge_of_chain chain (previous n i)))
-                                            (angle (edge_of_chain chain i)) then true else false) (seq 0 n))
-    as [all_straight | (i & I & turn)].
-  2: { exists i. apply in_seq in I. split; [lia |]. unfold straight_at.
-       destruct (Qeq_dec (angle (edge_of_chain chain (previous n i))) (angle (edge_of_chain chain i)));
-         [discriminate | assumption]. }
-  exfalso. assert (first : (0 < n)%nat) by (unfold n; destruct chain; [contradiction | cbn; lia]).
-  assert (one_direction : forall i, (i < n)%nat ->
-    angle (edge_of_chain chain i) == angle (edge_of_chain chain 0)).
-  { intros i. induction i as [| i IH]; intros I; [reflexivity |].
-    assert (listed : In (S i) (seq 0 n)) by (apply in_seq; lia).
-    specialize (all_straight (S i) listed). cbv beta in all_straight. cbn [previous] in all_straight.
-    destruct (Qeq_dec (angle (edge_of_chain chain i)) (angle (edge_of_chain chain (S i)))) as [same |];
-      [rewrite <- same; apply IH; lia | discriminate]. }
-  set (e := edge_of_chain chain 0).
-  destruct (edges_on_no_side chain (opposite (normal e)) some turning) as (i & I & off). apply off.
-  pose proof (edge_proper i I) as ni. pose proof (edge_proper 0 first) as ne. fold e in ne.
-  destruct (proj2 (same_direction_angle _ _ ni ne) (one_direction i I)) as (k & positive & x_is & y_is).
-  pose proof (square_positive e ne). unfold cross, opposite, normal, dot in *. cbn [vx vy].
-  rewrite x_is, y_is. nra.
+  revert i. induction t as [| t IH]; intros i turn; [now apply turns_here |].
+  apply turns_later, IH. now rewrite iterated_first.
 Qed.
 
 Lemma turns_further_on i : chain <> [] -> (i < n)%nat -> comes_to_a_turn (fun k => next k n) i.
 Proof.
   intros some I. destruct (turns_somewhere some) as (j & J & turn).
-  assert (from_below : forall k l, (l + k = j)%nat -> comes_to_a_turn (fun k => next k n) l).
-  { intros k. induction k as [| k IH]; intros l sum_is.
-    - replace l with j by lia. now apply turns_here.
-    - apply turns_later. unfold next. destruct (Nat.eqb_spec (S l) n); [lia |]. apply IH. lia. }
-  assert (to_the_end : forall k l, (S l + k = n)%nat -> comes_to_a_turn (fun k => next k n) l).
-  { intros k. induction k as [| k IH]; intros l sum_is; apply turns_later; unfold next;
-      destruct (Nat.eqb_spec (S l) n); try lia.
-    - apply (from_below j). lia.
-    - apply IH. lia. }
-  apply (to_the_end (n - S i)%nat). lia.
+  destruct (some_steps_forward n i j I J) as (t & reached). apply (comes_to_it _ t). now rewrite reached.
 Qed.
 
 Lemma turned_further_back i : chain <> [] -> (i < n)%nat -> comes_to_a_turn (previous n) i.
 Proof.
   intros some I. destruct (turns_somewhere some) as (j & J & turn).
-  assert (from_above : forall k l, (j + k = l)%nat -> comes_to_a_turn (previous n) l).
-  { intros k. induction k as [| k IH]; intros l sum_is.
-    - replace l with j by lia. now apply turns_here.
-    - apply turns_later. destruct l as [| l]; [lia |]. cbn [previous]. apply IH. lia. }
-  assert (to_the_first : forall l, comes_to_a_turn (previous n) l).
-  { intros l. induction l as [| l IH]; apply turns_later; cbn [previous]; [| exact IH].
-    apply (from_above (n - 1 - j)%nat). lia. }
-  apply to_the_first.
+  destruct (some_steps_forward n j i J I) as (t & <-). apply (comes_to_it _ t).
+  now rewrite (steps_back n j t J : Nat.iter t (previous n) (Nat.iter t (fun k => next k n) j) = j).
 Qed.
 
 End Chain.
@@ -344,11 +313,7 @@ Proof.
   exists (point_along p i w), (point_along q j w), (edge_of_chain p i).
   split; [exact ne |]. split; [apply tangent_inside; trivial; reflexivity |].
   split; [now apply tangent_inside |].
-  unfold equal_vectors, plus, point_along in *. cbn [vx vy] in *. rewrite x_is, y_is, xk, yk. split.
-  - transitivity (vx (vertex p i) + vx (vertex q j) + (w * (1 + k)) * vx (edge_of_chain p i));
-      [rewrite w_is |]; ring.
-  - transitivity (vy (vertex p i) + vy (vertex q j) + (w * (1 + k)) * vy (edge_of_chain p i));
-      [rewrite w_is |]; ring.
+  unfold equal_vectors, plus, point_along in *. cbn [vx vy] in *. clearbody w. split; by_equations.
 Qed.
 
 Lemma plus_of_equal (a b c e : vector) :
@@ -455,9 +420,7 @@ Proof.
         [| apply plus_of_equal; [now apply along_all | reflexivity]].
       destruct on_p as [x_is' y_is']. clear - x_is' y_is' xk yk r'_is.
       unfold equal_vectors, plus, point_along in *. cbn [vx vy] in *. rewrite x_is', y_is', xk, yk.
-      setoid_replace (r' * (k * vx (edge_of_chain p i))) with ((r' * k) * vx (edge_of_chain p i)) by ring.
-      setoid_replace (r' * (k * vy (edge_of_chain p i))) with ((r' * k) * vy (edge_of_chain p i)) by ring.
-      rewrite r'_is. split; ring. }
+      split; by_equations. }
     pose proof (next_in_range i n I) as I'. pose proof (previous_next i n I) as pn.
     destruct (Qeq_dec (angle (edge_of_chain p (previous n (next i n)))) (angle (edge_of_chain p (next i n))))
       as [line | turn].

@@ -3,8 +3,7 @@
    sum, the edges have the same direction. Both points are no vertices: where chains touch, the lemma is false
    for open regions (docs/findings.md). Edges that slide are from lemma_2_2_9.v. *)
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
-From Oplus Require Import convolution signed_crossings regions weight winding_number_of_the_sum neighbourhoods
-  left_of_an_edge theorem_4_2_1 theorem_2_2_10 observation_2_2_4 lemma_2_2_9.
+From Oplus Require Import regions_and_sums theorem_2_2_10 observation_2_2_4 lemma_2_2_9.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -27,14 +26,7 @@ Lemma segments_both_ways (r : region) (f : segment) (u : vector) :
   In f (region_edges r) -> lies_on u f -> ~ is_vertex u r ->
   has_segment r u (along f) /\ has_segment r u (opposite (along f)).
 Proof.
-  intros I (k & [k0 k1] & X & Y) no_vertex.
-  assert (first_part : 0 < k).
-  { apply Qnot_le_lt. intros extreme. apply no_vertex. exists f. split; [exact I |].
-    assert (k == 0) as k_is by lra. rewrite k_is in X, Y. split; lra. }
-  assert (second_part : k < 1).
-  { apply Qnot_le_lt. intros extreme. apply no_vertex.
-    destruct (target_is_vertex r f I) as (v & J & tx & ty). exists v. split; [exact J |].
-    assert (k == 1) as k_is by lra. rewrite k_is in X, Y. split; lra. }
+  intros I on no_vertex. destruct (inside_an_edge r f u I on no_vertex) as (k & [first_part second_part] & X & Y).
   split.
   - exists (1 - k). split; [lra |]. intros t t0 t1. right. exists f. split; [exact I |]. exists (k + t).
     unfold moved_along, along, minus; cbn [vx vy]. split; [lra |]. rewrite X, Y. split; ring.
@@ -47,11 +39,8 @@ Lemma right_is_left_of_opposite (e f h : vector) :
   nonzero e -> cross e f == 0 -> dot e f <= 0 -> cross e h < 0 -> 0 <= cross f h.
 Proof.
   intros some parallel back right_.
-  assert (square : 0 < vx e * vx e + vy e * vy e).
-  { destruct (Qlt_le_dec 0 (vx e * vx e + vy e * vy e)) as [| none]; [assumption |]. exfalso. apply some.
-    now apply no_squares. }
-  assert (value : (vx e * vx e + vy e * vy e) * cross f h == dot e f * cross e h - cross e f * dot e h)
-    by (unfold cross, dot; ring).
+  pose proof (square_positive e some) as square.
+  assert (value : dot e e * cross f h == dot e f * cross e h - cross e f * dot e h) by (unfold cross, dot; ring).
   rewrite parallel in value. destruct (Qlt_le_dec (cross f h) 0) as [negative_ |]; [exfalso | assumption].
   set (c := cross f h) in *. set (b := cross e h) in *. set (a := dot e f) in *. clearbody a b c. nra.
 Qed.

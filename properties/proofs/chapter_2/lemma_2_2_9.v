@@ -4,9 +4,7 @@
    inner points of the sum, but for those that come from vertices of P. Those are excluded, touching ones too:
    there the lemma is false (docs/findings.md). To the left of the edge is observation_2_2_4.v. *)
 From Coq Require Import QArith Qabs Qminmax Lqa ZArith Lia Bool List.
-From Oplus Require Import convolution shifted_ray signed_crossings tie_rule regions weight
-  winding_number_of_the_sum meeting_of_segments interiors_meet neighbourhoods left_of_an_edge theorem_4_2_1
-  theorem_2_2_10 observation_2_2_4.
+From Oplus Require Import regions_and_sums theorem_2_2_10 observation_2_2_4.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -87,14 +85,11 @@ Proof.
     assert (- ((1 # 2) * r2) < t * vx n < (1 # 2) * r2) by (apply step_x; lra).
     assert (- ((1 # 2) * r2) < t * vy n < (1 # 2) * r2) by (apply step_y; lra).
     unfold within, z; cbn [vx vy]. lra. }
-  destruct (near_e z z_near) as [_ on_the_line].
+  destruct (near_e z z_near) as [_ on_the_edge].
   apply (in_sum_of y z (moved_along u n t)).
-  - right. exists e. split; [exact I |]. apply on_the_line.
-    pose proof (on_its_line w e on) as line. rewrite orientation_by_area in line.
-    apply equal_comparison in line. assert (area e w == 0) as line_ by (destruct e; exact line).
-    setoid_replace (area e z) with (area e w + cross E h + t * turn)
-      by (unfold area, turn, E, along, cross, minus, z; cbn [vx vy]; ring).
-    rewrite line_, t_value. ring.
+  - right. exists e. split; [exact I |]. apply on_the_edge.
+    setoid_replace (area e z) with (area e w + cross E h + t * turn) by (unfold turn, E, z; by_coordinates).
+    rewrite (on_the_line w e on), t_value. ring.
   - now apply slide.
   - unfold z, h. split; unfold plus, minus, moved_along; cbn [vx vy]; ring.
 Qed.

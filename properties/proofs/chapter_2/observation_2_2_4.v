@@ -3,9 +3,7 @@
    the edge, is in the sum. The point inside the edge is no vertex of P: the observation is false where
    another chain touches the edge (docs/findings.md). What is left of an edge is from left_of_an_edge.v. *)
 From Coq Require Import QArith Qabs Qminmax Lqa ZArith Lia Bool List.
-From Oplus Require Import convolution shifted_ray signed_crossings tie_rule regions weight
-  winding_number_of_the_sum meeting_of_segments interiors_meet neighbourhoods left_of_an_edge theorem_4_2_1
-  theorem_2_2_10.
+From Oplus Require Import regions_and_sums theorem_2_2_10.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -4,8 +4,8 @@
    Q. Where a touching point of P meets one of Q it is false (docs/findings.md). From interiors_at_touching_points.v and
    lemma_2_2_2.v. *)
 From Coq Require Import QArith Lqa ZArith Bool List.
-From Oplus Require Import convolution convolution_winding regions interiors_meet neighbourhoods theorem_4_2_1
-  theorem_2_2_10 theorem_2_2_6 lemma_2_2_2 boundary_points reduced_convolution interiors_at_touching_points.
+From Oplus Require Import regions_and_sums theorem_2_2_10 theorem_2_2_6 lemma_2_2_2 boundary_points
+  reduced_convolution interiors_at_touching_points.
 
 Open Scope Q_scope.
 

@@ -3,8 +3,7 @@
    (theorem_4_2_1.v): off the convolution the winding number decides whether a point is in the sum, and it
    is the same for all points near (neighbourhoods.v). *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
-From Oplus Require Import convolution convolution_winding regions winding_number_of_the_sum neighbourhoods
-  theorem_4_2_1.
+From Oplus Require Import regions_and_sums.
 Import ListNotations.
 
 Open Scope Q_scope.

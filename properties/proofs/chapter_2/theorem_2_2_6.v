@@ -2,8 +2,7 @@
 (* Theorem 2.2.6: the boundary of the Minkowski sum is part of the vertex-edge sum (Definition 2.2.1). The convolution
    is part of the vertex-edge sum, so this follows from Theorem 2.2.10 (theorem_2_2_10.v). *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
-From Oplus Require Import convolution tracing convolution_winding regions neighbourhoods left_of_an_edge
-  theorem_4_2_1 theorem_2_2_10.
+From Oplus Require Import regions_and_sums tracing theorem_2_2_10.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -30,8 +29,10 @@ Qed.
 (* A segment of the convolution is an edge moved by a vertex. *)
 Lemma convolution_segment_is (p q : region) (s : segment) : In s (convolution_segments p q) ->
   exists a b i j, In a p /\ In b q /\ (i < length a)%nat /\ (j < length b)%nat /\
-    (s = Segment (plus (nth i a nowhere) (nth j b nowhere)) (plus (nth (next i (length a)) a nowhere) (nth j b nowhere)) \/
-     s = Segment (plus (nth i a nowhere) (nth j b nowhere)) (plus (nth i a nowhere) (nth (next j (length b)) b nowhere))).
+    (s = Segment (plus (nth i a nowhere) (nth j b nowhere))
+           (plus (nth (next i (length a)) a nowhere) (nth j b nowhere)) \/
+     s = Segment (plus (nth i a nowhere) (nth j b nowhere))
+           (plus (nth i a nowhere) (nth (next j (length b)) b nowhere))).
 Proof.
   intros I. apply in_map_iff in I. destruct I as ([chains named] & <- & I).
   apply in_flat_map in I. destruct I as ([a b] & J & I). apply in_prod_iff in J. destruct J as [in_p in_q].

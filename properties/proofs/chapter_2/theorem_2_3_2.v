@@ -4,10 +4,8 @@
    (docs/findings.md). Near a reflex vertex more than a half plane is inside (inside_a_corner.v), so an
    edge can slide to its right (lemma_2_2_9.v). *)
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
-From Oplus Require Import convolution signed_crossings tie_rule regions weight winding_number_of_the_sum
-  meeting_of_segments interiors_meet neighbourhoods left_of_an_edge theorem_4_2_1 theorem_2_2_10 observation_2_2_4
-  lemma_2_2_9 lemma_2_2_5 inside_a_corner lemma_2_2_2 boundary_points reduced_convolution
-  interiors_at_touching_points.
+From Oplus Require Import regions_and_sums theorem_2_2_10 observation_2_2_4 lemma_2_2_9 lemma_2_2_5 inside_a_corner
+  lemma_2_2_2 boundary_points reduced_convolution interiors_at_touching_points.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -51,11 +49,8 @@ Proof.
   apply (sliding p q e w (source f_out) (minus (along f_in) (along f_out))); trivial.
   - now apply inside_a_reflex_vertex.
   - destruct p_region as (p_edges & _). pose proof (region_edges_are_directions p p_edges e I) as long.
-    assert (square : 0 < vx (along e) * vx (along e) + vy (along e) * vy (along e)).
-    { destruct (Qlt_le_dec 0 (vx (along e) * vx (along e) + vy (along e) * vy (along e))) as [| none];
-        [assumption |]. exfalso. apply long. now apply no_squares. }
-    assert (value : (vx (along e) * vx (along e) + vy (along e) * vy (along e)) *
-                    cross (along f_in) (along f_out) ==
+    pose proof (square_positive _ long) as square.
+    assert (value : dot (along e) (along e) * cross (along f_in) (along f_out) ==
                     cross (along e) (along f_out) * dot (along e) (along f_in) -
                     cross (along e) (along f_in) * dot (along e) (along f_out)) by (unfold cross, dot; ring).
     assert (difference : cross (along e) (minus (along f_in) (along f_out)) ==

@@ -4,8 +4,7 @@
    segment of the reduced convolution is there. Half squares in the sum are from observation_2_2_4.v, that the
    boundary is covered from theorem_2_3_2.v. *)
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
-From Oplus Require Import convolution signed_crossings tie_rule tracing convolution_winding weight regions
-  interiors_meet neighbourhoods left_of_an_edge theorem_4_2_1 theorem_2_2_10 observation_2_2_4 lemma_2_2_5
+From Oplus Require Import regions_and_sums tracing theorem_2_2_10 theorem_2_2_6 observation_2_2_4 lemma_2_2_5
   lemma_2_2_2 inside_a_corner boundary_points reduced_convolution parallel_edges interiors_at_touching_points
   theorem_2_3_2.
 Import ListNotations.
@@ -49,10 +48,8 @@ Proof.
   destruct (half_square_of_what_passes x d p q p_region q_region passing) as (long_d & r2 & R2 & half_square).
   assert (impossible : forall h, 0 <= cross d h -> cross D h < 0 -> False).
   { intros h left_ right_.
-    destruct (eventually_and _ _ (small_steps_stay_within r1 x h R1) (small_steps_stay_within r2 x h R2))
-      as (limit & L & near).
-    destruct (near ((1 # 2) * limit)) as [near_1 near_2]; [lra | lra |].
-    set (e := (1 # 2) * limit) in *. assert (some : 0 < e) by (unfold e; lra). clearbody e.
+    destruct (some_small _ (eventually_and _ _ (small_steps_stay_within r1 x h R1) (small_steps_stay_within r2 x h R2)))
+      as (e & some & near_1 & near_2).
     assert (scaled : forall a, cross a (minus (moved_along x h e) x) == e * cross a h)
       by (intros a; unfold cross, minus, moved_along; cbn [vx vy]; ring).
     apply (outside _ near_1).
@@ -62,9 +59,7 @@ Proof.
   - exfalso. apply (impossible d); [unfold cross; lra | exact right_].
   - exfalso. apply (impossible (opposite d)); unfold cross, opposite in *; cbn [vx vy]; lra.
   - split; [exact parallel |]. destruct (Qlt_le_dec 0 (dot D d)) as [| back]; [assumption | exfalso].
-    assert (square : 0 < vx D * vx D + vy D * vy D).
-    { destruct (Qlt_le_dec 0 (vx D * vx D + vy D * vy D)) as [| none]; [assumption |]. exfalso. apply long_D.
-      now apply no_squares. }
+    pose proof (square_positive D long_D) as square.
     apply (impossible (Vector (vy D) (- vx D))); unfold cross, dot in *; cbn [vx vy]; lra.
 Qed.
 
@@ -95,11 +90,7 @@ Lemma segments_pass (p q : region) (x : vector) (s : segment) (k : Q) :
   exists d, passes x d p q /\ equal_vectors d (along s).
 Proof.
   intros p_region q_region p_apart q_apart I range [X Y].
-  apply in_map_iff in I. destruct I as ([chains named] & <- & I).
-  apply in_flat_map in I. destruct I as ([a b] & J & I). apply in_prod_iff in J. destruct J as [in_p in_q].
-  apply in_map_iff in I. destruct I as (named' & equal & I). injection equal as <- <-. cbn [fst snd] in *.
-  apply (in_those (length a) (length b) (in_convolution a b)) in I. destruct I as [[i_below j_below] _].
-  destruct named' as [along_ [i j]]. cbn in i_below, j_below.
+  destruct (convolution_segment_is p q s I) as (a & b & i & j & in_p & in_q & i_below & j_below & s_is).
   assert (vertex_in : forall chain r m, In chain r -> (m < length chain)%nat -> in_region (nth m chain nowhere) r).
   { intros chain r m chain_in below. right. exists (edge_at chain m). split; [now apply edge_at_in_region |].
     exists 0. rewrite edge_at_is by exact below. cbn [source target]. split; [lra |]. split; ring. }
@@ -111,9 +102,7 @@ Proof.
   { intros chain r m r_region r_apart chain_in below w. split; [now apply edge_at_in_region |]. split.
     - exists k. unfold w; cbn [vx vy]. split; [lra |]. split; reflexivity.
     - apply (between_is_no_vertex r chain m k w); trivial; reflexivity. }
-  unfold starts_at, ends_at, point_of, plus, state_before, state_after in X, Y.
-  unfold starts_at, ends_at, point_of, plus, state_before, state_after. cbn [fst snd] in *.
-  destruct along_; cbn [step fst snd source target vx vy] in *.
+  destruct s_is as [-> | ->]; unfold plus in *; cbn [source target vx vy] in *.
   - destruct (edge_point a p i p_region p_apart in_p i_below) as (E & on & no_vertex). cbv zeta in on, no_vertex.
     exists (along (edge_at a i)). split.
     + left. eexists (edge_at a i), _, (nth j b nowhere). split; [exact E |]. split; [exact on |].

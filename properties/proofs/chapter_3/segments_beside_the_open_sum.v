@@ -5,10 +5,9 @@
    (winding_number_of_the_sum.v); close to x, these touch at x, and the sum is to the left of the edge that touches.
    That a segment of the reduced convolution is there is from interiors_at_touching_points.v. *)
 From Coq Require Import QArith Qminmax Lqa Qfield ZArith Lia Bool List Arith.
-From Oplus Require Import convolution signed_crossings tie_rule convolution_winding regions weight parallelogram
-  winding_number_of_the_sum crossing_edges meeting_of_segments interiors_meet neighbourhoods left_of_an_edge
-  theorem_4_2_1 observation_2_2_4 lemma_2_2_9 inside_a_corner tangent_direction touching_corners shifted_ray
-  boundary_points reduced_convolution parallel_edges interiors_at_touching_points right_of_an_edge.
+From Oplus Require Import regions_and_sums parallelogram crossing_edges observation_2_2_4 lemma_2_2_9 inside_a_corner
+  tangent_direction touching_corners boundary_points reduced_convolution parallel_edges interiors_at_touching_points
+  right_of_an_edge.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -160,11 +159,9 @@ Section OneSide.
       destruct (half_square _ b_2) as [to_the_left on_the_line].
       destruct (Q_dec (area e (minus x z)) 0) as [[below | above] | line].
       + left. rewrite (same_number _ (minus (moved_along x n t) v) b_1 (near t t0 t1) below); [exact positive_ |].
-        pose proof (on_its_line w e on) as line. rewrite orientation_by_area in line.
-        apply equal_comparison in line. assert (area e w == 0) as line_ by (destruct e; exact line).
-        assert (value : area e (minus (moved_along x n t) v) == area e w + t * cross (along e) n)
-          by (unfold area, w, cross, along, minus, moved_along; cbn [vx vy]; ring).
-        rewrite value, line_. assert (0 < t * - cross (along e) n) by (apply Qmult_lt_0_compat; lra). lra.
+        setoid_replace (area e (minus (moved_along x n t) v)) with (area e w + t * cross (along e) n)
+          by (unfold w; by_coordinates).
+        rewrite (meeting_of_segments.on_the_line w e on). nra.
       + now apply inside_is_in_region, to_the_left.
       + right. exists e. split; [exact E |]. now apply on_the_line.
     - destruct (winding_number_near w _ (region_cycles p) free) as (radius & R & same_number).
@@ -188,27 +185,19 @@ Section OneSide.
     exists 1. split; [lra |]. intros t t0 _ (w' & u' & on_e' & on_f' & [X' Y']). exfalso. apply outside.
     set (g := minus u' u).
     assert (side : 0 < cross (along e) (opposite g)).
-    { assert (line : forall z, lies_on z e -> area e z == 0).
-      { intros z on. pose proof (on_its_line z e on) as line. rewrite orientation_by_area in line.
-        apply equal_comparison in line. destruct e; exact line. }
-      pose proof (line w on_e) as at_w. pose proof (line w' on_e') as at_w'. destruct x_is as [X Y].
-      unfold plus, moved_along in X, Y, X', Y'; cbn [vx vy] in X, Y, X', Y'.
-      assert (gx : vx u' - vx u == t * vx n - (vx w' - vx w)) by lra.
-      assert (gy : vy u' - vy u == t * vy n - (vy w' - vy w)) by lra.
-      assert (value : cross (along e) (opposite g) == - (t * cross (along e) n) + area e w' - area e w).
-      { unfold g, area, cross, along, minus, opposite; cbn [vx vy]. rewrite gx, gy. ring. }
-      rewrite value, at_w, at_w'. assert (0 < t * - cross (along e) n) by (apply Qmult_lt_0_compat; lra). lra. }
-    destruct (eventually_and _ _ (left_of_an_edge_is_inside p e w (opposite g) valid meet E on_e no_vertex side)
-      (ex_intro _ 1 (conj (ltac:(lra) : 0 < 1) (fun h some below => conj some below : 0 < h /\ h < 1))))
-      as (limit & L & near).
-    destruct (near ((1 # 2) * limit)) as [in_p [h0 h1]]; [lra | lra |]. set (h := (1 # 2) * limit) in *. clearbody h.
+    { pose proof (meeting_of_segments.on_the_line w e on_e) as at_w.
+      pose proof (meeting_of_segments.on_the_line w' e on_e') as at_w'. destruct x_is as [X Y].
+      assert (value : cross (along e) (opposite g) == - (t * cross (along e) n) + area e w' - area e w)
+        by (unfold g, plus in *; in_coordinates; by_equations).
+      rewrite value, at_w, at_w'. nra. }
+    destruct (some_small _ (eventually_and _ _
+      (left_of_an_edge_is_inside p e w (opposite g) valid meet E on_e no_vertex side) (eventually_below 1 ltac:(lra))))
+      as (h & _ & in_p & h0 & h1).
     refine (inner_point_and_point p q x _ (moved_along u g h) q_regular in_p _ _).
     - right. exists f. split; [exact F |].
       destruct on_f as (k & k_range & ux & uy), on_f' as (l & l_range & ux' & uy').
       exists ((1 - h) * k + h * l). split.
-      + assert (0 <= (1 - h) * k) by (apply Qmult_le_0_compat; lra). assert (0 <= h * l) by (apply Qmult_le_0_compat; lra).
-        assert (0 <= (1 - h) * (1 - k)) by (apply Qmult_le_0_compat; lra).
-        assert (0 <= h * (1 - l)) by (apply Qmult_le_0_compat; lra). lra.
+      + split; nra.
       + unfold moved_along, g, minus; cbn [vx vy]. rewrite ux, uy, ux', uy'. split; ring.
     - destruct x_is as [X Y]. unfold plus, moved_along, opposite in *; cbn [vx vy] in *.
       split; cbn [vx vy]; [rewrite X | rewrite Y]; ring.
@@ -286,20 +275,7 @@ Section BothSides.
         + destruct (counted x some) as [(w & u & on_e & on_f & x_is) turn].
           destruct (vertex_or_not w p) as [w_vertex | w_free]; [now apply (by_e w u) |].
           destruct (vertex_or_not u q) as [u_vertex | u_free]; [now apply (by_f w u) |].
-          exfalso. apply outside. pose proof p_region as (_ & p_valid & p_meet).
-          pose proof q_region as (_ & q_valid & q_meet).
-          assert (found : forall m, 0 < cross (along e) m -> 0 < cross (along f) (opposite m) -> interiors_meet x p q).
-          { intros m left_e left_f.
-            destruct (eventually_and _ _ (left_of_an_edge_is_inside p e w m p_valid p_meet E on_e w_free left_e)
-              (left_of_an_edge_is_inside q f u (opposite m) q_valid q_meet F on_f u_free left_f)) as (limit & L & near).
-            destruct (near ((1 # 2) * limit)) as [in_p in_q]; [lra | lra |].
-            exists (moved_along w m ((1 # 2) * limit)). split; [exact in_p |]. refine (inside_equal _ _ _ _ in_q).
-            destruct x_is as [X Y]. unfold plus, minus, moved_along, opposite in *.
-            split; cbn [vx vy] in *; [rewrite X | rewrite Y]; ring. }
-          set (E_ := along e) in *. set (F_ := along f) in *. unfold cross in *.
-          destruct (Qlt_le_dec 0 (vx E_ * vy F_ - vy E_ * vx F_)) as [left_ | right_].
-          * apply (found (Vector (vx E_ + vx F_) (vy E_ + vy F_))); unfold opposite; cbn [vx vy]; lra.
-          * apply (found (Vector (- (vx E_ + vx F_)) (- (vy E_ + vy F_)))); unfold opposite; cbn [vx vy]; lra.
+          exfalso. apply outside. now apply (transversal_edges_meet p q x w u e f).
     Qed.
 
     (* What is beside x shows at x. *)
@@ -321,10 +297,9 @@ Section BothSides.
             apply (eventually_for_all (fun f t =>
               winding_number (moved_along x n t) (parallelogram e f) <> 0%Z -> touches x n p q \/ touches x n q p));
             intros f F; now apply parallelogram_beside).
-      destruct (eventually_and _ _ meet_ (eventually_and _ _ of_p (eventually_and _ _ of_q of_both)))
-        as (limit & L & near).
-      destruct (near ((1 # 2) * limit)) as (meets & by_p & by_q & by_both); [lra | lra |]. clear near.
-      set (y := moved_along x n ((1 # 2) * limit)) in *.
+      destruct (some_small _ (eventually_and _ _ meet_ (eventually_and _ _ of_p (eventually_and _ _ of_q of_both))))
+        as (t & _ & meets & by_p & by_q & by_both).
+      set (y := moved_along x n t) in *.
       pose proof (interiors_meet_means_positive_winding_number p q y p_edges q_edges p_valid q_valid meets) as positive_.
       assert (proper_d : nonzero (Vector 1 0)) by (unfold nonzero; cbn; lra).
       destruct (a_term_is_positive p q (Vector 1 0) y p_edges q_edges p_valid q_valid proper_d positive_)

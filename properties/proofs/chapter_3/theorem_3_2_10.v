@@ -5,11 +5,9 @@
    From segments_beside_the_open_sum.v: the open sum is on all sides, and each direction that is along none of the
    segments is to the left of one of them. *)
 From Coq Require Import QArith Qminmax Lqa Qfield ZArith Lia Bool List Arith.
-From Oplus Require Import convolution signed_crossings tie_rule convolution_winding regions weight parallelogram
-  winding_number_of_the_sum crossing_edges meeting_of_segments interiors_meet neighbourhoods left_of_an_edge
-  theorem_4_2_1 observation_2_2_4 lemma_2_2_9 inside_a_corner tangent_direction touching_corners shifted_ray
-  boundary_points reduced_convolution parallel_edges interiors_at_touching_points right_of_an_edge
-  segments_beside_the_open_sum theorem_3_2_8.
+From Oplus Require Import regions_and_sums parallelogram crossing_edges observation_2_2_4 lemma_2_2_9 inside_a_corner
+  tangent_direction touching_corners boundary_points reduced_convolution parallel_edges interiors_at_touching_points
+  right_of_an_edge segments_beside_the_open_sum theorem_3_2_8.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -83,24 +81,15 @@ Section IsolatedVertex.
         intros e positive_ _. rewrite value. split; [lra | intros _; now left].
       - exists 1. split; [lra |]. intros e e0 _ long. rewrite value, flat. split.
         + intros zero_. assert (none : e * dot m' (along s) == 0) by lra. apply Qmult_integral in none.
-          destruct none as [none | none]; [lra |]. apply long. pose proof (parallel _ flat) as along_.
-          assert (square : 0 < vx m' * vx m' + vy m' * vy m').
-          { destruct (Qlt_le_dec 0 (vx m' * vx m' + vy m' * vy m')) as [| low]; [assumption |]. exfalso.
-            apply proper_m'. now apply no_squares. }
-          assert (x_is : (vx m' * vx m' + vy m' * vy m') * vx (along s) ==
-            dot m' (along s) * vx m' + cross (along s) m' * vy m') by (unfold cross, dot; ring).
-          assert (y_is : (vx m' * vx m' + vy m' * vy m') * vy (along s) ==
-            dot m' (along s) * vy m' - cross (along s) m' * vx m') by (unfold cross, dot; ring).
-          rewrite none, along_ in x_is, y_is.
-          assert (zero_x : (vx m' * vx m' + vy m' * vy m') * vx (along s) == 0) by lra.
-          assert (zero_y : (vx m' * vx m' + vy m' * vy m') * vy (along s) == 0) by lra.
-          apply Qmult_integral in zero_x, zero_y. split; lra.
+          destruct none as [none | none]; [lra |]. apply long.
+          destruct (multiple_of _ m' proper_m' (parallel _ flat)) as (c & X & Y).
+          pose proof (square_positive m' proper_m') as square. unfold dot in none, square. rewrite X, Y in none.
+          assert (c_none : c == 0) by (apply (Qmult_inj_r _ _ (vx m' * vx m' + vy m' * vy m')); lra).
+          rewrite X, Y, c_none. split; ring.
         + intros positive_. right. apply parallel_and_ahead; [exact proper_m' | now apply parallel |].
           destruct (Qlt_le_dec 0 (dot m' (along s))) as [| low]; [assumption | exfalso].
           assert (0 <= e * - dot m' (along s)) by (apply Qmult_le_0_compat; lra). lra. }
-    destruct each as (limit & L & near).
-    pose proof (near ((1 # 2) * limit) ltac:(lra) ltac:(lra)) as at_e. clear near.
-    set (e := (1 # 2) * limit) in *.
+    destruct (some_small _ each) as (e & _ & at_e).
     destruct (segment_with_direction_to_its_left (moved_along m l e)) as (s & (S & on) & left_s).
     - intros [X Y]. apply some.
       assert (zero_ : dot m' (moved_along m l e) == dot m' m)
@@ -117,9 +106,7 @@ Section IsolatedVertex.
      (exists s, covers s x p q /\ same_direction (along s) (opposite m))).
   Proof.
     intros proper_m.
-    assert (square : 0 < vx m * vx m + vy m * vy m).
-    { destruct (Qlt_le_dec 0 (vx m * vx m + vy m * vy m)) as [| low]; [assumption |]. exfalso.
-      apply proper_m. now apply no_squares. }
+    pose proof (square_positive m proper_m) as square. unfold dot in square.
     destruct (covers_when_turned_a_little m m) as (s & covers_s & [left_s | same_s]); trivial.
     { unfold dot. lra. }
     { left. now exists s. }

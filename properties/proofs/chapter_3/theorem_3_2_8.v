@@ -4,10 +4,9 @@
    Chains do not touch here. The open sum is to the left of each edge that passes, so these are along the dangling
    edge; on either side there is one by segments_beside_the_open_sum.v. *)
 From Coq Require Import QArith Qminmax Lqa Qfield ZArith Lia Bool List Arith.
-From Oplus Require Import convolution signed_crossings tie_rule convolution_winding regions weight parallelogram
-  winding_number_of_the_sum crossing_edges meeting_of_segments interiors_meet neighbourhoods left_of_an_edge
-  theorem_4_2_1 observation_2_2_4 lemma_2_2_9 inside_a_corner tangent_direction touching_corners shifted_ray
-  boundary_points reduced_convolution parallel_edges interiors_at_touching_points segments_beside_the_open_sum.
+From Oplus Require Import regions_and_sums parallelogram crossing_edges observation_2_2_4 lemma_2_2_9 inside_a_corner
+  tangent_direction touching_corners boundary_points reduced_convolution parallel_edges interiors_at_touching_points
+  segments_beside_the_open_sum.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -15,21 +14,8 @@ Open Scope Q_scope.
 Lemma parallel_and_ahead (u v : vector) :
   nonzero v -> cross u v == 0 -> 0 < dot v u -> same_direction u v.
 Proof.
-  intros long parallel ahead_.
-  assert (square : 0 < vx v * vx v + vy v * vy v).
-  { destruct (Qlt_le_dec 0 (vx v * vx v + vy v * vy v)) as [| none]; [assumption |]. exfalso. apply long.
-    now apply no_squares. }
-  exists (dot v u / (vx v * vx v + vy v * vy v)).
-  split; [apply Qlt_shift_div_l; lra |]. unfold cross, dot in *.
-  split; apply (Qmult_inj_r _ _ (vx v * vx v + vy v * vy v)); try lra.
-  - setoid_replace ((vx v * vx u + vy v * vy u) / (vx v * vx v + vy v * vy v) * vx v * (vx v * vx v + vy v * vy v))
-      with ((vx v * vx u + vy v * vy u) * vx v) by (field; lra).
-    setoid_replace (vx u * (vx v * vx v + vy v * vy v)) with
-      ((vx v * vx u + vy v * vy u) * vx v + (vx u * vy v - vy u * vx v) * vy v) by ring. rewrite parallel. ring.
-  - setoid_replace ((vx v * vx u + vy v * vy u) / (vx v * vx v + vy v * vy v) * vy v * (vx v * vx v + vy v * vy v))
-      with ((vx v * vx u + vy v * vy u) * vy v) by (field; lra).
-    setoid_replace (vy u * (vx v * vx v + vy v * vy v)) with
-      ((vx v * vx u + vy v * vy u) * vy v - (vx u * vy v - vy u * vx v) * vx v) by ring. rewrite parallel. ring.
+  intros long parallel ahead_. destruct (multiple_of u v long parallel) as (c & X & Y). exists c. split; [| now split].
+  pose proof (square_positive v long). unfold dot in *. rewrite X, Y in ahead_. apply Qnot_le_lt. intros none. nra.
 Qed.
 
 (* An edge that passes is along D. *)
@@ -46,9 +32,9 @@ Proof.
   assert (one : forall d, eventually (fun t => ~ interiors_meet (moved_along x d t) p q) ->
     0 < cross (along e) d -> False).
   { intros d free side.
-    destruct (eventually_and _ _ free (left_of_an_edge_is_inside p e w d valid meet I on no_vertex side))
-      as (limit & L & near).
-    destruct (near ((1 # 2) * limit)) as [out in_p]; [lra | lra |]. apply out.
+    destruct (some_small _ (eventually_and _ _ free (left_of_an_edge_is_inside p e w d valid meet I on no_vertex side)))
+      as (t & _ & out & in_p).
+    apply out.
     refine (inner_point_and_point p q _ _ u q_regular in_p in_q _).
     unfold plus, moved_along in *; cbn [vx vy] in *. split; cbn [vx vy]; [rewrite X | rewrite Y]; ring. }
   destruct (Q_dec (cross (along e) D) 0) as [[right_ | left_e] | parallel]; [exfalso | exfalso | exact parallel].
@@ -80,21 +66,14 @@ Lemma one_side_of_a_dangling_edge (p q : region) (x D n : vector) :
 Proof.
   intros p_region q_region p_apart q_apart outside ahead_ behind left_ meet_ free.
   pose proof (direction_of_sides D n left_) as proper_D.
-  assert (square : 0 < vx D * vx D + vy D * vy D).
-  { destruct (Qlt_le_dec 0 (vx D * vx D + vy D * vy D)) as [| none_]; [assumption |]. exfalso. apply proper_D.
-    now apply no_squares. }
+  pose proof (square_positive D proper_D) as square.
   assert (ahead_' : eventually (fun t => ~ interiors_meet (moved_along x D t) q p))
     by (refine (eventually_implied _ _ _ ahead_); intros t out meets; apply out; now apply interiors_meet_other_way).
   assert (behind' : eventually (fun t => ~ interiors_meet (moved_along x (opposite D) t) q p))
     by (refine (eventually_implied _ _ _ behind); intros t out meets; apply out; now apply interiors_meet_other_way).
   assert (not_along : forall e, nonzero (along e) -> cross (along e) D == 0 -> ~ cross (along e) n == 0).
-  { intros e long parallel flat. apply long.
-    assert (value : forall c, (vx (along e) * cross D n == vx D * cross (along e) n - vx n * cross (along e) D) /\
-      (vy (along e) * cross D n == vy D * cross (along e) n - vy n * cross (along e) D) /\ c == c)
-      by (intros c; unfold cross; split; [ring | split; [ring | reflexivity]]).
-    destruct (value 0) as (on_x & on_y & _). rewrite parallel, flat in on_x, on_y.
-    assert (zero_x : vx (along e) * cross D n == 0) by lra. assert (zero_y : vy (along e) * cross D n == 0) by lra.
-    apply Qmult_integral in zero_x, zero_y. split; lra. }
+  { intros e long parallel flat. apply long. assert (turn : ~ cross D n == 0) by lra.
+    split; apply (Qmult_inj_l _ _ _ turn); in_coordinates; by_equations. }
   destruct (segments_beside_the_open_sum p q x n) as (d & found & left_d & (e & w & u & is_d & on & x_is & passes)); trivial.
   - intros e w u I on no_vertex in_q x_is. apply not_along.
     + now apply (region_edges_are_directions p (proj1 p_region)).
@@ -102,17 +81,14 @@ Proof.
   - intros e w u I on no_vertex in_q x_is. apply not_along.
     + now apply (region_edges_are_directions q (proj1 q_region)).
     + now apply (passing_is_parallel q p x D e w u).
-  - refine (reduced_along_same p q x d D _ found). apply parallel_and_ahead; [exact proper_D | |].
-    + rewrite <- is_d. destruct passes as [(I & no_vertex & in_q) | (I & no_vertex & in_p)];
-        [now apply (passing_is_parallel p q x D e w u) | now apply (passing_is_parallel q p x D e w u)].
-    + assert (parallel : cross d D == 0).
-      { rewrite <- is_d. destruct passes as [(I & no_vertex & in_q) | (I & no_vertex & in_p)];
-          [now apply (passing_is_parallel p q x D e w u) | now apply (passing_is_parallel q p x D e w u)]. }
-      destruct (Qlt_le_dec 0 (dot D d)) as [| none]; [assumption | exfalso].
-      assert (value : (vx D * vx D + vy D * vy D) * cross d n == dot D d * cross D n + cross d D * dot D n)
-        by (unfold cross, dot; ring).
-      rewrite parallel in value. assert (0 < (vx D * vx D + vy D * vy D) * cross d n) by now apply Qmult_lt_0_compat.
-      assert (0 <= - dot D d * cross D n) by (apply Qmult_le_0_compat; lra). lra.
+  - refine (reduced_along_same p q x d D _ found).
+    assert (parallel : cross d D == 0).
+    { rewrite <- is_d. destruct passes as [(I & no_vertex & in_q) | (I & no_vertex & in_p)];
+        [now apply (passing_is_parallel p q x D e w u) | now apply (passing_is_parallel q p x D e w u)]. }
+    apply parallel_and_ahead; [exact proper_D | exact parallel |].
+    destruct (Qlt_le_dec 0 (dot D d)) as [| none]; [assumption | exfalso].
+    assert (value : dot D D * cross d n == dot D d * cross D n + cross d D * dot D n) by (unfold cross, dot; ring).
+    rewrite parallel in value. nra.
 Qed.
 
 (* Theorem 3.2.8. Every point of a dangling edge that is not the sum of two vertices is on a segment of the reduced

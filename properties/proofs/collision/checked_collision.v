@@ -2,8 +2,7 @@
 (* A check, by finitely many comparisons, that a region covers nothing twice: its winding numbers are 0 and 1. With the
    check of test_of_regions.v no hypothesis of the theorems on the collision test (placed_collision.v) is left open. *)
 From Coq Require Import QArith ZArith Lia Bool List.
-From Oplus Require Import convolution shifted_ray convolution_winding regions winding_number_of_the_sum
-  interiors_meet left_of_an_edge theorem_4_2_1 right_of_an_edge small_polygons test_of_regions location pieces
+From Oplus Require Import regions_and_sums right_of_an_edge small_polygons test_of_regions location pieces
   naive_collision collision_is_complete placed_collision.
 Import ListNotations.
 

@@ -6,9 +6,7 @@
    direction: else the winding number behind one of the two would be 2. That the test is right where it returns true is
    in collision_is_sound.v. *)
 From Coq Require Import QArith Qminmax Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import convolution small_numbers shifted_ray signed_crossings tie_rule meeting_of_segments weight regions
-  first_hit interiors_meet neighbourhoods left_of_an_edge winding_number_of_the_sum theorem_4_2_1 location pieces
-  naive_collision met_pieces collision_is_sound rotation.
+From Oplus Require Import regions_and_sums location pieces naive_collision met_pieces collision_is_sound.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -142,13 +140,9 @@ Section FirstHit.
   Proof.
     intros (_ & _ & meet) simple [_ positive_] part G on no_vertex left_.
     destruct hit_is_ahead as [_ ahead].
-    destruct (left_is_one_more r g w (Vector 1 0) meet G on no_vertex left_) as (limit & L & near).
-    set (e := (1 # 2) * Qmin limit (vx w - vx z)).
-    assert (0 < Qmin limit (vx w - vx z)) by (apply Q.min_glb_lt; lra).
-    pose proof (Q.le_min_l limit (vx w - vx z)). pose proof (Q.le_min_r limit (vx w - vx z)).
-    assert (E : 0 < e) by (unfold e; lra). assert (E_limit : e < limit) by (unfold e; lra).
-    assert (E_ahead : e < vx w - vx z) by (unfold e; lra). clearbody e.
-    destruct (near e E E_limit) as (off_ & _ & more). pose proof (simple _ off_) as at_most_one.
+    destruct (some_small _ (eventually_and _ _ (left_is_one_more r g w (Vector 1 0) meet G on no_vertex left_)
+      (eventually_below (vx w - vx z) ltac:(lra)))) as (e & _ & (off_ & _ & more) & E & E_ahead).
+    pose proof (simple _ off_) as at_most_one.
     rewrite (same_before_the_hit r (moved_along w (Vector 1 0) (- e)) part) in more; [lia | |].
     - assert (quotient : e / (vx w - vx z) * (vx w - vx z) == e) by (field; lra).
       set (k := e / (vx w - vx z)) in *. clearbody k. exists (1 - k). cbn [source target].

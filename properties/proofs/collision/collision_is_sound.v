@@ -4,9 +4,7 @@
    inside (left_of_an_edge.v); beside a point of one boundary inside the other region is a point inside both; and
    pieces that run along each other in the same direction have the inside on the same side. *)
 From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import convolution small_numbers shifted_ray tie_rule meeting_of_segments weight regions first_hit
-  interiors_meet neighbourhoods left_of_an_edge winding_number_of_the_sum theorem_4_2_1 location pieces
-  naive_collision met_pieces rotation.
+From Oplus Require Import regions_and_sums location pieces naive_collision met_pieces.
 Import ListNotations.
 
 Open Scope Q_scope.

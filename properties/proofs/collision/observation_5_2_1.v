@@ -4,7 +4,7 @@
    is positive iff P and -Q, placed there, have a point in common. Shifts of the ray are in shifted_ray.v, what the
    number means in theorem_4_2_1.v. *)
 From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import convolution shifted_ray convolution_winding regions theorem_4_2_1 small_numbers.
+From Oplus Require Import regions_and_sums.
 
 Open Scope Q_scope.
 

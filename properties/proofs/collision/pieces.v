@@ -283,7 +283,8 @@ Proof.
   destruct (fraction_on s _ long on_source) as (range_j & jx & jy).
   destruct (fraction_on s _ long on_target) as (range_k & kx & ky).
   set (j := fraction s (source piece)) in *. set (l := fraction s (target piece)) in *. clearbody j l.
-  split; [exists ((1 - k) * j + k * l); split; [split; nra |]; split | apply fraction_is; [exact long | |]]; by_equations.
+  split; [exists ((1 - k) * j + k * l); split; [split; nra |]; split | apply fraction_is; [exact long | |]];
+    by_equations.
 Qed.
 
 Lemma inside_a_part (piece s : segment) (w : vector) : nonzero (along s) -> is_part piece s ->

@@ -4,9 +4,8 @@
    convolution at x is positive, so that the two ways to decide whether x is in the sum cannot differ. What the test
    returns is from collision_is_sound.v and collision_is_complete.v. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
-From Oplus Require Import convolution signed_crossings convolution_winding weight regions reflected parallelogram
-  crossing_edges winding_number_of_the_sum interiors_meet left_of_an_edge theorem_4_2_1 location pieces
-  naive_collision met_pieces collision_is_complete.
+From Oplus Require Import regions_and_sums reflected parallelogram crossing_edges location pieces naive_collision
+  met_pieces collision_is_complete.
 Import ListNotations.
 
 Open Scope Q_scope.

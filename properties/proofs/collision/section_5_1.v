@@ -3,8 +3,7 @@
    They meet if and only if a vertex of one region is inside the other, or two edges cross. From the terms of the identity (winding_number_of_the_sum.v)
    and Theorem 4.2.1. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
-From Oplus Require Import convolution convolution_winding weight regions parallelogram winding_number_of_the_sum
-  interiors_meet left_of_an_edge theorem_4_2_1.
+From Oplus Require Import regions_and_sums parallelogram.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -25,7 +25,8 @@ Proof. intros (bound & some & near). exists ((1 # 2) * bound). split; [lra |]. a
 Lemma eventually_below (limit : Q) : 0 < limit -> eventually (fun epsilon => 0 < epsilon /\ epsilon < limit).
 Proof. intros some. exists limit. now split. Qed.
 
-Lemma eventually_squared (holds : Q -> Prop) : eventually holds -> eventually (fun epsilon => holds (epsilon * epsilon)).
+Lemma eventually_squared (holds : Q -> Prop) :
+  eventually holds -> eventually (fun epsilon => holds (epsilon * epsilon)).
 Proof.
   intros (bound & some & near). exists (Qmin 1 bound). split; [apply Q.min_glb_lt; lra |]. intros e positive_ less.
   pose proof (Q.le_min_l 1 bound). pose proof (Q.le_min_r 1 bound). apply near; nra.

@@ -39,9 +39,7 @@ Proof.
     - intros label. now apply tangent_between. }
   compared_numbers (cross u v ?= 0).
   - destruct (Qlt_le_dec 0 (dot u v)) as [ahead | back]; [now left | right].
-    assert (square : 0 < vx u * vx u + vy u * vy u).
-    { destruct (Qlt_le_dec 0 (vx u * vx u + vy u * vy u)); [assumption |].
-      exfalso. apply proper_u. now apply no_squares. }
+    pose proof (square_positive u proper_u) as square. unfold dot in square.
     assert (not_zero : ~ dot u v == 0).
     { intros zero_dot. apply proper_v. unfold cross, dot in *.
       split; apply (Qmult_inj_r _ _ (vx u * vx u + vy u * vy u)); try lra.
@@ -106,4 +104,20 @@ Proof.
   - rewrite wx_zero in *. apply proper_out. split; [reflexivity | nra].
   - rewrite ux_zero in *. apply proper_in. split; [reflexivity | nra].
   - rewrite ux_zero, wx_zero in *. nra.
+Qed.
+
+(* A vertex that is not inside a straight line. *)
+Lemma some_vertex_turns (chain : list vector) : no_edge_is_a_point chain -> chain <> [] ->
+  exists i, (i < length chain)%nat /\
+    ~ angle (edge_of_chain chain (previous (length chain) i)) == angle (edge_of_chain chain i).
+Proof.
+  intros proper some. destruct (some_tangent_set_is_not_empty chain proper some) as (i & d & I & D & tangent).
+  exists i. split; [exact I |]. intros straight. specialize (tangent OfP).
+  rewrite corner_is in tangent by exact I. unfold in_tangent_set in tangent.
+  cbn [of other incoming outgoing] in tangent.
+  pose proof (edge_nonzero chain i proper I) as out_.
+  pose proof (edge_nonzero chain _ proper (previous_below _ _ I)) as in_.
+  destruct (ccw_spec (Direction d OfP) (Direction (edge_of_chain chain (previous (length chain) i)) OfQ)
+              (Direction (edge_of_chain chain i) OfQ) D in_ out_) as [order_ |]; [| discriminate tangent].
+  unfold in_order, earlier, place in order_. cbn [vec of] in order_. lra.
 Qed.

@@ -3,8 +3,8 @@
    return is valid again. The complement of a region in a frame is a difference, and inside the frame it does not
    depend on it. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
-From Oplus Require Import specification direction winding_number_of_the_sum winding_number regions interiors_meet
-  neighbourhoods left_of_an_edge theorem_4_2_1 specification_bridge filling rule_of_sides region_of_pieces sum_program sum_is_right regions_by_rule.
+From Oplus Require Import specification regions_and_sums specification_bridge filling rule_of_sides region_of_pieces
+  sum_program sum_is_right regions_by_rule.
 Import ListNotations.
 
 Open Scope Q_scope.

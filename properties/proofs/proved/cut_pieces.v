@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The pieces of filling.v are parts of the segments, all of them together, none has an end of another inside, and no two
-   are the same. *)
+(* The pieces of filling.v are parts of the segments, all of them together, none has an end of another inside, and
+   no two are the same. *)
 From Coq Require Import QArith Qabs Qminmax Qreduction Lqa Qfield ZArith Lia Bool List.
 From Oplus Require Import direction angular_crossings winding_number shifted_ray meeting_of_segments rotation regions
   neighbourhoods location pieces met_pieces naive_collision collision_is_sound beside_a_piece filling
@@ -95,9 +95,11 @@ Proof.
   set (a := k - j * c). assert (0 < j * c) by (apply Qmult_lt_0_compat; lra).
   assert (0 < (1 - j) * c) by (apply Qmult_lt_0_compat; lra). assert (a_range : a < 1 /\ 0 < a + c) by (unfold a; lra).
   assert (same_x : forall l, (1 - l) * vx (source f) + l * vx (target f) ==
-    (1 - (a + l * c)) * vx (source e) + (a + l * c) * vx (target e)) by (intros l; unfold a; in_coordinates; by_equations).
+    (1 - (a + l * c)) * vx (source e) + (a + l * c) * vx (target e))
+    by (intros l; unfold a; in_coordinates; by_equations).
   assert (same_y : forall l, (1 - l) * vy (source f) + l * vy (target f) ==
-    (1 - (a + l * c)) * vy (source e) + (a + l * c) * vy (target e)) by (intros l; unfold a; in_coordinates; by_equations).
+    (1 - (a + l * c)) * vy (source e) + (a + l * c) * vy (target e))
+    by (intros l; unfold a; in_coordinates; by_equations).
   clearbody a. clear along_x along_y kx ky jx jy.
   pose proof (same_x 0) as x0. pose proof (same_y 0) as y0. pose proof (same_x 1) as x1. pose proof (same_y 1) as y1.
   assert (a_low : a <= 0) by (apply Qnot_lt_le; intros high; apply f_source; exists a; repeat split; lra).
@@ -112,7 +114,8 @@ Proof.
   { destruct (Qlt_le_dec 1 c) as [long |]; [exfalso | lra]. apply e_target. exists (1 / c).
     assert (value : 1 / c * c == 1) by (field; lra). split.
     - split; [apply Qlt_shift_div_l; lra | apply Qlt_shift_div_r; lra].
-    - pose proof (same_x (1 / c)). pose proof (same_y (1 / c)). set (l := 1 / c) in *. clearbody l. split; by_equations. }
+    - pose proof (same_x (1 / c)). pose proof (same_y (1 / c)). set (l := 1 / c) in *. clearbody l.
+      split; by_equations. }
   rewrite a_is, c_is in x0, y0, x1, y1. unfold equal_vectors. lra.
 Qed.
 

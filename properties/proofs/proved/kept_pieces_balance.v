@@ -197,7 +197,8 @@ Section Balance.
           split; intros (k & _ & _ & Y); cbn [vy] in Y; rewrite f1, f2 in Y; lra.
         - destruct (off_one_segment_near _ e free) as (radius & R & near). exists radius. split; [exact R |].
           intros d some small. split; apply near; unfold within; cbn [vx vy]; lra. }
-      refine (eventually_implied _ _ _ (eventually_for_all _ pieces each)). intros d all. split; intros e E; now apply all.
+      refine (eventually_implied _ _ _ (eventually_for_all _ pieces each)). intros d all. split; intros e E;
+        now apply all.
   Qed.
 
   Variable v : vector.

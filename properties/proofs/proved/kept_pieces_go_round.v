@@ -242,7 +242,8 @@ Lemma met_where_it_is (e : segment) (w : vector) : In e pieces -> vy w == y -> l
         assert (step : winding_number (Vector a y) kept =
           (winding_number (Vector (place_at e + d) y) kept + direction_of e * kept_sign e)%Z).
         { rewrite !crossings_of_kept, pieces_are, (sums_but_for_one _ _ (fun f =>
-            signed_crossing (Vector (place_at e + d) y) f * kept_sign f)%Z), !crossing_at_height, ahead, passed; [lia |].
+            signed_crossing (Vector (place_at e + d) y) f * kept_sign f)%Z), !crossing_at_height, ahead, passed;
+              [lia |].
           intros f F. now rewrite !crossing_at_height, (same_others f F). }
         rewrite step, IH, before_number, after_number. lia.
     Qed.

@@ -3,10 +3,8 @@
    point as enter it (kept_pieces_balance.v), so walks take them all; the region is valid; and it is the closure of
    the set's interior. *)
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List Permutation.
-From Oplus Require Import balanced_edges direction angular_crossings winding_number shifted_ray small_numbers
-  turning_number convolution_size states in_out_degree signed_crossings regions meeting_of_segments interiors_meet
-  neighbourhoods left_of_an_edge right_of_an_edge theorem_4_2_1 observation_2_2_4 naive_collision collision_is_sound
-  pieces beside_a_piece filling kept_pieces_go_round cut_pieces kept_pieces_balance walks.
+From Oplus Require Import balanced_edges regions_and_sums right_of_an_edge observation_2_2_4 naive_collision
+  collision_is_sound pieces beside_a_piece filling kept_pieces_go_round cut_pieces kept_pieces_balance walks.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -223,7 +221,8 @@ Section Region.
       apply (ends t T'). apply on_but_not_inside; [exact on_t | exact (apart_ w in_s)].
   Qed.
 
-  (* A point off the segments near which are inner points of A is in the set, and so are those with its winding number. *)
+  (* A point off the segments near which are inner points of A is in the set, and so are those
+     with its winding number. *)
   Lemma inside_near_inner_points (A : vector -> Prop) (x : vector) (radius : Q) :
     (forall y, off y segments -> (A y <-> inside y = true)) -> regularised A x -> 0 < radius ->
     exists z, within radius x z /\ off z segments /\ inside z = true.

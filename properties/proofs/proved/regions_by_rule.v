@@ -3,10 +3,9 @@
    set that the rule describes off all segments, and a valid region. What is to be proved of a rule is what it says
    there; that chains touch, overlap or cross does not matter any more. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation.
-From Oplus Require Import specification checker direction angular_crossings winding_number in_out_degree regions
-  convolution_winding interiors_meet neighbourhoods beside_every_point theorem_4_2_1 homogeneous_points
-  specification_bridge filling walks kept_pieces_go_round rule_of_sides region_of_pieces sum_program sum_is_right
-  inner_fit_program complement_in_a_frame.
+From Oplus Require Import specification checker regions_and_sums homogeneous_points specification_bridge filling walks
+  kept_pieces_go_round rule_of_sides region_of_pieces sum_program sum_is_right inner_fit_program
+  complement_in_a_frame.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -20,7 +19,8 @@ Proof.
 Qed.
 
 (* What is returned has the coordinates of the chains, in other words. *)
-Lemma written_chains_are_valid (chains : region) : valid_region chains -> valid_region (as_region (as_polygonal chains)).
+Lemma written_chains_are_valid (chains : region) : valid_region chains ->
+  valid_region (as_region (as_polygonal chains)).
 Proof.
   intros valid. unfold as_region, as_polygonal. rewrite map_map.
   rewrite (map_ext _ (map (fun v => vector_of (homogeneous (as_point v))))) by (intros c; now rewrite map_map).

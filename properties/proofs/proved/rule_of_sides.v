@@ -81,7 +81,8 @@ Section Rule.
     { refine (eventually_implied _ _ _ (eventually_for_all (fun l d =>
         winding_number (moved (shifted x) d) l = winding_number x l) families (fun l _ => same_beside x l))).
       intros d. apply by_rule_same. }
-    destruct (some_small _ (eventually_and _ _ (core _ _ _ rule_ends_at_pieces x) same_)) as (e & _ & number_is & same_number).
+    destruct (some_small _ (eventually_and _ _ (core _ _ _ rule_ends_at_pieces x) same_))
+      as (e & _ & number_is & same_number).
     now rewrite <- same_number.
   Qed.
 End Rule.

@@ -1,14 +1,11 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Chains of the pieces of the convolution that are kept are the Minkowski sum, as specification.v says: off the
-   convolution, by Theorem 4.2.1; what is on the convolution is in the sum; and near each point of the sum are points where the interiors
-   meet. The rest is true of all sets that end at pieces (region_of_pieces.v). *)
+   convolution, by Theorem 4.2.1; what is on the convolution is in the sum; and near each point of the sum are points
+   where the interiors meet. The rest is true of all sets that end at pieces (region_of_pieces.v). *)
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List Permutation.
-From Oplus Require Import specification checker direction angular_crossings winding_number shifted_ray
-  signed_crossings small_numbers turning_number convolution_size fiber_grid states in_out_degree tracing
-  convolution_winding regions winding_number_of_the_sum interiors_meet neighbourhoods left_of_an_edge
-  beside_every_point theorem_4_2_1 theorem_2_2_10 theorem_2_2_6 observation_2_2_4 lemma_2_2_2 test_of_regions
-  homogeneous_points specification_bridge pieces filling kept_pieces_go_round cut_pieces rule_of_sides
-  region_of_pieces walks sum_program.
+From Oplus Require Import specification checker regions_and_sums tracing theorem_2_2_10 theorem_2_2_6
+  observation_2_2_4 lemma_2_2_2 test_of_regions homogeneous_points specification_bridge pieces filling
+  kept_pieces_go_round cut_pieces rule_of_sides region_of_pieces walks sum_program.
 Import ListNotations.
 
 Open Scope Q_scope.

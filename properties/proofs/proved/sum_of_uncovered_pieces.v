@@ -4,11 +4,10 @@
    segments whose boxes meet theirs; and only of pieces in these parts winding numbers are counted. Proved here: a piece
    that has an inner point of the sum is not kept, so the same pieces are kept. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation.
-From Oplus Require Import specification checker homogeneous_points specification_bridge convolution shifted_ray
-  signed_crossings small_numbers in_out_degree convolution_winding regions meeting_of_segments interiors_meet
-  neighbourhoods left_of_an_edge theorem_4_2_1 theorem_2_2_10 observation_2_2_4 location pieces met_pieces
-  naive_collision collision_is_sound beside_a_piece filling kept_pieces_go_round cut_pieces kept_pieces_balance
-  sum_program sum_is_right sums_in_less_time sums_of_two_edges convolution_in_less_time walks.
+From Oplus Require Import specification checker homogeneous_points specification_bridge regions_and_sums
+  theorem_2_2_10 observation_2_2_4 location pieces met_pieces naive_collision collision_is_sound beside_a_piece
+  filling kept_pieces_go_round cut_pieces kept_pieces_balance sum_program sum_is_right sums_in_less_time
+  sums_of_two_edges convolution_in_less_time walks.
 Import ListNotations.
 
 Open Scope Q_scope.

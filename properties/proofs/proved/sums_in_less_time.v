@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The same pieces in less time: copies of pieces are found in a search tree, and segments that do not span the height of a
-   ray are passed over. *)
+(* The same pieces in less time: copies of pieces are found in a search tree, and segments that do not span the
+   height of a ray are passed over. *)
 From Coq Require Import QArith ZArith Lia Bool List SetoidList Orders OrdersEx MSetAVL.
 From Oplus Require Import direction angular_crossings winding_number shifted_ray.
 Import ListNotations.

@@ -79,7 +79,8 @@ Proof.
   split; [exact crossed |]. pose proof (crossing_not_parallel s crossed) as nonzero_cross.
   assert (value : place_of_crossing s * cross u (along s) == cross (minus (source s) x) (along s))
     by (unfold place_of_crossing; field; exact nonzero_cross).
-  apply (Qmult_inj_r _ _ _ nonzero_cross). clear balance opposite_sides. set (k := place_of_crossing s) in *. clearbody k.
+  apply (Qmult_inj_r _ _ _ nonzero_cross). clear balance opposite_sides. set (k := place_of_crossing s) in *.
+    clearbody k.
   in_coordinates. by_equations.
 Qed.
 

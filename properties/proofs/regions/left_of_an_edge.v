@@ -4,7 +4,8 @@
    4.2.5, on a step across the edge). So every point of a region has points near it that are inside. Small steps
    and neighbourhoods are from neighbourhoods.v. *)
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
-From Oplus Require Import convolution shifted_ray signed_crossings small_numbers tie_rule regions weight beside_every_point
+From Oplus Require Import convolution shifted_ray signed_crossings small_numbers tie_rule regions weight
+  beside_every_point
   meeting_of_segments interiors_meet neighbourhoods.
 Import ListNotations.
 
@@ -37,7 +38,8 @@ Proof. intros equal (u & U & is_u). exists u. split; [exact U |]. now rewrite <-
 Lemma inside_an_edge (r : region) (s : segment) (w : vector) :
   In s (region_edges r) -> lies_on w s -> ~ is_vertex w r -> strictly_inside w s.
 Proof.
-  intros I on no_vertex. destruct (inside_or_end w s on) as [inside_ | [equal | equal]]; [exact inside_ | destruct no_vertex ..].
+  intros I on no_vertex. destruct (inside_or_end w s on) as [inside_ | [equal | equal]];
+    [exact inside_ | destruct no_vertex ..].
   - now exists s.
   - apply (vertex_of_equal _ _ r equal), target_is_vertex, I.
 Qed.
@@ -98,7 +100,8 @@ Proof.
   destruct (no_other_edge_near r s w meet I on no_vertex) as (earlier & later & radius & edges_are & R & near).
   pose proof (inside_an_edge r s w I on no_vertex) as inside_.
   refine (eventually_implied _ _ _ (eventually_and _ _ (eventually_below 1 _)
-    (eventually_and _ _ (small_steps_stay_within radius w n R) (small_steps_stay_within radius w (opposite n) R)))); [| lra].
+    (eventually_and _ _ (small_steps_stay_within radius w n R) (small_steps_stay_within radius w (opposite n) R))));
+      [| lra].
   intros e ([some _] & close_left & close_right).
   assert (close_right_ : within radius w (moved_along w n (- e)))
     by (unfold within, moved_along, opposite in *; cbn [vx vy] in *; lra).

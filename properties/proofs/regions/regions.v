@@ -37,7 +37,8 @@ Qed.
 Lemma edges_are_as_many (chain : list vector) : length (edges chain) = length chain.
 Proof. rewrite <- (map_length source (edges chain)). now destruct (edges_ends chain) as [-> _]. Qed.
 
-Lemma ends_of_edges (chain : list vector) (s : segment) : In s (edges chain) -> In (source s) chain /\ In (target s) chain.
+Lemma ends_of_edges (chain : list vector) (s : segment) : In s (edges chain) ->
+  In (source s) chain /\ In (target s) chain.
 Proof.
   intros I. destruct (edges_ends chain) as [sources targets].
   assert (J : In (target s) (rotated chain)) by (rewrite <- targets; now apply in_map).

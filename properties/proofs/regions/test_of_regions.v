@@ -5,10 +5,8 @@
    edges are checked by signs of areas, winding numbers beside the middles of edges (right_of_an_edge.v). Some regions that
    pass. *)
 From Coq Require Import QArith Qminmax Lqa Qfield ZArith Lia Bool List Arith.
-From Oplus Require Import convolution shifted_ray signed_crossings regions weight winding_number_of_the_sum
-  meeting_of_segments interiors_meet neighbourhoods left_of_an_edge theorem_4_2_1 observation_2_2_4
-  right_of_an_edge inside_a_corner small_polygons boundary_points convolution_winding interiors_at_touching_points
-  location.
+From Oplus Require Import regions_and_sums observation_2_2_4 right_of_an_edge inside_a_corner small_polygons
+  boundary_points interiors_at_touching_points location.
 Import ListNotations.
 
 Open Scope Q_scope.

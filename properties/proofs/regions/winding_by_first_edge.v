@@ -225,15 +225,8 @@ Proof.
     apply closing_edge_listed. }
   destruct (turning_is_in_front _ _ edge_off) as (w & front_z & front_a).
   assert (front_y : in_front w u).
-  { destruct y_between as [x_is y_is]. unfold in_front, dot, u, minus in *. cbn [vx vy] in *.
-    rewrite x_is, y_is.
-    setoid_replace (vx w * (vx z + part * (vx a - vx z) - vx x) + vy w * (vy z + part * (vy a - vy z) - vy x))
-      with ((1 - part) * (vx w * (vx z - vx x) + vy w * (vy z - vy x)) +
-            part * (vx w * (vx a - vx x) + vy w * (vy a - vy x))) by ring.
-    assert (0 < (1 - part) * (vx w * (vx z - vx x) + vy w * (vy z - vy x)))
-      by (apply Qmult_lt_0_compat; lra).
-    assert (0 < part * (vx w * (vx a - vx x) + vy w * (vy a - vy x)))
-      by (apply Qmult_lt_0_compat; lra). lra. }
+  { destruct y_between as [x_is y_is]. unfold in_front, dot, u, minus in *. cbn [vx vy] in *. rewrite x_is, y_is.
+    pose proof (mixed_is_more part _ _ 0 ltac:(lra) front_z front_a). lra. }
   pose proof (nothing_turns_around_zero w d s [minus z x; u; minus a x] nd) as around_is.
   assert (front : forall v, In v [minus z x; u; minus a x] -> in_front w v)
     by (intros v [<- | [<- | [<- | []]]]; assumption).
@@ -266,10 +259,9 @@ Proof.
         assert (x_sum : (1 - t) * (vx b - vx y) + t * vx u == 0) by (unfold w in x_is; cbn [vx] in x_is; lra).
         assert (y_sum : (1 - t) * (vy b - vy y) + t * vy u == 0) by (unfold w in y_is; cbn [vy] in y_is; lra).
         assert (none : (1 - t) * cross u (minus b y) == 0).
-        { transitivity (vx u * ((1 - t) * (vy b - vy y) + t * vy u)
-                        - vy u * ((1 - t) * (vx b - vx y) + t * vx u)).
-          - unfold cross, minus. cbn [vx vy]. ring.
-          - rewrite x_sum, y_sum. ring. }
+        { setoid_replace ((1 - t) * cross u (minus b y)) with (vx u * ((1 - t) * (vy b - vy y) + t * vy u)
+            - vy u * ((1 - t) * (vx b - vx y) + t * vx u)) by (unfold cross, minus; cbn [vx vy]; ring).
+          rewrite x_sum, y_sum. ring. }
         destruct (Qmult_integral _ _ none) as [t_is | ?]; [| contradiction].
         rewrite t_is in x_sum, y_sum. apply nu. split; nra. }
       split; [exact one_way |]. intros (t & range & x_is & y_is). apply one_way.

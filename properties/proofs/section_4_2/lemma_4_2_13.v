@@ -62,7 +62,7 @@ Proof.
     - assert (of_all : sum_of f (convolution_segments p q) = 0)
         by exact (cycles_sum g _ respects (convolution_is_closed p q p_edges q_edges)).
       rewrite of_all. unfold sum_at_vertices.
-      rewrite !sum_of_zeros; [reflexivity | |]; intros v _; rewrite of_moved; lia.
+      unfold sum_of in of_moved |- *. rewrite !sum_of_zeros; [reflexivity | |]; intros v _; rewrite of_moved; lia.
     - intros s. unfold f. cbn. lia.
     - intros a b a' b' start end_. unfold f. cbn. now rewrite (respects _ _ start), (respects _ _ end_). }
   unfold f in total_is. rewrite sum_minus in total_is. rewrite !sum_of_images. lia.

@@ -36,7 +36,7 @@ Theorem replacing_at_one_vertex (chosen : vertex_of_summand -> bool) (p q : regi
 Proof.
   intros vertices_are this none_of_p none_of_q. rewrite winding_number_of_replaced_segments, vertices_are.
   rewrite sum_of_two_lists, sum_of_more, this.
-  rewrite !sum_of_zeros; [cbn [Z.b2z fst]; lia | | |]; intros w I.
+  unfold sum_of. rewrite !sum_of_zeros; [cbn [Z.b2z fst]; lia | | |]; intros w I.
   - now rewrite none_of_q.
   - rewrite none_of_p by (apply in_app_iff; now right). reflexivity.
   - rewrite none_of_p by (apply in_app_iff; now left). reflexivity.

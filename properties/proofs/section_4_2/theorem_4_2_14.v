@@ -6,7 +6,8 @@
    tangent_features.v, in a direction that no edge has. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List SetoidList SetoidPermutation.
 From Oplus Require Import convolution tie_rule convolution_winding finite_sums weight regions parallelogram
-  tangent_count tangent_features beside_every_point replaced_segments lemma_4_2_15 region_size rows_and_columns.
+  tangent_count tangent_features beside_every_point replaced_segments lemma_4_2_15 region_size rows_and_columns
+  first_edge_of_a_ray.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -211,20 +212,8 @@ Lemma direction_beside (l : list vector) : (forall v, In v l -> nonzero v) ->
   exists d, nonzero d /\ forall v, In v l -> ~ cross d v == 0.
 Proof.
   intros proper_l.
-  assert (beside : eventually (fun t => forall v, In v l -> ~ cross (Vector 1 t) v == 0)).
-  { apply (eventually_for_all (fun v t => ~ cross (Vector 1 t) v == 0)). intros v I. specialize (proper_l v I).
-    unfold cross. cbn [vx vy]. destruct (Qeq_dec (vx v) 0) as [upright | slanted].
-    - exists 1. split; [lra |]. intros t _ _ along_. apply proper_l. rewrite upright in along_. split; lra.
-    - destruct (Qlt_le_dec 0 (vy v / vx v)) as [ahead | behind].
-      + exists (vy v / vx v). split; [exact ahead |]. intros t _ below along_.
-        assert (t == vy v / vx v); [| lra]. apply (Qmult_inj_r _ _ (vx v) slanted).
-        assert (vy v / vx v * vx v == vy v) as -> by (field; exact slanted). lra.
-      + exists 1. split; [lra |]. intros t positive_ _ along_.
-        assert (t == vy v / vx v); [| lra]. apply (Qmult_inj_r _ _ (vx v) slanted).
-        assert (vy v / vx v * vx v == vy v) as -> by (field; exact slanted). lra. }
-  destruct beside as (limit & L & near). exists (Vector 1 ((1 # 2) * limit)). split.
-  - unfold nonzero. cbn. lra.
-  - apply near; lra.
+  destruct (direction_avoiding l (Vector 1 0) (Vector 0 1) proper_l) as (t & range & beside); [unfold cross; cbn; lra |].
+  exists (Vector (1 + t * (0 - 1)) (0 + t * (1 - 0))). split; [unfold nonzero; cbn; lra | exact beside].
 Qed.
 
 Section OneDirection.

@@ -98,7 +98,8 @@ Proof.
   destruct (filter crossed segments) as [| a rest] eqn:hits.
   - left. intros s I. destruct (Z.eq_dec (signed_crossing p s) 0) as [| met]; [assumption |].
     destruct (crossed_is s I met).
-  - right. destruct (least_of (fun s => vx (point_at_height s (vy p))) (a :: rest)) as (s & I & first); [discriminate |].
+  - right. destruct (least_of (fun s => vx (point_at_height s (vy p))) (a :: rest)) as (s & I & first);
+    [discriminate |].
     exists s. rewrite <- hits in I. apply filter_In in I. destruct I as [I met].
     split; [exact I |]. split; [now apply Z.eqb_neq, negb_true_iff |]. intros t J also. now apply first, crossed_is.
 Qed.

@@ -4,7 +4,8 @@
    every direction; so no edges cross (crossing_edges.v), no vertex of one is inside the other
    (tangent_direction.v), and nothing is inside both (first_hit.v). *)
 From Coq Require Import PeanoNat QArith Qminmax Lqa ZArith Lia Bool List.
-From Oplus Require Import convolution shifted_ray signed_crossings small_numbers tie_rule convolution_winding finite_sums weight
+From Oplus Require Import convolution shifted_ray signed_crossings small_numbers tie_rule convolution_winding
+  finite_sums weight
   regions parallelogram tangent_count beside_every_point winding_number_of_the_sum meeting_of_segments first_hit
   reflected tangent_direction crossing_edges.
 Import ListNotations.

@@ -1,12 +1,12 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* All along an edge that meets others at its ends only, the winding number close to its right is the same: that
-   right of its middle, as the code counts it on symbolic shifts (shifted_ray.v). And the winding number of every point off the
+(* All along an edge that meets others at its ends only, the winding number close to its right is the same: that right
+   of
+   its middle, as the code counts it on symbolic shifts (beside_a_piece.v).
+   And the winding number of every point off the
    chains is that to the right of some edge, one more, or zero: go to the right until the first edge (first_hit.v). So
    winding numbers are nowhere negative if they are not beside the middles of edges. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
-From Oplus Require Import convolution shifted_ray signed_crossings small_numbers tie_rule regions weight
-  winding_number_of_the_sum meeting_of_segments first_hit interiors_meet neighbourhoods left_of_an_edge
-  theorem_4_2_1 observation_2_2_4.
+From Oplus Require Import regions_and_sums observation_2_2_4.
 From Oplus Require Export beside_a_piece.
 Import ListNotations.
 
@@ -43,7 +43,8 @@ Qed.
 
 Lemma right_value_of_the_middle (r : region) (s : segment) :
   edges_meet_in_vertices r -> In s (region_edges r) -> nonzero (along s) -> clear_edge r s ->
-  value_to_the_right (region_edges r) s (point_at s (1 # 2)) (winding_number_shifted (right_of_middle s) (region_edges r)).
+  value_to_the_right (region_edges r) s (point_at s (1 # 2))
+    (winding_number_shifted (right_of_middle s) (region_edges r)).
 Proof.
   intros meet I long clear_. apply value_to_the_right_of_the_middle; trivial; [apply region_cycles |].
   now apply clear_edge_is_met_only_along.
@@ -81,7 +82,8 @@ Proof.
   destruct (some_small _ (eventually_and _ _ (leaves_all_heights (region_edges r) x)
     (small_steps_stay_within radius x (Vector 0 1) R))) as (height & _ & no_vertex & close).
   destruct (near _ close) as [_ <-]. set (x' := moved_along x (Vector 0 1) height) in *. clearbody x'.
-  destruct (first_crossed x' (region_edges r)) as [none | (s & I & met & first_of_all)]; [left; now apply sum_of_zeros |].
+  destruct (first_crossed x' (region_edges r)) as [none | (s & I & met & first_of_all)];
+    [left; now apply sum_of_zeros |].
   destruct (crossed_ahead x' s met) as [spanning ahead_].
   pose proof (region_edges_are_directions r not_points s I) as long.
   set (w := point_at_height s (vy x')) in *.
@@ -94,7 +96,8 @@ Proof.
   assert (before_hit : eventually (fun e =>
     winding_number (moved_along w (Vector (-1) 0) e) (region_edges r) = winding_number x' (region_edges r))).
   { exists (vx w - vx x'). split; [lra |]. intros e e0 e1.
-    rewrite (winding_number_of_equal _ (Vector (vx w - e) (vy x'))) by (unfold moved_along, w, point_at_height; cbn [vx vy]; ring).
+    rewrite (winding_number_of_equal _ (Vector (vx w - e) (vy x')))
+      by (unfold moved_along, w, point_at_height; cbn [vx vy]; ring).
     apply (same_before_the_first_hit x' (Vector (vx w - e) (vy x')) s); trivial; cbn [vx]; fold w; lra. }
   right. exists s. split; [exact I |]. apply heights_of_spanning in spanning. destruct spanning as [up | down].
   - (* x is to the left of the edge *)

@@ -35,27 +35,12 @@ Proof.
   split; [exact long_in |]. split; [exact long_out |]. intros parallel.
   destruct (Qlt_le_dec 0 (dot (along f_in) (along f_out))) as [| back]; [assumption | exfalso].
   set (u := along f_in) in *. set (v := along f_out) in *.
-  assert (square : 0 < vx u * vx u + vy u * vy u).
-  { destruct (Qlt_le_dec 0 (vx u * vx u + vy u * vy u)) as [| none]; [assumption |]. exfalso. apply long_in.
-    now apply no_squares. }
-  set (m := - dot u v / (vx u * vx u + vy u * vy u)).
-  assert (m_value : m * (vx u * vx u + vy u * vy u) == - dot u v) by (unfold m; field; lra).
-  assert (v_x : vx v == - m * vx u).
-  { apply (Qmult_inj_r _ _ (vx u * vx u + vy u * vy u)); [lra |].
-    setoid_replace (- m * vx u * (vx u * vx u + vy u * vy u)) with
-      (- (m * (vx u * vx u + vy u * vy u)) * vx u) by ring.
-    rewrite m_value. setoid_replace (vx v * (vx u * vx u + vy u * vy u)) with
-      (dot u v * vx u - cross u v * vy u) by (unfold dot, cross; ring).
-    rewrite parallel. ring. }
-  assert (v_y : vy v == - m * vy u).
-  { apply (Qmult_inj_r _ _ (vx u * vx u + vy u * vy u)); [lra |].
-    setoid_replace (- m * vy u * (vx u * vx u + vy u * vy u)) with
-      (- (m * (vx u * vx u + vy u * vy u)) * vy u) by ring.
-    rewrite m_value. setoid_replace (vy v * (vx u * vx u + vy u * vy u)) with
-      (dot u v * vy u + cross u v * vx u) by (unfold dot, cross; ring).
-    rewrite parallel. ring. }
-  assert (m_range : 0 <= m) by (unfold m; apply Qle_shift_div_l; lra).
-  clearbody m.
+  pose proof (square_positive u long_in) as square.
+  destruct (multiple_of v u long_in) as (c & v_x & v_y); [unfold cross in *; lra |].
+  set (m := - c). assert (m_range : 0 <= m)
+    by (unfold m; unfold dot in back, square; rewrite v_x, v_y in back; apply Qnot_lt_le; intros ahead_; nra).
+  assert (m_x : vx v == - m * vx u) by (unfold m; lra). assert (m_y : vy v == - m * vy u) by (unfold m; lra).
+  clear v_x v_y. rename m_x into v_x, m_y into v_y. clearbody m.
   (* points of both edges near the vertex *)
   assert (small : eventually (fun t => 0 < t /\ t <= 1 /\ t * m <= 1)).
   { exists (1 / (1 + m)). split; [apply Qlt_shift_div_l; lra |]. intros t some below.
@@ -134,26 +119,15 @@ Proof.
     pose proof (direction_by_index chain i below) as is_along. fold (edge_at chain i) in is_along.
     assert (long : nonzero (edge_of_chain chain i))
       by (rewrite is_along; now apply (region_edges_are_directions r)).
-    destruct on as (k & [k0 k1] & X & Y).
-    assert (after_start : 0 < k).
-    { apply Qnot_le_lt. intros extreme. apply no_vertex. exists (edge_at chain i). split; [exact I |].
-      assert (k == 0) as k_is by lra. rewrite k_is in X, Y. split; lra. }
-    assert (before_end : k < 1).
-    { apply Qnot_le_lt. intros extreme. apply no_vertex.
-      destruct (target_is_vertex r _ I) as (u & J & tx & ty). exists u. split; [exact J |].
-      assert (k == 1) as k_is by lra. rewrite k_is in X, Y. split; lra. }
+    destruct (inside_an_edge r _ w I on no_vertex) as (k & [after_start before_end] & X & Y).
     assert (w_is : equal_vectors w (moved_along (nth i chain nowhere) (edge_of_chain chain i) k)).
     { rewrite is_along, edge_at_is by exact below. rewrite edge_at_is in X, Y by exact below.
       unfold moved_along, along, minus; cbn [source target vx vy] in *.
       split; cbn [vx vy]; [rewrite X | rewrite Y]; ring. }
-    assert (on : lies_on w (edge_at chain i)) by (exists k; split; [lra | now split]).
     exists chain, i, i, (edge_of_chain chain i), (edge_of_chain chain i). split; trivial.
     + exists k. split; [lra |]. exact w_is.
     + exists k. split; [lra |]. exact w_is.
-    + split; [exact long |]. split; [exact long |]. intros _. unfold dot.
-      destruct (Qlt_le_dec 0 (vx (edge_of_chain chain i) * vx (edge_of_chain chain i) +
-        vy (edge_of_chain chain i) * vy (edge_of_chain chain i))) as [| none]; [assumption |].
-      exfalso. apply long. now apply no_squares.
+    + split; [exact long |]. split; [exact long |]. intros _. exact (square_positive _ long).
     + exists (1 - k). split; [lra |]. intros t t0 t1. exists (k + t). unfold moved_along; cbn [vx vy].
       rewrite is_along. unfold along, minus; cbn [vx vy]. split; [lra |]. rewrite X, Y. split; ring.
     + intros d tangent. exfalso. unfold in_tangent_set in tangent. cbn [incoming outgoing] in tangent.

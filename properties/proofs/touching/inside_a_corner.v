@@ -3,8 +3,7 @@
    reflex vertex what is to the left of one of them. Beside the edges themselves that is left_of_an_edge.v; the
    proof goes from there along the edge to the vertex. *)
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
-From Oplus Require Import convolution signed_crossings tie_rule regions weight winding_number_of_the_sum
-  meeting_of_segments interiors_meet neighbourhoods left_of_an_edge theorem_4_2_1.
+From Oplus Require Import regions_and_sums.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -96,18 +95,12 @@ Proof.
     set (b := cross (along f_out) n) in *. set (a := cross (along f_in) n) in *.
     assert (0 < t * b) by now apply Qmult_lt_0_compat. split.
     + intros (k & [k0 k1] & X & Y).
-      assert (out_1 : cross (minus y u) (along f_out) == - (t * b)).
-      { unfold minus at 1. unfold cross at 1. cbn [vx vy]. rewrite yx, yy. unfold moved_along. cbn [vx vy].
-        rewrite vx_is, vy_is. unfold b, u, cross, along, minus; cbn [vx vy]. ring. }
-      assert (out_2 : cross (minus y u) (along f_out) == - (1 - k) * c).
-      { unfold minus at 1. unfold cross at 1. cbn [vx vy]. rewrite X, Y, <- tx, <- ty.
-        unfold c, cross, along, minus; cbn [vx vy]. ring. }
-      assert (in_1 : cross (along f_in) (minus y u) == (1 - h) * s * c + t * a).
-      { unfold minus at 1. unfold cross at 1. cbn [vx vy]. rewrite yx, yy. unfold moved_along. cbn [vx vy].
-        rewrite vx_is, vy_is. unfold a, c, u, cross, along, minus; cbn [vx vy]. ring. }
-      assert (in_2 : cross (along f_in) (minus y u) == 0).
-      { unfold minus at 1. unfold cross at 1. cbn [vx vy]. rewrite X, Y, <- tx, <- ty.
-        unfold cross, along, minus; cbn [vx vy]. ring. }
+      assert (out_1 : cross (minus y u) (along f_out) == - (t * b)) by (unfold b, u in *; in_coordinates; by_equations).
+      assert (out_2 : cross (minus y u) (along f_out) == - (1 - k) * c)
+        by (unfold c, u in *; in_coordinates; by_equations).
+      assert (in_1 : cross (along f_in) (minus y u) == (1 - h) * s * c + t * a)
+        by (unfold a, c, u in *; in_coordinates; by_equations).
+      assert (in_2 : cross (along f_in) (minus y u) == 0) by (unfold u in *; in_coordinates; by_equations).
       rewrite in_2 in in_1. rewrite out_2 in out_1. clearbody a b c.
       destruct rest as [right_turn | [left_turn left_of_in]].
       * assert (0 <= (1 - k) * - c) by (apply Qmult_le_0_compat; lra). lra.
@@ -116,8 +109,7 @@ Proof.
         assert (0 < t * a) by now apply Qmult_lt_0_compat. lra.
     + apply off_by_area.
       assert (value : area f_out y == t * b).
-      { unfold area, minus at 2. unfold cross at 1. cbn [vx vy]. rewrite yx, yy. unfold moved_along.
-        cbn [vx vy]. rewrite vx_is, vy_is. unfold b, u, cross, along, minus; cbn [vx vy]. ring. }
+      { unfold b, u in *. in_coordinates. by_equations. }
       rewrite value. lra.
   - (* along the edge that enters *)
     destruct (start_beside_an_edge r f_in u n radius r_valid I u_on_in left_of_in R)
@@ -130,19 +122,15 @@ Proof.
     assert (0 < t * a) by now apply Qmult_lt_0_compat.
     fold u in tx, ty.
     assert (value : cross (along f_in) (minus y u) == t * a).
-    { unfold minus at 1. unfold cross at 1. cbn [vx vy]. rewrite yx, yy. unfold moved_along. cbn [vx vy].
-      rewrite vx_is, vy_is, <- tx, <- ty. unfold a, cross, along, minus; cbn [vx vy]. ring. }
+    { unfold a, u in *. in_coordinates. by_equations. }
     split.
     + apply off_by_area.
-      assert (same_value : area f_in y == cross (along f_in) (minus y (target f_in)))
-        by (unfold area, cross, along, minus; cbn [vx vy]; ring).
-      assert (from_vertex : cross (along f_in) (minus y (target f_in)) == cross (along f_in) (minus y u))
-        by (unfold cross, minus; cbn [vx vy]; rewrite tx, ty; reflexivity).
-      rewrite same_value, from_vertex, value. lra.
+      setoid_replace (area f_in y) with (cross (along f_in) (minus y u))
+        by (unfold u in *; in_coordinates; by_equations).
+      rewrite value. lra.
     + intros (k & [k0 k1] & X & Y).
       assert (value_2 : cross (along f_in) (minus y u) == k * c).
-      { unfold minus at 1. unfold cross at 1. cbn [vx vy]. rewrite X, Y.
-        unfold c, u, cross, along, minus; cbn [vx vy]. ring. }
+      { unfold c, u in *. in_coordinates. by_equations. }
       rewrite value in value_2. clearbody a c.
       assert (0 <= k * - c) by (apply Qmult_le_0_compat; lra). lra.
 Qed.

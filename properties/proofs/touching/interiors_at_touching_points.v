@@ -5,10 +5,8 @@
    or edges (boundary_points.v); touching_corners.v says which edge is in a tangent set, parallel_edges.v is about
    edges along each other. In general position it is in theorem_4_2_1.v. *)
 From Coq Require Import QArith Qminmax Lqa Qfield ZArith Lia Bool List Arith.
-From Oplus Require Import convolution signed_crossings tie_rule convolution_winding regions weight parallelogram
-  winding_number_of_the_sum meeting_of_segments interiors_meet neighbourhoods left_of_an_edge theorem_4_2_1
-  observation_2_2_4 lemma_2_2_9 inside_a_corner tangent_direction touching_corners boundary_points
-  reduced_convolution parallel_edges.
+From Oplus Require Import regions_and_sums parallelogram observation_2_2_4 lemma_2_2_9 inside_a_corner
+  tangent_direction touching_corners boundary_points reduced_convolution parallel_edges.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -65,11 +63,7 @@ Proof.
     apply (parallel_edges_along p q a b p_region q_region p_apart q_apart a_in b_in x i_in j_out (lp - step_) (kq + m));
       trivial; try lra.
     rewrite <- eu_is, <- fv_is. destruct equal as [X Y], w_in as [wx wy], u_out as [ux uy].
-    unfold plus, moved_along in *; cbn [vx vy] in *. split; cbn [vx vy].
-    - rewrite X, wx, ux, r_x. setoid_replace ((kq + m) * (r * vx eu)) with (kq * (r * vx eu) + m * r * vx eu) by ring.
-      rewrite value. ring.
-    - rewrite Y, wy, uy, r_y. setoid_replace ((kq + m) * (r * vy eu)) with (kq * (r * vy eu) + m * r * vy eu) by ring.
-      rewrite value. ring. }
+    unfold plus, moved_along in *; cbn [vx vy] in *. split; cbn [vx vy]; by_equations. }
   pose proof (direction_by_index a i_out i_out_below) as ev_along. fold (edge_at a i_out) in ev_along.
   pose proof (direction_by_index b j_out j_out_below) as fv_along. fold (edge_at b j_out) in fv_along.
   destruct (Qeq_dec (angle ev) (angle (opposite fv))) as [back | apart_3].
@@ -98,14 +92,12 @@ Proof.
   destruct (touching_corners eu ev fu fv proper_eu proper_ev proper_fu proper_fv p_turns q_turns apart_1 apart_2
     apart_3)
     as [leads | [leads | [[is_convex [tangent | tangent]] | [is_convex [tangent | tangent]]]]].
-  - destruct (eventually_and _ _ (p_inside _ leads) q_ahead) as (limit & L & near).
-    destruct (near ((1 # 2) * limit)) as [inside_p on_q]; [lra | lra |]. left.
+  - destruct (some_small _ (eventually_and _ _ (p_inside _ leads) q_ahead)) as (t & _ & inside_p & on_q). left.
     refine (inner_point_and_point p q x _ _ q_regular inside_p _ _).
     + right. exists (edge_at b j_out). split; [now apply edge_at_in_region | exact on_q].
     + destruct equal as [X Y]. unfold plus, moved_along, opposite in *; cbn [vx vy] in *.
       split; cbn [vx vy]; [rewrite X | rewrite Y]; ring.
-  - destruct (eventually_and _ _ (q_inside _ leads) p_ahead) as (limit & L & near).
-    destruct (near ((1 # 2) * limit)) as [inside_q on_p]; [lra | lra |]. left.
+  - destruct (some_small _ (eventually_and _ _ (q_inside _ leads) p_ahead)) as (t & _ & inside_q & on_p). left.
     apply interiors_meet_other_way. refine (inner_point_and_point q p x _ _ p_regular inside_q _ _).
     + right. exists (edge_at a i_out). split; [now apply edge_at_in_region | exact on_p].
     + destruct swapped as [X Y]. unfold plus, moved_along, opposite in *; cbn [vx vy] in *.

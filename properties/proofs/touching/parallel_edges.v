@@ -5,9 +5,8 @@
    other; if it is inside a straight line, the next edge takes the place of the edge: no chain is straight
    everywhere (tangent_direction.v). *)
 From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List Arith.
-From Oplus Require Import convolution tie_rule regions weight winding_number_of_the_sum meeting_of_segments
-  interiors_meet neighbourhoods left_of_an_edge theorem_4_2_1 inside_a_corner tangent_direction touching_corners
-  boundary_points reduced_convolution.
+From Oplus Require Import regions_and_sums inside_a_corner tangent_direction touching_corners boundary_points
+  reduced_convolution.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -41,22 +40,6 @@ Proof.
   change (previous n (Nat.iter t (fun l => previous n l) (next (Nat.iter t (fun l => next l n) i) n)) = i).
   rewrite <- (iterated_first (fun l => next l n) t i), IH by now apply next_in_range.
   now apply previous_next.
-Qed.
-
-(* A vertex that is not inside a straight line. *)
-Lemma some_vertex_turns (chain : list vector) : no_edge_is_a_point chain -> chain <> [] ->
-  exists i, (i < length chain)%nat /\
-    ~ angle (edge_of_chain chain (previous (length chain) i)) == angle (edge_of_chain chain i).
-Proof.
-  intros proper some. destruct (some_tangent_set_is_not_empty chain proper some) as (i & d & I & D & tangent).
-  exists i. split; [exact I |]. intros straight. specialize (tangent OfP).
-  rewrite corner_is in tangent by exact I. unfold in_tangent_set in tangent.
-  cbn [of other incoming outgoing] in tangent.
-  pose proof (edge_nonzero chain i proper I) as out_.
-  pose proof (edge_nonzero chain _ proper (previous_below _ _ I)) as in_.
-  destruct (ccw_spec (Direction d OfP) (Direction (edge_of_chain chain (previous (length chain) i)) OfQ)
-              (Direction (edge_of_chain chain i) OfQ) D in_ out_) as [order_ |]; [| discriminate tangent].
-  unfold in_order, earlier, place in order_. cbn [vec of] in order_. lra.
 Qed.
 
 (* At a vertex a chain goes straight on, or turns left, or right. *)
@@ -197,9 +180,7 @@ Section TwoChains.
     eventually (fun t => inside (moved_along u (opposite (edge_of_chain a i)) t) q) -> interiors_meet x p q.
   Proof.
     intros I [X Y] inside_q.
-    destruct (eventually_and _ _ inside_q (ex_intro _ 1 (conj (ltac:(lra) : 0 < 1)
-      (fun t some below => conj some below : 0 < t /\ t < 1)))) as (limit & L & near).
-    destruct (near ((1 # 2) * limit)) as [in_ [t0 t1]]; [lra | lra |]. set (t := (1 # 2) * limit) in *. clearbody t.
+    destruct (some_small _ (eventually_and _ _ inside_q (eventually_below 1 ltac:(lra)))) as (t & _ & in_ & t0 & t1).
     apply interiors_meet_other_way.
     refine (inner_point_and_point q p x _ (moved_along (nth i a nowhere) (edge_of_chain a i) t) p_regular in_ _ _).
     - right. exists (edge_at a i). split; [now apply edge_at_in_region |]. exists t.
@@ -212,9 +193,7 @@ Section TwoChains.
     eventually (fun t => inside (moved_along w (edge_of_chain b (previous (length b) j)) t) p) -> interiors_meet x p q.
   Proof.
     intros J [X Y] inside_p. pose proof (previous_below _ _ J) as before_.
-    destruct (eventually_and _ _ inside_p (ex_intro _ 1 (conj (ltac:(lra) : 0 < 1)
-      (fun t some below => conj some below : 0 < t /\ t < 1)))) as (limit & L & near).
-    destruct (near ((1 # 2) * limit)) as [in_ [t0 t1]]; [lra | lra |]. set (t := (1 # 2) * limit) in *. clearbody t.
+    destruct (some_small _ (eventually_and _ _ inside_p (eventually_below 1 ltac:(lra)))) as (t & _ & in_ & t0 & t1).
     refine (inner_point_and_point p q x _
       (moved_along (nth j b nowhere) (opposite (edge_of_chain b (previous (length b) j))) t) q_regular in_ _ _).
     - right. exists (edge_at b (previous (length b) j)). split; [now apply edge_at_in_region |]. exists (1 - t).
@@ -355,11 +334,7 @@ Section TwoChains.
       assert (m < l) by (unfold m; apply Qlt_shift_div_r; lra).
       clearbody m. set (u := moved_along (nth j b nowhere) F (l - m)).
       assert (x_is : equal_vectors x (plus (nth (next i (length a)) a nowhere) u)).
-      { unfold u, plus, moved_along. split; cbn [vx vy].
-        - rewrite X, target_x, f_x. setoid_replace ((l - m) * (r * vx E)) with (l * (r * vx E) - m * r * vx E) by ring.
-          rewrite value. ring.
-        - rewrite Y, target_y, f_y. setoid_replace ((l - m) * (r * vy E)) with (l * (r * vy E) - m * r * vy E) by ring.
-          rewrite value. ring. }
+      { unfold u, plus, moved_along. split; cbn [vx vy]; by_equations. }
       assert (end_x : vx (nth (next j (length b)) b nowhere) == vx (nth j b nowhere) + vx F)
         by (rewrite f_is; unfold minus; cbn [vx]; ring).
       assert (end_y : vy (nth (next j (length b)) b nowhere) == vy (nth j b nowhere) + vy F)
@@ -390,9 +365,7 @@ Section TwoChains.
         * unfold edge_at. rewrite <- direction_by_index by exact J. now apply f_left.
     - (* both at once *)
       assert (x_is : equal_vectors x (plus (nth (next i (length a)) a nowhere) (nth j b nowhere))).
-      { unfold plus. split; cbn [vx vy].
-        - rewrite X, target_x, f_x. setoid_replace (l * (r * vx E)) with (l * r * vx E) by ring. rewrite both. ring.
-        - rewrite Y, target_y, f_y. setoid_replace (l * (r * vy E)) with (l * r * vy E) by ring. rewrite both. ring. }
+      { unfold plus. split; cbn [vx vy]; by_equations. }
       assert (by_convex_p : 0 < cross E E' -> reduced_along_or_meet d).
       { intros convex_. left. apply (reduced_along_same _ _ f_is_d). apply (reduced_at_end_of_p i j I J parallel convex_).
         rewrite edge_at_is by exact J. exists 0. destruct x_is as [x_x x_y].

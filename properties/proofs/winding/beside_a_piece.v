@@ -1,9 +1,10 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Closed segments, and a piece that no other than collinear ones meet between its ends: all along it the winding number
-   close to its right is the same, that right of its middle, as counted on symbolic shifts (shifted_ray.v). So it is along
-   edges of regions that meet others at their ends only (right_of_an_edge.v). *)
+(* Closed segments, and a piece that no other than collinear ones meet between its ends: all along it the winding
+   number close to its right is the same, that right of its middle, as counted on symbolic shifts (shifted_ray.v). So it
+   is along edges of regions that meet others at their ends only (right_of_an_edge.v). *)
 From Coq Require Import QArith Qabs Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import winding small_numbers shifted_ray signed_crossings tie_rule meeting_of_segments neighbourhoods.
+From Oplus Require Import winding small_numbers shifted_ray signed_crossings tie_rule meeting_of_segments
+  neighbourhoods.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -50,12 +51,13 @@ Proof.
     unfold shifted_right in px, py. assert (along_s : (1 - k) * G + k * H == h * len)
       by (unfold len, G, H, ahead_of in *; in_coordinates; by_equations).
     rewrite along_s. split; [unfold len, A, B in *; in_coordinates; by_equations | nra]. }
-  assert (by_numbers : forall a b : Q, 0 < a -> (forall e k, 0 < e -> (1 - k) * A + k * B == - (e * len) -> 0 <= k <= 1 ->
-      0 <= (1 - k) * G + k * H <= len -> a + e * b <= 0) ->
+  assert (by_numbers : forall a b : Q, 0 < a -> (forall e k, 0 < e -> (1 - k) * A + k * B == - (e * len) ->
+      0 <= k <= 1 -> 0 <= (1 - k) * G + k * H <= len -> a + e * b <= 0) ->
     eventually (fun e => forall p, lies_on p (Segment (shifted_right w1 w2 e w1) (shifted_right w1 w2 e w2)) ->
       ~ lies_on p (Segment t0 t1))).
   { intros a b a_some never.
-    refine (eventually_implied _ _ _ (eventually_and _ _ (eventually_positive a b a_some) (eventually_below 1 _))); [| lra].
+    refine (eventually_implied _ _ _ (eventually_and _ _ (eventually_positive a b a_some) (eventually_below 1 _)));
+      [| lra].
     intros e [positive_ [e_some _]] p on_s on_t. destruct (common e p on_s on_t) as (k & k_range & side_ & range).
     pose proof (never e k e_some side_ k_range range). lra. }
   destruct (Qeq_dec A B) as [parallel | turn].
@@ -169,9 +171,11 @@ Section OnePiece.
           exact apart_ |].
         intros p on on_t. exact (across (along_only p t (inside_ p on) J on_t)). }
     destruct (some_small _ (eventually_and _ _ others_apart (eventually_and _ _
-      (small_steps_stay_within r1 w1 n R1) (small_steps_stay_within r2 w2 n R2)))) as (e & some & free & near_1 & near_2).
+      (small_steps_stay_within r1 w1 n R1) (small_steps_stay_within r2 w2 n R2))))
+        as (e & some & free & near_1 & near_2).
     assert (to_the_right : forall k, area s (moved_along (point_at s k) n e) < 0).
-    { intros k. setoid_replace (area s (moved_along (point_at s k) n e)) with (- (e * (k2 - k1) * dot (along s) (along s)))
+    { intros k. setoid_replace (area s (moved_along (point_at s k) n e))
+      with (- (e * (k2 - k1) * dot (along s) (along s)))
         by (unfold n, w1, w2, point_at; by_coordinates).
       assert (0 < e * (k2 - k1)) by (apply Qmult_lt_0_compat; lra). nra. }
     exists (moved_along w1 n e), (moved_along w2 n e). repeat split; try apply near_1; try apply near_2;
@@ -189,12 +193,14 @@ Section OnePiece.
     set (m := right_of_middle s).
     destruct (right_side_is_alike (point_at s (1 # 2))) as (radius & R & alike);
       [now apply strictly_inside_at |].
-    destruct (some_small _ (eventually_and _ _ (shifts_are_small_moves s segments long) (moved_stays_within radius m R)))
+    destruct (some_small _ (eventually_and _ _ (shifts_are_small_moves s segments long)
+      (moved_stays_within radius m R)))
       as (e & some & [_ number_is] & close).
     exists radius. split; [exact R |]. intros y y_near y_right. fold m in number_is. rewrite <- number_is.
     apply alike; trivial.
     - unfold within, m, right_of_middle, point_at in *. cbn [at_ vx vy] in *.
-      setoid_replace ((1 - (1 # 2)) * vx (source s) + (1 # 2) * vx (target s)) with ((vx (source s) + vx (target s)) / 2)
+      setoid_replace ((1 - (1 # 2)) * vx (source s) + (1 # 2) * vx (target s))
+        with ((vx (source s) + vx (target s)) / 2)
         by field.
       now setoid_replace ((1 - (1 # 2)) * vy (source s) + (1 # 2) * vy (target s))
         with ((vy (source s) + vy (target s)) / 2) by field.
@@ -228,7 +234,8 @@ Section OnePiece.
                          winding_number_shifted (right_of_middle s) segments).
   Proof.
     intros inside_ right_. destruct (value_to_the_right_of_all w inside_) as (radius & R & value).
-    refine (eventually_implied _ _ _ (eventually_and _ _ (small_steps_stay_within radius w n R) (eventually_below 1 _)));
+    refine (eventually_implied _ _ _ (eventually_and _ _ (small_steps_stay_within radius w n R) (eventually_below 1
+      _)));
       [| lra].
     intros e [near [some _]]. apply value; [exact near |].
     pose proof (on_the_line w s (strictly_inside_lies_on w s inside_)) as line.

@@ -11,7 +11,8 @@ Open Scope Q_scope.
 Lemma winding_number_beside (x : vector) (segments : list segment) :
   exists y, off y segments /\ winding_number y segments = winding_number x segments.
 Proof.
-  destruct (some_small _ (eventually_and _ _ (shifted_off_all x segments) (same_beside x segments))) as (e & _ & beside).
+  destruct (some_small _ (eventually_and _ _ (shifted_off_all x segments) (same_beside x segments)))
+    as (e & _ & beside).
   now exists (moved (shifted x) e).
 Qed.
 
