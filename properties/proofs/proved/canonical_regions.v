@@ -1,13 +1,17 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Regions in canonical form, as oplus writes them: canonical chains (canonical_chains.v), and polygons with their holes
-   (polygons.v) in order. The points of a region stay, and so do its inner points. *)
+(* Regions in canonical form, as oplus writes them: rings (simple_rings.v) that are canonical chains (canonical_chains.v),
+   polygons with their holes (polygons.v) in order, and points in order. The points of a region stay, and so do its
+   inner points. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation Orders Mergesort.
 From Oplus Require Import specification direction winding_number in_out_degree regions specification_bridge pieces
-  sum_program sum_is_right inner_fit_is_right open_sums polygons canonical_chains.
+  sum_program sum_is_right inner_fit_is_right open_sums polygons simple_rings canonical_chains.
 Import ListNotations.
 
+(* Chains that go the edges of the region. *)
+Definition written_chains (r : region) : region := map canonical_chain (simple_rings r).
+
 Definition canonical_region (r : polygonal_region) : polygonal_region :=
-  map (map as_point) (map canonical_chain (map (map as_vector) r)).
+  map (map as_point) (written_chains (map (map as_vector) r)).
 
 Lemma as_written (r : polygonal_region) : map (map as_point) (map (map as_vector) r) = r.
 Proof.
@@ -15,22 +19,20 @@ Proof.
   apply map_ext. now intros [a b].
 Qed.
 
-(* Theorem. *)
-Theorem canonical_region_has_the_points (r : polygonal_region) (x : point) : member x (canonical_region r) <-> member
-  x r.
+Lemma written_chains_go_the_same (x : vector) (r : region) :
+  alike_from x (region_edges (written_chains r)) (region_edges r).
 Proof.
-  rewrite <- (as_written r) at 2. unfold canonical_region. rewrite !member_of_chains.
-  destruct (canonical_chains_are_alike (as_vector x) (map (map as_vector) r)) as [on number_is].
-  now rewrite on, number_is.
+  apply (alike_transitive x _ _ _ (canonical_chains_are_alike x (simple_rings r))).
+  apply alike_permuted, simple_rings_have_the_edges.
 Qed.
 
 (* Theorem. *)
-Theorem canonical_region_has_the_inner_points (r : polygonal_region) (x : point) :
-  is_inner_point x (canonical_region r) <-> is_inner_point x r.
+Theorem canonical_region_has_the_points (r : polygonal_region) (x : point) :
+  (member x (canonical_region r) <-> member x r) /\ (is_inner_point x (canonical_region r) <-> is_inner_point x r).
 Proof.
-  rewrite <- (as_written r) at 2. unfold canonical_region. rewrite !inner_point_of_chains.
-  destruct (canonical_chains_are_alike (as_vector x) (map (map as_vector) r)) as [on number_is].
-  rewrite number_is. split; intros [round free]; (split; [exact round |]); intros s S on_s.
+  rewrite <- (as_written r) at 2 4. unfold canonical_region. rewrite !member_of_chains, !inner_point_of_chains.
+  destruct (written_chains_go_the_same (as_vector x) (map (map as_vector) r)) as [on number_is].
+  rewrite on, number_is. split; [reflexivity |]. split; intros [round free]; (split; [exact round |]); intros s S on_s.
   - destruct (proj2 on) as (t & T & on_t); [now exists s | exact (free t T on_t)].
   - destruct (proj1 on) as (t & T & on_t); [now exists s | exact (free t T on_t)].
 Qed.
@@ -82,7 +84,8 @@ Proof.
 Qed.
 
 (* Points depend on edges, in any order. *)
-Lemma edges_in_another_order (r s : polygonal_region) (x : point) : Permutation (edges_of_region r) (edges_of_region s) ->
+Lemma edges_in_another_order (r s : polygonal_region) (x : point) : Permutation (edges_of_region r) (edges_of_region
+  s) ->
   (member x r <-> member x s) /\ (is_inner_point x r <-> is_inner_point x s).
 Proof.
   intros edges_are.
@@ -99,14 +102,63 @@ Lemma chains_in_another_order (r s : polygonal_region) (x : point) : Permutation
   (member x r <-> member x s) /\ (is_inner_point x r <-> is_inner_point x s).
 Proof. intros permuted. now apply edges_in_another_order, Permutation_flat_map. Qed.
 
+Lemma canonical_polygons_permute (r : polygonal_region) :
+  Permutation (flat_map chains_of_polygon (canonical_polygons r)) (canonical_region r).
+Proof. exact (Permutation_trans (sorted_polygons _) (chains_of_polygons (canonical_region r))). Qed.
+
 (* Theorem. *)
 Theorem canonical_polygons_are_the_region (r : polygonal_region) (x : point) :
   (member x (flat_map chains_of_polygon (canonical_polygons r)) <-> member x r) /\
   (is_inner_point x (flat_map chains_of_polygon (canonical_polygons r)) <-> is_inner_point x r).
 Proof.
-  destruct (chains_in_another_order _ _ x
-    (Permutation_trans (sorted_polygons _) (chains_of_polygons (canonical_region r)))) as [same_points same_inner].
-  split; [etransitivity; [exact same_points |] | etransitivity; [exact same_inner |]].
-  - apply canonical_region_has_the_points.
-  - apply canonical_region_has_the_inner_points.
+  destruct (chains_in_another_order _ _ x (canonical_polygons_permute r)) as [same_points same_inner].
+  rewrite same_points, same_inner. apply canonical_region_has_the_points.
+Qed.
+
+(* Single points, sorted, each once. *)
+Definition written_points (l : list point) : list point := map as_point (sorted_points (map as_vector l)).
+
+Lemma written_points_are (l : list point) (x : point) :
+  (exists v, In v (written_points l) /\ equal_points x v) <-> (exists v, In v l /\ equal_points x v).
+Proof.
+  split; intros (v & V & [X Y]).
+  - apply in_map_iff in V. destruct V as (w & <- & W). apply sorted_in, in_map_iff in W. destruct W as (u & <- & U).
+    exists u. split; [exact U | now split].
+  - destruct (sorted_has (as_vector v) (map as_vector l) (in_map _ _ _ V)) as (w & W & [wx wy]). exists (as_point w).
+    split; [now apply in_map |]. split; [rewrite X; exact wx | rewrite Y; exact wy].
+Qed.
+
+(* Theorem. Equal sets of points are equal lists, number by number. *)
+Theorem equal_points_are_written_equally (l m : list point) :
+  (forall x, (exists v, In v l /\ equal_points x v) <-> (exists v, In v m /\ equal_points x v)) ->
+  Forall2 equal_points (written_points l) (written_points m).
+Proof.
+  intros same. setoid_rewrite <- written_points_are in same. unfold written_points in *.
+  pose proof (sorted_ordered (map as_vector l)) as l_order. pose proof (sorted_ordered (map as_vector m)) as m_order.
+  revert same m_order. generalize (sorted_points (map as_vector m)). revert l_order.
+  generalize (sorted_points (map as_vector l)). clear l m.
+  assert (other_way : forall a b : vector, equal_points (as_point a) (as_point b) -> ~ comes_first a b /\ ~ comes_first b a)
+    by (unfold equal_points, comes_first; intros a b [X Y]; cbn [x_of y_of as_point] in *; lra).
+  intros l. induction l as [| a l IH]; intros l_order m same m_order.
+  - destruct m as [| b m]; [constructor |]. destruct (proj2 (same (as_point b))) as (? & [] & _).
+    exists (as_point b). split; [now left | split; reflexivity].
+  - destruct l_order as [a_first l_order]. destruct m as [| b m].
+    + destruct (proj1 (same (as_point a))) as (? & [] & _). exists (as_point a). split; [now left | split; reflexivity].
+    + destruct m_order as [b_first m_order].
+      assert (heads : equal_points (as_point a) (as_point b)).
+      { destruct (proj1 (same (as_point a))) as (v & [<- | V] & equal); [exists (as_point a); split; [now left | split; reflexivity] |
+          exact equal |].
+        destruct (proj2 (same (as_point b))) as (w & [<- | W] & equal'); [exists (as_point b); split; [now left | split; reflexivity] |
+          now destruct equal'; split; symmetry |].
+        apply in_map_iff in V, W. destruct V as (c & <- & C), W as (d & <- & D). exfalso.
+        specialize (b_first c C). specialize (a_first d D). destruct equal, equal'.
+        unfold comes_first, as_point in *. cbn [x_of y_of] in *. lra. }
+      cbn [map]. constructor; [exact heads |]. apply IH; [exact l_order | | exact m_order].
+      intros x. split; intros (v & V & equal).
+      * destruct (proj1 (same x)) as (w & [<- | W] & equal'); [exists v; split; [now right | exact equal] | | now exists w].
+        exfalso. apply in_map_iff in V. destruct V as (c & <- & C). refine (proj1 (other_way a c _) (a_first c C)).
+        destruct heads, equal, equal'. unfold as_point, equal_points in *. cbn [x_of y_of] in *. split; lra.
+      * destruct (proj2 (same x)) as (w & [<- | W] & equal'); [exists v; split; [now right | exact equal] | | now exists w].
+        exfalso. apply in_map_iff in V. destruct V as (c & <- & C). refine (proj1 (other_way b c _) (b_first c C)).
+        destruct heads, equal, equal'. unfold as_point, equal_points in *. cbn [x_of y_of] in *. split; lra.
 Qed.

@@ -3,10 +3,10 @@
    Vertices of its regions may touch edges. *)
 From Coq Require Import QArith ZArith Bool List Permutation.
 From Oplus Require Import specification convolution regions winding_number_of_the_sum theorem_4_2_1 specification_bridge
-  homogeneous_points collision_is_complete checked_collision sum_program sum_of_uncovered_pieces touching_vertices
-  complement_in_a_frame open_sum_program open_sums inner_fit_program inner_fit_is_right polygons canonical_regions
-    simple_rings walked_again
-  boolean_operations complements openings.
+  homogeneous_points location pieces collision_is_complete checked_collision sum_program sum_of_uncovered_pieces
+  touching_vertices complement_in_a_frame open_sum_program open_sums inner_fit_program inner_fit_is_right polygons
+  canonical_chains canonical_regions walked_again boolean_operations complements openings
+  written_regions.
 Import ListNotations.
 
 (* Whether the theorems are about the region. *)
@@ -28,13 +28,24 @@ Proof.
 Qed.
 
 (* Results as files have them. *)
-Definition written_polygons (r : polygonal_region) : list polygon_with_holes := canonical_polygons (simple_rings r).
+Definition written_polygons : polygonal_region -> list polygon_with_holes := canonical_polygons.
 
-Lemma written_polygons_are_the_region (r : polygonal_region) (x : point) :
-  (member x (flat_map chains_of_polygon (written_polygons r)) <-> member x r) /\
-  (is_inner_point x (flat_map chains_of_polygon (written_polygons r)) <-> is_inner_point x r).
+Definition written_polygons_are_the_region := canonical_polygons_are_the_region.
+
+(* Theorem. Of three vertices in a row, the first ones following the last, none is inside the edge that the others
+   would have. *)
+Theorem written_chains_are_straight (r : polygonal_region) (c before after : chain) (a v b : point) :
+  In c (flat_map chains_of_polygon (written_polygons r)) -> c ++ c = before ++ a :: v :: b :: after ->
+  is_on v (a, b) -> equal_points v a \/ equal_points v b.
 Proof.
-  split; (etransitivity; [apply canonical_polygons_are_the_region | apply simple_rings_have_the_points]).
+  intros C twice on. apply (Permutation_in _ (canonical_polygons_permute r)) in C.
+  apply in_map_iff in C. destruct C as (d & <- & D). apply in_map_iff in D. destruct D as (e & <- & _).
+  apply (f_equal (map as_vector)) in twice.
+  rewrite !map_app, map_map, (map_ext _ (fun u => u)), map_id in twice by (now intros []).
+  apply canonical_chain_is_straight in twice. unfold is_between_ends in twice.
+  destruct (is_on_spec (as_vector v) (Segment (as_vector a) (as_vector b))) as [_ | off_]; [| destruct (off_ on)].
+  destruct (same_point_spec (as_vector v) (as_vector a)) as [equal | _]; [now left |].
+  destruct (same_point_spec (as_vector v) (as_vector b)) as [equal | _]; [now right | discriminate].
 Qed.
 
 (* The sum, as polygons with holes. *)
@@ -52,27 +63,44 @@ Proof.
   now apply sum_of_prepared_regions, quick_sum_is_the_sum.
 Qed.
 
+(* The single points of a set in order. *)
+Definition open_in_order (s : open_region) : open_region :=
+  OpenRegion (open_chains s) (dangling_edges s) (written_points (isolated_points s)).
+Definition placements_in_order (f : placements) : placements :=
+  Placements (fit_chains f) (fit_edges f) (written_points (fit_points f)).
+
+Lemma in_order_is_the_same (s : open_region) (f : placements) (x : point) :
+  (open_member x (open_in_order s) <-> open_member x s) /\ (fits x (placements_in_order f) <-> fits x f).
+Proof.
+  pose proof (written_points_are (isolated_points s) x) as of_open. pose proof (written_points_are (fit_points f) x) as of_fit.
+  split; [| unfold fits, placements_in_order; cbn [fit_chains fit_edges fit_points]; now rewrite of_fit].
+  assert (none : forall l, (forall v, In v l -> ~ equal_points x v) <-> ~ exists v, In v l /\ equal_points x v) by firstorder.
+  unfold open_member, open_in_order. cbn [open_chains dangling_edges isolated_points]. now rewrite !none, of_open.
+Qed.
+
 Definition proved_open_sum (p q : polygonal_region) : open_region :=
-  open_sum_of_regions (prepared_region p) (prepared_region q).
+  open_in_order (open_sum_of_regions (prepared_region p) (prepared_region q)).
 
 (* Theorem. *)
 Theorem proved_open_sum_is_the_open_sum (p q : polygonal_region) : is_covered p = true -> is_covered q = true ->
   is_open_sum p q (proved_open_sum p q).
 Proof.
   intros p_valid q_valid x. apply is_covered_is_right in p_valid, q_valid. destruct p_valid, q_valid.
-  unfold proved_open_sum. etransitivity; [apply (open_sum_of_regions_is_the_open_sum (prepared_region p)
+  unfold proved_open_sum. rewrite (proj1 (in_order_is_the_same _ (Placements [] [] []) x)).
+  etransitivity; [apply (open_sum_of_regions_is_the_open_sum (prepared_region p)
     (prepared_region q)); trivial |].
   split; intros (a & b & in_p & in_q & equal); exists a, b; rewrite !prepared_inner_points in *; tauto.
 Qed.
 
-Definition proved_no_fit (a b : polygonal_region) : open_region := no_fit (prepared_region a) (prepared_region b).
+Definition proved_no_fit (a b : polygonal_region) : open_region :=
+  open_in_order (no_fit (prepared_region a) (prepared_region b)).
 
 (* Theorem. *)
 Theorem proved_no_fit_is_the_no_fit (a b : polygonal_region) : is_covered a = true -> is_covered b = true ->
   is_no_fit a b (proved_no_fit a b).
 Proof.
   intros a_valid b_valid x. apply is_covered_is_right in a_valid, b_valid. destruct a_valid, b_valid.
-  unfold proved_no_fit. etransitivity; [apply (no_fit_is_the_no_fit (prepared_region a) (prepared_region b));
+  unfold proved_no_fit. rewrite (proj1 (in_order_is_the_same _ (Placements [] [] []) x)). etransitivity; [apply (no_fit_is_the_no_fit (prepared_region a) (prepared_region b));
     trivial |].
   split; intros (y & z & in_a & in_b & equal); exists y, z; rewrite !prepared_inner_points in *; tauto.
 Qed.
@@ -87,14 +115,16 @@ Proof.
   destruct (proj1 (in_concat (prepared_region r) v)) as (c & C & V); [rewrite vertices; now left | now exists c, v].
 Qed.
 
-Definition proved_inner_fit (a b : polygonal_region) : placements := inner_fit (prepared_region a) (prepared_region b).
+Definition proved_inner_fit (a b : polygonal_region) : placements :=
+  placements_in_order (inner_fit (prepared_region a) (prepared_region b)).
 
 (* Theorem. *)
 Theorem proved_inner_fit_is_the_inner_fit (a b : polygonal_region) : is_covered a = true -> is_covered b = true ->
   has_points b = true -> is_inner_fit a b (proved_inner_fit a b).
 Proof.
   intros a_valid b_valid some x. apply is_covered_is_right in a_valid, b_valid. destruct a_valid, b_valid.
-  unfold proved_inner_fit. destruct (inner_fit_is_the_inner_fit (prepared_region a) (prepared_region b)) as [is_fit _];
+  unfold proved_inner_fit. rewrite (proj2 (in_order_is_the_same (OpenRegion [] [] []) _ x)).
+  destruct (inner_fit_is_the_inner_fit (prepared_region a) (prepared_region b)) as [is_fit _];
     trivial; [now apply has_points_is |].
   etransitivity; [apply is_fit |]. split; intros all y; specialize (all y); unfold prepared_region in *;
     rewrite !touching_vertices_add_no_points in *; exact all.
@@ -147,6 +177,27 @@ Proof.
     intros y. now rewrite same_p, same_q.
 Qed.
 
+(* Theorem. What is written of these is accepted again; of the sets that are open, their chains are. *)
+Theorem results_are_covered (p q : polygonal_region) : is_covered p = true -> is_covered q = true ->
+  forall polygons, In polygons [proved_sum p q; polygons_of_open (proved_open_sum p q); polygons_of_open
+    (proved_no_fit p q);
+    proved_union p q; proved_intersection p q; proved_difference p q] ->
+  is_covered (region_of_polygons polygons) = true.
+Proof.
+  intros p_valid q_valid polygons. apply is_covered_is_right in p_valid, q_valid.
+  destruct p_valid as [p_valid _], q_valid as [q_valid q_above].
+  pose proof (two_are_closed (prepared_region p) (prepared_region q)) as closed.
+  pose proof (two_are_long (prepared_region p) (prepared_region q) p_valid q_valid) as long.
+  pose proof (half_turned_is_valid _ q_valid q_above) as [turned _].
+  unfold is_covered, region_of_polygons. intros [<- | [<- | [<- | [<- | [<- | [<- | []]]]]]].
+  - exact (written_sums_are_accepted _ _ p_valid q_valid).
+  - exact (written_sums_are_accepted _ _ p_valid q_valid).
+  - exact (written_sums_are_accepted _ _ p_valid turned).
+  - exact (written_regions_by_rule_are_accepted some_positive _ closed long eq_refl).
+  - exact (written_regions_by_rule_are_accepted all_positive _ closed long eq_refl).
+  - exact (written_regions_by_rule_are_accepted first_positive _ closed long eq_refl).
+Qed.
+
 (* Erosion, opening and closing, of a region that has points. *)
 Definition proved_erosion : polygonal_region -> polygonal_region -> list polygon_with_holes := of_prepared erosion.
 Definition proved_opening : polygonal_region -> polygonal_region -> list polygon_with_holes := of_prepared opening.
@@ -170,6 +221,20 @@ Proof.
     unfold is_inside. setoid_rewrite same_p. setoid_rewrite same_q. reflexivity.
   - rewrite (closing_is_the_closing _ _ p_valid q_valid q_simple some x). apply same_closure.
     intros y. unfold is_inside. setoid_rewrite same_p. setoid_rewrite same_q. reflexivity.
+Qed.
+
+(* Theorem. And so are these. *)
+Theorem erosions_openings_and_closings_are_covered (p q : polygonal_region) :
+  is_covered p = true -> is_covered q = true -> has_points q = true ->
+  forall polygons, In polygons [proved_erosion p q; proved_opening p q; proved_closing p q] ->
+  is_covered (region_of_polygons polygons) = true.
+Proof.
+  intros [p_valid p_simple]%is_covered_is_right [q_valid q_simple]%is_covered_is_right some%has_points_is polygons.
+  destruct (quick_sum_is_valid _ _ p_valid q_valid) as [sum_valid sum_simple].
+  unfold is_covered, region_of_polygons. intros [<- | [<- | [<- | []]]];
+    apply (written_regions_by_rule_are_accepted some_nonzero); try apply nothing_is_zero;
+    first [apply fit_edges_are_closed | apply fit_edges_are_long | apply families_are_closed | apply families_are_long];
+    assumption.
 Qed.
 
 (* What is unbounded, as the holes in it, and what is in these. *)

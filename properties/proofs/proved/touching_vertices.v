@@ -36,6 +36,22 @@ Proof.
   - apply not_b. assert (k_is : k == 1) by lra. rewrite k_is in X, Y. split; lra.
 Qed.
 
+Lemma is_between (v a b : vector) : is_between_ends v a b = true <-> ~ equal_vectors a b /\ exists k, 0 < k < 1 /\
+  vx v == (1 - k) * vx a + k * vx b /\ vy v == (1 - k) * vy a + k * vy b.
+Proof.
+  split.
+  - intros between_. destruct (is_between_ends_is v a b between_) as (k & range & X & Y). split; [| now exists k].
+    intros [same_x same_y]. unfold is_between_ends in between_.
+    destruct (same_point_spec v a) as [| differ]; [now rewrite andb_false_r in between_ |].
+    apply differ. rewrite <- same_x in X. rewrite <- same_y in Y. split; lra.
+  - intros (long & k & range & X & Y). unfold is_between_ends.
+    destruct (is_on_spec v (Segment a b)) as [_ | off_]; [| exfalso; apply off_; exists k; split; [lra | now split]].
+    destruct (same_point_spec v a) as [[x_is y_is] |], (same_point_spec v b) as [[x_is' y_is'] |]; try reflexivity;
+      exfalso; apply long; rewrite X in *; rewrite Y in *.
+    1, 2: split; apply (Qmult_inj_r _ _ k); lra.
+    split; apply (Qmult_inj_r _ _ (1 - k)); lra.
+Qed.
+
 Lemma on_divided (v a b x : vector) : is_between_ends v a b = true ->
   lies_on x (Segment a b) <-> lies_on x (Segment a v) \/ lies_on x (Segment v b).
 Proof.
@@ -104,18 +120,25 @@ Proof.
     + rewrite (crossing_divided v a b x between_), <- number_of_rest. reflexivity.
 Qed.
 
-Lemma edges_are_a_path (chain : list vector) (a : vector) : edges (a :: chain) = path (a :: chain) a.
-Proof. rewrite path_is. reflexivity. Qed.
-
 Lemma divided_path (vertices : list vector) (z : vector) (chain : list vector) :
   path (flat_map (vertices_along vertices) (path chain z)) z =
   flat_map (fun e => path (vertices_along vertices e) (target e)) (path chain z).
 Proof.
-  assert (joined : forall l m y, path (l ++ m) y = path l (hd y m) ++ path m y).
-  { induction l as [| a l IH]; intros m y; [reflexivity |]. cbn [app path]. rewrite IH. f_equal. f_equal.
-    destruct l; [reflexivity |]. reflexivity. }
-  induction chain as [| a chain IH]; [reflexivity |]. cbn [path flat_map]. rewrite joined, IH. f_equal. f_equal.
+  induction chain as [| a chain IH]; [reflexivity |]. cbn [path flat_map]. rewrite path_of_both, IH. f_equal. f_equal.
   destruct chain as [| b chain]; reflexivity.
+Qed.
+
+Definition divided (vertices : list vector) (e : segment) : list segment :=
+  path (vertices_along vertices e) (target e).
+
+Lemma edges_with_touching_vertices (r : region) :
+  region_edges (with_touching_vertices r) = flat_map (divided (concat r)) (region_edges r).
+Proof.
+  unfold with_touching_vertices. generalize (concat r). intros vertices. unfold region_edges.
+  induction r as [| chain r IH]; [reflexivity |]. cbn [map flat_map].
+  rewrite IH, flat_map_app. f_equal. destruct chain as [| a chain]; [reflexivity |].
+  rewrite (edges_are_a_path chain a). unfold divided. rewrite <- divided_path.
+  cbn [path flat_map]. unfold vertices_along at 1. cbn [source app]. rewrite edges_are_a_path. reflexivity.
 Qed.
 
 Theorem divided_region (r : region) (x : vector) :
@@ -123,17 +146,9 @@ Theorem divided_region (r : region) (x : vector) :
    (exists s, In s (region_edges r) /\ lies_on x s)) /\
   winding_number x (region_edges (with_touching_vertices r)) = winding_number x (region_edges r).
 Proof.
-  unfold with_touching_vertices. set (vertices := concat r). clearbody vertices.
-  set (divided := fun e => path (vertices_along vertices e) (target e)).
-  assert (edges_are : region_edges (map (fun chain => flat_map (vertices_along vertices) (edges chain)) r) =
-    flat_map divided (region_edges r)).
-  { unfold region_edges. induction r as [| chain r IH]; [reflexivity |]. cbn [map flat_map].
-    rewrite IH, flat_map_app. f_equal. destruct chain as [| a chain]; [reflexivity |].
-    rewrite (edges_are_a_path chain a). unfold divided. rewrite <- divided_path.
-    cbn [path flat_map]. unfold vertices_along at 1. cbn [source app]. rewrite edges_are_a_path. reflexivity. }
-  rewrite edges_are. clear edges_are.
-  assert (each : forall e, ((exists s, In s (divided e) /\ lies_on x s) <-> lies_on x e) /\
-    winding_number x (divided e) = signed_crossing x e).
+  rewrite edges_with_touching_vertices. generalize (concat r). intros vertices.
+  assert (each : forall e, ((exists s, In s (divided vertices e) /\ lies_on x s) <-> lies_on x e) /\
+    winding_number x (divided vertices e) = signed_crossing x e).
   { intros [a b]. unfold divided, vertices_along. cbn [source target].
     destruct (are_in_order a b _) eqn:order; now apply divided_edge. }
   split.

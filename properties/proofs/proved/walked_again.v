@@ -9,9 +9,6 @@ Import ListNotations.
 Definition walked_again (r : polygonal_region) : polygonal_region :=
   let edges_ := region_edges (map (map as_vector) r) in map (map as_point) (chains_of (length edges_) edges_).
 
-Lemma rotated_permutes {A : Type} (l : list A) : Permutation (rotated l) l.
-Proof. destruct l as [| a l]; [reflexivity |]. symmetry. apply Permutation_cons_append. Qed.
-
 Lemma chains_are_balanced (r : region) : is_balanced (region_edges r).
 Proof.
   intros v. unfold surplus, region_edges. induction r as [| chain r IH]; [reflexivity |].

@@ -7,22 +7,14 @@ From Oplus Require Import balanced_edges direction angular_crossings winding_num
 Import ListNotations.
 
 
-(* Which of the directions a and b is met first on the way counterclockwise from the way back: the other if it is the
-   way back itself. *)
-Definition half_turn (back d : vector) : nat :=
-  match (0 ?= cross back d)%Q with
-  | Lt => 0
-  | Gt => 1
-  | Eq => match (0 ?= dot back d)%Q with Lt => 2 | _ => 1 end
-  end.
+(* Whether u is met on the way counterclockwise from b to g, if these are not one direction. *)
+Definition is_met_between (b g u : vector) : bool :=
+  if negative (cross g b) then negative (cross u b) && negative (cross g u) else negative (cross u b) || negative
+    (cross g u).
 
+(* Whether b is not met before a on the way counterclockwise from the way back. *)
 Definition turns_more (before a b : segment) : bool :=
-  let back := minus (source before) (target before) in
-  match Nat.compare (half_turn back (along a)) (half_turn back (along b)) with
-  | Lt => true
-  | Gt => false
-  | Eq => match (0 ?= cross (along a) (along b))%Q with Gt => false | _ => true end
-  end.
+  negb (is_met_between (minus (source before) (target before)) (along a) (along b)).
 
 (* Of the segments that start where one ends, that which turns clockwise most, and the others. *)
 Fixpoint next_and_others (before : segment) (l : list segment) : option (segment * list segment) :=
@@ -113,6 +105,17 @@ Proof.
   induction chain as [| a chain IH]; intros first; [reflexivity |].
   change (path (first :: a :: chain) z) with (Segment first a :: path (a :: chain) z). now rewrite IH.
 Qed.
+
+Lemma path_of_both (l m : list vector) (z : vector) : path (l ++ m) z = path l (hd z m) ++ path m z.
+Proof.
+  induction l as [| a l IH]; [reflexivity |]. cbn [app path]. rewrite IH. f_equal. f_equal. now destruct l.
+Qed.
+
+Lemma edges_are_a_path (chain : list vector) (a : vector) : edges (a :: chain) = path (a :: chain) a.
+Proof. rewrite path_is. reflexivity. Qed.
+
+Lemma rotated_permutes {A : Type} (l : list A) : Permutation (rotated l) l.
+Proof. destruct l as [| a l]; [reflexivity |]. symmetry. apply Permutation_cons_append. Qed.
 
 Lemma walk_returns (fuel : nat) (first : segment) : forall before l, (length l <= fuel)%nat ->
   (forall v, surplus v l = one_if (target before) v - one_if (source first) v) ->

@@ -1,0 +1,202 @@
+(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* What is written of a set that ends at pieces, as canonical chains, is a valid region, which the test of regions
+   accepts: so what oplus-proved writes, it reads. *)
+From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation SetoidList SetoidPermutation.
+From Oplus Require Import specification checker balanced_edges convolution convolution_winding direction angle
+  angular_crossings winding_number
+  shifted_ray small_numbers rotation in_out_degree regions meeting_of_segments interiors_meet neighbourhoods
+  left_of_an_edge theorem_4_2_1 observation_2_2_4 homogeneous_points specification_bridge location pieces
+  naive_collision collision_is_sound collision_is_complete checked_collision beside_a_piece filling cut_pieces
+  kept_pieces_go_round kept_pieces_balance rule_of_sides walks region_of_pieces sum_program sum_is_right
+  inner_fit_program complement_in_a_frame touching_vertices simple_rings canonical_chains canonical_regions
+  regions_by_rule sum_of_uncovered_pieces valid_regions_are_accepted beside_a_vertex clockwise_most_walks written_rings.
+Import ListNotations.
+
+Open Scope Q_scope.
+
+Section Region.
+  Variable segments : list segment.
+  Hypothesis all_long : forall t, In t segments -> nonzero (along t).
+  Variable inside : vector -> bool.
+  Variable right_inside : segment -> bool.
+  Let pieces := pieces_of segments.
+  Hypothesis ends_ : ends_at_pieces inside right_inside pieces.
+  Variable kept : list segment.
+  Hypothesis kept_are : Permutation kept (kept_pieces right_inside pieces).
+
+  Lemma of_a_piece (e : segment) : In e kept -> exists f, In f pieces /\ (e = f \/ e = reversed f) /\
+    right_inside (reversed e) = true /\ right_inside e = false.
+  Proof.
+    intros E. apply (Permutation_in _ kept_are), in_flat_map in E. destruct E as (f & F & E). exists f.
+    split; [exact F |]. unfold kept_piece in E. destruct (right_inside (reversed f)) eqn:left_, (right_inside f)
+      eqn:right_;
+      try destruct E as [<- | []]; try destruct E; rewrite ?reversed_twice; tauto.
+  Qed.
+
+  Lemma kept_end (e : segment) (v : vector) : In e kept -> v = source e \/ v = target e ->
+    exists f, In f pieces /\ (v = source f \/ v = target f) /\ is_reduced v.
+  Proof.
+    intros E which. destruct (of_a_piece e E) as (f & F & is_f & _). exists f. split; [exact F |].
+    destruct (ends_are_reduced segments all_long f F).
+    destruct is_f as [-> | ->]; cbn [reversed source target] in which; destruct which as [-> | ->]; tauto.
+  Qed.
+
+  Lemma kept_long (e : segment) : In e kept -> nonzero (along e).
+  Proof. intros E. exact (kept_is_long segments inside right_inside ends_ e (Permutation_in _ kept_are E)). Qed.
+
+  Lemma kept_apart (e f : segment) (w : vector) : In e kept -> In f kept -> e <> f -> lies_on w f -> ~
+    strictly_inside w e.
+  Proof.
+    intros E F differ on inside_e. destruct (inside_or_end w f on) as [inside_f | end_].
+    - exact (different_kept segments all_long right_inside e f (Permutation_in _ kept_are E) (Permutation_in _
+      kept_are F)
+        differ w inside_e inside_f).
+    - assert (exists v, (v = source f \/ v = target f) /\ equal_vectors v w) as (v & which & X & Y)
+        by (destruct end_; eexists; (split; [| eassumption]); tauto).
+      destruct (kept_end f v F which) as (g & G & end_of_g & _), (of_a_piece e E) as (h & H & is_h & _).
+      apply (no_vertex_is_inside segments all_long g h v G H end_of_g).
+      assert (inside_v : strictly_inside v e).
+      { destruct inside_e as (k & range & kx & ky). exists k. rewrite X, Y. tauto. }
+      destruct is_h as [-> | ->]; [exact inside_v |]. apply strictly_inside_reversed in inside_v.
+      now rewrite reversed_twice in inside_v.
+  Qed.
+
+  Lemma kept_ends (e f : segment) (v w : vector) : In e kept -> In f kept ->
+    v = source e \/ v = target e -> w = source f \/ w = target f -> equal_vectors v w -> v = w.
+  Proof.
+    intros E F of_e of_f equal. destruct (kept_end e v E of_e) as (_ & _ & _ & reduced_v).
+    destruct (kept_end f w F of_f) as (_ & _ & _ & reduced_w). apply reduced_of_equal in equal.
+    now rewrite reduced_v, reduced_w in equal.
+  Qed.
+
+  Lemma kept_balanced : is_balanced kept.
+  Proof.
+    intros v. rewrite (surplus_permuted v _ _ kept_are). exact (kept_is_balanced segments all_long inside
+      right_inside ends_ v).
+  Qed.
+
+  Let chains := chains_of (length kept) kept.
+
+  Lemma chains_take_kept : Permutation (region_edges chains) kept.
+  Proof. apply chains_take_all; [lia | exact kept_balanced]. Qed.
+
+  Lemma kept_closed : cycles kept.
+  Proof.
+    unfold cycles. pose proof (region_cycles chains) as closed. unfold cycles in closed.
+    assert (same : forall f : segment -> vector, PermutationA equal_vectors (map f kept) (map f (region_edges chains))).
+    { intros f. apply Permutation_PermutationA; [exact equal_vectors_equivalence |].
+      apply Permutation_map. symmetry. exact chains_take_kept. }
+    transitivity (map source (region_edges chains)); [apply same |].
+    transitivity (map target (region_edges chains)); [exact closed | symmetry; apply same].
+  Qed.
+
+  Lemma kept_numbers (x : vector) : (0 <= winding_number x kept <= 1)%Z.
+  Proof.
+    rewrite (permuted_winding_number x _ _ kept_are).
+    destruct (core _ _ _ ends_ x) as (limit & L & number_is). rewrite (number_is ((1 # 2) * limit)) by lra.
+    destruct (inside _); cbn; lia.
+  Qed.
+
+  (* What the rule said of the sides. *)
+  Lemma beside_kept (e s : segment) : In e kept -> s = e \/ s = reversed e ->
+    winding_number_shifted (right_of_middle s) kept = as_number (right_inside s).
+  Proof.
+    intros E which. destruct (of_a_piece e E) as (f & F & is_f & _).
+    assert (D : directed kept s) by (destruct which as [-> | ->]; [now left | right; now rewrite reversed_twice]).
+    assert (of_f : s = f \/ s = reversed f).
+    { destruct which as [-> | ->], is_f as [-> | ->]; rewrite ?reversed_twice; tauto. }
+    pose proof (directed_is_long kept kept_long s D) as long_s. pose proof (middle_is_inside s) as inside_s.
+    set (n := Vector (vy (along s)) (- vx (along s))).
+    assert (turn : cross (along s) n < 0).
+    { pose proof (square_positive _ long_s). unfold n, cross, dot in *. cbn [vx vy]. lra. }
+    assert (inside_f : strictly_inside (middle s) f).
+    { destruct of_f as [-> | ->]; [exact inside_s |]. apply strictly_inside_reversed in inside_s.
+      now rewrite reversed_twice in inside_s. }
+    assert (turn_f : ~ cross (along f) n == 0).
+    { destruct of_f as [is_s | is_s]; rewrite is_s in turn; unfold cross, along, minus, reversed in *;
+        cbn [source target vx vy] in *; lra. }
+    destruct (eventually_and _ _ (to_the_right_of_a_piece kept s kept_closed
+        (met_by_itself_only kept kept_apart kept s (incl_refl _) D) long_s (middle s) n inside_s turn)
+      (eventually_and _ _ (same_beside_pieces _ _ _ ends_ f s (middle s) n F of_f inside_s turn)
+        (beside_is_off segments all_long f (middle s) n F inside_f turn_f))) as (limit & L & all).
+    destruct (all ((1 # 2) * limit)) as (<- & <- & free); [lra | lra |].
+    rewrite (permuted_winding_number _ _ _ kept_are). exact (core_off_pieces _ _ _ ends_ _ free).
+  Qed.
+
+  (* Theorem. *)
+  Theorem written_region_is_valid :
+    valid_region (written_chains chains) /\ nowhere_above_one (written_chains chains).
+  Proof.
+    assert (distinct_ : NoDup kept).
+    { apply (Permutation_NoDup (Permutation_sym kept_are)). exact (kept_is_distinct segments all_long right_inside). }
+    apply (canonical_chains_are_valid kept kept_long kept_apart kept_ends distinct_ kept_numbers).
+    - rewrite simple_rings_have_the_edges. exact chains_take_kept.
+    - intros ring I. apply in_flat_map in I. destruct I as (c & _ & I). exact (rings_are_simple c [] ring (NoDup_nil
+      _) I).
+    - intros ring part e f I part_of closed E F. apply in_flat_map in I. destruct I as (c & C & I).
+      assert (in_chain : forall g, In g (edges ring) -> In g (edges c)).
+      { intros g G. apply (Permutation_in _ (rings_have_the_edges c [])). apply in_flat_map. now exists ring. }
+      apply (same_on_the_right kept kept_long kept_apart kept_ends kept_balanced kept_closed) with (chain := c); auto.
+      + intros g G. destruct (of_a_piece g G) as (_ & _ & _ & _ & right_). rewrite (beside_kept g g G (or_introl
+        eq_refl)).
+        now rewrite right_.
+      + intros g G. destruct (of_a_piece g G) as (_ & _ & _ & left_ & _).
+        rewrite (beside_kept g (reversed g) G (or_intror eq_refl)), left_. discriminate.
+  Qed.
+End Region.
+
+Lemma permuted_is_valid (r s : region) : Permutation r s -> valid_region r -> nowhere_above_one r ->
+  valid_region s /\ nowhere_above_one s.
+Proof.
+  intros permuted (not_points & not_negative & meet) above.
+  pose proof (Permutation_flat_map edges permuted) as edges_are. fold (region_edges r) (region_edges s) in edges_are.
+  assert (off_r : forall x, off x (region_edges s) -> off x (region_edges r))
+    by (intros x free e E; exact (free e (Permutation_in _ edges_are E))).
+  split; [split; [| split] |].
+  - intros c C. apply not_points. exact (Permutation_in _ (Permutation_sym permuted) C).
+  - intros x free. rewrite <- (permuted_winding_number x _ _ edges_are). auto.
+  - apply edges_meet_by_pairs in meet. apply edges_meet_by_pairs. apply (each_two_permuted _ _ _ edges_are).
+    intros before e after f is_ F w on_e on_f. destruct (meet before e after f is_ F w on_e on_f) as (g & G & equal).
+    exists g. split; [exact (Permutation_in _ edges_are G) | exact equal].
+  - intros x free. rewrite <- (permuted_winding_number x _ _ edges_are). auto.
+Qed.
+
+(* Theorem. Polygons written of such chains are accepted. *)
+Theorem written_polygons_are_accepted (chains : region) :
+  valid_region (written_chains chains) /\ nowhere_above_one (written_chains chains) ->
+  covers_nothing_twice (as_region (prepared_region
+    (flat_map polygons.chains_of_polygon (canonical_polygons (map (map as_point) chains))))) = true.
+Proof.
+  intros [valid above]. destruct (polygonal_is_valid _ valid above) as [valid' above'].
+  assert (permuted : Permutation (as_polygonal (written_chains chains))
+    (flat_map polygons.chains_of_polygon (canonical_polygons (map (map as_point) chains)))).
+  { symmetry. rewrite canonical_polygons_permute. unfold canonical_region, as_polygonal.
+    rewrite (map_map (map as_point)), (map_ext _ (fun c => c)), map_id; [reflexivity |].
+    intros c. rewrite map_map. rewrite <- (map_id c) at 2. apply map_ext. now intros []. }
+  destruct (permuted_is_valid _ _ (Permutation_map _ permuted) valid' above'). now apply valid_regions_are_accepted.
+Qed.
+
+(* Theorem. So are sums, and regions by a rule. *)
+Theorem written_sums_are_accepted (p q : polygonal_region) :
+  valid_region (as_region p) -> valid_region (as_region q) ->
+  covers_nothing_twice (as_region (prepared_region
+    (flat_map polygons.chains_of_polygon (canonical_polygons (quick_sum p q))))) = true.
+Proof.
+  intros p_valid q_valid. apply written_polygons_are_accepted.
+  set (convolution_ := convolution_segments (as_region p) (as_region q)).
+  assert (long_ : forall t, In t convolution_ -> nonzero (along t)) by (now apply all_are_long).
+  apply (written_region_is_valid convolution_ long_ _ _
+    (filled_ends_at_pieces convolution_ long_ (all_are_closed _ _ p_valid q_valid))).
+  now apply quick_filled_is.
+Qed.
+
+Theorem written_regions_by_rule_are_accepted (rule : list Z -> bool) (families : list (list segment)) :
+  (forall l, In l families -> cycles l) -> (forall t, In t (concat families) -> nonzero (along t)) ->
+  rule (map (fun _ => 0%Z) families) = false ->
+  covers_nothing_twice (as_region (prepared_region
+    (flat_map polygons.chains_of_polygon (canonical_polygons (region_by_rule rule families))))) = true.
+Proof.
+  intros closed long_ nothing. apply written_polygons_are_accepted.
+  exact (written_region_is_valid _ long_ _ _ (rule_ends_at_pieces rule families closed long_ nothing) _
+    (Permutation_refl _)).
+Qed.
