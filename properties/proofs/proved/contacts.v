@@ -4,9 +4,8 @@
    vertices of either with none between them, is inside the other, or along its boundary in the same direction. The
    collision test (collision_is_complete.v) finds one of these. *)
 From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import convolution signed_crossings meeting_of_segments regions reflected first_hit interiors_meet
-  neighbourhoods left_of_an_edge winding_number_of_the_sum theorem_4_2_1 boundary_points location rotation pieces
-  naive_collision met_pieces collision_is_sound collision_is_complete placed_collision cut_pieces coordinates.
+From Oplus Require Import convolution regions reflected interiors_meet left_of_an_edge theorem_4_2_1 boundary_points
+  location rotation pieces naive_collision met_pieces collision_is_sound collision_is_complete cut_pieces coordinates.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -33,13 +32,9 @@ Definition part_shows (a b : region) (e : segment) (c d : vector) : Prop :=
   In e (region_edges a) /\ vertex_of_either c a b /\ vertex_of_either d a b /\ lies_on c e /\ lies_on d e /\
   comes_later e c d /\ no_vertex_between a b c d /\ point_shows b e (middle (Segment c d)).
 
-Lemma equal_vertex (v w : vector) (r : region) : equal_vectors v w -> is_vertex v r -> is_vertex w r.
-Proof. intros equal (u & U & same). exists u. split; [exact U | now rewrite <- equal]. Qed.
-
 (* Edges of a valid region that are not parallel have only vertices in common. *)
-Lemma common_point_is_a_vertex (r : region) (e f : segment) (w : vector) :
-  valid_region r -> In e (region_edges r) -> In f (region_edges r) -> lies_on w e -> lies_on w f ->
-  ~ cross (along e) (along f) == 0 -> is_vertex w r.
+Lemma common_point_is_a_vertex (r : region) (e f : segment) (w : vector) : valid_region r -> In e (region_edges r) ->
+  In f (region_edges r) -> lies_on w e -> lies_on w f -> ~ cross (along e) (along f) == 0 -> is_vertex w r.
 Proof.
   intros (_ & _ & meet) E F on_e on_f turn. destruct (in_split _ _ E) as (earlier & later & edges_are).
   apply (meet earlier e later f w edges_are); trivial. rewrite edges_are in F. apply in_app_iff in F.
@@ -140,7 +135,7 @@ Lemma boundary_piece_runs (r : region) (s : segment) : no_edges_are_points r -> 
   exists e, runs_inside r s e.
 Proof.
   intros not_points S. destruct (boundary_piece_is r s not_points S) as (e & E & long & part & free).
-  destruct (part_is_long s e part long) as (_ & c & _ & along_). exists e. split; [exact E |]. split; [now exists c | exact free].
+  destruct (part_is_long s e part long) as (_ & c & _ & along_). exists e. split; [exact E |]. now split; [exists c |].
 Qed.
 
 (* Those that cross are on edges that do. *)
@@ -149,10 +144,7 @@ Lemma crossing_parts (a b : region) (s t e f : segment) : runs_inside a s e -> r
 Proof.
   intros (E & (c & cx & cy) & a_free) (F & (d & dx & dy) & b_free) crossing_.
   destruct (proper_crossing s t crossing_) as (w & in_s & in_t & turn). destruct (a_free w in_s), (b_free w in_t).
-  exists e, f, w. repeat split; trivial. intros parallel. apply turn.
-  setoid_replace (cross (along s) (along t)) with (c * d * cross (along e) (along f))
-    by (unfold cross; rewrite cx, cy, dx, dy; ring).
-  rewrite parallel. ring.
+  exists e, f, w. repeat split; trivial. intros parallel. apply turn. unfold cross in *. by_equations.
 Qed.
 
 (* Theorem. Where a point is inside both, edges cross or a part of an edge shows it. *)

@@ -6,9 +6,9 @@
    them is met by other edges where it was met before. *)
 From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
 From Oplus Require Import convolution signed_crossings meeting_of_segments regions reflected parallelogram
-  crossing_edges interiors_meet neighbourhoods left_of_an_edge right_of_an_edge winding_number_of_the_sum theorem_4_2_1
-  boundary_points location rotation pieces naive_collision met_pieces collision_is_sound collision_is_complete
-  placed_collision cut_pieces coordinates contacts.
+  crossing_edges interiors_meet left_of_an_edge right_of_an_edge winding_number_of_the_sum theorem_4_2_1 boundary_points
+  rotation pieces naive_collision met_pieces collision_is_sound collision_is_complete placed_collision coordinates
+  contacts.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -44,8 +44,8 @@ Lemma vertex_of_either_reflected (x v : vector) (p q : region) :
   vertex_of_either v (placed x q) p <-> vertex_of_either (minus x v) q (placed x p).
 Proof.
   unfold vertex_of_either. rewrite !vertex_of_placed_iff.
-  pose proof (equal_vertex _ _ p (minus_twice x v)).
-  pose proof (equal_vertex _ _ p (symmetry (minus_twice x v))). tauto.
+  pose proof (vertex_of_equal _ _ p (minus_twice x v)).
+  pose proof (vertex_of_equal _ _ p (symmetry (minus_twice x v))). tauto.
 Qed.
 
 (* All of it reflected. *)
@@ -57,7 +57,8 @@ Proof.
   apply vertex_of_either_reflected in c_is, d_is. apply on_reflected in on_c, on_d. repeat split; trivial.
   - unfold comes_later in *. by_computing.
   - intros v vertex (k & range & X & Y). apply (none (minus x v)).
-    + apply vertex_of_either_reflected. destruct vertex; [left | right]; now apply (equal_vertex v); [by_computing |].
+    + apply vertex_of_either_reflected.
+      destruct vertex; [left | right]; now apply (vertex_of_equal v); [by_computing |].
     + exists k. split; [exact range | by_computing].
   - assert (middle_is : equal_vectors (minus x (middle (Segment (minus x c) (minus x d)))) (middle (Segment c d)))
       by by_computing.
@@ -116,9 +117,9 @@ Section OnTheWay.
     assert (once : forall v, lies_on v e -> lies_on (minus y v) f -> equal_vectors v w).
     { intros v on on'. apply (lines_meet_once e (reflected y f) w); trivial. now apply on_reflected. }
     assert (vertex_of_p : forall v, is_vertex v p -> lies_on v e -> ~ lies_on (minus y v) f)
-      by (intros v vertex on on'; apply not_p; now apply (equal_vertex v), vertex; apply once).
+      by (intros v vertex on on'; apply not_p; now apply (vertex_of_equal v), vertex; apply once).
     assert (vertex_of_q : forall u, is_vertex u q -> lies_on u f -> ~ lies_on (minus y u) e).
-    { intros u vertex on on'. apply not_q. apply (equal_vertex u); [| exact vertex].
+    { intros u vertex on on'. apply not_q. apply (vertex_of_equal u); [| exact vertex].
       assert (equal : equal_vectors (minus y u) w); [| by_computing].
       apply once; [exact on' | apply (lies_on_equal u); [by_computing | exact on]]. }
     assert (general : not_sum_of_an_end y e f).
@@ -160,7 +161,7 @@ Section OnTheWay.
     vertex_of_either (marker_at x m) p (placed x q).
   Proof.
     destruct m as [v | u]; intros I; [now left | right]. apply vertex_of_placed_iff.
-    apply (equal_vertex u); [symmetry; apply minus_twice | exact I].
+    apply (vertex_of_equal u); [symmetry; apply minus_twice | exact I].
   Qed.
 
   Lemma markers_stay_on_p (y z : vector) (e : segment) (m : vector + vector) : lies_on y way -> lies_on z way ->
@@ -205,15 +206,15 @@ Section OnTheWay.
   Definition none_between (x : vector) (m n : vector + vector) : Prop :=
     forall k, listed k -> ~ strictly_inside (marker_at x k) (Segment (marker_at x m) (marker_at x n)).
 
-  Lemma none_comes_between (y z : vector) (e : segment) (m n : vector + vector) :
-    lies_on y way -> lies_on z way -> In e (region_edges p) -> listed m -> listed n ->
-    lies_on (marker_at y m) e -> lies_on (marker_at y n) e -> comes_later e (marker_at y m) (marker_at y n) ->
-    none_between y m n -> none_between z m n.
+  Lemma none_comes_between (y z : vector) (e : segment) (m n : vector + vector) : lies_on y way -> lies_on z way ->
+    In e (region_edges p) -> listed m -> listed n -> lies_on (marker_at y m) e -> lies_on (marker_at y n) e ->
+    comes_later e (marker_at y m) (marker_at y n) -> none_between y m n -> none_between z m n.
   Proof.
     intros Y Z E M N on_m on_n later none k K inside_.
     pose proof (markers_keep_their_order y z e m n Y Z E M N on_m on_n later) as later_z.
     destruct (later_inside e _ _ _ inside_ later_z) as [after before].
-    pose proof (markers_stay_on_p y z e m Y Z E M on_m) as m_z. pose proof (markers_stay_on_p y z e n Y Z E N on_n) as n_z.
+    assert (m_z : lies_on (marker_at z m) e) by now apply (markers_stay_on_p y z).
+    assert (n_z : lies_on (marker_at z n) e) by now apply (markers_stay_on_p y z).
     pose proof (common_part e _ _ _ m_z n_z (strictly_inside_lies_on _ _ inside_)) as on_k.
     apply (none k K), (inside_if_between e); trivial; [now apply (region_edges_are_directions p) | | |];
       [now apply (markers_stay_on_p z y) | now apply (markers_keep_their_order z y) ..].
@@ -243,8 +244,7 @@ Section OnTheWay.
       split; [exact range |]. destruct c_equal as [cx cy], d_equal as [dx dy]. cbn [source target] in *.
       now rewrite cx, cy, dx, dy. }
     assert (facts : forall v, lies_on v way -> lies_on (marker_at v m) e /\ lies_on (marker_at v n) e /\
-      lies_on (mid v) e /\ comes_later e (marker_at v m) (marker_at v n) /\
-      none_between v m n).
+      lies_on (mid v) e /\ comes_later e (marker_at v m) (marker_at v n) /\ none_between v m n).
     { intros v V. assert (on_m_v : lies_on (marker_at v m) e) by now apply (markers_stay_on_p y v).
       assert (on_n_v : lies_on (marker_at v n) e) by now apply (markers_stay_on_p y v).
       split; [exact on_m_v |]. split; [exact on_n_v |].
@@ -261,7 +261,8 @@ Section OnTheWay.
     { intros v x f V X F parallel on. destruct (facts v V) as (m_v & n_v & _ & ahead_v & none_v).
       destruct (long_reflected v e f) as [cross_v _].
       destruct (runs_along_the_part e (reflected v f) (marker_at v m) (marker_at v n) (mid v)) as [m_f n_f]; trivial.
-      - apply (region_edges_are_directions _ (proj1 (placed_is_valid v q q_region))). rewrite edges_of_placed. now apply in_map.
+      - apply (region_edges_are_directions _ (proj1 (placed_is_valid v q q_region))).
+        rewrite edges_of_placed. now apply in_map.
       - lra.
       - intros u [-> | ->]; [apply (none_v (inr (source f))) | apply (none_v (inr (target f)))];
           cbn; auto using source_is_vertex, target_is_vertex.
@@ -287,13 +288,11 @@ Section OnTheWay.
         apply (off_equal (minus (point_at (Segment y z) t) (mid (point_at (Segment y z) t))));
           [| now apply off_all, (common_part way y z), point_at_lies_on].
         unfold mid in *. destruct m, n; cbn [marker_at] in *; by_computing. }
-      apply interiors_meet_other_way, (inner_point_and_point q p z (minus z (mid z)) (mid z)).
-      + now apply valid_is_regular.
+      apply interiors_meet_other_way, (inner_point_and_point q p z (minus z (mid z)) (mid z));
+        [now apply valid_is_regular | | | by_computing].
       + split; [now apply off_all |]. rewrite <- same_number.
-        rewrite <- (winding_number_of_equal (minus y (middle (Segment c d))) (minus y (mid y)));
-          [exact round | by_computing ..].
+        now rewrite <- (winding_number_of_equal (minus y (middle (Segment c d))) (minus y (mid y))) by by_computing.
       + right. exists e. now destruct (facts z Z) as (_ & _ & mid_z & _).
-      + by_computing.
     - (* it stays on the same edge *)
       destruct (edge_of_placed y q f' F') as (f & F & ->). destruct (long_reflected y e f) as [cross_is dot_is].
       assert (on_z : lies_on (mid z) (reflected z f)).
@@ -302,8 +301,7 @@ Section OnTheWay.
       destruct (long_reflected z e f) as [cross_z dot_z]. pose proof (square_positive _ long) as square.
       apply meet_inside_placed.
       apply (left_of_both p (placed z q) e (reflected z f) (mid z) (Vector (- vy (along e)) (vx (along e)))); trivial.
-      + now apply placed_is_valid.
-      + rewrite edges_of_placed. now apply in_map.
+      1, 2: now apply placed_is_valid || (rewrite edges_of_placed; now apply in_map).
       + unfold cross, dot in *; cbn [vx vy]. lra.
       + set (F_ := along (reflected z f)) in *. unfold cross, dot in *; cbn [vx vy]. lra.
   Qed.
@@ -315,10 +313,8 @@ Theorem meeting_stays (p q : region) (way : segment) (y z : vector) :
   lies_on y way -> lies_on z way -> interiors_meet y p q -> interiors_meet z p q.
 Proof.
   intros p_region q_region p_simple q_simple stay Y Z meet.
-  destruct (what_shows p (placed y q)) as [crossing_ | [(e & c & d & part) | (f & c & d & part)]]; trivial.
-  - now apply placed_is_valid.
-  - now apply placed_is_at_most_one.
-  - now apply meet_inside_placed.
+  destruct (what_shows p (placed y q)) as [crossing_ | [(e & c & d & part) | (f & c & d & part)]]; trivial;
+    [now apply placed_is_valid | now apply placed_is_at_most_one | now apply meet_inside_placed | | |].
   - now apply (crossing_stays p q way p_region q_region stay y z).
   - now apply (part_stays p q way p_region q_region stay p_simple q_simple y z e c d).
   - destruct (part_shows_reflected y p q f c d part) as (f' & part'). apply interiors_meet_other_way.

@@ -2,8 +2,8 @@
 (* What is true of vectors and points of segments by computing with coordinates is left to Coq's decision procedures;
    and what many proofs about pieces of segments say: a piece is a part, a point is between the ends or an end. *)
 From Coq Require Import QArith Lqa Qfield List.
-From Oplus Require Import convolution small_numbers regions meeting_of_segments reflected neighbourhoods left_of_an_edge
-  right_of_an_edge location pieces naive_collision specification_bridge specification theorem_4_2_1.
+From Oplus Require Import convolution regions reflected neighbourhoods left_of_an_edge right_of_an_edge pieces
+  naive_collision specification_bridge specification theorem_4_2_1.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -34,25 +34,8 @@ Proof.
   exists ((1 - t) * k + t * l). split; [nra | rewrite tx, ty, kx, ky, lx, ly; split; ring].
 Qed.
 
-Lemma inside_or_an_end (x : vector) (s : segment) : lies_on x s ->
-  strictly_inside x s \/ equal_vectors x (source s) \/ equal_vectors x (target s).
-Proof.
-  intros (k & range & X & Y). destruct (Qeq_dec k 0) as [k_is |]; [| destruct (Qeq_dec k 1) as [k_is |]].
-  - rewrite k_is in X, Y. right. left. by_computing.
-  - rewrite k_is in X, Y. right. right. by_computing.
-  - left. exists k. split; [lra | now split].
-Qed.
-
 Lemma off_is (x : vector) (l : list segment) : off x l <-> ~ exists s, In s l /\ lies_on x s.
 Proof. split; [intros free (s & S & on); exact (free s S on) | intros none s S on; apply none; now exists s]. Qed.
 
 Lemma valid_is_regular (r : region) : valid_region r -> is_regular r.
 Proof. intros (not_points & not_negative & meet). now apply regions_are_regular. Qed.
-
-(* Small numbers of a kind, as small as one likes. *)
-Lemma eventually_some (A : Q -> Prop) (bound : Q) : eventually A -> 0 < bound -> exists t, 0 < t < bound /\ A t.
-Proof.
-  intros (limit & L & all) some. destruct (Qlt_le_dec limit bound).
-  - exists ((1 # 2) * limit). split; [lra | apply all; lra].
-  - exists ((1 # 2) * bound). split; [lra | apply all; lra].
-Qed.

@@ -4,11 +4,10 @@
    the open sum there is a placement; chains, edges and points of its boundary are in the square of 2 m, or not in
    that of 3 m. Around what is in the smaller square the chains outside go once. *)
 From Coq Require Import QArith Qabs Qminmax Lqa ZArith Lia Bool List Permutation.
-From Oplus Require Import specification checker convolution signed_crossings convolution_winding regions
-  meeting_of_segments winding_number_of_the_sum interiors_meet neighbourhoods left_of_an_edge beside_every_point
-  theorem_4_2_1 location homogeneous_points specification_bridge pieces collision_is_complete placed_collision
-  checked_collision sum_program sum_is_right sum_of_uncovered_pieces coordinates open_sum_program open_sums
-  turned_chains inner_fit_program complement_in_a_frame walks.
+From Oplus Require Import specification checker convolution signed_crossings regions meeting_of_segments interiors_meet
+  neighbourhoods left_of_an_edge theorem_4_2_1 homogeneous_points specification_bridge pieces collision_is_complete
+  placed_collision sum_program sum_is_right sum_of_uncovered_pieces coordinates open_sum_program open_sums turned_chains
+  inner_fit_program complement_in_a_frame.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -30,11 +29,8 @@ Qed.
 Lemma edges_in_square (r : region) (k : Q) : (forall v, In v (concat r) -> in_square k v) ->
   forall e, In e (region_edges r) -> in_square k (source e) /\ in_square k (target e).
 Proof.
-  intros all. assert (sources : forall e, In e (region_edges r) -> in_square k (source e)).
-  { intros e E. apply in_flat_map in E. destruct E as (c & C & E). apply all, in_concat. exists c.
-    split; [exact C |]. rewrite <- (proj1 (edges_ends c)). now apply in_map. }
-  intros e E. split; [now apply sources |]. destruct (target_is_vertex r e E) as (u & U & X & Y).
-  destruct (sources u U). unfold in_square. now rewrite X, Y.
+  intros all e E. apply in_flat_map in E. destruct E as (c & C & E). destruct (ends_of_edges c e E).
+  split; apply all, in_concat; now exists c.
 Qed.
 
 (* What holds at one end of an edge and at the other, holds at all vertices of a chain or at none. *)
@@ -49,21 +45,28 @@ Proof.
 Qed.
 
 (* Inner points of regions whose vertices are written in another way. *)
-Lemma inner_point_of_chains (x : point) (r : region) :
-  is_inner_point x (as_polygonal r) <->
+Lemma inner_point_of_chains (x : point) (r : region) : is_inner_point x (as_polygonal r) <->
   winding_number (as_vector x) (region_edges r) <> 0%Z /\ off (as_vector x) (region_edges r).
 Proof.
   destruct (written_chains (as_vector x) r) as [same_points same_number].
   unfold as_polygonal. now rewrite inner_point_is, !off_is, same_points, same_number.
 Qed.
 
-Lemma half_turned_inner_point (b : polygonal_region) (z : point) : valid_region (as_region b) ->
-( is_inner_point z (as_polygonal (half_turned (as_region b))) <->
-  inside (minus (Vector 0 0) (as_vector z)) (as_region b)).
+(* The open sum with -b has the places where b overlaps a. *)
+Lemma overlaps_by_open_sum (a b : polygonal_region) (s : open_region) : valid_region (as_region b) ->
+  is_open_sum a (as_polygonal (half_turned (as_region b))) s -> is_no_fit a b s.
 Proof.
-  intros b_region. rewrite inner_point_of_chains. unfold half_turned. rewrite <- inside_placed. unfold inside.
-  destruct (placed_is_valid (Vector 0 0) (as_region b) b_region) as (_ & not_negative & _).
-  pose proof (not_negative (as_vector z)). intuition lia.
+  intros b_region open x. rewrite (open x).
+  assert (turned_ : forall z, is_inner_point z (as_polygonal (half_turned (as_region b))) <->
+    is_inner_point (Point (0 - x_of z) (0 - y_of z)) b).
+  { intros z. rewrite inner_point_of_chains, inner_point_of_valid by exact b_region. unfold half_turned.
+    change (as_vector (Point _ _)) with (minus (Vector 0 0) (as_vector z)). rewrite <- inside_placed. unfold inside.
+    destruct (placed_is_valid (Vector 0 0) (as_region b) b_region) as (_ & not_negative & _).
+    pose proof (not_negative (as_vector z)). intuition lia. }
+  split; intros (y & z & in_a & in_b & equal); exists y, (Point (0 - x_of z) (0 - y_of z));
+    (split; [exact in_a |]; split; [| by_computing]); [now apply turned_ | apply turned_].
+  apply inner_point_of_valid in in_b; [| exact b_region]. apply inner_point_of_valid; [exact b_region |].
+  apply (inside_equal (as_vector z)); [by_computing | exact in_b].
 Qed.
 
 Lemma equal_members (x y : point) (r : polygonal_region) : equal_points x y -> member x r -> member y r.
@@ -100,7 +103,7 @@ Section InnerFit.
   Hypothesis a_simple : nowhere_above_one (as_region a).
   Hypothesis b_region : valid_region (as_region b).
   Let outside := complement_in_frame (5 * m) (as_region a).
-  Hypothesis is_open : is_open_sum (as_polygonal outside) (as_polygonal (half_turned (as_region b))) s.
+  Hypothesis is_open : is_no_fit (as_polygonal outside) b s.
   Let chains := as_region (open_chains s).
   Hypothesis chains_region : valid_region chains.
   Hypothesis chains_simple : nowhere_above_one chains.
@@ -146,12 +149,11 @@ Section InnerFit.
 
   Lemma open_members_are_no_placements (x : point) : open_member x s -> ~ is_placement x.
   Proof.
-    intros open placement. apply is_open in open. destruct open as (w & z & in_w & in_z & equal).
-    apply (half_turned_inner_point b z b_region) in in_z. set (y := Point (0 - x_of z) (0 - y_of z)).
-    assert (in_a : member w a).
-    { apply (equal_members (sum_of_points x y)); [unfold y; by_computing |].
-      apply placement, member_of_region; [exact b_region |]. left. now destruct in_z. }
-    apply outside_is in in_w; [contradiction |].
+    intros open placement. apply is_open in open. destruct open as (y & z & in_y & in_z & equal).
+    assert (in_a : member y a).
+    { apply (equal_members (sum_of_points x z)); [by_computing |]. apply placement, member_by_edges. right.
+      now apply inner_point_is in in_z. }
+    apply outside_is in in_y; [contradiction |].
     apply (in_larger_square m); [lra | now apply (members_are_in_the_square a)].
   Qed.
 
@@ -165,11 +167,10 @@ Section InnerFit.
     destruct (winding_number_near _ _ (region_cycles outside) free) as (radius & R & near).
     apply (member_of_region y b b_region) in in_b.
     destruct (inside_near _ _ radius (valid_is_regular _ b_region) in_b R) as (y' & near_y & inner_y).
-    exists (sum_of_points x (as_point y')), (Point (0 - vx y') (0 - vy y')). split; [| split].
+    exists (sum_of_points x (as_point y')), (as_point y'). split; [| split; [| by_computing]].
     - apply inner_point_of_chains. destruct (near (as_vector (sum_of_points x (as_point y')))) as [free' same_];
-        [clear - near_y; by_computing | split; [congruence | exact free']].
-    - apply half_turned_inner_point; [exact b_region |]. apply (inside_equal y'); [by_computing | exact inner_y].
-    - clear. by_computing.
+        [by_computing | split; [congruence | exact free']].
+    - now apply inner_point_of_valid.
   Qed.
 
   Lemma others_are_placements (x : point) : in_square (3 * m) (as_vector x) -> ~ open_member x s -> is_placement x.
@@ -182,8 +183,8 @@ Section InnerFit.
   Proof.
     destruct b_some as (v & V). exists (as_point v). rewrite member_by_edges, as_vector_of_point.
     split; [left | now apply b_fits]. apply in_concat in V. destruct V as (c & C & V).
-    rewrite <- (proj1 (edges_ends c)) in V. apply in_map_iff in V. destruct V as (e & <- & E).
-    exists e. split; [apply in_flat_map; now exists c | apply source_lies_on].
+    destruct (edge_from_vertex c v V) as (e & E & <-). exists e. split; [apply in_flat_map; now exists c |].
+    apply source_lies_on.
   Qed.
 
   Lemma placements_are_close (x : point) : is_placement x -> in_square (2 * m) (as_vector x).
@@ -238,8 +239,7 @@ Section InnerFit.
   Lemma inner_chains_are_among (e : segment) : In e (region_edges inner_chains) -> In e (region_edges chains).
   Proof. intros (c & [C _]%filter_In & E)%in_flat_map. apply in_flat_map. now exists c. Qed.
 
-  Lemma number_of_inner_and_outer (x : vector) :
-    winding_number x (region_edges chains) =
+  Lemma number_of_inner_and_outer (x : vector) : winding_number x (region_edges chains) =
     (winding_number x (region_edges inner_chains) + winding_number x (region_edges outer_chains))%Z.
   Proof.
     unfold inner_chains, outer_chains, region_edges. generalize chains. intros r.
@@ -268,8 +268,7 @@ Section InnerFit.
   Qed.
 
   (* The outer chains go once round the smaller square. *)
-  Lemma outer_chains_go_round (x : vector) : in_square (2 * m) x ->
-    winding_number x (region_edges outer_chains) = 1%Z.
+  Lemma outer_chains_go_round (x : vector) : in_square (2 * m) x -> winding_number x (region_edges outer_chains) = 1%Z.
   Proof.
     intros close. set (y := Vector ((5 # 2) * m) 0).
     assert (in_y : in_square (3 * m) y) by (unfold in_square, y; cbn [vx vy]; lra).
@@ -423,7 +422,8 @@ Proof.
     split; [unfold as_region; now apply in_map | now apply (in_map (fun p => vector_of (homogeneous p)))]. }
   set (p := as_polygonal (complement_in_frame (5 * size) (as_region a))) in *.
   set (q := as_polygonal (half_turned (as_region b))) in *.
-  assert (is_open : is_open_sum p q (open_sum_of_regions p q)) by now apply open_sum_of_regions_is_the_open_sum.
+  assert (is_open : is_no_fit p b (open_sum_of_regions p q))
+    by now apply overlaps_by_open_sum, open_sum_of_regions_is_the_open_sum.
   destruct (quick_sum_is_valid p q) as [s_region s_simple]; trivial.
   split; [| split]; [now apply placements_are_the_inner_fit | now apply edges_of_the_fit_are_long |
     now apply chains_of_the_fit_are_regular].
@@ -434,12 +434,6 @@ Theorem no_fit_is_the_no_fit (a b : polygonal_region) :
   valid_region (as_region a) -> nowhere_above_one (as_region a) ->
   valid_region (as_region b) -> nowhere_above_one (as_region b) -> is_no_fit a b (no_fit a b).
 Proof.
-  intros a_region a_simple b_region b_simple x.
-  destruct (half_turned_is_valid _ b_region b_simple) as [q_region q_simple].
-  unfold no_fit. rewrite (open_sum_of_regions_is_the_open_sum a _ a_region q_region a_simple q_simple x).
-  split; intros (y & z & in_a & in_b & equal); exists y, (Point (0 - x_of z) (0 - y_of z));
-    (split; [exact in_a |]; split; [| clear - equal; by_computing]).
-  - apply (half_turned_inner_point b z b_region) in in_b. apply inner_point_of_valid; [exact b_region | exact in_b].
-  - apply half_turned_inner_point; [exact b_region |]. apply (inner_point_of_valid z b b_region) in in_b.
-    apply (inside_equal (as_vector z)); [clear; by_computing | exact in_b].
+  intros a_region a_simple b_region b_simple. destruct (half_turned_is_valid _ b_region b_simple).
+  now apply overlaps_by_open_sum, open_sum_of_regions_is_the_open_sum.
 Qed.

@@ -2,8 +2,8 @@
 (* Segments that go on in the same direction where another ends are joined, so that dangling edges are as long as can
    be; and sorted. The points are the same. *)
 From Coq Require Import QArith Lqa Qfield ZArith Bool List.
-From Oplus Require Import convolution meeting_of_segments rotation regions neighbourhoods location pieces
-  collision_is_complete specification_bridge coordinates touching_vertices.
+From Oplus Require Import convolution meeting_of_segments rotation regions location pieces specification_bridge
+  coordinates touching_vertices.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -36,12 +36,9 @@ Definition maximal_segments (l : list segment) : list segment :=
 
 Definition on_one (x : vector) (l : list segment) : Prop := exists s, In s l /\ lies_on x s.
 
-Lemma on_one_of_more (x : vector) (s : segment) (l : list segment) :
-  on_one x (s :: l) <-> lies_on x s \/ on_one x l.
+Lemma on_one_of_more (x : vector) (s : segment) (l : list segment) : on_one x (s :: l) <-> lies_on x s \/ on_one x l.
 Proof.
-  unfold on_one. split.
-  - intros (t & [<- | T] & on); [now left | right; now exists t].
-  - intros [on | (t & T & on)]; [exists s; split; [now left | exact on] | exists t; split; [now right | exact on]].
+  unfold on_one; cbn. split; [intros (t & [<- | T] & on) | intros [on | (t & T & on)]]; eauto.
 Qed.
 
 (* Together they are one segment. *)
@@ -70,9 +67,8 @@ Proof.
       destruct (not_none c some). unfold d in *. clear - equal meet cx cy. by_computing.
     - exfalso. apply off_. assert (value : / (1 + c) * (1 + c) == 1) by (field; lra).
       exists (/ (1 + c)). split; [split; [apply Qlt_le_weak, Qinv_lt_0_compat; lra | nra] |].
-      set (k := / (1 + c)) in *. assert (multiple : forall u, k * (1 + c) * u == u) by (intros u; rewrite value; ring).
-      pose proof (multiple (vx d)). pose proof (multiple (vy d)). destruct whole as [wx wy].
-      unfold d, moved_along, along, minus in *; cbn [source target vx vy] in *. split; nra. }
+      set (k := / (1 + c)) in *. clearbody k. destruct whole as [wx wy], meet as [mx my]. unfold d in *.
+      to_coordinates. split; by_equations. }
   split; [| intros [X Y]; destruct whole as [wx wy]; rewrite wx in X; rewrite wy in Y;
     apply (not_none (1 + c)); [lra |]; unfold moved_along in *; cbn [vx vy] in *; split; lra].
   rewrite (on_divided _ _ _ x between_).
@@ -82,21 +78,19 @@ Proof.
 Qed.
 
 Lemma joined_with_is (x : vector) (l : list segment) : (forall t, In t l -> nonzero (along t)) -> forall s,
-  nonzero (along s) ->
-  (on_one x (joined_with s l) <-> lies_on x s \/ on_one x l) /\
-  (forall t, In t (joined_with s l) -> nonzero (along t)).
+  nonzero (along s) -> (on_one x (joined_with s l) <-> lies_on x s \/ on_one x l) /\ (forall t,
+  In t (joined_with s l) -> nonzero (along t)).
 Proof.
   induction l as [| t l IH]; intros long s long_s; cbn [joined_with].
   - split; [apply on_one_of_more | intros t [<- | []]; exact long_s].
   - assert (long_t : nonzero (along t)) by (apply long; now left).
     assert (long_l : forall u, In u l -> nonzero (along u)) by (intros u U; apply long; now right).
     rewrite on_one_of_more. destruct (goes_on s t) eqn:after; [| destruct (goes_on t s) eqn:before].
-    + destruct (on_both_parts s t x long_s after) as [parts long_j].
-      destruct (IH long_l _ long_j) as [points longs]. split; [rewrite points, parts; tauto | exact longs].
-    + destruct (on_both_parts t s x long_t before) as [parts long_j].
-      destruct (IH long_l _ long_j) as [points longs]. split; [rewrite points, parts; tauto | exact longs].
-    + destruct (IH long_l s long_s) as [points longs]. split; [rewrite on_one_of_more, points; tauto |].
-      intros u [<- | U]; [exact long_t | now apply longs].
+    1: destruct (on_both_parts s t x long_s after) as [parts long_j].
+    2: destruct (on_both_parts t s x long_t before) as [parts long_j].
+    1, 2: destruct (IH long_l _ long_j) as [points longs]; split; [rewrite points, parts; tauto | exact longs].
+    destruct (IH long_l s long_s) as [points longs]. split; [rewrite on_one_of_more, points; tauto |].
+    intros u [<- | U]; [exact long_t | now apply longs].
 Qed.
 
 Lemma on_inserted (x : vector) (s : segment) (l : list segment) :

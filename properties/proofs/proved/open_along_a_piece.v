@@ -4,11 +4,10 @@
    moves along the piece, contacts stay (contacts_that_stay.v). And where x is strictly inside such a sum, and no sum
    of two vertices, the interiors can fail to meet only if no edge at the vertex leads across. *)
 From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import convolution signed_crossings tie_rule meeting_of_segments regions reflected interiors_meet
-  neighbourhoods left_of_an_edge winding_number_of_the_sum theorem_4_2_1 theorem_2_2_6 boundary_points location pieces
-  naive_collision met_pieces collision_is_sound collision_is_complete placed_collision test_of_regions
-  right_of_an_edge filling cut_pieces coordinates contacts contacts_that_stay sums_of_two_edges
-  sum_of_uncovered_pieces open_sum_program.
+From Oplus Require Import convolution tie_rule meeting_of_segments regions reflected interiors_meet neighbourhoods
+  left_of_an_edge winding_number_of_the_sum theorem_4_2_1 theorem_2_2_6 boundary_points pieces naive_collision
+  met_pieces collision_is_sound collision_is_complete test_of_regions right_of_an_edge filling cut_pieces coordinates
+  contacts contacts_that_stay sums_of_two_edges sum_of_uncovered_pieces open_sum_program.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -72,8 +71,8 @@ Lemma a_step_inside (a b : region) (x w u d : vector) (f : segment) (bound : Q) 
 Proof.
   intros a_region b_region F on free equal right_ some along_d. pose proof b_region as (_ & b_valid & b_meet).
   assert (left_ : 0 < cross (along f) (opposite d)) by (unfold cross, opposite in *; cbn [vx vy]; lra).
-  destruct (eventually_some _ bound (left_of_an_edge_is_inside b f u _ b_valid b_meet F on free left_) some)
-    as (t & range & inside_b).
+  destruct (some_small _ (eventually_and _ _ (left_of_an_edge_is_inside b f u _ b_valid b_meet F on free left_)
+    (eventually_below bound some))) as (t & _ & inside_b & range).
   apply interiors_meet_other_way, (inner_point_and_point b a x (moved_along u (opposite d) t) (moved_along w d t));
     [now apply valid_is_regular | exact inside_b | now apply along_d | by_computing].
 Qed.
@@ -168,9 +167,8 @@ Section Pieces.
     intros t T. apply in_touching in T. destruct T as (a & b & s & f & facts). apply in_all. exists a, b, s, f. tauto.
   Qed.
 
-  Lemma touching_piece_is (e : segment) : In e (touching_pieces p q) ->
-    exists s piece, In s all /\ In piece (cut_where_met s all) /\ of_one_place e piece /\
-      nonzero (along s) /\ is_part piece s /\ nonzero (along e).
+  Lemma touching_piece_is (e : segment) : In e (touching_pieces p q) -> exists s piece, In s all /\
+    In piece (cut_where_met s all) /\ of_one_place e piece /\ nonzero (along s) /\ is_part piece s /\ nonzero (along e).
   Proof.
     intros E. unfold touching_pieces in E. apply in_flat_map in E. destruct E as (s & S & E).
     apply in_map_iff in E. destruct E as (piece & <- & I). exists s, piece. apply touching_are_listed in S.
@@ -183,9 +181,8 @@ Section Pieces.
   Qed.
 
   (* While x moves inside a piece, contacts stay. *)
-  Lemma meeting_is_the_same_inside (s piece : segment) (y z : vector) : In s all ->
-    In piece (cut_where_met s all) -> strictly_inside y piece -> strictly_inside z piece ->
-    interiors_meet y p q -> interiors_meet z p q.
+  Lemma meeting_is_the_same_inside (s piece : segment) (y z : vector) : In s all -> In piece (cut_where_met s all) ->
+    strictly_inside y piece -> strictly_inside z piece -> interiors_meet y p q -> interiors_meet z p q.
   Proof.
     intros S I in_y in_z. pose proof (all_vertex_edge_segments_are_long s S) as long.
     assert (inside_ : forall v, lies_on v (Segment y z) -> strictly_inside v piece)
@@ -265,7 +262,7 @@ Section Pieces.
     fold touching all of_p of_q. set (d := common_multiple _). unfold uncovered_pieces_among. rewrite quick_cut_is.
     assert (some : exists w, In w [source piece; middle piece; target piece] /\ lies_on w piece /\
       ~ interiors_meet w p q).
-    { destruct (inside_or_an_end x piece on_piece) as [inside_ | [equal | equal]].
+    { destruct (inside_or_end x piece on_piece) as [inside_ | [equal | equal]].
       - exists (middle piece). split; [cbn; tauto |]. split; [apply strictly_inside_lies_on, middle_is_inside |].
         intros meet. apply outside. apply (meeting_is_the_same_inside s piece (middle piece)); trivial;
           [now apply touching_are_listed | apply middle_is_inside].

@@ -4,35 +4,25 @@
    4.2.1; one that is, and is not in the open sum, is an end of a piece or inside one, along which the interiors meet
    nowhere (open_along_a_piece.v). *)
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
-From Oplus Require Import small_numbers convolution tracing signed_crossings tie_rule shifted_ray convolution_winding
-  regions reflected meeting_of_segments crossing_edges winding_number_of_the_sum interiors_meet neighbourhoods
-  left_of_an_edge theorem_4_2_1 observation_2_2_4 right_of_an_edge theorem_2_2_10 theorem_2_2_6 lemma_2_2_2
-  boundary_points location pieces naive_collision met_pieces specification_bridge collision_is_sound
-  collision_is_complete placed_collision beside_a_piece filling kept_pieces_go_round kept_pieces_balance cut_pieces
-  coordinates contacts contacts_that_stay open_sum_program open_along_a_piece.
+From Oplus Require Import small_numbers convolution signed_crossings tie_rule shifted_ray convolution_winding regions
+  reflected meeting_of_segments winding_number_of_the_sum interiors_meet neighbourhoods left_of_an_edge theorem_4_2_1
+  observation_2_2_4 right_of_an_edge theorem_2_2_10 theorem_2_2_6 lemma_2_2_2 boundary_points location naive_collision
+  met_pieces specification_bridge collision_is_sound collision_is_complete placed_collision beside_a_piece filling
+  kept_pieces_go_round cut_pieces coordinates contacts contacts_that_stay open_sum_program open_along_a_piece.
 Import ListNotations.
 
 Open Scope Q_scope.
 
 (* A segment of the convolution is a sum of a vertex and an edge. *)
-Lemma convolution_segment_is_listed (p q : region) (t : segment) : In t (convolution_segments p q) ->
-  exists u, In u (all_vertex_edge_segments p q) /\ equal_vectors (source t) (source u) /\
-    equal_vectors (target t) (target u).
+Lemma convolution_segment_is_listed (p q : region) (t : segment) : In t (convolution_segments p q) -> exists u,
+  In u (all_vertex_edge_segments p q) /\ equal_vectors (source t) (source u) /\ equal_vectors (target t) (target u).
 Proof.
-  intros I. apply in_map_iff in I. destruct I as ([chains named] & <- & I).
-  apply in_flat_map in I. destruct I as ([a b] & J & I). apply in_prod_iff in J. destruct J as [in_p in_q].
-  apply in_map_iff in I. destruct I as (named' & equal & I). injection equal as <- <-. cbn [fst snd] in *.
-  apply (in_those (length a) (length b) (in_convolution a b)) in I. destruct I as [[i_below j_below] _].
-  destruct named' as [along_ [i j]]. cbn in i_below, j_below.
+  intros I. destruct (convolution_segment_is p q t I) as (a & b & i & j & in_p & in_q & i_below & j_below & t_is).
   pose proof (edge_at_in_region p a i in_p i_below) as E. pose proof (edge_at_in_region q b j in_q j_below) as F.
-  unfold starts_at, ends_at, point_of, state_before, state_after. cbn [fst snd].
-  destruct along_; cbn [step fst snd source target];
-    [exists (moved_segment (source (edge_at b j)) (edge_at a i)) |
-     exists (moved_segment (source (edge_at a i)) (edge_at b j))]; (split; [apply in_all |]).
-  - exists q, p, (edge_at b j), (edge_at a i). unfold are_both. tauto.
-  - rewrite !edge_at_is by assumption. unfold moved_segment. split; by_computing.
-  - exists p, q, (edge_at a i), (edge_at b j). unfold are_both. tauto.
-  - rewrite !edge_at_is by assumption. unfold moved_segment. split; by_computing.
+  destruct t_is as [-> | ->]; [exists (moved_segment (source (edge_at b j)) (edge_at a i)) |
+    exists (moved_segment (source (edge_at a i)) (edge_at b j))];
+    (split; [apply in_all | rewrite !edge_at_is by assumption; unfold moved_segment; split; by_computing]);
+    [exists q, p, (edge_at b j), (edge_at a i) | exists p, q, (edge_at a i), (edge_at b j)]; unfold are_both; tauto.
 Qed.
 
 Section OpenSum.
@@ -58,9 +48,9 @@ Section OpenSum.
   Lemma inner_points_are_gone_round (x : vector) : inner_point_of_sum x p q -> (0 < winding_number x convolution_)%Z.
   Proof.
     intros (radius & R & near).
-    destruct (eventually_some _ 1 (eventually_and _ _ (shifted_off_all x convolution_)
+    destruct (some_small _ (eventually_and _ _ (shifted_off_all x convolution_)
       (eventually_and _ _ (same_beside x convolution_) (shifted_stays_within radius x R))))
-      as (e & _ & free & same_number & close); [reflexivity |].
+      as (e & _ & free & same_number & close).
     rewrite <- same_number. apply positive_winding_number_iff_common_point; trivial. now apply near.
   Qed.
 
@@ -98,10 +88,7 @@ Section OpenSum.
     apply (collinear_by_direction piece t w); [now apply strictly_inside_lies_on | exact on |].
     destruct (part_is_long piece s part long) as (_ & c & _ & cx & cy).
     assert (same : equal_vectors (along t) (along u)) by (clear - same_source same_target; by_computing).
-    destruct same as [along_x along_y]. unfold cross in *. rewrite cx, cy, along_x, along_y.
-    setoid_replace (c * vx (along s) * vy (along u) - c * vy (along s) * vx (along u))
-      with (c * (vx (along s) * vy (along u) - vy (along s) * vx (along u))) by ring.
-    rewrite parallel. ring.
+    destruct same as [along_x along_y]. unfold cross in *. by_equations.
   Qed.
 
   (* On both sides of a piece is the sum. *)
@@ -112,9 +99,9 @@ Section OpenSum.
     set (n := Vector (vy (along s)) (- vx (along s))).
     assert (right_ : cross (along s) n < 0)
       by (pose proof (rotation.square_positive _ long); unfold n, cross, dot in *; cbn [vx vy] in *; lra).
-    destruct (eventually_some _ 1 (eventually_and _ _ (small_steps_stay_within radius w n R)
+    destruct (some_small _ (eventually_and _ _ (small_steps_stay_within radius w n R)
       (to_the_right_of_a_piece convolution_ s convolution_is_closed_ only long w n inside_ right_)))
-      as (e & _ & close & same_number); [reflexivity |].
+      as (e & _ & close & same_number).
     rewrite <- same_number. now apply inner_points_are_gone_round, near.
   Qed.
 
@@ -163,8 +150,8 @@ Section OpenSum.
   Proof.
     intros meet_x E (k & range & X & Y). apply dangling_is in E. destruct E as (E & _ & outside). apply outside.
     destruct (interiors_meet_all_near p q x meet_x) as (radius & R & near).
-    destruct (eventually_some _ 1 (small_steps_stay_within radius x (minus (middle e) x) R)) as (t & range_t & close);
-      [reflexivity |].
+    destruct (some_small _ (eventually_and _ _ (small_steps_stay_within radius x (minus (middle e) x) R)
+      (eventually_below 1 ltac:(reflexivity)))) as (t & _ & close & range_t).
     apply (meeting_is_the_same_along_a_piece p q p_region q_region p_simple q_simple e
       (moved_along x (minus (middle e) x) t)); trivial; [| apply middle_is_inside | now apply near].
     exists ((1 - t) * k + t * (1 # 2)). split; [split; nra |]. clear - X Y. to_coordinates. rewrite X, Y. split; lra.
@@ -223,9 +210,9 @@ Section OpenSum.
       + destruct (not_meeting_is_on_a_piece p q p_region q_region p_simple q_simple x t T on outside)
           as [(w & W & equal) | (e & E & on_e)].
         * apply (alone w equal), in_app_iff. now right.
-        * assert (ends : forall w, In w [source e; target e] -> ~ equal_vectors x w).
-          { intros w W equal. apply (alone w equal), in_app_iff. left. apply in_flat_map. now exists e. }
-          destruct (inside_or_an_end x e on_e) as [inside_ | [equal | equal]];
+        * assert (ends : forall w, In w [source e; target e] -> ~ equal_vectors w x).
+          { intros w W equal. apply (alone w (symmetry equal)), in_app_iff. left. apply in_flat_map. now exists e. }
+          destruct (inside_or_end x e on_e) as [inside_ | [equal | equal]];
             [| apply (ends (source e)); cbn; tauto | apply (ends (target e)); cbn; tauto].
           apply (free_d e); [| exact on_e]. apply dangling_is. split; [exact E |].
           split; [now apply inner_points_are_off, (inner_all_along e x) |]. intros meet. apply outside.

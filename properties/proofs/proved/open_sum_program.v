@@ -6,9 +6,9 @@
    collision test at its middle says which. What is left are the ends of pieces, and the sums of two vertices. That
    the result is right is proved in open_sum_is_right.v. *)
 From Coq Require Import QArith ZArith Bool List.
-From Oplus Require Import specification convolution convolution_winding specification_bridge regions reflected
-  location pieces naive_collision placed_collision test_of_regions filling sum_program sums_of_two_edges
-  sum_of_uncovered_pieces maximal_segments walks.
+From Oplus Require Import specification convolution specification_bridge regions reflected location pieces
+  naive_collision placed_collision test_of_regions filling sum_program sums_of_two_edges sum_of_uncovered_pieces
+  maximal_segments.
 Import ListNotations.
 
 Open Scope Q_scope.

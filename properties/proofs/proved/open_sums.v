@@ -2,11 +2,10 @@
 (* The open sum in the words of specification.v: for valid regions whose winding numbers are 0 and 1,
    open_sum_of_regions returns the open sum. Its chains are those of the closed sum, however they are found. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation.
-From Oplus Require Import specification checker convolution signed_crossings tie_rule convolution_winding regions
-  winding_number_of_the_sum interiors_meet neighbourhoods left_of_an_edge beside_every_point observation_2_2_4
-  theorem_4_2_1 location homogeneous_points specification_bridge pieces collision_is_complete checked_collision
-  filling cut_pieces sum_program sum_is_right sum_of_uncovered_pieces coordinates open_sum_program
-  open_along_a_piece open_sum_is_right maximal_segments walks.
+From Oplus Require Import specification checker convolution tie_rule regions winding_number_of_the_sum interiors_meet
+  neighbourhoods left_of_an_edge observation_2_2_4 theorem_4_2_1 homogeneous_points specification_bridge
+  collision_is_complete filling sum_program sum_is_right sum_of_uncovered_pieces coordinates open_sum_program
+  open_along_a_piece open_sum_is_right maximal_segments.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -31,8 +30,7 @@ Lemma member_by_edges (x : point) (r : polygonal_region) :
     winding_number (as_vector x) (region_edges (as_region r)) <> 0%Z.
 Proof. unfold member. now rewrite on_boundary_is, number_of_region_is. Qed.
 
-Lemma inner_point_is (x : point) (r : polygonal_region) :
-  is_inner_point x r <->
+Lemma inner_point_is (x : point) (r : polygonal_region) : is_inner_point x r <->
   winding_number (as_vector x) (region_edges (as_region r)) <> 0%Z /\ off (as_vector x) (region_edges (as_region r)).
 Proof.
   unfold is_inner_point. rewrite number_of_region_is, off_is, <- on_boundary_is. split; intros [round free];
@@ -69,8 +67,8 @@ Proof.
   destruct (no_vertex_near r s x ((1 # 2) * radius) long on) as (w & near_w & on_w & no_vertex); [lra |].
   set (n := Vector (- vy (along s)) (vx (along s))). pose proof (left_normal s long) as left_. fold n in left_.
   assert (half_ : 0 < (1 # 2) * radius) by lra.
-  destruct (eventually_some _ 1 (eventually_and _ _ (left_is_one_more r s w n meet S on_w no_vertex left_)
-    (small_steps_stay_within _ w (opposite n) half_))) as (e & _ & (off_left & off_right & more) & close); [lra |].
+  destruct (some_small _ (eventually_and _ _ (left_is_one_more r s w n meet S on_w no_vertex left_)
+    (small_steps_stay_within _ w (opposite n) half_))) as (e & _ & (off_left & off_right & more) & close).
   exists (moved_along w n (- e)). split; [| split; [exact off_right |]].
   - clear - near_w close. unfold within, moved_along, opposite in *; cbn [vx vy] in *. lra.
   - pose proof (simple _ off_left). pose proof (not_negative _ off_right). lia.
@@ -88,7 +86,7 @@ Proof.
   destruct (proj1 (proj1 (written_chains (as_vector x) chains))) as (t & T & on_t);
     [apply on_boundary_is; now exists e |].
   destruct (outside_is_near chains (as_vector x) t radius valid simple T on_t R) as (y & close & free & zero_).
-  exists (as_point y). rewrite member_of_chains, as_vector_of_point. rewrite off_is in free. split; [exact close | tauto].
+  exists (as_point y). rewrite member_of_chains, as_vector_of_point. rewrite off_is in free. now split; [| tauto].
 Qed.
 
 (* Theorem. The open sum, around any region that is the closed one and has its boundary as edges. *)
@@ -103,7 +101,7 @@ Proof.
     - intros (a & b & in_p & in_q & equal). exists (as_vector a), (as_vector b).
       rewrite <- !member_of_region by assumption. split; [exact in_p | split; [exact in_q | exact equal]].
     - intros (a & b & in_p & in_q & equal). exists (as_point a), (as_point b).
-      rewrite !member_of_region, !as_vector_of_point by assumption. split; [exact in_p | split; [exact in_q | exact equal]]. }
+      rewrite !member_of_region by assumption. now rewrite !as_vector_of_point. }
   transitivity (interiors_meet (as_vector x) (as_region p) (as_region q)).
   - rewrite <- (open_sum_has (as_region p) (as_region q) (as_region sum_) p_region q_region p_simple q_simple).
     + unfold open_member. rewrite inner_point_is. cbn [open_chains dangling_edges isolated_points open_sum_around].

@@ -5,7 +5,8 @@ From Coq Require Import QArith ZArith Bool List Permutation.
 From Oplus Require Import specification convolution regions winding_number_of_the_sum theorem_4_2_1 specification_bridge
   homogeneous_points location pieces collision_is_complete checked_collision sum_program sum_of_uncovered_pieces
   touching_vertices complement_in_a_frame open_sum_program open_sums inner_fit_program inner_fit_is_right polygons
-  canonical_chains canonical_regions walked_again boolean_operations complements openings written_regions.
+  canonical_chains canonical_regions walked_again boolean_operations complements openings
+  written_regions.
 Import ListNotations.
 
 (* Whether the theorems are about the region. *)
@@ -176,6 +177,27 @@ Proof.
     intros y. now rewrite same_p, same_q.
 Qed.
 
+(* Theorem. What is written of these is accepted again; of the sets that are open, their chains are. *)
+Theorem results_are_covered (p q : polygonal_region) : is_covered p = true -> is_covered q = true ->
+  forall polygons, In polygons [proved_sum p q; polygons_of_open (proved_open_sum p q); polygons_of_open
+    (proved_no_fit p q);
+    proved_union p q; proved_intersection p q; proved_difference p q] ->
+  is_covered (region_of_polygons polygons) = true.
+Proof.
+  intros p_valid q_valid polygons. apply is_covered_is_right in p_valid, q_valid.
+  destruct p_valid as [p_valid _], q_valid as [q_valid q_above].
+  pose proof (two_are_closed (prepared_region p) (prepared_region q)) as closed.
+  pose proof (two_are_long (prepared_region p) (prepared_region q) p_valid q_valid) as long.
+  pose proof (half_turned_is_valid _ q_valid q_above) as [turned _].
+  unfold is_covered, region_of_polygons. intros [<- | [<- | [<- | [<- | [<- | [<- | []]]]]]].
+  - exact (written_sums_are_accepted _ _ p_valid q_valid).
+  - exact (written_sums_are_accepted _ _ p_valid q_valid).
+  - exact (written_sums_are_accepted _ _ p_valid turned).
+  - exact (written_regions_by_rule_are_accepted some_positive _ closed long eq_refl).
+  - exact (written_regions_by_rule_are_accepted all_positive _ closed long eq_refl).
+  - exact (written_regions_by_rule_are_accepted first_positive _ closed long eq_refl).
+Qed.
+
 (* Erosion, opening and closing, of a region that has points. *)
 Definition proved_erosion : polygonal_region -> polygonal_region -> list polygon_with_holes := of_prepared erosion.
 Definition proved_opening : polygonal_region -> polygonal_region -> list polygon_with_holes := of_prepared opening.
@@ -199,6 +221,20 @@ Proof.
     unfold is_inside. setoid_rewrite same_p. setoid_rewrite same_q. reflexivity.
   - rewrite (closing_is_the_closing _ _ p_valid q_valid q_simple some x). apply same_closure.
     intros y. unfold is_inside. setoid_rewrite same_p. setoid_rewrite same_q. reflexivity.
+Qed.
+
+(* Theorem. And so are these. *)
+Theorem erosions_openings_and_closings_are_covered (p q : polygonal_region) :
+  is_covered p = true -> is_covered q = true -> has_points q = true ->
+  forall polygons, In polygons [proved_erosion p q; proved_opening p q; proved_closing p q] ->
+  is_covered (region_of_polygons polygons) = true.
+Proof.
+  intros [p_valid p_simple]%is_covered_is_right [q_valid q_simple]%is_covered_is_right some%has_points_is polygons.
+  destruct (quick_sum_is_valid _ _ p_valid q_valid) as [sum_valid sum_simple].
+  unfold is_covered, region_of_polygons. intros [<- | [<- | [<- | []]]];
+    apply (written_regions_by_rule_are_accepted some_nonzero); try apply nothing_is_zero;
+    first [apply fit_edges_are_closed | apply fit_edges_are_long | apply families_are_closed | apply families_are_long];
+    assumption.
 Qed.
 
 (* What is unbounded, as the holes in it, and what is in these. *)
@@ -264,25 +300,4 @@ Proof.
       (turned_region_is_the_complement_of_unbounded _ valid simple x).
     change (as_polygonal _) with (prepared_region u). unfold closure. now setoid_rewrite same.
   - intros k x in_x in_y. rewrite <- same. exact (the_frame_does_not_matter _ valid simple k x in_x in_y).
-Qed.
-
-(* Theorem. What is written of these is accepted again; of the sets that are open, their chains are. *)
-Theorem results_are_covered (p q : polygonal_region) : is_covered p = true -> is_covered q = true ->
-  forall polygons, In polygons [proved_sum p q; polygons_of_open (proved_open_sum p q); polygons_of_open
-    (proved_no_fit p q);
-    proved_union p q; proved_intersection p q; proved_difference p q] ->
-  is_covered (region_of_polygons polygons) = true.
-Proof.
-  intros p_valid q_valid polygons. apply is_covered_is_right in p_valid, q_valid.
-  destruct p_valid as [p_valid _], q_valid as [q_valid q_above].
-  pose proof (two_are_closed (prepared_region p) (prepared_region q)) as closed.
-  pose proof (two_are_long (prepared_region p) (prepared_region q) p_valid q_valid) as long.
-  pose proof (half_turned_is_valid _ q_valid q_above) as [turned _].
-  unfold is_covered, region_of_polygons. intros [<- | [<- | [<- | [<- | [<- | [<- | []]]]]]].
-  - exact (written_sums_are_accepted _ _ p_valid q_valid).
-  - exact (written_sums_are_accepted _ _ p_valid q_valid).
-  - exact (written_sums_are_accepted _ _ p_valid turned).
-  - exact (written_regions_by_rule_are_accepted some_positive _ closed long eq_refl).
-  - exact (written_regions_by_rule_are_accepted all_positive _ closed long eq_refl).
-  - exact (written_regions_by_rule_are_accepted first_positive _ closed long eq_refl).
 Qed.

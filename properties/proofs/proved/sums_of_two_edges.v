@@ -5,8 +5,8 @@
    a segment at once). Integers: coordinates are multiplied by a common denominator. Large parallelograms come first,
    which only saves time. *)
 From Coq Require Import QArith Qabs Qminmax Lqa Qfield ZArith Lia Bool List Permutation Orders Mergesort.
-From Oplus Require Import convolution small_numbers in_out_degree regions meeting_of_segments neighbourhoods
-  interiors_meet right_of_an_edge specification_bridge theorem_2_2_10 coordinates.
+From Oplus Require Import convolution small_numbers in_out_degree regions neighbourhoods right_of_an_edge
+  specification_bridge theorem_2_2_10 coordinates.
 Import ListNotations.
 
 Open Scope Z_scope.
@@ -232,7 +232,7 @@ Proof.
       (destruct (without_inner_is inner part_ k in_part) as (more & R & in_more); [lra |]);
       exists more; (split; [apply in_flat_map; now exists part_ | exact in_more]). }
   destruct step as [has' | covers_]; [| right; exists g; split; [now left | exact covers_]].
-  destruct (IH rest has') as [found | (h & H & covers_)]; [now left | right; exists h; split; [now right | exact covers_]].
+  destruct (IH rest has') as [| (h & H & covers_)]; [now left | right; exists h; split; [now right | exact covers_]].
 Qed.
 
 (* The point w is strictly inside the parallelogram with a corner o and sides a and b. *)
@@ -241,9 +241,8 @@ Definition is_inside_the_sum_of_two (o a b w : vector) : Prop :=
   cross a (minus w o) < cross a b.
 
 (* Such a point is the sum of points inside the edges. *)
-Lemma as_sum_of_points (o a b w : vector) : is_inside_the_sum_of_two o a b w ->
-  exists g h, 0 < g < 1 /\ 0 < h < 1 /\
-    vx w == vx o + g * vx a + h * vx b /\ vy w == vy o + g * vy a + h * vy b.
+Lemma as_sum_of_points (o a b w : vector) : is_inside_the_sum_of_two o a b w -> exists g h, 0 < g < 1 /\ 0 < h < 1 /\
+  vx w == vx o + g * vx a + h * vx b /\ vy w == vy o + g * vy a + h * vy b.
 Proof.
   intros (i1 & i2 & j1 & j2). exists (cross (minus w o) b / cross a b), (cross a (minus w o) / cross a b).
   split; [split; [apply Qlt_shift_div_l | apply Qlt_shift_div_r]; lra |].
@@ -267,11 +266,11 @@ Lemma inside_the_sum_of_two_edges (p q : region) (e f : segment) (w a b : vector
   is_inside_the_sum_of_two (plus (source e) (source f)) a b w -> inner_point_of_sum w p q.
 Proof.
   intros E F sides (i1 & i2 & j1 & j2). set (o := plus (source e) (source f)) in *.
-  destruct (eventually_some _ 1
+  destruct (some_small _
     (eventually_and _ _ (eventually_and _ _ (positive_near w b _ i1) (positive_near w (opposite a) _ j1))
       (eventually_and _ _ (positive_near w (opposite b) (cross a b - cross (minus w o) b) ltac:(lra))
         (positive_near w a (cross a b - cross a (minus w o)) ltac:(lra)))))
-    as (radius & [R _] & (near_1 & near_2) & near_3 & near_4); [lra |].
+    as (radius & R & (near_1 & near_2) & near_3 & near_4).
   exists radius. split; [exact R |]. intros y close.
   specialize (near_1 y close). specialize (near_2 y close). specialize (near_3 y close). specialize (near_4 y close).
   destruct (as_sum_of_points o a b y) as (g & h & g_range & h_range & X & Y);

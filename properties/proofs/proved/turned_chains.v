@@ -3,15 +3,15 @@
    that contains chains: around a point outside of it they do not go. For complements in a frame
    (inner_fit_program.v). *)
 From Coq Require Import QArith Lqa Qabs ZArith Lia Bool List Permutation.
-From Oplus Require Import convolution signed_crossings meeting_of_segments regions first_hit pieces
-  kept_pieces_go_round sum_is_right region_of_pieces neighbourhoods naive_collision coordinates.
+From Oplus Require Import convolution meeting_of_segments regions first_hit pieces kept_pieces_go_round sum_is_right
+  region_of_pieces neighbourhoods naive_collision coordinates.
 Import ListNotations.
 
 Open Scope Q_scope.
 
 (* The same first vertex, the others backwards. *)
-Definition turned_chain {A : Type} (c : list A) : list A := match c with [] => [] | first :: rest => first :: rev rest
-  end.
+Definition turned_chain {A : Type} (c : list A) : list A :=
+  match c with [] => [] | first :: rest => first :: rev rest end.
 
 Lemma edges_are_consecutive (first : vector) (rest : list vector) :
   edges (first :: rest) = consecutive (first :: rest ++ [first]).
@@ -51,13 +51,11 @@ Qed.
 
 Lemma lies_on_reversed (w : vector) (s : segment) : lies_on w (reversed s) <-> lies_on w s.
 Proof.
-  split; intros (k & range & X & Y); exists (1 - k); cbn [reversed source target] in *; (split; [lra |]);
-    rewrite X, Y; split; ring.
+  split; intros (k & range & X & Y); at_fraction (1 - k).
 Qed.
 
-Lemma on_turned (x : vector) (r : region) :
-  (exists s, In s (region_edges (map turned_chain r)) /\ lies_on x s) <-> (exists s, In s (region_edges r) /\ lies_on
-    x s).
+Lemma on_turned (x : vector) (r : region) : (exists s, In s (region_edges (map turned_chain r)) /\ lies_on x s) <->
+  (exists s, In s (region_edges r) /\ lies_on x s).
 Proof.
   split; intros (s & S & on).
   - apply (Permutation_in _ (region_edges_of_turned r)), in_map_iff in S. destruct S as (t & <- & T). exists t.
@@ -81,9 +79,7 @@ Definition is_in_square (k : Q) (v : vector) : bool :=
   Qle_bool (- k) (vx v) && Qle_bool (vx v) k && Qle_bool (- k) (vy v) && Qle_bool (vy v) k.
 
 Lemma is_in_square_spec (k : Q) (v : vector) : reflect (in_square k v) (is_in_square k v).
-Proof.
-  apply iff_reflect. unfold in_square, is_in_square. rewrite !andb_true_iff, !Qle_bool_iff. tauto.
-Qed.
+Proof. apply iff_reflect. unfold in_square, is_in_square. rewrite !andb_true_iff, !Qle_bool_iff. tauto. Qed.
 
 Lemma in_larger_square (k l : Q) (v : vector) : k <= l -> in_square k v -> in_square l v.
 Proof. unfold in_square. lra. Qed.
@@ -91,13 +87,7 @@ Proof. unfold in_square. lra. Qed.
 Lemma squares_are_convex (k : Q) (s : segment) (w : vector) :
   in_square k (source s) -> in_square k (target s) -> lies_on w s -> in_square k w.
 Proof.
-  intros [sx sy] [tx ty] (t & range & X & Y). unfold in_square. rewrite X, Y.
-  assert (mixed : forall a b, - k <= a <= k -> - k <= b <= k -> - k <= (1 - t) * a + t * b <= k).
-  { intros a b A B. assert (0 <= (1 - t) * (a + k)) by (apply Qmult_le_0_compat; lra).
-    assert (0 <= t * (b + k)) by (apply Qmult_le_0_compat; lra).
-    assert (0 <= (1 - t) * (k - a)) by (apply Qmult_le_0_compat; lra).
-    assert (0 <= t * (k - b)) by (apply Qmult_le_0_compat; lra). lra. }
-  split; now apply mixed.
+  intros [sx sy] [tx ty] (t & range & X & Y). unfold in_square. rewrite X, Y. split; split; nra.
 Qed.
 
 (* Theorem. Closed chains inside a square do not go round a point outside. *)
@@ -107,16 +97,15 @@ Theorem nothing_goes_round_outside (k : Q) (segments : list segment) (x : vector
 Proof.
   intros closed all outside.
   assert (none : forall y : vector, vx y > k \/ vy y > k \/ vy y < - k -> winding_number y segments = 0%Z).
-  { intros y far. unfold winding_number, sum.
+  { intros y far. unfold winding_number.
     assert (each : forall s, In s segments -> signed_crossing y s = 0%Z).
     { intros s S. destruct (all s S) as [in_source in_target]. rewrite signed_crossing_by_height.
       destruct (spans s (vy y)) eqn:spanning; [| reflexivity].
-      pose proof (squares_are_convex k s _ in_source in_target (point_at_height_lies_on s (vy y) spanning)) as [in_x
-        in_y].
+      pose proof (point_at_height_lies_on s (vy y) spanning) as on.
+      destruct (squares_are_convex k s _ in_source in_target on) as [in_x in_y].
       change (vy (point_at_height s (vy y))) with (vy y) in in_y.
       destruct (negative_spec (vx y - vx (point_at_height s (vy y)))); [exfalso; lra | reflexivity]. }
-    clear all closed. induction segments as [| s l IH]; [reflexivity |]. cbn [map fold_right].
-    rewrite each, IH; [reflexivity | | now left]. intros t T. apply each. now right. }
+    now apply sum_of_zeros. }
   destruct (Qlt_le_dec k (vx x)) as [right_ | not_right]; [now apply none; left |].
   destruct (Qlt_le_dec k (vy x)) as [above | not_above]; [apply none; tauto |].
   destruct (Qlt_le_dec (vy x) (- k)) as [below | not_below]; [apply none; tauto |].
@@ -129,8 +118,7 @@ Proof.
 Qed.
 
 (* What holds at u, and stays in steps of less than m along a segment, holds at v: by halving. *)
-Lemma stays_in_steps (A : vector -> Prop) (m : Q) (n : nat) : forall u v,
-  within (m * inject_Z (2 ^ Z.of_nat n)) u v ->
+Lemma stays_in_steps (A : vector -> Prop) (m : Q) (n : nat) : forall u v, within (m * inject_Z (2 ^ Z.of_nat n)) u v ->
   (forall w y, lies_on w (Segment u v) -> lies_on y (Segment u v) -> within m w y -> A w -> A y) -> A u -> A v.
 Proof.
   induction n as [| n IH]; intros u v close step start.
