@@ -38,9 +38,11 @@ Theorem written_chains_are_straight (r : polygonal_region) (c before after : cha
   is_on v (a, b) -> equal_points v a \/ equal_points v b.
 Proof.
   intros C twice on. apply (Permutation_in _ (canonical_polygons_permute r)) in C.
-  apply in_map_iff in C. destruct C as (d & <- & D). apply in_map_iff in D. destruct D as (e & <- & _).
+  apply in_map_iff in C. destruct C as (d & <- & D). apply in_map_iff in D. destruct D as (ring & <- & _).
   apply (f_equal (map as_vector)) in twice.
   rewrite !map_app, map_map, (map_ext _ (fun u => u)), map_id in twice by (now intros []).
+  destruct (in_a_row _ _ _ _ _ _ _ (written_ring_is_a_rotation ring) twice) as (before' & after' & twice').
+  clear twice. rename twice' into twice.
   apply canonical_chain_is_straight in twice. unfold is_between_ends in twice.
   destruct (is_on_spec (as_vector v) (Segment (as_vector a) (as_vector b))) as [_ | off_]; [| destruct (off_ on)].
   destruct (same_point_spec (as_vector v) (as_vector a)) as [equal | _]; [now left |].

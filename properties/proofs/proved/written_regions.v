@@ -4,7 +4,7 @@
 From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation SetoidList SetoidPermutation.
 From Oplus Require Import specification checker balanced_edges convolution convolution_winding direction angle
   angular_crossings winding_number
-  shifted_ray small_numbers rotation in_out_degree regions meeting_of_segments interiors_meet neighbourhoods
+  shifted_ray small_numbers rotation in_out_degree regions meeting_of_segments winding_number_of_the_sum interiors_meet neighbourhoods
   left_of_an_edge theorem_4_2_1 observation_2_2_4 homogeneous_points specification_bridge location pieces
   naive_collision collision_is_sound collision_is_complete checked_collision beside_a_piece filling cut_pieces
   kept_pieces_go_round kept_pieces_balance rule_of_sides walks region_of_pieces sum_program sum_is_right
@@ -13,6 +13,23 @@ From Oplus Require Import specification checker balanced_edges convolution convo
 Import ListNotations.
 
 Open Scope Q_scope.
+
+(* Validity is about edges, in any order. *)
+Lemma same_edges_are_valid (r s : region) : Permutation (region_edges r) (region_edges s) ->
+  valid_region r /\ nowhere_above_one r -> valid_region s /\ nowhere_above_one s.
+Proof.
+  intros edges_are [(not_points & not_negative & meet) above].
+  assert (off_r : forall x, off x (region_edges s) -> off x (region_edges r))
+    by (intros x free e E; exact (free e (Permutation_in _ edges_are E))).
+  split; [split; [| split] |].
+  - apply edges_are_no_points. intros e E.
+    exact (region_edges_are_directions r not_points e (Permutation_in _ (Permutation_sym edges_are) E)).
+  - intros x free. rewrite <- (permuted_winding_number x _ _ edges_are). auto.
+  - apply edges_meet_by_pairs in meet. apply edges_meet_by_pairs. apply (each_two_permuted _ _ _ edges_are).
+    intros before e after f is_ F w on_e on_f. destruct (meet before e after f is_ F w on_e on_f) as (g & G & equal).
+    exists g. split; [exact (Permutation_in _ edges_are G) | exact equal].
+  - intros x free. rewrite <- (permuted_winding_number x _ _ edges_are). auto.
+Qed.
 
 Section Region.
   Variable segments : list segment.
@@ -129,13 +146,15 @@ Section Region.
   Proof.
     assert (distinct_ : NoDup kept).
     { apply (Permutation_NoDup (Permutation_sym kept_are)). exact (kept_is_distinct segments all_long right_inside). }
+    apply (same_edges_are_valid _ _ (Permutation_sym (written_chains_have_the_edges chains))).
     apply (canonical_chains_are_valid kept kept_long kept_apart kept_ends distinct_ kept_numbers).
-    - rewrite simple_rings_have_the_edges. exact chains_take_kept.
-    - intros ring I. apply in_flat_map in I. destruct I as (c & _ & I). exact (rings_are_simple c [] ring (NoDup_nil
-      _) I).
-    - intros ring part e f I part_of closed E F. apply in_flat_map in I. destruct I as (c & C & I).
+    - rewrite rings_in_order_have_the_edges. exact chains_take_kept.
+    - intros ring I. apply rings_of_chains in I. destruct I as (c & _ & I).
+      exact (rings_are_simple _ [] ring (NoDup_nil _) I).
+    - intros ring part e f I part_of closed E F. apply rings_of_chains in I. destruct I as (c & C & I).
       assert (in_chain : forall g, In g (edges ring) -> In g (edges c)).
-      { intros g G. apply (Permutation_in _ (rings_have_the_edges c [])). apply in_flat_map. now exists ring. }
+      { intros g G. apply (Permutation_in _ (edges_of_turned _ _ (canonical_start_is_a_rotation c))).
+        apply (Permutation_in _ (rings_have_the_edges (canonical_start c) [])). apply in_flat_map. now exists ring. }
       apply (same_on_the_right kept kept_long kept_apart kept_ends kept_balanced kept_closed) with (chain := c); auto.
       + intros g G. destruct (of_a_piece g G) as (_ & _ & _ & _ & right_). rewrite (beside_kept g g G (or_introl
         eq_refl)).
@@ -144,22 +163,6 @@ Section Region.
         rewrite (beside_kept g (reversed g) G (or_intror eq_refl)), left_. discriminate.
   Qed.
 End Region.
-
-Lemma permuted_is_valid (r s : region) : Permutation r s -> valid_region r -> nowhere_above_one r ->
-  valid_region s /\ nowhere_above_one s.
-Proof.
-  intros permuted (not_points & not_negative & meet) above.
-  pose proof (Permutation_flat_map edges permuted) as edges_are. fold (region_edges r) (region_edges s) in edges_are.
-  assert (off_r : forall x, off x (region_edges s) -> off x (region_edges r))
-    by (intros x free e E; exact (free e (Permutation_in _ edges_are E))).
-  split; [split; [| split] |].
-  - intros c C. apply not_points. exact (Permutation_in _ (Permutation_sym permuted) C).
-  - intros x free. rewrite <- (permuted_winding_number x _ _ edges_are). auto.
-  - apply edges_meet_by_pairs in meet. apply edges_meet_by_pairs. apply (each_two_permuted _ _ _ edges_are).
-    intros before e after f is_ F w on_e on_f. destruct (meet before e after f is_ F w on_e on_f) as (g & G & equal).
-    exists g. split; [exact (Permutation_in _ edges_are G) | exact equal].
-  - intros x free. rewrite <- (permuted_winding_number x _ _ edges_are). auto.
-Qed.
 
 (* Theorem. Polygons written of such chains are accepted. *)
 Theorem written_polygons_are_accepted (chains : region) :
@@ -173,7 +176,9 @@ Proof.
   { symmetry. rewrite canonical_polygons_permute. unfold canonical_region, as_polygonal.
     rewrite (map_map (map as_point)), (map_ext _ (fun c => c)), map_id; [reflexivity |].
     intros c. rewrite map_map. rewrite <- (map_id c) at 2. apply map_ext. now intros []. }
-  destruct (permuted_is_valid _ _ (Permutation_map _ permuted) valid' above'). now apply valid_regions_are_accepted.
+  destruct (same_edges_are_valid _ _ (Permutation_flat_map edges (Permutation_map _ permuted))
+    (conj valid' above')).
+  now apply valid_regions_are_accepted.
 Qed.
 
 (* Theorem. So are sums, and regions by a rule. *)
