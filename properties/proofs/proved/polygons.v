@@ -78,17 +78,3 @@ Proof.
       apply Permutation_middle. }
   rewrite all. apply Permutation_app_tail. clear. induction outer as [| c outer IH]; [reflexivity |]. cbn. now constructor.
 Qed.
-
-(* Theorem. The points are those of the region. *)
-Theorem polygons_are_the_region (r : polygonal_region) (x : point) :
-  member x (flat_map chains_of_polygon (polygons_of r)) <-> member x r.
-Proof.
-  pose proof (chains_of_polygons r) as same. unfold member, region_winding_number, edges_of_region.
-  assert (edges_are : Permutation (flat_map edges_of_chain (flat_map chains_of_polygon (polygons_of r))) (flat_map edges_of_chain r))
-    by now apply Permutation_flat_map.
-  enough (numbers : forall l m : list Z, Permutation l m -> fold_right Z.add 0%Z l = fold_right Z.add 0%Z m).
-  { rewrite (numbers _ _ (Permutation_map (crossing x) edges_are)).
-    split; (intros [(e & I & on) | round]; [left; exists e; split; [| exact on] | now right]);
-      [apply (Permutation_in _ edges_are I) | apply (Permutation_in _ (Permutation_sym edges_are) I)]. }
-  induction 1; cbn; ring || congruence || (etransitivity; eassumption).
-Qed.
