@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Chains in canonical form (reference/definitions/values.hpp): no vertex is between the two beside it, and the first is
-   the smallest, which therefore is between no others: so one walk along the chain finds all to leave out. The points
-   of a region and all winding numbers stay what they were, since two edges in line have the points of one. That
-   chains turn clockwise most is in walks.v. *)
+(* Chains in canonical form (reference/definitions/values.hpp): no vertex is between the two beside it, and the first
+   is the smallest, which therefore is between no others: so one walk along the chain finds all to leave out. The
+   points of a region and all winding numbers stay what they were, since two edges in line have the points of one.
+   That chains turn clockwise most is in walks.v. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation.
 From Oplus Require Import balanced_edges direction angular_crossings winding_number in_out_degree regions location
   pieces walks touching_vertices.
@@ -28,6 +28,13 @@ Fixpoint starting_at (v : vector) (passed l : list vector) : list vector :=
 Definition from_smallest (c : list vector) : list vector :=
   match c with [] => [] | first :: rest => starting_at (fold_left smaller_point rest first) [] c end.
 
+(* The chains that begin with v, given what is before the list, backwards. *)
+Fixpoint rotations_at (v : vector) (passed l : list vector) : list (list vector) :=
+  match l with
+  | [] => []
+  | w :: rest => (if same_point v w then [l ++ rev passed] else []) ++ rotations_at v (w :: passed) rest
+  end.
+
 (* What follows a, up to z, without vertices between the two beside them. *)
 Fixpoint straightened (a : vector) (l : list vector) (z : vector) : list vector :=
   match l with
@@ -39,6 +46,22 @@ Definition straight_chain (c : list vector) : list vector :=
   match c with [] => [] | a :: rest => a :: straightened a rest a end.
 
 Definition canonical_chain (c : list vector) : list vector := straight_chain (from_smallest c).
+
+(* If a chain passes its smallest vertex several times, it begins so that its vertices, without those in straight
+   lines, are the smallest list. *)
+Definition smaller_chain (c d : list vector) : list vector :=
+  match compare_chains (straight_chain d) (straight_chain c) with Lt => d | _ => c end.
+
+Definition canonical_start (c : list vector) : list vector :=
+  match c with
+  | [] => []
+  | first :: rest => fold_left smaller_chain (rotations_at (fold_left smaller_point rest first) [] c) c
+  end.
+
+(* A ring begins where it was closed, or with the next vertex that is left. *)
+Definition written_ring (ring : list vector) : list vector :=
+  let chain := canonical_chain ring in
+  match find (fun v => existsb (same_point v) chain) ring with Some v => starting_at v [] chain | None => chain end.
 
 (* The same points, and the same winding number, as seen from x. *)
 Definition alike_from (x : vector) (l m : list segment) : Prop :=
@@ -116,6 +139,57 @@ Qed.
 
 Lemma from_smallest_is_a_rotation (c : list vector) : is_rotation (from_smallest c) c.
 Proof. destruct c as [| first rest]; [now exists [], [] | apply (starts_at _ _ [])]. Qed.
+
+Lemma rotations_are (v : vector) (l : list vector) : forall passed d, In d (rotations_at v passed l) ->
+  is_rotation d (rev passed ++ l).
+Proof.
+  induction l as [| w rest IH]; intros passed d I; [destruct I |]. cbn [rotations_at] in I. apply in_app_iff in I.
+  destruct I as [I | I].
+  - destruct (same_point v w); [destruct I as [<- | []] | destruct I]. now exists (rev passed), (w :: rest).
+  - apply IH in I. cbn [rev] in I. now rewrite <- app_assoc in I.
+Qed.
+
+Lemma canonical_start_is_a_rotation (c : list vector) : is_rotation (canonical_start c) c.
+Proof.
+  destruct c as [| first rest]; [now exists [], [] |]. unfold canonical_start. set (v := fold_left _ rest first).
+  assert (one : forall ls best, In (fold_left smaller_chain ls best) (best :: ls)).
+  { induction ls as [| d ls IH]; intros best; [now left |]. cbn [fold_left].
+    destruct (IH (smaller_chain best d)) as [is_ | I]; [| right; now right].
+    rewrite <- is_. unfold smaller_chain. destruct (compare_chains _ _); cbn; tauto. }
+  destruct (one (rotations_at v [] (first :: rest)) (first :: rest)) as [is_ | I].
+  - rewrite <- is_. exists [], (first :: rest). split; [reflexivity | now rewrite app_nil_r].
+  - exact (rotations_are v (first :: rest) [] _ I).
+Qed.
+
+Lemma written_ring_is_a_rotation (ring : list vector) : is_rotation (written_ring ring) (canonical_chain ring).
+Proof.
+  unfold written_ring. destruct (find _ ring); [apply (starts_at _ _ []) |].
+  exists [], (canonical_chain ring). split; [reflexivity | now rewrite app_nil_r].
+Qed.
+
+Lemma edges_of_turned (c d : list vector) : is_rotation d c -> Permutation (edges d) (edges c).
+Proof. intros (a & b & -> & ->). apply edges_of_rotation. Qed.
+
+(* What is in a row in a chain is so however it begins. *)
+Lemma in_a_row (c d before after : list vector) (a v b : vector) : is_rotation d c ->
+  d ++ d = before ++ a :: v :: b :: after -> exists before' after', c ++ c = before' ++ a :: v :: b :: after'.
+Proof.
+  intros (l & m & -> & ->) twice.
+  change (a :: v :: b :: after) with ([a; v; b] ++ after) in twice. rewrite <- !app_assoc in twice.
+  assert (late : forall k, l ++ m ++ l = k ++ [a; v; b] ++ after -> exists before' after',
+    (l ++ m) ++ l ++ m = before' ++ a :: v :: b :: after').
+  { intros k rest. exists k, (after ++ m). replace ((l ++ m) ++ l ++ m) with ((l ++ m ++ l) ++ m) by now rewrite <- !app_assoc.
+    rewrite rest. now rewrite <- !app_assoc. }
+  destruct (app_eq_app _ _ _ _ twice) as (k & [[m_is rest] | [_ rest]]); [| now apply (late k)].
+  destruct k as [| x k]; [now apply (late []) |].
+  replace ((x :: k) ++ l ++ m ++ l) with (((x :: k) ++ l ++ m) ++ l) in rest by now rewrite <- !app_assoc.
+  destruct (app_eq_app _ _ _ _ rest) as (j & [[whole l_is] | [whole _]]).
+  - destruct j as [| y j].
+    + exists (l ++ before), []. rewrite app_nil_r in whole. rewrite m_is at 1. rewrite <- !app_assoc. f_equal. f_equal.
+      now rewrite <- whole.
+    + exfalso. apply (f_equal (@length vector)) in whole, l_is, m_is. rewrite !app_length in *. cbn [length] in *. lia.
+  - exists (l ++ before), j. rewrite m_is at 1. rewrite <- !app_assoc. f_equal. f_equal. exact whole.
+Qed.
 
 Lemma canonical_chain_is_alike (x : vector) (c : list vector) : alike_from x (edges (canonical_chain c)) (edges c).
 Proof.

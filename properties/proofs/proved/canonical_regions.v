@@ -1,14 +1,71 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Regions in canonical form, as oplus writes them: rings (simple_rings.v) that are canonical chains (canonical_chains.v),
-   polygons with their holes (polygons.v) in order, and points in order. The points of a region stay, and so do its
-   inner points. *)
+(* Regions in canonical form, as oplus writes them: rings (simple_rings.v) that are canonical chains
+   (canonical_chains.v), polygons with their holes (polygons.v) in order, and points in order. The points of a region
+   stay, and so do its inner points. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation Orders Mergesort.
 From Oplus Require Import specification direction winding_number in_out_degree regions specification_bridge pieces
   sum_program sum_is_right inner_fit_is_right open_sums polygons simple_rings canonical_chains.
 Import ListNotations.
 
-(* Chains that go the edges of the region. *)
-Definition written_chains (r : region) : region := map canonical_chain (simple_rings r).
+(* Outer chains before holes, each by their vertices that are in no straight line. *)
+Definition chain_with_key := ((bool * list vector) * list vector)%type.
+
+Definition with_key (c : list vector) : chain_with_key :=
+  let start := canonical_start c in
+  ((negb (Qle_bool 0 (twice_the_area (map as_point start))), straight_chain start), start).
+
+Lemma compare_chains_antisym (c : list vector) : forall d, compare_chains d c = CompOpp (compare_chains c d).
+Proof.
+  induction c as [| v c IH]; intros [| w d]; try reflexivity. cbn [compare_chains].
+  assert (points : compare_points w v = CompOpp (compare_points v w)).
+  { unfold compare_points. rewrite <- (Qcompare_antisym (vx v)), <- (Qcompare_antisym (vy v)).
+    destruct (vx v ?= vx w)%Q; reflexivity. }
+  rewrite points, (IH d). destruct (compare_points v w); reflexivity.
+Qed.
+
+Module ByKey <: TotalLeBool.
+  Definition t := chain_with_key.
+  Definition leb (c d : t) : bool :=
+    match fst (fst c), fst (fst d) with
+    | false, true => true
+    | true, false => false
+    | _, _ => match compare_chains (snd (fst c)) (snd (fst d)) with Gt => false | _ => true end
+    end.
+  Lemma leb_total (c d : t) : leb c d = true \/ leb d c = true.
+  Proof.
+    unfold leb. destruct (fst (fst c)), (fst (fst d)); try tauto; rewrite (compare_chains_antisym (snd (fst c)));
+      destruct (compare_chains (snd (fst c)) (snd (fst d))); cbn; tauto.
+  Qed.
+End ByKey.
+Module SortedByKey := Sort ByKey.
+
+(* The rings of a region, the chains in order; and what is written of them. *)
+Definition rings_in_order (r : region) : region := simple_rings (map snd (SortedByKey.sort (map with_key r))).
+Definition written_chains (r : region) : region := map written_ring (rings_in_order r).
+
+Lemma rings_of_chains (r : region) (ring : list vector) : In ring (rings_in_order r) ->
+  exists c, In c r /\ In ring (rings_of [] (canonical_start c)).
+Proof.
+  intros I. apply in_flat_map in I. destruct I as (c & C & I). apply in_map_iff in C. destruct C as (k & <- & K).
+  apply (Permutation_in _ (Permutation_sym (SortedByKey.Permuted_sort _))), in_map_iff in K.
+  destruct K as (d & <- & D). now exists d.
+Qed.
+
+Lemma rings_in_order_have_the_edges (r : region) : Permutation (region_edges (rings_in_order r)) (region_edges r).
+Proof.
+  unfold rings_in_order. rewrite simple_rings_have_the_edges.
+  transitivity (region_edges (map snd (map with_key r))).
+  - apply Permutation_flat_map, Permutation_map. symmetry. apply SortedByKey.Permuted_sort.
+  - unfold region_edges. induction r as [| c r IH]; [reflexivity |]. cbn [map flat_map]. apply Permutation_app; [| exact IH].
+    apply edges_of_turned, canonical_start_is_a_rotation.
+Qed.
+
+Lemma written_chains_have_the_edges (r : region) :
+  Permutation (region_edges (written_chains r)) (region_edges (map canonical_chain (rings_in_order r))).
+Proof.
+  unfold written_chains, region_edges. induction (rings_in_order r) as [| c l IH]; [reflexivity |]. cbn [map flat_map].
+  apply Permutation_app; [apply edges_of_turned, written_ring_is_a_rotation | exact IH].
+Qed.
 
 Definition canonical_region (r : polygonal_region) : polygonal_region :=
   map (map as_point) (written_chains (map (map as_vector) r)).
@@ -22,8 +79,9 @@ Qed.
 Lemma written_chains_go_the_same (x : vector) (r : region) :
   alike_from x (region_edges (written_chains r)) (region_edges r).
 Proof.
-  apply (alike_transitive x _ _ _ (canonical_chains_are_alike x (simple_rings r))).
-  apply alike_permuted, simple_rings_have_the_edges.
+  apply (alike_transitive x _ _ _ (alike_permuted x _ _ (written_chains_have_the_edges r))).
+  apply (alike_transitive x _ _ _ (canonical_chains_are_alike x (rings_in_order r))).
+  apply alike_permuted, rings_in_order_have_the_edges.
 Qed.
 
 (* Theorem. *)
@@ -37,51 +95,7 @@ Proof.
   - destruct (proj1 on) as (t & T & on_t); [now exists s | exact (free t T on_t)].
 Qed.
 
-(* By their points, those with smaller first ones first. *)
-Definition chain_is_smaller (c d : chain) : bool :=
-  match compare_chains (map as_vector c) (map as_vector d) with Gt => false | _ => true end.
-
-Lemma compare_chains_antisym (c : list vector) : forall d, compare_chains d c = CompOpp (compare_chains c d).
-Proof.
-  induction c as [| v c IH]; intros [| w d]; try reflexivity. cbn [compare_chains].
-  assert (points : compare_points w v = CompOpp (compare_points v w)).
-  { unfold compare_points. rewrite <- (Qcompare_antisym (vx v)), <- (Qcompare_antisym (vy v)).
-    destruct (vx v ?= vx w)%Q; reflexivity. }
-  rewrite points, (IH d). destruct (compare_points v w); reflexivity.
-Qed.
-
-Lemma chain_is_smaller_total (c d : chain) : chain_is_smaller c d = true \/ chain_is_smaller d c = true.
-Proof.
-  unfold chain_is_smaller. rewrite (compare_chains_antisym (map as_vector c)).
-  destruct (compare_chains (map as_vector c) (map as_vector d)); cbn; tauto.
-Qed.
-
-Module ByPoints <: TotalLeBool.
-  Definition t := chain.
-  Definition leb := chain_is_smaller.
-  Definition leb_total := chain_is_smaller_total.
-End ByPoints.
-Module SortedByPoints := Sort ByPoints.
-
-Module ByOuterChain <: TotalLeBool.
-  Definition t := polygon_with_holes.
-  Definition leb (p q : t) := chain_is_smaller (fst p) (fst q).
-  Definition leb_total (p q : t) := chain_is_smaller_total (fst p) (fst q).
-End ByOuterChain.
-Module SortedByOuterChain := Sort ByOuterChain.
-
-Definition canonical_polygons (r : polygonal_region) : list polygon_with_holes :=
-  SortedByOuterChain.sort (map (fun p => (fst p, SortedByPoints.sort (snd p))) (polygons_of (canonical_region r))).
-
-Lemma sorted_polygons (polygons : list polygon_with_holes) :
-  Permutation (flat_map chains_of_polygon (SortedByOuterChain.sort (map (fun p => (fst p, SortedByPoints.sort (snd p)))
-    polygons))) (flat_map chains_of_polygon polygons).
-Proof.
-  rewrite <- (Permutation_flat_map chains_of_polygon (SortedByOuterChain.Permuted_sort _)).
-  induction polygons as [| [outer holes] others IH]; [reflexivity |]. cbn [map flat_map]. apply Permutation_app;
-    [| exact IH].
-  unfold chains_of_polygon. cbn [fst snd]. constructor. symmetry. apply SortedByPoints.Permuted_sort.
-Qed.
+Definition canonical_polygons (r : polygonal_region) : list polygon_with_holes := polygons_of (canonical_region r).
 
 (* Points depend on edges, in any order. *)
 Lemma edges_in_another_order (r s : polygonal_region) (x : point) : Permutation (edges_of_region r) (edges_of_region
@@ -104,7 +118,7 @@ Proof. intros permuted. now apply edges_in_another_order, Permutation_flat_map. 
 
 Lemma canonical_polygons_permute (r : polygonal_region) :
   Permutation (flat_map chains_of_polygon (canonical_polygons r)) (canonical_region r).
-Proof. exact (Permutation_trans (sorted_polygons _) (chains_of_polygons (canonical_region r))). Qed.
+Proof. exact (chains_of_polygons (canonical_region r)). Qed.
 
 (* Theorem. *)
 Theorem canonical_polygons_are_the_region (r : polygonal_region) (x : point) :

@@ -5,7 +5,7 @@ From Coq Require Import QArith ZArith Bool List Permutation.
 From Oplus Require Import specification convolution regions winding_number_of_the_sum theorem_4_2_1 specification_bridge
   homogeneous_points location pieces collision_is_complete checked_collision sum_program sum_of_uncovered_pieces
   touching_vertices complement_in_a_frame open_sum_program open_sums inner_fit_program inner_fit_is_right polygons
-  canonical_chains canonical_regions walked_again boolean_operations complements openings
+  canonical_chains canonical_regions walked_again boolean_operations complements openings simple_chain
   written_regions.
 Import ListNotations.
 
@@ -39,9 +39,11 @@ Theorem written_chains_are_straight (r : polygonal_region) (c before after : cha
   is_on v (a, b) -> equal_points v a \/ equal_points v b.
 Proof.
   intros C twice on. apply (Permutation_in _ (canonical_polygons_permute r)) in C.
-  apply in_map_iff in C. destruct C as (d & <- & D). apply in_map_iff in D. destruct D as (e & <- & _).
+  apply in_map_iff in C. destruct C as (d & <- & D). apply in_map_iff in D. destruct D as (ring & <- & _).
   apply (f_equal (map as_vector)) in twice.
   rewrite !map_app, map_map, (map_ext _ (fun u => u)), map_id in twice by (now intros []).
+  destruct (in_a_row _ _ _ _ _ _ _ (written_ring_is_a_rotation ring) twice) as (before' & after' & twice').
+  clear twice. rename twice' into twice.
   apply canonical_chain_is_straight in twice. unfold is_between_ends in twice.
   destruct (is_on_spec (as_vector v) (Segment (as_vector a) (as_vector b))) as [_ | off_]; [| destruct (off_ on)].
   destruct (same_point_spec (as_vector v) (as_vector a)) as [equal | _]; [now left |].
@@ -300,4 +302,25 @@ Proof.
       (turned_region_is_the_complement_of_unbounded _ valid simple x).
     change (as_polygonal _) with (prepared_region u). unfold closure. now setoid_rewrite same.
   - intros k x in_x in_y. rewrite <- same. exact (the_frame_does_not_matter _ valid simple k x in_x in_y).
+Qed.
+
+(* Theorem. And each of their chains is simple: it passes no point twice, and only edges that follow each other
+   meet. *)
+Theorem results_are_simple (p q : polygonal_region) : is_covered p = true -> is_covered q = true ->
+  forall polygons c, In polygons [proved_sum p q; polygons_of_open (proved_open_sum p q);
+    polygons_of_open (proved_no_fit p q); proved_union p q; proved_intersection p q; proved_difference p q] ->
+  In c (region_of_polygons polygons) -> simple_chain.simple (map as_vector c).
+Proof.
+  intros p_valid q_valid polygons c. apply is_covered_is_right in p_valid, q_valid.
+  destruct p_valid as [p_valid _], q_valid as [q_valid q_above].
+  pose proof (two_are_closed (prepared_region p) (prepared_region q)) as closed.
+  pose proof (two_are_long (prepared_region p) (prepared_region q) p_valid q_valid) as long.
+  pose proof (half_turned_is_valid _ q_valid q_above) as [turned _].
+  unfold region_of_polygons. intros [<- | [<- | [<- | [<- | [<- | [<- | []]]]]]].
+  - exact (written_sums_are_simple _ _ c p_valid q_valid).
+  - exact (written_sums_are_simple _ _ c p_valid q_valid).
+  - exact (written_sums_are_simple _ _ c p_valid turned).
+  - exact (written_regions_by_rule_are_simple some_positive _ c closed long eq_refl).
+  - exact (written_regions_by_rule_are_simple all_positive _ c closed long eq_refl).
+  - exact (written_regions_by_rule_are_simple first_positive _ c closed long eq_refl).
 Qed.

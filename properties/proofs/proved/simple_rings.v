@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Chains that pass a point several times are cut into rings that do not, as files have them: whenever a walk along the
-   chain comes to a point where it has been, what it has gone since is a ring. The edges stay. *)
+(* Chains that pass a point several times are cut into rings that do not, as files have them: whenever a walk along
+   the chain comes to a point where it has been, what it has gone since is a ring. The edges stay. *)
 From Coq Require Import QArith Bool List Permutation.
 From Oplus Require Import balanced_edges direction winding_number in_out_degree regions filling walks.
 Import ListNotations.
@@ -78,4 +78,11 @@ Proof.
       * apply (IH (v :: before) ring); [| exact I]. constructor; [tauto |]. clear - both.
         induction since as [| a since IH]; [exact both |]. inversion both. now apply IH.
     + apply (IH (v :: gone) ring); [now constructor | exact I].
+Qed.
+
+Lemma rings_are_not_empty (to_go : list vector) : forall gone ring, In ring (rings_of gone to_go) -> ring <> [].
+Proof.
+  induction to_go as [| v rest IH]; intros gone ring I; cbn [rings_of] in I.
+  - destruct gone as [| a gone]; [destruct I | destruct I as [<- | []]]. cbn [rev]. now destruct (rev gone).
+  - destruct (gone_since v gone) as [[since before] |]; [destruct I as [<- | I]; [discriminate |] |]; now apply IH in I.
 Qed.

@@ -4,7 +4,7 @@
 From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation SetoidList SetoidPermutation.
 From Oplus Require Import specification checker balanced_edges convolution convolution_winding direction angle
   angular_crossings winding_number
-  shifted_ray small_numbers rotation in_out_degree regions meeting_of_segments interiors_meet neighbourhoods
+  shifted_ray small_numbers rotation in_out_degree simple_chain simple_chains_turn_once regions meeting_of_segments winding_number_of_the_sum interiors_meet neighbourhoods
   left_of_an_edge theorem_4_2_1 observation_2_2_4 homogeneous_points specification_bridge location pieces
   naive_collision collision_is_sound collision_is_complete checked_collision beside_a_piece filling cut_pieces
   kept_pieces_go_round kept_pieces_balance rule_of_sides walks region_of_pieces sum_program sum_is_right
@@ -13,6 +13,30 @@ From Oplus Require Import specification checker balanced_edges convolution convo
 Import ListNotations.
 
 Open Scope Q_scope.
+
+(* Validity is about edges, in any order. *)
+Lemma same_edges_are_valid (r s : region) : Permutation (region_edges r) (region_edges s) ->
+  valid_region r /\ nowhere_above_one r -> valid_region s /\ nowhere_above_one s.
+Proof.
+  intros edges_are [(not_points & not_negative & meet) above].
+  assert (off_r : forall x, off x (region_edges s) -> off x (region_edges r))
+    by (intros x free e E; exact (free e (Permutation_in _ edges_are E))).
+  split; [split; [| split] |].
+  - apply edges_are_no_points. intros e E.
+    exact (region_edges_are_directions r not_points e (Permutation_in _ (Permutation_sym edges_are) E)).
+  - intros x free. rewrite <- (permuted_winding_number x _ _ edges_are). auto.
+  - apply edges_meet_by_pairs in meet. apply edges_meet_by_pairs. apply (each_two_permuted _ _ _ edges_are).
+    intros before e after f is_ F w on_e on_f. destruct (meet before e after f is_ F w on_e on_f) as (g & G & equal).
+    exists g. split; [exact (Permutation_in _ edges_are G) | exact equal].
+  - intros x free. rewrite <- (permuted_winding_number x _ _ edges_are). auto.
+Qed.
+
+Lemma simple_turned (l : list vector) : forall m, simple (l ++ m) -> simple (m ++ l).
+Proof.
+  induction l as [| a l IH]; intros m is_simple; [now rewrite app_nil_r |].
+  apply simple_rotated in is_simple. cbn [app rotated] in is_simple. rewrite <- app_assoc in is_simple.
+  apply IH in is_simple. now rewrite <- app_assoc in is_simple.
+Qed.
 
 Section Region.
   Variable segments : list segment.
@@ -123,43 +147,55 @@ Section Region.
     rewrite (permuted_winding_number _ _ _ kept_are). exact (core_off_pieces _ _ _ ends_ _ free).
   Qed.
 
+  Lemma kept_distinct : NoDup kept.
+  Proof. apply (Permutation_NoDup (Permutation_sym kept_are)). exact (kept_is_distinct segments all_long right_inside). Qed.
+
+  Lemma same_right_of_ring (ring : list vector) (part : list segment) (e f : segment) :
+    In ring (rings_in_order chains) -> incl part kept -> cycles part -> In e (edges ring) -> In f (edges ring) ->
+    winding_number_shifted (right_of_middle e) part = winding_number_shifted (right_of_middle f) part.
+  Proof.
+    intros I part_of closed E F. apply rings_of_chains in I. destruct I as (c & C & I).
+    assert (in_chain : forall g, In g (edges ring) -> In g (edges c)).
+    { intros g G. apply (Permutation_in _ (edges_of_turned _ _ (canonical_start_is_a_rotation c))).
+      apply (Permutation_in _ (rings_have_the_edges (canonical_start c) [])). apply in_flat_map. now exists ring. }
+    pose proof kept_distinct.
+    apply (same_on_the_right kept kept_long kept_apart kept_ends kept_balanced kept_closed) with (chain := c); auto.
+    - intros g G. destruct (of_a_piece g G) as (_ & _ & _ & _ & right_).
+      rewrite (beside_kept g g G (or_introl eq_refl)). now rewrite right_.
+    - intros g G. destruct (of_a_piece g G) as (_ & _ & _ & left_ & _).
+      rewrite (beside_kept g (reversed g) G (or_intror eq_refl)), left_. discriminate.
+  Qed.
+
+  Lemma rings_take_kept : Permutation (region_edges (rings_in_order chains)) kept.
+  Proof. rewrite rings_in_order_have_the_edges. exact chains_take_kept. Qed.
+
+  Lemma rings_pass_once (ring : list vector) : In ring (rings_in_order chains) -> NoDup ring /\ ring <> [].
+  Proof.
+    intros I. apply rings_of_chains in I. destruct I as (c & _ & I).
+    split; [exact (rings_are_simple _ [] ring (NoDup_nil _) I) | exact (rings_are_not_empty _ [] ring I)].
+  Qed.
+
   (* Theorem. *)
   Theorem written_region_is_valid :
     valid_region (written_chains chains) /\ nowhere_above_one (written_chains chains).
   Proof.
-    assert (distinct_ : NoDup kept).
-    { apply (Permutation_NoDup (Permutation_sym kept_are)). exact (kept_is_distinct segments all_long right_inside). }
-    apply (canonical_chains_are_valid kept kept_long kept_apart kept_ends distinct_ kept_numbers).
-    - rewrite simple_rings_have_the_edges. exact chains_take_kept.
-    - intros ring I. apply in_flat_map in I. destruct I as (c & _ & I). exact (rings_are_simple c [] ring (NoDup_nil
-      _) I).
-    - intros ring part e f I part_of closed E F. apply in_flat_map in I. destruct I as (c & C & I).
-      assert (in_chain : forall g, In g (edges ring) -> In g (edges c)).
-      { intros g G. apply (Permutation_in _ (rings_have_the_edges c [])). apply in_flat_map. now exists ring. }
-      apply (same_on_the_right kept kept_long kept_apart kept_ends kept_balanced kept_closed) with (chain := c); auto.
-      + intros g G. destruct (of_a_piece g G) as (_ & _ & _ & _ & right_). rewrite (beside_kept g g G (or_introl
-        eq_refl)).
-        now rewrite right_.
-      + intros g G. destruct (of_a_piece g G) as (_ & _ & _ & left_ & _).
-        rewrite (beside_kept g (reversed g) G (or_intror eq_refl)), left_. discriminate.
+    apply (same_edges_are_valid _ _ (Permutation_sym (written_chains_have_the_edges chains))).
+    apply (canonical_chains_are_valid kept kept_long kept_apart kept_ends kept_distinct kept_numbers _ rings_take_kept);
+      [apply rings_pass_once | exact same_right_of_ring].
+  Qed.
+
+  (* Theorem. And its chains are simple. *)
+  Theorem written_chains_are_simple (c : list vector) : In c (written_chains chains) -> simple c.
+  Proof.
+    intros I. apply in_map_iff in I. destruct I as (ring & <- & I).
+    destruct (written_ring_is_a_rotation ring) as (l & m & chain_is & ->). apply simple_turned. rewrite <- chain_is.
+    apply (canonical_chains_are_simple kept kept_long kept_apart kept_ends _ rings_take_kept
+      (fun r R => proj1 (rings_pass_once r R)) ring I).
+    destruct (rings_pass_once ring I) as [_ some]. unfold canonical_chain.
+    destruct (from_smallest_is_a_rotation ring) as (k & n & -> & turned). rewrite turned.
+    destruct n, k; cbn; try discriminate. contradiction.
   Qed.
 End Region.
-
-Lemma permuted_is_valid (r s : region) : Permutation r s -> valid_region r -> nowhere_above_one r ->
-  valid_region s /\ nowhere_above_one s.
-Proof.
-  intros permuted (not_points & not_negative & meet) above.
-  pose proof (Permutation_flat_map edges permuted) as edges_are. fold (region_edges r) (region_edges s) in edges_are.
-  assert (off_r : forall x, off x (region_edges s) -> off x (region_edges r))
-    by (intros x free e E; exact (free e (Permutation_in _ edges_are E))).
-  split; [split; [| split] |].
-  - intros c C. apply not_points. exact (Permutation_in _ (Permutation_sym permuted) C).
-  - intros x free. rewrite <- (permuted_winding_number x _ _ edges_are). auto.
-  - apply edges_meet_by_pairs in meet. apply edges_meet_by_pairs. apply (each_two_permuted _ _ _ edges_are).
-    intros before e after f is_ F w on_e on_f. destruct (meet before e after f is_ F w on_e on_f) as (g & G & equal).
-    exists g. split; [exact (Permutation_in _ edges_are G) | exact equal].
-  - intros x free. rewrite <- (permuted_winding_number x _ _ edges_are). auto.
-Qed.
 
 (* Theorem. Polygons written of such chains are accepted. *)
 Theorem written_polygons_are_accepted (chains : region) :
@@ -173,7 +209,9 @@ Proof.
   { symmetry. rewrite canonical_polygons_permute. unfold canonical_region, as_polygonal.
     rewrite (map_map (map as_point)), (map_ext _ (fun c => c)), map_id; [reflexivity |].
     intros c. rewrite map_map. rewrite <- (map_id c) at 2. apply map_ext. now intros []. }
-  destruct (permuted_is_valid _ _ (Permutation_map _ permuted) valid' above'). now apply valid_regions_are_accepted.
+  destruct (same_edges_are_valid _ _ (Permutation_flat_map edges (Permutation_map _ permuted))
+    (conj valid' above')).
+  now apply valid_regions_are_accepted.
 Qed.
 
 (* Theorem. So are sums, and regions by a rule. *)
@@ -199,4 +237,39 @@ Proof.
   intros closed long_ nothing. apply written_polygons_are_accepted.
   exact (written_region_is_valid _ long_ _ _ (rule_ends_at_pieces rule families closed long_ nothing) _
     (Permutation_refl _)).
+Qed.
+
+(* All chains that are written of these are simple. *)
+Lemma chains_of_written (chains : region) (c : chain) :
+  In c (flat_map polygons.chains_of_polygon (canonical_polygons (map (map as_point) chains))) ->
+  In (map as_vector c) (written_chains chains).
+Proof.
+  assert (back : forall d, map as_vector (map as_point d) = d).
+  { intros d. rewrite map_map. rewrite <- (map_id d) at 2. apply map_ext. now intros []. }
+  intros I. apply (Permutation_in _ (canonical_polygons_permute _)) in I. unfold canonical_region in I.
+  rewrite (map_map (map as_point)), (map_ext _ (fun d => d) back), map_id in I.
+  apply in_map_iff in I. destruct I as (d & <- & D). now rewrite back.
+Qed.
+
+Theorem written_sums_are_simple (p q : polygonal_region) (c : chain) :
+  valid_region (as_region p) -> valid_region (as_region q) ->
+  In c (flat_map polygons.chains_of_polygon (canonical_polygons (quick_sum p q))) -> simple (map as_vector c).
+Proof.
+  intros p_valid q_valid I. apply chains_of_written in I. revert I.
+  set (convolution_ := convolution_segments (as_region p) (as_region q)).
+  assert (long_ : forall t, In t convolution_ -> nonzero (along t)) by (now apply all_are_long).
+  apply (written_chains_are_simple convolution_ long_ _ _
+    (filled_ends_at_pieces convolution_ long_ (all_are_closed _ _ p_valid q_valid))).
+  now apply quick_filled_is.
+Qed.
+
+Theorem written_regions_by_rule_are_simple (rule : list Z -> bool) (families : list (list segment)) (c : chain) :
+  (forall l, In l families -> cycles l) -> (forall t, In t (concat families) -> nonzero (along t)) ->
+  rule (map (fun _ => 0%Z) families) = false ->
+  In c (flat_map polygons.chains_of_polygon (canonical_polygons (region_by_rule rule families))) ->
+  simple (map as_vector c).
+Proof.
+  intros closed long_ nothing I. apply chains_of_written in I. revert I.
+  exact (written_chains_are_simple _ long_ _ _ (rule_ends_at_pieces rule families closed long_ nothing) _
+    (Permutation_refl _) _).
 Qed.

@@ -1,14 +1,13 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Rings of segments that have nothing but ends in common, without vertices in straight lines (canonical_chains.v),
-are a
-   valid region again. One ring: at a vertex that is left out two of its edges met, so one is left there. Two rings that
-   crossed at such a point: on the other one's edges before and after it, one goes round differently often; but on the
-   right of all edges of a ring that is the same (clockwise_most_walks.v). *)
-From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List Permutation.
+   are a valid region again. One ring: at a vertex that is left out two of its edges met, so one is left there. Two
+   rings that crossed at such a point: on the other one's edges before and after it, one goes round differently often;
+   but on the right of all edges of a ring that is the same (clockwise_most_walks.v). *)
+From Coq Require Import QArith Lqa Qfield ZArith Arith Lia Bool List Permutation.
 From Oplus Require Import balanced_edges direction angle angular_crossings winding_number shifted_ray small_numbers
-  signed_crossings rotation in_out_degree regions meeting_of_segments weight winding_number_of_the_sum interiors_meet
-    neighbourhoods
-  left_of_an_edge right_of_an_edge theorem_4_2_1 observation_2_2_4 boundary_points location pieces collision_is_complete
+  signed_crossings rotation convolution_size turning_number fiber_grid states in_out_degree simple_chain simple_chains_turn_once regions meeting_of_segments
+  weight winding_number_of_the_sum interiors_meet neighbourhoods left_of_an_edge right_of_an_edge theorem_4_2_1
+  observation_2_2_4 boundary_points location pieces naive_collision collision_is_sound collision_is_complete
   beside_a_piece filling cut_pieces kept_pieces_go_round kept_pieces_balance walks complement_in_a_frame
   touching_vertices valid_regions_are_accepted beside_a_vertex canonical_chains.
 Import ListNotations.
@@ -93,6 +92,22 @@ Proof.
   destruct (dec (f c) (f a)) as [same |]; [exfalso; apply new; now left | apply IH; intros I; apply new; now right].
 Qed.
 
+Lemma times_by_index (x : vector) (l : list segment) (indices : list nat) : NoDup indices ->
+  (forall i, In i indices -> (i < length l)%nat /\ lies_on x (nth i l no_segment)) -> (length indices <= times x l)%nat.
+Proof.
+  intros distinct_ all.
+  assert (times_is : forall k start, times x k = length (filter (fun i => is_on_segment x (nth (i - start) k no_segment))
+    (seq start (length k)))).
+  { induction k as [| s k IH]; intros start; [reflexivity |]. rewrite times_of_more. cbn [length seq filter].
+    rewrite Nat.sub_diag. change (nth 0 (s :: k) no_segment) with s. rewrite (IH (S start)).
+    assert (same : filter (fun i => is_on_segment x (nth (i - start) (s :: k) no_segment)) (seq (S start) (length k)) =
+      filter (fun i => is_on_segment x (nth (i - S start) k no_segment)) (seq (S start) (length k))).
+    { apply filter_ext_in. intros i I. apply in_seq in I. now replace (i - start)%nat with (S (i - S start)) by lia. }
+    rewrite same. now destruct (is_on_segment x s). }
+  rewrite (times_is l 0%nat). apply NoDup_incl_length; [exact distinct_ |]. intros i I. destruct (all i I) as [below on].
+  apply filter_In. split; [apply in_seq; lia |]. rewrite Nat.sub_0_r. now destruct (is_on_spec x (nth i l no_segment)).
+Qed.
+
 Section Rings.
   Variable segments : list segment.
   Hypothesis long : forall e, In e segments -> nonzero (along e).
@@ -153,7 +168,8 @@ Section Rings.
   Qed.
 
   Lemma where_written_edges_meet (ring : list vector) (x : vector) : In ring rings ->
-    (2 <= times x (edges (canonical_chain ring)))%nat -> exists b, In b (canonical_chain ring) /\ equal_vectors x b.
+    (2 <= times x (edges (canonical_chain ring)))%nat ->
+    (times x (edges (canonical_chain ring)) <= 2)%nat /\ exists b, In b (canonical_chain ring) /\ equal_vectors x b.
   Proof.
     intros C two. unfold canonical_chain in *. destruct (from_smallest_is_a_rotation ring) as (l & m & ring_is &
       turned).
@@ -166,7 +182,8 @@ Section Rings.
     destruct (where_edges_meet (a :: rest) x once) as (b & B & equal & few).
     - intros e E. apply (edges_of_ring ring C), (Permutation_in _ edges_turned E).
     - rewrite edges_are_a_path. lia.
-    - rewrite edges_are_a_path in few. destruct B as [<- | B]; [exists a; split; [now left | exact equal] |].
+    - rewrite edges_are_a_path in few |- *. split; [lia |].
+      destruct B as [<- | B]; [exists a; split; [now left | exact equal] |].
       destruct (dropped b B equal) as [kept_ |]; [exists b; split; [now right | exact equal] | lia].
   Qed.
 
@@ -238,7 +255,7 @@ Section Rings.
       ring])
       (region_edges [canonical_chain ring])).
     { unfold region_edges. cbn [flat_map]. rewrite app_nil_r. apply pairs_meet_twice. intros x two.
-      destruct (where_written_edges_meet ring x C two) as (b & B & equal). now apply (vertex_written ring x b). }
+      destruct (where_written_edges_meet ring x C two) as (_ & b & B & equal). now apply (vertex_written ring x b). }
     rewrite edges_is in pairs. revert w.
     refine (pair_at_position (fun s t => forall w, lies_on w s -> lies_on w t -> is_vertex w [canonical_chain ring])
       s t later earlier _ pairs T). intros a b R w on_b on_a. now apply R.
@@ -315,6 +332,66 @@ Section Rings.
       intros x [-> | ->]; (split; [now apply off_ring |]; split; [now apply (on_its_ring B t) | assumption]).
   Qed.
 
+  (* Theorem. Each chain is simple. *)
+  Theorem canonical_chains_are_simple (ring : list vector) : In ring rings -> canonical_chain ring <> [] ->
+    simple (canonical_chain ring).
+  Proof.
+    intros C some. set (c := canonical_chain ring) in *. set (n := length c).
+    assert (long_c : forall i, (i < n)%nat -> nonzero (along (edge_at c i)))
+      by (intros i I; apply (written_is_long ring _ C), nth_In; now rewrite edges_are_as_many).
+    assert (starts : forall i, (i < n)%nat -> lies_on (vertex c i) (edge_at c i)).
+    { intros i I. rewrite edge_is by exact I. apply (source_lies_on (Segment _ _)). }
+    assert (ends_ : forall i, (i < n)%nat -> lies_on (vertex c (next i n)) (edge_at c i)).
+    { intros i I. rewrite edge_is by exact I. apply (target_lies_on (Segment _ _)). }
+    (* a vertex is on the edges before and after it only *)
+    assert (alone : forall i k x, (i < n)%nat -> (k < n)%nat -> (n <> 1)%nat -> equal_vectors x (vertex c k) ->
+      lies_on x (edge_at c i) -> i = k \/ next i n = k).
+    { intros i k x I K more equal on. destruct (Nat.eq_dec i k) as [| other]; [now left |].
+      destruct (Nat.eq_dec (next i n) k) as [| other']; [now right | exfalso].
+      pose proof (previous_below n k K) as J. pose proof (next_previous n k K) as is_k.
+      assert (on_k : lies_on x (edge_at c k) /\ lies_on x (edge_at c (previous n k))).
+      { destruct equal as [X Y]. split; [destruct (starts k K) as (h & range & hx & hy) |
+          pose proof (ends_ (previous n k) J) as end_; rewrite is_k in end_; destruct end_ as (h & range & hx & hy)];
+          exists h; rewrite X, Y; tauto. }
+      assert (three : (3 <= times x (edges c))%nat).
+      { apply (times_by_index x (edges c) [i; k; previous n k]).
+        - repeat constructor; cbn; intros H; repeat (destruct H as [H | H]); try contradiction; try lia.
+          + apply other'. rewrite <- H. exact is_k.
+          + unfold previous in *. destruct k; lia.
+        - intros j [<- | [<- | [<- | []]]]; rewrite edges_are_as_many; tauto. }
+      assert (two : (2 <= times x (edges c))%nat) by lia.
+      destruct (where_written_edges_meet ring x C two) as [few _]. change (canonical_chain ring) with c in few. lia. }
+    assert (meet : forall i j x, (i < n)%nat -> (j < n)%nat -> i <> j -> lies_on x (edge_at c i) -> lies_on x (edge_at c j) ->
+      exists k, (k < n)%nat /\ equal_vectors x (vertex c k)).
+    { intros i j x I J other on_i on_j. assert (two : (2 <= times x (edges c))%nat).
+      { apply (times_by_index x (edges c) [i; j]).
+        - constructor; [intros [|[]]; now apply other | constructor; [intros [] | constructor]].
+        - intros k [<- | [<- | []]]; rewrite edges_are_as_many; tauto. }
+      destruct (where_written_edges_meet ring x C two) as (_ & b & B & equal).
+      apply (In_nth _ _ nowhere) in B. destruct B as (k & K & <-). now exists k. }
+    assert (three : (3 <= n)%nat).
+    { destruct (Nat.eq_dec n 1) as [one | more].
+      - exfalso. apply (long_c 0%nat ltac:(lia)). rewrite edge_is by lia. fold n. rewrite one. unfold along, minus.
+        cbn. split; ring.
+      - destruct (Nat.eq_dec n 2) as [two | more']; [exfalso | destruct c; [contradiction | cbn in n; lia]].
+        assert (is_0 : edge_at c 0 = Segment (vertex c 0) (vertex c 1)) by (rewrite edge_is by lia; fold n; now rewrite two).
+        assert (is_1 : edge_at c 1 = Segment (vertex c 1) (vertex c 0)) by (rewrite edge_is by lia; fold n; now rewrite two).
+        pose proof (long_c 0%nat ltac:(lia)) as long_0. rewrite is_0 in long_0.
+        destruct (meet 0%nat 1%nat (middle (Segment (vertex c 0) (vertex c 1)))) as (k & K & X & Y); [lia | lia | lia | | |].
+        + rewrite is_0. apply strictly_inside_lies_on, middle_is_inside.
+        + rewrite is_1. apply strictly_inside_lies_on, (strictly_inside_reversed _ (Segment (vertex c 0) (vertex c 1))).
+          apply middle_is_inside.
+        + unfold middle, Qdiv in X, Y. cbn [source target vx vy] in X, Y. change (/ 2) with (1 # 2) in X, Y. apply long_0. unfold along, minus. cbn [source target vx vy].
+          destruct k as [| [| k]]; [split; lra | split; lra | lia]. }
+    split; [exact three |]. split.
+    - intros e E. unfold edge_directions in E. apply in_map_iff in E. destruct E as (s & <- & S).
+      exact (written_is_long ring s C S).
+    - intros i j x I J other on_i on_j. destruct (meet i j x I J other on_i on_j) as (k & K & equal).
+      destruct (alone i k x I K ltac:(lia) equal on_i) as [-> | i_k], (alone j k x J K ltac:(lia) equal on_j) as [j_k | j_k];
+        subst; [contradiction | right; now split | left; now split |].
+      exfalso. apply other. now apply (next_injective n).
+  Qed.
+
   (* Theorem. *)
   Theorem canonical_chains_are_valid : valid_region written /\ nowhere_above_one written.
   Proof.
@@ -328,7 +405,7 @@ Section Rings.
     { rewrite edges_written.
       apply (pairs_of_parts (fun A B => forall e f, In e (edges A) -> In f (edges B) -> e <> f)).
       - intros ring C. apply pairs_meet_twice. intros x two.
-        destruct (where_written_edges_meet ring x C two) as (b & B & equal). now apply (vertex_written ring x b).
+        destruct (where_written_edges_meet ring x C two) as (_ & b & B & equal). now apply (vertex_written ring x b).
       - intros A B C D disjoint s t S T w. now apply (rings_meet_in_vertices A B s t w).
       - apply pairs_by_position. intros earlier A later B rings_are D e f E F <-.
         apply (Permutation_NoDup (Permutation_sym edges_are)) in distinct_. rewrite rings_are in distinct_.
