@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Corollary 2.2.3 as printed: each point of the boundary of the sum of two polygons is the sum of a boundary point of
-   P and one of Q. Polygons may have holes, several components and chains that touch. It is proved in lemma_2_2_2.v.
-   *)
+   P and one of Q. Polygons may have holes, several components and chains that touch. It is proved in
+   lemma_2_2_2.v. *)
 From Coq Require Import QArith List.
 From Oplus Require Import convolution theorem_4_2_1 theorem_2_2_10 lemma_2_2_2 polygons_of_the_thesis drawn_regions
   drawn_sums.

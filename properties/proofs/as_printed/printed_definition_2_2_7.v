@@ -3,7 +3,8 @@
    equal directions of P, or those of P, so that they come after those of Q, the points of the convolution are the
    same; its segments need not be. To turn those of P is to apply the definition with the names P and Q exchanged. And
    what it says below Definition 2.2.8: both definitions give the same points. Without ties, as in Definition 2.2.8, P
-   and Q have the same part, so the first follows from the second, which is proved in definition_2_2_8.v. *)
+   and Q have the same part, so the first follows from the second, which is proved in definition_2_2_8.v. A vertex
+   inside a straight line counts as a point of the line. *)
 From Coq Require Import QArith Lqa List.
 From Oplus Require Import convolution theorem_4_2_1 definition_2_2_8 small_polygons polygons_of_the_thesis
   drawn_regions.
@@ -33,7 +34,7 @@ Proof.
   intros. rewrite !definition_2_2_8_as_printed by assumption. split; apply definition_2_2_8_is_symmetric.
 Qed.
 
-(* Two squares with parallel sides: all directions of the one are equal to some of the other. *)
+(* Squares with parallel sides, one with a hole: all directions of the one are equal to some of the other. *)
 Example ties_do_not_matter (x : vector) :
   in_convolution_by_2_2_7 chamber [square] x <-> in_convolution_by_2_2_7 [square] chamber x.
 Proof. apply definition_2_2_7_as_printed; [apply drawn_regions | apply square_is_a_region]. Qed.

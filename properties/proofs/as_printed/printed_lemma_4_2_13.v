@@ -11,8 +11,8 @@ Import ListNotations.
 
 Open Scope Z_scope.
 
-(* Two paths from points of known numbers to the same point give it the same number; and closed paths add up to zero.
-   *)
+(* Two paths from points of known numbers to the same point give it the same number; and closed paths add up to
+   zero. *)
 Definition well_defined_winding_numbers (segments : list segment) : Prop :=
   (forall path first, off first segments -> last path first = first ->
      signed_crossings_of_path (first :: path) segments = 0) /\

@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Observation 4.2.8 as printed: if x is a point of a convolution segment, then a vertex of P is on an edge of -Q + x,
    or a vertex of -Q + x on an edge of P. The thesis says it of points inside the segment; it holds for its ends, too.
-   A segment of the convolution is a sum of a vertex and an edge (theorem_2_2_6.v); Equations 4.2 to 4.5 say the same.
-   *)
+   A segment of the convolution is a sum of a vertex and an edge (theorem_2_2_6.v); Equations 4.2 to 4.5 say the
+   same. *)
 From Coq Require Import QArith Lqa List.
 From Oplus Require Import convolution convolution_winding regions left_of_an_edge theorem_2_2_6 reflected
   placed_collision drawn_regions.

@@ -102,8 +102,8 @@ Proof.
     unfold moved_along, minus; cbn [vx vy]. split; inside_by_arithmetic.
 Qed.
 
-(* Four vertices of the inscribed diamond touch the four sides of the chamber's hole, (3, 3) is its only place there.
-   *)
+(* Four vertices of the inscribed diamond touch the four sides of the chamber's hole, (3, 3) is its only place
+   there. *)
 Lemma only_place_in_the_chamber : isolated_vertex (Vector 3 3) chamber [inscribed_diamond].
 Proof.
   split.

@@ -3,7 +3,8 @@
    draw. Those that are as printed have examples in as_printed/ and in refuted/. *)
 From Coq Require Import QArith Lqa List.
 From Oplus Require Import convolution small_numbers convolution_winding neighbourhoods theorem_2_2_10 theorem_2_2_6
-  small_polygons test_of_regions reduced_convolution open_sum polygons_of_the_thesis drawn_regions drawn_sums.
+  small_polygons test_of_regions reduced_convolution open_sum polygons_of_the_thesis drawn_regions drawn_sums
+  valid_components theorem_4_2_1_for_valid_regions touching_holes.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -19,6 +20,22 @@ Proof.
     apply on_edge_by_computation. vm_compute. reflexivity.
   - exists (Segment (Vector 0 0) (Vector 2 0)). split; [now left |].
     apply on_edge_by_computation. vm_compute. reflexivity.
+Qed.
+
+(* A hole that touches the lower side of a square between the ends of this side. *)
+Example a_vertex_that_touches_an_edge :
+  exists s, In s (convolution_segments (region_of square_with_lower_hole) [narrow_triangle]) /\
+    lies_on (Vector 2 (-2)) s.
+Proof.
+  apply boundary_is_part_of_the_convolution.
+  - apply valid_components_are_valid_regions, square_with_lower_hole_is_valid.
+  - apply (valid_components_are_valid_regions [Component narrow_triangle []]), narrow_triangle_is_valid.
+  - apply (lowest_points_are_on_the_boundary _ _ 0 (-2)); [vm_compute; reflexivity .. | | reflexivity].
+    exists (Vector 3 0), (Vector (-1) (-2)). split; [| split; [| split; reflexivity]]; right.
+    + exists (Segment (Vector 0 0) (Vector 6 0)). split; [now left |].
+      apply on_edge_by_computation. vm_compute. reflexivity.
+    + exists (Segment (Vector 0 0) (Vector (-1) (-2))). split; [now left |].
+      apply on_edge_by_computation. vm_compute. reflexivity.
 Qed.
 
 (* The point of the dangling edge in the hatch is a boundary point of the open sum. *)

@@ -16,8 +16,8 @@ Proof.
   unfold cross, minus in below. cbn [vx vy] in below. lra.
 Qed.
 
-(* All segments through (1, 0), between their ends, lead to the right, and a segment of the reduced convolution does.
-   *)
+(* All segments through (1, 0), between their ends, lead to the right, and a segment of the reduced convolution
+   does. *)
 Example lower_side_has_its_direction :
   on_reduced_convolution (Vector 1 0) chamber [square] /\
   (forall s k, In s (convolution_segments chamber [square]) -> 0 < k < 1 ->
@@ -49,8 +49,8 @@ Proof.
   - apply no_sum_of_vertices_by_computation. vm_compute. reflexivity.
 Qed.
 
-(* Theorem 3.2.10. In (3, 3) segments of four directions meet. That they are of more than one follows without looking:
-   *)
+(* Theorem 3.2.10. In (3, 3) segments of four directions meet. What is proved: each direction is to the left of one of
+   them or along two, and two directions that are not opposite are too few. *)
 Example a_segment_above_the_isolated_vertex (m : vector) : nonzero m ->
   (exists s, covers s (Vector 3 3) chamber [inscribed_diamond] /\ 0 < cross (along s) m) \/
   ((exists s, covers s (Vector 3 3) chamber [inscribed_diamond] /\ same_direction (along s) m) /\

@@ -3,9 +3,8 @@
    a hole and the square. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation.
 From Oplus Require Import convolution tracing balanced_graph convolution_graph convolution_cycles signed_crossings
-  convolution_winding regions
-  region_size valid_components test_of_components theorem_4_2_1_for_valid_regions size_of_valid_regions
-    interiors_meet theorem_4_2_1 tangent_count small_polygons simple_polygons replaced_segments
+  convolution_winding regions region_size valid_components test_of_components theorem_4_2_1_for_valid_regions
+  size_of_valid_regions interiors_meet theorem_4_2_1 tangent_count small_polygons simple_polygons replaced_segments
   tangent_features polygons_of_the_thesis drawn_regions.
 Import ListNotations.
 

@@ -28,7 +28,8 @@ Example parallel_squares : let directions := map (fun s => Direction rightwards 
        ccw d from to = ccw_of_vectors (nudged epsilon d) (nudged epsilon from) (nudged epsilon to))).
 Proof. apply tie_rule_is_a_rotation. intros d [<- | [<- | []]]; some_direction. Qed.
 
-(* The lower side of one square is in the tangent set of the other's vertex (2, 0) or (0, 0), as it is of P or of Q. *)
+(* The lower side of one square is in the tangent set of the other's vertex (2, 0) or (0, 0), as it is of P or of
+   Q. *)
 Example tie_at_a_corner :
   in_tangent_set (Direction rightwards OfP) (Corner leftwards rightwards) = true /\
   eventually (fun epsilon => exists s t, 0 < s /\ s < t /\ t < 4 /\
@@ -42,8 +43,8 @@ Proof.
   - exists limit. split; [exact L |]. intros e some little. apply (returned e some little). vm_compute. reflexivity.
 Qed.
 
-(* Definition 2.1.9. The room's tangent passes each direction once; the tangent sets of its vertices, of which four are
-   reflex, contain each direction five times. *)
+(* Definition 2.1.9. The room's tangent passes each direction once; the tangent sets of its vertices, of which four
+   are reflex, contain each direction five times. *)
 Example tangents_of_the_room (d : direction) : proper d ->
   turns_past d room = 1%Z /\ count (in_tangent_set d) (corners room) = 5%nat.
 Proof.

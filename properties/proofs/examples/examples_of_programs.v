@@ -31,8 +31,8 @@ Definition the_diamond : polygonal_region := [halves [(0, 0); (1, -1); (2, 0); (
 Lemma they_are_covered : is_covered the_room = true /\ is_covered the_diamond = true.
 Proof. split; vm_compute; reflexivity. Qed.
 
-(* What is computed is their sum; and it has the open sum's dangling edge, along which the diamond passes the hatch.
-   *)
+(* What is computed is their sum; and it has the open sum's dangling edge, along which the diamond passes the
+   hatch. *)
 Example a_proved_sum : is_minkowski_sum the_room the_diamond (region_of_polygons (proved_sum the_room the_diamond)).
 Proof. apply proved_sum_is_the_sum; apply they_are_covered. Qed.
 

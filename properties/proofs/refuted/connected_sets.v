@@ -1,7 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Connected sets of points: two of their points are joined by a path of straight steps inside the set. For what
-polygons
-   bound, this is what connected means; over rational numbers it is the notion that makes sense. *)
+   polygons bound, this is what connected means; over rational numbers it is the notion that makes sense. *)
 From Coq Require Import QArith List.
 From Oplus Require Import winding meeting_of_segments.
 Import ListNotations.

@@ -1,10 +1,10 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Corollary 3.1.3 is false as printed. It says that the boundary of each face interior to the sum is one weakly simple
-   chain. Where the sum has a hole, it is two chains: P is a square room with a slit in its right wall, a simple
-     polygon, Q a
-   small square that does not pass the slit; their sum is the square from (0, 0) to (7, 7) without the open square from
-   (3, 3) to (4, 4). The points between the two squares are inner points, so an edge of a chain on the boundary cannot
-   lead from the one square to the other. That each chain of a boundary is weakly simple is not proved. *)
+(* Corollary 3.1.3 is false as printed. It says that the boundary of each face interior to the sum is one weakly
+   simple chain. Where the sum has a hole, it is two chains: P is a square room with a slit in its right wall, a
+   simple polygon, Q a small square that does not pass the slit; their sum is the square from (0, 0) to (7, 7) without
+   the open square from (3, 3) to (4, 4). The points between the two squares are inner points, so an edge of a chain
+   on the boundary cannot lead from the one square to the other. That each chain of a boundary is weakly simple is not
+   proved. *)
 From Coq Require Import QArith Qminmax Lqa Qfield ZArith Lia Bool List Arith.
 From Oplus Require Import convolution convolution_winding regions meeting_of_segments neighbourhoods interiors_meet
   theorem_4_2_1 theorem_2_2_10 observation_2_2_4 lemma_2_2_2 simple_chain simple_chains_turn_once simple_polygons
@@ -184,18 +184,18 @@ Section Chain.
 End Chain.
 
 (* Both squares are boundary of the face. *)
-Definition start : vector := Vector (7 # 2) (3 # 2).
+Definition inner_start : vector := Vector (7 # 2) (3 # 2).
 
 Lemma up_and_down (height : Q) : 0 < height < 3 ->
-  face_of_the_sum [room_with_a_slit] [unit_square] start (Vector (7 # 2) height).
+  face_of_the_sum [room_with_a_slit] [unit_square] inner_start (Vector (7 # 2) height).
 Proof.
   intros H. exists []. intros z (t & T & X & Y). apply inner_points_between_the_squares.
-  unfold start in *; cbn [source target vx vy] in *.
+  unfold inner_start in *; cbn [source target vx vy] in *.
   assert (0 < vy z < 3) by (rewrite Y; split; nra).
   unfold is_between_the_squares. rewrite X. repeat split; lra.
 Qed.
 
-Lemma only_sums_in_the_face (x : vector) : face_of_the_sum [room_with_a_slit] [unit_square] start x ->
+Lemma only_sums_in_the_face (x : vector) : face_of_the_sum [room_with_a_slit] [unit_square] inner_start x ->
   in_sum x [room_with_a_slit] [unit_square].
 Proof.
   intros (path & walk). apply leads_to_a_point in walk. destruct walk as (radius & R & inner). apply inner.
@@ -217,7 +217,7 @@ Lemma boundary_above_and_below (height : Q) :
      within radius (Vector (7 # 2) height) (Vector (7 # 2) inner) /\
      within radius (Vector (7 # 2) height) (Vector (7 # 2) outer_) /\
      ~ in_sum (Vector (7 # 2) outer_) [room_with_a_slit] [unit_square]) ->
-  on_boundary_of_set (face_of_the_sum [room_with_a_slit] [unit_square] start) (Vector (7 # 2) height).
+  on_boundary_of_set (face_of_the_sum [room_with_a_slit] [unit_square] inner_start) (Vector (7 # 2) height).
 Proof.
   intros near radius R. destruct (near radius R) as (inner & outer_ & H & near_inner & near_outer & outside). split.
   - exists (Vector (7 # 2) inner). split; [exact near_inner | now apply up_and_down].
@@ -228,11 +228,11 @@ Qed.
 Theorem corollary_3_1_3_is_false_as_printed : ~ corollary_3_1_3_as_printed.
 Proof.
   intros printed. destruct they_are_polygons as [p_polygon q_polygon].
-  destruct (printed room_with_a_slit unit_square start p_polygon q_polygon) as (chain & _ & boundary).
-  - apply inner_points_between_the_squares. unfold is_between_the_squares, start. cbn [vx vy]. repeat split; lra.
+  destruct (printed room_with_a_slit unit_square inner_start p_polygon q_polygon) as (chain & _ & boundary).
+  - apply inner_points_between_the_squares. unfold is_between_the_squares, inner_start. cbn [vx vy]. repeat split; lra.
   - assert (nothing_between : forall x, on_boundary x [chain] -> ~ is_between_the_squares x).
     { intros x on between_. apply boundary in on.
-      now apply (inner_points_are_on_no_boundary _ _ start x (inner_points_between_the_squares x between_)). }
+      now apply (inner_points_are_on_no_boundary _ _ inner_start x (inner_points_between_the_squares x between_)). }
     assert (sides : is_in_the_small_square (Vector (7 # 2) 0)); [| destruct sides as [_ low]; cbn in low; lra].
     apply (all_in_the_small_square chain nothing_between (Vector (7 # 2) 3)); [apply boundary .. |].
     + apply boundary_above_and_below. intros radius R. exists (3 - (1 # 2) * Qmin radius 1), (3 + (1 # 2) * Qmin

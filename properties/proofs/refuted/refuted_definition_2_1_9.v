@@ -57,7 +57,7 @@ Proof.
       cbn in I, J. each_index i; each_index j; known_edges; lra.
 Qed.
 
-(* What the text says of the sign, with the formula's angles, is false of a triangle. *)
+(* What the text says of the sign, with the formula's angles, is false of a square. *)
 Definition sign_in_the_text : Prop :=
   forall chain, simple_polygon chain -> total_angle (turns_of chain) == -4.
 

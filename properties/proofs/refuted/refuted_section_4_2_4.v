@@ -1,10 +1,11 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Section 4.2.4 is false as printed where it says that Theorem 4.2.14 holds for polygons that are not simple: that
-   the winding number of the original convolution at x, off both convolutions, is the number of connected components
-   of the intersection of P and -Q + x. P is a triangle with a triangular hole, Q a triangle whose reflection covers
-   the hole: the number is 0, and the intersection is not empty. What holds is proved in theorem_4_2_14.v, for an
-   intersection whose boundary is given: the number of its outer chains less that of its holes. What the section says
-   of Theorem 4.2.1 is right (theorem_4_2_1_for_regions). *)
+(* Section 4.2.4 is false as printed where it says that for polygons that are not simple, too, the winding number of
+   the original convolution and the number of connected components of the intersection of P and -Q + x remain the
+   same, as Theorem 4.2.14 has it for simple ones. P is a triangle with a triangular hole, Q a triangle whose
+   reflection covers the hole: the winding number is 0, and the intersection is not empty. What holds is proved in
+   theorem_4_2_14.v, for an intersection whose boundary is given: the winding number is the number of its outer chains
+   less that of its holes. What the section concludes, Theorem 4.2.1 for such polygons, is right
+   (theorem_4_2_1_for_regions). *)
 From Coq Require Import QArith Lia List.
 From Oplus Require Import connected_sets convolution convolution_winding regions rows_and_columns theorem_4_2_1
   theorem_4_2_1_for_valid_regions valid_components test_of_components replaced_segments tangent_features
@@ -13,6 +14,7 @@ Import ListNotations.
 
 Open Scope Q_scope.
 
+(* For each x off both convolutions. *)
 Definition section_4_2_4_as_printed : Prop :=
   forall (p q : list component) (x : vector),
     valid_components p -> valid_components q ->
