@@ -97,7 +97,8 @@ Proof.
   assert (value : - p / (q - p) * (q - p) == - p) by (field; lra).
   assert (range : 0 <= - p / (q - p) <= 1) by (split; [apply Qle_shift_div_l | apply Qle_shift_div_r]; lra).
   set (l := - p / (q - p)) in *. clearbody l p q. apply (on_segment c e a l); [exact range |].
-  split; cbn [vx vy]; apply (Qmult_inj_l _ _ (dot u u * (q - p))); (nra || by_equations).
+  assert (some : ~ dot u u * (q - p) == 0) by nra. clear - xc yc xe ye value some.
+  split; cbn [vx vy]; apply (Qmult_inj_l _ _ _ some); by_equations.
 Qed.
 
 (* On the line of the segment from a to b, a point that is neither before a nor after b is on it. *)
@@ -143,7 +144,7 @@ Proof.
                     dot (Vector (- vy v) (vx v)) (minus c b) == (1 - s) * cross u v /\
                     dot (Vector (- vy v) (vx v)) (minus e a) == - s * cross u v /\
                     dot (Vector (- vy v) (vx v)) (minus e b) == (1 - s) * cross u v).
-    { clear outside. unfold u, v in *. in_coordinates. repeat split; by_equations. }
+    { unfold u, v in *. in_coordinates. repeat split; lra. }
     destruct sides as (-> & -> & -> & ->).
     destruct (Q_dec (cross u v) 0) as [[? | ?] | ?]; [| | contradiction];
       (destruct (Qlt_le_dec s 0); [| assert (1 < s) by (apply Qnot_le_lt; intro; apply outside; lra)]);
@@ -152,7 +153,7 @@ Proof.
                     dot (Vector (- vy u) (vx u)) (minus c b) == - t * cross u v /\
                     dot (Vector (- vy u) (vx u)) (minus e a) == (1 - t) * cross u v /\
                     dot (Vector (- vy u) (vx u)) (minus e b) == (1 - t) * cross u v).
-    { clear outside. unfold u, v in *. in_coordinates. repeat split; by_equations. }
+    { unfold u, v in *. in_coordinates. repeat split; lra. }
     destruct sides as (-> & -> & -> & ->).
     destruct (Q_dec (cross u v) 0) as [[? | ?] | ?]; [| | contradiction];
       (destruct (Qlt_le_dec t 0); [| assert (1 < t) by (apply Qnot_le_lt; intro; apply outside; lra)]);

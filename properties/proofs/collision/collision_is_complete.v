@@ -40,22 +40,22 @@ Proof.
   destruct on_v as (m & m_range & mx & my).
   set (step := (l - k) * d * c).
   assert (x_is : vx w == (1 - (m + step)) * vx (source t) + (m + step) * vx (target t)).
-  { unfold step. in_coordinates. by_equations. }
+  { unfold step. clear - kx lx mx dx cx. in_coordinates. by_equations. }
   assert (y_is : vy w == (1 - (m + step)) * vy (source t) + (m + step) * vy (target t)).
-  { unfold step. in_coordinates. by_equations. }
+  { unfold step. clear - ky ly my dy cy. in_coordinates. by_equations. }
   clearbody step. exists (m + step). split; [| now split].
   destruct (Qlt_le_dec (m + step) 0) as [below | above]; [exfalso | split; [exact above |]].
   - assert (quotient : - m / step * step == - m) by (field; lra).
     set (r := - m / step) in *. clearbody r. assert (r_range : 0 <= r <= 1) by (split; nra).
     destruct (no_end (source t)) as [not_source _]; [| apply not_source; split; reflexivity].
     exists r. cbn [source target]. split; [exact r_range |].
-    split; by_equations.
+    clear - x_is y_is mx my quotient. split; by_equations.
   - destruct (Qlt_le_dec 1 (m + step)) as [beyond | fine]; [exfalso | exact fine].
     assert (quotient : (1 - m) / step * step == 1 - m) by (field; lra).
     set (r := (1 - m) / step) in *. clearbody r. assert (r_range : 0 <= r <= 1) by (split; nra).
     destruct (no_end (target t)) as [_ not_target]; [| apply not_target; split; reflexivity].
     exists r. cbn [source target]. split; [exact r_range |].
-    split; by_equations.
+    clear - x_is y_is mx my quotient. split; by_equations.
 Qed.
 
 (* Pieces of the boundary of a, cut once more where the boundary of b meets them. *)

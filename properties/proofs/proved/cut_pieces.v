@@ -96,10 +96,10 @@ Proof.
   assert (0 < (1 - j) * c) by (apply Qmult_lt_0_compat; lra). assert (a_range : a < 1 /\ 0 < a + c) by (unfold a; lra).
   assert (same_x : forall l, (1 - l) * vx (source f) + l * vx (target f) ==
     (1 - (a + l * c)) * vx (source e) + (a + l * c) * vx (target e))
-    by (intros l; unfold a; in_coordinates; by_equations).
+    by (intros l; unfold a; clear - kx jx along_x; in_coordinates; by_equations).
   assert (same_y : forall l, (1 - l) * vy (source f) + l * vy (target f) ==
     (1 - (a + l * c)) * vy (source e) + (a + l * c) * vy (target e))
-    by (intros l; unfold a; in_coordinates; by_equations).
+    by (intros l; unfold a; clear - ky jy along_y; in_coordinates; by_equations).
   clearbody a. clear along_x along_y kx ky jx jy.
   pose proof (same_x 0) as x0. pose proof (same_y 0) as y0. pose proof (same_x 1) as x1. pose proof (same_y 1) as y1.
   assert (a_low : a <= 0) by (apply Qnot_lt_le; intros high; apply f_source; exists a; repeat split; lra).
@@ -251,7 +251,7 @@ Section Pieces.
       apply (collinear_of_one_place _ piece); [apply undirected_place |].
       destruct (nothing_meets_a_piece s segments piece t w (all_long s S) P inside_ J) as (_ & _ & parallel).
       apply (collinear_by_direction piece t w); [now apply strictly_inside_lies_on | exact on |].
-      specialize (parallel on). unfold cross in *. by_equations.
+      specialize (parallel on). clear - parallel cx cy. unfold cross in *. by_equations.
     - intros before e after f w pieces_are F in_e in_f.
       assert (distinct_ : NoDup (pieces_of segments)) by apply NoDup_nodup.
       assert (E : In e (pieces_of segments)) by (rewrite pieces_are; apply in_app_iff; cbn; tauto).
@@ -267,7 +267,7 @@ Section Pieces.
       destruct (nothing_meets_a_piece s1 segments p1 s2 w (all_long s1 S1) P1 in_e S2) as (_ & _ & parallel).
       specialize (parallel (part_lies_on p2 s2 w (all_long s2 S2) part2 (strictly_inside_lies_on w p2 in_f))).
       apply (one_place p1 p2 w); trivial.
-      + unfold cross in *. by_equations.
+      + clear - parallel x1 y1 x2 y2. unfold cross in *. by_equations.
       + apply (no_end_inside s2 s1 p2 p1); tauto.
       + apply (no_end_inside s2 s1 p2 p1); tauto.
       + apply (no_end_inside s1 s2 p1 p2); tauto.

@@ -76,9 +76,9 @@ Section OnePiece.
       assert (cancelled : forall x y : Q, dot n n * x == dot n n * y -> x == y) by (intros x y; apply Qmult_inj_l; lra).
       assert (k_is : k == (1 - u) * a + u * b) by (apply cancelled; in_coordinates; by_equations).
       assert (source_is : vx (source t) == vx m + a * vx n /\ vy (source t) == vy m + a * vy n)
-        by (split; apply cancelled; in_coordinates; by_equations).
+        by (clear k_is; split; apply cancelled; in_coordinates; by_equations).
       assert (target_is : vx (target t) == vx m + b * vx n /\ vy (target t) == vy m + b * vy n)
-        by (split; apply cancelled; in_coordinates; by_equations).
+        by (clear k_is source_is; split; apply cancelled; in_coordinates; by_equations).
       destruct source_is as [sx sy], target_is as [tx ty].
       assert (between_ : (a <= 0 /\ 0 < b) \/ (0 < a /\ b <= 0)).
       { destruct (Qlt_le_dec 0 a) as [a_some | a_none], (Qlt_le_dec 0 b) as [b_some | b_none];
@@ -86,11 +86,12 @@ Section OnePiece.
         pose proof (mixed_is_more u a b k u_range (a_far a_some) (b_far b_some)). lra. }
       assert (h_is : - a / (b - a) * (b - a) == - a) by (field; lra). set (h := - a / (b - a)) in *. clearbody h.
       assert (on_t : lies_on m t).
-      { exists h. split; [destruct between_; split; apply Qnot_lt_le; intros outside; nra |]. split; by_equations. }
+      { exists h. split; [destruct between_; split; apply Qnot_lt_le; intros outside; nra |].
+        clear - sx sy tx ty h_is. split; by_equations. }
       destruct (only m t in_middle T on_t) as [s_on t_on].
       pose proof (on_the_line m e (strictly_inside_lies_on _ _ in_middle)) as line.
-      assert (a_none : a * cross (along e) n == 0) by (in_coordinates; by_equations).
-      assert (b_none : b * cross (along e) n == 0) by (in_coordinates; by_equations).
+      assert (a_none : a * cross (along e) n == 0) by (clear - s_on line sx sy; in_coordinates; by_equations).
+      assert (b_none : b * cross (along e) n == 0) by (clear - t_on line tx ty; in_coordinates; by_equations).
       destruct (Qmult_integral _ _ a_none), (Qmult_integral _ _ b_none); lra.
     - (* across *)
       set (a := cross (minus (source t) m) (along t) / cross n (along t)) in *.
