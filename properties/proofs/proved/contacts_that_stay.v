@@ -5,8 +5,7 @@
    still goes round x (crossing_edges.v), and vertices on an edge keep their order, so that the part between two of
    them is met by other edges where it was met before. *)
 From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import convolution signed_crossings meeting_of_segments regions reflected parallelogram
-  crossing_edges interiors_meet left_of_an_edge right_of_an_edge winding_number_of_the_sum theorem_4_2_1 boundary_points
+From Oplus Require Import regions_and_sums reflected parallelogram crossing_edges right_of_an_edge boundary_points
   rotation pieces naive_collision met_pieces collision_is_sound collision_is_complete placed_collision coordinates
   contacts.
 Import ListNotations.

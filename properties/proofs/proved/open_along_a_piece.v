@@ -4,10 +4,9 @@
    moves along the piece, contacts stay (contacts_that_stay.v). And where x is strictly inside such a sum, and no sum
    of two vertices, the interiors can fail to meet only if no edge at the vertex leads across. *)
 From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import convolution tie_rule meeting_of_segments regions reflected interiors_meet neighbourhoods
-  left_of_an_edge winding_number_of_the_sum theorem_4_2_1 theorem_2_2_6 boundary_points pieces naive_collision
-  met_pieces collision_is_sound collision_is_complete test_of_regions right_of_an_edge filling cut_pieces coordinates
-  contacts contacts_that_stay sums_of_two_edges sum_of_uncovered_pieces open_sum_program.
+From Oplus Require Import regions_and_sums reflected theorem_2_2_6 boundary_points pieces naive_collision met_pieces
+  collision_is_sound collision_is_complete test_of_regions right_of_an_edge filling cut_pieces coordinates contacts
+  contacts_that_stay sums_of_two_edges sum_of_uncovered_pieces open_sum_program.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -4,11 +4,10 @@
    4.2.1; one that is, and is not in the open sum, is an end of a piece or inside one, along which the interiors meet
    nowhere (open_along_a_piece.v). *)
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
-From Oplus Require Import small_numbers convolution signed_crossings tie_rule shifted_ray convolution_winding regions
-  reflected meeting_of_segments winding_number_of_the_sum interiors_meet neighbourhoods left_of_an_edge theorem_4_2_1
-  observation_2_2_4 right_of_an_edge theorem_2_2_10 theorem_2_2_6 lemma_2_2_2 boundary_points location naive_collision
-  met_pieces specification_bridge collision_is_sound collision_is_complete placed_collision beside_a_piece filling
-  kept_pieces_go_round cut_pieces coordinates contacts contacts_that_stay open_sum_program open_along_a_piece.
+From Oplus Require Import regions_and_sums reflected observation_2_2_4 right_of_an_edge theorem_2_2_10 theorem_2_2_6
+  lemma_2_2_2 boundary_points location naive_collision met_pieces specification_bridge collision_is_sound
+  collision_is_complete placed_collision beside_a_piece filling kept_pieces_go_round cut_pieces coordinates contacts
+  contacts_that_stay open_sum_program open_along_a_piece.
 Import ListNotations.
 
 Open Scope Q_scope.
