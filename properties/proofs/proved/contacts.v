@@ -55,8 +55,7 @@ Qed.
 
 Section Shown.
   Variables a b : region.
-  Hypothesis a_region : valid_region a.
-  Hypothesis b_region : valid_region b.
+  Hypotheses (a_region : valid_region a) (b_region : valid_region b).
 
   (* Where a piece ends is a vertex, or edges cross. *)
   Lemma contact_is_a_vertex (e s piece : segment) (w : vector) :

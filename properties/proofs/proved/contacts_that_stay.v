@@ -89,8 +89,7 @@ Proof. by_computing. Qed.
 Section OnTheWay.
   Variables p q : region.
   Variable way : segment.
-  Hypothesis p_region : valid_region p.
-  Hypothesis q_region : valid_region q.
+  Hypotheses (p_region : valid_region p) (q_region : valid_region q).
   Hypothesis stay : contacts_stay p q way.
 
   Let p_edges : no_edges_are_points p := proj1 p_region.
@@ -219,8 +218,7 @@ Section OnTheWay.
       [now apply (markers_stay_on_p z y) | now apply (markers_keep_their_order z y) ..].
   Qed.
 
-  Hypothesis p_simple : nowhere_above_one p.
-  Hypothesis q_simple : nowhere_above_one q.
+  Hypotheses (p_simple : nowhere_above_one p) (q_simple : nowhere_above_one q).
 
   (* A part of an edge that shows that the interiors meet still shows it. *)
   Lemma part_stays (y z : vector) (e : segment) (c d : vector) : lies_on y way -> lies_on z way ->

@@ -141,10 +141,8 @@ Qed.
 
 Section Pieces.
   Variables p q : region.
-  Hypothesis p_region : valid_region p.
-  Hypothesis q_region : valid_region q.
-  Hypothesis p_simple : nowhere_above_one p.
-  Hypothesis q_simple : nowhere_above_one q.
+  Hypotheses (p_region : valid_region p) (q_region : valid_region q).
+  Hypotheses (p_simple : nowhere_above_one p) (q_simple : nowhere_above_one q).
 
   Let all := all_vertex_edge_segments p q.
 

@@ -26,10 +26,8 @@ Qed.
 
 Section OpenSum.
   Variables p q sum_ : region.
-  Hypothesis p_region : valid_region p.
-  Hypothesis q_region : valid_region q.
-  Hypothesis p_simple : nowhere_above_one p.
-  Hypothesis q_simple : nowhere_above_one q.
+  Hypotheses (p_region : valid_region p) (q_region : valid_region q).
+  Hypotheses (p_simple : nowhere_above_one p) (q_simple : nowhere_above_one q).
   (* The chains of the closed sum, all of them beside the outside. *)
   Hypothesis sum_is : forall x,
     (exists s, In s (region_edges sum_) /\ lies_on x s) \/ winding_number x (region_edges sum_) <> 0%Z <-> in_sum x p q.
