@@ -4,8 +4,8 @@
    vertices of either with none between them, is inside the other, or along its boundary in the same direction. The
    collision test (collision_is_complete.v) finds one of these. *)
 From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import convolution regions reflected interiors_meet left_of_an_edge theorem_4_2_1 boundary_points
-  location rotation pieces naive_collision met_pieces collision_is_sound collision_is_complete cut_pieces coordinates.
+From Oplus Require Import regions_and_sums reflected boundary_points location rotation pieces naive_collision met_pieces
+  collision_is_sound collision_is_complete cut_pieces coordinates.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -55,8 +55,7 @@ Qed.
 
 Section Shown.
   Variables a b : region.
-  Hypothesis a_region : valid_region a.
-  Hypothesis b_region : valid_region b.
+  Hypotheses (a_region : valid_region a) (b_region : valid_region b).
 
   (* Where a piece ends is a vertex, or edges cross. *)
   Lemma contact_is_a_vertex (e s piece : segment) (w : vector) :

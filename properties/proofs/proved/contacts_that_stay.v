@@ -5,8 +5,7 @@
    still goes round x (crossing_edges.v), and vertices on an edge keep their order, so that the part between two of
    them is met by other edges where it was met before. *)
 From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import convolution signed_crossings meeting_of_segments regions reflected parallelogram
-  crossing_edges interiors_meet left_of_an_edge right_of_an_edge winding_number_of_the_sum theorem_4_2_1 boundary_points
+From Oplus Require Import regions_and_sums reflected parallelogram crossing_edges right_of_an_edge boundary_points
   rotation pieces naive_collision met_pieces collision_is_sound collision_is_complete placed_collision coordinates
   contacts.
 Import ListNotations.
@@ -90,8 +89,7 @@ Proof. by_computing. Qed.
 Section OnTheWay.
   Variables p q : region.
   Variable way : segment.
-  Hypothesis p_region : valid_region p.
-  Hypothesis q_region : valid_region q.
+  Hypotheses (p_region : valid_region p) (q_region : valid_region q).
   Hypothesis stay : contacts_stay p q way.
 
   Let p_edges : no_edges_are_points p := proj1 p_region.
@@ -220,8 +218,7 @@ Section OnTheWay.
       [now apply (markers_stay_on_p z y) | now apply (markers_keep_their_order z y) ..].
   Qed.
 
-  Hypothesis p_simple : nowhere_above_one p.
-  Hypothesis q_simple : nowhere_above_one q.
+  Hypotheses (p_simple : nowhere_above_one p) (q_simple : nowhere_above_one q).
 
   (* A part of an edge that shows that the interiors meet still shows it. *)
   Lemma part_stays (y z : vector) (e : segment) (c d : vector) : lies_on y way -> lies_on z way ->

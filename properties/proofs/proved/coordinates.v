@@ -2,8 +2,8 @@
 (* What is true of vectors and points of segments by computing with coordinates is left to Coq's decision procedures;
    and what many proofs about pieces of segments say: a piece is a part, a point is between the ends or an end. *)
 From Coq Require Import QArith Lqa Qfield List.
-From Oplus Require Import convolution regions reflected neighbourhoods left_of_an_edge right_of_an_edge pieces
-  naive_collision specification_bridge specification theorem_4_2_1.
+From Oplus Require Import regions_and_sums reflected right_of_an_edge pieces naive_collision specification_bridge
+  specification.
 Import ListNotations.
 
 Open Scope Q_scope.

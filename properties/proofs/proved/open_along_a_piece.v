@@ -4,10 +4,9 @@
    moves along the piece, contacts stay (contacts_that_stay.v). And where x is strictly inside such a sum, and no sum
    of two vertices, the interiors can fail to meet only if no edge at the vertex leads across. *)
 From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import convolution tie_rule meeting_of_segments regions reflected interiors_meet neighbourhoods
-  left_of_an_edge winding_number_of_the_sum theorem_4_2_1 theorem_2_2_6 boundary_points pieces naive_collision
-  met_pieces collision_is_sound collision_is_complete test_of_regions right_of_an_edge filling cut_pieces coordinates
-  contacts contacts_that_stay sums_of_two_edges sum_of_uncovered_pieces open_sum_program.
+From Oplus Require Import regions_and_sums reflected theorem_2_2_6 boundary_points pieces naive_collision met_pieces
+  collision_is_sound collision_is_complete test_of_regions right_of_an_edge filling cut_pieces coordinates contacts
+  contacts_that_stay sums_of_two_edges sum_of_uncovered_pieces open_sum_program.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -142,10 +141,8 @@ Qed.
 
 Section Pieces.
   Variables p q : region.
-  Hypothesis p_region : valid_region p.
-  Hypothesis q_region : valid_region q.
-  Hypothesis p_simple : nowhere_above_one p.
-  Hypothesis q_simple : nowhere_above_one q.
+  Hypotheses (p_region : valid_region p) (q_region : valid_region q).
+  Hypotheses (p_simple : nowhere_above_one p) (q_simple : nowhere_above_one q).
 
   Let all := all_vertex_edge_segments p q.
 

@@ -4,11 +4,10 @@
    4.2.1; one that is, and is not in the open sum, is an end of a piece or inside one, along which the interiors meet
    nowhere (open_along_a_piece.v). *)
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
-From Oplus Require Import small_numbers convolution signed_crossings tie_rule shifted_ray convolution_winding regions
-  reflected meeting_of_segments winding_number_of_the_sum interiors_meet neighbourhoods left_of_an_edge theorem_4_2_1
-  observation_2_2_4 right_of_an_edge theorem_2_2_10 theorem_2_2_6 lemma_2_2_2 boundary_points location naive_collision
-  met_pieces specification_bridge collision_is_sound collision_is_complete placed_collision beside_a_piece filling
-  kept_pieces_go_round cut_pieces coordinates contacts contacts_that_stay open_sum_program open_along_a_piece.
+From Oplus Require Import regions_and_sums reflected observation_2_2_4 right_of_an_edge theorem_2_2_10 theorem_2_2_6
+  lemma_2_2_2 boundary_points location naive_collision met_pieces specification_bridge collision_is_sound
+  collision_is_complete placed_collision beside_a_piece filling kept_pieces_go_round cut_pieces coordinates contacts
+  contacts_that_stay open_sum_program open_along_a_piece.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -27,10 +26,8 @@ Qed.
 
 Section OpenSum.
   Variables p q sum_ : region.
-  Hypothesis p_region : valid_region p.
-  Hypothesis q_region : valid_region q.
-  Hypothesis p_simple : nowhere_above_one p.
-  Hypothesis q_simple : nowhere_above_one q.
+  Hypotheses (p_region : valid_region p) (q_region : valid_region q).
+  Hypotheses (p_simple : nowhere_above_one p) (q_simple : nowhere_above_one q).
   (* The chains of the closed sum, all of them beside the outside. *)
   Hypothesis sum_is : forall x,
     (exists s, In s (region_edges sum_) /\ lies_on x s) \/ winding_number x (region_edges sum_) <> 0%Z <-> in_sum x p q.

@@ -2,10 +2,9 @@
 (* The open sum in the words of specification.v: for valid regions whose winding numbers are 0 and 1,
    open_sum_of_regions returns the open sum. Its chains are those of the closed sum, however they are found. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation.
-From Oplus Require Import specification checker convolution tie_rule regions winding_number_of_the_sum interiors_meet
-  neighbourhoods left_of_an_edge observation_2_2_4 theorem_4_2_1 homogeneous_points specification_bridge
-  collision_is_complete filling sum_program sum_is_right sum_of_uncovered_pieces coordinates open_sum_program
-  open_along_a_piece open_sum_is_right maximal_segments.
+From Oplus Require Import specification checker regions_and_sums observation_2_2_4 homogeneous_points
+  specification_bridge collision_is_complete filling sum_program sum_is_right sum_of_uncovered_pieces coordinates
+  open_sum_program open_along_a_piece open_sum_is_right maximal_segments.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -148,7 +147,6 @@ Theorem open_sum_of_regions_is_the_open_sum (p q : polygonal_region) :
   valid_region (as_region p) -> valid_region (as_region q) ->
   nowhere_above_one (as_region p) -> nowhere_above_one (as_region q) -> is_open_sum p q (open_sum_of_regions p q).
 Proof.
-  intros p_region q_region p_simple q_simple. apply open_sum_around_is_the_open_sum; trivial.
-  - now apply quick_sum_is_the_sum.
-  - now apply sums_are_beside_the_outside.
+  intros p_region q_region p_simple q_simple. apply open_sum_around_is_the_open_sum; trivial;
+    [now apply quick_sum_is_the_sum | now apply sums_are_beside_the_outside].
 Qed.

@@ -5,8 +5,8 @@
    a segment at once). Integers: coordinates are multiplied by a common denominator. Large parallelograms come first,
    which only saves time. *)
 From Coq Require Import QArith Qabs Qminmax Lqa Qfield ZArith Lia Bool List Permutation Orders Mergesort.
-From Oplus Require Import convolution small_numbers in_out_degree regions neighbourhoods right_of_an_edge
-  specification_bridge theorem_2_2_10 coordinates.
+From Oplus Require Import regions_and_sums in_out_degree right_of_an_edge specification_bridge theorem_2_2_10
+  coordinates.
 Import ListNotations.
 
 Open Scope Z_scope.
