@@ -4,10 +4,10 @@
    the open sum there is a placement; chains, edges and points of its boundary are in the square of 2 m, or not in
    that of 3 m. Around what is in the smaller square the chains outside go once. *)
 From Coq Require Import QArith Qabs Qminmax Lqa ZArith Lia Bool List Permutation.
-From Oplus Require Import specification checker convolution signed_crossings regions meeting_of_segments interiors_meet
-  neighbourhoods left_of_an_edge theorem_4_2_1 homogeneous_points specification_bridge pieces collision_is_complete
-  placed_collision sum_program sum_is_right sum_of_uncovered_pieces coordinates open_sum_program open_sums turned_chains
-  inner_fit_program complement_in_a_frame.
+From Oplus Require Import specification checker convolution signed_crossings regions meeting_of_segments
+  winding_number_of_the_sum interiors_meet neighbourhoods left_of_an_edge theorem_4_2_1 homogeneous_points
+  specification_bridge pieces collision_is_complete placed_collision sum_program sum_is_right sum_of_uncovered_pieces
+  coordinates open_sum_program open_sums turned_chains inner_fit_program complement_in_a_frame.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -5,8 +5,7 @@ From Coq Require Import QArith ZArith Bool List Permutation.
 From Oplus Require Import specification convolution regions winding_number_of_the_sum theorem_4_2_1 specification_bridge
   homogeneous_points location pieces collision_is_complete checked_collision sum_program sum_of_uncovered_pieces
   touching_vertices complement_in_a_frame open_sum_program open_sums inner_fit_program inner_fit_is_right polygons
-  canonical_chains canonical_regions walked_again boolean_operations complements openings
-  written_regions.
+  canonical_chains canonical_regions walked_again boolean_operations complements openings written_regions.
 Import ListNotations.
 
 (* Whether the theorems are about the region. *)
