@@ -269,8 +269,7 @@ Definition is_covered_unbounded (u : polygonal_region) : bool :=
 Definition proved_complement_of_unbounded (u : polygonal_region) : list polygon_with_holes :=
   written_polygons (walked_again (turned_region (with_touching_vertices (as_region u)))).
 
-(* Theorem. And in any square around x, the unbounded region is the bounded one that has the square as its outer chain.
-   *)
+(* Theorem. And in any square around x, the unbounded region is the bounded one with the square as its outer chain. *)
 Theorem proved_complement_of_unbounded_is_the_complement (u : polygonal_region) : is_covered_unbounded u = true ->
   is_complement_of_unbounded u (region_of_polygons (proved_complement_of_unbounded u)) /\
   forall k x, - k < x_of x < k -> - k < y_of x < k ->
