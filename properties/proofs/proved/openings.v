@@ -5,12 +5,10 @@
    which it just fits. Chains that go round something are the only ones that matter, so all are regions by a rule. *)
 From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List Permutation.
 From Oplus Require Import specification checker convolution signed_crossings shifted_ray small_numbers regions
-  winding_number_of_the_sum
-  meeting_of_segments neighbourhoods interiors_meet left_of_an_edge theorem_4_2_1 homogeneous_points
-    specification_bridge
-  collision_is_complete filling kept_pieces_go_round rule_of_sides region_of_pieces sum_program sum_is_right
-  sum_of_uncovered_pieces coordinates open_sum_program open_sums turned_chains inner_fit_program complement_in_a_frame
-  regions_by_rule canonical_regions inner_fit_is_right swept_regions.
+  winding_number_of_the_sum meeting_of_segments neighbourhoods interiors_meet left_of_an_edge theorem_4_2_1
+  homogeneous_points specification_bridge collision_is_complete filling kept_pieces_go_round rule_of_sides
+  region_of_pieces sum_program sum_is_right sum_of_uncovered_pieces coordinates open_sum_program open_sums turned_chains
+  inner_fit_program complement_in_a_frame regions_by_rule canonical_regions inner_fit_is_right swept_regions.
 Import ListNotations.
 
 Open Scope Q_scope.

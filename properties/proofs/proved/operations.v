@@ -225,20 +225,6 @@ Proof.
     intros y. unfold is_inside. setoid_rewrite same_p. setoid_rewrite same_q. reflexivity.
 Qed.
 
-(* Theorem. And so are these. *)
-Theorem erosions_openings_and_closings_are_covered (p q : polygonal_region) :
-  is_covered p = true -> is_covered q = true -> has_points q = true ->
-  forall polygons, In polygons [proved_erosion p q; proved_opening p q; proved_closing p q] ->
-  is_covered (region_of_polygons polygons) = true.
-Proof.
-  intros [p_valid p_simple]%is_covered_is_right [q_valid q_simple]%is_covered_is_right some%has_points_is polygons.
-  destruct (quick_sum_is_valid _ _ p_valid q_valid) as [sum_valid sum_simple].
-  unfold is_covered, region_of_polygons. intros [<- | [<- | [<- | []]]];
-    apply (written_regions_by_rule_are_accepted some_nonzero); try apply nothing_is_zero;
-    first [apply fit_edges_are_closed | apply fit_edges_are_long | apply families_are_closed | apply families_are_long];
-    assumption.
-Qed.
-
 (* What is unbounded, as the holes in it, and what is in these. *)
 Definition unbounded_polygons := (list chain * list polygon_with_holes)%type.
 Definition region_of_unbounded (s : unbounded_polygons) : polygonal_region := fst s ++ region_of_polygons (snd s).
@@ -286,8 +272,7 @@ Definition is_covered_unbounded (u : polygonal_region) : bool :=
 Definition proved_complement_of_unbounded (u : polygonal_region) : list polygon_with_holes :=
   written_polygons (walked_again (turned_region (with_touching_vertices (as_region u)))).
 
-(* Theorem. And in any square around x, the unbounded region is the bounded one that has the square as its outer chain.
-   *)
+(* Theorem. And in any square around x, the unbounded region is the bounded one with the square as its outer chain. *)
 Theorem proved_complement_of_unbounded_is_the_complement (u : polygonal_region) : is_covered_unbounded u = true ->
   is_complement_of_unbounded u (region_of_polygons (proved_complement_of_unbounded u)) /\
   forall k x, - k < x_of x < k -> - k < y_of x < k ->

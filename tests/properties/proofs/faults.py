@@ -188,7 +188,7 @@ FAULTS = [
      "existsb (fun n => negb (n =? 0)%Z) numbers", "existsb (fun n => 0 <? n)%Z numbers", "proved/openings.v"),
     ("points at which something just fits do not count", "proved/openings.v",
      " ++ map (fun v => ends_of (v, v)) (fit_points f)", "", "proved/openings.v"),
-    ("an opening is where it fits moved along edges only", "proved/openings.v",
+    ("an opening is what exact fits cover only", "proved/openings.v",
      "gone_round (region_edges (as_region (quick_sum (areas f) b)) :: ", "gone_round (", "proved/openings.v"),
     ("a closing is the sum", "proved/openings.v",
      ":= erosion (quick_sum a b) b.", ":= quick_sum a b.", "proved/openings.v"),
