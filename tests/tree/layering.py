@@ -18,8 +18,8 @@ LINES = (
 BINDINGS = {
     "checked/bindings/python": ("oplus", "checked/slide/parallel_for.hpp", "reference/io/counted.hpp",
                                 "checked/oplus/internal/named_operations.hpp"),
-    "checked/bindings/page": ("reference/definitions", "reference/chains", "reference/io", "checked/collision",
-                              "checked/cycles", "checked/slide", "checked/verify"),
+    "checked/bindings/page": ("reference/definitions", "reference/chains", "reference/io", "checked/certificates",
+                              "checked/collision", "checked/cycles", "checked/slide", "checked/verify"),
 }
 OURS = ("reference", "checked", "properties", "tests", "docs", "oplus")
 

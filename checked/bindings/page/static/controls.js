@@ -361,13 +361,11 @@ $("proved").addEventListener("change", () => {
   write(state);
   update();
 });
-$("certificate").addEventListener("input", () => {
-  if ($("certificate").value) typed.add("certificate");
-  else typed.delete("certificate");
-});
+$("certificate").addEventListener("input", () => typed.add("certificate"));
 $("check").addEventListener("click", () => {
   ask(() => ({...request(), certificate: true}), (given) => {
     take(given);
+    if (!$("certificate").value) typed.delete("certificate");
     const other = typed.has("certificate") ? $("certificate").value : undefined;
     if (given.certificate) proofs.check(state, given.certificate, other, tell);
   });
