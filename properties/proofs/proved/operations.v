@@ -73,9 +73,11 @@ Definition placements_in_order (f : placements) : placements :=
 Lemma in_order_is_the_same (s : open_region) (f : placements) (x : point) :
   (open_member x (open_in_order s) <-> open_member x s) /\ (fits x (placements_in_order f) <-> fits x f).
 Proof.
-  pose proof (written_points_are (isolated_points s) x) as of_open. pose proof (written_points_are (fit_points f) x) as of_fit.
+  pose proof (written_points_are (isolated_points s) x) as of_open. pose proof (written_points_are (fit_points f) x)
+    as of_fit.
   split; [| unfold fits, placements_in_order; cbn [fit_chains fit_edges fit_points]; now rewrite of_fit].
-  assert (none : forall l, (forall v, In v l -> ~ equal_points x v) <-> ~ exists v, In v l /\ equal_points x v) by firstorder.
+  assert (none : forall l, (forall v, In v l -> ~ equal_points x v) <-> ~ exists v, In v l /\ equal_points x v) by
+    firstorder.
   unfold open_member, open_in_order. cbn [open_chains dangling_edges isolated_points]. now rewrite !none, of_open.
 Qed.
 
@@ -101,7 +103,8 @@ Theorem proved_no_fit_is_the_no_fit (a b : polygonal_region) : is_covered a = tr
   is_no_fit a b (proved_no_fit a b).
 Proof.
   intros a_valid b_valid x. apply is_covered_is_right in a_valid, b_valid. destruct a_valid, b_valid.
-  unfold proved_no_fit. rewrite (proj1 (in_order_is_the_same _ (Placements [] [] []) x)). etransitivity; [apply (no_fit_is_the_no_fit (prepared_region a) (prepared_region b));
+  unfold proved_no_fit. rewrite (proj1 (in_order_is_the_same _ (Placements [] [] []) x)). etransitivity; [apply
+    (no_fit_is_the_no_fit (prepared_region a) (prepared_region b));
     trivial |].
   split; intros (y & z & in_a & in_b & equal); exists y, z; rewrite !prepared_inner_points in *; tauto.
 Qed.
@@ -117,7 +120,8 @@ Theorem proved_inner_fit_is_the_inner_fit (a b : polygonal_region) : is_covered 
   has_points b = true -> is_inner_fit a b (proved_inner_fit a b).
 Proof.
   intros a_valid b_valid some x. apply is_covered_is_right in a_valid, b_valid. destruct a_valid, b_valid.
-  unfold proved_inner_fit. rewrite (proj2 (in_order_is_the_same (OpenRegion [] [] []) _ x)). etransitivity; [apply (inner_fit_is_the_inner_fit (prepared_region a) (prepared_region b));
+  unfold proved_inner_fit. rewrite (proj2 (in_order_is_the_same (OpenRegion [] [] []) _ x)). etransitivity; [apply
+    (inner_fit_is_the_inner_fit (prepared_region a) (prepared_region b));
     trivial |].
   - unfold has_points in some. destruct (concat (prepared_region b)) as [| v rest] eqn:vertices; [discriminate |].
     destruct (proj1 (in_concat (prepared_region b) v)) as (c & C & V); [rewrite vertices; now left | now exists c, v].

@@ -3,13 +3,14 @@
    accepts: so what oplus-proved writes, it reads. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation SetoidList SetoidPermutation.
 From Oplus Require Import specification checker balanced_edges convolution convolution_winding direction angle
-  angular_crossings winding_number
-  shifted_ray small_numbers rotation in_out_degree simple_chain simple_chains_turn_once regions meeting_of_segments winding_number_of_the_sum interiors_meet neighbourhoods
+  angular_crossings winding_number shifted_ray small_numbers rotation in_out_degree simple_chain
+  simple_chains_turn_once regions meeting_of_segments winding_number_of_the_sum interiors_meet neighbourhoods
   left_of_an_edge theorem_4_2_1 observation_2_2_4 homogeneous_points specification_bridge location pieces
   naive_collision collision_is_sound collision_is_complete checked_collision beside_a_piece filling cut_pieces
   kept_pieces_go_round kept_pieces_balance rule_of_sides walks region_of_pieces sum_program sum_is_right
   inner_fit_program complement_in_a_frame touching_vertices simple_rings canonical_chains canonical_regions
-  regions_by_rule sum_of_uncovered_pieces valid_regions_are_accepted beside_a_vertex clockwise_most_walks written_rings.
+  regions_by_rule sum_of_uncovered_pieces valid_regions_are_accepted beside_a_vertex clockwise_most_walks
+  written_rings.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -148,7 +149,8 @@ Section Region.
   Qed.
 
   Lemma kept_distinct : NoDup kept.
-  Proof. apply (Permutation_NoDup (Permutation_sym kept_are)). exact (kept_is_distinct segments all_long right_inside). Qed.
+  Proof. apply (Permutation_NoDup (Permutation_sym kept_are)). exact (kept_is_distinct segments all_long
+    right_inside). Qed.
 
   Lemma same_right_of_ring (ring : list vector) (part : list segment) (e f : segment) :
     In ring (rings_in_order chains) -> incl part kept -> cycles part -> In e (edges ring) -> In f (edges ring) ->
