@@ -5,7 +5,7 @@ From Coq Require Import QArith ZArith Bool List Permutation.
 From Oplus Require Import specification convolution regions winding_number_of_the_sum theorem_4_2_1 specification_bridge
   homogeneous_points location pieces collision_is_complete checked_collision sum_program sum_of_uncovered_pieces
   touching_vertices complement_in_a_frame open_sum_program open_sums inner_fit_program inner_fit_is_right polygons
-  canonical_chains canonical_regions walked_again boolean_operations simple_chain written_regions.
+  canonical_chains canonical_regions walked_again boolean_operations written_regions.
 Import ListNotations.
 
 (* Whether the theorems are about the region. *)
@@ -73,11 +73,9 @@ Definition placements_in_order (f : placements) : placements :=
 Lemma in_order_is_the_same (s : open_region) (f : placements) (x : point) :
   (open_member x (open_in_order s) <-> open_member x s) /\ (fits x (placements_in_order f) <-> fits x f).
 Proof.
-  pose proof (written_points_are (isolated_points s) x) as of_open. pose proof (written_points_are (fit_points f) x)
-    as of_fit.
+  pose proof (written_points_are (isolated_points s) x) as of_open. pose proof (written_points_are (fit_points f) x) as of_fit.
   split; [| unfold fits, placements_in_order; cbn [fit_chains fit_edges fit_points]; now rewrite of_fit].
-  assert (none : forall l, (forall v, In v l -> ~ equal_points x v) <-> ~ exists v, In v l /\ equal_points x v) by
-    firstorder.
+  assert (none : forall l, (forall v, In v l -> ~ equal_points x v) <-> ~ exists v, In v l /\ equal_points x v) by firstorder.
   unfold open_member, open_in_order. cbn [open_chains dangling_edges isolated_points]. now rewrite !none, of_open.
 Qed.
 
@@ -103,8 +101,7 @@ Theorem proved_no_fit_is_the_no_fit (a b : polygonal_region) : is_covered a = tr
   is_no_fit a b (proved_no_fit a b).
 Proof.
   intros a_valid b_valid x. apply is_covered_is_right in a_valid, b_valid. destruct a_valid, b_valid.
-  unfold proved_no_fit. rewrite (proj1 (in_order_is_the_same _ (Placements [] [] []) x)). etransitivity; [apply
-    (no_fit_is_the_no_fit (prepared_region a) (prepared_region b));
+  unfold proved_no_fit. rewrite (proj1 (in_order_is_the_same _ (Placements [] [] []) x)). etransitivity; [apply (no_fit_is_the_no_fit (prepared_region a) (prepared_region b));
     trivial |].
   split; intros (y & z & in_a & in_b & equal); exists y, z; rewrite !prepared_inner_points in *; tauto.
 Qed.
@@ -120,8 +117,7 @@ Theorem proved_inner_fit_is_the_inner_fit (a b : polygonal_region) : is_covered 
   has_points b = true -> is_inner_fit a b (proved_inner_fit a b).
 Proof.
   intros a_valid b_valid some x. apply is_covered_is_right in a_valid, b_valid. destruct a_valid, b_valid.
-  unfold proved_inner_fit. rewrite (proj2 (in_order_is_the_same (OpenRegion [] [] []) _ x)). etransitivity; [apply
-    (inner_fit_is_the_inner_fit (prepared_region a) (prepared_region b));
+  unfold proved_inner_fit. rewrite (proj2 (in_order_is_the_same (OpenRegion [] [] []) _ x)). etransitivity; [apply (inner_fit_is_the_inner_fit (prepared_region a) (prepared_region b));
     trivial |].
   - unfold has_points in some. destruct (concat (prepared_region b)) as [| v rest] eqn:vertices; [discriminate |].
     destruct (proj1 (in_concat (prepared_region b) v)) as (c & C & V); [rewrite vertices; now left | now exists c, v].
@@ -180,6 +176,27 @@ Proof.
     intros y. now rewrite same_p, same_q.
 Qed.
 
+(* Theorem. What is written of these has simple chains: they pass no point twice, and only edges that follow each other
+   meet. *)
+Theorem results_are_simple (p q : polygonal_region) : is_covered p = true -> is_covered q = true ->
+  forall polygons c, In polygons [proved_sum p q; polygons_of_open (proved_open_sum p q);
+    polygons_of_open (proved_no_fit p q); proved_union p q; proved_intersection p q; proved_difference p q] ->
+  In c (region_of_polygons polygons) -> is_simple_chain c.
+Proof.
+  intros p_valid q_valid polygons c. apply is_covered_is_right in p_valid, q_valid.
+  destruct p_valid as [p_valid _], q_valid as [q_valid q_above].
+  pose proof (two_are_closed (prepared_region p) (prepared_region q)) as closed.
+  pose proof (two_are_long (prepared_region p) (prepared_region q) p_valid q_valid) as long.
+  pose proof (half_turned_is_valid _ q_valid q_above) as [turned _].
+  unfold region_of_polygons. intros [<- | [<- | [<- | [<- | [<- | [<- | []]]]]]].
+  - exact (written_sums_are_simple _ _ c p_valid q_valid).
+  - exact (written_sums_are_simple _ _ c p_valid q_valid).
+  - exact (written_sums_are_simple _ _ c p_valid turned).
+  - exact (written_regions_by_rule_are_simple some_positive _ c closed long eq_refl).
+  - exact (written_regions_by_rule_are_simple all_positive _ c closed long eq_refl).
+  - exact (written_regions_by_rule_are_simple first_positive _ c closed long eq_refl).
+Qed.
+
 (* Theorem. What is written of these is accepted again; of the sets that are open, their chains are. *)
 Theorem results_are_covered (p q : polygonal_region) : is_covered p = true -> is_covered q = true ->
   forall polygons, In polygons [proved_sum p q; polygons_of_open (proved_open_sum p q); polygons_of_open
@@ -199,25 +216,4 @@ Proof.
   - exact (written_regions_by_rule_are_accepted some_positive _ closed long eq_refl).
   - exact (written_regions_by_rule_are_accepted all_positive _ closed long eq_refl).
   - exact (written_regions_by_rule_are_accepted first_positive _ closed long eq_refl).
-Qed.
-
-(* Theorem. And each of their chains is simple: it passes no point twice, and only edges that follow each other
-   meet. *)
-Theorem results_are_simple (p q : polygonal_region) : is_covered p = true -> is_covered q = true ->
-  forall polygons c, In polygons [proved_sum p q; polygons_of_open (proved_open_sum p q);
-    polygons_of_open (proved_no_fit p q); proved_union p q; proved_intersection p q; proved_difference p q] ->
-  In c (region_of_polygons polygons) -> simple_chain.simple (map as_vector c).
-Proof.
-  intros p_valid q_valid polygons c. apply is_covered_is_right in p_valid, q_valid.
-  destruct p_valid as [p_valid _], q_valid as [q_valid q_above].
-  pose proof (two_are_closed (prepared_region p) (prepared_region q)) as closed.
-  pose proof (two_are_long (prepared_region p) (prepared_region q) p_valid q_valid) as long.
-  pose proof (half_turned_is_valid _ q_valid q_above) as [turned _].
-  unfold region_of_polygons. intros [<- | [<- | [<- | [<- | [<- | [<- | []]]]]]].
-  - exact (written_sums_are_simple _ _ c p_valid q_valid).
-  - exact (written_sums_are_simple _ _ c p_valid q_valid).
-  - exact (written_sums_are_simple _ _ c p_valid turned).
-  - exact (written_regions_by_rule_are_simple some_positive _ c closed long eq_refl).
-  - exact (written_regions_by_rule_are_simple all_positive _ c closed long eq_refl).
-  - exact (written_regions_by_rule_are_simple first_positive _ c closed long eq_refl).
 Qed.

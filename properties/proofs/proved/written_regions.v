@@ -253,11 +253,13 @@ Proof.
   apply in_map_iff in I. destruct I as (d & <- & D). now rewrite back.
 Qed.
 
+Definition is_simple_chain (c : chain) : Prop := simple (map as_vector c).
+
 Theorem written_sums_are_simple (p q : polygonal_region) (c : chain) :
   valid_region (as_region p) -> valid_region (as_region q) ->
-  In c (flat_map polygons.chains_of_polygon (canonical_polygons (quick_sum p q))) -> simple (map as_vector c).
+  In c (flat_map polygons.chains_of_polygon (canonical_polygons (quick_sum p q))) -> is_simple_chain c.
 Proof.
-  intros p_valid q_valid I. apply chains_of_written in I. revert I.
+  intros p_valid q_valid I. apply chains_of_written in I. unfold is_simple_chain. revert I.
   set (convolution_ := convolution_segments (as_region p) (as_region q)).
   assert (long_ : forall t, In t convolution_ -> nonzero (along t)) by (now apply all_are_long).
   apply (written_chains_are_simple convolution_ long_ _ _
@@ -269,9 +271,9 @@ Theorem written_regions_by_rule_are_simple (rule : list Z -> bool) (families : l
   (forall l, In l families -> cycles l) -> (forall t, In t (concat families) -> nonzero (along t)) ->
   rule (map (fun _ => 0%Z) families) = false ->
   In c (flat_map polygons.chains_of_polygon (canonical_polygons (region_by_rule rule families))) ->
-  simple (map as_vector c).
+  is_simple_chain c.
 Proof.
-  intros closed long_ nothing I. apply chains_of_written in I. revert I.
+  intros closed long_ nothing I. apply chains_of_written in I. unfold is_simple_chain. revert I.
   exact (written_chains_are_simple _ long_ _ _ (rule_ends_at_pieces rule families closed long_ nothing) _
     (Permutation_refl _) _).
 Qed.
