@@ -178,7 +178,8 @@ Proof.
   change (a :: v :: b :: after) with ([a; v; b] ++ after) in twice. rewrite <- !app_assoc in twice.
   assert (late : forall k, l ++ m ++ l = k ++ [a; v; b] ++ after -> exists before' after',
     (l ++ m) ++ l ++ m = before' ++ a :: v :: b :: after').
-  { intros k rest. exists k, (after ++ m). replace ((l ++ m) ++ l ++ m) with ((l ++ m ++ l) ++ m) by now rewrite <- !app_assoc.
+  { intros k rest. exists k, (after ++ m). replace ((l ++ m) ++ l ++ m) with ((l ++ m ++ l) ++ m) by now rewrite <-
+    !app_assoc.
     rewrite rest. now rewrite <- !app_assoc. }
   destruct (app_eq_app _ _ _ _ twice) as (k & [[m_is rest] | [_ rest]]); [| now apply (late k)].
   destruct k as [| x k]; [now apply (late []) |].

@@ -56,7 +56,8 @@ Proof.
   unfold rings_in_order. rewrite simple_rings_have_the_edges.
   transitivity (region_edges (map snd (map with_key r))).
   - apply Permutation_flat_map, Permutation_map. symmetry. apply SortedByKey.Permuted_sort.
-  - unfold region_edges. induction r as [| c r IH]; [reflexivity |]. cbn [map flat_map]. apply Permutation_app; [| exact IH].
+  - unfold region_edges. induction r as [| c r IH]; [reflexivity |]. cbn [map flat_map]. apply Permutation_app; [|
+    exact IH].
     apply edges_of_turned, canonical_start_is_a_rotation.
 Qed.
 
@@ -151,7 +152,8 @@ Proof.
   pose proof (sorted_ordered (map as_vector l)) as l_order. pose proof (sorted_ordered (map as_vector m)) as m_order.
   revert same m_order. generalize (sorted_points (map as_vector m)). revert l_order.
   generalize (sorted_points (map as_vector l)). clear l m.
-  assert (other_way : forall a b : vector, equal_points (as_point a) (as_point b) -> ~ comes_first a b /\ ~ comes_first b a)
+  assert (other_way : forall a b : vector, equal_points (as_point a) (as_point b) -> ~ comes_first a b /\ ~
+    comes_first b a)
     by (unfold equal_points, comes_first; intros a b [X Y]; cbn [x_of y_of as_point] in *; lra).
   intros l. induction l as [| a l IH]; intros l_order m same m_order.
   - destruct m as [| b m]; [constructor |]. destruct (proj2 (same (as_point b))) as (? & [] & _).
@@ -160,19 +162,23 @@ Proof.
     + destruct (proj1 (same (as_point a))) as (? & [] & _). exists (as_point a). split; [now left | split; reflexivity].
     + destruct m_order as [b_first m_order].
       assert (heads : equal_points (as_point a) (as_point b)).
-      { destruct (proj1 (same (as_point a))) as (v & [<- | V] & equal); [exists (as_point a); split; [now left | split; reflexivity] |
+      { destruct (proj1 (same (as_point a))) as (v & [<- | V] & equal); [exists (as_point a); split; [now left |
+        split; reflexivity] |
           exact equal |].
-        destruct (proj2 (same (as_point b))) as (w & [<- | W] & equal'); [exists (as_point b); split; [now left | split; reflexivity] |
+        destruct (proj2 (same (as_point b))) as (w & [<- | W] & equal'); [exists (as_point b); split; [now left |
+          split; reflexivity] |
           now destruct equal'; split; symmetry |].
         apply in_map_iff in V, W. destruct V as (c & <- & C), W as (d & <- & D). exfalso.
         specialize (b_first c C). specialize (a_first d D). destruct equal, equal'.
         unfold comes_first, as_point in *. cbn [x_of y_of] in *. lra. }
       cbn [map]. constructor; [exact heads |]. apply IH; [exact l_order | | exact m_order].
       intros x. split; intros (v & V & equal).
-      * destruct (proj1 (same x)) as (w & [<- | W] & equal'); [exists v; split; [now right | exact equal] | | now exists w].
+      * destruct (proj1 (same x)) as (w & [<- | W] & equal'); [exists v; split; [now right | exact equal] | | now
+        exists w].
         exfalso. apply in_map_iff in V. destruct V as (c & <- & C). refine (proj1 (other_way a c _) (a_first c C)).
         destruct heads, equal, equal'. unfold as_point, equal_points in *. cbn [x_of y_of] in *. split; lra.
-      * destruct (proj2 (same x)) as (w & [<- | W] & equal'); [exists v; split; [now right | exact equal] | | now exists w].
+      * destruct (proj2 (same x)) as (w & [<- | W] & equal'); [exists v; split; [now right | exact equal] | | now
+        exists w].
         exfalso. apply in_map_iff in V. destruct V as (c & <- & C). refine (proj1 (other_way b c _) (b_first c C)).
         destruct heads, equal, equal'. unfold as_point, equal_points in *. cbn [x_of y_of] in *. split; lra.
 Qed.

@@ -179,6 +179,27 @@ Proof.
     intros y. now rewrite same_p, same_q.
 Qed.
 
+(* Theorem. What is written of these has simple chains: they pass no point twice, and only edges that follow each other
+   meet. *)
+Theorem results_are_simple (p q : polygonal_region) : is_covered p = true -> is_covered q = true ->
+  forall polygons c, In polygons [proved_sum p q; polygons_of_open (proved_open_sum p q);
+    polygons_of_open (proved_no_fit p q); proved_union p q; proved_intersection p q; proved_difference p q] ->
+  In c (region_of_polygons polygons) -> is_simple_chain c.
+Proof.
+  intros p_valid q_valid polygons c. apply is_covered_is_right in p_valid, q_valid.
+  destruct p_valid as [p_valid _], q_valid as [q_valid q_above].
+  pose proof (two_are_closed (prepared_region p) (prepared_region q)) as closed.
+  pose proof (two_are_long (prepared_region p) (prepared_region q) p_valid q_valid) as long.
+  pose proof (half_turned_is_valid _ q_valid q_above) as [turned _].
+  unfold region_of_polygons. intros [<- | [<- | [<- | [<- | [<- | [<- | []]]]]]].
+  - exact (written_sums_are_simple _ _ c p_valid q_valid).
+  - exact (written_sums_are_simple _ _ c p_valid q_valid).
+  - exact (written_sums_are_simple _ _ c p_valid turned).
+  - exact (written_regions_by_rule_are_simple some_positive _ c closed long eq_refl).
+  - exact (written_regions_by_rule_are_simple all_positive _ c closed long eq_refl).
+  - exact (written_regions_by_rule_are_simple first_positive _ c closed long eq_refl).
+Qed.
+
 (* Theorem. What is written of these is accepted again; of the sets that are open, their chains are. *)
 Theorem results_are_covered (p q : polygonal_region) : is_covered p = true -> is_covered q = true ->
   forall polygons, In polygons [proved_sum p q; polygons_of_open (proved_open_sum p q); polygons_of_open
@@ -287,25 +308,4 @@ Proof.
       (turned_region_is_the_complement_of_unbounded _ valid simple x).
     change (as_polygonal _) with (prepared_region u). unfold closure. now setoid_rewrite same.
   - intros k x in_x in_y. rewrite <- same. exact (the_frame_does_not_matter _ valid simple k x in_x in_y).
-Qed.
-
-(* Theorem. And each of their chains is simple: it passes no point twice, and only edges that follow each other
-   meet. *)
-Theorem results_are_simple (p q : polygonal_region) : is_covered p = true -> is_covered q = true ->
-  forall polygons c, In polygons [proved_sum p q; polygons_of_open (proved_open_sum p q);
-    polygons_of_open (proved_no_fit p q); proved_union p q; proved_intersection p q; proved_difference p q] ->
-  In c (region_of_polygons polygons) -> simple_chain.simple (map as_vector c).
-Proof.
-  intros p_valid q_valid polygons c. apply is_covered_is_right in p_valid, q_valid.
-  destruct p_valid as [p_valid _], q_valid as [q_valid q_above].
-  pose proof (two_are_closed (prepared_region p) (prepared_region q)) as closed.
-  pose proof (two_are_long (prepared_region p) (prepared_region q) p_valid q_valid) as long.
-  pose proof (half_turned_is_valid _ q_valid q_above) as [turned _].
-  unfold region_of_polygons. intros [<- | [<- | [<- | [<- | [<- | [<- | []]]]]]].
-  - exact (written_sums_are_simple _ _ c p_valid q_valid).
-  - exact (written_sums_are_simple _ _ c p_valid q_valid).
-  - exact (written_sums_are_simple _ _ c p_valid turned).
-  - exact (written_regions_by_rule_are_simple some_positive _ c closed long eq_refl).
-  - exact (written_regions_by_rule_are_simple all_positive _ c closed long eq_refl).
-  - exact (written_regions_by_rule_are_simple first_positive _ c closed long eq_refl).
 Qed.

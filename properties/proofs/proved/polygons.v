@@ -14,7 +14,8 @@ Definition chains_of_polygon (p : polygon_with_holes) : list chain := fst p :: s
 
 (* Positive for chains that run counterclockwise. *)
 Definition twice_the_area (c : chain) : Q :=
-  fold_right Qplus 0 (map (fun e => Qred (x_of (fst e) * y_of (snd e) - x_of (snd e) * y_of (fst e))) (edges_of_chain c)).
+  fold_right Qplus 0 (map (fun e => Qred (x_of (fst e) * y_of (snd e) - x_of (snd e) * y_of (fst e))) (edges_of_chain
+    c)).
 
 (* Whether the hole is in the outer chain, which it meets in vertices only. *)
 Definition goes_round (outer hole : chain) : bool :=
@@ -69,12 +70,14 @@ Proof.
   assert (both : Permutation r (outer ++ holes)).
   { revert outer holes parts. induction r as [| c r IH]; intros outer holes parts; [now injection parts as <- <- |].
     cbn [partition] in parts. destruct (partition _ r) as [o h]. specialize (IH o h eq_refl).
-    destruct (Qle_bool 0 (twice_the_area c)); injection parts as <- <-; rewrite IH; [reflexivity | apply Permutation_middle]. }
+    destruct (Qle_bool 0 (twice_the_area c)); injection parts as <- <-; rewrite IH; [reflexivity | apply
+      Permutation_middle]. }
   rewrite both. clear parts both r.
   assert (all : forall of ps, Permutation (flat_map chains_of_polygon (fold_left (with_hole_inside of) holes ps))
     (flat_map chains_of_polygon ps ++ holes)).
   { intros of. induction holes as [| hole holes IH]; intros ps; cbn [fold_left]; [now rewrite app_nil_r |].
     rewrite IH. unfold with_hole_inside. destruct (smallest_around hole of); rewrite with_hole_adds; cbn [app];
       apply Permutation_middle. }
-  rewrite all. apply Permutation_app_tail. clear. induction outer as [| c outer IH]; [reflexivity |]. cbn. now constructor.
+  rewrite all. apply Permutation_app_tail. clear. induction outer as [| c outer IH]; [reflexivity |]. cbn. now
+    constructor.
 Qed.

@@ -3,13 +3,14 @@
    accepts: so what oplus-proved writes, it reads. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation SetoidList SetoidPermutation.
 From Oplus Require Import specification checker balanced_edges convolution convolution_winding direction angle
-  angular_crossings winding_number
-  shifted_ray small_numbers rotation in_out_degree simple_chain simple_chains_turn_once regions meeting_of_segments winding_number_of_the_sum interiors_meet neighbourhoods
+  angular_crossings winding_number shifted_ray small_numbers rotation in_out_degree simple_chain
+  simple_chains_turn_once regions meeting_of_segments winding_number_of_the_sum interiors_meet neighbourhoods
   left_of_an_edge theorem_4_2_1 observation_2_2_4 homogeneous_points specification_bridge location pieces
   naive_collision collision_is_sound collision_is_complete checked_collision beside_a_piece filling cut_pieces
   kept_pieces_go_round kept_pieces_balance rule_of_sides walks region_of_pieces sum_program sum_is_right
   inner_fit_program complement_in_a_frame touching_vertices simple_rings canonical_chains canonical_regions
-  regions_by_rule sum_of_uncovered_pieces valid_regions_are_accepted beside_a_vertex clockwise_most_walks written_rings.
+  regions_by_rule sum_of_uncovered_pieces valid_regions_are_accepted beside_a_vertex clockwise_most_walks
+  written_rings.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -148,7 +149,8 @@ Section Region.
   Qed.
 
   Lemma kept_distinct : NoDup kept.
-  Proof. apply (Permutation_NoDup (Permutation_sym kept_are)). exact (kept_is_distinct segments all_long right_inside). Qed.
+  Proof. apply (Permutation_NoDup (Permutation_sym kept_are)). exact (kept_is_distinct segments all_long
+    right_inside). Qed.
 
   Lemma same_right_of_ring (ring : list vector) (part : list segment) (e f : segment) :
     In ring (rings_in_order chains) -> incl part kept -> cycles part -> In e (edges ring) -> In f (edges ring) ->
@@ -251,11 +253,13 @@ Proof.
   apply in_map_iff in I. destruct I as (d & <- & D). now rewrite back.
 Qed.
 
+Definition is_simple_chain (c : chain) : Prop := simple (map as_vector c).
+
 Theorem written_sums_are_simple (p q : polygonal_region) (c : chain) :
   valid_region (as_region p) -> valid_region (as_region q) ->
-  In c (flat_map polygons.chains_of_polygon (canonical_polygons (quick_sum p q))) -> simple (map as_vector c).
+  In c (flat_map polygons.chains_of_polygon (canonical_polygons (quick_sum p q))) -> is_simple_chain c.
 Proof.
-  intros p_valid q_valid I. apply chains_of_written in I. revert I.
+  intros p_valid q_valid I. apply chains_of_written in I. unfold is_simple_chain. revert I.
   set (convolution_ := convolution_segments (as_region p) (as_region q)).
   assert (long_ : forall t, In t convolution_ -> nonzero (along t)) by (now apply all_are_long).
   apply (written_chains_are_simple convolution_ long_ _ _
@@ -267,9 +271,9 @@ Theorem written_regions_by_rule_are_simple (rule : list Z -> bool) (families : l
   (forall l, In l families -> cycles l) -> (forall t, In t (concat families) -> nonzero (along t)) ->
   rule (map (fun _ => 0%Z) families) = false ->
   In c (flat_map polygons.chains_of_polygon (canonical_polygons (region_by_rule rule families))) ->
-  simple (map as_vector c).
+  is_simple_chain c.
 Proof.
-  intros closed long_ nothing I. apply chains_of_written in I. revert I.
+  intros closed long_ nothing I. apply chains_of_written in I. unfold is_simple_chain. revert I.
   exact (written_chains_are_simple _ long_ _ _ (rule_ends_at_pieces rule families closed long_ nothing) _
     (Permutation_refl _) _).
 Qed.

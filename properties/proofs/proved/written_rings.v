@@ -5,11 +5,11 @@
    but on the right of all edges of a ring that is the same (clockwise_most_walks.v). *)
 From Coq Require Import QArith Lqa Qfield ZArith Arith Lia Bool List Permutation.
 From Oplus Require Import balanced_edges direction angle angular_crossings winding_number shifted_ray small_numbers
-  signed_crossings rotation convolution_size turning_number fiber_grid states in_out_degree simple_chain simple_chains_turn_once regions meeting_of_segments
-  weight winding_number_of_the_sum interiors_meet neighbourhoods left_of_an_edge right_of_an_edge theorem_4_2_1
-  observation_2_2_4 boundary_points location pieces naive_collision collision_is_sound collision_is_complete
-  beside_a_piece filling cut_pieces kept_pieces_go_round kept_pieces_balance walks complement_in_a_frame
-  touching_vertices valid_regions_are_accepted beside_a_vertex canonical_chains.
+  signed_crossings rotation convolution_size turning_number fiber_grid states in_out_degree simple_chain
+  simple_chains_turn_once regions meeting_of_segments weight winding_number_of_the_sum interiors_meet neighbourhoods
+  left_of_an_edge right_of_an_edge theorem_4_2_1 observation_2_2_4 boundary_points location pieces naive_collision
+  collision_is_sound collision_is_complete beside_a_piece filling cut_pieces kept_pieces_go_round kept_pieces_balance
+  walks complement_in_a_frame touching_vertices valid_regions_are_accepted beside_a_vertex canonical_chains.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -96,7 +96,8 @@ Lemma times_by_index (x : vector) (l : list segment) (indices : list nat) : NoDu
   (forall i, In i indices -> (i < length l)%nat /\ lies_on x (nth i l no_segment)) -> (length indices <= times x l)%nat.
 Proof.
   intros distinct_ all.
-  assert (times_is : forall k start, times x k = length (filter (fun i => is_on_segment x (nth (i - start) k no_segment))
+  assert (times_is : forall k start, times x k = length (filter (fun i => is_on_segment x (nth (i - start) k
+    no_segment))
     (seq start (length k)))).
   { induction k as [| s k IH]; intros start; [reflexivity |]. rewrite times_of_more. cbn [length seq filter].
     rewrite Nat.sub_diag. change (nth 0 (s :: k) no_segment) with s. rewrite (IH (S start)).
@@ -104,7 +105,8 @@ Proof.
       filter (fun i => is_on_segment x (nth (i - S start) k no_segment)) (seq (S start) (length k))).
     { apply filter_ext_in. intros i I. apply in_seq in I. now replace (i - start)%nat with (S (i - S start)) by lia. }
     rewrite same. now destruct (is_on_segment x s). }
-  rewrite (times_is l 0%nat). apply NoDup_incl_length; [exact distinct_ |]. intros i I. destruct (all i I) as [below on].
+  rewrite (times_is l 0%nat). apply NoDup_incl_length; [exact distinct_ |]. intros i I. destruct (all i I) as [below
+    on].
   apply filter_In. split; [apply in_seq; lia |]. rewrite Nat.sub_0_r. now destruct (is_on_spec x (nth i l no_segment)).
 Qed.
 
@@ -361,7 +363,8 @@ Section Rings.
         - intros j [<- | [<- | [<- | []]]]; rewrite edges_are_as_many; tauto. }
       assert (two : (2 <= times x (edges c))%nat) by lia.
       destruct (where_written_edges_meet ring x C two) as [few _]. change (canonical_chain ring) with c in few. lia. }
-    assert (meet : forall i j x, (i < n)%nat -> (j < n)%nat -> i <> j -> lies_on x (edge_at c i) -> lies_on x (edge_at c j) ->
+    assert (meet : forall i j x, (i < n)%nat -> (j < n)%nat -> i <> j -> lies_on x (edge_at c i) -> lies_on x (edge_at
+      c j) ->
       exists k, (k < n)%nat /\ equal_vectors x (vertex c k)).
     { intros i j x I J other on_i on_j. assert (two : (2 <= times x (edges c))%nat).
       { apply (times_by_index x (edges c) [i; j]).
@@ -374,20 +377,25 @@ Section Rings.
       - exfalso. apply (long_c 0%nat ltac:(lia)). rewrite edge_is by lia. fold n. rewrite one. unfold along, minus.
         cbn. split; ring.
       - destruct (Nat.eq_dec n 2) as [two | more']; [exfalso | destruct c; [contradiction | cbn in n; lia]].
-        assert (is_0 : edge_at c 0 = Segment (vertex c 0) (vertex c 1)) by (rewrite edge_is by lia; fold n; now rewrite two).
-        assert (is_1 : edge_at c 1 = Segment (vertex c 1) (vertex c 0)) by (rewrite edge_is by lia; fold n; now rewrite two).
+        assert (is_0 : edge_at c 0 = Segment (vertex c 0) (vertex c 1)) by (rewrite edge_is by lia; fold n; now
+          rewrite two).
+        assert (is_1 : edge_at c 1 = Segment (vertex c 1) (vertex c 0)) by (rewrite edge_is by lia; fold n; now
+          rewrite two).
         pose proof (long_c 0%nat ltac:(lia)) as long_0. rewrite is_0 in long_0.
-        destruct (meet 0%nat 1%nat (middle (Segment (vertex c 0) (vertex c 1)))) as (k & K & X & Y); [lia | lia | lia | | |].
+        destruct (meet 0%nat 1%nat (middle (Segment (vertex c 0) (vertex c 1)))) as (k & K & X & Y); [lia | lia | lia
+          | | |].
         + rewrite is_0. apply strictly_inside_lies_on, middle_is_inside.
         + rewrite is_1. apply strictly_inside_lies_on, (strictly_inside_reversed _ (Segment (vertex c 0) (vertex c 1))).
           apply middle_is_inside.
-        + unfold middle, Qdiv in X, Y. cbn [source target vx vy] in X, Y. change (/ 2) with (1 # 2) in X, Y. apply long_0. unfold along, minus. cbn [source target vx vy].
+        + unfold middle, Qdiv in X, Y. cbn [source target vx vy] in X, Y. change (/ 2) with (1 # 2) in X, Y. apply
+          long_0. unfold along, minus. cbn [source target vx vy].
           destruct k as [| [| k]]; [split; lra | split; lra | lia]. }
     split; [exact three |]. split.
     - intros e E. unfold edge_directions in E. apply in_map_iff in E. destruct E as (s & <- & S).
       exact (written_is_long ring s C S).
     - intros i j x I J other on_i on_j. destruct (meet i j x I J other on_i on_j) as (k & K & equal).
-      destruct (alone i k x I K ltac:(lia) equal on_i) as [-> | i_k], (alone j k x J K ltac:(lia) equal on_j) as [j_k | j_k];
+      destruct (alone i k x I K ltac:(lia) equal on_i) as [-> | i_k], (alone j k x J K ltac:(lia) equal on_j) as [j_k
+        | j_k];
         subst; [contradiction | right; now split | left; now split |].
       exfalso. apply other. now apply (next_injective n).
   Qed.
