@@ -37,7 +37,7 @@ Proof.
   apply in_split in J. destruct J as (before & after & split_).
   pose proof (vertices_are_listed_once chain chain_simple) as once.
   rewrite <- names, split_, map_app in once. cbn [map fst] in once. apply NoDup_remove_2 in once.
-  rewrite <- map_app in once. rewrite split_, sum_of_two_lists, sum_of_more, here, !sum_of_zeros; [lia | |];
+  rewrite <- map_app in once. rewrite split_, sum_of_two_lists, sum_of_more, here. unfold sum_of. rewrite !sum_of_zeros; [lia | |];
     intros [v d] K; apply elsewhere; intros ->; apply once, (in_map fst _ (vertex chain i, d)), in_app_iff; tauto.
 Qed.
 
@@ -65,7 +65,7 @@ Proof.
   intros [p_simple _] polygon I v free. apply (lower_by_one_inside q); trivial.
   rewrite winding_number_of_replaced_segments.
   rewrite (sum_at_one_vertex p i _ (winding_number (minus x v) (region_edges [q])) p_simple I).
-  - rewrite sum_of_zeros; [lia |]. intros [u c] _. reflexivity.
+  - unfold sum_of. rewrite sum_of_zeros; [lia |]. intros [u c] _. reflexivity.
   - intros c. cbn. fold v. destruct (vector_eq_dec v v); [apply Z.mul_1_l | contradiction].
   - intros u c differ. cbn. fold v in differ |- *. now destruct (vector_eq_dec u v).
 Qed.
@@ -83,7 +83,7 @@ Proof.
   intros polygon [q_simple _] J v free. apply (lower_by_one_inside p); trivial.
   rewrite winding_number_of_replaced_segments.
   rewrite (sum_at_one_vertex q j _ (winding_number (minus x v) (region_edges [p])) q_simple J).
-  - rewrite sum_of_zeros; [lia |]. intros [u c] _. reflexivity.
+  - unfold sum_of. rewrite sum_of_zeros; [lia |]. intros [u c] _. reflexivity.
   - intros c. cbn. fold v. destruct (vector_eq_dec v v); [apply Z.mul_1_l | contradiction].
   - intros u c differ. cbn. fold v in differ |- *. now destruct (vector_eq_dec u v).
 Qed.

@@ -56,6 +56,6 @@ Qed.
 
 Example the_hatch_is_on_the_vertex_edge_sum : on_vertex_edge_sum (Vector 4 (11 # 2)) [room] [fitting_diamond].
 Proof.
-  apply boundary_of_the_open_sum_is_on_the_vertex_edge_sum; [apply simple_polygons_are_regions, drawn_polygons .. | | |
-    exact hatch_is_on_the_boundary_of_the_open_sum]; apply simple_polygons_do_not_touch, drawn_polygons.
+  apply boundary_of_the_open_sum_is_on_the_vertex_edge_sum; [apply simple_polygons_are_regions, drawn_polygons .. |
+    exact hatch_is_on_the_boundary_of_the_open_sum].
 Qed.

@@ -24,13 +24,13 @@ Proof.
     vm_compute. discriminate.
 Qed.
 
-(* Off the vertex-edge sum, the collision test and the winding number say the same. *)
+(* Off the convolution, the collision test and the winding number say the same. *)
 Example both_verdicts : collide [room] (placed (Vector (41 # 10) (11 # 2)) [fitting_diamond]) = true.
 Proof.
   apply collide_is_positive_winding_number; [apply simple_polygons_are_regions, drawn_polygons .. | | | |].
   - apply simple_polygons_cover_nothing_twice, drawn_polygons.
   - apply simple_polygons_cover_nothing_twice, drawn_polygons.
-  - apply general_position_by_computation. vm_compute. reflexivity.
+  - apply off_by_computation. vm_compute. reflexivity.
   - vm_compute. reflexivity.
 Qed.
 

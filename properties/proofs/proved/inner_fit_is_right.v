@@ -5,7 +5,7 @@
    that of 3 m. Around what is in the smaller square the chains outside go once. *)
 From Coq Require Import QArith Qabs Qminmax Lqa ZArith Lia Bool List Permutation.
 From Oplus Require Import specification checker regions_and_sums homogeneous_points specification_bridge pieces
-  collision_is_complete placed_collision sum_program sum_is_right sum_of_uncovered_pieces coordinates open_sum_program
+  winding_number_of_the_sum collision_is_complete placed_collision sum_program sum_is_right sum_of_uncovered_pieces coordinates open_sum_program
   open_sums turned_chains inner_fit_program complement_in_a_frame.
 Import ListNotations.
 
