@@ -129,7 +129,7 @@ Qed.
 
 Definition is_rotation (d c : list vector) : Prop := exists a b, c = a ++ b /\ d = b ++ a.
 
-Lemma starts_at (v : vector) (l : list vector) : forall passed, is_rotation (starting_at v passed l) (rev passed ++ l).
+Lemma starting_at_is_a_rotation (v : vector) (l : list vector) : forall passed, is_rotation (starting_at v passed l) (rev passed ++ l).
 Proof.
   induction l as [| w l IH]; intros passed; cbn [starting_at].
   - exists [], (rev passed). rewrite !app_nil_r. now split.
@@ -138,7 +138,7 @@ Proof.
 Qed.
 
 Lemma from_smallest_is_a_rotation (c : list vector) : is_rotation (from_smallest c) c.
-Proof. destruct c as [| first rest]; [now exists [], [] | apply (starts_at _ _ [])]. Qed.
+Proof. destruct c as [| first rest]; [now exists [], [] | apply (starting_at_is_a_rotation _ _ [])]. Qed.
 
 Lemma rotations_are (v : vector) (l : list vector) : forall passed d, In d (rotations_at v passed l) ->
   is_rotation d (rev passed ++ l).
@@ -163,11 +163,11 @@ Qed.
 
 Lemma written_ring_is_a_rotation (ring : list vector) : is_rotation (written_ring ring) (canonical_chain ring).
 Proof.
-  unfold written_ring. destruct (find _ ring); [apply (starts_at _ _ []) |].
+  unfold written_ring. destruct (find _ ring); [apply (starting_at_is_a_rotation _ _ []) |].
   exists [], (canonical_chain ring). split; [reflexivity | now rewrite app_nil_r].
 Qed.
 
-Lemma edges_of_turned (c d : list vector) : is_rotation d c -> Permutation (edges d) (edges c).
+Lemma edges_of_a_rotation (c d : list vector) : is_rotation d c -> Permutation (edges d) (edges c).
 Proof. intros (a & b & -> & ->). apply edges_of_rotation. Qed.
 
 (* What is in a row in a chain is so however it begins. *)
@@ -213,7 +213,7 @@ Lemma between_in_line (a b c d : vector) : is_between_ends c b d = true ->
   (is_between_ends a b c = true -> is_between_ends a b d = true) /\
   (is_between_ends b a d = true -> is_between_ends b a c = true).
 Proof.
-  rewrite !is_between. intros (long & t & [t0 t1] & cx & cy). split; intros (long' & s & [s0 s1] & sx & sy).
+  rewrite !is_between_ends_iff. intros (long & t & [t0 t1] & cx & cy). split; intros (long' & s & [s0 s1] & sx & sy).
   - split; [exact long |]. exists (s * t). assert (0 < s * t) by (now apply Qmult_lt_0_compat).
     assert (0 < (1 - s) * t) by (apply Qmult_lt_0_compat; lra). split; [lra |]. rewrite sx, sy, cx, cy. split; ring.
   - assert (0 < (1 - s) * t) by (apply Qmult_lt_0_compat; lra).
@@ -265,7 +265,7 @@ Lemma smallest_is_between_none (v a b : vector) :
   compare_points v a <> Gt -> compare_points v b <> Gt -> is_between_ends v a b = false.
 Proof.
   rewrite !not_greater. intros A B. destruct (is_between_ends v a b) eqn:between_; [exfalso | reflexivity].
-  apply is_between in between_. destruct between_ as (long & k & range & X & Y).
+  apply is_between_ends_iff in between_. destruct between_ as (long & k & range & X & Y).
   assert (ax : vx a == vx v) by nra. assert (bx : vx b == vx v) by nra.
   apply long. split; [lra | nra].
 Qed.

@@ -58,14 +58,14 @@ Proof.
   - apply Permutation_flat_map, Permutation_map. symmetry. apply SortedByKey.Permuted_sort.
   - unfold region_edges. induction r as [| c r IH]; [reflexivity |]. cbn [map flat_map]. apply Permutation_app; [|
     exact IH].
-    apply edges_of_turned, canonical_start_is_a_rotation.
+    apply edges_of_a_rotation, canonical_start_is_a_rotation.
 Qed.
 
 Lemma written_chains_have_the_edges (r : region) :
   Permutation (region_edges (written_chains r)) (region_edges (map canonical_chain (rings_in_order r))).
 Proof.
   unfold written_chains, region_edges. induction (rings_in_order r) as [| c l IH]; [reflexivity |]. cbn [map flat_map].
-  apply Permutation_app; [apply edges_of_turned, written_ring_is_a_rotation | exact IH].
+  apply Permutation_app; [apply edges_of_a_rotation, written_ring_is_a_rotation | exact IH].
 Qed.
 
 Definition canonical_region (r : polygonal_region) : polygonal_region :=

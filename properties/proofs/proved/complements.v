@@ -25,7 +25,7 @@ Lemma unbounded_member_of_chains (x : point) (r : region) : unbounded_member x (
   (exists s, In s (region_edges r) /\ lies_on (as_vector x) s) \/ winding_number (as_vector x) (region_edges r) = 0%Z.
 Proof.
   unfold unbounded_member, as_polygonal. rewrite on_boundary_is, number_of_region_is.
-  destruct (written_chains (as_vector x) r) as [-> ->]. reflexivity.
+  destruct (chains_as_points (as_vector x) r) as [-> ->]. reflexivity.
 Qed.
 
 (* What is not in A, if off some edges that is where numbers are 0, and edges are beside such points. *)

@@ -47,7 +47,7 @@ Qed.
 Lemma inner_point_of_chains (x : point) (r : region) : is_inner_point x (as_polygonal r) <->
   winding_number (as_vector x) (region_edges r) <> 0%Z /\ off (as_vector x) (region_edges r).
 Proof.
-  destruct (written_chains (as_vector x) r) as [same_points same_number].
+  destruct (chains_as_points (as_vector x) r) as [same_points same_number].
   unfold as_polygonal. now rewrite inner_point_is, !off_is, same_points, same_number.
 Qed.
 

@@ -44,7 +44,7 @@ Proof.
 Qed.
 
 (* The vertices may be written in other ways. *)
-Lemma written_chains (x : vector) (chains : region) :
+Lemma chains_as_points (x : vector) (chains : region) :
   let written := region_edges (as_region (map (map as_point) chains)) in
   ((exists s, In s written /\ lies_on x s) <-> (exists s, In s (region_edges chains) /\ lies_on x s)) /\
   winding_number x written = winding_number x (region_edges chains).
@@ -82,7 +82,7 @@ Lemma chains_are_beside_the_outside (chains : region) : valid_region chains -> n
   beside_the_outside (map (map as_point) chains).
 Proof.
   intros valid simple x e radius E on R.
-  destruct (proj1 (proj1 (written_chains (as_vector x) chains))) as (t & T & on_t);
+  destruct (proj1 (proj1 (chains_as_points (as_vector x) chains))) as (t & T & on_t);
     [apply on_boundary_is; now exists e |].
   destruct (outside_is_near chains (as_vector x) t radius valid simple T on_t R) as (y & close & free & zero_).
   exists (as_point y). rewrite member_of_chains, as_vector_of_point. rewrite off_is in free. now split; [| tauto].

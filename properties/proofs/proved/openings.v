@@ -108,7 +108,7 @@ Section Operations.
   Hypothesis b_simple : nowhere_above_one (as_region b).
   Hypothesis b_some : exists c v, In c b /\ In v c.
   Let f := inner_fit a b.
-  Let places := is_inside b (fun y => member y a).
+  Let places := is_moved_into b (fun y => member y a).
   Let right_ := inner_fit_is_the_inner_fit a b a_region a_simple b_region b_simple b_some.
   Let families := [region_edges (as_vectors (fit_chains f))].
 

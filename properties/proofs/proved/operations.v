@@ -239,11 +239,11 @@ Proof.
   assert (same_q : forall y, member y (prepared_region q) <-> member y q) by apply touching_vertices_add_no_points.
   split; [| split]; intros x; (etransitivity; [apply written_polygons_are_the_region |]).
   - rewrite (erosion_is_the_erosion _ _ p_valid p_simple q_valid q_simple some x). apply same_closure.
-    intros y. unfold is_inside. setoid_rewrite same_p. setoid_rewrite same_q. reflexivity.
+    intros y. unfold is_moved_into. setoid_rewrite same_p. setoid_rewrite same_q. reflexivity.
   - rewrite (opening_is_the_opening _ _ p_valid p_simple q_valid q_simple some x).
-    unfold is_inside. setoid_rewrite same_p. setoid_rewrite same_q. reflexivity.
+    unfold is_moved_into. setoid_rewrite same_p. setoid_rewrite same_q. reflexivity.
   - rewrite (closing_is_the_closing _ _ p_valid q_valid q_simple some x). apply same_closure.
-    intros y. unfold is_inside. setoid_rewrite same_p. setoid_rewrite same_q. reflexivity.
+    intros y. unfold is_moved_into. setoid_rewrite same_p. setoid_rewrite same_q. reflexivity.
 Qed.
 
 (* What is unbounded, as the holes in it, and what is in these. *)

@@ -36,7 +36,7 @@ Proof.
   - apply not_b. assert (k_is : k == 1) by lra. rewrite k_is in X, Y. split; lra.
 Qed.
 
-Lemma is_between (v a b : vector) : is_between_ends v a b = true <-> ~ equal_vectors a b /\ exists k, 0 < k < 1 /\
+Lemma is_between_ends_iff (v a b : vector) : is_between_ends v a b = true <-> ~ equal_vectors a b /\ exists k, 0 < k < 1 /\
   vx v == (1 - k) * vx a + k * vx b /\ vy v == (1 - k) * vy a + k * vy b.
 Proof.
   split.

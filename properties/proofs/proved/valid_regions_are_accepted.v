@@ -31,7 +31,7 @@ Proof.
   destruct T as [<- | T]; [| now apply IH]. apply sym, first, in_elt.
 Qed.
 
-Lemma pairs_of_parts {A B : Type} (R : A -> A -> Prop) (S : B -> B -> Prop) (f : A -> list B) (l : list A) :
+Lemma pairs_of_lists {A B : Type} (R : A -> A -> Prop) (S : B -> B -> Prop) (f : A -> list B) (l : list A) :
   (forall a, In a l -> ForallOrdPairs S (f a)) ->
   (forall a b, In a l -> In b l -> R a b -> forall c d, In c (f a) -> In d (f b) -> S c d) ->
   ForallOrdPairs R l -> ForallOrdPairs S (flat_map f l).
@@ -124,7 +124,7 @@ Proof.
   intros long. induction l as [| v l IH]; intros a on less all order; [reflexivity |].
   destruct order as [first rest].
   destruct (all v (or_introl eq_refl)) as (on_v & after_a & before_end). cbn [are_in_order]. apply andb_true_iff. split.
-  - apply is_between. destruct (fraction_on s a long on) as (_ & ax & ay), (fraction_on s v long on_v) as (_ & bx &
+  - apply is_between_ends_iff. destruct (fraction_on s a long on) as (_ & ax & ay), (fraction_on s v long on_v) as (_ & bx &
     by_).
     set (j := fraction s a) in *. set (k := fraction s v) in *. clearbody j k. split.
     + intros [X Y]. apply long. unfold along, minus. cbn [vx vy]. rewrite ax in X. rewrite ay in Y.
@@ -140,7 +140,7 @@ Qed.
 Lemma between_is_inside (v : vector) (e : segment) : nonzero (along e) ->
   (is_between_ends v (source e) (target e) = true <-> strictly_inside v e).
 Proof.
-  intros long. rewrite is_between. split; [now intros [_ inside_] |]. intros inside_. split; [| exact inside_].
+  intros long. rewrite is_between_ends_iff. split; [now intros [_ inside_] |]. intros inside_. split; [| exact inside_].
   intros [X Y]. apply long. unfold along, minus. cbn [vx vy]. split; lra.
 Qed.
 
@@ -178,7 +178,7 @@ Qed.
 Lemma common_end (a v b w : vector) : is_between_ends v a b = true -> lies_on w (Segment a v) ->
   lies_on w (Segment v b) -> equal_vectors w v.
 Proof.
-  rewrite is_between. intros (long & k & range & vx_is & vy_is) (i & range_i & ix & iy) (j & range_j & jx & jy).
+  rewrite is_between_ends_iff. intros (long & k & range & vx_is & vy_is) (i & range_i & ix & iy) (j & range_j & jx & jy).
   cbn [source target] in *.
   assert (i_is : i * k == k + j * (1 - k)).
   { assert (both : (k + j * (1 - k) - i * k) * (vx b - vx a) == 0 /\ (k + j * (1 - k) - i * k) * (vy b - vy a) == 0).
@@ -207,7 +207,7 @@ Proof.
       no_b];
       [apply no_a | apply no_b]; split; reflexivity.
   - cbn [are_in_order] in order. apply andb_true_iff in order. destruct order as [between_ order].
-    pose proof (is_between v a b) as facts. rewrite between_ in facts. destruct facts as [facts _].
+    pose proof (is_between_ends_iff v a b) as facts. rewrite between_ in facts. destruct facts as [facts _].
     destruct (facts eq_refl) as (_ & k & range & X & Y). clear facts.
     assert (long_v : ~ equal_vectors v b).
     { intros [ex ey]. apply long_. split; apply (Qmult_inj_l _ _ (1 - k)); lra. }
@@ -344,7 +344,7 @@ Proof.
   { intros t T. rewrite edges_are in T. apply in_flat_map in T. destruct T as (e & E & T).
     destruct (each e E) as [all _]. destruct (all t T) as (? & _ & ?). tauto. }
   assert (pairs : ForallOrdPairs (fun t u => forall w, lies_on w t -> lies_on w u -> is_vertex w s) (region_edges s)).
-  { rewrite edges_are. apply (pairs_of_parts (fun t u => forall w, lies_on w t -> lies_on w u -> is_vertex w r)).
+  { rewrite edges_are. apply (pairs_of_lists (fun t u => forall w, lies_on w t -> lies_on w u -> is_vertex w r)).
     - intros e E. now apply each.
     - intros e f E F meet_ t u T U w on_t on_u. destruct (meet_ w) as (g & G & equal).
       + now apply (proj1 (each e E) t T).

@@ -158,7 +158,7 @@ Section Region.
   Proof.
     intros I part_of closed E F. apply rings_of_chains in I. destruct I as (c & C & I).
     assert (in_chain : forall g, In g (edges ring) -> In g (edges c)).
-    { intros g G. apply (Permutation_in _ (edges_of_turned _ _ (canonical_start_is_a_rotation c))).
+    { intros g G. apply (Permutation_in _ (edges_of_a_rotation _ _ (canonical_start_is_a_rotation c))).
       apply (Permutation_in _ (rings_have_the_edges (canonical_start c) [])). apply in_flat_map. now exists ring. }
     pose proof kept_distinct.
     apply (same_on_the_right kept kept_long kept_apart kept_ends kept_balanced kept_closed) with (chain := c); auto.

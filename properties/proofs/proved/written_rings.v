@@ -76,7 +76,7 @@ Proof.
   induction l as [| b rest IH]; intros a long; [exact long |]. cbn [straightened].
   destruct (is_between_ends b a (hd z rest)) eqn:between_.
   - apply IH. intros s [<- | S]; [| apply long; now right; right].
-    apply is_between in between_. destruct between_ as [differ _]. intros [X Y]. apply differ.
+    apply is_between_ends_iff in between_. destruct between_ as [differ _]. intros [X Y]. apply differ.
     unfold along, minus in *; cbn [source target vx vy] in *. split; lra.
   - intros s [<- | S]; [apply long; now left |]. apply (IH b); [| exact S]. intros t T. apply long. now right.
 Qed.
@@ -411,7 +411,7 @@ Section Rings.
     assert (pairs : ForallOrdPairs (fun s t => forall w, lies_on w s -> lies_on w t -> is_vertex w written)
       (region_edges written)).
     { rewrite edges_written.
-      apply (pairs_of_parts (fun A B => forall e f, In e (edges A) -> In f (edges B) -> e <> f)).
+      apply (pairs_of_lists (fun A B => forall e f, In e (edges A) -> In f (edges B) -> e <> f)).
       - intros ring C. apply pairs_meet_twice. intros x two.
         destruct (where_written_edges_meet ring x C two) as (_ & b & B & equal). now apply (vertex_written ring x b).
       - intros A B C D disjoint s t S T w. now apply (rings_meet_in_vertices A B s t w).

@@ -127,21 +127,21 @@ Definition is_complement_of_unbounded (p s : polygonal_region) : Prop :=
   forall x, member x s <-> closure (fun y => ~ unbounded_member y p) x.
 
 (* Where q is inside A: all its points, moved by x, are points of A. *)
-Definition is_inside (q : polygonal_region) (A : point -> Prop) (x : point) : Prop :=
+Definition is_moved_into (q : polygonal_region) (A : point -> Prop) (x : point) : Prop :=
   forall y, member y q -> A (sum_of_points x y).
 
 (* s consists of the places at which q is inside p, but for edges and points without anything around them. *)
 Definition is_erosion (p q s : polygonal_region) : Prop :=
-  forall x, member x s <-> closure (interior (is_inside q (fun y => member y p))) x.
+  forall x, member x s <-> closure (interior (is_moved_into q (fun y => member y p))) x.
 
 (* s consists of the points of q at these places. *)
 Definition is_opening (p q s : polygonal_region) : Prop :=
   forall x, member x s <->
-    exists y z, is_inside q (fun a => member a p) y /\ member z q /\ equal_points x (sum_of_points y z).
+    exists y z, is_moved_into q (fun a => member a p) y /\ member z q /\ equal_points x (sum_of_points y z).
 
 (* s consists of the places at which q is inside the sum of p and q, but for edges and points as before. *)
 Definition is_closing (p q s : polygonal_region) : Prop :=
-  forall x, member x s <-> closure (interior (is_inside q (fun y =>
+  forall x, member x s <-> closure (interior (is_moved_into q (fun y =>
     exists a b, member a p /\ member b q /\ equal_points y (sum_of_points a b)))) x.
 
 (* A checker is right if it accepts nothing but Minkowski sums, whatever it is given as a certificate. *)
