@@ -37,8 +37,9 @@ Proof.
   apply in_split in J. destruct J as (before & after & split_).
   pose proof (vertices_are_listed_once chain chain_simple) as once.
   rewrite <- names, split_, map_app in once. cbn [map fst] in once. apply NoDup_remove_2 in once.
-  rewrite <- map_app in once. rewrite split_, sum_of_two_lists, sum_of_more, here. unfold sum_of. rewrite !sum_of_zeros; [lia | |];
-    intros [v d] K; apply elsewhere; intros ->; apply once, (in_map fst _ (vertex chain i, d)), in_app_iff; tauto.
+  rewrite <- map_app in once. rewrite split_, sum_of_two_lists, sum_of_more, here. unfold sum_of.
+  rewrite !sum_of_zeros; [lia | |]; intros [v d] K; apply elsewhere; intros ->;
+    apply once, (in_map fst _ (vertex chain i, d)), in_app_iff; tauto.
 Qed.
 
 (* What is left where Q goes round a point once or not at all. *)
