@@ -341,7 +341,7 @@ FAULTS = [
      "let p := right_of_middle e in fold_left", "let p := right_of_middle (reversed e) in fold_left",
      "proved/sums_in_less_time.v"),
     ("pieces inside are kept in little time", "proved/sums_in_less_time.v",
-     "| true, false => [e]", "| true, _ => [e]", "proved/sums_in_less_time.v"),
+     "| true, false => [e]", "| true, _ => [e]", "proved/sum_of_uncovered_pieces.v"),
     ("the largest denominator is a multiple of all", "proved/sums_of_two_edges.v",
      "Z.lcm (Zpos d) (Zpos a)", "Z.max (Zpos d) (Zpos a)", "proved/sums_of_two_edges.v"),
     ("a denominator is forgotten", "proved/sums_of_two_edges.v",
