@@ -1,11 +1,12 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Theorems 2.2.6, 2.2.10 and 2.3.2 for the sum of the open regions, dangling edges and isolated vertices included: every
-   point that is not in it but has points of it near is on the reduced convolution, if no chains of P touch, and none of
-   Q. Where a touching point of P meets one of Q it is false (docs/findings.md). From interiors_at_touching_points.v and
-   lemma_2_2_2.v. *)
+(* Theorems 2.2.6, 2.2.10 and 2.3.2 for the sum of the open regions, dangling edges and isolated vertices included:
+   every point that is not in it but has points of it near is on the convolution (fans_that_touch.v). It is on the
+   reduced convolution, if no chains of P touch, and none of Q (interiors_at_touching_points.v); where a touching point of P
+   meets one of Q that is false (docs/findings.md). *)
 From Coq Require Import QArith Lqa ZArith Bool List.
 From Oplus Require Import convolution convolution_winding regions interiors_meet neighbourhoods theorem_4_2_1
-  theorem_2_2_10 theorem_2_2_6 lemma_2_2_2 boundary_points reduced_convolution interiors_at_touching_points.
+  theorem_2_2_10 theorem_2_2_6 lemma_2_2_2 boundary_points reduced_convolution interiors_at_touching_points
+  fans_that_touch.
 
 Open Scope Q_scope.
 
@@ -38,23 +39,22 @@ Proof.
   destruct boundary as [out _]. apply out. now apply common_point_means_common_inner_point.
 Qed.
 
-(* Theorem 2.2.10 for open sums: their boundary is part of the convolution. *)
-Corollary boundary_of_the_open_sum_is_on_the_convolution (p q : region) (x : vector) :
-  valid_region p -> valid_region q -> chains_do_not_touch p -> chains_do_not_touch q ->
-  on_boundary_of_open_sum x p q -> exists s, In s (convolution_segments p q) /\ lies_on x s.
+(* Theorem 2.2.10 for open sums: their boundary is part of the convolution, where chains touch, too. *)
+Theorem boundary_of_the_open_sum_is_on_the_convolution (p q : region) (x : vector) :
+  valid_region p -> valid_region q -> on_boundary_of_open_sum x p q ->
+  exists s, In s (convolution_segments p q) /\ lies_on x s.
 Proof.
-  intros p_region q_region p_apart q_apart boundary.
-  destruct (boundary_of_the_open_sum p q x p_region q_region p_apart q_apart boundary) as (s & I & on).
-  exists s. split; [| exact on]. now apply reduced_is_part_of_the_convolution.
+  intros p_region q_region boundary.
+  destruct (on_or_off x (convolution_segments p q)) as [on | free]; [exact on | exfalso].
+  apply (boundary_of_open_sum_is_in_the_sum p q x); trivial. intros common.
+  destruct boundary as [out _]. apply out. now apply common_point_off_the_convolution.
 Qed.
 
 (* Theorem 2.2.6 for open sums: their boundary is part of the vertex-edge sum. *)
 Corollary boundary_of_the_open_sum_is_on_the_vertex_edge_sum (p q : region) (x : vector) :
-  valid_region p -> valid_region q -> chains_do_not_touch p -> chains_do_not_touch q ->
-  on_boundary_of_open_sum x p q -> on_vertex_edge_sum x p q.
+  valid_region p -> valid_region q -> on_boundary_of_open_sum x p q -> on_vertex_edge_sum x p q.
 Proof.
-  intros p_region q_region p_apart q_apart boundary.
-  destruct (boundary_of_the_open_sum_is_on_the_convolution p q x p_region q_region p_apart q_apart boundary)
-    as (s & I & on).
+  intros p_region q_region boundary.
+  destruct (boundary_of_the_open_sum_is_on_the_convolution p q x p_region q_region boundary) as (s & I & on).
   now apply (convolution_is_part_of_the_vertex_edge_sum p q x s).
 Qed.

@@ -1,11 +1,11 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* The collision test of P and -Q + x (docs/notation.md), a region whose edges are those of Q reflected (reflected.v),
-   and Theorem 4.2.1 for it: in general position the test returns true if and only if the winding number of the
+   and Theorem 4.2.1 for it: off the convolution the test returns true if and only if the winding number of the
    convolution at x is positive, so that the two ways to decide whether x is in the sum cannot differ. What the test
    returns is from collision_is_sound.v and collision_is_complete.v. *)
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
 From Oplus Require Import convolution signed_crossings convolution_winding weight regions reflected parallelogram
-  crossing_edges winding_number_of_the_sum interiors_meet left_of_an_edge theorem_4_2_1 location pieces
+  crossing_edges winding_number_of_the_sum interiors_meet left_of_an_edge theorem_4_2_1 fans_that_touch location pieces
   naive_collision met_pieces collision_is_complete.
 Import ListNotations.
 
@@ -100,12 +100,13 @@ Proof.
   unfold interiors_meet. split; intros (z & in_p & in_q); exists z; (split; [exact in_p |]); now apply inside_placed.
 Qed.
 
-(* Theorem. And in general position it returns true if and only if the winding number of the convolution is positive. *)
+(* Theorem. And off the convolution it returns true if and only if the winding number of the convolution is positive. *)
 Theorem collide_is_positive_winding_number (p q : region) (x : vector) :
-  valid_region p -> valid_region q -> nowhere_above_one p -> nowhere_above_one q -> off_vertex_edge_sum x p q ->
+  valid_region p -> valid_region q -> nowhere_above_one p -> nowhere_above_one q ->
+  off x (convolution_segments p q) ->
   (collide p (placed x q) = true <-> (0 < winding_number x (convolution_segments p q))%Z).
 Proof.
-  intros p_region q_region p_simple q_simple general.
+  intros p_region q_region p_simple q_simple free.
   rewrite collide_decides_whether_interiors_meet by assumption.
-  now rewrite positive_winding_number_iff_interiors_meet.
+  now rewrite positive_winding_number_iff_common_inner_point.
 Qed.

@@ -8,7 +8,7 @@ From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation.
 From Oplus Require Import specification checker homogeneous_points specification_bridge convolution shifted_ray
   signed_crossings small_numbers in_out_degree convolution_winding regions meeting_of_segments interiors_meet
   neighbourhoods left_of_an_edge theorem_4_2_1 theorem_2_2_10 lemma_2_2_2 boundary_points reduced_convolution
-  interiors_at_touching_points test_of_regions location pieces met_pieces naive_collision collision_is_sound
+  interiors_at_touching_points fans_that_touch test_of_regions location pieces met_pieces naive_collision collision_is_sound
   collision_is_complete placed_collision checked_collision beside_a_piece filling kept_pieces_go_round cut_pieces
   kept_pieces_balance sum_program sum_is_right sum_of_uncovered_pieces just_right_of_a_piece walks.
 Import ListNotations.

@@ -25,11 +25,12 @@ Proof.
       right; intros (u & [<- | I] & [ux uy]); [tauto | apply none; exists u; split; [exact I | now split]]]).
 Qed.
 
-(* Edges that meet in a vertex do not lie along each other. *)
-Lemma vertex_turns (r : region) (f_in f_out : segment) :
-  valid_region r -> meet_in_vertex f_in f_out r -> turns (along f_in) (along f_out).
+(* Edges one of which begins where the other ends do not lie along each other. *)
+Lemma consecutive_edges_turn (r : region) (f_in f_out : segment) :
+  valid_region r -> In f_in (region_edges r) -> In f_out (region_edges r) ->
+  equal_vectors (target f_in) (source f_out) -> turns (along f_in) (along f_out).
 Proof.
-  intros (not_points & valid & meet) (I & J & [tx ty] & _).
+  intros (not_points & valid & meet) I J [tx ty].
   pose proof (region_edges_are_directions r not_points f_in I) as long_in.
   pose proof (region_edges_are_directions r not_points f_out J) as long_out.
   split; [exact long_in |]. split; [exact long_out |]. intros parallel.
@@ -81,6 +82,10 @@ Proof.
         unfold u, along, minus; cbn [vx vy]. split; ring. }
   destruct vertex as (s & S & equal). exact (free s S equal).
 Qed.
+
+Lemma vertex_turns (r : region) (f_in f_out : segment) :
+  valid_region r -> meet_in_vertex f_in f_out r -> turns (along f_in) (along f_out).
+Proof. intros valid (I & J & follows & _). now apply (consecutive_edges_turn r). Qed.
 
 (* The boundary of a region at one of its points: an edge of a chain comes in direction u and one leaves in
    direction v; at a point inside an edge both are that edge. *)

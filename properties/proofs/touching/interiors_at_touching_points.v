@@ -1,9 +1,9 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Theorem 4.2.1 for interiors, at every x off the convolution: where P and -Q + x touch without common inner
-   points, x is on the convolution, even on the reduced one (Definition 2.3.1). Chains do not touch here: where a point at which
-   chains of P touch meets such a point of Q, it is false (docs/findings.md). Around the common point both are corners,
-   or edges (boundary_points.v); touching_corners.v says which edge is in a tangent set, parallel_edges.v is about
-   edges along each other. In general position it is in theorem_4_2_1.v. *)
+(* Where P and -Q + x touch without common inner points, x is on the convolution, even on the reduced one
+   (Definition 2.3.1). Chains do not touch here: where a point at which chains of P touch meets such a point of Q, x
+   need not be on the reduced convolution (docs/findings.md), but is on the convolution (fans_that_touch.v). Around the
+   common point both are corners, or edges (boundary_points.v); touching_corners.v says which edge is in a tangent set,
+   parallel_edges.v is about edges along each other. *)
 From Coq Require Import QArith Qminmax Lqa Qfield ZArith Lia Bool List Arith.
 From Oplus Require Import convolution signed_crossings tie_rule convolution_winding regions weight parallelogram
   winding_number_of_the_sum meeting_of_segments interiors_meet neighbourhoods left_of_an_edge theorem_4_2_1
@@ -151,19 +151,4 @@ Proof.
   destruct (segments_at_touching_points p q x w u a i_in i_out eu ev b j_in j_out fu fv) as
     [meet_ | (d & (s & S & on & _) & _)]; trivial.
   exfalso. exact (free s S on).
-Qed.
-
-(* Theorem. For every x off the convolution, the winding number is positive if and only if the interiors of P and
-   -Q + x have a point in common. *)
-Theorem positive_winding_number_iff_common_inner_point (p q : region) (x : vector) :
-  valid_region p -> valid_region q -> chains_do_not_touch p -> chains_do_not_touch q ->
-  off x (convolution_segments p q) ->
-  ((0 < winding_number x (convolution_segments p q))%Z <-> interiors_meet x p q).
-Proof.
-  intros p_region q_region p_apart q_apart free. split.
-  - intros positive_. apply common_point_means_common_inner_point; trivial.
-    { intros s I. apply free. now apply reduced_is_part_of_the_convolution. }
-    now apply (positive_winding_number_iff_common_point p q x p_region q_region free).
-  - destruct p_region as (p_edges & p_valid & _), q_region as (q_edges & q_valid & _).
-    now apply interiors_meet_means_positive_winding_number.
 Qed.
