@@ -1,13 +1,13 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Theorem 3.2.8 of the thesis: segments of the reduced convolution of the direction of a dangling edge of the open sum
    cover it, and such of the opposite direction; all its points but the sums of two vertices, which are finitely many.
-   Chains do not touch here. The open sum is to the left of each edge that passes, so these are along the dangling
+   The open sum is to the left of each edge that passes, so these are along the dangling
    edge; on either side there is one by segments_beside_the_open_sum.v. *)
 From Coq Require Import QArith Qminmax Lqa Qfield ZArith Lia Bool List Arith.
 From Oplus Require Import convolution signed_crossings tie_rule convolution_winding regions weight parallelogram
   winding_number_of_the_sum crossing_edges meeting_of_segments interiors_meet neighbourhoods left_of_an_edge
   theorem_4_2_1 observation_2_2_4 lemma_2_2_9 inside_a_corner tangent_direction touching_corners shifted_ray
-  boundary_points reduced_convolution parallel_edges interiors_at_touching_points segments_beside_the_open_sum.
+  boundary_points reduced_convolution parallel_edges reduced_edges_that_pass segments_beside_the_open_sum.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -70,15 +70,14 @@ Proof. intros left_ [X Y]. unfold cross in left_. rewrite X, Y in left_. lra. Qe
 
 (* Both directions by one: what has n to its left, and is along D, has the direction D. *)
 Lemma one_side_of_a_dangling_edge (p q : region) (x D n : vector) :
-  valid_region p -> valid_region q -> chains_do_not_touch p -> chains_do_not_touch q ->
-  ~ interiors_meet x p q ->
+  valid_region p -> valid_region q -> ~ interiors_meet x p q ->
   eventually (fun t => ~ interiors_meet (moved_along x D t) p q) ->
   eventually (fun t => ~ interiors_meet (moved_along x (opposite D) t) p q) ->
   0 < cross D n -> eventually (fun t => interiors_meet (moved_along x n t) p q) ->
   (forall w u, is_vertex w p -> is_vertex u q -> ~ equal_vectors x (plus w u)) ->
   reduced_along p q x D.
 Proof.
-  intros p_region q_region p_apart q_apart outside ahead_ behind left_ meet_ free.
+  intros p_region q_region outside ahead_ behind left_ meet_ free.
   pose proof (direction_of_sides D n left_) as proper_D.
   assert (square : 0 < vx D * vx D + vy D * vy D).
   { destruct (Qlt_le_dec 0 (vx D * vx D + vy D * vy D)) as [| none_]; [assumption |]. exfalso. apply proper_D.
@@ -118,13 +117,12 @@ Qed.
 (* Theorem 3.2.8. Every point of a dangling edge that is not the sum of two vertices is on a segment of the reduced
    convolution of its direction, and on one of the opposite direction. *)
 Theorem dangling_edges_are_on_opposite_segments (p q : region) (x D : vector) :
-  valid_region p -> valid_region q -> chains_do_not_touch p -> chains_do_not_touch q ->
-  on_dangling_edge x D p q ->
+  valid_region p -> valid_region q -> on_dangling_edge x D p q ->
   (forall w u, is_vertex w p -> is_vertex u q -> ~ equal_vectors x (plus w u)) ->
   (exists s, In s (reduced_convolution p q) /\ lies_on x s /\ same_direction (along s) D) /\
   (exists s, In s (reduced_convolution p q) /\ lies_on x s /\ same_direction (along s) (opposite D)).
 Proof.
-  intros p_region q_region p_apart q_apart (outside & ahead_ & behind & (n & left_ & meet_n) &
+  intros p_region q_region (outside & ahead_ & behind & (n & left_ & meet_n) &
     (m & right_ & meet_m)) free.
   assert (left_m : 0 < cross (opposite D) m) by (unfold cross, opposite in *; cbn [vx vy]; lra).
   assert (ahead_of_back : eventually (fun t => ~ interiors_meet (moved_along x (opposite (opposite D)) t) p q)).

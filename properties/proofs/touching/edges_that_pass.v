@@ -120,8 +120,9 @@ Section Passing.
     destruct (on_by_index a i w I on_e) as (t & t_range & w_is), (on_by_index b j u J on_f) as (o & o_range & u_is).
     apply (covered_by_index p q x _ a b); trivial. unfold edge_at in *.
     rewrite <- !direction_by_index in * by assumption.
-    apply (sum_along_two_edges a b (chains_turn_everywhere p a p_region A) (chains_turn_everywhere q b q_region B)
-      i j t o); trivial.
+    pose proof (chains_turn_everywhere p a p_region A) as turning_p.
+    pose proof (chains_turn_everywhere q b q_region B) as turning_q.
+    apply (ties_are_segments a b turning_p turning_q), (sum_along_two_edges a b turning_p turning_q i j t o); trivial.
     rewrite sum_. now apply plus_of_equal.
   Qed.
 

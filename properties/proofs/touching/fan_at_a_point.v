@@ -217,6 +217,29 @@ Proof.
   apply (within_twice ((1 # 2) * radius) ((1 # 2) * radius) radius w a); [lra | exact close | exact near_a].
 Qed.
 
+(* Near w, w + y is inside in a direction y that is parallel to no edge at w, nor to z. *)
+Lemma inner_direction (r : region) (w z : vector) (radius : Q) : valid_region r -> 0 < radius -> nonzero z ->
+  (exists s, In s (region_edges r) /\ lies_on w s) ->
+  exists y, within radius w (plus w y) /\ within radius w (plus w (opposite y)) /\ ~ cross z y == 0 /\
+    (forall s, In s (region_edges r) -> lies_on w s -> ~ cross y (along s) == 0) /\
+    (0 < winding_number (plus w y) (region_edges r))%Z.
+Proof.
+  intros (not_points & valid & meet) R proper_z on_boundary.
+  destruct (inner_point_off_lines r w radius (Segment w (plus w z) :: region_edges r)
+    (regions_are_regular r not_points valid meet) (or_intror on_boundary) R) as (p & close & [_ round] & general).
+  { intros t [<- | I]; [| now apply (region_edges_are_directions r)].
+    intros [X Y]. apply proper_z. unfold along, plus, minus in X, Y; cbn [source target vx vy] in X, Y. lra. }
+  set (y := minus p w). exists y.
+  split; [unfold within, y, plus, minus in *; cbn [vx vy]; lra |].
+  split; [unfold within, y, plus, opposite, minus in *; cbn [vx vy]; lra |].
+  split; [| split].
+  - intros aside. apply (general _ (or_introl eq_refl)). transitivity (cross z y); [| exact aside].
+    unfold area, cross, y, plus, minus; cbn [source target vx vy]. ring.
+  - intros s I (k & _ & X & Y) parallel. apply (general s (or_intror I)). transitivity (- cross y (along s)); [| lra].
+    unfold area, cross, y, along, minus; cbn [vx vy]. rewrite X, Y. ring.
+  - rewrite <- (winding_number_of_equal p (plus w y)); [exact round | unfold y, plus, minus; cbn [vx vy]; ring ..].
+Qed.
+
 Section OneDirection.
   Variable r : region.
   Variables w z d : vector.
@@ -274,31 +297,16 @@ Section OneDirection.
   Theorem more_than_half_depart_to_the_left : (exists s, In s (region_edges r) /\ lies_on w s) ->
     (departures w r < 2 * departures_left_of w z r)%Z.
   Proof.
-    intros on_boundary. pose proof r_region as (_ & valid & meet). pose proof near as [R _].
-    pose proof (regions_are_regular r not_points valid meet) as regular.
-    destruct (inner_point_off_lines r w radius (Segment w (plus w z) :: region_edges r) regular
-      (or_intror on_boundary) R) as (p & close & [_ round] & general).
-    { intros t [<- | I]; [| now apply (region_edges_are_directions r)].
-      intros [X Y]. unfold along, plus, minus in X, Y; cbn [source target vx vy] in X, Y.
-      apply proper_d. destruct z_back as (m & _ & dx & dy). rewrite dx, dy. unfold opposite; cbn [vx vy].
-      setoid_replace (vx z) with 0 by lra. setoid_replace (vy z) with 0 by lra. split; ring. }
-    set (y := minus p w).
-    assert (p_is : equal_vectors p (plus w y)) by (unfold y, plus, minus; split; cbn [vx vy]; ring).
-    pose proof (general _ (or_introl eq_refl)) as aside.
-    assert (aside_is : area (Segment w (plus w z)) p == cross z y)
-      by (unfold area, cross, y, plus, minus; cbn [source target vx vy]; ring).
-    rewrite aside_is in aside.
-    assert (general_y : forall s, In s (region_edges r) -> lies_on w s -> ~ cross y (along s) == 0).
-    { intros s I (k & _ & X & Y) parallel. apply (general s (or_intror I)).
-      transitivity (- cross y (along s)); [| lra].
-      unfold area, cross, y, along, minus; cbn [vx vy]. rewrite X, Y. ring. }
-    assert (near_y : within radius w (plus w y) /\ within radius w (plus w (opposite y)))
-      by (unfold within, y, plus, opposite, minus in *; cbn [vx vy]; lra).
-    rewrite (winding_number_of_equal p (plus w y) _ (proj1 p_is) (proj2 p_is)) in round.
+    intros on_boundary.
+    assert (proper_z : nonzero z).
+    { intros [X Y]. apply proper_d. destruct z_back as (m & _ & dx & dy). rewrite dx, dy. unfold opposite; cbn [vx vy].
+      rewrite X, Y. split; ring. }
+    destruct (inner_direction r w z radius r_region (proj1 near) proper_z on_boundary)
+      as (y & near_y & near_back & aside & general & round).
     destruct (Q_dec (cross z y) 0) as [[right_ | left_] | parallel]; [| | contradiction].
     - apply (half_by_a_general_direction (opposite y)); try rewrite opposite_twice; try tauto.
       + unfold cross, opposite in *; cbn [vx vy]. lra.
-      + intros s I on parallel. apply (general_y s I on). unfold cross, opposite in *; cbn [vx vy] in *. lra.
+      + intros s I on parallel. apply (general s I on). unfold cross, opposite in *; cbn [vx vy] in *. lra.
     - apply (half_by_a_general_direction y); tauto.
   Qed.
 End OneDirection.

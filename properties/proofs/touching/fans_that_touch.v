@@ -123,7 +123,7 @@ Proof.
   unfold moved_along, along, minus; cbn [vx vy]. rewrite X, Y. split; ring.
 Qed.
 
-Lemma one_or_all (A : Prop) (B : segment -> Prop) (l : list segment) :
+Lemma one_or_all {T : Type} (A : Prop) (B : T -> Prop) (l : list T) :
   (forall s, In s l -> A \/ B s) -> A \/ forall s, In s l -> B s.
 Proof.
   induction l as [| s l IH]; intros each; [right; intros s [] |].
