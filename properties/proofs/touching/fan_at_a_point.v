@@ -293,7 +293,7 @@ Section OneDirection.
     pose proof (not_negative (plus w y)). pose proof (not_negative (plus w (opposite y))). lia.
   Qed.
 
-  (* Theorem. *)
+  (* Theorem. So more than half of the edges that leave w do so to the left of z. *)
   Theorem more_than_half_depart_to_the_left : (exists s, In s (region_edges r) /\ lies_on w s) ->
     (departures w r < 2 * departures_left_of w z r)%Z.
   Proof.

@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Theorem 4.2.1 for interiors, for all valid regions, chains that touch included: off the convolution, the winding
    number is positive if and only if the interiors of P and -Q + x have a point in common. And so Theorems 2.2.6 and
-   2.2.10 for the open sum.
+   2.2.10 for the open sum (open_sum.v).
    Say P and -Q + x touch in a point, and their interiors do not meet. An edge f of Q that leaves this point, in
    -Q + x backwards, is outside P, and if it is in no tangent set there, more than half of the edges of P that leave
    the point are to the left of f backwards (fan_at_a_point.v), which is to the right of f. In the same way more than
