@@ -6,7 +6,7 @@
    (docs/findings.md). *)
 From Coq Require Import QArith Lqa ZArith Bool List.
 From Oplus Require Import convolution convolution_winding regions interiors_meet neighbourhoods left_of_an_edge
-  theorem_4_2_1 theorem_2_2_10 theorem_2_2_6 lemma_2_2_2 boundary_points reduced_convolution parallel_edges
+  theorem_4_2_1 theorem_2_2_10 theorem_2_2_6 lemma_2_2_2 boundary_points reduced_convolution
   interiors_at_touching_points fans_that_touch reduced_edges_that_pass.
 
 Open Scope Q_scope.
@@ -47,23 +47,9 @@ Theorem boundary_of_the_open_sum_off_sums_of_vertices (p q : region) (x : vector
 Proof.
   intros p_region q_region boundary no_vertices.
   destruct (on_or_off x (reduced_convolution p q)) as [on | free]; [exact on | exfalso].
-  apply (boundary_of_open_sum_is_in_the_sum p q x); trivial. intros (w & u & in_p & in_q & sum_).
-  pose proof boundary as [outside _].
-  assert (swapped : equal_vectors x (plus u w))
-    by (destruct sum_ as [X Y]; unfold plus in *; cbn [vx vy] in *; split; cbn [vx vy]; lra).
-  assert (found : forall d, ~ reduced_along p q x d) by (intros d (s & S & on & _); exact (free s S on)).
-  pose proof p_region as (p_edges & p_valid & p_meet). pose proof q_region as (q_edges & q_valid & q_meet).
-  destruct (inside_or_on_boundary w p in_p) as [inside_p | (e & E & on_e)].
-  { apply outside, (inner_point_and_point p q x w u); trivial. now apply regions_are_regular. }
-  destruct (inside_or_on_boundary u q in_q) as [inside_q | (f & F & on_f)].
-  { apply outside, interiors_meet_other_way, (inner_point_and_point q p x u w); trivial.
-    now apply regions_are_regular. }
-  destruct (vertex_or_not w p) as [w_vertex | no_vertex].
-  - destruct (vertex_or_not u q) as [u_vertex | no_vertex]; [exact (no_vertices w u w_vertex u_vertex sum_) |].
-    apply (found (along f)).
-    now apply (passing_edges_of_q_are_covered p q x p_region q_region outside no_vertices u w f).
-  - apply (found (along e)).
-    now apply (passing_edges_of_p_are_covered p q x p_region q_region outside no_vertices w u e).
+  apply (boundary_of_open_sum_is_in_the_sum p q x); trivial. intros common. destruct boundary as [outside _].
+  destruct (common_point_is_on_the_reduced_convolution p q x p_region q_region outside no_vertices common)
+    as (s & S & on). exact (free s S on).
 Qed.
 
 (* Theorem 2.2.10 for open sums: their boundary is part of the convolution, where chains touch, too. *)

@@ -5,9 +5,9 @@
    (convex_corners.v); or both go on along each other to where one of them ends, at a convex vertex. *)
 From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
 From Oplus Require Import convolution signed_crossings tie_rule regions weight finite_sums tangent_count
-  meeting_of_segments neighbourhoods winding_number_of_the_sum interiors_meet left_of_an_edge theorem_4_2_1 simple_chain
-  definition_2_2_8 boundary_points reduced_convolution parallel_edges edges_at_a_point fan_at_a_point fans_that_touch
-  edges_that_pass convex_corners.
+  meeting_of_segments neighbourhoods winding_number_of_the_sum interiors_meet left_of_an_edge theorem_4_2_1
+  simple_chain lemma_2_2_2 definition_2_2_8 boundary_points reduced_convolution parallel_edges edges_at_a_point
+  fan_at_a_point fans_that_touch edges_that_pass convex_corners.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -311,5 +311,23 @@ Section Covered.
     apply (reduced_along_by_q p q a b A B x i j I J tangent is_convex).
     apply (lies_on_equal u); [| exact on_f]. destruct sum_ as [X Y], at_vertex as [X' Y'].
     unfold vertex, plus, minus in *; cbn [vx vy] in *. split; cbn [vx vy]; lra.
+  Qed.
+
+  (* So where P and -Q + x have a point in common, x is on the reduced convolution. *)
+  Theorem common_point_is_on_the_reduced_convolution : in_sum x p q -> on_reduced_convolution x p q.
+  Proof.
+    intros (w & u & in_p & in_q & sum_).
+    assert (found : forall d, reduced_along p q x d -> on_reduced_convolution x p q)
+      by (intros d (s & S & on & _); now exists s).
+    pose proof p_region as (_ & p_valid & p_meet). pose proof q_region as (_ & q_valid & q_meet).
+    destruct (inside_or_on_boundary w p in_p) as [inside_p | (e & E & on_e)].
+    { exfalso. apply outside, (inner_point_and_point p q x w u); trivial. now apply regions_are_regular. }
+    destruct (inside_or_on_boundary u q in_q) as [inside_q | (f & F & on_f)].
+    { exfalso. apply outside', (inner_point_and_point q p x u w); auto. now apply regions_are_regular. }
+    destruct (vertex_or_not w p) as [w_vertex | no_vertex].
+    - destruct (vertex_or_not u q) as [u_vertex | no_vertex];
+        [exfalso; exact (no_vertices w u w_vertex u_vertex sum_) |].
+      apply (found (along f)). apply (passing_edges_of_q_are_covered u w f); auto.
+    - apply (found (along e)). now apply (passing_edges_of_p_are_covered w u e).
   Qed.
 End Covered.
