@@ -85,9 +85,9 @@ Proof.
 Qed.
 
 (* Theorem 2.3.2, second part: the boundary of the sum is part of the reduced convolution (Definition 2.3.1), where
-   chains touch, too. A boundary point of the sum is a sum, but not one with inner points of P and -Q + x in common, so this is
-   reduced_edges_that_pass.v, but for sums of two vertices. Of these there are finitely many, and near each boundary
-   point are others (boundary_between.v). *)
+   chains touch, too. A boundary point of the sum is a sum, but not one with inner points of P and -Q + x in common, so
+   this is reduced_edges_that_pass.v, but for sums of two vertices. Of these there are finitely many, and near each
+   boundary point are others (boundary_between.v). *)
 Theorem boundary_is_part_of_the_reduced_convolution (p q : region) (x : vector) :
   valid_region p -> valid_region q -> on_boundary_of_sum x p q -> on_reduced_convolution x p q.
 Proof.
