@@ -4,6 +4,7 @@
 import re
 from graphlib import CycleError, TopologicalSorter
 
+from index_pages import PARTS
 from links import missing_findings
 
 KINDS = {"lemma", "theorem", "corollary", "observation", "section", "table", "equation", "definition", "fact", "law",
@@ -81,6 +82,30 @@ def defects_of_files(statements, root):
         file = path.relative_to(root).as_posix()
         if re.match("[a-z]+", path.name)[0] in KINDS and file not in files:
             yield f"{file}: no statement is registered from it"
+
+
+def ends_in_a_negation(formal):
+    """Whether the conclusion of a statement in Coq is one."""
+    before = None
+    while before != formal:
+        before, formal = formal, re.sub(r"\([^()]*\)", "()", formal)
+    return bool(re.search(r"(?::|,|->)\s*~[^~>]*$", formal))
+
+
+def defects_of_extents(theorems):
+    """What the extents promise and the theorems do not keep. "as printed": the theorem is in as_printed/, where
+    statements use the thesis's notions only. "refuted and corrected": one theorem ends in a negation, another one
+    says what holds."""
+    for theorem in theorems:
+        printed = theorem["extent"] == "as printed" and theorem["statement"].partition("-")[0] not in PARTS
+        if printed != theorem["file"].startswith("as_printed/"):
+            yield f"{theorem['theorem']}: '{theorem['extent']}', but in {theorem['file']}"
+    refuted = {}
+    for theorem in theorems:
+        if theorem["extent"] == "refuted and corrected":
+            refuted.setdefault(theorem["statement"], set()).add(ends_in_a_negation(theorem["formal"]))
+    yield from (f"{id}: 'refuted and corrected' needs a theorem that ends in a negation, and one that does not"
+                for id, kinds in refuted.items() if kinds != {True, False})
 
 
 def defects_of_records(statements, records):

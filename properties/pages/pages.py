@@ -50,7 +50,7 @@ def superfluous(pages, pictures, docs):
 def defects_of_sources(statements, mutants, records, root):
     return [*defects.defects_of_list(statements, mutants), *defects.defects_of_graph(statements),
             *defects.defects_of_texts(statements, records), *defects.defects_of_files(statements, root),
-            *defects.defects_of_records(statements, records)]
+            *defects.defects_of_records(statements, records), *defects.defects_of_extents(records.theorems)]
 
 
 def write(pages, pictures, docs):

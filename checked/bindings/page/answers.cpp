@@ -19,7 +19,6 @@
 #include "checked/verify/verdict_text.hpp"
 #include "checked/verify/verify.hpp"
 #include "reference/chains/region_of.hpp"
-#include "reference/chains/touching_points.hpp"
 #include "reference/definitions/claimed_sum.hpp"
 #include "reference/definitions/tangent_count.hpp"
 #include "reference/definitions/winding_number.hpp"
@@ -286,10 +285,8 @@ WrittenSum written_sum(PlanarSet set) {
 }
 
 /// What another program has written, with its text as it is.
-WrittenSum read_sum(const std::string& text, const PlanarSet& core) {
-  const ClaimedSum given = read_unchecked_sum(text, "sum");
-  PlanarSet set =
-      canonical_sum({boundary_pieces(given.region), given.dangling_edges, given.isolated_vertices});
+WrittenSum given_sum(const std::string& text, const PlanarSet& core) {
+  PlanarSet set = read_sum(text, "sum").sum;
   const bool is_same = set == core;
   return {std::move(set), text, is_same};
 }
@@ -419,8 +416,8 @@ void put_all(Answer& answer, const JsonValue& request) {
   const Boundary boundary = flag(request, "open") ? Boundary::open : Boundary::closed;
   const auto sum_of = [&](Boundary of) { return slide_sum(p.region, q.region, of).sum; };
   const std::string given = text(request, "sum");
-  const PlanarSet core = sum_of(boundary);
-  const WrittenSum sum = given.empty() ? written_sum(core) : read_sum(given, core);
+  PlanarSet core = sum_of(boundary);
+  const WrittenSum sum = given.empty() ? written_sum(std::move(core)) : given_sum(given, core);
   const ConvolutionCycles traced = convolution_cycles(p.region, q.region);
   put(answer, sum);
   put(answer, traced);

@@ -45,9 +45,6 @@ Section Vertex.
     unfold along, minus, reversed in *; cbn [source target vx vy] in *. split; lra.
   Qed.
 
-  Lemma reversed_is_directed (s : segment) : directed s -> directed (reversed s).
-  Proof. unfold directed. rewrite reversed_twice. tauto. Qed.
-
   Lemma met_by_itself_only (part : list segment) (s : segment) : incl part segments -> directed s -> met_only_along
     part s.
   Proof.

@@ -22,9 +22,6 @@ Qed.
 (* Directions that differ. *)
 Definition differ (u w : vector) : Prop := cross u w == 0 -> dot u w < 0.
 
-Lemma differ_sym (u w : vector) : differ u w -> differ w u.
-Proof. unfold differ, cross, dot. intros H zero_. specialize (H ltac:(lra)). lra. Qed.
-
 (* In terms of the signs of b x u and the like. *)
 Ltac signs_of b g :=
   let s := fresh "s" in destruct (Q_dec (cross b g) 0) as [[s | s] | s].

@@ -24,9 +24,6 @@ Proof. unfold times. cbn [filter]. now destruct (is_on_segment x s). Qed.
 Lemma times_of_both (x : vector) (l m : list segment) : times x (l ++ m) = (times x l + times x m)%nat.
 Proof. unfold times. now rewrite filter_app, app_length. Qed.
 
-Lemma times_permuted (x : vector) (l m : list segment) : Permutation l m -> times x l = times x m.
-Proof. intros permuted. induction permuted; rewrite ?times_of_more; lia. Qed.
-
 Lemma once_on (x : vector) (t : segment) (l : list segment) : In t l -> lies_on x t -> (1 <= times x l)%nat.
 Proof.
   intros T on. induction l as [| s l IH]; [destruct T |]. rewrite times_of_more.

@@ -228,11 +228,7 @@ class Pages(unittest.TestCase):
         refused("edges.v: no theorem corners")
         self.theorem["extent"] = "most"
         refused("an extent of 'most'")
-        self.theorem.update(extent="as printed", theorem="edges_exist")
-        refused("edges_exist: 'as printed', but in edges.v")
-        self.theorem.update(extent="refuted and corrected")
-        refused("lemma-9.9.9: 'refuted and corrected' needs a theorem that ends in a negation, and one that does not")
-        self.theorem.update(extent="in part")
+        self.theorem.update(extent="in part", theorem="edges_exist")
         for question, answer in [("proof", "none"), ("hypotheses", "unsat"), ("twin-one", "unsat")]:
             before = copy.deepcopy(self.query)
             self.query["answers"][question]["z3"] = answer
@@ -240,6 +236,12 @@ class Pages(unittest.TestCase):
             self.query = before
         del self.query["hypotheses"]
         refused("a record is not as expected: KeyError('hypotheses')")
+
+    def test_extent_that_is_not_so(self):
+        self.theorem["extent"] = "as printed"
+        self.expect("edges_exist: 'as printed', but in edges.v")
+        self.theorem["extent"] = "refuted and corrected"
+        self.expect("lemma-9.9.9: 'refuted and corrected' needs a theorem that ends in a negation, and one that does not")
 
     def test_drawing_of_the_graph(self):
         drawing = ["theorems/graph.svg: is not the drawing of theorems/graph.dot"]
@@ -277,7 +279,7 @@ class Strength(unittest.TestCase):
 class Refutation(unittest.TestCase):
     def test_ends_in_a_negation_and_stands_beside_what_holds(self):
         def defects(*formals):
-            return list(records.defects_of_extents([
+            return list(pages.defects.defects_of_extents([
                 {"statement": "lemma-9.9.9", "theorem": f"t{i}", "extent": "refuted and corrected", "file": "a.v",
                  "formal": formal} for i, formal in enumerate(formals)]))
         self.assertEqual(defects("Theorem a : ~ False.", "Theorem b : 0 = 0."), [])
