@@ -62,18 +62,6 @@ Proof.
   - left. subst i. now rewrite previous_next, edge_at_is by exact J.
 Qed.
 
-(* The chains of a valid region turn back nowhere. *)
-Lemma valid_regions_turn_everywhere (r : region) (chain : list vector) :
-  valid_region r -> In chain r -> turns_everywhere chain.
-Proof.
-  intros valid J c I. apply (In_nth _ _ (Corner nowhere nowhere)) in I. destruct I as (i & I & <-).
-  rewrite corners_length in I. fold (corner_of_chain chain i). rewrite corner_is by exact I. cbn [incoming outgoing].
-  pose proof (previous_below _ _ I) as P. rewrite !direction_by_index by assumption.
-  apply (consecutive_edges_turn r); trivial; [now apply edge_at_in_region .. |].
-  fold (edge_at chain (previous (length chain) i)) (edge_at chain i). rewrite !edge_at_is by assumption.
-  cbn [source target]. rewrite next_previous by exact I. split; reflexivity.
-Qed.
-
 (* -Q + x as a set of points, and as the region of collision/placed_collision.v, whose edges are those of Q,
    reflected. *)
 Definition in_reflected (x : vector) (q : region) (z : vector) : Prop :=

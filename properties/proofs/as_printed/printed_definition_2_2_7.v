@@ -7,7 +7,7 @@
    inside a straight line counts as a point of the line. *)
 From Coq Require Import QArith Lqa List.
 From Oplus Require Import convolution theorem_4_2_1 definition_2_2_8 small_polygons polygons_of_the_thesis
-  drawn_regions.
+  drawn_regions fans_that_touch.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -17,7 +17,7 @@ Theorem definition_2_2_8_as_printed (p q : region) (x : vector) :
   valid_region p -> valid_region q -> in_convolution_by_2_2_7 p q x <-> in_convolution_by_2_2_8 p q x.
 Proof.
   intros p_region q_region.
-  apply both_definitions_have_the_same_points; intros chain; now apply valid_regions_turn_everywhere.
+  apply both_definitions_have_the_same_points; intros chain; now apply chains_turn_everywhere.
 Qed.
 
 Lemma definition_2_2_8_is_symmetric (p q : region) (x : vector) :

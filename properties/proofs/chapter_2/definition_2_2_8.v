@@ -267,6 +267,26 @@ Definition on_a_segment (x : vector) : Prop :=
     ((is_convolution_segment p q OfP i j = true /\ equal_vectors x (plus (point_along p i t) (vertex q j))) \/
      (is_convolution_segment p q OfQ i j = true /\ equal_vectors x (plus (vertex p i) (point_along q j t)))).
 
+(* On one of the direction d. *)
+Definition on_a_segment_along (d x : vector) : Prop :=
+  exists i j t, (i < n)%nat /\ (j < m)%nat /\ 0 <= t <= 1 /\
+    ((is_convolution_segment p q OfP i j = true /\ angle (edge_of_chain p i) == angle d /\
+      equal_vectors x (plus (point_along p i t) (vertex q j))) \/
+     (is_convolution_segment p q OfQ i j = true /\ angle (edge_of_chain q j) == angle d /\
+      equal_vectors x (plus (vertex p i) (point_along q j t)))).
+
+Lemma on_one_along (d x : vector) : on_a_segment_along d x -> on_a_segment x.
+Proof. intros (i & j & t & I & J & range & [(? & _ & ?) | (? & _ & ?)]); exists i, j, t; tauto. Qed.
+
+(* On one that the tie rule gives: edges of both have the direction d, and that of Q begins at a vertex that is not
+   inside a straight line, or that of P ends at one. *)
+Definition on_a_tie (d x : vector) : Prop :=
+  exists i j t, (i < n)%nat /\ (j < m)%nat /\ 0 <= t <= 1 /\ angle (edge_of_chain q j) == angle d /\
+    ((angle (edge_of_chain p i) == angle d /\ ~ straight_at q j /\
+      equal_vectors x (plus (point_along p i t) (vertex q j))) \/
+     (angle (edge_of_chain p (previous n i)) == angle d /\ ~ straight_at p i /\
+      equal_vectors x (plus (vertex p i) (point_along q j t)))).
+
 Lemma segment_of_p i j : (i < n)%nat -> (j < m)%nat ->
   let e := edge_of_chain p i in
   let u := edge_of_chain q (previous m j) in let v := edge_of_chain q j in
@@ -290,6 +310,14 @@ Qed.
 Lemma multiple (e f : vector) : nonzero e -> nonzero f -> angle e == angle f ->
   exists k, 0 < k /\ vx f == k * vx e /\ vy f == k * vy e.
 Proof. intros ne nf same. apply same_direction_angle; trivial. now symmetry. Qed.
+
+Lemma ties_are_segments (d x : vector) : on_a_tie d x -> on_a_segment_along d x.
+Proof.
+  intros (i & j & t & I & J & range & f_is & [(e_is & turn & x_is) | (e_is & turn & x_is)]);
+    exists i, j, t; (split; [exact I |]); (split; [exact J |]); (split; [exact range |]); [left | right].
+  - split; [| now split]. apply segment_of_p; trivial. right. split; [now rewrite e_is | exact turn].
+  - split; [| now split]. apply segment_of_q; trivial. right. split; [now rewrite f_is | exact turn].
+Qed.
 
 (* Two edges of one direction, a segment as long as both: inside it, points inside both add up. *)
 Lemma inside_two_edges i j s r x : (i < n)%nat -> (j < m)%nat ->
@@ -396,7 +424,7 @@ Qed.
 Lemma covered_or_further i j s r x : (i < n)%nat -> (j < m)%nat ->
   angle (edge_of_chain p i) == angle (edge_of_chain q j) -> 0 <= s <= 1 -> 0 <= r <= 1 ->
   equal_vectors x (plus (point_along p i s) (point_along q j r)) ->
-  on_a_segment x \/
+  on_a_tie (edge_of_chain p i) x \/
   (straight_at q j /\ exists s', 0 <= s' <= 1 /\
      equal_vectors x (plus (point_along p i s') (point_along q (previous m j) 1))) \/
   (straight_at p (next i n) /\ exists r', 0 <= r' <= 1 /\
@@ -427,49 +455,53 @@ Proof.
     + right. right. split; [exact line |]. exists r'. split; [exact range |].
       rewrite on_q. apply plus_of_equal; [symmetry; apply along_nothing | reflexivity].
     + left. exists (next i n), j, r'. repeat split; try tauto; try lra. right.
-      split; [| exact on_q]. apply segment_of_q; trivial. right.
-      split; [fold n; rewrite pn; now symmetry | exact turn].
+      split; [rewrite pn; reflexivity | now split].
   - destruct (Qeq_dec (angle (edge_of_chain q (previous m j))) (angle (edge_of_chain q j))) as [line | turn].
     + right. left. split; [exact line |]. exists w. split; [unfold w in *; lra |].
       rewrite on_p. apply plus_of_equal; [reflexivity |]. symmetry. now apply along_the_edge_before.
-    + left. exists i, j, w. repeat split; trivial; [unfold w; lra |]. left.
-      split; [| exact on_p]. apply segment_of_p; trivial. now right.
+    + left. exists i, j, w. repeat split; trivial; [unfold w; lra | now symmetry |]. left.
+      split; [reflexivity | now split].
 Qed.
 
 Lemma two_edges_are_covered k : comes_to_a_turn p (fun k => next k n) k ->
   forall j, comes_to_a_turn q (previous m) j ->
-  forall i s r x, k = next i n -> (i < n)%nat -> (j < m)%nat ->
+  forall i s r x d, k = next i n -> (i < n)%nat -> (j < m)%nat -> angle (edge_of_chain p i) == angle d ->
   angle (edge_of_chain p i) == angle (edge_of_chain q j) -> 0 <= s <= 1 -> 0 <= r <= 1 ->
-  equal_vectors x (plus (point_along p i s) (point_along q j r)) -> on_a_segment x.
+  equal_vectors x (plus (point_along p i s) (point_along q j r)) -> on_a_tie d x.
 Proof.
   intros later. induction later as [k turn_p | k later further];
     (intros j earlier; induction earlier as [j turn_q | j earlier back];
-     intros i s r x k_is I J same range_s range_r x_is;
+     intros i s r x d k_is I J is_d same range_s range_r x_is;
      (destruct (covered_or_further i j s r x I J same range_s range_r x_is)
         as [covered | [(line & s' & range' & x_is') | (line & r' & range' & x_is')]];
-      [exact covered | |])).
+      [destruct covered as (i' & j' & t & parts); exists i', j', t; rewrite <- is_d; exact parts | |])).
   - contradiction.
   - rewrite k_is in turn_p. contradiction.
-  - apply (back i s' 1 x); trivial; [now apply previous_below | now rewrite same | lra].
+  - apply (back i s' 1 x d); trivial; [now apply previous_below | now rewrite same | lra].
   - rewrite k_is in turn_p. contradiction.
   - contradiction.
   - pose proof (previous_next i n I) as pn. unfold straight_at in line. fold n in line. rewrite pn in line.
-    apply (further j (turns_here q (previous m) j turn_q) (next i n) 0 r' x); trivial; try lra;
+    apply (further j (turns_here q (previous m) j turn_q) (next i n) 0 r' x d); trivial; try lra;
       [now rewrite k_is | now apply next_in_range].
-  - apply (back i s' 1 x); trivial; [now apply previous_below | now rewrite same | lra].
+  - apply (back i s' 1 x d); trivial; [now apply previous_below | now rewrite same | lra].
   - pose proof (previous_next i n I) as pn. unfold straight_at in line. fold n in line. rewrite pn in line.
-    apply (further j (turns_later q (previous m) j earlier) (next i n) 0 r' x); trivial; try lra;
+    apply (further j (turns_later q (previous m) j earlier) (next i n) 0 r' x d); trivial; try lra;
       [now rewrite k_is | now apply next_in_range].
+Qed.
+
+Lemma sum_along_two_edges i j s r x : (i < n)%nat -> (j < m)%nat ->
+  angle (edge_of_chain p i) == angle (edge_of_chain q j) -> 0 <= s <= 1 -> 0 <= r <= 1 ->
+  equal_vectors x (plus (point_along p i s) (point_along q j r)) -> on_a_tie (edge_of_chain p i) x.
+Proof.
+  intros I J same range_s range_r. apply (two_edges_are_covered (next i n)) with (j := j); trivial; try reflexivity.
+  - apply turns_further_on; trivial; [intros none; subst p; cbn in I; lia | now apply next_in_range].
+  - apply turned_further_back; trivial. intros none. subst q. cbn in J. lia.
 Qed.
 
 Lemma sum_of_two_edges i j s r x : (i < n)%nat -> (j < m)%nat ->
   angle (edge_of_chain p i) == angle (edge_of_chain q j) -> 0 <= s <= 1 -> 0 <= r <= 1 ->
   equal_vectors x (plus (point_along p i s) (point_along q j r)) -> on_a_segment x.
-Proof.
-  intros I J. apply (two_edges_are_covered (next i n)); trivial.
-  - apply turns_further_on; trivial; [intros none; subst p; cbn in I; lia | now apply next_in_range].
-  - apply turned_further_back; trivial. intros none. subst q. cbn in J. lia.
-Qed.
+Proof. intros. now apply (on_one_along (edge_of_chain p i)), ties_are_segments, (sum_along_two_edges i j s r). Qed.
 
 Lemma along_equal_vertex chain i a : equal_vectors a (vertex chain i) -> equal_vectors a (point_along chain i 0).
 Proof. intros there. rewrite there. symmetry. apply along_nothing. Qed.

@@ -1,12 +1,12 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Theorems 2.2.6, 2.2.10 and 2.3.2 for the sum of the open regions, dangling edges and isolated vertices included:
    every point that is not in it but has points of it near is on the convolution (fans_that_touch.v). It is on the
-   reduced convolution, if no chains of P touch, and none of Q (interiors_at_touching_points.v); where a touching point of P
-   meets one of Q that is false (docs/findings.md). *)
+   reduced convolution, if no chains of P touch, and none of Q (interiors_at_touching_points.v), or if it is no sum of
+   two vertices (reduced_edges_that_pass.v); where a touching point of P meets one of Q it need not be
+   (docs/findings.md). *)
 From Coq Require Import QArith Lqa ZArith Bool List.
-From Oplus Require Import regions_and_sums theorem_2_2_10 theorem_2_2_6 lemma_2_2_2 boundary_points
-  reduced_convolution interiors_at_touching_points
-  fans_that_touch.
+From Oplus Require Import regions_and_sums theorem_2_2_10 theorem_2_2_6 lemma_2_2_2 boundary_points reduced_convolution
+  interiors_at_touching_points fans_that_touch reduced_edges_that_pass.
 
 Open Scope Q_scope.
 
@@ -37,6 +37,18 @@ Proof.
   destruct (on_or_off x (reduced_convolution p q)) as [on | free]; [exact on | exfalso].
   apply (boundary_of_open_sum_is_in_the_sum p q x); trivial. intros common.
   destruct boundary as [out _]. apply out. now apply common_point_means_common_inner_point.
+Qed.
+
+(* Where chains touch, the same but for sums of two vertices. *)
+Theorem boundary_of_the_open_sum_off_sums_of_vertices (p q : region) (x : vector) :
+  valid_region p -> valid_region q -> on_boundary_of_open_sum x p q ->
+  (forall w u, is_vertex w p -> is_vertex u q -> ~ equal_vectors x (plus w u)) -> on_reduced_convolution x p q.
+Proof.
+  intros p_region q_region boundary no_vertices.
+  destruct (on_or_off x (reduced_convolution p q)) as [on | free]; [exact on | exfalso].
+  apply (boundary_of_open_sum_is_in_the_sum p q x); trivial. intros common. destruct boundary as [outside _].
+  destruct (common_point_is_on_the_reduced_convolution p q x p_region q_region outside no_vertices common)
+    as (s & S & on). exact (free s S on).
 Qed.
 
 (* Theorem 2.2.10 for open sums: their boundary is part of the convolution, where chains touch, too. *)

@@ -1,95 +1,16 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Where the open sum is beside x, in a direction n, and x itself is not in it, a segment of the reduced convolution
-   covers x that has n to its left. Not so for sums of two vertices yet, nor if an edge that touches at x is along n;
-   chains do not touch here. Where the sum is beside x, a vertex of one region is inside the other, or edges cross
-   (winding_number_of_the_sum.v); close to x, these touch at x, and the sum is to the left of the edge that touches.
-   That a segment of the reduced convolution is there is from interiors_at_touching_points.v. *)
+   covers x that has n to its left. Not so for sums of two vertices yet, nor if an edge that touches at x is along n.
+   Where the sum is beside x, a vertex of one region is inside the other, or edges cross (winding_number_of_the_sum.v);
+   close to x, these touch at x, and the sum is to the left of the edge that touches. That a segment of the reduced
+   convolution is there is from reduced_edges_that_pass.v. *)
 From Coq Require Import QArith Qminmax Lqa Qfield ZArith Lia Bool List Arith.
 From Oplus Require Import regions_and_sums parallelogram crossing_edges observation_2_2_4 lemma_2_2_9 inside_a_corner
-  tangent_direction touching_corners boundary_points reduced_convolution parallel_edges interiors_at_touching_points
-  right_of_an_edge.
+  tangent_direction touching_corners boundary_points reduced_convolution parallel_edges right_of_an_edge
+  reduced_edges_that_pass.
 Import ListNotations.
 
 Open Scope Q_scope.
-
-(* At a point inside an edge, both edges of the boundary are that edge. *)
-Lemma boundary_inside_an_edge (r : region) (w : vector) (e : segment) chain i_in i_out u v :
-  valid_region r -> In e (region_edges r) -> lies_on w e -> ~ is_vertex w r ->
-  boundary_point r w chain i_in i_out u v -> u = along e /\ v = along e.
-Proof.
-  intros (_ & _ & meet) I on no_vertex
-    [chain_in in_below out_below u_is v_is (l & l_range & w_in) (k & k_range & w_out) _ _ _ _].
-  assert (same_edge : forall j d m, (j < length chain)%nat -> d = edge_of_chain chain j -> 0 <= m <= 1 ->
-    equal_vectors w (moved_along (nth j chain nowhere) d m) -> d = along e).
-  { intros j d m below d_is range [X Y]. pose proof (edge_at_in_region r chain j chain_in below) as J.
-    assert (on_j : lies_on w (edge_at chain j)).
-    { exists m. rewrite edge_at_is by exact below. rewrite d_is, edge_of_chain_is in X, Y by exact below.
-      unfold moved_along, minus in X, Y. cbn [source target vx vy] in *. split; [exact range |].
-      split; [rewrite X | rewrite Y]; ring. }
-    destruct (in_split _ _ I) as (earlier & later & edges_are). rewrite edges_are in J. apply in_app_iff in J.
-    assert (J' : e = edge_at chain j \/ In (edge_at chain j) (earlier ++ later))
-      by (rewrite in_app_iff; cbn [In] in J; tauto).
-    destruct J' as [same_ | other].
-    - rewrite d_is, direction_by_index by exact below. now rewrite same_.
-    - exfalso. apply no_vertex. exact (meet earlier e later _ w edges_are other on on_j). }
-  split; [apply (same_edge i_in u l) | apply (same_edge i_out v k)]; trivial; lra.
-Qed.
-
-Lemma same_side_of_itself (u : vector) : ~ 0 < cross u u.
-Proof. unfold cross. lra. Qed.
-
-(* Theorem. Where an edge of P passes through x, by a point inside it and any point of Q, and x is not in the open sum,
-   a segment of the reduced convolution of its direction covers x; and where an edge of Q does. *)
-Theorem passing_edges_of_p_are_covered (p q : region) (x w u : vector) (e : segment) :
-  valid_region p -> valid_region q -> chains_do_not_touch p -> chains_do_not_touch q -> ~ interiors_meet x p q ->
-  In e (region_edges p) -> lies_on w e -> ~ is_vertex w p -> in_region u q -> equal_vectors x (plus w u) ->
-  reduced_along p q x (along e).
-Proof.
-  intros p_region q_region p_apart q_apart outside E on_e no_vertex in_q x_is.
-  pose proof p_region as (p_edges & p_valid & p_meet).
-  pose proof (regions_are_regular p p_edges p_valid p_meet) as p_regular.
-  destruct (on_or_off u (region_edges q)) as [(f & F & on_f) | free].
-  2: { exfalso. apply outside, interiors_meet_other_way. apply (inner_point_and_point q p x u w p_regular).
-       - split; [exact free |]. destruct in_q as [positive_ | (s & S & on)]; [exact positive_ |].
-         exfalso. exact (free s S on).
-       - right. now exists e.
-       - destruct x_is as [X Y]. unfold plus in *; cbn [vx vy] in *. split; cbn [vx vy]; lra. }
-  destruct (boundary_points p w e p_region p_apart E on_e) as (a & i_in & i_out & eu & ev & at_w).
-  destruct (boundary_points q u f q_region q_apart F on_f) as (b & j_in & j_out & fu & fv & at_u).
-  destruct (boundary_inside_an_edge p w e a i_in i_out eu ev p_region E on_e no_vertex at_w) as [eu_is ev_is].
-  destruct (segments_at_touching_points p q x w u a i_in i_out eu ev b j_in j_out fu fv p_region q_region p_apart
-    q_apart at_w at_u x_is) as [meets | (d & found & corners)]; [contradiction |].
-  refine (reduced_along_same p q x d _ _ found). rewrite eu_is, ev_is in corners.
-  destruct corners as [[same_ _] | [[same_ _] | [[turn _] | [_ [-> | ->]]]]];
-    try exact (same_direction_reflexive _); try exact (same_direction_symmetric _ _ same_).
-  exfalso. exact (same_side_of_itself _ turn).
-Qed.
-
-Theorem passing_edges_of_q_are_covered (p q : region) (x w u : vector) (f : segment) :
-  valid_region p -> valid_region q -> chains_do_not_touch p -> chains_do_not_touch q -> ~ interiors_meet x p q ->
-  In f (region_edges q) -> lies_on u f -> ~ is_vertex u q -> in_region w p -> equal_vectors x (plus u w) ->
-  reduced_along p q x (along f).
-Proof.
-  intros p_region q_region p_apart q_apart outside F on_f no_vertex in_p x_is.
-  pose proof q_region as (q_edges & q_valid & q_meet).
-  pose proof (regions_are_regular q q_edges q_valid q_meet) as q_regular.
-  assert (swapped : equal_vectors x (plus w u))
-    by (destruct x_is as [X Y]; unfold plus in *; cbn [vx vy] in *; split; cbn [vx vy]; lra).
-  destruct (on_or_off w (region_edges p)) as [(e & E & on_e) | free].
-  2: { exfalso. apply outside. apply (inner_point_and_point p q x w u q_regular); trivial.
-       - split; [exact free |]. destruct in_p as [positive_ | (s & S & on)]; [exact positive_ |].
-         exfalso. exact (free s S on).
-       - right. now exists f. }
-  destruct (boundary_points p w e p_region p_apart E on_e) as (a & i_in & i_out & eu & ev & at_w).
-  destruct (boundary_points q u f q_region q_apart F on_f) as (b & j_in & j_out & fu & fv & at_u).
-  destruct (boundary_inside_an_edge q u f b j_in j_out fu fv q_region F on_f no_vertex at_u) as [fu_is fv_is].
-  destruct (segments_at_touching_points p q x w u a i_in i_out eu ev b j_in j_out fu fv p_region q_region p_apart
-    q_apart at_w at_u swapped) as [meets | (d & found & corners)]; [contradiction |].
-  refine (reduced_along_same p q x d _ _ found). rewrite fu_is, fv_is in corners.
-  destruct corners as [[_ same_] | [[_ same_] | [[_ [-> | ->]] | [turn _]]]];
-    try exact (same_direction_reflexive _); try exact (same_direction_symmetric _ _ same_).
-  exfalso. exact (same_side_of_itself _ turn).
-Qed.
 
 (* A point inside an edge of P that has n to its left, and a vertex of Q, add up to x. *)
 Definition touches (x n : vector) (p q : region) : Prop :=
@@ -309,9 +230,6 @@ Section BothSides.
       - exact (by_both e E f F some).
     Qed.
 
-  Hypothesis p_apart : chains_do_not_touch p.
-  Hypothesis q_apart : chains_do_not_touch q.
-
   (* Theorem. If the open sum is beside x in the direction n, a segment of the reduced convolution covers x that has n
      to its left; its direction is that of an edge that passes. *)
   Theorem segments_beside_the_open_sum : eventually (fun t => interiors_meet (moved_along x n t) p q) ->
@@ -327,10 +245,10 @@ Section BothSides.
     - destruct (vertex_in_region u q vertex) as (f & F & on_f).
       assert (in_q : in_region u q) by (right; now exists f).
       exists (along e). split; [| split; [exact left_ | exists e, w, u; tauto]].
-      now apply (passing_edges_of_p_are_covered p q x w u e).
+      now apply (passing_edges_of_p_are_covered p q x p_region q_region outside no_vertices w u e).
     - destruct (vertex_in_region w p vertex) as (e & E & on_e).
       assert (in_p : in_region w p) by (right; now exists e).
       exists (along f). split; [| split; [exact left_ | exists f, u, w; tauto]].
-      now apply (passing_edges_of_q_are_covered p q x w u f).
+      now apply (passing_edges_of_q_are_covered p q x p_region q_region outside no_vertices u w f).
   Qed.
 End BothSides.

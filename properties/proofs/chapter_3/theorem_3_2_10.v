@@ -1,13 +1,13 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Theorem 3.2.10 of the thesis, in part: the segments of the reduced convolution that cover an isolated vertex of the
    open sum do not leave a half plane uncovered, so they have three directions, unless they are of two opposite ones
-   only (which is not excluded here). For isolated vertices that are not the sum of two vertices; chains do not touch.
+   only (which is not excluded here). For isolated vertices that are not the sum of two vertices.
    From segments_beside_the_open_sum.v: the open sum is on all sides, and each direction that is along none of the
    segments is to the left of one of them. *)
 From Coq Require Import QArith Qminmax Lqa Qfield ZArith Lia Bool List Arith.
 From Oplus Require Import regions_and_sums parallelogram crossing_edges observation_2_2_4 lemma_2_2_9 inside_a_corner
-  tangent_direction touching_corners boundary_points reduced_convolution parallel_edges interiors_at_touching_points
-  right_of_an_edge segments_beside_the_open_sum theorem_3_2_8.
+  tangent_direction touching_corners boundary_points reduced_convolution parallel_edges right_of_an_edge
+  reduced_edges_that_pass segments_beside_the_open_sum theorem_3_2_8.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -24,8 +24,6 @@ Section IsolatedVertex.
   Variable x : vector.
   Hypothesis p_region : valid_region p.
   Hypothesis q_region : valid_region q.
-  Hypothesis p_apart : chains_do_not_touch p.
-  Hypothesis q_apart : chains_do_not_touch q.
   Hypothesis isolated : isolated_vertex x p q.
   Hypothesis no_vertices : forall w u, is_vertex w p -> is_vertex u q -> ~ equal_vectors x (plus w u).
 
@@ -50,10 +48,10 @@ Section IsolatedVertex.
       as (d & (s & S & on & (a & some & a_x & a_y)) & left_d & _); trivial.
     - intros e w u I on no_vertex in_q x_is. apply not_along.
       + now apply (region_edges_are_directions p (proj1 p_region)).
-      + now apply (passing_edges_of_p_are_covered p q x w u e).
+      + now apply (passing_edges_of_p_are_covered p q x p_region q_region outside no_vertices w u e).
     - intros f u w I on no_vertex in_p x_is. apply not_along.
       + now apply (region_edges_are_directions q (proj1 q_region)).
-      + now apply (passing_edges_of_q_are_covered p q x w u f).
+      + now apply (passing_edges_of_q_are_covered p q x p_region q_region outside no_vertices u w f).
     - exists s. split; [now split |].
       assert (value : cross (along s) n == a * cross d n) by (unfold cross; rewrite a_x, a_y; ring).
       rewrite value. now apply Qmult_lt_0_compat.
@@ -156,8 +154,8 @@ End IsolatedVertex.
 (* Every direction m is to the left of a segment that covers the isolated vertex, or two cover it along m, of opposite
    directions. *)
 Theorem segments_on_all_sides_of_an_isolated_vertex (p q : region) (x m : vector) :
-  valid_region p -> valid_region q -> chains_do_not_touch p -> chains_do_not_touch q ->
-  isolated_vertex x p q -> (forall w u, is_vertex w p -> is_vertex u q -> ~ equal_vectors x (plus w u)) ->
+  valid_region p -> valid_region q -> isolated_vertex x p q ->
+  (forall w u, is_vertex w p -> is_vertex u q -> ~ equal_vectors x (plus w u)) ->
   nonzero m ->
   (exists s, covers s x p q /\ 0 < cross (along s) m) \/
   ((exists s, covers s x p q /\ same_direction (along s) m) /\
@@ -166,8 +164,8 @@ Proof. intros. now apply segments_on_all_sides. Qed.
 
 (* Two directions are too few, unless they are opposite. *)
 Theorem three_directions_at_an_isolated_vertex (p q : region) (x d1 d2 : vector) :
-  valid_region p -> valid_region q -> chains_do_not_touch p -> chains_do_not_touch q ->
-  isolated_vertex x p q -> (forall w u, is_vertex w p -> is_vertex u q -> ~ equal_vectors x (plus w u)) ->
+  valid_region p -> valid_region q -> isolated_vertex x p q ->
+  (forall w u, is_vertex w p -> is_vertex u q -> ~ equal_vectors x (plus w u)) ->
   nonzero d1 -> nonzero d2 ->
   (forall s, covers s x p q -> same_direction (along s) d1 \/ same_direction (along s) d2) ->
   same_direction d2 (opposite d1).

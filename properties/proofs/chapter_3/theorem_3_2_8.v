@@ -1,11 +1,11 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Theorem 3.2.8 of the thesis: segments of the reduced convolution of the direction of a dangling edge of the open sum
    cover it, and such of the opposite direction; all its points but the sums of two vertices, which are finitely many.
-   Chains do not touch here. The open sum is to the left of each edge that passes, so these are along the dangling
+   The open sum is to the left of each edge that passes, so these are along the dangling
    edge; on either side there is one by segments_beside_the_open_sum.v. *)
 From Coq Require Import QArith Qminmax Lqa Qfield ZArith Lia Bool List Arith.
 From Oplus Require Import regions_and_sums parallelogram crossing_edges observation_2_2_4 lemma_2_2_9 inside_a_corner
-  tangent_direction touching_corners boundary_points reduced_convolution parallel_edges interiors_at_touching_points
+  tangent_direction touching_corners boundary_points reduced_convolution parallel_edges reduced_edges_that_pass
   segments_beside_the_open_sum.
 Import ListNotations.
 
@@ -56,15 +56,14 @@ Proof. intros left_ [X Y]. unfold cross in left_. rewrite X, Y in left_. lra. Qe
 
 (* Both directions by one: what has n to its left, and is along D, has the direction D. *)
 Lemma one_side_of_a_dangling_edge (p q : region) (x D n : vector) :
-  valid_region p -> valid_region q -> chains_do_not_touch p -> chains_do_not_touch q ->
-  ~ interiors_meet x p q ->
+  valid_region p -> valid_region q -> ~ interiors_meet x p q ->
   eventually (fun t => ~ interiors_meet (moved_along x D t) p q) ->
   eventually (fun t => ~ interiors_meet (moved_along x (opposite D) t) p q) ->
   0 < cross D n -> eventually (fun t => interiors_meet (moved_along x n t) p q) ->
   (forall w u, is_vertex w p -> is_vertex u q -> ~ equal_vectors x (plus w u)) ->
   reduced_along p q x D.
 Proof.
-  intros p_region q_region p_apart q_apart outside ahead_ behind left_ meet_ free.
+  intros p_region q_region outside ahead_ behind left_ meet_ free.
   pose proof (direction_of_sides D n left_) as proper_D.
   pose proof (square_positive D proper_D) as square.
   assert (ahead_' : eventually (fun t => ~ interiors_meet (moved_along x D t) q p))
@@ -94,13 +93,12 @@ Qed.
 (* Theorem 3.2.8. Every point of a dangling edge that is not the sum of two vertices is on a segment of the reduced
    convolution of its direction, and on one of the opposite direction. *)
 Theorem dangling_edges_are_on_opposite_segments (p q : region) (x D : vector) :
-  valid_region p -> valid_region q -> chains_do_not_touch p -> chains_do_not_touch q ->
-  on_dangling_edge x D p q ->
+  valid_region p -> valid_region q -> on_dangling_edge x D p q ->
   (forall w u, is_vertex w p -> is_vertex u q -> ~ equal_vectors x (plus w u)) ->
   (exists s, In s (reduced_convolution p q) /\ lies_on x s /\ same_direction (along s) D) /\
   (exists s, In s (reduced_convolution p q) /\ lies_on x s /\ same_direction (along s) (opposite D)).
 Proof.
-  intros p_region q_region p_apart q_apart (outside & ahead_ & behind & (n & left_ & meet_n) &
+  intros p_region q_region (outside & ahead_ & behind & (n & left_ & meet_n) &
     (m & right_ & meet_m)) free.
   assert (left_m : 0 < cross (opposite D) m) by (unfold cross, opposite in *; cbn [vx vy]; lra).
   assert (ahead_of_back : eventually (fun t => ~ interiors_meet (moved_along x (opposite (opposite D)) t) p q)).

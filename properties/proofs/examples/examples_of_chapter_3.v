@@ -42,9 +42,7 @@ Example segments_through_the_hatch :
   (exists s, In s (reduced_convolution [room] [fitting_diamond]) /\ lies_on (Vector 4 (11 # 2)) s /\
      same_direction (along s) (opposite (Vector 0 1))).
 Proof.
-  apply dangling_edges_are_on_opposite_segments; [apply simple_polygons_are_regions, drawn_polygons .. | | | |].
-  - apply simple_polygons_do_not_touch, drawn_polygons.
-  - apply simple_polygons_do_not_touch, drawn_polygons.
+  apply dangling_edges_are_on_opposite_segments; [apply simple_polygons_are_regions, drawn_polygons .. | |].
   - exact passage_of_the_hatch.
   - apply no_sum_of_vertices_by_computation. vm_compute. reflexivity.
 Qed.
@@ -59,8 +57,6 @@ Proof.
   apply segments_on_all_sides_of_an_isolated_vertex.
   - apply drawn_regions.
   - apply simple_polygons_are_regions, drawn_polygons.
-  - apply drawn_regions.
-  - apply simple_polygons_do_not_touch, drawn_polygons.
   - exact only_place_in_the_chamber.
   - apply no_sum_of_vertices_by_computation. vm_compute. reflexivity.
 Qed.
@@ -73,8 +69,6 @@ Proof.
     (Vector 1 0) (Vector 0 1)) as (k & K & X & Y); trivial.
   - apply drawn_regions.
   - apply simple_polygons_are_regions, drawn_polygons.
-  - apply drawn_regions.
-  - apply simple_polygons_do_not_touch, drawn_polygons.
   - exact only_place_in_the_chamber.
   - apply no_sum_of_vertices_by_computation. vm_compute. reflexivity.
   - intros [X _]. discriminate X.

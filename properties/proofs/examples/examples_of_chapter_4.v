@@ -5,7 +5,7 @@ From Coq Require Import QArith Lqa ZArith Lia Bool List Permutation.
 From Oplus Require Import convolution tracing balanced_graph convolution_graph convolution_cycles signed_crossings
   convolution_winding regions region_size valid_components test_of_components theorem_4_2_1_for_valid_regions
   size_of_valid_regions interiors_meet theorem_4_2_1 tangent_count small_polygons simple_polygons replaced_segments
-  tangent_features polygons_of_the_thesis drawn_regions.
+  tangent_features polygons_of_the_thesis drawn_regions fans_that_touch.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -14,7 +14,7 @@ Open Scope Q_scope.
 Example size_of_the_convolution : length (convolution room fitting_diamond) = 32%nat.
 Proof.
   rewrite convolution_size; [vm_compute; reflexivity | | | vm_compute; reflexivity ..];
-    [apply (valid_regions_turn_everywhere [room]) | apply (valid_regions_turn_everywhere [fitting_diamond])];
+    [apply (chains_turn_everywhere [room]) | apply (chains_turn_everywhere [fitting_diamond])];
     [apply simple_polygons_are_regions, drawn_polygons | now left ..
     | apply simple_polygons_are_regions, drawn_polygons | now left].
 Qed.
@@ -66,8 +66,8 @@ Example tangents_in_the_hatch (d : vector) : nonzero d ->
 Proof.
   intros some. rewrite (tangent_features_do_not_depend_on_the_direction _ _ d (Vector 1 0)).
   - vm_compute. reflexivity.
-  - intros chain. now apply valid_regions_turn_everywhere, simple_polygons_are_regions, drawn_polygons.
-  - intros chain. now apply valid_regions_turn_everywhere, simple_polygons_are_regions, drawn_polygons.
+  - intros chain. now apply chains_turn_everywhere, simple_polygons_are_regions, drawn_polygons.
+  - intros chain. now apply chains_turn_everywhere, simple_polygons_are_regions, drawn_polygons.
   - exact some.
   - intros [X _]. discriminate X.
 Qed.

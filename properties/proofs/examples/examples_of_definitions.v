@@ -3,7 +3,7 @@
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
 From Oplus Require Import convolution rotation small_numbers tie_rule tangent_set_returns crossing_of_a_step total_turn
   signed_crossings convolution_winding regions theorem_4_2_1 forward_traversal small_polygons polygons_of_the_thesis
-  drawn_regions.
+  drawn_regions fans_that_touch.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -49,7 +49,7 @@ Example tangents_of_the_room (d : direction) : proper d ->
   turns_past d room = 1%Z /\ count (in_tangent_set d) (corners room) = 5%nat.
 Proof.
   assert (turning : turns_everywhere room).
-  { apply (valid_regions_turn_everywhere [room]); [apply simple_polygons_are_regions, drawn_polygons | now left]. }
+  { apply (chains_turn_everywhere [room]); [apply simple_polygons_are_regions, drawn_polygons | now left]. }
   intros some. rewrite turns_past_every_direction by assumption. split; [vm_compute; reflexivity |].
   rewrite tangent_sets_cover_once_and_at_reflex_vertices by (trivial; vm_compute; reflexivity).
   vm_compute. reflexivity.

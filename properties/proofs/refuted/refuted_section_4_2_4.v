@@ -9,7 +9,8 @@
 From Coq Require Import QArith Lia List.
 From Oplus Require Import connected_sets convolution convolution_winding regions rows_and_columns theorem_4_2_1
   theorem_4_2_1_for_valid_regions valid_components test_of_components replaced_segments tangent_features
-  theorem_4_2_14 checked_collision small_intersection simple_polygons polygons_of_the_thesis drawn_regions.
+  theorem_4_2_14 checked_collision small_intersection simple_polygons polygons_of_the_thesis drawn_regions
+  fans_that_touch.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -65,7 +66,7 @@ Proof.
   assert (once : forall r, covers_nothing_twice r = true ->
     valid_region r /\ turns_in_all_chains r /\ numbers_are_0_or_1 r).
   { intros r test. apply covers_nothing_twice_is_right in test. destruct test as [valid once].
-    split; [exact valid |]. split; [intros chain; now apply valid_regions_turn_everywhere |].
+    split; [exact valid |]. split; [intros chain; now apply chains_turn_everywhere |].
     intros x free. pose proof (proj1 (proj2 valid) x free). pose proof (once x free). lia. }
   destruct (once region_of_letter_u) as (_ & turns_u & numbers_u); [vm_compute; reflexivity |].
   destruct (once bar) as (_ & turns_bar & numbers_bar); [vm_compute; reflexivity |].

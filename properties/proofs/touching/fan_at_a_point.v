@@ -187,16 +187,6 @@ Section AtThePoint.
   Qed.
 End AtThePoint.
 
-Lemma shift_stays_within (radius : Q) (a : vector) : 0 < radius ->
-  eventually (fun e => within radius a (moved (shifted a) e)).
-Proof.
-  intros R. refine (eventually_implied _ _ _ (eventually_and _ _
-    (ex_intro _ 1 (conj _ (fun e some below => conj some below)))
-    (small_steps_stay_within radius a (Vector 1 1) R))); [| lra].
-  intros e [[some below] close]. unfold within, moved_along, moved, shifted in *; cbn in *.
-  assert (0 <= e * e <= e) by nra. lra.
-Qed.
-
 (* Near w is a point inside that is on none of some lines. *)
 Lemma inner_point_off_lines (r : region) (w : vector) (radius : Q) (lines : list segment) :
   is_regular r -> in_region w r -> 0 < radius -> (forall t, In t lines -> nonzero (along t)) ->
@@ -208,13 +198,36 @@ Proof.
   { intros t I. refine (eventually_implied _ _ _ (side_of_segment_nearby a t (long t I))).
     intros e [_ off_line] on_line. apply off_line. rewrite orientation_by_area. destruct t.
     now apply (proj1 (Qeq_alt _ _)). }
-  destruct (eventually_and _ _ (shift_stays_within _ a half) (eventually_and _ _
+  destruct (eventually_and _ _ (shifted_stays_within _ a half) (eventually_and _ _
     (same_beside a (region_edges r)) (eventually_and _ _
     (eventually_for_all _ (region_edges r) (fun s _ => shifted_off a s))
     (eventually_for_all _ lines off_line)))) as (limit & L & all).
   destruct (all ((1 # 2) * limit)) as (near_a & same_number & off_r & off_lines); [lra | lra |].
   exists (moved (shifted a) ((1 # 2) * limit)). split; [| split; [split; [exact off_r | lia] | exact off_lines]].
   apply (within_twice ((1 # 2) * radius) ((1 # 2) * radius) radius w a); [lra | exact close | exact near_a].
+Qed.
+
+(* Near w, w + y is inside in a direction y that is parallel to no edge at w, nor to z. *)
+Lemma inner_direction (r : region) (w z : vector) (radius : Q) : valid_region r -> 0 < radius -> nonzero z ->
+  (exists s, In s (region_edges r) /\ lies_on w s) ->
+  exists y, within radius w (plus w y) /\ within radius w (plus w (opposite y)) /\ ~ cross z y == 0 /\
+    (forall s, In s (region_edges r) -> lies_on w s -> ~ cross y (along s) == 0) /\
+    (0 < winding_number (plus w y) (region_edges r))%Z.
+Proof.
+  intros (not_points & valid & meet) R proper_z on_boundary.
+  destruct (inner_point_off_lines r w radius (Segment w (plus w z) :: region_edges r)
+    (regions_are_regular r not_points valid meet) (or_intror on_boundary) R) as (p & close & [_ round] & general).
+  { intros t [<- | I]; [| now apply (region_edges_are_directions r)].
+    intros [X Y]. apply proper_z. unfold along, plus, minus in X, Y; cbn [source target vx vy] in X, Y. lra. }
+  set (y := minus p w). exists y.
+  split; [unfold within, y, plus, minus in *; cbn [vx vy]; lra |].
+  split; [unfold within, y, plus, opposite, minus in *; cbn [vx vy]; lra |].
+  split; [| split].
+  - intros aside. apply (general _ (or_introl eq_refl)). transitivity (cross z y); [| exact aside].
+    unfold area, cross, y, plus, minus; cbn [source target vx vy]. ring.
+  - intros s I (k & _ & X & Y) parallel. apply (general s (or_intror I)). transitivity (- cross y (along s)); [| lra].
+    unfold area, cross, y, along, minus; cbn [vx vy]. rewrite X, Y. ring.
+  - rewrite <- (winding_number_of_equal p (plus w y)); [exact round | unfold y, plus, minus; cbn [vx vy]; ring ..].
 Qed.
 
 Section OneDirection.
@@ -270,35 +283,20 @@ Section OneDirection.
     pose proof (not_negative (plus w y)). pose proof (not_negative (plus w (opposite y))). lia.
   Qed.
 
-  (* Theorem. *)
+  (* Theorem. So more than half of the edges that leave w do so to the left of z. *)
   Theorem more_than_half_depart_to_the_left : (exists s, In s (region_edges r) /\ lies_on w s) ->
     (departures w r < 2 * departures_left_of w z r)%Z.
   Proof.
-    intros on_boundary. pose proof r_region as (_ & valid & meet). pose proof near as [R _].
-    pose proof (regions_are_regular r not_points valid meet) as regular.
-    destruct (inner_point_off_lines r w radius (Segment w (plus w z) :: region_edges r) regular
-      (or_intror on_boundary) R) as (p & close & [_ round] & general).
-    { intros t [<- | I]; [| now apply (region_edges_are_directions r)].
-      intros [X Y]. unfold along, plus, minus in X, Y; cbn [source target vx vy] in X, Y.
-      apply proper_d. destruct z_back as (m & _ & dx & dy). rewrite dx, dy. unfold opposite; cbn [vx vy].
-      setoid_replace (vx z) with 0 by lra. setoid_replace (vy z) with 0 by lra. split; ring. }
-    set (y := minus p w).
-    assert (p_is : equal_vectors p (plus w y)) by (unfold y, plus, minus; split; cbn [vx vy]; ring).
-    pose proof (general _ (or_introl eq_refl)) as aside.
-    assert (aside_is : area (Segment w (plus w z)) p == cross z y)
-      by (unfold area, cross, y, plus, minus; cbn [source target vx vy]; ring).
-    rewrite aside_is in aside.
-    assert (general_y : forall s, In s (region_edges r) -> lies_on w s -> ~ cross y (along s) == 0).
-    { intros s I (k & _ & X & Y) parallel. apply (general s (or_intror I)).
-      transitivity (- cross y (along s)); [| lra].
-      unfold area, cross, y, along, minus; cbn [vx vy]. rewrite X, Y. ring. }
-    assert (near_y : within radius w (plus w y) /\ within radius w (plus w (opposite y)))
-      by (unfold within, y, plus, opposite, minus in *; cbn [vx vy]; lra).
-    rewrite (winding_number_of_equal p (plus w y) _ (proj1 p_is) (proj2 p_is)) in round.
+    intros on_boundary.
+    assert (proper_z : nonzero z).
+    { intros [X Y]. apply proper_d. destruct z_back as (m & _ & dx & dy). rewrite dx, dy. unfold opposite; cbn [vx vy].
+      rewrite X, Y. split; ring. }
+    destruct (inner_direction r w z radius r_region (proj1 near) proper_z on_boundary)
+      as (y & near_y & near_back & aside & general & round).
     destruct (Q_dec (cross z y) 0) as [[right_ | left_] | parallel]; [| | contradiction].
     - apply (half_by_a_general_direction (opposite y)); try rewrite opposite_twice; try tauto.
       + unfold cross, opposite in *; cbn [vx vy]. lra.
-      + intros s I on parallel. apply (general_y s I on). unfold cross, opposite in *; cbn [vx vy] in *. lra.
+      + intros s I on parallel. apply (general s I on). unfold cross, opposite in *; cbn [vx vy] in *. lra.
     - apply (half_by_a_general_direction y); tauto.
   Qed.
 End OneDirection.

@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Theorem 4.2.1 for interiors, for all valid regions, chains that touch included: off the convolution, the winding
    number is positive if and only if the interiors of P and -Q + x have a point in common. And so Theorems 2.2.6 and
-   2.2.10 for the open sum.
+   2.2.10 for the open sum (open_sum.v).
    Say P and -Q + x touch in a point, and their interiors do not meet. An edge f of Q that leaves this point, in
    -Q + x backwards, is outside P, and if it is in no tangent set there, more than half of the edges of P that leave
    the point are to the left of f backwards (fan_at_a_point.v), which is to the right of f. In the same way more than
@@ -45,16 +45,20 @@ Proof.
   apply (in_map (fun s => Segment (starts_at s) (ends_at s)) _ _ I).
 Qed.
 
-Lemma no_tangents_at (r : region) (w : vector) (d : direction) :
-  (forall chain i, In chain r -> (i < length chain)%nat -> equal_vectors w (vertex chain i) ->
-     in_tangent_set d (corner_of_chain chain i) = true -> False) -> tangents_at w d r = 0%Z.
+Lemma tangent_vertex_or_none (r : region) (w : vector) (d : direction) :
+  (exists chain i, In chain r /\ (i < length chain)%nat /\ equal_vectors w (vertex chain i) /\
+     in_tangent_set d (corner_of_chain chain i) = true) \/ tangents_at w d r = 0%Z.
 Proof.
-  intros none. apply sum_of_zeros. intros v I. destruct (same_place_spec w (fst v)) as [at_v |]; [| reflexivity].
-  unfold if_tangent. destruct (in_tangent_set d (snd v)) eqn:tangent; [exfalso | reflexivity].
-  apply in_flat_map in I. destruct I as (chain & J & I). apply (In_nth _ _ (nowhere, Corner nowhere nowhere)) in I.
-  destruct I as (i & below & v_is). rewrite combine_length, corners_length in below.
-  rewrite combine_nth in v_is by (symmetry; apply corners_length). subst v.
-  apply (none chain i J); [lia | exact at_v | exact tangent].
+  destruct (Z_lt_le_dec 0 (tangents_at w d r)) as [some | none]; [left | right].
+  - apply positive_sum in some. destruct some as (v & I & term).
+    apply in_flat_map in I. destruct I as (chain & J & I). apply (In_nth _ _ (nowhere, Corner nowhere nowhere)) in I.
+    destruct I as (i & below & v_is). rewrite combine_length, corners_length in below.
+    rewrite combine_nth in v_is by (symmetry; apply corners_length). subst v. cbn [fst snd] in term.
+    exists chain, i. split; [exact J |]. split; [lia |]. unfold if_tangent, corner_of_chain, vertex in *.
+    destruct (same_place_spec w (nth i chain nowhere)); [| discriminate].
+    destruct (in_tangent_set d _); [now split | discriminate].
+  - assert (0 <= tangents_at w d r)%Z; [| lia]. apply sum_is_not_negative. intros v _. unfold if_tangent.
+    destruct (same_place w (fst v)), (in_tangent_set d (snd v)); discriminate.
 Qed.
 
 (* Off the convolution no edges of one direction add up to x, and no tangent edge. *)
@@ -86,7 +90,9 @@ Section OffTheConvolution.
   Proof.
     intros F on_f. destruct (edge_by_chain q f F) as (b & j & B & J & ->).
     destruct (on_by_index b j u J on_f) as (o & o_range & u_is).
-    apply no_tangents_at. intros a i A I at_vertex tangent. apply (on_the_convolution p q x a b A B); [| exact free].
+    destruct (tangent_vertex_or_none p w (Direction (along (edge_at b j)) OfQ))
+      as [(a & i & A & I & at_vertex & tangent) |]; [exfalso | assumption].
+    apply (on_the_convolution p q x a b A B); [| exact free].
     exists i, j, o. split; [exact I |]. split; [exact J |]. split; [exact o_range |]. right. split.
     - unfold is_convolution_segment. rewrite direction_by_index by exact J. exact tangent.
     - rewrite sum_. now apply plus_of_equal.
@@ -97,7 +103,9 @@ Section OffTheConvolution.
   Proof.
     intros E on_e. destruct (edge_by_chain p e E) as (a & i & A & I & ->).
     destruct (on_by_index a i w I on_e) as (t & t_range & w_is).
-    apply no_tangents_at. intros b j B J at_vertex tangent. apply (on_the_convolution p q x a b A B); [| exact free].
+    destruct (tangent_vertex_or_none q u (Direction (along (edge_at a i)) OfP))
+      as [(b & j & B & J & at_vertex & tangent) |]; [exfalso | assumption].
+    apply (on_the_convolution p q x a b A B); [| exact free].
     exists i, j, t. split; [exact I |]. split; [exact J |]. split; [exact t_range |]. left. split.
     - unfold is_convolution_segment. rewrite direction_by_index by exact I. exact tangent.
     - rewrite sum_. now apply plus_of_equal.
@@ -115,7 +123,7 @@ Proof.
   unfold moved_along, along, minus; cbn [vx vy]. rewrite X, Y. split; ring.
 Qed.
 
-Lemma one_or_all (A : Prop) (B : segment -> Prop) (l : list segment) :
+Lemma one_or_all {T : Type} (A : Prop) (B : T -> Prop) (l : list T) :
   (forall s, In s l -> A \/ B s) -> A \/ forall s, In s l -> B s.
 Proof.
   induction l as [| s l IH]; intros each; [right; intros s [] |].

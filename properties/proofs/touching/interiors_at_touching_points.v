@@ -11,18 +11,11 @@ Import ListNotations.
 
 Open Scope Q_scope.
 
-(* d is a direction in which the edges at w and u are put together: both have it, or the edge that has it is at a left
-   turn of the other region. *)
-Definition direction_at_corners (eu ev fu fv d : vector) : Prop :=
-  (same_direction ev d /\ same_direction fu d) \/ (same_direction eu d /\ same_direction fv d) \/
-  (0 < cross eu ev /\ (d = fu \/ d = fv)) \/ (0 < cross fu fv /\ (d = eu \/ d = ev)).
-
-(* Theorem. Where P and -Q + x touch in a point, the interiors meet, or a segment of the reduced convolution, of the
-   direction of one of the edges there, covers x. *)
+(* Theorem. Where P and -Q + x touch in a point, the interiors meet, or x is on the reduced convolution. *)
 Theorem segments_at_touching_points (p q : region) (x w u : vector) a i_in i_out eu ev b j_in j_out fu fv :
   valid_region p -> valid_region q -> chains_do_not_touch p -> chains_do_not_touch q ->
   boundary_point p w a i_in i_out eu ev -> boundary_point q u b j_in j_out fu fv -> equal_vectors x (plus w u) ->
-  interiors_meet x p q \/ (exists d, reduced_along p q x d /\ direction_at_corners eu ev fu fv d).
+  interiors_meet x p q \/ on_reduced_convolution x p q.
 Proof.
   intros p_region q_region p_apart q_apart at_w at_u equal.
   pose proof p_region as (p_edges & p_valid & p_meet). pose proof q_region as (q_edges & q_valid & q_meet).
@@ -30,25 +23,21 @@ Proof.
   pose proof (regions_are_regular q q_edges q_valid q_meet) as q_regular.
   assert (swapped : equal_vectors x (plus u w))
     by (destruct equal as [X Y]; unfold plus in *; cbn [vx vy] in *; split; cbn [vx vy]; lra).
-  assert (outcome : forall d, direction_at_corners eu ev fu fv d -> reduced_along_or_meet p q x d ->
-    interiors_meet x p q \/ (exists d, reduced_along p q x d /\ direction_at_corners eu ev fu fv d)).
-  { intros d at_corners [along_ | meet_]; [right; now exists d | now left]. }
+  assert (outcome : forall d, reduced_along_or_meet p q x d -> interiors_meet x p q \/ on_reduced_convolution x p q).
+  { intros d [(s & S & on & _) | meet_]; [right; now exists s | now left]. }
   destruct at_w as [a_in i_in_below i_out_below eu_is ev_is (lp & lp_range & w_in) (kp & kp_range & w_out)
     p_turns p_ahead p_tangent p_inside].
   destruct at_u as [b_in j_in_below j_out_below fu_is fv_is (lq & lq_range & u_in) (kq & kq_range & u_out)
     q_turns q_ahead q_tangent q_inside].
   pose proof p_turns as (proper_eu & proper_ev & _). pose proof q_turns as (proper_fu & proper_fv & _).
   destruct (Qeq_dec (angle ev) (angle fu)) as [along_ | apart_1].
-  { apply (outcome ev).
-    { left. split; [apply same_direction_reflexive | apply same_direction_angle; trivial; now symmetry]. }
-    rewrite ev_is, fu_is in along_. rewrite ev_is.
+  { apply (outcome ev). rewrite ev_is, fu_is in along_. rewrite ev_is.
     apply (parallel_edges_along p q a b p_region q_region p_apart q_apart a_in b_in x i_out j_in kp lq); trivial.
     rewrite <- ev_is, <- fu_is. destruct equal as [X Y], w_out as [wx wy], u_in as [ux uy].
     unfold plus in *; cbn [vx vy] in *. split; cbn [vx vy]; lra. }
   destruct (Qeq_dec (angle eu) (angle fv)) as [along_ | apart_2].
   { (* both a little back *)
     apply (outcome eu).
-    { right. left. split; [apply same_direction_reflexive | apply same_direction_angle; trivial; now symmetry]. }
     assert (ratio : same_direction fv eu) by (apply same_direction_angle; trivial; now symmetry).
     destruct ratio as (r & some & r_x & r_y).
     set (step_ := Qmin lp ((1 - kq) * r)).
@@ -102,19 +91,19 @@ Proof.
     + right. exists (edge_at a i_out). split; [now apply edge_at_in_region | exact on_p].
     + destruct swapped as [X Y]. unfold plus, moved_along, opposite in *; cbn [vx vy] in *.
       split; cbn [vx vy]; [rewrite X | rewrite Y]; ring.
-  - apply (outcome fv); [unfold direction_at_corners; tauto |]. left. rewrite fv_is.
+  - apply (outcome fv). left. rewrite fv_is.
     destruct (p_tangent _ tangent) as (k & below & corner_ & at_vertex).
     apply (reduced_along_by_q p q a b a_in b_in x k j_out below j_out_below); [| | now apply q_point];
       rewrite corner_, <- ?fv_is; [exact tangent | exact is_convex].
-  - apply (outcome fu); [unfold direction_at_corners; tauto |]. left. rewrite fu_is.
+  - apply (outcome fu). left. rewrite fu_is.
     destruct (p_tangent _ tangent) as (k & below & corner_ & at_vertex).
     apply (reduced_along_by_q p q a b a_in b_in x k j_in below j_in_below); [| | now apply q_point];
       rewrite corner_, <- ?fu_is; [exact tangent | exact is_convex].
-  - apply (outcome eu); [unfold direction_at_corners; tauto |]. left. rewrite eu_is.
+  - apply (outcome eu). left. rewrite eu_is.
     destruct (q_tangent _ tangent) as (k & below & corner_ & at_vertex).
     apply (reduced_along_by_p p q a b a_in b_in x i_in k i_in_below below); [| | now apply p_point];
       rewrite corner_, <- ?eu_is; [exact tangent | exact is_convex].
-  - apply (outcome ev); [unfold direction_at_corners; tauto |]. left. rewrite ev_is.
+  - apply (outcome ev). left. rewrite ev_is.
     destruct (q_tangent _ tangent) as (k & below & corner_ & at_vertex).
     apply (reduced_along_by_p p q a b a_in b_in x i_out k i_out_below below); [| | now apply p_point];
       rewrite corner_, <- ?ev_is; [exact tangent | exact is_convex].
@@ -141,6 +130,6 @@ Proof.
   destruct (boundary_points p w e p_region p_apart E on_e) as (a & i_in & i_out & eu & ev & at_w).
   destruct (boundary_points q u f q_region q_apart F on_f) as (b & j_in & j_out & fu & fv & at_u).
   destruct (segments_at_touching_points p q x w u a i_in i_out eu ev b j_in j_out fu fv) as
-    [meet_ | (d & (s & S & on & _) & _)]; trivial.
+    [meet_ | (s & S & on)]; trivial.
   exfalso. exact (free s S on).
 Qed.
