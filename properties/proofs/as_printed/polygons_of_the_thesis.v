@@ -6,8 +6,8 @@
    that chains go round no point clockwise more often than counterclockwise: `valid_region`. Collections of simple
    chains as in Definition 2.1.17 are such (valid_components_are_valid_regions), and simple polygons are, which is
    proved here. *)
-From Coq Require Import QArith Lqa Lia List.
-From Oplus Require Import convolution regions meeting_of_segments simple_chain simple_chains_turn_once
+From Coq Require Import Lia List.
+From Oplus Require Import numbers convolution regions meeting_of_segments simple_chain simple_chains_turn_once
   valid_components winding_numbers_of_valid_regions theorem_4_2_1 theorem_4_2_1_for_valid_regions boundary_points
   collision_is_complete.
 Import ListNotations.

@@ -2,9 +2,9 @@
 (* Corollary 2.2.3 as printed: each point of the boundary of the sum of two polygons is the sum of a boundary point of
    P and one of Q. Polygons may have holes, several components and chains that touch. It is proved in
    lemma_2_2_2.v. *)
-From Coq Require Import QArith List.
-From Oplus Require Import convolution theorem_4_2_1 theorem_2_2_10 lemma_2_2_2 polygons_of_the_thesis drawn_regions
-  drawn_sums.
+From Coq Require Import List.
+From Oplus Require Import numbers convolution theorem_4_2_1 theorem_2_2_10 lemma_2_2_2 polygons_of_the_thesis
+  drawn_regions drawn_sums.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -5,8 +5,8 @@
    what it says below Definition 2.2.8: both definitions give the same points. Without ties, as in Definition 2.2.8, P
    and Q have the same part, so the first follows from the second, which is proved in definition_2_2_8.v. A vertex
    inside a straight line counts as a point of the line. *)
-From Coq Require Import QArith Lqa List.
-From Oplus Require Import convolution theorem_4_2_1 definition_2_2_8 small_polygons polygons_of_the_thesis
+From Coq Require Import List.
+From Oplus Require Import numbers convolution theorem_4_2_1 definition_2_2_8 small_polygons polygons_of_the_thesis
   drawn_regions fans_that_touch.
 Import ListNotations.
 

@@ -2,8 +2,8 @@
 (* Equation 2.1 as printed: the points of the sum of two segments, from a to b and from c to d, are a + k (b - a) + c
    + l (d - c) for k and l between 0 and 1. And what the thesis says below it of segments of one direction: their sum
    is one segment, from a + c to b + d. *)
-From Coq Require Import Lqa Qfield List.
-From Oplus Require Import convolution printed_lemma_2_2_2.
+From Coq Require Import List.
+From Oplus Require Import numbers convolution printed_lemma_2_2_2.
 Import ListNotations.
 
 Open Scope Q_scope.

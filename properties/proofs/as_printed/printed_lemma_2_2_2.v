@@ -3,8 +3,9 @@
    + b, then a is on the boundary of A and b on that of B. Were a whole square around a in A, this square moved by b
    would be in the sum, around x. For regions, whose boundary is their chains, it is summands_of_boundary_points
    (lemma_2_2_2.v). *)
-From Coq Require Import QArith Lqa List.
-From Oplus Require Import convolution regions neighbourhoods theorem_2_2_10 small_polygons drawn_regions drawn_sums.
+From Coq Require Import List.
+From Oplus Require Import numbers convolution regions neighbourhoods theorem_2_2_10 small_polygons drawn_regions
+  drawn_sums.
 Import ListNotations.
 
 Open Scope Q_scope.

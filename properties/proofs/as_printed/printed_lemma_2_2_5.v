@@ -3,9 +3,9 @@
    of the sum, their tangent sets are equal. The points are no ends of their edges; other chains may have
    vertices there. By Definition 2.1.13 the tangent set of a point inside an edge has the edge's direction and no other,
    so the edges have the same direction, which is proved in lemma_2_2_5.v. *)
-From Coq Require Import Lqa Qfield List.
-From Oplus Require Import convolution regions left_of_an_edge winding_number_of_the_sum theorem_4_2_1 theorem_2_2_10
-  lemma_2_2_5 theorem_3_2_8 small_polygons drawn_regions drawn_sums.
+From Coq Require Import List.
+From Oplus Require Import numbers convolution regions left_of_an_edge winding_number_of_the_sum theorem_4_2_1
+  theorem_2_2_10 lemma_2_2_5 theorem_3_2_8 small_polygons drawn_regions drawn_sums.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Lemma 4.1.4 as printed: at each vertex of the convolution graph (Definition 4.1.2), which is a point, as many
    convolution segments end as start. It is proved in in_out_degree.v, for polygons of any number of chains. *)
-From Coq Require Import QArith List.
-From Oplus Require Import convolution regions small_polygons drawn_regions.
+From Coq Require Import List.
+From Oplus Require Import numbers convolution regions small_polygons drawn_regions.
 Import ListNotations.
 
 Definition indegree (p q : region) (x : vector) : nat :=

@@ -4,8 +4,8 @@
    are simple polygons. The thesis says it of reflex vertices; it holds for all. In lemma_4_2_15.v it is proved for
    regions, and for any number of vertices: the number is lower by how often Q goes round x - v, which a simple
    polygon does once or not at all. *)
-From Coq Require Import QArith Lia List.
-From Oplus Require Import convolution convolution_winding convolution_graph finite_sums regions interiors_meet
+From Coq Require Import Lia List.
+From Oplus Require Import numbers convolution convolution_winding convolution_graph finite_sums regions interiors_meet
   replaced_segments lemma_4_2_15 simple_chain simple_chains_turn_once polygons_of_the_thesis drawn_regions.
 Import ListNotations.
 

@@ -3,8 +3,8 @@
    or a vertex of -Q + x on an edge of P. The thesis says it of points inside the segment; it holds for its ends, too.
    A segment of the convolution is a sum of a vertex and an edge (theorem_2_2_6.v); Equations 4.2 to 4.5 say the
    same. *)
-From Coq Require Import QArith Lqa List.
-From Oplus Require Import convolution convolution_winding regions left_of_an_edge theorem_2_2_6 reflected
+From Coq Require Import List.
+From Oplus Require Import numbers convolution convolution_winding regions left_of_an_edge theorem_2_2_6 reflected
   placed_collision drawn_regions.
 Import ListNotations.
 

@@ -5,9 +5,9 @@
    other polygon or along its boundary in the same direction. The second theorem is the naive test as it is told in Section 5.1: where no vertex is on an edge,
    interiors meet if and only if two edges cross, or a vertex of one is inside the other. Both are proved for all
    regions, in collision_is_complete.v and section_5_1.v. *)
-From Coq Require Import QArith List.
-From Oplus Require Import convolution interiors_meet naive_collision collision_is_complete section_5_1 simple_chain
-  small_polygons simple_polygons polygons_of_the_thesis drawn_regions.
+From Coq Require Import List.
+From Oplus Require Import numbers convolution interiors_meet naive_collision collision_is_complete section_5_1
+  simple_chain small_polygons simple_polygons polygons_of_the_thesis drawn_regions.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Theorem 2.2.10 as printed: the boundary of the sum of two polygons is part of the convolution (Definition 2.2.7).
    It is proved in theorem_2_2_10.v. *)
-From Coq Require Import QArith List.
-From Oplus Require Import convolution convolution_winding theorem_4_2_1 theorem_2_2_10 polygons_of_the_thesis
+From Coq Require Import List.
+From Oplus Require Import numbers convolution convolution_winding theorem_4_2_1 theorem_2_2_10 polygons_of_the_thesis
   drawn_regions drawn_sums.
 Import ListNotations.
 

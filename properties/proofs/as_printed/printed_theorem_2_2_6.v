@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Theorem 2.2.6 as printed: each point of the boundary of the sum of two polygons is the sum of a vertex of one and a
    point of an edge of the other (Definition 2.2.1). It is proved in theorem_2_2_6.v. *)
-From Coq Require Import QArith List.
-From Oplus Require Import convolution regions left_of_an_edge theorem_4_2_1 theorem_2_2_10 theorem_2_2_6
+From Coq Require Import List.
+From Oplus Require Import numbers convolution regions left_of_an_edge theorem_4_2_1 theorem_2_2_10 theorem_2_2_6
   polygons_of_the_thesis drawn_regions drawn_sums.
 Import ListNotations.
 

@@ -3,9 +3,9 @@
    number of the convolution at x is positive if and only if P and -Q + x have a point in common. The thesis has
    closed polygons; for open ones, whose common point is inside both, it holds, too. Both are proved for all regions,
    of any number of chains: the first in theorem_4_2_1.v, the second in fans_that_touch.v. *)
-From Coq Require Import QArith List.
-From Oplus Require Import convolution convolution_winding regions interiors_meet theorem_4_2_1
-  fans_that_touch simple_polygons test_of_regions polygons_of_the_thesis drawn_regions.
+From Coq Require Import List.
+From Oplus Require Import numbers convolution convolution_winding regions interiors_meet theorem_4_2_1 fans_that_touch
+  simple_polygons test_of_regions polygons_of_the_thesis drawn_regions.
 Import ListNotations.
 
 Open Scope Q_scope.

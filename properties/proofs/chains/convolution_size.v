@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* The convolution of two closed chains as the sums of an edge of one and a vertex of the other that
    belong to it, and how many they are. *)
-From Coq Require Import QArith ZArith Lia Bool List.
-From Oplus Require Import winding tangent_set turning_number.
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers winding tangent_set turning_number.
 Import ListNotations.
 
 Open Scope nat_scope.

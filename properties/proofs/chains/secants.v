@@ -4,8 +4,8 @@
    secants form a grid; around each of its cells, two edges that have no point in common or two consecutive
    ones, nothing turns around zero, and what is left of the sum over all cells is its boundary. `sweep` and
    that it does not depend on the direction are in angular_crossings.v. *)
-From Coq Require Import QArith Lqa ZArith Lia Bool List SetoidList.
-From Oplus Require Import winding.
+From Coq Require Import ZArith Lia Bool List SetoidList.
+From Oplus Require Import numbers winding.
 Import ListNotations.
 
 Open Scope Q_scope.

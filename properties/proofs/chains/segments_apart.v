@@ -2,8 +2,8 @@
 (* When two segments have no point in common, by signs: all vectors from the one to the other are on one side
    of a line, and one of three lines will do. Whether two consecutive edges have only their common vertex
    in common is a question of signs, too. Used for simple chains (simple_chain.v). *)
-From Coq Require Import QArith Lqa Qfield Bool List.
-From Oplus Require Import winding rotation secants.
+From Coq Require Import Bool List.
+From Oplus Require Import numbers winding rotation secants.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -2,8 +2,8 @@
 (* Simple chains (thesis, Definition 2.1.4), as reference/chains/validity.cpp asks for them, defined by points;
    and that a test by signs of the coordinates decides whether a chain is one. That two segments have no
    point in common is decided in segments_apart.v. *)
-From Coq Require Import PeanoNat QArith Lqa Lia Bool List Permutation.
-From Oplus Require Import convolution regions secants segments_apart.
+From Coq Require Import PeanoNat Lia Bool List Permutation.
+From Oplus Require Import numbers convolution regions secants segments_apart.
 Import ListNotations.
 
 Open Scope nat_scope.

@@ -3,8 +3,8 @@
    is 1 or -1, by the turn at any vertex at which all others are on one side of a line, as at the smallest
    one, which is where reference/chains/region_of.cpp looks. The theorem for chains that begin there is in
    turning_tangents.v, simple chains are in simple_chain.v. *)
-From Coq Require Import PeanoNat QArith Lqa ZArith Lia Bool List Permutation.
-From Oplus Require Import convolution regions secants segments_apart turning_tangents simple_chain.
+From Coq Require Import PeanoNat ZArith Lia Bool List Permutation.
+From Oplus Require Import numbers convolution regions secants segments_apart turning_tangents simple_chain.
 Import ListNotations.
 
 Open Scope nat_scope.

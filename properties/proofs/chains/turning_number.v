@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* How often the tangent sets of a closed chain cover a direction, and from that the number of segments
    of the convolution. *)
-From Coq Require Import QArith Lqa ZArith Lia Bool List SetoidList SetoidPermutation Permutation.
-From Oplus Require Import winding tangent_set.
+From Coq Require Import ZArith Lia Bool List SetoidList SetoidPermutation Permutation.
+From Oplus Require Import numbers winding tangent_set.
 Import ListNotations.
 
 Open Scope Q_scope.

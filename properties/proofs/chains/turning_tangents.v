@@ -3,8 +3,8 @@
    all others are on one side of a line through it. The secants from it and to it then stay on one side of
    that line, so what is passed is passed at that vertex, once. Secants are in secants.v; simple_chain.v
    says that simple chains are such chains, simple_chains_turn_once.v proves the theorem for all of them. *)
-From Coq Require Import QArith Lqa ZArith Lia Bool List.
-From Oplus Require Import winding rotation tangent_set turning_number secants.
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers winding rotation tangent_set turning_number secants.
 Import ListNotations.
 
 Open Scope Q_scope.

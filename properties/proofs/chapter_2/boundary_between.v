@@ -2,9 +2,10 @@
 (* Between a point outside the sum and one inside, on a line that passes no end of a segment of the convolution, is a
    boundary point of the sum: it is among the finitely many points at which the line crosses the convolution, the first
    one beyond which the winding number is not zero. *)
-From Coq Require Import QArith Lqa ZArith Lia Bool List.
-From Oplus Require Import convolution signed_crossings tie_rule convolution_winding regions winding_number_of_the_sum
-  meeting_of_segments first_hit first_edge_of_a_ray neighbourhoods left_of_an_edge theorem_4_2_1 theorem_2_2_10.
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers convolution signed_crossings tie_rule convolution_winding regions
+  winding_number_of_the_sum meeting_of_segments first_hit first_edge_of_a_ray neighbourhoods left_of_an_edge
+  theorem_4_2_1 theorem_2_2_10.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -4,8 +4,8 @@
    set contains the edge's direction by the tie rule. Tangent sets in 2.2.8 do not contain their ends, and
    ties are not told apart. The segments by Definition 2.2.7 are in convolution_size.v, what rotating
    means in rotation.v, that edges do not all have one direction in sizes_of_cycles.v. *)
-From Coq Require Import PeanoNat QArith Lqa Qfield Lia Bool List.
-From Oplus Require Import convolution rotation tracing sizes_of_cycles secants segments_apart simple_chain
+From Coq Require Import PeanoNat Lia Bool List.
+From Oplus Require Import numbers convolution rotation tracing sizes_of_cycles secants segments_apart simple_chain
   tangent_direction parallel_edges.
 Import ListNotations.
 
@@ -215,7 +215,7 @@ Proof.
       split; reflexivity. }
     destruct (Qeq_dec (angle (edge_of_chain chain (previous n i))) (angle e)) as [line | corner].
     + exists e. repeat split; trivial; try apply there.
-      apply tangent_at_straight_vertex; trivial. reflexivity.
+      apply tangent_at_straight_vertex; trivial; reflexivity.
     + destruct (just_before e (edge_of_chain chain (previous n i)) u) as (d & nd & in_corner & in_arc);
         trivial; [unfold met in arc; lra |].
       exists d. split; [exact there |]. split; [exact nd |]. split.

@@ -2,8 +2,8 @@
 (* Lemma 2.2.2 and Corollary 2.2.3: a boundary point of the sum is the sum of boundary points only, and is such a sum.
    Inner points of one region move with the point (neighbourhoods.v); that a boundary point is a sum at all is from
    Theorem 2.2.6 (theorem_2_2_6.v). *)
-From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
-From Oplus Require Import regions_and_sums theorem_2_2_10 theorem_2_2_6 observation_2_2_4 lemma_2_2_5.
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers regions_and_sums theorem_2_2_10 theorem_2_2_6 observation_2_2_4 lemma_2_2_5.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -2,8 +2,8 @@
 (* Lemma 2.2.5: if the sum of a point inside an edge of P and a point inside an edge of Q is on the boundary of the
    sum, the edges have the same direction. Both points are no vertices: where chains touch, the lemma is false
    for open regions (docs/findings.md). Edges that slide are from lemma_2_2_9.v. *)
-From Coq Require Import QArith Qabs Qminmax Qfield Lqa ZArith Lia Bool List.
-From Oplus Require Import regions_and_sums theorem_2_2_10 observation_2_2_4 lemma_2_2_9.
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers regions_and_sums theorem_2_2_10 observation_2_2_4 lemma_2_2_9.
 Import ListNotations.
 
 Open Scope Q_scope.

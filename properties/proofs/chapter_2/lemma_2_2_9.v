@@ -3,8 +3,8 @@
    what is near. So if an edge of Q at its vertex q leads to the right of an edge e of P, the points of e + q are
    inner points of the sum, but for those that come from vertices of P. Those are excluded, touching ones too:
    there the lemma is false (docs/findings.md). To the left of the edge is observation_2_2_4.v. *)
-From Coq Require Import QArith Qabs Qminmax Lqa ZArith Lia Bool List.
-From Oplus Require Import regions_and_sums theorem_2_2_10 observation_2_2_4.
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers regions_and_sums theorem_2_2_10 observation_2_2_4.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -2,8 +2,8 @@
 (* Observation 2.2.4: around the sum of a point inside an edge of P and any point of Q, a half square, to the left of
    the edge, is in the sum. The point inside the edge is no vertex of P: the observation is false where
    another chain touches the edge (docs/findings.md). What is left of an edge is from left_of_an_edge.v. *)
-From Coq Require Import QArith Qabs Qminmax Lqa ZArith Lia Bool List.
-From Oplus Require Import regions_and_sums theorem_2_2_10.
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers regions_and_sums theorem_2_2_10.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -2,8 +2,8 @@
 (* Theorem 2.2.10: the boundary of the Minkowski sum is part of the convolution. From Theorem 4.2.1
    (theorem_4_2_1.v): off the convolution the winding number decides whether a point is in the sum, and it
    is the same for all points near (neighbourhoods.v). *)
-From Coq Require Import QArith Lqa ZArith Lia Bool List.
-From Oplus Require Import regions_and_sums.
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers regions_and_sums.
 Import ListNotations.
 
 Open Scope Q_scope.

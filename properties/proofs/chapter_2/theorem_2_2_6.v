@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Theorem 2.2.6: the boundary of the Minkowski sum is part of the vertex-edge sum (Definition 2.2.1). The convolution
    is part of the vertex-edge sum, so this follows from Theorem 2.2.10 (theorem_2_2_10.v). *)
-From Coq Require Import QArith Lqa ZArith Lia Bool List.
-From Oplus Require Import regions_and_sums tracing theorem_2_2_10.
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers regions_and_sums tracing theorem_2_2_10.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -3,8 +3,8 @@
    for the sums of vertices of P. No other chain of Q touches the vertex: without this the theorem is false
    (docs/findings.md). Near a reflex vertex more than a half plane is inside (inside_a_corner.v), so an
    edge can slide to its right (lemma_2_2_9.v). *)
-From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
-From Oplus Require Import regions_and_sums first_edge_of_a_ray theorem_2_2_6 theorem_2_2_10 observation_2_2_4
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers regions_and_sums first_edge_of_a_ray theorem_2_2_6 theorem_2_2_10 observation_2_2_4
   lemma_2_2_9 lemma_2_2_5 inside_a_corner lemma_2_2_2 boundary_points boundary_between reduced_convolution
   edges_at_a_point fan_at_a_point reduced_edges_that_pass.
 Import ListNotations.

@@ -3,8 +3,8 @@
    complement of the sum is to the right of a boundary edge, all segments along it have the edge's direction, and a
    segment of the reduced convolution is there. Half squares in the sum are from observation_2_2_4.v, that the
    boundary is covered from theorem_2_3_2.v. *)
-From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
-From Oplus Require Import regions_and_sums tracing theorem_2_2_10 theorem_2_2_6 observation_2_2_4 lemma_2_2_5
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers regions_and_sums tracing theorem_2_2_10 theorem_2_2_6 observation_2_2_4 lemma_2_2_5
   lemma_2_2_2 inside_a_corner boundary_points reduced_convolution parallel_edges interiors_at_touching_points
   theorem_2_3_2.
 Import ListNotations.

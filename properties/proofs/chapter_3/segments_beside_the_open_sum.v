@@ -4,10 +4,10 @@
    Where the sum is beside x, a vertex of one region is inside the other, or edges cross (winding_number_of_the_sum.v);
    close to x, these touch at x, and the sum is to the left of the edge that touches. That a segment of the reduced
    convolution is there is from reduced_edges_that_pass.v. *)
-From Coq Require Import QArith Qminmax Lqa Qfield ZArith Lia Bool List Arith.
-From Oplus Require Import regions_and_sums parallelogram crossing_edges observation_2_2_4 lemma_2_2_9 inside_a_corner
-  tangent_direction touching_corners boundary_points reduced_convolution parallel_edges right_of_an_edge
-  reduced_edges_that_pass.
+From Coq Require Import ZArith Lia Bool List Arith.
+From Oplus Require Import numbers regions_and_sums parallelogram crossing_edges observation_2_2_4 lemma_2_2_9
+  inside_a_corner tangent_direction touching_corners boundary_points reduced_convolution parallel_edges
+  right_of_an_edge reduced_edges_that_pass.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -4,10 +4,10 @@
    only (which is not excluded here). For isolated vertices that are not the sum of two vertices.
    From segments_beside_the_open_sum.v: the open sum is on all sides, and each direction that is along none of the
    segments is to the left of one of them. *)
-From Coq Require Import QArith Qminmax Lqa Qfield ZArith Lia Bool List Arith.
-From Oplus Require Import regions_and_sums parallelogram crossing_edges observation_2_2_4 lemma_2_2_9 inside_a_corner
-  tangent_direction touching_corners boundary_points reduced_convolution parallel_edges right_of_an_edge
-  reduced_edges_that_pass segments_beside_the_open_sum theorem_3_2_8.
+From Coq Require Import ZArith Lia Bool List Arith.
+From Oplus Require Import numbers regions_and_sums parallelogram crossing_edges observation_2_2_4 lemma_2_2_9
+  inside_a_corner tangent_direction touching_corners boundary_points reduced_convolution parallel_edges
+  right_of_an_edge reduced_edges_that_pass segments_beside_the_open_sum theorem_3_2_8.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -3,10 +3,10 @@
    cover it, and such of the opposite direction; all its points but the sums of two vertices, which are finitely many.
    The open sum is to the left of each edge that passes, so these are along the dangling
    edge; on either side there is one by segments_beside_the_open_sum.v. *)
-From Coq Require Import QArith Qminmax Lqa Qfield ZArith Lia Bool List Arith.
-From Oplus Require Import regions_and_sums parallelogram crossing_edges observation_2_2_4 lemma_2_2_9 inside_a_corner
-  tangent_direction touching_corners boundary_points reduced_convolution parallel_edges reduced_edges_that_pass
-  segments_beside_the_open_sum.
+From Coq Require Import ZArith Lia Bool List Arith.
+From Oplus Require Import numbers regions_and_sums parallelogram crossing_edges observation_2_2_4 lemma_2_2_9
+  inside_a_corner tangent_direction touching_corners boundary_points reduced_convolution parallel_edges
+  reduced_edges_that_pass segments_beside_the_open_sum.
 Import ListNotations.
 
 Open Scope Q_scope.

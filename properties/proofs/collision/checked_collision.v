@@ -2,8 +2,8 @@
 (* A check, by finitely many comparisons, that a region covers nothing twice: its winding numbers are 0 and 1. With the
    check of test_of_regions.v no hypothesis of the theorems on the collision test (placed_collision.v) is left open. *)
 From Coq Require Import QArith ZArith Lia Bool List.
-From Oplus Require Import regions_and_sums right_of_an_edge small_polygons test_of_regions location pieces
-  naive_collision collision_is_complete placed_collision.
+From Oplus Require Import regions_and_sums right_of_an_edge small_polygons test_of_regions small_regions location
+  pieces naive_collision collision_is_complete placed_collision.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -5,8 +5,8 @@
    piece; or an edge of the other region is met, too, which runs along the whole piece (met_pieces.v), and in the same
    direction: else the winding number behind one of the two would be 2. That the test is right where it returns true is
    in collision_is_sound.v. *)
-From Coq Require Import QArith Qminmax Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import regions_and_sums location pieces naive_collision met_pieces collision_is_sound.
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers regions_and_sums location pieces naive_collision met_pieces collision_is_sound.
 Import ListNotations.
 
 Open Scope Q_scope.

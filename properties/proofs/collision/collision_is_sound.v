@@ -3,8 +3,8 @@
    regions meet, there is a point inside both. Two pieces that cross do so at no vertex, and to the left of both is
    inside (left_of_an_edge.v); beside a point of one boundary inside the other region is a point inside both; and
    pieces that run along each other in the same direction have the inside on the same side. *)
-From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import regions_and_sums location pieces naive_collision met_pieces.
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers regions_and_sums location pieces naive_collision met_pieces.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -2,8 +2,8 @@
 (* What meets a piece of a segment, cut where others meet it (pieces.v): no end of another segment is strictly inside
    a piece, and another segment with a point strictly inside it runs along all of it. So inside the pieces of a
    region's boundary are no vertices. *)
-From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import convolution meeting_of_segments regions first_hit winding_number_of_the_sum
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers convolution meeting_of_segments regions first_hit winding_number_of_the_sum
   left_of_an_edge location pieces naive_collision.
 Import ListNotations.
 

@@ -3,8 +3,8 @@
    reference/definitions/collision.cpp computes it: edges are cut where chains of their own region touch; then
    either two of the pieces cross, or one, cut once more where the other region's boundary meets it, is inside the
    other region, or runs along its boundary in the same direction. *)
-From Coq Require Import QArith ZArith Bool List.
-From Oplus Require Import convolution shifted_ray regions location pieces.
+From Coq Require Import ZArith Bool List.
+From Oplus Require Import numbers convolution shifted_ray regions location pieces.
 Import ListNotations.
 
 Open Scope Q_scope.

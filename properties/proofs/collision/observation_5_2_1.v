@@ -3,8 +3,8 @@
    edge. If the edge leads upwards, the ray leaves it behind; if it leads downwards, the ray crosses it first. That number
    is positive iff P and -Q, placed there, have a point in common. Shifts of the ray are in shifted_ray.v, what the
    number means in theorem_4_2_1.v. *)
-From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import regions_and_sums.
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers regions_and_sums.
 
 Open Scope Q_scope.
 

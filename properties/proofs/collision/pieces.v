@@ -3,8 +3,8 @@
    segment.cpp, `cut_where_met` in cut_at_intersections.cpp), but for the comparison of boxes, which only saves
    time. Proved here: pieces are parts of their segment in its direction, they cover it, and no point at which it
    is cut is inside a piece. Points on segments are decided in location.v. *)
-From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import convolution meeting_of_segments regions first_hit location rotation.
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers convolution meeting_of_segments regions first_hit location rotation.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -3,10 +3,9 @@
    and Theorem 4.2.1 for it: off the convolution the test returns true if and only if the winding number of the
    convolution at x is positive, so that the two ways to decide whether x is in the sum cannot differ. What the test
    returns is from collision_is_sound.v and collision_is_complete.v. *)
-From Coq Require Import QArith Lqa ZArith Lia Bool List.
-From Oplus Require Import regions_and_sums reflected parallelogram crossing_edges location pieces naive_collision
-  met_pieces collision_is_complete
-  fans_that_touch.
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers regions_and_sums reflected parallelogram crossing_edges location pieces
+  naive_collision met_pieces collision_is_complete fans_that_touch.
 Import ListNotations.
 
 Open Scope Q_scope.

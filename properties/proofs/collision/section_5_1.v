@@ -2,8 +2,8 @@
 (* Section 5.1, in general position: whether interiors meet is seen at the boundaries.
    They meet if and only if a vertex of one region is inside the other, or two edges cross. From the terms of the identity (winding_number_of_the_sum.v)
    and Theorem 4.2.1. *)
-From Coq Require Import QArith Lqa ZArith Lia Bool List.
-From Oplus Require Import regions_and_sums parallelogram.
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers regions_and_sums parallelogram.
 Import ListNotations.
 
 Open Scope Q_scope.

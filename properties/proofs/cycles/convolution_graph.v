@@ -1,14 +1,14 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Lemma 4.1.5: the convolution graph (thesis, Definition 4.1.2) decomposes into cycles that share
    no edge. *)
-From Coq Require Import QArith Qreduction Lia Bool List Permutation.
-From Oplus Require Import convolution tracing balanced_graph.
+From Coq Require Import Lia Bool List Permutation.
+From Oplus Require Import numbers convolution tracing balanced_graph.
 Import ListNotations.
 
 Open Scope nat_scope.
 
 Definition vector_eq_dec (u v : vector) : {u = v} + {u <> v}.
-Proof. repeat decide equality. Defined.
+Proof. decide equality; apply identical_dec. Defined.
 
 (* The node of a point: coordinates in lowest terms, so that equal points have one node. *)
 Definition node_of (v : vector) : vector := Vector (Qred (vx v)) (Qred (vy v)).

@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Lemma 4.1.3 at one vertex of P and one vertex of Q, for any four edges. *)
-From Coq Require Import PeanoNat QArith ZArith Lqa Bool Lia.
-From Oplus Require Import directions tangent_set angular_crossings.
+From Coq Require Import PeanoNat ZArith Bool Lia.
+From Oplus Require Import numbers directions tangent_set angular_crossings.
 
 Open Scope Q_scope.
 

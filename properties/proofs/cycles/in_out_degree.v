@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Lemma 4.1.4: where states are put together to nodes, as many segments end at a node as start there. *)
-From Coq Require Import PeanoNat QArith Lia Bool List Permutation.
-From Oplus Require Import winding tangent_set turning_number convolution_size fiber_grid states.
+From Coq Require Import PeanoNat Lia Bool List Permutation.
+From Oplus Require Import numbers winding tangent_set turning_number convolution_size fiber_grid states.
 Import ListNotations.
 
 Open Scope nat_scope.

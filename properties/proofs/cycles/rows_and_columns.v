@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Lemma 4.1.8, holes included: a hole's chain is clockwise, and turns right at three vertices at least. *)
-From Coq Require Import QArith Lqa ZArith Lia Bool List.
-From Oplus Require Import winding tangent_set turning_number convolution_size total_turn.
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers winding tangent_set turning_number convolution_size total_turn.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -76,9 +76,3 @@ Proof.
   - intros i I. apply covered_enough; trivial. now apply covered_by_q.
   - intros j J. apply covered_enough; trivial. now apply covered_by_p.
 Qed.
-
-(* There are such chains. *)
-Example a_triangle_is_outer : outer [Vector 0 0; Vector 1 0; Vector 0 1].
-Proof. reflexivity. Qed.
-Example the_triangle_backwards_is_a_hole : hole [Vector 0 0; Vector 0 1; Vector 1 0].
-Proof. reflexivity. Qed.

@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Corollary 4.1.9 as corrected: some cycle goes round both chains. *)
-From Coq Require Import PeanoNat QArith Lqa ZArith Lia Bool List Permutation.
-From Oplus Require Import convolution tracing convolution_cycles crossing_cycles rows_and_columns.
+From Coq Require Import PeanoNat ZArith Lia Bool List Permutation.
+From Oplus Require Import numbers convolution tracing convolution_cycles crossing_cycles rows_and_columns.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -21,7 +21,7 @@ Proof.
   assert (A : sum_over (cross w) (edge_directions chain) ==
               sum_over (cross w) (map target (edges chain)) -
               sum_over (cross w) (map source (edges chain))).
-  { unfold edge_directions. clear S T. induction (edges chain) as [| s rest IH]; [reflexivity |].
+  { unfold edge_directions. clear S T. induction (edges chain) as [| s rest IH]; [cbn; ring |].
     cbn [map sum_over fold_right] in *. unfold sum_over in *. rewrite IH.
     unfold cross, minus. cbn [vx vy]. ring. }
   rewrite A, S, T, sum_over_rotated. ring.

@@ -1,8 +1,9 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* The states of the fiber grid of two closed chains, which segments lead from one to the next, and that
    as many lead to a state as leave it. *)
-From Coq Require Import PeanoNat QArith Lia Bool List Permutation.
-From Oplus Require Import winding tangent_set turning_number convolution_size fiber_grid forward_traversal distinct.
+From Coq Require Import PeanoNat Lia Bool List Permutation.
+From Oplus Require Import numbers winding tangent_set turning_number convolution_size fiber_grid forward_traversal
+  distinct.
 Import ListNotations.
 
 Open Scope nat_scope.

@@ -2,8 +2,8 @@
 (* The angle of a vector, measured along the diamond |x| + |y| = 1 instead of the circle, so that it
    stays rational: from 0, at the positive x-axis, counterclockwise to 4. Signs of cross products, and
    with them everything that is decided about directions, become linear conditions on angles. *)
-From Coq Require Import QArith Qabs Qfield Lqa Bool Lia Setoid.
-From Oplus Require Import direction.
+From Coq Require Import Bool Lia.
+From Oplus Require Import numbers direction.
 
 Open Scope Q_scope.
 
@@ -178,9 +178,9 @@ Proof.
     destruct (vy u * vx v ?= vx u * vy v) eqn:e;
       [apply Qeq_alt in e; apply -> Qeq_alt | apply Qlt_alt in e; apply -> Qlt_alt
       | apply Qgt_alt in e; apply -> Qgt_alt]; lra.
-  - apply -> Qgt_alt. specialize (hu eq_refl). destruct (Qlt_le_dec (angle v) 2); [lra |].
+  - apply -> Qgt_alt. specialize (hu eq_refl). destruct (Qlt_le_dec (angle v) 2) as [| q]; [lra |].
     discriminate (hv' q).
-  - apply -> Qlt_alt. specialize (hv eq_refl). destruct (Qlt_le_dec (angle u) 2); [lra |].
+  - apply -> Qlt_alt. specialize (hv eq_refl). destruct (Qlt_le_dec (angle u) 2) as [| q]; [lra |].
     discriminate (hu' q).
   - assert (angle u < 2) by (destruct (Qlt_le_dec (angle u) 2) as [|q]; [lra | discriminate (hu' q)]).
     assert (angle v < 2) by (destruct (Qlt_le_dec (angle v) 2) as [|q]; [lra | discriminate (hv' q)]).

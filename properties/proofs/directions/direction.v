@@ -1,7 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Directions and their cyclic order, computed as reference/definitions/direction.cpp computes them.
    That these functions are what the thesis means by them is proved in angle.v and cyclic_order.v. *)
-From Coq Require Import QArith Bool.
+From Coq Require Import Bool.
+From Oplus Require Import numbers.
 
 Open Scope Q_scope.
 

@@ -2,8 +2,8 @@
 (* What it means to rotate (thesis, Definition 2.1.10), and that ccw says what is met first. The circle
    is replaced by the diamond |x| + |y| = 1, of circumference 4 in the norm |x| + |y| of its quarter:
    which directions are met, and in which order, is the same, and all numbers stay rational. *)
-From Coq Require Import QArith Qabs Lqa Bool Lia.
-From Oplus Require Import direction angle cyclic_order.
+From Coq Require Import Bool Lia.
+From Oplus Require Import numbers direction angle cyclic_order.
 
 Open Scope Q_scope.
 
@@ -184,7 +184,7 @@ Proof.
   - exists 1. pose proof (diamond_on 0 ltac:(lra)) as on.
     assert (vx (diamond 0) == 1 /\ vy (diamond 0) == 0) as [x_is y_is]
       by (unfold on_diamond in on; lra).
-    unfold turned, product. cbn [vx vy]. rewrite x_is, y_is. repeat split; ring.
+    unfold turned, product. cbn [vx vy]. rewrite x_is, y_is. repeat split; (lra || ring).
   - intros s t r r' r''.
     pose proof (diamond_turns _ _ _ _ _ _ (diamond_on s ltac:(lra)) (diamond_on t ltac:(lra))) as k.
     assert (0 < cross (diamond s) (diamond t)) by (unfold turns_by in k; unfold cross; lra).

@@ -1,6 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* What holds for all small enough positive numbers: small moves, turns and shifts are about such. *)
-From Coq Require Import QArith Qminmax Lqa List.
+From Coq Require Import List.
+From Oplus Require Import numbers.
 Import ListNotations.
 
 Open Scope Q_scope.

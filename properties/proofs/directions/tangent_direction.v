@@ -2,8 +2,8 @@
 (* Tangent sets (thesis, Definition 2.1.13) are empty inside straight lines only, and every closed chain has a
    vertex whose tangent set is not empty. Directions and ccw are those of direction.v, chains those of
    turning_number.v. *)
-From Coq Require Import QArith Lqa Lia Bool List.
-From Oplus Require Import convolution regions.
+From Coq Require Import Lia Bool List.
+From Oplus Require Import numbers convolution regions.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Tangent sets, computed as reference/definitions/tangent_set.cpp computes them. *)
-From Coq Require Import QArith Bool.
-From Oplus Require Import direction.
+From Coq Require Import Bool.
+From Oplus Require Import numbers direction.
 
 Open Scope Q_scope.
 

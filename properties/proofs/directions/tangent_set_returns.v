@@ -2,8 +2,8 @@
 (* What `in_tangent_set` returns (tangent_set.v): whether the direction is met on the way counterclockwise from the edge
    that enters a vertex to the one that leaves it (thesis, Definition 2.1.13), all directions of Q turned a little
    (Definition 2.2.7). Rotating is from rotation.v, turning Q's directions from tie_rule.v. *)
-From Coq Require Import QArith Lqa Bool List.
-From Oplus Require Import winding tangent_set shifted_ray rotation tie_rule forward_traversal.
+From Coq Require Import Bool List.
+From Oplus Require Import numbers winding tangent_set shifted_ray rotation tie_rule forward_traversal.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -25,8 +25,8 @@ Proof.
   { intros u [<- | [<- | [<- | []]]]; assumption. }
   destruct (eventually_and _ _ (nudged_order d enters proper_d proper_in)
     (nudged_order leaves leaves proper_out proper_out)) as (limit & L & orders).
-  exists (Qminmax.Qmin bound limit). split; [now apply Qminmax.Q.min_glb_lt |]. intros epsilon positive_ below.
-  pose proof (Qminmax.Q.le_min_l bound limit). pose proof (Qminmax.Q.le_min_r bound limit).
+  exists (Qmin bound limit). split; [now apply Q.min_glb_lt |]. intros epsilon positive_ below.
+  pose proof (Q.le_min_l bound limit). pose proof (Q.le_min_r bound limit).
   destruct (orders epsilon positive_) as [(of_d & of_enters & _) (of_leaves & _)]; [lra |].
   destruct (rotated epsilon positive_) as [_ same_]; [lra |].
   unfold in_tangent_set. fold enters leaves.

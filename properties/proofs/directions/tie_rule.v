@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* The tie rule (thesis, Definition 2.2.7) is a rotation: what ccw says of labelled directions is what
    it says of plain vectors once all of Q's have been turned counterclockwise by a small enough angle. *)
-From Coq Require Import QArith Qabs Qminmax Lqa Bool List.
-From Oplus Require Import directions rotation.
+From Coq Require Import Bool List.
+From Oplus Require Import numbers directions rotation.
 From Oplus Require Export small_numbers.
 
 Open Scope Q_scope.
@@ -22,7 +22,7 @@ Proof.
   assert (angle v < later /\ later < limit /\ later < angle v + 2) as (after & below & near).
   { unfold later. pose proof (Q.le_min_l ((angle v + limit) / 2) (angle v + 1)).
     pose proof (Q.le_min_r ((angle v + limit) / 2) (angle v + 1)).
-    assert ((angle v + limit) / 2 == (angle v + limit) * (1 # 2)) as half_is by reflexivity.
+    assert ((angle v + limit) / 2 == (angle v + limit) * (1 # 2)) as half_is by field.
     rewrite half_is in *.
     repeat split; try lra. apply Q.min_glb_lt; lra. }
   clearbody later.

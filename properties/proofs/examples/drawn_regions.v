@@ -6,7 +6,8 @@
 From Coq Require Import QArith Lqa ZArith Lia Bool List.
 From Oplus Require Import convolution convolution_winding regions meeting_of_segments interiors_meet neighbourhoods
   left_of_an_edge theorem_4_2_1 theorem_2_2_10 boundary_points small_polygons simple_polygons simple_chain
-  simple_chains_turn_once location test_of_regions collision_is_complete checked_collision polygons_of_the_thesis.
+  simple_chains_turn_once location test_of_regions small_regions collision_is_complete checked_collision
+  polygons_of_the_thesis.
 Import ListNotations.
 
 Open Scope Q_scope.

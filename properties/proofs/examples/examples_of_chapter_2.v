@@ -3,8 +3,8 @@
    draw. Those that are as printed have examples in as_printed/ and in refuted/. *)
 From Coq Require Import QArith Lqa List.
 From Oplus Require Import convolution small_numbers convolution_winding neighbourhoods theorem_2_2_10 theorem_2_2_6
-  small_polygons test_of_regions reduced_convolution open_sum polygons_of_the_thesis drawn_regions drawn_sums
-  valid_components theorem_4_2_1_for_valid_regions touching_holes.
+  small_polygons test_of_regions small_regions reduced_convolution open_sum polygons_of_the_thesis drawn_regions
+  drawn_sums valid_components theorem_4_2_1_for_valid_regions touching_holes.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Two edges of a valid region have no point in common but vertices of it, whether they are of one chain, of two, or
    of two components. Valid regions are in valid_components.v. *)
-From Coq Require Import QArith Lqa Lia Bool List.
-From Oplus Require Import convolution regions simple_chain simple_chains_turn_once valid_components
+From Coq Require Import Lia Bool List.
+From Oplus Require Import numbers convolution regions simple_chain simple_chains_turn_once valid_components
   winding_numbers_of_valid_regions.
 Import ListNotations.
 

@@ -3,10 +3,9 @@
    left of an edge is inside: the winding number there is one more than to the right (thesis, Observation
    4.2.5, on a step across the edge). So every point of a region has points near it that are inside. Small steps
    and neighbourhoods are from neighbourhoods.v. *)
-From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
-From Oplus Require Import convolution shifted_ray signed_crossings small_numbers tie_rule regions weight
-  beside_every_point
-  meeting_of_segments interiors_meet neighbourhoods.
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers convolution shifted_ray signed_crossings small_numbers tie_rule regions weight
+  beside_every_point meeting_of_segments interiors_meet neighbourhoods.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* The edges and vertices of a region, any number of closed chains (in_out_degree.v), its points, and the
    points of the sum of two regions; and the edges of a chain by their indices. *)
-From Coq Require Import QArith ZArith Lia Bool List Arith.
-From Oplus Require Import convolution.
+From Coq Require Import ZArith Lia Bool List Arith.
+From Oplus Require Import numbers convolution.
 Import ListNotations.
 
 Open Scope nat_scope.
@@ -117,7 +117,7 @@ Proof.
   intros I. apply in_flat_map in I. destruct I as (chain & J & I). apply in_combine_l, edge_from_vertex in I.
   destruct I as (s & I & <-). exists s. split.
   - apply in_flat_map. now exists chain.
-  - exists 0%Q. repeat split; try (intro; discriminate); cbn; ring.
+  - exists 0%Q. repeat split; cbn; lra.
 Qed.
 
 (* A vertex's two edges. *)

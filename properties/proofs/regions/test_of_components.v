@@ -2,10 +2,9 @@
 (* A test by signs and winding numbers that accepts valid regions whose chains do not touch, and no region that is
    not valid (valid_components.v). Of a chain that does not meet other segments it looks at one vertex only: around
    all its points they go as often. *)
-From Coq Require Import QArith Lqa ZArith Lia Bool List.
-From Oplus Require Import convolution regions secants segments_apart simple_chain simple_chains_turn_once
-  valid_components winding_numbers_of_valid_regions meeting_of_segments first_hit interiors_meet small_polygons
-  simple_polygons.
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers convolution regions secants segments_apart simple_chain simple_chains_turn_once
+  valid_components winding_numbers_of_valid_regions meeting_of_segments first_hit interiors_meet.
 Import ListNotations.
 
 Open Scope nat_scope.
@@ -115,43 +114,3 @@ Proof.
       cbn [flat_map] in found. now rewrite !app_nil_r in found.
   - revert beside. apply all_pairs_sound. intros b c. apply are_beside_sound.
 Qed.
-
-(* Regions with holes that the test accepts, and some that it refuses: what the theorems on valid regions ask for,
-   these have. *)
-Open Scope Q_scope.
-
-Definition rectangle (x y width height : Q) : list vector :=
-  points_at [(x, y); (x + width, y); (x + width, y + height); (x, y + height)].
-
-(* Two holes, one not convex, and in the other an island with a hole of its own. *)
-Definition plate : component :=
-  Component (rectangle 0 0 20 10) [rev (rectangle 1 1 8 8); rev (points_at [(11, 1); (19, 1); (19, 9); (15, 3)])].
-Definition island : component := Component (rectangle 2 2 6 6) [rev (rectangle 4 4 2 2)].
-
-Example they_are_valid : are_valid_components [plate; island] = true.
-Proof. vm_compute. reflexivity. Qed.
-
-Example winding_numbers_of_the_plate :
-  map (fun p => winding_number p (edges_of_components [plate; island]))
-    (points_at [(-1, 5); (1 # 2, 5); (3 # 2, 5); (3, 5); (5, 5); (10, 5); (18, 5); (30, 5)]) =
-  [0; 1; 0; 1; 0; 1; 0; 0]%Z.
-Proof. vm_compute. reflexivity. Qed.
-
-(* 20 vertices, 11 of which are reflex, 2 outer chains, 3 holes; the square's 4 and 1 outer chain:
-   20 (1 + 0) + 4 (2 - 3 + 11) = 60. *)
-Example size_with_a_plate :
-  length (segments_of_regions (region_of [plate; island]) [square]) = 60%nat.
-Proof. vm_compute. reflexivity. Qed.
-
-(* A hole outside its outer chain, one that crosses it, one that is counterclockwise, one inside another, a
-   component inside another, and two that overlap. *)
-Definition invalid_regions : list (list component) :=
-  [[Component square [rev (rectangle 5 5 1 1)]];
-   [Component square [rev (rectangle 1 1 5 (1 # 2))]];
-   [Component (rectangle 0 0 4 4) [rectangle 1 1 1 1]];
-   [Component (rectangle 0 0 9 9) [rev (rectangle 1 1 7 7); rev (rectangle 2 2 1 1)]];
-   [Component (rectangle 0 0 9 9) []; Component (rectangle 1 1 1 1) []];
-   [Component (rectangle 0 0 9 9) []; Component (rectangle 5 5 9 9) []]].
-
-Example they_are_refused : existsb are_valid_components invalid_regions = false.
-Proof. vm_compute. reflexivity. Qed.

@@ -2,11 +2,10 @@
 (* A check, by finitely many comparisons, of what the theorems on Minkowski sums ask of a region: no edge is a
    point, edges meet in vertices only, and winding numbers are nowhere negative; and a check that chains do not touch,
    which they otherwise may. That chains are simple and holes inside them is tested in test_of_components.v. Pairs of
-   edges are checked by signs of areas, winding numbers beside the middles of edges (right_of_an_edge.v). Some regions that
-   pass. *)
-From Coq Require Import QArith Qminmax Lqa Qfield ZArith Lia Bool List Arith.
-From Oplus Require Import regions_and_sums observation_2_2_4 right_of_an_edge inside_a_corner small_polygons
-  boundary_points interiors_at_touching_points location.
+   edges are checked by signs of areas, winding numbers beside the middles of edges (right_of_an_edge.v). *)
+From Coq Require Import ZArith Lia Bool List Arith.
+From Oplus Require Import numbers regions_and_sums observation_2_2_4 right_of_an_edge inside_a_corner boundary_points
+  interiors_at_touching_points location.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -31,7 +30,7 @@ Definition meet_at_ends (s t : segment) : bool :=
   on_one_side s t || on_one_side t s || one_end_on_the_line s t || one_end_on_the_line t s ||
   one_after_the_other s t.
 
-Definition same_number (a b : Q) : bool := Z.eqb (Qnum a) (Qnum b) && Pos.eqb (Qden a) (Qden b).
+Definition same_number (a b : Q) : bool := if identical_dec a b then true else false.
 Definition same_coordinates (a b : vector) : bool := same_number (vx a) (vx b) && same_number (vy a) (vy b).
 Definition same_segment (s t : segment) : bool :=
   same_coordinates (source s) (source t) && same_coordinates (target s) (target t).
@@ -147,9 +146,10 @@ Qed.
 
 Lemma same_segment_is_right (s t : segment) : same_segment s t = true -> s = t.
 Proof.
-  destruct s as [[[a b] [c d]] [[e f] [g h]]], t as [[[a' b'] [c' d']] [[e' f'] [g' h']]].
-  unfold same_segment, same_coordinates, same_number. cbn. rewrite !andb_true_iff, !Z.eqb_eq, !Pos.eqb_eq.
-  intros (((-> & ->) & -> & ->) & (-> & ->) & -> & ->). reflexivity.
+  destruct s as [[a b] [c d]], t as [[a' b'] [c' d']].
+  unfold same_segment, same_coordinates, same_number. cbn [source target vx vy].
+  repeat match goal with |- context [identical_dec ?u ?v] => destruct (identical_dec u v) as [-> |] end;
+    (reflexivity || discriminate).
 Qed.
 
 Lemma edge_is_clear_is_right (r : region) (s : segment) :
@@ -212,25 +212,3 @@ Proof.
   rewrite !edge_at_is, next_previous in alone by (trivial; now apply previous_below).
   destruct alone as [same_ | same_]; apply same_segment_is_right in same_; tauto.
 Qed.
-
-(* A square with a hole, and one with a hole that touches its side in a vertex. *)
-Definition square_with_hole : region :=
-  [[Vector 0 0; Vector 6 0; Vector 6 6; Vector 0 6]; [Vector 2 2; Vector 2 4; Vector 4 4; Vector 4 2]].
-Definition square_with_touching_hole : region :=
-  [[Vector 0 0; Vector 6 0; Vector 6 6; Vector 0 6; Vector 0 3]; [Vector 0 3; Vector 3 4; Vector 3 2]].
-
-(* The letter L has a vertex inside a straight line and a reflex one. *)
-Example small_regions_are_valid :
-  is_valid_region [square] = true /\ is_valid_region [letter_l] = true /\ is_valid_region square_with_hole = true /\
-  is_valid_region square_with_touching_hole = true /\
-  does_not_touch [square] = true /\ does_not_touch [letter_l] = true /\ does_not_touch square_with_hole = true.
-Proof. repeat split; vm_compute; reflexivity. Qed.
-
-(* A chain that is clockwise, one that is there twice, and one that crosses itself are not;
-   nor is a hole that touches the inside of an edge. *)
-Example other_regions_are_not :
-  is_valid_region [square_hole] = false /\ is_valid_region [square; square] = false /\
-  is_valid_region [[Vector 0 0; Vector 2 2; Vector 2 0; Vector 0 2]] = false /\
-  is_valid_region [[Vector 0 0; Vector 6 0; Vector 6 6; Vector 0 6]; [Vector 0 3; Vector 3 4; Vector 3 2]] = false /\
-  does_not_touch square_with_touching_hole = false.
-Proof. repeat split; vm_compute; reflexivity. Qed.

@@ -2,8 +2,8 @@
 (* Valid regions (thesis, Definition 2.1.17), as reference/chains/validity.cpp asks for them, defined by points.
    A chain is simple (simple_chain.v); chains may touch in vertices, but neither cross nor overlap; holes are
    inside their outer chain and not inside each other, and of two components none is inside the other. *)
-From Coq Require Import QArith ZArith Bool List.
-From Oplus Require Import convolution simple_chain simple_chains_turn_once.
+From Coq Require Import ZArith Bool List.
+From Oplus Require Import numbers convolution simple_chain simple_chains_turn_once.
 Import ListNotations.
 
 (* Points of the boundary. *)

@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* With one more vertex, inside an edge, a simple chain is simple and has the same turning number. Simple chains
    are in simple_chain.v. *)
-From Coq Require Import PeanoNat QArith Lqa ZArith Lia Bool List.
-From Oplus Require Import convolution rotation regions secants segments_apart turning_tangents simple_chain
+From Coq Require Import PeanoNat ZArith Lia Bool List.
+From Oplus Require Import numbers convolution rotation regions secants segments_apart turning_tangents simple_chain
   simple_chains_turn_once.
 Import ListNotations.
 

@@ -3,8 +3,8 @@
    first edge that a ray from x meets. What is seen from x around the chain is what is seen from the point
    where the ray meets the edge; and what is seen from there, in a direction and in the opposite one, adds up
    to the turning number. Secants are in secants.v and turning_tangents.v, rays in winding_number.v. *)
-From Coq Require Import QArith Lqa ZArith Lia Bool List.
-From Oplus Require Import winding rotation tangent_set turning_number secants turning_tangents segments_apart.
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers winding rotation tangent_set turning_number secants turning_tangents segments_apart.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -3,8 +3,8 @@
    counterclockwise, or -1 if it is clockwise. So of the Jordan curve theorem for polygons, that there are
    an inside and an outside by winding numbers. That a ray meets some edge first is in
    first_edge_of_a_ray.v, what that says in winding_by_first_edge.v. *)
-From Coq Require Import PeanoNat QArith Lqa ZArith Lia Bool List.
-From Oplus Require Import convolution regions secants segments_apart turning_tangents simple_chain
+From Coq Require Import PeanoNat ZArith Lia Bool List.
+From Oplus Require Import numbers convolution regions secants segments_apart turning_tangents simple_chain
   simple_chains_turn_once vertex_inside_an_edge winding_by_first_edge first_edge_of_a_ray neighbourhoods.
 Import ListNotations.
 

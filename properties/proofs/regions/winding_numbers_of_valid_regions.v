@@ -3,8 +3,8 @@
    parts that are beside each other, the first edge that a ray from it meets would be inside the other part.
    Winding numbers of single chains are in winding_numbers_of_simple_chains.v, first edges in
    first_edge_of_a_ray.v, valid regions in valid_components.v. *)
-From Coq Require Import QArith Lqa ZArith Lia Bool List.
-From Oplus Require Import convolution signed_crossings crossing_of_a_step simple_chain simple_chains_turn_once
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers convolution signed_crossings crossing_of_a_step simple_chain simple_chains_turn_once
   first_edge_of_a_ray winding_numbers_of_simple_chains valid_components meeting_of_segments regions neighbourhoods.
 Import ListNotations.
 

@@ -3,8 +3,9 @@
    still consists of closed chains, so that winding numbers are well defined, as the thesis means it: signed
    crossings of closed paths add up to zero. Closed chains and rays are from winding_number.v, paths from
    signed_crossings.v. *)
-From Coq Require Import QArith ZArith Lia Bool List SetoidList SetoidPermutation.
-From Oplus Require Import convolution signed_crossings convolution_winding finite_sums regions replaced_segments.
+From Coq Require Import ZArith Lia Bool List SetoidList SetoidPermutation.
+From Oplus Require Import numbers convolution signed_crossings convolution_winding finite_sums regions
+  replaced_segments.
 Import ListNotations.
 
 Open Scope Z_scope.

@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Lemma 4.2.15: replacing the segments of a vertex by its flip set (replaced_segments.v) lowers the winding number
    by one inside the other summand, moved by the vertex, and nowhere else. *)
-From Coq Require Import QArith ZArith Lia Bool List.
-From Oplus Require Import convolution convolution_winding finite_sums regions tangent_count replaced_segments.
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers convolution convolution_winding finite_sums regions tangent_count replaced_segments.
 Import ListNotations.
 
 Open Scope Z_scope.

@@ -3,8 +3,8 @@
    reference/definitions/original_convolution.cpp. Whatever changes its sign with the direction of a segment, summed
    over all of them: the replacement subtracts, for each of these vertices, the whole other summand, moved there.
    Sums are from finite_sums.v. *)
-From Coq Require Import QArith ZArith Lia Bool List.
-From Oplus Require Import convolution convolution_winding finite_sums regions tangent_count.
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers convolution convolution_winding finite_sums regions tangent_count.
 Import ListNotations.
 
 Open Scope Z_scope.

@@ -3,8 +3,9 @@
    less the reflex vertices of one summand inside the other, is a signed number of points at which a direction is
    tangent to the intersection, the same number for every direction. From the identity of tangent_count.v: a
    tangent set is what a vertex passes, plus everything if it is reflex (turning_number.v). *)
-From Coq Require Import QArith Lqa ZArith Lia Bool List.
-From Oplus Require Import convolution convolution_winding finite_sums weight regions parallelogram tangent_count.
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers convolution convolution_winding finite_sums weight regions parallelogram
+  tangent_count.
 Import ListNotations.
 
 Open Scope Z_scope.

@@ -4,8 +4,8 @@
    (vertices of one inside the other, and crossings of edges), then the winding number of the original convolution at
    x is the sum of the turning numbers of R: outer chains less holes, if each chain turns once. From
    tangent_features.v, in a direction that no edge has. *)
-From Coq Require Import QArith Lqa ZArith Lia Bool List SetoidList SetoidPermutation.
-From Oplus Require Import convolution tie_rule convolution_winding finite_sums weight regions parallelogram
+From Coq Require Import ZArith Lia Bool List SetoidList SetoidPermutation.
+From Oplus Require Import numbers convolution tie_rule convolution_winding finite_sums weight regions parallelogram
   tangent_count tangent_features beside_every_point replaced_segments lemma_4_2_15 region_size rows_and_columns
   first_edge_of_a_ray.
 Import ListNotations.

@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* The convolution of two regions consists of closed chains, so that it has winding numbers. *)
-From Coq Require Import QArith ZArith Lia Bool List Permutation SetoidList SetoidPermutation.
-From Oplus Require Import convolution shifted_ray signed_crossings total_turn tracing convolution_cycles.
+From Coq Require Import ZArith Lia Bool List Permutation SetoidList SetoidPermutation.
+From Oplus Require Import numbers convolution shifted_ray signed_crossings total_turn tracing convolution_cycles.
 Import ListNotations.
 
 Open Scope nat_scope.

@@ -2,8 +2,8 @@
 (* Where x is the sum of a point of an edge and a point of another, and of no vertex of either with the other,
    the boundary of the edges' sum (parallelogram.v) goes once round x, counterclockwise if the second edge turns
    left from the first: in docs/winding.md, two edges that cross count 1 or -1. *)
-From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import convolution reflected regions parallelogram.
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers convolution reflected regions parallelogram.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -2,8 +2,8 @@
 (* Two sets of closed chains that have no point in common, and no vertex of either inside the other, have
    no interior in common: the last step of the proof of Theorem 4.2.1 in docs/winding.md. Of all segments
    that the ray from a point inside both meets, the first is met at a point inside the other chains. *)
-From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import winding signed_crossings meeting_of_segments.
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers winding signed_crossings meeting_of_segments.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -3,11 +3,10 @@
    is positive. From the identity of tangent_count.v: if the winding number is zero, all its terms are, in
    every direction; so no edges cross (crossing_edges.v), no vertex of one is inside the other
    (tangent_direction.v), and nothing is inside both (first_hit.v). *)
-From Coq Require Import PeanoNat QArith Qminmax Lqa ZArith Lia Bool List.
-From Oplus Require Import convolution shifted_ray signed_crossings small_numbers tie_rule convolution_winding
-  finite_sums weight
-  regions parallelogram tangent_count beside_every_point winding_number_of_the_sum meeting_of_segments first_hit
-  reflected tangent_direction crossing_edges.
+From Coq Require Import PeanoNat ZArith Lia Bool List.
+From Oplus Require Import numbers convolution shifted_ray signed_crossings small_numbers tie_rule convolution_winding
+  finite_sums weight regions parallelogram tangent_count beside_every_point winding_number_of_the_sum
+  meeting_of_segments first_hit reflected tangent_direction crossing_edges.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -35,7 +34,7 @@ Qed.
 
 Lemma opposite_twice (d : vector) : opposite (opposite d) = d.
 Proof.
-  destruct d as [[a b] [a' b']]. unfold opposite, Qopp; cbn. now rewrite !Z.opp_involutive.
+  destruct d as [x y]. unfold opposite. cbn [vx vy]. now rewrite !negated_twice.
 Qed.
 
 (* The winding number is the same at all vertices of a chain that other chains do not meet. *)

@@ -2,8 +2,8 @@
 (* The boundary of the sum of two segments, a parallelogram, has winding number 0 or the sign of the
    segments' skew product, and points where it is not 0 are sums (docs/winding.md). Winding numbers are counted
    as in winding_number.v, on the boundary too. *)
-From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import convolution regions.
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers convolution regions.
 Import ListNotations.
 
 Open Scope Q_scope.

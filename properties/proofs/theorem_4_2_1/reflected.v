@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* A region reflected in a point and moved, -Q + x (docs/notation.md): its points, and its winding numbers,
    which are those of Q. Winding numbers are those of winding_number.v. *)
-From Coq Require Import QArith Lqa ZArith Lia Bool List SetoidList SetoidPermutation.
-From Oplus Require Import winding signed_crossings.
+From Coq Require Import ZArith Lia Bool List SetoidList SetoidPermutation.
+From Oplus Require Import numbers winding signed_crossings.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -5,8 +5,8 @@
    And the winding number of every point off the
    chains is that to the right of some edge, one more, or zero: go to the right until the first edge (first_hit.v). So
    winding numbers are nowhere negative if they are not beside the middles of edges. *)
-From Coq Require Import QArith Lqa ZArith Lia Bool List.
-From Oplus Require Import regions_and_sums observation_2_2_4.
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers regions_and_sums observation_2_2_4.
 From Oplus Require Export beside_a_piece.
 Import ListNotations.
 

@@ -2,8 +2,8 @@
 (* The identity of docs/winding.md: the winding number of the convolution counts the points of the intersection's
    boundary at which a given direction is tangent. For all closed chains, all points and all directions. Weights
    are from weight.v, parallelograms from parallelogram.v, summation by parts from finite_sums.v. *)
-From Coq Require Import QArith Lqa ZArith Lia Bool List Arith.
-From Oplus Require Import convolution convolution_winding finite_sums weight regions parallelogram.
+From Coq Require Import ZArith Lia Bool List Arith.
+From Oplus Require Import numbers convolution convolution_winding finite_sums weight regions parallelogram.
 Import ListNotations.
 
 Open Scope Z_scope.

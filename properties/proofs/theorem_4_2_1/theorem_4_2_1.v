@@ -4,10 +4,9 @@
    common inner points mean a positive winding number in interiors_meet.v. A common point that is not inside
    both has points inside near it (left_of_an_edge.v), and near x the winding number is the same
    (neighbourhoods.v). In general position the interiors meet, too. *)
-From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
-From Oplus Require Import convolution signed_crossings small_numbers tie_rule convolution_winding weight regions
-  parallelogram
-  winding_number_of_the_sum crossing_edges interiors_meet neighbourhoods left_of_an_edge.
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers convolution signed_crossings small_numbers tie_rule convolution_winding weight
+  regions parallelogram winding_number_of_the_sum crossing_edges interiors_meet neighbourhoods left_of_an_edge.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -1,9 +1,9 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* What Theorem 4.2.1 (theorem_4_2_1.v) asks of a region, valid regions have, which valid_components.v defines by points, and
    what the test of test_of_components.v accepts: no hypothesis on winding numbers is left open. *)
-From Coq Require Import QArith ZArith Bool List.
-From Oplus Require Import regions_and_sums valid_components winding_numbers_of_valid_regions edges_of_valid_regions
-  test_of_components.
+From Coq Require Import ZArith Bool List.
+From Oplus Require Import numbers regions_and_sums valid_components winding_numbers_of_valid_regions
+  edges_of_valid_regions test_of_components.
 
 Theorem valid_components_are_valid_regions (components : list component) :
   valid_components components -> valid_region (region_of components).

@@ -3,8 +3,8 @@
    -1, the sign of their skew product, if d is a tangent direction where e crosses -f, else 0. Tangent sets are
    differences of weights, up to terms of one vertex. ccw and labels are those of direction.v, their order is
    that of cyclic_order.v, and ccw as a difference is from angular_crossings.v. *)
-From Coq Require Import QArith Lqa ZArith Lia Bool.
-From Oplus Require Import winding tangent_set forward_traversal.
+From Coq Require Import ZArith Lia Bool.
+From Oplus Require Import numbers winding tangent_set forward_traversal.
 
 Open Scope Z_scope.
 

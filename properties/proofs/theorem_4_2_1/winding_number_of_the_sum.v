@@ -1,9 +1,9 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Theorem 4.2.1, one direction, and that winding numbers of the convolution are nowhere negative: from the
    identity of tangent_count.v, of which no term is negative. The other direction is in interiors_meet.v. *)
-From Coq Require Import QArith Lqa ZArith Lia Bool List.
-From Oplus Require Import convolution convolution_winding finite_sums weight regions parallelogram tangent_count
-  beside_every_point.
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers convolution convolution_winding finite_sums weight regions parallelogram
+  tangent_count beside_every_point.
 Import ListNotations.
 
 Open Scope Z_scope.

@@ -2,8 +2,8 @@
 (* The boundary of a region at each of its points: an edge that enters and one that leaves, which at a point
    inside an edge are the same, their tangent set, and what is inside near the point. Chains do not touch here:
    only the two edges of a vertex meet there. What is inside near is from left_of_an_edge.v and inside_a_corner.v. *)
-From Coq Require Import QArith Qminmax Lqa Qfield ZArith Lia Bool List Arith.
-From Oplus Require Import convolution signed_crossings tie_rule regions weight winding_number_of_the_sum
+From Coq Require Import ZArith Lia Bool List Arith.
+From Oplus Require Import numbers convolution signed_crossings tie_rule regions weight winding_number_of_the_sum
   meeting_of_segments interiors_meet neighbourhoods left_of_an_edge theorem_4_2_1 observation_2_2_4 inside_a_corner
   tangent_direction.
 Import ListNotations.

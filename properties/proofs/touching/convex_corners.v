@@ -4,8 +4,8 @@
    have e in their tangent sets; so by fan_at_a_point.v, in every direction y, the vertices that have -y, the edges to
    the left of y, and the winding number are together no more than the vertices at w. Reflex vertices have -y in their
    tangent sets, or their edge leaves to the left of y. So if all were reflex, no winding number would be left. *)
-From Coq Require Import QArith Lqa ZArith Lia Bool List.
-From Oplus Require Import convolution signed_crossings tie_rule regions weight finite_sums tangent_count
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers convolution signed_crossings tie_rule regions weight finite_sums tangent_count
   meeting_of_segments neighbourhoods beside_every_point winding_number_of_the_sum interiors_meet left_of_an_edge
   theorem_4_2_1 simple_chain rotation boundary_points reduced_convolution tangent_direction edges_at_a_point
   fan_at_a_point fans_that_touch.

@@ -2,8 +2,8 @@
 (* Edges that come to a point w or leave it, any number of them: chains may touch there, or cross. In a small square
    around w nothing but these edges is met, and they go out of it. A step in it from w + a to w + b, where b is to the
    left of a, crosses those that lie between a and b as seen from w, and the winding number changes by one at each. *)
-From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import convolution signed_crossings regions finite_sums meeting_of_segments neighbourhoods
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers convolution signed_crossings regions finite_sums meeting_of_segments neighbourhoods
   winding_number_of_the_sum left_of_an_edge.
 Import ListNotations.
 

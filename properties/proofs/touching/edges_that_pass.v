@@ -3,8 +3,8 @@
    edge that is no vertex, and the interiors of P and -Q + x do not meet, x is on a segment of the convolution that has
    the edge's direction; and where an edge of Q passes a point of P. Chains may touch. By fan_at_a_point.v: otherwise
    an edge of Q leads across the edge, to where P's inside is. *)
-From Coq Require Import QArith Lqa ZArith Lia Bool List.
-From Oplus Require Import convolution signed_crossings tie_rule convolution_winding regions weight finite_sums
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers convolution signed_crossings tie_rule convolution_winding regions weight finite_sums
   tangent_count tracing meeting_of_segments neighbourhoods winding_number_of_the_sum interiors_meet left_of_an_edge
   theorem_4_2_1 simple_chain definition_2_2_8 boundary_points parallel_edges edges_at_a_point fan_at_a_point
   fans_that_touch.

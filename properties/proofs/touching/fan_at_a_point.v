@@ -5,8 +5,8 @@
    an edge that leaves w, or one that enters it, or the opposite of one, and each time the sum stays (tangent sets are
    differences, weight.v). So if the winding number is zero in the direction a, and no tangent set contains -a, more
    than half of the edges that leave w do so to the left of a. *)
-From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
-From Oplus Require Import convolution shifted_ray signed_crossings crossing_of_a_step tie_rule regions weight
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers convolution shifted_ray signed_crossings crossing_of_a_step tie_rule regions weight
   finite_sums tangent_count meeting_of_segments neighbourhoods beside_every_point winding_number_of_the_sum
   interiors_meet left_of_an_edge theorem_4_2_1 edges_at_a_point.
 Import ListNotations.

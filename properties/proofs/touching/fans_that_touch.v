@@ -7,8 +7,8 @@
    the point are to the left of f backwards (fan_at_a_point.v), which is to the right of f. In the same way more than
    half of the edges of Q that leave it are to the right of each such edge of P. But of two edges only one is to the
    right of the other. So an edge of one is in a tangent set of the other, and x is on the convolution. *)
-From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import convolution signed_crossings tie_rule convolution_winding regions weight finite_sums
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers convolution signed_crossings tie_rule convolution_winding regions weight finite_sums
   tangent_count meeting_of_segments neighbourhoods winding_number_of_the_sum interiors_meet left_of_an_edge
   theorem_4_2_1 simple_chain definition_2_2_8 boundary_points parallel_edges edges_at_a_point fan_at_a_point.
 Import ListNotations.

@@ -2,8 +2,8 @@
 (* What is inside a region near a vertex that no other edge touches: what is to the left of both its edges, at a
    reflex vertex what is to the left of one of them. Beside the edges themselves that is left_of_an_edge.v; the
    proof goes from there along the edge to the vertex. *)
-From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
-From Oplus Require Import regions_and_sums.
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers regions_and_sums.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -4,8 +4,8 @@
    need not be on the reduced convolution (docs/findings.md), but is on the convolution (fans_that_touch.v). Around the
    common point both are corners, or edges (boundary_points.v); touching_corners.v says which edge is in a tangent set,
    parallel_edges.v is about edges along each other. *)
-From Coq Require Import QArith Qminmax Lqa Qfield ZArith Lia Bool List Arith.
-From Oplus Require Import regions_and_sums parallelogram observation_2_2_4 lemma_2_2_9 inside_a_corner
+From Coq Require Import ZArith Lia Bool List Arith.
+From Oplus Require Import numbers regions_and_sums parallelogram observation_2_2_4 lemma_2_2_9 inside_a_corner
   tangent_direction touching_corners boundary_points reduced_convolution parallel_edges.
 Import ListNotations.
 

@@ -4,8 +4,8 @@
    edge of P ends, and the edge of P where that of Q begins. If that vertex is reflex, the next edge leads inside the
    other; if it is inside a straight line, the next edge takes the place of the edge: no chain is straight
    everywhere (tangent_direction.v). *)
-From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List Arith.
-From Oplus Require Import regions_and_sums inside_a_corner tangent_direction touching_corners boundary_points
+From Coq Require Import ZArith Lia Bool List Arith.
+From Oplus Require Import numbers regions_and_sums inside_a_corner tangent_direction touching_corners boundary_points
   reduced_convolution.
 Import ListNotations.
 

@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* The reduced convolution (thesis, Definition 2.3.1): the segments of the convolution whose vertex is not reflex. *)
-From Coq Require Import QArith Lqa Lia Bool List Arith.
-From Oplus Require Import convolution convolution_winding regions boundary_points.
+From Coq Require Import Lia Bool List Arith.
+From Oplus Require Import numbers convolution convolution_winding regions boundary_points.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -3,8 +3,8 @@
    a segment of the reduced convolution that has the edge's direction covers x; chains may touch. No edge of the other
    leads across the edge. Either none lies along it, and a convex vertex has it in its tangent set
    (convex_corners.v); or both go on along each other to where one of them ends, at a convex vertex. *)
-From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import convolution signed_crossings tie_rule regions weight finite_sums tangent_count
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers convolution signed_crossings tie_rule regions weight finite_sums tangent_count
   meeting_of_segments neighbourhoods winding_number_of_the_sum interiors_meet left_of_an_edge theorem_4_2_1
   simple_chain lemma_2_2_2 definition_2_2_8 boundary_points reduced_convolution parallel_edges edges_at_a_point
   fan_at_a_point fans_that_touch edges_that_pass convex_corners.

@@ -2,8 +2,8 @@
 (* Two corners that meet with no inner point in common, as a corner of P and one of -Q + x: an edge of one is in the
    tangent set of the other, ties by the tie rule, unless edges lie along each other. It is a statement on the cyclic
    order of four directions, decided by how far each is turned from one of them (angle.v). *)
-From Coq Require Import QArith Lqa Lia Bool List.
-From Oplus Require Import convolution weight inside_a_corner.
+From Coq Require Import Lia Bool List.
+From Oplus Require Import numbers convolution weight inside_a_corner.
 Import ListNotations.
 
 Open Scope Q_scope.

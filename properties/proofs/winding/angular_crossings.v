@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* How often turning from one direction to the next passes a third, and that around a closed sequence
    of directions it does not matter which third. Winding numbers and turning numbers are such sums. *)
-From Coq Require Import QArith Lqa ZArith Lia Bool List SetoidList SetoidPermutation.
-From Oplus Require Import directions.
+From Coq Require Import ZArith Lia Bool List SetoidList SetoidPermutation.
+From Oplus Require Import numbers directions.
 Import ListNotations.
 
 Open Scope Q_scope.

@@ -2,8 +2,8 @@
 (* Closed segments, and a piece that no other than collinear ones meet between its ends: all along it the winding
    number close to its right is the same, that right of its middle, as counted on symbolic shifts (shifted_ray.v). So it
    is along edges of regions that meet others at their ends only (right_of_an_edge.v). *)
-From Coq Require Import QArith Qabs Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import winding small_numbers shifted_ray signed_crossings tie_rule meeting_of_segments
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers winding small_numbers shifted_ray signed_crossings tie_rule meeting_of_segments
   neighbourhoods.
 Import ListNotations.
 
@@ -192,7 +192,7 @@ Section OnePiece.
   Proof.
     set (m := right_of_middle s).
     destruct (right_side_is_alike (point_at s (1 # 2))) as (radius & R & alike);
-      [now apply strictly_inside_at |].
+      [apply strictly_inside_at; lra |].
     destruct (some_small _ (eventually_and _ _ (shifts_are_small_moves s segments long)
       (moved_stays_within radius m R)))
       as (e & some & [_ number_is] & close).

@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Winding numbers of points on chains, as the code counts them, are those of points beside them: the shift by
    (e, e^2) of signed_crossings.v. So what holds of winding numbers off all chains holds of them everywhere. *)
-From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
-From Oplus Require Import convolution shifted_ray signed_crossings small_numbers tie_rule regions.
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers convolution shifted_ray signed_crossings small_numbers tie_rule regions.
 Import ListNotations.
 
 Open Scope Q_scope.

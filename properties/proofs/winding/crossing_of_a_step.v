@@ -4,9 +4,9 @@
    on the line of the other, it is then the sign of the step along the segment's normal to the left.
    That signed crossings add up to winding numbers is in signed_crossings.v, whether segments have a point
    in common in segments_apart.v. *)
-From Coq Require Import QArith Qminmax Lqa ZArith Bool List.
-From Oplus Require Import winding rotation shifted_ray signed_crossings secants segments_apart meeting_of_segments
-  small_numbers.
+From Coq Require Import ZArith Bool List.
+From Oplus Require Import numbers winding rotation shifted_ray signed_crossings secants segments_apart
+  meeting_of_segments small_numbers.
 Import ListNotations.
 
 Open Scope Q_scope.

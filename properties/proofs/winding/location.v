@@ -2,8 +2,8 @@
 (* Where a point lies with respect to a region, computed as `lies_on` and `locate` in reference/definitions/ compute
    it (segment.cpp, region.cpp), and that it is what the words mean: on an edge; or off all edges with a positive
    winding number, which is `inside` of interiors_meet.v; or neither. *)
-From Coq Require Import QArith Lqa ZArith Lia Bool List.
-From Oplus Require Import convolution regions first_hit interiors_meet neighbourhoods.
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers convolution regions first_hit interiors_meet neighbourhoods.
 Import ListNotations.
 
 Open Scope Q_scope.

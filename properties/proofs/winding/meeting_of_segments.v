@@ -2,8 +2,8 @@
 (* A step with a signed crossing (thesis, Definition 4.2.3 and Observation 4.2.5) meets the
    segment that it crosses, so that the winding number is constant along a step that meets no segment.
    Signed crossings of steps and that they add up are in signed_crossings.v. *)
-From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import winding signed_crossings.
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers winding signed_crossings.
 Import ListNotations.
 
 Open Scope Q_scope.

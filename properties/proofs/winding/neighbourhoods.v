@@ -2,8 +2,8 @@
 (* Points near a point: around a point off closed chains is a square of points off them, with the same winding
    number (thesis, Observation 4.2.5). Whether a point is on a segment is decidable. Segments and winding
    numbers are those of winding_number.v. *)
-From Coq Require Import QArith Qabs Qminmax Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import winding shifted_ray signed_crossings small_numbers tie_rule meeting_of_segments.
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers winding shifted_ray signed_crossings small_numbers tie_rule meeting_of_segments.
 Import ListNotations.
 
 Open Scope Q_scope.

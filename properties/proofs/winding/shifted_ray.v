@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Winding numbers to the right of an edge's middle, as checked/arrangement/ray_shooting.cpp counts them:
    its symbolic shifts mean what an actual small shift does. *)
-From Coq Require Import QArith Qabs Qminmax Lqa Qfield ZArith Lia Bool List.
-From Oplus Require Import winding small_numbers.
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers winding small_numbers.
 Import ListNotations.
 
 Open Scope Q_scope.

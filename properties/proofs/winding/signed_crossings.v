@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Along a path, the winding number changes by the signed crossings, counted as in
    properties/statements/chapter4/observation_4_2_5_signed_crossings.cpp. *)
-From Coq Require Import QArith Qminmax Lqa ZArith Lia Bool List.
-From Oplus Require Import winding shifted_ray small_numbers.
+From Coq Require Import ZArith Lia Bool List.
+From Oplus Require Import numbers winding shifted_ray small_numbers.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -249,6 +249,9 @@ Proof.
     intros e ([H1 H2] & [H3 _] & [H4 _]); unfold signed_crossing_of_step; now rewrite H1, H2, H3, H4.
 Qed.
 
+Lemma shifted_is_above (p : vector) : is_above (shifted p) = true.
+Proof. unfold is_above. cbn [shifted first second vy]. destruct (positive_spec 1); [apply orb_true_r | lra]. Qed.
+
 Lemma shifted_leaves_its_height : forall p, leaves_its_height (shifted p).
 Proof. intros p. split; cbn; lra. Qed.
 
@@ -278,7 +281,7 @@ Proof.
   pose proof (side_nearby (shifted p) s) as on_side.
   refine (eventually_implied _ _ _ (eventually_and _ _ source_height (eventually_and _ _ target_height on_side))).
   intros e ((source_is & _) & (target_is & _) & side_is).
-  change (is_above (shifted p)) with true in *. cbv iota in *.
+  rewrite (shifted_is_above p) in *. cbv iota in *.
   change (vy (at_ (shifted p))) with (vy p) in *.
   unfold signed_crossing. rewrite source_is, target_is, side_is. unfold side. cbn [shifted at_ first second].
   destruct (orientation (source s) (target s) p); try reflexivity. unfold ray_crossing, at_most.

@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Signed crossings count whole turns: around a closed sequence of directions, the signed angles from
    each to the next add up to that number of full turns. *)
-From Coq Require Import QArith Lqa ZArith Lia Bool List SetoidList SetoidPermutation.
-From Oplus Require Import winding tangent_set turning_number.
+From Coq Require Import ZArith Lia Bool List SetoidList SetoidPermutation.
+From Oplus Require Import numbers winding tangent_set turning_number.
 Import ListNotations.
 
 Open Scope Q_scope.
@@ -63,7 +63,7 @@ Definition sum_of_angles (us : list vector) : Q := fold_right (fun u rest => ang
 Lemma sum_of_angles_permuted : forall us vs,
   PermutationA equal_vectors us vs -> sum_of_angles us == sum_of_angles vs.
 Proof.
-  intros us vs P. induction P; cbn.
+  intros us vs P. unfold sum_of_angles. induction P; cbn [fold_right].
   - reflexivity.
   - rewrite (angle_of_equal _ _ H), IHP. reflexivity.
   - ring.
@@ -79,7 +79,7 @@ Proof.
   intros pairs d C T D. rewrite (sweeps_are_axis pairs d C T D).
   assert (A : total_angle pairs == sum_of_angles (map snd pairs) - sum_of_angles (map fst pairs) +
                                    4 * inject_Z (total (fun p => passes_axis (fst p) (snd p)) pairs)).
-  { clear C D. unfold total, sum. induction pairs as [| [u v] rest IH]; [reflexivity |].
+  { clear C D. unfold total, sum. induction pairs as [| [u v] rest IH]; [cbn; ring |].
     cbn [total_angle fold_right map fst snd sum_of_angles]. rewrite inject_Z_plus.
     unfold total_angle in IH. rewrite IH by (intros; apply T; right; assumption).
     rewrite signed_angle_by_axis by (apply T; left; reflexivity).

@@ -1,9 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Winding numbers as signed crossings of a ray, as reference/definitions/winding_number.cpp counts
    them: they are the same for every ray. *)
-From Coq Require Import QArith Lqa Qfield ZArith Lia Bool List SetoidList SetoidPermutation.
-From Coq Require NsatzTactic.
-From Oplus Require Import direction angle rotation angular_crossings.
+From Coq Require Import ZArith Lia Bool List SetoidList SetoidPermutation.
+From Oplus Require Import numbers direction angle rotation angular_crossings.
 Import ListNotations.
 
 Open Scope Q_scope.
